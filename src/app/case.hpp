@@ -1,0 +1,106 @@
+// A scene as data: what a case file says, resolved and validated. No physics, no Kokkos.
+//
+// Scales (Bueno et al. 2017, eqs. 8-13): length L0, time L0/sqrt(ab), velocity sqrt(ab), density b, stress a b^2.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace softwet {
+
+enum class Side { slip, no_slip, clamped, free, periodic };
+enum class WallLaw { gradient, energy };  ///< g^2 |grad rho| cos(alpha) of the paper, or the variational wall energy
+
+struct Domain {
+  std::vector<double> size;   ///< extents, 2 or 3 numbers; the last axis is vertical (solid below, fluid above)
+  std::vector<int> elements;  ///< elements per axis
+  int degree = 2;             ///< B-spline degree, C^(degree-1) inside each material
+};
+
+struct Fluid {
+  double viscosity = 0;           ///< mu_hat, eq. (9)
+  double capillarity = 0;         ///< gamma_hat, eq. (8)
+  double temperature = 0;         ///< theta_hat, eq. (10)
+  double contact_angle = 90;      ///< degrees, measured in the liquid
+  WallLaw wall_law = WallLaw::gradient;
+  double stabilisation = 0.002;   ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
+  double smoothing = 1e-4;        ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
+};
+
+struct Substrate {
+  double thickness = 0;  ///< Hs; a whole number of element rows
+  double density = 1;    ///< rho_0^s / b
+  double young = 0;      ///< E_hat, eq. (12): Young modulus / (rho_0^s a b)
+  double poisson = 0;    ///< nu
+};
+
+struct Droplet {
+  std::vector<double> centre;  ///< of the circle or sphere; on the interface it becomes a cap cut at the contact angle
+  double radius = 0;
+};
+
+struct Load {
+  std::vector<double> lower, upper;  ///< box in reference coordinates, inside the solid
+  std::vector<double> force;         ///< f_hat, eq. (13), force per unit mass
+  double start = 0;                  ///< on the clock of the computation, which starts at 0 with the relaxation
+  double ramp = 0;                   ///< time over which the force grows linearly to its full value
+};
+
+/// Sides of the patch, [axis][0: low, 1: high]. Unused axes stay at slip.
+struct Boundary {
+  std::array<std::array<Side, 2>, 3> side{{{Side::slip, Side::slip}, {Side::slip, Side::slip}, {Side::slip, Side::slip}}};
+};
+
+struct TimeControl {
+  std::string scheme = "generalized_alpha";
+  double rho_inf = 0.5;
+  double end = 0;             ///< on the clock of the output, whose zero is the start of the first load
+  double dt_initial = 1e-2;
+  double dt_min = 1e-8;
+  double dt_max = 50;
+  double tolerance = 2e-3;    ///< of the local error estimate that sets the step
+  long max_steps = 1000000;
+};
+
+struct SolverControl {
+  double newton_rtol = 1e-6;
+  double newton_atol = 1e-10;
+  int newton_max = 10;
+  double krylov_rtol = 1e-2;
+  int krylov_restart = 30;
+  int krylov_max = 200;
+  std::string jacobian = "exact";             ///< exact | difference
+  std::string preconditioner = "automatic";   ///< automatic | lu | schwarz | none
+  std::string precision = "double";
+};
+
+struct OutputControl {
+  int history_every = 1;
+  std::vector<double> field_times;
+  double checkpoint_minutes = 10;
+};
+
+struct Case {
+  std::string name;
+  Domain domain;
+  std::optional<Fluid> fluid;
+  std::optional<Substrate> substrate;
+  std::vector<Droplet> droplets;
+  std::vector<Load> loads;
+  Boundary boundary;
+  TimeControl time;
+  SolverControl solver;
+  OutputControl output;
+
+  int dimension() const { return static_cast<int>(domain.size.size()); }
+  /// Output time = computation time - clock_zero(): the start of the earliest load, 0 without loads.
+  double clock_zero() const {
+    double zero = loads.empty() ? 0.0 : loads.front().start;
+    for (const Load& load : loads) zero = load.start < zero ? load.start : zero;
+    return zero;
+  }
+};
+
+}  // namespace softwet

@@ -1,0 +1,27 @@
+// From a validated case (run time) to a compiled configuration (compile time), once.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "app/case.hpp"
+
+namespace softwet {
+
+struct RunOptions {
+  std::string out;        ///< output folder
+  bool resume = false;    ///< continue from out/checkpoint.h5
+  int threads = 0;        ///< 0: all cores
+  bool quiet = false;     ///< no progress line
+};
+
+/// Computes the case and writes the output folder. Throws Error.
+void run_case(const Case&, const RunOptions&);
+
+/// Prints the terms in play, unknowns per field, memory, step limits and kernel of a case. Throws Error.
+void describe_case(const Case&, std::ostream&);
+
+/// Prints version, commit, backend, threads, instruction set and the compiled configurations.
+void describe_build(std::ostream&);
+
+}  // namespace softwet
