@@ -21,6 +21,9 @@ void run_case(const Case&, const RunOptions&);
 /// Prints the terms in play, unknowns per field, memory, step limits and kernel of a case. Throws Error.
 void describe_case(const Case&, std::ostream&);
 
+/// Measures residuals, products and preconditioner of a case and prints throughput. Throws Error.
+void bench_case(const Case&, const RunOptions&, std::ostream&);
+
 /// Prints version, commit, backend, threads, instruction set and the compiled configurations.
 void describe_build(std::ostream&);
 

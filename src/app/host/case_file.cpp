@@ -1,0 +1,99 @@
+// Document to Case: required keys, defaults, checks.
+#include "app/host/case_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "app/error.hpp"
+#include "app/host/case_checks.hpp"
+#include "app/host/document.hpp"
+
+namespace softwet {
+namespace {
+
+std::size_t entries_of(const Document& document, const std::string& table) {
+  const Table* known = find_table(table);
+  if (known && known->count(Case{}) > 0) return 1;  // top of the file, domain, time, ... are always there
+  const auto found = document.table_count.find(table);
+  return found == document.table_count.end() ? 0 : found->second;
+}
+
+[[noreturn]] void reject_missing(const Document& document, const Key& key, std::size_t index) {
+  const std::string name = indexed_name(key, index);
+  const auto table = document.table_place.find(name.substr(0, name.find('.')));
+  const std::string& place = table == document.table_place.end() ? document.place : table->second;
+  throw Error(Exit::invalid_input, fmt::format("{}: {} is missing (a {}: {}); write for example {} = {}", place, name,
+                                               allowed_text(key), key.help, key.leaf(), example_text(key)));
+}
+
+Case resolve(const Document& document) {
+  Case c;
+  for (const Table& table : tables()) {
+    for (std::size_t i = 0; i < entries_of(document, table.name); ++i) table.open(c, i);
+  }
+  for (const Key& key : schema()) {  // in schema order: the domain decides the dimension before the sides need it
+    for (std::size_t i = 0; i < entries_of(document, key.table()); ++i) {
+      const auto found = document.entries.find(indexed_name(key, i));
+      if (found != document.entries.end()) key.bind.set(c, i, found->second.value);
+      if (found == document.entries.end() && key.required) reject_missing(document, key, i);
+    }
+  }
+  if (!document.entries.count("boundary.top")) {
+    find_key("boundary.top")->bind.set(c, 0, std::string(c.fluid ? "no_slip" : "free"));
+  }
+  return c;
+}
+
+[[noreturn]] void reject_path(const std::string& path, const std::string& reason) {
+  throw Error(Exit::invalid_input,
+              fmt::format("cannot read the case file '{}': {}; give the path of a case, for example "
+                          "cases/tensotaxis_pull_2d.toml",
+                          path, reason));
+}
+
+}  // namespace
+
+Case parse_case(std::string_view text, const std::string& place, const std::vector<std::string>& overrides) {
+  Document document = read_document(text, place);
+  for (const std::string& assignment : overrides) apply_override(document, assignment);
+  if (!document.table_count.count("fluid") && !document.table_count.count("substrate")) check_case(Case{}, document);
+  Case c = resolve(document);
+  check_case(c, document);
+  return c;
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
+  if (std::filesystem::is_directory(path)) reject_path(path, "it is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) reject_path(path, std::strerror(errno));
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (file.bad()) reject_path(path, std::strerror(errno));
+  return parse_case(text.str(), path, overrides);
+}
+
+std::vector<std::string> warnings(const Case& c) {
+  std::vector<std::string> found;
+  double largest = 0;
+  for (std::size_t axis = 0; axis < c.domain.size.size(); ++axis) {
+    largest = std::max(largest, c.domain.size[axis] / c.domain.elements[axis]);
+  }
+  if (c.fluid && c.fluid->capillarity < largest / 2) {
+    found.push_back(
+        fmt::format("fluid.capillarity = {:.6g} is less than half an element ({:.6g}): the liquid-vapour "
+                    "interface is not resolved; use more elements or a capillarity of {:.6g} or more",
+                    c.fluid->capillarity, largest, 2 * largest));
+  }
+  if (!c.output.field_times.empty() && c.output.field_times.back() > c.time.end) {
+    found.push_back(fmt::format("output.fields.times beyond time.end = {} will not be written", c.time.end));
+  }
+  return found;
+}
+
+}  // namespace softwet

@@ -1,0 +1,30 @@
+// Case files: reading and checking them, writing them, explaining their keys. All of it from the one schema.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/case.hpp"
+
+namespace softwet {
+
+/// Reads and checks a case file, with "key=value" overrides of the command line. Throws Error invalid_input.
+Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The same for text; `place` names it in messages.
+Case parse_case(std::string_view text, const std::string& place, const std::vector<std::string>& overrides = {});
+
+/// The complete resolved case as TOML, every key with its value: parse_case(write_case(c)) equals c.
+std::string write_case(const Case& c);
+
+/// What `softwet explain` prints: one key, all keys of a table, or everything when `name` is empty.
+std::string explain(const std::string& name);
+
+/// A commented case to start from: "tensotaxis_pull_2d". Throws Error naming the known ones.
+std::string initial_case(const std::string& name);
+
+/// What is allowed in a checked case but deserves a look: under-resolved interface, times never reached.
+std::vector<std::string> warnings(const Case& c);
+
+}  // namespace softwet

@@ -1,0 +1,179 @@
+// Commands of softwet and their options.
+#include "app/host/cli.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <softwet_version.hpp>
+
+#include "app/case.hpp"
+#include "app/dispatch.hpp"
+#include "app/error.hpp"
+#include "app/host/case_file.hpp"
+#include "app/host/output_folder.hpp"
+
+namespace softwet {
+namespace {
+
+/// What the command line may say, for all commands.
+struct Request {
+  std::string case_path;
+  std::vector<std::string> overrides;
+  RunOptions options;
+  bool overwrite = false;
+  std::string key;
+  std::string file = "softwet.toml";
+};
+
+Case load_case(const Request& request) {
+  Case c = read_case(request.case_path, request.overrides);
+  for (const std::string& warning : warnings(c)) std::cerr << "softwet: warning: " << warning << "\n";
+  return c;
+}
+
+void run_command(Request& request) {
+  if (request.options.resume && request.overwrite) {
+    throw Error(Exit::invalid_input, "--resume continues a result, --overwrite removes it; give one of them");
+  }
+  const Case c = load_case(request);
+  if (request.options.out.empty()) request.options.out = "out/" + c.name;
+  const OldResult old = request.options.resume ? OldResult::resume
+                        : request.overwrite    ? OldResult::overwrite
+                                               : OldResult::refuse;
+  OutputFolder folder(request.options.out, c, old);
+  try {
+    run_case(c, request.options);
+  } catch (const Error& error) {
+    if (error.code() == Exit::invalid_input) folder.discard();
+    throw;
+  }
+  folder.finish(c);
+}
+
+void check_command(const Request& request) {
+  const Case c = load_case(request);
+  std::cout << write_case(c) << "\n" << std::flush;
+  describe_case(c, std::cout);
+}
+
+void init_command(const Request& request) {
+  if (std::filesystem::exists(request.file)) {
+    throw Error(Exit::invalid_input, fmt::format("init: '{}' exists and stays as it is; give another name, for example "
+                                                 "'softwet init my_case.toml'",
+                                                 request.file));
+  }
+  std::ofstream file(request.file);
+  file << initial_case("tensotaxis_pull_2d");
+  file.close();
+  if (!file) {
+    throw Error(Exit::machine_failed, fmt::format("init: cannot write '{}'; give a file in a folder that exists and is "
+                                                  "yours",
+                                                  request.file));
+  }
+  fmt::print("wrote {}; next: softwet check {}\n", request.file, request.file);
+}
+
+void add_case(CLI::App& command, Request& request) {
+  command.add_option("CASE", request.case_path, "case file, for example cases/tensotaxis_pull_2d.toml")->required();
+  command
+      .add_option_function<std::string>(
+          "--set", [&request](const std::string& assignment) { request.overrides.push_back(assignment); },
+          "set a key of the case, for example --set time.end=10 or --set load[0].ramp=2; repeatable")
+      ->type_name("KEY=VALUE")
+      ->trigger_on_parse();
+}
+
+void add_threads(CLI::App& command, Request& request) {
+  command.add_option("--threads", request.options.threads, "number of threads; default: all cores")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+}
+
+void add_run(CLI::App& app, Request& request) {
+  CLI::App& command = *app.add_subcommand("run", "compute a case and write its output folder");
+  add_case(command, request);
+  command.add_option("--out", request.options.out, "output folder; default: out/<name of the case>")->type_name("DIR");
+  command.add_flag("--resume", request.options.resume, "continue from the checkpoint in the output folder");
+  command.add_flag("--overwrite", request.overwrite, "replace the result in the output folder");
+  add_threads(command, request);
+  command.add_flag("--quiet", request.options.quiet, "no progress line");
+  command.callback([&request] { run_command(request); });
+}
+
+void add_bench(CLI::App& app, Request& request) {
+  CLI::App& command = *app.add_subcommand("bench", "measure residuals and products of a case");
+  add_case(command, request);
+  add_threads(command, request);
+  command.callback([&request] { bench_case(load_case(request), request.options, std::cout); });
+}
+
+void add_commands(CLI::App& app, Request& request) {
+  add_run(app, request);
+  CLI::App& check =
+      *app.add_subcommand("check", "print the resolved case, its terms, unknowns, memory and step limits");
+  add_case(check, request);
+  check.callback([&request] { check_command(request); });
+
+  CLI::App& explain_keys = *app.add_subcommand("explain", "tell meaning, range and default of the keys of a case");
+  explain_keys.add_option("KEY", request.key, "a key or table, for example fluid.viscosity or load; default: all");
+  explain_keys.callback([&request] { std::cout << explain(request.key); });
+
+  CLI::App& init = *app.add_subcommand("init", "write a commented case to start from");
+  init.add_option("FILE", request.file, "file to write; default: softwet.toml")->type_name("");
+  init.callback([&request] { init_command(request); });
+
+  app.add_subcommand("info", "tell version, backend and compiled configurations")->callback([] {
+    describe_build(std::cout);
+  });
+  add_bench(app, request);
+}
+
+int report(Exit code, const std::string& message) {
+  std::cout << std::flush;
+  std::cerr << "softwet: error: " << message << "\n";
+  return static_cast<int>(code);
+}
+
+int parse(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+    return static_cast<int>(Exit::done);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::string message = error.what();
+    for (char& c : message) c = c == '\n' ? ' ' : c;
+    return report(Exit::invalid_input, message + "; 'softwet --help' and 'softwet COMMAND --help' show what there is");
+  }
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+  CLI::App app("softwet: droplets on soft solids (Navier-Stokes-Korteweg and Saint Venant-Kirchhoff).", "softwet");
+  app.footer(
+      "Start:  softwet init my_case.toml;  softwet check my_case.toml;  softwet run my_case.toml\n"
+      "Exit codes: 0 done, 1 the case or the command line is wrong, 2 the computation failed,\n"
+      "            3 the machine failed (disk, memory, device).");
+  app.set_version_flag("--version", fmt::format("softwet {} ({})", version, commit), "print version and commit");
+  app.require_subcommand(1);
+  Request request;
+  add_commands(app, request);
+  try {
+    return parse(app, argc, argv);
+  } catch (const Error& error) {
+    return report(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return report(Exit::machine_failed, "out of memory; 'softwet check CASE' tells how much a case needs");
+  } catch (const std::filesystem::filesystem_error& error) {
+    return report(Exit::machine_failed, error.what());
+  } catch (const std::exception& error) {
+    return report(Exit::computation_failed, error.what());
+  }
+}
+
+}  // namespace softwet

@@ -1,0 +1,140 @@
+// Tables of a case file and the look-ups over the schema.
+#include "app/host/schema.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace softwet {
+namespace {
+
+std::size_t always(const Case&) { return 1; }
+void nothing(Case&, std::size_t) {}
+
+template <class Entry>
+void grow(std::vector<Entry>& entries, std::size_t index) {
+  if (entries.size() <= index) entries.resize(index + 1);
+}
+
+std::string number_text(double number) { return fmt::format("{}", number); }
+
+/// A case with one of everything, all members at their defaults.
+Case default_case() {
+  Case c;
+  c.domain.size = {1, 1, 1};
+  for (const Table& table : tables()) table.open(c, 0);
+  return c;
+}
+
+}  // namespace
+
+bool Range::contains(double number) const {
+  if (!std::isfinite(number)) return false;
+  return (low_open ? number > low : number >= low) && (high_open ? number < high : number <= high);
+}
+
+std::string Range::text() const {
+  if (std::isinf(low) && std::isinf(high)) return {};
+  return fmt::format("{}{}, {}{}", low_open ? '(' : '[', number_text(low), number_text(high), high_open ? ')' : ']');
+}
+
+const std::vector<Table>& tables() {
+  static const std::vector<Table> all{
+      {"", "", false, always, nothing},
+      {"domain", "Box of solid and fluid, and its elements", false, always, nothing},
+      {"fluid", "Isothermal Navier-Stokes-Korteweg; omit for a solid alone", false,
+       [](const Case& c) -> std::size_t { return c.fluid ? 1 : 0; },
+       [](Case& c, std::size_t) {
+         if (!c.fluid) c.fluid.emplace();
+       }},
+      {"substrate", "Saint Venant-Kirchhoff solid (2D: plane strain); omit for a rigid wall", false,
+       [](const Case& c) -> std::size_t { return c.substrate ? 1 : 0; },
+       [](Case& c, std::size_t) {
+         if (!c.substrate) c.substrate.emplace();
+       }},
+      {"droplet[]", "Liquid at the start; one [[droplet]] each", true, [](const Case& c) { return c.droplets.size(); },
+       [](Case& c, std::size_t i) { grow(c.droplets, i); }},
+      {"load[]", "Force per unit mass on a box of the solid; one [[load]] each", true,
+       [](const Case& c) { return c.loads.size(); }, [](Case& c, std::size_t i) { grow(c.loads, i); }},
+      {"boundary", "Sides of the domain", false, always, nothing},
+      {"time", "Time steps", false, always, nothing},
+      {"solver", "Newton, Krylov", false, always, nothing},
+      {"output", "What is written, and when", false, always, nothing},
+  };
+  return all;
+}
+
+const std::vector<Key>& schema() {
+  static const std::vector<Key> all = [] {
+    std::vector<Key> keys = scene_keys();
+    for (Key& key : numerics_keys()) keys.push_back(std::move(key));
+    return keys;
+  }();
+  return all;
+}
+
+std::string Key::table() const {
+  const auto dot = name.find('.');
+  return dot == std::string::npos ? std::string{} : name.substr(0, dot);
+}
+
+std::string Key::leaf() const {
+  const auto dot = name.find('.');
+  return dot == std::string::npos ? name : name.substr(dot + 1);
+}
+
+const Key* find_key(std::string_view name) {
+  const auto found = std::find_if(schema().begin(), schema().end(), [&](const Key& key) { return key.name == name; });
+  return found == schema().end() ? nullptr : &*found;
+}
+
+const Table* find_table(std::string_view name) {
+  const auto found = std::find_if(tables().begin(), tables().end(), [&](const Table& t) { return t.name == name; });
+  return found == tables().end() ? nullptr : &*found;
+}
+
+std::string indexed_name(const Key& key, std::size_t index) {
+  const auto bracket = key.name.find("[]");
+  if (bracket == std::string::npos) return key.name;
+  return fmt::format("{}[{}]{}", key.name.substr(0, bracket), index, key.name.substr(bracket + 2));
+}
+
+std::string allowed_text(const Key& key) {
+  if (key.kind == Kind::choice) {
+    std::string text = "one of ";
+    for (const std::string& choice : key.choices) text += (&choice == &key.choices[0] ? "" : ", ") + quoted(choice);
+    return text;
+  }
+  std::string text;
+  switch (key.kind) {
+    case Kind::number:
+      text = "number";
+      break;
+    case Kind::integer:
+      text = "whole number";
+      break;
+    case Kind::numbers:
+      text = "list of numbers";
+      break;
+    case Kind::integers:
+      text = "list of whole numbers";
+      break;
+    case Kind::box:
+      text = "box [[lower corner], [upper corner]]";
+      break;
+    default:
+      return "text";
+  }
+  const std::string range = key.range.text();
+  return range.empty() ? text : text + " in " + range;
+}
+
+std::string default_text(const Key& key) {
+  if (key.required) return {};
+  return text_of_value(key.bind.get(default_case(), 0));
+}
+
+std::string example_text(const Key& key) { return key.example.empty() ? default_text(key) : key.example; }
+
+}  // namespace softwet

@@ -1,0 +1,167 @@
+// Schema, second half: sides, time steps, solver and output.
+#include "app/host/binding.hpp"
+#include "app/host/schema.hpp"
+
+namespace softwet {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range positive{0, infinity, true, true};
+constexpr Range fraction{0, 1, true, true};
+
+/// Axis of a side: left/right, front/back (3D), bottom/top (the last axis).
+enum class Pair { left_right, front_back, bottom_top };
+
+Key side_key(const char* name, Pair pair, std::size_t end, const char* help, const char* example = "") {
+  const auto place = [pair, end](Case& c, std::size_t) -> Side& {
+    const std::size_t vertical = c.dimension() == 3 ? 2 : 1;
+    const std::size_t axis = pair == Pair::left_right ? 0 : pair == Pair::front_back ? 1 : vertical;
+    return c.boundary.side[axis][end];
+  };
+  return {.name = name,
+          .kind = Kind::choice,
+          .choices = side_words,
+          .example = example,
+          .help = help,
+          .bind = at(place),
+          .three_dimensional = pair == Pair::front_back};
+}
+
+std::vector<Key> boundary_keys() {
+  std::vector<Key> keys{
+      side_key("boundary.left", Pair::left_right, 0, "Low end of the first axis; periodic only together with right."),
+      side_key("boundary.right", Pair::left_right, 1, "High end of the first axis; periodic only together with left."),
+      side_key("boundary.front", Pair::front_back, 0, "Low end of the second axis, 3D; periodic only with back."),
+      side_key("boundary.back", Pair::front_back, 1, "High end of the second axis, 3D; periodic only with front."),
+      side_key("boundary.bottom", Pair::bottom_top, 0, "Under the solid, or the rigid wall without one."),
+      side_key("boundary.top", Pair::bottom_top, 1, "Above the fluid, or above a solid alone.", "\"no_slip\""),
+  };
+  keys.back().default_note = "\"no_slip\" with a fluid, \"free\" for a solid alone";
+  return keys;
+}
+
+std::vector<Key> time_keys() {
+  return {
+      {.name = "time.scheme",
+       .kind = Kind::choice,
+       .choices = {"generalized_alpha"},
+       .help = "Time scheme.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.scheme; })},
+      {.name = "time.rho_inf",
+       .range = {0, 1, false, false},
+       .example = "0.5",
+       .help = "Spectral radius of generalized-alpha for infinite steps: 1 keeps all, 0 damps high frequencies most.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.rho_inf; })},
+      {.name = "time.end",
+       .unit = "L0/sqrt(ab)",
+       .range = positive,
+       .required = true,
+       .example = "1884.0",
+       .help = "End of the computation on the clock of the output, whose zero is the start of the first load.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.end; })},
+      {.name = "time.dt_initial",
+       .unit = "L0/sqrt(ab)",
+       .range = positive,
+       .help = "First time step.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.dt_initial; })},
+      {.name = "time.dt_min",
+       .unit = "L0/sqrt(ab)",
+       .range = positive,
+       .help = "Smallest time step; a step that fails at this size ends the computation.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.dt_min; })},
+      {.name = "time.dt_max",
+       .unit = "L0/sqrt(ab)",
+       .range = positive,
+       .help = "Largest time step.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.dt_max; })},
+      {.name = "time.tolerance",
+       .range = positive,
+       .help = "Local error that sets the size of the time step.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.tolerance; })},
+      {.name = "time.max_steps",
+       .kind = Kind::integer,
+       .range = {1, 1e15, false, false},
+       .help = "Most accepted time steps.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.max_steps; })},
+  };
+}
+
+std::vector<Key> solver_keys() {
+  return {
+      {.name = "solver.newton.rtol",
+       .range = fraction,
+       .help = "Newton stops at this fraction of the first residual.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_rtol; })},
+      {.name = "solver.newton.atol",
+       .range = positive,
+       .help = "Newton stops at this residual whatever the first was.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_atol; })},
+      {.name = "solver.newton.max",
+       .kind = Kind::integer,
+       .range = {1, 1000, false, false},
+       .help = "Most Newton iterations of a time step; more rejects the step.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_max; })},
+      {.name = "solver.krylov.rtol",
+       .range = fraction,
+       .help = "Reduction of the true residual by each linear solve.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.krylov_rtol; })},
+      {.name = "solver.krylov.restart",
+       .kind = Kind::integer,
+       .range = {2, 1000, false, false},
+       .help = "Vectors GMRES keeps before it restarts.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.krylov_restart; })},
+      {.name = "solver.krylov.max",
+       .kind = Kind::integer,
+       .range = {1, 100000, false, false},
+       .help = "Most iterations of one linear solve.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.krylov_max; })},
+      {.name = "solver.krylov.jacobian",
+       .kind = Kind::choice,
+       .choices = {"exact", "difference"},
+       .help = "Jacobian-vector product: exact (dual numbers) or a finite difference of residuals.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.jacobian; })},
+      {.name = "solver.krylov.preconditioner",
+       .kind = Kind::choice,
+       .choices = {"automatic", "lu", "schwarz", "none"},
+       .help = "Lagged sparse factorisation (lu), restricted additive Schwarz, none, or the faster for the case.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.preconditioner; })},
+      {.name = "solver.precision",
+       .kind = Kind::choice,
+       .choices = {"double"},
+       .help = "Numbers of the computation.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.precision; })},
+  };
+}
+
+std::vector<Key> output_keys() {
+  return {
+      {.name = "output.history.every",
+       .kind = Kind::integer,
+       .range = {1, 1e9, false, false},
+       .help = "A row of history.csv after every so many accepted steps.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.history_every; })},
+      {.name = "output.fields.times",
+       .kind = Kind::numbers,
+       .unit = "L0/sqrt(ab)",
+       .example = "[0.0, 235.0, 471.0, 1884.0]",
+       .help = "Increasing times of field files and interface.csv, on the clock of the output (negative: relaxation).",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.field_times; })},
+      {.name = "output.checkpoint.minutes",
+       .unit = "minutes of wall time",
+       .range = positive,
+       .help = "Time between checkpoints.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.checkpoint_minutes; })},
+  };
+}
+
+}  // namespace
+
+std::vector<Key> numerics_keys() {
+  std::vector<Key> keys;
+  for (auto part : {boundary_keys, time_keys, solver_keys, output_keys}) {
+    for (Key& key : part()) keys.push_back(std::move(key));
+  }
+  return keys;
+}
+
+}  // namespace softwet

@@ -1,0 +1,210 @@
+// Schema, first half: what is simulated. Equation numbers are those of Bueno et al. 2017.
+#include "app/host/binding.hpp"
+#include "app/host/schema.hpp"
+
+namespace softwet {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range positive{0, infinity, true, true};
+
+std::vector<Key> domain_keys() {
+  return {
+      {.name = "name",
+       .kind = Kind::text,
+       .required = true,
+       .example = "\"tensotaxis_pull_2d\"",
+       .source = "Bueno et al. 2017, Fig. 2, left column; [?] = not stated in the paper",
+       .help = "Name of the case, and of its output folder: letters, digits, '_', '-' and '.'.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.name; })},
+      {.name = "domain.size",
+       .kind = Kind::numbers,
+       .unit = "L0",
+       .range = positive,
+       .required = true,
+       .example = "[1.0, 0.5]",
+       .source = "solid and fluid together; the last axis is vertical",
+       .help = "Extents of the box of solid and fluid: 2 numbers (plane strain) or 3. The last axis is vertical.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.size; })},
+      {.name = "domain.elements",
+       .kind = Kind::integers,
+       .range = {1, 100000, false, false},
+       .required = true,
+       .example = "[128, 64]",
+       .help = "Elements along each axis; as many numbers as domain.size.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.elements; })},
+      {.name = "domain.degree",
+       .kind = Kind::integer,
+       .range = {2, 3, false, false},
+       .example = "2",
+       .help = "Degree p of the B-splines, C^(p-1) inside each material.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.degree; })},
+  };
+}
+
+std::vector<Key> fluid_keys() {
+  return {
+      {.name = "fluid.viscosity",
+       .unit = "L0 b sqrt(ab)",
+       .range = positive,
+       .required = true,
+       .example = "\"1/256\"",
+       .source = "mu-hat, eq. (9)",
+       .help = "Viscosity mu-hat, eq. (9).",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->viscosity; })},
+      {.name = "fluid.capillarity",
+       .unit = "L0",
+       .range = positive,
+       .required = true,
+       .example = "\"1/64\"",
+       .source = "gamma-hat, eq. (8)",
+       .help = "Capillarity gamma-hat = sqrt(lambda/a)/L0, eq. (8): half the width of the liquid-vapour interface. "
+               "Two elements or more resolve it well.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->capillarity; })},
+      {.name = "fluid.temperature",
+       .unit = "theta_c",
+       .range = {0.3, 1, false, true},
+       .required = true,
+       .example = "0.39",
+       .source = "theta-hat, eq. (10)",
+       .help = "Temperature theta-hat, eq. (10).",
+       .reason = "there are no two phases above the critical temperature, choose below 1; below 0.3 the vapour is too "
+                 "thin to compute",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->temperature; })},
+      {.name = "fluid.contact_angle",
+       .unit = "degrees",
+       .range = {0, 180, true, true},
+       .example = "75.0",
+       .source = "measured in the liquid",
+       .help = "Static contact angle alpha with the wall, measured in the liquid.",
+       .reason = "the liquid wets for angles below 90 and is repelled above",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->contact_angle; })},
+      {.name = "fluid.wall_law",
+       .kind = Kind::choice,
+       .choices = wall_law_words,
+       .help = "Wall condition of the contact angle: the paper's |grad rho| cos(alpha), or the variational wall energy "
+               "(exact energy law, droplets about 25 % slower).",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_law; })},
+      {.name = "fluid.stabilisation",
+       .range = {0, 1, false, false},
+       .help = "C of the checkerboard control eps = C h^2 rho^2 / mu-hat; 0 switches it off.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->stabilisation; })},
+      {.name = "fluid.smoothing",
+       .unit = "b/L0",
+       .range = positive,
+       .help = "d of sqrt(|grad rho|^2 + d^2) in the wall law \"gradient\".",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->smoothing; })},
+  };
+}
+
+std::vector<Key> substrate_keys() {
+  return {
+      {.name = "substrate.thickness",
+       .unit = "L0",
+       .range = positive,
+       .required = true,
+       .example = "0.125",
+       .source = "[?]",
+       .help = "Height of the solid: whole rows of elements, less than the domain with a fluid, all of it without.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->thickness; })},
+      {.name = "substrate.density",
+       .unit = "b",
+       .range = positive,
+       .example = "1.0",
+       .source = "[?] rho_0^s / b",
+       .help = "Density of the undeformed solid.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->density; })},
+      {.name = "substrate.young",
+       .unit = "rho_0^s ab",
+       .range = positive,
+       .required = true,
+       .example = "0.7554",
+       .source = "E-hat, eq. (12)",
+       .help = "Young modulus E-hat, eq. (12).",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->young; })},
+      {.name = "substrate.poisson",
+       .range = {-1, 0.5, true, true},
+       .required = true,
+       .example = "0.45",
+       .source = "eq. (11)",
+       .help = "Poisson ratio nu, eq. (11).",
+       .reason = "0.5 would be incompressible, choose 0.49 at most for a nearly incompressible solid",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->poisson; })},
+  };
+}
+
+/// A box is two lists in Case, lower and upper corner.
+Binding load_box() {
+  return {[](Case& c, std::size_t index, const Value& value) {
+            const auto& corners = std::get<std::vector<Numbers>>(value);
+            c.loads[index].lower = corners[0];
+            c.loads[index].upper = corners[1];
+          },
+          [](const Case& c, std::size_t index) {
+            return std::vector<Numbers>{c.loads[index].lower, c.loads[index].upper};
+          }};
+}
+
+std::vector<Key> droplet_and_load_keys() {
+  constexpr Range not_negative{0, infinity, false, true};
+  return {
+      {.name = "droplet[].centre",
+       .kind = Kind::numbers,
+       .unit = "L0",
+       .required = true,
+       .example = "[0.5, 0.125]",
+       .source = "[?] on the interface: a cap cut at the contact angle",
+       .help = "Centre of the circle or sphere; on the interface it becomes a cap cut at the contact angle.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.droplets[i].centre; })},
+      {.name = "droplet[].radius",
+       .unit = "L0",
+       .range = positive,
+       .required = true,
+       .example = "0.155",
+       .source = "[?]",
+       .help = "Radius of the circle or sphere.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.droplets[i].radius; })},
+      {.name = "load[].box",
+       .kind = Kind::box,
+       .unit = "L0",
+       .required = true,
+       .example = "[[0.7, 0.0], [0.8, 0.125]]",
+       .source = "[?]",
+       .help = "Lower and upper corner of the loaded part of the solid, in the undeformed state.",
+       .bind = load_box()},
+      {.name = "load[].force",
+       .kind = Kind::numbers,
+       .unit = "ab/L0",
+       .required = true,
+       .example = "[0.16215, 0.0]",
+       .source = "f-hat, eq. (13)",
+       .help = "Force per unit mass f-hat, eq. (13), in its full strength.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].force; })},
+      {.name = "load[].start",
+       .unit = "L0/sqrt(ab)",
+       .range = not_negative,
+       .example = "30.0",
+       .source = "[?] after relaxation; time zero of the output is the start of the load",
+       .help = "Begin of the load on the clock of the computation, which starts at 0 with the relaxation.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].start; })},
+      {.name = "load[].ramp",
+       .unit = "L0/sqrt(ab)",
+       .range = not_negative,
+       .example = "5.0",
+       .source = "[?]",
+       .help = "Time over which the force grows linearly to its full strength.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].ramp; })},
+  };
+}
+
+}  // namespace
+
+std::vector<Key> scene_keys() {
+  std::vector<Key> keys;
+  for (auto part : {domain_keys, fluid_keys, substrate_keys, droplet_and_load_keys}) {
+    for (Key& key : part()) keys.push_back(std::move(key));
+  }
+  return keys;
+}
+
+}  // namespace softwet

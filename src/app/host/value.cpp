@@ -1,0 +1,72 @@
+// Text to value and back.
+#include "app/host/value.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+
+namespace softwet {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::optional<double> plain_number(std::string_view text) {
+  text = trimmed(text);
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  double number = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (status != std::errc{} || end != text.data() + text.size() || text.empty()) return std::nullopt;
+  return number;
+}
+
+std::string text_of_numbers(const Numbers& numbers) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < numbers.size(); ++i) text += (i ? ", " : "") + text_of_number(numbers[i]);
+  return text + "]";
+}
+
+}  // namespace
+
+std::optional<double> number_from_text(std::string_view text) {
+  const auto slash = text.find('/');
+  if (slash == std::string_view::npos) return plain_number(text);
+  const auto above = plain_number(text.substr(0, slash));
+  const auto below = plain_number(text.substr(slash + 1));
+  if (!above || !below || *below == 0.0) return std::nullopt;
+  return *above / *below;
+}
+
+std::string text_of_number(double number) { return fmt::format("{}", number); }
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      out += fmt::format("\\u{:04X}", byte);
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+std::string text_of_value(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return text_of_number(*number);
+  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+  if (const auto* numbers = std::get_if<Numbers>(&value)) return text_of_numbers(*numbers);
+  std::string text = "[";
+  for (const Numbers& corner : std::get<std::vector<Numbers>>(value)) {
+    text += (text.size() > 1 ? ", " : "") + text_of_numbers(corner);
+  }
+  return text + "]";
+}
+
+}  // namespace softwet

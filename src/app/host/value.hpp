@@ -1,0 +1,29 @@
+// A value of a case file, free of any TOML library: how it is read from text, shown to people and written back.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace softwet {
+
+using Numbers = std::vector<double>;
+
+/// Number or integer | text or choice | list of numbers | box (two corners).
+using Value = std::variant<double, std::string, Numbers, std::vector<Numbers>>;
+
+/// A number as papers write it: "0.39", "-2e-3" or a ratio "1/256". Nothing when the text is anything else.
+std::optional<double> number_from_text(std::string_view text);
+
+/// Shortest text that reads back to the same bits.
+std::string text_of_number(double number);
+
+/// TOML text of a value: 0.39, "slip", [1, 0.5], [[0.7, 0], [0.8, 0.125]].
+std::string text_of_value(const Value& value);
+
+/// TOML string with quotes, backslashes and control characters escaped.
+std::string quoted(std::string_view text);
+
+}  // namespace softwet
