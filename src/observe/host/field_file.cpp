@@ -1,0 +1,138 @@
+#include "observe/host/field_file.hpp"
+
+#include <cmath>
+#include <set>
+
+#include "app/error.hpp"
+#include "observe/host/atomic_file.hpp"
+#include "observe/host/hdf5_file.hpp"
+#include "observe/host/json_text.hpp"
+#include "observe/host/number_text.hpp"
+#include "observe/host/quadratic_cells.hpp"
+
+namespace softwet {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+  throw Error(Exit::computation_failed, path + ": not written: " + what);
+}
+
+void require_size(const std::string& path, const std::string& name, std::size_t found, std::size_t expected) {
+  if (found == expected) return;
+  refuse(path, name + " has " + std::to_string(found) + " values where the grid needs " + std::to_string(expected) +
+                   "; this is an error in softwet, please report it");
+}
+
+std::string position_text(const std::vector<double>& points, std::size_t point, int dimension) {
+  std::string text = "(";
+  for (int axis = 0; axis < dimension; ++axis) {
+    text += (axis == 0 ? "" : ", ") + number_text(points[point * dimension + axis]);
+  }
+  return text + ")";
+}
+
+/// Throws computation_failed at the first value that is not finite.
+void require_finite(const std::string& path, const std::string& name, const std::vector<double>& values, int components,
+                    const std::vector<double>& points, int dimension) {
+  for (std::size_t at = 0; at < values.size(); ++at) {
+    if (std::isfinite(values[at])) continue;
+    const std::size_t point = at / components;
+    const std::string component = components == 1 ? "" : ", component " + std::to_string(at % components) + ",";
+    refuse(path, "field '" + name + "'" + component + " is " + number_text(values[at]) + " at point " +
+                     std::to_string(point) + " " + position_text(points, point, dimension) +
+                     "; the computation has diverged: take shorter time steps or a finer mesh");
+  }
+}
+
+void check_fields(const std::string& path, const TensorGrid& grid, const std::vector<double>& points,
+                  const std::vector<PointField>& fields, double time) {
+  if (grid.dimension != 2 && grid.dimension != 3) refuse(path, "a grid has dimension 2 or 3");
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    if (grid.cells[axis] < 1) refuse(path, "a grid has at least one cell along each axis");
+  }
+  if (!std::isfinite(time)) refuse(path, "the time is " + number_text(time));
+  const auto count = static_cast<std::size_t>(point_count(grid));
+  require_size(path, "points", points.size(), count * grid.dimension);
+  require_finite(path, "points", points, grid.dimension, points, grid.dimension);
+  std::set<std::string> names;
+  for (const PointField& field : fields) {
+    if (field.name.empty() || field.name.find('/') != std::string::npos || !names.insert(field.name).second) {
+      refuse(path, "'" + field.name + "' is no field name: it is empty, holds a '/' or is taken");
+    }
+    if (field.components < 1) refuse(path, "field '" + field.name + "' has no components");
+    require_size(path, "field '" + field.name + "'", field.values.size(), count * field.components);
+    require_finite(path, field.name, field.values, field.components, points, grid.dimension);
+  }
+}
+
+/// Vectors of a plane with a third component 0. @return shape (points, 3)
+std::vector<double> padded_to_three(const std::vector<double>& plane_vectors) {
+  std::vector<double> padded(plane_vectors.size() / 2 * 3, 0.0);
+  for (std::size_t at = 0; at < plane_vectors.size(); ++at) padded[at / 2 * 3 + at % 2] = plane_vectors[at];
+  return padded;
+}
+
+void write_vectors(Hdf5File& file, const std::string& name, const std::vector<double>& values, int components,
+                   int dimension, std::size_t count) {
+  if (components == 2 && dimension == 2) {
+    file.write(name, padded_to_three(values), {count, 3});
+  } else if (components == 1) {
+    file.write(name, values, {count});
+  } else {
+    file.write(name, values, {count, std::size_t(components)});
+  }
+}
+
+void write_cells(Hdf5File& file, const TensorGrid& grid) {
+  const std::vector<std::int64_t> connectivity = cell_nodes(grid);
+  const std::int64_t count = cell_count(grid);
+  const std::int64_t nodes_per_cell = std::int64_t(connectivity.size()) / count;
+  std::vector<std::int64_t> offsets(static_cast<std::size_t>(count) + 1);
+  for (std::size_t cell = 0; cell < offsets.size(); ++cell) offsets[cell] = std::int64_t(cell) * nodes_per_cell;
+  const std::uint8_t type = grid.dimension == 3 ? vtk_triquadratic_hexahedron : vtk_biquadratic_quad;
+  const std::vector<std::uint8_t> types(static_cast<std::size_t>(count), type);
+  // One partition: each of the numbers is a list of length one.
+  file.write("/VTKHDF/NumberOfPoints", std::vector<std::int64_t>{point_count(grid)}, {1});
+  file.write("/VTKHDF/NumberOfCells", std::vector<std::int64_t>{count}, {1});
+  file.write("/VTKHDF/NumberOfConnectivityIds", std::vector<std::int64_t>{std::int64_t(connectivity.size())}, {1});
+  file.write("/VTKHDF/Connectivity", connectivity, {connectivity.size()});
+  file.write("/VTKHDF/Offsets", offsets, {offsets.size()});
+  file.write("/VTKHDF/Types", types, {types.size()});
+}
+
+}  // namespace
+
+void write_fields(const std::string& path, const TensorGrid& grid, const std::vector<double>& points,
+                  const std::vector<PointField>& fields, double time) {
+  check_fields(path, grid, points, fields, time);
+  AtomicFile target(path);
+  Hdf5File file = Hdf5File::create(target.partial_path(), Hdf5Format::compatible);
+  file.make_group("/VTKHDF");
+  file.write_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});
+  file.write_attribute("/VTKHDF", "Type", std::string("UnstructuredGrid"));
+  write_cells(file, grid);
+  const auto count = static_cast<std::size_t>(point_count(grid));
+  write_vectors(file, "/VTKHDF/Points", points, grid.dimension, grid.dimension, count);
+  file.make_group("/VTKHDF/PointData");
+  for (const PointField& field : fields) {
+    write_vectors(file, "/VTKHDF/PointData/" + field.name, field.values, field.components, grid.dimension, count);
+  }
+  file.make_group("/VTKHDF/CellData");
+  file.make_group("/VTKHDF/FieldData");
+  file.write("/VTKHDF/FieldData/TimeValue", std::vector<double>{time}, {1});
+  file.close();
+  target.commit();
+}
+
+void write_series(const std::string& path, const std::vector<std::pair<std::string, double>>& files_and_times) {
+  std::string text = "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [";
+  const char* separator = "\n";
+  for (const auto& [file, time] : files_and_times) {
+    if (!std::isfinite(time)) refuse(path, "the time of " + file + " is " + number_text(time));
+    text += separator + ("    {\"name\": " + json_string(file) + ", \"time\": " + number_text(time) + "}");
+    separator = ",\n";
+  }
+  write_text_atomically(path, text + "\n  ]\n}\n");
+}
+
+}  // namespace softwet

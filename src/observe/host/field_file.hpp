@@ -1,0 +1,41 @@
+// Fields on quadratic cells in VTKHDF 1.0 files, which ParaView and VTK (9.1 and newer) open, and the series of their
+// times.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace softwet {
+
+/// A block of quadratic cells sharing their nodes: (2 cells + 1) points per axis, x fastest.
+/// 2D: VTK_BIQUADRATIC_QUAD (9 nodes), 3D: VTK_TRIQUADRATIC_HEXAHEDRON (27 nodes).
+struct TensorGrid {
+  int dimension = 2;                     ///< 2 or 3
+  std::array<int, 3> cells = {1, 1, 1};  ///< per axis; the third is not read in 2D
+};
+
+/// One field at the points of a TensorGrid.
+struct PointField {
+  std::string name;            ///< without "/"
+  int components = 1;          ///< 2 in a 2D grid is a vector and gets a third component 0 on writing, as VTK wants
+  std::vector<double> values;  ///< shape (points, components), components fastest
+};
+
+/// Writes one block (the fluid, the solid) at one time, atomically: PATH holds the whole file or is left as it was.
+/// @param path    ends with .vtkhdf
+/// @param points  positions, shape (points, dimension), components fastest
+/// @param time    stored as field data "TimeValue"
+/// Throws Error: computation_failed for a size that does not fit and for a value that is not finite (names field, point
+/// and position), machine_failed for the disk.
+void write_fields(const std::string& path, const TensorGrid& grid, const std::vector<double>& points,
+                  const std::vector<PointField>& fields, double time);
+
+/// Writes the list of files that ParaView opens as one animation, atomically.
+/// @param path             ends with .vtkhdf.series
+/// @param files_and_times  file names relative to the folder of `path`, and their times
+/// Throws Error: computation_failed for a time that is not finite, machine_failed for the disk.
+void write_series(const std::string& path, const std::vector<std::pair<std::string, double>>& files_and_times);
+
+}  // namespace softwet

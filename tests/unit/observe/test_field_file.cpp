@@ -1,0 +1,154 @@
+// Field files: the layout VTKHDF 1.0 asks for, the node order of VTK, no value that is not finite, the series of times.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "expect_error.hpp"
+#include "observe/host/field_file.hpp"
+#include "observe/host/hdf5_file.hpp"
+#include "observe/host/quadratic_cells.hpp"
+#include "scratch_folder.hpp"
+
+namespace softwet {
+namespace {
+
+using Shape = std::vector<std::size_t>;
+
+/// Points of the grid at their numbers (i, j, k). @return shape (points, dimension)
+std::vector<double> lattice(const TensorGrid& grid) {
+  std::vector<double> points;
+  for (int k = 0; k <= (grid.dimension == 3 ? 2 * grid.cells[2] : 0); ++k) {
+    for (int j = 0; j <= 2 * grid.cells[1]; ++j) {
+      for (int i = 0; i <= 2 * grid.cells[0]; ++i) {
+        points.insert(points.end(), {double(i), double(j)});
+        if (grid.dimension == 3) points.push_back(k);
+      }
+    }
+  }
+  return points;
+}
+
+TEST(FieldFile, LayoutOfAPlane) {
+  const ScratchFolder folder;
+  const std::string path = folder / "fields/fluid_000123.vtkhdf";
+  const TensorGrid grid = {2, {3, 2, 1}};
+  const std::vector<double> points = lattice(grid);
+  const std::vector<double> density(35, 0.25);
+  write_fields(path, grid, points, {{"density", 1, density}, {"velocity", 2, points}}, 1.5);
+  EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
+  const Hdf5File file = Hdf5File::open(path, "rewrite it");
+  EXPECT_EQ(file.read_text("/VTKHDF", "Type"), "UnstructuredGrid");
+  EXPECT_EQ(file.shape("/VTKHDF/Points"), (Shape{35, 3}));
+  EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/NumberOfPoints"), std::vector<std::int64_t>{35});
+  EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/NumberOfCells"), std::vector<std::int64_t>{6});
+  EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/NumberOfConnectivityIds"), std::vector<std::int64_t>{54});
+  EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 9, 18, 27, 36, 45, 54}));
+  EXPECT_EQ(file.read<std::uint8_t>("/VTKHDF/Types"), std::vector<std::uint8_t>(6, 28));
+  EXPECT_EQ(file.read<double>("/VTKHDF/PointData/density"), density);
+  EXPECT_EQ(file.shape("/VTKHDF/PointData/velocity"), (Shape{35, 3}));
+  EXPECT_EQ(file.read<double>("/VTKHDF/PointData/velocity"), file.read<double>("/VTKHDF/Points"));
+  EXPECT_EQ(file.read<double>("/VTKHDF/FieldData/TimeValue"), std::vector<double>{1.5});
+}
+
+TEST(FieldFile, LayoutOfAVolume) {
+  const ScratchFolder folder;
+  const std::string path = folder / "solid_000000.vtkhdf";
+  const TensorGrid grid = {3, {2, 1, 2}};
+  const std::vector<double> points = lattice(grid);
+  write_fields(path, grid, points, {{"displacement", 3, points}}, 0);
+  const Hdf5File file = Hdf5File::open(path, "rewrite it");
+  EXPECT_EQ(file.read<double>("/VTKHDF/Points"), points);
+  EXPECT_EQ(file.shape("/VTKHDF/Connectivity"), (Shape{4 * 27}));
+  EXPECT_EQ(file.read<std::uint8_t>("/VTKHDF/Types"), std::vector<std::uint8_t>(4, 29));
+}
+
+TEST(QuadraticCells, NodesOfTheLastQuad) {
+  const TensorGrid grid = {2, {2, 2, 1}};  // points 5 x 5; the last cell covers points 2..4 of both axes
+  const std::vector<std::int64_t> nodes = cell_nodes(grid);
+  const std::vector<std::int64_t> last(nodes.end() - 9, nodes.end());
+  EXPECT_EQ(last, (std::vector<std::int64_t>{12, 14, 24, 22, 13, 19, 23, 17, 18}));
+}
+
+TEST(QuadraticCells, NodesOfAHexahedronLieWhereVtkWantsThem) {
+  const TensorGrid grid = {3, {1, 1, 1}};
+  const std::vector<double> points = lattice(grid);
+  const std::vector<std::int64_t> nodes = cell_nodes(grid);
+  const auto middle_of = [&](std::vector<int> corners) {
+    std::vector<double> middle(3, 0.0);
+    for (const int corner : corners) {
+      for (int axis = 0; axis < 3; ++axis) middle[axis] += points[3 * nodes[corner] + axis] / double(corners.size());
+    }
+    return middle;
+  };
+  // Edges and faces of vtkTriQuadraticHexahedron by their corners, nodes 8 to 26.
+  const std::vector<std::vector<int>> middles = {{0, 1},
+                                                 {1, 2},
+                                                 {2, 3},
+                                                 {3, 0},
+                                                 {4, 5},
+                                                 {5, 6},
+                                                 {6, 7},
+                                                 {7, 4},
+                                                 {0, 4},
+                                                 {1, 5},
+                                                 {2, 6},
+                                                 {3, 7},
+                                                 {0, 4, 7, 3},
+                                                 {1, 2, 6, 5},
+                                                 {0, 1, 5, 4},
+                                                 {3, 7, 6, 2},
+                                                 {0, 3, 2, 1},
+                                                 {4, 5, 6, 7},
+                                                 {0, 1, 2, 3, 4, 5, 6, 7}};
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    const double* point = &points[3 * nodes[8 + i]];
+    EXPECT_EQ(std::vector<double>(point, point + 3), middle_of(middles[i])) << "node " << 8 + i;
+  }
+}
+
+TEST(FieldFile, RefusesValuesThatAreNotFinite) {
+  const ScratchFolder folder;
+  const std::string path = folder / "fluid_000001.vtkhdf";
+  const TensorGrid grid = {2, {1, 1, 1}};
+  std::vector<double> points = lattice(grid);
+  std::vector<double> velocity(18, 0.0);
+  velocity[11] = NAN;  // point 5 is (2, 1)
+  expect_error(Exit::computation_failed, {path, "'velocity'", "component 1", "nan", "point 5 (2, 1)"}, [&] {
+    write_fields(path, grid, points, {{"velocity", 2, velocity}}, 0);
+  });
+  expect_error(Exit::computation_failed, {path, "time", "inf"},
+               [&] { write_fields(path, grid, points, {}, INFINITY); });
+  points[3] = -INFINITY;
+  expect_error(Exit::computation_failed, {path, "'points'", "-inf", "point 1 "},
+               [&] { write_fields(path, grid, points, {}, 0); });
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(FieldFile, RefusesFieldsThatDoNotFit) {
+  const ScratchFolder folder;
+  const std::string path = folder / "fluid_000001.vtkhdf";
+  const TensorGrid grid = {2, {1, 1, 1}};
+  const std::vector<double> points = lattice(grid);
+  const std::vector<double> nine(9, 1.0);
+  expect_error(Exit::computation_failed, {"'density'", "8 values", "9"}, [&] {
+    write_fields(path, grid, points, {{"density", 1, std::vector<double>(8, 1.0)}}, 0);
+  });
+  expect_error(Exit::computation_failed, {"'a/b'"}, [&] { write_fields(path, grid, points, {{"a/b", 1, nine}}, 0); });
+  expect_error(Exit::computation_failed, {"'a'", "taken"}, [&] {
+    write_fields(path, grid, points, {{"a", 1, nine}, {"a", 1, nine}}, 0);
+  });
+}
+
+TEST(FieldSeries, ListsFilesAndTimes) {
+  const ScratchFolder folder;
+  const std::string path = folder / "fields/fluid.vtkhdf.series";
+  write_series(path, {{"fluid_000000.vtkhdf", 0.0}, {"fluid_000123.vtkhdf", 235.5}});
+  EXPECT_EQ(content_of(path),
+            "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n"
+            "    {\"name\": \"fluid_000000.vtkhdf\", \"time\": 0},\n"
+            "    {\"name\": \"fluid_000123.vtkhdf\", \"time\": 235.5}\n  ]\n}\n");
+}
+
+}  // namespace
+}  // namespace softwet
