@@ -9,8 +9,14 @@
 namespace softwet {
 
 /// Words of the case file for each enumerator, in the order of the enumerators.
-inline const std::vector<std::string> side_words{"slip", "no_slip", "clamped", "free", "periodic"};
-inline const std::vector<std::string> wall_law_words{"gradient", "energy"};
+inline const std::vector<std::string>& side_words() {
+  static const std::vector<std::string> words{"slip", "no_slip", "clamped", "free", "periodic"};
+  return words;
+}
+inline const std::vector<std::string>& wall_law_words() {
+  static const std::vector<std::string> words{"gradient", "energy"};
+  return words;
+}
 
 inline std::size_t position_of(const std::vector<std::string>& words, const std::string& word) {
   std::size_t position = 0;
@@ -29,10 +35,10 @@ inline void store(std::vector<int>& member, const Value& value) {
   member.assign(numbers.begin(), numbers.end());
 }
 inline void store(Side& member, const Value& value) {
-  member = static_cast<Side>(position_of(side_words, std::get<std::string>(value)));
+  member = static_cast<Side>(position_of(side_words(), std::get<std::string>(value)));
 }
 inline void store(WallLaw& member, const Value& value) {
-  member = static_cast<WallLaw>(position_of(wall_law_words, std::get<std::string>(value)));
+  member = static_cast<WallLaw>(position_of(wall_law_words(), std::get<std::string>(value)));
 }
 
 // Value <- member.
@@ -42,8 +48,8 @@ inline Value load(long member) { return static_cast<double>(member); }
 inline Value load(const std::string& member) { return member; }
 inline Value load(const Numbers& member) { return member; }
 inline Value load(const std::vector<int>& member) { return Numbers(member.begin(), member.end()); }
-inline Value load(Side member) { return side_words[static_cast<std::size_t>(member)]; }
-inline Value load(WallLaw member) { return wall_law_words[static_cast<std::size_t>(member)]; }
+inline Value load(Side member) { return side_words()[static_cast<std::size_t>(member)]; }
+inline Value load(WallLaw member) { return wall_law_words()[static_cast<std::size_t>(member)]; }
 
 /// Binding of the member that `place(case, index)` refers to.
 template <class Place>

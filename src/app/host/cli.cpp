@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -14,6 +15,7 @@
 #include "app/dispatch.hpp"
 #include "app/error.hpp"
 #include "app/host/case_file.hpp"
+#include "app/host/nearest.hpp"
 #include "app/host/output_folder.hpp"
 
 namespace softwet {
@@ -90,7 +92,7 @@ void add_case(CLI::App& command, Request& request) {
 void add_threads(CLI::App& command, Request& request) {
   command.add_option("--threads", request.options.threads, "number of threads; default: all cores")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 65536));
 }
 
 void add_run(CLI::App& app, Request& request) {
@@ -138,7 +140,19 @@ int report(Exit code, const std::string& message) {
   return static_cast<int>(code);
 }
 
+/// A first word that is no command and no option gets the nearest command as an answer.
+void check_command_name(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  throw Error(Exit::invalid_input,
+              fmt::format("unknown command '{}'; did you mean 'softwet {}'? 'softwet --help' lists all", argv[1],
+                          nearest_name(argv[1], names)));
+}
+
 int parse(CLI::App& app, int argc, const char* const* argv) {
+  check_command_name(app, argc, argv);
   try {
     app.parse(argc, argv);
     return static_cast<int>(Exit::done);

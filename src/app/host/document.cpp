@@ -207,8 +207,8 @@ void apply_override(Document& document, const std::string& assignment) {
   if (const Table* repeated = find_table(table); repeated && repeated->repeated) {
     const std::size_t count = document.table_count[table];
     if (index >= count) {
-      reject(place, indexed_name(*key, index), text, fmt::format("the case has {} of these", count),
-             "counted from 0; add the table to the file");
+      reject(place, indexed_name(*key, index), text,
+             fmt::format("the case has {} of these tables, counted from 0", count), "add the table to the case file");
     }
   } else if (!table.empty()) {
     document.table_count[table] = 1;

@@ -81,7 +81,7 @@ std::vector<Key> fluid_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->contact_angle; })},
       {.name = "fluid.wall_law",
        .kind = Kind::choice,
-       .choices = wall_law_words,
+       .choices = wall_law_words(),
        .help = "Wall condition of the contact angle: the paper's |grad rho| cos(alpha), or the variational wall energy "
                "(exact energy law, droplets about 25 % slower).",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_law; })},

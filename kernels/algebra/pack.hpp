@@ -1,0 +1,69 @@
+// Numbers at a point: a scalar, a SIMD pack of scalars, or a dual number of either, and the few functions they share.
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <Kokkos_SIMD.hpp>
+
+namespace softwet {
+
+/// SIMD pack of the widest native width; lanes are consecutive elements.
+template <class Real>
+using Pack = Kokkos::Experimental::simd<Real>;
+
+/// Number of lanes of a number at a point.
+template <class S>
+struct Lanes {
+  static constexpr int count = 1;
+};
+template <class Real, class Abi>
+struct Lanes<Kokkos::Experimental::basic_simd<Real, Abi>> {
+  static constexpr int count = static_cast<int>(Kokkos::Experimental::basic_simd<Real, Abi>::size());
+};
+
+/// Scalar versions; packs get theirs below.
+KOKKOS_FORCEINLINE_FUNCTION double logarithm(double x) { return Kokkos::log(x); }
+KOKKOS_FORCEINLINE_FUNCTION float logarithm(float x) { return Kokkos::log(x); }
+KOKKOS_FORCEINLINE_FUNCTION double square_root(double x) { return Kokkos::sqrt(x); }
+KOKKOS_FORCEINLINE_FUNCTION float square_root(float x) { return Kokkos::sqrt(x); }
+KOKKOS_FORCEINLINE_FUNCTION double select(bool m, double a, double b) { return m ? a : b; }
+KOKKOS_FORCEINLINE_FUNCTION float select(bool m, float a, float b) { return m ? a : b; }
+
+template <class Real, class Abi>
+KOKKOS_FORCEINLINE_FUNCTION auto square_root(const Kokkos::Experimental::basic_simd<Real, Abi>& x) {
+  return Kokkos::sqrt(x);
+}
+template <class Mask, class Real, class Abi>
+KOKKOS_FORCEINLINE_FUNCTION auto select(const Mask& m, const Kokkos::Experimental::basic_simd<Real, Abi>& a,
+                                        const Kokkos::Experimental::basic_simd<Real, Abi>& b) {
+  return Kokkos::Experimental::condition(m, a, b);
+}
+template <class Real, class Abi>
+KOKKOS_FORCEINLINE_FUNCTION auto logarithm(const Kokkos::Experimental::basic_simd<Real, Abi>& x) {
+  using P = Kokkos::Experimental::basic_simd<Real, Abi>;
+  Real lane[P::size()];
+  Kokkos::Experimental::simd_unchecked_store(x, lane, Kokkos::Experimental::simd_flag_default);
+  for (std::size_t l = 0; l < P::size(); ++l) lane[l] = Kokkos::log(lane[l]);
+  return Kokkos::Experimental::simd_unchecked_load<P>(lane, Kokkos::Experimental::simd_flag_default);
+}
+
+/// Reads lanes p[0], p[1], ... (consecutive elements).
+template <class S, class Real>
+KOKKOS_FORCEINLINE_FUNCTION S load(const Real* p) {
+  if constexpr (Lanes<S>::count == 1) {
+    return S(*p);
+  } else {
+    return Kokkos::Experimental::simd_unchecked_load<S>(p, Kokkos::Experimental::simd_flag_default);
+  }
+}
+
+/// Adds lanes to p[0], p[1], ...
+template <class S, class Real>
+KOKKOS_FORCEINLINE_FUNCTION void add_to(Real* p, const S& x) {
+  if constexpr (Lanes<S>::count == 1) {
+    *p += x;
+  } else {
+    Kokkos::Experimental::simd_unchecked_store(load<S>(p) + x, p, Kokkos::Experimental::simd_flag_default);
+  }
+}
+
+}  // namespace softwet

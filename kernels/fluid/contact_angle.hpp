@@ -1,0 +1,63 @@
+// Wetting of the wall Gamma: the natural boundary condition of the potential equation, in two laws.
+#pragma once
+
+#include "kernels/fluid/van_der_waals.hpp"
+#include "kernels/point/fields.hpp"
+
+namespace softwet {
+
+/// Excess free energy of the homogeneous fluid over coexistence, D(rho) = W(rho) - mu_s rho + p_s >= 0; scale a b^2.
+struct Coexistence {
+  double density_vapour = 0, density_liquid = 0;
+  double pressure = 0;   ///< p_s
+  double potential = 0;  ///< mu_s
+};
+
+/// <q, g^2 sqrt(|grad rho|^2 + d^2) cos(alpha)>_Gamma : the paper's law, grad rho . n = |grad rho| cos(alpha).
+/// Source: Bueno et al. 2017, section 2.1.   Tested: tests/unit/fluid/test_contact_angle.cpp
+struct GradientWall {
+  double capillarity = 0;
+  double cosine = 0;     ///< cos(alpha), alpha measured in the liquid
+  double smoothing = 0;  ///< d, scale b/L0
+
+  template <class N, int D>
+  using Trial = WallTrial<N, D>;
+  template <class N, int D>
+  using Test = WallTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION WallTest<N, D> residual(const WallTrial<N, D>& t) const {
+    const N slope = square_root(dot(t.density_gradient, t.density_gradient) + smoothing * smoothing);
+    return {(capillarity * capillarity * cosine) * slope};
+  }
+};
+
+/// <q, -f_w'(rho)>_Gamma with the wall energy f_w' = -cos(alpha) g sqrt(2 D(rho)): the variational equivalent.
+/// sqrt(2 D) is smoothed as sqrt(2 D + d^2) - d, so that it vanishes and is differentiable in both phases.
+struct EnergyWall {
+  double capillarity = 0;
+  double cosine = 0;
+  double smoothing = 1e-5;  ///< d, scale sqrt(a) b
+  VanDerWaals gas;
+  Coexistence state;
+
+  template <class N, int D>
+  using Trial = WallTrial<N, D>;
+  template <class N, int D>
+  using Test = WallTest<N, D>;
+
+  /// -f_w'(rho), scale a b L0.
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION N force(const N& rho) const {
+    const N excess = gas.energy(rho) - state.potential * rho + state.pressure;
+    const N safe = select(excess < 0.0, N(0.0), excess);
+    return (capillarity * cosine) * (square_root(2.0 * safe + smoothing * smoothing) - smoothing);
+  }
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION WallTest<N, D> residual(const WallTrial<N, D>& t) const {
+    return {force(t.density)};
+  }
+};
+
+}  // namespace softwet

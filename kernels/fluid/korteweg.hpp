@@ -1,0 +1,33 @@
+// Capillary stresses of Korteweg type.
+#pragma once
+
+#include "kernels/algebra/tensor.hpp"
+
+namespace softwet {
+
+/// Reversible stress in potential form
+///   Sigma = -p I + varsigma = (W - rho mu + g^2 |grad rho|^2 / 2) I - g^2 grad rho (x) grad rho
+/// with mu = W' - g^2 Lap rho; its divergence is -rho grad mu.        shape (D, D), symmetric, scale a b^2
+/// @param capillarity  g = gamma_hat
+/// @param energy       W(rho), scale a b^2
+/// Source: Bueno et al. 2017, eqs. (5), (6), rewritten with mu.   Tested: tests/unit/fluid/test_korteweg.cpp
+template <class N, int D>
+KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> reversible_stress(double capillarity, const N& energy, const N& density,
+                                                           const Vector<N, D>& density_gradient, const N& potential) {
+  const double lambda = capillarity * capillarity;
+  const N isotropic = energy - density * potential + (0.5 * lambda) * dot(density_gradient, density_gradient);
+  return add_diagonal((-lambda) * outer(density_gradient, density_gradient), isotropic);
+}
+
+/// Korteweg stress with an explicit Laplacian
+///   varsigma = lambda (rho Lap rho + |grad rho|^2 / 2) I - lambda grad rho (x) grad rho,   lambda = g^2
+/// Source: Bueno et al. 2017, eq. (5). Used for cross-checks; production runs use the potential form.
+template <class N, int D>
+KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> korteweg_stress(double capillarity, const N& density,
+                                                         const Vector<N, D>& density_gradient, const N& laplacian) {
+  const double lambda = capillarity * capillarity;
+  const N isotropic = lambda * (density * laplacian) + (0.5 * lambda) * dot(density_gradient, density_gradient);
+  return add_diagonal((-lambda) * outer(density_gradient, density_gradient), isotropic);
+}
+
+}  // namespace softwet

@@ -1,0 +1,69 @@
+// Isothermal Navier-Stokes-Korteweg equations in potential form, on a moving mesh (PHYSICS: Bueno et al. 2017, eq. 7).
+//
+//   mass       (q, d/dt(rho J)/J) - (grad q, rho (v - vh)) + (grad q, eps grad mu) = 0
+//   potential  (q, mu - W'(rho)) - (grad q, g^2 grad rho) = 0
+//   momentum   (w, rho [v_t + (v - vh).grad v]) + (grad w, tau) + (w, rho grad mu) = 0
+//
+// Next to the wall the momentum force (w, rho grad mu) is replaced by its variational form (grad w, Sigma) for the
+// wall's own basis functions: see `CapillaryTraction`.
+#pragma once
+
+#include "kernels/fluid/contact_angle.hpp"
+#include "kernels/fluid/korteweg.hpp"
+#include "kernels/fluid/newtonian.hpp"
+
+namespace softwet {
+
+struct NavierStokesKorteweg {
+  VanDerWaals gas;
+  double viscosity = 0;        ///< m = mu_hat, eq. (9)
+  double capillarity = 0;      ///< g = gamma_hat, eq. (8)
+  double stabilisation = 0;    ///< C h^2 / m: eps = (C h^2 / m) rho^2, checkerboard control
+  double inertia_floor = 0;    ///< smallest density in the inertia term
+  double moment_rate = 0;      ///< am / (ga dt): factor of the moment (q, rho J) at the end of the step
+
+  template <class N, int D>
+  using Trial = FluidTrial<N, D>;
+  template <class N, int D>
+  using Test = FluidTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION FluidTest<N, D> residual(const FluidTrial<N, D>& t) const {
+    const N& rho = t.density;
+    const Vector<N, D> slip = t.velocity - t.mesh_velocity;
+    const N inertia = select(rho < inertia_floor, N(inertia_floor), rho);
+    const N eps = stabilisation * (rho * rho);
+
+    FluidTest<N, D> r;
+    r.momentum = inertia * (t.acceleration + product(t.velocity_gradient, slip)) + rho * t.chemical_potential_gradient;
+    r.momentum_flux = newtonian_stress(viscosity, t.velocity_gradient);
+    r.mass = moment_rate * (t.density_end * t.volume_ratio_end);
+    r.mass_flux = eps * t.chemical_potential_gradient - rho * slip;
+    r.potential = t.chemical_potential - gas.derivative(rho);
+    r.potential_flux = (-capillarity * capillarity) * t.density_gradient;
+    return r;
+  }
+};
+
+/// (grad w, Sigma) - (w, rho grad mu) for the wall's basis functions w: together with the volume force this is the
+/// variational traction of the fluid on the solid; it carries the full capillary line force and the Laplace pressure.
+struct CapillaryTraction {
+  VanDerWaals gas;
+  double capillarity = 0;
+
+  template <class N, int D>
+  using Trial = TractionTrial<N, D>;
+  template <class N, int D>
+  using Test = MomentumTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const TractionTrial<N, D>& t) const {
+    MomentumTest<N, D> r;
+    r.momentum = (-1.0 * t.density) * t.chemical_potential_gradient;
+    r.momentum_flux = reversible_stress(capillarity, gas.energy(t.density), t.density, t.density_gradient,
+                                        t.chemical_potential);
+    return r;
+  }
+};
+
+}  // namespace softwet

@@ -1,0 +1,77 @@
+// Integrals over the fluid: mass, momentum, energies, and the rates at which energy is dissipated.
+#pragma once
+
+#include "kernels/fluid/navier_stokes_korteweg.hpp"
+
+namespace softwet {
+
+/// Integrands over the current fluid domain, in this order:
+///   mass rho, kinetic rho |v|^2/2, bulk W(rho), gradient g^2 |grad rho|^2/2,
+///   viscous dissipation tau : grad v, stabilisation eps |grad mu|^2, momentum rho v_i (D)
+/// Tested: tests/unit/functional/test_integrals.cpp
+struct FluidIntegrals {
+  NavierStokesKorteweg model;
+
+  enum { mass, kinetic, bulk, gradient, viscous, stabilisation, momentum };
+  static constexpr int count = 9;
+
+  template <class N, int D>
+  using Trial = FluidTrial<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const FluidTrial<N, D>& t) const {
+    const double lambda = model.capillarity * model.capillarity;
+    Vector<N, count> r;
+    r[mass] = t.density;
+    r[kinetic] = 0.5 * t.density * dot(t.velocity, t.velocity);
+    r[bulk] = model.gas.energy(t.density);
+    r[gradient] = 0.5 * lambda * dot(t.density_gradient, t.density_gradient);
+    r[viscous] = contract(newtonian_stress(model.viscosity, t.velocity_gradient), t.velocity_gradient);
+    r[stabilisation] = model.stabilisation * t.density * t.density *
+                       dot(t.chemical_potential_gradient, t.chemical_potential_gradient);
+    for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? t.density * t.velocity[i < D ? i : 0] : N(0.0);
+    return r;
+  }
+};
+
+/// Integrands over the wall Gamma: its area, the area wetted by liquid, and the wall energy f_w(rho).
+/// Tested: tests/unit/functional/test_integrals.cpp
+struct WallIntegrals {
+  EnergyWall law;
+
+  enum { area, wetted, energy };
+  static constexpr int count = 3;
+
+  template <class N, int D>
+  using Trial = WallTrial<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const WallTrial<N, D>& t) const {
+    Vector<N, count> r;
+    r[area] = N(1.0);
+    const double middle = 0.5 * (law.state.density_vapour + law.state.density_liquid);
+    r[wetted] = select(t.density < middle, N(0.0), N(1.0));
+    r[energy] = wall_energy(t.density);
+    return r;
+  }
+
+  /// f_w(rho) = -cos(alpha) g int_{rho_v}^{rho} sqrt(2 D), by 8 panels of 8-point Gauss-Legendre;
+  /// scale a b^2 L0.
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION N wall_energy(const N& rho) const {
+    // 8-point Gauss-Legendre abscissae and weights on [-1, 1], positive half.
+    const double x[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+    const double w[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+    const int parts = 8;
+    const N step = (rho - law.state.density_vapour) * (0.5 / parts);
+    N sum = N(0.0);
+    for (int p = 0; p < parts; ++p) {
+      const N middle = law.state.density_vapour + (2 * p + 1.0) * step;
+      for (int i = 0; i < 4; ++i)
+        sum = sum + w[i] * (law.force(middle + x[i] * step) + law.force(middle - x[i] * step));
+    }
+    return -1.0 * step * sum;
+  }
+};
+
+}  // namespace softwet

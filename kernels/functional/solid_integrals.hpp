@@ -1,0 +1,46 @@
+// Integrals over the solid: kinetic and elastic energy, momentum, volume change.
+#pragma once
+
+#include "kernels/solid/elastodynamics.hpp"
+
+namespace softwet {
+
+/// Velocity and displacement gradient of the solid at a point, for energies.
+template <class N, int D>
+struct SolidState {
+  Vector<N, D> velocity;
+  Matrix<N, D> displacement_gradient;
+
+  static constexpr int slot_count = 2 * D, unknown_count = D;
+  static constexpr Slot slot(int s) {
+    return s < D ? Slot{true, false, s, Scale::one} : Slot{false, true, s - D, Scale::displacement};
+  }
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION SolidState read(const Reader& at) {
+    const SolidTrial<N, D> t = SolidTrial<N, D>::read(at);
+    return {t.acceleration, t.displacement_gradient};
+  }
+};
+
+/// Integrands over the reference domain: kinetic rho_0 |v|^2/2, elastic energy, momentum rho_0 v_i (3).
+/// Tested: tests/unit/functional/test_integrals.cpp
+struct SolidIntegrals {
+  Elastodynamics model;
+
+  enum { kinetic, elastic, momentum };
+  static constexpr int count = 5;
+
+  template <class N, int D>
+  using Trial = SolidState<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const SolidState<N, D>& t) const {
+    Vector<N, count> r;
+    r[kinetic] = (0.5 * model.density) * dot(t.velocity, t.velocity);
+    r[elastic] = model.material.energy(t.displacement_gradient);
+    for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? model.density * t.velocity[i < D ? i : 0] : N(0.0);
+    return r;
+  }
+};
+
+}  // namespace softwet

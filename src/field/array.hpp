@@ -1,0 +1,35 @@
+// Arrays in the memory of the execution space, and host copies of them.
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <string>
+#include <vector>
+
+namespace softwet {
+
+using Exec = Kokkos::DefaultExecutionSpace;
+using Array = Kokkos::View<double*, Exec>;
+using ConstArray = Kokkos::View<const double*, Exec>;
+
+/// True where kernels run on the host, one SIMD pack of elements at a time; false on a device, one element per thread.
+inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, Exec::memory_space>::accessible;
+
+template <class ViewType>
+inline ViewType to_device(const std::vector<typename ViewType::non_const_value_type>& values,
+                          const std::string& name = "softwet") {
+  ViewType view(Kokkos::view_alloc(name, Kokkos::WithoutInitializing), values.size());
+  Kokkos::View<const typename ViewType::non_const_value_type*, Kokkos::HostSpace,
+               Kokkos::MemoryTraits<Kokkos::Unmanaged>>
+      host(values.data(), values.size());
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+inline std::vector<double> to_host(const ConstArray& view) {
+  std::vector<double> values(view.extent(0));
+  Kokkos::View<double*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(values.data(), values.size());
+  Kokkos::deep_copy(host, view);
+  return values;
+}
+
+}  // namespace softwet

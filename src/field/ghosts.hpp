@@ -1,0 +1,92 @@
+// Ghost control points of periodic axes: the only place that moves data between parts of a vector.
+#pragma once
+
+#include "field/layout.hpp"
+
+namespace softwet {
+
+/// One component as a box [k][j][i] inside an array.
+template <int D>
+struct Box {
+  int offset = 0;
+  int extent[D] = {};
+};
+
+/// Boxes of all components of a vector of unknowns.
+template <int D>
+std::vector<Box<D>> boxes(const Layout<D>& layout) {
+  std::vector<Box<D>> result;
+  const auto push = [&](int offset, int rows) {
+    Box<D> b;
+    b.offset = offset;
+    for (int d = 0; d + 1 < D; ++d) b.extent[d] = layout.axis[d].functions();
+    b.extent[D - 1] = rows;
+    result.push_back(b);
+  };
+  for (int d = 0; d < D; ++d) push(layout.velocity_offset(d), layout.rows);
+  if (layout.has_fluid) {
+    push(layout.density_offset(), layout.fluid_rows());
+    push(layout.potential_offset(), layout.fluid_rows());
+  }
+  return result;
+}
+
+enum class GhostAction { update, add };
+
+/// Index of ghost `g` (0 .. ghosts x cross section) of a box along an axis, and of the owned value it repeats.
+template <int D>
+struct GhostPair {
+  Box<D> box;
+  int axis, owned;
+
+  KOKKOS_FUNCTION void operator()(int g, int& ghost, int& own) const {
+    int stride = 1, s[D];
+    for (int d = 0; d < D; ++d) {
+      s[d] = stride;
+      stride *= box.extent[d];
+    }
+    const int ghosts = box.extent[axis] - owned;
+    int index = box.offset;
+    for (int d = 0; d < D; ++d) {
+      const int n = d == axis ? ghosts : box.extent[d];
+      index += (g % n) * s[d];
+      g /= n;
+    }
+    own = index;
+    ghost = index + owned * s[axis];
+  }
+};
+
+template <int D>
+struct MoveGhosts {
+  GhostPair<D> pair;
+  Array vector;
+  GhostAction action;
+  KOKKOS_FUNCTION void operator()(int g) const {
+    int ghost = 0, own = 0;
+    pair(g, ghost, own);
+    if (action == GhostAction::update) {
+      vector(ghost) = vector(own);
+    } else {
+      vector(own) += vector(ghost);
+      vector(ghost) = 0;
+    }
+  }
+};
+
+/// update: ghosts take the value of the control point they repeat. add: its transpose; ghosts are left at zero.
+template <int D>
+void move_ghosts(const Layout<D>& layout, const Array& vector, GhostAction action) {
+  for (int d = 0; d < D; ++d) {
+    const Axis& axis = layout.axis[d];
+    if (!axis.periodic()) continue;
+    for (const Box<D>& box : boxes(layout)) {
+      int items = axis.functions() - axis.owned();
+      for (int e = 0; e < D; ++e) items *= e == d ? 1 : box.extent[e];
+      Kokkos::parallel_for("softwet::ghosts", Kokkos::RangePolicy<Exec>(0, items),
+                           MoveGhosts<D>{{box, d, axis.owned()}, vector, action});
+    }
+  }
+}
+
+}  // namespace softwet

@@ -1,0 +1,33 @@
+// The state between steps, and the stage at which the equations are evaluated.
+#pragma once
+
+#include "field/layout.hpp"
+
+namespace softwet {
+
+/// All integrator levels at time t: what a restart needs.
+struct State {
+  double time = 0;
+  Array unknown;            ///< velocity, density, chemical potential (layout of the unknowns)
+  Array velocity_rate;      ///< dv/dt
+  Array displacement;       ///< solid rows
+  Array displacement_rate;  ///< du/dt
+  Array moment;             ///< p_i = (q_i, rho J)
+  Array moment_rate;        ///< dp_i/dt
+};
+
+/// Fields at the generalized-alpha point and at the end of the step. Unknowns are the values at n + af.
+struct Stage {
+  double time = 0;          ///< t_{n+af}
+  Array unknown;            ///< v, rho at n+af and mu
+  Array acceleration;       ///< dv/dt at n+am
+  Array displacement;       ///< at n+af
+  Array displacement_end;   ///< at n+1
+  Array density_end;        ///< at n+1
+  double rate_scale = 0;          ///< d acceleration / d velocity
+  double displacement_scale = 0;  ///< d displacement / d velocity
+  double end_scale = 1;           ///< d density_end / d density = d displacement_end / d displacement
+  double moment_rate = 0;         ///< am / (ga dt)
+};
+
+}  // namespace softwet

@@ -1,0 +1,73 @@
+#include "model/equilibrium.hpp"
+
+#include <cmath>
+
+#include "app/error.hpp"
+#include "spline/axis.hpp"
+
+namespace softwet {
+
+namespace {
+
+/// Root of an increasing function on [lo, hi] by bisection to the last bit.
+template <class F>
+double bisect(const F& f, double lo, double hi) {
+  for (int i = 0; i < 300; ++i) {
+    const double middle = 0.5 * (lo + hi);
+    if (middle <= lo || middle >= hi) break;
+    (f(middle) < 0 ? lo : hi) = middle;
+  }
+  return 0.5 * (lo + hi);
+}
+
+/// Densities at which W'' = 0: rho (1 - rho)^2 = 4 theta / 27.
+PhaseDensities spinodal(double theta) {
+  const auto excess = [theta](double r) { return r * (1 - r) * (1 - r) - 4 * theta / 27; };
+  return {bisect(excess, 0.0, 1.0 / 3), bisect([&](double r) { return -excess(r); }, 1.0 / 3, 1.0)};
+}
+
+}  // namespace
+
+PhaseDensities densities_at(double theta, double potential) {
+  const VanDerWaals gas{theta, 0};
+  const PhaseDensities limit = spinodal(theta);
+  const auto excess = [&](double r) { return gas.derivative(r) - potential; };
+  // The vapour branch is searched in ln(rho): at low temperature its density spans many decades.
+  const double vapour = std::exp(bisect([&](double s) { return excess(std::exp(s)); }, -700.0, std::log(limit.vapour)));
+  return {vapour, bisect(excess, limit.liquid, 1.0 - 1e-16)};
+}
+
+Coexistence coexistence(double theta) {
+  if (!(theta > 0 && theta < 1))
+    throw Error(Exit::invalid_input, "fluid.temperature = " + std::to_string(theta) +
+                                         ": two phases coexist only for temperatures in (0, 1)");
+  const VanDerWaals gas{theta, 0};
+  const PhaseDensities limit = spinodal(theta);
+  const auto pressure_jump = [&](double mu) {
+    const PhaseDensities r = densities_at(theta, mu);
+    return gas.pressure(r.liquid) - gas.pressure(r.vapour);
+  };
+  const double mu = bisect(pressure_jump, gas.derivative(limit.liquid), gas.derivative(limit.vapour));
+  const PhaseDensities r = densities_at(theta, mu);
+  return {r.vapour, r.liquid, gas.pressure(r.vapour), mu};
+}
+
+double surface_tension_over_capillarity(double theta) {
+  const VanDerWaals gas{theta, 0};
+  const Coexistence s = coexistence(theta);
+  const Gauss rule(12);
+  // D vanishes quadratically at both ends: the substitution rho = middle - half cos(phi) keeps the integrand smooth.
+  const double middle = 0.5 * (s.density_vapour + s.density_liquid), half = 0.5 * (s.density_liquid - s.density_vapour);
+  double sum = 0;
+  const int panels = 64;
+  for (int p = 0; p < panels; ++p)
+    for (int q = 0; q < 12; ++q) {
+      const double phi = M_PI * (p + rule.point[q]) / panels;
+      const double rho = middle - half * std::cos(phi);
+      const double excess = gas.energy(rho) - s.potential * rho + s.pressure;
+      sum += rule.weight[q] * M_PI / panels * half * std::sin(phi) * std::sqrt(2 * std::max(excess, 0.0));
+    }
+  return sum;
+}
+
+}  // namespace softwet

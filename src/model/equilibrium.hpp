@@ -1,0 +1,21 @@
+// Equilibrium of liquid and vapour: coexistence, surface tension, and densities of a curved interface (host).
+#pragma once
+
+#include "kernels/fluid/contact_angle.hpp"
+
+namespace softwet {
+
+/// Densities of the two phases at equal pressure and chemical potential. Errors: theta outside (0, 1).
+/// Tested against independent values: tests/unit/model/test_equilibrium.cpp
+Coexistence coexistence(double temperature);
+
+/// Densities of vapour and liquid at a given chemical potential between the spinodal values.
+struct PhaseDensities {
+  double vapour, liquid;
+};
+PhaseDensities densities_at(double temperature, double potential);
+
+/// Surface tension sigma / g = int_{rho_v}^{rho_l} sqrt(2 D(rho)) d rho, scale a b^2 L0 / L0.
+double surface_tension_over_capillarity(double temperature);
+
+}  // namespace softwet

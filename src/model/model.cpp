@@ -1,0 +1,265 @@
+#include "model/model.hpp"
+
+#include <cmath>
+
+#include "field/vector.hpp"
+#include "kernels/solid/body_force.hpp"
+#include "model/equilibrium.hpp"
+#include "operator/reduce.hpp"
+
+namespace softwet {
+
+template <int D, int P>
+Model<D, P>::Model(const Case& c) {
+  build_axes(c);
+  if (layout_.has_solid) build_solid(c);
+  if (layout_.has_fluid) build_fluid(c);
+  build_mask(c);
+}
+
+template <int D, int P>
+void Model<D, P>::build_axes(const Case& c) {
+  layout_.has_fluid = c.fluid.has_value();
+  layout_.has_solid = c.substrate.has_value();
+  const double spacing = c.domain.size[D - 1] / c.domain.elements[D - 1];
+  if (layout_.has_solid) layout_.solid_elements = static_cast<int>(std::lround(c.substrate->thickness / spacing));
+  layout_.row_size = 1;
+  for (int d = 0; d < D; ++d) {
+    const bool periodic = c.boundary.side[d][0] == Side::periodic;
+    const int kink = d == D - 1 && layout_.has_solid && layout_.has_fluid ? layout_.solid_elements : 0;
+    layout_.axis.emplace_back(c.domain.size[d], c.domain.elements[d], P, periodic, kink);
+    if (d < D - 1) layout_.row_size *= layout_.axis[d].functions();
+  }
+  const Axis& vertical = layout_.axis[D - 1];
+  layout_.rows = vertical.functions();
+  if (layout_.has_solid) layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
+  blend_.low = vertical.lower(layout_.solid_elements);
+  blend_.height = vertical.length() - blend_.low;
+}
+
+template <int D, int P>
+Region<D> Model<D, P>::region(int first, int last) const {
+  Region<D> r;
+  int stride = 1;
+  for (int d = 0; d < D; ++d) {
+    const Axis& axis = layout_.axis[d];
+    r.axis[d] = d < D - 1 ? gauss_rule(axis, 0, axis.elements(), P + 1) : gauss_rule(axis, first, last, P + 1);
+    r.stride[d] = stride;
+    stride *= axis.functions();
+  }
+  r.test = r.axis[D - 1];
+  return r;
+}
+
+template <int D, int P>
+Region<D> Model<D, P>::wall_region() const {
+  Region<D> r = region(layout_.solid_elements, layout_.solid_elements + 1);
+  r.axis[D - 1] = low_face_rule(layout_.axis[D - 1], layout_.solid_elements);
+  r.test = r.axis[D - 1];
+  return r;
+}
+
+template <int D, int P>
+template <class Motion>
+void Model<D, P>::add_fluid_pieces(const Case& c) {
+  const Region<D> whole = region(layout_.solid_elements, layout_.axis[D - 1].elements());
+  pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, NavierStokesKorteweg, Motion>>(
+      "navier_stokes_korteweg", whole, fluid_, Components{0, 0}, blend_));
+  if (!has_wall_) return;
+  const Region<D> face = wall_region();
+  const double cosine = wall_.cosine;
+  if (std::abs(cosine) > 1e-14) {  // 90 degrees: nothing to integrate
+    if (c.fluid->wall_law == WallLaw::gradient) {
+      pieces_.push_back(std::make_unique<PieceOf<D, P, 1, GradientWall, Motion>>(
+          "contact_angle (gradient law)", face, GradientWall{fluid_.capillarity, cosine, c.fluid->smoothing},
+          Components{D, D + 1}, blend_));
+    } else {
+      pieces_.push_back(std::make_unique<PieceOf<D, P, 1, EnergyWall, Motion>>("contact_angle (wall energy)", face,
+                                                                               wall_, Components{D, D + 1}, blend_));
+    }
+  }
+  Region<D> layer = region(layout_.solid_elements, layout_.solid_elements + 1);
+  layer.test = restricted_to(layer.test, 0);
+  auto traction = std::make_unique<PieceOf<D, P, P + 1, CapillaryTraction, Motion>>(
+      "capillary_traction", layer, CapillaryTraction{fluid_.gas, fluid_.capillarity}, Components{D, 0}, blend_);
+  if (layout_.has_solid) {
+    pieces_.push_back(std::move(traction));
+  } else {
+    rigid_traction_ = std::move(traction);
+  }
+}
+
+template <int D, int P>
+void Model<D, P>::build_fluid(const Case& c) {
+  coexistence_ = coexistence(c.fluid->temperature);
+  double h = layout_.axis[0].spacing();
+  for (const Axis& axis : layout_.axis) h = std::min(h, axis.spacing());
+  fluid_.gas = {c.fluid->temperature, 0.2 * coexistence_.density_vapour};
+  fluid_.viscosity = c.fluid->viscosity;
+  fluid_.capillarity = c.fluid->capillarity;
+  fluid_.stabilisation = c.fluid->stabilisation * h * h / c.fluid->viscosity;
+  fluid_.inertia_floor = 0.1 * coexistence_.density_vapour;
+  has_wall_ = c.boundary.side[D - 1][0] != Side::periodic;
+  const double angle = c.fluid->contact_angle;
+  wall_ = {c.fluid->capillarity, angle == 90.0 ? 0.0 : std::cos(angle * M_PI / 180.0), 1e-5, fluid_.gas, coexistence_};
+  if (layout_.has_solid) {
+    add_fluid_pieces<WallMotion<D>>(c);
+  } else {
+    add_fluid_pieces<NoMotion>(c);
+  }
+}
+
+template <int D, int P>
+void Model<D, P>::build_solid(const Case& c) {
+  const Substrate& s = *c.substrate;
+  solid_ = {SaintVenantKirchhoff::from(s.density * s.young, s.poisson), s.density};
+  pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, Elastodynamics, NoMotion>>(
+      "saint_venant_kirchhoff", region(0, layout_.solid_elements), solid_, Components{0, 0}));
+  for (const Load& load : c.loads) {
+    std::vector<double> w(static_cast<std::size_t>(layout_.solid_rows()) * layout_.row_size, s.density);
+    int stride = 1;
+    for (int d = 0; d < D; ++d) {
+      const Axis& axis = layout_.axis[d];
+      const int last = d == D - 1 ? layout_.solid_elements : axis.elements();
+      std::vector<double> factor = axis.integrals(load.lower[d], load.upper[d], 0, last);
+      for (int g = axis.owned(); g < axis.functions(); ++g) factor[g - axis.owned()] += std::exchange(factor[g], 0.0);
+      const int n = d == D - 1 ? layout_.solid_rows() : axis.functions();
+      for (std::size_t i = 0; i < w.size(); ++i) w[i] *= factor[(i / stride) % n];
+      stride *= n;
+    }
+    loads_.push_back({to_device<Array>(w, "load"), load.force, load.start, load.ramp});
+  }
+}
+
+template <int D, int P>
+void Model<D, P>::build_mask(const Case& c) {
+  std::vector<double> mask(layout_.size(), 1.0);
+  const std::vector<Box<D>> all = boxes(layout_);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    int n = 1;
+    for (int d = 0; d < D; ++d) n *= all[k].extent[d];
+    for (int i = 0; i < n; ++i) {
+      int rest = i;
+      for (int d = 0; d < D; ++d) {
+        const int index = rest % all[k].extent[d];
+        rest /= all[k].extent[d];
+        const Axis& axis = layout_.axis[d];
+        if (axis.periodic() && index >= axis.owned()) mask[all[k].offset + i] = 0;
+        if (k >= D) continue;  // density and potential have no prescribed values
+        for (int end = 0; end < 2; ++end) {
+          const Side side = c.boundary.side[d][end];
+          const bool here = index == (end == 0 ? 0 : all[k].extent[d] - 1);
+          const bool held = side == Side::no_slip || side == Side::clamped ||
+                            (side == Side::slip && static_cast<int>(k) == d);
+          if (here && held) mask[all[k].offset + i] = 0;
+        }
+      }
+    }
+  }
+  mask_ = to_device<Array>(mask, "mask");
+}
+
+template <int D, int P>
+void Model<D, P>::add_loads(double time, const Array& out) const {
+  for (const LoadVector& load : loads_) {
+    const double fraction = load_fraction(time, load.start, load.ramp);
+    for (int d = 0; d < D; ++d)
+      if (fraction * load.force[d] != 0)
+        add_scaled(out, layout_.velocity_offset(d), -fraction * load.force[d], load.weight);
+  }
+}
+
+template <int D, int P>
+void Model<D, P>::residual(const Stage& stage, const Array& out) const {
+  Kokkos::deep_copy(Exec(), out, 0.0);
+  const Binding<D> binding{layout_, stage, {}, out};
+  for (const auto& piece : pieces_) piece->residual(binding);
+  add_loads(stage.time, out);
+  move_ghosts(layout_, out, GhostAction::add);
+  multiply(out, mask_);
+}
+
+template <int D, int P>
+void Model<D, P>::reactions(const Stage& stage, const Array& out) const {
+  Kokkos::deep_copy(Exec(), out, 0.0);
+  const Binding<D> binding{layout_, stage, {}, out};
+  for (const auto& piece : pieces_) piece->residual(binding);
+  if (rigid_traction_) rigid_traction_->residual(binding);
+  move_ghosts(layout_, out, GhostAction::add);
+}
+
+template <int D, int P>
+void Model<D, P>::product(const Stage& stage, const Array& direction, const Array& out, Geometry geometry) const {
+  Kokkos::deep_copy(Exec(), out, 0.0);
+  move_ghosts(layout_, direction, GhostAction::update);
+  const Binding<D> binding{layout_, stage, direction, out, geometry};
+  for (const auto& piece : pieces_) piece->product(binding);
+  move_ghosts(layout_, out, GhostAction::add);
+  multiply(out, mask_);
+  multiply(direction, mask_);
+}
+
+template <int D, int P>
+template <class Motion>
+void Model<D, P>::fluid_integrals(const Binding<D>& b, Integrals& result) const {
+  using Volume = ReduceTask<D, FluidIntegrals, Motion>;
+  Volume volume{region(layout_.solid_elements, layout_.axis[D - 1].elements()), {fluid_}, {}, {}, {}};
+  if constexpr (std::is_same_v<Motion, WallMotion<D>>) volume.motion = b.motion(blend_);
+  bind_slots(fluid_, b, volume.slot);
+  const auto sum = reduce<P, P + 1>(volume);
+  result.mass = sum[FluidIntegrals::mass];
+  result.energy_kinetic += sum[FluidIntegrals::kinetic];
+  result.energy_bulk = sum[FluidIntegrals::bulk];
+  result.energy_gradient = sum[FluidIntegrals::gradient];
+  result.viscous = sum[FluidIntegrals::viscous];
+  result.stabilisation = sum[FluidIntegrals::stabilisation];
+  for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
+  if (!has_wall_) return;
+  ReduceTask<D, WallIntegrals, Motion> face{wall_region(), {wall_}, volume.motion, {}, {}};
+  bind_slots(wall_, b, face.slot);
+  const auto wall = reduce<P, 1>(face);
+  result.wetted = wall[WallIntegrals::wetted];
+  result.energy_wall = wall[WallIntegrals::energy];
+}
+
+template <int D, int P>
+Integrals Model<D, P>::integrals(const Stage& stage) const {
+  Integrals result;
+  const Binding<D> b{layout_, stage, {}, {}};
+  if (layout_.has_solid) {
+    ReduceTask<D, SolidIntegrals, NoMotion> task{region(0, layout_.solid_elements), {solid_}, {}, {}, {}};
+    for (int d = 0; d < D; ++d) {
+      task.slot[d] = b.velocity(d);
+      task.slot[D + d] = b.displacement(d);
+    }
+    const auto sum = reduce<P, P + 1>(task);
+    result.energy_kinetic += sum[SolidIntegrals::kinetic];
+    result.energy_elastic = sum[SolidIntegrals::elastic];
+    for (int d = 0; d < 3; ++d) result.momentum[d] += sum[SolidIntegrals::momentum + d];
+  }
+  if (!layout_.has_fluid) return result;
+  if (layout_.has_solid) {
+    fluid_integrals<WallMotion<D>>(b, result);
+  } else {
+    fluid_integrals<NoMotion>(b, result);
+  }
+  return result;
+}
+
+template <int D, int P>
+double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
+  double power = 0;
+  for (const LoadVector& load : loads_) {
+    const double fraction = load_fraction(time, load.start, load.ramp);
+    if (fraction == 0) continue;
+    const std::vector<double> w = to_host(load.weight), v = to_host(unknown);
+    for (int d = 0; d < D; ++d)
+      for (std::size_t i = 0; i < w.size(); ++i)
+        power += fraction * load.force[d] * w[i] * v[layout_.velocity_offset(d) + i];
+  }
+  return power;
+}
+
+template class Model<2, 2>;
+
+}  // namespace softwet

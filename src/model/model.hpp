@@ -1,0 +1,80 @@
+// The discrete equations of a scene: a list of terms on regions, sides, and loads. The only join of physics and
+// discretisation.
+#pragma once
+
+#include "app/case.hpp"
+#include "field/ghosts.hpp"
+#include "kernels/functional/fluid_integrals.hpp"
+#include "kernels/functional/solid_integrals.hpp"
+#include "model/piece.hpp"
+
+namespace softwet {
+
+/// Integrals of the state, for history.csv; scales: energies a b^2 L0^D, mass b L0^D.
+struct Integrals {
+  double mass = 0, energy_kinetic = 0, energy_bulk = 0, energy_gradient = 0, energy_wall = 0, energy_elastic = 0;
+  double momentum[3] = {0, 0, 0};
+  double viscous = 0, stabilisation = 0;  ///< dissipation rates
+  double wetted = 0;                      ///< area of Gamma above the middle density
+};
+
+/// A body force per unit mass on a box of the solid: exact integrals of the basis, ready to scale.
+struct LoadVector {
+  Array weight;  ///< rho_0^s int_box N_i dX on the solid's rows
+  std::vector<double> force;
+  double start, ramp;
+};
+
+template <int D, int P>
+class Model {
+ public:
+  explicit Model(const Case&);
+
+  const Layout<D>& layout() const { return layout_; }
+  const Coexistence& state() const { return coexistence_; }
+  const NavierStokesKorteweg& fluid() const { return fluid_; }
+  const Elastodynamics& solid() const { return solid_; }
+  const std::vector<std::unique_ptr<Piece<D>>>& pieces() const { return pieces_; }
+  const std::vector<LoadVector>& loads() const { return loads_; }
+  ConstArray mask() const { return mask_; }  ///< 1 free, 0 prescribed or ghost
+  double wall_height() const { return blend_.low; }
+  bool has_wall() const { return has_wall_; }
+
+  /// out = R(stage), zero where a value is prescribed.
+  void residual(const Stage&, const Array& out) const;
+  /// As residual, before prescribed values are dropped, with the wall traction also on a rigid wall: the reactions.
+  void reactions(const Stage&, const Array& out) const;
+  /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen.
+  void product(const Stage&, const Array& direction, const Array& out, Geometry) const;
+
+  Integrals integrals(const Stage&) const;
+  /// Power of the loads on a velocity field at a time.
+  double load_power(double time, const ConstArray& unknown) const;
+
+ private:
+  void build_axes(const Case&);
+  void build_fluid(const Case&);
+  void build_solid(const Case&);
+  void build_mask(const Case&);
+  Region<D> region(int first, int last) const;
+  Region<D> wall_region() const;
+  template <class Motion>
+  void add_fluid_pieces(const Case&);
+  template <class Motion>
+  void fluid_integrals(const Binding<D>&, Integrals&) const;
+  void add_loads(double time, const Array& out) const;
+
+  Layout<D> layout_;
+  Blend blend_;
+  Coexistence coexistence_;
+  NavierStokesKorteweg fluid_;
+  EnergyWall wall_;
+  Elastodynamics solid_;
+  bool has_wall_ = false;
+  std::vector<std::unique_ptr<Piece<D>>> pieces_;
+  std::unique_ptr<Piece<D>> rigid_traction_;
+  std::vector<LoadVector> loads_;
+  Array mask_;
+};
+
+}  // namespace softwet

@@ -1,0 +1,218 @@
+// The driver: runs one term over one region, as residual (plain numbers), Jacobian-vector product (dual numbers) or
+// reduction. Rows of elements are coloured, so every sum has one fixed order, whatever the number of threads.
+#pragma once
+
+#include "operator/element.hpp"
+
+namespace softwet {
+
+/// Everything a term needs on a region. Pointers are to control value (0, 0, 0) of each component's own grid.
+template <int D, class Term, class Motion>
+struct Task {
+  using Trial = typename Term::template Trial<double, D>;
+  using Test = typename Term::template Test<double, D>;
+
+  Region<D> region;
+  Term term;
+  Motion motion;
+  const double* slot[Trial::slot_count];
+  const double* tangent[Trial::unknown_count];
+  double* test[Test::channel_count];
+  double scale[scale_count];
+};
+
+/// Slots of a batch at its points, with tangents where N is dual.
+template <class S, class N, int D, int P, int Q, int QL, class Trial>
+struct BatchFields {
+  static constexpr int points = power(Q, D - 1) * QL;
+  static constexpr int slots = Trial::slot_count, unknowns = Trial::unknown_count;
+  S value[slots][1 + D][points];
+  S tangent[is_dual<N> ? unknowns : 1][1 + D][points];
+  double scale[scale_count];
+
+  template <class TaskType>
+  KOKKOS_FORCEINLINE_FUNCTION BatchFields(const TaskType& task, const Batch<D>& b,
+                                          const BatchBasis<S, D, P, Q, QL>& basis) {
+    for (int i = 0; i < scale_count; ++i) scale[i] = task.scale[i];
+    const int first = first_control(task.region, b);
+    fill_slots(task, b, basis, first, std::make_integer_sequence<int, slots>());
+    if constexpr (is_dual<N>)
+      for (int u = 0; u < unknowns; ++u) {
+        S nodal[power(P + 1, D)];
+        gather<S, D, P>(task.tangent[u], task.region, first, b.count, nodal);
+        basis.template forward<true, true>(nodal, tangent[u]);
+      }
+  }
+
+  template <class TaskType, int... s>
+  KOKKOS_FORCEINLINE_FUNCTION void fill_slots(const TaskType& task, const Batch<D>& b,
+                                              const BatchBasis<S, D, P, Q, QL>& basis, int first,
+                                              std::integer_sequence<int, s...>) {
+    (fill_slot<s>(task, b, basis, first), ...);
+  }
+  template <int s, class TaskType>
+  KOKKOS_FORCEINLINE_FUNCTION void fill_slot(const TaskType& task, const Batch<D>& b,
+                                             const BatchBasis<S, D, P, Q, QL>& basis, int first) {
+    constexpr Slot kind = Trial::slot(s);
+    S nodal[power(P + 1, D)];
+    gather<S, D, P>(task.slot[s], task.region, first, b.count, nodal);
+    basis.template forward<kind.value, kind.gradient>(nodal, value[s]);
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
+    if constexpr (is_dual<N>) {
+      const Slot kind = Trial::slot(s);
+      return N(value[s][c][q], scale[static_cast<int>(kind.scale)] * tangent[kind.unknown][c][q]);
+    } else {
+      return value[s][c][q];
+    }
+  }
+};
+
+/// What Trial::read sees: values and physical gradients of slots at point q.
+template <class N, int D, class Fields, class Point>
+struct Reader {
+  const Fields& fields;
+  const Point& point;
+  int q;
+
+  KOKKOS_FORCEINLINE_FUNCTION N value(int s) const { return fields.number(s, 0, q); }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> gradient(int s) const {
+    Vector<N, D> g;
+    for (int d = 0; d < D; ++d) g[d] = fields.number(s, 1 + d, q);
+    return point.physical(g);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return point.mesh_velocity(); }
+  KOKKOS_FORCEINLINE_FUNCTION N volume_ratio_end() const { return point.volume_ratio_end(); }
+};
+
+/// What Test::write sees: integrands are weighted, pulled back and stored for the integration sweeps.
+template <class S, class N, int D, int points, class Point>
+struct Writer {
+  S (*out)[1 + D][points];
+  const Point& point;
+  S weight;
+  int q;
+
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value) const {
+    out[channel][0][q] = weight * outcome(point.measured(value));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& flux) const {
+    add(channel, value);
+    const Vector<N, D> f = point.reference_flux(flux);
+    for (int d = 0; d < D; ++d) out[channel][1 + d][q] = weight * outcome(f[d]);
+  }
+};
+
+/// Quadrature weight and height of point q of a batch.
+template <class S, int D, int Q>
+KOKKOS_FORCEINLINE_FUNCTION S weight_at(const Region<D>& region, const Batch<D>& b, int q) {
+  constexpr int wall_points = power(Q, D - 1);
+  double shared = region.axis[D - 1].weight(q / wall_points, b.element[D - 1]);
+  if constexpr (D == 3) shared *= region.axis[1].weight((q % wall_points) / Q, b.element[1]);
+  return shared * load<S>(&region.axis[0].weight(q % Q, b.element[0]));
+}
+
+/// Residual (N = S) or Jacobian-vector product (N = Dual<S>) of one batch.
+template <class S, class N, int D, int P, int QL, class Term, class Motion>
+KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion>& task, const Batch<D>& b) {
+  constexpr int Q = P + 1, wall_points = power(Q, D - 1), points = wall_points * QL;
+  using Trial = typename Term::template Trial<N, D>;
+  using Test = typename Term::template Test<N, D>;
+  constexpr int channels = Test::channel_count;
+  const BatchBasis<S, D, P, Q, QL> basis(task.region, b);
+  const BatchFields<S, N, D, P, Q, QL, Trial> fields(task, b, basis);
+  const BatchGeometry<S, N, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
+  S out[channels][1 + D][points];
+  for (int q = 0; q < points; ++q) {
+    const auto point = geometry.at(q, task.region.axis[D - 1].position(q / wall_points, b.element[D - 1]), QL == 1);
+    const Reader<N, D, decltype(fields), std::remove_const_t<decltype(point)>> reader{fields, point, q};
+    const Test test = task.term.residual(Trial::read(reader));
+    test.write(Writer<S, N, D, points, std::remove_const_t<decltype(point)>>{
+        out, point, weight_at<S, D, Q>(task.region, b, q), q});
+  }
+  constexpr bool has_flux = !std::is_same_v<Test, WallTest<N, D>>;
+  const int first = first_control(task.region, b);
+  for (int c = 0; c < channels; ++c) {
+    S nodal[power(P + 1, D)];
+    basis.template backward<has_flux>(out[c], nodal);
+    scatter<S, D, P>(task.test[c], task.region, first, b.count, nodal);
+  }
+}
+
+/// Rows of elements along the first axis, numbered within one colour of the other axes: elements of a colour are at
+/// least degree + 1 apart, so they share no control point.
+template <int D>
+struct Colouring {
+  int extent[D], start[D], step, count[D];
+
+  Colouring(const Region<D>& region, int stride, int colour, bool include_first) : step(stride) {
+    for (int d = 0; d < D; ++d) {
+      const bool coloured = d > 0 || include_first;
+      extent[d] = region.axis[d].elements;
+      start[d] = coloured ? colour % stride : 0;
+      if (coloured) colour /= stride;
+      count[d] = coloured ? (extent[d] - start[d] + stride - 1) / stride : 1;
+    }
+  }
+  int items() const {
+    int n = 1;
+    for (int d = 0; d < D; ++d) n *= count[d] > 0 ? count[d] : 0;
+    return n;
+  }
+  KOKKOS_FUNCTION Batch<D> batch(int item) const {
+    Batch<D> b{};
+    b.count = 1;
+    for (int d = 0; d < D; ++d) {
+      b.element[d] = start[d] + step * (item % count[d]);
+      item /= count[d];
+    }
+    return b;
+  }
+};
+
+/// Runs body(batch) for all elements of a row of the region in packs of `lanes`.
+template <int D, class Body>
+KOKKOS_FORCEINLINE_FUNCTION void for_packs(const Region<D>& region, Batch<D> b, int lanes, const Body& body) {
+  const int n = region.axis[0].elements;
+  for (int e = 0; e < n; e += lanes) {
+    b.element[0] = e;
+    b.count = n - e < lanes ? n - e : lanes;
+    body(b);
+  }
+}
+
+template <int D, int P, int QL, bool Tangent, class Term, class Motion>
+struct AssembleRow {
+  Task<D, Term, Motion> task;
+  Colouring<D> colouring;
+
+  KOKKOS_FUNCTION void operator()(int item) const {
+    if constexpr (on_host) {
+      using S = Pack<double>;
+      using N = std::conditional_t<Tangent, Dual<S>, S>;
+      for_packs<D>(task.region, colouring.batch(item), Lanes<S>::count, [&](const Batch<D>& b) {
+        assemble_batch<S, N, D, P, QL, Term, Motion>(task, b);
+      });
+    } else {
+      using N = std::conditional_t<Tangent, Dual<double>, double>;
+      assemble_batch<double, N, D, P, QL, Term, Motion>(task, colouring.batch(item));
+    }
+  }
+};
+
+/// Adds the term's residual, or (Tangent) its Jacobian-vector product, to task.test[].
+template <int P, int QL, bool Tangent, int D, class Term, class Motion>
+void assemble(const Task<D, Term, Motion>& task) {
+  const int coloured_axes = on_host ? D - 1 : D;
+  int colours = 1;
+  for (int d = 0; d < coloured_axes; ++d) colours *= P + 1;
+  for (int colour = 0; colour < colours; ++colour) {
+    const Colouring<D> colouring(task.region, P + 1, colour, !on_host);
+    if (colouring.items() == 0) continue;
+    Kokkos::parallel_for("softwet::assemble", Kokkos::RangePolicy<Exec>(0, colouring.items()),
+                         AssembleRow<D, P, QL, Tangent, Term, Motion>{task, colouring});
+  }
+}
+
+}  // namespace softwet

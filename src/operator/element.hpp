@@ -1,0 +1,216 @@
+// One batch of elements: control values -> fields at points -> reader for a term -> integrals back to control values.
+#pragma once
+
+#include "kernels/basis/contract.hpp"
+#include "kernels/point/fields.hpp"
+#include "kernels/point/geometry.hpp"
+#include "spline/region.hpp"
+
+namespace softwet {
+
+/// Where the lanes of a batch sit: elements (x .. x + count - 1, y, z) of a region.
+template <int D>
+struct Batch {
+  int element[D];
+  int count;
+};
+
+/// Reads `count` lanes from p[0..]; further lanes repeat the last one.
+template <class S>
+KOKKOS_FORCEINLINE_FUNCTION S load_lanes(const double* p, int count) {
+  constexpr int lanes = Lanes<S>::count;
+  if (lanes == 1 || count == lanes) return load<S>(p);
+  double lane[lanes];
+  for (int l = 0; l < lanes; ++l) lane[l] = p[l < count ? l : count - 1];
+  return load<S>(lane);
+}
+
+template <class S>
+KOKKOS_FORCEINLINE_FUNCTION void add_lanes(double* p, const S& x, int count) {
+  constexpr int lanes = Lanes<S>::count;
+  if (lanes == 1 || count == lanes) return add_to(p, x);
+  if constexpr (lanes > 1)
+    for (int l = 0; l < count; ++l) p[l] += x[l];
+}
+
+template <class S, int P, int Q>
+KOKKOS_FORCEINLINE_FUNCTION AxisBasis<S, P, Q> load_basis(const AxisRule& rule, int element) {
+  AxisBasis<S, P, Q> b;
+  for (int q = 0; q < Q; ++q)
+    for (int a = 0; a <= P; ++a) {
+      b.value[q][a] = load<S>(&rule.value(q, a, element));
+      b.slope[q][a] = load<S>(&rule.slope(q, a, element));
+    }
+  return b;
+}
+
+/// The 1D bases of a batch; `test` differs from the last axis' trial basis where the test space is restricted.
+template <class S, int D, int P, int Q, int QL>
+struct BatchBasis {
+  AxisBasis<S, P, Q> x;
+  AxisBasis<double, P, Q> y;  // 3D only
+  AxisBasis<double, P, QL> last, test;
+
+  KOKKOS_FORCEINLINE_FUNCTION BatchBasis(const Region<D>& region, const Batch<D>& b)
+      : x(load_basis<S, P, Q>(region.axis[0], b.element[0])),
+        last(load_basis<double, P, QL>(region.axis[D - 1], b.element[D - 1])),
+        test(load_basis<double, P, QL>(region.test, b.element[D - 1])) {
+    if constexpr (D == 3) y = load_basis<double, P, Q>(region.axis[1], b.element[1]);
+  }
+  template <bool Value, bool Gradient>
+  KOKKOS_FORCEINLINE_FUNCTION void forward(const S (&nodal)[power(P + 1, D)],
+                                           S (*out)[power(Q, D - 1) * QL]) const {
+    if constexpr (D == 2) {
+      interpolate<Value, Gradient, S, P, Q, QL>(nodal, x, last, out);
+    } else {
+      interpolate<Value, Gradient, S, P, Q, QL>(nodal, x, y, last, out);
+    }
+  }
+  template <bool Gradient>
+  KOKKOS_FORCEINLINE_FUNCTION void backward(const S (*in)[power(Q, D - 1) * QL],
+                                            S (&nodal)[power(P + 1, D)]) const {
+    if constexpr (D == 2) {
+      integrate<Gradient, S, P, Q, QL>(in, x, test, nodal);
+    } else {
+      integrate<Gradient, S, P, Q, QL>(in, x, y, test, nodal);
+    }
+  }
+};
+
+/// Offset of a batch's first control value in a component.
+template <int D>
+KOKKOS_FORCEINLINE_FUNCTION int first_control(const Region<D>& region, const Batch<D>& b) {
+  int offset = b.element[0];
+  for (int d = 1; d < D; ++d) offset += region.axis[d].first(b.element[d]) * region.stride[d];
+  return offset;
+}
+
+template <class S, int D, int P>
+KOKKOS_FORCEINLINE_FUNCTION void gather(const double* p, const Region<D>& region, int first, int count,
+                                        S (&nodal)[power(P + 1, D)]) {
+  constexpr int n = P + 1;
+  for (int k = 0; k < (D == 3 ? n : 1); ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        nodal[(k * n + j) * n + i] =
+            load_lanes<S>(p + first + i + j * region.stride[1] + (D == 3 ? k * region.stride[D - 1] : 0), count);
+}
+
+template <class S, int D, int P>
+KOKKOS_FORCEINLINE_FUNCTION void scatter(double* p, const Region<D>& region, int first, int count,
+                                         const S (&nodal)[power(P + 1, D)]) {
+  constexpr int n = P + 1;
+  for (int k = 0; k < (D == 3 ? n : 1); ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        add_lanes(p + first + i + j * region.stride[1] + (D == 3 ? k * region.stride[D - 1] : 0),
+                  nodal[(k * n + j) * n + i], count);
+}
+
+/// Motion of the wall that moves the fluid mesh: control values of the wall's row per direction.
+template <int D>
+struct WallMotion {
+  const double* displacement[D];      ///< at n+af
+  const double* displacement_end[D];  ///< at n+1
+  const double* velocity[D];          ///< at n+af
+  const double* tangent[D];           ///< of the velocity, or null: geometry frozen
+  double scale, scale_end;            ///< d displacement / d velocity at n+af and n+1
+  Blend blend;
+};
+
+/// No motion: the map is the identity and nothing is read.
+struct NoMotion {};
+
+/// Geometry at the points of a batch on a fixed mesh.
+template <class S, class N, int D, int P, int Q, class Motion>
+struct BatchGeometry {
+  KOKKOS_FORCEINLINE_FUNCTION BatchGeometry(const Region<D>&, const Batch<D>&, const AxisBasis<S, P, Q>&,
+                                            const AxisBasis<double, P, Q>&, const Motion&) {}
+  KOKKOS_FORCEINLINE_FUNCTION FixedPoint<N, D> at(int, double, bool) const { return {}; }
+};
+
+/// Geometry of the blended moving mesh: the wall's motion interpolated along the wall, blended vertically at each point.
+template <class S, class N, int D, int P, int Q>
+struct BatchGeometry<S, N, D, P, Q, WallMotion<D>> {
+  static constexpr int wall_points = power(Q, D - 1);
+  static constexpr int wall_controls = power(P + 1, D - 1);
+  S displacement[D][D][wall_points];      // [direction][0: value, 1..: slopes along the wall]
+  S displacement_end[D][D][wall_points];
+  S velocity[D][wall_points];
+  S tangent[is_dual<N> ? D : 1][D][wall_points];
+  double scale, scale_end;
+  Blend blend;
+
+  KOKKOS_FORCEINLINE_FUNCTION BatchGeometry(const Region<D>& region, const Batch<D>& b, const AxisBasis<S, P, Q>& x,
+                                            const AxisBasis<double, P, Q>& y, const WallMotion<D>& wall)
+      : scale(wall.scale), scale_end(wall.scale_end), blend(wall.blend) {
+    for (int d = 0; d < D; ++d) {
+      trace(wall.displacement[d], region, b, x, y, displacement[d]);
+      trace(wall.displacement_end[d], region, b, x, y, displacement_end[d]);
+      S v[D][wall_points];
+      trace(wall.velocity[d], region, b, x, y, v);
+      for (int q = 0; q < wall_points; ++q) velocity[d][q] = v[0][q];
+      if constexpr (is_dual<N>) {
+        if (wall.tangent[d]) {
+          trace(wall.tangent[d], region, b, x, y, tangent[d]);
+        } else {
+          for (int c = 0; c < D; ++c)
+            for (int q = 0; q < wall_points; ++q) tangent[d][c][q] = S(0.0);
+        }
+      }
+    }
+  }
+
+  /// Value and slopes along the wall of one field of the wall's row.
+  KOKKOS_FORCEINLINE_FUNCTION void trace(const double* p, const Region<D>& region, const Batch<D>& b,
+                                         const AxisBasis<S, P, Q>& x, const AxisBasis<double, P, Q>& y,
+                                         S (&out)[D][wall_points]) const {
+    constexpr int n = P + 1;
+    S nodal[wall_controls];
+    int first = b.element[0];
+    if constexpr (D == 3) first += region.axis[1].first(b.element[1]) * region.stride[1];
+    for (int a = 0; a < wall_controls; ++a)
+      nodal[a] = load_lanes<S>(p + first + a % n + (D == 3 ? (a / n) * region.stride[1] : 0), b.count);
+    if constexpr (D == 2) {
+      for (int q = 0; q < Q; ++q) {
+        out[0][q] = x.value[q][0] * nodal[0];
+        out[1][q] = x.slope[q][0] * nodal[0];
+        for (int i = 1; i < n; ++i) {
+          out[0][q] = out[0][q] + x.value[q][i] * nodal[i];
+          out[1][q] = out[1][q] + x.slope[q][i] * nodal[i];
+        }
+      }
+    } else {
+      interpolate<true, true, S, P, Q, Q>(nodal, x, y, out);
+    }
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION N number(const S& value, const S& t, double factor) const {
+    if constexpr (is_dual<N>) {
+      return N(value, factor * t);
+    } else {
+      return value;
+    }
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> at(int q, double height, bool face) const {
+    const int w = q % wall_points;
+    const double beta = blend.value(height), slope = blend.slope();
+    Matrix<N, D> f, f_end;
+    Vector<N, D> v;
+    for (int i = 0; i < D; ++i) {
+      const S* t[D];
+      for (int c = 0; c < D; ++c) t[c] = &tangent[is_dual<N> ? i : 0][c][w];
+      for (int j = 0; j + 1 < D; ++j) {
+        f(i, j) = number(beta * displacement[i][j + 1][w], *t[j + 1], beta * scale);
+        f_end(i, j) = number(beta * displacement_end[i][j + 1][w], *t[j + 1], beta * scale_end);
+      }
+      f(i, D - 1) = number(slope * displacement[i][0][w], *t[0], slope * scale);
+      f_end(i, D - 1) = number(slope * displacement_end[i][0][w], *t[0], slope * scale_end);
+      v[i] = number(beta * velocity[i][w], *t[0], beta);
+    }
+    return MovingPoint<N, D>(f, f_end, v, face);
+  }
+};
+
+}  // namespace softwet

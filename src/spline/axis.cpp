@@ -1,0 +1,103 @@
+#include "spline/axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace softwet {
+
+Axis::Axis(double length, int elements, int degree, bool periodic, int kink)
+    : degree_(degree), elements_(elements), periodic_(periodic), length_(length) {
+  const double h = length / elements;
+  if (periodic) {
+    for (int i = -degree; i <= elements + degree; ++i) knots_.push_back(h * i);
+    for (int e = 0; e < elements; ++e) span_.push_back(e);
+  } else {
+    knots_.insert(knots_.end(), degree, 0.0);
+    for (int e = 0; e <= elements; ++e) {
+      const int copies = (kink > 0 && e == kink) ? degree : 1;
+      knots_.insert(knots_.end(), copies, e == elements ? length : h * e);
+      if (e < elements) span_.push_back(static_cast<int>(knots_.size()) - 1 - degree);
+    }
+    knots_.insert(knots_.end(), degree, length);
+  }
+  functions_ = static_cast<int>(knots_.size()) - degree - 1;
+  for (int i = 0; i < functions_; ++i) {
+    double sum = 0;
+    for (int k = 1; k <= degree; ++k) sum += knots_[i + k];
+    greville_.push_back(sum / degree);
+  }
+}
+
+int Axis::element_at(double x) const {
+  const int e = static_cast<int>(std::floor(x / spacing()));
+  return std::clamp(e, 0, elements_ - 1);
+}
+
+// Cox-de Boor recursion: the degree + 1 functions alive on a knot span (de Boor, A Practical Guide to Splines, ch. X).
+std::vector<double> Axis::evaluate(int element, double x, int degree) const {
+  const int k = span_[element] + degree_;  // knots_[k] <= x <= knots_[k + 1]
+  std::vector<double> n(degree + 1, 0.0);
+  n[0] = 1.0;
+  for (int p = 1; p <= degree; ++p) {
+    double saved = 0.0;
+    for (int r = 0; r < p; ++r) {
+      const double right = knots_[k + r + 1], left = knots_[k + 1 - p + r];
+      const double part = n[r] / (right - left);
+      n[r] = saved + (right - x) * part;
+      saved = (x - left) * part;
+    }
+    n[p] = saved;
+  }
+  return n;
+}
+
+std::vector<double> Axis::values(int element, double x) const { return evaluate(element, x, degree_); }
+
+std::vector<double> Axis::slopes(int element, double x) const {
+  const std::vector<double> lower = evaluate(element, x, degree_ - 1);
+  const int first = span_[element];
+  std::vector<double> d(degree_ + 1, 0.0);
+  for (int a = 0; a <= degree_; ++a) {
+    const int i = first + a;
+    if (a > 0) d[a] += degree_ * lower[a - 1] / (knots_[i + degree_] - knots_[i]);
+    if (a < degree_) d[a] -= degree_ * lower[a] / (knots_[i + degree_ + 1] - knots_[i + 1]);
+  }
+  return d;
+}
+
+std::vector<double> Axis::integrals(double a, double b, int first, int last) const {
+  const Gauss rule(degree_ + 1);
+  std::vector<double> result(functions_, 0.0);
+  for (int e = first; e < last; ++e) {
+    const double lo = std::max(a, lower(e)), hi = std::min(b, lower(e + 1));
+    if (hi <= lo) continue;
+    for (std::size_t q = 0; q < rule.point.size(); ++q) {
+      const std::vector<double> v = values(e, lo + (hi - lo) * rule.point[q]);
+      for (int i = 0; i <= degree_; ++i) result[span_[e] + i] += (hi - lo) * rule.weight[q] * v[i];
+    }
+  }
+  return result;
+}
+
+Gauss::Gauss(int n) : point(n), weight(n) {
+  for (int i = 0; i < n; ++i) {
+    double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 1.0;
+    for (int iteration = 0; iteration < 100; ++iteration) {
+      double p = 1.0, previous = 0.0;
+      for (int k = 1; k <= n; ++k) {
+        const double next = ((2 * k - 1) * x * p - (k - 1) * previous) / k;
+        previous = p;
+        p = next;
+      }
+      slope = n * (x * p - previous) / (x * x - 1.0);
+      const double step = p / slope;
+      x -= step;
+      if (std::abs(step) < 1e-16) break;
+    }
+    point[n - 1 - i] = 0.5 * (1.0 + x);
+    weight[n - 1 - i] = 1.0 / ((1.0 - x * x) * slope * slope);
+  }
+}
+
+}  // namespace softwet

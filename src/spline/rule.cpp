@@ -1,0 +1,73 @@
+#include "spline/rule.hpp"
+
+namespace softwet {
+
+namespace {
+
+/// Points on each element as fractions of it, with weights per unit length (or 1 for a trace).
+AxisRule tabulate(const Axis& axis, int first, int last, const std::vector<double>& fraction,
+                  const std::vector<double>& weight) {
+  const int n = axis.degree() + 1, q = static_cast<int>(fraction.size()), count = last - first;
+  const int padded = count + lane_padding;
+  Kokkos::View<double***, Kokkos::LayoutRight, Exec> value("value", q, n, padded), slope("slope", q, n, padded);
+  Kokkos::View<double**, Kokkos::LayoutRight, Exec> weights("weight", q, padded), position("position", q, padded);
+  Kokkos::View<int*, Exec> spans("first", padded);
+  auto v = Kokkos::create_mirror_view(value), s = Kokkos::create_mirror_view(slope);
+  auto w = Kokkos::create_mirror_view(weights), x = Kokkos::create_mirror_view(position);
+  auto f = Kokkos::create_mirror_view(spans);
+  for (int l = 0; l < padded; ++l) {
+    const int e = first + std::min(l, count - 1);
+    f(l) = axis.span(e);
+    for (int p = 0; p < q; ++p) {
+      x(p, l) = axis.lower(e) + axis.spacing() * fraction[p];
+      w(p, l) = l < count ? weight[p] : 0.0;
+      const std::vector<double> values = axis.values(e, x(p, l)), slopes = axis.slopes(e, x(p, l));
+      for (int a = 0; a < n; ++a) {
+        v(p, a, l) = values[a];
+        s(p, a, l) = slopes[a];
+      }
+    }
+  }
+  Kokkos::deep_copy(value, v);
+  Kokkos::deep_copy(slope, s);
+  Kokkos::deep_copy(weights, w);
+  Kokkos::deep_copy(position, x);
+  Kokkos::deep_copy(spans, f);
+  return {value, slope, weights, position, spans, count, q};
+}
+
+}  // namespace
+
+AxisRule gauss_rule(const Axis& axis, int first, int last, int points) {
+  const Gauss rule(points);
+  std::vector<double> weight = rule.weight;
+  for (double& w : weight) w *= axis.spacing();
+  return tabulate(axis, first, last, rule.point, weight);
+}
+
+AxisRule low_face_rule(const Axis& axis, int first) { return tabulate(axis, first, first + 1, {0.0}, {1.0}); }
+
+AxisRule sample_rule(const Axis& axis, int first, int last, int points) {
+  std::vector<double> fraction(points), weight(points, 1.0 / points);
+  for (int p = 0; p < points; ++p) fraction[p] = points > 1 ? static_cast<double>(p) / (points - 1) : 0.5;
+  return tabulate(axis, first, last, fraction, weight);
+}
+
+AxisRule restricted_to(const AxisRule& rule, int function) {
+  const auto keep = [function](const auto& table) {
+    Kokkos::View<double***, Kokkos::LayoutRight, Exec> copy("restricted", table.extent(0), table.extent(1),
+                                                            table.extent(2));
+    auto from = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), table);
+    auto to = Kokkos::create_mirror_view(copy);
+    for (std::size_t p = 0; p < to.extent(0); ++p)
+      for (std::size_t e = 0; e < to.extent(2); ++e) to(p, function, e) = from(p, function, e);
+    Kokkos::deep_copy(copy, to);
+    return copy;
+  };
+  AxisRule result = rule;
+  result.value = keep(rule.value);
+  result.slope = keep(rule.slope);
+  return result;
+}
+
+}  // namespace softwet

@@ -1,0 +1,35 @@
+// Tables of one axis of a region: basis values and slopes at the quadrature points of each element, in device memory.
+#pragma once
+
+#include <vector>
+
+#include "field/array.hpp"
+#include "spline/axis.hpp"
+
+namespace softwet {
+
+inline constexpr int lane_padding = 16;  ///< tables carry this many copies of the last element behind it
+
+/// value, slope: [point][function][element]; weight: [point][element]; first: [element], first living function.
+struct AxisRule {
+  Kokkos::View<const double***, Kokkos::LayoutRight, Exec> value, slope;
+  Kokkos::View<const double**, Kokkos::LayoutRight, Exec> weight;
+  Kokkos::View<const double**, Kokkos::LayoutRight, Exec> position;
+  Kokkos::View<const int*, Exec> first;
+  int elements = 0;
+  int points = 0;
+};
+
+/// Gauss points on the elements [first, last).
+AxisRule gauss_rule(const Axis&, int first, int last, int points);
+
+/// One point of weight 1 at the lower end of element `first`: the trace on a face.
+AxisRule low_face_rule(const Axis&, int first);
+
+/// The same points as `rule` with every function but `function` (local index) set to zero: restricts a test space.
+AxisRule restricted_to(const AxisRule& rule, int function);
+
+/// `points` equidistant points of weight 1/points per element, ends included, for output.
+AxisRule sample_rule(const Axis&, int first, int last, int points);
+
+}  // namespace softwet
