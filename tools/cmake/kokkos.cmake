@@ -10,6 +10,9 @@ set(softwet_kokkos_sha256 188817bb452ca805ee8701f1c5adbbb4fb83dc8d1c50624566a18a
 
 option(Kokkos_ENABLE_SERIAL "Serial back end" ON)
 option(Kokkos_ENABLE_OPENMP "OpenMP back end" ON)
+if(Kokkos_ENABLE_CUDA)
+  option(Kokkos_ENABLE_CUDA_CONSTEXPR "Constexpr functions of the standard library on the device" ON)
+endif()
 
 # On a CPU build for the machine at hand, unless an architecture was named.
 if(NOT Kokkos_ENABLE_CUDA AND NOT Kokkos_ENABLE_HIP AND NOT Kokkos_ENABLE_SYCL)
