@@ -155,9 +155,10 @@ void check_droplet(const Checker& check, std::size_t index) {
     const bool out_below = !up && x - droplet.radius < -slack * top;
     if (!out_below && x + reach <= top * (1 + slack)) continue;
     const std::string& side = side_name(axis, out_below ? 0 : 1, check.vertical());
+    const double room = out_below ? x : (top - x) * droplet.radius / reach;
+    const std::string smaller = room > slack * top ? fmt::format("write a radius of at most {:.6g}, ", room) : "";
     check.refuse(radius, fmt::format("the droplet crosses the {} side of the domain", side.substr(side.find('.') + 1)),
-                 fmt::format("write a radius of at most {:.6g}, move the centre, or make the side periodic",
-                             out_below ? x : (top - x) * droplet.radius / reach));
+                 smaller + "move the centre, or make the side periodic");
   }
 }
 

@@ -69,7 +69,8 @@ Case parse_case(std::string_view text, const std::string& place, const std::vect
 }
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
-  if (std::filesystem::is_directory(path)) reject_path(path, "it is a folder");
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown)) reject_path(path, "it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) reject_path(path, std::strerror(errno));
   std::ostringstream text;

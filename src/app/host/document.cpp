@@ -41,7 +41,8 @@ bool begins_a_key(const std::string& name) {
   const std::string remedy =
       key ? fmt::format("did you mean {} (for example {} = {})?", nearest, key->leaf(), example_text(*key))
           : fmt::format("did you mean the table {}?", nearest);
-  reject(place, name, text, "unknown " + std::string(text == "{...}" ? "table" : "key"),
+  const bool is_table = text == "{...}";
+  reject(place, name, is_table ? "" : text, is_table ? "unknown table" : "unknown key",
          remedy + " 'softwet explain' lists all keys");
 }
 
@@ -73,7 +74,7 @@ void check_range(const Key& key, const Value& value, const std::string& name, co
 }
 
 Entry make_entry(const Key& key, std::size_t index, const toml::node& node, const std::string& place) {
-  const std::string name = indexed_name(key, index), text = one_line(text_of_node(node));
+  const std::string name = indexed_name(key, index), text = text_of_node(node);
   const auto value = value_of_node(node, key.kind);
   if (!value) {
     const bool ratio = key.kind == Kind::number && key.example.find('/') == std::string::npos;
@@ -101,7 +102,7 @@ class Walker {
       } else if (begins_a_key(name)) {
         walk_table(node, name, index);
       } else {
-        reject_unknown(at(node), name, one_line(text_of_node(node)));
+        reject_unknown(at(node), name, text_of_node(node));
       }
     }
   }
@@ -112,8 +113,7 @@ class Walker {
   void walk_table(const toml::node& node, const std::string& name, std::size_t index) {
     const toml::table* table = node.as_table();
     if (!table) {
-      reject(at(node), name, one_line(text_of_node(node)), "is a table and stands once",
-             fmt::format("write [{}]", name));
+      reject(at(node), name, text_of_node(node), "is a table and stands once", fmt::format("write [{}]", name));
     }
     document_.table_count[name] = 1;
     document_.table_place[name] = at(node);
@@ -123,7 +123,7 @@ class Walker {
   void walk_entries(const toml::node& node, const std::string& name) {
     const toml::array* list = node.as_array();
     if (!list || !std::all_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_table(); })) {
-      reject(at(node), name, one_line(text_of_node(node)), "is a list of tables",
+      reject(at(node), name, text_of_node(node), "is a list of tables",
              fmt::format("write [[{}]] with double brackets above its keys", name));
     }
     document_.table_count[name + "[]"] = list->size();
@@ -170,7 +170,7 @@ toml::table parse_value(const std::string& text) {
 void reject(const std::string& place, const std::string& key, const std::string& text, const std::string& problem,
             const std::string& remedy) {
   const std::string value = text.empty() ? "" : " = " + text;
-  throw Error(Exit::invalid_input, fmt::format("{}: {}{}: {}; {}", place, key, value, problem, remedy));
+  throw Error(Exit::invalid_input, one_line(fmt::format("{}: {}{}: {}; {}", place, key, value, problem, remedy)));
 }
 
 Document read_document(std::string_view text, const std::string& place) {
@@ -193,16 +193,15 @@ Document read_document(std::string_view text, const std::string& place) {
 }
 
 void apply_override(Document& document, const std::string& assignment) {
-  const std::string place = "--set " + one_line(assignment);
+  const std::string place = "--set " + assignment;
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {
-    reject(place, one_line(assignment), "", "is not an assignment",
-           "write --set key=value, for example --set time.end=10");
+    reject(place, assignment, "", "is not an assignment", "write --set key=value, for example --set time.end=10");
   }
   const std::string text = assignment.substr(equals + 1);
   const auto [name, index] = split_index(assignment.substr(0, equals), place);
   const Key* key = find_key(name);
-  if (!key) reject_unknown(place, name, one_line(text));
+  if (!key) reject_unknown(place, name, text);
   const std::string table = key->table();
   if (const Table* repeated = find_table(table); repeated && repeated->repeated) {
     const std::size_t count = document.table_count[table];

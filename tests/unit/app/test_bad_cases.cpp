@@ -1,0 +1,170 @@
+// Every way a case can be wrong: the message names place, key and remedy, in one line, with exit code 1.
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "app/error.hpp"
+#include "app/host/case_file.hpp"
+
+namespace softwet {
+namespace {
+
+const std::string pull = initial_case("tensotaxis_pull_2d");
+
+/// The pull scene with one text replaced, and what the message must contain.
+struct Bad {
+  const char* name;
+  std::string from, to;
+  std::vector<std::string> parts;
+};
+
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto position = text.find(from);
+  EXPECT_NE(position, std::string::npos) << from;
+  return position == std::string::npos ? text : text.replace(position, from.size(), to);
+}
+
+std::string message_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    parse_case(text, "case.toml", overrides);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Exit::invalid_input);
+    return error.what();
+  }
+  return "(accepted)";
+}
+
+class BadCase : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadCase, IsRefusedWithPlaceKeyAndRemedy) {
+  const std::string message = message_of(replaced(pull, GetParam().from, GetParam().to));
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_EQ(message.rfind("case.toml", 0), 0u) << message;
+  for (const std::string& part : GetParam().parts)
+    EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Pull, BadCase,
+    testing::Values(
+        Bad{"UnknownKey",
+            "viscosity =",
+            "viscosty =",
+            {"fluid.viscosty", "unknown key", "did you mean fluid.viscosity"}},
+        Bad{"UnknownTable", "[fluid]", "[fluids]", {"fluids", "did you mean the table fluid"}},
+        Bad{"UnknownWord", "\"no_slip\"", "\"noslip\"", {"boundary.top", "\"noslip\"", "did you mean \"no_slip\""}},
+        Bad{"MissingKey", "viscosity = \"1/256\"", "", {"fluid.viscosity is missing", "viscosity = \"1/256\""}},
+        Bad{"WrongType",
+            "elements = [128, 64]",
+            "elements = \"many\"",
+            {"domain.elements", "whole numbers", "[128, 64]"}},
+        Bad{"NoWholeNumber", "[128, 64]", "[128.5, 64]", {"domain.elements", "whole numbers"}},
+        Bad{"BrokenRatio", "\"1/256\"", "\"1/0\"", {"fluid.viscosity = \"1/0\"", "number in (0, inf)"}},
+        Bad{"Boolean", "radius = 0.155", "radius = true", {"droplet[0].radius = true", "number"}},
+        Bad{"Infinite", "radius = 0.155", "radius = inf", {"droplet[0].radius = inf", "(0, inf)"}},
+        Bad{"NotANumber", "young = 0.7554", "young = nan", {"substrate.young = nan", "(0, inf)"}},
+        Bad{"SingleBrackets", "[[droplet]]", "[droplet]", {"droplet", "[[droplet]]"}},
+        Bad{"DoubleBrackets", "[fluid]", "[[fluid]]", {"fluid", "stands once", "[fluid]"}},
+        Bad{"BrokenToml", "[fluid]", "[fluid", {"not TOML"}},
+        Bad{"NegativeSize", "size = [1.0, 0.5]", "size = [1.0, -0.5]", {"domain.size = [1, -0.5]", "(0, inf)"}},
+        Bad{"OneAxis", "size = [1.0, 0.5]", "size = [1.0]", {"domain.size", "2 numbers"}},
+        Bad{"ElementsOfOtherLength", "[128, 64]", "[128, 64, 4]", {"domain.elements", "2 numbers"}},
+        Bad{"ZeroElements", "[128, 64]", "[128, 0]", {"domain.elements", "[1, 100000]"}},
+        Bad{"Degree", "degree = 2", "degree = 4", {"domain.degree = 4", "[2, 3]"}},
+        Bad{"Critical", "temperature = 0.39", "temperature = 1.0", {"fluid.temperature", "[0.3, 1)", "choose below 1"}},
+        Bad{"TooCold", "temperature = 0.39", "temperature = 0.1", {"fluid.temperature", "[0.3, 1)"}},
+        Bad{"AngleHigh", "contact_angle = 75.0", "contact_angle = 180", {"fluid.contact_angle = 180", "(0, 180)"}},
+        Bad{"AngleLow", "contact_angle = 75.0", "contact_angle = 0", {"fluid.contact_angle = 0", "(0, 180)"}},
+        Bad{"Poisson", "poisson = 0.45", "poisson = 0.5", {"substrate.poisson = 0.5", "(-1, 0.5)"}},
+        Bad{"ThicknessNoMultiple",
+            "thickness = 0.125",
+            "thickness = 0.13",
+            {"substrate.thickness = 0.13", "0.0078125", "0.125 or 0.1328125"}},
+        Bad{"ThicknessAll", "thickness = 0.125", "thickness = 0.5", {"substrate.thickness", "(0, 0.5)"}},
+        Bad{"LoadOutside", "[0.8, 0.125]]", "[0.8, 0.2]]", {"load[0].box", "outside the solid", "[0, 0.125]"}},
+        Bad{"LoadEmpty", "[0.8, 0.125]]", "[0.7, 0.125]]", {"load[0].box", "empty along axis 0"}},
+        Bad{"LoadNoBox",
+            "[[0.7, 0.0], [0.8, 0.125]]",
+            "[0.7, 0.8]",
+            {"load[0].box", "[[lower corner], [upper corner]]"}},
+        Bad{"ForceOfOtherLength", "[0.16215, 0.0]", "[0.1, 0, 0]", {"load[0].force", "2 numbers"}},
+        Bad{"NegativeRamp", "ramp = 5.0", "ramp = -5.0", {"load[0].ramp = -5", "[0, inf)"}},
+        Bad{"NegativeStart", "start = 30.0", "start = -1", {"load[0].start = -1", "[0, inf)"}},
+        Bad{"DropletInSolid",
+            "centre = [0.5, 0.125]",
+            "centre = [0.5, 0.1]",
+            {"droplet[0].centre", "outside the fluid"}},
+        Bad{"DropletOutside",
+            "centre = [0.5, 0.125]",
+            "centre = [1.5, 0.125]",
+            {"droplet[0].centre", "outside the fluid"}},
+        Bad{"DropletThroughSide",
+            "centre = [0.5, 0.125]",
+            "centre = [0.1, 0.125]",
+            {"droplet[0].radius", "left side", "0.1"}},
+        Bad{"DropletThroughTop",
+            "centre = [0.5, 0.125]",
+            "centre = [0.5, 0.4]",
+            {"droplet[0].radius", "top side", "0.1"}},
+        Bad{"HalfPeriodic",
+            "right = \"slip\"",
+            "right = \"periodic\"",
+            {"boundary.right", "boundary.left = \"periodic\""}},
+        Bad{"FrontIn2D", "right = \"slip\"", "front = \"slip\"", {"boundary.front", "3D"}},
+        Bad{"EndZero", "end = 1884.0", "end = 0", {"time.end = 0", "(0, inf)"}},
+        Bad{"RhoInf", "rho_inf = 0.5", "rho_inf = 1.5", {"time.rho_inf = 1.5", "[0, 1]"}},
+        Bad{"StepsOutOfOrder", "dt_max = 50", "dt_max = 1e-3", {"time.dt", "dt_max"}},
+        Bad{"TimesNotSorted", "[0.0, 235.0,", "[235.0, 0.0,", {"output.fields.times", "increase"}},
+        Bad{"TimesTooEarly", "[0.0, 235.0,", "[-31.0, 235.0,", {"output.fields.times", "-30"}},
+        Bad{"BadName", "\"tensotaxis_pull_2d\"", "\"../x\"", {"name = \"../x\"", "letters"}}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(BadCases, NameTheLine) {
+  EXPECT_EQ(message_of("name = 'x'\n\n[fluid]\nviscosity = -1\n").rfind("case.toml:4: fluid.viscosity = -1", 0), 0u);
+}
+
+TEST(BadCases, EmptyFileOffersInit) {
+  for (const char* text : {"", "# nothing\n"}) {
+    EXPECT_NE(message_of(text).find("softwet init"), std::string::npos);
+  }
+}
+
+TEST(BadCases, NoMaterialAsksForOne) {
+  EXPECT_NE(message_of("name = 'x'").find("neither [fluid] nor [substrate]"), std::string::npos);
+}
+
+TEST(BadCases, LoadNeedsASubstrateDropletAFluid) {
+  const std::string start = "name='x'\ntime.end=1\ndomain={size=[1,1],elements=[8,8]}\n";
+  const std::string fluid = "fluid={viscosity=1,capillarity=1,temperature=0.5}\n";
+  const std::string solid = "substrate={thickness=1,young=1,poisson=0}\n";
+  EXPECT_NE(message_of(start + fluid + "[[load]]\nbox=[[0,0],[1,1]]\nforce=[1,0]").find("[substrate]"),
+            std::string::npos);
+  EXPECT_NE(message_of(start + solid + "[[droplet]]\ncentre=[0,0]\nradius=1").find("[fluid]"), std::string::npos);
+  EXPECT_NE(message_of(start + "substrate={thickness=0.5,young=1,poisson=0}").find("solid alone"), std::string::npos);
+}
+
+TEST(BadCases, OverridesAreNamedAsThePlace) {
+  EXPECT_EQ(message_of(pull, {"fluid.viscosity=-1"}).rfind("--set fluid.viscosity=-1: fluid.viscosity = -1", 0), 0u);
+  EXPECT_NE(message_of(pull, {"fluid.viscosty=1"}).find("did you mean fluid.viscosity"), std::string::npos);
+  EXPECT_NE(message_of(pull, {"time.end"}).find("key=value"), std::string::npos);
+  EXPECT_NE(message_of(pull, {"load[1].ramp=1"}).find("has 1 of these"), std::string::npos);
+  EXPECT_NE(message_of(pull, {"load[x].ramp=1"}).find("load[0].ramp"), std::string::npos);
+  EXPECT_NE(message_of(pull, {"solver=1"}).find("solver"), std::string::npos);
+}
+
+TEST(BadCases, UnreadablePathsSayWhy) {
+  for (const char* path : {"/no/such/case.toml", "/"}) {
+    try {
+      read_case(path);
+      ADD_FAILURE() << path;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Exit::invalid_input);
+      EXPECT_NE(std::string(error.what()).find(path), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace softwet

@@ -1,0 +1,176 @@
+// The schema in both directions: files to cases, cases to files, overrides, defaults and explanations.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/error.hpp"
+#include "app/host/case_file.hpp"
+#include "app/host/document.hpp"
+#include "app/host/nearest.hpp"
+#include "app/host/schema.hpp"
+
+namespace softwet {
+namespace {
+
+const std::string pull = initial_case("tensotaxis_pull_2d");
+
+const char* const periodic_box = R"(
+name = "box"
+[domain]
+size = [1, "1/2", 0.25]
+elements = [16, 8, 8]
+[fluid]
+viscosity = "1/200"
+capillarity = "1/50"
+temperature = 0.85
+[boundary]
+left = "periodic"
+right = "periodic"
+front = "periodic"
+back = "periodic"
+[time]
+end = 1
+)";
+
+TEST(Value, ReadsNumbersAndRatios) {
+  EXPECT_EQ(number_from_text("1/256"), 1.0 / 256);
+  EXPECT_EQ(number_from_text(" -3 / 8 "), -0.375);
+  EXPECT_EQ(number_from_text("+2e-3"), 2e-3);
+  for (const char* wrong : {"", "/", "1/", "/2", "1/0", "1/2/3", "abc", "1 2", "+-1"}) {
+    EXPECT_FALSE(number_from_text(wrong)) << wrong;
+  }
+}
+
+TEST(Value, WritesTextThatReadsBackToTheSameBits) {
+  for (double number : {0.1, 1.0 / 3, 1e-300, 123456789.125, 5e-324, 1e22}) {
+    EXPECT_EQ(number_from_text(text_of_number(number)), number);
+  }
+  EXPECT_EQ(text_of_value(std::string("a\"b\\c\n")), "\"a\\\"b\\\\c\\u000A\"");
+}
+
+TEST(NearestName, FindsMisspeltAndMisplacedKeys) {
+  const std::vector<std::string> known{"fluid.viscosity", "fluid.temperature", "time.end"};
+  EXPECT_EQ(nearest_name("fluid.viscosty", known), "fluid.viscosity");
+  EXPECT_EQ(nearest_name("temperature", known), "fluid.temperature");
+  EXPECT_EQ(nearest_name("time.edn", known), "time.end");
+  EXPECT_EQ(edit_distance("edn", "end"), 1);
+  EXPECT_EQ(edit_distance("", "abc"), 3);
+}
+
+TEST(Schema, EveryKeyHasHelpATableAndAWorkingExample) {
+  for (const Key& key : schema()) {
+    EXPECT_FALSE(key.help.empty()) << key.name;
+    EXPECT_NE(find_table(key.table()), nullptr) << key.name;
+    EXPECT_NO_THROW(value_from_text(key, example_text(key))) << key.name;
+    if (!key.required) {
+      EXPECT_NO_THROW(value_from_text(key, default_text(key))) << key.name;
+    }
+    EXPECT_EQ(find_key(key.name), &key) << "name stands twice";
+  }
+}
+
+TEST(CaseFile, InitialCaseIsThePullOfTheCasesFolder) {
+  const Case c = parse_case(pull, "init");
+  EXPECT_EQ(write_case(c), write_case(read_case(SOFTWET_SOURCE_DIR "/cases/tensotaxis_pull_2d.toml")));
+  EXPECT_EQ(c.fluid->viscosity, 1.0 / 256);
+  EXPECT_EQ(c.loads.at(0).upper, (Numbers{0.8, 0.125}));
+  EXPECT_EQ(c.clock_zero(), 30.0);
+}
+
+TEST(CaseFile, EveryCaseOfTheFolderSurvivesARoundTrip) {
+  int count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(SOFTWET_SOURCE_DIR "/cases")) {
+    if (file.path().extension() != ".toml") continue;
+    const Case c = read_case(file.path().string());
+    EXPECT_EQ(c.name, file.path().stem().string());
+    EXPECT_EQ(write_case(parse_case(write_case(c), "again")), write_case(c));
+    EXPECT_TRUE(warnings(c).empty()) << file.path();
+    ++count;
+  }
+  EXPECT_GE(count, 6);
+}
+
+TEST(CaseFile, RoundTripKeepsEveryKeyAwayFromItsDefault) {
+  const Case c = parse_case(pull, "pull",
+                            {"fluid.wall_law=energy",
+                             "fluid.stabilisation=0.0017",
+                             "fluid.smoothing=1/3000",
+                             "time.rho_inf=0.25",
+                             "time.dt_initial=0.1",
+                             "time.dt_min=1e-6",
+                             "time.dt_max=7",
+                             "time.tolerance=1/700",
+                             "time.max_steps=12345678901",
+                             "solver.newton.rtol=1e-9",
+                             "solver.newton.atol=1e-12",
+                             "solver.newton.max=7",
+                             "solver.krylov.rtol=0.1",
+                             "solver.krylov.restart=50",
+                             "solver.krylov.max=99",
+                             "solver.krylov.jacobian=difference",
+                             "solver.krylov.preconditioner=schwarz",
+                             "output.history.every=3",
+                             "output.fields.times=[-30, 0.5]",
+                             "output.checkpoint.minutes=2.5",
+                             "domain.degree=3",
+                             "boundary.top=slip",
+                             "boundary.left=clamped"});
+  EXPECT_EQ(c.time.max_steps, 12345678901L);
+  EXPECT_EQ(c.fluid->wall_law, WallLaw::energy);
+  EXPECT_EQ(c.boundary.side[0][0], Side::clamped);
+  EXPECT_EQ(c.boundary.side[1][1], Side::slip);
+  const Case again = parse_case(write_case(c), "again");
+  for (const Key& key : schema()) {
+    if (!key.three_dimensional) {
+      EXPECT_EQ(key.bind.get(again, 0), key.bind.get(c, 0)) << key.name;
+    }
+  }
+}
+
+TEST(CaseFile, ThreeDimensionsPutBottomAndTopOnTheLastAxis) {
+  const Case c = parse_case(periodic_box, "box");
+  EXPECT_EQ(c.dimension(), 3);
+  EXPECT_EQ(c.domain.size[1], 0.5);
+  EXPECT_EQ(c.boundary.side[1][0], Side::periodic);
+  EXPECT_EQ(c.boundary.side[2][0], Side::slip);
+  EXPECT_EQ(c.boundary.side[2][1], Side::no_slip);
+  EXPECT_EQ(write_case(parse_case(write_case(c), "again")), write_case(c));
+}
+
+TEST(CaseFile, TopOfASolidAloneIsFreeByDefault) {
+  const Case c = parse_case(
+      "name='s'\ndomain={size=[1,1],elements=[4,4]}\nsubstrate={thickness=1,young=1,poisson=0}\ntime.end=1", "solid");
+  EXPECT_FALSE(c.fluid);
+  EXPECT_EQ(c.boundary.side[1][1], Side::free);
+}
+
+TEST(CaseFile, OverridesReachEntriesOfLists) {
+  const Case c =
+      parse_case(pull, "pull", {"load[0].force=[\"1/8\", 0]", "droplet.radius=0.1", "time.end=1", "time.end=2"});
+  EXPECT_EQ(c.loads[0].force, (Numbers{0.125, 0}));
+  EXPECT_EQ(c.droplets[0].radius, 0.1);
+  EXPECT_EQ(c.time.end, 2);
+}
+
+TEST(CaseFile, WarnsOfAnUnresolvedInterfaceAndOfTimesNeverReached) {
+  const auto found = warnings(parse_case(pull, "pull", {"fluid.capillarity=1/512", "time.end=10"}));
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NE(found[0].find("fluid.capillarity"), std::string::npos);
+  EXPECT_NE(found[1].find("output.fields.times"), std::string::npos);
+}
+
+TEST(Explain, TellsUnitRangeDefaultAndHelp) {
+  const std::string one = explain("fluid.contact_angle");
+  for (const char* part : {"fluid.contact_angle", "(0, 180)", "degrees", "default 90", "liquid"}) {
+    EXPECT_NE(one.find(part), std::string::npos) << part;
+  }
+  const std::string all = "\n" + explain("");
+  for (const Key& key : schema()) EXPECT_NE(all.find("\n" + key.name + "\n"), std::string::npos) << key.name;
+  EXPECT_NE(explain("solver.newton").find("solver.newton.atol"), std::string::npos);
+  EXPECT_NE(explain("load.ramp").find("load[].ramp"), std::string::npos);
+  EXPECT_THROW(explain("fluid.viscosty"), Error);
+}
+
+}  // namespace
+}  // namespace softwet
