@@ -155,12 +155,43 @@ std::pair<std::string, std::size_t> split_index(const std::string& name, const s
   return {name.substr(0, open) + "[]" + name.substr(close + 1), static_cast<std::size_t>(std::stoul(digits))};
 }
 
+[[noreturn]] void reject_syntax(const std::string& place, long line, std::string_view problem) {
+  throw Error(Exit::invalid_input, one_line(fmt::format("{}:{}: this is not TOML: {}; see 'softwet init' for a case to "
+                                                        "start from",
+                                                        place, line, problem)));
+}
+
+/// The line at which the library gave up without telling where: the shortest beginning of the text with that fate.
+long line_of_malformed(std::string_view text) {
+  long line = 1;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1), ++line) {
+    try {
+      toml::parse(text.substr(0, end + 1));
+    } catch (const MalformedToml&) {
+      return line;
+    } catch (const toml::parse_error&) {
+    }
+  }
+  return line;
+}
+
+toml::table parse_file(std::string_view text, const std::string& place) {
+  try {
+    return toml::parse(text, place);
+  } catch (const toml::parse_error& error) {
+    reject_syntax(place, static_cast<long>(error.source().begin.line), error.description());
+  } catch (const MalformedToml& error) {
+    reject_syntax(place, line_of_malformed(text), error.what());
+  }
+}
+
 /// A TOML table { value = ... } from one value; text that is no TOML value (1/256, slip) is taken as a string.
 toml::table parse_value(const std::string& text) {
   try {
     toml::table parsed = toml::parse("value = " + text);
     if (parsed.size() == 1) return parsed;
   } catch (const toml::parse_error&) {
+  } catch (const MalformedToml&) {
   }
   return toml::table{{"value", text}};
 }
@@ -176,14 +207,7 @@ void reject(const std::string& place, const std::string& key, const std::string&
 Document read_document(std::string_view text, const std::string& place) {
   Document document;
   document.place = place;
-  toml::table table;
-  try {
-    table = toml::parse(text, place);
-  } catch (const toml::parse_error& error) {
-    throw Error(Exit::invalid_input,
-                fmt::format("{}:{}: this is not TOML: {}; see 'softwet init' for a case to start from", place,
-                            error.source().begin.line, one_line(std::string(error.description()))));
-  }
+  const toml::table table = parse_file(text, place);
   if (table.empty()) {
     throw Error(Exit::invalid_input,
                 fmt::format("{}: the file is empty; 'softwet init FILE' writes a complete case to start from", place));

@@ -43,7 +43,7 @@ std::optional<Value> box_of(const toml::node& node) {
 template <class Maybe>
 std::optional<Value> widen(const Maybe& value) {
   if (!value) return std::nullopt;
-  return Value(*value);
+  return std::optional<Value>(std::in_place, *value);
 }
 
 }  // namespace

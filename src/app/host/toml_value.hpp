@@ -1,12 +1,11 @@
 // From a TOML node to a Value of the kind a key asks for. Only document.cpp and toml_value.cpp see the TOML library.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <optional>
 #include <string>
 
 #include "app/host/schema.hpp"
+#include "app/host/toml_reader.hpp"
 
 namespace softwet {
 

@@ -125,6 +125,11 @@ TEST(BadCases, NameTheLine) {
   EXPECT_EQ(message_of("name = 'x'\n\n[fluid]\nviscosity = -1\n").rfind("case.toml:4: fluid.viscosity = -1", 0), 0u);
 }
 
+TEST(BadCases, TextThatTheTomlLibraryOnlyAssertsOnIsASyntaxErrorOfItsLine) {
+  EXPECT_EQ(message_of("name = 'x'\nb = [ }\nc = 1\n").rfind("case.toml:2: this is not TOML", 0), 0u);
+  EXPECT_NE(message_of(pull, {"load[0].force=[ }"}).find("load[0].force"), std::string::npos);
+}
+
 TEST(BadCases, EmptyFileOffersInit) {
   for (const char* text : {"", "# nothing\n"}) {
     EXPECT_NE(message_of(text).find("softwet init"), std::string::npos);
