@@ -6,12 +6,10 @@
 #include "field/stage.hpp"
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
 #include "kernels/solid/elastodynamics.hpp"
+#include "model/geometry.hpp"
 #include "operator/assemble.hpp"
 
 namespace softwet {
-
-/// Whether the product differentiates the mesh (shape derivatives) or keeps the geometry frozen.
-enum class Geometry { exact, frozen };
 
 /// Where the fields of a stage lie, as pointers a task can use; `tangent` is a vector of unknowns or empty.
 template <int D>

@@ -1,0 +1,19 @@
+// The state a run starts from.
+#pragma once
+
+#include "field/stage.hpp"
+#include "model/model.hpp"
+
+namespace softwet {
+
+/// A state with all arrays allocated for the layout, at rest, at time zero.
+template <int D>
+State empty_state(const Layout<D>&);
+
+/// Fluid at rest: tanh profiles around each droplet with curvature-corrected densities (Kelvin, Laplace), so that the
+/// vapour need not equilibrate: mu = mu_sat + (D - 1) sigma / (R (rho_l - rho_v)). A droplet centred on the wall is
+/// lowered to R cos(alpha) below it, a cap cut at the contact angle. Solid undeformed and at rest.
+template <int D, int P>
+State initial_state(const Case&, const Model<D, P>&);
+
+}  // namespace softwet

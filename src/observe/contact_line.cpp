@@ -1,0 +1,135 @@
+#include "observe/contact_line.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace softwet {
+
+namespace {
+
+using Point = std::array<double, 2>;
+
+std::vector<double> fine_points(double low, double high, int count) {
+  std::vector<double> x(count + 1);
+  for (int i = 0; i <= count; ++i) x[i] = low + (high - low) * i / count;
+  return x;
+}
+
+/// Places where samples cross `level`, with the direction: +1 rising.
+struct Crossing {
+  double x;
+  int direction;
+};
+std::vector<Crossing> crossings(const std::vector<double>& x, const double* value, double level) {
+  std::vector<Crossing> result;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const double a = value[i] - level, b = value[i + 1] - level;
+    if ((a < 0) == (b < 0)) continue;
+    result.push_back({x[i] + (x[i + 1] - x[i]) * a / (a - b), a < 0 ? 1 : -1});
+  }
+  return result;
+}
+
+/// The crossing on the wall, sharpened by bisection on the spline itself.
+double sharpen(const Snapshot<2>& s, double x, double reach, double level, int direction) {
+  double lo = x - reach, hi = x + reach;
+  for (int i = 0; i < 60; ++i) {
+    const double m = 0.5 * (lo + hi);
+    const double excess = direction * (s.density({std::vector<double>{m}, {s.wall_height()}})[0] - level);
+    (excess < 0 ? lo : hi) = m;
+  }
+  return 0.5 * (lo + hi);
+}
+
+Point current(const Snapshot<2>& s, double x, double y) {
+  const Snapshot<2>::Grid at{std::vector<double>{x}, {y}};
+  return {x + s.displacement(at, 0, true)[0], y + s.displacement(at, 1, true)[0]};
+}
+
+/// Level-set points of the left and right half of the droplet whose wall crossings are given (reference coordinates).
+struct Sides {
+  std::vector<Point> left, right;
+};
+Sides trace_level(const Snapshot<2>& s, double left, double right, double middle, double start) {
+  const Axis& horizontal = s.layout().axis[0];
+  const double low = s.wall_height(), high = s.layout().axis[1].length(), middle_x = 0.5 * (left + right);
+  // Height of the droplet above its middle.
+  const std::vector<double> column = fine_points(low, high, 4 * s.layout().axis[1].elements());
+  const std::vector<double> along = s.density({std::vector<double>{middle_x}, column});
+  double top = low;
+  for (const Crossing& c : crossings(column, along.data(), middle))
+    if (c.direction < 0) {
+      top = c.x;
+      break;
+    }
+  Sides sides;
+  if (top - low < 1.5 * start) return sides;
+  const std::vector<double> x = fine_points(0, horizontal.length(), 4 * horizontal.elements());
+  const std::vector<double> y = fine_points(low + start, low + start + 0.85 * (top - low - start), 24);
+  const std::vector<double> value = s.density({x, y});
+  for (std::size_t j = 0; j < y.size(); ++j) {
+    const std::vector<Crossing> found = crossings(x, value.data() + j * x.size(), middle);
+    double best_left = -1, best_right = 1e300;
+    for (const Crossing& c : found) {
+      if (c.direction > 0 && c.x < middle_x) best_left = std::max(best_left, c.x);
+      if (c.direction < 0 && c.x > middle_x) best_right = std::min(best_right, c.x);
+    }
+    if (best_left >= 0) sides.left.push_back(current(s, best_left, y[j]));
+    if (best_right < 1e300) sides.right.push_back(current(s, best_right, y[j]));
+  }
+  return sides;
+}
+
+/// Angle at which a circle meets a height, in the liquid inside the circle, degrees.
+std::optional<double> angle_at(const std::optional<Circle>& circle, double height) {
+  if (!circle) return std::nullopt;
+  const double cosine = (height - circle->y) / circle->radius;
+  if (!(std::abs(cosine) < 1)) return std::nullopt;
+  return std::acos(cosine) * 180 / M_PI;
+}
+
+}  // namespace
+
+std::optional<Circle> fit_circle(const std::vector<Point>& points) {
+  if (points.size() < 5) return std::nullopt;
+  Eigen::MatrixXd a(points.size(), 3);
+  Eigen::VectorXd b(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [x, y] = points[i];
+    a.row(i) << x, y, 1;
+    b[i] = -(x * x + y * y);
+  }
+  const Eigen::Vector3d c = a.colPivHouseholderQr().solve(b);
+  const double x = -0.5 * c[0], y = -0.5 * c[1], square = x * x + y * y - c[2];
+  if (!(square > 0)) return std::nullopt;
+  Circle circle{x, y, std::sqrt(square), 0};
+  for (const auto& [px, py] : points) circle.misfit += std::pow(std::hypot(px - x, py - y) - circle.radius, 2);
+  circle.misfit = std::sqrt(circle.misfit / points.size());
+  return circle;
+}
+
+std::vector<Footprint> find_footprints(const Snapshot<2>& s, double middle, double capillarity) {
+  const Axis& horizontal = s.layout().axis[0];
+  const std::vector<double> x = fine_points(0, horizontal.length(), 4 * horizontal.elements());
+  const double low = s.wall_height(), reach = x[1] - x[0];
+  const std::vector<double> trace = s.density({x, std::vector<double>{low}});
+  const std::vector<Crossing> found = crossings(x, trace.data(), middle);
+  std::vector<Footprint> result;
+  for (std::size_t i = 0; i + 1 < found.size(); ++i) {
+    if (found[i].direction < 0 || found[i + 1].direction > 0) continue;
+    const double left = sharpen(s, found[i].x, reach, middle, 1), right = sharpen(s, found[i + 1].x, reach, middle, -1);
+    const Point line_left = current(s, left, low), line_right = current(s, right, low);
+    Footprint f{line_left[0], line_right[0], {}, {}, {}};
+    const Sides sides = trace_level(s, left, right, middle, 2 * capillarity);
+    f.angle_left = angle_at(fit_circle(sides.left), line_left[1]);
+    f.angle_right = angle_at(fit_circle(sides.right), line_right[1]);
+    std::vector<Point> both = sides.left;
+    both.insert(both.end(), sides.right.begin(), sides.right.end());
+    if (const auto circle = fit_circle(both)) f.radius = circle->radius;
+    result.push_back(f);
+  }
+  return result;
+}
+
+}  // namespace softwet

@@ -1,0 +1,30 @@
+// Contact lines and apparent angles of droplets on the wall.
+#pragma once
+
+#include <optional>
+
+#include "observe/snapshot.hpp"
+
+namespace softwet {
+
+/// One droplet's footprint in the plane of motion (2D: the domain), in current coordinates.
+struct Footprint {
+  double x_left, x_right;        ///< where rho = (rho_l + rho_v)/2 on the wall
+  std::optional<double> angle_left, angle_right;  ///< apparent angles, degrees, in the liquid
+  std::optional<double> radius;  ///< of the circle through both sides
+  double centre() const { return 0.5 * (x_left + x_right); }
+};
+
+/// A circle fitted to points (algebraic least squares, Kasa 1976).
+struct Circle {
+  double x, y, radius, misfit;  ///< misfit: root mean square distance of the points
+};
+std::optional<Circle> fit_circle(const std::vector<std::array<double, 2>>& points);
+
+/// Footprints from left to right. The apparent angle of a side is that of a circle fitted to the level set of its
+/// half of the droplet, from 2 g above the wall, where it meets the height of that side's contact line.
+/// @param middle       density of the level set
+/// @param capillarity  g, sets where the fit begins
+std::vector<Footprint> find_footprints(const Snapshot<2>&, double middle, double capillarity);
+
+}  // namespace softwet

@@ -1,0 +1,139 @@
+#include "solver/newton.hpp"
+
+#include <cmath>
+
+namespace softwet {
+
+Newton::Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditioner)
+    : gmres_(size, restart),
+      preconditioner_(std::move(preconditioner)),
+      residual_("newton.residual", size),
+      step_("newton.step", size),
+      scaled_("newton.scaled", size),
+      probe_("newton.probe", size) {}
+
+double Newton::weighted_norm(const std::vector<FieldRange>& fields, const ConstArray& r) const {
+  double sum = 0;
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const ConstArray field = part(r, fields[f].first, fields[f].last);
+    sum += weight_[f] * weight_[f] * dot(field, field);
+  }
+  return std::sqrt(sum);
+}
+
+void Newton::set_weights(const std::vector<FieldRange>& fields, const ConstArray& r) {
+  weight_.resize(fields.size());
+  for (std::size_t f = 0; f < fields.size(); ++f)
+    weight_[f] = 1 / std::max(norm(part(r, fields[f].first, fields[f].last)), fields[f].floor);
+}
+
+void Newton::scale_rows(const std::vector<FieldRange>& fields, const Array& r, int exponent) const {
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const Array field = Kokkos::subview(r, Kokkos::make_pair(fields[f].first, fields[f].last));
+    combine(field, exponent > 0 ? weight_[f] : 1 / weight_[f], field, 0);
+  }
+}
+
+void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl& control, const Array& x,
+                              const Array& z, const Array& out) {
+  Stopwatch watch(counts_.product_seconds);
+  ++counts_.products;
+  if (control.jacobian == JacobianKind::exact) return system.product(z, out, Geometry::exact);
+  const double size = norm(z);
+  const double epsilon = size > 0 ? 1e-7 * (1 + norm(x)) / size : 1.0;
+  Kokkos::deep_copy(Exec(), probe_, x);
+  add_scaled(probe_, 0, epsilon, z);
+  system.residual(probe_, out);
+  add_scaled(out, 0, -1, residual_);
+  combine(out, 1 / epsilon, out, 0);
+}
+
+KrylovResult Newton::linear_solve(const NonlinearSystem& system, const std::vector<FieldRange>& fields,
+                                  const NewtonControl& control, const Array& x) {
+  Stopwatch watch(counts_.krylov_seconds);
+  const auto apply = [&](const Array& z, const Array& out) {
+    jacobian_product(system, control, x, z, out);
+    scale_rows(fields, out, 1);
+  };
+  const auto precondition = [&](const Array& r, const Array& z) {
+    Stopwatch inner(counts_.apply_seconds);
+    ++counts_.applications;
+    Kokkos::deep_copy(Exec(), probe_, r);
+    scale_rows(fields, probe_, -1);
+    preconditioner_->apply(probe_, z);
+  };
+  Kokkos::deep_copy(Exec(), scaled_, residual_);
+  scale_rows(fields, scaled_, 1);
+  return gmres_.solve(apply, precondition, scaled_, step_, control.krylov_rtol, control.krylov_max);
+}
+
+std::string Newton::update(const NonlinearSystem& system, const Array& x) {
+  std::string complaint;
+  double length = 1;
+  for (int halvings = 0; halvings < 4; ++halvings, length *= 0.5) {
+    Kokkos::deep_copy(Exec(), probe_, x);
+    add_scaled(probe_, 0, -length, step_);
+    complaint = system.complaint(probe_);
+    if (complaint.empty()) {
+      Kokkos::deep_copy(Exec(), x, probe_);
+      break;
+    }
+  }
+  return complaint;
+}
+
+NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<FieldRange>& fields,
+                           const NewtonControl& control, double dt, const Array& x) {
+  NewtonResult result;
+  double start = 0, previous = 0;
+  if (built_dt_ == 0 || dt > 2 * built_dt_ || dt < 0.5 * built_dt_) rebuild_ = true;
+  for (;; ++result.iterations) {
+    {
+      Stopwatch watch(counts_.residual_seconds);
+      ++counts_.residuals;
+      system.residual(x, residual_);
+    }
+    if (result.iterations == 0) set_weights(fields, residual_);
+    const double size = weighted_norm(fields, residual_);
+    if (!std::isfinite(size)) {
+      result.reason = "the residual is not finite";
+      return result;
+    }
+    if (result.iterations == 0) start = std::sqrt(static_cast<double>(fields.size()));
+    result.reduction = size / start;
+    result.converged = size <= control.rtol * start;
+    // At its floor every field is as exact as asked for, whatever the relative reduction.
+    bool at_floor = true;
+    for (const FieldRange& f : fields) at_floor = at_floor && norm(part(residual_, f.first, f.last)) <= f.floor;
+    result.converged = result.converged || at_floor;
+    if (result.converged) return result;
+    if (result.iterations == control.max || (result.iterations > 2 && size > 2 * previous)) {
+      result.reason = "Newton's method did not converge";
+      return result;
+    }
+    previous = size;
+    if (rebuild_) {
+      Stopwatch watch(counts_.build_seconds);
+      ++counts_.builds;
+      preconditioner_->build([&](const Array& z, const Array& out) { system.product(z, out, Geometry::frozen); });
+      built_dt_ = dt;
+      rebuild_ = false;
+    }
+    const KrylovResult linear = linear_solve(system, fields, control, x);
+    result.krylov += linear.iterations;
+    counts_.krylov += linear.iterations;
+    ++counts_.newton;
+    if (linear.iterations > control.rebuild_above || !linear.converged) rebuild_ = true;
+    if (linear.reduction > 0.9) {
+      result.reason = "the linear solver stalled";
+      return result;
+    }
+    const std::string complaint = update(system, x);
+    if (!complaint.empty()) {
+      result.reason = complaint;
+      return result;
+    }
+  }
+}
+
+}  // namespace softwet

@@ -1,0 +1,99 @@
+// Inexact Newton-Krylov with a lagged preconditioner.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "field/layout.hpp"
+#include "solver/gmres.hpp"
+#include "model/geometry.hpp"
+#include "solver/preconditioner.hpp"
+
+namespace softwet {
+
+enum class JacobianKind { exact, difference };
+
+struct NewtonControl {
+  double rtol = 1e-6;      ///< of the weighted residual, relative to the start of the step
+  double atol = 1e-10;     ///< accepted error of velocity and density, sets a floor for the residual
+  int max = 10;
+  double krylov_rtol = 1e-2;
+  int krylov_max = 200;
+  int rebuild_above = 15;  ///< Krylov iterations after which the preconditioner is rebuilt
+  JacobianKind jacobian = JacobianKind::exact;
+};
+
+/// Seconds and counts since the start of the run, for run.json and the benchmark.
+struct SolverCounts {
+  long newton = 0, krylov = 0, residuals = 0, products = 0, builds = 0, applications = 0;
+  double residual_seconds = 0, product_seconds = 0, build_seconds = 0, apply_seconds = 0, krylov_seconds = 0;
+};
+
+struct NewtonResult {
+  bool converged = false;
+  int iterations = 0, krylov = 0;
+  double reduction = 1;
+  std::string reason;  ///< of a failure, for the user
+};
+
+/// Adds the time of its scope to a counter.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
+  ~Stopwatch() {
+    Kokkos::fence();
+    seconds_ += std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& seconds_;
+  Clock::time_point start_;
+};
+
+/// The nonlinear system of one step, as Newton sees it.
+struct NonlinearSystem {
+  std::function<void(const Array& x, const Array& r)> residual;
+  std::function<void(const Array& z, const Array& out, Geometry)> product;
+  /// Empty if x is admissible (finite, densities inside (.., 1)); otherwise what is wrong with it.
+  std::function<std::string(const Array& x)> complaint;
+};
+
+/// Fields are weighted so that each starts the step with the same share of the residual norm (or sits at its floor).
+struct FieldRange {
+  int first, last;
+  double floor;
+};
+
+class Newton {
+ public:
+  Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditioner);
+
+  /// Improves x until the weighted residual has fallen by rtol. `dt` tells when the lagged preconditioner is too old.
+  NewtonResult solve(const NonlinearSystem&, const std::vector<FieldRange>& fields, const NewtonControl&, double dt,
+                     const Array& x);
+
+  SolverCounts& counts() { return counts_; }
+  const Preconditioner& preconditioner() const { return *preconditioner_; }
+  void forget_preconditioner() { built_dt_ = 0; }
+
+ private:
+  double weighted_norm(const std::vector<FieldRange>&, const ConstArray& r) const;
+  void set_weights(const std::vector<FieldRange>&, const ConstArray& r);
+  void scale_rows(const std::vector<FieldRange>&, const Array& r, int exponent) const;
+  KrylovResult linear_solve(const NonlinearSystem&, const std::vector<FieldRange>&, const NewtonControl&,
+                            const Array& x);
+  void jacobian_product(const NonlinearSystem&, const NewtonControl&, const Array& x, const Array& z, const Array& out);
+  std::string update(const NonlinearSystem&, const Array& x);
+
+  Gmres gmres_;
+  std::unique_ptr<Preconditioner> preconditioner_;
+  Array residual_, step_, scaled_, probe_;
+  std::vector<double> weight_;
+  double built_dt_ = 0;
+  bool rebuild_ = true;
+  SolverCounts counts_;
+};
+
+}  // namespace softwet

@@ -1,0 +1,150 @@
+#include "time/generalized_alpha.hpp"
+
+namespace softwet {
+
+namespace {
+
+/// y = a x + b z + c w, element by element; x, z, w have at least the length of y.
+void sum_of(const Array& y, double a, const ConstArray& x, double b, const ConstArray& z, double c,
+            const ConstArray& w) {
+  Kokkos::parallel_for(
+      "softwet::sum_of", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
+      KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + b * z(i) + c * w(i); });
+}
+
+/// The solid's rows of velocity component d inside a vector of unknowns, for d = 0.
+template <int D>
+ConstArray solid_velocity(const Layout<D>& layout, const ConstArray& unknown, int d) {
+  const int first = layout.velocity_offset(d);
+  return part(unknown, first, first + layout.solid_rows() * layout.row_size);
+}
+
+Array piece_of(const Array& a, int first, int count) { return Kokkos::subview(a, Kokkos::make_pair(first, first + count)); }
+
+}  // namespace
+
+template <int D, int P>
+GeneralizedAlpha<D, P>::GeneralizedAlpha(const Model<D, P>& model, double rho_inf)
+    : model_(model), alpha_(rho_inf), work_("work", model.layout().size()) {
+  const Layout<D>& l = model.layout();
+  stage_.unknown = Array("stage.unknown", l.size());
+  stage_.acceleration = Array("stage.acceleration", l.velocity_size());
+  stage_.displacement = Array("stage.displacement", l.solid_size());
+  stage_.displacement_end = Array("stage.displacement_end", l.solid_size());
+  stage_.density_end = Array("stage.density_end", l.scalar_size());
+}
+
+template <int D, int P>
+void GeneralizedAlpha<D, P>::begin(const State& state, double dt) {
+  start_ = state;
+  dt_ = dt;
+  stage_.time = state.time + alpha_.af * dt;
+  stage_.rate_scale = alpha_.am / (alpha_.ga * dt * alpha_.af);
+  stage_.displacement_scale = dt * alpha_.af * alpha_.ga / alpha_.am;
+  stage_.end_scale = 1 / alpha_.af;
+  stage_.moment_rate = alpha_.am / (alpha_.ga * dt);
+}
+
+template <int D, int P>
+void GeneralizedAlpha<D, P>::fill_stage(const Array& x) {
+  const Layout<D>& l = model_.layout();
+  const State& n = start_;
+  Kokkos::deep_copy(Exec(), stage_.unknown, x);
+  move_ghosts(l, stage_.unknown, GhostAction::update);
+  const ConstArray u = stage_.unknown;
+  const double rate = stage_.rate_scale, af = alpha_.af, ratio = alpha_.ga / alpha_.am;
+  sum_of(stage_.acceleration, rate, u, -rate, n.unknown, 1 - alpha_.am / alpha_.ga, n.velocity_rate);
+  const int count = l.solid_rows() * l.row_size;
+  for (int d = 0; d < D && l.has_solid; ++d) {
+    const int o = l.displacement_offset(d);
+    const ConstArray v = solid_velocity(l, u, d), u0 = part(n.displacement, o, o + count);
+    const ConstArray rate0 = part(n.displacement_rate, o, o + count);
+    const double a = dt_ * ratio, b = dt_ * (1 - ratio);
+    sum_of(piece_of(stage_.displacement_end, o, count), 1, u0, a, v, b, rate0);
+    sum_of(piece_of(stage_.displacement, o, count), 1, u0, af * a, v, af * b, rate0);
+  }
+  if (l.has_fluid) {
+    const ConstArray rho = part(u, l.density_offset(), l.potential_offset());
+    const ConstArray rho0 = part(n.unknown, l.density_offset(), l.potential_offset());
+    sum_of(stage_.density_end, 1 / af, rho, 1 - 1 / af, rho0, 0, rho0);
+  }
+}
+
+template <int D, int P>
+void GeneralizedAlpha<D, P>::residual(const Array& x, const Array& r) {
+  fill_stage(x);
+  model_.residual(stage_, r);
+  const Layout<D>& l = model_.layout();
+  if (!l.has_fluid) return;
+  add_scaled(r, l.density_offset(), 1 - alpha_.am / alpha_.ga, start_.moment_rate);
+  add_scaled(r, l.density_offset(), -stage_.moment_rate, start_.moment);
+}
+
+template <int D, int P>
+void GeneralizedAlpha<D, P>::product(const Array& z, const Array& out, Geometry geometry) const {
+  model_.product(stage_, z, out, geometry);
+}
+
+template <int D, int P>
+Stage GeneralizedAlpha<D, P>::at(const State& state) const {
+  const Layout<D>& l = model_.layout();
+  Stage s;
+  s.time = state.time;
+  s.unknown = state.unknown;
+  s.acceleration = state.velocity_rate;
+  s.displacement = s.displacement_end = state.displacement;
+  if (l.has_fluid)
+    s.density_end = Kokkos::subview(state.unknown, Kokkos::make_pair(l.density_offset(), l.potential_offset()));
+  return s;
+}
+
+template <int D, int P>
+void GeneralizedAlpha<D, P>::initialise(State& state) {
+  const Layout<D>& l = model_.layout();
+  move_ghosts(l, state.unknown, GhostAction::update);
+  if (!l.has_fluid) return;
+  Stage s = at(state);
+  s.moment_rate = 0;
+  model_.residual(s, work_);
+  Kokkos::deep_copy(state.moment_rate, part(work_, l.density_offset(), l.potential_offset()));
+  s.moment_rate = 1;
+  model_.residual(s, work_);
+  Kokkos::deep_copy(state.moment, part(work_, l.density_offset(), l.potential_offset()));
+  combine(state.moment, -1, state.moment_rate, 1);
+  combine(state.moment_rate, -1, state.moment_rate, 0);
+}
+
+template <int D, int P>
+void GeneralizedAlpha<D, P>::finish(const Array& x, State& state) {
+  const Layout<D>& l = model_.layout();
+  const double am = alpha_.am, af = alpha_.af, ga = alpha_.ga;
+  fill_stage(x);
+  if (l.has_fluid) {
+    // p_{n+1} = p_n - (ga dt / am) [(1 - am/ga) p'_n + F]: equal to M rho_{n+1} minus the final residual.
+    Stage flux = stage_;
+    flux.moment_rate = 0;
+    model_.residual(flux, work_);
+    const ConstArray f = part(work_, l.density_offset(), l.potential_offset());
+    // p'_{n+1} = (1 - 1/ga) p'_n + (p_{n+1} - p_n) / (ga dt)  =  (1 - 1/am) p'_n - F / am
+    const double step = ga * dt_ / am;
+    sum_of(state.moment, 1, start_.moment, -step * (1 - am / ga), start_.moment_rate, -step, f);
+    sum_of(state.moment_rate, 1 - 1 / am, start_.moment_rate, -1 / am, f, 0, f);
+  }
+  for (int d = 0; d < D && l.has_solid; ++d) {
+    const int o = l.displacement_offset(d), count = l.solid_rows() * l.row_size;
+    const ConstArray v = solid_velocity(l, stage_.unknown, d), r = part(start_.displacement_rate, o, o + count);
+    sum_of(piece_of(state.displacement_rate, o, count), 1 - 1 / am, r, 1 / am, v, 0, v);
+  }
+  if (l.has_solid) Kokkos::deep_copy(state.displacement, stage_.displacement_end);
+  sum_of(state.velocity_rate, 1 - 1 / am, start_.velocity_rate, 1 / am, stage_.acceleration, 0, stage_.acceleration);
+  const int split = l.has_fluid ? l.potential_offset() : l.velocity_size();
+  const Array out = piece_of(state.unknown, 0, split);
+  sum_of(out, 1 / af, stage_.unknown, 1 - 1 / af, start_.unknown, 0, start_.unknown);
+  if (l.has_fluid)  // mu has no history
+    Kokkos::deep_copy(piece_of(state.unknown, split, l.scalar_size()), part(stage_.unknown, split, l.size()));
+  state.time = start_.time + dt_;
+}
+
+template class GeneralizedAlpha<2, 2>;
+
+}  // namespace softwet

@@ -1,0 +1,57 @@
+// Generalized-alpha for first-order systems (Jansen, Whiting, Hulbert 2000), with the mass moments carried along.
+#pragma once
+
+#include "field/vector.hpp"
+#include "model/model.hpp"
+
+namespace softwet {
+
+/// Parameters of the scheme for a spectral radius at infinity rho_inf in [0, 1].
+struct AlphaParameters {
+  double am, af, ga;
+  explicit AlphaParameters(double rho_inf)
+      : am((3 - rho_inf) / (2 * (1 + rho_inf))), af(1 / (1 + rho_inf)), ga(0.5 + am - af) {}
+};
+
+/// The algebraic system of one step. Unknowns are v and rho at n + af and mu; displacement is eliminated:
+///   v'_{n+am} = (1 - am/ga) v'_n + am/(ga dt af) (v_{n+af} - v_n)
+///   u_{n+1}   = u_n + dt (1 - ga/am) u'_n + dt (ga/am) v_{n+af},   u_{n+af} = u_n + af (u_{n+1} - u_n)
+///   mass      (1 - am/ga) p'_n + am/(ga dt) (M[x_{n+1}] rho_{n+1} - p_n) + F = 0
+template <int D, int P>
+class GeneralizedAlpha {
+ public:
+  GeneralizedAlpha(const Model<D, P>& model, double rho_inf);
+
+  /// Moments and rates of a state given by its unknowns and displacements alone: v' = u' = 0, p = M rho, p' = -F.
+  void initialise(State& state);
+
+  /// Starts a step from `state` to state.time + dt.
+  void begin(const State& state, double dt);
+
+  void residual(const Array& x, const Array& r);
+  /// dR/dx z at the point of the last residual.
+  void product(const Array& z, const Array& out, Geometry geometry) const;
+
+  /// Ends the step: writes the state at t + dt from the solution x. Conserves the sum of the moments exactly.
+  void finish(const Array& x, State& state);
+
+  /// The stage at a state itself (values, no rates): for integrals and output.
+  Stage at(const State& state) const;
+
+  int size() const { return model_.layout().size(); }
+  const Model<D, P>& model() const { return model_; }
+  const Stage& stage() const { return stage_; }
+  double dt() const { return dt_; }
+
+ private:
+  void fill_stage(const Array& x);
+
+  const Model<D, P>& model_;
+  AlphaParameters alpha_;
+  Stage stage_;
+  State start_;
+  Array work_;
+  double dt_ = 0;
+};
+
+}  // namespace softwet

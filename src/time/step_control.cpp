@@ -1,0 +1,36 @@
+#include "time/step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softwet {
+
+StepControl::StepControl(const StepLimits& limits, std::vector<double> events)
+    : limits_(limits), events_(std::move(events)), proposed_(limits.initial) {
+  std::sort(events_.begin(), events_.end());
+}
+
+double StepControl::next(double t) const {
+  const double tiny = 1e-12 * std::max(1.0, std::abs(t));
+  const auto event = std::upper_bound(events_.begin(), events_.end(), t + tiny);
+  if (event == events_.end()) return proposed_;
+  const double left = *event - t;
+  if (left <= 1.1 * proposed_) return left;
+  return left < 2 * proposed_ ? 0.5 * left : proposed_;
+}
+
+void StepControl::accept(double dt, double indicator, int newton, int newton_max) {
+  double factor = indicator > 0 ? 0.9 * std::sqrt(limits_.tolerance / indicator) : 2.0;
+  factor = std::clamp(factor, 0.5, 1.5);
+  if (2 * newton > newton_max) factor = std::min(factor, 0.9);
+  // A step cut short to meet an event says little about a longer one: never fall below the old proposal for that.
+  const double wish = dt < 0.7 * proposed_ && factor > 1 ? std::max(proposed_, factor * dt) : factor * dt;
+  proposed_ = std::clamp(wish, limits_.smallest, limits_.largest);
+}
+
+bool StepControl::reject(double dt) {
+  proposed_ = 0.5 * dt;
+  return proposed_ >= limits_.smallest;
+}
+
+}  // namespace softwet

@@ -1,0 +1,40 @@
+// The size of the next step: from the local error, the effort of Newton's method, and the times that must be met.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace softwet {
+
+struct StepLimits {
+  double initial = 1e-2, smallest = 1e-8, largest = 50;
+  double tolerance = 2e-3;  ///< of the error indicator
+};
+
+/// Step-size controller. The indicator compares a step's result with the linear extrapolation of the two states before:
+///   e = max( rms(rho - rho_pred) / (rho_l - rho_v),  dt rms(v - v_pred) / h )  ~ dt^2
+class StepControl {
+ public:
+  StepControl(const StepLimits& limits, std::vector<double> events);
+
+  /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly.
+  double next(double t) const;
+
+  /// After an accepted step of size dt with its indicator and effort.
+  void accept(double dt, double indicator, int newton, int newton_max);
+
+  /// After a step that failed: halves. Returns false when the step has become smaller than allowed.
+  bool reject(double dt);
+
+  double proposed() const { return proposed_; }
+  void set_proposed(double dt) { proposed_ = dt; }
+  /// Indicator above which a converged step is repeated with a smaller one.
+  double rejection_level() const { return 4 * limits_.tolerance; }
+
+ private:
+  StepLimits limits_;
+  std::vector<double> events_;  ///< ascending
+  double proposed_;
+};
+
+}  // namespace softwet

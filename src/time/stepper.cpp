@@ -1,0 +1,181 @@
+#include "time/stepper.hpp"
+
+#include <cstdio>
+
+#include "app/error.hpp"
+#include "model/initial.hpp"
+#include "solver/choose.hpp"
+
+namespace softwet {
+
+namespace {
+
+NewtonControl newton_control(const Case& c) {
+  NewtonControl n;
+  n.rtol = c.solver.newton_rtol;
+  n.atol = c.solver.newton_atol;
+  n.max = c.solver.newton_max;
+  n.krylov_rtol = c.solver.krylov_rtol;
+  n.krylov_max = c.solver.krylov_max;
+  n.jacobian = c.solver.jacobian == "difference" ? JacobianKind::difference : JacobianKind::exact;
+  return n;
+}
+
+void copy_state(State& to, const State& from) {
+  to.time = from.time;
+  Kokkos::deep_copy(to.unknown, from.unknown);
+  Kokkos::deep_copy(to.velocity_rate, from.velocity_rate);
+  Kokkos::deep_copy(to.displacement, from.displacement);
+  Kokkos::deep_copy(to.displacement_rate, from.displacement_rate);
+  Kokkos::deep_copy(to.moment, from.moment);
+  Kokkos::deep_copy(to.moment_rate, from.moment_rate);
+}
+
+/// Smallest and largest value of an array, NaN if there is one.
+std::pair<double, double> range(const ConstArray& x) {
+  Kokkos::MinMaxScalar<double> r;
+  Kokkos::parallel_reduce(
+      "softwet::range", Kokkos::RangePolicy<Exec>(0, x.extent(0)),
+      KOKKOS_LAMBDA(int i, Kokkos::MinMaxScalar<double>& best) {
+        const double v = x(i);
+        if (!(v >= best.min_val)) best.min_val = v;
+        if (!(v <= best.max_val)) best.max_val = v;
+      },
+      Kokkos::MinMax<double>(r));
+  return {r.min_val, r.max_val};
+}
+
+}  // namespace
+
+template <int D, int P>
+Stepper<D, P>::Stepper(const Model<D, P>& model, const Case& c, std::vector<double> events)
+    : model_(model),
+      integrator_(model, c.time.rho_inf),
+      newton_(model.layout().size(), c.solver.krylov_restart,
+              choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask())),
+      newton_control_(newton_control(c)),
+      control_({c.time.dt_initial, c.time.dt_min, c.time.dt_max, c.time.tolerance}, std::move(events)),
+      state_(empty_state(model.layout())),
+      previous_("stepper.previous", model.layout().size()),
+      predicted_("stepper.predicted", model.layout().size()),
+      x_("stepper.x", model.layout().size()) {
+  double volume = 1;
+  spacing_ = model.layout().axis[0].spacing();
+  for (const Axis& axis : model.layout().axis) {
+    volume *= axis.spacing();
+    spacing_ = std::min(spacing_, axis.spacing());
+  }
+  volume_norm_ = volume * std::sqrt(static_cast<double>(model.layout().rows) * model.layout().row_size);
+}
+
+template <int D, int P>
+void Stepper<D, P>::start(const State& state) {
+  copy_state(state_, state);
+  previous_dt_ = 0;
+}
+
+template <int D, int P>
+void Stepper<D, P>::restore(const State& state, const Array& previous, double previous_dt, double proposed) {
+  copy_state(state_, state);
+  Kokkos::deep_copy(previous_, previous);
+  previous_dt_ = previous_dt;
+  control_.set_proposed(proposed);
+}
+
+template <int D, int P>
+std::vector<FieldRange> Stepper<D, P>::fields() const {
+  const Layout<D>& l = model_.layout();
+  const double atol = newton_control_.atol, rate = integrator_.stage().rate_scale;
+  std::vector<FieldRange> f{{0, l.velocity_size(), atol * volume_norm_ * std::max(rate, 1.0)}};
+  if (l.has_fluid) {
+    f.push_back({l.density_offset(), l.potential_offset(), atol * volume_norm_ * std::max(rate, 1e-2)});
+    f.push_back({l.potential_offset(), l.size(), atol * volume_norm_});
+  }
+  return f;
+}
+
+template <int D, int P>
+std::string Stepper<D, P>::complaint(const Array& x) const {
+  const Layout<D>& l = model_.layout();
+  const auto finite = [](std::pair<double, double> r) { return std::isfinite(r.first) && std::isfinite(r.second); };
+  if (!finite(range(x))) return "the solution is not finite";
+  if (!l.has_fluid) return "";
+  const auto rho = range(part(x, l.density_offset(), l.potential_offset()));
+  if (rho.second >= 0.999) return "the density reaches the close-packed limit (rho >= 0.999 b)";
+  if (rho.first <= -0.5 * model_.state().density_vapour) return "the density becomes negative";
+  return "";
+}
+
+template <int D, int P>
+void Stepper<D, P>::predict(double dt) {
+  const Layout<D>& l = model_.layout();
+  const double af = dt > 0 ? 1 / integrator_.stage().end_scale : 1;
+  Kokkos::deep_copy(Exec(), predicted_, state_.unknown);
+  if (previous_dt_ > 0) {  // y_n + af dt (y_n - y_{n-1}) / dt_n for velocity and density; mu as it is
+    const int split = l.has_fluid ? l.potential_offset() : l.velocity_size();
+    const double factor = af * dt / previous_dt_;
+    const Array y = Kokkos::subview(predicted_, Kokkos::make_pair(0, split));
+    combine(y, -factor, part(previous_, 0, split), 1 + factor);
+  }
+  multiply(Kokkos::subview(predicted_, Kokkos::make_pair(0, l.velocity_size())),
+           part(model_.mask(), 0, l.velocity_size()));
+  Kokkos::deep_copy(Exec(), x_, complaint(predicted_).empty() ? predicted_ : state_.unknown);
+}
+
+template <int D, int P>
+double Stepper<D, P>::indicator(double dt) const {
+  if (previous_dt_ <= 0) return 0;
+  const Layout<D>& l = model_.layout();
+  const Array difference = predicted_;
+  combine(difference, 1, x_, -1);
+  const int nv = l.velocity_size();
+  const double v = norm(part(difference, 0, nv)) / std::sqrt(static_cast<double>(nv) / D) * dt / spacing_;
+  if (!l.has_fluid) return v;
+  const double jump = model_.state().density_liquid - model_.state().density_vapour;
+  const double rho = norm(part(difference, l.density_offset(), l.potential_offset()));
+  return std::max(v, rho / std::sqrt(static_cast<double>(l.scalar_size())) / jump);
+}
+
+template <int D, int P>
+NewtonResult Stepper<D, P>::solve(double dt) {
+  integrator_.begin(state_, dt);
+  predict(dt);
+  const NonlinearSystem system{
+      [this](const Array& x, const Array& r) { integrator_.residual(x, r); },
+      [this](const Array& z, const Array& out, Geometry g) { integrator_.product(z, out, g); },
+      [this](const Array& x) { return complaint(x); }};
+  return newton_.solve(system, fields(), newton_control_, dt, x_);
+}
+
+template <int D, int P>
+StepReport Stepper<D, P>::step() {
+  for (;;) {
+    const double dt = control_.next(state_.time);
+    const NewtonResult result = solve(dt);
+    if (!result.converged) {
+      ++counts_.rejected_newton;
+      counts_.last_rejection = result.reason;
+      newton_.forget_preconditioner();
+      if (control_.reject(dt)) continue;
+      throw Error(Exit::computation_failed,
+                  "the computation stopped at t = " + std::to_string(state_.time) + ": " + result.reason +
+                      ", even with the smallest step (time.dt_min). Try a finer mesh, a larger fluid.capillarity, a "
+                      "softer load ramp or a tighter time.tolerance");
+    }
+    const double e = indicator(dt);
+    if (e > control_.rejection_level() && dt > 1e-3 * integrator_.dt()) {
+      ++counts_.rejected_error;
+      if (control_.reject(dt)) continue;
+    }
+    Kokkos::deep_copy(Exec(), previous_, state_.unknown);
+    previous_dt_ = dt;
+    integrator_.finish(x_, state_);
+    control_.accept(dt, e, result.iterations, newton_control_.max);
+    ++counts_.steps;
+    return {dt, result.iterations, result.krylov, e};
+  }
+}
+
+template class Stepper<2, 2>;
+
+}  // namespace softwet
