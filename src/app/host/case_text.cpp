@@ -81,7 +81,7 @@ std::string initial_case(const std::string& name) {
   const auto line = [](const Key& key, std::size_t) {
     const std::string value = key.leaf() + " = " + example_text(key);
     std::string comment = key.source.empty() ? key.help : key.source;
-    return fmt::format("{:<38} # {}", value, comment);
+    return fmt::format("{:<42} # {}", value, comment);
   };
   return "# A droplet on a soft substrate, pulled by a load on the solid. Change what you need, then\n"
          "#   softwet check FILE     shows what will be computed\n"

@@ -10,6 +10,10 @@ struct MalformedToml : std::runtime_error {
   MalformedToml() : std::runtime_error("brackets, quotes or keys do not fit together") {}
 };
 
+constexpr void require_toml(bool condition) {
+  if (!condition) throw MalformedToml();
+}
+
 }  // namespace softwet
 
 #pragma push_macro("NDEBUG")  // with NDEBUG the library would assume what it asserts
@@ -17,7 +21,6 @@ struct MalformedToml : std::runtime_error {
 #undef TOML_HEADER_ONLY
 #undef TOML_SHARED_LIB
 #define TOML_HEADER_ONLY 1
-#define TOML_ASSERT(condition) \
-  if (!(condition)) throw softwet::MalformedToml()
+#define TOML_ASSERT(condition) softwet::require_toml(static_cast<bool>(condition))
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
