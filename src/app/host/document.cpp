@@ -166,7 +166,7 @@ long line_of_malformed(std::string_view text) {
   long line = 1;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1), ++line) {
     try {
-      toml::parse(text.substr(0, end + 1));
+      static_cast<void>(toml::parse(text.substr(0, end + 1)));
     } catch (const MalformedToml&) {
       return line;
     } catch (const toml::parse_error&) {

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <charconv>
+#include <cmath>
 
 namespace softwet {
 namespace {
@@ -40,7 +41,10 @@ std::optional<double> number_from_text(std::string_view text) {
   return *above / *below;
 }
 
-std::string text_of_number(double number) { return fmt::format("{}", number); }
+std::string text_of_number(double number) {
+  if (number == 0.0 && std::signbit(number)) return "-0.0";  // TOML reads -0 as the integer 0
+  return fmt::format("{}", number);
+}
 
 std::string quoted(std::string_view text) {
   std::string out = "\"";

@@ -46,6 +46,7 @@ TEST(Value, WritesTextThatReadsBackToTheSameBits) {
   for (double number : {0.1, 1.0 / 3, 1e-300, 123456789.125, 5e-324, 1e22}) {
     EXPECT_EQ(number_from_text(text_of_number(number)), number);
   }
+  EXPECT_EQ(text_of_number(-0.0), "-0.0");
   EXPECT_EQ(text_of_value(std::string("a\"b\\c\n")), "\"a\\\"b\\\\c\\u000A\"");
 }
 
