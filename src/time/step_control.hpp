@@ -12,7 +12,7 @@ struct StepLimits {
 };
 
 /// Step-size controller. The indicator compares a step's result with the linear extrapolation of the two states before:
-///   e = max( rms(rho - rho_pred) / (rho_l - rho_v),  dt rms(v - v_pred) / h )  ~ dt^2
+///   e = max( rms(rho - rho_pred) / (rho_l - rho_v),  dt rms(v - v_pred) / H )  ~ dt^2,   H the thinner layer
 class StepControl {
  public:
   StepControl(const StepLimits& limits, std::vector<double> events);

@@ -60,11 +60,9 @@ Stepper<D, P>::Stepper(const Model<D, P>& model, const Case& c, std::vector<doub
       predicted_("stepper.predicted", model.layout().size()),
       x_("stepper.x", model.layout().size()) {
   double volume = 1;
-  spacing_ = model.layout().axis[0].spacing();
-  for (const Axis& axis : model.layout().axis) {
-    volume *= axis.spacing();
-    spacing_ = std::min(spacing_, axis.spacing());
-  }
+  for (const Axis& axis : model.layout().axis) volume *= axis.spacing();
+  const double thickness = model.wall_height(), height = model.layout().axis[D - 1].length() - thickness;
+  length_ = !model.layout().has_fluid ? c.domain.size[D - 1] : thickness > 0 ? std::min(thickness, height) : height;
   volume_norm_ = volume * std::sqrt(static_cast<double>(model.layout().rows) * model.layout().row_size);
 }
 
@@ -129,7 +127,7 @@ double Stepper<D, P>::indicator(double dt) const {
   const Array difference = predicted_;
   combine(difference, 1, x_, -1);
   const int nv = l.velocity_size();
-  const double v = norm(part(difference, 0, nv)) / std::sqrt(static_cast<double>(nv) / D) * dt / spacing_;
+  const double v = norm(part(difference, 0, nv)) / std::sqrt(static_cast<double>(nv) / D) * dt / length_;
   if (!l.has_fluid) return v;
   const double jump = model_.state().density_liquid - model_.state().density_vapour;
   const double rho = norm(part(difference, l.density_offset(), l.potential_offset()));

@@ -59,7 +59,8 @@ class Stepper {
   State state_;
   Array previous_, predicted_, x_;
   double previous_dt_ = 0;
-  double volume_norm_ = 1, spacing_ = 1;
+  double volume_norm_ = 1;
+  double length_ = 1;  ///< the thinner of solid layer and fluid: what displacement errors are compared with
   StepCounts counts_;
 };
 
