@@ -4,6 +4,11 @@
 #include <Kokkos_Core.hpp>
 #include <Kokkos_SIMD.hpp>
 
+#if defined(__AVX512F__) && defined(__GLIBC__) && !defined(__CUDACC__)
+#define SOFTWET_VECTOR_LOG
+extern "C" __m512d _ZGVeN8v_log(__m512d);  // glibc libmvec: eight logarithms at once
+#endif
+
 namespace softwet {
 
 /// SIMD pack of the widest native width; lanes are consecutive elements.
@@ -37,9 +42,13 @@ KOKKOS_FORCEINLINE_FUNCTION auto select(const Mask& m, const Kokkos::Experimenta
                                         const Kokkos::Experimental::basic_simd<Real, Abi>& b) {
   return Kokkos::Experimental::condition(m, a, b);
 }
+/// Lane by lane, except where the C library has a vector version (glibc's libmvec, within 4 units in the last place).
 template <class Real, class Abi>
 KOKKOS_FORCEINLINE_FUNCTION auto logarithm(const Kokkos::Experimental::basic_simd<Real, Abi>& x) {
   using P = Kokkos::Experimental::basic_simd<Real, Abi>;
+#ifdef SOFTWET_VECTOR_LOG
+  if constexpr (std::is_same_v<Real, double> && P::size() == 8) return P(_ZGVeN8v_log(static_cast<__m512d>(x)));
+#endif
   Real lane[P::size()];
   Kokkos::Experimental::simd_unchecked_store(x, lane, Kokkos::Experimental::simd_flag_default);
   for (std::size_t l = 0; l < P::size(); ++l) lane[l] = Kokkos::log(lane[l]);
