@@ -55,22 +55,32 @@ struct WallIntegrals {
     return r;
   }
 
-  /// f_w(rho) = -cos(alpha) g int_{rho_v}^{rho} sqrt(2 D), by 8 panels of 8-point Gauss-Legendre;
-  /// scale a b^2 L0.
+  /// f_w(rho) = -cos(alpha) g int_{rho_v}^{rho} sqrt(2 D); scale a b^2 L0. sqrt(2 D) has a kink at rho_l, which the
+  /// liquid of a droplet lies beyond (Laplace): the integral is split there.
   template <class N>
   KOKKOS_FORCEINLINE_FUNCTION N wall_energy(const N& rho) const {
-    // 8-point Gauss-Legendre abscissae and weights on [-1, 1], positive half.
+    const N vapour = N(law.state.density_vapour), liquid = N(law.state.density_liquid);
+    const N middle = select(rho < law.state.density_liquid, rho, liquid);
+    return -1.0 * (integral(vapour, middle) + integral(middle, rho));
+  }
+
+ private:
+  /// Integral of the force by 8 panels of 8-point Gauss-Legendre in t, rho = from + (to - from) t^2: the points gather
+  /// at the vapour's end, where W'' is largest.
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION N integral(const N& from, const N& to) const {
+    // Abscissae and weights on [-1, 1], positive half.
     const double x[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
     const double w[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
     const int parts = 8;
-    const N step = (rho - law.state.density_vapour) * (0.5 / parts);
+    const N span = to - from;
     N sum = N(0.0);
-    for (int p = 0; p < parts; ++p) {
-      const N middle = law.state.density_vapour + (2 * p + 1.0) * step;
-      for (int i = 0; i < 4; ++i)
-        sum = sum + w[i] * (law.force(middle + x[i] * step) + law.force(middle - x[i] * step));
-    }
-    return -1.0 * step * sum;
+    for (int p = 0; p < parts; ++p)
+      for (int i = 0; i < 8; ++i) {
+        const double t = (p + 0.5 * (1.0 + (i < 4 ? x[i] : -x[i - 4]))) / parts;
+        sum = sum + (w[i % 4] * t) * law.force(from + (t * t) * span);
+      }
+    return (1.0 / parts) * (span * sum);
   }
 };
 
