@@ -1,0 +1,57 @@
+// Vector algebra on lengths that are no multiples of its blocks.
+#include "field/vector.hpp"
+
+#include <gtest/gtest.h>
+
+namespace softwet {
+namespace {
+
+std::vector<double> ramp(int n, double a) {
+  std::vector<double> v(n);
+  for (int i = 0; i < n; ++i) v[i] = std::sin(a * i + 0.3);
+  return v;
+}
+
+TEST(Vector, RoundTrip) {
+  const std::vector<double> v = ramp(37, 1.1);
+  EXPECT_EQ(to_host(to_device<Array>(v)), v);
+}
+
+TEST(Vector, Dot) {
+  for (const int n : {0, 1, 7, 8, 1023, 1024, 1025, 5000}) {
+    const std::vector<double> x = ramp(n, 1.1), y = ramp(n, 0.7);
+    long double sum = 0;
+    for (int i = 0; i < n; ++i) sum += static_cast<long double>(x[i]) * y[i];
+    EXPECT_NEAR(dot(to_device<Array>(x), to_device<Array>(y)), static_cast<double>(sum), 1e-12) << n;
+  }
+  const Array x = to_device<Array>(ramp(5000, 1.1));
+  EXPECT_DOUBLE_EQ(norm(x) * norm(x), dot(x, x));
+  EXPECT_EQ(dot(x, x), dot(x, x)) << "same bits every time";
+}
+
+TEST(Vector, CombineAddMultiply) {
+  const std::vector<double> x = ramp(100, 1.1), y = ramp(100, 0.7);
+  const Array a = to_device<Array>(y);
+  combine(a, 2, to_device<Array>(x), -3);
+  std::vector<double> r = to_host(a);
+  for (int i = 0; i < 100; ++i) EXPECT_NEAR(r[i], 2 * x[i] - 3 * y[i], 1e-15);
+
+  std::vector<double> bad(100, std::nan(""));
+  const Array fresh = to_device<Array>(bad);
+  combine(fresh, 2, to_device<Array>(x), 0);  // factor zero: what was there does not matter
+  r = to_host(fresh);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(r[i], 2 * x[i]);
+
+  const Array b = to_device<Array>(y);
+  add_scaled(b, 90, 5, to_device<Array>(std::vector<double>(x.begin(), x.begin() + 10)));
+  r = to_host(b);
+  for (int i = 0; i < 100; ++i) EXPECT_NEAR(r[i], y[i] + (i < 90 ? 0 : 5 * x[i - 90]), 1e-15);
+
+  multiply(b, to_device<Array>(std::vector<double>(100, 0.5)));
+  EXPECT_EQ(to_host(b)[95], 0.5 * r[95]);
+  EXPECT_EQ(to_host(part(b, 95, 97)).size(), 2u);
+  EXPECT_EQ(to_host(part(b, 95, 97))[0], 0.5 * r[95]);
+}
+
+}  // namespace
+}  // namespace softwet

@@ -1,0 +1,89 @@
+// The fluid's terms at a point, by hand and by their tangents.
+#include "kernels/fluid/navier_stokes_korteweg.hpp"
+
+#include <gtest/gtest.h>
+
+namespace softwet {
+namespace {
+
+FluidTrial<double, 2> trial() {
+  FluidTrial<double, 2> t;
+  t.velocity = {{2, 3}};
+  t.velocity_gradient = {{{1, 2}, {3, 5}}};
+  t.acceleration = {{7, -1}};
+  t.density = 0.5;
+  t.density_gradient = {{0.1, -0.2}};
+  t.chemical_potential = -0.6;
+  t.chemical_potential_gradient = {{4, -8}};
+  t.density_end = 0.25;
+  t.mesh_velocity = {{1, 1}};
+  t.volume_ratio_end = 1.5;
+  return t;
+}
+
+// theta = 0.81: W'(1/2) = -0.52. Slip velocity v - vh = (1, 2); (grad v) (v - vh) = (5, 13).
+TEST(NavierStokesKorteweg, ByHand) {
+  const NavierStokesKorteweg term{{0.81, 0}, 3.0, 0.5, 0.1, 0.01, 10.0};
+  const auto r = term.residual(trial());
+  EXPECT_DOUBLE_EQ(r.momentum[0], 0.5 * (7 + 5) + 0.5 * 4);
+  EXPECT_DOUBLE_EQ(r.momentum[1], 0.5 * (-1 + 13) - 0.5 * 8);
+  EXPECT_DOUBLE_EQ(r.momentum_flux(0, 0), 3 * 2 - 2 * 6);
+  EXPECT_DOUBLE_EQ(r.momentum_flux(0, 1), 15);
+  EXPECT_DOUBLE_EQ(r.mass, 10 * 0.25 * 1.5);
+  EXPECT_DOUBLE_EQ(r.mass_flux[0], 0.1 * 0.25 * 4 - 0.5 * 1);
+  EXPECT_DOUBLE_EQ(r.mass_flux[1], -0.1 * 0.25 * 8 - 0.5 * 2);
+  EXPECT_NEAR(r.potential, -0.6 + 0.52, 1e-15);
+  EXPECT_DOUBLE_EQ(r.potential_flux[0], -0.25 * 0.1);
+  EXPECT_DOUBLE_EQ(r.potential_flux[1], 0.25 * 0.2);
+}
+
+// The floor acts on the inertia alone: the potential force keeps the true density, and so does the mass flux.
+TEST(NavierStokesKorteweg, InertiaFloor) {
+  NavierStokesKorteweg term{{0.81, 0}, 3.0, 0.5, 0.0, 0.6, 10.0};
+  const auto r = term.residual(trial());
+  EXPECT_DOUBLE_EQ(r.momentum[0], 0.6 * (7 + 5) + 0.5 * 4);
+  EXPECT_DOUBLE_EQ(r.mass_flux[0], -0.5);
+}
+
+// At rest in one phase with mu = W' nothing acts.
+TEST(NavierStokesKorteweg, UniformRest) {
+  const NavierStokesKorteweg term{{0.39, 0.0002}, 3.0, 0.5, 0.1, 0.01, 0.0};
+  FluidTrial<double, 3> t{};
+  t.density = 0.3;
+  t.chemical_potential = term.gas.derivative(0.3);
+  const auto r = term.residual(t);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(r.momentum[i], 0);
+    EXPECT_EQ(r.mass_flux[i], 0);
+    for (int j = 0; j < 3; ++j) EXPECT_EQ(r.momentum_flux(i, j), 0);
+  }
+  EXPECT_EQ(r.mass, 0);
+  EXPECT_EQ(r.potential, 0);
+}
+
+// In one phase at rest the traction is the pressure: Sigma = -p I.
+TEST(CapillaryTraction, UniformStateIsUnderPressure) {
+  const CapillaryTraction term{{0.39, 0.0}, 0.5};
+  TractionTrial<double, 2> t{};
+  t.density = 0.8;
+  t.chemical_potential = term.gas.derivative(0.8);
+  const auto r = term.residual(t);
+  EXPECT_NEAR(r.momentum_flux(0, 0), -term.gas.pressure(0.8), 1e-15);
+  EXPECT_NEAR(r.momentum_flux(1, 1), -term.gas.pressure(0.8), 1e-15);
+  EXPECT_EQ(r.momentum_flux(0, 1), 0);
+  EXPECT_EQ(r.momentum[0], 0);
+}
+
+// The force cancels the fluid's own (w, rho grad mu) for the wall's functions.
+TEST(CapillaryTraction, CancelsThePotentialForce) {
+  const CapillaryTraction term{{0.81, 0.0}, 0.5};
+  const auto r = term.residual(TractionTrial<double, 2>{0.5, {{0.1, -0.2}}, -0.6, {{4, -8}}});
+  EXPECT_DOUBLE_EQ(r.momentum[0], -2);
+  EXPECT_DOUBLE_EQ(r.momentum[1], 4);
+  // W(1/2) = -1/4; -rho mu = 0.3; g^2 |grad rho|^2 / 2 = 0.00625.
+  EXPECT_NEAR(r.momentum_flux(0, 0), -0.25 + 0.3 + 0.00625 - 0.25 * 0.01, 1e-15);
+  EXPECT_NEAR(r.momentum_flux(0, 1), 0.25 * 0.02, 1e-15);
+}
+
+}  // namespace
+}  // namespace softwet

@@ -1,0 +1,226 @@
+// Reference assembly by plain loops: every basis function at every quadrature point, integrated in the current
+// configuration with the inverse of the deformation gradient by elimination. No sum factorisation, packs or pull-backs.
+#pragma once
+
+#include <functional>
+
+#include "patch.hpp"
+
+namespace softwet::testing_tools {
+
+/// A component: control values from `offset` on, whose first row is row `shift` of the patch.
+struct Component {
+  std::vector<double> values;
+  int offset = 0, shift = 0;
+};
+
+/// How the mesh moves: the wall's displacement (twice) and velocity as full-patch components, or nothing.
+template <int D>
+struct NaiveMotion {
+  std::vector<Component> displacement, displacement_end, velocity;
+  Blend blend;
+};
+
+/// Determinant and solution of A x = b for a few right-hand sides, by Gaussian elimination with pivoting.
+template <int D>
+double eliminate(std::array<std::array<double, D>, D> a, std::array<double, D>& b) {
+  double det = 1;
+  for (int k = 0; k < D; ++k) {
+    int pivot = k;
+    for (int i = k + 1; i < D; ++i)
+      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
+    if (pivot != k) {
+      std::swap(a[k], a[pivot]);
+      std::swap(b[k], b[pivot]);
+      det = -det;
+    }
+    det *= a[k][k];
+    for (int i = k + 1; i < D; ++i) {
+      const double f = a[i][k] / a[k][k];
+      for (int j = k; j < D; ++j) a[i][j] -= f * a[k][j];
+      b[i] -= f * b[k];
+    }
+  }
+  for (int i = D - 1; i >= 0; --i) {
+    for (int j = i + 1; j < D; ++j) b[i] -= a[i][j] * b[j];
+    b[i] /= a[i][i];
+  }
+  return det;
+}
+
+/// One quadrature point: basis functions of its element and the map there.
+template <int D>
+struct NaivePoint {
+  const Layout<D>& layout;
+  std::array<std::vector<double>, D> value, slope;
+  std::array<int, D> first;
+  std::array<double, D> x;
+  std::array<std::array<double, D>, D> f_transposed{}, f_end_transposed{};
+  std::array<double, D> mesh_velocity{};
+  double volume = 1, volume_end = 1;
+
+  NaivePoint(const Layout<D>& l, const std::array<int, D>& element, const std::array<double, D>& position,
+             const NaiveMotion<D>* motion)
+      : layout(l), x(position) {
+    for (int d = 0; d < D; ++d) {
+      value[d] = l.axis[d].values(element[d], x[d]);
+      slope[d] = l.axis[d].slopes(element[d], x[d]);
+      first[d] = l.axis[d].span(element[d]);
+      f_transposed[d][d] = f_end_transposed[d][d] = 1;
+    }
+    if (motion) move(*motion);
+  }
+
+  /// Calls body(index in the whole patch, basis value along `derivative`); only the lowest layer of functions if asked.
+  template <class Body>
+  void for_functions(int derivative, const Body& body) const {
+    for (int k = 0; k < (D == 3 ? 3 : 1); ++k)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) {
+          const int local[3] = {i, j, k};
+          int index = 0, stride = 1;
+          double b = 1;
+          for (int d = 0; d < D; ++d) {
+            index += stride * (first[d] + local[d]);
+            stride *= layout.axis[d].functions();
+            b *= d == derivative ? slope[d][local[d]] : value[d][local[d]];
+          }
+          body(index, b);
+        }
+  }
+  double evaluate(const Component& c, int derivative) const {
+    double sum = 0;
+    for_functions(derivative, [&](int i, double b) { sum += b * c.values[c.offset + i - c.shift * layout.row_size]; });
+    return sum;
+  }
+  /// Reference gradient to physical gradient: solves F^T g = G.
+  std::array<double, D> physical(std::array<double, D> g) const {
+    eliminate<D>(f_transposed, g);
+    return g;
+  }
+
+  /// x(X) = X + beta(Y) d(X_wall): trace on the wall, times the linear blend.
+  void move(const NaiveMotion<D>& m) {
+    NaivePoint wall = *this;
+    const int row = layout.solid_elements;
+    wall.value[D - 1] = layout.axis[D - 1].values(row, layout.axis[D - 1].lower(row));
+    wall.first[D - 1] = layout.axis[D - 1].span(row);
+    const double beta = (m.blend.low + m.blend.height - x[D - 1]) / m.blend.height;
+    for (int i = 0; i < D; ++i) {
+      mesh_velocity[i] = beta * wall.evaluate(m.velocity[i], -1);
+      for (int j = 0; j + 1 < D; ++j) {
+        f_transposed[j][i] += beta * wall.evaluate(m.displacement[i], j);
+        f_end_transposed[j][i] += beta * wall.evaluate(m.displacement_end[i], j);
+      }
+      f_transposed[D - 1][i] -= wall.evaluate(m.displacement[i], -1) / m.blend.height;
+      f_end_transposed[D - 1][i] -= wall.evaluate(m.displacement_end[i], -1) / m.blend.height;
+    }
+    std::array<double, D> none{};
+    volume = eliminate<D>(f_transposed, none);
+    volume_end = eliminate<D>(f_end_transposed, none);
+  }
+  /// Current area per reference area of a face normal to the last axis, from its tangent vectors.
+  double area() const {
+    const auto& a = f_transposed[0];
+    if constexpr (D == 2) {
+      return std::hypot(a[0], a[1]);
+    } else {
+      const auto& b = f_transposed[1];
+      return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+    }
+  }
+};
+
+/// What Trial::read and Test::write see.
+template <int D>
+struct NaiveReader {
+  const NaivePoint<D>& point;
+  const std::vector<Component>& slots;
+  double value(int s) const { return point.evaluate(slots[s], -1); }
+  Vector<double, D> gradient(int s) const {
+    std::array<double, D> g;
+    for (int d = 0; d < D; ++d) g[d] = point.evaluate(slots[s], d);
+    g = point.physical(g);
+    Vector<double, D> r;
+    for (int d = 0; d < D; ++d) r[d] = g[d];
+    return r;
+  }
+  Vector<double, D> mesh_velocity() const {
+    Vector<double, D> v;
+    for (int d = 0; d < D; ++d) v[d] = point.mesh_velocity[d];
+    return v;
+  }
+  double volume_ratio_end() const { return point.volume_end / point.volume; }
+};
+
+template <int D>
+struct NaiveWriter {
+  const NaivePoint<D>& point;
+  const std::vector<Component>& tests;  ///< values unused
+  double measure;
+  int only_row;  ///< row of the patch whose functions are tested, or -1: all
+  std::vector<double>& out;
+
+  bool skip(int i) const { return only_row >= 0 && i / point.layout.row_size != only_row; }
+  void add(int c, double f) const {
+    point.for_functions(-1, [&](int i, double b) {
+      if (!skip(i)) out[tests[c].offset + i - tests[c].shift * point.layout.row_size] += measure * f * b;
+    });
+  }
+  void add(int c, double f, const Vector<double, D>& flux) const {
+    add(c, f);
+    std::array<double, D> g{};  // (F^-T Grad N) . flux = Grad N . (F^-1 flux), by one physical gradient per direction
+    for (int d = 0; d < D; ++d) {
+      std::array<double, D> unit{};
+      unit[d] = 1;
+      unit = point.physical(unit);
+      for (int e = 0; e < D; ++e) g[d] += unit[e] * flux[e];
+    }
+    for (int d = 0; d < D; ++d)
+      point.for_functions(d, [&](int i, double b) {
+        if (!skip(i)) out[tests[c].offset + i - tests[c].shift * point.layout.row_size] += measure * g[d] * b;
+      });
+  }
+};
+
+/// body(point, weight in the reference configuration) at 3 Gauss points per axis; on a face: at the low end of the first.
+template <int D>
+void for_points(const Layout<D>& l, int first, int last, bool face, const NaiveMotion<D>* motion,
+                const std::function<void(const NaivePoint<D>&, double)>& body) {
+  const double gauss[3] = {0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)}, weight[3] = {5. / 18, 8. / 18, 5. / 18};
+  int extent[D], total = 1;
+  for (int d = 0; d < D; ++d) extent[d] = d < D - 1 ? l.axis[d].elements() : (face ? 1 : last - first);
+  for (int d = 0; d < D; ++d) total *= extent[d] * (face && d == D - 1 ? 1 : 3);
+  for (int n = 0; n < total; ++n) {
+    std::array<int, D> element;
+    std::array<double, D> x;
+    double w = 1;
+    for (int d = 0, rest = n; d < D; ++d) {
+      const bool trace = face && d == D - 1;
+      element[d] = rest % extent[d] + (d == D - 1 ? first : 0);
+      rest /= extent[d];
+      const int q = trace ? 0 : rest % 3;
+      rest /= trace ? 1 : 3;
+      const double h = l.axis[d].spacing();
+      x[d] = h * (element[d] + (trace ? 0.0 : gauss[q]));
+      w *= trace ? 1.0 : h * weight[q];
+    }
+    body(NaivePoint<D>(l, element, x, motion), w);
+  }
+}
+
+/// Residual of a term: `slots` and `tests` in the order of its bundles; element rows [first, last).
+template <int D, class Term>
+std::vector<double> naive_residual(const Layout<D>& l, const Term& term, const std::vector<Component>& slots,
+                                   const std::vector<Component>& tests, int first, int last, bool face,
+                                   const NaiveMotion<D>* motion, int only_row = -1) {
+  std::vector<double> out(l.size(), 0.0);
+  for_points<D>(l, first, last, face, motion, [&](const NaivePoint<D>& p, double w) {
+    using Trial = typename Term::template Trial<double, D>;
+    const auto test = term.residual(Trial::read(NaiveReader<D>{p, slots}));
+    test.write(NaiveWriter<D>{p, tests, w * (face ? p.area() : p.volume), only_row, out});
+  });
+  return out;
+}
+
+}  // namespace softwet::testing_tools

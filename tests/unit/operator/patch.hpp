@@ -1,0 +1,146 @@
+// A small patch with random fields, for tests of terms and pieces in two and three dimensions.
+#pragma once
+
+#include <random>
+
+#include "field/ghosts.hpp"
+#include "model/piece.hpp"
+
+namespace softwet::testing_tools {
+
+/// Solid below, fluid above, with element counts that are no multiples of a pack or of a colour.
+template <int D>
+struct Patch {
+  Layout<D> layout;
+  Blend blend;
+  Stage stage;
+  std::mt19937 random{20240607};
+
+  explicit Patch(const std::array<int, D>& elements, int solid_elements) {
+    layout.solid_elements = solid_elements;
+    layout.row_size = 1;
+    for (int d = 0; d < D; ++d) {
+      const double length = 0.7 + 0.2 * d;
+      layout.axis.emplace_back(length, elements[d], 2, false, d == D - 1 ? solid_elements : 0);
+      if (d < D - 1) layout.row_size *= layout.axis[d].functions();
+    }
+    layout.rows = layout.axis[D - 1].functions();
+    layout.wall_row = layout.axis[D - 1].span(solid_elements);
+    blend.low = layout.axis[D - 1].lower(solid_elements);
+    blend.height = layout.axis[D - 1].length() - blend.low;
+    stage.unknown = draw(layout.size(), -0.5, 0.5);
+    std::vector<double> x = to_host(stage.unknown);
+    std::uniform_real_distribution<double> density(0.15, 0.8);
+    for (int i = layout.density_offset(); i < layout.potential_offset(); ++i) x[i] = density(random);
+    stage.unknown = to_device<Array>(x);
+    stage.acceleration = draw(layout.velocity_size(), -2, 2);
+    stage.displacement = draw(layout.solid_size(), -0.012, 0.012);
+    stage.displacement_end = draw(layout.solid_size(), -0.012, 0.012);
+    stage.density_end = draw(layout.scalar_size(), 0.15, 0.8);
+    stage.rate_scale = 7;
+    stage.displacement_scale = 0.03;
+    stage.end_scale = 1.5;
+    stage.moment_rate = 5;
+  }
+
+  Array draw(int n, double low, double high) {
+    std::uniform_real_distribution<double> uniform(low, high);
+    std::vector<double> v(n);
+    for (double& x : v) x = uniform(random);
+    return to_device<Array>(v);
+  }
+
+  Region<D> region(int first, int last) const {
+    Region<D> r;
+    int stride = 1;
+    for (int d = 0; d < D; ++d) {
+      const Axis& axis = layout.axis[d];
+      r.axis[d] = d < D - 1 ? gauss_rule(axis, 0, axis.elements(), 3) : gauss_rule(axis, first, last, 3);
+      r.stride[d] = stride;
+      stride *= axis.functions();
+    }
+    r.test = r.axis[D - 1];
+    return r;
+  }
+  Region<D> fluid() const { return region(layout.solid_elements, layout.axis[D - 1].elements()); }
+  Region<D> solid() const { return region(0, layout.solid_elements); }
+  Region<D> layer() const {
+    Region<D> r = region(layout.solid_elements, layout.solid_elements + 1);
+    r.test = restricted_to(r.test, 0);
+    return r;
+  }
+  Region<D> face() const {
+    Region<D> r = fluid();
+    r.axis[D - 1] = low_face_rule(layout.axis[D - 1], layout.solid_elements);
+    r.test = r.axis[D - 1];
+    return r;
+  }
+
+  std::vector<double> residual(const Piece<D>& piece, const Stage& at) const {
+    Array out("out", layout.size());
+    piece.residual(Binding<D>{layout, at, {}, out});
+    return to_host(out);
+  }
+  std::vector<double> product(const Piece<D>& piece, const Array& z, Geometry geometry = Geometry::exact) const {
+    Array out("out", layout.size());
+    piece.product(Binding<D>{layout, stage, z, out, geometry});
+    return to_host(out);
+  }
+
+  /// The stage with its unknowns moved by e z, and all that the time scheme derives from them.
+  Stage moved(const Array& z, double e) const {
+    const std::vector<double> step = to_host(z);
+    const auto shift = [&](const Array& a, int first, double factor, int count, int offset) {
+      std::vector<double> v = to_host(a);
+      for (int i = 0; i < count; ++i) v[offset + i] += e * factor * step[first + i];
+      return to_device<Array>(v);
+    };
+    Stage s = stage;
+    s.unknown = shift(stage.unknown, 0, 1, layout.size(), 0);
+    s.acceleration = shift(stage.acceleration, 0, stage.rate_scale, layout.velocity_size(), 0);
+    s.density_end = shift(stage.density_end, layout.density_offset(), stage.end_scale, layout.scalar_size(), 0);
+    const int count = layout.solid_rows() * layout.row_size;
+    for (int d = 0; d < D; ++d) {
+      const int from = layout.velocity_offset(d), to = layout.displacement_offset(d);
+      s.displacement = shift(s.displacement, from, stage.displacement_scale, count, to);
+      s.displacement_end =
+          shift(s.displacement_end, from, stage.displacement_scale * stage.end_scale, count, to);
+    }
+    return s;
+  }
+
+  /// Fourth-order central difference of a piece's residual along z.
+  std::vector<double> difference(const Piece<D>& piece, const Array& z, double e) const {
+    const std::vector<double> a = residual(piece, moved(z, e)), b = residual(piece, moved(z, -e)),
+                              c = residual(piece, moved(z, 2 * e)), d = residual(piece, moved(z, -2 * e));
+    std::vector<double> r(a.size());
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = (8 * (a[i] - b[i]) - (c[i] - d[i])) / (12 * e);
+    return r;
+  }
+};
+
+inline double largest(const std::vector<double>& v) {
+  double m = 0;
+  for (double x : v) m = std::max(m, std::abs(x));
+  return m;
+}
+
+/// max |a - b| / max |b|
+inline double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> difference(a);
+  for (std::size_t i = 0; i < b.size(); ++i) difference[i] -= b[i];
+  return largest(difference) / largest(b);
+}
+
+/// One fluid with all its terms; numbers of order one, so that no contribution hides behind another.
+struct Terms {
+  VanDerWaals gas{0.85, 0.02};
+  Coexistence state{0.1065766548, 0.6023801091, 1.868487592e-2, -0.4667444110};
+  NavierStokesKorteweg fluid{gas, 0.3, 0.4, 0.2, 0.05, 0};
+  GradientWall gradient_wall{0.4, 0.6, 1e-2};
+  EnergyWall energy_wall{0.4, 0.6, 1e-2, gas, state};
+  CapillaryTraction traction{gas, 0.4};
+  Elastodynamics solid{{0.8, 0.5}, 1.3};
+};
+
+}  // namespace softwet::testing_tools

@@ -1,0 +1,16 @@
+// Every term in 3D: residual against the reference assembly, exact product against differences.
+#include "term_cases.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+TermCases<3> cases() { return TermCases<3>(std::array<int, 3>{9, 4, 4}); }
+
+TEST(Terms3D, FluidOnMovingMesh) { cases().check_fluid<WallMotion<3>>(); }
+TEST(Terms3D, FluidOnFixedMesh) { cases().check_fluid<NoMotion>(); }
+TEST(Terms3D, WallOnMovingMesh) { cases().check_wall<WallMotion<3>>(); }
+TEST(Terms3D, WallOnFixedMesh) { cases().check_wall<NoMotion>(); }
+TEST(Terms3D, Solid) { cases().check_solid(); }
+
+}  // namespace
+}  // namespace softwet::testing_tools

@@ -1,0 +1,52 @@
+// The map at a point: gradients, fluxes and measures against explicit deformations.
+#include "kernels/point/geometry.hpp"
+
+#include <gtest/gtest.h>
+
+namespace softwet {
+namespace {
+
+// x = (2 X + Y/2, 3 Y): F = [[2, 1/2], [0, 3]].
+TEST(Geometry, AffineMapByHand) {
+  const Matrix<double, 2> gradient{{{1, 0.5}, {0, 2}}}, end{{{0, 0}, {1, 3}}};
+  const MovingPoint<double, 2> p(gradient, end, {{0.25, -4}}, false);
+  EXPECT_DOUBLE_EQ(p.volume, 6);
+  EXPECT_DOUBLE_EQ(p.measured(0.5), 3);
+  EXPECT_DOUBLE_EQ(p.volume_ratio_end(), 4.0 / 6);
+  EXPECT_EQ(p.mesh_velocity()[1], -4);
+  // g = 5 x + 7 y in current coordinates is 10 X + (5/2 + 21) Y.
+  const auto g = p.physical({{10, 23.5}});
+  EXPECT_DOUBLE_EQ(g[0], 5);
+  EXPECT_DOUBLE_EQ(g[1], 7);
+  // Power of a flux is the same in both configurations: J flux . grad_x q = reference_flux . Grad q.
+  const Vector<double, 2> flux{{0.3, -1.1}};
+  const auto f = p.reference_flux(flux);
+  EXPECT_NEAR(f[0] * 10 + f[1] * 23.5, 6 * (0.3 * 5 - 1.1 * 7), 1e-13);
+}
+
+TEST(Geometry, FaceMeasureIsTheAreaOfTheTangents) {
+  const Matrix<double, 2> g2{{{0.2, 0.7}, {-0.4, 0.1}}};
+  EXPECT_NEAR((MovingPoint<double, 2>(g2, g2, {}, true).measured(1.0)), std::hypot(1.2, 0.4), 1e-15);
+  const Matrix<double, 3> g3{{{0.2, 0.1, 0.9}, {-0.4, 0.3, -0.2}, {0.5, -0.1, 0.4}}};
+  const double a[3] = {1.2, -0.4, 0.5}, b[3] = {0.1, 1.3, -0.1};
+  const double area =
+      std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+  EXPECT_NEAR((MovingPoint<double, 3>(g3, g3, {}, true).measured(1.0)), area, 1e-15);
+}
+
+TEST(Geometry, IdentityMapEqualsAMapThatDoesNotMove) {
+  const Matrix<double, 3> zero{};
+  const MovingPoint<double, 3> moving(zero, zero, {}, false);
+  const FixedPoint<double, 3> fixed;
+  const Vector<double, 3> g{{1, 2, 3}};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(moving.physical(g)[i], fixed.physical(g)[i]);
+    EXPECT_EQ(moving.reference_flux(g)[i], fixed.reference_flux(g)[i]);
+    EXPECT_EQ(fixed.mesh_velocity()[i], 0);
+  }
+  EXPECT_EQ(moving.measured(7.0), fixed.measured(7.0));
+  EXPECT_EQ(fixed.volume_ratio_end(), 1);
+}
+
+}  // namespace
+}  // namespace softwet

@@ -1,0 +1,95 @@
+// Saint Venant-Kirchhoff material against closed forms and its own energy.
+#include "kernels/solid/saint_venant_kirchhoff.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace softwet {
+namespace {
+
+TEST(SaintVenantKirchhoff, LameParameters) {
+  const auto m = SaintVenantKirchhoff::from(2.6, 0.3);
+  EXPECT_NEAR(m.shear_modulus, 1.0, 1e-15);
+  EXPECT_NEAR(m.lambda, 1.5, 1e-14);
+  EXPECT_EQ(SaintVenantKirchhoff::from(2.6, 0.0).lambda, 0);
+}
+
+// Stretch s along x, plane strain: E_xx = (s^2 - 1)/2, P_xx = s (lambda + 2 G) E_xx, P_yy = lambda E_xx.
+TEST(SaintVenantKirchhoff, UniaxialStretch) {
+  const SaintVenantKirchhoff m{1.5, 0.7};
+  const double s = 1.3, e = 0.5 * (s * s - 1);
+  const auto p = m.first_piola(Matrix<double, 2>{{{s - 1, 0}, {0, 0}}});
+  EXPECT_NEAR(p(0, 0), s * (1.5 + 1.4) * e, 1e-15);
+  EXPECT_NEAR(p(1, 1), 1.5 * e, 1e-15);
+  EXPECT_EQ(p(0, 1), 0);
+  EXPECT_NEAR(m.energy(Matrix<double, 2>{{{s - 1, 0}, {0, 0}}}), (0.75 + 0.7) * e * e, 1e-15);
+}
+
+// x = X + k Y: E_xy = k/2, E_yy = k^2/2; S_xx = lambda k^2/2, S_xy = G k, S_yy = (lambda/2 + G) k^2; P = F S.
+TEST(SaintVenantKirchhoff, SimpleShear) {
+  const SaintVenantKirchhoff m{1.5, 0.7};
+  const double k = 0.4, sxx = 0.75 * k * k, sxy = 0.7 * k, syy = (0.75 + 0.7) * k * k;
+  const auto p = m.first_piola(Matrix<double, 2>{{{0, k}, {0, 0}}});
+  EXPECT_NEAR(p(0, 0), sxx + k * sxy, 1e-15);
+  EXPECT_NEAR(p(0, 1), sxy + k * syy, 1e-15);
+  EXPECT_NEAR(p(1, 0), sxy, 1e-15);
+  EXPECT_NEAR(p(1, 1), syy, 1e-15);
+}
+
+TEST(SaintVenantKirchhoff, RotationIsFree) {
+  const SaintVenantKirchhoff m{1.5, 0.7};
+  const double c = std::cos(0.9), s = std::sin(0.9);
+  const Matrix<double, 3> g{{{c - 1, -s, 0}, {s, c - 1, 0}, {0, 0, 0}}};
+  EXPECT_NEAR(m.energy(g), 0, 1e-30);
+  const auto p = m.first_piola(g);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(p(i, j), 0, 1e-15);
+}
+
+// Small strains: P is the linear stress lambda tr(e) I + 2 G e up to second order.
+TEST(SaintVenantKirchhoff, SmallStrainsAreLinear) {
+  const SaintVenantKirchhoff m{1.5, 0.7};
+  const double h = 1e-6;
+  const auto p = m.first_piola(Matrix<double, 2>{{{2 * h, 3 * h}, {-h, 5 * h}}});
+  EXPECT_NEAR(p(0, 0) / h, 1.5 * 7 + 1.4 * 2, 1e-4);
+  EXPECT_NEAR(p(0, 1) / h, 0.7 * 2, 1e-4);
+  EXPECT_NEAR(p(1, 0) / h, 0.7 * 2, 1e-4);
+}
+
+template <int D>
+void stress_is_the_derivative_of_the_energy() {
+  const SaintVenantKirchhoff m{1.5, 0.7};
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-0.4, 0.4);
+  Matrix<double, D> g;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) g(i, j) = uniform(random);
+  const auto p = m.first_piola(g);
+  const double e = 1e-3;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) {
+      const auto at = [&](double step) {
+        Matrix<double, D> h = g;
+        h(i, j) += step;
+        return m.energy(h);
+      };
+      EXPECT_NEAR((8 * (at(e) - at(-e)) - at(2 * e) + at(-2 * e)) / (12 * e), p(i, j), 1e-12);
+    }
+}
+TEST(SaintVenantKirchhoff, StressIsTheDerivativeOfTheEnergy) {
+  stress_is_the_derivative_of_the_energy<2>();
+  stress_is_the_derivative_of_the_energy<3>();
+}
+
+// Plane strain is the 3D law without motion along z.
+TEST(SaintVenantKirchhoff, PlaneStrain) {
+  const SaintVenantKirchhoff m{1.5, 0.7};
+  const auto flat = m.first_piola(Matrix<double, 2>{{{0.1, 0.3}, {-0.2, 0.2}}});
+  const auto full = m.first_piola(Matrix<double, 3>{{{0.1, 0.3, 0}, {-0.2, 0.2, 0}, {0, 0, 0}}});
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) EXPECT_NEAR(flat(i, j), full(i, j), 1e-16);
+}
+
+}  // namespace
+}  // namespace softwet
