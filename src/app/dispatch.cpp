@@ -1,10 +1,73 @@
 #include "app/dispatch.hpp"
 
-#include "app/error.hpp"
+#include <new>
+
+#include <softwet_version.hpp>
+#include "app/bench.hpp"
+#include "app/configurations.hpp"
+#include "app/describe.hpp"
+#include "app/machine.hpp"
+#include "app/simulation.hpp"
 
 namespace softwet {
-void run_case(const Case&, const RunOptions&) {}
-void describe_case(const Case&, std::ostream&) {}
-void bench_case(const Case&, const RunOptions&, std::ostream&) {}
-void describe_build(std::ostream&) {}
+namespace {
+
+/// Runs `work` with the backend up; what the backend throws becomes an Error of the machine.
+template <class Work>
+void on_machine(int threads, const Work& work) {
+  const ParallelRuntime runtime(threads);
+  try {
+    work();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::runtime_error& error) {  // Kokkos: out of memory, a kernel that does not start, a lost device
+    throw Error(Exit::machine_failed, std::string(error.what()) + "; 'softwet check CASE' tells how much a case needs");
+  }
+}
+
+}  // namespace
+
+void run_case(const Case& c, const RunOptions& options) {
+  on_machine(options.threads, [&] {
+    with_configuration(c, [&](auto configuration) {
+      using Chosen = decltype(configuration);
+      Simulation<Chosen::dimension, Chosen::degree>(c, options).run();
+    });
+  });
+}
+
+void describe_case(const Case& c, std::ostream& out) {
+  on_machine(1, [&] {
+    with_configuration(c, [&](auto configuration) {
+      using Chosen = decltype(configuration);
+      describe_model<Chosen::dimension, Chosen::degree>(c, out);
+    });
+  });
+}
+
+void bench_case(const Case& c, const RunOptions& options, std::ostream& out) {
+  on_machine(options.threads, [&] {
+    with_configuration(c, [&](auto configuration) {
+      using Chosen = decltype(configuration);
+      bench_model<Chosen::dimension, Chosen::degree>(c, out);
+    });
+  });
+}
+
+void describe_build(std::ostream& out) {
+  const ParallelRuntime runtime(0);
+  out << "softwet         " << version << " (" << commit << ")"
+      << "\n"
+      << "configurations  " << compiled_configurations << "\n"
+      << "backend         " << backend_name() << ", " << thread_count() << " threads\n"
+      << "instructions    " << instruction_set() << ", " << lanes() << " elements per pack\n"
+#ifdef SOFTWET_HAVE_UMFPACK
+      << "sparse LU       UMFPACK\n"
+#else
+      << "sparse LU       none\n"
+#endif
+      << "Kokkos          " << KOKKOS_VERSION / 10000 << "." << KOKKOS_VERSION / 100 % 100 << "."
+      << KOKKOS_VERSION % 100 << "\n";
+}
+
 }  // namespace softwet

@@ -1,0 +1,105 @@
+#include "app/bench.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#include "app/machine.hpp"
+#include "model/initial.hpp"
+#include "solver/choose.hpp"
+#include "time/generalized_alpha.hpp"
+
+namespace softwet {
+namespace {
+
+/// Shortest mean time of a call, over a few rounds of about 0.1 s.
+template <class Work>
+double seconds_per_call(const Work& work) {
+  using Clock = std::chrono::steady_clock;
+  const auto round = [&](int calls) {
+    const auto start = Clock::now();
+    for (int i = 0; i < calls; ++i) work();
+    Kokkos::fence();
+    return std::chrono::duration<double>(Clock::now() - start).count() / calls;
+  };
+  round(1);
+  const int calls = std::max(1, static_cast<int>(0.1 / round(1)));
+  double best = std::numeric_limits<double>::max();
+  for (int i = 0; i < 5; ++i) best = std::min(best, round(calls));
+  return best;
+}
+
+/// Flops of one residual counted by hand for degree 2 with 3^D points per element; second derivatives included.
+double counted_flops(const Case& c, double fluid_elements, double solid_elements) {
+  const bool plane = c.dimension() == 2, moving = c.substrate.has_value();
+  const double fluid = plane ? (moving ? 5.5e3 : 2.8e3) : (moving ? 42e3 : 18e3), solid = plane ? 1.9e3 : 14e3;
+  return fluid * fluid_elements + solid * solid_elements;
+}
+
+/// Prints one line per measurement.
+struct Sheet {
+  std::ostream& out;
+  int unknowns;
+
+  void line(const std::string& name, double seconds, const std::string& more = "") const {
+    char text[160];
+    std::snprintf(text, sizeof text, "%-34s %10.4f ms %9.2f Mu/s/core  ", name.c_str(), 1e3 * seconds,
+                  1e-6 * unknowns / seconds / thread_count());
+    out << text << more << "\n";
+  }
+};
+
+template <int D, int P>
+void bench_terms(const Sheet& sheet, const Model<D, P>& model, const Stage& stage, const Array& z, const Array& out) {
+  const Binding<D> plain{model.layout(), stage, {}, out}, tangent{model.layout(), stage, z, out};
+  for (const auto& piece : model.pieces()) {
+    sheet.line(std::string("  residual of ") + piece->name(), seconds_per_call([&] { piece->residual(plain); }));
+    sheet.line(std::string("  product of ") + piece->name(), seconds_per_call([&] { piece->product(tangent); }));
+  }
+}
+
+}  // namespace
+
+template <int D, int P>
+void bench_model(const Case& c, std::ostream& out) {
+  const Model<D, P> model(c);
+  const Layout<D>& layout = model.layout();
+  GeneralizedAlpha<D, P> scheme(model, c.time.rho_inf);
+  State state = initial_state<D, P>(c, model);
+  scheme.initialise(state);
+  scheme.begin(state, 1.0);
+  const Array r("r", scheme.size()), z("z", scheme.size());
+  Kokkos::deep_copy(z, state.unknown);
+  scheme.residual(state.unknown, r);
+
+  out << c.name << ": " << layout.size() << " unknowns, " << backend_name() << ", " << thread_count() << " threads, "
+      << lanes() << " elements per pack (" << instruction_set() << ")\n";
+  const Sheet sheet{out, layout.size()};
+  double wall_elements = 1;
+  for (int d = 0; d < D - 1; ++d) wall_elements *= layout.axis[d].elements();
+  const double solid = layout.has_solid ? wall_elements * layout.solid_elements : 0;
+  const double fluid = layout.has_fluid ? wall_elements * (layout.axis[D - 1].elements() - layout.solid_elements) : 0;
+  const double residual = seconds_per_call([&] { scheme.residual(state.unknown, r); });
+  char flops[80];
+  std::snprintf(flops, sizeof flops, "%.2f GFLOP/s/core of the counted work",
+                1e-9 * counted_flops(c, fluid, solid) / residual / thread_count());
+  sheet.line("residual", residual, flops);
+  sheet.line("product, exact", seconds_per_call([&] { scheme.product(z, r, Geometry::exact); }));
+  sheet.line("product, frozen geometry", seconds_per_call([&] { scheme.product(z, r, Geometry::frozen); }));
+  bench_terms(sheet, model, scheme.stage(), z, r);
+  sheet.line("dot", seconds_per_call([&] { dot(z, r); }));
+
+  const auto preconditioner = choose_preconditioner<D>(c.solver.preconditioner, layout, model.mask());
+  const Product frozen = [&](const Array& direction, const Array& result) {
+    scheme.product(direction, result, Geometry::frozen);
+  };
+  const std::string name = "preconditioner " + preconditioner->name();
+  sheet.line(name + ", build", seconds_per_call([&] { preconditioner->build(frozen); }));
+  sheet.line(name + ", apply", seconds_per_call([&] { preconditioner->apply(r, z); }));
+  out << "peak memory " << peak_memory_mib() << " MiB\n";
+}
+
+template void bench_model<2, 2>(const Case&, std::ostream&);
+
+}  // namespace softwet

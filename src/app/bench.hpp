@@ -1,0 +1,14 @@
+// What `softwet bench` measures of a case.
+#pragma once
+
+#include <ostream>
+
+#include "app/case.hpp"
+
+namespace softwet {
+
+/// Times residual, products, each term, sums and the preconditioner at the initial state; prints the throughput.
+template <int D, int P>
+void bench_model(const Case&, std::ostream&);
+
+}  // namespace softwet

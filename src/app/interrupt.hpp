@@ -1,0 +1,17 @@
+// Ctrl-C as a wish to stop, not as an end in the middle of a step.
+#pragma once
+
+namespace softwet {
+
+/// While it lives, the first SIGINT or SIGTERM only sets `requested()`; a second one ends the program as usual.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+  ~InterruptGuard();
+
+  static bool requested();
+};
+
+}  // namespace softwet

@@ -1,0 +1,71 @@
+#include "app/machine.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "app/error.hpp"
+#include "field/array.hpp"
+#include "kernels/algebra/pack.hpp"
+
+extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+
+namespace softwet {
+
+ParallelRuntime::ParallelRuntime(int threads) {
+  Kokkos::InitializationSettings settings;
+  settings.set_disable_warnings(true);
+  if (threads > 0) settings.set_num_threads(threads);
+  try {
+    Kokkos::initialize(settings);
+  } catch (const std::exception& error) {
+    throw Error(Exit::machine_failed, std::string("the backend ") + Exec::name() + " does not start: " + error.what() +
+                                          "; 'softwet info' tells what this build needs");
+  }
+  if (openblas_set_num_threads) openblas_set_num_threads(1);
+}
+
+ParallelRuntime::~ParallelRuntime() { Kokkos::finalize(); }
+
+std::string backend_name() { return Exec::name(); }
+
+int thread_count() { return Exec().concurrency(); }
+
+std::string host_name() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+std::string instruction_set() {
+#if defined(__AVX512F__)
+  return "AVX-512";
+#elif defined(__AVX2__)
+  return "AVX2";
+#elif defined(__AVX__)
+  return "AVX";
+#elif defined(__ARM_FEATURE_SVE)
+  return "SVE";
+#elif defined(__ARM_NEON)
+  return "NEON";
+#elif defined(__SSE2__)
+  return "SSE2";
+#else
+  return "generic";
+#endif
+}
+
+int lanes() { return on_host ? Lanes<Pack<double>>::count : 1; }
+
+double peak_memory_mib() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.rfind("VmHWM:", 0) != 0) continue;
+    double kib = 0;
+    std::istringstream(line.substr(6)) >> kib;
+    return kib / 1024;
+  }
+  return 0;
+}
+
+}  // namespace softwet

@@ -1,0 +1,26 @@
+// The machine a run uses: starting and ending the parallel runtime, and facts for run.json.
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <string>
+
+namespace softwet {
+
+/// Starts Kokkos with a number of threads (0: all cores) and keeps the BLAS on one, so that no sum depends on it.
+/// Ends Kokkos with its scope. Throws Error (machine_failed).
+class ParallelRuntime {
+ public:
+  explicit ParallelRuntime(int threads);
+  ParallelRuntime(const ParallelRuntime&) = delete;
+  ParallelRuntime& operator=(const ParallelRuntime&) = delete;
+  ~ParallelRuntime();
+};
+
+std::string backend_name();  ///< "OpenMP", "Cuda"
+int thread_count();          ///< of the running backend
+std::string host_name();
+std::string instruction_set();  ///< the widest vector instructions this build uses, "AVX-512"
+int lanes();                    ///< elements per SIMD pack, 1 on a device
+double peak_memory_mib();       ///< largest resident memory of this process so far
+
+}  // namespace softwet

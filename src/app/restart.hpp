@@ -1,0 +1,28 @@
+// The checkpoint of a run: everything that a resumed run needs to go on as if it had not stopped.
+#pragma once
+
+#include <string>
+
+#include "observe/scalars.hpp"
+#include "time/stepper.hpp"
+
+namespace softwet {
+
+/// The lines "table.key = value" of a case that decide what is computed: all but the name, the output, the solver, the
+/// end of the run and the size of its steps, which a resumed run may change.
+std::string fingerprint(const Case&);
+
+/// Throws Error (invalid_input) that names the first difference; `path` is that of the checkpoint.
+void check_fingerprint(const std::string& path, const std::string& stored, const Case&);
+
+/// Writes all levels of the integrator, the step control and the memory of the history, atomically. The lagged
+/// preconditioner is not part of it: a resumed run builds a new one, so it agrees with an uninterrupted run to the
+/// tolerance of the solver, not to the last bit.
+template <int D, int P>
+void write_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, const HistoryMemory&);
+
+/// Puts a stepper where the checkpoint was written. Throws Error (invalid_input).
+template <int D, int P>
+HistoryMemory read_checkpoint(const std::string& path, const Case&, Stepper<D, P>&);
+
+}  // namespace softwet

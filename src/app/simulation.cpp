@@ -1,0 +1,172 @@
+#include "app/simulation.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "app/error.hpp"
+#include "app/interrupt.hpp"
+#include "app/restart.hpp"
+#include "model/initial.hpp"
+#include "observe/interface_table.hpp"
+#include "observe/output_fields.hpp"
+
+namespace softwet {
+namespace {
+
+/// Times on the clock of the computation that a step has to end at.
+std::vector<double> events(const Case& c) {
+  const double zero = c.clock_zero();
+  std::vector<double> times{zero, zero + c.time.end};
+  for (const Load& load : c.loads) {
+    times.push_back(load.start);
+    times.push_back(load.start + load.ramp);
+  }
+  for (double t : c.output.field_times) times.push_back(zero + t);
+  return times;
+}
+
+bool same_time(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
+
+std::string short_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+}  // namespace
+
+template <int D, int P>
+Simulation<D, P>::Simulation(const Case& c, const RunOptions& options)
+    : case_(c), options_(options), model_(c), stepper_(model_, c, events(c)), scalars_(c, model_) {}
+
+template <int D, int P>
+bool Simulation<D, P>::at_end() const {
+  const double t = output_time();
+  return t >= case_.time.end || same_time(t, case_.time.end);
+}
+
+template <int D, int P>
+void Simulation<D, P>::begin() {
+  State state = initial_state<D, P>(case_, model_);
+  stepper_.integrator().initialise(state);
+  stepper_.start(state);
+  history_.emplace(TableFile::create(path("history.csv"), scalars_.columns()));
+  interface_.emplace(TableFile::create(path("interface.csv"), interface_columns<D>()));
+}
+
+template <int D, int P>
+void Simulation<D, P>::resume() {
+  scalars_.restore(read_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_));
+  first_step_ = stepper_.counts().steps;
+  // The row of a last step that is no multiple of output.history.every is dropped: the run goes on behind it.
+  history_.emplace(
+      TableFile::append_after(path("history.csv"), scalars_.columns(), static_cast<double>(scalars_.memory().step)));
+  const double t = output_time();
+  interface_.emplace(
+      TableFile::append_after(path("interface.csv"), interface_columns<D>(), t + 1e-9 * std::max(1.0, std::abs(t))));
+}
+
+template <int D, int P>
+void Simulation<D, P>::run() {
+  const InterruptGuard interrupts;
+  {
+    Stopwatch watch(seconds_.setup);
+    options_.resume ? resume() : begin();
+  }
+  seconds_.setup = std::chrono::duration<double>(Clock::now() - start_).count();
+  progress_.emplace(Progress::voice(options_.quiet), output_time(), case_.time.end);
+  if (options_.resume) progress_->tell("resumed at t = " + short_text(output_time()));
+  try {
+    if (!options_.resume) observe({});
+    advance();
+  } catch (const Error& error) {
+    if (error.code() != Exit::computation_failed) throw;
+    save();
+    record(std::string("failed: ") + error.what());
+    throw Error(error.code(), std::string(error.what()) + "; the last good state, t = " + short_text(output_time()) +
+                                  " on the clock of the output, is in " + path("checkpoint.h5"));
+  }
+}
+
+template <int D, int P>
+void Simulation<D, P>::advance() {
+  StepReport report;
+  while (stop_reason().empty()) {
+    report = stepper_.step();
+    observe(report);
+    if (Clock::now() - last_save_ >= std::chrono::duration<double>(60 * case_.output.checkpoint_minutes)) save();
+  }
+  const long steps = stepper_.counts().steps;
+  if (steps > first_step_ && steps % case_.output.history_every != 0) write_row(report);
+  save();
+  const std::string reason = stop_reason();
+  record(reason);
+  const std::string more = reason == "end reached" ? "" : ", continue with --resume";
+  progress_->tell(reason + " at t = " + short_text(output_time()) + " after " + std::to_string(steps) + " steps and " +
+                  short_text(seconds_.total) + " s" + more + "; result in " + options_.out);
+}
+
+template <int D, int P>
+std::string Simulation<D, P>::stop_reason() {
+  if (at_end()) return "end reached";
+  if (InterruptGuard::requested()) return "stopped by user";
+  if (stepper_.counts().steps >= case_.time.max_steps) return "time.max_steps reached";
+  return "";
+}
+
+template <int D, int P>
+void Simulation<D, P>::observe(const StepReport& report) {
+  const long step = stepper_.counts().steps;
+  if (step % case_.output.history_every == 0) {
+    write_row(report);
+    scalars_.keep();
+  }
+  write_fields_due();
+  if (step > 0) progress_->step(output_time(), step, report, scalars_.headline());
+}
+
+template <int D, int P>
+void Simulation<D, P>::write_row(const StepReport& report) {
+  Stopwatch watch(seconds_.observers);
+  last_row_ =
+      scalars_.evaluate(stepper_.counts().steps, report, stepper_.state(), stepper_.integrator().at(stepper_.state()));
+  history_->row(last_row_);
+}
+
+template <int D, int P>
+void Simulation<D, P>::write_fields_due() {
+  const std::vector<double>& times = case_.output.field_times;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!same_time(output_time(), times[i])) continue;
+    Stopwatch watch(seconds_.output);
+    const Snapshot<D> snapshot(model_.layout(), stepper_.state());
+    write_field_files<D, P>(options_.out, model_, snapshot, i, times);
+    add_interface_rows<D>(*interface_, snapshot, times[i]);
+  }
+}
+
+template <int D, int P>
+void Simulation<D, P>::save() {
+  Stopwatch watch(seconds_.output);
+  history_->flush();
+  interface_->flush();
+  write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory());
+  record("running");
+  last_save_ = Clock::now();
+}
+
+template <int D, int P>
+void Simulation<D, P>::record(const std::string& reason) {
+  seconds_.total = std::chrono::duration<double>(Clock::now() - start_).count();
+  RunRecord run = describe_run<D, P>(case_, model_, stepper_, seconds_, first_step_);
+  run["stop"]["reason"] = reason;
+  run["stop"]["t"] = output_time();
+  const std::vector<std::string> names = scalars_.columns();
+  for (std::size_t i = 0; i < last_row_.size(); ++i)
+    if (last_row_[i]) run["last_row"][names[i]] = *last_row_[i];
+  run.write(path("run.json"));
+}
+
+template class Simulation<2, 2>;
+
+}  // namespace softwet

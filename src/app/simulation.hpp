@@ -1,0 +1,64 @@
+// A run from its first state to its last: steps, observers, checkpoints.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "app/dispatch.hpp"
+#include "app/progress.hpp"
+#include "observe/host/run_record.hpp"
+#include "observe/host/table_file.hpp"
+#include "observe/scalars.hpp"
+#include "time/stepper.hpp"
+
+namespace softwet {
+
+/// Seconds of a run beside those that Newton's method counts.
+struct RunSeconds {
+  double setup = 0, observers = 0, output = 0, total = 0;
+};
+
+/// Computes a case in a folder that exists. The output clock is the computation clock minus case.clock_zero().
+template <int D, int P>
+class Simulation {
+ public:
+  Simulation(const Case& c, const RunOptions& options);
+
+  /// To time.end, time.max_steps or Ctrl-C. Throws Error (computation_failed) after a checkpoint of the last good state.
+  void run();
+
+ private:
+  void begin();
+  void resume();
+  void advance();
+  void observe(const StepReport& report);
+  void write_row(const StepReport& report);
+  void write_fields_due();
+  void save();
+  void record(const std::string& reason);
+  std::string stop_reason();
+
+  bool at_end() const;
+  double output_time() const { return stepper_.state().time - case_.clock_zero(); }
+  std::string path(const std::string& name) const { return options_.out + "/" + name; }
+
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now(), last_save_ = start_;
+  const Case& case_;
+  RunOptions options_;
+  Model<D, P> model_;
+  Stepper<D, P> stepper_;
+  Scalars<D, P> scalars_;
+  std::optional<TableFile> history_, interface_;
+  std::optional<Progress> progress_;
+  typename Scalars<D, P>::Row last_row_;
+  RunSeconds seconds_;
+  long first_step_ = 0;
+};
+
+/// run.json but for the reason of the end: build, machine, case, unknowns, timings, counts, memory.
+template <int D, int P>
+RunRecord describe_run(const Case&, const Model<D, P>&, Stepper<D, P>&, const RunSeconds&, long first_step);
+
+}  // namespace softwet

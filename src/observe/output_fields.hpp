@@ -1,0 +1,20 @@
+// Field files of the fluid and the solid at one time, for ParaView.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "observe/snapshot.hpp"
+
+namespace softwet {
+
+/// Writes fields/fluid_NNNN.vtkhdf and fields/solid_NNNN.vtkhdf (what the scene has) below `folder`, and the .series
+/// files that list the times so far. Points, 2 cells + 1 per axis, lie at their deformed positions; exact for degree 2.
+/// @param number  position of the time in output.fields.times
+/// @param times   all of output.fields.times, on the clock of the output
+template <int D, int P>
+void write_field_files(const std::string& folder, const Model<D, P>& model, const Snapshot<D>& snapshot,
+                       std::size_t number, const std::vector<double>& times);
+
+}  // namespace softwet

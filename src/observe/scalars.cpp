@@ -1,0 +1,171 @@
+#include "observe/scalars.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softwet {
+namespace {
+
+/// Which footprint belongs to which droplet (-1: none), and who was taken over by whom.
+std::vector<int> assign_footprints(const std::vector<Footprint>& found, std::vector<DropletTrack>& droplets) {
+  std::vector<int> of_droplet(droplets.size(), -1);
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    int owner = -1;
+    for (std::size_t k = 0; k < droplets.size(); ++k) {
+      const double centre = droplets[k].centre;
+      if (droplets[k].merged || centre < found[f].x_left || centre > found[f].x_right) continue;
+      if (owner < 0 || (droplets[k].on_wall && !droplets[owner].on_wall)) {
+        owner = static_cast<int>(k);
+      } else if (droplets[k].on_wall) {
+        droplets[k].merged = true;
+      }
+    }
+    if (owner >= 0) of_droplet[owner] = static_cast<int>(f);
+  }
+  return of_droplet;
+}
+
+template <int D, int P>
+bool sits_on(const Droplet& droplet, const Model<D, P>& model) {
+  return std::abs(droplet.centre[D - 1] - model.wall_height()) < 1e-9;
+}
+
+}  // namespace
+
+template <int D>
+double speed_of_liquid(const Layout<D>& layout, const State& state, double middle) {
+  const std::vector<double> x = to_host(state.unknown);
+  double largest = 0;
+  for (int i = 0; i < layout.scalar_size(); ++i) {
+    if (!(x[layout.density_offset() + i] > middle)) continue;
+    double square = 0;
+    for (int d = 0; d < D; ++d) square += std::pow(x[layout.velocity_offset(d) + layout.fluid_shift() + i], 2);
+    largest = std::max(largest, square);
+  }
+  return std::sqrt(largest);
+}
+
+template <int D, int P>
+Scalars<D, P>::Scalars(const Case& c, const Model<D, P>& model) : case_(c), model_(model) {
+  for (const Droplet& droplet : c.droplets)
+    memory_.droplets.push_back({droplet.centre[0], sits_on(droplet, model), false});
+  latest_ = memory_;
+}
+
+template <int D, int P>
+std::vector<std::string> Scalars<D, P>::columns() const {
+  std::vector<std::string> names{"step",
+                                 "t",
+                                 "dt",
+                                 "newton",
+                                 "krylov",
+                                 "mass",
+                                 "momentum_x",
+                                 "energy_kinetic",
+                                 "energy_free",
+                                 "energy_wall",
+                                 "energy_elastic",
+                                 "power_load",
+                                 "dissipation",
+                                 "rho_min",
+                                 "rho_max",
+                                 "speed_max_fluid",
+                                 "speed_max_solid"};
+  for (std::size_t k = 0; k < case_.droplets.size(); ++k)
+    for (const char* name : {"x_left", "x_right", "x_centre", "velocity", "angle_left", "angle_right"})
+      names.push_back(k == 0 ? name : name + ("_" + std::to_string(k + 1)));
+  for (const char* name : {"energy_total", "mass_drift", "speed_max_liquid"}) names.push_back(name);
+  if (!case_.droplets.empty()) names.push_back("laplace");
+  return names;
+}
+
+template <int D, int P>
+void Scalars<D, P>::add_integrals(long step, const State& state, const Stage& end, Row& row) {
+  const Integrals sum = model_.integrals(end);
+  const double free_energy = sum.energy_bulk + sum.energy_gradient;
+  const bool fluid = model_.layout().has_fluid;
+  const auto of_fluid = [fluid](double x) { return fluid ? std::optional<double>(x) : std::nullopt; };
+  if (step == 0) latest_.mass_start = sum.mass;
+  headline_.energy = sum.energy_kinetic + free_energy + sum.energy_wall + sum.energy_elastic;
+  headline_.mass_drift = of_fluid(sum.mass / latest_.mass_start - 1);
+  row.insert(row.end(),
+             {of_fluid(sum.mass), sum.momentum[0], sum.energy_kinetic, of_fluid(free_energy), of_fluid(sum.energy_wall),
+              sum.energy_elastic, model_.load_power(state.time, state.unknown), sum.viscous + sum.stabilisation});
+}
+
+template <int D, int P>
+void Scalars<D, P>::add_extremes(const Snapshot<D>& snapshot, const State&, Row& row) const {
+  const Layout<D>& layout = model_.layout();
+  if (layout.has_fluid) {
+    row.insert(row.end(), {snapshot.density_min(), snapshot.density_max(), snapshot.speed_max(true)});
+  } else {
+    row.insert(row.end(), 3, std::nullopt);
+  }
+  row.push_back(layout.has_solid ? std::optional<double>(snapshot.speed_max(false)) : std::nullopt);
+}
+
+template <int D, int P>
+void Scalars<D, P>::add_droplets(const Snapshot<D>& snapshot, long step, Row& row) {
+  std::vector<Footprint> found;
+  if constexpr (D == 2) {
+    const double middle = 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
+    if (model_.layout().has_fluid && model_.has_wall())
+      found = find_footprints(snapshot, middle, model_.fluid().capillarity);
+  }
+  const std::vector<int> of_droplet = assign_footprints(found, latest_.droplets);
+  const double interval = latest_.time - memory_.time;
+  for (std::size_t k = 0; k < of_droplet.size(); ++k) {
+    DropletTrack& track = latest_.droplets[k];
+    const bool was_on_wall = track.on_wall;
+    track.on_wall = of_droplet[k] >= 0;
+    if (k == 0) headline_.centre = headline_.velocity = std::nullopt;
+    if (!track.on_wall) {
+      row.insert(row.end(), 6, std::nullopt);
+      continue;
+    }
+    const Footprint& f = found[of_droplet[k]];
+    std::optional<double> velocity;
+    if (step > 0 && was_on_wall && interval > 0) velocity = (f.centre() - track.centre) / interval;
+    track.centre = f.centre();
+    if (k == 0) headline_.centre = track.centre, headline_.velocity = velocity;
+    row.insert(row.end(), {f.x_left, f.x_right, f.centre(), velocity, f.angle_left, f.angle_right});
+  }
+}
+
+template <int D, int P>
+double Scalars<D, P>::laplace_pressure(const Snapshot<D>& snapshot) const {
+  const Droplet& droplet = case_.droplets[0];
+  typename Snapshot<D>::Grid at;
+  for (int d = 0; d < D; ++d) at[d] = {droplet.centre[d]};
+  at[0] = {latest_.droplets[0].centre};
+  if (sits_on(droplet, model_))  // a cap: half its height
+    at[D - 1][0] += 0.5 * droplet.radius * (1 - std::cos(case_.fluid->contact_angle * M_PI / 180));
+  return snapshot.chemical_potential(at)[0] - model_.state().potential;
+}
+
+template <int D, int P>
+auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& state, const Stage& end) -> Row {
+  latest_ = memory_;
+  latest_.step = step;
+  latest_.time = state.time;
+  Row row{static_cast<double>(step), state.time - case_.clock_zero(), report.dt, static_cast<double>(report.newton),
+          static_cast<double>(report.krylov)};
+  const Snapshot<D> snapshot(model_.layout(), state);
+  add_integrals(step, state, end, row);
+  add_extremes(snapshot, state, row);
+  add_droplets(snapshot, step, row);
+  row.insert(row.end(), {headline_.energy, headline_.mass_drift});
+  if (model_.layout().has_fluid) {
+    const double middle = 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
+    row.push_back(speed_of_liquid(model_.layout(), state, middle));
+  } else {
+    row.push_back(std::nullopt);
+  }
+  if (!case_.droplets.empty()) row.push_back(laplace_pressure(snapshot));
+  return row;
+}
+
+template double speed_of_liquid<2>(const Layout<2>&, const State&, double);
+template class Scalars<2, 2>;
+
+}  // namespace softwet

@@ -1,0 +1,73 @@
+// The columns of history.csv: integrals of the state, extremes, and the contact lines of each droplet.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/case.hpp"
+#include "model/model.hpp"
+#include "observe/contact_line.hpp"
+#include "time/stepper.hpp"
+
+namespace softwet {
+
+/// One droplet of the case, from row to row.
+struct DropletTrack {
+  double centre = 0;     ///< of the footprint when last seen; before that, of the droplet in the case
+  bool on_wall = false;  ///< it had a footprint in the last row
+  bool merged = false;   ///< taken over by another droplet of the case; stays so
+};
+
+/// What the next row needs to know of the rows before; part of the checkpoint.
+struct HistoryMemory {
+  long step = 0;          ///< of the last row that follows output.history.every
+  double time = 0;        ///< of that row, on the clock of the computation
+  double mass_start = 0;  ///< at step 0
+  std::vector<DropletTrack> droplets;
+};
+
+/// The figures of a row that the progress line shows.
+struct Headline {
+  double energy = 0;
+  std::optional<double> centre, velocity, mass_drift;
+};
+
+/// Largest |v| of a control point whose density is above `middle`.
+template <int D>
+double speed_of_liquid(const Layout<D>&, const State&, double middle);
+
+template <int D, int P>
+class Scalars {
+ public:
+  using Row = std::vector<std::optional<double>>;
+
+  Scalars(const Case& c, const Model<D, P>& model);
+
+  /// Names in the order of the cells. A cell is empty where its quantity does not exist: densities without a fluid,
+  /// the contact line of a droplet that is not on the wall.
+  std::vector<std::string> columns() const;
+
+  /// One row. `end` is the stage at the state itself.
+  Row evaluate(long step, const StepReport& report, const State& state, const Stage& end);
+
+  /// Makes the row last evaluated the one that the next velocities refer to.
+  void keep() { memory_ = latest_; }
+
+  const HistoryMemory& memory() const { return memory_; }
+  void restore(const HistoryMemory& memory) { memory_ = memory; }
+  const Headline& headline() const { return headline_; }
+
+ private:
+  void add_integrals(long step, const State&, const Stage&, Row&);
+  void add_extremes(const Snapshot<D>&, const State&, Row&) const;
+  void add_droplets(const Snapshot<D>&, long step, Row&);
+  double laplace_pressure(const Snapshot<D>&) const;
+
+  const Case& case_;
+  const Model<D, P>& model_;
+  HistoryMemory memory_, latest_;
+  Headline headline_;
+};
+
+}  // namespace softwet
