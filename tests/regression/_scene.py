@@ -1,0 +1,59 @@
+"""Runs of small scenes with softwet, and their results."""
+
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+import numpy
+
+softwet = str(pathlib.Path(sys.argv[1]).resolve())
+cases = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "cases"
+# Threads that wait without spinning: the tests share the machine with others.
+environment = {**os.environ, "OMP_WAIT_POLICY": "passive"}
+
+# A pull and a rigid droplet that take seconds.
+PULL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "load[0].start=2", "load[0].ramp=1",
+        "time.end=10", "output.fields.times=[0,10]"]
+RIGID = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "time.end=20", "output.fields.times=[0,20]"]
+TIGHT = ["solver.newton.rtol=1e-11", "solver.newton.atol=1e-14", "solver.krylov.rtol=1e-4"]
+
+
+def command(case, folder, settings=(), options=()):
+    sets = [word for setting in settings for word in ("--set", setting)]
+    return [softwet, "run", str(cases / f"{case}.toml"), "--out", str(folder), *sets, *options]
+
+
+def run(case, folder, settings=(), options=("--overwrite", "--quiet", "--threads", "1"), code=0):
+    """Runs to the end and returns what was printed on stderr."""
+    result = subprocess.run(command(case, folder, settings, options), capture_output=True, text=True, timeout=300,
+                            env=environment)
+    if result.returncode != code:
+        sys.exit(f"exit code {result.returncode}, not {code}: {result.args}\n{result.stderr}")
+    return result.stderr
+
+
+def history(folder):
+    """Columns of history.csv by name; an empty cell is nan."""
+    with open(pathlib.Path(folder) / "history.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    return {name: numpy.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
+
+
+def record(folder):
+    return json.loads((pathlib.Path(folder) / "run.json").read_text())
+
+
+def check(name, value, bound):
+    """Prints a figure and its bound; ends the test where the bound is broken."""
+    print(f"{'ok' if value <= bound else 'FAIL':4}  {name}: {value:.3g} (allowed {bound:.3g})")
+    if not value <= bound:
+        sys.exit(1)
+
+
+def check_true(name, condition, detail=""):
+    print(f"{'ok' if condition else 'FAIL':4}  {name} {detail}")
+    if not condition:
+        sys.exit(1)

@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+"""Ctrl-C ends a run cleanly and resumably; a failed computation leaves its last good state. usage: ... SOFTWET"""
+
+import pathlib
+import signal
+import subprocess
+import time
+
+from _scene import PULL, check_true, command, environment, history, record, run
+
+LONG = PULL + ["time.end=1e6", "output.fields.times=[0]", "time.dt_max=0.01"]
+for number in (signal.SIGINT, signal.SIGTERM):
+    process = subprocess.Popen(command("tensotaxis_pull_2d", "stopped", LONG, ["--overwrite", "--threads", "1"]),
+                               stderr=subprocess.PIPE, text=True, env=environment)
+    time.sleep(1.5)
+    process.send_signal(number)
+    message = process.communicate(timeout=60)[1]
+    name = signal.Signals(number).name
+    check_true(f"{name}: exit code 0", process.returncode == 0, f"{process.returncode}")
+    check_true(f"{name}: tells how to go on", "stopped by user" in message and "--resume" in message, message.strip())
+    check_true(f"{name}: run.json", record("stopped")["stop"]["reason"] == "stopped by user")
+    steps = history("stopped")["step"]
+    check_true(f"{name}: history is whole", steps[-1] == record("stopped")["counts"]["steps"] == len(steps) - 1)
+    run("tensotaxis_pull_2d", "stopped", LONG + [f"time.max_steps={int(steps[-1]) + 2}"], ["--resume", "--quiet"])
+    check_true(f"{name}: resumed", history("stopped")["step"][-1] == steps[-1] + 2)
+    left = [str(path) for path in pathlib.Path("stopped").rglob("*.partial")]
+    check_true(f"{name}: no partial files", not left, str(left))
+
+# One Newton iteration is not enough, and smaller steps are not allowed.
+HOPELESS = PULL + ["solver.newton.max=1", "time.dt_initial=1", "time.dt_min=0.6"]
+message = run("tensotaxis_pull_2d", "failed", HOPELESS, code=2).strip()
+check_true("failure: one line", len(message.splitlines()) == 1 and "checkpoint.h5" in message, message)
+check_true("failure: run.json tells why", "Newton" in record("failed")["stop"]["reason"])
+run("tensotaxis_pull_2d", "failed", PULL + ["time.max_steps=2"], ["--resume", "--quiet"])
+check_true("failure: resumed with other settings", history("failed")["step"][-1] == 2)

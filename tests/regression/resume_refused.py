@@ -1,0 +1,43 @@
+#!/usr/bin/env python3
+"""A damaged or foreign checkpoint is refused with one line and exit code 1. usage: resume_refused.py SOFTWET"""
+
+import pathlib
+
+from _scene import PULL, check_true, run
+
+SHORT = PULL + ["time.max_steps=3"]
+RESUME = ["--resume", "--quiet", "--threads", "1"]
+
+
+def refused(name, settings, parts):
+    before = {path: path.read_bytes() for path in pathlib.Path("run").rglob("*") if path.is_file()}
+    lines = run("tensotaxis_pull_2d", "run", settings, RESUME, code=1).strip().splitlines()
+    check_true(f"{name}: one line", len(lines) == 1 and lines[0].startswith("softwet: error: "), str(lines))
+    for part in parts:
+        check_true(f"{name}: tells '{part}'", part in lines[0])
+    after = {path: path.read_bytes() for path in pathlib.Path("run").rglob("*") if path.is_file()}
+    check_true(f"{name}: the folder stays as it was", before == after)
+
+
+run("tensotaxis_pull_2d", "run", SHORT)
+refused("viscosity", SHORT + ["fluid.viscosity=1/128"], ["checkpoint.h5", "fluid.viscosity was", "0.0078125"])
+refused("mesh", SHORT + ["domain.elements=[64,32]"], ["domain.elements was [32, 16] and is [64, 32] now"])
+refused("load", SHORT + ["load[0].ramp=2"], ["load[0].ramp was 1 and is 2 now"])
+refused("scheme", SHORT + ["time.rho_inf=0.8"], ["time.rho_inf was"])
+
+checkpoint = pathlib.Path("run/checkpoint.h5")
+good = checkpoint.read_bytes()
+middle = len(good) // 2
+damage = {
+    "cut short": good[:middle],
+    "empty": b"",
+    "no HDF5": b"step,t\n" * 100,
+    "a changed byte": good[:middle] + bytes([good[middle] ^ 0xFF]) + good[middle + 1:],
+}
+for name, content in damage.items():
+    checkpoint.write_bytes(content)
+    refused(name, SHORT, ["checkpoint.h5"])
+
+checkpoint.write_bytes(good)
+run("tensotaxis_pull_2d", "run", PULL + ["time.max_steps=5", "solver.newton.rtol=1e-5", "time.dt_max=3"], RESUME)
+print("ok    solver and step control may change")
