@@ -62,12 +62,15 @@ class Gmres {
       precondition(basis_[j], direction_[j]);
       const Array& w = basis_[j + 1];
       apply(direction_[j], w);
+      double square = 0;  // |w|^2 before the projections
       for (int i = 0; i <= j; ++i) {  // modified Gram-Schmidt
         h[j][i] = dot(w, basis_[i]);
+        square += h[j][i] * h[j][i];
         add_scaled(w, 0, -h[j][i], basis_[i]);
       }
       h[j][j + 1] = norm(w);
       const double next = h[j][j + 1];
+      square += next * next;
       if (next > 0) combine(w, 1 / next, w, 0);
       for (int i = 0; i < j; ++i) {
         const double a = h[j][i], b = h[j][i + 1];
@@ -76,7 +79,8 @@ class Gmres {
       }
       const double length = std::hypot(h[j][j], h[j][j + 1]);
       used = j + 1;
-      if (!(length > 0) || !std::isfinite(length)) {
+      // A direction that the operator maps into what is there already, to round-off: it would only add noise to x.
+      if (!(length > 1e-14 * std::sqrt(square)) || !std::isfinite(length)) {
         used = j;
         break;
       }
