@@ -43,9 +43,13 @@ struct Sheet {
   int unknowns;
 
   void line(const std::string& name, double seconds, const std::string& more = "") const {
-    char text[160];
-    std::snprintf(text, sizeof text, "%-34s %10.4f ms %9.2f Mu/s/core  ", name.c_str(), 1e3 * seconds,
-                  1e-6 * unknowns / seconds / thread_count());
+    rate(name, seconds, unknowns, "M unknowns/s/core", more);
+  }
+  void rate(const std::string& name, double seconds, double items, const char* unit,
+            const std::string& more = "") const {
+    char text[200];
+    std::snprintf(text, sizeof text, "%-46s %10.4f ms %9.2f %s", name.c_str(), 1e3 * seconds,
+                  1e-6 * items / seconds / thread_count(), unit);
     out << text << more << "\n";
   }
 };
@@ -54,9 +58,26 @@ template <int D, int P>
 void bench_terms(const Sheet& sheet, const Model<D, P>& model, const Stage& stage, const Array& z, const Array& out) {
   const Binding<D> plain{model.layout(), stage, {}, out}, tangent{model.layout(), stage, z, out};
   for (const auto& piece : model.pieces()) {
-    sheet.line(std::string("  residual of ") + piece->name(), seconds_per_call([&] { piece->residual(plain); }));
-    sheet.line(std::string("  product of ") + piece->name(), seconds_per_call([&] { piece->product(tangent); }));
+    const std::string name = piece->name();
+    const double elements = piece->region().elements();
+    sheet.rate("  residual of " + name, seconds_per_call([&] { piece->residual(plain); }), elements,
+               "M elements/s/core");
+    sheet.rate("  product of " + name, seconds_per_call([&] { piece->product(tangent); }), elements,
+               "M elements/s/core");
   }
+}
+
+template <int D, int P>
+void bench_preconditioner(const Sheet& sheet, const Case& c, GeneralizedAlpha<D, P>& scheme, const Array& r,
+                          const Array& z) {
+  const auto preconditioner =
+      choose_preconditioner<D>(c.solver.preconditioner, scheme.model().layout(), scheme.model().mask());
+  const Product frozen = [&](const Array& direction, const Array& result) {
+    scheme.product(direction, result, Geometry::frozen);
+  };
+  const std::string name = "preconditioner " + preconditioner->name();
+  sheet.line(name + ", build", seconds_per_call([&] { preconditioner->build(frozen); }));
+  sheet.line(name + ", apply", seconds_per_call([&] { preconditioner->apply(r, z); }));
 }
 
 }  // namespace
@@ -82,7 +103,7 @@ void bench_model(const Case& c, std::ostream& out) {
   const double fluid = layout.has_fluid ? wall_elements * (layout.axis[D - 1].elements() - layout.solid_elements) : 0;
   const double residual = seconds_per_call([&] { scheme.residual(state.unknown, r); });
   char flops[80];
-  std::snprintf(flops, sizeof flops, "%.2f GFLOP/s/core of the counted work",
+  std::snprintf(flops, sizeof flops, ", %.1f GFLOP/s/core of the counted work",
                 1e-9 * counted_flops(c, fluid, solid) / residual / thread_count());
   sheet.line("residual", residual, flops);
   sheet.line("product, exact", seconds_per_call([&] { scheme.product(z, r, Geometry::exact); }));
@@ -90,13 +111,7 @@ void bench_model(const Case& c, std::ostream& out) {
   bench_terms(sheet, model, scheme.stage(), z, r);
   sheet.line("dot", seconds_per_call([&] { dot(z, r); }));
 
-  const auto preconditioner = choose_preconditioner<D>(c.solver.preconditioner, layout, model.mask());
-  const Product frozen = [&](const Array& direction, const Array& result) {
-    scheme.product(direction, result, Geometry::frozen);
-  };
-  const std::string name = "preconditioner " + preconditioner->name();
-  sheet.line(name + ", build", seconds_per_call([&] { preconditioner->build(frozen); }));
-  sheet.line(name + ", apply", seconds_per_call([&] { preconditioner->apply(r, z); }));
+  bench_preconditioner(sheet, c, scheme, r, z);
   out << "peak memory " << peak_memory_mib() << " MiB\n";
 }
 

@@ -56,11 +56,11 @@ double matrix_entries(const Layout<D>& l) {
   return neighbours * (fluid * (D + 2) * (D + 2) + (points - fluid) * D * D);
 }
 
-/// Bytes of the factors of the Jacobian: measured fill of nested dissection, 128x64 and 256x128 (2D).
+/// Bytes of the Jacobian and its factors; the growth is that of nested dissection, its constant measured in 2D.
 template <int D, int P>
 double factor_bytes(const Layout<D>& l) {
   const double points = static_cast<double>(l.rows) * l.row_size;
-  const double growth = D == 2 ? 0.25 * std::log2(points) : 0.15 * std::cbrt(points);
+  const double growth = D == 2 ? 0.55 * std::log2(points) : 0.15 * std::cbrt(points);
   return 12 * matrix_entries<D, P>(l) * (1 + growth);
 }
 
@@ -71,6 +71,7 @@ std::vector<Line> memory(const Case& c, const Layout<D>& l) {
   const double stage = 2 * n + rate + 2 * solid + scalar;
   const bool lu = c.solver.preconditioner == "lu" || (c.solver.preconditioner == "automatic" && D == 2);
   const std::vector<std::pair<std::string, double>> parts{
+      {"program and libraries", 34.0 * 1048576},
       {"state and history", 8 * (state + 3 * n)},
       {"stage", 8 * stage},
       {"Newton", 8 * 5 * n},

@@ -29,7 +29,7 @@ Progress::Voice Progress::voice(bool quiet) {
 }
 
 Progress::Progress(Voice voice, double start, double end)
-    : voice_(voice), start_(start), end_(end), last_(Clock::now()), recent_{{Clock::now(), start}} {}
+    : voice_(voice), start_(start), end_(end), begin_(Clock::now()), last_(begin_), recent_{{begin_, start}} {}
 
 std::string Progress::time_left(double t) {
   const Clock::time_point now = Clock::now();
@@ -37,7 +37,8 @@ std::string Progress::time_left(double t) {
   while (recent_.size() > 2 && now - recent_[1].first > std::chrono::seconds(20)) recent_.pop_front();
   const double wall = std::chrono::duration<double>(now - recent_.front().first).count();
   const double advance = t - recent_.front().second;
-  return advance > 0 ? duration_text((end_ - t) * wall / advance) + " left" : "";
+  const bool early = now - begin_ < std::chrono::seconds(5) || t - start_ < 0.01 * (end_ - start_);  // steps still grow
+  return advance > 0 && !early ? duration_text((end_ - t) * wall / advance) + " left" : "";
 }
 
 void Progress::step(double t, long step, const StepReport& report, const Headline& headline) {

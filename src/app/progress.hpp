@@ -32,7 +32,7 @@ class Progress {
 
   Voice voice_;
   double start_, end_;
-  Clock::time_point last_;
+  Clock::time_point begin_, last_;
   std::deque<std::pair<Clock::time_point, double>> recent_;  ///< wall time and t of the last twenty seconds
   bool open_line_ = false;
 };

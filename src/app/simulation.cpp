@@ -55,9 +55,13 @@ void Simulation<D, P>::begin() {
 }
 
 template <int D, int P>
-void Simulation<D, P>::resume() {
+void Simulation<D, P>::restore() {
   scalars_.restore(read_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_));
   first_step_ = stepper_.counts().steps;
+}
+
+template <int D, int P>
+void Simulation<D, P>::resume() {
   // The row of a last step that is no multiple of output.history.every is dropped: the run goes on behind it.
   history_.emplace(
       TableFile::append_after(path("history.csv"), scalars_.columns(), static_cast<double>(scalars_.memory().step)));
@@ -69,13 +73,15 @@ void Simulation<D, P>::resume() {
 template <int D, int P>
 void Simulation<D, P>::run() {
   const InterruptGuard interrupts;
-  {
-    Stopwatch watch(seconds_.setup);
-    options_.resume ? resume() : begin();
+  options_.resume ? restore() : begin();
+  progress_.emplace(Progress::voice(options_.quiet), output_time(), case_.time.end);
+  if (options_.resume) {
+    const std::string place = stop_reason() + " at t = " + short_text(output_time());
+    if (!stop_reason().empty()) return progress_->tell("nothing left to do: " + place + "; raise time.end to go on");
+    progress_->tell("resumed at t = " + short_text(output_time()));
+    resume();
   }
   seconds_.setup = std::chrono::duration<double>(Clock::now() - start_).count();
-  progress_.emplace(Progress::voice(options_.quiet), output_time(), case_.time.end);
-  if (options_.resume) progress_->tell("resumed at t = " + short_text(output_time()));
   try {
     if (!options_.resume) observe({});
     advance();

@@ -30,6 +30,7 @@ class Simulation {
 
  private:
   void begin();
+  void restore();
   void resume();
   void advance();
   void observe(const StepReport& report);

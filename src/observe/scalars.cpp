@@ -6,9 +6,11 @@
 namespace softwet {
 namespace {
 
-/// Which footprint belongs to which droplet (-1: none), and who was taken over by whom.
+/// Which footprint belongs to which droplet (-1: none). Of droplets under one footprint the first goes on with it, as
+/// one that was not there before; the others are merged.
 std::vector<int> assign_footprints(const std::vector<Footprint>& found, std::vector<DropletTrack>& droplets) {
   std::vector<int> of_droplet(droplets.size(), -1);
+  std::vector<int> grown;
   for (std::size_t f = 0; f < found.size(); ++f) {
     int owner = -1;
     for (std::size_t k = 0; k < droplets.size(); ++k) {
@@ -18,10 +20,12 @@ std::vector<int> assign_footprints(const std::vector<Footprint>& found, std::vec
         owner = static_cast<int>(k);
       } else if (droplets[k].on_wall) {
         droplets[k].merged = true;
+        grown.push_back(owner);
       }
     }
     if (owner >= 0) of_droplet[owner] = static_cast<int>(f);
   }
+  for (int owner : grown) droplets[owner].on_wall = false;
   return of_droplet;
 }
 
