@@ -143,6 +143,21 @@ void GeneralizedAlpha<D, P>::finish(const Array& x, State& state) {
   if (l.has_fluid)  // mu has no history
     Kokkos::deep_copy(piece_of(state.unknown, split, l.scalar_size()), part(stage_.unknown, split, l.size()));
   state.time = start_.time + dt_;
+  if (l.has_fluid) match_mass(state);
+}
+
+template <int D, int P>
+void GeneralizedAlpha<D, P>::match_mass(const State& state) const {
+  const Layout<D>& l = model_.layout();
+  double moments = 0, volume = 1;
+  for (double p : to_host(state.moment)) moments += p;
+  for (const Axis& axis : l.axis) volume *= axis.length();
+  volume *= 1 - static_cast<double>(l.solid_elements) / l.axis[D - 1].elements();
+  const double shift = (moments - model_.integrals(at(state)).mass) / volume;
+  const Array density = piece_of(state.unknown, l.density_offset(), l.scalar_size());
+  Kokkos::parallel_for(
+      "softwet::match_mass", Kokkos::RangePolicy<Exec>(0, density.extent(0)),
+      KOKKOS_LAMBDA(int i) { density(i) += shift; });
 }
 
 template class GeneralizedAlpha<2, 2>;

@@ -32,7 +32,8 @@ class GeneralizedAlpha {
   /// dR/dx z at the point of the last residual.
   void product(const Array& z, const Array& out, Geometry geometry) const;
 
-  /// Ends the step: writes the state at t + dt from the solution x. Conserves the sum of the moments exactly.
+  /// Ends the step: writes the state at t + dt from the solution x. Conserves the sum of the moments exactly, and the
+  /// integral of the density with it.
   void finish(const Array& x, State& state);
 
   /// The stage at a state itself (values, no rates): for integrals and output.
@@ -45,6 +46,9 @@ class GeneralizedAlpha {
 
  private:
   void fill_stage(const Array& x);
+  /// Shifts the density by a constant, as small as the residual Newton left, so that its integral is the sum of the
+  /// moments: to round-off on a fixed mesh, to the mesh's relative change of volume on a moving one.
+  void match_mass(const State& state) const;
 
   const Model<D, P>& model_;
   AlphaParameters alpha_;
