@@ -28,10 +28,17 @@ struct Patch {
     layout.wall_row = layout.axis[D - 1].span(solid_elements);
     blend.low = layout.axis[D - 1].lower(solid_elements);
     blend.height = layout.axis[D - 1].length() - blend.low;
+    fill();
+  }
+
+  Patch(const Layout<D>& l, const Blend& b) : layout(l), blend(b) { fill(); }
+
+  void fill() {
     stage.unknown = draw(layout.size(), -0.5, 0.5);
     std::vector<double> x = to_host(stage.unknown);
     std::uniform_real_distribution<double> density(0.15, 0.8);
     for (int i = layout.density_offset(); i < layout.potential_offset(); ++i) x[i] = density(random);
+    repeat(x);
     stage.unknown = to_device<Array>(x);
     stage.acceleration = draw(layout.velocity_size(), -2, 2);
     stage.displacement = draw(layout.solid_size(), -0.012, 0.012);
@@ -47,7 +54,15 @@ struct Patch {
     std::uniform_real_distribution<double> uniform(low, high);
     std::vector<double> v(n);
     for (double& x : v) x = uniform(random);
+    repeat(v);
     return to_device<Array>(v);
+  }
+
+  /// Ghosts of a periodic first axis; all components share its index, so one rule serves every array.
+  void repeat(std::vector<double>& v) const {
+    const Axis& x = layout.axis[0];
+    for (std::size_t i = 0; i < v.size(); ++i)
+      if (x.periodic() && static_cast<int>(i) % x.functions() >= x.owned()) v[i] = v[i - x.owned()];
   }
 
   Region<D> region(int first, int last) const {

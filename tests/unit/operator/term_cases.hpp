@@ -13,6 +13,7 @@ struct TermCases {
   Terms terms;
 
   explicit TermCases(const std::array<int, D>& elements) : patch(elements, 2) {}
+  explicit TermCases(const Patch<D>& p) : patch(p) {}
 
   Component unknown(int c) const {
     const Layout<D>& l = patch.layout;
@@ -53,18 +54,25 @@ struct TermCases {
     return s;
   }
 
-  /// @param where which part of the patch: its element rows, and for the traction the only row of test functions
+  /// The term's residual by the reference assembly, from element rows [first, last).
+  template <class Term>
+  std::vector<double> naive(const Term& term, int first_test, int channels, int first, int last, bool face, bool moves,
+                            int only_row = -1) const {
+    std::vector<Component> tests;
+    for (int c = 0; c < channels; ++c) tests.push_back(unknown(first_test + c));
+    const NaiveMotion<D> mesh = moves ? motion() : NaiveMotion<D>{};
+    return naive_residual<D, Term>(patch.layout, term, slots(term), tests, first, last, face, moves ? &mesh : nullptr,
+                                   only_row);
+  }
+
   template <int QL, class Motion, class Term>
   void check(const char* name, Term term, const Region<D>& region, Components components, int channels, int first,
              int last, int only_row = -1) const {
     const PieceOf<D, 2, QL, Term, Motion> piece(name, region, term, components, patch.blend);
     if constexpr (std::is_same_v<Term, NavierStokesKorteweg>) term.moment_rate = patch.stage.moment_rate;
-    std::vector<Component> tests;
-    for (int c = 0; c < channels; ++c) tests.push_back(unknown(components.test + c));
     constexpr bool moves = std::is_same_v<Motion, WallMotion<D>>;
-    const NaiveMotion<D> mesh = motion();
-    const std::vector<double> expected = naive_residual<D, Term>(patch.layout, term, slots(term), tests, first, last,
-                                                                 QL == 1, moves ? &mesh : nullptr, only_row);
+    const std::vector<double> expected =
+        naive(term, components.test, channels, first, last, QL == 1, moves, only_row);
     const std::vector<double> found = patch.residual(piece, patch.stage);
     ASSERT_GT(largest(expected), 1e-6) << name;
     EXPECT_LT(distance(found, expected), 1e-13) << name << (moves ? ", moving" : ", fixed");

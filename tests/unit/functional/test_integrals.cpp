@@ -1,0 +1,48 @@
+// Integrands of the functionals at a point, by hand.
+#include <gtest/gtest.h>
+
+#include "kernels/functional/fluid_integrals.hpp"
+#include "kernels/functional/solid_integrals.hpp"
+
+namespace softwet {
+namespace {
+
+TEST(FluidIntegrals, ByHand) {
+  const FluidIntegrals f{{{0.81, 0}, 3.0, 0.5, 0.1, 0.01, 0}};
+  FluidTrial<double, 2> t{};
+  t.velocity = {{2, 3}};
+  t.velocity_gradient = {{{1, 2}, {3, 5}}};
+  t.density = 0.5;
+  t.density_gradient = {{0.1, -0.2}};
+  t.chemical_potential_gradient = {{4, -8}};
+  const auto v = f.value(t);
+  EXPECT_EQ(v[FluidIntegrals::mass], 0.5);
+  EXPECT_DOUBLE_EQ(v[FluidIntegrals::kinetic], 0.25 * 13);
+  EXPECT_DOUBLE_EQ(v[FluidIntegrals::bulk], -0.25);
+  EXPECT_DOUBLE_EQ(v[FluidIntegrals::gradient], 0.125 * 0.05);
+  // tau = 3 [[2, 5], [5, 10]] - 12 I; tau : grad v = -6 + 30 + 45 + 90.
+  EXPECT_DOUBLE_EQ(v[FluidIntegrals::viscous], 159);
+  EXPECT_DOUBLE_EQ(v[FluidIntegrals::stabilisation], 0.1 * 0.25 * 80);
+  EXPECT_DOUBLE_EQ(v[FluidIntegrals::momentum], 1);
+  EXPECT_DOUBLE_EQ(v[FluidIntegrals::momentum + 1], 1.5);
+  EXPECT_EQ(v[FluidIntegrals::momentum + 2], 0);
+}
+
+TEST(WallIntegrals, WettedWhereDenserThanTheMiddle) {
+  const Coexistence s{0.1065766548, 0.6023801091, 1.868487592e-2, -0.4667444110};
+  const WallIntegrals w{EnergyWall{0.1, 0.5, 1e-5, {0.85, 0.02}, s}};
+  EXPECT_EQ(w.value(WallTrial<double, 2>{0.36, {}})[WallIntegrals::wetted], 1);
+  EXPECT_EQ(w.value(WallTrial<double, 2>{0.35, {}})[WallIntegrals::wetted], 0);
+  EXPECT_EQ(w.value(WallTrial<double, 2>{0.35, {}})[WallIntegrals::area], 1);
+}
+
+TEST(SolidIntegrals, ByHand) {
+  const SolidIntegrals f{Elastodynamics{{1.5, 0.7}, 2.0}};
+  const auto v = f.value(SolidState<double, 3>{{{1, 2, -2}}, {{{0.2, 0, 0}, {0, 0, 0}, {0, 0, 0}}}});
+  EXPECT_EQ(v[SolidIntegrals::kinetic], 9);
+  EXPECT_NEAR(v[SolidIntegrals::elastic], (0.75 + 0.7) * 0.22 * 0.22, 1e-16);
+  EXPECT_EQ(v[SolidIntegrals::momentum + 2], -4);
+}
+
+}  // namespace
+}  // namespace softwet

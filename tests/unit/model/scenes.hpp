@@ -1,0 +1,103 @@
+// Small scenes for tests of the model, the solvers and the time integrator.
+#pragma once
+
+#include "model/model.hpp"
+#include "unit/operator/term_cases.hpp"
+
+namespace softwet::testing_tools {
+
+enum class Scene { coupled, rigid, solid };
+
+/// theta = 0.85 keeps densities and energies of order one; element counts are no multiples of a pack.
+inline Case scene(Scene kind, WallLaw law = WallLaw::gradient, bool periodic = false) {
+  Case c;
+  c.domain.size = {0.9, 0.8};
+  c.domain.elements = {9, 6};
+  if (kind != Scene::solid) {
+    c.fluid = Fluid{};
+    c.fluid->viscosity = 0.3;
+    c.fluid->capillarity = 0.2;
+    c.fluid->temperature = 0.85;
+    c.fluid->contact_angle = 60;
+    c.fluid->wall_law = law;
+    c.fluid->stabilisation = 2.0;
+    c.fluid->smoothing = 1e-2;
+  }
+  if (kind != Scene::rigid) {
+    c.substrate = Substrate{};
+    c.substrate->thickness = kind == Scene::solid ? 0.8 : 0.8 / 3;
+    c.substrate->density = 1.3;
+    c.substrate->young = 2.0;
+    c.substrate->poisson = 0.3;
+    const double top = c.substrate->thickness;
+    c.loads.push_back({{0.3, 0.0}, {0.6, top / 2}, {0.7, -0.4}, 1.0, 4.0});  // cut along element borders
+  }
+  c.boundary.side[1] = {Side::slip, Side::no_slip};
+  if (kind == Scene::solid) c.boundary.side[1][1] = Side::free;
+  if (periodic) c.boundary.side[0] = {Side::periodic, Side::periodic};
+  return c;
+}
+
+/// A model with a random stage whose velocity and acceleration respect the sides.
+struct RandomScene {
+  Case data;
+  Model<2, 2> model;
+  TermCases<2> terms;
+
+  explicit RandomScene(const Case& c)
+      : data(c), model(c), terms(Patch<2>(model.layout(), Blend{model.wall_height(), 0.8 - model.wall_height()})) {
+    hold(stage().unknown);
+    hold(stage().acceleration);
+    stage().time = 3.0;  // half of the load's ramp
+  }
+  Stage& stage() { return terms.patch.stage; }
+  const Layout<2>& layout() const { return model.layout(); }
+
+  /// Zero where a velocity is prescribed.
+  void hold(const Array& a) {
+    std::vector<double> v = to_host(a);
+    const std::vector<double> mask = to_host(model.mask());
+    const Axis& x = layout().axis[0];
+    for (int i = 0; i < layout().velocity_size(); ++i) {
+      const bool ghost = x.periodic() && i % x.functions() >= x.owned();
+      v[i] *= mask[ghost ? i - x.owned() : i];
+    }
+    Kokkos::deep_copy(a, to_device<Array>(v));
+  }
+  /// A random direction of the unknowns, zero where prescribed and on ghosts.
+  Array direction() {
+    const Array z = terms.patch.draw(layout().size(), -1, 1);
+    std::vector<double> v = to_host(z);
+    const std::vector<double> mask = to_host(model.mask());
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] *= mask[i];
+    return to_device<Array>(v);
+  }
+  std::vector<double> residual(const Stage& s) const {
+    Array out("out", layout().size());
+    model.residual(s, out);
+    return to_host(out);
+  }
+  std::vector<double> product(const Array& z, Geometry geometry) const {
+    Array out("out", layout().size()), copy = to_device<Array>(to_host(z));
+    model.product(terms.patch.stage, copy, out, geometry);
+    return to_host(out);
+  }
+  /// Fourth-order central difference of the residual along z.
+  std::vector<double> difference(const Array& z, double e) const {
+    Array full = to_device<Array>(to_host(z));
+    move_ghosts(layout(), full, GhostAction::update);
+    const auto at = [&](double step) { return residual(terms.patch.moved(full, step)); };
+    const std::vector<double> a = at(e), b = at(-e), c = at(2 * e), d = at(-2 * e);
+    std::vector<double> r(a.size());
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = (8 * (a[i] - b[i]) - (c[i] - d[i])) / (12 * e);
+    return r;
+  }
+};
+
+inline double contract(const std::vector<double>& a, const std::vector<double>& b, int first, int last) {
+  double sum = 0;
+  for (int i = first; i < last; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace softwet::testing_tools

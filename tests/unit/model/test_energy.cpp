@@ -1,0 +1,119 @@
+// Energies: what the integrals are, and the energy law hidden in the residual.
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+template <class F>
+double slope(const F& f, double e) {
+  return (8 * (f(e) - f(-e)) - f(2 * e) + f(-2 * e)) / (12 * e);
+}
+
+/// y + e x, as a new array.
+Array plus(const Array& y, double e, const std::vector<double>& x) {
+  std::vector<double> v = to_host(y);
+  for (std::size_t i = 0; i < x.size(); ++i) v[i] += e * x[i];
+  return to_device<Array>(v);
+}
+
+// Testing momentum with v, mass with mu and potential with rho_t on a fixed mesh leaves
+//   d/dt (kinetic + bulk + gradient + wall energy) + dissipation = - convection,
+// the last being (v, rho (v . grad) v), which the exact rho_t |v|^2/2 of the kinetic energy balances.
+TEST(EnergyLaw, OnAFixedMeshWithWallEnergy) {
+  RandomScene s(scene(Scene::rigid, WallLaw::energy));
+  const Layout<2>& l = s.layout();
+  s.stage().moment_rate = 1;  // density_end is then the rate of the density
+  const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
+  const std::vector<double> rate = to_host(s.stage().density_end), acceleration = to_host(s.stage().acceleration);
+  double contraction = contract(r, x, 0, l.velocity_size());
+  for (int i = 0; i < l.scalar_size(); ++i) {
+    contraction += r[l.density_offset() + i] * x[l.potential_offset() + i];
+    contraction -= r[l.potential_offset() + i] * rate[i];
+  }
+  const auto kinetic = [&](double e) {
+    Stage moved = s.stage();
+    moved.unknown = plus(moved.unknown, e, acceleration);
+    return s.model.integrals(moved).energy_kinetic;
+  };
+  std::vector<double> density_rate(l.size(), 0.0);
+  std::copy(rate.begin(), rate.end(), density_rate.begin() + l.density_offset());
+  const auto free = [&](double e) {
+    Stage moved = s.stage();
+    moved.unknown = plus(moved.unknown, e, density_rate);
+    const Integrals i = s.model.integrals(moved);
+    return i.energy_bulk + i.energy_gradient + i.energy_wall;
+  };
+  double convection = 0;
+  const std::vector<Component> field{s.terms.unknown(0), s.terms.unknown(1), s.terms.unknown(2)};
+  for_points<2>(l, 0, 6, false, nullptr, [&](const NaivePoint<2>& p, double w) {
+    const double v[2] = {p.evaluate(field[0], -1), p.evaluate(field[1], -1)};
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) convection += w * p.evaluate(field[2], -1) * v[i] * v[j] * p.evaluate(field[i], j);
+  });
+  const Integrals now = s.model.integrals(s.stage());
+  EXPECT_GT(now.viscous, 0);
+  EXPECT_GT(now.stabilisation, 0);
+  const double expected = slope(kinetic, 1e-3) + slope(free, 2e-4) + now.viscous + now.stabilisation + convection;
+  std::printf("  contraction %.12g, energies %.12g\n", contraction, expected);
+  EXPECT_NEAR(contraction, expected, 1e-9 * std::abs(expected));
+  EXPECT_GT(std::abs(slope([&](double e) {
+              Stage moved = s.stage();
+              moved.unknown = plus(moved.unknown, e, density_rate);
+              return s.model.integrals(moved).energy_wall;
+            }, 2e-4)), 1e-4) << "the wall energy takes part";
+}
+
+// Solid: testing with v gives the rate of kinetic and elastic energy less the power of the load.
+TEST(EnergyLaw, OfTheSolid) {
+  RandomScene s(scene(Scene::solid));
+  const Layout<2>& l = s.layout();
+  const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
+  const auto energy = [&](double e) {
+    Stage moved = s.stage();
+    moved.unknown = plus(moved.unknown, e, to_host(s.stage().acceleration));
+    moved.displacement = plus(moved.displacement, e, x);
+    const Integrals i = s.model.integrals(moved);
+    return i.energy_kinetic + i.energy_elastic;
+  };
+  const double power = s.model.load_power(s.stage().time, s.stage().unknown);
+  EXPECT_GT(std::abs(power), 1e-6);
+  const double expected = slope(energy, 1e-3) - power;
+  EXPECT_NEAR(contract(r, x, 0, l.size()), expected, 1e-9 * std::abs(expected));
+}
+
+// Uniform density on a moved mesh: everything is an area or a length, known in closed form.
+TEST(Integrals, UniformFluidOnAMovedMesh) {
+  RandomScene s(scene(Scene::coupled, WallLaw::energy));
+  const Layout<2>& l = s.layout();
+  std::vector<double> x(l.size(), 0.0), u(l.solid_size(), 0.0);
+  const double rho = 0.5, v = 0.3, rise = 0.04, stretch = 0.1;
+  for (int i = 0; i < l.scalar_size(); ++i) x[l.density_offset() + i] = rho;
+  for (int j = 0; j < l.rows; ++j)
+    for (int i = 0; i < l.row_size; ++i) x[l.velocity_offset(0) + j * l.row_size + i] = v;
+  for (int j = 0; j < l.solid_rows(); ++j)
+    for (int i = 0; i < l.row_size; ++i) {
+      u[l.displacement_offset(0) + j * l.row_size + i] = stretch * l.axis[0].greville(i);
+      u[l.displacement_offset(1) + j * l.row_size + i] = rise * l.axis[1].greville(j) / s.model.wall_height();
+    }
+  s.stage().unknown = to_device<Array>(x);
+  s.stage().displacement = s.stage().displacement_end = to_device<Array>(u);
+  const Integrals i = s.model.integrals(s.stage());
+  // The wall is stretched by 1.1 and lifted by 0.04, the top stays: J = (1 + 0.1 b)(1 - 0.04/H), b from 1 to 0.
+  const double height = 0.8 - s.model.wall_height(), fluid = 0.9 * (1 + stretch / 2) * (height - rise);
+  EXPECT_NEAR(i.mass, rho * fluid, 1e-14);
+  EXPECT_NEAR(i.energy_bulk, s.model.fluid().gas.energy(rho) * fluid, 1e-14);
+  EXPECT_NEAR(i.energy_gradient, 0, 1e-25);
+  EXPECT_NEAR(i.wetted, 0.9 * (1 + stretch), 1e-14);
+  const double solid = 1.3 * 0.9 * s.model.wall_height();
+  EXPECT_NEAR(i.energy_kinetic, 0.5 * v * v * (rho * fluid + solid), 1e-14);
+  EXPECT_NEAR(i.momentum[0], v * (rho * fluid + solid), 1e-14);
+  EXPECT_NEAR(i.momentum[1], 0, 1e-16);
+  const double exx = 0.5 * (1.1 * 1.1 - 1), k = 1 + rise / s.model.wall_height(), eyy = 0.5 * (k * k - 1);
+  const SaintVenantKirchhoff& m = s.model.solid().material;
+  EXPECT_NEAR(i.energy_elastic, 0.9 * s.model.wall_height() *
+                                    (0.5 * m.lambda * (exx + eyy) * (exx + eyy) +
+                                     m.shear_modulus * (exx * exx + eyy * eyy)), 1e-14);
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools

@@ -1,0 +1,197 @@
+// Newton's method on a small nonlinear system with a known root, and every way it can fail.
+#include "solver/newton.hpp"
+
+#include <gtest/gtest.h>
+
+namespace softwet {
+namespace {
+
+constexpr int n = 24;
+
+/// f_i = x_i^3 + 4 x_i + x_{i-1} x_{i+1} - b_i, root known.
+struct Cubic {
+  std::vector<double> root, right;
+  int frozen = 0, exact = 0;
+
+  Cubic() : root(n), right(n, 0.0) {
+    for (int i = 0; i < n; ++i) root[i] = std::sin(1.0 + i);
+    right = value(root);
+  }
+  std::vector<double> value(const std::vector<double>& x) const {
+    std::vector<double> f(n);
+    for (int i = 0; i < n; ++i)
+      f[i] = x[i] * x[i] * x[i] + 4 * x[i] + x[(i + n - 1) % n] * x[(i + 1) % n] - right[i];
+    return f;
+  }
+  std::vector<double> slope(const std::vector<double>& x, const std::vector<double>& z) const {
+    std::vector<double> d(n);
+    for (int i = 0; i < n; ++i) {
+      const int a = (i + n - 1) % n, b = (i + 1) % n;
+      d[i] = (3 * x[i] * x[i] + 4) * z[i] + z[a] * x[b] + x[a] * z[b];
+    }
+    return d;
+  }
+  NonlinearSystem system(const Array& x) {
+    return {[this](const Array& y, const Array& r) { Kokkos::deep_copy(r, to_device<Array>(value(to_host(y)))); },
+            [this, x](const Array& z, const Array& out, Geometry g) {
+              ++(g == Geometry::exact ? exact : frozen);
+              Kokkos::deep_copy(out, to_device<Array>(slope(to_host(x), to_host(z))));
+            },
+            [](const Array&) { return std::string(); }};
+  }
+};
+
+Newton make_newton() { return Newton(n, n, std::make_unique<NoPreconditioner>()); }
+const std::vector<FieldRange> fields{{0, n / 2, 1e-14}, {n / 2, n, 1e-14}};
+
+NewtonControl tight() {
+  NewtonControl c;
+  c.rtol = 1e-12;
+  c.krylov_rtol = 1e-10;
+  c.max = 12;
+  return c;
+}
+
+double error(const Array& x, const std::vector<double>& root) {
+  const std::vector<double> found = to_host(x);
+  double e = 0;
+  for (int i = 0; i < n; ++i) e = std::max(e, std::abs(found[i] - root[i]));
+  return e;
+}
+
+TEST(Newton, ConvergesQuadratically) {
+  Cubic cubic;
+  Newton newton = make_newton();
+  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const NewtonResult r = newton.solve(cubic.system(x), fields, tight(), 0.1, x);
+  EXPECT_TRUE(r.converged) << r.reason;
+  EXPECT_TRUE(r.reason.empty());
+  EXPECT_LE(r.iterations, 7);
+  EXPECT_LE(r.reduction, 1e-12);
+  EXPECT_LT(error(x, cubic.root), 1e-11);
+  EXPECT_EQ(newton.counts().newton, r.iterations);
+  EXPECT_EQ(newton.counts().krylov, r.krylov);
+  EXPECT_EQ(newton.counts().residuals, r.iterations + 1);
+}
+
+TEST(Newton, InexactStepsConvergeToo) {
+  Cubic cubic;
+  NewtonControl control;
+  control.rtol = 1e-8;
+  Newton newton = make_newton();
+  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const NewtonResult r = newton.solve(cubic.system(x), fields, control, 0.1, x);
+  EXPECT_TRUE(r.converged) << r.reason;
+  EXPECT_LT(error(x, cubic.root), 1e-7);
+}
+
+TEST(Newton, DifferenceProductsFindTheSameRoot) {
+  Cubic cubic;
+  NewtonControl control = tight();
+  control.jacobian = JacobianKind::difference;
+  control.krylov_rtol = 1e-6;
+  Newton newton = make_newton();
+  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const NewtonResult r = newton.solve(cubic.system(x), fields, control, 0.1, x);
+  EXPECT_TRUE(r.converged) << r.reason;
+  EXPECT_LT(error(x, cubic.root), 1e-11);
+  EXPECT_EQ(cubic.exact, 0);
+}
+
+TEST(Newton, AtTheRootNothingIsDone) {
+  Cubic cubic;
+  Newton newton = make_newton();
+  const Array x = to_device<Array>(cubic.root);
+  const NewtonResult r = newton.solve(cubic.system(x), fields, tight(), 0.1, x);
+  EXPECT_TRUE(r.converged);
+  EXPECT_EQ(r.iterations, 0);
+}
+
+TEST(Newton, ResidualThatIsNotFinite) {
+  Cubic cubic;
+  NonlinearSystem system = cubic.system(Array());
+  system.residual = [](const Array&, const Array& r) { Kokkos::deep_copy(r, std::nan("")); };
+  Newton newton = make_newton();
+  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const NewtonResult r = newton.solve(system, fields, tight(), 0.1, x);
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(r.reason, "the residual is not finite");
+}
+
+TEST(Newton, InadmissibleStepsAreShortenedThenRefused) {
+  Cubic cubic;
+  Newton newton = make_newton();
+  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  NonlinearSystem system = cubic.system(x);
+  int complaints = 0;
+  system.complaint = [&](const Array&) { return ++complaints == 1 ? "too far" : std::string(); };
+  EXPECT_TRUE(newton.solve(system, fields, tight(), 0.1, x).converged) << "one shortened step";
+  EXPECT_GT(complaints, 1);
+
+  Kokkos::deep_copy(x, 0.5);
+  system.complaint = [](const Array&) { return std::string("the density becomes negative"); };
+  const NewtonResult r = newton.solve(system, fields, tight(), 0.1, x);
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(r.reason, "the density becomes negative");
+  EXPECT_LT(error(x, std::vector<double>(n, 0.5)), 1e-300) << "x is untouched by a refused step";
+}
+
+TEST(Newton, TooFewIterations) {
+  Cubic cubic;
+  NewtonControl control = tight();
+  control.max = 2;
+  Newton newton = make_newton();
+  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const NewtonResult r = newton.solve(cubic.system(x), fields, control, 0.1, x);
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(r.iterations, 2);
+  EXPECT_EQ(r.reason, "Newton's method did not converge");
+}
+
+TEST(Newton, StalledLinearSolver) {
+  Cubic cubic;
+  Newton newton = make_newton();
+  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  NonlinearSystem system = cubic.system(x);
+  system.product = [](const Array&, const Array& out, Geometry) { Kokkos::deep_copy(out, 0.0); };
+  const NewtonResult r = newton.solve(system, fields, tight(), 0.1, x);
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(r.reason, "the linear solver stalled");
+}
+
+/// Counts its builds.
+class Counting final : public Preconditioner {
+ public:
+  explicit Counting(int& builds) : builds_(builds) {}
+  void build(const Product&) override { ++builds_; }
+  void apply(const ConstArray& r, const Array& z) override { Kokkos::deep_copy(z, r); }
+  std::string name() const override { return "counting"; }
+  double bytes() const override { return 0; }
+
+ private:
+  int& builds_;
+};
+
+TEST(Newton, PreconditionerIsKeptUntilTheStepChangesMuch) {
+  Cubic cubic;
+  int builds = 0;
+  Newton newton(n, n, std::make_unique<Counting>(builds));
+  NewtonControl control = tight();
+  control.rebuild_above = 1000;
+  const auto solve = [&](double dt) {
+    const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+    EXPECT_TRUE(newton.solve(cubic.system(x), fields, control, dt, x).converged);
+    return builds;
+  };
+  EXPECT_EQ(solve(0.1), 1);
+  EXPECT_EQ(solve(0.15), 1);
+  EXPECT_EQ(solve(0.3), 2);
+  EXPECT_EQ(solve(0.1), 3);
+  newton.forget_preconditioner();
+  EXPECT_EQ(solve(0.1), 4);
+  control.rebuild_above = 0;  // every linear solve is too long: a new one before each step but the first
+  EXPECT_GT(solve(0.1), 5);
+}
+
+}  // namespace
+}  // namespace softwet

@@ -1,0 +1,94 @@
+// Step control: events are met exactly, steps grow and shrink within bounds, rejection halves.
+#include "time/step_control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace softwet {
+namespace {
+
+const StepLimits limits{0.1, 1e-3, 2.0, 1e-3};
+
+TEST(StepControl, EventsAreMetExactly) {
+  StepControl control(limits, {7.3, 1.0, 1.05, 2.5});
+  double t = 0;
+  std::vector<double> met;
+  for (int n = 0; n < 400 && t < 7.3; ++n) {
+    const double dt = control.next(t), before = t;
+    ASSERT_GT(dt, 1e-9);
+    t += dt;
+    for (const double event : {1.0, 1.05, 2.5, 7.3}) {
+      EXPECT_FALSE(before < event - 1e-9 && t > event + 1e-9) << "stepped over " << event;
+      if (std::abs(t - event) < 1e-9) {
+        EXPECT_NEAR(t, event, 4e-16 * event);
+        met.push_back(event);
+      }
+    }
+    control.accept(dt, 1e-6, 2, 10);
+  }
+  EXPECT_EQ(met, (std::vector<double>{1.0, 1.05, 2.5, 7.3}));
+}
+
+TEST(StepControl, NoSliverBeforeAnEvent) {
+  StepControl control(limits, {1.0});
+  EXPECT_DOUBLE_EQ(control.next(0.0), 0.1);
+  EXPECT_DOUBLE_EQ(control.next(0.895), 0.105) << "stretched by a tenth";
+  EXPECT_DOUBLE_EQ(control.next(0.85), 0.075) << "two equal steps rather than a long and a short one";
+  EXPECT_DOUBLE_EQ(control.next(1.0), 0.1) << "an event that has been met is past";
+}
+
+TEST(StepControl, GrowthFollowsTheIndicator) {
+  StepControl control(limits, {});
+  control.accept(0.1, 1e-3, 2, 10);  // as large as wanted: factor 0.9
+  EXPECT_DOUBLE_EQ(control.proposed(), 0.09);
+  control.set_proposed(0.1);
+  control.accept(0.1, 0.81e-3, 2, 10);  // 0.9 sqrt(1 / 0.81) = 1
+  EXPECT_NEAR(control.proposed(), 0.1, 1e-15);
+  control.set_proposed(0.1);
+  control.accept(0.1, 1e-12, 2, 10);
+  EXPECT_DOUBLE_EQ(control.proposed(), 0.15) << "at most half as much again";
+  control.set_proposed(0.1);
+  control.accept(0.1, 1e3, 2, 10);
+  EXPECT_DOUBLE_EQ(control.proposed(), 0.05) << "at least half";
+  control.set_proposed(0.1);
+  control.accept(0.1, 0.0, 2, 10);
+  EXPECT_DOUBLE_EQ(control.proposed(), 0.15) << "nothing moves";
+}
+
+TEST(StepControl, LaboriousNewtonShrinksTheStep) {
+  StepControl control(limits, {});
+  control.accept(0.1, 1e-12, 6, 10);
+  EXPECT_DOUBLE_EQ(control.proposed(), 0.09);
+}
+
+TEST(StepControl, CutStepDoesNotForgetTheProposal) {
+  StepControl control(limits, {});
+  control.accept(0.01, 1e-12, 2, 10);
+  EXPECT_DOUBLE_EQ(control.proposed(), 0.1);
+}
+
+TEST(StepControl, Clamps) {
+  StepControl control(limits, {});
+  for (int n = 0; n < 50; ++n) control.accept(control.next(0), 1e-12, 2, 10);
+  EXPECT_DOUBLE_EQ(control.proposed(), 2.0);
+  for (int n = 0; n < 50; ++n) control.accept(control.next(0), 1e3, 2, 10);
+  EXPECT_DOUBLE_EQ(control.proposed(), 1e-3);
+}
+
+TEST(StepControl, RejectionHalvesUntilTheSmallestStep) {
+  StepControl control(limits, {});
+  EXPECT_TRUE(control.reject(0.1));
+  EXPECT_DOUBLE_EQ(control.next(0), 0.05);
+  double dt = 0.05;
+  int halvings = 0;
+  while (control.reject(dt)) {
+    dt = control.next(0);
+    ASSERT_LT(++halvings, 20);
+  }
+  EXPECT_EQ(halvings, 5);  // 0.05 / 2^5 = 1.5625e-3; the next would be below 1e-3
+  EXPECT_DOUBLE_EQ(control.rejection_level(), 4e-3);
+}
+
+}  // namespace
+}  // namespace softwet
