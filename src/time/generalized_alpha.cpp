@@ -12,6 +12,11 @@ void sum_of(const Array& y, double a, const ConstArray& x, double b, const Const
       KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + b * z(i) + c * w(i); });
 }
 
+void add_constant(const Array& y, double a) {
+  Kokkos::parallel_for(
+      "softwet::add_constant", Kokkos::RangePolicy<Exec>(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) += a; });
+}
+
 /// The solid's rows of velocity component d inside a vector of unknowns, for d = 0.
 template <int D>
 ConstArray solid_velocity(const Layout<D>& layout, const ConstArray& unknown, int d) {
@@ -154,10 +159,7 @@ void GeneralizedAlpha<D, P>::match_mass(const State& state) const {
   for (const Axis& axis : l.axis) volume *= axis.length();
   volume *= 1 - static_cast<double>(l.solid_elements) / l.axis[D - 1].elements();
   const double shift = (moments - model_.integrals(at(state)).mass) / volume;
-  const Array density = piece_of(state.unknown, l.density_offset(), l.scalar_size());
-  Kokkos::parallel_for(
-      "softwet::match_mass", Kokkos::RangePolicy<Exec>(0, density.extent(0)),
-      KOKKOS_LAMBDA(int i) { density(i) += shift; });
+  add_constant(piece_of(state.unknown, l.density_offset(), l.scalar_size()), shift);
 }
 
 template class GeneralizedAlpha<2, 2>;

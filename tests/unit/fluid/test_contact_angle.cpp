@@ -12,9 +12,7 @@ namespace {
 const Coexistence cold{0.001352289801, 0.8666990997, 1.546475127e-4, -0.6501910901};
 const double tension_over_capillarity = 0.2532027493;
 
-EnergyWall energy_wall(double smoothing) {
-  return {0.1, 0.5, smoothing, {0.39, 0.2 * cold.density_vapour}, cold};
-}
+EnergyWall energy_wall(double smoothing) { return {0.1, 0.5, smoothing, {0.39, 0.2 * cold.density_vapour}, cold}; }
 
 TEST(ContactAngle, GradientLawByHand) {
   const GradientWall law{0.2, 0.5, 0.0};
@@ -32,7 +30,8 @@ TEST(ContactAngle, GradientLawLimits) {
   EXPECT_NEAR(at(0), d, 1e-19);
   EXPECT_NEAR(at(1e-8), d, 1e-12);
   EXPECT_NEAR(at(3), 3 + d * d / 6, 1e-15);
-  const Dual<double> slope = law.residual(WallTrial<Dual<double>, 2>{{0.3}, {{Dual<double>(0.0, 1.0), {0.0}}}}).potential;
+  const Dual<double> slope =
+      law.residual(WallTrial<Dual<double>, 2>{{0.3}, {{Dual<double>(0.0, 1.0), {0.0}}}}).potential;
   EXPECT_EQ(slope.tangent, 0) << "differentiable where the density is uniform";
 }
 
@@ -55,8 +54,9 @@ TEST(ContactAngle, WallEnergyIsTheIntegralOfTheForce) {
     const WallIntegrals wall{energy_wall(smoothing)};
     for (double rho = 0.02; rho < 0.9; rho += 0.043) {
       const double e = 1e-3;
-      const double slope = (8 * (wall.wall_energy(rho + e) - wall.wall_energy(rho - e)) - wall.wall_energy(rho + 2 * e) +
-                            wall.wall_energy(rho - 2 * e)) / (12 * e);
+      const double slope = (8 * (wall.wall_energy(rho + e) - wall.wall_energy(rho - e)) -
+                            wall.wall_energy(rho + 2 * e) + wall.wall_energy(rho - 2 * e)) /
+                           (12 * e);
       EXPECT_NEAR(slope, -wall.law.force(rho), 1e-9) << rho;
     }
     EXPECT_EQ(wall.wall_energy(cold.density_vapour), 0);

@@ -28,8 +28,8 @@ struct Field {
   double laplacian() const {
     double sum = 0;
     for (int d = 0; d < D; ++d)
-      sum -= 0.2 * ((a[d] * a[d] + b[d] * b[d]) * std::sin(s) * std::cos(t) +
-                    2 * a[d] * b[d] * std::cos(s) * std::sin(t));
+      sum -=
+          0.2 * ((a[d] * a[d] + b[d] * b[d]) * std::sin(s) * std::cos(t) + 2 * a[d] * b[d] * std::cos(s) * std::sin(t));
     return sum;
   }
 };
@@ -63,8 +63,8 @@ void divergence_is_the_potential_force() {
     for (int i = 0; i < D; ++i) {
       double divergence = 0;
       const auto slope = [&](int d, const auto& f) {
-        return (8 * (f(shifted(x, d, e)) - f(shifted(x, d, -e))) - f(shifted(x, d, 2 * e)) +
-                f(shifted(x, d, -2 * e))) / (12 * e);
+        return (8 * (f(shifted(x, d, e)) - f(shifted(x, d, -e))) - f(shifted(x, d, 2 * e)) + f(shifted(x, d, -2 * e))) /
+               (12 * e);
       };
       for (int j = 0; j < D; ++j) divergence += slope(j, [&](const auto& y) { return sigma(y)(i, j); });
       const double force = -rho * slope(i, [](const auto& y) { return potential(y); });
@@ -83,8 +83,8 @@ void pressure_plus_capillary_stress() {
     Vector<double, D> x;
     for (int d = 0; d < D; ++d) x[d] = std::sin(3.1 * n + 1.7 * d);
     const Field<D> f(x);
-    const auto expected = add_diagonal(korteweg_stress(g, f.density(), f.gradient(), f.laplacian()),
-                                       -gas.pressure(f.density()));
+    const auto expected =
+        add_diagonal(korteweg_stress(g, f.density(), f.gradient(), f.laplacian()), -gas.pressure(f.density()));
     const auto found = sigma(x);
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) EXPECT_NEAR(found(i, j), expected(i, j), 1e-15);

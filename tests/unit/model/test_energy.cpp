@@ -56,11 +56,15 @@ TEST(EnergyLaw, OnAFixedMeshWithWallEnergy) {
   const double expected = slope(kinetic, 1e-3) + slope(free, 2e-4) + now.viscous + now.stabilisation + convection;
   std::printf("  contraction %.12g, energies %.12g\n", contraction, expected);
   EXPECT_NEAR(contraction, expected, 1e-9 * std::abs(expected));
-  EXPECT_GT(std::abs(slope([&](double e) {
-              Stage moved = s.stage();
-              moved.unknown = plus(moved.unknown, e, density_rate);
-              return s.model.integrals(moved).energy_wall;
-            }, 2e-4)), 1e-4) << "the wall energy takes part";
+  EXPECT_GT(std::abs(slope(
+                [&](double e) {
+                  Stage moved = s.stage();
+                  moved.unknown = plus(moved.unknown, e, density_rate);
+                  return s.model.integrals(moved).energy_wall;
+                },
+                2e-4)),
+            1e-4)
+      << "the wall energy takes part";
 }
 
 // Solid: testing with v gives the rate of kinetic and elastic energy less the power of the load.
@@ -110,9 +114,10 @@ TEST(Integrals, UniformFluidOnAMovedMesh) {
   EXPECT_NEAR(i.momentum[1], 0, 1e-16);
   const double exx = 0.5 * (1.1 * 1.1 - 1), k = 1 + rise / s.model.wall_height(), eyy = 0.5 * (k * k - 1);
   const SaintVenantKirchhoff& m = s.model.solid().material;
-  EXPECT_NEAR(i.energy_elastic, 0.9 * s.model.wall_height() *
-                                    (0.5 * m.lambda * (exx + eyy) * (exx + eyy) +
-                                     m.shear_modulus * (exx * exx + eyy * eyy)), 1e-14);
+  EXPECT_NEAR(i.energy_elastic,
+              0.9 * s.model.wall_height() *
+                  (0.5 * m.lambda * (exx + eyy) * (exx + eyy) + m.shear_modulus * (exx * exx + eyy * eyy)),
+              1e-14);
 }
 
 }  // namespace

@@ -34,8 +34,7 @@ std::vector<double> expected_residual(RandomScene& s) {
     } else {
       add(sum, t.naive(EnergyWall{g, 0.5, 1e-5, fluid.gas, s.model.state()}, 3, 1, low, low + 1, true, l.has_solid));
     }
-    if (l.has_solid)
-      add(sum, t.naive(CapillaryTraction{fluid.gas, g}, 0, 2, low, low + 1, false, true, l.wall_row));
+    if (l.has_solid) add(sum, t.naive(CapillaryTraction{fluid.gas, g}, 0, 2, low, low + 1, false, true, l.wall_row));
   }
   return sum;
 }
@@ -48,9 +47,8 @@ void add_load(RandomScene& s, std::vector<double>& sum) {
   for_points<2>(s.layout(), 0, s.layout().solid_elements, false, nullptr, [&](const NaivePoint<2>& p, double w) {
     if (p.x[0] < load.lower[0] || p.x[0] > load.upper[0] || p.x[1] > load.upper[1]) return;
     for (int d = 0; d < 2; ++d)
-      p.for_functions(-1, [&](int i, double b) {
-        sum[s.layout().velocity_offset(d) + i] -= w * factor * load.force[d] * b;
-      });
+      p.for_functions(
+          -1, [&](int i, double b) { sum[s.layout().velocity_offset(d) + i] -= w * factor * load.force[d] * b; });
   });
 }
 

@@ -118,8 +118,7 @@ struct Patch {
     for (int d = 0; d < D; ++d) {
       const int from = layout.velocity_offset(d), to = layout.displacement_offset(d);
       s.displacement = shift(s.displacement, from, stage.displacement_scale, count, to);
-      s.displacement_end =
-          shift(s.displacement_end, from, stage.displacement_scale * stage.end_scale, count, to);
+      s.displacement_end = shift(s.displacement_end, from, stage.displacement_scale * stage.end_scale, count, to);
     }
     return s;
   }

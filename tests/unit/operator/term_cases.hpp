@@ -20,7 +20,9 @@ struct TermCases {
     if (c < D) return {to_host(patch.stage.unknown), l.velocity_offset(c), 0};
     return {to_host(patch.stage.unknown), c == D ? l.density_offset() : l.potential_offset(), l.wall_row};
   }
-  Component acceleration(int d) const { return {to_host(patch.stage.acceleration), patch.layout.velocity_offset(d), 0}; }
+  Component acceleration(int d) const {
+    return {to_host(patch.stage.acceleration), patch.layout.velocity_offset(d), 0};
+  }
   Component displacement(int d) const {
     return {to_host(patch.stage.displacement), patch.layout.displacement_offset(d), 0};
   }
@@ -71,8 +73,7 @@ struct TermCases {
     const PieceOf<D, 2, QL, Term, Motion> piece(name, region, term, components, patch.blend);
     if constexpr (std::is_same_v<Term, NavierStokesKorteweg>) term.moment_rate = patch.stage.moment_rate;
     constexpr bool moves = std::is_same_v<Motion, WallMotion<D>>;
-    const std::vector<double> expected =
-        naive(term, components.test, channels, first, last, QL == 1, moves, only_row);
+    const std::vector<double> expected = naive(term, components.test, channels, first, last, QL == 1, moves, only_row);
     const std::vector<double> found = patch.residual(piece, patch.stage);
     ASSERT_GT(largest(expected), 1e-6) << name;
     EXPECT_LT(distance(found, expected), 1e-13) << name << (moves ? ", moving" : ", fixed");

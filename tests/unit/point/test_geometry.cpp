@@ -29,8 +29,7 @@ TEST(Geometry, FaceMeasureIsTheAreaOfTheTangents) {
   EXPECT_NEAR((MovingPoint<double, 2>(g2, g2, {}, true).measured(1.0)), std::hypot(1.2, 0.4), 1e-15);
   const Matrix<double, 3> g3{{{0.2, 0.1, 0.9}, {-0.4, 0.3, -0.2}, {0.5, -0.1, 0.4}}};
   const double a[3] = {1.2, -0.4, 0.5}, b[3] = {0.1, 1.3, -0.1};
-  const double area =
-      std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+  const double area = std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
   EXPECT_NEAR((MovingPoint<double, 3>(g3, g3, {}, true).measured(1.0)), area, 1e-15);
 }
 

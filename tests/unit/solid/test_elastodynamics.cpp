@@ -42,8 +42,9 @@ TEST(Elastodynamics, TangentAgainstDifferences) {
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(exact.momentum[i].tangent, 2 * step.acceleration[i], 1e-14);
     for (int j = 0; j < 3; ++j) {
-      const double slope = (8 * (a.momentum_flux(i, j) - b.momentum_flux(i, j)) - c.momentum_flux(i, j) +
-                            d.momentum_flux(i, j)) / (12 * e);
+      const double slope =
+          (8 * (a.momentum_flux(i, j) - b.momentum_flux(i, j)) - c.momentum_flux(i, j) + d.momentum_flux(i, j)) /
+          (12 * e);
       EXPECT_NEAR(exact.momentum_flux(i, j).tangent, slope, 1e-11);
     }
   }

@@ -19,8 +19,7 @@ struct Cubic {
   }
   std::vector<double> value(const std::vector<double>& x) const {
     std::vector<double> f(n);
-    for (int i = 0; i < n; ++i)
-      f[i] = x[i] * x[i] * x[i] + 4 * x[i] + x[(i + n - 1) % n] * x[(i + 1) % n] - right[i];
+    for (int i = 0; i < n; ++i) f[i] = x[i] * x[i] * x[i] + 4 * x[i] + x[(i + n - 1) % n] * x[(i + 1) % n] - right[i];
     return f;
   }
   std::vector<double> slope(const std::vector<double>& x, const std::vector<double>& z) const {

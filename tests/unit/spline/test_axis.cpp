@@ -28,8 +28,8 @@ std::vector<double> wild(int n) {
 }
 
 std::vector<Axis> axes() {
-  return {Axis(0.9, 7, 2), Axis(0.9, 7, 2, false, 3), Axis(0.9, 7, 2, true), Axis(1.3, 5, 1, false, 2),
-          Axis(1.3, 6, 3, false, 2), Axis(1.3, 6, 3, true)};
+  return {Axis(0.9, 7, 2),           Axis(0.9, 7, 2, false, 3), Axis(0.9, 7, 2, true),
+          Axis(1.3, 5, 1, false, 2), Axis(1.3, 6, 3, false, 2), Axis(1.3, 6, 3, true)};
 }
 
 TEST(Axis, Counts) {

@@ -30,8 +30,13 @@ struct RandomState {
   explicit RandomState(const Case& c) : scene(c), integrator(scene.model, 0.5) {
     const Stage& s = scene.stage();
     Patch<2>& p = scene.terms.patch;
-    state = {3.0, s.unknown, s.acceleration, s.displacement, p.draw(scene.layout().solid_size(), -0.3, 0.3),
-             p.draw(scene.layout().scalar_size(), 0.0, 0.01), p.draw(scene.layout().scalar_size(), -0.01, 0.01)};
+    state = {3.0,
+             s.unknown,
+             s.acceleration,
+             s.displacement,
+             p.draw(scene.layout().solid_size(), -0.3, 0.3),
+             p.draw(scene.layout().scalar_size(), 0.0, 0.01),
+             p.draw(scene.layout().scalar_size(), -0.01, 0.01)};
   }
   /// Admissible values for the middle of a step.
   Array values() {
@@ -108,8 +113,7 @@ void check_finish(const Case& c) {
   // The density is extrapolated, then shifted by one constant that gives it the mass of the moments.
   const int first = l.density_offset();
   const double shift = y1[first] - (v[first] - (1 - af) * y0[first]) / af;
-  for (int i = first; i < l.potential_offset(); ++i)
-    ASSERT_NEAR(y1[i] - shift, (v[i] - (1 - af) * y0[i]) / af, 1e-14);
+  for (int i = first; i < l.potential_offset(); ++i) ASSERT_NEAR(y1[i] - shift, (v[i] - (1 - af) * y0[i]) / af, 1e-14);
   const double found = s.scene.model.integrals(s.integrator.at(end)).mass;
   EXPECT_NEAR(found, after, l.has_solid ? 0.2 * std::abs(shift) : 1e-15) << "the volume is that of the fixed mesh";
   // p1 = M rho1 less the final residual, rho1 before the shift; M rho1 is what a fresh start from the same fields takes.
