@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/error.hpp"
+#include "solver/schwarz.hpp"
 #include "solver/sparse_lu.hpp"
 
 namespace softwet {
@@ -11,6 +12,7 @@ template <int D>
 std::unique_ptr<Preconditioner> choose_preconditioner(const std::string& name, const Layout<D>& layout,
                                                       const ConstArray& mask) {
   if (name == "none") return std::make_unique<NoPreconditioner>();
+  if (name == "schwarz") return make_schwarz<D>(layout, mask, {});
   return make_sparse_lu<D>(layout, mask);
 }
 

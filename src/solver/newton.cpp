@@ -1,5 +1,6 @@
 #include "solver/newton.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace softwet {
@@ -49,7 +50,7 @@ void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl
 }
 
 KrylovResult Newton::linear_solve(const NonlinearSystem& system, const std::vector<FieldRange>& fields,
-                                  const NewtonControl& control, const Array& x) {
+                                  const NewtonControl& control, double forcing, const Array& x) {
   Stopwatch watch(counts_.krylov_seconds);
   const auto apply = [&](const Array& z, const Array& out) {
     jacobian_product(system, control, x, z, out);
@@ -64,7 +65,7 @@ KrylovResult Newton::linear_solve(const NonlinearSystem& system, const std::vect
   };
   Kokkos::deep_copy(Exec(), scaled_, residual_);
   scale_rows(fields, scaled_, 1);
-  return gmres_.solve(apply, precondition, scaled_, step_, control.krylov_rtol, control.krylov_max);
+  return gmres_.solve(apply, precondition, scaled_, step_, forcing, control.krylov_max);
 }
 
 std::string Newton::update(const NonlinearSystem& system, const Array& x) {
@@ -85,7 +86,7 @@ std::string Newton::update(const NonlinearSystem& system, const Array& x) {
 NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<FieldRange>& fields,
                            const NewtonControl& control, double dt, const Array& x) {
   NewtonResult result;
-  double start = 0, previous = 0;
+  double start = 0, previous = 0, forcing = 0.1;
   if (built_dt_ == 0 || dt > 2 * built_dt_ || dt < 0.5 * built_dt_) rebuild_ = true;
   for (;; ++result.iterations) {
     {
@@ -111,6 +112,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
       result.reason = "Newton's method did not converge";
       return result;
     }
+    const double ratio = result.iterations > 0 ? size / previous : 1.0;
     previous = size;
     if (rebuild_) {
       Stopwatch watch(counts_.build_seconds);
@@ -119,7 +121,10 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
       built_dt_ = dt;
       rebuild_ = false;
     }
-    const KrylovResult linear = linear_solve(system, fields, control, x);
+    // Eisenstat and Walker 1996, choice 2, without solving beyond what the step needs.
+    if (result.iterations > 0) forcing = std::clamp(0.9 * ratio * ratio, control.krylov_rtol, 0.1);
+    forcing = std::max(forcing, std::min(0.1, 0.5 * control.rtol * start / size));
+    const KrylovResult linear = linear_solve(system, fields, control, forcing, x);
     result.krylov += linear.iterations;
     counts_.krylov += linear.iterations;
     ++counts_.newton;

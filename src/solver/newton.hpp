@@ -18,7 +18,7 @@ struct NewtonControl {
   double rtol = 1e-6;      ///< of the weighted residual, relative to the start of the step
   double atol = 1e-10;     ///< accepted error of velocity and density, sets a floor for the residual
   int max = 10;
-  double krylov_rtol = 1e-2;
+  double krylov_rtol = 1e-2;  ///< tightest forcing term; early iterations ask for less
   int krylov_max = 200;
   int rebuild_above = 15;  ///< Krylov iterations after which the preconditioner is rebuilt
   JacobianKind jacobian = JacobianKind::exact;
@@ -83,7 +83,7 @@ class Newton {
   void set_weights(const std::vector<FieldRange>&, const ConstArray& r);
   void scale_rows(const std::vector<FieldRange>&, const Array& r, int exponent) const;
   KrylovResult linear_solve(const NonlinearSystem&, const std::vector<FieldRange>&, const NewtonControl&,
-                            const Array& x);
+                            double forcing, const Array& x);
   void jacobian_product(const NonlinearSystem&, const NewtonControl&, const Array& x, const Array& z, const Array& out);
   std::string update(const NonlinearSystem&, const Array& x);
 

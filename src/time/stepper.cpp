@@ -45,6 +45,25 @@ std::pair<double, double> range(const ConstArray& x) {
   return {r.min_val, r.max_val};
 }
 
+/// rho_n + f (rho_n - rho_{n-1}) in the variable ln(rho/(1-rho)): exact for the tail of a travelling interface, and it
+/// stays inside (0, 1). Linear where a control value is not inside.
+struct ExtrapolateDensity {
+  Array out;
+  ConstArray now, before;
+  int first;
+  double factor;
+  KOKKOS_FUNCTION void operator()(int k) const {
+    const int i = first + k;
+    const double a = now(i), b = before(i);
+    if (a > 0 && b > 0 && a < 1 && b < 1) {
+      const double s = (1 + factor) * Kokkos::log(a / (1 - a)) - factor * Kokkos::log(b / (1 - b));
+      out(i) = 1 / (1 + Kokkos::exp(-s));
+    } else {
+      out(i) = a + factor * (a - b);
+    }
+  }
+};
+
 }  // namespace
 
 template <int D, int P>
@@ -109,11 +128,12 @@ void Stepper<D, P>::predict(double dt) {
   const Layout<D>& l = model_.layout();
   const double af = dt > 0 ? 1 / integrator_.stage().end_scale : 1;
   Kokkos::deep_copy(Exec(), predicted_, state_.unknown);
-  if (previous_dt_ > 0) {  // y_n + af dt (y_n - y_{n-1}) / dt_n for velocity and density; mu as it is
-    const int split = l.has_fluid ? l.potential_offset() : l.velocity_size();
+  if (previous_dt_ > 0) {  // extrapolation of the last two states; mu as it is
     const double factor = af * dt / previous_dt_;
-    const Array y = Kokkos::subview(predicted_, Kokkos::make_pair(0, split));
-    combine(y, -factor, part(previous_, 0, split), 1 + factor);
+    const Array v = Kokkos::subview(predicted_, Kokkos::make_pair(0, l.velocity_size()));
+    combine(v, -factor, part(previous_, 0, l.velocity_size()), 1 + factor);
+    Kokkos::parallel_for("softwet::extrapolate", Kokkos::RangePolicy<Exec>(0, l.scalar_size()),
+                         ExtrapolateDensity{predicted_, state_.unknown, previous_, l.density_offset(), factor});
   }
   multiply(Kokkos::subview(predicted_, Kokkos::make_pair(0, l.velocity_size())),
            part(model_.mask(), 0, l.velocity_size()));
@@ -124,8 +144,12 @@ template <int D, int P>
 double Stepper<D, P>::indicator(double dt) const {
   if (previous_dt_ <= 0) return 0;
   const Layout<D>& l = model_.layout();
+  // x - [y_n + f (y_n - y_{n-1})], f = af dt / dt_n
   const Array difference = predicted_;
-  combine(difference, 1, x_, -1);
+  const double f = dt / integrator_.stage().end_scale / previous_dt_;
+  Kokkos::deep_copy(Exec(), difference, x_);
+  add_scaled(difference, 0, -1 - f, state_.unknown);
+  add_scaled(difference, 0, f, previous_);
   const int nv = l.velocity_size();
   const double v = norm(part(difference, 0, nv)) / std::sqrt(static_cast<double>(nv) / D) * dt / length_;
   if (!l.has_fluid) return v;

@@ -1,0 +1,118 @@
+#include "solver/dense_inverse.hpp"
+
+#include <Eigen/Dense>
+
+namespace softwet {
+
+namespace {
+
+using Sizes = Kokkos::View<const int*, Exec>;
+using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Host: with A = D^-1 B (rows of B scaled to 1), rows of A^-1 are solutions of B^T y = e_row, scaled by D.
+struct InvertOnHost {
+  DenseBlocks blocks;
+  Sizes size, core;
+  DenseBlocks inverse;
+
+  void operator()(int b) const {
+    const int n = size(b), m = core(b);
+    if (n == 0) return;
+    using Strided = Eigen::Map<RowMajor, 0, Eigen::OuterStride<>>;
+    Strided a(&blocks(b, 0, 0), n, n, Eigen::OuterStride<>(blocks.extent(2)));
+    Strided out(&inverse(b, 0, 0), m, n, Eigen::OuterStride<>(inverse.extent(2)));
+    const Eigen::VectorXf scale = a.rowwise().lpNorm<Eigen::Infinity>().cwiseMax(1e-30f).cwiseInverse();
+    const Eigen::MatrixXf transposed = (scale.asDiagonal() * a).transpose();
+    const Eigen::PartialPivLU<Eigen::MatrixXf> lu(transposed);
+    const Eigen::MatrixXf rows = lu.solve(Eigen::MatrixXf::Identity(n, m));
+    out = rows.transpose() * scale.asDiagonal();
+  }
+};
+
+/// Device: Gauss-Jordan elimination in place with row pivoting, one team per block.
+struct InvertOnDevice {
+  DenseBlocks blocks;
+  Sizes size, core;
+  DenseBlocks inverse;
+  Kokkos::View<int**, Exec> pivots;
+  using Team = Kokkos::TeamPolicy<Exec>::member_type;
+
+  KOKKOS_FUNCTION void swap_rows(const Team& team, int b, int n, int k, int p) const {
+    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, n), [&](int j) {
+      const float keep = blocks(b, k, j);
+      blocks(b, k, j) = blocks(b, p, j);
+      blocks(b, p, j) = keep;
+    });
+  }
+  KOKKOS_FUNCTION int find_pivot(const Team& team, int b, int n, int k) const {
+    using Best = Kokkos::MaxLoc<float, int>;
+    Best::value_type best;
+    Kokkos::parallel_reduce(
+        Kokkos::TeamVectorRange(team, n - k),
+        [&](int i, Best::value_type& candidate) {
+          const float v = Kokkos::abs(blocks(b, k + i, k));
+          if (v > candidate.val) {
+            candidate.val = v;
+            candidate.loc = k + i;
+          }
+        },
+        Best(best));
+    return best.loc;
+  }
+  KOKKOS_FUNCTION void eliminate(const Team& team, int b, int n, int k) const {
+    const float scale = 1.0f / blocks(b, k, k);
+    team.team_barrier();
+    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, n),
+                         [&](int j) { blocks(b, k, j) = j == k ? scale : blocks(b, k, j) * scale; });
+    team.team_barrier();
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, n), [&](int i) {
+      if (i == k) return;
+      const float factor = blocks(b, i, k);
+      Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, n), [&](int j) {
+        blocks(b, i, j) = j == k ? -factor * scale : blocks(b, i, j) - factor * blocks(b, k, j);
+      });
+    });
+    team.team_barrier();
+  }
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
+    const int b = team.league_rank(), n = size(b);
+    for (int k = 0; k < n; ++k) {
+      const int p = find_pivot(team, b, n, k);
+      Kokkos::single(Kokkos::PerTeam(team), [&] { pivots(b, k) = p; });
+      if (p != k) swap_rows(team, b, n, k, p);
+      team.team_barrier();
+      eliminate(team, b, n, k);
+    }
+    for (int k = n - 1; k >= 0; --k) {  // undo the row exchanges as column exchanges
+      const int p = pivots(b, k);
+      if (p != k)
+        Kokkos::parallel_for(Kokkos::TeamVectorRange(team, n), [&](int i) {
+          const float keep = blocks(b, i, k);
+          blocks(b, i, k) = blocks(b, i, p);
+          blocks(b, i, p) = keep;
+        });
+      team.team_barrier();
+    }
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, core(b)), [&](int i) {
+      Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, n), [&](int j) { inverse(b, i, j) = blocks(b, i, j); });
+    });
+  }
+};
+
+}  // namespace
+
+void invert_core_rows(const DenseBlocks& blocks, const Sizes& size, const Sizes& core, const DenseBlocks& inverse) {
+  const int count = static_cast<int>(blocks.extent(0));
+  if constexpr (on_host) {
+    Kokkos::parallel_for("softwet::invert",
+                         Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(
+                             0, count).set_chunk_size(1),
+                         InvertOnHost{blocks, size, core, inverse});
+  } else {
+    const Kokkos::View<int**, Exec> pivots("pivots", count, blocks.extent(1));
+    Kokkos::parallel_for("softwet::invert", Kokkos::TeamPolicy<Exec>(count, on_host ? 1 : 8, on_host ? 1 : 32),
+                         InvertOnDevice{blocks, size, core, inverse, pivots});
+  }
+}
+
+}  // namespace softwet
