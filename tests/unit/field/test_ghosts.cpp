@@ -74,7 +74,9 @@ void add_is_the_transpose(const std::array<bool, D>& periodic) {
         ghost = ghost || (l.axis[d].periodic() && rest % b.extent[d] >= l.axis[d].owned());
         rest /= b.extent[d];
       }
-      if (ghost) EXPECT_EQ(sum[b.offset + i], 0);
+      if (ghost) {
+        EXPECT_EQ(sum[b.offset + i], 0);
+      }
     }
   }
 }
