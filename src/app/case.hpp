@@ -72,7 +72,7 @@ struct SolverControl {
   int krylov_restart = 30;
   int krylov_max = 200;
   std::string jacobian = "exact";             ///< exact | difference
-  std::string preconditioner = "automatic";   ///< automatic | lu | schwarz | none
+  std::string preconditioner = "automatic";   ///< automatic | lu | umfpack | schwarz | none
   std::string precision = "double";
 };
 

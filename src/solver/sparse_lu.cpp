@@ -46,7 +46,7 @@ class SparseLu final : public Preconditioner {
     Kokkos::deep_copy(z, x);
   }
 
-  std::string name() const override { return "lu"; }
+  std::string name() const override { return "umfpack"; }
   double bytes() const override { return 12.0 * matrix_.values().size(); }
 
  private:
@@ -68,8 +68,8 @@ std::unique_ptr<Preconditioner> make_sparse_lu(const Layout<D>& layout, const Co
 template <int D>
 std::unique_ptr<Preconditioner> make_sparse_lu(const Layout<D>&, const ConstArray&) {
   throw Error(Exit::invalid_input,
-              "solver.krylov.preconditioner = lu: this build has no sparse direct solver; install SuiteSparse "
-              "(Debian: libsuitesparse-dev) and rebuild, or choose \"schwarz\"");
+              "solver.krylov.preconditioner = umfpack: this build has no sparse direct solver; install SuiteSparse "
+              "(Debian: libsuitesparse-dev) and rebuild, or choose \"lu\"");
 }
 
 #endif

@@ -122,7 +122,7 @@ std::vector<Key> solver_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.jacobian; })},
       {.name = "solver.krylov.preconditioner",
        .kind = Kind::choice,
-       .choices = {"automatic", "lu", "schwarz", "none"},
+       .choices = {"automatic", "lu", "umfpack", "schwarz", "none"},
        .help = "Lagged sparse factorisation (lu), restricted additive Schwarz, none, or the faster for the case.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.preconditioner; })},
       {.name = "solver.precision",

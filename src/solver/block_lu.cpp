@@ -1,0 +1,173 @@
+#include "solver/block_lu.hpp"
+
+#define EIGEN_DONT_PARALLELIZE  // levels of the tree are parallel, fronts are not
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "solver/dissection.hpp"
+
+namespace softwet {
+
+namespace {
+
+using Dense = Eigen::MatrixXf;
+using Column = Eigen::VectorXf;
+
+/// Factors of one node: own block P L U, and the two blocks that couple it to its border.
+struct Front {
+  Eigen::PartialPivLU<Dense> own;
+  Dense upper;         ///< L^-1 P F12, shape (own, border)
+  Dense lower;         ///< F21 U^-1, shape (border, own)
+  Dense complement;    ///< F22 - F21 F11^-1 F12, until the parent has taken it
+  Column part;         ///< right-hand side of own and border during a solve
+};
+
+template <class Body>
+void for_level(const std::vector<int>& level, const Body& body) {
+  using Host = Kokkos::DefaultHostExecutionSpace;
+  Kokkos::parallel_for("softwet::fronts",
+                       Kokkos::RangePolicy<Host, Kokkos::Schedule<Kokkos::Dynamic>>(0, level.size()).set_chunk_size(1),
+                       [&](int i) { body(level[i]); });
+}
+
+template <int D>
+class BlockLu final : public Preconditioner {
+ public:
+  BlockLu(const Layout<D>& layout, const ConstArray& mask)
+      : matrix_(layout, mask),
+        mask_(to_host(mask)),
+        tree_(dissect(layout, mask_, matrix_, D == 2 ? 40 : 64)),
+        fronts_(tree_.nodes.size()),
+        row_scale_(layout.size()),
+        column_scale_(layout.size()),
+        values_(layout.size()) {}
+
+  void build(const Product& product) override {
+    matrix_.fill(product);
+    equilibrate();
+    for (auto level = tree_.levels.rbegin(); level != tree_.levels.rend(); ++level)
+      for_level(*level, [&](int n) { factorise(n); });
+  }
+
+  void apply(const ConstArray& r, const Array& z) override {
+    Kokkos::View<double*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(values_.data(),
+                                                                                          values_.size());
+    Kokkos::deep_copy(host, r);
+    for (auto level = tree_.levels.rbegin(); level != tree_.levels.rend(); ++level)
+      for_level(*level, [&](int n) { forward(n); });
+    for (const std::vector<int>& level : tree_.levels) for_level(level, [&](int n) { backward(n); });
+    Kokkos::deep_copy(z, host);
+  }
+
+  std::string name() const override { return "lu"; }
+
+  double bytes() const override {
+    double entries = 0;
+    for (const DissectionNode& node : tree_.nodes) {
+      const double own = node.own.size(), border = node.border.size();
+      entries += own * (own + 2 * border);
+    }
+    return 4 * entries + 12.0 * matrix_.values().size();
+  }
+
+ private:
+  /// Row and column factors that bring the largest entry of each to one.
+  void equilibrate() {
+    const int n = matrix_.size();
+    const auto& start = matrix_.start();
+    const auto& row = matrix_.row();
+    const auto& value = matrix_.values();
+    std::vector<double> largest(n, 0.0);
+    for (int c = 0; c < n; ++c)
+      for (int e = start[c]; e < start[c + 1]; ++e) largest[row[e]] = std::max(largest[row[e]], std::abs(value[e]));
+    for (int i = 0; i < n; ++i) row_scale_[i] = largest[i] > 0 ? 1 / largest[i] : 1;
+    for (int c = 0; c < n; ++c) {
+      double most = 0;
+      for (int e = start[c]; e < start[c + 1]; ++e) most = std::max(most, std::abs(value[e]) * row_scale_[row[e]]);
+      column_scale_[c] = most > 0 ? 1 / most : 1;
+    }
+  }
+
+  void factorise(int n) {
+    const DissectionNode& node = tree_.nodes[n];
+    Front& front = fronts_[n];
+    const int own = static_cast<int>(node.own.size()), border = static_cast<int>(node.border.size());
+    Dense f = Dense::Zero(own + border, own + border);
+    const auto unknown = [&](int i) { return i < own ? node.own[i] : node.border[i - own]; };
+    for (const DissectionNode::Entry& e : node.entries)
+      f(e.row, e.column) = static_cast<float>(matrix_.values()[e.value] * row_scale_[unknown(e.row)] *
+                                              column_scale_[unknown(e.column)]);
+    for (int child : node.children) {
+      const std::vector<int>& to = tree_.nodes[child].border_in_parent;
+      Dense& s = fronts_[child].complement;
+      for (std::size_t j = 0; j < to.size(); ++j)
+        for (std::size_t i = 0; i < to.size(); ++i) f(to[i], to[j]) += s(i, j);
+      s.resize(0, 0);
+    }
+    front.part.resize(own + border);
+    if (own == 0) {
+      front.complement = std::move(f);
+      return;
+    }
+    front.own.compute(f.topLeftCorner(own, own));
+    const auto& lu = front.own.matrixLU();
+    front.upper = front.own.permutationP() * f.topRightCorner(own, border);
+    lu.template triangularView<Eigen::UnitLower>().solveInPlace(front.upper);
+    front.lower = f.bottomLeftCorner(border, own);
+    lu.template triangularView<Eigen::Upper>().template solveInPlace<Eigen::OnTheRight>(front.lower);
+    front.complement = f.bottomRightCorner(border, border);
+    front.complement.noalias() -= front.lower * front.upper;
+  }
+
+  void forward(int n) {
+    const DissectionNode& node = tree_.nodes[n];
+    Front& front = fronts_[n];
+    const int own = static_cast<int>(node.own.size()), border = static_cast<int>(node.border.size());
+    Column& part = front.part;
+    part.setZero();
+    for (int i = 0; i < own; ++i) part[i] = static_cast<float>(values_[node.own[i]] * row_scale_[node.own[i]]);
+    for (int child : node.children) {
+      const std::vector<int>& to = tree_.nodes[child].border_in_parent;
+      const Front& below = fronts_[child];
+      const int skip = static_cast<int>(tree_.nodes[child].own.size());
+      for (std::size_t i = 0; i < to.size(); ++i) part[to[i]] += below.part[skip + i];
+    }
+    if (own == 0) return;
+    part.head(own) = front.own.permutationP() * part.head(own).eval();
+    auto head = part.head(own);
+    front.own.matrixLU().template triangularView<Eigen::UnitLower>().solveInPlace(head);
+    part.tail(border).noalias() -= front.lower * head;
+  }
+
+  void backward(int n) {
+    const DissectionNode& node = tree_.nodes[n];
+    Front& front = fronts_[n];
+    const int own = static_cast<int>(node.own.size()), border = static_cast<int>(node.border.size());
+    if (own == 0) return;
+    auto head = front.part.head(own);
+    auto tail = front.part.tail(border);
+    for (int i = 0; i < border; ++i)
+      tail[i] = static_cast<float>(values_[node.border[i]] / column_scale_[node.border[i]]);
+    head.noalias() -= front.upper * tail;
+    front.own.matrixLU().template triangularView<Eigen::Upper>().solveInPlace(head);
+    for (int i = 0; i < own; ++i) values_[node.own[i]] = head[i] * column_scale_[node.own[i]];
+  }
+
+  StencilMatrix<D> matrix_;
+  std::vector<double> mask_;
+  Dissection tree_;
+  std::vector<Front> fronts_;
+  std::vector<double> row_scale_, column_scale_, values_;
+};
+
+}  // namespace
+
+template <int D>
+std::unique_ptr<Preconditioner> make_block_lu(const Layout<D>& layout, const ConstArray& mask) {
+  return std::make_unique<BlockLu<D>>(layout, mask);
+}
+
+template std::unique_ptr<Preconditioner> make_block_lu<2>(const Layout<2>&, const ConstArray&);
+template std::unique_ptr<Preconditioner> make_block_lu<3>(const Layout<3>&, const ConstArray&);
+
+}  // namespace softwet

@@ -1,0 +1,35 @@
+// Nested dissection of the box of control points: which unknowns are eliminated together, and in which order.
+#pragma once
+
+#include <vector>
+
+#include "field/layout.hpp"
+#include "solver/stencil.hpp"
+
+namespace softwet {
+
+/// A separator (or a leaf box): its own unknowns are eliminated after those of its children; `border` are unknowns of
+/// ancestors that the elimination touches. Local numbering: own first, then border.
+struct DissectionNode {
+  int parent = -1, depth = 0;
+  std::vector<int> own, border;            ///< indices into the vector of unknowns
+  std::vector<int> children;
+  std::vector<int> border_in_parent;       ///< local number of each border unknown in the parent
+  struct Entry {
+    int value, row, column;                ///< index into the matrix values, local row, local column
+  };
+  std::vector<Entry> entries;              ///< matrix entries with a row or column among `own`, and none eliminated
+};
+
+/// The tree. Nodes of one depth are independent of each other: levels[d] lists them.
+struct Dissection {
+  std::vector<DissectionNode> nodes;       ///< children before parents
+  std::vector<std::vector<int>> levels;    ///< by depth, root first
+};
+
+/// Cuts the box of control points recursively by slabs of `degree` points, which no matrix entry crosses, until boxes
+/// hold at most `leaf` control points. All fields of a control point stay together. George 1973.
+template <int D>
+Dissection dissect(const Layout<D>&, const std::vector<double>& mask, const StencilMatrix<D>&, int leaf);
+
+}  // namespace softwet
