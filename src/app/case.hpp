@@ -60,7 +60,7 @@ struct TimeControl {
   double dt_initial = 1e-2;
   double dt_min = 1e-8;
   double dt_max = 50;
-  double tolerance = 5e-3;    ///< of the error indicator that sets the step (src/time/step_control.hpp)
+  double tolerance = 2e-3;    ///< of the error indicator that sets the step (src/time/step_control.hpp)
   long max_steps = 1000000;
 };
 

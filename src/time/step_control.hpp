@@ -8,7 +8,7 @@ namespace softwet {
 
 struct StepLimits {
   double initial = 1e-2, smallest = 1e-8, largest = 50;
-  double tolerance = 5e-3;  ///< of the error indicator
+  double tolerance = 2e-3;  ///< of the error indicator
 };
 
 /// Step-size controller. The indicator compares a step's result with the linear extrapolation of the two states before:
