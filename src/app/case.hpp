@@ -11,6 +11,8 @@
 namespace softwet {
 
 enum class Side { slip, no_slip, clamped, free, periodic };
+/// Capillary force in the momentum equation: (w, rho grad mu), or its divergence form (grad w, Sigma) for cross-checks.
+enum class CapillaryForm { potential, divergence };
 enum class WallLaw { gradient, energy };  ///< g^2 |grad rho| cos(alpha) of the paper, or the variational wall energy
 
 struct Domain {
@@ -25,6 +27,7 @@ struct Fluid {
   double temperature = 0;         ///< theta_hat, eq. (10)
   double contact_angle = 90;      ///< degrees, measured in the liquid
   WallLaw wall_law = WallLaw::gradient;
+  CapillaryForm form = CapillaryForm::potential;
   double stabilisation = 0.002;   ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
   double smoothing = 1e-4;        ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
 };

@@ -147,7 +147,7 @@ void Simulation<D, P>::write_fields_due() {
     Stopwatch watch(seconds_.output);
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
     write_field_files<D, P>(options_.out, model_, snapshot, i, times);
-    add_interface_rows<D>(*interface_, snapshot, times[i]);
+    add_interface_rows<D, P>(*interface_, model_, stepper_.integrator().at(stepper_.state()), snapshot, times[i]);
   }
 }
 

@@ -32,26 +32,50 @@ inline void multiply(const Array& y, const ConstArray& x) {
       "softwet::multiply", Kokkos::RangePolicy<Exec>(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) *= x(i); });
 }
 
-/// Partial sums of x(i) y(i) over fixed blocks.
-inline double dot(const ConstArray& x, const ConstArray& y) {
+/// Scratch for partial sums: allocated once, grown when needed, released before Kokkos ends.
+struct SumSpace {
+  Array device;
+  Array::host_mirror_type host;
+};
+inline SumSpace& sum_space(std::size_t entries) {
+  static SumSpace space;
+  if (space.device.extent(0) < entries) {
+    if (!space.device.data()) Kokkos::push_finalize_hook([] { space = {}; });
+    space.device = Array(Kokkos::view_alloc("partial sums", Kokkos::WithoutInitializing), entries);
+    space.host = Kokkos::create_mirror_view(space.device);
+  }
+  return space;
+}
+
+/// Sums of x(i) y(i), or of x(i), over one fixed block of entries.
+struct BlockSum {
+  ConstArray x, y;  ///< y empty: the sum of x
+  Array partial;
+  int size;
+  KOKKOS_FORCEINLINE_FUNCTION double entry(int i) const { return y.data() ? x(i) * y(i) : x(i); }
+  KOKKOS_FUNCTION void operator()(int block) const {
+    const int first = block * sum_block, last = first + sum_block < size ? first + sum_block : size;
+    double sum[8] = {};
+    int i = first;
+    for (; i + 8 <= last; i += 8)
+      for (int l = 0; l < 8; ++l) sum[l] += entry(i + l);
+    for (; i < last; ++i) sum[0] += entry(i);
+    partial(block) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+  }
+};
+
+inline double block_sum(const ConstArray& x, const ConstArray& y) {
   const int n = static_cast<int>(x.extent(0)), blocks = (n + sum_block - 1) / sum_block;
-  Kokkos::View<double*, Exec> partial(Kokkos::view_alloc("partial", Kokkos::WithoutInitializing), blocks);
-  Kokkos::parallel_for(
-      "softwet::dot", Kokkos::RangePolicy<Exec>(0, blocks), KOKKOS_LAMBDA(int block) {
-        const int first = block * sum_block, last = first + sum_block < n ? first + sum_block : n;
-        double sum[8] = {};
-        int i = first;
-        for (; i + 8 <= last; i += 8)
-          for (int l = 0; l < 8; ++l) sum[l] += x(i + l) * y(i + l);
-        for (; i < last; ++i) sum[0] += x(i) * y(i);
-        partial(block) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
-      });
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), partial);
+  const SumSpace& space = sum_space(blocks);
+  Kokkos::parallel_for("softwet::sum", Kokkos::RangePolicy<Exec>(0, blocks), BlockSum{x, y, space.device, n});
+  Kokkos::deep_copy(space.host, space.device);
   double total = 0;
-  for (int b = 0; b < blocks; ++b) total += host(b);
+  for (int b = 0; b < blocks; ++b) total += space.host(b);
   return total;
 }
 
+inline double dot(const ConstArray& x, const ConstArray& y) { return block_sum(x, y); }
+inline double total(const ConstArray& x) { return block_sum(x, {}); }
 inline double norm(const ConstArray& x) { return std::sqrt(dot(x, x)); }
 
 /// Part [first, last) of a vector.

@@ -65,6 +65,10 @@ void Model<D, P>::add_fluid_pieces(const Case& c) {
   const Region<D> whole = region(layout_.solid_elements, layout_.axis[D - 1].elements());
   pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, NavierStokesKorteweg, Motion>>(
       "navier_stokes_korteweg", whole, fluid_, Components{0, 0}, blend_));
+  if (c.fluid->form == CapillaryForm::divergence)
+    pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, CapillaryTraction, Motion>>(
+        "capillary stress (divergence form)", whole, CapillaryTraction{fluid_.gas, fluid_.capillarity},
+        Components{D, 0}, blend_));
   if (!has_wall_) return;
   const Region<D> face = wall_region();
   const double cosine = wall_.cosine;
@@ -82,6 +86,7 @@ void Model<D, P>::add_fluid_pieces(const Case& c) {
   layer.test = restricted_to(layer.test, 0);
   auto traction = std::make_unique<PieceOf<D, P, P + 1, CapillaryTraction, Motion>>(
       "capillary_traction", layer, CapillaryTraction{fluid_.gas, fluid_.capillarity}, Components{D, 0}, blend_);
+  if (c.fluid->form == CapillaryForm::divergence) return;  // the stress acts on the wall's functions already
   if (layout_.has_solid) {
     pieces_.push_back(std::move(traction));
   } else {
@@ -220,6 +225,11 @@ void Model<D, P>::fluid_integrals(const Binding<D>& b, Integrals& result) const 
   const auto wall = reduce<P, 1>(face);
   result.wetted = wall[WallIntegrals::wetted];
   result.energy_wall = wall[WallIntegrals::energy];
+  if constexpr (std::is_same_v<Motion, WallMotion<D>>) {
+    for (int d = 0; d < D; ++d) face.motion.tangent[d] = face.motion.velocity[d];
+    face.motion.scale = 1;
+    result.wall_stretch = reduce<P, 1, true>(face)[WallIntegrals::energy];
+  }
 }
 
 template <int D, int P>

@@ -15,6 +15,7 @@ struct Integrals {
   double mass = 0, energy_kinetic = 0, energy_bulk = 0, energy_gradient = 0, energy_wall = 0, energy_elastic = 0;
   double momentum[3] = {0, 0, 0};
   double viscous = 0, stabilisation = 0;  ///< dissipation rates
+  double wall_stretch = 0;                ///< int_Gamma f_w div_Gamma vh: power of the wall energy on a stretching wall
   double wetted = 0;                      ///< area of Gamma above the middle density
 };
 

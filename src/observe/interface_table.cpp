@@ -1,6 +1,69 @@
 #include "observe/interface_table.hpp"
 
 namespace softwet {
+namespace {
+
+/// Integrals of the wall's functions; a ghost of a periodic axis has that of the function it copies.
+template <int D>
+std::vector<double> wall_weights(const Layout<D>& layout) {
+  std::vector<double> weight(layout.row_size, 1.0);
+  int stride = 1;
+  for (int d = 0; d < D - 1; ++d) {
+    const Axis& axis = layout.axis[d];
+    std::vector<double> factor = axis.integrals(0, axis.length(), 0, axis.elements());
+    for (int g = axis.owned(); g < axis.functions(); ++g) factor[g - axis.owned()] += factor[g];
+    for (int g = axis.owned(); g < axis.functions(); ++g) factor[g] = factor[g - axis.owned()];
+    for (int i = 0; i < layout.row_size; ++i) weight[i] *= factor[(i / stride) % axis.functions()];
+    stride *= axis.functions();
+  }
+  return weight;
+}
+
+/// Sets a component along the axis `d` to zero where that axis ends.
+template <int D>
+void clear_ends(const Layout<D>& layout, int d, std::vector<double>& values) {
+  if (d == D - 1 || layout.axis[d].periodic()) return;
+  int stride = 1;
+  for (int a = 0; a < d; ++a) stride *= layout.axis[a].functions();
+  const int n = layout.axis[d].functions();
+  for (int i = 0; i < layout.row_size; ++i) {
+    const int index = (i / stride) % n;
+    if (index == 0 || index == n - 1) values[i] = 0;
+  }
+}
+
+/// A spline of the wall, given by its control values, at a grid of points of the wall.
+template <int D>
+std::vector<double> on_wall(const Layout<D>& layout, const std::vector<double>& values,
+                            const typename Snapshot<D>::Grid& wall) {
+  std::array<int, D> extent;
+  std::array<AxisSamples, D> at;
+  for (int d = 0; d < D - 1; ++d) {
+    extent[d] = layout.axis[d].functions();
+    at[d] = sample_axis(layout.axis[d], wall[d]);
+  }
+  extent[D - 1] = 1;
+  at[D - 1] = {{0}, {{1.0}}, {{0.0}}, wall[D - 1]};
+  return evaluate_grid<D>(values.data(), extent, at);
+}
+
+}  // namespace
+
+template <int D, int P>
+std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage) {
+  const Layout<D>& layout = model.layout();
+  const Array reaction("reaction", layout.size());
+  model.reactions(stage, reaction);
+  move_ghosts(layout, reaction, GhostAction::update);
+  const std::vector<double> weight = wall_weights(layout), r = to_host(reaction);
+  std::array<std::vector<double>, D> traction;
+  for (int d = 0; d < D; ++d) {
+    const int first = layout.velocity_offset(d) + layout.wall_shift();
+    for (int i = 0; i < layout.row_size; ++i) traction[d].push_back(-r[first + i] / weight[i]);
+    clear_ends(layout, d, traction[d]);
+  }
+  return traction;
+}
 
 template <int D>
 std::vector<std::string> interface_columns() {
@@ -9,11 +72,13 @@ std::vector<std::string> interface_columns() {
   for (int d = 0; d < D - 1; ++d) names.push_back(std::string(1, axis[d]) + "_reference");
   for (int d = 0; d < D; ++d) names.push_back(std::string("displacement_") + axis[d]);
   names.push_back("density");
+  for (int d = 0; d < D; ++d) names.push_back(std::string("traction_") + axis[d]);
   return names;
 }
 
-template <int D>
-void add_interface_rows(TableFile& table, const Snapshot<D>& snapshot, double time) {
+template <int D, int P>
+void add_interface_rows(TableFile& table, const Model<D, P>& model, const Stage& stage, const Snapshot<D>& snapshot,
+                        double time) {
   const Layout<D>& layout = snapshot.layout();
   typename Snapshot<D>::Grid wall;
   for (int d = 0; d < D - 1; ++d)
@@ -24,6 +89,10 @@ void add_interface_rows(TableFile& table, const Snapshot<D>& snapshot, double ti
   for (int d = 0; d < D; ++d) displacement[d] = snapshot.displacement(wall, d, false);
   std::vector<double> density;
   if (layout.has_fluid) density = snapshot.density(wall);
+  const bool held = layout.has_fluid && !layout.has_solid && model.has_wall();
+  std::array<std::vector<double>, D> traction;
+  if (held) traction = wall_traction(model, stage);
+  for (int d = 0; held && d < D; ++d) traction[d] = on_wall<D>(layout, traction[d], wall);
   for (std::size_t i = 0; i < displacement[0].size(); ++i) {
     std::vector<std::optional<double>> row{time};
     std::size_t rest = i;
@@ -33,13 +102,14 @@ void add_interface_rows(TableFile& table, const Snapshot<D>& snapshot, double ti
     }
     for (int d = 0; d < D; ++d) row.push_back(displacement[d][i]);
     row.push_back(layout.has_fluid ? std::optional<double>(density[i]) : std::nullopt);
+    for (int d = 0; d < D; ++d) row.push_back(held ? std::optional<double>(traction[d][i]) : std::nullopt);
     table.row(row);
   }
 }
 
 template std::vector<std::string> interface_columns<2>();
 template std::vector<std::string> interface_columns<3>();
-template void add_interface_rows<2>(TableFile&, const Snapshot<2>&, double);
-template void add_interface_rows<3>(TableFile&, const Snapshot<3>&, double);
+template std::array<std::vector<double>, 2> wall_traction<2, 2>(const Model<2, 2>&, const Stage&);
+template void add_interface_rows<2, 2>(TableFile&, const Model<2, 2>&, const Stage&, const Snapshot<2>&, double);
 
 }  // namespace softwet

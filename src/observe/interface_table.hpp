@@ -1,22 +1,34 @@
-// The wall in interface.csv: displacement and density along the interface at the field times.
+// The wall in interface.csv: displacement, density and traction along the interface at the field times.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "model/model.hpp"
 #include "observe/host/table_file.hpp"
 #include "observe/snapshot.hpp"
 
 namespace softwet {
 
-/// time, x_reference[, y_reference], displacement_x, displacement_y[, displacement_z], density
+/// time, x_reference[, y_reference], displacement_x, displacement_y[, displacement_z], density, traction_x, traction_y[,
+/// traction_z]
 template <int D>
 std::vector<std::string> interface_columns();
 
+/// Force of the fluid on a rigid wall that holds it, per area: control values of a spline on the wall, one list per
+/// component; scale a b^2. Each is the reaction of a control point over the integral of its function, so the integral of
+/// the traction is the sum of the reactions, and a line force is spread over the width of the interface and an element.
+/// It is 0 along the normal of a side that the wall meets: that reaction belongs to the side.
+template <int D, int P>
+std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage);
+
 /// One row for each point of the wall: two per element along each axis, and the ends. Without a fluid the wall is the
-/// top of the solid and the density is empty.
-/// @param time  on the clock of the output
-template <int D>
-void add_interface_rows(TableFile& table, const Snapshot<D>& snapshot, double time);
+/// top of the solid; density and traction are empty. On a solid the traction is empty: the equations of the solid's
+/// surface hold it.
+/// @param stage  at the state of the snapshot
+/// @param time   on the clock of the output
+template <int D, int P>
+void add_interface_rows(TableFile& table, const Model<D, P>& model, const Stage& stage, const Snapshot<D>& snapshot,
+                        double time);
 
 }  // namespace softwet

@@ -78,7 +78,7 @@ std::vector<std::string> Scalars<D, P>::columns() const {
   for (std::size_t k = 0; k < case_.droplets.size(); ++k)
     for (const char* name : {"x_left", "x_right", "x_centre", "velocity", "angle_left", "angle_right"})
       names.push_back(k == 0 ? name : name + ("_" + std::to_string(k + 1)));
-  for (const char* name : {"energy_total", "mass_drift", "speed_max_liquid"}) names.push_back(name);
+  for (const char* name : {"energy_total", "mass_drift", "speed_max_liquid", "wall_stretch"}) names.push_back(name);
   if (!case_.droplets.empty()) names.push_back("laplace");
   return names;
 }
@@ -91,6 +91,7 @@ void Scalars<D, P>::add_integrals(long step, const State& state, const Stage& en
   const auto of_fluid = [fluid](double x) { return fluid ? std::optional<double>(x) : std::nullopt; };
   if (step == 0) latest_.mass_start = sum.mass;
   headline_.energy = sum.energy_kinetic + free_energy + sum.energy_wall + sum.energy_elastic;
+  headline_.wall_stretch = sum.wall_stretch;
   headline_.mass_drift = of_fluid(sum.mass / latest_.mass_start - 1);
   row.insert(row.end(),
              {of_fluid(sum.mass), sum.momentum[0], sum.energy_kinetic, of_fluid(free_energy), of_fluid(sum.energy_wall),
@@ -161,9 +162,9 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   row.insert(row.end(), {headline_.energy, headline_.mass_drift});
   if (model_.layout().has_fluid) {
     const double middle = 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
-    row.push_back(speed_of_liquid(model_.layout(), state, middle));
+    row.insert(row.end(), {speed_of_liquid(model_.layout(), state, middle), headline_.wall_stretch});
   } else {
-    row.push_back(std::nullopt);
+    row.insert(row.end(), 2, std::nullopt);
   }
   if (!case_.droplets.empty()) row.push_back(laplace_pressure(snapshot));
   return row;

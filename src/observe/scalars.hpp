@@ -29,7 +29,7 @@ struct HistoryMemory {
 
 /// The figures of a row that the progress line shows.
 struct Headline {
-  double energy = 0;
+  double energy = 0, wall_stretch = 0;
   std::optional<double> centre, velocity, mass_drift;
 };
 

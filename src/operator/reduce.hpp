@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "field/vector.hpp"
 #include "operator/assemble.hpp"
 
 namespace softwet {
@@ -19,20 +20,36 @@ struct ReduceTask {
   double scale[scale_count] = {};
 };
 
-template <class S, int D, int P, int QL, class Functional, class Motion>
+/// Values of fields that do not move, as numbers whose tangent is zero.
+template <class Fields, class N>
+struct LiftedFields {
+  const Fields& fields;
+  KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
+    if constexpr (is_dual<N>) {
+      return N(fields.number(s, c, q), 0.0);
+    } else {
+      return fields.number(s, c, q);
+    }
+  }
+};
+
+/// N = S: the integral. N = Dual<S>: its rate of change by the motion of the domain alone, at fixed fields.
+template <class S, class N, int D, int P, int QL, class Functional, class Motion>
 KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task, const Batch<D>& b, double* sum) {
   constexpr int Q = P + 1, wall_points = power(Q, D - 1), points = wall_points * QL;
-  using Trial = typename Functional::template Trial<S, D>;
+  using Trial = typename Functional::template Trial<N, D>;
+  using Fields = BatchFields<S, S, D, P, Q, QL, typename Functional::template Trial<S, D>>;
   const BatchBasis<S, D, P, Q, QL> basis(task.region, b);
-  const BatchFields<S, S, D, P, Q, QL, Trial> fields(task, b, basis);
-  const BatchGeometry<S, S, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
+  const Fields values(task, b, basis);
+  const LiftedFields<Fields, N> fields{values};
+  const BatchGeometry<S, N, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
   for (int q = 0; q < points; ++q) {
     const auto point = geometry.at(q, task.region.axis[D - 1].position(q / wall_points, b.element[D - 1]), QL == 1);
-    const Reader<S, D, decltype(fields), std::remove_const_t<decltype(point)>> reader{fields, point, q};
-    const Vector<S, Functional::count> value = task.functional.value(Trial::read(reader));
+    const Reader<N, D, std::remove_const_t<decltype(fields)>, std::remove_const_t<decltype(point)>> reader{fields, point, q};
+    const Vector<N, Functional::count> value = task.functional.value(Trial::read(reader));
     const S weight = weight_at<S, D, Q>(task.region, b, q);
     for (int f = 0; f < Functional::count; ++f) {
-      const S part = weight * point.measured(value[f]);
+      const S part = weight * outcome(point.measured(value[f]));
       if constexpr (Lanes<S>::count == 1) {
         sum[f] += part;
       } else {
@@ -43,31 +60,34 @@ KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task,
 }
 
 /// Partial sums of one row of elements.
-template <int D, int P, int QL, class Functional, class Motion>
+template <int D, int P, int QL, bool Rate, class Functional, class Motion>
 struct ReduceRow {
   ReduceTask<D, Functional, Motion> task;
   Colouring<D> rows;
-  Kokkos::View<double**, Kokkos::LayoutRight, Exec> partial;
+  Array partial;  ///< [row][functional]
 
   KOKKOS_FUNCTION void operator()(int item) const {
     using S = std::conditional_t<on_host, Pack<double>, double>;
+    using N = std::conditional_t<Rate, Dual<S>, S>;
     double sum[Functional::count] = {};
     for_packs<D>(task.region, rows.batch(item), Lanes<S>::count,
-                 [&](const Batch<D>& b) { reduce_batch<S, D, P, QL, Functional, Motion>(task, b, sum); });
-    for (int f = 0; f < Functional::count; ++f) partial(item, f) = sum[f];
+                 [&](const Batch<D>& b) { reduce_batch<S, N, D, P, QL, Functional, Motion>(task, b, sum); });
+    for (int f = 0; f < Functional::count; ++f) partial(item * Functional::count + f) = sum[f];
   }
 };
 
-template <int P, int QL, int D, class Functional, class Motion>
+/// Rate: instead of the integrals, how fast they change because the domain moves (with `motion.tangent` as velocity and
+/// `motion.scale` = 1).
+template <int P, int QL, bool Rate = false, int D, class Functional, class Motion>
 std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Motion>& task) {
   const Colouring<D> rows(task.region, 1, 0, false);
-  Kokkos::View<double**, Kokkos::LayoutRight, Exec> partial("partial", rows.items(), Functional::count);
+  const SumSpace& space = sum_space(static_cast<std::size_t>(rows.items()) * Functional::count);
   Kokkos::parallel_for("softwet::reduce", Kokkos::RangePolicy<Exec>(0, rows.items()),
-                       ReduceRow<D, P, QL, Functional, Motion>{task, rows, partial});
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), partial);
+                       ReduceRow<D, P, QL, Rate, Functional, Motion>{task, rows, space.device});
+  Kokkos::deep_copy(space.host, space.device);
   std::array<double, Functional::count> sum{};
-  for (std::size_t r = 0; r < host.extent(0); ++r)
-    for (int f = 0; f < Functional::count; ++f) sum[f] += host(r, f);
+  for (int r = 0; r < rows.items(); ++r)
+    for (int f = 0; f < Functional::count; ++f) sum[f] += space.host(r * Functional::count + f);
   return sum;
 }
 

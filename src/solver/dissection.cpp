@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "solver/patches.hpp"
+#include "solver/colours.hpp"
 
 namespace softwet {
 

@@ -1,64 +1,10 @@
 #include "solver/patches.hpp"
 
+#include "solver/colours.hpp"
+
 #include <algorithm>
 
 namespace softwet {
-
-namespace {
-
-/// Calls visit(unknown, component, point) for every stored unknown; point: control point of the patch.
-template <int D, class Visit>
-void for_unknowns(const Layout<D>& layout, const Visit& visit) {
-  const std::vector<Box<D>> all = boxes(layout);
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    int points = 1;
-    for (int d = 0; d < D; ++d) points *= all[c].extent[d];
-    for (int p = 0; p < points; ++p) {
-      int point[3] = {0, 0, 0};
-      for (int d = 0, rest = p; d < D; ++d) {
-        point[d] = rest % all[c].extent[d];
-        rest /= all[c].extent[d];
-      }
-      if (c >= static_cast<std::size_t>(D)) point[D - 1] += layout.wall_row;
-      visit(all[c].offset + p, static_cast<int>(c), point);
-    }
-  }
-}
-
-}  // namespace
-
-std::vector<int> axis_colours(const Axis& axis) {
-  const int width = 2 * axis.degree() + 1, n = axis.owned();
-  const int regular = axis.periodic() ? n - n % width : n;
-  std::vector<int> colour(axis.functions());
-  for (int i = 0; i < n; ++i) colour[i] = i < regular ? i % width : width + i - regular;
-  for (int i = n; i < axis.functions(); ++i) colour[i] = colour[i - n];
-  return colour;
-}
-
-template <int D>
-Colours make_colours(const Layout<D>& layout, const std::vector<double>& mask) {
-  Colours result;
-  result.of.assign(layout.size(), -1);
-  result.point.assign(3 * static_cast<std::size_t>(layout.size()), 0);
-  std::vector<int> colour[D];
-  int total[D];
-  for (int d = 0; d < D; ++d) {
-    colour[d] = axis_colours(layout.axis[d]);
-    total[d] = *std::max_element(colour[d].begin(), colour[d].end()) + 1;
-  }
-  for_unknowns(layout, [&](int unknown, int component, const int* point) {
-    int key = component;
-    for (int d = 0; d < D; ++d) {
-      key = key * total[d] + colour[d][point[d]];
-      result.point[3 * unknown + d] = point[d];
-    }
-    if (mask[unknown] == 0) return;
-    result.of[unknown] = key;
-    result.count = std::max(result.count, key + 1);
-  });
-  return result;
-}
 
 template <int D>
 PatchTables make_patches(const Layout<D>& layout, const std::vector<double>& mask, int core, int overlap) {
@@ -104,7 +50,5 @@ PatchTables make_patches(const Layout<D>& layout, const std::vector<double>& mas
 
 template PatchTables make_patches<2>(const Layout<2>&, const std::vector<double>&, int, int);
 template PatchTables make_patches<3>(const Layout<3>&, const std::vector<double>&, int, int);
-template Colours make_colours<2>(const Layout<2>&, const std::vector<double>&);
-template Colours make_colours<3>(const Layout<3>&, const std::vector<double>&);
 
 }  // namespace softwet

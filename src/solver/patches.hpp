@@ -17,17 +17,7 @@ struct PatchTables {
   std::vector<int> dof;   ///< [count][unknowns] index into the vector of unknowns, -1 beyond size
 };
 
-/// Colours of unknowns: two of one colour share no row of the Jacobian with frozen geometry.
-struct Colours {
-  int count = 0;
-  std::vector<int> of;     ///< per unknown; -1: prescribed or ghost
-  std::vector<int> point;  ///< [unknown][3] control point of the patch
-};
-
 template <int D>
 PatchTables make_patches(const Layout<D>&, const std::vector<double>& mask, int core, int overlap);
-
-template <int D>
-Colours make_colours(const Layout<D>&, const std::vector<double>& mask);
 
 }  // namespace softwet

@@ -1,6 +1,7 @@
 #include "solver/schwarz.hpp"
 
 #include "field/vector.hpp"
+#include "solver/colours.hpp"
 #include "solver/dense_inverse.hpp"
 
 namespace softwet {

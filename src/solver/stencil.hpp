@@ -9,8 +9,7 @@
 namespace softwet {
 
 /// Compressed columns of the matrix over all stored unknowns; prescribed and ghost entries are identity rows.
-/// Control points further apart than the degree do not couple, so columns of one colour share no row and one product
-/// yields all of them: (2 degree + 1)^D colours per component.
+/// Filled colour by colour (src/solver/colours.hpp).
 template <int D>
 class StencilMatrix {
  public:
@@ -28,13 +27,12 @@ class StencilMatrix {
   struct Column {
     int index, first_entry, entries;
   };
-  std::vector<int> colour_of_axis(const Axis& axis, int extent, int& colours) const;
-  void add_column(const std::vector<Box<D>>& all, const Layout<D>& layout, std::size_t component, int point);
+  void add_column(const Layout<D>& layout, const int* centre);
 
   std::vector<int> start_, row_;
   std::vector<double> values_, mask_;
   std::vector<std::vector<Column>> columns_of_colour_;
-  std::vector<int> colour_of_column_;
+  Array seed_, product_;
 };
 
 }  // namespace softwet

@@ -17,6 +17,10 @@ inline const std::vector<std::string>& wall_law_words() {
   static const std::vector<std::string> words{"gradient", "energy"};
   return words;
 }
+inline const std::vector<std::string>& form_words() {
+  static const std::vector<std::string> words = {"potential", "divergence"};
+  return words;
+}
 
 inline std::size_t position_of(const std::vector<std::string>& words, const std::string& word) {
   std::size_t position = 0;
@@ -37,6 +41,9 @@ inline void store(std::vector<int>& member, const Value& value) {
 inline void store(Side& member, const Value& value) {
   member = static_cast<Side>(position_of(side_words(), std::get<std::string>(value)));
 }
+inline void store(CapillaryForm& member, const Value& value) {
+  member = static_cast<CapillaryForm>(position_of(form_words(), std::get<std::string>(value)));
+}
 inline void store(WallLaw& member, const Value& value) {
   member = static_cast<WallLaw>(position_of(wall_law_words(), std::get<std::string>(value)));
 }
@@ -49,6 +56,7 @@ inline Value load(const std::string& member) { return member; }
 inline Value load(const Numbers& member) { return member; }
 inline Value load(const std::vector<int>& member) { return Numbers(member.begin(), member.end()); }
 inline Value load(Side member) { return side_words()[static_cast<std::size_t>(member)]; }
+inline Value load(CapillaryForm member) { return form_words()[static_cast<std::size_t>(member)]; }
 inline Value load(WallLaw member) { return wall_law_words()[static_cast<std::size_t>(member)]; }
 
 /// Binding of the member that `place(case, index)` refers to.

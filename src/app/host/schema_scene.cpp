@@ -85,6 +85,12 @@ std::vector<Key> fluid_keys() {
        .help = "Wall condition of the contact angle: the paper's |grad rho| cos(alpha), or the variational wall energy "
                "(exact energy law, droplets about 25 % slower).",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_law; })},
+      {.name = "fluid.form",
+       .kind = Kind::choice,
+       .choices = form_words(),
+       .help = "Capillary force in the momentum equation: \"potential\" (rho grad mu, comes to rest to round-off), or "
+               "\"divergence\" of the reversible stress, kept for cross-checks (leaves a weak vortex).",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->form; })},
       {.name = "fluid.stabilisation",
        .range = {0, 1, false, false},
        .help = "C of the checkerboard control eps = C h^2 rho^2 / mu-hat; 0 switches it off.",
