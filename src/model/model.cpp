@@ -35,6 +35,11 @@ void Model<D, P>::build_axes(const Case& c) {
   if (layout_.has_solid) layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
   blend_.low = vertical.lower(layout_.solid_elements);
   blend_.height = vertical.length() - blend_.low;
+  if (layout_.has_solid) solid_region_ = region(0, layout_.solid_elements);
+  if (!layout_.has_fluid) return;
+  fluid_region_ = region(layout_.solid_elements, vertical.elements());
+  wall_region_ = fluid_region_;
+  wall_region_.axis[D - 1] = wall_region_.test = low_face_rule(vertical, layout_.solid_elements);
 }
 
 template <int D, int P>
@@ -52,33 +57,23 @@ Region<D> Model<D, P>::region(int first, int last) const {
 }
 
 template <int D, int P>
-Region<D> Model<D, P>::wall_region() const {
-  Region<D> r = region(layout_.solid_elements, layout_.solid_elements + 1);
-  r.axis[D - 1] = low_face_rule(layout_.axis[D - 1], layout_.solid_elements);
-  r.test = r.axis[D - 1];
-  return r;
-}
-
-template <int D, int P>
 template <class Motion>
 void Model<D, P>::add_fluid_pieces(const Case& c) {
-  const Region<D> whole = region(layout_.solid_elements, layout_.axis[D - 1].elements());
   pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, NavierStokesKorteweg, Motion>>(
-      "navier_stokes_korteweg", whole, fluid_, Components{0, 0}, blend_));
+      "navier_stokes_korteweg", fluid_region_, fluid_, Components{0, 0}, blend_));
   if (c.fluid->form == CapillaryForm::divergence)
     pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, CapillaryTraction, Motion>>(
-        "capillary stress (divergence form)", whole, CapillaryTraction{fluid_.gas, fluid_.capillarity},
+        "capillary stress (divergence form)", fluid_region_, CapillaryTraction{fluid_.gas, fluid_.capillarity},
         Components{D, 0}, blend_));
   if (!has_wall_) return;
-  const Region<D> face = wall_region();
   const double cosine = wall_.cosine;
   if (std::abs(cosine) > 1e-14) {  // 90 degrees: nothing to integrate
     if (c.fluid->wall_law == WallLaw::gradient) {
       pieces_.push_back(std::make_unique<PieceOf<D, P, 1, GradientWall, Motion>>(
-          "contact_angle (gradient law)", face, GradientWall{fluid_.capillarity, cosine, c.fluid->smoothing},
+          "contact_angle (gradient law)", wall_region_, GradientWall{fluid_.capillarity, cosine, c.fluid->smoothing},
           Components{D, D + 1}, blend_));
     } else {
-      pieces_.push_back(std::make_unique<PieceOf<D, P, 1, EnergyWall, Motion>>("contact_angle (wall energy)", face,
+      pieces_.push_back(std::make_unique<PieceOf<D, P, 1, EnergyWall, Motion>>("contact_angle (wall energy)", wall_region_,
                                                                                wall_, Components{D, D + 1}, blend_));
     }
   }
@@ -119,7 +114,7 @@ void Model<D, P>::build_solid(const Case& c) {
   const Substrate& s = *c.substrate;
   solid_ = {SaintVenantKirchhoff::from(s.density * s.young, s.poisson), s.density};
   pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, Elastodynamics, NoMotion>>(
-      "saint_venant_kirchhoff", region(0, layout_.solid_elements), solid_, Components{0, 0}));
+      "saint_venant_kirchhoff", solid_region_, solid_, Components{0, 0}));
   for (const Load& load : c.loads) {
     std::vector<double> w(static_cast<std::size_t>(layout_.solid_rows()) * layout_.row_size, s.density);
     int stride = 1;
@@ -208,7 +203,7 @@ template <int D, int P>
 template <class Motion>
 void Model<D, P>::fluid_integrals(const Binding<D>& b, Integrals& result) const {
   using Volume = ReduceTask<D, FluidIntegrals, Motion>;
-  Volume volume{region(layout_.solid_elements, layout_.axis[D - 1].elements()), {fluid_}, {}, {}, {}};
+  Volume volume{fluid_region_, {fluid_}, {}, {}, {}};
   if constexpr (std::is_same_v<Motion, WallMotion<D>>) volume.motion = b.motion(blend_);
   bind_slots(fluid_, b, volume.slot);
   const auto sum = reduce<P, P + 1>(volume);
@@ -220,7 +215,7 @@ void Model<D, P>::fluid_integrals(const Binding<D>& b, Integrals& result) const 
   result.stabilisation = sum[FluidIntegrals::stabilisation];
   for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
   if (!has_wall_) return;
-  ReduceTask<D, WallIntegrals, Motion> face{wall_region(), {wall_}, volume.motion, {}, {}};
+  ReduceTask<D, WallIntegrals, Motion> face{wall_region_, {wall_}, volume.motion, {}, {}};
   bind_slots(wall_, b, face.slot);
   const auto wall = reduce<P, 1>(face);
   result.wetted = wall[WallIntegrals::wetted];
@@ -237,7 +232,7 @@ Integrals Model<D, P>::integrals(const Stage& stage) const {
   Integrals result;
   const Binding<D> b{layout_, stage, {}, {}};
   if (layout_.has_solid) {
-    ReduceTask<D, SolidIntegrals, NoMotion> task{region(0, layout_.solid_elements), {solid_}, {}, {}, {}};
+    ReduceTask<D, SolidIntegrals, NoMotion> task{solid_region_, {solid_}, {}, {}, {}};
     for (int d = 0; d < D; ++d) {
       task.slot[d] = b.velocity(d);
       task.slot[D + d] = b.displacement(d);

@@ -58,7 +58,6 @@ class Model {
   void build_solid(const Case&);
   void build_mask(const Case&);
   Region<D> region(int first, int last) const;
-  Region<D> wall_region() const;
   template <class Motion>
   void add_fluid_pieces(const Case&);
   template <class Motion>
@@ -66,6 +65,7 @@ class Model {
   void add_loads(double time, const Array& out) const;
 
   Layout<D> layout_;
+  Region<D> solid_region_, fluid_region_, wall_region_;
   Blend blend_;
   Coexistence coexistence_;
   NavierStokesKorteweg fluid_;

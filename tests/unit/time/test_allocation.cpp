@@ -1,0 +1,53 @@
+// No array is allocated inside a time step after the first ones.
+#include <gtest/gtest.h>
+
+#include <Kokkos_Core.hpp>
+
+#include "app/case.hpp"
+#include "model/initial.hpp"
+#include "time/stepper.hpp"
+
+namespace softwet {
+namespace {
+
+int allocations = 0;
+std::string last_label;
+
+void count_allocation(Kokkos::Tools::SpaceHandle, const char* label, const void*, std::uint64_t) {
+  ++allocations;
+  last_label = label;
+}
+
+Case small_droplet() {
+  Case c;
+  c.name = "small";
+  c.domain = {{1.0, 0.5}, {24, 12}, 2};
+  c.fluid = Fluid{};
+  c.fluid->viscosity = 1.0 / 64;
+  c.fluid->capillarity = 1.0 / 12;
+  c.fluid->temperature = 0.85;
+  c.fluid->contact_angle = 75;
+  c.substrate = Substrate{1.0 / 8, 1.0, 0.75, 0.45};
+  c.droplets.push_back({{0.5, 0.125}, 0.2});
+  c.boundary.side[1][1] = Side::no_slip;
+  c.time.end = 1;
+  return c;
+}
+
+TEST(Allocation, NoneInsideAStep) {
+  const Case c = small_droplet();
+  const Model<2, 2> model(c);
+  Stepper<2, 2> stepper(model, c, {});
+  State state = initial_state<2, 2>(c, model);
+  stepper.integrator().initialise(state);
+  stepper.start(state);
+  for (int i = 0; i < 3; ++i) stepper.step();
+  Kokkos::Tools::Experimental::set_allocate_data_callback(count_allocation);
+  allocations = 0;
+  for (int i = 0; i < 5; ++i) stepper.step();
+  Kokkos::Tools::Experimental::set_allocate_data_callback(nullptr);
+  EXPECT_EQ(allocations, 0) << "last: " << last_label;
+}
+
+}  // namespace
+}  // namespace softwet
