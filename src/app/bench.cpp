@@ -8,7 +8,7 @@
 #include "app/machine.hpp"
 #include "model/initial.hpp"
 #include "solver/choose.hpp"
-#include "time/generalized_alpha.hpp"
+#include "time/stepper.hpp"
 
 namespace softwet {
 namespace {
@@ -67,17 +67,37 @@ void bench_terms(const Sheet& sheet, const Model<D, P>& model, const Stage& stag
   }
 }
 
+/// Build and apply of each preconditioner, and GMRES iterations to 1e-4 of the first linear system of a step from a
+/// relaxed state, at several step sizes.
 template <int D, int P>
-void bench_preconditioner(const Sheet& sheet, const Case& c, GeneralizedAlpha<D, P>& scheme, const Array& r,
-                          const Array& z) {
-  const auto preconditioner =
-      choose_preconditioner<D>(c.solver.preconditioner, scheme.model().layout(), scheme.model().mask());
+void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>& model) {
+  Stepper<D, P> stepper(model, c, {});
+  State start = initial_state<D, P>(c, model);
+  stepper.integrator().initialise(start);
+  stepper.start(start);
+  for (int i = 0; i < 40; ++i) stepper.step();
+  GeneralizedAlpha<D, P>& scheme = stepper.integrator();
+  const Array r("r", scheme.size()), z("z", scheme.size());
   const Product frozen = [&](const Array& direction, const Array& result) {
     scheme.product(direction, result, Geometry::frozen);
   };
-  const std::string name = "preconditioner " + preconditioner->name();
-  sheet.line(name + ", build", seconds_per_call([&] { preconditioner->build(frozen); }));
-  sheet.line(name + ", apply", seconds_per_call([&] { preconditioner->apply(r, z); }));
+  Gmres gmres(scheme.size(), 200);
+  for (const std::string& name : preconditioner_names()) {
+    const auto preconditioner = choose_preconditioner<D>(name, model.layout(), model.mask());
+    std::string counts;
+    for (const double dt : {0.01, 0.1, 1.0, 5.0}) {
+      scheme.begin(stepper.state(), dt);
+      scheme.residual(stepper.state().unknown, r);
+      preconditioner->build(frozen);
+      const KrylovResult result = gmres.solve(
+          [&](const Array& x, const Array& y) { scheme.product(x, y, Geometry::exact); },
+          [&](const Array& x, const Array& y) { preconditioner->apply(x, y); }, r, z, 1e-4, 200);
+      counts += (counts.empty() ? "" : " / ") + std::to_string(result.iterations);
+    }
+    sheet.line("preconditioner " + name + ", build", seconds_per_call([&] { preconditioner->build(frozen); }));
+    sheet.line("preconditioner " + name + ", apply", seconds_per_call([&] { preconditioner->apply(r, z); }));
+    sheet.out << "  iterations at dt = 0.01 / 0.1 / 1 / 5: " << counts << "\n";
+  }
 }
 
 }  // namespace
@@ -111,7 +131,7 @@ void bench_model(const Case& c, std::ostream& out) {
   bench_terms(sheet, model, scheme.stage(), z, r);
   sheet.line("dot", seconds_per_call([&] { dot(z, r); }));
 
-  bench_preconditioner(sheet, c, scheme, r, z);
+  bench_preconditioners(sheet, c, model);
   out << "peak memory " << peak_memory_mib() << " MiB\n";
 }
 

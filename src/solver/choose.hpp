@@ -8,6 +8,15 @@
 
 namespace softwet {
 
+/// Those that this build has.
+inline std::vector<std::string> preconditioner_names() {
+#ifdef SOFTWET_HAVE_UMFPACK
+  return {"lu", "umfpack", "schwarz"};
+#else
+  return {"lu", "schwarz"};
+#endif
+}
+
 /// automatic: the fastest whole run as measured (README): block LU in 2D. umfpack: the same matrix factorised by the
 /// library, in double precision.
 template <int D>

@@ -20,12 +20,11 @@ struct InvertOnHost {
     if (n == 0) return;
     using Strided = Eigen::Map<RowMajor, 0, Eigen::OuterStride<>>;
     Strided a(&blocks(b, 0, 0), n, n, Eigen::OuterStride<>(blocks.extent(2)));
-    Strided out(&inverse(b, 0, 0), m, n, Eigen::OuterStride<>(inverse.extent(2)));
+    Strided out(&inverse(b, 0, 0), n, m, Eigen::OuterStride<>(inverse.extent(2)));
     const Eigen::VectorXf scale = a.rowwise().lpNorm<Eigen::Infinity>().cwiseMax(1e-30f).cwiseInverse();
     const Eigen::MatrixXf transposed = (scale.asDiagonal() * a).transpose();
     const Eigen::PartialPivLU<Eigen::MatrixXf> lu(transposed);
-    const Eigen::MatrixXf rows = lu.solve(Eigen::MatrixXf::Identity(n, m));
-    out = rows.transpose() * scale.asDiagonal();
+    out = scale.asDiagonal() * lu.solve(Eigen::MatrixXf::Identity(n, m));
   }
 };
 
@@ -94,7 +93,7 @@ struct InvertOnDevice {
       team.team_barrier();
     }
     Kokkos::parallel_for(Kokkos::TeamThreadRange(team, core(b)), [&](int i) {
-      Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, n), [&](int j) { inverse(b, i, j) = blocks(b, i, j); });
+      Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, n), [&](int j) { inverse(b, j, i) = blocks(b, i, j); });
     });
   }
 };

@@ -8,7 +8,8 @@ namespace softwet {
 /// [block][row][column]
 using DenseBlocks = Kokkos::View<float***, Kokkos::LayoutRight, Exec>;
 
-/// Rows 0 .. core(b) of the inverse of each block's leading size(b) x size(b) part. `blocks` is overwritten.
+/// Rows 0 .. core(b) of the inverse of each block's leading size(b) x size(b) part, transposed:
+/// inverse(b, column, row). `blocks` is overwritten.
 /// A singular block gives non-finite rows; the solver then sees a non-finite residual and rejects the step.
 void invert_core_rows(const DenseBlocks& blocks, const Kokkos::View<const int*, Exec>& size,
                       const Kokkos::View<const int*, Exec>& core, const DenseBlocks& inverse);

@@ -48,28 +48,32 @@ struct CollectColumns {
   }
 };
 
-/// z on the core of a box = stored rows times r on the box.
+/// z on the core of a box = stored rows times r on the box. Rows are contiguous: lanes (host) or threads (device) take
+/// neighbouring rows and walk along the columns together.
 struct ApplyBoxes {
   Indices size, core, dof;
-  DenseBlocks inverse;  ///< [box][core row][column]
+  DenseBlocks inverse;  ///< [box][column][core row]
   ConstArray r;
   Array z;
   int unknowns;
+  static constexpr int rows_at_once = on_host ? 64 : 1;
   using Team = Kokkos::TeamPolicy<Exec>::member_type;
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int box = team.league_rank(), n = size(box);
+    const int box = team.league_rank(), n = size(box), m = core(box);
     const Scratch local(team.team_scratch(0), unknowns);
     Kokkos::parallel_for(Kokkos::TeamThreadRange(team, n),
                          [&](int i) { local(i) = static_cast<float>(r(dof(box * unknowns + i))); });
     team.team_barrier();
-    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, core(box)), [&](int row) {
-      float sum = 0;
-      const float* line = &inverse(box, row, 0);
-      Kokkos::parallel_reduce(
-          Kokkos::ThreadVectorRange(team, n), [&](int i, float& part) { part += line[i] * local(i); }, sum);
-      Kokkos::single(Kokkos::PerThread(team), [&] { z(dof(box * unknowns + row)) = sum; });
+    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, (m + rows_at_once - 1) / rows_at_once), [&](int chunk) {
+      const int first = chunk * rows_at_once;
+      float sum[rows_at_once] = {};
+      for (int j = 0; j < n; ++j) {
+        const float* column = &inverse(box, j, first);
+        for (int i = 0; i < rows_at_once; ++i) sum[i] += column[i] * local(j);
+      }
+      for (int i = 0; i < rows_at_once && first + i < m; ++i) z(dof(box * unknowns + first + i)) = sum[i];
     });
   }
 };
@@ -93,7 +97,8 @@ class Schwarz final : public Preconditioner {
     colour_ = to_device<Kokkos::View<int*, Exec>>(c.of);
     point_ = to_device<Kokkos::View<int*, Exec>>(c.point);
     blocks_ = DenseBlocks("schwarz.blocks", t.count, t.unknowns, t.unknowns);
-    inverse_ = DenseBlocks("schwarz.inverse", t.count, t.cores, t.unknowns);
+    const int rows = (t.cores + ApplyBoxes::rows_at_once - 1) / ApplyBoxes::rows_at_once * ApplyBoxes::rows_at_once;
+    inverse_ = DenseBlocks("schwarz.inverse", t.count, t.unknowns, rows);
   }
 
   void build(const Product& product) override {
