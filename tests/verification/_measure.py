@@ -1,0 +1,122 @@
+"""What is read from the files of a run, and what the exact answers are. Nothing here starts softwet."""
+
+import csv
+import pathlib
+import sys
+
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "oracle"))
+import radial_droplet  # noqa: E402
+
+THETA = 0.39
+VAPOUR, LIQUID = radial_droplet.coexistence(THETA)
+POTENTIAL = radial_droplet.energy_slope(THETA, LIQUID)
+TENSION_OVER_CAPILLARITY = 0.2532027493  # tests/oracle/equilibrium.py
+
+# X_c of the pull at 128x64 by an independent solver.
+PULL_CENTRE = {50: 0.5048, 235: 0.5163, 471: 0.5378, 700: 0.5860, 1000: 0.6396, 1400: 0.6505, 1884: 0.6526}
+PULL_PEAK = (2.8e-4, 686.0)
+
+
+def table(path):
+    """Columns of a csv file by name; an empty cell is nan."""
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+    return {name: numpy.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
+
+
+def history(folder):
+    return table(pathlib.Path(folder) / "history.csv")
+
+
+def interface(folder, first=False):
+    """The last (or first) field time of interface.csv."""
+    columns = table(pathlib.Path(folder) / "interface.csv")
+    chosen = columns["time"] == (columns["time"].min() if first else columns["time"].max())
+    return {name: values[chosen] for name, values in columns.items()}
+
+
+def fluid_field(folder, number):
+    """Points (rows, columns, 2) and density (rows, columns) of a field file."""
+    import h5py
+    with h5py.File(pathlib.Path(folder) / "fields" / f"fluid_{number:04d}.vtkhdf") as file:
+        points, density = file["VTKHDF/Points"][:, :2], file["VTKHDF/PointData/density"][:].ravel()
+    columns = int(numpy.argmax(numpy.diff(points[:, 0]) < 0)) + 1
+    return points.reshape(-1, columns, 2), density.reshape(-1, columns)
+
+
+def circle(points):
+    """Centre and radius, algebraic least squares."""
+    solution = numpy.linalg.lstsq(numpy.c_[points, numpy.ones(len(points))], -(points**2).sum(axis=1), rcond=None)[0]
+    x, y = -solution[:2] / 2
+    return x, y, numpy.sqrt(x * x + y * y - solution[2])
+
+
+def cap(folder, number, capillarity, lowest=2.0, highest=0.85):
+    """Circle through the level (rho_l + rho_v)/2 of the left half, from `lowest` g above the wall up to the part
+    `highest` of what is above: angle where it meets the height of the contact line, degrees, and radius."""
+    points, density = fluid_field(folder, number)
+    level, left = 0.5 * (VAPOUR + LIQUID), []
+    for row, rho in zip(points, density - level):
+        rising = numpy.nonzero((rho[:-1] < 0) & (rho[1:] >= 0))[0]
+        if len(rising) == 0:
+            break
+        i = rising[0]
+        t = rho[i] / (rho[i] - rho[i + 1])
+        left.append((1 - t) * row[i] + t * row[i + 1])
+    left = numpy.array(left)
+    start = left[0, 1] + lowest * capillarity
+    chosen = left[(left[:, 1] > start - 1e-9) & (left[:, 1] < start + highest * (left[-1, 1] - start))]
+    x, y, radius = circle(chosen)
+    return {"angle": numpy.degrees(numpy.arccos((left[0, 1] - y) / radius)), "radius": radius, "line": left[0],
+            "wall": points[0], "circle": (x, y)}
+
+
+def wall_forces(folder):
+    """Forces per width on the right half of a rigid wall from the traction in interface.csv: vertical and tangential
+    line force, and the pressure jump between droplet and vapour on the wall."""
+    wall = interface(folder)
+    x, middle = wall["x_reference"], (len(wall["time"]) - 1) // 2
+    last = {name: values[-1] for name, values in history(folder).items()}
+
+    def integral(values):  # Simpson's rule: exact for the quadratic spline
+        v, dx = values[middle:], x[middle + 2] - x[middle]
+        return dx / 6 * (v[0:-1:2] + 4 * v[1::2] + v[2::2]).sum()
+
+    line = last["x_right"]
+    inside, outside = -wall["traction_y"][middle], -wall["traction_y"][-1]
+    vertical = integral(wall["traction_y"]) + inside * (line - x[middle]) + outside * (x[-1] - line)
+    return {"vertical": vertical, "tangential": integral(wall["traction_x"]), "jump": inside - outside}
+
+
+def radial_at_potential(capillarity, excess):
+    """The exact droplet in a disc whose chemical potential exceeds mu_sat by `excess`.
+    @return densities inside and outside, radius of the middle density, pressure jump"""
+    low, high = 0.05, 0.3
+    for _ in range(45):
+        radius = 0.5 * (low + high)
+        inside, outside, mu, middle = radial_droplet.solve(capillarity, radial_droplet.sharp_mass(radius), points=240)
+        low, high = (radius, high) if mu - POTENTIAL > excess else (low, radius)
+    jump = radial_droplet.pressure(THETA, inside) - radial_droplet.pressure(THETA, outside)
+    return inside, outside, middle, jump
+
+
+def balance_error(folder, start, end):
+    """Sum over the steps in [start, end] of |change of the energy - trapezoidal integral of (- dissipation + power of
+    the load + wall stretch)|, as a part of what is dissipated."""
+    rows = history(folder)
+    t, rate = rows["t"], rows["power_load"] + rows["wall_stretch"] - rows["dissipation"]
+    dt = numpy.diff(t)
+    error = numpy.abs(numpy.diff(rows["energy_total"]) - 0.5 * (rate[1:] + rate[:-1]) * dt)
+    inside = (t[:-1] >= start - 1e-9) & (t[1:] <= end + 1e-9)
+    return error[inside].sum() / (rows["dissipation"][1:] * dt)[inside].sum()
+
+
+def compare(name, found, expected, tolerance, relative=True):
+    """Prints a figure, what it should be, and how far it may be off; ends the test where it is farther."""
+    error = abs(found - expected) / (abs(expected) if relative else 1)
+    verdict = "ok" if error <= tolerance else "FAIL"
+    print(f"{verdict:4}  {name}: {found:.8g}, expected {expected:.8g}, off by {error:.2g} (allowed {tolerance:.2g})")
+    if not error <= tolerance:
+        sys.exit(1)
