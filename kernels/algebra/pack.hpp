@@ -58,8 +58,8 @@ KOKKOS_FORCEINLINE_FUNCTION auto logarithm(const Kokkos::Experimental::basic_sim
 /// Reads lanes p[0], p[1], ... (consecutive elements).
 template <class S, class Real>
 KOKKOS_FORCEINLINE_FUNCTION S load(const Real* p) {
-  if constexpr (Lanes<S>::count == 1) {
-    return S(*p);
+  if constexpr (std::is_arithmetic_v<S>) {
+    return *p;
   } else {
     return Kokkos::Experimental::simd_unchecked_load<S>(p, Kokkos::Experimental::simd_flag_default);
   }
@@ -68,7 +68,7 @@ KOKKOS_FORCEINLINE_FUNCTION S load(const Real* p) {
 /// Adds lanes to p[0], p[1], ...
 template <class S, class Real>
 KOKKOS_FORCEINLINE_FUNCTION void add_to(Real* p, const S& x) {
-  if constexpr (Lanes<S>::count == 1) {
+  if constexpr (std::is_arithmetic_v<S>) {
     *p += x;
   } else {
     Kokkos::Experimental::simd_unchecked_store(load<S>(p) + x, p, Kokkos::Experimental::simd_flag_default);

@@ -16,11 +16,11 @@ namespace softwet {
 
 struct NavierStokesKorteweg {
   VanDerWaals gas;
-  double viscosity = 0;        ///< m = mu_hat, eq. (9)
-  double capillarity = 0;      ///< g = gamma_hat, eq. (8)
-  double stabilisation = 0;    ///< C h^2 / m: eps = (C h^2 / m) rho^2, checkerboard control
-  double inertia_floor = 0;    ///< smallest density in the inertia term
-  double moment_rate = 0;      ///< am / (ga dt): factor of the moment (q, rho J) at the end of the step
+  double viscosity = 0;      ///< m = mu_hat, eq. (9)
+  double capillarity = 0;    ///< g = gamma_hat, eq. (8)
+  double stabilisation = 0;  ///< C h^2 / m: eps = (C h^2 / m) rho^2, checkerboard control
+  double inertia_floor = 0;  ///< smallest density in the inertia term
+  double moment_rate = 0;    ///< am / (ga dt): factor of the moment (q, rho J) at the end of the step
 
   template <class N, int D>
   using Trial = FluidTrial<N, D>;
@@ -60,8 +60,8 @@ struct CapillaryTraction {
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const TractionTrial<N, D>& t) const {
     MomentumTest<N, D> r;
     r.momentum = (-1.0 * t.density) * t.chemical_potential_gradient;
-    r.momentum_flux = reversible_stress(capillarity, gas.energy(t.density), t.density, t.density_gradient,
-                                        t.chemical_potential);
+    r.momentum_flux =
+        reversible_stress(capillarity, gas.energy(t.density), t.density, t.density_gradient, t.chemical_potential);
     return r;
   }
 };

@@ -27,8 +27,8 @@ struct FluidIntegrals {
     r[bulk] = model.gas.energy(t.density);
     r[gradient] = 0.5 * lambda * dot(t.density_gradient, t.density_gradient);
     r[viscous] = contract(newtonian_stress(model.viscosity, t.velocity_gradient), t.velocity_gradient);
-    r[stabilisation] = model.stabilisation * t.density * t.density *
-                       dot(t.chemical_potential_gradient, t.chemical_potential_gradient);
+    r[stabilisation] =
+        model.stabilisation * t.density * t.density * dot(t.chemical_potential_gradient, t.chemical_potential_gradient);
     for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? t.density * t.velocity[i < D ? i : 0] : N(0.0);
     return r;
   }

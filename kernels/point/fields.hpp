@@ -23,16 +23,16 @@ struct Slot {
 /// Fluid at a point. Unknowns: velocity (D), density, chemical potential; gradients are with respect to x.
 template <class N, int D>
 struct FluidTrial {
-  Vector<N, D> velocity;            ///< v, sqrt(ab)
-  Matrix<N, D> velocity_gradient;   ///< (grad v)_ij = dv_i/dx_j
-  Vector<N, D> acceleration;        ///< dv/dt at fixed mesh coordinate
-  N density;                        ///< rho, b
+  Vector<N, D> velocity;           ///< v, sqrt(ab)
+  Matrix<N, D> velocity_gradient;  ///< (grad v)_ij = dv_i/dx_j
+  Vector<N, D> acceleration;       ///< dv/dt at fixed mesh coordinate
+  N density;                       ///< rho, b
   Vector<N, D> density_gradient;
-  N chemical_potential;             ///< mu, a b
+  N chemical_potential;  ///< mu, a b
   Vector<N, D> chemical_potential_gradient;
-  N density_end;                    ///< rho at the end of the step
-  Vector<N, D> mesh_velocity;       ///< vh
-  N volume_ratio_end;               ///< J(t_{n+1}) / J(t_{n+af}) of the mesh map
+  N density_end;               ///< rho at the end of the step
+  Vector<N, D> mesh_velocity;  ///< vh
+  N volume_ratio_end;          ///< J(t_{n+1}) / J(t_{n+af}) of the mesh map
 
   static constexpr int density_slot = 2 * D, potential_slot = 2 * D + 1, density_end_slot = 2 * D + 2;
   static constexpr int slot_count = 2 * D + 3, unknown_count = D + 2;

@@ -89,9 +89,9 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
       scheme.begin(stepper.state(), dt);
       scheme.residual(stepper.state().unknown, r);
       preconditioner->build(frozen);
-      const KrylovResult result = gmres.solve(
-          [&](const Array& x, const Array& y) { scheme.product(x, y, Geometry::exact); },
-          [&](const Array& x, const Array& y) { preconditioner->apply(x, y); }, r, z, 1e-4, 200);
+      const KrylovResult result =
+          gmres.solve([&](const Array& x, const Array& y) { scheme.product(x, y, Geometry::exact); },
+                      [&](const Array& x, const Array& y) { preconditioner->apply(x, y); }, r, z, 1e-4, 200);
       counts += (counts.empty() ? "" : " / ") + std::to_string(result.iterations);
     }
     sheet.line("preconditioner " + name + ", build", seconds_per_call([&] { preconditioner->build(frozen); }));

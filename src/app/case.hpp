@@ -22,14 +22,14 @@ struct Domain {
 };
 
 struct Fluid {
-  double viscosity = 0;           ///< mu_hat, eq. (9)
-  double capillarity = 0;         ///< gamma_hat, eq. (8)
-  double temperature = 0;         ///< theta_hat, eq. (10)
-  double contact_angle = 90;      ///< degrees, measured in the liquid
+  double viscosity = 0;       ///< mu_hat, eq. (9)
+  double capillarity = 0;     ///< gamma_hat, eq. (8)
+  double temperature = 0;     ///< theta_hat, eq. (10)
+  double contact_angle = 90;  ///< degrees, measured in the liquid
   WallLaw wall_law = WallLaw::gradient;
   CapillaryForm form = CapillaryForm::potential;
-  double stabilisation = 0.002;   ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
-  double smoothing = 1e-4;        ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
+  double stabilisation = 0.002;  ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
+  double smoothing = 1e-4;       ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
 };
 
 struct Substrate {
@@ -53,17 +53,18 @@ struct Load {
 
 /// Sides of the patch, [axis][0: low, 1: high]. Unused axes stay at slip.
 struct Boundary {
-  std::array<std::array<Side, 2>, 3> side{{{Side::slip, Side::slip}, {Side::slip, Side::slip}, {Side::slip, Side::slip}}};
+  std::array<std::array<Side, 2>, 3> side{
+      {{Side::slip, Side::slip}, {Side::slip, Side::slip}, {Side::slip, Side::slip}}};
 };
 
 struct TimeControl {
   std::string scheme = "generalized_alpha";
   double rho_inf = 0.5;
-  double end = 0;             ///< on the clock of the output, whose zero is the start of the first load
+  double end = 0;  ///< on the clock of the output, whose zero is the start of the first load
   double dt_initial = 1e-2;
   double dt_min = 1e-8;
   double dt_max = 50;
-  double tolerance = 2e-3;    ///< of the error indicator that sets the step (src/time/step_control.hpp)
+  double tolerance = 2e-3;  ///< of the error indicator that sets the step (src/time/step_control.hpp)
   long max_steps = 1000000;
 };
 
@@ -74,8 +75,8 @@ struct SolverControl {
   double krylov_rtol = 1e-2;
   int krylov_restart = 30;
   int krylov_max = 200;
-  std::string jacobian = "exact";             ///< exact | difference
-  std::string preconditioner = "automatic";   ///< automatic | lu | umfpack | schwarz | none
+  std::string jacobian = "exact";            ///< exact | difference
+  std::string preconditioner = "automatic";  ///< automatic | lu | umfpack | schwarz | none
   std::string precision = "double";
 };
 

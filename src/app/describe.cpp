@@ -8,6 +8,7 @@
 #include "app/machine.hpp"
 #include "model/equilibrium.hpp"
 #include "model/model.hpp"
+#include "solver/choose.hpp"
 
 namespace softwet {
 namespace {
@@ -32,7 +33,8 @@ std::vector<Line> terms(const Case& c, const Model<D, P>& model) {
   std::vector<Line> lines;
   for (const auto& piece : model.pieces())
     lines.push_back({piece->name(), std::to_string(piece->region().elements()) + " elements"});
-  if (!model.loads().empty()) lines.push_back({"body_force", std::to_string(c.loads.size()) + " boxes"});
+  if (!model.loads().empty())
+    lines.push_back({"body_force", std::to_string(c.loads.size()) + (c.loads.size() == 1 ? " box" : " boxes")});
   return lines;
 }
 
@@ -48,35 +50,20 @@ std::vector<Line> unknowns(const Layout<D>& l) {
   return lines;
 }
 
-/// Entries of the sparse Jacobian: fields of a control point times the control points it couples with.
 template <int D, int P>
-double matrix_entries(const Layout<D>& l) {
-  double points = static_cast<double>(l.rows) * l.row_size, fluid = static_cast<double>(l.scalar_size());
-  const double neighbours = std::pow(2 * P + 1, D);
-  return neighbours * (fluid * (D + 2) * (D + 2) + (points - fluid) * D * D);
-}
-
-/// Bytes of the Jacobian and its factors; the growth is that of nested dissection, its constant measured in 2D.
-template <int D, int P>
-double factor_bytes(const Layout<D>& l) {
-  const double points = static_cast<double>(l.rows) * l.row_size;
-  const double growth = D == 2 ? 0.55 * std::log2(points) : 0.15 * std::cbrt(points);
-  return 12 * matrix_entries<D, P>(l) * (1 + growth);
-}
-
-template <int D, int P>
-std::vector<Line> memory(const Case& c, const Layout<D>& l) {
+std::vector<Line> memory(const Case& c, const Model<D, P>& model) {
+  const Layout<D>& l = model.layout();
   const double n = l.size(), rate = l.velocity_size(), solid = l.solid_size(), scalar = l.scalar_size();
   const double state = n + rate + 2 * solid + 2 * scalar;
   const double stage = 2 * n + rate + 2 * solid + scalar;
-  const bool lu = c.solver.preconditioner == "lu" || (c.solver.preconditioner == "automatic" && D == 2);
+  const auto preconditioner = choose_preconditioner<D>(c.solver.preconditioner, l, model.mask());
   const std::vector<std::pair<std::string, double>> parts{
       {"program and libraries", 34.0 * 1048576},
       {"state and history", 8 * (state + 3 * n)},
       {"stage", 8 * stage},
       {"Newton", 8 * 5 * n},
       {"Krylov basis", 8 * n * (2.0 * c.solver.krylov_restart + 2)},
-      {lu ? "preconditioner (estimate)" : "preconditioner (not estimated)", lu ? factor_bytes<D, P>(l) : 0}};
+      {"preconditioner " + preconditioner->name(), preconditioner->bytes()}};
   std::vector<Line> lines;
   double total = 0;
   for (const auto& [name, bytes] : parts) {
@@ -119,7 +106,7 @@ void describe_model(const Case& c, std::ostream& out) {
   const Model<D, P> model(c);
   print(out, "terms", terms(c, model));
   print(out, "unknowns", unknowns(model.layout()));
-  print(out, "memory", memory<D, P>(c, model.layout()));
+  print(out, "memory", memory<D, P>(c, model));
   if (c.fluid) {
     const double tension = c.fluid->capillarity * surface_tension_over_capillarity(c.fluid->temperature);
     print(out, "equilibrium",

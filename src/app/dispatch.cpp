@@ -62,9 +62,9 @@ void describe_build(std::ostream& out) {
       << "backend         " << backend_name() << ", " << thread_count() << " threads\n"
       << "instructions    " << instruction_set() << ", " << lanes() << " elements per pack\n"
 #ifdef SOFTWET_HAVE_UMFPACK
-      << "sparse LU       UMFPACK\n"
+      << "preconditioners lu, umfpack, schwarz, none\n"
 #else
-      << "sparse LU       none\n"
+      << "preconditioners lu, schwarz, none (umfpack: install libsuitesparse-dev)\n"
 #endif
       << "Kokkos          " << KOKKOS_VERSION / 10000 << "." << KOKKOS_VERSION / 100 % 100 << "."
       << KOKKOS_VERSION % 100 << "\n";

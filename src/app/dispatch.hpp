@@ -9,10 +9,10 @@
 namespace softwet {
 
 struct RunOptions {
-  std::string out;        ///< output folder
-  bool resume = false;    ///< continue from out/checkpoint.h5
-  int threads = 0;        ///< 0: all cores
-  bool quiet = false;     ///< no progress line
+  std::string out;      ///< output folder
+  bool resume = false;  ///< continue from out/checkpoint.h5
+  int threads = 0;      ///< 0: all cores
+  bool quiet = false;   ///< no progress line
 };
 
 /// Computes the case and writes the output folder. Throws Error.

@@ -17,7 +17,7 @@ struct Layout {
   int solid_elements = 0;  ///< element rows of the solid; 0: rigid wall
   bool has_fluid = true, has_solid = true;
   int row_size = 0, rows = 0;
-  int wall_row = 0;        ///< last row of the solid = first row of the fluid
+  int wall_row = 0;  ///< last row of the solid = first row of the fluid
 
   int solid_rows() const { return has_solid ? wall_row + 1 : 0; }
   int fluid_rows() const { return has_fluid ? rows - wall_row : 0; }

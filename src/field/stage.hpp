@@ -18,12 +18,12 @@ struct State {
 
 /// Fields at the generalized-alpha point and at the end of the step. Unknowns are the values at n + af.
 struct Stage {
-  double time = 0;          ///< t_{n+af}
-  Array unknown;            ///< v, rho at n+af and mu
-  Array acceleration;       ///< dv/dt at n+am
-  Array displacement;       ///< at n+af
-  Array displacement_end;   ///< at n+1
-  Array density_end;        ///< at n+1
+  double time = 0;                ///< t_{n+af}
+  Array unknown;                  ///< v, rho at n+af and mu
+  Array acceleration;             ///< dv/dt at n+am
+  Array displacement;             ///< at n+af
+  Array displacement_end;         ///< at n+1
+  Array density_end;              ///< at n+1
   double rate_scale = 0;          ///< d acceleration / d velocity
   double displacement_scale = 0;  ///< d displacement / d velocity
   double end_scale = 1;           ///< d density_end / d density = d displacement_end / d displacement

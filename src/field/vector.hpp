@@ -13,17 +13,15 @@ inline constexpr int sum_block = 1024;
 /// y = a x + b y + c z, the one update all others are made of (z unused where c = 0).
 inline void combine(const Array& y, double a, const ConstArray& x, double b) {
   Kokkos::parallel_for(
-      "softwet::combine", Kokkos::RangePolicy<Exec>(0, y.extent(0)), KOKKOS_LAMBDA(int i) {
-        y(i) = a * x(i) + (b == 0 ? 0.0 : b * y(i));
-      });
+      "softwet::combine", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
+      KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + (b == 0 ? 0.0 : b * y(i)); });
 }
 
 /// y(i) += a x(i) from offset on, for all i of x.
 inline void add_scaled(const Array& y, int offset, double a, const ConstArray& x) {
   Kokkos::parallel_for(
-      "softwet::add_scaled", Kokkos::RangePolicy<Exec>(0, x.extent(0)), KOKKOS_LAMBDA(int i) {
-        y(offset + i) += a * x(i);
-      });
+      "softwet::add_scaled", Kokkos::RangePolicy<Exec>(0, x.extent(0)),
+      KOKKOS_LAMBDA(int i) { y(offset + i) += a * x(i); });
 }
 
 /// y(i) *= x(i)

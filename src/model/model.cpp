@@ -5,7 +5,6 @@
 #include "field/vector.hpp"
 #include "kernels/solid/body_force.hpp"
 #include "model/equilibrium.hpp"
-#include "operator/reduce.hpp"
 
 namespace softwet {
 
@@ -32,7 +31,8 @@ void Model<D, P>::build_axes(const Case& c) {
   }
   const Axis& vertical = layout_.axis[D - 1];
   layout_.rows = vertical.functions();
-  if (layout_.has_solid) layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
+  if (layout_.has_solid)
+    layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
   blend_.low = vertical.lower(layout_.solid_elements);
   blend_.height = vertical.length() - blend_.low;
   if (layout_.has_solid) solid_region_ = region(0, layout_.solid_elements);
@@ -73,8 +73,8 @@ void Model<D, P>::add_fluid_pieces(const Case& c) {
           "contact_angle (gradient law)", wall_region_, GradientWall{fluid_.capillarity, cosine, c.fluid->smoothing},
           Components{D, D + 1}, blend_));
     } else {
-      pieces_.push_back(std::make_unique<PieceOf<D, P, 1, EnergyWall, Motion>>("contact_angle (wall energy)", wall_region_,
-                                                                               wall_, Components{D, D + 1}, blend_));
+      pieces_.push_back(std::make_unique<PieceOf<D, P, 1, EnergyWall, Motion>>(
+          "contact_angle (wall energy)", wall_region_, wall_, Components{D, D + 1}, blend_));
     }
   }
   Region<D> layer = region(layout_.solid_elements, layout_.solid_elements + 1);
@@ -149,8 +149,8 @@ void Model<D, P>::build_mask(const Case& c) {
         for (int end = 0; end < 2; ++end) {
           const Side side = c.boundary.side[d][end];
           const bool here = index == (end == 0 ? 0 : all[k].extent[d] - 1);
-          const bool held = side == Side::no_slip || side == Side::clamped ||
-                            (side == Side::slip && static_cast<int>(k) == d);
+          const bool held =
+              side == Side::no_slip || side == Side::clamped || (side == Side::slip && static_cast<int>(k) == d);
           if (here && held) mask[all[k].offset + i] = 0;
         }
       }
@@ -197,72 +197,6 @@ void Model<D, P>::product(const Stage& stage, const Array& direction, const Arra
   move_ghosts(layout_, out, GhostAction::add);
   multiply(out, mask_);
   multiply(direction, mask_);
-}
-
-template <int D, int P>
-template <class Motion>
-void Model<D, P>::fluid_integrals(const Binding<D>& b, Integrals& result) const {
-  using Volume = ReduceTask<D, FluidIntegrals, Motion>;
-  Volume volume{fluid_region_, {fluid_}, {}, {}, {}};
-  if constexpr (std::is_same_v<Motion, WallMotion<D>>) volume.motion = b.motion(blend_);
-  bind_slots(fluid_, b, volume.slot);
-  const auto sum = reduce<P, P + 1>(volume);
-  result.mass = sum[FluidIntegrals::mass];
-  result.energy_kinetic += sum[FluidIntegrals::kinetic];
-  result.energy_bulk = sum[FluidIntegrals::bulk];
-  result.energy_gradient = sum[FluidIntegrals::gradient];
-  result.viscous = sum[FluidIntegrals::viscous];
-  result.stabilisation = sum[FluidIntegrals::stabilisation];
-  for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
-  if (!has_wall_) return;
-  ReduceTask<D, WallIntegrals, Motion> face{wall_region_, {wall_}, volume.motion, {}, {}};
-  bind_slots(wall_, b, face.slot);
-  const auto wall = reduce<P, 1>(face);
-  result.wetted = wall[WallIntegrals::wetted];
-  result.energy_wall = wall[WallIntegrals::energy];
-  if constexpr (std::is_same_v<Motion, WallMotion<D>>) {
-    for (int d = 0; d < D; ++d) face.motion.tangent[d] = face.motion.velocity[d];
-    face.motion.scale = 1;
-    result.wall_stretch = reduce<P, 1, true>(face)[WallIntegrals::energy];
-  }
-}
-
-template <int D, int P>
-Integrals Model<D, P>::integrals(const Stage& stage) const {
-  Integrals result;
-  const Binding<D> b{layout_, stage, {}, {}};
-  if (layout_.has_solid) {
-    ReduceTask<D, SolidIntegrals, NoMotion> task{solid_region_, {solid_}, {}, {}, {}};
-    for (int d = 0; d < D; ++d) {
-      task.slot[d] = b.velocity(d);
-      task.slot[D + d] = b.displacement(d);
-    }
-    const auto sum = reduce<P, P + 1>(task);
-    result.energy_kinetic += sum[SolidIntegrals::kinetic];
-    result.energy_elastic = sum[SolidIntegrals::elastic];
-    for (int d = 0; d < 3; ++d) result.momentum[d] += sum[SolidIntegrals::momentum + d];
-  }
-  if (!layout_.has_fluid) return result;
-  if (layout_.has_solid) {
-    fluid_integrals<WallMotion<D>>(b, result);
-  } else {
-    fluid_integrals<NoMotion>(b, result);
-  }
-  return result;
-}
-
-template <int D, int P>
-double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
-  double power = 0;
-  for (const LoadVector& load : loads_) {
-    const double fraction = load_fraction(time, load.start, load.ramp);
-    if (fraction == 0) continue;
-    const std::vector<double> w = to_host(load.weight), v = to_host(unknown);
-    for (int d = 0; d < D; ++d)
-      for (std::size_t i = 0; i < w.size(); ++i)
-        power += fraction * load.force[d] * w[i] * v[layout_.velocity_offset(d) + i];
-  }
-  return power;
 }
 
 template class Model<2, 2>;

@@ -9,9 +9,9 @@ namespace softwet {
 
 /// One droplet's footprint in the plane of motion (2D: the domain), in current coordinates.
 struct Footprint {
-  double x_left, x_right;        ///< where rho = (rho_l + rho_v)/2 on the wall
+  double x_left, x_right;                         ///< where rho = (rho_l + rho_v)/2 on the wall
   std::optional<double> angle_left, angle_right;  ///< apparent angles, degrees, in the liquid
-  std::optional<double> radius;  ///< of the circle through both sides
+  std::optional<double> radius;                   ///< of the circle through both sides
   double centre() const { return 0.5 * (x_left + x_right); }
 };
 

@@ -17,7 +17,8 @@ std::vector<double> Snapshot<D>::component(const double* box, int rows, const Gr
   for (int d = 0; d < D; ++d) {
     const bool last = d == D - 1;
     extent[d] = last ? rows : layout_.axis[d].functions();
-    at[d] = last ? sample_axis(layout_.axis[d], grid[d], shift, lowest, highest) : sample_axis(layout_.axis[d], grid[d]);
+    at[d] =
+        last ? sample_axis(layout_.axis[d], grid[d], shift, lowest, highest) : sample_axis(layout_.axis[d], grid[d]);
   }
   return evaluate_grid<D>(box, extent, at, derivative);
 }

@@ -128,8 +128,8 @@ KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion>& task, const Bat
     const auto point = geometry.at(q, task.region.axis[D - 1].position(q / wall_points, b.element[D - 1]), QL == 1);
     const Reader<N, D, decltype(fields), std::remove_const_t<decltype(point)>> reader{fields, point, q};
     const Test test = task.term.residual(Trial::read(reader));
-    test.write(Writer<S, N, D, points, std::remove_const_t<decltype(point)>>{
-        out, point, weight_at<S, D, Q>(task.region, b, q), q});
+    test.write(Writer<S, N, D, points, std::remove_const_t<decltype(point)>>{out, point,
+                                                                             weight_at<S, D, Q>(task.region, b, q), q});
   }
   constexpr bool has_flux = !std::is_same_v<Test, WallTest<N, D>>;
   const int first = first_control(task.region, b);
@@ -191,9 +191,8 @@ struct AssembleRow {
     if constexpr (on_host) {
       using S = Pack<double>;
       using N = std::conditional_t<Tangent, Dual<S>, S>;
-      for_packs<D>(task.region, colouring.batch(item), Lanes<S>::count, [&](const Batch<D>& b) {
-        assemble_batch<S, N, D, P, QL, Term, Motion>(task, b);
-      });
+      for_packs<D>(task.region, colouring.batch(item), Lanes<S>::count,
+                   [&](const Batch<D>& b) { assemble_batch<S, N, D, P, QL, Term, Motion>(task, b); });
     } else {
       using N = std::conditional_t<Tangent, Dual<double>, double>;
       assemble_batch<double, N, D, P, QL, Term, Motion>(task, colouring.batch(item));

@@ -58,8 +58,7 @@ struct BatchBasis {
     if constexpr (D == 3) y = load_basis<double, P, Q>(region.axis[1], b.element[1]);
   }
   template <bool Value, bool Gradient>
-  KOKKOS_FORCEINLINE_FUNCTION void forward(const S (&nodal)[power(P + 1, D)],
-                                           S (*out)[power(Q, D - 1) * QL]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void forward(const S (&nodal)[power(P + 1, D)], S (*out)[power(Q, D - 1) * QL]) const {
     if constexpr (D == 2) {
       interpolate<Value, Gradient, S, P, Q, QL>(nodal, x, last, out);
     } else {
@@ -67,8 +66,7 @@ struct BatchBasis {
     }
   }
   template <bool Gradient>
-  KOKKOS_FORCEINLINE_FUNCTION void backward(const S (*in)[power(Q, D - 1) * QL],
-                                            S (&nodal)[power(P + 1, D)]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void backward(const S (*in)[power(Q, D - 1) * QL], S (&nodal)[power(P + 1, D)]) const {
     if constexpr (D == 2) {
       integrate<Gradient, S, P, Q, QL>(in, x, test, nodal);
     } else {
@@ -134,7 +132,7 @@ template <class S, class N, int D, int P, int Q>
 struct BatchGeometry<S, N, D, P, Q, WallMotion<D>> {
   static constexpr int wall_points = power(Q, D - 1);
   static constexpr int wall_controls = power(P + 1, D - 1);
-  S displacement[D][D][wall_points];      // [direction][0: value, 1..: slopes along the wall]
+  S displacement[D][D][wall_points];  // [direction][0: value, 1..: slopes along the wall]
   S displacement_end[D][D][wall_points];
   S velocity[D][wall_points];
   S tangent[is_dual<N> ? D : 1][D][wall_points];

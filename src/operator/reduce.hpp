@@ -45,12 +45,13 @@ KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task,
   const BatchGeometry<S, N, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
   for (int q = 0; q < points; ++q) {
     const auto point = geometry.at(q, task.region.axis[D - 1].position(q / wall_points, b.element[D - 1]), QL == 1);
-    const Reader<N, D, std::remove_const_t<decltype(fields)>, std::remove_const_t<decltype(point)>> reader{fields, point, q};
+    const Reader<N, D, std::remove_const_t<decltype(fields)>, std::remove_const_t<decltype(point)>> reader{fields,
+                                                                                                           point, q};
     const Vector<N, Functional::count> value = task.functional.value(Trial::read(reader));
     const S weight = weight_at<S, D, Q>(task.region, b, q);
     for (int f = 0; f < Functional::count; ++f) {
       const S part = weight * outcome(point.measured(value[f]));
-      if constexpr (Lanes<S>::count == 1) {
+      if constexpr (std::is_arithmetic_v<S>) {
         sum[f] += part;
       } else {
         for (int l = 0; l < b.count; ++l) sum[f] += part[l];

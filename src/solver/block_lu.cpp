@@ -16,10 +16,10 @@ using Column = Eigen::VectorXf;
 /// Factors of one node: own block P L U, and the two blocks that couple it to its border.
 struct Front {
   Eigen::PartialPivLU<Dense> own;
-  Dense upper;         ///< L^-1 P F12, shape (own, border)
-  Dense lower;         ///< F21 U^-1, shape (border, own)
-  Dense complement;    ///< F22 - F21 F11^-1 F12, until the parent has taken it
-  Column part;         ///< right-hand side of own and border during a solve
+  Dense upper;       ///< L^-1 P F12, shape (own, border)
+  Dense lower;       ///< F21 U^-1, shape (border, own)
+  Dense complement;  ///< F22 - F21 F11^-1 F12, until the parent has taken it
+  Column part;       ///< right-hand side of own and border during a solve
 };
 
 template <class Body>
@@ -51,7 +51,7 @@ class BlockLu final : public Preconditioner {
 
   void apply(const ConstArray& r, const Array& z) override {
     Kokkos::View<double*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(values_.data(),
-                                                                                          values_.size());
+                                                                                           values_.size());
     Kokkos::deep_copy(host, r);
     for (auto level = tree_.levels.rbegin(); level != tree_.levels.rend(); ++level)
       for_level(*level, [&](int n) { forward(n); });
@@ -67,7 +67,7 @@ class BlockLu final : public Preconditioner {
       const double own = node.own.size(), border = node.border.size();
       entries += own * (own + 2 * border);
     }
-    return 4 * entries + 12.0 * matrix_.values().size();
+    return 4 * entries + 24.0 * matrix_.values().size();  // factors; matrix and where its entries go
   }
 
  private:
@@ -95,8 +95,8 @@ class BlockLu final : public Preconditioner {
     Dense f = Dense::Zero(own + border, own + border);
     const auto unknown = [&](int i) { return i < own ? node.own[i] : node.border[i - own]; };
     for (const DissectionNode::Entry& e : node.entries)
-      f(e.row, e.column) = static_cast<float>(matrix_.values()[e.value] * row_scale_[unknown(e.row)] *
-                                              column_scale_[unknown(e.column)]);
+      f(e.row, e.column) =
+          static_cast<float>(matrix_.values()[e.value] * row_scale_[unknown(e.row)] * column_scale_[unknown(e.column)]);
     for (int child : node.children) {
       const std::vector<int>& to = tree_.nodes[child].border_in_parent;
       Dense& s = fronts_[child].complement;

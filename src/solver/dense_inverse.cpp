@@ -103,10 +103,11 @@ struct InvertOnDevice {
 void invert_core_rows(const DenseBlocks& blocks, const Sizes& size, const Sizes& core, const DenseBlocks& inverse) {
   const int count = static_cast<int>(blocks.extent(0));
   if constexpr (on_host) {
-    Kokkos::parallel_for("softwet::invert",
-                         Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(
-                             0, count).set_chunk_size(1),
-                         InvertOnHost{blocks, size, core, inverse});
+    Kokkos::parallel_for(
+        "softwet::invert",
+        Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, count)
+            .set_chunk_size(1),
+        InvertOnHost{blocks, size, core, inverse});
   } else {
     const Kokkos::View<int**, Exec> pivots("pivots", count, blocks.extent(1));
     Kokkos::parallel_for("softwet::invert", Kokkos::TeamPolicy<Exec>(count, on_host ? 1 : 8, on_host ? 1 : 32),

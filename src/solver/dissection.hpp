@@ -12,19 +12,19 @@ namespace softwet {
 /// ancestors that the elimination touches. Local numbering: own first, then border.
 struct DissectionNode {
   int parent = -1, depth = 0;
-  std::vector<int> own, border;            ///< indices into the vector of unknowns
+  std::vector<int> own, border;  ///< indices into the vector of unknowns
   std::vector<int> children;
-  std::vector<int> border_in_parent;       ///< local number of each border unknown in the parent
+  std::vector<int> border_in_parent;  ///< local number of each border unknown in the parent
   struct Entry {
-    int value, row, column;                ///< index into the matrix values, local row, local column
+    int value, row, column;  ///< index into the matrix values, local row, local column
   };
-  std::vector<Entry> entries;              ///< matrix entries with a row or column among `own`, and none eliminated
+  std::vector<Entry> entries;  ///< matrix entries with a row or column among `own`, and none eliminated
 };
 
 /// The tree. Nodes of one depth are independent of each other: levels[d] lists them.
 struct Dissection {
-  std::vector<DissectionNode> nodes;       ///< children before parents
-  std::vector<std::vector<int>> levels;    ///< by depth, root first
+  std::vector<DissectionNode> nodes;     ///< children before parents
+  std::vector<std::vector<int>> levels;  ///< by depth, root first
 };
 
 /// Cuts the box of control points recursively by slabs of `degree` points, which no matrix entry crosses, until boxes

@@ -62,7 +62,7 @@ class Gmres {
       precondition(basis_[j], direction_[j]);
       const Array& w = basis_[j + 1];
       apply(direction_[j], w);
-      double square = 0;  // |w|^2 before the projections
+      double square = 0;              // |w|^2 before the projections
       for (int i = 0; i <= j; ++i) {  // modified Gram-Schmidt
         h[j][i] = dot(w, basis_[i]);
         square += h[j][i] * h[j][i];

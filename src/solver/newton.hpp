@@ -6,8 +6,8 @@
 #include <string>
 
 #include "field/layout.hpp"
-#include "solver/gmres.hpp"
 #include "model/geometry.hpp"
+#include "solver/gmres.hpp"
 #include "solver/preconditioner.hpp"
 
 namespace softwet {
@@ -15,8 +15,8 @@ namespace softwet {
 enum class JacobianKind { exact, difference };
 
 struct NewtonControl {
-  double rtol = 1e-6;      ///< of the weighted residual, relative to the start of the step
-  double atol = 1e-10;     ///< accepted error of velocity and density, sets a floor for the residual
+  double rtol = 1e-6;   ///< of the weighted residual, relative to the start of the step
+  double atol = 1e-10;  ///< accepted error of velocity and density, sets a floor for the residual
   int max = 10;
   double krylov_rtol = 1e-2;  ///< tightest forcing term; early iterations ask for less
   int krylov_max = 200;

@@ -107,7 +107,15 @@ class Schwarz final : public Preconditioner {
       Kokkos::parallel_for("softwet::seed", all, SeedColour{colour_, seed_, key});
       product(seed_, product_);
       Kokkos::parallel_for("softwet::collect", columns,
-                           CollectColumns<D>{colour_, point_, size_, dof_, product_, blocks_, key, reach_, unknowns_,
+                           CollectColumns<D>{colour_,
+                                             point_,
+                                             size_,
+                                             dof_,
+                                             product_,
+                                             blocks_,
+                                             key,
+                                             reach_,
+                                             unknowns_,
                                              {period_[0], period_[1], period_[2]}});
     }
     invert_core_rows(blocks_, size_, core_, inverse_);

@@ -40,7 +40,7 @@ class SparseLu final : public Preconditioner {
   void apply(const ConstArray& r, const Array& z) override {
     Kokkos::View<double*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> b(right_.data(), right_.size());
     Kokkos::View<double*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> x(solution_.data(),
-                                                                                       solution_.size());
+                                                                                        solution_.size());
     Kokkos::deep_copy(b, r);
     solution_ = lu_.solve(right_);
     Kokkos::deep_copy(z, x);

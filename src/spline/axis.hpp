@@ -15,12 +15,12 @@ class Axis {
 
   int degree() const { return degree_; }
   int elements() const { return elements_; }
-  int functions() const { return functions_; }       ///< stored functions, ghosts included
+  int functions() const { return functions_; }  ///< stored functions, ghosts included
   int owned() const { return periodic_ ? elements_ : functions_; }
   bool periodic() const { return periodic_; }
   double length() const { return length_; }
   double spacing() const { return length_ / elements_; }
-  int span(int element) const { return span_[element]; }   ///< first function that is non-zero on the element
+  int span(int element) const { return span_[element]; }  ///< first function that is non-zero on the element
   double lower(int element) const { return length_ * element / elements_; }
   double greville(int function) const { return greville_[function]; }  ///< periodic: may lie outside [0, length]
   int element_at(double x) const;

@@ -10,9 +10,9 @@ namespace softwet {
 
 /// The living functions of one axis at a list of points, restricted to rows that a component stores.
 struct AxisSamples {
-  std::vector<int> first;                    ///< per point
-  std::vector<std::vector<double>> value;    ///< per point, degree + 1
-  std::vector<std::vector<double>> slope;    ///< per point, degree + 1, 1/L0
+  std::vector<int> first;                  ///< per point
+  std::vector<std::vector<double>> value;  ///< per point, degree + 1
+  std::vector<std::vector<double>> slope;  ///< per point, degree + 1, 1/L0
   std::vector<double> position;
 };
 

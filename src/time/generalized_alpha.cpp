@@ -24,7 +24,9 @@ ConstArray solid_velocity(const Layout<D>& layout, const ConstArray& unknown, in
   return part(unknown, first, first + layout.solid_rows() * layout.row_size);
 }
 
-Array piece_of(const Array& a, int first, int count) { return Kokkos::subview(a, Kokkos::make_pair(first, first + count)); }
+Array piece_of(const Array& a, int first, int count) {
+  return Kokkos::subview(a, Kokkos::make_pair(first, first + count));
+}
 
 }  // namespace
 

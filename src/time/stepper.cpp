@@ -163,10 +163,9 @@ template <int D, int P>
 NewtonResult Stepper<D, P>::solve(double dt) {
   integrator_.begin(state_, dt);
   predict(dt);
-  const NonlinearSystem system{
-      [this](const Array& x, const Array& r) { integrator_.residual(x, r); },
-      [this](const Array& z, const Array& out, Geometry g) { integrator_.product(z, out, g); },
-      [this](const Array& x) { return complaint(x); }};
+  const NonlinearSystem system{[this](const Array& x, const Array& r) { integrator_.residual(x, r); },
+                               [this](const Array& z, const Array& out, Geometry g) { integrator_.product(z, out, g); },
+                               [this](const Array& x) { return complaint(x); }};
   return newton_.solve(system, fields(), newton_control_, dt, x_);
 }
 

@@ -123,7 +123,9 @@ std::vector<Key> solver_keys() {
       {.name = "solver.krylov.preconditioner",
        .kind = Kind::choice,
        .choices = {"automatic", "lu", "umfpack", "schwarz", "none"},
-       .help = "Lagged sparse factorisation (lu), restricted additive Schwarz, none, or the faster for the case.",
+       .help = "Lagged LU by nested dissection in single precision (lu), the library UMFPACK in double precision, "
+               "restricted "
+               "additive Schwarz, none, or the fastest whole run as measured: lu in 2D.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.preconditioner; })},
       {.name = "solver.precision",
        .kind = Kind::choice,

@@ -1,0 +1,79 @@
+// Integrals of the state: the part of Model that history.csv is made of.
+#include "field/vector.hpp"
+#include "kernels/solid/body_force.hpp"
+#include "model/model.hpp"
+#include "operator/reduce.hpp"
+
+namespace softwet {
+
+template <int D, int P>
+template <class Motion>
+void Model<D, P>::fluid_integrals(const Binding<D>& b, Integrals& result) const {
+  using Volume = ReduceTask<D, FluidIntegrals, Motion>;
+  Volume volume{fluid_region_, {fluid_}, {}, {}, {}};
+  if constexpr (std::is_same_v<Motion, WallMotion<D>>) volume.motion = b.motion(blend_);
+  bind_slots(fluid_, b, volume.slot);
+  const auto sum = reduce<P, P + 1>(volume);
+  result.mass = sum[FluidIntegrals::mass];
+  result.energy_kinetic += sum[FluidIntegrals::kinetic];
+  result.energy_bulk = sum[FluidIntegrals::bulk];
+  result.energy_gradient = sum[FluidIntegrals::gradient];
+  result.viscous = sum[FluidIntegrals::viscous];
+  result.stabilisation = sum[FluidIntegrals::stabilisation];
+  for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
+  if (!has_wall_) return;
+  ReduceTask<D, WallIntegrals, Motion> face{wall_region_, {wall_}, volume.motion, {}, {}};
+  bind_slots(wall_, b, face.slot);
+  const auto wall = reduce<P, 1>(face);
+  result.wetted = wall[WallIntegrals::wetted];
+  result.energy_wall = wall[WallIntegrals::energy];
+  if constexpr (std::is_same_v<Motion, WallMotion<D>>) {
+    for (int d = 0; d < D; ++d) face.motion.tangent[d] = face.motion.velocity[d];
+    face.motion.scale = 1;
+    result.wall_stretch = reduce<P, 1, true>(face)[WallIntegrals::energy];
+  }
+}
+
+template <int D, int P>
+Integrals Model<D, P>::integrals(const Stage& stage) const {
+  Integrals result;
+  const Binding<D> b{layout_, stage, {}, {}};
+  if (layout_.has_solid) {
+    ReduceTask<D, SolidIntegrals, NoMotion> task{solid_region_, {solid_}, {}, {}, {}};
+    for (int d = 0; d < D; ++d) {
+      task.slot[d] = b.velocity(d);
+      task.slot[D + d] = b.displacement(d);
+    }
+    const auto sum = reduce<P, P + 1>(task);
+    result.energy_kinetic += sum[SolidIntegrals::kinetic];
+    result.energy_elastic = sum[SolidIntegrals::elastic];
+    for (int d = 0; d < 3; ++d) result.momentum[d] += sum[SolidIntegrals::momentum + d];
+  }
+  if (!layout_.has_fluid) return result;
+  if (layout_.has_solid) {
+    fluid_integrals<WallMotion<D>>(b, result);
+  } else {
+    fluid_integrals<NoMotion>(b, result);
+  }
+  return result;
+}
+
+template <int D, int P>
+double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
+  double power = 0;
+  for (const LoadVector& load : loads_) {
+    const double fraction = load_fraction(time, load.start, load.ramp);
+    const int count = static_cast<int>(load.weight.extent(0));
+    for (int d = 0; d < D; ++d) {
+      const int first = layout_.velocity_offset(d);
+      if (fraction * load.force[d] != 0)
+        power += fraction * load.force[d] * dot(load.weight, part(unknown, first, first + count));
+    }
+  }
+  return power;
+}
+
+template Integrals Model<2, 2>::integrals(const Stage&) const;
+template double Model<2, 2>::load_power(double, const ConstArray&) const;
+
+}  // namespace softwet
