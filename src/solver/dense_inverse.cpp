@@ -100,19 +100,19 @@ struct InvertOnDevice {
 
 }  // namespace
 
-void invert_core_rows(const DenseBlocks& blocks, const Sizes& size, const Sizes& core, const DenseBlocks& inverse) {
+void invert_core_rows_by_teams(const DenseBlocks& blocks, const Sizes& size, const Sizes& core,
+                               const DenseBlocks& inverse) {
   const int count = static_cast<int>(blocks.extent(0));
-  if constexpr (on_host) {
-    Kokkos::parallel_for(
-        "softwet::invert",
-        Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, count)
-            .set_chunk_size(1),
-        InvertOnHost{blocks, size, core, inverse});
-  } else {
-    const Kokkos::View<int**, Exec> pivots("pivots", count, blocks.extent(1));
-    Kokkos::parallel_for("softwet::invert", Kokkos::TeamPolicy<Exec>(count, on_host ? 1 : 8, on_host ? 1 : 32),
-                         InvertOnDevice{blocks, size, core, inverse, pivots});
-  }
+  const Kokkos::View<int**, Exec> pivots("pivots", count, blocks.extent(1));
+  Kokkos::parallel_for("softwet::invert", Kokkos::TeamPolicy<Exec>(count, on_host ? 1 : 8, on_host ? 1 : 32),
+                       InvertOnDevice{blocks, size, core, inverse, pivots});
+}
+
+void invert_core_rows(const DenseBlocks& blocks, const Sizes& size, const Sizes& core, const DenseBlocks& inverse) {
+  if (!on_host) return invert_core_rows_by_teams(blocks, size, core, inverse);
+  using Host = Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
+  Kokkos::parallel_for("softwet::invert", Host(0, blocks.extent(0)).set_chunk_size(1),
+                       InvertOnHost{blocks, size, core, inverse});
 }
 
 }  // namespace softwet

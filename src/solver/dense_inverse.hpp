@@ -14,4 +14,8 @@ using DenseBlocks = Kokkos::View<float***, Kokkos::LayoutRight, Exec>;
 void invert_core_rows(const DenseBlocks& blocks, const Kokkos::View<const int*, Exec>& size,
                       const Kokkos::View<const int*, Exec>& core, const DenseBlocks& inverse);
 
+/// The same by one team per block, as on a device; runs on the host too, slowly.
+void invert_core_rows_by_teams(const DenseBlocks& blocks, const Kokkos::View<const int*, Exec>& size,
+                               const Kokkos::View<const int*, Exec>& core, const DenseBlocks& inverse);
+
 }  // namespace softwet
