@@ -19,6 +19,7 @@ for dt in (0.1, 0.05, 0.025):
     errors.append(_measure.balance_error(folder, 0, 4))
     print(f"dt = {dt}: balance open by {errors[-1]:.3g} of the dissipation")
 check("open at the smallest step", errors[-1], 0.01)
-# Second order, and what the mesh leaves open: the traction acts on one layer of the mesh, the mesh moves as a whole.
+# Measured 0.31 and 0.39, not 1/4: on this mesh a part stays open that a finer one closes (tools/verify energy). The bounds
+# guard what is measured.
 for coarse, fine in zip(errors, errors[1:]):
     check("fine / coarse", fine / coarse, 0.42)
