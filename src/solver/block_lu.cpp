@@ -40,7 +40,13 @@ class BlockLu final : public Preconditioner {
         fronts_(tree_.nodes.size()),
         row_scale_(layout.size()),
         column_scale_(layout.size()),
-        values_(layout.size()) {}
+        values_(layout.size()) {
+    const std::size_t enough = 4 * Kokkos::DefaultHostExecutionSpace().concurrency();
+    int depth = 0;
+    while (depth + 1 < static_cast<int>(tree_.levels.size()) && tree_.levels[depth].size() < enough) ++depth;
+    for (int n = 0; n < static_cast<int>(tree_.nodes.size()); ++n)
+      if (tree_.nodes[n].depth <= depth) (tree_.nodes[n].depth == depth ? subtrees_ : top_).push_back(n);
+  }
 
   void build(const Product& product) override {
     matrix_.fill(product);
@@ -53,9 +59,15 @@ class BlockLu final : public Preconditioner {
     Kokkos::View<double*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(values_.data(),
                                                                                            values_.size());
     Kokkos::deep_copy(host, r);
-    for (auto level = tree_.levels.rbegin(); level != tree_.levels.rend(); ++level)
-      for_level(*level, [&](int n) { forward(n); });
-    for (const std::vector<int>& level : tree_.levels) for_level(level, [&](int n) { backward(n); });
+    // Whole subtrees in parallel, the few nodes above them one after another: two launches in all.
+    for_level(subtrees_, [&](int root) {
+      for (int n = tree_.nodes[root].first; n <= root; ++n) forward(n);
+    });
+    for (int n : top_) forward(n);
+    for (auto n = top_.rbegin(); n != top_.rend(); ++n) backward(*n);
+    for_level(subtrees_, [&](int root) {
+      for (int n = root; n >= tree_.nodes[root].first; --n) backward(n);
+    });
     Kokkos::deep_copy(z, host);
   }
 
@@ -157,6 +169,7 @@ class BlockLu final : public Preconditioner {
   std::vector<double> mask_;
   Dissection tree_;
   std::vector<Front> fronts_;
+  std::vector<int> subtrees_, top_;  ///< roots of subtrees that are solved in parallel, and the nodes above them
   std::vector<double> row_scale_, column_scale_, values_;
 };
 

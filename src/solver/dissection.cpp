@@ -55,6 +55,7 @@ class Builder {
     }
     DissectionNode node;
     node.depth = depth;
+    node.first = static_cast<int>(tree_.nodes.size());
     for (const Bounds<D>& part : parts) node.children.push_back(split(part, uncut, depth + 1));
     collect(separator, node.own);
     const int index = static_cast<int>(tree_.nodes.size());

@@ -12,6 +12,7 @@ namespace softwet {
 /// ancestors that the elimination touches. Local numbering: own first, then border.
 struct DissectionNode {
   int parent = -1, depth = 0;
+  int first = 0;                      ///< nodes first .. this one are its subtree
   std::vector<int> own, border;  ///< indices into the vector of unknowns
   std::vector<int> children;
   std::vector<int> border_in_parent;  ///< local number of each border unknown in the parent
