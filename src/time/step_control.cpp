@@ -22,7 +22,7 @@ double StepControl::next(double t) const {
 void StepControl::accept(double dt, double indicator, int newton, int newton_max) {
   double factor = indicator > 0 ? 0.9 * std::sqrt(limits_.tolerance / indicator) : 2.0;
   factor = std::clamp(factor, 0.5, 1.5);
-  if (2 * newton > newton_max) factor = std::min(factor, 0.9);
+  if (newton + 2 > newton_max) factor = std::min(factor, 0.9);  // close to giving up
   // A step cut short to meet an event says little about a longer one: never fall below the old proposal for that.
   const double wish = dt < 0.7 * proposed_ && factor > 1 ? std::max(proposed_, factor * dt) : factor * dt;
   proposed_ = std::clamp(wish, limits_.smallest, limits_.largest);
