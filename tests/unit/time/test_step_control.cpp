@@ -58,7 +58,7 @@ TEST(StepControl, GrowthFollowsTheIndicator) {
 
 TEST(StepControl, LaboriousNewtonShrinksTheStep) {
   StepControl control(limits, {});
-  control.accept(0.1, 1e-12, 6, 10);
+  control.accept(0.1, 1e-12, 9, 10);  // one more would have been the last
   EXPECT_DOUBLE_EQ(control.proposed(), 0.09);
 }
 
