@@ -10,7 +10,7 @@ namespace softwet {
 /// Entries per partial sum; fixed, so the order of additions is fixed.
 inline constexpr int sum_block = 1024;
 
-/// y = a x + b y + c z, the one update all others are made of (z unused where c = 0).
+/// y = a x + b y; with b = 0 the old y is not read.
 inline void combine(const Array& y, double a, const ConstArray& x, double b) {
   Kokkos::parallel_for(
       "softwet::combine", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
