@@ -59,7 +59,6 @@ class Builder {
     for (const Bounds<D>& part : parts) node.children.push_back(split(part, uncut, depth + 1));
     collect(separator, node.own);
     const int index = static_cast<int>(tree_.nodes.size());
-    for (int child : node.children) tree_.nodes[child].parent = index;
     tree_.nodes.push_back(std::move(node));
     return index;
   }

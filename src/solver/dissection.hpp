@@ -11,7 +11,7 @@ namespace softwet {
 /// A separator (or a leaf box): its own unknowns are eliminated after those of its children; `border` are unknowns of
 /// ancestors that the elimination touches. Local numbering: own first, then border.
 struct DissectionNode {
-  int parent = -1, depth = 0;
+  int depth = 0;
   int first = 0;                      ///< nodes first .. this one are its subtree
   std::vector<int> own, border;  ///< indices into the vector of unknowns
   std::vector<int> children;

@@ -26,7 +26,7 @@ class Stepper {
  public:
   Stepper(const Model<D, P>& model, const Case& c, std::vector<double> events);
 
-  /// Takes over a state; `previous` (the unknowns one step of size previous_dt before) may be absent.
+  /// Takes over a state without history: the first step is predicted constant.
   void start(const State& state);
 
   /// Advances by one accepted step. Throws Error (computation_failed) when no step is small enough; the state is then
