@@ -135,6 +135,6 @@ void bench_model(const Case& c, std::ostream& out) {
   out << "peak memory " << peak_memory_mib() << " MiB\n";
 }
 
-template void bench_model<2, 2>(const Case&, std::ostream&);
+template void bench_model<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);
 
 }  // namespace softwet

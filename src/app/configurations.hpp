@@ -1,6 +1,7 @@
 // The configurations this build holds: dimension x degree x precision, and the step from a case to one of them.
 #pragma once
 
+#include <softwet_configurations.hpp>
 #include <string>
 
 #include "app/case.hpp"
@@ -13,20 +14,31 @@ struct Configuration {
   static constexpr int dimension = D, degree = P;
 };
 
-inline constexpr const char* compiled_configurations = "2D, degree 2, double";
+/// "2D degree 2, 2D degree 3, ...; double": what `softwet info` and errors show.
+inline std::string compiled_configurations() {
+  std::string text;
+#define SOFTWET_NAME(D, P) text += (text.empty() ? "" : ", ") + std::string(#D "D degree " #P);
+  SOFTWET_CONFIGURATIONS(SOFTWET_NAME)
+#undef SOFTWET_NAME
+  return text + "; double";
+}
 
 /// Calls visit(Configuration<D, P>{}) for the configuration of a case. Throws Error (invalid_input) that names the
 /// option this build lacks.
 template <class Visit>
-auto with_configuration(const Case& c, const Visit& visit) {
+void with_configuration(const Case& c, const Visit& visit) {
   const auto refuse = [](const std::string& option) {
-    throw Error(Exit::invalid_input, option + ": not in this build, which has: " + compiled_configurations);
+    throw Error(Exit::invalid_input, option + ": not in this build, which has: " + compiled_configurations() +
+                                         " (CMake option SOFTWET_CONFIGURATIONS)");
   };
-  if (c.dimension() != 2) refuse("domain.size with " + std::to_string(c.dimension()) + " numbers");
-  if (c.domain.degree != 2) refuse("domain.degree = " + std::to_string(c.domain.degree));
   if (c.solver.precision != "double") refuse("solver.precision = \"" + c.solver.precision + "\"");
   if (c.time.scheme != "generalized_alpha") refuse("time.scheme = \"" + c.time.scheme + "\"");
-  return visit(Configuration<2, 2>{});
+#define SOFTWET_VISIT(D, P) \
+  if (c.dimension() == D && c.domain.degree == P) return visit(Configuration<D, P>{});
+  SOFTWET_CONFIGURATIONS(SOFTWET_VISIT)
+#undef SOFTWET_VISIT
+  refuse("domain.degree = " + std::to_string(c.domain.degree) + " with domain.size of " +
+         std::to_string(c.dimension()) + " numbers");
 }
 
 }  // namespace softwet

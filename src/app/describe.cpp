@@ -121,6 +121,6 @@ void describe_model(const Case& c, std::ostream& out) {
           backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
 }
 
-template void describe_model<2, 2>(const Case&, std::ostream&);
+template void describe_model<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);
 
 }  // namespace softwet

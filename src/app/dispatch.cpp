@@ -58,7 +58,7 @@ void describe_build(std::ostream& out) {
   const ParallelRuntime runtime(0);
   out << "softwet         " << version << " (" << commit << ")"
       << "\n"
-      << "configurations  " << compiled_configurations << "\n"
+      << "configurations  " << compiled_configurations() << "\n"
       << "backend         " << backend_name() << ", " << thread_count() << " threads\n"
       << "instructions    " << instruction_set() << ", " << lanes() << " elements per pack\n"
 #ifdef SOFTWET_HAVE_UMFPACK

@@ -8,13 +8,6 @@
 
 namespace softwet {
 
-/// The lines "table.key = value" of a case that decide what is computed: all but the name, the output, the solver, the
-/// end of the run and the size of its steps, which a resumed run may change.
-std::string fingerprint(const Case&);
-
-/// Throws Error (invalid_input) that names the first difference; `path` is that of the checkpoint.
-void check_fingerprint(const std::string& path, const std::string& stored, const Case&);
-
 /// Writes all levels of the integrator, the step control and the memory of the history, atomically. The lagged
 /// preconditioner is not part of it: a resumed run builds a new one, so it agrees with an uninterrupted run to the
 /// tolerance of the solver, not to the last bit.

@@ -173,6 +173,6 @@ void Simulation<D, P>::record(const std::string& reason) {
   run.write(path("run.json"));
 }
 
-template class Simulation<2, 2>;
+template class Simulation<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 
 }  // namespace softwet

@@ -42,18 +42,6 @@ std::vector<Profile> profiles(const Case& c, const Model<D, P>& model) {
 
 }  // namespace
 
-template <int D>
-State empty_state(const Layout<D>& l) {
-  State s;
-  s.unknown = Array("state.unknown", l.size());
-  s.velocity_rate = Array("state.velocity_rate", l.velocity_size());
-  s.displacement = Array("state.displacement", l.solid_size());
-  s.displacement_rate = Array("state.displacement_rate", l.solid_size());
-  s.moment = Array("state.moment", l.scalar_size());
-  s.moment_rate = Array("state.moment_rate", l.scalar_size());
-  return s;
-}
-
 template <int D, int P>
 State initial_state(const Case& c, const Model<D, P>& model) {
   const Layout<D>& l = model.layout();
@@ -90,7 +78,6 @@ State initial_state(const Case& c, const Model<D, P>& model) {
   return state;
 }
 
-template State empty_state<2>(const Layout<2>&);
-template State initial_state<2, 2>(const Case&, const Model<2, 2>&);
+template State initial_state(const Case&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&);
 
 }  // namespace softwet

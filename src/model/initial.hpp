@@ -8,7 +8,16 @@ namespace softwet {
 
 /// A state with all arrays allocated for the layout, at rest, at time zero.
 template <int D>
-State empty_state(const Layout<D>&);
+State empty_state(const Layout<D>& l) {
+  State s;
+  s.unknown = Array("state.unknown", l.size());
+  s.velocity_rate = Array("state.velocity_rate", l.velocity_size());
+  s.displacement = Array("state.displacement", l.solid_size());
+  s.displacement_rate = Array("state.displacement_rate", l.solid_size());
+  s.moment = Array("state.moment", l.scalar_size());
+  s.moment_rate = Array("state.moment_rate", l.scalar_size());
+  return s;
+}
 
 /// Fluid at rest: tanh profiles around each droplet with curvature-corrected densities (Kelvin, Laplace), so that the
 /// vapour need not equilibrate: mu = mu_sat + (D - 1) sigma / (R (rho_l - rho_v)). A droplet centred on the wall is

@@ -73,7 +73,7 @@ double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
   return power;
 }
 
-template Integrals Model<2, 2>::integrals(const Stage&) const;
-template double Model<2, 2>::load_power(double, const ConstArray&) const;
+template Integrals Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::integrals(const Stage&) const;
+template double Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::load_power(double, const ConstArray&) const;
 
 }  // namespace softwet

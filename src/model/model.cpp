@@ -199,6 +199,6 @@ void Model<D, P>::product(const Stage& stage, const Array& direction, const Arra
   multiply(direction, mask_);
 }
 
-template class Model<2, 2>;
+template class Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 
 }  // namespace softwet

@@ -65,17 +65,6 @@ std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const
   return traction;
 }
 
-template <int D>
-std::vector<std::string> interface_columns() {
-  const std::string axis = "xyz";
-  std::vector<std::string> names{"time"};
-  for (int d = 0; d < D - 1; ++d) names.push_back(std::string(1, axis[d]) + "_reference");
-  for (int d = 0; d < D; ++d) names.push_back(std::string("displacement_") + axis[d]);
-  names.push_back("density");
-  for (int d = 0; d < D; ++d) names.push_back(std::string("traction_") + axis[d]);
-  return names;
-}
-
 template <int D, int P>
 void add_interface_rows(TableFile& table, const Model<D, P>& model, const Stage& stage, const Snapshot<D>& snapshot,
                         double time) {
@@ -107,9 +96,9 @@ void add_interface_rows(TableFile& table, const Model<D, P>& model, const Stage&
   }
 }
 
-template std::vector<std::string> interface_columns<2>();
-template std::vector<std::string> interface_columns<3>();
-template std::array<std::vector<double>, 2> wall_traction<2, 2>(const Model<2, 2>&, const Stage&);
-template void add_interface_rows<2, 2>(TableFile&, const Model<2, 2>&, const Stage&, const Snapshot<2>&, double);
+using Chosen = Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
+template std::array<std::vector<double>, SOFTWET_DIMENSION> wall_traction<SOFTWET_DIMENSION, SOFTWET_DEGREE>(
+    const Chosen&, const Stage&);
+template void add_interface_rows(TableFile&, const Chosen&, const Stage&, const Snapshot<SOFTWET_DIMENSION>&, double);
 
 }  // namespace softwet

@@ -108,7 +108,7 @@ void write_field_files(const std::string& output, const Model<D, P>& model, cons
   }
 }
 
-template void write_field_files<2, 2>(const std::string&, const Model<2, 2>&, const Snapshot<2>&, std::size_t,
-                                      const std::vector<double>&);
+template void write_field_files(const std::string&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
+                                const Snapshot<SOFTWET_DIMENSION>&, std::size_t, const std::vector<double>&);
 
 }  // namespace softwet

@@ -34,8 +34,7 @@ bool sits_on(const Droplet& droplet, const Model<D, P>& model) {
   return std::abs(droplet.centre[D - 1] - model.wall_height()) < 1e-9;
 }
 
-}  // namespace
-
+/// Largest |v| of a control point whose density is above `middle`.
 template <int D>
 double speed_of_liquid(const Layout<D>& layout, const State& state, double middle) {
   const std::vector<double> x = to_host(state.unknown);
@@ -48,6 +47,8 @@ double speed_of_liquid(const Layout<D>& layout, const State& state, double middl
   }
   return std::sqrt(largest);
 }
+
+}  // namespace
 
 template <int D, int P>
 Scalars<D, P>::Scalars(const Case& c, const Model<D, P>& model) : case_(c), model_(model) {
@@ -170,7 +171,6 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   return row;
 }
 
-template double speed_of_liquid<2>(const Layout<2>&, const State&, double);
-template class Scalars<2, 2>;
+template class Scalars<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 
 }  // namespace softwet

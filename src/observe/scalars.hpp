@@ -33,10 +33,6 @@ struct Headline {
   std::optional<double> centre, velocity, mass_drift;
 };
 
-/// Largest |v| of a control point whose density is above `middle`.
-template <int D>
-double speed_of_liquid(const Layout<D>&, const State&, double middle);
-
 template <int D, int P>
 class Scalars {
  public:

@@ -163,6 +163,6 @@ void GeneralizedAlpha<D, P>::match_mass(const State& state) const {
   add_constant(piece_of(state.unknown, l.density_offset(), l.scalar_size()), shift);
 }
 
-template class GeneralizedAlpha<2, 2>;
+template class GeneralizedAlpha<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 
 }  // namespace softwet

@@ -198,6 +198,6 @@ StepReport Stepper<D, P>::step() {
   }
 }
 
-template class Stepper<2, 2>;
+template class Stepper<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 
 }  // namespace softwet
