@@ -13,6 +13,7 @@ namespace softwet {
 enum class Side { slip, no_slip, clamped, free, periodic };
 /// Capillary force in the momentum equation: (w, rho grad mu), or its divergence form (grad w, Sigma) for cross-checks.
 enum class CapillaryForm { potential, divergence };
+enum class Phase { vapour, liquid };
 enum class WallLaw { gradient, energy };  ///< g^2 |grad rho| cos(alpha) of the paper, or the variational wall energy
 
 struct Domain {
@@ -30,6 +31,8 @@ struct Fluid {
   CapillaryForm form = CapillaryForm::potential;
   double stabilisation = 0.002;  ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
   double smoothing = 1e-4;       ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
+  Phase ambient = Phase::vapour;  ///< what is around the droplets; liquid makes them bubbles
+  std::vector<double> initial;    ///< densities of vapour and liquid at the start; empty: those of the equilibrium
 };
 
 struct Substrate {
@@ -42,6 +45,19 @@ struct Substrate {
 struct Droplet {
   std::vector<double> centre;  ///< of the circle or sphere; on the interface it becomes a cap cut at the contact angle
   double radius = 0;
+  std::vector<double> stretch;  ///< semi-axes over the radius; empty: 1 along each axis
+};
+
+/// A box of liquid at the start.
+struct Film {
+  std::vector<double> lower, upper;
+};
+
+/// amplitude prod_d cos(mode_d pi x_d / L_d), added to a field at the start; sin along the field's own direction.
+struct Wave {
+  std::string field = "density";  ///< density | velocity_x, _y, _z | displacement_x, _y, _z
+  double amplitude = 0;
+  std::vector<double> mode;
 };
 
 struct Load {
@@ -92,6 +108,8 @@ struct Case {
   std::optional<Fluid> fluid;
   std::optional<Substrate> substrate;
   std::vector<Droplet> droplets;
+  std::vector<Film> films;
+  std::vector<Wave> waves;
   std::vector<Load> loads;
   Boundary boundary;
   TimeControl time;

@@ -20,13 +20,12 @@ double bisect(const F& f, double lo, double hi) {
   return 0.5 * (lo + hi);
 }
 
-/// Densities at which W'' = 0: rho (1 - rho)^2 = 4 theta / 27.
+}  // namespace
+
 PhaseDensities spinodal(double theta) {
   const auto excess = [theta](double r) { return r * (1 - r) * (1 - r) - 4 * theta / 27; };
   return {bisect(excess, 0.0, 1.0 / 3), bisect([&](double r) { return -excess(r); }, 1.0 / 3, 1.0)};
 }
-
-}  // namespace
 
 PhaseDensities densities_at(double theta, double potential) {
   const VanDerWaals gas{theta, 0};

@@ -9,10 +9,14 @@ namespace softwet {
 /// Tested against independent values: tests/unit/model/test_equilibrium.cpp
 Coexistence coexistence(double temperature);
 
-/// Densities of vapour and liquid at a given chemical potential between the spinodal values.
 struct PhaseDensities {
   double vapour, liquid;
 };
+
+/// Densities at which W'' = 0, the ends of the two phases: rho (1 - rho)^2 = 4 theta / 27.
+PhaseDensities spinodal(double temperature);
+
+/// Densities of the two phases at a chemical potential between the spinodal values.
 PhaseDensities densities_at(double temperature, double potential);
 
 /// Surface tension sigma / g = int_{rho_v}^{rho_l} sqrt(2 D(rho)) d rho, scale a b^2 L0 / L0.

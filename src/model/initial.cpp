@@ -2,42 +2,177 @@
 
 #include <cmath>
 
+#include "field/vector.hpp"
 #include "model/equilibrium.hpp"
 
 namespace softwet {
 
 namespace {
 
-/// One droplet as a smooth indicator: 1 inside, 0 outside.
-struct Profile {
-  std::vector<double> centre;
-  double radius, half_width, density_inside, density_outside, potential;
+/// 1 below zero, 0 above, over the width of the interface.
+double step_down(double distance, double half_width) { return 0.5 * (1 - std::tanh(distance / half_width)); }
 
-  double indicator(const double* x) const {
-    double r2 = 0;
-    for (std::size_t d = 0; d < centre.size(); ++d) r2 += (x[d] - centre[d]) * (x[d] - centre[d]);
-    return 0.5 * (1 - std::tanh((std::sqrt(r2) - radius) / half_width));
+/// An ellipse or a box as a smooth indicator: 1 inside, 0 outside.
+struct Shape {
+  std::vector<double> centre, semi_axis;  ///< of an ellipse; empty for a box
+  std::vector<double> lower, upper;       ///< of a box
+  double density, potential;              ///< inside, and of both phases in equilibrium with it
+  double density_around;
+
+  double indicator(const Case& c, const double* x, double half_width) const {
+    return centre.empty() ? in_box(c, x, half_width) : in_ellipse(c, x, half_width);
+  }
+
+ private:
+  /// Distance from the ellipse r = 1 to first order, (r - 1) / |grad r|, r^2 = sum (x_d / s_d)^2; exact for a circle.
+  double in_ellipse(const Case& c, const double* x, double half_width) const {
+    double square = 0, slope = 0;
+    for (std::size_t d = 0; d < centre.size(); ++d) {
+      double distance = x[d] - centre[d];
+      if (c.boundary.side[d][0] == Side::periodic) distance = std::remainder(distance, c.domain.size[d]);
+      square += std::pow(distance / semi_axis[d], 2);
+      slope += std::pow(distance / (semi_axis[d] * semi_axis[d]), 2);
+    }
+    if (square == 0) return 1;
+    const double r = std::sqrt(square);
+    return step_down((r - 1) * r / std::sqrt(slope), half_width);
+  }
+  /// A face on a side of the fluid, or beyond it, is no interface.
+  double in_box(const Case& c, const double* x, double half_width) const {
+    double inside = 1;
+    for (std::size_t d = 0; d < lower.size(); ++d) {
+      const double low = d + 1 == lower.size() && c.substrate ? c.substrate->thickness : 0, high = c.domain.size[d];
+      if (lower[d] > low + 1e-9) inside *= step_down(lower[d] - x[d], half_width);
+      if (upper[d] < high - 1e-9) inside *= step_down(x[d] - upper[d], half_width);
+    }
+    return inside;
+  }
+};
+
+/// Phases in equilibrium across a droplet's or bubble's curved interface (Kelvin, Laplace).
+struct CurvedEquilibrium {
+  double temperature, tension;
+  Coexistence flat;
+  int dimension;
+
+  /// mu = mu_sat +- (D - 1) sigma / (R (rho_l - rho_v)), at most half way to the spinodal: below that radius there is no
+  /// equilibrium and the droplet vanishes.
+  double potential(double radius, double sign) const {
+    const double excess = (dimension - 1) * tension / (radius * (flat.density_liquid - flat.density_vapour));
+    const VanDerWaals gas{temperature, 0};
+    const PhaseDensities limit = spinodal(temperature);
+    const double end = sign > 0 ? gas.derivative(limit.vapour) : gas.derivative(limit.liquid);
+    return flat.potential + sign * std::min(excess, 0.5 * std::abs(end - flat.potential));
   }
 };
 
 template <int D, int P>
-std::vector<Profile> profiles(const Case& c, const Model<D, P>& model) {
-  const Coexistence& s = model.state();
+std::vector<Shape> shapes(const Case& c, const Model<D, P>& model) {
+  const Coexistence& flat = model.state();
+  const double tension = c.fluid->capillarity * surface_tension_over_capillarity(c.fluid->temperature);
+  const CurvedEquilibrium curved{c.fluid->temperature, tension, flat, D};
+  const bool bubbles = c.fluid->ambient == Phase::liquid;
+  std::vector<Shape> result;
+  for (const Droplet& droplet : c.droplets) {
+    const double potential = curved.potential(droplet.radius, bubbles ? -1 : 1);
+    const PhaseDensities rho = densities_at(c.fluid->temperature, potential);
+    Shape s{droplet.centre, std::vector<double>(D, droplet.radius), {}, {}, rho.liquid, potential, rho.vapour};
+    if (bubbles) std::swap(s.density, s.density_around);
+    for (std::size_t d = 0; d < droplet.stretch.size(); ++d) s.semi_axis[d] *= droplet.stretch[d];
+    if (std::abs(s.centre[D - 1] - model.wall_height()) < 1e-9)
+      s.centre[D - 1] -= s.semi_axis[D - 1] * std::cos(c.fluid->contact_angle * M_PI / 180);
+    result.push_back(s);
+  }
+  for (const Film& film : c.films)
+    result.push_back({{}, {}, film.lower, film.upper, flat.density_liquid, flat.potential, flat.density_vapour});
+  return result;
+}
+
+/// The medium around the shapes: in equilibrium with the largest droplet, else with a flat interface.
+Shape surroundings(const Case& c, const Coexistence& flat, const std::vector<Shape>& all) {
+  Shape around{};
+  const bool liquid = c.fluid->ambient == Phase::liquid;
+  around.density_around = liquid ? flat.density_liquid : flat.density_vapour;
+  around.potential = flat.potential;
+  double largest = 0;
+  for (std::size_t k = 0; k < c.droplets.size(); ++k)
+    if (c.droplets[k].radius > largest) {
+      largest = c.droplets[k].radius;
+      around = all[k];
+    }
+  if (!c.fluid->initial.empty()) around.density_around = c.fluid->initial[liquid ? 1 : 0];
+  return around;
+}
+
+/// Half width w of tanh(x / w) with the slope of the planar interface in its middle.
+double interface_half_width(const Case& c, const Coexistence& s) {
   const double jump = s.density_liquid - s.density_vapour, middle = 0.5 * (s.density_liquid + s.density_vapour);
-  const double sigma = c.fluid->capillarity * surface_tension_over_capillarity(c.fluid->temperature);
   const VanDerWaals gas{c.fluid->temperature, 0};
   const double excess = gas.energy(middle) - s.potential * middle + s.pressure;
-  const double half_width = 0.5 * jump * c.fluid->capillarity / std::sqrt(2 * excess);
-  std::vector<Profile> result;
-  for (const Droplet& droplet : c.droplets) {
-    const double potential = s.potential + (D - 1) * sigma / (droplet.radius * jump);
-    const PhaseDensities rho = densities_at(c.fluid->temperature, potential);
-    Profile p{droplet.centre, droplet.radius, half_width, rho.liquid, rho.vapour, potential};
-    if (std::abs(p.centre[D - 1] - model.wall_height()) < 1e-9)
-      p.centre[D - 1] -= droplet.radius * std::cos(c.fluid->contact_angle * M_PI / 180);
-    result.push_back(p);
+  return 0.5 * jump * c.fluid->capillarity / std::sqrt(2 * excess);
+}
+
+/// Calls visit(i, x) for each control value of a component with rows [first, first + rows): its Greville point. A control
+/// value equal to the profile there is a positive approximation, so the vapour cannot undershoot.
+template <int D, class Visit>
+void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& visit) {
+  for (int i = 0; i < rows * l.row_size; ++i) {
+    double x[D];
+    int rest = i;
+    for (int d = 0; d < D; ++d) {
+      const int n = d < D - 1 ? l.axis[d].functions() : rows;
+      x[d] = l.axis[d].greville(rest % n + (d == D - 1 ? first : 0));
+      rest /= n;
+    }
+    visit(i, x);
   }
-  return result;
+}
+
+template <int D, int P>
+void fill_fluid(const Case& c, const Model<D, P>& model, std::vector<double>& unknown) {
+  const Layout<D>& l = model.layout();
+  const std::vector<Shape> all = shapes(c, model);
+  const Shape around = surroundings(c, model.state(), all);
+  const double half_width = interface_half_width(c, model.state());
+  at_greville_points(l, l.wall_row, l.fluid_rows(), [&](int i, const double* x) {
+    double rho = around.density_around, cover = 0;
+    for (const Shape& shape : all) {
+      const bool liquid = shape.density > shape.density_around;
+      const double inside = c.fluid->initial.empty() ? shape.density : c.fluid->initial[liquid ? 1 : 0];
+      const double phi = std::min(shape.indicator(c, x, half_width), 1 - cover);
+      rho += (inside - around.density_around) * phi;
+      cover += phi;
+    }
+    unknown[l.density_offset() + i] = rho;
+    unknown[l.potential_offset() + i] = around.potential;
+  });
+}
+
+/// Adds the wave to a component; `own` is the direction of a vector's component, -1 for the density.
+template <int D>
+void add_wave(const Case& c, const Layout<D>& l, const Wave& wave, int own, int first, int rows, double* values) {
+  at_greville_points(l, first, rows, [&](int i, const double* x) {
+    double value = wave.amplitude;
+    for (int d = 0; d < D; ++d) {
+      const double phase = wave.mode[d] * M_PI * x[d] / c.domain.size[d];
+      value *= d == own && wave.mode[d] != 0 ? std::sin(phase) : std::cos(phase);
+    }
+    values[i] += value;
+  });
+}
+
+template <int D>
+void add_waves(const Case& c, const Layout<D>& l, std::vector<double>& unknown, std::vector<double>& displacement) {
+  for (const Wave& wave : c.waves) {
+    const int own = wave.field == "density" ? -1 : wave.field.back() - 'x';
+    if (own < 0) {
+      add_wave(c, l, wave, own, l.wall_row, l.fluid_rows(), &unknown[l.density_offset()]);
+    } else if (wave.field.rfind("velocity", 0) == 0) {
+      add_wave(c, l, wave, own, 0, l.rows, &unknown[l.velocity_offset(own)]);
+    } else {
+      add_wave(c, l, wave, own, 0, l.solid_rows(), &displacement[l.displacement_offset(own)]);
+    }
+  }
 }
 
 }  // namespace
@@ -46,35 +181,13 @@ template <int D, int P>
 State initial_state(const Case& c, const Model<D, P>& model) {
   const Layout<D>& l = model.layout();
   State state = empty_state(l);
-  if (!l.has_fluid) return state;
-  const std::vector<Profile> droplets = profiles(c, model);
-  std::vector<double> x(l.size(), 0.0);
-  double outside = model.state().density_vapour, potential = model.state().potential, largest = 0;
-  for (const Profile& p : droplets)
-    if (p.radius > largest) {
-      largest = p.radius;
-      outside = p.density_outside;
-      potential = p.potential;
-    }
-  for (int i = 0; i < l.scalar_size(); ++i) {
-    // Control value = profile at the Greville point: a positive approximation, so the vapour cannot undershoot.
-    double point[D];
-    int rest = i;
-    for (int d = 0; d < D; ++d) {
-      const int n = d < D - 1 ? l.axis[d].functions() : l.fluid_rows();
-      point[d] = l.axis[d].greville(rest % n + (d == D - 1 ? l.wall_row : 0));
-      rest /= n;
-    }
-    double rho = outside, cover = 0;
-    for (const Profile& p : droplets) {
-      const double phi = std::min(p.indicator(point), 1 - cover);
-      rho += (p.density_inside - outside) * phi;
-      cover += phi;
-    }
-    x[l.density_offset() + i] = rho;
-    x[l.potential_offset() + i] = potential;
-  }
-  state.unknown = to_device<Array>(x, "state.unknown");
+  std::vector<double> unknown(l.size(), 0.0), displacement(l.solid_size(), 0.0);
+  if (l.has_fluid) fill_fluid(c, model, unknown);
+  add_waves(c, l, unknown, displacement);
+  state.unknown = to_device<Array>(unknown, "state.unknown");
+  state.displacement = to_device<Array>(displacement, "state.displacement");
+  multiply(Kokkos::subview(state.unknown, Kokkos::make_pair(0, l.velocity_size())),
+           part(model.mask(), 0, l.velocity_size()));
   return state;
 }
 

@@ -109,6 +109,10 @@ template <int D, int P>
 void GeneralizedAlpha<D, P>::initialise(State& state) {
   const Layout<D>& l = model_.layout();
   move_ghosts(l, state.unknown, GhostAction::update);
+  for (int d = 0; d < D && l.has_solid; ++d)  // u' = v
+    Kokkos::deep_copy(
+        piece_of(state.displacement_rate, l.displacement_offset(d), l.solid_rows() * l.row_size),
+        solid_velocity(l, state.unknown, d));
   if (!l.has_fluid) return;
   Stage s = at(state);
   s.moment_rate = 0;

@@ -22,6 +22,11 @@ inline const std::vector<std::string>& form_words() {
   return words;
 }
 
+inline const std::vector<std::string>& phase_words() {
+  static const std::vector<std::string> words = {"vapour", "liquid"};
+  return words;
+}
+
 inline std::size_t position_of(const std::vector<std::string>& words, const std::string& word) {
   std::size_t position = 0;
   while (position + 1 < words.size() && words[position] != word) ++position;
@@ -44,6 +49,9 @@ inline void store(Side& member, const Value& value) {
 inline void store(CapillaryForm& member, const Value& value) {
   member = static_cast<CapillaryForm>(position_of(form_words(), std::get<std::string>(value)));
 }
+inline void store(Phase& member, const Value& value) {
+  member = static_cast<Phase>(position_of(phase_words(), std::get<std::string>(value)));
+}
 inline void store(WallLaw& member, const Value& value) {
   member = static_cast<WallLaw>(position_of(wall_law_words(), std::get<std::string>(value)));
 }
@@ -57,6 +65,7 @@ inline Value load(const Numbers& member) { return member; }
 inline Value load(const std::vector<int>& member) { return Numbers(member.begin(), member.end()); }
 inline Value load(Side member) { return side_words()[static_cast<std::size_t>(member)]; }
 inline Value load(CapillaryForm member) { return form_words()[static_cast<std::size_t>(member)]; }
+inline Value load(Phase member) { return phase_words()[static_cast<std::size_t>(member)]; }
 inline Value load(WallLaw member) { return wall_law_words()[static_cast<std::size_t>(member)]; }
 
 /// Binding of the member that `place(case, index)` refers to.
@@ -64,6 +73,20 @@ template <class Place>
 Binding at(Place place) {
   return {[place](Case& c, std::size_t index, const Value& value) { store(place(c, index), value); },
           [place](const Case& c, std::size_t index) { return load(place(const_cast<Case&>(c), index)); }};
+}
+
+/// A box is two lists in an entry of Case, lower and upper corner; `place` returns the entry.
+template <class Place>
+Binding box_of(Place place) {
+  return {[place](Case& c, std::size_t index, const Value& value) {
+            const auto& corners = std::get<std::vector<Numbers>>(value);
+            place(c, index).lower = corners[0];
+            place(c, index).upper = corners[1];
+          },
+          [place](const Case& c, std::size_t index) {
+            const auto& entry = place(const_cast<Case&>(c), index);
+            return std::vector<Numbers>{entry.lower, entry.upper};
+          }};
 }
 
 }  // namespace softwet

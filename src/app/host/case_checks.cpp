@@ -140,9 +140,16 @@ void check_droplet(const Checker& check, std::size_t index) {
     check.refuse(centre, fmt::format("must be {} numbers, as many as domain.size", check.c.domain.size.size()),
                  "write one coordinate for each axis");
   }
+  const std::size_t stretches = droplet.stretch.size();
+  if (stretches != 0 && stretches != check.c.domain.size.size()) {
+    check.refuse(fmt::format("droplet[{}].stretch", index),
+                 fmt::format("must be {} numbers, as many as domain.size", check.c.domain.size.size()),
+                 "write one factor for each axis, or leave it out for a circle");
+  }
   for (std::size_t axis = 0; axis <= check.vertical(); ++axis) {
     const bool up = axis == check.vertical();
     const double bottom = up ? check.interface() : 0.0, top = check.c.domain.size[axis], x = droplet.centre[axis];
+    const double semi_axis = droplet.radius * (stretches == 0 ? 1.0 : droplet.stretch[axis]);
     if (x < bottom - slack * top || x > top * (1 + slack)) {
       check.refuse(centre, fmt::format("lies outside the fluid, which is [{}, {}] along axis {}", bottom, top, axis),
                    "move the centre; on the interface it becomes a cap");
@@ -151,15 +158,67 @@ void check_droplet(const Checker& check, std::size_t index) {
     // A cap on the interface has its circle's centre at -R cos(alpha) above it.
     const bool cap = up && std::abs(x - bottom) <= slack * top;
     const double reach =
-        cap ? droplet.radius * (1 - std::cos(check.c.fluid->contact_angle * pi / 180)) : droplet.radius;
-    const bool out_below = !up && x - droplet.radius < -slack * top;
-    if (!out_below && x + reach <= top * (1 + slack)) continue;
+        cap ? semi_axis * (1 - std::cos(check.c.fluid->contact_angle * pi / 180)) : semi_axis;
+    // A centre on a slip side is half a droplet: the side is its plane of symmetry.
+    const auto halved = [&](double side, std::size_t end) {
+      return check.c.boundary.side[axis][end] == Side::slip && std::abs(x - side) <= slack * top;
+    };
+    const bool out_below = !up && x - semi_axis < -slack * top && !halved(0, 0);
+    if (!out_below && (x + reach <= top * (1 + slack) || halved(top, 1))) continue;
     const std::string& side = side_name(axis, out_below ? 0 : 1, check.vertical());
-    const double room = out_below ? x : (top - x) * droplet.radius / reach;
+    const double room = (out_below ? x : (top - x) * semi_axis / reach) * droplet.radius / semi_axis;
     const std::string smaller = room > slack * top ? fmt::format("write a radius of at most {:.6g}, ", room) : "";
     check.refuse(radius, fmt::format("the droplet crosses the {} side of the domain", side.substr(side.find('.') + 1)),
-                 smaller + "move the centre, or make the side periodic");
+                 smaller + "move the centre (on a slip side it is half a droplet), or make the side periodic");
   }
+}
+
+void check_film(const Checker& check, std::size_t index) {
+  const std::string box = fmt::format("film[{}].box", index);
+  const Film& film = check.c.films[index];
+  if (!check.c.fluid) check.refuse(box, "a film lives in a fluid", "add a [fluid] or remove the [[film]]");
+  const std::size_t dimension = check.c.domain.size.size();
+  if (film.lower.size() != dimension || film.upper.size() != dimension) {
+    check.refuse(box, fmt::format("each corner must be {} numbers, as many as domain.size", dimension),
+                 "write box = [[lower corner], [upper corner]]");
+  }
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    if (film.lower[axis] < film.upper[axis]) continue;
+    check.refuse(box, fmt::format("is empty along axis {}", axis), "the first corner must lie below the second");
+  }
+}
+
+void check_wave(const Checker& check, std::size_t index) {
+  const std::string field = fmt::format("wave[{}].field", index), mode = fmt::format("wave[{}].mode", index);
+  const Wave& wave = check.c.waves[index];
+  const bool in_solid = wave.field.rfind("displacement", 0) == 0;
+  if (in_solid && !check.c.substrate) check.refuse(field, "needs a solid", "add a [substrate] or choose a velocity");
+  if (wave.field == "density" && !check.c.fluid) check.refuse(field, "needs a fluid", "add a [fluid]");
+  if (wave.field.back() == 'z' && check.c.dimension() == 2) {
+    check.refuse(field, "exists in 3D only", "the directions of a 2D case are x and y");
+  }
+  if (wave.mode.size() != check.c.domain.size.size()) {
+    check.refuse(mode, fmt::format("must be {} numbers, as many as domain.size", check.c.domain.size.size()),
+                 "write the number of half waves along each axis");
+  }
+  for (std::size_t axis = 0; axis < wave.mode.size(); ++axis) {
+    const bool even = std::fmod(wave.mode[axis], 2) == 0;
+    if (std::floor(wave.mode[axis]) != wave.mode[axis] || (check.periodic(axis) && !even)) {
+      check.refuse(mode, fmt::format("must be a whole{} number along axis {}", check.periodic(axis) ? " even" : "", axis),
+                   "the wave has to fit between the sides");
+    }
+  }
+}
+
+void check_initial(const Checker& check) {
+  for (std::size_t i = 0; i < check.c.droplets.size(); ++i) check_droplet(check, i);
+  for (std::size_t i = 0; i < check.c.films.size(); ++i) check_film(check, i);
+  for (std::size_t i = 0; i < check.c.waves.size(); ++i) check_wave(check, i);
+  if (!check.c.fluid || check.c.fluid->initial.empty()) return;
+  const auto& rho = check.c.fluid->initial;
+  if (rho.size() == 2 && rho[0] <= rho[1]) return;
+  check.refuse("fluid.initial", "must be 2 increasing numbers, the densities of vapour and liquid",
+               "write for example initial = [0.1, 0.6]");
 }
 
 void check_time(const Checker& check) {
@@ -198,7 +257,7 @@ void check_case(const Case& c, const Document& document) {
   check_boundary(check);
   if (c.substrate) check_substrate(check);
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);
-  for (std::size_t i = 0; i < c.droplets.size(); ++i) check_droplet(check, i);
+  check_initial(check);
   check_time(check);
 }
 

@@ -36,9 +36,11 @@ std::string write_tables(const Case& c, const std::function<std::string(const Ke
 /// The scene of the examples in the schema: the paper's pull.
 Case example_scene() {
   Case c;
-  for (const Table& table : tables()) table.open(c, 0);
+  for (const Table& table : tables())
+    if (table.in_example) table.open(c, 0);
   for (const Key& key : schema()) {
-    if (!key.example.empty()) key.bind.set(c, 0, value_from_text(key, key.example));
+    const Table& table = *find_table(key.table());
+    if (table.in_example && !key.example.empty()) key.bind.set(c, 0, value_from_text(key, key.example));
   }
   return c;
 }

@@ -41,26 +41,30 @@ std::string Range::text() const {
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> all{
-      {"", "", false, always, nothing},
-      {"domain", "Box of solid and fluid, and its elements", false, always, nothing},
-      {"fluid", "Isothermal Navier-Stokes-Korteweg; omit for a solid alone", false,
+      {"", "", false, true, always, nothing},
+      {"domain", "Box of solid and fluid, and its elements", false, true, always, nothing},
+      {"fluid", "Isothermal Navier-Stokes-Korteweg; omit for a solid alone", false, true,
        [](const Case& c) -> std::size_t { return c.fluid ? 1 : 0; },
        [](Case& c, std::size_t) {
          if (!c.fluid) c.fluid.emplace();
        }},
-      {"substrate", "Saint Venant-Kirchhoff solid (2D: plane strain); omit for a rigid wall", false,
+      {"substrate", "Saint Venant-Kirchhoff solid (2D: plane strain); omit for a rigid wall", false, true,
        [](const Case& c) -> std::size_t { return c.substrate ? 1 : 0; },
        [](Case& c, std::size_t) {
          if (!c.substrate) c.substrate.emplace();
        }},
-      {"droplet[]", "Liquid at the start; one [[droplet]] each", true, [](const Case& c) { return c.droplets.size(); },
-       [](Case& c, std::size_t i) { grow(c.droplets, i); }},
-      {"load[]", "Force per unit mass on a box of the solid; one [[load]] each", true,
+      {"droplet[]", "Liquid at the start (or vapour: fluid.ambient); one [[droplet]] each", true, true,
+       [](const Case& c) { return c.droplets.size(); }, [](Case& c, std::size_t i) { grow(c.droplets, i); }},
+      {"film[]", "A box of liquid at the start; one [[film]] each", true, false,
+       [](const Case& c) { return c.films.size(); }, [](Case& c, std::size_t i) { grow(c.films, i); }},
+      {"wave[]", "A standing wave added to a field at the start; one [[wave]] each", true, false,
+       [](const Case& c) { return c.waves.size(); }, [](Case& c, std::size_t i) { grow(c.waves, i); }},
+      {"load[]", "Force per unit mass on a box of the solid; one [[load]] each", true, true,
        [](const Case& c) { return c.loads.size(); }, [](Case& c, std::size_t i) { grow(c.loads, i); }},
-      {"boundary", "Sides of the domain", false, always, nothing},
-      {"time", "Time steps", false, always, nothing},
-      {"solver", "Newton, Krylov", false, always, nothing},
-      {"output", "What is written, and when", false, always, nothing},
+      {"boundary", "Sides of the domain", false, true, always, nothing},
+      {"time", "Time steps", false, true, always, nothing},
+      {"solver", "Newton, Krylov", false, true, always, nothing},
+      {"output", "What is written, and when", false, true, always, nothing},
   };
   return all;
 }

@@ -31,6 +31,7 @@ struct Table {
   std::string name;  ///< "fluid", "droplet[]"; "" is the top of the file
   std::string help{};
   bool repeated = false;
+  bool in_example = true;  ///< part of the case that `init` writes
   std::size_t (*count)(const Case&);       ///< entries a case has: 0 or 1, any number when repeated
   void (*open)(Case&, std::size_t index);  ///< grows the case so that entry `index` exists
 };
@@ -79,8 +80,9 @@ std::string default_text(const Key& key);
 /// TOML text of a value that works: the example, else the default.
 std::string example_text(const Key& key);
 
-// The two halves of the schema.
+// The parts of the schema.
 std::vector<Key> scene_keys();
+std::vector<Key> initial_keys();
 std::vector<Key> numerics_keys();
 
 }  // namespace softwet

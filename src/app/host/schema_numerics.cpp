@@ -1,4 +1,4 @@
-// Schema, second half: sides, time steps, solver and output.
+// Schema, third part: sides, time steps, solver and output.
 #include "app/host/binding.hpp"
 #include "app/host/schema.hpp"
 

@@ -1,4 +1,4 @@
-// Schema, first half: what is simulated. Equation numbers are those of Bueno et al. 2017.
+// Schema, first part: what is simulated. Equation numbers are those of Bueno et al. 2017.
 #include "app/host/binding.hpp"
 #include "app/host/schema.hpp"
 
@@ -100,6 +100,18 @@ std::vector<Key> fluid_keys() {
        .range = positive,
        .help = "d of sqrt(|grad rho|^2 + d^2) in the wall law \"gradient\".",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->smoothing; })},
+      {.name = "fluid.ambient",
+       .kind = Kind::choice,
+       .choices = phase_words(),
+       .help = "Phase around the droplets at the start; \"liquid\" makes them bubbles of vapour.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->ambient; })},
+      {.name = "fluid.initial",
+       .kind = Kind::numbers,
+       .unit = "b",
+       .range = {0, 0.999, true, false},
+       .help = "Densities of vapour and liquid at the start.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->initial; }),
+       .default_note = "[], those of the equilibrium with the curved interface (Kelvin, Laplace)"},
   };
 }
 
@@ -139,37 +151,9 @@ std::vector<Key> substrate_keys() {
   };
 }
 
-/// A box is two lists in Case, lower and upper corner.
-Binding load_box() {
-  return {[](Case& c, std::size_t index, const Value& value) {
-            const auto& corners = std::get<std::vector<Numbers>>(value);
-            c.loads[index].lower = corners[0];
-            c.loads[index].upper = corners[1];
-          },
-          [](const Case& c, std::size_t index) {
-            return std::vector<Numbers>{c.loads[index].lower, c.loads[index].upper};
-          }};
-}
-
-std::vector<Key> droplet_and_load_keys() {
+std::vector<Key> load_keys() {
   constexpr Range not_negative{0, infinity, false, true};
   return {
-      {.name = "droplet[].centre",
-       .kind = Kind::numbers,
-       .unit = "L0",
-       .required = true,
-       .example = "[0.5, 0.125]",
-       .source = "[?] on the interface: a cap cut at the contact angle",
-       .help = "Centre of the circle or sphere; on the interface it becomes a cap cut at the contact angle.",
-       .bind = at([](Case & c, std::size_t i) -> auto& { return c.droplets[i].centre; })},
-      {.name = "droplet[].radius",
-       .unit = "L0",
-       .range = positive,
-       .required = true,
-       .example = "0.155",
-       .source = "[?]",
-       .help = "Radius of the circle or sphere.",
-       .bind = at([](Case & c, std::size_t i) -> auto& { return c.droplets[i].radius; })},
       {.name = "load[].box",
        .kind = Kind::box,
        .unit = "L0",
@@ -177,7 +161,7 @@ std::vector<Key> droplet_and_load_keys() {
        .example = "[[0.7, 0.0], [0.8, 0.125]]",
        .source = "[?]",
        .help = "Lower and upper corner of the loaded part of the solid, in the undeformed state.",
-       .bind = load_box()},
+       .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.loads[i]; })},
       {.name = "load[].force",
        .kind = Kind::numbers,
        .unit = "ab/L0",
@@ -207,7 +191,7 @@ std::vector<Key> droplet_and_load_keys() {
 
 std::vector<Key> scene_keys() {
   std::vector<Key> keys;
-  for (auto part : {domain_keys, fluid_keys, substrate_keys, droplet_and_load_keys}) {
+  for (auto part : {domain_keys, fluid_keys, substrate_keys, initial_keys, load_keys}) {
     for (Key& key : part()) keys.push_back(std::move(key));
   }
   return keys;

@@ -1,0 +1,84 @@
+"""Extremes: where runs survive, stop with a reason, or are refused
+
+Each run pushes a parameter to its end, or two at once (_extremes_matrix.py). A run may *survive* (exit code 0, laws intact),
+*stop* (exit code 2: it says why, the checkpoint of the last good state can be read, no file holds a number that is not
+finite) or be *refused* before it starts (exit code 1). Everything else *fails*: another exit code, a run longer than its
+limit, a number that is not finite, mass that drifts by more than 1e-8, a density outside (-0.05, 1), and with the
+wall-energy law on a rigid wall an energy that grows."""
+
+import numpy
+
+from . import _extremes_matrix as matrix
+
+MINUTES = {"quick": 1, "full": 30}
+LIMIT = 150  # seconds for a run
+
+
+def finite(run):
+    """No number of history.csv and of the fields is nan or infinite. An empty cell is no number."""
+    text = (run.folder / "history.csv").read_text().lower() + (run.folder / "interface.csv").read_text().lower()
+    if "nan" in text or "inf" in text:
+        return False
+    import h5py
+    for path in [*run.folder.glob("fields/*.vtkhdf"), run.folder / "checkpoint.h5"]:
+        bad = []
+        with h5py.File(path) as file:
+            file.visititems(lambda name, item: bad.append(name) if isinstance(item, h5py.Dataset) and item.dtype.kind == "f"
+                            and not numpy.isfinite(item[()]).all() else None)
+        if bad:
+            return False
+    return True
+
+
+def broken_laws(label, run):
+    """What a run that says it is done got wrong; empty when nothing."""
+    rows, wrong = run.history, []
+    if "mass_drift" in rows and numpy.nanmax(numpy.abs(rows["mass_drift"])) > 1e-8:
+        wrong.append(f"mass drifts by {numpy.nanmax(numpy.abs(rows['mass_drift'])):.1e}")
+    if not (rows["rho_min"].min() > -0.05 and rows["rho_max"].max() < 1):
+        wrong.append(f"density in [{rows['rho_min'].min():.3g}, {rows['rho_max'].max():.3g}]")
+    if "wall energy" in label or label.endswith(", rigid") and "theta" in label:
+        energy = rows["energy_total"]
+        growth = numpy.diff(energy).max() / max(numpy.ptp(energy), 1e-15) if len(energy) > 1 else 0
+        if growth > 1e-6:
+            wrong.append(f"energy grows by {growth:.1e} of its change")
+    return ", ".join(wrong)
+
+
+def verdict(label, run):
+    """(verdict, reason)"""
+    if run.code == 1:
+        return "refused", run.message.strip().splitlines()[-1].split("error: ")[-1]
+    if run.code not in (0, 2) or not (run.folder / "checkpoint.h5").exists():
+        return "FAILS", f"exit code {run.code}: {run.message.strip()[-150:]}"
+    if not finite(run):
+        return "FAILS", "a number that is not finite in its files"
+    wrong = broken_laws(label, run)
+    if run.code == 0:
+        return ("FAILS", wrong) if wrong else ("survives", run.record["stop"]["reason"].replace("end reached", ""))
+    if wrong:
+        return "FAILS", wrong
+    return "stops", run.message.split("the computation stopped ")[-1].split(", even with")[0]
+
+
+def row(label, run):
+    found, reason = verdict(label, run)
+    if run.code == 1 or found == "FAILS" and run.code not in (0, 2):
+        return found, [label, found, reason] + [""] * 6
+    rows, counts = run.history, run.record["counts"]
+    steps, newton = max(1, counts["steps"]), max(1, counts["newton"])
+    return found, [label, found, reason, counts["steps"], counts["rejected_by_newton"] + counts["rejected_by_error"],
+                   f"{rows['dt'].max():.3g}", f"{newton / steps:.1f}", f"{counts['krylov'] / newton:.1f}",
+                   f"{rows['rho_min'].min():.2g}"]
+
+
+def study(lab):
+    chosen = {label: matrix.RUNS[label] for label in (matrix.QUICK if lab.quick else matrix.RUNS)}
+    runs = lab.runs(chosen, expect=None, limit=LIMIT)
+    found = {label: row(label, runs[label]) for label in chosen}
+    kinds = [kind for kind, _ in found.values()]
+    lab.text(f"{len(kinds)} runs: " + ", ".join(f"{kinds.count(kind)} {kind}" for kind in
+                                              ("survives", "stops", "refused", "FAILS")) + ".")
+    lab.expect("runs that fail", 0, kinds.count("FAILS"), kinds.count("FAILS") == 0)
+    lab.table(["run", "verdict", "reason", "steps", "rejected", "largest step", "Newton per step", "Krylov per Newton",
+               "least density"], [cells for _, cells in found.values()], name="runs")
