@@ -1,0 +1,229 @@
+"""What a study works with: runs of softwet that are kept, tables, pictures, and what was asked against what was measured.
+
+A study is a file of tests/verification/studies:
+
+    '''Title in one line.
+
+    What is done and where the exact answers come from.'''
+    MINUTES = {"quick": 0.2, "full": 5}   # as measured on one core
+    def study(lab): ...
+
+tools/verify calls study(lab) and writes <out>/<name>/<name>.md with the tables and pictures beside it."""
+
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import time
+from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
+
+import _measure
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+# Threads that wait without spinning: runs share the machine with each other.
+ENVIRONMENT = {**os.environ, "OMP_WAIT_POLICY": "passive", "OMP_PROC_BIND": "false"}
+
+
+class StudyError(Exception):
+    """A study cannot go on: a run ended with another exit code than expected, or took too long."""
+
+
+class Run:
+    """A finished run: .folder, .code, .message (stderr), .seconds (wall), .commandline, .history, .record."""
+
+    def __init__(self, folder, note):
+        self.folder, self.code, self.message = folder, note["code"], note["message"]
+        self.seconds, self.commandline = note["seconds"], note["command"]
+
+    @cached_property
+    def history(self):
+        """Columns of history.csv by name; an empty cell is nan."""
+        return _measure.history(self.folder)
+
+    @cached_property
+    def record(self):
+        return json.loads((self.folder / "run.json").read_text())
+
+
+class Store:
+    """Runs of one program under a folder. A run whose command, case and program are those of an earlier one is that one."""
+
+    def __init__(self, program, folder):
+        self.program, self.folder = pathlib.Path(program), folder
+        self.content = hashlib.sha1(self.program.read_bytes()).hexdigest()
+
+    def get(self, case, shown, settings, options, limit):
+        """@param case   path of the case; @param shown  how the command names it
+        @return the run, whatever its exit code"""
+        words = [word for setting in settings for word in ("--set", setting)] + list(options)
+        if "--threads" not in words:
+            words += ["--threads", "1"]
+        key = hashlib.sha1("\0".join([self.content, case.read_text(), *words]).encode()).hexdigest()[:12]
+        folder = self.folder / f"{case.stem}_{key}"
+        file = self.folder / f"{case.stem}_{key}.json"
+        if not file.exists():
+            note = self.compute([str(self.program), "run", str(case), *words, "--out", str(folder), "--overwrite", "--quiet"],
+                                limit)
+            note["command"] = shlex.join(["softwet", "run", shown, *words])
+            if note["code"] not in (0, 1, 2):
+                return Run(folder, note)  # the machine's fault, or too slow: not kept
+            file.write_text(json.dumps(note))
+        return Run(folder, {**json.loads(file.read_text()), "command": shlex.join(["softwet", "run", shown, *words])})
+
+    def compute(self, words, limit):
+        start = time.monotonic()
+        try:
+            result = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, env=ENVIRONMENT, timeout=limit)
+            code, message = result.returncode, result.stderr
+        except subprocess.TimeoutExpired:
+            code, message = "none", f"stopped after {limit} s"
+        return {"code": code, "message": message, "seconds": time.monotonic() - start}
+
+
+class Lab:
+    """@param name  of the study;  @param store  of the runs;  @param folder  what the study writes;  @param jobs  runs at once"""
+
+    def __init__(self, name, store, folder, quick, jobs):
+        self.name, self.store, self.folder, self.quick, self.jobs = name, store, folder, quick, jobs
+        self.program = store.program
+        self.lines, self.asked, self.files, self.texts = [], [], [], {}
+        self.commands, self.seconds = {}, {}
+        folder.mkdir(parents=True, exist_ok=True)
+
+    # --- runs
+
+    def run(self, label, case, settings=(), options=(), expect=0, limit=600):
+        """Runs `softwet run`, unless an equal run is kept. @param label  names the run in this study
+        @param case      a name in cases/, or the text of a case
+        @param settings  values of --set;  @param options  further options, default "--threads 1"
+        @param expect    exit code, None: any;  @param limit  seconds"""
+        path, shown = self.case_file(case)
+        run = self.store.get(path, shown, settings, options, limit)
+        self.commands[label], self.seconds[label] = run.commandline, run.seconds
+        if expect is not None and run.code != expect:
+            raise StudyError(f"{label}: exit code {run.code}, not {expect}: {run.commandline}\n{run.message.strip()}")
+        print(f"verify: {self.name}: {label} ({run.seconds:.0f} s)", flush=True)
+        return run
+
+    def runs(self, wanted, **keywords):
+        """@param wanted  {label: (case, settings)};  @return {label: Run}, computed side by side (--jobs)"""
+        for case, _ in wanted.values():
+            self.case_file(case)
+        with ThreadPoolExecutor(self.jobs) as pool:
+            futures = {label: pool.submit(self.run, label, *words, **keywords) for label, words in wanted.items()}
+            return {label: future.result() for label, future in futures.items()}
+
+    def case_file(self, case):
+        """Path of a case and its name in commands. The text of a case becomes a file beside the tables."""
+        if "\n" not in case:
+            return ROOT / "cases" / f"{case}.toml", f"cases/{case}.toml"
+        if case not in self.texts:
+            found = re.search(r'^name *= *"(.*)"', case, re.M)
+            name, number = found.group(1) if found else self.name, len(self.texts) + 1
+            if f"{name}.toml" in self.texts.values():
+                name = f"{name}_{number}"
+            self.texts[case] = f"{name}.toml"
+            (self.folder / f"{name}.toml").write_text(case)
+            self.files.append(f"{name}.toml")
+        return self.folder / self.texts[case], self.texts[case]
+
+    def ask(self, command, case, *options):
+        """What `softwet check` or `softwet bench` prints about a case."""
+        path, shown = self.case_file(case)
+        words = [command, str(path), *options]
+        self.commands[f"{command} {case if shown.startswith('cases') else shown}"] = shlex.join(
+            ["softwet", command, shown, *options])
+        return subprocess.run([str(self.program), *words], cwd=ROOT, text=True, check=True, capture_output=True,
+                              env=ENVIRONMENT).stdout
+
+    def tool(self, name):
+        """Path of another program of the build."""
+        path = self.program.parent / name
+        if not path.exists():
+            raise StudyError(f"{path} is not there; build it: cmake --build {self.program.parent} --target {name}")
+        return path
+
+    # --- what is written
+
+    def title(self, text):
+        self.lines += ["", f"## {text}", ""]
+
+    def text(self, text):
+        self.lines += ["", text, ""]
+
+    def table(self, columns, rows, name=None):
+        """A table; with a name also <study>_<name>.csv."""
+        self.lines += ["", *markdown(columns, rows), ""]
+        if name:
+            file = f"{self.name}_{name}.csv"
+            (self.folder / file).write_text("\n".join(",".join(map(plain, row)) for row in [columns, *rows]) + "\n")
+            self.files.append(file)
+
+    def expect(self, what, asked, measured, holds, cause=""):
+        """A row of the table "asked, measured, holds". A row that does not hold makes the exit code 1, unless the cause is
+        known and given here: then the miss and its cause are told and count as missed, not as failed."""
+        self.asked.append((what, asked, measured, bool(holds), cause))
+        print(f"{'ok' if holds else 'MISS' if cause else 'FAIL':4}  {what}: {measured} (asked: {asked})", flush=True)
+
+    def plot(self, name, draw):
+        """draw(axes) with matplotlib into <study>_<name>.png; left out where matplotlib is missing."""
+        try:
+            import matplotlib
+        except ImportError:
+            print(f"verify: {self.name}: no matplotlib, no picture '{name}'")
+            return
+        matplotlib.use("Agg")
+        from matplotlib import pyplot
+        figure, axes = pyplot.subplots(figsize=(6.4, 4.2), layout="constrained")
+        draw(axes)
+        file = f"{self.name}_{name}.png"
+        figure.savefig(self.folder / file, dpi=110)
+        pyplot.close(figure)
+        self.picture(file)
+
+    def picture(self, file):
+        """A picture the study has drawn itself into lab.folder."""
+        self.lines += ["", f"![{file}]({file})", ""]
+        self.files.append(file)
+
+    # --- what came out
+
+    def counts(self):
+        """Rows that hold, that are missed for a known cause, that fail."""
+        held = sum(holds for _, _, _, holds, _ in self.asked)
+        missed = sum(not holds and bool(cause) for _, _, _, holds, cause in self.asked)
+        return held, missed, len(self.asked) - held - missed
+
+    def document(self, title, about, minutes, build):
+        held, missed, failed = self.counts()
+        verdict = f"{held} of {len(self.asked)} hold" + (f", {missed} missed for a known cause" if missed else "") + (
+            f", **{failed} fail**" if failed else "")
+        form = " --quick" if self.quick else ""
+        lines = [f"# {title}", "", about, "", f"Verdict: {verdict}", "",
+                 f"Command: `softwet verify {self.name}{form}`, {minutes:.1f} minutes. {build}", ""]
+        if self.asked:
+            rows = [(what, asked, measured, "yes" if holds else f"**no**{': ' + cause if cause else ''}")
+                    for what, asked, measured, holds, cause in self.asked]
+            lines += ["## Asked and measured", "", *markdown(("what", "asked", "measured", "holds"), rows), ""]
+        lines += self.lines
+        if self.commands:
+            lines += ["", "## Commands", "", *markdown(("run", "command"), [(label, f"`{command}`")
+                                                                           for label, command in self.commands.items()])]
+        return re.sub(r"\n{3,}", "\n\n", "\n".join(lines).strip()) + "\n"
+
+
+def plain(value):
+    return f"{value:.10g}" if isinstance(value, float) else str(value).replace(",", ";")
+
+
+def cell(value):
+    return f"{value:.6g}" if isinstance(value, float) else re.sub(r"(?<!\\)\|", r"\\|", str(value))
+
+
+def markdown(columns, rows):
+    return ["| " + " | ".join(map(cell, columns)) + " |", "|" + "---|" * len(columns),
+            *("| " + " | ".join(map(cell, row)) + " |" for row in rows)]

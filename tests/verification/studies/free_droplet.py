@@ -1,0 +1,33 @@
+"""Free droplet: densities, pressure jump and chemical potential.
+
+Against the exact radial solution of the mass of the run in the area of its square (tests/oracle/radial_droplet.py), which
+is itself held against values of another solver in a disc and a ball of radius 0.5."""
+
+import _measure
+from _measure import radial_droplet
+
+MINUTES = {"quick": 0.2, "full": 0.2}
+KNOWN = {(2, 0.10): (0.87454040, 0.00204483, 0.04044886), (2, 0.15): (0.87199616, 0.00177476, 0.02661551),
+         (3, 0.15): (0.87694492, 0.00235407, 0.05420046)}
+
+
+def study(lab):
+    pressure = radial_droplet.pressure
+    for (dimension, radius), known in KNOWN.items():
+        mass = radial_droplet.sharp_mass(radius, dimension=dimension)
+        inside, outside, _, _ = radial_droplet.solve(1 / 64, mass, dimension=dimension)
+        found = (inside, outside, pressure(0.39, inside) - pressure(0.39, outside))
+        error = max(abs(value / expected - 1) for value, expected in zip(found, known))
+        lab.expect(f"radial solution, {dimension}D, sharp radius {radius}", "values of another solver, 1e-5", f"{error:.1g}",
+                   error <= 1e-5)
+    run = lab.run("free", "free_droplet_2d", limit=3000)
+    last = {name: values[-1] for name, values in run.history.items()}
+    inside, outside, mu, _ = radial_droplet.solve(1 / 64, last["mass"], volume=1.0)
+    _, density = _measure.fluid_field(run.folder, 1)
+    middle, corner = density[density.shape[0] // 2, density.shape[1] // 2], density[0, 0]
+    p = [pressure(_measure.THETA, rho) for rho in (middle, corner, inside, outside)]
+    for what, found, exact in (("rho_in", middle, inside), ("rho_out", corner, outside),
+                               ("pressure jump", p[0] - p[1], p[2] - p[3]),
+                               ("mu - mu_sat", last["laplace"], mu - _measure.POTENTIAL)):
+        error = found / exact - 1
+        lab.expect(what, f"{exact:.8f} +- 0.5 %", f"{found:.8f}, {100 * error:+.4f} %", abs(error) <= 0.005)

@@ -1,0 +1,36 @@
+"""A scene costs what it holds: unknowns, memory and terms.
+
+A rigid wall has no displacement, a solid alone no density and no chemical potential; neither is stored or looped over.
+Elements: 128x64 of fluid, 128x16 of solid, 128x48 of fluid on 128x16 of solid. From `softwet check` and `softwet bench`."""
+
+import re
+
+MINUTES = {"quick": 0.05, "full": 0.3}
+SCENES = {"static_droplet_rigid_2d": (True, False), "solid_layer_2d": (False, True), "tensotaxis_pull_2d": (True, True)}
+
+
+def number(pattern, text):
+    found = re.search(pattern, text, re.M)
+    return found.group(1) if found else "0"
+
+
+def study(lab):
+    rows = []
+    for case, (fluid, solid) in SCENES.items():
+        check = lab.ask("check", case)
+        part = check[check.index("\nunknowns"):check.index("\nmemory")]
+        terms = [line.split("  ")[1] for line in check[check.index("\nterms"):check.index("\nunknowns")].splitlines()
+                 if line.startswith("  ")]
+        scalars = int(number(r"^  density +(\d+)", part)) + int(number(r"^  chemical_potential +(\d+)", part))
+        displacement = int(number(r"^  displacement \(eliminated\) +(\d+)", part))
+        lab.expect(f"{case}: density", "stored" if fluid else "none", scalars, (scalars > 0) == fluid)
+        lab.expect(f"{case}: displacement", "stored" if solid else "none", displacement, (displacement > 0) == solid)
+        memory = sum(float(number(rf"^  {name} +([\d.]+) MiB", check)) for name in ("state and history", "stage"))
+        row = [case, number(r"^  solved +(\d+)", part), number(r"^  velocity +(\d+)", part), scalars, displacement,
+               f"{memory:.1f} MiB"]
+        if not lab.quick:
+            bench = lab.ask("bench", case, "--threads", "1")
+            row += [number(r"^residual +([\d.]+) ms", bench), number(r"^product, exact +([\d.]+) ms", bench)]
+        rows.append([*row, ", ".join(terms)])
+    times = () if lab.quick else ("residual, ms", "product, ms")
+    lab.table(("scene", "solved unknowns", "velocity", "density + mu", "displacement", "state and stage", *times, "terms"), rows)

@@ -1,0 +1,24 @@
+"""Soft layer: height under a load, and under a droplet.
+
+A horizontal load f on the area A of a layer on rollers raises the side behind it over the other by nu (1 + nu) f A / E far
+from the load (linear theory, plane strain). Under a droplet at rest the layer has a ridge at the contact line, a dimple
+beneath the droplet and a far field whose sizes follow from linear theory,
+u_y(k)/t_y(k) = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH), with the sharp forces of the droplet."""
+
+import _measure
+
+MINUTES = {"quick": 0.1, "full": 0.3}
+
+
+def study(lab):
+    # The load in the middle: in the case itself it is 1.6 thicknesses from the right side, and its end effect is 1.8 %.
+    run = lab.run("layer", "solid_layer_2d", ["load[0].box=[[0.45,0],[0.55,0.125]]", "load[0].force=[0.016215,0]"])
+    wall = _measure.interface(run.folder)["displacement_y"]
+    found, exact = wall[-1] - wall[0], 0.45 * 1.45 * 0.016215 * 0.1 * 0.125 / 0.7554
+    lab.expect("height difference of the far sides", f"{exact:.6g} +- 0.2 %", f"{found:.6g}", abs(found / exact - 1) <= 0.002)
+    if lab.quick:
+        return
+    wall = _measure.interface(lab.run("droplet", "static_droplet_soft_2d", limit=3000).folder)["displacement_y"]
+    for what, value, low, high in (("ridge", wall.max(), 5e-3, 6e-3), ("dimple", wall.min(), -3e-3, -2.5e-3),
+                                   ("far field", wall[0], -3.6e-4, -3.4e-4)):
+        lab.expect(f"droplet: {what}", f"{low} to {high}", f"{value:.3g}", low <= value <= high)
