@@ -45,7 +45,7 @@ struct Substrate {
 struct Droplet {
   std::vector<double> centre;  ///< of the circle or sphere; on the interface it becomes a cap cut at the contact angle
   double radius = 0;
-  std::vector<double> stretch;  ///< semi-axes over the radius; empty: 1 along each axis
+  std::vector<double> stretch = {};  ///< semi-axes over the radius; empty: 1 along each axis
 };
 
 /// A box of liquid at the start.

@@ -17,6 +17,7 @@ struct Integrals {
   double viscous = 0, stabilisation = 0;  ///< dissipation rates
   double wall_stretch = 0;                ///< int_Gamma f_w div_Gamma vh: power of the wall energy on a stretching wall
   double wetted = 0;                      ///< area of Gamma above the middle density
+  double folded = 0, inverted = 0;        ///< volume of the fluid's mesh and of the solid that is turned inside out
 };
 
 /// A body force per unit mass on a box of the solid: exact integrals of the basis, ready to scale.

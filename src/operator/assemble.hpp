@@ -83,6 +83,7 @@ struct Reader {
     return point.physical(g);
   }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return point.mesh_velocity(); }
+  KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return point.volume_ratio(); }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio_end() const { return point.volume_ratio_end(); }
 };
 

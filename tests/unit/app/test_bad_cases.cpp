@@ -150,6 +150,25 @@ TEST(BadCases, LoadNeedsASubstrateDropletAFluid) {
   EXPECT_NE(message_of(start + "substrate={thickness=0.5,young=1,poisson=0}").find("solid alone"), std::string::npos);
 }
 
+TEST(BadCases, WhatIsThereAtTheStartHasToFit) {
+  const auto complaint = [](const std::string& table) { return message_of(pull + std::string("\n") + table); };
+  const auto tells = [](const std::string& message, const std::string& part) {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  tells(complaint("[[film]]\nbox=[[0,0.3],[1,0.2]]"), "film[0].box");
+  tells(complaint("[[film]]\nbox=[[0,0.3],[1,0.2]]"), "empty along axis 1");
+  tells(complaint("[[film]]\nbox=[[0],[1]]"), "2 numbers");
+  tells(complaint("[[wave]]\nfield='speed'\namplitude=1\nmode=[1,0]"), "\"velocity_x\"");
+  tells(complaint("[[wave]]\nfield='velocity_z'\namplitude=1\nmode=[1,0]"), "3D only");
+  tells(complaint("[[wave]]\nfield='velocity_x'\namplitude=1\nmode=[1]"), "2 numbers");
+  tells(complaint("[[wave]]\nfield='velocity_x'\namplitude=1\nmode=[0.5,0]"), "whole number along axis 0");
+  tells(message_of(pull, {"droplet[0].stretch=[1]"}), "droplet[0].stretch");
+  tells(message_of(pull, {"fluid.initial=[0.6,0.1]"}), "fluid.initial");
+  tells(message_of(pull, {"fluid.initial=[0.1,1.0]"}), "(0, 0.999]");
+  EXPECT_NO_THROW(parse_case(pull, "case.toml", {"droplet[0].centre=[0,0.125]"})) << "half a droplet on a slip side";
+  EXPECT_NO_THROW(parse_case(pull, "case.toml", {"droplet[0].centre=[1,0.125]"}));
+}
+
 TEST(BadCases, OverridesAreNamedAsThePlace) {
   EXPECT_EQ(message_of(pull, {"fluid.viscosity=-1"}).rfind("--set fluid.viscosity=-1: fluid.viscosity = -1", 0), 0u);
   EXPECT_NE(message_of(pull, {"fluid.viscosty=1"}).find("did you mean fluid.viscosity"), std::string::npos);
