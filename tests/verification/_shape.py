@@ -15,6 +15,15 @@ def crossings(points, density, level):
     return numpy.concatenate(found)
 
 
+def position(x, density, level):
+    """Where a density along a line of quadratic elements (corner, middle, corner, ...) first falls through `level`."""
+    i = 2 * (int(numpy.nonzero((density[:-1] >= level) & (density[1:] < level))[0][0]) // 2)
+    a, b, c = density[i:i + 3] - level
+    roots = numpy.roots([2 * (a - 2 * b + c), 4 * b - 3 * a - c, a])  # over the element, in [0, 1]
+    inside = [root.real for root in roots if abs(root.imag) < 1e-12 and -1e-9 <= root.real <= 1 + 1e-9]
+    return x[i] + min(inside) * (x[i + 2] - x[i])
+
+
 def circle(points, on_axis=False):
     """Centre x, y and radius, algebraic least squares; on_axis: the centre lies on x = 0."""
     columns = [points[:, 1], numpy.ones(len(points))] if on_axis else [*points.T, numpy.ones(len(points))]
