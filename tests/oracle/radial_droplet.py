@@ -27,7 +27,7 @@ def pressure(theta, rho):
 
 def coexistence(theta):
     """Vapour and liquid densities of a plane interface."""
-    vapour, liquid = {0.39: (1e-3, 0.87), 0.85: (0.1, 0.6)}[theta]
+    vapour, liquid = {0.39: (1e-3, 0.87), 0.5: (7e-3, 0.82), 0.7: (0.04, 0.71), 0.85: (0.1, 0.6), 0.95: (0.19, 0.49)}[theta]
     for _ in range(100):
         f = numpy.array([pressure(theta, vapour) - pressure(theta, liquid),
                          energy_slope(theta, vapour) - energy_slope(theta, liquid)])
@@ -53,8 +53,10 @@ def chebyshev(points, length):
     return 0.5 * length * (1 - x), -2 / length * d, 0.5 * length * weight
 
 
-def solve(capillarity, mass, theta=0.39, dimension=2, length=0.5, volume=None, points=POINTS):
+def solve(capillarity, mass, theta=0.39, dimension=2, length=0.5, volume=None, points=POINTS,
+          profile=False):
     """@param volume  of the container if it is no disc or ball: the rest beyond `length` holds the outer density
+    @param profile  return the densities at all Chebyshev points instead
     @return densities at the centre and at `length`, chemical potential, radius of the middle density"""
     vapour, liquid = coexistence(theta)
     r, d, weight = chebyshev(points, length)
@@ -90,6 +92,8 @@ def solve(capillarity, mass, theta=0.39, dimension=2, length=0.5, volume=None, p
     else:
         raise ArithmeticError("radial droplet: Newton's method did not converge")
     rho = 1 / (1 + numpy.exp(-z))
+    if profile:
+        return rho
     i = numpy.nonzero(rho > 0.5 * (vapour + liquid))[0].max()
     middle = r[i] + (r[i + 1] - r[i]) * (rho[i] - 0.5 * (vapour + liquid)) / (rho[i] - rho[i + 1])
     return rho[0], rho[-1], mu, middle
