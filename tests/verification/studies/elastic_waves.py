@@ -1,0 +1,187 @@
+"""Standing elastic waves: frequency and numerical damping.
+
+A box of solid with slip sides carries the standing waves of the linear theory exactly: with potentials
+phi = cos(k x) cos(l y) (pressure wave, u = grad phi) and psi = sin(k x) sin(l y) (shear wave, u = (psi_y, -psi_x)) the normal
+displacement and the tangential traction vanish on all sides. They oscillate with c |(k, l)|,
+c_p^2 = E (1 - nu)/((1 + nu)(1 - 2 nu)), c_s^2 = E/(2 (1 + nu)) (E: young, per density). A shear wave u_x(y) also fits between
+periodic sides under a free top. The amplitude is 1e-6: what Saint Venant-Kirchhoff adds to the linear theory is of that size.
+
+Frequency and decay are fitted to (elastic - kinetic energy), which is e^(-2 b t) cos(2 w t) for one wave. What the time
+scheme makes of e^(i w t) follows from its recurrence (Jansen, Whiting, Hulbert 2000): with
+y' = i w y the amplification factor is an eigenvalue of a 2 x 2 matrix; for rho_inf = 1 it gives tan(w' dt/2) = w dt/2, which
+is used to take the error of time out where the error of space is shown: order 2 p for a spline of degree p."""
+
+import numpy
+
+import _measure
+import _shape
+
+MINUTES = {"quick": 0.1, "full": 1}
+CASE = """# A standing wave in a box of solid.
+name = "wave"
+[domain]
+size = [1.0, 0.5]
+elements = [24, 12]
+[substrate]
+thickness = 0.5
+young = 1.0
+poisson = 0.3
+{waves}
+[boundary]
+left = "slip"
+right = "slip"
+bottom = "slip"
+top = "slip"
+[time]
+rho_inf = 1.0
+end = 1.0
+tolerance = 1e6
+[solver]
+newton = {{ rtol = 1e-9, atol = 1e-20 }}
+krylov = {{ rtol = 1e-4 }}
+"""
+WAVE = '[[wave]]\nfield = "{}"\namplitude = {:.17g}\nmode = [{}, {}]\n'
+AMPLITUDE = 1e-6
+PI = numpy.pi
+
+
+def case(*waves):
+    return CASE.format(waves="".join(WAVE.format(field, AMPLITUDE * part, *mode) for field, part, mode in waves))
+
+
+# name: (case, further settings, wave number, is a pressure wave); L = 1, H = 1/2: (k, l) = pi (m, 2 n)
+PERIODIC = ["boundary.left=periodic", "boundary.right=periodic", "boundary.top=free"]
+OBLIQUE = PI * numpy.hypot(1, 2)
+WAVES = {
+    "P along x": (case(("displacement_x", 1, (1, 0))), [], PI, True),
+    "P along y": (case(("displacement_y", 1, (0, 1))), [], 2 * PI, True),
+    "S across y, free top": (case(("displacement_x", 1, (0, 1))), PERIODIC, 2 * PI, False),
+    "P oblique": (case(("displacement_x", 1, (1, 1)), ("displacement_y", 2, (1, 1))), [], OBLIQUE, True),
+    "S oblique": (case(("displacement_x", 2, (1, 1)), ("displacement_y", -1, (1, 1))), [], OBLIQUE, False),
+    "P oblique, from velocity": (case(("velocity_x", 1, (1, 1)), ("velocity_y", 2, (1, 1))), [], OBLIQUE, True),
+}
+
+
+def speed(poisson, pressure):
+    return numpy.sqrt((1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) if pressure else 0.5 / (1 + poisson))
+
+
+def steps(dt, count, *more):
+    """Settings for `count` steps of the size dt."""
+    return [f"time.dt_initial={dt:.17g}", f"time.dt_max={dt:.17g}", f"time.end={count * dt:.17g}", *more]
+
+
+def measured(run, omega):
+    """-b + i w of a run whose wave has about the frequency omega."""
+    rows = run.history
+    difference = rows["energy_elastic"] - rows["energy_kinetic"]
+    return _shape.damped_wave(rows["t"], difference, 2j * omega, drift=False)[0] / 2
+
+
+def scheme(omega, dt, rho_inf):
+    """What generalized-alpha makes of y' = i omega y: -b + i w of the part that stays.
+
+    am y'_1 + (1 - am) y'_0 = i omega (af y_1 + (1 - af) y_0),  y_1 = y_0 + dt ((1 - ga) y'_0 + ga y'_1)."""
+    am, af = (3 - rho_inf) / (2 * (1 + rho_inf)), 1 / (1 + rho_inf)
+    ga, z = 0.5 + am - af, 1j * omega
+    new = numpy.array([[1, -dt * ga], [-z * af, am]])
+    old = numpy.array([[1, dt * (1 - ga)], [z * (1 - af), -(1 - am)]])
+    factors = numpy.linalg.eigvals(numpy.linalg.solve(new, old))
+    return numpy.log(factors[numpy.argmin(abs(factors - numpy.exp(z * dt)))]) / dt
+
+
+def frequencies(lab):
+    ratios = (0.3,) if lab.quick else (0.0, 0.3, 0.45, 0.49)
+    wanted, exact = {}, {}
+    for name, (text, settings, number, pressure) in WAVES.items():
+        for poisson in ratios:
+            label = f"{name}, nu = {poisson}"
+            exact[label] = speed(poisson, pressure) * number
+            wanted[label] = (text, [*settings, f"substrate.poisson={poisson}", *steps(2 * PI / exact[label] / 60, 180)])
+    rows, worst = [], 0.0
+    for label, run in lab.runs(wanted).items():
+        found = measured(run, exact[label]).imag
+        rows.append((label, exact[label], found, f"{100 * (found / exact[label] - 1):+.3f} %"))
+        worst = max(worst, abs(found / exact[label] - 1))
+    lab.title("Frequencies")
+    lab.text("24 x 12 elements of degree 2, 60 steps a period, three periods, rho_inf = 1. The scheme alone makes the "
+             f"frequency {100 * (scheme(1, 2 * PI / 60, 1).imag - 1):+.3f} %.")
+    lab.table(("wave", "c k", "measured", "off"), rows, "frequencies")
+    lab.expect("largest error of a frequency", "<= 1 %", f"{100 * worst:.2g} %", worst <= 0.01)
+
+
+def mesh_orders(lab):
+    text, _, number, pressure = WAVES["P along x"]
+    omega, meshes = speed(0.3, pressure) * number, (3, 6) if lab.quick else (3, 6, 12)
+    dt = 2 * PI / omega / 40
+    labels = {(p, n): f"degree {p}, {n} elements" for p in (2, 3) for n in meshes}
+    runs = lab.runs({label: (text, [f"domain.degree={p}", f"domain.elements=[{n},4]", *steps(dt, 200)])
+                     for (p, n), label in labels.items()})
+    errors = {key: 2 / dt * numpy.tan(0.5 * dt * measured(runs[label], omega).imag) / omega - 1 for key, label in labels.items()}
+    orders = {(p, n): numpy.log2(errors[p, n // 2] / errors[p, n]) for p, n in errors if (p, n // 2) in errors}
+    lab.title("Frequency over the mesh")
+    lab.text("The pressure wave along x on n elements (half a wave length), the error of the time scheme taken out.")
+    lab.table(("degree", "n", "relative error", "order"),
+              [(p, n, f"{e:.2e}", f"{orders[p, n]:.2f}" if (p, n) in orders else "") for (p, n), e in errors.items()], "mesh")
+    for p in (2, 3):
+        order = orders[p, meshes[-1]]
+        lab.expect(f"order of the frequency, degree {p}", f"{2 * p} +- 0.3", f"{order:.2f}", abs(order - 2 * p) <= 0.3)
+
+
+def damping(lab):
+    text, _, number, pressure = WAVES["P along x"]
+    omega = speed(0.3, pressure) * number
+    # Semi-discrete frequency of this mesh: what the scheme is given.
+    counts = (20,) if lab.quick else (10, 20, 40)
+    wanted = {(r, n): (text, ["domain.elements=[24,4]", f"time.rho_inf={r}", *steps(2 * PI / omega / n, 5 * n)])
+              for r in (0.0, 0.5, 1.0) for n in counts}
+    names = {key: f"rho_inf = {key[0]}, {key[1]} steps a period" for key in wanted}
+    runs = lab.runs({names[key]: value for key, value in wanted.items()})
+    rows, worst = [], 0.0
+    for (r, n), name in names.items():
+        found, theory = measured(runs[name], omega), scheme(omega, 2 * PI / omega / n, r)
+        lost, expected = (1 - numpy.exp(2 * PI / omega * x.real) for x in (found, theory))
+        rows.append((r, n, f"{100 * lost:.3f} %", f"{100 * expected:.3f} %", f"{100 * (found.imag / omega - 1):+.3f} %",
+                     f"{100 * (theory.imag / omega - 1):+.3f} %"))
+        worst = max(worst, abs(found - theory) / omega)
+    lab.title("Numerical damping")
+    lab.text("Amplitude lost in a period and change of the frequency, measured and from the recurrence of the scheme.")
+    lab.table(("rho_inf", "steps a period", "lost", "theory", "frequency", "theory"), rows, "damping")
+    lab.expect("decay and frequency against the recurrence", "<= 0.1 % of w", f"{100 * worst:.2g} %", worst <= 1e-3)
+    kept = abs(measured(runs[names[1.0, counts[-1]]], omega).real) / omega
+    lab.expect("decay for rho_inf = 1", "none: <= 1e-8 w", f"{kept:.1e} w", kept <= 1e-8)
+
+
+def time_orders(lab):
+    lab.title("Order in time of the wave itself")
+    lab.text("Displacement at the middle of the top after 0.55 periods, against the semi-discrete wave (fine steps, "
+             "rho_inf = 1, extrapolated).")
+    omega, rows = speed(0.3, True) * PI, []
+    end = 0.55 * 2 * PI / omega
+    counts, fine = ((16, 32), 128) if lab.quick else ((16, 32, 64, 128), 512)
+
+    def displacement(run):
+        wall = _measure.interface(run.folder)
+        return wall["displacement_x"][len(wall["displacement_x"]) // 2] / AMPLITUDE
+
+    for start, text in (("displacement", case(("displacement_x", 1, (1, 0)))), ("velocity", case(("velocity_x", omega, (1, 0))))):
+        def settings(r, n):
+            return ["domain.elements=[24,4]", f"time.rho_inf={r}", *steps(end / n, n), f"output.fields.times=[{end:.17g}]"]
+        wanted = {f"{start}, rho_inf = {r}, {n} steps": (text, settings(r, n)) for r in (0.0, 0.5, 1.0) for n in counts}
+        wanted |= {f"{start}, {n} steps": (text, settings(1.0, n)) for n in (fine // 2, fine)}
+        runs = lab.runs(wanted)
+        coarse, best = (displacement(runs[f"{start}, {n} steps"]) for n in (fine // 2, fine))
+        exact = best + (best - coarse) / 3
+        for r in (0.0, 0.5, 1.0):
+            errors = [abs(displacement(runs[f"{start}, rho_inf = {r}, {n} steps"]) - exact) for n in counts]
+            order = numpy.log2(errors[-2] / errors[-1])
+            rows.append((start, r, *(f"{e:.1e}" for e in errors), f"{order:.2f}"))
+            lab.expect(f"order in time, start from {start}, rho_inf = {r}", ">= 1.7", f"{order:.2f}", order >= 1.7)
+    lab.table(("start", "rho_inf", *(f"{n} steps" for n in counts), "order"), rows, "time")
+
+
+def study(lab):
+    frequencies(lab)
+    mesh_orders(lab)
+    damping(lab)
+    time_orders(lab)
