@@ -175,6 +175,7 @@ void Model<D, P>::residual(const Stage& stage, const Array& out) const {
   const Binding<D> binding{layout_, stage, {}, out};
   for (const auto& piece : pieces_) piece->residual(binding);
   add_loads(stage.time, out);
+  if (source_) source_(stage.time, out);
   move_ghosts(layout_, out, GhostAction::add);
   multiply(out, mask_);
 }

@@ -2,6 +2,8 @@
 // discretisation.
 #pragma once
 
+#include <functional>
+
 #include "app/case.hpp"
 #include "field/ghosts.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
@@ -42,6 +44,10 @@ class Model {
   double wall_height() const { return blend_.low; }
   bool has_wall() const { return has_wall_; }
 
+  /// Adds a source to the discrete equations: residual() calls source(t_{n+af}, out), which subtracts its load vector.
+  /// For manufactured solutions (tests/verification/mms); production never sets it.
+  void set_source(std::function<void(double time, const Array& out)> source) { source_ = std::move(source); }
+
   /// out = R(stage), zero where a value is prescribed.
   void residual(const Stage&, const Array& out) const;
   /// As residual, before prescribed values are dropped, with the wall traction also on a rigid wall: the reactions.
@@ -76,6 +82,7 @@ class Model {
   std::vector<std::unique_ptr<Piece<D>>> pieces_;
   std::unique_ptr<Piece<D>> rigid_traction_;
   std::vector<LoadVector> loads_;
+  std::function<void(double, const Array&)> source_;
   Array mask_;
 };
 
