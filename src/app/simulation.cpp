@@ -5,6 +5,7 @@
 
 #include "app/error.hpp"
 #include "app/interrupt.hpp"
+#include "app/remedy.hpp"
 #include "app/restart.hpp"
 #include "model/initial.hpp"
 #include "observe/interface_table.hpp"
@@ -89,7 +90,9 @@ void Simulation<D, P>::run() {
     if (error.code() != Exit::computation_failed) throw;
     save();
     record(std::string("failed: ") + error.what());
-    throw Error(error.code(), std::string(error.what()) + "; the last good state, t = " + short_text(output_time()) +
+    const std::string advice = remedy(case_, error.what());
+    throw Error(error.code(), std::string(error.what()) + "; " + advice +
+                                  "; the last good state, t = " + short_text(output_time()) +
                                   " on the clock of the output, is in " + path("checkpoint.h5"));
   }
 }

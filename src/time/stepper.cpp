@@ -196,9 +196,7 @@ StepReport Stepper<D, P>::step() {
       newton_.forget_preconditioner();
       if (control_.reject(dt)) continue;
       throw Error(Exit::computation_failed,
-                  "the computation stopped at t = " + std::to_string(state_.time) + ": " + result.reason +
-                      ", even with the smallest step (time.dt_min). Try a finer mesh, a larger fluid.capillarity, a "
-                      "softer load ramp or a tighter time.tolerance");
+                  "the computation stopped: " + result.reason + ", even with the smallest step (time.dt_min)");
     }
     const double e = indicator(dt);
     if (e > control_.rejection_level() && dt > 1e-3 * integrator_.dt()) {
