@@ -53,6 +53,8 @@ std::string remedy(const Case& c, const std::string& reason) {
   if (has(reason, "inside out") || has(reason, "folds")) return softer_than_its_loads(c);
   if (c.fluid && has(reason, "density")) return for_the_density(c);
   if (elastocapillary_length(c) > 0.2 * (c.substrate ? c.substrate->thickness : 1)) return softer_than_its_loads(c);
+  if (has(reason, "stalled"))
+    return "solver.krylov.preconditioner = \"automatic\", or more iterations with solver.krylov.max";
   return "a finer mesh, a larger fluid.capillarity, a softer load ramp or a tighter time.tolerance may help";
 }
 

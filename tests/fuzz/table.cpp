@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   using namespace softwet;
   static const ScratchFile scratch(".csv");
   const std::string input(reinterpret_cast<const char*>(data), size);
-  const double step = std::strtod(input.substr(0, 8).c_str(), nullptr);
+  const double asked = std::strtod(input.substr(0, 8).c_str(), nullptr), step = std::isfinite(asked) ? asked : 0;
   const std::string whole = size > 8 ? input.substr(8) : "";
   std::ofstream(scratch.path(), std::ios::binary) << whole;
   only_bad_input(scratch.path(), [&] {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "app/error.hpp"
+#include "app/host/memory.hpp"
 
 namespace softwet {
 namespace {
@@ -50,6 +52,11 @@ void check_domain(const Checker& check) {
   if (domain.elements.size() != domain.size.size()) {
     check.refuse("domain.elements", fmt::format("must be {} numbers, as many as domain.size", domain.size.size()),
                  "write one number of elements for each axis");
+  }
+  if (constexpr double most = std::numeric_limits<int>::max(); most_unknowns(check.c) > most) {
+    check.refuse("domain.elements",
+                 fmt::format("asks for {:.3g} unknowns, softwet numbers {:.0f}", most_unknowns(check.c), most),
+                 "take fewer elements");
   }
 }
 
