@@ -64,7 +64,7 @@ def answers(run, still, g):
 def study(lab):
     step, end = (0.05, 7) if lab.quick else (0.03, 9)
     cases = {"gamma_hat = 1/32, h = 1/64": (32, 32)} if lab.quick else {
-        "gamma_hat = 1/32, h = 1/64": (32, 32), "gamma_hat = 1/64, h = 1/64": (64, 32), "gamma_hat = 1/64, h = 1/128": (64, 64)}
+        "gamma_hat = 1/32, h = 1/64": (32, 32), "gamma_hat = 1/64, h = 1/128": (64, 64)}
     wanted = {label: (CASE, settings(g, n, step, end)) for label, (g, n) in cases.items()}
     wanted |= {f"{label}, circle": (case, words + ROUND) for label, (case, words) in wanted.items()}
     runs, rows = lab.runs(wanted, limit=3000), []
