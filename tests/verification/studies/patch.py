@@ -49,7 +49,7 @@ POISSON = 0.3
 LAME, SHEAR = POISSON / ((1 + POISSON) * (1 - 2 * POISSON)), 0.5 / (1 + POISSON)
 STIFFNESS = LAME + 2 * SHEAR
 SCENES = {  # name: (settings, force)
-    "hanging": ([], 1.6),
+    "hanging": ([], 1.2),
     "pressed": ([], -0.2),
     "sheared": (["boundary.left=periodic", "boundary.right=periodic", "boundary.bottom=clamped"], 0.27),
 }
