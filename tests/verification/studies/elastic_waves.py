@@ -6,7 +6,7 @@ displacement and the tangential traction vanish on all sides. They oscillate wit
 c_p^2 = E (1 - nu)/((1 + nu)(1 - 2 nu)), c_s^2 = E/(2 (1 + nu)) (E: young, per density). A shear wave u_x(y) also fits between
 periodic sides under a free top. The amplitude is 1e-6: what Saint Venant-Kirchhoff adds to the linear theory is of that size.
 
-Frequency and decay are fitted to (elastic - kinetic energy), which is e^(-2 b t) cos(2 w t) for one wave. What the time
+The frequency is fitted to (elastic - kinetic energy), cos(2 w t) for one wave, decay to the displacement at every step. What the time
 scheme makes of e^(i w t) follows from its recurrence (Jansen, Whiting, Hulbert 2000): with
 y' = i w y the amplification factor is an eigenvalue of a 2 x 2 matrix; for rho_inf = 1 it gives tan(w' dt/2) = w dt/2, which
 is used to take the error of time out where the error of space is shown: order 2 p for a spline of degree p."""
@@ -112,7 +112,7 @@ def frequencies(lab):
 
 def mesh_orders(lab):
     text, _, number, pressure = WAVES["P along x"]
-    omega, meshes = speed(0.3, pressure) * number, (3, 6) if lab.quick else (3, 6, 12)
+    omega, meshes = speed(0.3, pressure) * number, (4, 8) if lab.quick else (4, 8, 16)
     dt = 2 * PI / omega / 40
     labels = {(p, n): f"degree {p}, {n} elements" for p in (2, 3) for n in meshes}
     runs = lab.runs({label: (text, [f"domain.degree={p}", f"domain.elements=[{n},4]", *steps(dt, 200)])
@@ -128,18 +128,23 @@ def mesh_orders(lab):
         lab.expect(f"order of the frequency, degree {p}", f"{2 * p} +- 0.3", f"{order:.2f}", abs(order - 2 * p) <= 0.3)
 
 
+def damped(run, omega, dt):
+    """-b + i w of the displacement at the middle of the top, without the first ten steps: there the scheme forgets its start."""
+    wall = _measure.table(run.folder / "interface.csv")
+    middle = wall["x_reference"] == 0.5
+    return _shape.damped_wave(wall["time"][middle][10:], wall["displacement_x"][middle][10:], 1j * omega, drift=False)[0]
+
+
 def damping(lab):
     text, _, number, pressure = WAVES["P along x"]
     omega = speed(0.3, pressure) * number
-    # Semi-discrete frequency of this mesh: what the scheme is given.
-    counts = (20,) if lab.quick else (10, 20, 40)
-    wanted = {(r, n): (text, ["domain.elements=[24,4]", f"time.rho_inf={r}", *steps(2 * PI / omega / n, 5 * n)])
-              for r in (0.0, 0.5, 1.0) for n in counts}
+    wanted = {(r, n): 2 * PI / omega / n for r in (0.0, 0.5, 1.0) for n in ((20,) if lab.quick else (10, 20, 40))}
     names = {key: f"rho_inf = {key[0]}, {key[1]} steps a period" for key in wanted}
-    runs = lab.runs({names[key]: value for key, value in wanted.items()})
+    runs = lab.runs({names[r, n]: (text, ["domain.elements=[24,4]", f"time.rho_inf={r}", *steps(dt, 4 * n), "output.fields.times="
+                                         f"{[round(i * dt, 12) for i in range(4 * n)]}"]) for (r, n), dt in wanted.items()})
     rows, worst = [], 0.0
     for (r, n), name in names.items():
-        found, theory = measured(runs[name], omega), scheme(omega, 2 * PI / omega / n, r)
+        found, theory = damped(runs[name], omega, wanted[r, n]), scheme(omega, wanted[r, n], r)
         lost, expected = (1 - numpy.exp(2 * PI / omega * x.real) for x in (found, theory))
         rows.append((r, n, f"{100 * lost:.3f} %", f"{100 * expected:.3f} %", f"{100 * (found.imag / omega - 1):+.3f} %",
                      f"{100 * (theory.imag / omega - 1):+.3f} %"))
@@ -147,9 +152,7 @@ def damping(lab):
     lab.title("Numerical damping")
     lab.text("Amplitude lost in a period and change of the frequency, measured and from the recurrence of the scheme.")
     lab.table(("rho_inf", "steps a period", "lost", "theory", "frequency", "theory"), rows, "damping")
-    lab.expect("decay and frequency against the recurrence", "<= 0.1 % of w", f"{100 * worst:.2g} %", worst <= 1e-3)
-    kept = abs(measured(runs[names[1.0, counts[-1]]], omega).real) / omega
-    lab.expect("decay for rho_inf = 1", "none: <= 1e-8 w", f"{kept:.1e} w", kept <= 1e-8)
+    lab.expect("decay and frequency against the recurrence", "<= 1e-5 w", f"{worst:.1e} w", worst <= 1e-5)
 
 
 def time_orders(lab):
@@ -176,7 +179,8 @@ def time_orders(lab):
             errors = [abs(displacement(runs[f"{start}, rho_inf = {r}, {n} steps"]) - exact) for n in counts]
             order = numpy.log2(errors[-2] / errors[-1])
             rows.append((start, r, *(f"{e:.1e}" for e in errors), f"{order:.2f}"))
-            lab.expect(f"order in time, start from {start}, rho_inf = {r}", ">= 1.7", f"{order:.2f}", order >= 1.7)
+            lab.expect(f"order in time, start from {start}, rho_inf = {r}", ">= 1.7", f"{order:.2f}", order >= 1.7,
+                       "the run starts with zero acceleration, not with that of the displaced solid" if start == "displacement" else "")
     lab.table(("start", "rho_inf", *(f"{n} steps" for n in counts), "order"), rows, "time")
 
 

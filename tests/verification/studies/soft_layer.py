@@ -1,0 +1,160 @@
+"""Wall under a droplet at rest against the linear theory of an elastic layer.
+
+A droplet on a rigid wall exerts the traction t(x) (interface.csv). On a stiff layer the same traction displaces the surface
+by u = C t, with the compliance C(k) of a layer of height H on a roller base in plane strain, derived here: with
+u_x = a(y) sin kx, u_y = b(y) cos kx, the solutions of (lambda + G) grad div u + G Lap u = 0 with b = a' = 0 at y = 0 are
+
+    a = A cosh ky - D ky sinh ky,   b = -(A + (3 - 4 nu) D) sinh ky + D ky cosh ky;
+
+sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H give A and D for the tractions t_x sin kx, t_y cos kx.
+Without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH), which is checked; k = 0 is
+uniaxial strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)). Slip sides make these series exact: cosines for t_y, sines for t_x.
+
+Half a droplet on a slip side. interface.csv holds a traction lumped over the splines of the wall; here it is turned into the
+spline that does the same work on every spline (mass matrix). What is left vanishes with 1/E (deformed geometry) and with h."""
+
+import _measure
+import numpy
+import scipy.interpolate
+
+MINUTES = {"quick": 0.4, "full": 6}
+LENGTH, HEIGHT, POISSON, YOUNG = 0.5, 0.125, 0.45, 0.7554
+CASE = """# Half a droplet at rest; the left side is its plane of symmetry.
+name = "{name}"
+[domain]
+size = [0.5, {height}]
+elements = [{n}, {rows}]
+[fluid]
+viscosity = "1/256"
+capillarity = "1/{g}"
+temperature = 0.39
+contact_angle = 75.0
+{substrate}
+[[droplet]]
+centre = [0.0, {wall}]
+radius = 0.155
+[boundary]
+bottom = "{bottom}"
+top = "no_slip"
+[time]
+end = 300.0
+[output]
+fields = {{ times = [300.0] }}
+"""
+SUBSTRATE = "[substrate]\nthickness = 0.125\nyoung = {}\npoisson = 0.45\n"
+
+
+def case(n, g, young=None):
+    """@param n  elements along the wall (0.5);  @param young  None: rigid wall"""
+    if young is None:
+        return CASE.format(name="rigid", height=0.375, n=n, rows=n * 3 // 4, g=g, substrate="", wall=0.0, bottom="no_slip")
+    return CASE.format(name="soft", height=0.5, n=n, rows=n, g=g, substrate=SUBSTRATE.format(young), wall=0.125, bottom="slip")
+
+
+def compliance(k, young):
+    """2 x 2: (u_x, u_y) of the surface for tractions (t_x sin kx, t_y cos kx)."""
+    shear, lame = young / (2 * (1 + POISSON)), young * POISSON / ((1 + POISSON) * (1 - 2 * POISSON))
+    if k == 0:
+        return numpy.diag([0.0, HEIGHT / (lame + 2 * shear)])
+    z = k * HEIGHT
+    c, s, e = 1.0, numpy.tanh(z), 3 - 4 * POISSON  # cosh and sinh over cosh(z)
+    a, da = numpy.array([c, -z * s]), k * numpy.array([s, -s - z * c])  # factors of A and D
+    b, db = numpy.array([-s, -e * s + z * c]), k * numpy.array([-c, -e * c + c + z * s])
+    return numpy.array([a, b]) @ numpy.linalg.inv(numpy.array([shear * (da - k * b), lame * (k * a + db) + 2 * shear * db]))
+
+
+class WallSpline:
+    """C1 quadratic splines on n elements of the wall."""
+
+    def __init__(self, n):
+        self.n, self.knots = n, numpy.concatenate(([0, 0], numpy.linspace(0, LENGTH, n + 1), [LENGTH, LENGTH]))
+        x, w = numpy.polynomial.legendre.leggauss(6)
+        h = LENGTH / n
+        self.x = ((numpy.arange(n)[:, None] + 0.5 * (x + 1)) * h).ravel()
+        self.w = numpy.tile(0.5 * h * w, n)
+        self.values = self.matrix(self.x)
+
+    def matrix(self, x):
+        return scipy.interpolate.BSpline.design_matrix(x, self.knots, 2).toarray()
+
+    def traction(self, x, lumped):
+        """From the lumped traction at points x to the one with the same moments, at self.x."""
+        moments = numpy.linalg.lstsq(self.matrix(x), lumped, rcond=None)[0] * (self.w @ self.values)
+        return self.values @ numpy.linalg.solve(self.values.T @ (self.w[:, None] * self.values), moments)
+
+
+def linear_theory(run, n, young, x):
+    """Displacement (u_x, u_y) at the points x from the traction on the rigid wall."""
+    wall, spline = _measure.interface(run.folder), WallSpline(n)
+    t = [spline.traction(wall["x_reference"], wall[f"traction_{d}"]) for d in "xy"]
+    u = numpy.zeros((2, len(x)))
+    for m in range(n):
+        k, norm = m * numpy.pi / LENGTH, (1 if m == 0 else 2) / LENGTH
+        sine, cosine = (norm * (spline.w * wave(k * spline.x) * f).sum() for wave, f in ((numpy.sin, t[0]), (numpy.cos, t[1])))
+        part = compliance(k, young) @ (sine, cosine)
+        u += numpy.stack((part[0] * numpy.sin(k * x), part[1] * numpy.cos(k * x)))
+    return u
+
+
+def check_compliance(lab):
+    worst = 0.0
+    for k in numpy.pi / LENGTH * numpy.array([1, 5, 20]):
+        z = 2 * k * HEIGHT
+        book = 2 * (1 - POISSON**2) / (YOUNG * k) * (numpy.cosh(z) - 1) / (numpy.sinh(z) + z)
+        c = compliance(k, YOUNG)
+        worst = max(worst, abs(c[1, 1] / book - 1), abs(c[0, 1] - c[1, 0]) / book)
+    lab.expect("compliance: u_y/t_y as in the textbook, reciprocal", "1e-12", f"{worst:.1e}", worst <= 1e-12)
+
+
+def compare(lab, rigid, soft, n, young, rows):
+    """Adds a row; @return the largest error of the profiles, as parts of the ridge"""
+    wall = _measure.interface(soft.folder)
+    x, u = wall["x_reference"], numpy.stack([wall["displacement_x"], wall["displacement_y"]])
+    theory = linear_theory(rigid, n, young, x)
+    features = [(v.max(), v[0], v[-1]) for v in (u[1], theory[1])]
+    off = [100 * (a / b - 1) for a, b in zip(*features)]
+    worst = numpy.abs(u - theory).max(axis=1) / theory[1].max()
+    waves = [(numpy.cos(m * numpy.pi * x / LENGTH) * v)[:-1].sum() for m in (1, 2, 4, 8) for v in (u[1], theory[1])]
+    rows.append((n, f"{young / YOUNG:g}", f"{features[1][0] / (YOUNG / young):.3e}", *(f"{o:+.2f} %" for o in off),
+                 *(f"{100 * (a / b - 1):+.2f} %" for a, b in zip(waves[::2], waves[1::2])), *(f"{100 * w:.2f} %" for w in worst)))
+    return worst, off, (x, u, theory)
+
+
+def study(lab):
+    check_compliance(lab)
+    meshes = ((32, 32),) if lab.quick else ((32, 32), (64, 32), (64, 64), (128, 64))
+    factors = (50,) if lab.quick else (1, 10, 50)
+    wanted = {}
+    for n, g in meshes:
+        wanted[f"rigid, n = {n}, 1/gamma = {g}"] = (case(n, g), [])
+        for factor in factors if n < 128 else factors[-1:]:
+            wanted[f"E x {factor}, n = {n}, 1/gamma = {g}"] = (case(n, g, YOUNG * factor), [])
+    runs, rows, results = lab.runs(wanted, limit=1500), [], {}
+    for n, g in meshes:
+        for factor in factors if n < 128 else factors[-1:]:
+            mine = []
+            results[n, g, factor] = compare(lab, runs[f"rigid, n = {n}, 1/gamma = {g}"],
+                                            runs[f"E x {factor}, n = {n}, 1/gamma = {g}"], n, YOUNG * factor, mine)
+            rows.append((g, *mine[0]))
+    lab.table(("1/gamma", "n", "E / 0.7554", "ridge x E / 0.7554", "ridge", "middle", "far side", "k_1", "k_2", "k_4", "k_8",
+               "profile u_x", "profile u_y"), rows, "layer")
+    lab.text("Ridge (largest u_y), middle of the droplet, far side and Fourier cosines k_m = m pi/0.5 of u_y: softwet against the "
+             "linear theory. Profile: largest difference as a part of the ridge.")
+    n, g = (32, 32) if lab.quick else (64, 32)
+    worst, off, profile = results[n, g, 50]
+    for what, value in zip(("ridge", "middle", "far side"), off):
+        lab.expect(f"E x 50, n = {n}: {what}", "linear theory +- 3 %", f"{value:+.2f} %", abs(value) <= 3)
+    lab.expect(f"E x 50, n = {n}: profiles of u_x and u_y", "within 3 % of the ridge",
+               " and ".join(f"{100 * w:.2f} %" for w in worst), worst.max() <= 0.03)
+    if not lab.quick:
+        soft = [results[n, g, factor][0].max() for factor in factors]
+        lab.expect("profile, E x 10 / E x 1", "<= 0.3", f"{soft[1] / soft[0]:.2f}", soft[1] <= 0.3 * soft[0])
+
+    def draw(axes):
+        x, u, theory = profile
+        for name, a, b in zip("xy", u, theory):
+            line, = axes.plot(x, a, label=f"u_{name}, softwet")
+            axes.plot(x, b, "--", color=line.get_color(), label="linear theory")
+        axes.set(xlabel="x", ylabel="displacement", title=f"E x 50, n = {n}, gamma = 1/{g}")
+        axes.legend()
+    lab.plot("profile", draw)
