@@ -42,8 +42,8 @@ inline Case make_case(const Settings& s) {
   c.time.rho_inf = s.rho_inf;
   c.time.dt_initial = c.time.dt_min = c.time.dt_max = s.dt;
   c.time.tolerance = 1e30;  // steps of one size
-  c.solver.newton_rtol = 1e-10;
-  c.solver.newton_atol = 1e-13;
+  c.solver.newton_rtol = 1e-8;
+  c.solver.newton_atol = 1e-12;
   c.solver.newton_max = 20;
   c.solver.krylov_rtol = 1e-3;
   c.solver.preconditioner = s.preconditioner;
@@ -95,7 +95,6 @@ class Problem {
     while (stepper_.state().time < end * (1 - 1e-12)) last_dt_ = stepper_.step().dt;
     return errors();
   }
-  const Stepper<D, P>& stepper() const { return stepper_; }
 
  private:
   static Exact<D> exact_of(const Settings& s, const Case& c) {
