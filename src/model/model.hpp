@@ -68,6 +68,10 @@ class Model {
   template <class Motion>
   void add_fluid_pieces(const Case&);
   template <class Motion>
+  void add_traction(const Case&);
+  /// All pieces: their products where the binding has a tangent, else their residuals.
+  void run_pieces(const Binding<D>&) const;
+  template <class Motion>
   void fluid_integrals(const Binding<D>&, Integrals&) const;
   void add_loads(double time, const Array& out) const;
 
@@ -81,6 +85,7 @@ class Model {
   bool has_wall_ = false;
   std::vector<std::unique_ptr<Piece<D>>> pieces_;
   std::unique_ptr<Piece<D>> rigid_traction_;
+  std::unique_ptr<Piece<D>> blended_traction_;  ///< instead of the last piece, but in frozen products
   std::vector<LoadVector> loads_;
   std::function<void(double, const Array&)> source_;
   Array mask_;

@@ -11,7 +11,7 @@ import numpy
 import _extremes as matrix
 
 MINUTES = {"quick": 1, "full": 30}
-LIMIT = 150  # seconds for a run
+LIMIT = 600  # seconds for a run
 
 
 def finite(run):
