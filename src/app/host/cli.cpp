@@ -54,7 +54,8 @@ void run_command(Request& request) {
   try {
     run_case(c, request.options);
   } catch (const Error& error) {
-    if (error.code() == Exit::invalid_input) folder.discard();
+    const bool begun = std::filesystem::exists(request.options.out + "/history.csv");
+    if (error.code() == Exit::invalid_input || !begun) folder.discard();
     throw;
   }
   folder.finish(c);

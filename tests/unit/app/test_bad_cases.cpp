@@ -65,6 +65,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"Boolean", "radius = 0.155", "radius = true", {"droplet[0].radius = true", "number"}},
         Bad{"Infinite", "radius = 0.155", "radius = inf", {"droplet[0].radius = inf", "(0, inf)"}},
         Bad{"NotANumber", "young = 0.7554", "young = nan", {"substrate.young = nan", "(0, inf)"}},
+        Bad{"Huge", "young = 0.7554", "young = 1e300", {"substrate.young = 1e+300", "between 1e-30 and 1e+30"}},
+        Bad{"Tiny", "[1.0, 0.5]", "[1.0, 1e-300]", {"domain.size = [1, 1e-300]", "between 1e-30 and 1e+30"}},
+        Bad{"HugeInABox", "[0.8, 0.125]]", "[0.8, -1e31]]", {"load[0].box", "between 1e-30 and 1e+30"}},
         Bad{"SingleBrackets", "[[droplet]]", "[droplet]", {"droplet", "[[droplet]]"}},
         Bad{"DoubleBrackets", "[fluid]", "[[fluid]]", {"fluid", "stands once", "[fluid]"}},
         Bad{"BrokenToml", "[fluid]", "[fluid", {"not TOML"}},
@@ -132,6 +135,18 @@ TEST(BadCases, NameTheLine) {
 TEST(BadCases, TextThatTheTomlLibraryOnlyAssertsOnIsASyntaxErrorOfItsLine) {
   EXPECT_EQ(message_of("name = 'x'\nb = [ }\nc = 1\n").rfind("case.toml:2: this is not TOML", 0), 0u);
   EXPECT_NE(message_of(pull, {"load[0].force=[ }"}).find("load[0].force"), std::string::npos);
+}
+
+TEST(BadCases, LongTextIsRefusedSoonWithAShortMessage) {
+  std::string lines;
+  for (int i = 0; i < 20000; ++i) lines += "a" + std::to_string(i) + " = 1\n";
+  EXPECT_EQ(message_of(lines + "b = [ }\nc = 1\n").rfind("case.toml:20001: this is not TOML", 0), 0u);
+  const std::string name(1000000, 'x');
+  for (const std::string& message : {message_of(name + " = 1"), message_of(pull, {name + "=1"}),
+                                     message_of(replaced(pull, "\"no_slip\"", "\"" + name + "\""))}) {
+    EXPECT_LT(message.size(), 1000u);
+    EXPECT_NE(message.find("did you mean"), std::string::npos);
+  }
 }
 
 TEST(BadCases, EmptyFileOffersInit) {
