@@ -5,7 +5,7 @@ Prints the values of tests/verification/studies/csm.py. No code or method shared
 (Gauss-Lobatto-Legendre nodes of degree N, Gauss quadrature), total Lagrangian Saint Venant-Kirchhoff in plane strain,
 assembled sparse tangents, Newton; in time the trapezoidal rule of second order (Newmark, beta 1/4, gamma 1/2).
 The published beam is clamped on a circle of radius 0.05 whose rightmost point is x = 0: its corners reach back to
-x = sqrt(0.05^2 - 0.01^2) - 0.05 = -1.01e-3. SI units. usage: elastic_beam.py [dynamic STEP END]"""
+x = sqrt(0.05^2 - 0.01^2) - 0.05 = -1.01e-3. SI units. usage: elastic_beam.py [dynamic curved|rectangle STEP END]"""
 import sys
 
 import numpy
@@ -153,15 +153,14 @@ if __name__ == "__main__":
     if wanted == "static":
         for young in (1.4e6, 5.6e6):
             for curved in (True, False):
-                for degree, x_count, y_count, smallest in ((5, 6, 2, 2e-3), (7, 8, 3, 5e-4), (8, 10, 4, 1e-4)):
+                for degree, x_count, y_count, smallest in ((5, 6, 2, 2e-3), (7, 8, 3, 5e-4)):
                     beam = Beam(young, curved, degree, graded(LENGTH, x_count, smallest), symmetric(y_count, smallest))
                     tip = static(beam)
                     print(f"E = {young:.2g} {'curved' if curved else 'rectangle':9} N = {degree}, {x_count} x {2 * y_count}: "
                           f"{1e3 * tip[0]:.6f} {1e3 * tip[1]:.6f} mm", flush=True)
     else:
-        dt, end = float(sys.argv[2]), float(sys.argv[3])
-        for curved in (True, False):
-            beam = Beam(1.4e6, curved, 4, graded(LENGTH, 6, 1e-2), numpy.array([0, 0.5, 1]) * HEIGHT)
-            print("curved" if curved else "rectangle", "t, ux, uy")
-            for t, tip in zip(*dynamic(beam, dt, end)):
-                print(f"{t:.6g} {tip[0]:.7e} {tip[1]:.7e}", flush=True)
+        shape, dt, end = sys.argv[2], float(sys.argv[3]), float(sys.argv[4])
+        beam = Beam(1.4e6, shape == "curved", 4, graded(LENGTH, 6, 1e-2), numpy.array([0, 0.5, 1]) * HEIGHT)
+        print("t, ux, uy")
+        for t, tip in zip(*dynamic(beam, dt, end)):
+            print(f"{t:.6g} {tip[0]:.7e} {tip[1]:.7e}")

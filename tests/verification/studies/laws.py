@@ -1,0 +1,141 @@
+"""Conservation laws step by step.
+
+Mass: sum over the test functions of the mass equation is exactly zero flux, so every step keeps it to round-off once Newton is
+tight: on a fixed mesh, on a moving mesh, and without walls.
+
+Momentum: a droplet in a periodic box. The capillary force as the divergence of a stress, (grad w, Sigma), keeps the momentum for
+constant w; the default, (w, rho grad mu), does so only where rho grad mu = - div Sigma holds pointwise, so its momentum drifts
+with the mesh. Inertia is discretised in the convective form, which costs momentum too. Drift: change of the momentum, for a
+droplet at rest as a part of mass times the largest speed seen, for a moving one of its momentum.
+
+Energy: a stretched droplet on a rigid wall comes to rest. With the wall-energy law the energy lost is the dissipation; the
+trapezoidal sum over the steps leaves open the error of the time scheme, order 2.
+
+Uniform flow: solid and liquid without pressure translate along x between periodic sides. The mesh of the fluid follows the wall and is sheared
+more and more; density and velocity must stay as they are."""
+
+import _measure
+import numpy
+
+MINUTES = {"quick": 0.5, "full": 6}
+TIGHT = ["solver.newton.rtol=1e-11", "solver.newton.atol=1e-12", "solver.krylov.rtol=1e-4"]
+FREE = """# A droplet between periodic sides: no wall.
+name = "periodic_droplet"
+[domain]
+size = [1.0, 1.0]
+elements = [32, 32]
+[fluid]
+viscosity = "1/256"
+capillarity = "1/16"
+temperature = 0.39
+[[droplet]]
+centre = [0.513, 0.477]
+radius = 0.25
+{wave}
+[boundary]
+left = "periodic"
+right = "periodic"
+bottom = "periodic"
+top = "periodic"
+[time]
+end = 4.0
+dt_max = 0.2
+tolerance = 1e6
+"""
+MOVING = '[[wave]]\nfield = "velocity_x"\namplitude = 0.05\nmode = [0, 0]\n'
+UNIFORM = """# Solid and liquid in uniform motion. At this density the pressure is 0: r (1 - r) = 8 theta / 27.
+name = "uniform"
+[domain]
+size = [1.0, 0.5]
+elements = [16, 8]
+[fluid]
+viscosity = "1/256"
+capillarity = "1/16"
+temperature = 0.39
+ambient = "liquid"
+initial = [0.00135, 0.8666666666666667]
+[substrate]
+thickness = 0.125
+young = 0.7554
+poisson = 0.45
+[[wave]]
+field = "velocity_x"
+amplitude = 0.05
+mode = [0, 0]
+[boundary]
+left = "periodic"
+right = "periodic"
+bottom = "slip"
+top = "slip"
+[time]
+end = 10.0
+dt_max = 0.5
+"""
+
+
+def mass(lab):
+    pull = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "load[0].start=1", "load[0].ramp=1", "time.end=3",
+            "output.fields.times=[]", *TIGHT]
+    rigid = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "time.end=10", "output.fields.times=[]", *TIGHT]
+    runs = lab.runs({"fixed mesh": ("static_droplet_rigid_2d", rigid), "moving mesh": ("tensotaxis_pull_2d", pull),
+                     "no wall": (FREE.format(wave=""), TIGHT)})
+    for label, run in runs.items():
+        value = run.history["mass"]
+        step = numpy.abs(numpy.diff(value)).max() / value[0]
+        lab.expect(f"mass, {label}: largest relative change in a step of {len(value) - 1}", "<= 1e-12", f"{step:.1e}", step <= 1e-12)
+
+
+def momentum(lab):
+    meshes, starts = ((24,), ("at rest",)) if lab.quick else ((24, 32, 48), ("at rest", "moving"))
+    wanted = {(start, form, n): (FREE.format(wave=MOVING if start == "moving" else ""), [f"fluid.form={form}", f"domain.elements=[{n},{n}]", *TIGHT])
+              for start in starts for form in ("potential", "divergence") for n in meshes}
+    runs = lab.runs({", ".join(map(str, key)): value for key, value in wanted.items()}, limit=1500)
+    rows, drift = [], {}
+    for key in wanted:
+        rows_of = runs[", ".join(map(str, key))].history
+        size = rows_of["momentum_x"][0] if key[0] == "moving" else rows_of["mass"][0] * rows_of["speed_max_fluid"].max()
+        drift[key] = numpy.abs(rows_of["momentum_x"] - rows_of["momentum_x"][0]).max() / abs(size)
+    for start in starts:
+        for form in ("potential", "divergence"):
+            rows.append((start, form, *(f"{drift[start, form, n]:.1e}" for n in meshes)))
+            last = drift[start, form, meshes[-1]]
+            bound = 1e-2 if lab.quick and form == "potential" else 1e-3
+            lab.expect(f"momentum, {start}, {form}: drift at {meshes[-1]} x {meshes[-1]}", f"<= {bound:g}", f"{last:.1e}", last <= bound)
+    lab.title("Drift of the momentum up to t = 4")
+    lab.table(("droplet", "form", *(f"{n} x {n}" for n in meshes)), rows, "momentum")
+
+
+def energy(lab):
+    steps, rows = (0.02, 0.01) if lab.quick else (0.02, 0.01, 0.005), []
+    base = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "fluid.wall_law=energy", "time.tolerance=1e6", *TIGHT]
+    scenes = {"rigid": ("static_droplet_rigid_2d", ["droplet[0].stretch=[1.15,0.9]"])}
+    if not lab.quick:
+        scenes["soft"] = ("tensotaxis_pull_2d", ["load[0].start=2", "load[0].ramp=4"])
+    for scene, (case, settings) in scenes.items():
+        wanted = {f"{scene}, dt = {dt}": (case, [*base, *settings, f"time.dt_initial={dt}", f"time.dt_max={dt}",
+                                                "time.end=2", "output.fields.times=[]"]) for dt in steps}
+        parts = [_measure.balance_error(run.folder, 1 if scene == "rigid" else 0, 2) for run in lab.runs(wanted).values()]
+        orders = [numpy.log2(a / b) for a, b in zip(parts, parts[1:])]
+        rows.append((scene, *(f"{x:.1e}" for x in parts), *(f"{x:.2f}" for x in orders)))
+        lab.expect(f"energy, {scene} wall: order of the balance in dt", "2 +- 0.3", f"{orders[-1]:.2f}, open {parts[-1]:.1e}",
+                   abs(orders[-1] - 2) <= 0.3)
+    lab.title("Balance of the energy up to t = 2")
+    lab.text("Sum of what the steps leave open as a part of the dissipation; wall-energy law. Rigid wall: from t = 1; soft: from the start of the load.")
+    lab.table(("wall", *(f"dt = {dt}" for dt in steps), *(f"order at {dt}" for dt in steps[1:])), rows, "energy")
+
+
+def uniform(lab):
+    run = lab.run("uniform flow", UNIFORM, TIGHT)
+    rows = run.history
+    spread = (rows["rho_max"] - rows["rho_min"]).max() / rows["rho_max"][0]
+    lab.expect("uniform flow on a sheared mesh: spread of the density", "<= 1e-10", f"{spread:.1e}", spread <= 1e-10)
+    for part in ("fluid", "solid"):
+        speed = numpy.abs(rows[f"speed_max_{part}"] / 0.05 - 1).max()
+        lab.expect(f"uniform flow: change of the largest speed, {part}", "<= 1e-10", f"{speed:.1e}", speed <= 1e-10)
+
+
+def study(lab):
+    mass(lab)
+    momentum(lab)
+    energy(lab)
+    uniform(lab)
