@@ -50,13 +50,14 @@ struct Exact {
     return 1.0 + 0.5 * sin((5.0 + k % 3) * t + 0.9 * k);
   }
 
-  /// Product over the horizontal axes: sine of (mode pi x / L) along `own`, cosine along the others.
+  /// Product over the horizontal axes: sine of (mode pi x / L) along `own`, cosine along the others. In 3D, whose meshes are
+  /// coarser, the mode is 1.
   template <class N>
   N horizontal(const Vector<N, D>& x, int mode, int own = -1) const {
     using std::cos, std::sin;
     N product(1.0);
     for (int d = 0; d + 1 < D; ++d) {
-      const N phase = ((mode + d) * std::numbers::pi / length[d]) * x[d];
+      const N phase = ((D == 2 ? mode : 1) * std::numbers::pi / length[d]) * x[d];
       product = product * (d == own ? sin(phase) : cos(phase));
     }
     return product;
@@ -83,7 +84,7 @@ struct Exact {
     const double turn = scene == Scene::solid ? std::numbers::pi : 2.0;  // the top of a solid alone is a slip side
     const N phase = (turn / wall) * p.x[D - 1];
     for (int d = 0; d < D; ++d)
-      u[d] = (0.03 + 0.01 * d) * stretch(p.t, d) * horizontal(p.x, 1, d) * (d == D - 1 ? sin(phase) : cos(phase));
+      u[d] = (0.03 + 0.01 * d) * stretch(p.t, d) * horizontal(p.x, 2, d) * (d == D - 1 ? sin(phase) : cos(phase));
     return u;
   }
 
@@ -130,7 +131,7 @@ struct Exact {
   /// Stable liquid at theta = 0.85: W'' > 0 for rho in (0.5, 0.7).
   template <class N>
   N density(const Point<N, D>& p) const {
-    return 0.6 + 0.05 * amplitude(p.t, 3) * horizontal(p.x, 1) * vertical(p.x, 0.3);
+    return 0.6 + 0.06 * amplitude(p.t, 3) * horizontal(p.x, 2) * vertical(p.x, 0.3);
   }
 
   template <class N>

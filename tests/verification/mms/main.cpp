@@ -101,9 +101,10 @@ void run(int count, char** texts) {
   if (header) std::puts("scene,dimension,degree,rho_inf,elements,dt,field,error");
 #define SOFTWET_MEASURE(D, P) \
   if (s.dimension == D && s.degree == P) return measure<D, P>(s);
-  SOFTWET_CONFIGURATIONS(SOFTWET_MEASURE)
 #ifdef SOFTWET_MMS_3X3
   SOFTWET_MEASURE(3, 3)
+#else
+  SOFTWET_CONFIGURATIONS(SOFTWET_MEASURE)
 #endif
 #undef SOFTWET_MEASURE
   throw Error(Exit::invalid_input, "dimension = " + std::to_string(s.dimension) +
