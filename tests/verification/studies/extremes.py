@@ -58,7 +58,7 @@ def verdict(label, run):
         return ("FAILS", wrong) if wrong else ("survives", run.record["stop"]["reason"].replace("end reached", ""))
     if wrong:
         return "FAILS", wrong
-    return "stops", run.message.split("the computation stopped ")[-1].split(", even with")[0]
+    return "stops", run.message.split("error: ")[-1].split("the computation stopped: ")[-1].split("; the last good")[0]
 
 
 def row(label, run):
