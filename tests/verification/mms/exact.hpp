@@ -73,7 +73,7 @@ struct Exact {
   /// displacement sets off elastic waves, whose velocity would be one order lower.
   template <class N>
   N stretch(const N& t, int d) const {
-    return course == Course::linear ? (1.0 + 0.5 * d) * t : amplitude(t, 2 * d);
+    return course == Course::linear ? (1.0 + 0.5 * d) * t : 0.4 * amplitude(t, 2 * d);
   }
 
   /// Displacement of the solid.

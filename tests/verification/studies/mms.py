@@ -83,14 +83,14 @@ def show(lab, name, title, columns, sizes, found):
 # scene, dimension, degree, elements of quick and full form, what is computed
 SPACE = [
     ("fluid", 2, 2, (16, 32, 64), (16, 32, 64, 128), {"dt": 0.1, "end": 0.4, "stabilisation": 0}),
-    ("fluid", 2, 3, None, (12, 24, 48, 96), {"dt": 0.1, "end": 0.4, "stabilisation": 0}),
-    ("solid", 2, 2, (8, 16, 32), (8, 16, 32, 64), {"dt": 0.1, "end": 0.4}),
-    ("solid", 2, 3, (6, 12, 24), (6, 12, 24, 48), {"dt": 0.1, "end": 0.4}),
-    ("coupled", 2, 2, (8, 16, 32), (16, 32, 64, 96), {"dt": 0.02, "end": 0.2, "rho_inf": 1}),
-    ("coupled", 2, 3, None, (12, 18, 24, 36), {"dt": 0.02, "end": 0.2, "rho_inf": 1}),
-    ("solid", 3, 2, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
-    ("coupled", 3, 2, None, (6, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
-    ("coupled", 3, 3, None, (4, 6, 8, 12), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
+    ("fluid", 2, 3, None, (24, 36, 54, 81), {"dt": 0.1, "end": 0.4, "stabilisation": 0}),
+    ("solid", 2, 2, (16, 32, 48), (16, 32, 64, 128), {"dt": 0.1, "end": 0.4}),
+    ("solid", 2, 3, (12, 24, 36), (12, 24, 48, 72), {"dt": 0.1, "end": 0.4}),
+    ("coupled", 2, 2, (16, 24, 32), (16, 32, 48, 64), {"dt": 0.02, "end": 0.2, "rho_inf": 1}),
+    ("coupled", 2, 3, None, (16, 24, 32, 40), {"dt": 0.02, "end": 0.2, "rho_inf": 1}),
+    ("solid", 3, 2, None, (4, 6, 8, 12), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
+    ("coupled", 3, 2, None, (4, 6, 8, 12), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
+    ("coupled", 3, 3, None, (4, 6, 8), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
 ]
 
 
@@ -104,16 +104,16 @@ def space(lab, measurement):
         sizes = [1 / n for n in meshes]
         title = f"{scene}, {dimension}D, degree {degree}"
         show(lab, f"{scene}_{dimension}d_degree_{degree}", title, [f"{n} elements" for n in meshes], sizes, found)
-        judge_space(lab, title, degree, sizes, found)
+        judge_space(lab, title, dimension, degree, sizes, found)
 
 
-def judge_space(lab, title, degree, sizes, found):
+def judge_space(lab, title, dimension, degree, sizes, found):
     for field, errors in found.items():
         observed = orders(sizes, errors)
         what = f"{title}: order of {NAMES[field]} over h"
-        if field in ("velocity", "displacement"):
+        if dimension == 2 and field in ("velocity", "displacement"):
             lab.expect(what, f"{degree + 1} +- {TOLERANCE}", text_of(observed), within(observed, degree + 1))
-        elif field == "density":
+        elif field != "potential":
             lab.expect(what, f"{degree + 1} - {TOLERANCE} or more", text_of(observed),
                        min(observed) >= degree + 1 - TOLERANCE)
         else:
@@ -136,7 +136,7 @@ def control(lab, measurement):
 
 def course(lab, measurement):
     """Orders in time on a mesh fine enough for the error of time to rule."""
-    meshes, steps = ((12, (0.025, 0.0125, 0.00625)) if lab.quick else (24, (0.025, 0.0125, 0.00625, 0.003125)))
+    meshes, steps = ((16, (0.05, 0.025, 0.0125)) if lab.quick else (24, (0.025, 0.0125, 0.00625, 0.003125)))
     for rho_inf in (0.5,) if lab.quick else (0, 0.5, 1):
         found = measurement.series("dt", steps, scene="coupled", course="harmonic", dimension=2, degree=3, elements=meshes,
                                    end=0.5, rho_inf=rho_inf)
@@ -160,7 +160,8 @@ def study(lab):
     lab.text("Fields are linear in time where orders in space are measured: generalized-alpha follows them exactly on a fixed "
              "mesh. On a moving one rho J is not linear in time; rho_inf = 1 and a small step keep that error below the "
              "error of space. The solid starts undeformed: the interpolant of a deformation differs from the discrete "
-             "equilibrium by order p + 1 in displacement but sets off waves of order p in velocity.")
+             "equilibrium by order p + 1 in displacement but sets off waves of order p in velocity. The meshes of 3D are "
+             "coarse: their orders are still above p + 1 and are asked not to be below.")
     space(lab, measurement)
     if not lab.quick:
         control(lab, measurement)
