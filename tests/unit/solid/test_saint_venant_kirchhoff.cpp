@@ -47,6 +47,28 @@ TEST(SaintVenantKirchhoff, RotationIsFree) {
     for (int j = 0; j < 3; ++j) EXPECT_NEAR(p(i, j), 0, 1e-15);
 }
 
+// The frame does not matter: for a rotation Q, energy(Q F) = energy(F) and P(Q F) = Q P(F).
+TEST(SaintVenantKirchhoff, RotationOfADeformedStateTurnsTheStress) {
+  const SaintVenantKirchhoff m{1.5, 0.7};
+  const double c = std::cos(2.3), s = std::sin(2.3);
+  const double q[2][2] = {{c, -s}, {s, c}};
+  const Matrix<double, 2> g{{{0.3, 0.4}, {-0.2, 0.1}}};
+  const auto turn = [&](const Matrix<double, 2>& a) {
+    Matrix<double, 2> b;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) b(i, j) = q[i][0] * a(0, j) + q[i][1] * a(1, j);
+    return b;
+  };
+  Matrix<double, 2> f = g;
+  for (int i = 0; i < 2; ++i) f(i, i) += 1;
+  Matrix<double, 2> turned = turn(f);
+  for (int i = 0; i < 2; ++i) turned(i, i) -= 1;
+  EXPECT_NEAR(m.energy(turned), m.energy(g), 1e-15);
+  const auto p = m.first_piola(turned), expected = turn(m.first_piola(g));
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) EXPECT_NEAR(p(i, j), expected(i, j), 1e-14);
+}
+
 // Small strains: P is the linear stress lambda tr(e) I + 2 G e up to second order.
 TEST(SaintVenantKirchhoff, SmallStrainsAreLinear) {
   const SaintVenantKirchhoff m{1.5, 0.7};

@@ -19,7 +19,7 @@ REST = {"CSM1": ((-7.18767, -66.1023), (-7.18783, -66.1032), (-7.08651, -65.5672
 YOUNG = {"CSM1": 1400, "CSM2": 5600}
 # CSM3, t = 8 to 10: (mean, amplitude) of u_x and u_y in mm, and the frequency
 PUBLISHED = ((-14.305, 14.305), (-63.607, 65.160), 1.0995)
-RECTANGLE = None
+RECTANGLE = ((-14.2, 14.2), (-63.0, 64.5), 1.1)
 
 
 def tip(run, number):
