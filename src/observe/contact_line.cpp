@@ -133,7 +133,11 @@ std::vector<Footprint> find_footprints(const Snapshot<2>& s, double middle, doub
     const double left = sharp(found[i]), right = sharp(found[i + 1]);
     const Point line_left = current(s, left, low), line_right = current(s, right, low);
     Footprint f{line_left[0], line_right[0], {}, {}, {}};
-    const Sides sides = trace_level(s, left, right, middle, 2 * capillarity);
+    // A cut droplet has its middle on the side: as wide beyond it as before.
+    const double length = horizontal.length();
+    const double mirrored_left = left == 0 ? -right : left,
+                 mirrored_right = right == length ? 2 * length - left : right;
+    const Sides sides = trace_level(s, mirrored_left, mirrored_right, middle, 2 * capillarity);
     f.angle_left = angle_at(fit_circle(sides.left), line_left[1]);
     f.angle_right = angle_at(fit_circle(sides.right), line_right[1]);
     std::vector<Point> both = sides.left;

@@ -61,7 +61,7 @@ def pieces(vapour):
 
 
 def study(lab):
-    n, end, count = (48, 4, 8) if lab.quick else (128, 20, 40)
+    n, end, count = (48, 2, 8) if lab.quick else (128, 6, 24)
     times = [float(f"{end * i / count:.4g}") for i in range(count + 1)]
     run = lab.run(f"{n} x {n}", CASE, [f"domain.elements=[{n},{n}]", f"fluid.capillarity=1/{n}", f"fluid.viscosity=1/{2 * n}",
                                        f"time.end={end}", f"output.fields.times=[{','.join(map(str, times))}]"], limit=3500)
