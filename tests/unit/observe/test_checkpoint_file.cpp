@@ -118,11 +118,7 @@ TEST(CheckpointFile, RefusesFilesOfOthersAndOtherVersions) {
 TEST(CheckpointFile, RefusesShapesThatNoFileCanHold) {
   const ScratchFolder folder;
   const std::string path = folder / "checkpoint.h5";
-<<<<<<< HEAD
-  const std::vector<std::vector<hsize_t>> shapes{{hsize_t{1} << 40, 1}, {hsize_t{1} << 31, hsize_t{1} << 32}};
-=======
   const std::vector<std::vector<hsize_t>> shapes{{hsize_t{1} << 40, 1}, {hsize_t{1} << 32, hsize_t{1} << 32}};
->>>>>>> fuzz
   for (const std::vector<hsize_t>& shape : shapes) {
     Hdf5File file = Hdf5File::create(path, Hdf5Format::checksummed);
     file.make_group("/texts");
