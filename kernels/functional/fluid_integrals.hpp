@@ -5,21 +5,33 @@
 
 namespace softwet {
 
+/// Fluid and mesh at a point.
+template <class N, int D>
+struct FluidState : FluidTrial<N, D> {
+  N volume_ratio;  ///< J of the mesh map
+
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION FluidState read(const Reader& at) {
+    return {FluidTrial<N, D>::read(at), at.volume_ratio()};
+  }
+};
+
 /// Integrands over the current fluid domain, in this order:
 ///   mass rho, kinetic rho |v|^2/2, bulk W(rho), gradient g^2 |grad rho|^2/2,
-///   viscous dissipation tau : grad v, stabilisation eps |grad mu|^2, momentum rho v_i (D)
+///   viscous dissipation tau : grad v, stabilisation eps |grad mu|^2, folded -1 where J < 0, momentum rho v_i (3)
+/// The integral of `folded` is the volume of the mesh that is turned inside out: it must be 0.
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct FluidIntegrals {
   NavierStokesKorteweg model;
 
-  enum { mass, kinetic, bulk, gradient, viscous, stabilisation, momentum };
-  static constexpr int count = 9;
+  enum { mass, kinetic, bulk, gradient, viscous, stabilisation, folded, momentum };
+  static constexpr int count = 10;
 
   template <class N, int D>
-  using Trial = FluidTrial<N, D>;
+  using Trial = FluidState<N, D>;
 
   template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const FluidTrial<N, D>& t) const {
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const FluidState<N, D>& t) const {
     const double lambda = model.capillarity * model.capillarity;
     Vector<N, count> r;
     r[mass] = t.density;
@@ -29,6 +41,7 @@ struct FluidIntegrals {
     r[viscous] = contract(newtonian_stress(model.viscosity, t.velocity_gradient), t.velocity_gradient);
     r[stabilisation] =
         model.stabilisation * t.density * t.density * dot(t.chemical_potential_gradient, t.chemical_potential_gradient);
+    r[folded] = select(t.volume_ratio < 0.0, N(-1.0), N(0.0));
     for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? t.density * t.velocity[i < D ? i : 0] : N(0.0);
     return r;
   }

@@ -1,4 +1,4 @@
-// Integrals over the solid: kinetic and elastic energy, momentum, volume change.
+// Integrals over the solid: kinetic and elastic energy, momentum, and what is turned inside out.
 #pragma once
 
 #include "kernels/solid/elastodynamics.hpp"
@@ -22,13 +22,14 @@ struct SolidState {
   }
 };
 
-/// Integrands over the reference domain: kinetic rho_0 |v|^2/2, elastic energy, momentum rho_0 v_i (3).
+/// Integrands over the reference domain: kinetic rho_0 |v|^2/2, elastic energy, inverted 1 where
+/// det F <= 0, momentum rho_0 v_i (3). The integral of `inverted` must be 0: there the material law has no meaning.
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct SolidIntegrals {
   Elastodynamics model;
 
-  enum { kinetic, elastic, momentum };
-  static constexpr int count = 5;
+  enum { kinetic, elastic, inverted, momentum };
+  static constexpr int count = 6;
 
   template <class N, int D>
   using Trial = SolidState<N, D>;
@@ -38,6 +39,8 @@ struct SolidIntegrals {
     Vector<N, count> r;
     r[kinetic] = (0.5 * model.density) * dot(t.velocity, t.velocity);
     r[elastic] = model.material.energy(t.displacement_gradient);
+    const Matrix<N, D> f = add_diagonal(t.displacement_gradient, 1.0);
+    r[inverted] = select(0.0 < determinant(f, cofactor(f)), N(0.0), N(1.0));
     for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? model.density * t.velocity[i < D ? i : 0] : N(0.0);
     return r;
   }

@@ -16,6 +16,7 @@ struct FixedPoint {
     for (int i = 0; i < D; ++i) zero[i] = N(0.0);
     return zero;
   }
+  KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return N(1.0); }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio_end() const { return N(1.0); }
 };
 
@@ -55,6 +56,7 @@ struct MovingPoint {
   }
   KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const { return measure * x; }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return velocity; }
+  KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return volume; }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio_end() const { return ratio_end; }
 };
 

@@ -13,6 +13,8 @@ namespace softwet {
 enum class Side { slip, no_slip, clamped, free, periodic };
 /// Capillary force in the momentum equation: (w, rho grad mu), or its divergence form (grad w, Sigma) for cross-checks.
 enum class CapillaryForm { potential, divergence };
+/// Test functions of the wall in the capillary force: next to the wall only, or blended over the fluid like the mesh.
+enum class Traction { layer, blended };
 enum class Phase { vapour, liquid };
 enum class WallLaw { gradient, energy };  ///< g^2 |grad rho| cos(alpha) of the paper, or the variational wall energy
 
@@ -29,6 +31,7 @@ struct Fluid {
   double contact_angle = 90;  ///< degrees, measured in the liquid
   WallLaw wall_law = WallLaw::gradient;
   CapillaryForm form = CapillaryForm::potential;
+  Traction traction = Traction::layer;
   double stabilisation = 0.002;  ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
   double smoothing = 1e-4;       ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
   Phase ambient = Phase::vapour;  ///< what is around the droplets; liquid makes them bubbles
@@ -45,7 +48,7 @@ struct Substrate {
 struct Droplet {
   std::vector<double> centre;  ///< of the circle or sphere; on the interface it becomes a cap cut at the contact angle
   double radius = 0;
-  std::vector<double> stretch;  ///< semi-axes over the radius; empty: 1 along each axis
+  std::vector<double> stretch = {};  ///< semi-axes over the radius; empty: 1 along each axis
 };
 
 /// A box of liquid at the start.

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/host/memory.hpp"
 #include "app/machine.hpp"
+#include "app/memory_parts.hpp"
 #include "model/equilibrium.hpp"
 #include "model/model.hpp"
 #include "solver/choose.hpp"
@@ -52,25 +54,12 @@ std::vector<Line> unknowns(const Layout<D>& l) {
 
 template <int D, int P>
 std::vector<Line> memory(const Case& c, const Model<D, P>& model) {
-  const Layout<D>& l = model.layout();
-  const double n = l.size(), rate = l.velocity_size(), solid = l.solid_size(), scalar = l.scalar_size();
-  const double state = n + rate + 2 * solid + 2 * scalar;
-  const double stage = 2 * n + rate + 2 * solid + scalar;
-  const auto preconditioner = choose_preconditioner<D>(c.solver.preconditioner, l, model.mask());
-  const std::vector<std::pair<std::string, double>> parts{
-      {"program and libraries", 34.0 * 1048576},
-      {"state and history", 8 * (state + 3 * n)},
-      {"stage", 8 * stage},
-      {"Newton", 8 * 5 * n},
-      {"Krylov basis", 8 * n * (2.0 * c.solver.krylov_restart + 2)},
-      {"preconditioner " + preconditioner->name(), preconditioner->bytes()}};
+  const auto preconditioner = choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask());
   std::vector<Line> lines;
-  double total = 0;
-  for (const auto& [name, bytes] : parts) {
-    lines.push_back({name, number(bytes / 1048576, "%.1f") + " MiB"});
-    total += bytes;
-  }
-  lines.push_back({"total", number(total / 1048576, "%.1f") + " MiB"});
+  for (const auto& [name, bytes] : memory_parts(c, model.layout(), *preconditioner))
+    lines.push_back({name, bytes_text(bytes)});
+  lines.push_back({"total", bytes_text(total_bytes(c, model.layout(), *preconditioner))});
+  lines.push_back({"to be had here", bytes_text(bytes_to_be_had())});
   return lines;
 }
 

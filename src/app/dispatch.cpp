@@ -20,6 +20,8 @@ void on_machine(int threads, const Work& work) {
     work();
   } catch (const Error&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw Error(Exit::machine_failed, "out of memory; 'softwet check CASE' tells how much a case needs");
   } catch (const std::runtime_error& error) {  // Kokkos: out of memory, a kernel that does not start, a lost device
     throw Error(Exit::machine_failed, std::string(error.what()) + "; 'softwet check CASE' tells how much a case needs");
   }

@@ -1,6 +1,7 @@
 #include "app/restart.hpp"
 
 #include "app/host/fingerprint.hpp"
+#include "app/host/saved_run.hpp"
 #include "model/initial.hpp"
 #include "observe/host/checkpoint_file.hpp"
 
@@ -15,10 +16,6 @@ std::vector<std::pair<std::string, Array>> arrays_of(const State& s) {
           {"state/displacement_rate", s.displacement_rate},
           {"state/moment", s.moment},
           {"state/moment_rate", s.moment_rate}};
-}
-
-void read_array(const CheckpointReader& file, const std::string& name, const Array& target) {
-  Kokkos::deep_copy(target, to_device<Array>(file.array(name, target.extent(0))));
 }
 
 }  // namespace
@@ -47,24 +44,23 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
 
 template <int D, int P>
 HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper) {
-  const CheckpointReader file(path);
-  check_fingerprint(path, file.text("case"), c);
   State state = empty_state(stepper.integrator().model().layout());
-  state.time = file.number("time");
-  for (const auto& [name, array] : arrays_of(state)) read_array(file, name, array);
   const Array previous("previous", state.unknown.extent(0));
-  read_array(file, "previous/unknown", previous);
-  stepper.restore(state, previous, file.number("previous/dt"), file.number("step_control/proposed"));
-  stepper.counts().steps = file.integer("steps/accepted");
-  stepper.counts().rejected_newton = file.integer("steps/rejected_newton");
-  stepper.counts().rejected_error = file.integer("steps/rejected_error");
-  HistoryMemory history;
-  history.step = file.integer("history/step");
-  history.time = file.number("history/time");
-  history.mass_start = file.number("history/mass_start");
-  const std::vector<double> droplets = file.array("history/droplets", 3 * c.droplets.size());
-  for (std::size_t k = 0; k < c.droplets.size(); ++k)
-    history.droplets.push_back({droplets[3 * k], droplets[3 * k + 1] != 0, droplets[3 * k + 2] != 0});
+  auto targets = arrays_of(state);
+  targets.emplace_back("previous/unknown", previous);
+  std::vector<ArraySize> sizes;
+  for (const auto& [name, array] : targets) sizes.emplace_back(name, array.extent(0));
+  const SavedRun saved = read_saved_run(path, c, sizes);
+  state.time = saved.time;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    Kokkos::deep_copy(targets[i].second, to_device<Array>(saved.arrays[i]));
+  stepper.restore(state, previous, saved.previous_dt, saved.proposed_dt);
+  stepper.counts().steps = saved.steps;
+  stepper.counts().rejected_newton = saved.rejected_newton;
+  stepper.counts().rejected_error = saved.rejected_error;
+  HistoryMemory history{saved.history_step, saved.history_time, saved.mass_start, {}};
+  for (const auto& [centre, on_wall, merged] : saved.droplets)
+    history.droplets.push_back({centre, on_wall != 0, merged != 0});
   return history;
 }
 

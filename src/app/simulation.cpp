@@ -4,7 +4,10 @@
 #include <cstdio>
 
 #include "app/error.hpp"
+#include "app/host/memory.hpp"
 #include "app/interrupt.hpp"
+#include "app/memory_parts.hpp"
+#include "app/remedy.hpp"
 #include "app/restart.hpp"
 #include "model/initial.hpp"
 #include "observe/interface_table.hpp"
@@ -73,6 +76,8 @@ void Simulation<D, P>::resume() {
 template <int D, int P>
 void Simulation<D, P>::run() {
   const InterruptGuard interrupts;
+  // The factors of a preconditioner may be most of the memory; they are not there yet.
+  require_bytes(case_, total_bytes(case_, model_.layout(), stepper_.newton().preconditioner()));
   options_.resume ? restore() : begin();
   progress_.emplace(Progress::voice(options_.quiet), output_time(), case_.time.end);
   if (options_.resume) {
@@ -89,7 +94,9 @@ void Simulation<D, P>::run() {
     if (error.code() != Exit::computation_failed) throw;
     save();
     record(std::string("failed: ") + error.what());
-    throw Error(error.code(), std::string(error.what()) + "; the last good state, t = " + short_text(output_time()) +
+    const std::string advice = remedy(case_, error.what());
+    throw Error(error.code(), std::string(error.what()) + "; " + advice +
+                                  "; the last good state, t = " + short_text(output_time()) +
                                   " on the clock of the output, is in " + path("checkpoint.h5"));
   }
 }

@@ -20,6 +20,7 @@ void Model<D, P>::fluid_integrals(const Binding<D>& b, Integrals& result) const 
   result.energy_gradient = sum[FluidIntegrals::gradient];
   result.viscous = sum[FluidIntegrals::viscous];
   result.stabilisation = sum[FluidIntegrals::stabilisation];
+  result.folded = sum[FluidIntegrals::folded];
   for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
   if (!has_wall_) return;
   ReduceTask<D, WallIntegrals, Motion> face{wall_region_, {wall_}, volume.motion, {}, {}};
@@ -47,6 +48,7 @@ Integrals Model<D, P>::integrals(const Stage& stage) const {
     const auto sum = reduce<P, P + 1>(task);
     result.energy_kinetic += sum[SolidIntegrals::kinetic];
     result.energy_elastic = sum[SolidIntegrals::elastic];
+    result.inverted = sum[SolidIntegrals::inverted];
     for (int d = 0; d < 3; ++d) result.momentum[d] += sum[SolidIntegrals::momentum + d];
   }
   if (!layout_.has_fluid) return result;

@@ -77,16 +77,25 @@ void Model<D, P>::add_fluid_pieces(const Case& c) {
           "contact_angle (wall energy)", wall_region_, wall_, Components{D, D + 1}, blend_));
     }
   }
+  if (c.fluid->form == CapillaryForm::potential) add_traction<Motion>(c);  // else it is in the stress already
+}
+
+template <int D, int P>
+template <class Motion>
+void Model<D, P>::add_traction(const Case& c) {
+  const CapillaryTraction term{fluid_.gas, fluid_.capillarity};
+  const auto on = [&](const char* name, const Region<D>& region) {
+    return std::make_unique<PieceOf<D, P, P + 1, CapillaryTraction, Motion>>(name, region, term, Components{D, 0},
+                                                                             blend_);
+  };
   Region<D> layer = region(layout_.solid_elements, layout_.solid_elements + 1);
   layer.test = restricted_to(layer.test, 0);
-  auto traction = std::make_unique<PieceOf<D, P, P + 1, CapillaryTraction, Motion>>(
-      "capillary_traction", layer, CapillaryTraction{fluid_.gas, fluid_.capillarity}, Components{D, 0}, blend_);
-  if (c.fluid->form == CapillaryForm::divergence) return;  // the stress acts on the wall's functions already
-  if (layout_.has_solid) {
-    pieces_.push_back(std::move(traction));
-  } else {
-    rigid_traction_ = std::move(traction);
-  }
+  (layout_.has_solid ? pieces_.emplace_back() : rigid_traction_) = on("capillary_traction", layer);
+  if (!layout_.has_solid || c.fluid->traction == Traction::layer) return;
+  Region<D> all = fluid_region_;
+  all.test = linear_from(all.test, layout_.wall_row, blend_.low, blend_.height);
+  all.shared_test = true;
+  blended_traction_ = on("capillary_traction (blended)", all);
 }
 
 template <int D, int P>
@@ -170,11 +179,21 @@ void Model<D, P>::add_loads(double time, const Array& out) const {
 }
 
 template <int D, int P>
+void Model<D, P>::run_pieces(const Binding<D>& binding) const {
+  for (const auto& piece : pieces_) {
+    // A frozen product feeds a preconditioner, whose matrix has the pattern of one layer.
+    const bool blended = blended_traction_ && piece == pieces_.back() && binding.geometry == Geometry::exact;
+    const Piece<D>& chosen = blended ? *blended_traction_ : *piece;
+    binding.tangent.data() ? chosen.product(binding) : chosen.residual(binding);
+  }
+}
+
+template <int D, int P>
 void Model<D, P>::residual(const Stage& stage, const Array& out) const {
   Kokkos::deep_copy(Exec(), out, 0.0);
-  const Binding<D> binding{layout_, stage, {}, out};
-  for (const auto& piece : pieces_) piece->residual(binding);
+  run_pieces({layout_, stage, {}, out});
   add_loads(stage.time, out);
+  if (source_) source_(stage.time, out);
   move_ghosts(layout_, out, GhostAction::add);
   multiply(out, mask_);
 }
@@ -183,7 +202,7 @@ template <int D, int P>
 void Model<D, P>::reactions(const Stage& stage, const Array& out) const {
   Kokkos::deep_copy(Exec(), out, 0.0);
   const Binding<D> binding{layout_, stage, {}, out};
-  for (const auto& piece : pieces_) piece->residual(binding);
+  run_pieces(binding);
   if (rigid_traction_) rigid_traction_->residual(binding);
   move_ghosts(layout_, out, GhostAction::add);
 }
@@ -192,8 +211,7 @@ template <int D, int P>
 void Model<D, P>::product(const Stage& stage, const Array& direction, const Array& out, Geometry geometry) const {
   Kokkos::deep_copy(Exec(), out, 0.0);
   move_ghosts(layout_, direction, GhostAction::update);
-  const Binding<D> binding{layout_, stage, direction, out, geometry};
-  for (const auto& piece : pieces_) piece->product(binding);
+  run_pieces({layout_, stage, direction, out, geometry});
   move_ghosts(layout_, out, GhostAction::add);
   multiply(out, mask_);
   multiply(direction, mask_);

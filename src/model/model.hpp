@@ -2,6 +2,8 @@
 // discretisation.
 #pragma once
 
+#include <functional>
+
 #include "app/case.hpp"
 #include "field/ghosts.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
@@ -17,6 +19,7 @@ struct Integrals {
   double viscous = 0, stabilisation = 0;  ///< dissipation rates
   double wall_stretch = 0;                ///< int_Gamma f_w div_Gamma vh: power of the wall energy on a stretching wall
   double wetted = 0;                      ///< area of Gamma above the middle density
+  double folded = 0, inverted = 0;        ///< volume of the fluid's mesh and of the solid that is turned inside out
 };
 
 /// A body force per unit mass on a box of the solid: exact integrals of the basis, ready to scale.
@@ -41,6 +44,10 @@ class Model {
   double wall_height() const { return blend_.low; }
   bool has_wall() const { return has_wall_; }
 
+  /// Adds a source to the discrete equations: residual() calls source(t_{n+af}, out), which subtracts its load vector.
+  /// For manufactured solutions (tests/verification/mms); production never sets it.
+  void set_source(std::function<void(double time, const Array& out)> source) { source_ = std::move(source); }
+
   /// out = R(stage), zero where a value is prescribed.
   void residual(const Stage&, const Array& out) const;
   /// As residual, before prescribed values are dropped, with the wall traction also on a rigid wall: the reactions.
@@ -61,6 +68,10 @@ class Model {
   template <class Motion>
   void add_fluid_pieces(const Case&);
   template <class Motion>
+  void add_traction(const Case&);
+  /// All pieces: their products where the binding has a tangent, else their residuals.
+  void run_pieces(const Binding<D>&) const;
+  template <class Motion>
   void fluid_integrals(const Binding<D>&, Integrals&) const;
   void add_loads(double time, const Array& out) const;
 
@@ -74,7 +85,9 @@ class Model {
   bool has_wall_ = false;
   std::vector<std::unique_ptr<Piece<D>>> pieces_;
   std::unique_ptr<Piece<D>> rigid_traction_;
+  std::unique_ptr<Piece<D>> blended_traction_;  ///< instead of the last piece, but in frozen products
   std::vector<LoadVector> loads_;
+  std::function<void(double, const Array&)> source_;
   Array mask_;
 };
 

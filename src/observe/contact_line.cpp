@@ -81,6 +81,15 @@ Sides trace_level(const Snapshot<2>& s, double left, double right, double middle
   return sides;
 }
 
+/// A droplet cut by a side of the domain, its plane of symmetry, begins or ends there.
+std::vector<Crossing> with_cut_droplets(std::vector<Crossing> found, const Axis& axis, const std::vector<double>& trace,
+                                        double middle) {
+  if (axis.periodic()) return found;
+  if (trace.front() >= middle) found.insert(found.begin(), {0.0, 1});
+  if (trace.back() >= middle) found.push_back({axis.length(), -1});
+  return found;
+}
+
 /// Angle at which a circle meets a height, in the liquid inside the circle, degrees.
 std::optional<double> angle_at(const std::optional<Circle>& circle, double height) {
   if (!circle) return std::nullopt;
@@ -114,14 +123,21 @@ std::vector<Footprint> find_footprints(const Snapshot<2>& s, double middle, doub
   const std::vector<double> x = fine_points(0, horizontal.length(), 4 * horizontal.elements());
   const double low = s.wall_height(), reach = x[1] - x[0];
   const std::vector<double> trace = s.density({x, std::vector<double>{low}});
-  const std::vector<Crossing> found = crossings(x, trace.data(), middle);
+  const std::vector<Crossing> found = with_cut_droplets(crossings(x, trace.data(), middle), horizontal, trace, middle);
+  const auto sharp = [&](const Crossing& c) {
+    return c.x == 0 || c.x == horizontal.length() ? c.x : sharpen(s, c.x, reach, middle, c.direction);
+  };
   std::vector<Footprint> result;
   for (std::size_t i = 0; i + 1 < found.size(); ++i) {
     if (found[i].direction < 0 || found[i + 1].direction > 0) continue;
-    const double left = sharpen(s, found[i].x, reach, middle, 1), right = sharpen(s, found[i + 1].x, reach, middle, -1);
+    const double left = sharp(found[i]), right = sharp(found[i + 1]);
     const Point line_left = current(s, left, low), line_right = current(s, right, low);
     Footprint f{line_left[0], line_right[0], {}, {}, {}};
-    const Sides sides = trace_level(s, left, right, middle, 2 * capillarity);
+    // A cut droplet has its middle on the side: as wide beyond it as before.
+    const double length = horizontal.length();
+    const double mirrored_left = left == 0 ? -right : left,
+                 mirrored_right = right == length ? 2 * length - left : right;
+    const Sides sides = trace_level(s, mirrored_left, mirrored_right, middle, 2 * capillarity);
     f.angle_left = angle_at(fit_circle(sides.left), line_left[1]);
     f.angle_right = angle_at(fit_circle(sides.right), line_right[1]);
     std::vector<Point> both = sides.left;

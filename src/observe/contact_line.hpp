@@ -9,7 +9,7 @@ namespace softwet {
 
 /// One droplet's footprint in the plane of motion (2D: the domain), in current coordinates.
 struct Footprint {
-  double x_left, x_right;                         ///< where rho = (rho_l + rho_v)/2 on the wall
+  double x_left, x_right;  ///< where rho = (rho_l + rho_v)/2 on the wall, or the side that cuts it
   std::optional<double> angle_left, angle_right;  ///< apparent angles, degrees, in the liquid
   std::optional<double> radius;                   ///< of the circle through both sides
   double centre() const { return 0.5 * (x_left + x_right); }
@@ -21,7 +21,7 @@ struct Circle {
 };
 std::optional<Circle> fit_circle(const std::vector<std::array<double, 2>>& points);
 
-/// Footprints from left to right. The apparent angle of a side is that of a circle fitted to the level set of its
+/// Footprints from left to right. A droplet that reaches a side of the domain ends there, without an angle. The apparent angle of a side is that of a circle fitted to the level set of its
 /// half of the droplet, from 2 g above the wall, where it meets the height of that side's contact line. Where the fit
 /// begins (g .. 3 g) and ends moves the angle by 0.05 degrees. The height matters: a contact line on a ridge of 5e-3
 /// reads 2 degrees less than the same circle at the undeformed wall (docs/verification.md).

@@ -83,6 +83,7 @@ struct Reader {
     return point.physical(g);
   }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return point.mesh_velocity(); }
+  KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return point.volume_ratio(); }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio_end() const { return point.volume_ratio_end(); }
 };
 
@@ -132,7 +133,7 @@ KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion>& task, const Bat
                                                                              weight_at<S, D, Q>(task.region, b, q), q});
   }
   constexpr bool has_flux = !std::is_same_v<Test, WallTest<N, D>>;
-  const int first = first_control(task.region, b);
+  const int first = first_test(task.region, b);
   for (int c = 0; c < channels; ++c) {
     S nodal[power(P + 1, D)];
     basis.template backward<has_flux>(out[c], nodal);
@@ -140,20 +141,24 @@ KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion>& task, const Bat
   }
 }
 
-/// Rows of elements along the first axis, numbered within one colour of the other axes: elements of a colour are at
-/// least degree + 1 apart, so they share no control point.
+/// Rows of elements along the first axis, numbered within one colour of the other axes: elements of a colour are
+/// `stride` = degree + 1 apart, so they share no control point; with a shared test function a colour has one layer.
 template <int D>
 struct Colouring {
-  int extent[D], start[D], step, count[D];
+  int extent[D], start[D], step[D], count[D];
 
-  Colouring(const Region<D>& region, int stride, int colour, bool include_first) : step(stride) {
+  Colouring(const Region<D>& region, int stride, int colour, bool include_first) {
     for (int d = 0; d < D; ++d) {
       const bool coloured = d > 0 || include_first;
       extent[d] = region.axis[d].elements;
-      start[d] = coloured ? colour % stride : 0;
-      if (coloured) colour /= stride;
-      count[d] = coloured ? (extent[d] - start[d] + stride - 1) / stride : 1;
+      step[d] = colours_of(region, stride, d);
+      start[d] = coloured ? colour % step[d] : 0;
+      if (coloured) colour /= step[d];
+      count[d] = coloured ? (extent[d] - start[d] + step[d] - 1) / step[d] : 1;
     }
+  }
+  static int colours_of(const Region<D>& region, int stride, int d) {
+    return d == D - 1 && stride > 1 && region.shared_test ? region.axis[d].elements : stride;
   }
   int items() const {
     int n = 1;
@@ -164,7 +169,7 @@ struct Colouring {
     Batch<D> b{};
     b.count = 1;
     for (int d = 0; d < D; ++d) {
-      b.element[d] = start[d] + step * (item % count[d]);
+      b.element[d] = start[d] + step[d] * (item % count[d]);
       item /= count[d];
     }
     return b;
@@ -203,9 +208,8 @@ struct AssembleRow {
 /// Adds the term's residual, or (Tangent) its Jacobian-vector product, to task.test[].
 template <int P, int QL, bool Tangent, int D, class Term, class Motion>
 void assemble(const Task<D, Term, Motion>& task) {
-  const int coloured_axes = on_host ? D - 1 : D;
   int colours = 1;
-  for (int d = 0; d < coloured_axes; ++d) colours *= P + 1;
+  for (int d = on_host ? 1 : 0; d < D; ++d) colours *= Colouring<D>::colours_of(task.region, P + 1, d);
   for (int colour = 0; colour < colours; ++colour) {
     const Colouring<D> colouring(task.region, P + 1, colour, !on_host);
     if (colouring.items() == 0) continue;

@@ -83,6 +83,13 @@ KOKKOS_FORCEINLINE_FUNCTION int first_control(const Region<D>& region, const Bat
   return offset;
 }
 
+/// The same for the test functions.
+template <int D>
+KOKKOS_FORCEINLINE_FUNCTION int first_test(const Region<D>& region, const Batch<D>& b) {
+  const int last = b.element[D - 1];
+  return first_control(region, b) + (region.test.first(last) - region.axis[D - 1].first(last)) * region.stride[D - 1];
+}
+
 template <class S, int D, int P>
 KOKKOS_FORCEINLINE_FUNCTION void gather(const double* p, const Region<D>& region, int first, int count,
                                         S (&nodal)[power(P + 1, D)]) {

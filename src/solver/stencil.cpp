@@ -1,7 +1,9 @@
 #include "solver/stencil.hpp"
 
 #include <algorithm>
+#include <limits>
 
+#include "app/error.hpp"
 #include "solver/colours.hpp"
 
 namespace softwet {
@@ -18,6 +20,11 @@ StencilMatrix<D>::StencilMatrix(const Layout<D>& layout, const ConstArray& mask)
       continue;
     }
     add_column(layout, &colours.point[3 * i]);
+    if (row_.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+      throw Error(
+          Exit::invalid_input,
+          "solver.krylov.preconditioner: a matrix of this mesh has more entries than \"lu\" and \"umfpack\" can "
+          "number (2147483647); choose \"schwarz\" or take fewer elements");
     columns_of_colour_[colours.of[i]].push_back({i, start_[i], static_cast<int>(row_.size()) - start_[i]});
   }
   start_.push_back(static_cast<int>(row_.size()));

@@ -30,8 +30,7 @@ Axis::Axis(double length, int elements, int degree, bool periodic, int kink)
 }
 
 int Axis::element_at(double x) const {
-  const int e = static_cast<int>(std::floor(x / spacing()));
-  return std::clamp(e, 0, elements_ - 1);
+  return static_cast<int>(std::clamp(std::floor(x / spacing()), 0.0, elements_ - 1.0));
 }
 
 // Cox-de Boor recursion: the degree + 1 functions alive on a knot span (de Boor, A Practical Guide to Splines, ch. X).

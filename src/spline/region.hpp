@@ -5,12 +5,14 @@
 
 namespace softwet {
 
-/// Element rules per axis; `test` replaces the last axis' rule for the test functions (same points).
+/// Element rules per axis; `test` replaces the last axis' rule for the test functions (same points). Where one test
+/// function of that axis lives on all elements (`shared_test`), a column of elements adds to the same control values.
 /// Control values of a component lie at [k][j][i], i fastest, with these strides over the whole patch.
 template <int D>
 struct Region {
   AxisRule axis[D];
   AxisRule test;
+  bool shared_test = false;
   int stride[D] = {};
 
   int elements() const {

@@ -70,4 +70,28 @@ AxisRule restricted_to(const AxisRule& rule, int function) {
   return result;
 }
 
+AxisRule linear_from(const AxisRule& rule, int row, double low, double height) {
+  const auto shape = [&rule](const char* name) {
+    return Kokkos::View<double***, Kokkos::LayoutRight, Exec>(name, rule.value.extent(0), rule.value.extent(1),
+                                                              rule.value.extent(2));
+  };
+  const auto value = shape("value"), slope = shape("slope");
+  const Kokkos::View<int*, Exec> first("first", rule.first.extent(0));
+  auto x = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), rule.position);
+  auto v = Kokkos::create_mirror_view(value), s = Kokkos::create_mirror_view(slope);
+  for (std::size_t p = 0; p < v.extent(0); ++p)
+    for (std::size_t e = 0; e < v.extent(2); ++e) {
+      v(p, 0, e) = 1 - (x(p, e) - low) / height;
+      s(p, 0, e) = -1 / height;
+    }
+  Kokkos::deep_copy(value, v);
+  Kokkos::deep_copy(slope, s);
+  Kokkos::deep_copy(first, row);
+  AxisRule result = rule;
+  result.value = value;
+  result.slope = slope;
+  result.first = first;
+  return result;
+}
+
 }  // namespace softwet

@@ -29,6 +29,9 @@ AxisRule low_face_rule(const Axis&, int first);
 /// The same points as `rule` with every function but `function` (local index) set to zero: restricts a test space.
 AxisRule restricted_to(const AxisRule& rule, int function);
 
+/// The same points as `rule` with one test function for all elements, 1 - (x - low) / height, at control value `row`.
+AxisRule linear_from(const AxisRule& rule, int row, double low, double height);
+
 /// `points` equidistant points of weight 1/points per element, ends included, for output.
 AxisRule sample_rule(const Axis&, int first, int last, int points);
 

@@ -46,6 +46,14 @@ std::pair<double, double> range(const ConstArray& x) {
   return {r.min_val, r.max_val};
 }
 
+std::string density_complaint(const ConstArray& density) {
+  const auto [least, largest] = range(density);
+  if (!(largest < 0.999)) return "the density reaches the close-packed limit (rho >= 0.999 b)";
+  // Undershoots of the vapour's small density are admissible: W is continued below it.
+  if (least <= -0.05) return "the density becomes negative (rho <= -0.05 b)";
+  return "";
+}
+
 /// rho_n + f (rho_n - rho_{n-1}) in the variable ln(rho/(1-rho)): exact for the tail of a travelling interface, and it
 /// stays inside (0, 1). Linear where a control value is not inside.
 struct ExtrapolateDensity {
@@ -116,12 +124,16 @@ template <int D, int P>
 std::string Stepper<D, P>::complaint(const Array& x) const {
   const Layout<D>& l = model_.layout();
   if (!std::isfinite(range(x).second)) return "the solution is not finite";
-  if (!l.has_fluid) return "";
-  const auto rho = range(part(x, l.density_offset(), l.potential_offset()));
-  if (rho.second >= 0.999) return "the density reaches the close-packed limit (rho >= 0.999 b)";
-  // Undershoots of the vapour's small density are admissible: W is continued below it.
-  if (rho.first <= -0.05) return "the density becomes negative (rho <= -0.05 b)";
-  return "";
+  return l.has_fluid ? density_complaint(part(x, l.density_offset(), l.potential_offset())) : "";
+}
+
+template <int D, int P>
+std::string Stepper<D, P>::complaint_of_step() const {
+  const Stage& stage = integrator_.stage();
+  const Integrals sum = model_.integrals(stage);
+  if (sum.inverted > 0) return "the solid is turned inside out somewhere (det F <= 0)";
+  if (sum.folded > 0) return "the mesh of the fluid folds over above the deformed solid (J < 0)";
+  return model_.layout().has_fluid ? density_complaint(stage.density_end) : "";
 }
 
 template <int D, int P>
@@ -166,7 +178,11 @@ NewtonResult Stepper<D, P>::solve(double dt) {
   const NonlinearSystem system{[this](const Array& x, const Array& r) { integrator_.residual(x, r); },
                                [this](const Array& z, const Array& out, Geometry g) { integrator_.product(z, out, g); },
                                [this](const Array& x) { return complaint(x); }};
-  return newton_.solve(system, fields(), newton_control_, dt, x_);
+  NewtonResult result = newton_.solve(system, fields(), newton_control_, dt, x_);
+  if (!result.converged) return result;
+  result.reason = complaint_of_step();
+  result.converged = result.reason.empty();
+  return result;
 }
 
 template <int D, int P>
@@ -180,9 +196,7 @@ StepReport Stepper<D, P>::step() {
       newton_.forget_preconditioner();
       if (control_.reject(dt)) continue;
       throw Error(Exit::computation_failed,
-                  "the computation stopped at t = " + std::to_string(state_.time) + ": " + result.reason +
-                      ", even with the smallest step (time.dt_min). Try a finer mesh, a larger fluid.capillarity, a "
-                      "softer load ramp or a tighter time.tolerance");
+                  "the computation stopped: " + result.reason + ", even with the smallest step (time.dt_min)");
     }
     const double e = indicator(dt);
     if (e > control_.rejection_level() && dt > 1e-3 * integrator_.dt()) {

@@ -48,7 +48,9 @@ class Stepper {
   void predict(double dt);
   NewtonResult solve(double dt);
   double indicator(double dt) const;
+  /// Why values of Newton's method, or the step they make, are not admissible; empty when they are.
   std::string complaint(const Array& x) const;
+  std::string complaint_of_step() const;
   std::vector<FieldRange> fields() const;
 
   const Model<D, P>& model_;

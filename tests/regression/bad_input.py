@@ -2,6 +2,7 @@
 """Bad input ends with the right exit code, one readable line on stderr, and no output folder. usage: bad_input.py SOFTWET"""
 
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -98,6 +99,20 @@ def bad_folders(softwet, root, good):
     scene.fails("init nowhere", ["init", "no/such/folder.toml"], 3, ["no/such/folder.toml"])
 
 
+def too_large(softwet, root, good):
+    """More memory than there is is refused with both amounts: before anything is allocated, and before the factors."""
+    scene = Scene(softwet, root, {"good.toml": good})
+    huge = ["--set", "domain.elements=[20000, 20000]"]
+    for command in ("check", "run"):
+        scene.fails(f"{command}, huge mesh", [command, "good.toml", *huge], 3, ["memory", "GiB", "[20000, 20000]"])
+    # A mesh that fits and factors that do not: refused by the count of memory, or by the system while setting up.
+    fine = ["--set", "domain.elements=[256, 128]", "--threads", "1", "--out", "new"]
+    limit = 680 << 20
+    result = subprocess.run([softwet, "run", "good.toml", *fine], cwd=scene.folder, capture_output=True, text=True,
+                            timeout=120, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+    expect("run, factors beyond the limit", result, 3, ["memory"], scene.folder, scene.kept)
+
+
 def bad_command_lines(softwet, root):
     scene = Scene(softwet, root, {})
     scene.fails("no command", [], 1, ["--help"])
@@ -118,6 +133,7 @@ def main():
         bad_files(softwet, root, good)
         bad_folders(softwet, root, good)
         bad_command_lines(softwet, root)
+        too_large(softwet, root, good)
     for failure in failures:
         print(f"bad_input: {failure}", file=sys.stderr)
     sys.exit(1 if failures else 0)

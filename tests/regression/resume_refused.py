@@ -3,6 +3,8 @@
 
 import pathlib
 
+import h5py
+
 from _scene import PULL, check_true, run
 
 SHORT = PULL + ["time.max_steps=3"]
@@ -37,6 +39,23 @@ damage = {
 for name, content in damage.items():
     checkpoint.write_bytes(content)
     refused(name, SHORT, ["checkpoint.h5"])
+
+# Files that are whole, with contents no run writes.
+def set_entry(file, name, value):
+    file["arrays/" + name][3] = value
+
+
+def set_value(file, name, value):
+    file["values"].attrs[name] = value
+
+
+for name, change, value in [("state/unknown", set_entry, float("nan")), ("state/moment", set_entry, float("inf")),
+                            ("time", set_value, float("nan")), ("step_control/proposed", set_value, -1.0),
+                            ("previous/dt", set_value, float("inf"))]:
+    checkpoint.write_bytes(good)
+    with h5py.File(checkpoint, "r+") as file:
+        change(file, name, value)
+    refused(f"{name} = {value}", SHORT, ["checkpoint.h5", f"'{name}'", str(value).removesuffix(".0"), "--resume"])
 
 checkpoint.write_bytes(good)
 run("tensotaxis_pull_2d", "run", PULL + ["time.max_steps=5", "solver.newton.rtol=1e-5", "time.dt_max=3"], RESUME)

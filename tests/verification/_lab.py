@@ -17,6 +17,8 @@ import pathlib
 import re
 import shlex
 import subprocess
+import tempfile
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property
@@ -33,11 +35,13 @@ class StudyError(Exception):
 
 
 class Run:
-    """A finished run: .folder, .code, .message (stderr), .seconds (wall), .commandline, .history, .record."""
+    """A finished run: .folder, .code, .message (stderr), .seconds (wall), .processor_seconds, .commandline,
+    .history, .record."""
 
     def __init__(self, folder, note):
         self.folder, self.code, self.message = folder, note["code"], note["message"]
         self.seconds, self.commandline = note["seconds"], note["command"]
+        self.processor_seconds = note.get("processor_seconds", self.seconds)
 
     @cached_property
     def history(self):
@@ -76,12 +80,20 @@ class Store:
 
     def compute(self, words, limit):
         start = time.monotonic()
-        try:
-            result = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, env=ENVIRONMENT, timeout=limit)
-            code, message = result.returncode, result.stderr
-        except subprocess.TimeoutExpired:
-            code, message = "none", f"stopped after {limit} s"
-        return {"code": code, "message": message, "seconds": time.monotonic() - start}
+        with tempfile.TemporaryFile("w+") as errors:
+            process = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=errors, env=ENVIRONMENT)
+            timer = threading.Timer(limit, process.kill)
+            timer.start()
+            _, status, usage = os.wait4(process.pid, 0)
+            timer.cancel()
+            process.returncode = os.waitstatus_to_exitcode(status)
+            errors.seek(0)
+            message = errors.read()
+        wall = time.monotonic() - start
+        if process.returncode < 0:
+            message += f"ended by signal {-process.returncode} after {wall:.0f} s (limit {limit} s)"
+        return {"code": process.returncode, "message": message, "seconds": wall,
+                "processor_seconds": usage.ru_utime + usage.ru_stime}
 
 
 class Lab:
@@ -103,7 +115,7 @@ class Lab:
         @param expect    exit code, None: any;  @param limit  seconds"""
         path, shown = self.case_file(case)
         run = self.store.get(path, shown, settings, options, limit)
-        self.commands[label], self.seconds[label] = run.commandline, run.seconds
+        self.commands[label], self.seconds[label] = run.commandline, run.processor_seconds
         if expect is not None and run.code != expect:
             raise StudyError(f"{label}: exit code {run.code}, not {expect}: {run.commandline}\n{run.message.strip()}")
         print(f"verify: {self.name}: {label} ({run.seconds:.0f} s)", flush=True)
@@ -204,7 +216,7 @@ class Lab:
             f", **{failed} fail**" if failed else "")
         form = " --quick" if self.quick else ""
         lines = [f"# {title}", "", about, "", f"Verdict: {verdict}", "",
-                 f"Command: `softwet verify {self.name}{form}`, {minutes:.1f} minutes. {build}", ""]
+                 f"Command: `softwet verify {self.name}{form}`, {minutes:.2g} minutes of one core. {build}", ""]
         if self.asked:
             rows = [(what, asked, measured, "yes" if holds else f"**no**{': ' + cause if cause else ''}")
                     for what, asked, measured, holds, cause in self.asked]

@@ -27,6 +27,11 @@ inline const std::vector<std::string>& phase_words() {
   return words;
 }
 
+inline const std::vector<std::string>& traction_words() {
+  static const std::vector<std::string> words = {"layer", "blended"};
+  return words;
+}
+
 inline std::size_t position_of(const std::vector<std::string>& words, const std::string& word) {
   std::size_t position = 0;
   while (position + 1 < words.size() && words[position] != word) ++position;
@@ -49,6 +54,9 @@ inline void store(Side& member, const Value& value) {
 inline void store(CapillaryForm& member, const Value& value) {
   member = static_cast<CapillaryForm>(position_of(form_words(), std::get<std::string>(value)));
 }
+inline void store(Traction& member, const Value& value) {
+  member = static_cast<Traction>(position_of(traction_words(), std::get<std::string>(value)));
+}
 inline void store(Phase& member, const Value& value) {
   member = static_cast<Phase>(position_of(phase_words(), std::get<std::string>(value)));
 }
@@ -65,6 +73,7 @@ inline Value load(const Numbers& member) { return member; }
 inline Value load(const std::vector<int>& member) { return Numbers(member.begin(), member.end()); }
 inline Value load(Side member) { return side_words()[static_cast<std::size_t>(member)]; }
 inline Value load(CapillaryForm member) { return form_words()[static_cast<std::size_t>(member)]; }
+inline Value load(Traction member) { return traction_words()[static_cast<std::size_t>(member)]; }
 inline Value load(Phase member) { return phase_words()[static_cast<std::size_t>(member)]; }
 inline Value load(WallLaw member) { return wall_law_words()[static_cast<std::size_t>(member)]; }
 

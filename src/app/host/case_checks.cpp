@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "app/error.hpp"
+#include "app/host/memory.hpp"
 
 namespace softwet {
 namespace {
@@ -50,6 +52,11 @@ void check_domain(const Checker& check) {
   if (domain.elements.size() != domain.size.size()) {
     check.refuse("domain.elements", fmt::format("must be {} numbers, as many as domain.size", domain.size.size()),
                  "write one number of elements for each axis");
+  }
+  if (constexpr double most = std::numeric_limits<int>::max(); most_unknowns(check.c) > most) {
+    check.refuse("domain.elements",
+                 fmt::format("asks for {:.3g} unknowns, softwet numbers {:.0f}", most_unknowns(check.c), most),
+                 "take fewer elements");
   }
 }
 
@@ -157,8 +164,7 @@ void check_droplet(const Checker& check, std::size_t index) {
     if (check.periodic(axis)) continue;
     // A cap on the interface has its circle's centre at -R cos(alpha) above it.
     const bool cap = up && std::abs(x - bottom) <= slack * top;
-    const double reach =
-        cap ? semi_axis * (1 - std::cos(check.c.fluid->contact_angle * pi / 180)) : semi_axis;
+    const double reach = cap ? semi_axis * (1 - std::cos(check.c.fluid->contact_angle * pi / 180)) : semi_axis;
     // A centre on a slip side is half a droplet: the side is its plane of symmetry.
     const auto halved = [&](double side, std::size_t end) {
       return check.c.boundary.side[axis][end] == Side::slip && std::abs(x - side) <= slack * top;
@@ -204,7 +210,8 @@ void check_wave(const Checker& check, std::size_t index) {
   for (std::size_t axis = 0; axis < wave.mode.size(); ++axis) {
     const bool even = std::fmod(wave.mode[axis], 2) == 0;
     if (std::floor(wave.mode[axis]) != wave.mode[axis] || (check.periodic(axis) && !even)) {
-      check.refuse(mode, fmt::format("must be a whole{} number along axis {}", check.periodic(axis) ? " even" : "", axis),
+      check.refuse(mode,
+                   fmt::format("must be a whole{} number along axis {}", check.periodic(axis) ? " even" : "", axis),
                    "the wave has to fit between the sides");
     }
   }

@@ -85,9 +85,9 @@ std::vector<std::string> warnings(const Case& c) {
   for (std::size_t axis = 0; axis < c.domain.size.size(); ++axis) {
     largest = std::max(largest, c.domain.size[axis] / c.domain.elements[axis]);
   }
-  if (c.fluid && c.fluid->capillarity < largest / 2) {
+  if (c.fluid && c.fluid->capillarity < largest) {
     found.push_back(
-        fmt::format("fluid.capillarity = {:.6g} is less than half an element ({:.6g}): the liquid-vapour "
+        fmt::format("fluid.capillarity = {:.6g} is less than an element ({:.6g}): the liquid-vapour "
                     "interface is not resolved; use more elements or a capillarity of {:.6g} or more",
                     c.fluid->capillarity, largest, 2 * largest));
   }

@@ -15,6 +15,7 @@
 #include "app/dispatch.hpp"
 #include "app/error.hpp"
 #include "app/host/case_file.hpp"
+#include "app/host/memory.hpp"
 #include "app/host/nearest.hpp"
 #include "app/host/output_folder.hpp"
 #include "app/host/verify.hpp"
@@ -35,6 +36,7 @@ struct Request {
 
 Case load_case(const Request& request) {
   Case c = read_case(request.case_path, request.overrides);
+  require_bytes(c, least_bytes(c));
   for (const std::string& warning : warnings(c)) std::cerr << "softwet: warning: " << warning << "\n";
   return c;
 }
@@ -52,7 +54,8 @@ void run_command(Request& request) {
   try {
     run_case(c, request.options);
   } catch (const Error& error) {
-    if (error.code() == Exit::invalid_input) folder.discard();
+    const bool begun = std::filesystem::exists(request.options.out + "/history.csv");
+    if (error.code() == Exit::invalid_input || !begun) folder.discard();
     throw;
   }
   folder.finish(c);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "app/error.hpp"
 #include "app/host/nearest.hpp"
@@ -17,6 +18,12 @@ std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return text;
+}
+
+/// Its beginning, where a text is too long for a message.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most = 200;
+  return text.size() <= most ? text : text.substr(0, most) + "...";
 }
 
 /// Names of all keys and all tables, "[fluid]" without brackets; repeated tables without "[]".
@@ -46,25 +53,30 @@ bool begins_a_key(const std::string& name) {
          remedy + " 'softwet explain' lists all keys");
 }
 
+/// Numbers of a value, however deep they lie.
+std::vector<double> numbers_of(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return {*number};
+  if (const auto* numbers = std::get_if<Numbers>(&value)) return *numbers;
+  std::vector<double> all;
+  if (const auto* box = std::get_if<std::vector<Numbers>>(&value))
+    for (const Numbers& corner : *box) all.insert(all.end(), corner.begin(), corner.end());
+  return all;
+}
+
+/// So that products of several inputs (h^4, 1 / dt^2) stay numbers.
+constexpr double smallest = 1e-30, largest = 1e30;
+
 void check_range(const Key& key, const Value& value, const std::string& name, const std::string& text,
                  const std::string& place) {
-  const auto refuse = [&] {
-    const std::string reason = key.reason.empty() ? "" : key.reason + "; ";
-    reject(place, name, text, "must be a " + allowed_text(key),
-           fmt::format("{}write for example {} = {}", reason, key.leaf(), example_text(key)));
-  };
-  if (const auto* number = std::get_if<double>(&value); number && !key.range.contains(*number)) refuse();
-  if (const auto* numbers = std::get_if<Numbers>(&value)) {
-    for (double number : *numbers) {
-      if (!key.range.contains(number)) refuse();
+  for (double number : numbers_of(value)) {
+    if (!key.range.contains(number)) {
+      const std::string reason = key.reason.empty() ? "" : key.reason + "; ";
+      reject(place, name, text, "must be a " + allowed_text(key),
+             fmt::format("{}write for example {} = {}", reason, key.leaf(), example_text(key)));
     }
-  }
-  if (const auto* box = std::get_if<std::vector<Numbers>>(&value)) {
-    for (const Numbers& corner : *box) {
-      for (double number : corner) {
-        if (!key.range.contains(number)) refuse();
-      }
-    }
+    if (number != 0 && (std::abs(number) < smallest || std::abs(number) > largest))
+      reject(place, name, text, fmt::format("must be 0 or between {} and {} in size", smallest, largest),
+             "choose the scales L0, a, b of the case so that its numbers are near 1");
   }
   if (key.kind != Kind::choice) return;
   const std::string& word = std::get<std::string>(value);
@@ -161,18 +173,24 @@ std::pair<std::string, std::size_t> split_index(const std::string& name, const s
                                                         place, line, problem)));
 }
 
-/// The line at which the library gave up without telling where: the shortest beginning of the text with that fate.
-long line_of_malformed(std::string_view text) {
-  long line = 1;
-  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1), ++line) {
-    try {
-      static_cast<void>(toml::parse(text.substr(0, end + 1)));
-    } catch (const MalformedToml&) {
-      return line;
-    } catch (const toml::parse_error&) {
-    }
+bool is_malformed(std::string_view text) {
+  try {
+    static_cast<void>(toml::parse(text));
+  } catch (const MalformedToml&) {
+    return true;
+  } catch (const toml::parse_error&) {
   }
-  return line;
+  return false;
+}
+
+/// The line at which the library gave up without telling where: the shortest beginning of the text with that fate. It
+/// reads from the front, so longer beginnings share the fate and the line is found by bisection.
+long line_of_malformed(std::string_view text) {
+  std::vector<std::size_t> ends;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1))
+    ends.push_back(end + 1);
+  const auto healthy = [&](std::size_t end) { return !is_malformed(text.substr(0, end)); };
+  return 1 + (std::partition_point(ends.begin(), ends.end(), healthy) - ends.begin());
 }
 
 toml::table parse_file(std::string_view text, const std::string& place) {
@@ -200,8 +218,9 @@ toml::table parse_value(const std::string& text) {
 
 void reject(const std::string& place, const std::string& key, const std::string& text, const std::string& problem,
             const std::string& remedy) {
-  const std::string value = text.empty() ? "" : " = " + text;
-  throw Error(Exit::invalid_input, one_line(fmt::format("{}: {}{}: {}; {}", place, key, value, problem, remedy)));
+  const std::string value = text.empty() ? "" : " = " + shortened(text);
+  throw Error(Exit::invalid_input,
+              one_line(fmt::format("{}: {}{}: {}; {}", shortened(place), shortened(key), value, problem, remedy)));
 }
 
 Document read_document(std::string_view text, const std::string& place) {

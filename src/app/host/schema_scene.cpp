@@ -91,6 +91,12 @@ std::vector<Key> fluid_keys() {
        .help = "Capillary force in the momentum equation: \"potential\" (rho grad mu, comes to rest to round-off), or "
                "\"divergence\" of the reversible stress, kept for cross-checks (leaves a weak vortex).",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->form; })},
+      {.name = "fluid.traction",
+       .kind = Kind::choice,
+       .choices = traction_words(),
+       .help = "Test functions that carry the capillary force to the solid: those of one layer of elements, or blended "
+               "over the fluid like its mesh, which makes the energy law exact in space and is slower.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->traction; })},
       {.name = "fluid.stabilisation",
        .range = {0, 1, false, false},
        .help = "C of the checkerboard control eps = C h^2 rho^2 / mu-hat; 0 switches it off.",

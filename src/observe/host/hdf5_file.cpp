@@ -167,12 +167,16 @@ void Hdf5File::write(const std::string& name, const std::vector<T>& values, cons
 
 template <class T>
 std::vector<T> Hdf5File::read(const std::string& name) const {
-  std::size_t size = 1;
-  for (const std::size_t extent : shape(name)) size *= extent;
   const std::string failure = "dataset '" + name + "' is damaged";
-  // A damaged header may claim any size: more than the file can hold is refused before memory is asked for.
+  // A damaged header may claim any size, also one whose product overflows: more than the file can hold is refused
+  // before memory is asked for.
   hsize_t bytes_in_file = 0;
-  require(H5Fget_filesize(file_.get(), &bytes_in_file) >= 0 && size <= bytes_in_file, failure);
+  require(H5Fget_filesize(file_.get(), &bytes_in_file) >= 0, failure);
+  std::size_t size = 1;
+  for (const std::size_t extent : shape(name)) {
+    require(extent == 0 || size <= bytes_in_file / extent, failure);
+    size *= extent;
+  }
   const auto dataset = checked(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose, failure);
   std::vector<T> values(size);
   if (size == 0) return values;

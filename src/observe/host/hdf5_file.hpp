@@ -56,6 +56,7 @@ class Hdf5File {
   template <class T>
   std::vector<T> read(const std::string& name) const;
 
+  hid_t id() const { return file_.get(); }                        ///< for objects this class does not know; stays owned
   bool has(const std::string& name) const;                        ///< a dataset or group of this name exists
   std::vector<std::size_t> shape(const std::string& name) const;  ///< extents of a dataset
 

@@ -1,5 +1,6 @@
 #include "observe/host/table_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -34,14 +35,20 @@ std::string existing_text(const std::string& path) {
   return text.str();
 }
 
-double step_of(const std::string& path, const std::string& line, std::size_t line_number) {
+/// The step number of a row that has a cell for each column.
+double step_of(const std::string& path, const std::string& line, std::size_t line_number, std::size_t columns) {
+  const auto refuse = [&](const std::string& problem) {
+    throw Error(Exit::invalid_input, path + ":" + std::to_string(line_number) + ": " + problem +
+                                         "; remove the row or the file, or start anew without --resume");
+  };
+  const std::size_t cells = 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
   double step = 0;
   const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), step);
   const bool whole_cell = end == line.data() + line.size() || *end == ',' || *end == '\n';
-  if (error == std::errc() && whole_cell) return step;
-  throw Error(Exit::invalid_input, path + ":" + std::to_string(line_number) +
-                                       ": the row does not start with a step number; remove the row or the file, or "
-                                       "start anew without --resume");
+  if (error != std::errc() || !whole_cell || !std::isfinite(step)) refuse("the row does not start with a step number");
+  if (cells != columns)
+    refuse("the row has " + std::to_string(cells) + " cells for " + std::to_string(columns) + " columns");
+  return step;
 }
 
 /// The rows up to `step`, header included; the last line only when it is whole.
@@ -52,13 +59,14 @@ std::string rows_until(const std::string& path, const std::string& text, const s
                                          "'; resume with the case that wrote it, move the file away, or start anew "
                                          "without --resume");
   }
+  const std::size_t columns = 1 + static_cast<std::size_t>(std::count(header.begin(), header.end(), ','));
   std::string kept = header;
   std::size_t line_number = 2;
   for (std::size_t begin = header.size(); begin < text.size(); ++line_number) {
     const std::size_t end = text.find('\n', begin);
     if (end == std::string::npos) break;
     const std::string line = text.substr(begin, end + 1 - begin);
-    if (step_of(path, line, line_number) <= step) kept += line;
+    if (step_of(path, line, line_number, columns) <= step) kept += line;
     begin = end + 1;
   }
   return kept;

@@ -65,6 +65,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"Boolean", "radius = 0.155", "radius = true", {"droplet[0].radius = true", "number"}},
         Bad{"Infinite", "radius = 0.155", "radius = inf", {"droplet[0].radius = inf", "(0, inf)"}},
         Bad{"NotANumber", "young = 0.7554", "young = nan", {"substrate.young = nan", "(0, inf)"}},
+        Bad{"Huge", "young = 0.7554", "young = 1e300", {"substrate.young = 1e+300", "between 1e-30 and 1e+30"}},
+        Bad{"Tiny", "[1.0, 0.5]", "[1.0, 1e-300]", {"domain.size = [1, 1e-300]", "between 1e-30 and 1e+30"}},
+        Bad{"HugeInABox", "[0.8, 0.125]]", "[0.8, -1e31]]", {"load[0].box", "between 1e-30 and 1e+30"}},
         Bad{"SingleBrackets", "[[droplet]]", "[droplet]", {"droplet", "[[droplet]]"}},
         Bad{"DoubleBrackets", "[fluid]", "[[fluid]]", {"fluid", "stands once", "[fluid]"}},
         Bad{"BrokenToml", "[fluid]", "[fluid", {"not TOML"}},
@@ -72,6 +75,10 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"OneAxis", "size = [1.0, 0.5]", "size = [1.0]", {"domain.size", "2 numbers"}},
         Bad{"ElementsOfOtherLength", "[128, 64]", "[128, 64, 4]", {"domain.elements", "2 numbers"}},
         Bad{"ZeroElements", "[128, 64]", "[128, 0]", {"domain.elements", "[1, 100000]"}},
+        Bad{"MoreUnknownsThanNumbers",
+            "[128, 64]",
+            "[100000, 100000]",
+            {"domain.elements", "4e+10 unknowns", "2147483647"}},
         Bad{"Degree", "degree = 2", "degree = 4", {"domain.degree = 4", "[2, 3]"}},
         Bad{"Critical", "temperature = 0.39", "temperature = 1.0", {"fluid.temperature", "[0.3, 1)", "choose below 1"}},
         Bad{"TooCold", "temperature = 0.39", "temperature = 0.1", {"fluid.temperature", "[0.3, 1)"}},
@@ -130,6 +137,18 @@ TEST(BadCases, TextThatTheTomlLibraryOnlyAssertsOnIsASyntaxErrorOfItsLine) {
   EXPECT_NE(message_of(pull, {"load[0].force=[ }"}).find("load[0].force"), std::string::npos);
 }
 
+TEST(BadCases, LongTextIsRefusedSoonWithAShortMessage) {
+  std::string lines;
+  for (int i = 0; i < 20000; ++i) lines += "a" + std::to_string(i) + " = 1\n";
+  EXPECT_EQ(message_of(lines + "b = [ }\nc = 1\n").rfind("case.toml:20001: this is not TOML", 0), 0u);
+  const std::string name(1000000, 'x');
+  for (const std::string& message : {message_of(name + " = 1"), message_of(pull, {name + "=1"}),
+                                     message_of(replaced(pull, "\"no_slip\"", "\"" + name + "\""))}) {
+    EXPECT_LT(message.size(), 1000u);
+    EXPECT_NE(message.find("did you mean"), std::string::npos);
+  }
+}
+
 TEST(BadCases, EmptyFileOffersInit) {
   for (const char* text : {"", "# nothing\n"}) {
     EXPECT_NE(message_of(text).find("softwet init"), std::string::npos);
@@ -148,6 +167,25 @@ TEST(BadCases, LoadNeedsASubstrateDropletAFluid) {
             std::string::npos);
   EXPECT_NE(message_of(start + solid + "[[droplet]]\ncentre=[0,0]\nradius=1").find("[fluid]"), std::string::npos);
   EXPECT_NE(message_of(start + "substrate={thickness=0.5,young=1,poisson=0}").find("solid alone"), std::string::npos);
+}
+
+TEST(BadCases, WhatIsThereAtTheStartHasToFit) {
+  const auto complaint = [](const std::string& table) { return message_of(pull + std::string("\n") + table); };
+  const auto tells = [](const std::string& message, const std::string& part) {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  tells(complaint("[[film]]\nbox=[[0,0.3],[1,0.2]]"), "film[0].box");
+  tells(complaint("[[film]]\nbox=[[0,0.3],[1,0.2]]"), "empty along axis 1");
+  tells(complaint("[[film]]\nbox=[[0],[1]]"), "2 numbers");
+  tells(complaint("[[wave]]\nfield='speed'\namplitude=1\nmode=[1,0]"), "\"velocity_x\"");
+  tells(complaint("[[wave]]\nfield='velocity_z'\namplitude=1\nmode=[1,0]"), "3D only");
+  tells(complaint("[[wave]]\nfield='velocity_x'\namplitude=1\nmode=[1]"), "2 numbers");
+  tells(complaint("[[wave]]\nfield='velocity_x'\namplitude=1\nmode=[0.5,0]"), "whole number along axis 0");
+  tells(message_of(pull, {"droplet[0].stretch=[1]"}), "droplet[0].stretch");
+  tells(message_of(pull, {"fluid.initial=[0.6,0.1]"}), "fluid.initial");
+  tells(message_of(pull, {"fluid.initial=[0.1,1.0]"}), "(0, 0.999]");
+  EXPECT_NO_THROW(parse_case(pull, "case.toml", {"droplet[0].centre=[0,0.125]"})) << "half a droplet on a slip side";
+  EXPECT_NO_THROW(parse_case(pull, "case.toml", {"droplet[0].centre=[1,0.125]"}));
 }
 
 TEST(BadCases, OverridesAreNamedAsThePlace) {

@@ -9,7 +9,8 @@ namespace {
 
 TEST(FluidIntegrals, ByHand) {
   const FluidIntegrals f{{{0.81, 0}, 3.0, 0.5, 0.1, 0.01, 0}};
-  FluidTrial<double, 2> t{};
+  FluidState<double, 2> t{};
+  t.volume_ratio = 1;
   t.velocity = {{2, 3}};
   t.velocity_gradient = {{{1, 2}, {3, 5}}};
   t.density = 0.5;
@@ -26,6 +27,9 @@ TEST(FluidIntegrals, ByHand) {
   EXPECT_DOUBLE_EQ(v[FluidIntegrals::momentum], 1);
   EXPECT_DOUBLE_EQ(v[FluidIntegrals::momentum + 1], 1.5);
   EXPECT_EQ(v[FluidIntegrals::momentum + 2], 0);
+  EXPECT_EQ(v[FluidIntegrals::folded], 0);
+  t.volume_ratio = -0.1;
+  EXPECT_EQ(f.value(t)[FluidIntegrals::folded], -1) << "times J: a positive volume";
 }
 
 TEST(WallIntegrals, WettedWhereDenserThanTheMiddle) {
@@ -42,6 +46,9 @@ TEST(SolidIntegrals, ByHand) {
   EXPECT_EQ(v[SolidIntegrals::kinetic], 9);
   EXPECT_NEAR(v[SolidIntegrals::elastic], (0.75 + 0.7) * 0.22 * 0.22, 1e-16);
   EXPECT_EQ(v[SolidIntegrals::momentum + 2], -4);
+  EXPECT_EQ(v[SolidIntegrals::inverted], 0);
+  const auto mirrored = f.value(SolidState<double, 3>{{}, {{{-2, 0, 0}, {0, 0, 0}, {0, 0, 0}}}});
+  EXPECT_EQ(mirrored[SolidIntegrals::inverted], 1) << "det F = -1";
 }
 
 }  // namespace

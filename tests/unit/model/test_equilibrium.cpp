@@ -57,5 +57,12 @@ TEST(Equilibrium, OutsideOfTwoPhases) {
   for (const double theta : {0.0, 1.0, 1.5, -0.1}) EXPECT_THROW(coexistence(theta), Error) << theta;
 }
 
+TEST(Equilibrium, CloseToTheCriticalPoint) {
+  for (const double theta : {1 - 1e-16, 1 - 1e-12, 1 - 1e-10}) EXPECT_THROW(coexistence(theta), Error) << 1 - theta;
+  // Van der Waals: rho_l - rho_v = (4/3) sqrt(1 - theta) (rho_c = 1/3, reduced density 1 +- 2 sqrt(1 - theta)).
+  const Coexistence s = coexistence(1 - 1e-6);
+  EXPECT_NEAR(s.density_liquid - s.density_vapour, 4.0 / 3 * 1e-3, 2e-6);
+}
+
 }  // namespace
 }  // namespace softwet

@@ -18,6 +18,19 @@ struct BoxForce {
   MomentumTest<double, 2> residual(const SolidTrial<double, 2>&) const { return {{{-force[0], -force[1]}}, {}}; }
 };
 
+/// Rows of the fluid added to the wall's with the weights (1 - Greville height): the wall's function blended over the fluid
+/// is that sum of B-splines.
+std::vector<double> blend_rows(const Layout<2>& l, const std::vector<double>& rows) {
+  std::vector<double> sum(rows.size(), 0.0);
+  const double low = l.axis[1].lower(l.solid_elements), height = l.axis[1].length() - low;
+  for (int d = 0; d < 2; ++d)
+    for (int j = l.wall_row; j < l.rows; ++j)
+      for (int i = 0; i < l.row_size; ++i)
+        sum[l.velocity_offset(d) + l.wall_row * l.row_size + i] +=
+            (1 - (l.axis[1].greville(j) - low) / height) * rows[l.velocity_offset(d) + j * l.row_size + i];
+  return sum;
+}
+
 std::vector<double> expected_residual(RandomScene& s) {
   const Layout<2>& l = s.layout();
   const int low = l.solid_elements, high = l.axis[1].elements();
@@ -34,7 +47,10 @@ std::vector<double> expected_residual(RandomScene& s) {
     } else {
       add(sum, t.naive(EnergyWall{g, 0.5, 1e-5, fluid.gas, s.model.state()}, 3, 1, low, low + 1, true, l.has_solid));
     }
-    if (l.has_solid) add(sum, t.naive(CapillaryTraction{fluid.gas, g}, 0, 2, low, low + 1, false, true, l.wall_row));
+    const CapillaryTraction traction{fluid.gas, g};
+    const bool blended = s.data.fluid->traction == Traction::blended;
+    if (l.has_solid && blended) add(sum, blend_rows(l, t.naive(traction, 0, 2, low, high, false, true)));
+    if (l.has_solid && !blended) add(sum, t.naive(traction, 0, 2, low, low + 1, false, true, l.wall_row));
   }
   return sum;
 }
@@ -74,6 +90,11 @@ void check_scene(const Case& c) {
 TEST(Model, Coupled) { check_scene(scene(Scene::coupled)); }
 TEST(Model, CoupledWithWallEnergy) { check_scene(scene(Scene::coupled, WallLaw::energy)); }
 TEST(Model, CoupledPeriodic) { check_scene(scene(Scene::coupled, WallLaw::gradient, true)); }
+TEST(Model, CoupledWithBlendedTraction) {
+  Case c = scene(Scene::coupled, WallLaw::energy);
+  c.fluid->traction = Traction::blended;
+  check_scene(c);
+}
 TEST(Model, Rigid) { check_scene(scene(Scene::rigid)); }
 TEST(Model, RigidPeriodicWithWallEnergy) { check_scene(scene(Scene::rigid, WallLaw::energy, true)); }
 TEST(Model, SolidAlone) { check_scene(scene(Scene::solid)); }

@@ -98,5 +98,16 @@ TEST(TableFile, ResumeRefusesAnotherTable) {
   expect_error(Exit::invalid_input, {path + ":3", "step number"}, [&] { TableFile::append_after(path, columns, 1); });
 }
 
+TEST(TableFile, ResumeRefusesARowThatIsNotOne) {
+  const ScratchFolder folder;
+  const std::string path = folder / "history.csv";
+  for (const std::string row : {"2,0.2", "2", "2,0.2,75,75", "nan,0.2,75", "inf,0.2,75", ",,", ""}) {
+    const std::string text = "step,t,angle_left\n1,0.1,\n" + row + "\n";
+    overwrite(path, text);
+    expect_error(Exit::invalid_input, {path + ":3", "row"}, [&] { TableFile::append_after(path, columns, 5); });
+    EXPECT_EQ(content_of(path), text);
+  }
+}
+
 }  // namespace
 }  // namespace softwet

@@ -1,0 +1,82 @@
+#include "app/host/saved_run.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "app/error.hpp"
+#include "app/host/fingerprint.hpp"
+#include "observe/host/checkpoint_file.hpp"
+
+namespace softwet {
+namespace {
+
+/// Reads by name and refuses what no run of softwet writes.
+class Judge {
+ public:
+  explicit Judge(const std::string& path) : path_(path), file_(path) {}
+
+  std::string text(const std::string& name) const { return file_.text(name); }
+
+  double number(const std::string& name) const {
+    const double value = file_.number(name);
+    if (!std::isfinite(value)) refuse(name, fmt::format("is {}", value), "a finite number");
+    return value;
+  }
+  double not_negative(const std::string& name) const {
+    const double value = number(name);
+    if (value < 0) refuse(name, fmt::format("is {}", value), "a number in [0, inf)");
+    return value;
+  }
+  double positive(const std::string& name) const {
+    const double value = number(name);
+    if (value <= 0) refuse(name, fmt::format("is {}", value), "a number in (0, inf)");
+    return value;
+  }
+  std::int64_t count(const std::string& name) const {
+    const std::int64_t value = file_.integer(name);
+    if (value < 0) refuse(name, fmt::format("is {}", value), "a count, 0 or more");
+    return value;
+  }
+  std::vector<double> array(const std::string& name, std::size_t size) const {
+    std::vector<double> values = file_.array(name, size);
+    for (std::size_t i = 0; i < size; ++i)
+      if (!std::isfinite(values[i])) refuse(name, fmt::format("has {} at entry {}", values[i], i), "finite numbers");
+    return values;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& name, const std::string& found, const std::string& needed) const {
+    throw Error(Exit::invalid_input,
+                fmt::format("{}: '{}' {} where a checkpoint holds {}; put back the checkpoint.h5 that this case wrote, "
+                            "or start anew without --resume",
+                            path_, name, found, needed));
+  }
+
+  std::string path_;
+  CheckpointReader file_;
+};
+
+}  // namespace
+
+SavedRun read_saved_run(const std::string& path, const Case& c, const std::vector<ArraySize>& arrays) {
+  const Judge file(path);
+  check_fingerprint(path, file.text("case"), c);
+  SavedRun run;
+  run.time = file.not_negative("time");
+  for (const auto& [name, size] : arrays) run.arrays.push_back(file.array(name, size));
+  run.previous_dt = file.not_negative("previous/dt");
+  run.proposed_dt = file.positive("step_control/proposed");
+  run.steps = file.count("steps/accepted");
+  run.rejected_newton = file.count("steps/rejected_newton");
+  run.rejected_error = file.count("steps/rejected_error");
+  run.history_step = file.count("history/step");
+  run.history_time = file.not_negative("history/time");
+  run.mass_start = file.number("history/mass_start");
+  const std::vector<double> droplets = file.array("history/droplets", 3 * c.droplets.size());
+  for (std::size_t k = 0; k < c.droplets.size(); ++k)
+    run.droplets.push_back({droplets[3 * k], droplets[3 * k + 1], droplets[3 * k + 2]});
+  return run;
+}
+
+}  // namespace softwet

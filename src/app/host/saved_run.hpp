@@ -1,0 +1,33 @@
+// What a checkpoint holds, read and judged as a whole: no Kokkos, so it can be tested and fuzzed alone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/case.hpp"
+
+namespace softwet {
+
+/// Everything a resumed run starts from. Times are on the clock of the computation.
+struct SavedRun {
+  double time = 0;
+  std::vector<std::vector<double>> arrays;  ///< in the order asked for
+  double previous_dt = 0;                   ///< 0 before the first step
+  double proposed_dt = 0;
+  std::int64_t steps = 0, rejected_newton = 0, rejected_error = 0;
+  std::int64_t history_step = 0;
+  double history_time = 0, mass_start = 0;
+  std::vector<std::array<double, 3>> droplets;  ///< centre of the footprint, on the wall (1) or not, merged (1) or not
+};
+
+/// Name and length of an array of the file.
+using ArraySize = std::pair<std::string, std::size_t>;
+
+/// Reads a checkpoint of this case. Throws Error (invalid_input) naming the file and the value where something is
+/// missing, belongs to another case, or is no state of a computation: not finite, a negative time, step or count.
+SavedRun read_saved_run(const std::string& path, const Case&, const std::vector<ArraySize>& arrays);
+
+}  // namespace softwet

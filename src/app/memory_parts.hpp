@@ -1,0 +1,35 @@
+// What a run keeps in memory, part by part.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/case.hpp"
+#include "solver/preconditioner.hpp"
+
+namespace softwet {
+
+/// Name and bytes of each part. The preconditioner counts what it will hold once it is built.
+template <int D>
+std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const Layout<D>& l,
+                                                         const Preconditioner& preconditioner) {
+  const double n = l.size(), rate = l.velocity_size(), solid = l.solid_size(), scalar = l.scalar_size();
+  const double state = n + rate + 2 * solid + 2 * scalar;
+  const double stage = 2 * n + rate + 2 * solid + scalar;
+  return {{"program and libraries", 34.0 * 1048576},
+          {"state and history", 8 * (state + 3 * n)},
+          {"stage", 8 * stage},
+          {"Newton", 8 * 5 * n},
+          {"Krylov basis", 8 * n * (2.0 * c.solver.krylov_restart + 2)},
+          {"preconditioner " + preconditioner.name(), preconditioner.bytes()}};
+}
+
+template <int D>
+double total_bytes(const Case& c, const Layout<D>& layout, const Preconditioner& preconditioner) {
+  double total = 0;
+  for (const auto& [name, bytes] : memory_parts(c, layout, preconditioner)) total += bytes;
+  return total;
+}
+
+}  // namespace softwet

@@ -1,0 +1,61 @@
+#include "app/remedy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/equilibrium.hpp"
+
+namespace softwet {
+namespace {
+
+bool has(const std::string& text, const char* word) { return text.find(word) != std::string::npos; }
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/// sigma / E, the length over which capillary forces deform the solid; 0 without both.
+double elastocapillary_length(const Case& c) {
+  if (!c.fluid || !c.substrate) return 0;
+  const double tension = c.fluid->capillarity * surface_tension_over_capillarity(c.fluid->temperature);
+  return tension / (c.substrate->density * c.substrate->young);
+}
+
+std::string softer_than_its_loads(const Case& c) {
+  const double length = elastocapillary_length(c);
+  const std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + number(length) + ", the layer is " +
+                                            number(c.substrate->thickness) + " thick; "
+                                      : "";
+  return soft +
+         "a Saint Venant-Kirchhoff solid loses its stiffness under strong compression: raise substrate.young, lower "
+         "load[].force or lengthen load[].ramp";
+}
+
+std::string for_the_density(const Case& c) {
+  double h = 0;
+  for (std::size_t d = 0; d < c.domain.size.size(); ++d) h = std::max(h, c.domain.size[d] / c.domain.elements[d]);
+  if (c.fluid->wall_law == WallLaw::gradient && std::abs(c.fluid->contact_angle - 90) > 60)
+    return "the wall law \"gradient\" has no bounded density near complete wetting or drying: write fluid.wall_law = "
+           "\"energy\"";
+  if (elastocapillary_length(c) > 0.2 * (c.substrate ? c.substrate->thickness : 0)) return softer_than_its_loads(c);
+  if (c.fluid->capillarity < 2 * h)
+    return "the liquid-vapour interface is " + number(c.fluid->capillarity / h) +
+           " elements wide: two resolve it, with more domain.elements or a larger fluid.capillarity";
+  return "a softer load ramp, a larger fluid.viscosity or a tighter time.tolerance may help";
+}
+
+}  // namespace
+
+std::string remedy(const Case& c, const std::string& reason) {
+  if (has(reason, "inside out") || has(reason, "folds")) return softer_than_its_loads(c);
+  if (c.fluid && has(reason, "density")) return for_the_density(c);
+  if (elastocapillary_length(c) > 0.2 * (c.substrate ? c.substrate->thickness : 1)) return softer_than_its_loads(c);
+  if (has(reason, "stalled"))
+    return "solver.krylov.preconditioner = \"automatic\", or more iterations with solver.krylov.max";
+  return "a finer mesh, a larger fluid.capillarity, a softer load ramp or a tighter time.tolerance may help";
+}
+
+}  // namespace softwet

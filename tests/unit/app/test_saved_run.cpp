@@ -1,0 +1,92 @@
+// A checkpoint is taken as a whole or refused with the name of what no run writes.
+#include "app/host/saved_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "app/host/case_file.hpp"
+#include "app/host/fingerprint.hpp"
+#include "observe/host/checkpoint_file.hpp"
+#include "observe/host/hdf5_file.hpp"
+#include "unit/observe/expect_error.hpp"
+#include "unit/observe/scratch_folder.hpp"
+
+namespace softwet {
+namespace {
+
+const Case& pull() {
+  static const Case c = parse_case(initial_case("tensotaxis_pull_2d"), "case.toml");
+  return c;
+}
+
+const std::vector<ArraySize> sizes{{"state/unknown", 4}, {"previous/unknown", 4}};
+
+/// What a run would write, with one value changed.
+struct Content {
+  std::map<std::string, double> numbers{{"time", 2.5},
+                                        {"previous/dt", 0.5},
+                                        {"step_control/proposed", 0.25},
+                                        {"history/time", 2.0},
+                                        {"history/mass_start", 0.1}};
+  std::map<std::string, std::int64_t> counts{
+      {"steps/accepted", 7}, {"steps/rejected_newton", 1}, {"steps/rejected_error", 2}, {"history/step", 6}};
+  std::map<std::string, std::vector<double>> arrays{
+      {"state/unknown", {1, 2, 3, 4}}, {"previous/unknown", {5, 6, 7, 8}}, {"history/droplets", {0.5, 1, 0}}};
+
+  void write(const std::string& path) const {
+    CheckpointWriter file(path);
+    file.value("case", fingerprint(pull()));
+    for (const auto& [name, value] : numbers) file.value(name, value);
+    for (const auto& [name, value] : counts) file.value(name, value);
+    for (const auto& [name, values] : arrays) file.array(name, values);
+    file.commit();
+  }
+};
+
+TEST(SavedRun, ReadsWhatARunWrites) {
+  const ScratchFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  Content().write(path);
+  const SavedRun run = read_saved_run(path, pull(), sizes);
+  EXPECT_EQ(run.time, 2.5);
+  EXPECT_EQ(run.arrays, (std::vector<std::vector<double>>{{1, 2, 3, 4}, {5, 6, 7, 8}}));
+  EXPECT_EQ(run.previous_dt, 0.5);
+  EXPECT_EQ(run.proposed_dt, 0.25);
+  EXPECT_EQ(run.steps + run.rejected_newton + run.rejected_error + run.history_step, 7 + 1 + 2 + 6);
+  EXPECT_EQ(run.droplets[0], (std::array<double, 3>{0.5, 1, 0}));
+}
+
+void expect_refused(const std::string& name, const std::function<void(Content&)>& change) {
+  const ScratchFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  Content content;
+  change(content);
+  content.write(path);
+  expect_error(Exit::invalid_input, {path, "'" + name + "'", "--resume"}, [&] { read_saved_run(path, pull(), sizes); });
+}
+
+TEST(SavedRun, RefusesNumbersThatAreNone) {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [name, value] : Content().numbers)
+    for (double bad : {nan, inf, -inf}) expect_refused(name, [&, n = name](Content& c) { c.numbers[n] = bad; });
+  for (const auto& [name, values] : Content().arrays)
+    for (double bad : {nan, -inf}) expect_refused(name, [&, n = name](Content& c) { c.arrays[n][2] = bad; });
+}
+
+TEST(SavedRun, RefusesTimesStepsAndCountsBelowZero) {
+  for (const char* name : {"time", "previous/dt", "step_control/proposed", "history/time"})
+    expect_refused(name, [&](Content& c) { c.numbers[name] = -1e-3; });
+  expect_refused("step_control/proposed", [](Content& c) { c.numbers["step_control/proposed"] = 0; });
+  for (const auto& [name, value] : Content().counts) expect_refused(name, [n = name](Content& c) { c.counts[n] = -1; });
+}
+
+TEST(SavedRun, RefusesArraysOfAnotherLength) {
+  expect_refused("state/unknown", [](Content& c) { c.arrays["state/unknown"].push_back(0); });
+  expect_refused("history/droplets", [](Content& c) { c.arrays["history/droplets"].clear(); });
+}
+
+}  // namespace
+}  // namespace softwet

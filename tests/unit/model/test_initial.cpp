@@ -1,0 +1,102 @@
+// States a run starts from: control values at Greville points against the shapes a case describes.
+#include "model/initial.hpp"
+
+#include "model/equilibrium.hpp"
+
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+/// A fluid in [0, 1] x [0, 0.5], 40 x 20 elements, with a thin interface.
+Case fluid_box() {
+  Case c = scene(Scene::rigid);
+  c.domain.size = {1.0, 0.5};
+  c.domain.elements = {40, 20};
+  c.fluid->capillarity = 0.005;
+  c.fluid->contact_angle = 90;
+  c.boundary.side[1] = {Side::slip, Side::slip};
+  return c;
+}
+
+/// Control value of the density nearest to a point.
+double density_at(const Case& c, double x, double y) {
+  const Model<2, 2> model(c);
+  const Layout<2>& l = model.layout();
+  const std::vector<double> values = to_host(initial_state(c, model).unknown);
+  const auto nearest = [&](int d, double at) {
+    int best = 0;
+    for (int i = 0; i < l.axis[d].functions(); ++i)
+      if (std::abs(l.axis[d].greville(i) - at) < std::abs(l.axis[d].greville(best) - at)) best = i;
+    return best;
+  };
+  return values[l.density_offset() + nearest(0, x) + (nearest(1, y) - l.wall_row) * l.row_size];
+}
+
+constexpr double vapour = 0.1066, liquid = 0.6024;  // theta = 0.85
+
+TEST(InitialState, FilmHasNoInterfaceOnTheSides) {
+  Case c = fluid_box();
+  c.films = {{{0.0, 0.0}, {0.4, 2.0}}};
+  for (const double y : {0.0, 0.25, 0.5}) {
+    EXPECT_NEAR(density_at(c, 0.0, y), liquid, 1e-3);
+    EXPECT_NEAR(density_at(c, 0.8, y), vapour, 1e-3);
+    EXPECT_NEAR(density_at(c, 0.4, y), 0.5 * (vapour + liquid), 0.25) << "within an element of the face";
+  }
+}
+
+TEST(InitialState, EllipseIsLongerAlongItsStretchedAxis) {
+  Case c = fluid_box();
+  c.droplets = {{{0.5, 0.25}, 0.15, {1.4, 0.6}}};
+  EXPECT_GT(density_at(c, 0.5 + 0.18, 0.25), 0.55);
+  EXPECT_LT(density_at(c, 0.5, 0.25 + 0.13), 0.15);
+}
+
+TEST(InitialState, DropletOnAPeriodicSideContinuesOnTheOther) {
+  Case c = fluid_box();
+  c.boundary.side[0] = {Side::periodic, Side::periodic};
+  c.droplets = {{{0.05, 0.25}, 0.15, {}}};
+  EXPECT_GT(density_at(c, 0.95, 0.25), 0.55);
+  EXPECT_LT(density_at(c, 0.5, 0.25), 0.15);
+}
+
+TEST(InitialState, BubbleInLiquid) {
+  Case c = fluid_box();
+  c.fluid->ambient = Phase::liquid;
+  c.droplets = {{{0.5, 0.25}, 0.15, {}}};
+  EXPECT_NEAR(density_at(c, 0.5, 0.25), vapour, 0.02);
+  EXPECT_NEAR(density_at(c, 0.9, 0.25), liquid, 0.02);
+  c.fluid->initial = {0.1, 0.6};
+  EXPECT_NEAR(density_at(c, 0.5, 0.25), 0.1, 1e-9);
+  EXPECT_NEAR(density_at(c, 0.9, 0.25), 0.6, 1e-9);
+}
+
+TEST(InitialState, DropletBelowTheSizeOfAnyEquilibriumStaysBetweenThePhases) {
+  Case c = fluid_box();
+  c.droplets = {{{0.5, 0.25}, 1e-6, {}}};
+  const Model<2, 2> model(c);
+  const double end = spinodal(c.fluid->temperature).vapour;
+  for (const double x : {0.0, 0.5}) EXPECT_LT(density_at(c, x, 0.25), end);
+}
+
+TEST(InitialState, WavesAddTheirProducts) {
+  Case c = scene(Scene::coupled);
+  c.waves = {{"velocity_x", 0.2, {1, 0}}, {"displacement_y", 0.01, {2, 1}}};
+  const Model<2, 2> model(c);
+  const Layout<2>& l = model.layout();
+  const State s = initial_state(c, model);
+  const std::vector<double> v = to_host(s.unknown), u = to_host(s.displacement);
+  const double pi = M_PI, width = 0.9, height = 0.8;
+  for (int j = 1; j + 1 < l.solid_rows(); ++j)
+    for (int i = 1; i + 1 < l.row_size; ++i) {
+      const double x = l.axis[0].greville(i), y = l.axis[1].greville(j);
+      const int k = j * l.row_size + i;
+      EXPECT_NEAR(v[k], 0.2 * std::sin(pi * x / width), 1e-14);
+      EXPECT_NEAR(u[l.displacement_offset(1) + k], 0.01 * std::cos(2 * pi * x / width) * std::sin(pi * y / height),
+                  1e-14);
+    }
+  EXPECT_EQ(v[0], 0) << "held by the side";
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools

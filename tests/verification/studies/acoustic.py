@@ -1,0 +1,113 @@
+"""Standing sound waves in each phase: dispersion by capillarity, damping by viscosity.
+
+Exact: with rho = rho_0 + R cos(kx), v = V sin(kx) the linearised equations are
+    s R + rho_0 k V + eps k^2 G R = 0,   s rho_0 V = rho_0 k G R - (4/3) m k^2 V,   G = W''(rho_0) + g^2 k^2,
+so (s + eps k^2 G)(s + (4/3)(m/rho_0) k^2) + rho_0 k^2 G = 0: frequency^2 = c^2 k^2 + rho_0 g^2 k^4 less the damping, since
+c^2 = rho_0 W''; 4/3 = 2 - 2/3. eps is the stabilisation, switched off here. The fluid starts at rest in density with a
+wave of the velocity; the x-momentum of an odd mode is V (2/k) rho_0 per height, and -b + i w is fitted to its history."""
+
+import _shape
+import numpy
+from plane_interface import PlaneInterface
+
+MINUTES = {"quick": 0.2, "full": 3}
+CASE = """# A standing sound wave in one phase, in a channel between slip sides.
+name = "sound"
+[domain]
+size = [1.0, 0.0625]
+elements = [64, 4]
+[fluid]
+viscosity = 1e-4
+capillarity = "1/64"
+temperature = 0.85
+ambient = "liquid"
+stabilisation = 0.0
+[[wave]]
+field = "velocity_x"
+amplitude = 1e-5
+mode = [1, 0]
+[boundary]
+top = "slip"
+[time]
+end = 1.0
+tolerance = 1e3
+[output]
+fields = { times = [] }
+[solver]
+newton = { rtol = 1e-8, atol = 1e-15 }
+"""
+
+
+def exact(plane, phase, k, g, viscosity):
+    """Root with positive imaginary part of the dispersion relation."""
+    rho = plane.liquid if phase == "liquid" else plane.vapour
+    damping = 2 / 3 * viscosity / rho * k * k
+    square = plane.sound_speed(rho)**2 * k * k + rho * g * g * k**4
+    return -damping + 1j * numpy.sqrt(square - damping**2)
+
+
+def settings(theta, phase, mode, viscosity, s, per_period=80, periods=2, elements=64, g=64):
+    step = 2 * numpy.pi / s.imag / per_period
+    return [f"fluid.temperature={theta}", f'fluid.ambient="{phase}"', f"wave[0].mode=[{mode},0]",
+            f"fluid.viscosity={viscosity}", f"time.dt_initial={step:.8g}", f"time.dt_max={step:.8g}",
+            f"time.end={periods * per_period * step:.8g}", f"domain.elements=[{elements},4]", f"fluid.capillarity=1/{g}"]
+
+
+def measure(run, s):
+    return _shape.damped_wave(run.history["t"], run.history["momentum_x"], s, drift=False)
+
+
+def study(lab):
+    modes = (1, 9) if lab.quick else (1, 3, 5, 9, 15, 21)
+    thetas = (0.85,) if lab.quick else (0.39, 0.85)
+    wanted, asked = {}, {}
+    for theta in thetas:
+        plane = PlaneInterface(theta)
+        for phase in ("liquid", "vapour"):
+            viscosity = 1e-4 if phase == "liquid" else 2e-4 * plane.vapour
+            for mode in modes:
+                label = f"theta = {theta}, {phase}, mode {mode}"
+                s = exact(plane, phase, mode * numpy.pi, 1 / 64, viscosity)
+                asked[label] = (s, plane, phase, mode * numpy.pi)
+                wanted[label] = (CASE, settings(theta, phase, mode, viscosity, s, elements=64 if mode < 10 else 128))
+    runs, rows = lab.runs(wanted), []
+    for label, run in runs.items():
+        s, plane, phase, k = asked[label]
+        found, left = measure(run, s)
+        c = plane.sound_speed(plane.liquid if phase == "liquid" else plane.vapour)
+        error = found.imag / s.imag - 1
+        lab.expect(f"{label}: frequency", f"{s.imag:.6g} +- 1 %", f"{found.imag:.6g}, {100 * error:+.3f} %", abs(error) <= 0.01)
+        rows.append((label, f"{k:.4g}", f"{s.imag / (c * k):.5f}", f"{found.imag / (c * k):.5f}", f"{-s.real:.4g}",
+                     f"{-found.real:.4g}", f"{left:.0e}"))
+    lab.table(("wave", "k", "w/(c k) exact", "w/(c k)", "damping exact", "damping", "misfit"), rows, "dispersion")
+    if not lab.quick:
+        lab.plot("dispersion", lambda axes: draw(axes, runs, asked))
+        steps(lab)
+
+
+def draw(axes, runs, asked):
+    for theta in (0.39, 0.85):
+        for phase, colour in (("liquid", "C0"), ("vapour", "C1")):
+            mine = [label for label in runs if label.startswith(f"theta = {theta}, {phase}")]
+            _, plane, _, _ = asked[mine[0]]
+            c, k = plane.sound_speed(plane.liquid if phase == "liquid" else plane.vapour), numpy.linspace(1, 70, 200)
+            curve = [exact(plane, phase, x, 1 / 64, 0.0).imag / (c * x) for x in k]
+            axes.plot(k, curve, colour, ls="-" if theta == 0.39 else "--", label=f"{phase}, theta = {theta}")
+            axes.plot([asked[label][3] for label in mine],
+                      [measure(runs[label], asked[label][0])[0].imag / (c * asked[label][3]) for label in mine], colour + "o")
+    axes.set(xlabel="k", ylabel="frequency / (c k)", title="lines: exact; dots: softwet")
+    axes.legend()
+
+
+def steps(lab):
+    """The error left is that of the time step: second order."""
+    lab.title("Convergence in time")
+    plane = PlaneInterface(0.85)
+    s = exact(plane, "liquid", 9 * numpy.pi, 1 / 64, 1e-4)
+    counts, errors = (20, 40, 80, 160), []
+    runs = lab.runs({f"{n} steps a period": (CASE, settings(0.85, "liquid", 9, 1e-4, s, per_period=n)) for n in counts})
+    for run in runs.values():
+        errors.append(measure(run, s)[0].imag / s.imag - 1)
+    lab.table(("steps a period", "error of the frequency"), [(n, f"{e:+.2e}") for n, e in zip(counts, errors)], "steps")
+    rate = numpy.log2(errors[1] / errors[2])
+    lab.expect("order in time, 40 to 80 steps", "2 +- 0.2", f"{rate:.2f}", abs(rate - 2) <= 0.2)

@@ -1,0 +1,81 @@
+"""A droplet carried by a uniform flow: shape, position, mass and momentum.
+
+The equations are invariant under a uniform velocity. In a periodic square a droplet with velocity (v, 0) everywhere must do
+what the droplet at rest does, moved by v t. The frame of the mesh breaks this to the order of the discretisation: what is
+compared is the position of the droplet (phase of the first Fourier mode of the density), the difference of the densities
+after moving back by a whole number of elements, mass, and momentum (constant: no walls)."""
+
+import _measure
+import numpy
+
+MINUTES = {"quick": 0.4, "full": 4}
+SPEED = 0.125
+CASE = """# A droplet in a periodic square with a uniform velocity.
+name = "carried_droplet"
+[domain]
+size = [1.0, 1.0]
+elements = [64, 64]
+[fluid]
+viscosity = "1/256"
+capillarity = "1/32"
+temperature = 0.85
+[[droplet]]
+centre = [0.5, 0.5]
+radius = 0.25
+[[wave]]
+field = "velocity_x"
+amplitude = 0.125
+mode = [0, 0]
+[boundary]
+left = "periodic"
+right = "periodic"
+bottom = "periodic"
+top = "periodic"
+[time]
+end = 8.0
+dt_initial = 0.02
+dt_max = 0.02
+tolerance = 1e3
+[output]
+fields = { times = [8.0] }
+"""
+
+
+def density(run):
+    """Density at the corners of the elements; a periodic line counts once."""
+    _, rho = _measure.fluid_field(run.folder, 0)
+    return rho[:-1:2, :-1:2]
+
+
+def position(rho):
+    """x of the droplet: phase of the first mode, in [0, 1)."""
+    return -numpy.angle(numpy.fft.fft(rho.mean(axis=0))[1]) / (2 * numpy.pi) % 1
+
+
+def study(lab):
+    end, meshes, g = (1.0, (16, 32), 16) if lab.quick else (4.0, (32, 64), 32)
+    rows, errors = [], {}
+    for n in meshes:
+        base = [f"domain.elements=[{n},{n}]", f"time.end={end}", f"output.fields.times=[{end}]", f"fluid.capillarity=1/{g}",
+                f"time.dt_initial={1.25 / n}", f"time.dt_max={1.25 / n}"]
+        runs = lab.runs({f"{n} x {n}, carried": (CASE, base), f"{n} x {n}, at rest": (CASE, base + ["wave[0].amplitude=0"])},
+                        limit=1500)
+        moving, still = runs[f"{n} x {n}, carried"], runs[f"{n} x {n}, at rest"]
+        a, b = density(moving), density(still)
+        moved = SPEED * end  # a whole number of elements
+        error = (position(a) - position(b) - moved + 0.5) % 1 - 0.5
+        shape = numpy.abs(numpy.roll(a, -round(moved * n), axis=1) - b).max() / (b.max() - b.min())
+        history = moving.history
+        momentum = numpy.abs(history["momentum_x"] / history["momentum_x"][0] - 1).max()
+        mass = numpy.abs(history["mass_drift"]).max()
+        errors[n] = (abs(error), shape)
+        rows.append((f"{n} x {n}", f"{error:+.2e}", f"{shape:.2e}", f"{momentum:.1e}", f"{mass:.1e}"))
+        lab.expect(f"{n} x {n}: drift of the mass", "<= 1e-10", f"{mass:.1g}", mass <= 1e-10)
+    lab.expect("position off, finer mesh", "<= 0.1 % of the way", f"{100 * errors[n][0] / moved:.3f} %", errors[n][0] <= 1e-3 * moved)
+    lab.expect("density moved back, largest difference over the step, finer mesh", "<= 1 %", f"{100 * errors[n][1]:.2f} %",
+               errors[n][1] <= 0.01)
+    lab.expect("momentum, finer mesh", "constant to 0.1 %", f"{100 * momentum:.3f} %", momentum <= 1e-3)
+    rate = numpy.log2(errors[meshes[0]][1] / errors[meshes[1]][1])
+    lab.expect("order of that difference in h and dt", ">= 1.7", f"{rate:.1f}", rate >= 1.7)
+    lab.table(("mesh", "position off", "largest difference of the density over the step", "change of momentum", "of mass"), rows,
+              "carried")

@@ -1,0 +1,113 @@
+"""Laplace pressure of droplets of several radii, two and three dimensions.
+
+A quarter (2D) or an eighth (3D) of a droplet between slip sides, at 90 degrees to the wall. Sharp answer:
+(mu - mu_sat)(rho_l - rho_v) R = (D - 1) sigma with sigma of the plane interface. It leaves out that the interface has a width
+and that the liquid is compressed, which counts more for small droplets. Exact answer: the radial solution of the mass of
+the run in its box (tests/oracle/radial_droplet.py), for the chemical potential, both densities and the radius R of the
+middle density."""
+
+import _measure
+import _shape
+import h5py
+import numpy
+from _measure import radial_droplet
+from plane_interface import PlaneInterface
+
+MINUTES = {"quick": 0.2, "full": 8}
+SIDE = 0.5
+CASE = """# A quarter of a droplet; left and bottom sides are planes of symmetry.
+name = "quarter_droplet"
+[domain]
+size = [0.5, 0.5]
+elements = [64, 64]
+[fluid]
+viscosity = "1/1024"
+capillarity = "1/64"
+temperature = 0.39
+contact_angle = 90.0
+[[droplet]]
+centre = [0.0, 0.0]
+radius = 0.2
+[boundary]
+top = "slip"
+[time]
+end = 2000.0
+[output]
+fields = { times = [2000.0] }
+[solver]
+newton = { rtol = 1e-8, atol = 1e-14 }
+"""
+CASE_3D = """# An eighth of a droplet; left, front and bottom sides are planes of symmetry.
+name = "eighth_droplet"
+[domain]
+size = [0.25, 0.25, 0.25]
+elements = [8, 8, 8]
+[fluid]
+viscosity = "1/1024"
+capillarity = "1/24"
+temperature = 0.39
+contact_angle = 90.0
+[[droplet]]
+centre = [0.0, 0.0, 0.0]
+radius = 0.12
+[boundary]
+top = "slip"
+[time]
+end = 400.0
+[output]
+fields = { times = [400.0] }
+[solver]
+newton = { rtol = 1e-8, atol = 1e-14 }
+krylov = { preconditioner = "lu" }
+"""
+
+
+def line(run):
+    """Distance from the centre, density and chemical potential along the bottom side."""
+    with h5py.File(run.folder / "fields" / "fluid_0000.vtkhdf") as file:
+        points = file["VTKHDF/Points"][:]
+        on = (numpy.abs(points[:, 1]) < 1e-9) & (numpy.abs(points[:, 2]) < 1e-9)
+        x, at = numpy.unique(points[on, 0], return_index=True)
+        values = [file[f"VTKHDF/PointData/{name}"][:].ravel()[on][at] for name in ("density", "chemical_potential")]
+        corner = file["VTKHDF/PointData/density"][:].ravel()[numpy.argmax(points.sum(axis=1))]
+    return x, *values, corner
+
+
+def compare(lab, label, run, theta, g, side, dimension):
+    """One droplet against the sharp and the exact answer. @return the row of the table"""
+    plane, whole = PlaneInterface(theta), 2**dimension
+    x, rho, potential, corner = line(run)
+    inside, outside, mu, radius = radial_droplet.solve(g, whole * run.history["mass"][-1], theta=theta, dimension=dimension,
+                                                       length=side, volume=whole * side**dimension)
+    seen, excess = _shape.position(x, rho, 0.5 * (plane.vapour + plane.liquid)), potential[0] - plane.potential
+    laplace = excess * plane.step * seen / ((dimension - 1) * plane.tension * g)
+    exact = (mu - plane.potential) * plane.step * radius / ((dimension - 1) * plane.tension * g)
+    errors = {"mu - mu_sat": excess / (mu - plane.potential) - 1, "rho inside": rho[0] / inside - 1,
+              "rho outside": corner / outside - 1, "R": seen / radius - 1}
+    worst = max(errors, key=lambda name: abs(errors[name]))
+    lab.expect(f"{label}: (mu - mu_sat)(rho_l - rho_v) R / ((D - 1) sigma)", "1 +- 1 %", f"{laplace:.4f}", abs(laplace - 1) <= 0.01,
+               f"the exact droplet of this interface width has {exact:.4f}" if abs(exact - 1) > 0.008 else "")
+    lab.expect(f"{label}: mu - mu_sat, densities and R of the exact droplet", "1 %",
+               f"largest error {worst}: {100 * errors[worst]:+.2f} %", abs(errors[worst]) <= 0.01)
+    return (label, f"{seen:.4f}", f"{g / seen:.3f}", f"{laplace:.4f}", f"{exact:.4f}",
+            *(f"{100 * error:+.3f} %" for error in errors.values()))
+
+
+def study(lab):
+    radii, g = ((0.15, 0.25), 32) if lab.quick else ((0.1, 0.15, 0.2, 0.25), 64)
+    thetas = (0.39,) if lab.quick else (0.39, 0.85)
+    wanted, facts = {}, {}
+    for theta in thetas:
+        for radius in radii if theta == 0.39 else (0.2, 0.25):  # the interface is wider at 0.85
+            label = f"2D, theta = {theta}, R = {radius}"
+            facts[label] = (theta, 1 / g, SIDE, 2)
+            wanted[label] = (CASE, [f"fluid.temperature={theta}", f"fluid.capillarity=1/{g}", f"domain.elements=[{g},{g}]",
+                                    f"droplet[0].radius={radius}"])
+    for radius in () if lab.quick else (0.12,):
+        label = f"3D, theta = 0.39, R = {radius}"
+        facts[label] = (0.39, 1 / 24, 0.25, 3)
+        wanted[label] = (CASE_3D, [f"droplet[0].radius={radius}"])
+    runs = lab.runs(wanted, limit=3000)
+    rows = [compare(lab, label, run, *facts[label]) for label, run in runs.items()]
+    lab.table(("droplet", "R", "gamma_hat / R", "Laplace ratio", "exact", "mu - mu_sat off", "rho inside off", "rho outside off",
+               "R off"), rows, "radii")
