@@ -114,24 +114,25 @@ def compare(lab, rigid, soft, n, young, rows):
     features = [(v.max(), v[0], v[-1]) for v in (u[1], theory[1])]
     off = [100 * (a / b - 1) for a, b in zip(*features)]
     worst = numpy.abs(u - theory).max(axis=1) / theory[1].max()
-    waves = [(numpy.cos(m * numpy.pi * x / LENGTH) * v)[:-1].sum() for m in (1, 2, 4, 8) for v in (u[1], theory[1])]
+    waves = numpy.cos(numpy.outer(numpy.pi / LENGTH * numpy.array([1, 2, 4, 8]), x[:-1])) @ numpy.stack([u[1], theory[1]], axis=1)[:-1]
+    waves = (waves[:, 0] - waves[:, 1]) / numpy.abs(waves[:, 1]).max()
     rows.append((n, f"{young / YOUNG:g}", f"{features[1][0] / (YOUNG / young):.3e}", *(f"{o:+.2f} %" for o in off),
-                 *(f"{100 * (a / b - 1):+.2f} %" for a, b in zip(waves[::2], waves[1::2])), *(f"{100 * w:.2f} %" for w in worst)))
+                 *(f"{100 * a:+.2f} %" for a in waves), *(f"{100 * w:.2f} %" for w in worst)))
     return worst, off, (x, u, theory)
 
 
 def study(lab):
     check_compliance(lab)
-    meshes = ((32, 32),) if lab.quick else ((32, 32), (64, 32), (64, 64), (128, 64))
+    meshes = ((32, 32),) if lab.quick else ((32, 32), (64, 32), (64, 64))
     factors = (50,) if lab.quick else (1, 10, 50)
     wanted = {}
     for n, g in meshes:
         wanted[f"rigid, n = {n}, 1/gamma = {g}"] = (case(n, g), [])
-        for factor in factors if n < 128 else factors[-1:]:
+        for factor in factors if g < 64 else (10,):
             wanted[f"E x {factor}, n = {n}, 1/gamma = {g}"] = (case(n, g, YOUNG * factor), [])
     runs, rows, results = lab.runs(wanted, limit=1500), [], {}
     for n, g in meshes:
-        for factor in factors if n < 128 else factors[-1:]:
+        for factor in factors if g < 64 else (10,):
             mine = []
             results[n, g, factor] = compare(lab, runs[f"rigid, n = {n}, 1/gamma = {g}"],
                                             runs[f"E x {factor}, n = {n}, 1/gamma = {g}"], n, YOUNG * factor, mine)
@@ -139,7 +140,7 @@ def study(lab):
     lab.table(("1/gamma", "n", "E / 0.7554", "ridge x E / 0.7554", "ridge", "middle", "far side", "k_1", "k_2", "k_4", "k_8",
                "profile u_x", "profile u_y"), rows, "layer")
     lab.text("Ridge (largest u_y), middle of the droplet, far side and Fourier cosines k_m = m pi/0.5 of u_y: softwet against the "
-             "linear theory. Profile: largest difference as a part of the ridge.")
+             "linear theory; the coefficients as a part of the largest of them. Profile: largest difference as a part of the ridge.")
     n, g = (32, 32) if lab.quick else (64, 32)
     worst, off, profile = results[n, g, 50]
     for what, value in zip(("ridge", "middle", "far side"), off):
