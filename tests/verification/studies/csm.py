@@ -8,18 +8,18 @@ featflow.de, fsi_csm_tests) belong to a beam clamped on a circle of radius 0.05,
 clamps a rectangle. tests/oracle/elastic_beam.py, spectral elements that share nothing with softwet, solves both: curved it
 gives the published values to 0.003 %, as a rectangle 0.8 % less. The rectangle is the reference of what softwet computes;
 the clamped corners are singular, which limits the order to about 1.5 whatever the degree.
-CSM3: the same, in time with the trapezoidal rule."""
+CSM3 is held against the published values: the oracle's curved beam (trapezoidal rule, dt = 0.005) has -14.368 +- 14.369,
+-63.736 +- 65.192 mm and 1.095 Hz over t = 8 to 10."""
 
 import numpy
 
-MINUTES = {"quick": 0.2, "full": 3}
+MINUTES = {"quick": 0.1, "full": 2}
 # mm. CSM1, CSM2: (published, curved, rectangle); the last two from tests/oracle/elastic_beam.py
 REST = {"CSM1": ((-7.18767, -66.1023), (-7.18783, -66.1032), (-7.08651, -65.5672)),
         "CSM2": ((-0.469000, -16.9739), (-0.469010, -16.9741), (-0.462157, -16.8310))}
 YOUNG = {"CSM1": 1400, "CSM2": 5600}
 # CSM3, t = 8 to 10: (mean, amplitude) of u_x and u_y in mm, and the frequency
 PUBLISHED = ((-14.305, 14.305), (-63.607, 65.160), 1.0995)
-RECTANGLE = ((-14.2, 14.2), (-63.0, 64.5), 1.1)
 
 
 def tip(run, number):
@@ -102,13 +102,11 @@ def swing(lab):
              ("amplitude of u_y", part[1][1], 3), ("frequency", f, 4)]
     if lab.quick:
         named = named[4:]
+    published = (*PUBLISHED[0], *PUBLISHED[1], PUBLISHED[2])
     for what, found, i in named:
-        exact, published = ((*r[0], *r[1], r[2])[i] for r in (RECTANGLE, PUBLISHED))
-        lab.expect(f"CSM3, {n} x {m}, dt = {dt}: {what}, rectangle", f"{exact:.5g} +- 1 %", f"{found:.5g}, {percent(found, exact)}",
+        exact = published[i]
+        lab.expect(f"CSM3, {n} x {m}, dt = {dt}: {what}", f"{exact:.5g} +- 1 %", f"{found:.5g}, {percent(found, exact)}",
                    abs(found / exact - 1) <= 0.01)
-        if not lab.quick:
-            lab.expect(f"CSM3, {n} x {m}, dt = {dt}: {what}, published", f"{published:.5g} +- 2 %",
-                       f"{found:.5g}, {percent(found, published)}", abs(found / published - 1) <= 0.02)
 
 
 def study(lab):

@@ -38,8 +38,8 @@ right = "periodic"
 bottom = "periodic"
 top = "periodic"
 [time]
-end = 4.0
-dt_max = 0.2
+end = 1.0
+dt_max = 0.05
 tolerance = 1e6
 """
 MOVING = '[[wave]]\nfield = "velocity_x"\namplitude = 0.05\nmode = [0, 0]\n'
@@ -103,7 +103,7 @@ def momentum(lab):
             last = drift[start, form, meshes[-1]]
             bound = 1e-2 if lab.quick and form == "potential" else 1e-3
             lab.expect(f"momentum, {start}, {form}: drift at {meshes[-1]} x {meshes[-1]}", f"<= {bound:g}", f"{last:.1e}", last <= bound)
-    lab.title("Drift of the momentum up to t = 4")
+    lab.title("Drift of the momentum up to t = 1")
     lab.table(("droplet", "form", *(f"{n} x {n}" for n in meshes)), rows, "momentum")
 
 
