@@ -23,9 +23,12 @@ double Newton::weighted_norm(const std::vector<FieldRange>& fields, const ConstA
 }
 
 void Newton::set_weights(const std::vector<FieldRange>& fields, const ConstArray& r) {
+  std::vector<double> size(fields.size());
+  for (std::size_t f = 0; f < fields.size(); ++f) size[f] = norm(part(r, fields[f].first, fields[f].last));
+  // A field that happens to start without residual is no measure: round-off of the others would outweigh them.
+  const double least = 1e-6 * *std::max_element(size.begin(), size.end());
   weight_.resize(fields.size());
-  for (std::size_t f = 0; f < fields.size(); ++f)
-    weight_[f] = 1 / std::max(norm(part(r, fields[f].first, fields[f].last)), fields[f].floor);
+  for (std::size_t f = 0; f < fields.size(); ++f) weight_[f] = 1 / std::max({size[f], fields[f].floor, least});
 }
 
 void Newton::scale_rows(const std::vector<FieldRange>& fields, const Array& r, int exponent) const {

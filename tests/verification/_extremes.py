@@ -99,6 +99,8 @@ RUNS = {
     "divergence form": soft("fluid.form=divergence"),
     "no checkerboard control": soft("fluid.stabilisation=0"),
     "checkerboard control 1": soft("fluid.stabilisation=1"),
+    "tight tolerances, gamma h, rigid": rigid("fluid.capillarity=1/64", "solver.newton.rtol=1e-10",
+                                              "solver.newton.atol=1e-14"),
     "smoothing 1e-12": soft("fluid.smoothing=1e-12"),
     "droplet touches a side": soft("droplet[0].centre=[0.155,0.125]"),
     "droplet cut by a side": soft("droplet[0].centre=[0.1,0.125]"),
