@@ -138,6 +138,16 @@ void check_load(const Checker& check, std::size_t index) {
   }
 }
 
+/// How far a droplet reaches from its centre. A cap on the interface has its circle's centre at -R cos(alpha) above it.
+double reach_along(const Checker& check, const Droplet& droplet, std::size_t axis) {
+  const double semi_axis = droplet.radius * (droplet.stretch.empty() ? 1.0 : droplet.stretch[axis]);
+  const double above = droplet.centre[check.vertical()] - check.interface();
+  if (std::abs(above) > slack * check.height()) return semi_axis;
+  const double angle = check.c.fluid->contact_angle * pi / 180;
+  if (axis == check.vertical()) return semi_axis * (1 - std::cos(angle));
+  return angle < pi / 2 ? semi_axis * std::sin(angle) : semi_axis;
+}
+
 void check_droplet(const Checker& check, std::size_t index) {
   const std::string centre = fmt::format("droplet[{}].centre", index),
                     radius = fmt::format("droplet[{}].radius", index);
@@ -156,23 +166,20 @@ void check_droplet(const Checker& check, std::size_t index) {
   for (std::size_t axis = 0; axis <= check.vertical(); ++axis) {
     const bool up = axis == check.vertical();
     const double bottom = up ? check.interface() : 0.0, top = check.c.domain.size[axis], x = droplet.centre[axis];
-    const double semi_axis = droplet.radius * (stretches == 0 ? 1.0 : droplet.stretch[axis]);
     if (x < bottom - slack * top || x > top * (1 + slack)) {
       check.refuse(centre, fmt::format("lies outside the fluid, which is [{}, {}] along axis {}", bottom, top, axis),
                    "move the centre; on the interface it becomes a cap");
     }
     if (check.periodic(axis)) continue;
-    // A cap on the interface has its circle's centre at -R cos(alpha) above it.
-    const bool cap = up && std::abs(x - bottom) <= slack * top;
-    const double reach = cap ? semi_axis * (1 - std::cos(check.c.fluid->contact_angle * pi / 180)) : semi_axis;
+    const double reach = reach_along(check, droplet, axis);
     // A centre on a slip side is half a droplet: the side is its plane of symmetry.
     const auto halved = [&](double side, std::size_t end) {
       return check.c.boundary.side[axis][end] == Side::slip && std::abs(x - side) <= slack * top;
     };
-    const bool out_below = !up && x - semi_axis < -slack * top && !halved(0, 0);
+    const bool out_below = !up && x - reach < -slack * top && !halved(0, 0);
     if (!out_below && (x + reach <= top * (1 + slack) || halved(top, 1))) continue;
     const std::string& side = side_name(axis, out_below ? 0 : 1, check.vertical());
-    const double room = (out_below ? x : (top - x) * semi_axis / reach) * droplet.radius / semi_axis;
+    const double room = (out_below ? x : top - x) * droplet.radius / reach;
     const std::string smaller = room > slack * top ? fmt::format("write a radius of at most {:.6g}, ", room) : "";
     check.refuse(radius, fmt::format("the droplet crosses the {} side of the domain", side.substr(side.find('.') + 1)),
                  smaller + "move the centre (on a slip side it is half a droplet), or make the side periodic");

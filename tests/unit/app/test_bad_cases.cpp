@@ -186,6 +186,10 @@ TEST(BadCases, WhatIsThereAtTheStartHasToFit) {
   tells(message_of(pull, {"fluid.initial=[0.1,1.0]"}), "(0, 0.999]");
   EXPECT_NO_THROW(parse_case(pull, "case.toml", {"droplet[0].centre=[0,0.125]"})) << "half a droplet on a slip side";
   EXPECT_NO_THROW(parse_case(pull, "case.toml", {"droplet[0].centre=[1,0.125]"}));
+  // A flat cap is narrower than its circle: R sin(30) = 0.4.
+  const std::vector<std::string> flat{"fluid.contact_angle=30", "droplet[0].radius=0.8"};
+  EXPECT_NO_THROW(parse_case(pull, "case.toml", flat));
+  tells(message_of(pull, {"fluid.contact_angle=30", "droplet[0].radius=1.01"}), "crosses the left side");
 }
 
 TEST(BadCases, OverridesAreNamedAsThePlace) {

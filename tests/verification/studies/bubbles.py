@@ -2,8 +2,8 @@
 
 Periodic unit square, theta = 0.85, viscosity gamma_hat/2, bubbles of radius 0.10, 0.15, 0.08 at (0.75, 0.50), (0.25, 0.50),
 (0.40, 0.75), densities 0.1 and 0.6 at the start: H. Gomez, T.J.R. Hughes, X. Nogueira, V.M. Calo, Isogeometric analysis of
-the isothermal Navier-Stokes-Korteweg equations, CMAME 199 (2010), and demo/NavierStokesKorteweg2D.c of PetIGA, which name no
-times of events. Energy here: int W + g^2/2 |grad rho|^2 + rho |v|^2/2 (the demo's has |v|^2/2 without the density, which no
+the isothermal Navier-Stokes-Korteweg equations, CMAME 199 (2010), and demo/NavierStokesKorteweg2D.c of PetIGA; the demo
+names no times of events, the text of the paper was not at hand. Energy here: int W + g^2/2 |grad rho|^2 + rho |v|^2/2 (the demo's has |v|^2/2 without the density, which no
 law makes fall). Known: it may only fall (no walls, no loads), mass and momentum are constant, and the vapour ends as one
 round bubble. The tanh of the start is that of the plane interface, a little wider than the demo's 2 gamma_hat.
 Counted at every field time: separate pieces of vapour (rho < (rho_v + rho_l)/2), across the periodic sides."""
