@@ -10,7 +10,7 @@ import _shape
 import numpy
 from plane_interface import PlaneInterface
 
-MINUTES = {"quick": 0.2, "full": 3}
+MINUTES = {"quick": 0.1, "full": 0.5}
 CASE = """# A standing sound wave in one phase, in a channel between slip sides.
 name = "sound"
 [domain]

@@ -12,7 +12,7 @@ import _measure
 import numpy
 from plane_interface import PlaneInterface
 
-MINUTES = {"quick": 0.5, "full": 20}
+MINUTES = {"quick": 0.1, "full": 2}
 CASE = """# Three bubbles of vapour in a periodic square of liquid, after Gomez et al. 2010.
 name = "three_bubbles"
 [domain]

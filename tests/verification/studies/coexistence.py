@@ -13,7 +13,7 @@ import _shape
 import numpy
 from plane_interface import PlaneInterface
 
-MINUTES = {"quick": 0.2, "full": 2}
+MINUTES = {"quick": 0.1, "full": 0.6}
 CASE = """# A liquid film on the left side, vapour on the right: one plane interface.
 name = "plane_interface"
 [domain]

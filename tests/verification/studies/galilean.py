@@ -8,7 +8,7 @@ after moving back by a whole number of elements, mass, and momentum (constant: n
 import _measure
 import numpy
 
-MINUTES = {"quick": 0.4, "full": 4}
+MINUTES = {"quick": 0.1, "full": 1}
 SPEED = 0.125
 CASE = """# A droplet in a periodic square with a uniform velocity.
 name = "carried_droplet"

@@ -13,7 +13,7 @@ import numpy
 from _measure import radial_droplet
 from plane_interface import PlaneInterface
 
-MINUTES = {"quick": 0.2, "full": 8}
+MINUTES = {"quick": 0.1, "full": 2}
 SIDE = 0.5
 CASE = """# A quarter of a droplet; left and bottom sides are planes of symmetry.
 name = "quarter_droplet"

@@ -14,7 +14,7 @@ import droplet_modes
 import numpy
 from _measure import radial_droplet
 
-MINUTES = {"quick": 0.4, "full": 8}
+MINUTES = {"quick": 0.2, "full": 3}
 RADIUS, VISCOSITY = 0.2, 3e-4
 CASE = """# A quarter of an elliptic droplet; left and bottom sides are planes of symmetry.
 name = "oscillation"
