@@ -16,7 +16,7 @@ import numpy
 import _measure
 import _shape
 
-MINUTES = {"quick": 0.1, "full": 1}
+MINUTES = {"quick": 0.1, "full": 0.3}
 CASE = """# A standing wave in a box of solid.
 name = "wave"
 [domain]

@@ -17,7 +17,7 @@ more and more; density and velocity must stay as they are."""
 import _measure
 import numpy
 
-MINUTES = {"quick": 0.5, "full": 6}
+MINUTES = {"quick": 1, "full": 6}
 TIGHT = ["solver.newton.rtol=1e-11", "solver.newton.atol=1e-12", "solver.krylov.rtol=1e-4"]
 FREE = """# A droplet between periodic sides: no wall.
 name = "periodic_droplet"
@@ -117,7 +117,9 @@ def energy(lab):
     orders = [numpy.log2(a / b) for a, b in zip(parts, parts[1:])]
     rows = [(dt, f"{part:.1e}", order and f"{order:.2f}") for dt, part, order in zip(steps, parts, ["", *orders])]
     lab.expect("energy, rigid wall: order of the balance in dt", "2 +- 0.3", f"{orders[-1]:.2f}, open {parts[-1]:.1e}",
-               abs(orders[-1] - 2) <= 0.3)
+               abs(orders[-1] - 2) <= 0.3,
+               "order 1: mostly the column dissipation, whose eps |grad mu|^2 is that of mu inside the step (mu has no history); "
+               "with fluid.stabilisation = 0 six times less is open at dt = 0.005")
     lab.title("Balance of the energy from t = 1 to 2")
     lab.text("Sum of what the steps leave open as a part of the dissipation; wall-energy law, rigid wall.")
     lab.table(("dt", "open", "order"), rows, "energy")

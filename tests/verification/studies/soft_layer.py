@@ -17,7 +17,7 @@ import _measure
 import numpy
 import scipy.interpolate
 
-MINUTES = {"quick": 0.4, "full": 6}
+MINUTES = {"quick": 0.4, "full": 15}
 LENGTH, HEIGHT, POISSON, YOUNG = 0.5, 0.125, 0.45, 0.7554
 CASE = """# Half a droplet at rest; the left side is its plane of symmetry.
 name = "{name}"
