@@ -32,7 +32,7 @@ Array piece_of(const Array& a, int first, int count) {
 
 template <int D, int P>
 GeneralizedAlpha<D, P>::GeneralizedAlpha(const Model<D, P>& model, double rho_inf)
-    : model_(model), alpha_(rho_inf), work_("work", model.layout().size()) {
+    : model_(model), scheme_(rho_inf), alpha_(rho_inf), work_("work", model.layout().size()) {
   const Layout<D>& l = model.layout();
   stage_.unknown = Array("stage.unknown", l.size());
   stage_.acceleration = Array("stage.acceleration", l.velocity_size());
@@ -42,7 +42,8 @@ GeneralizedAlpha<D, P>::GeneralizedAlpha(const Model<D, P>& model, double rho_in
 }
 
 template <int D, int P>
-void GeneralizedAlpha<D, P>::begin(const State& state, double dt) {
+void GeneralizedAlpha<D, P>::begin(const State& state, double dt, Rates rates) {
+  alpha_ = rates == Rates::known ? scheme_ : AlphaParameters::backward_euler();
   start_ = state;
   dt_ = dt;
   stage_.time = state.time + alpha_.af * dt;

@@ -11,7 +11,18 @@ struct AlphaParameters {
   double am, af, ga;
   explicit AlphaParameters(double rho_inf)
       : am((3 - rho_inf) / (2 * (1 + rho_inf))), af(1 / (1 + rho_inf)), ga(0.5 + am - af) {}
+
+  /// am = af = ga = 1: uses no rate of the state it starts from.
+  static AlphaParameters backward_euler() {
+    AlphaParameters a(1);
+    a.am = a.af = a.ga = 1;
+    return a;
+  }
 };
+
+/// Whether the rates v', u', p' of a state are those of the equations. Those of a first state are not: v' = 0 would leave
+/// an error of first order in the step for good, one step of backward Euler does not.
+enum class Rates { known, unknown };
 
 /// The algebraic system of one step. Unknowns are v and rho at n + af and mu; displacement is eliminated:
 ///   v'_{n+am} = (1 - am/ga) v'_n + am/(ga dt af) (v_{n+af} - v_n)
@@ -22,11 +33,11 @@ class GeneralizedAlpha {
  public:
   GeneralizedAlpha(const Model<D, P>& model, double rho_inf);
 
-  /// Moments and rates of a state given by its unknowns and displacements alone: v' = u' = 0, p = M rho, p' = -F.
+  /// Moments and rates of a state given by its unknowns and displacements alone: v' = 0, u' = v, p = M rho, p' = -F.
   void initialise(State& state);
 
-  /// Starts a step from `state` to state.time + dt.
-  void begin(const State& state, double dt);
+  /// Starts a step from `state` to state.time + dt; with unknown rates it is one of backward Euler.
+  void begin(const State& state, double dt, Rates rates = Rates::known);
 
   void residual(const Array& x, const Array& r);
   /// dR/dx z at the point of the last residual.
@@ -51,7 +62,7 @@ class GeneralizedAlpha {
   void match_mass(const State& state) const;
 
   const Model<D, P>& model_;
-  AlphaParameters alpha_;
+  AlphaParameters scheme_, alpha_;  ///< of rho_inf, and of the current step
   Stage stage_;
   State start_;
   Array work_;

@@ -112,7 +112,9 @@ template <int D, int P>
 std::vector<FieldRange> Stepper<D, P>::fields() const {
   const Layout<D>& l = model_.layout();
   const double atol = newton_control_.atol, rate = integrator_.stage().rate_scale;
-  std::vector<FieldRange> f{{0, l.velocity_size(), atol * volume_norm_ * std::max(rate, 1.0)}};
+  const SaintVenantKirchhoff& solid = model_.solid().material;
+  const double stiffness = l.has_solid ? solid.lambda + 2 * solid.shear_modulus : 0;
+  std::vector<FieldRange> f{{0, l.velocity_size(), atol * volume_norm_ * std::max({rate, 1.0, stiffness})}};
   if (l.has_fluid) {
     f.push_back({l.density_offset(), l.potential_offset(), atol * volume_norm_ * std::max(rate, 1e-2)});
     f.push_back({l.potential_offset(), l.size(), atol * volume_norm_});
@@ -157,6 +159,7 @@ template <int D, int P>
 double Stepper<D, P>::indicator(double dt) const {
   if (previous_dt_ <= 0) return 0;
   const Layout<D>& l = model_.layout();
+  move_ghosts(l, x_, GhostAction::update);  // the predictor masks them
   // x - [y_n + f (y_n - y_{n-1})], f = af dt / dt_n
   const Array difference = predicted_;
   const double f = dt / integrator_.stage().end_scale / previous_dt_;
@@ -173,7 +176,7 @@ double Stepper<D, P>::indicator(double dt) const {
 
 template <int D, int P>
 NewtonResult Stepper<D, P>::solve(double dt) {
-  integrator_.begin(state_, dt);
+  integrator_.begin(state_, dt, previous_dt_ > 0 ? Rates::known : Rates::unknown);
   predict(dt);
   const NonlinearSystem system{[this](const Array& x, const Array& r) { integrator_.residual(x, r); },
                                [this](const Array& z, const Array& out, Geometry g) { integrator_.product(z, out, g); },
