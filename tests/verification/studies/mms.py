@@ -80,17 +80,21 @@ def show(lab, name, title, columns, sizes, found):
     lab.plot(name, draw)
 
 
+COARSE = ("the finest mesh of degree 3 that one core computes in minutes has 12 elements, 6 in each material; whether the order "
+          "rises beyond was not measured")
+
 # scene, dimension, degree, elements of quick and full form, what is computed
 SPACE = [
     ("fluid", 2, 2, (16, 32, 64), (16, 32, 64, 128), {"dt": 0.1, "end": 0.4, "stabilisation": 0}),
-    ("fluid", 2, 3, None, (24, 36, 54, 81), {"dt": 0.1, "end": 0.4, "stabilisation": 0}),
+    ("fluid", 2, 3, None, (24, 36, 56, 80), {"dt": 0.1, "end": 0.4, "stabilisation": 0}),
     ("solid", 2, 2, (16, 32, 48), (16, 32, 64, 128), {"dt": 0.1, "end": 0.4}),
     ("solid", 2, 3, (12, 24, 36), (12, 24, 48, 72), {"dt": 0.1, "end": 0.4}),
     ("coupled", 2, 2, (16, 24, 32), (16, 32, 48, 64), {"dt": 0.02, "end": 0.2, "rho_inf": 1}),
     ("coupled", 2, 3, None, (16, 24, 32, 40), {"dt": 0.02, "end": 0.2, "rho_inf": 1}),
-    ("solid", 3, 2, None, (4, 6, 8, 12), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
-    ("coupled", 3, 2, None, (4, 6, 8, 12), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
-    ("coupled", 3, 3, None, (4, 6, 8), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
+    ("solid", 3, 2, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
+    ("coupled", 3, 2, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
+    ("solid", 3, 3, None, (4, 8, 12), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
+    ("coupled", 3, 3, None, (8, 12), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
 ]
 
 
@@ -110,15 +114,12 @@ def space(lab, measurement):
 def judge_space(lab, title, dimension, degree, sizes, found):
     for field, errors in found.items():
         observed = orders(sizes, errors)
-        what = f"{title}: order of {NAMES[field]} over h"
-        if dimension == 2 and field in ("velocity", "displacement"):
-            lab.expect(what, f"{degree + 1} +- {TOLERANCE}", text_of(observed), within(observed, degree + 1))
-        elif field != "potential":
-            lab.expect(what, f"{degree + 1} - {TOLERANCE} or more", text_of(observed),
-                       min(observed) >= degree + 1 - TOLERANCE)
-        else:
-            lab.expect(what, f"{degree - 1} - {TOLERANCE} or more", text_of(observed),
-                       min(observed) >= degree - 1 - TOLERANCE)
+        lowest = degree - 1 if field == "potential" else degree + 1
+        exact = dimension == 2 and field in ("velocity", "displacement")
+        asked = f"{lowest} +- {TOLERANCE}" if exact else f"{lowest - TOLERANCE:g} or more"
+        lab.expect(f"{title}: order of {NAMES[field]} over h", asked, text_of(observed),
+                   within(observed, lowest) if exact else min(observed) >= lowest - TOLERANCE,
+                   cause=COARSE if (dimension, degree) == (3, 3) else "")
 
 
 def control(lab, measurement):
@@ -161,7 +162,9 @@ def study(lab):
              "mesh. On a moving one rho J is not linear in time; rho_inf = 1 and a small step keep that error below the "
              "error of space. The solid starts undeformed: the interpolant of a deformation differs from the discrete "
              "equilibrium by order p + 1 in displacement but sets off waves of order p in velocity. The meshes of 3D are "
-             "coarse: their orders are still above p + 1 and are asked not to be below.")
+             "coarse: most orders are still above p + 1 and are asked not to be below. Meshes of one table keep the number of "
+             "element rows of each material even (3D) or all numbers even: the potential's error differs between even and "
+             "odd numbers of elements, because the wave of the mesh that it does not control fits one and not the other.")
     space(lab, measurement)
     if not lab.quick:
         control(lab, measurement)
