@@ -9,8 +9,9 @@ wall-energy law on a rigid wall an energy that grows."""
 import numpy
 
 import _extremes as matrix
+import _lab
 
-MINUTES = {"quick": 1, "full": 30}
+MINUTES = {"quick": 0.5, "full": 10}
 LIMIT = 600  # seconds for a run
 
 
@@ -48,7 +49,7 @@ def broken_laws(label, run):
 def verdict(label, run):
     """(verdict, reason)"""
     if run.code == 1:
-        return "refused", run.message.strip().splitlines()[-1].split("error: ")[-1]
+        return "refused", run.message.strip().splitlines()[-1].split("error: ")[-1].replace(f"{_lab.ROOT}/", "")
     if run.code not in (0, 2) or not (run.folder / "checkpoint.h5").exists():
         return "FAILS", f"exit code {run.code}: {run.message.strip()[-150:]}"
     if not finite(run):
