@@ -78,9 +78,7 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   for (int i = 0; i < 40; ++i) stepper.step();
   GeneralizedAlpha<D, P>& scheme = stepper.integrator();
   const Array r("r", scheme.size()), z("z", scheme.size());
-  const Product frozen = [&](const Array& direction, const Array& result) {
-    scheme.product(direction, result, Geometry::frozen);
-  };
+  const Jacobian frozen = [&](const StencilValues& values) { scheme.jacobian(values); };
   Gmres gmres(scheme.size(), 200);
   for (const std::string& name : preconditioner_names()) {
     const auto preconditioner = choose_preconditioner<D>(name, model.layout(), model.mask());
@@ -127,7 +125,8 @@ void bench_model(const Case& c, std::ostream& out) {
                 1e-9 * counted_flops(c, fluid, solid) / residual / thread_count());
   sheet.line("residual", residual, flops);
   sheet.line("product, exact", seconds_per_call([&] { scheme.product(z, r, Geometry::exact); }));
-  sheet.line("product, frozen geometry", seconds_per_call([&] { scheme.product(z, r, Geometry::frozen); }));
+  const StencilValues values("jacobian", Stencil<D>(layout).size());
+  sheet.line("Jacobian as a matrix", seconds_per_call([&] { scheme.jacobian(values); }));
   bench_terms(sheet, model, scheme.stage(), z, r);
   sheet.line("dot", seconds_per_call([&] { dot(z, r); }));
 

@@ -1,7 +1,7 @@
 // Ghost control points of periodic axes: the only place that moves data between parts of a vector.
 #pragma once
 
-#include "field/layout.hpp"
+#include "field/stencil.hpp"
 
 namespace softwet {
 
@@ -86,6 +86,38 @@ void move_ghosts(const Layout<D>& layout, const Array& vector, GhostAction actio
       Kokkos::parallel_for("softwet::ghosts", Kokkos::RangePolicy<Exec>(0, items),
                            MoveGhosts<D>{{box, d, axis.owned()}, vector, action});
     }
+  }
+}
+
+template <int D>
+struct FoldGhosts {
+  GhostPair<D> pair;
+  StencilValues values;
+  int ghosts, points;
+  KOKKOS_FUNCTION void operator()(std::int64_t item) const {
+    int ghost = 0, own = 0;
+    pair(static_cast<int>(item % ghosts), ghost, own);
+    const std::int64_t entry = item / ghosts * points;
+    values(entry + own) += values(entry + ghost);
+    values(entry + ghost) = 0;
+  }
+};
+
+/// Adds the rows of ghosts to those of the control points they repeat.
+template <int D>
+void fold_ghosts(const Layout<D>& layout, const Stencil<D>& stencil, const StencilValues& values) {
+  using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
+  for (int d = 0; d < D; ++d) {
+    const Axis& axis = layout.axis[d];
+    if (!axis.periodic()) continue;
+    Box<D> box;
+    int ghosts = axis.functions() - axis.owned();
+    for (int e = 0; e < D; ++e) {
+      box.extent[e] = stencil.extent[e];
+      ghosts *= e == d ? 1 : stencil.extent[e];
+    }
+    Kokkos::parallel_for("softwet::fold_ghosts", Policy(0, stencil.size() / stencil.points * ghosts),
+                         FoldGhosts<D>{{box, d, axis.owned()}, values, ghosts, stencil.points});
   }
 }
 

@@ -217,6 +217,15 @@ void Model<D, P>::product(const Stage& stage, const Array& direction, const Arra
   multiply(direction, mask_);
 }
 
+template <int D, int P>
+void Model<D, P>::jacobian(const Stage& stage, const StencilValues& values) const {
+  Kokkos::deep_copy(Exec(), values, 0.0f);
+  const Stencil<D> stencil(layout_);
+  for (const auto& piece : pieces_)
+    piece->jacobian({layout_, stage, {}, stage.unknown, Geometry::frozen}, stencil, values);
+  fold_ghosts(layout_, stencil, values);
+}
+
 template class Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 
 }  // namespace softwet

@@ -54,6 +54,9 @@ class Model {
   void reactions(const Stage&, const Array& out) const;
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen.
   void product(const Stage&, const Array& direction, const Array& out, Geometry) const;
+  /// values = dR/d(unknown) with the geometry frozen, of the form without blended traction; prescribed values count as
+  /// free here, and rows of ghosts are empty.
+  void jacobian(const Stage&, const StencilValues& values) const;
 
   Integrals integrals(const Stage&) const;
   /// Power of the loads on a velocity field at a time.

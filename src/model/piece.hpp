@@ -8,6 +8,7 @@
 #include "kernels/solid/elastodynamics.hpp"
 #include "model/geometry.hpp"
 #include "operator/assemble.hpp"
+#include "operator/jacobian.hpp"
 
 namespace softwet {
 
@@ -96,6 +97,8 @@ class Piece {
   virtual ~Piece() = default;
   virtual void residual(const Binding<D>&) const = 0;
   virtual void product(const Binding<D>&) const = 0;
+  /// Adds the Jacobian with frozen geometry; the binding has no tangent.
+  virtual void jacobian(const Binding<D>&, const Stencil<D>&, const StencilValues&) const = 0;
   virtual const char* name() const = 0;
   virtual const Region<D>& region() const = 0;
 };
@@ -108,6 +111,9 @@ class PieceOf final : public Piece<D> {
 
   void residual(const Binding<D>& b) const override { assemble<P, QL, false>(task(b)); }
   void product(const Binding<D>& b) const override { assemble<P, QL, true>(task(b)); }
+  void jacobian(const Binding<D>& b, const Stencil<D>& stencil, const StencilValues& values) const override {
+    assemble_jacobian<P, QL>(task(b), stencil, values, components_.test, components_.trial);
+  }
   const char* name() const override { return name_; }
   const Region<D>& region() const override { return region_; }
 

@@ -31,12 +31,11 @@ void for_level(const std::vector<int>& level, const Body& body) {
 }
 
 template <int D>
-class BlockLu final : public Preconditioner {
+class BlockLu final : public StencilSolver<D> {
  public:
   BlockLu(const Layout<D>& layout, const ConstArray& mask)
-      : matrix_(layout, mask),
-        mask_(to_host(mask)),
-        tree_(dissect(layout, mask_, matrix_, D == 2 ? 40 : 64)),
+      : table_(layout, to_host(mask)),
+        tree_(dissect(layout, table_, D == 2 ? 40 : 64)),
         fronts_(tree_.nodes.size()),
         row_scale_(layout.size()),
         column_scale_(layout.size()),
@@ -48,11 +47,12 @@ class BlockLu final : public Preconditioner {
       if (tree_.nodes[n].depth <= depth) (tree_.nodes[n].depth == depth ? subtrees_ : top_).push_back(n);
   }
 
-  void build(const Product& product) override {
-    matrix_.fill(product);
+  void build(const StencilMatrix<D>& matrix) override {
+    entries_ = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), matrix.values());
     equilibrate();
     for (auto level = tree_.levels.rbegin(); level != tree_.levels.rend(); ++level)
       for_level(*level, [&](int n) { factorise(n); });
+    entries_ = {};
   }
 
   void apply(const ConstArray& r, const Array& z) override {
@@ -74,30 +74,34 @@ class BlockLu final : public Preconditioner {
   std::string name() const override { return "lu"; }
 
   double bytes() const override {
-    double entries = 0;
+    double entries = 0, places = 0;
     for (const DissectionNode& node : tree_.nodes) {
       const double own = node.own.size(), border = node.border.size();
       entries += own * (own + 2 * border);
+      places += node.entries.size();
     }
-    return 4 * entries + 24.0 * matrix_.values().size();  // factors; matrix and where its entries go
+    return 4 * entries + sizeof(DissectionNode::Entry) * places;  // factors; where the entries of the matrix go
   }
 
  private:
   /// Row and column factors that bring the largest entry of each to one.
   void equilibrate() {
-    const int n = matrix_.size();
-    const auto& start = matrix_.start();
-    const auto& row = matrix_.row();
-    const auto& value = matrix_.values();
-    std::vector<double> largest(n, 0.0);
-    for (int c = 0; c < n; ++c)
-      for (int e = start[c]; e < start[c + 1]; ++e) largest[row[e]] = std::max(largest[row[e]], std::abs(value[e]));
-    for (int i = 0; i < n; ++i) row_scale_[i] = largest[i] > 0 ? 1 / largest[i] : 1;
-    for (int c = 0; c < n; ++c) {
-      double most = 0;
-      for (int e = start[c]; e < start[c + 1]; ++e) most = std::max(most, std::abs(value[e]) * row_scale_[row[e]]);
-      column_scale_[c] = most > 0 ? 1 / most : 1;
-    }
+    std::vector<double> largest(row_scale_.size(), 0.0);
+    const auto visit = [&](const auto& body) {
+      for (const DissectionNode& node : tree_.nodes)
+        for (const DissectionNode::Entry& e : node.entries)
+          body(unknown(node, e.row), unknown(node, e.column), std::abs(entries_(e.value)));
+    };
+    visit([&](int row, int, double size) { largest[row] = std::max(largest[row], size); });
+    for (std::size_t i = 0; i < largest.size(); ++i) row_scale_[i] = largest[i] > 0 ? 1 / largest[i] : 1;
+    std::fill(largest.begin(), largest.end(), 0.0);
+    visit([&](int row, int column, double size) { largest[column] = std::max(largest[column], size * row_scale_[row]); });
+    for (std::size_t i = 0; i < largest.size(); ++i) column_scale_[i] = largest[i] > 0 ? 1 / largest[i] : 1;
+  }
+
+  static int unknown(const DissectionNode& node, int local) {
+    const int own = static_cast<int>(node.own.size());
+    return local < own ? node.own[local] : node.border[local - own];
   }
 
   void factorise(int n) {
@@ -105,10 +109,9 @@ class BlockLu final : public Preconditioner {
     Front& front = fronts_[n];
     const int own = static_cast<int>(node.own.size()), border = static_cast<int>(node.border.size());
     Dense f = Dense::Zero(own + border, own + border);
-    const auto unknown = [&](int i) { return i < own ? node.own[i] : node.border[i - own]; };
-    for (const DissectionNode::Entry& e : node.entries)
-      f(e.row, e.column) =
-          static_cast<float>(matrix_.values()[e.value] * row_scale_[unknown(e.row)] * column_scale_[unknown(e.column)]);
+    for (const DissectionNode::Entry& e : node.entries)  // += : around a short periodic axis offsets coincide
+      f(e.row, e.column) += static_cast<float>(entries_(e.value) * row_scale_[unknown(node, e.row)] *
+                                               column_scale_[unknown(node, e.column)]);
     for (int child : node.children) {
       const std::vector<int>& to = tree_.nodes[child].border_in_parent;
       Dense& s = fronts_[child].complement;
@@ -165,8 +168,8 @@ class BlockLu final : public Preconditioner {
     for (int i = 0; i < own; ++i) values_[node.own[i]] = head[i] * column_scale_[node.own[i]];
   }
 
-  StencilMatrix<D> matrix_;
-  std::vector<double> mask_;
+  UnknownTable<D> table_;
+  Kokkos::View<const float*, Kokkos::HostSpace> entries_;  ///< of the matrix, during a build
   Dissection tree_;
   std::vector<Front> fronts_;
   std::vector<int> subtrees_, top_;  ///< roots of subtrees that are solved in parallel, and the nodes above them
@@ -176,11 +179,11 @@ class BlockLu final : public Preconditioner {
 }  // namespace
 
 template <int D>
-std::unique_ptr<Preconditioner> make_block_lu(const Layout<D>& layout, const ConstArray& mask) {
+std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask) {
   return std::make_unique<BlockLu<D>>(layout, mask);
 }
 
-template std::unique_ptr<Preconditioner> make_block_lu<2>(const Layout<2>&, const ConstArray&);
-template std::unique_ptr<Preconditioner> make_block_lu<3>(const Layout<3>&, const ConstArray&);
+template std::unique_ptr<StencilSolver<2>> make_block_lu<2>(const Layout<2>&, const ConstArray&);
+template std::unique_ptr<StencilSolver<3>> make_block_lu<3>(const Layout<3>&, const ConstArray&);
 
 }  // namespace softwet

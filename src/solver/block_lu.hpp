@@ -10,6 +10,6 @@ namespace softwet {
 /// parallel. The arithmetic does not depend on the number of threads. A preconditioner, not a solver: GMRES mends what
 /// single precision leaves.
 template <int D>
-std::unique_ptr<Preconditioner> make_block_lu(const Layout<D>& layout, const ConstArray& mask);
+std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask);
 
 }  // namespace softwet

@@ -17,15 +17,18 @@ inline std::vector<std::string> preconditioner_names() {
 #endif
 }
 
-/// automatic: the fastest whole run as measured (README): block LU in 2D. umfpack: the same matrix factorised by the
-/// library, in double precision.
+/// automatic: the fastest whole run as measured (README): block LU in 2D and for small scenes in 3D, else two-level
+/// Schwarz. umfpack: the matrix factorised by the library, in double precision.
 template <int D>
 std::unique_ptr<Preconditioner> choose_preconditioner(const std::string& name, const Layout<D>& layout,
                                                       const ConstArray& mask) {
   if (name == "none") return std::make_unique<NoPreconditioner>();
-  if (name == "schwarz") return make_schwarz<D>(layout, mask, {});
-  if (name == "umfpack") return make_sparse_lu<D>(layout, mask);
-  return make_block_lu<D>(layout, mask);
+  const auto assembled = [&](auto solver) { return std::make_unique<Assembled<D>>(layout, mask, std::move(solver)); };
+  constexpr int small_in_3d = 20000;
+  const bool schwarz = name == "schwarz" || (name == "automatic" && D == 3 && layout.size() > small_in_3d);
+  if (schwarz) return assembled(make_schwarz<D>(layout, mask, SchwarzControl::for_dimension(D)));
+  if (name == "umfpack") return assembled(make_sparse_lu<D>(layout, mask));
+  return assembled(make_block_lu<D>(layout, mask));
 }
 
 }  // namespace softwet

@@ -9,30 +9,27 @@ namespace {
 using Sizes = Kokkos::View<const int*, Exec>;
 using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Host: with A = D^-1 B (rows of B scaled to 1), rows of A^-1 are solutions of B^T y = e_row, scaled by D.
+/// Host: with rows scaled to 1, A = D^-1 B; the transpose of A^-1 is D B^-T.
 struct InvertOnHost {
   DenseBlocks blocks;
-  Sizes size, core;
-  DenseBlocks inverse;
+  Sizes size;
 
   void operator()(int b) const {
-    const int n = size(b), m = core(b);
+    const int n = size(b);
     if (n == 0) return;
     using Strided = Eigen::Map<RowMajor, 0, Eigen::OuterStride<>>;
     Strided a(&blocks(b, 0, 0), n, n, Eigen::OuterStride<>(blocks.extent(2)));
-    Strided out(&inverse(b, 0, 0), n, m, Eigen::OuterStride<>(inverse.extent(2)));
     const Eigen::VectorXf scale = a.rowwise().lpNorm<Eigen::Infinity>().cwiseMax(1e-30f).cwiseInverse();
     const Eigen::MatrixXf transposed = (scale.asDiagonal() * a).transpose();
     const Eigen::PartialPivLU<Eigen::MatrixXf> lu(transposed);
-    out = scale.asDiagonal() * lu.solve(Eigen::MatrixXf::Identity(n, m));
+    a = scale.asDiagonal() * lu.inverse();
   }
 };
 
 /// Device: Gauss-Jordan elimination in place with row pivoting, one team per block.
 struct InvertOnDevice {
   DenseBlocks blocks;
-  Sizes size, core;
-  DenseBlocks inverse;
+  Sizes size;
   Kokkos::View<int**, Exec> pivots;
   using Team = Kokkos::TeamPolicy<Exec>::member_type;
 
@@ -92,27 +89,29 @@ struct InvertOnDevice {
         });
       team.team_barrier();
     }
-    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, core(b)), [&](int i) {
-      Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, n), [&](int j) { inverse(b, j, i) = blocks(b, i, j); });
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, n), [&](int i) {
+      Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, i), [&](int j) {
+        const float keep = blocks(b, i, j);
+        blocks(b, i, j) = blocks(b, j, i);
+        blocks(b, j, i) = keep;
+      });
     });
   }
 };
 
 }  // namespace
 
-void invert_core_rows_by_teams(const DenseBlocks& blocks, const Sizes& size, const Sizes& core,
-                               const DenseBlocks& inverse) {
+void invert_by_teams(const DenseBlocks& blocks, const Sizes& size) {
   const int count = static_cast<int>(blocks.extent(0));
   const Kokkos::View<int**, Exec> pivots("pivots", count, blocks.extent(1));
   Kokkos::parallel_for("softwet::invert", Kokkos::TeamPolicy<Exec>(count, on_host ? 1 : 8, on_host ? 1 : 32),
-                       InvertOnDevice{blocks, size, core, inverse, pivots});
+                       InvertOnDevice{blocks, size, pivots});
 }
 
-void invert_core_rows(const DenseBlocks& blocks, const Sizes& size, const Sizes& core, const DenseBlocks& inverse) {
-  if (!on_host) return invert_core_rows_by_teams(blocks, size, core, inverse);
+void invert(const DenseBlocks& blocks, const Sizes& size) {
+  if (!on_host) return invert_by_teams(blocks, size);
   using Host = Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
-  Kokkos::parallel_for("softwet::invert", Host(0, blocks.extent(0)).set_chunk_size(1),
-                       InvertOnHost{blocks, size, core, inverse});
+  Kokkos::parallel_for("softwet::invert", Host(0, blocks.extent(0)).set_chunk_size(1), InvertOnHost{blocks, size});
 }
 
 }  // namespace softwet

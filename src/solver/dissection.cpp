@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "solver/colours.hpp"
-
 namespace softwet {
 
 namespace {
@@ -97,8 +95,9 @@ std::vector<int> elimination_order(const Dissection& tree, int size) {
   return position;
 }
 
-void find_border(Dissection& tree, int index, const std::vector<int>& position, const std::vector<int>& start,
-                 const std::vector<int>& row) {
+template <int D>
+void find_border(Dissection& tree, int index, const std::vector<int>& position, const Stencil<D>& stencil,
+                 const UnknownTable<D>& table) {
   DissectionNode& node = tree.nodes[index];
   if (node.own.empty() && node.children.empty()) return;
   int last = -1;
@@ -107,8 +106,9 @@ void find_border(Dissection& tree, int index, const std::vector<int>& position, 
     for (int unknown : tree.nodes[child].own) last = std::max(last, position[unknown]);
   std::vector<int>& border = node.border;
   for (int unknown : node.own)
-    for (int e = start[unknown]; e < start[unknown + 1]; ++e)
-      if (position[row[e]] > last) border.push_back(row[e]);
+    for_column(stencil, table, unknown, [&](int row, std::int64_t) {
+      if (position[row] > last) border.push_back(row);
+    });
   for (int child : node.children)
     for (int unknown : tree.nodes[child].border)
       if (position[unknown] > last) border.push_back(unknown);
@@ -119,30 +119,25 @@ void find_border(Dissection& tree, int index, const std::vector<int>& position, 
 }  // namespace
 
 template <int D>
-Dissection dissect(const Layout<D>& layout, const std::vector<double>& mask, const StencilMatrix<D>& matrix, int leaf) {
-  int points = 1;
-  for (const Axis& axis : layout.axis) points *= axis.functions();
-  std::vector<std::vector<int>> unknowns_at(points);
-  const std::vector<int> point = make_colours(layout, mask).point;
-  for (int i = 0; i < layout.size(); ++i) {
-    int index = 0;
-    for (int d = D - 1; d >= 0; --d) index = index * layout.axis[d].functions() + point[3 * i + d];
-    if (mask[i] != 0) unknowns_at[index].push_back(i);
-  }
+Dissection dissect(const Layout<D>& layout, const UnknownTable<D>& table, int leaf) {
+  const Stencil<D> stencil(layout);
+  std::vector<std::vector<int>> unknowns_at(stencil.points);
+  for (int i = 0; i < layout.size(); ++i)
+    if (table.component(i) >= 0) unknowns_at[table.point(i)].push_back(i);
   Dissection tree = Builder<D>(layout, std::move(unknowns_at), leaf).build();
   const std::vector<int> position = elimination_order(tree, layout.size());
   std::vector<int> local(layout.size(), -1);
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
-    find_border(tree, static_cast<int>(n), position, matrix.start(), matrix.row());
+    find_border(tree, static_cast<int>(n), position, stencil, table);
     DissectionNode& node = tree.nodes[n];
     const int own = static_cast<int>(node.own.size());
     for (int i = 0; i < own; ++i) local[node.own[i]] = i;
     for (std::size_t i = 0; i < node.border.size(); ++i) local[node.border[i]] = own + static_cast<int>(i);
     const auto add_column = [&](int column, bool own_rows_only) {
-      for (int e = matrix.start()[column]; e < matrix.start()[column + 1]; ++e) {
-        const int r = local[matrix.row()[e]];
-        if (r >= 0 && (!own_rows_only || r < own)) node.entries.push_back({e, r, local[column]});
-      }
+      for_column(stencil, table, column, [&](int row, std::int64_t value) {
+        const int r = local[row];
+        if (r >= 0 && (!own_rows_only || r < own)) node.entries.push_back({value, r, local[column]});
+      });
     };
     for (int column : node.own) add_column(column, false);
     for (int column : node.border) add_column(column, true);
@@ -156,7 +151,7 @@ Dissection dissect(const Layout<D>& layout, const std::vector<double>& mask, con
   return tree;
 }
 
-template Dissection dissect<2>(const Layout<2>&, const std::vector<double>&, const StencilMatrix<2>&, int);
-template Dissection dissect<3>(const Layout<3>&, const std::vector<double>&, const StencilMatrix<3>&, int);
+template Dissection dissect<2>(const Layout<2>&, const UnknownTable<2>&, int);
+template Dissection dissect<3>(const Layout<3>&, const UnknownTable<3>&, int);
 
 }  // namespace softwet

@@ -17,7 +17,8 @@ struct DissectionNode {
   std::vector<int> children;
   std::vector<int> border_in_parent;  ///< local number of each border unknown in the parent
   struct Entry {
-    int value, row, column;  ///< index into the matrix values, local row, local column
+    std::int64_t value;  ///< index into the matrix values
+    int row, column;     ///< local
   };
   std::vector<Entry> entries;  ///< matrix entries with a row or column among `own`, and none eliminated
 };
@@ -31,6 +32,6 @@ struct Dissection {
 /// Cuts the box of control points recursively by slabs of `degree` points, which no matrix entry crosses, until boxes
 /// hold at most `leaf` control points. All fields of a control point stay together. George 1973.
 template <int D>
-Dissection dissect(const Layout<D>&, const std::vector<double>& mask, const StencilMatrix<D>&, int leaf);
+Dissection dissect(const Layout<D>&, const UnknownTable<D>&, int leaf);
 
 }  // namespace softwet

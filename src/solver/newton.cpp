@@ -42,7 +42,7 @@ void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl
                               const Array& z, const Array& out) {
   Stopwatch watch(counts_.product_seconds);
   ++counts_.products;
-  if (control.jacobian == JacobianKind::exact) return system.product(z, out, Geometry::exact);
+  if (control.jacobian == JacobianKind::exact) return system.product(z, out);
   const double size = norm(z);
   const double epsilon = size > 0 ? 1e-7 * (1 + norm(x)) / size : 1.0;
   Kokkos::deep_copy(Exec(), probe_, x);
@@ -120,7 +120,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     if (rebuild_) {
       Stopwatch watch(counts_.build_seconds);
       ++counts_.builds;
-      preconditioner_->build([&](const Array& z, const Array& out) { system.product(z, out, Geometry::frozen); });
+      preconditioner_->build(system.jacobian);
       built_dt_ = dt;
       rebuild_ = false;
     }

@@ -1,54 +1,82 @@
 #include "solver/patches.hpp"
 
-#include "solver/colours.hpp"
-
 #include <algorithm>
 
 namespace softwet {
 
+namespace {
+
+/// First control points of the boxes of one axis.
+std::vector<int> box_starts(const Axis& axis, int width, int stride) {
+  const int n = axis.owned(), span = axis.periodic() ? n : n - width;
+  if (width >= n) return {0};
+  const int boxes = axis.periodic() ? (n + stride - 1) / stride : 1 + (span + stride - 1) / stride;
+  std::vector<int> start;
+  for (int b = 0; b < boxes; ++b) start.push_back(axis.periodic() ? b * n / boxes : b * span / (boxes - 1));
+  return start;
+}
+
+}  // namespace
+
 template <int D>
-PatchTables make_patches(const Layout<D>& layout, const std::vector<double>& mask, int core, int overlap) {
-  int boxes_of[D], total = 1;
-  for (int d = 0; d < D; ++d) {
-    boxes_of[d] = std::max(1, (layout.axis[d].owned() + core / 2) / core);
-    total *= boxes_of[d];
-  }
-  // Boxes of an axis whose core (overlap 0) or whole holds control point i, periodically.
-  const auto holds = [&](int d, int box, int i, int reach) {
-    const Axis& axis = layout.axis[d];
-    const int n = axis.owned(), first = box * n / boxes_of[d] - reach, last = (box + 1) * n / boxes_of[d] + reach;
-    if (i >= first && i < last) return true;
-    return axis.periodic() && ((i + n >= first && i + n < last) || (i - n >= first && i - n < last));
-  };
-  std::vector<std::vector<int>> inner(total), outer(total);
-  for_unknowns(layout, [&](int unknown, int, const int* point) {
-    if (mask[unknown] == 0) return;
-    for (int b = 0; b < total; ++b) {
-      bool in_core = true, in_box = true;
-      for (int d = 0, rest = b; d < D; ++d) {
-        in_core = in_core && holds(d, rest % boxes_of[d], point[d], 0);
-        in_box = in_box && holds(d, rest % boxes_of[d], point[d], overlap);
-        rest /= boxes_of[d];
-      }
-      if (in_box) (in_core ? inner : outer)[b].push_back(unknown);
-    }
-  });
+PatchTables make_patches(const Layout<D>& layout, const UnknownTable<D>& table, int width, int stride) {
+  const Stencil<D> stencil(layout);
+  std::vector<int> starts[D];
   PatchTables t;
-  t.count = total;
-  for (int b = 0; b < total; ++b) {
-    t.core.push_back(static_cast<int>(inner[b].size()));
-    inner[b].insert(inner[b].end(), outer[b].begin(), outer[b].end());
-    t.size.push_back(static_cast<int>(inner[b].size()));
-    t.unknowns = std::max(t.unknowns, t.size[b]);
-    t.cores = std::max(t.cores, t.core[b]);
+  t.count = 1;
+  t.sites = stencil.components;
+  for (int d = 0; d < D; ++d) {
+    starts[d] = box_starts(layout.axis[d], width, stride);
+    t.count *= static_cast<int>(starts[d].size());
+    t.sites *= width;
   }
-  t.dof.assign(static_cast<std::size_t>(total) * t.unknowns, -1);
-  for (int b = 0; b < total; ++b)
-    std::copy(inner[b].begin(), inner[b].end(), t.dof.begin() + static_cast<std::size_t>(b) * t.unknowns);
+  std::vector<std::vector<int>> dof(t.count), site(t.count);
+  t.local.assign(static_cast<std::size_t>(t.count) * t.sites, -1);
+  for (int box = 0; box < t.count; ++box) {
+    int origin[D];
+    for (int d = 0, rest = box; d < D; ++d) {
+      origin[d] = starts[d][rest % starts[d].size()];
+      rest /= static_cast<int>(starts[d].size());
+      t.start.push_back(origin[d]);
+    }
+    for (int s = 0; s < t.sites; ++s) {
+      int point = 0, step = 1, rest = s / stencil.components;
+      bool inside = true;
+      for (int d = 0; d < D; ++d) {
+        const int along = rest % width, i = along < layout.axis[d].owned() ? stencil.moved(origin[d], along, d) : -1;
+        rest /= width;
+        inside = inside && i >= 0;
+        point += step * i;
+        step *= stencil.extent[d];
+      }
+      const int unknown = inside ? table.unknown(s % stencil.components, point) : -1;
+      if (unknown < 0) continue;
+      t.local[static_cast<std::size_t>(box) * t.sites + s] = static_cast<int>(dof[box].size());
+      dof[box].push_back(unknown);
+      site[box].push_back(s);
+    }
+    t.size.push_back(static_cast<int>(dof[box].size()));
+    t.unknowns = std::max(t.unknowns, t.size[box]);
+  }
+  t.dof.assign(static_cast<std::size_t>(t.count) * t.unknowns, -1);
+  t.site.assign(t.dof.size(), -1);
+  std::vector<std::vector<int>> places(layout.size());
+  for (int box = 0; box < t.count; ++box)
+    for (int i = 0; i < t.size[box]; ++i) {
+      const int at = box * t.unknowns + i;
+      t.dof[at] = dof[box][i];
+      t.site[at] = site[box][i];
+      places[dof[box][i]].push_back(at);
+    }
+  for (const std::vector<int>& group : places) {
+    t.grouped.push_back(static_cast<int>(t.place.size()));
+    t.place.insert(t.place.end(), group.begin(), group.end());
+  }
+  t.grouped.push_back(static_cast<int>(t.place.size()));
   return t;
 }
 
-template PatchTables make_patches<2>(const Layout<2>&, const std::vector<double>&, int, int);
-template PatchTables make_patches<3>(const Layout<3>&, const std::vector<double>&, int, int);
+template PatchTables make_patches<2>(const Layout<2>&, const UnknownTable<2>&, int, int);
+template PatchTables make_patches<3>(const Layout<3>&, const UnknownTable<3>&, int, int);
 
 }  // namespace softwet

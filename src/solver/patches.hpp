@@ -3,21 +3,26 @@
 
 #include <vector>
 
-#include "field/ghosts.hpp"
+#include "solver/stencil.hpp"
 
 namespace softwet {
 
-/// Index tables of the boxes. Every unknown is in the core of exactly one box.
+/// Index tables of the boxes.
 struct PatchTables {
-  int count = 0;          ///< number of boxes
-  int unknowns = 0;       ///< largest number of unknowns of a box
-  int cores = 0;          ///< largest number of core unknowns of a box
-  std::vector<int> size;  ///< [count] unknowns of each box; its core unknowns come first
-  std::vector<int> core;  ///< [count] core unknowns of each box
-  std::vector<int> dof;   ///< [count][unknowns] index into the vector of unknowns, -1 beyond size
+  int count = 0;             ///< number of boxes
+  int unknowns = 0;          ///< largest number of unknowns of a box
+  int sites = 0;             ///< control points times components of a box
+  std::vector<int> size;     ///< [count] unknowns of each box
+  std::vector<int> dof;      ///< [count][unknowns] index into the vector of unknowns, -1 beyond size
+  std::vector<int> site;     ///< [count][unknowns] place in the box: (control point in the box) components + component
+  std::vector<int> local;    ///< [count][sites] number of the unknown in the box, or -1
+  std::vector<int> start;    ///< [count][D] first control point of each box
+  std::vector<int> place;    ///< where each unknown is found: box unknowns + number in the box, grouped by unknown
+  std::vector<int> grouped;  ///< [unknowns of the layout + 1] the group of each unknown in `place`
 };
 
+/// Boxes `width` control points wide, at most `stride` apart (evenly spread) along every axis.
 template <int D>
-PatchTables make_patches(const Layout<D>&, const std::vector<double>& mask, int core, int overlap);
+PatchTables make_patches(const Layout<D>&, const UnknownTable<D>&, int width, int stride);
 
 }  // namespace softwet

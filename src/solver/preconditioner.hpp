@@ -5,18 +5,15 @@
 #include <memory>
 #include <string>
 
-#include "field/layout.hpp"
+#include "solver/stencil.hpp"
 
 namespace softwet {
-
-/// Jacobian-vector product with frozen geometry at the current point: what a preconditioner is built from.
-using Product = std::function<void(const Array& direction, const Array& out)>;
 
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
   /// Rebuilds from the Jacobian at the current point.
-  virtual void build(const Product& product) = 0;
+  virtual void build(const Jacobian& jacobian) = 0;
   /// z = approximately J^-1 r.
   virtual void apply(const ConstArray& r, const Array& z) = 0;
   virtual std::string name() const = 0;
@@ -26,10 +23,42 @@ class Preconditioner {
 /// z = r. Only for tests and comparisons.
 class NoPreconditioner final : public Preconditioner {
  public:
-  void build(const Product&) override {}
+  void build(const Jacobian&) override {}
   void apply(const ConstArray& r, const Array& z) override { Kokkos::deep_copy(Exec(), z, r); }
   std::string name() const override { return "none"; }
   double bytes() const override { return 0; }
+};
+
+/// A rough inverse of a given matrix: of the Jacobian, or of a coarse one under it.
+template <int D>
+class StencilSolver {
+ public:
+  virtual ~StencilSolver() = default;
+  /// Keeps a reference to the matrix.
+  virtual void build(const StencilMatrix<D>& matrix) = 0;
+  virtual void apply(const ConstArray& r, const Array& z) = 0;
+  virtual std::string name() const = 0;
+  /// Without the matrix itself.
+  virtual double bytes() const = 0;
+};
+
+/// The assembled Jacobian and a solver for it.
+template <int D>
+class Assembled final : public Preconditioner {
+ public:
+  Assembled(const Layout<D>& layout, const ConstArray& mask, std::unique_ptr<StencilSolver<D>> solver)
+      : matrix_(layout, mask), solver_(std::move(solver)) {}
+  void build(const Jacobian& jacobian) override {
+    matrix_.fill(jacobian);
+    solver_->build(matrix_);
+  }
+  void apply(const ConstArray& r, const Array& z) override { solver_->apply(r, z); }
+  std::string name() const override { return solver_->name(); }
+  double bytes() const override { return matrix_.bytes() + solver_->bytes(); }
+
+ private:
+  StencilMatrix<D> matrix_;
+  std::unique_ptr<StencilSolver<D>> solver_;
 };
 
 }  // namespace softwet

@@ -7,6 +7,6 @@ namespace softwet {
 
 /// The strongest choice in two dimensions on a CPU. Errors: softwet was built without UMFPACK.
 template <int D>
-std::unique_ptr<Preconditioner> make_sparse_lu(const Layout<D>& layout, const ConstArray& mask);
+std::unique_ptr<StencilSolver<D>> make_sparse_lu(const Layout<D>& layout, const ConstArray& mask);
 
 }  // namespace softwet

@@ -1,38 +1,67 @@
-// The Jacobian with frozen geometry as a sparse matrix, read off a few coloured Jacobian-vector products.
+// The Jacobian with frozen geometry as a matrix, and where its rows and columns lie among the unknowns.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "field/ghosts.hpp"
-#include "solver/preconditioner.hpp"
 
 namespace softwet {
 
-/// Compressed columns of the matrix over all stored unknowns; prescribed and ghost entries are identity rows.
-/// Filled colour by colour (src/solver/colours.hpp).
+/// Writes the values of the Jacobian with frozen geometry at the current point, ordered as in Stencil<D>.
+using Jacobian = std::function<void(const StencilValues& values)>;
+
+/// Which unknown each component of each control point is. Prescribed values and ghosts are none.
+template <int D>
+class UnknownTable {
+ public:
+  UnknownTable(const Layout<D>& layout, const std::vector<double>& mask);
+  int unknowns() const { return static_cast<int>(point_.size()); }
+  int unknown(int component, int point) const { return unknown_[component * points_ + point]; }  ///< -1: none
+  int component(int unknown) const { return component_[unknown]; }                               ///< -1: prescribed
+  int point(int unknown) const { return point_[unknown]; }
+
+ private:
+  int points_;
+  std::vector<int> unknown_, component_, point_;
+};
+
+/// The matrix. Values are allocated by the first fill, so that its size can be counted before.
 template <int D>
 class StencilMatrix {
  public:
   StencilMatrix(const Layout<D>& layout, const ConstArray& mask);
 
-  /// Fills `values` from products.
-  void fill(const Product& product);
+  void fill(const Jacobian& jacobian);
+  /// y = A x; prescribed values and ghosts of x count as zero, those of y are zero.
+  void multiply(const ConstArray& x, const Array& y) const;
 
-  int size() const { return static_cast<int>(start_.size()) - 1; }
-  const std::vector<int>& start() const { return start_; }
-  const std::vector<int>& row() const { return row_; }
-  const std::vector<double>& values() const { return values_; }
+  const Layout<D>& layout() const { return layout_; }
+  const Stencil<D>& stencil() const { return stencil_; }
+  const StencilValues& values() const { return values_; }
+  ConstArray mask() const { return mask_; }
+  double bytes() const { return 4.0 * stencil_.size(); }
 
  private:
-  struct Column {
-    int index, first_entry, entries;
-  };
-  void add_column(const Layout<D>& layout, const int* centre);
-
-  std::vector<int> start_, row_;
-  std::vector<double> values_, mask_;
-  std::vector<std::vector<Column>> columns_of_colour_;
-  Array seed_, product_;
+  Layout<D> layout_;
+  Stencil<D> stencil_;
+  ConstArray mask_;
+  StencilValues values_;
 };
+
+/// Calls visit(row unknown, index of the value) for every entry in the column of an unknown. Around a short periodic
+/// axis a row may come more than once; its entry is the sum.
+template <int D, class Visit>
+void for_column(const Stencil<D>& stencil, const UnknownTable<D>& table, int column, const Visit& visit) {
+  const int u = table.component(column), to = table.point(column);
+  for (int offset = 0; offset < stencil.offsets; ++offset) {
+    const int from = stencil.neighbour(to, stencil.offsets - 1 - offset);  // the opposite offset
+    if (from < 0) continue;
+    for (int a = 0; a < stencil.components; ++a) {
+      const int row = table.unknown(a, from);
+      if (row >= 0) visit(row, stencil.index(a, u, offset, from));
+    }
+  }
+}
 
 }  // namespace softwet

@@ -7,7 +7,7 @@
 namespace softwet {
 
 Axis::Axis(double length, int elements, int degree, bool periodic, int kink)
-    : degree_(degree), elements_(elements), periodic_(periodic), length_(length) {
+    : degree_(degree), elements_(elements), kink_(kink), periodic_(periodic), length_(length) {
   const double h = length / elements;
   if (periodic) {
     for (int i = -degree; i <= elements + degree; ++i) knots_.push_back(h * i);

@@ -24,6 +24,8 @@ class Axis {
   double lower(int element) const { return length_ * element / elements_; }
   double greville(int function) const { return greville_[function]; }  ///< periodic: may lie outside [0, length]
   int element_at(double x) const;
+  const std::vector<double>& knots() const { return knots_; }
+  int kink() const { return kink_; }
 
   /// Values or first derivatives of the degree + 1 functions alive on an element at x (derivative: 1/L0).
   std::vector<double> values(int element, double x) const;
@@ -35,7 +37,7 @@ class Axis {
  private:
   std::vector<double> evaluate(int element, double x, int degree) const;
 
-  int degree_, elements_, functions_;
+  int degree_, elements_, functions_, kink_;
   bool periodic_;
   double length_;
   std::vector<double> knots_;

@@ -42,6 +42,8 @@ class GeneralizedAlpha {
   void residual(const Array& x, const Array& r);
   /// dR/dx z at the point of the last residual.
   void product(const Array& z, const Array& out, Geometry geometry) const;
+  /// The same with frozen geometry as a matrix.
+  void jacobian(const StencilValues& values) const { model_.jacobian(stage_, values); }
 
   /// Ends the step: writes the state at t + dt from the solution x. Conserves the sum of the moments exactly, and the
   /// integral of the density with it.

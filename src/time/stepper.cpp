@@ -179,7 +179,8 @@ NewtonResult Stepper<D, P>::solve(double dt) {
   integrator_.begin(state_, dt, previous_dt_ > 0 ? Rates::known : Rates::unknown);
   predict(dt);
   const NonlinearSystem system{[this](const Array& x, const Array& r) { integrator_.residual(x, r); },
-                               [this](const Array& z, const Array& out, Geometry g) { integrator_.product(z, out, g); },
+                               [this](const Array& z, const Array& out) { integrator_.product(z, out, Geometry::exact); },
+                               [this](const StencilValues& values) { integrator_.jacobian(values); },
                                [this](const Array& x) { return complaint(x); }};
   NewtonResult result = newton_.solve(system, fields(), newton_control_, dt, x_);
   if (!result.converged) return result;

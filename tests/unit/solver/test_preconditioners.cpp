@@ -11,15 +11,30 @@
 namespace softwet::testing_tools {
 namespace {
 
-Product frozen_product(RandomScene& s) {
-  return [&s](const Array& z, const Array& out) { s.model.product(s.stage(), z, out, Geometry::frozen); };
+Jacobian jacobian_of(RandomScene& s) {
+  return [&s](const StencilValues& values) { s.model.jacobian(s.stage(), values); };
+}
+
+using Make = std::unique_ptr<StencilSolver<2>>;
+Assembled<2> assembled(RandomScene& s, Make solver) { return {s.layout(), s.model.mask(), std::move(solver)}; }
+
+int iterations(RandomScene& s, Make solver, double tolerance) {
+  Assembled<2> p = assembled(s, std::move(solver));
+  p.build(jacobian_of(s));
+  const Array b = to_device<Array>(s.product(s.direction(), Geometry::frozen));
+  const Array x("x", s.layout().size());
+  Gmres gmres(s.layout().size(), 150);
+  const auto product = [&](const Array& z, const Array& out) { s.model.product(s.stage(), z, out, Geometry::frozen); };
+  const auto r = gmres.solve(product, [&](const Array& a, const Array& z) { p.apply(a, z); }, b, x, tolerance, 150);
+  EXPECT_TRUE(r.converged);
+  return r.iterations;
 }
 
 /// Relative error with which the preconditioner undoes the product with frozen geometry.
 double error_of(Preconditioner& p, RandomScene& s) {
   const Array z = s.direction();
   Array found("found", s.layout().size());
-  p.build(frozen_product(s));
+  p.build(jacobian_of(s));
   p.apply(to_device<Array>(s.product(z, Geometry::frozen)), found);
   return distance(to_host(found), to_host(z));
 }
@@ -33,31 +48,22 @@ TEST(BlockLu, SolvesEverySceneToSinglePrecision) {
   for (const Case& c : {scene(Scene::coupled), longer(scene(Scene::coupled), 31, 18), scene(Scene::rigid),
                         scene(Scene::solid), longer(scene(Scene::rigid, WallLaw::energy, true), 23, 12)}) {
     RandomScene s(c);
-    const auto lu = make_block_lu<2>(s.layout(), s.model.mask());
-    EXPECT_LT(error_of(*lu, s), 1e-3);
+    Assembled<2> lu = assembled(s, make_block_lu<2>(s.layout(), s.model.mask()));
+    EXPECT_LT(error_of(lu, s), 1e-3);
     s.stage().rate_scale *= 3;  // a second build reuses the tree
-    EXPECT_LT(error_of(*lu, s), 1e-3);
+    EXPECT_LT(error_of(lu, s), 1e-3);
   }
 }
 
 TEST(BlockLu, GmresReachesFullPrecisionInFewIterations) {
   RandomScene s(longer(scene(Scene::coupled), 31, 18));
-  const auto lu = make_block_lu<2>(s.layout(), s.model.mask());
-  lu->build(frozen_product(s));
-  const Array z = s.direction(), b = to_device<Array>(s.product(z, Geometry::frozen));
-  Array x("x", s.layout().size());
-  Gmres gmres(s.layout().size(), 20);
-  const KrylovResult result = gmres.solve(
-      frozen_product(s), [&](const Array& r, const Array& y) { lu->apply(r, y); }, b, x, 1e-12, 20);
-  EXPECT_TRUE(result.converged);
-  EXPECT_LE(result.iterations, 6);
+  EXPECT_LE(iterations(s, make_block_lu<2>(s.layout(), s.model.mask()), 1e-12), 6);
 }
 
 TEST(Dissection, EveryUnknownIsEliminatedOnce) {
   RandomScene s(longer(scene(Scene::coupled), 31, 18));
   const std::vector<double> mask = to_host(s.model.mask());
-  const StencilMatrix<2> matrix(s.layout(), s.model.mask());
-  const Dissection tree = dissect(s.layout(), mask, matrix, 40);
+  const Dissection tree = dissect(s.layout(), UnknownTable<2>(s.layout(), mask), 40);
   std::vector<int> times(mask.size(), 0);
   for (const DissectionNode& node : tree.nodes)
     for (int i : node.own) ++times[i];
@@ -67,51 +73,59 @@ TEST(Dissection, EveryUnknownIsEliminatedOnce) {
 }
 
 TEST(Schwarz, OneBoxIsTheInverse) {
-  RandomScene s(scene(Scene::coupled));
-  EXPECT_LT(error_of(*make_schwarz<2>(s.layout(), s.model.mask(), {100, 0}), s), 1e-3);
+  for (const Case& c : {scene(Scene::coupled), scene(Scene::rigid, WallLaw::energy, true)}) {
+    RandomScene s(c);
+    Assembled<2> p = assembled(s, make_schwarz<2>(s.layout(), s.model.mask(), {100, 100, false}));
+    EXPECT_LT(error_of(p, s), 1e-3);
+  }
 }
 
-TEST(Schwarz, OverlapHelps) {
+TEST(Schwarz, WiderBoxesHelp) {
   for (const Case& c :
        {longer(scene(Scene::coupled), 31, 18), longer(scene(Scene::rigid, WallLaw::energy, true), 31, 18)}) {
     RandomScene s(c);
-    const Array b = to_device<Array>(s.product(s.direction(), Geometry::frozen));
-    Array x("x", s.layout().size());
-    Gmres gmres(s.layout().size(), 150);
     int before = 150;
-    for (int overlap : {0, 2, 4}) {
-      const auto p = make_schwarz<2>(s.layout(), s.model.mask(), {8, overlap});
-      p->build(frozen_product(s));
-      const KrylovResult r = gmres.solve(
-          frozen_product(s), [&](const Array& a, const Array& z) { p->apply(a, z); }, b, x, 1e-6, 150);
-      EXPECT_LT(r.iterations, before) << "overlap " << overlap;
-      before = r.iterations;
+    for (int width : {5, 8, 12}) {
+      const int now = iterations(s, make_schwarz<2>(s.layout(), s.model.mask(), {width, width - 2, false}), 1e-6);
+      EXPECT_LT(now, before) << "width " << width;
+      before = now;
     }
   }
 }
 
+TEST(Schwarz, CoarseSpaceHelps) {
+  for (const Case& c :
+       {longer(scene(Scene::coupled), 32, 18), longer(scene(Scene::rigid, WallLaw::energy, true), 32, 16)}) {
+    RandomScene s(c);
+    const auto count = [&](bool coarse) {
+      return iterations(s, make_schwarz<2>(s.layout(), s.model.mask(), {5, 4, coarse}), 1e-4);
+    };
+    EXPECT_LT(count(true), 0.8 * count(false));
+  }
+}
+
 TEST(DenseInverse, BothWaysAgreeWithTheProduct) {
-  const int n = 37, m = 11;
-  std::vector<int> size{n, n - 5}, core{m, m - 2};
-  DenseBlocks a("a", 2, n, n), copy("copy", 2, n, n), x("x", 2, n, 16), y("y", 2, n, 16);
-  auto host = Kokkos::create_mirror_view(a);
+  const int n = 37;
+  std::vector<int> size{n, n - 5};
+  DenseBlocks a("a", 2, n, 48), copy("copy", 2, n, 48);
+  const auto given = Kokkos::create_mirror(a);
   std::mt19937 draw(7);
   std::uniform_real_distribution<float> number(-1, 1);
   for (int b = 0; b < 2; ++b)
     for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) host(b, i, j) = i == j ? 0.0f : number(draw);  // zero diagonal: pivoting is needed
-  Kokkos::deep_copy(a, host);
-  Kokkos::deep_copy(copy, host);
-  const auto sizes = to_device<Kokkos::View<int*, Exec>>(size), cores = to_device<Kokkos::View<int*, Exec>>(core);
-  invert_core_rows(a, sizes, cores, x);
-  invert_core_rows_by_teams(copy, sizes, cores, y);
-  for (const DenseBlocks& inverse : {x, y}) {
+      for (int j = 0; j < n; ++j) given(b, i, j) = i == j ? 0.0f : number(draw);  // zero diagonal: pivoting is needed
+  Kokkos::deep_copy(a, given);
+  Kokkos::deep_copy(copy, given);
+  const auto sizes = to_device<Kokkos::View<int*, Exec>>(size);
+  invert(a, sizes);
+  invert_by_teams(copy, sizes);
+  for (const DenseBlocks& inverse : {a, copy}) {
     const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), inverse);
     for (int b = 0; b < 2; ++b)
-      for (int row = 0; row < core[b]; ++row)
+      for (int row = 0; row < size[b]; ++row)
         for (int column = 0; column < size[b]; ++column) {
           double sum = 0;
-          for (int k = 0; k < size[b]; ++k) sum += double(found(b, k, row)) * host(b, k, column);
+          for (int k = 0; k < size[b]; ++k) sum += double(found(b, k, row)) * given(b, k, column);
           EXPECT_NEAR(sum, row == column ? 1.0 : 0.0, 1e-3);
         }
   }

@@ -1,0 +1,74 @@
+// A matrix between control points that lie at most `degree` apart along every axis: how its values are stored.
+#pragma once
+
+#include <cstdint>
+
+#include "field/layout.hpp"
+
+namespace softwet {
+
+/// In single precision: such a matrix only serves preconditioners.
+using StencilValues = Kokkos::View<float*, Exec>;
+
+/// values[((a C + u) offsets + o) points + i]: row of component a at control point i, column of component u at point
+/// i + shift(o). C components (velocity, density, potential) on all points of the patch; what does not exist is zero.
+/// Periodic axes wrap.
+template <int D>
+struct Stencil {
+  int extent[D], period[D];  ///< control points along each axis, ghosts included; owned ones, or 0: not periodic
+  int degree, components, points = 1, offsets = 1;
+
+  explicit Stencil(const Layout<D>& layout)
+      : degree(layout.axis[0].degree()), components(layout.has_fluid ? D + 2 : D) {
+    for (int d = 0; d < D; ++d) {
+      extent[d] = layout.axis[d].functions();
+      period[d] = layout.axis[d].periodic() ? layout.axis[d].owned() : 0;
+      points *= extent[d];
+      offsets *= 2 * degree + 1;
+    }
+  }
+  std::int64_t size() const { return std::int64_t(components) * components * offsets * points; }
+  KOKKOS_FORCEINLINE_FUNCTION std::int64_t index(int row, int column, int offset, int point) const {
+    return (std::int64_t(row * components + column) * offsets + offset) * points + point;
+  }
+  /// Distance along axis d from row to column.
+  KOKKOS_FORCEINLINE_FUNCTION int shift(int offset, int d) const {
+    for (int e = 0; e < d; ++e) offset /= 2 * degree + 1;
+    return offset % (2 * degree + 1) - degree;
+  }
+  /// Coordinate i + shift along axis d, wrapped; -1 outside.
+  KOKKOS_FORCEINLINE_FUNCTION int moved(int i, int shift, int d) const {
+    i += shift;
+    if (period[d] > 0) {
+      while (i < 0) i += period[d];
+      return i % period[d];
+    }
+    return i >= 0 && i < extent[d] ? i : -1;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION int coordinate(int point, int d) const {
+    for (int e = 0; e < d; ++e) point /= extent[e];
+    return point % extent[d];
+  }
+  /// Control point at an offset from another; -1 outside.
+  KOKKOS_FORCEINLINE_FUNCTION int neighbour(int point, int offset) const {
+    int result = 0, stride = 1;
+    for (int d = 0; d < D; ++d) {
+      const int i = moved(point % extent[d], offset % (2 * degree + 1) - degree, d);
+      if (i < 0) return -1;
+      result += stride * i;
+      stride *= extent[d];
+      point /= extent[d];
+      offset /= 2 * degree + 1;
+    }
+    return result;
+  }
+};
+
+/// Where the values of component c of a vector of unknowns lie: unknown = offset + control point of the patch.
+template <int D>
+int component_shift(const Layout<D>& layout, int c) {
+  if (c < D) return layout.velocity_offset(c);
+  return (c == D ? layout.density_offset() : layout.potential_offset()) - layout.fluid_shift();
+}
+
+}  // namespace softwet

@@ -1,0 +1,242 @@
+#include "solver/coarse_space.hpp"
+
+#include <algorithm>
+
+namespace softwet {
+
+namespace {
+
+using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
+
+Kokkos::View<double**, Kokkos::LayoutRight, Exec> padded(const std::vector<std::vector<double>>& rows) {
+  std::size_t width = 0;
+  for (const auto& row : rows) width = std::max(width, row.size());
+  Kokkos::View<double**, Kokkos::LayoutRight, Exec> table("transfer", rows.size(), width);
+  const auto host = Kokkos::create_mirror_view(table);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < rows[i].size(); ++k) host(i, k) = rows[i][k];
+  Kokkos::deep_copy(table, host);
+  return table;
+}
+
+AxisTransfer make_transfer(const Axis& fine, const Refinement& r) {
+  AxisTransfer t;
+  t.fine = fine.functions();
+  t.coarse = r.coarse.functions();
+  t.fine_owned = fine.owned();
+  t.coarse_owned = r.coarse.owned();
+  t.periodic = fine.periodic();
+  // The transpose: coarse functions that hold a fine one follow each other, on a periodic axis also across its ends.
+  std::vector<std::vector<double>> of_fine(fine.functions());
+  std::vector<int> first(fine.functions(), 0);
+  const int turns = t.periodic ? 1 : 0;
+  for (int i = 0; i < t.fine_owned; ++i)
+    for (int j = -turns * t.coarse_owned; j < (1 + turns) * t.coarse_owned; ++j) {
+      const int turn = j < 0 ? -1 : j / t.coarse_owned, at = j - turn * t.coarse_owned;
+      const int k = i - r.first[at] - turn * t.fine_owned;
+      if (k < 0 || k >= static_cast<int>(r.coefficient[at].size())) continue;
+      if (of_fine[i].empty()) first[i] = j;
+      of_fine[i].push_back(r.coefficient[at][k]);
+    }
+  t.first_fine = to_device<Kokkos::View<int*, Exec>>(r.first);
+  t.first_coarse = to_device<Kokkos::View<int*, Exec>>(first);
+  t.to_fine = padded(r.coefficient);
+  t.to_coarse = padded(of_fine);
+  return t;
+}
+
+/// i wrapped, or -1 outside.
+KOKKOS_FORCEINLINE_FUNCTION int inside(int i, int owned, bool periodic) {
+  if (periodic) return (i % owned + owned) % owned;
+  return i >= 0 && i < owned ? i : -1;
+}
+
+/// out(point) = sum over the other side's points of the product of coefficients, component by component.
+template <int D, bool ToCoarse>
+struct Transfer {
+  AxisTransfer axis[D];
+  ConstArray from, mask;
+  Array to;
+  int from_shift[D + 2], from_first[D + 2], to_shift[D + 2], to_first[D + 2], points;
+
+  KOKKOS_FUNCTION void operator()(std::int64_t item) const {
+    const int c = static_cast<int>(item / points), point = static_cast<int>(item % points);
+    if (point < to_first[c]) return;
+    const int unknown = to_shift[c] + point;
+    int at[3] = {0, 0, 0}, rest = point;
+    for (int d = 0; d < D; ++d) {
+      const int n = ToCoarse ? axis[d].coarse : axis[d].fine;
+      at[d] = rest % n;
+      rest /= n;
+    }
+    to(unknown) = mask(unknown) == 0 ? 0.0 : sum(c, at, D - 1, 0);
+  }
+  KOKKOS_FUNCTION double sum(int c, const int* at, int d, int base) const {
+    const AxisTransfer& t = axis[d];
+    const auto& table = ToCoarse ? t.to_fine : t.to_coarse;
+    const int first = ToCoarse ? t.first_fine(at[d]) : t.first_coarse(at[d]);
+    const int n = ToCoarse ? t.fine : t.coarse, owned = ToCoarse ? t.fine_owned : t.coarse_owned;
+    double result = 0;
+    for (int k = 0; k < static_cast<int>(table.extent(1)); ++k) {
+      const double factor = table(at[d], k);
+      const int i = inside(first + k, owned, t.periodic);
+      if (factor == 0 || i < 0) continue;
+      const int index = base * n + i;
+      if (d > 0) {
+        result += factor * sum(c, at, d - 1, index);
+      } else if (index >= from_first[c]) {
+        result += factor * from(from_shift[c] + index);
+      }
+    }
+    return result;
+  }
+};
+
+/// Rows and columns along one axis replaced by their coarse sums.
+template <int D>
+struct CoarsenAxis {
+  Stencil<D> in, out;
+  StencilValues from, to;
+  AxisTransfer axis;
+  int d;
+
+  KOKKOS_FUNCTION void operator()(std::int64_t item) const {
+    const int point = static_cast<int>(item % out.points);
+    const std::int64_t block = item / out.points;
+    const int offset = static_cast<int>(block % out.offsets);
+    const std::int64_t pair = block / out.offsets;  // row and column component
+    int below = 1, weight = 1;                      // points below axis d; offsets below
+    for (int e = 0; e < d; ++e) {
+      below *= out.extent[e];
+      weight *= 2 * out.degree + 1;
+    }
+    const int row = point / below % out.extent[d], column = row + out.shift(offset, d);
+    const int low = point % below, high = point / below / out.extent[d];
+    const int at = inside(column, axis.coarse_owned, axis.periodic);
+    to(item) = 0;
+    if (row >= axis.coarse_owned || at < 0) return;
+    const int turn = (column - at) / axis.coarse_owned;
+    const int row_fine = axis.first_fine(row), column_fine = axis.first_fine(at) + turn * axis.fine_owned;
+    const int middle = offset - (out.shift(offset, d) + out.degree) * weight;  // the offset without axis d
+    double sum = 0;
+    for (int k = 0; k < static_cast<int>(axis.to_fine.extent(1)); ++k) {
+      const int i = inside(row_fine + k, axis.fine_owned, axis.periodic);
+      if (axis.to_fine(row, k) == 0 || i < 0) continue;
+      const std::int64_t source = (high * std::int64_t(in.extent[d]) + i) * below + low;
+      for (int l = 0; l < static_cast<int>(axis.to_fine.extent(1)); ++l) {
+        const int shift = column_fine + l - row_fine - k;
+        if (axis.to_fine(at, l) == 0 || shift < -in.degree || shift > in.degree) continue;
+        const int o = middle + (shift + in.degree) * weight;
+        sum += axis.to_fine(row, k) * axis.to_fine(at, l) *
+               from((pair * in.offsets + o) * std::int64_t(in.points) + source);
+      }
+    }
+    to(item) = static_cast<float>(sum);
+  }
+};
+
+/// Coarse unknowns are free where the fine one that follows them most closely is: ends map to ends, the wall to the wall.
+template <int D>
+std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, const std::vector<double>& mask,
+                                const std::vector<Refinement>& refinement) {
+  const Stencil<D> in(fine), out(coarse);
+  std::vector<double> result(coarse.size(), 0.0);
+  for (int c = 0; c < out.components; ++c)
+    for (int p = c < D ? 0 : coarse.fluid_shift(); p < out.points; ++p) {
+      int partner = 0, stride = 1;
+      bool owned = true;
+      for (int d = 0; d < D; ++d) {
+        const int i = out.coordinate(p, d);
+        const auto& row = refinement[d].coefficient[i];
+        const int k = static_cast<int>(std::max_element(row.begin(), row.end()) - row.begin());
+        owned = owned && i < coarse.axis[d].owned();
+        partner += stride * inside(refinement[d].first[i] + k, fine.axis[d].owned(), fine.axis[d].periodic());
+        stride *= in.extent[d];
+      }
+      if (owned) result[component_shift(coarse, c) + p] = mask[component_shift(fine, c) + partner];
+    }
+  return result;
+}
+
+}  // namespace
+
+template <int D>
+CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int least)
+    : fine_(fine), layout_(fine), fine_mask_(mask) {
+  std::vector<Refinement> refinement;
+  layout_.axis.clear();
+  layout_.row_size = 1;
+  for (int d = 0; d < D; ++d) {
+    refinement.push_back(refine_from_half(fine.axis[d], least));
+    layout_.axis.push_back(refinement[d].coarse);
+    if (d < D - 1) layout_.row_size *= refinement[d].coarse.functions();
+    axis_[d] = make_transfer(fine.axis[d], refinement[d]);
+    exists_ = exists_ || axis_[d].coarse_owned < axis_[d].fine_owned;
+  }
+  const Axis& vertical = layout_.axis[D - 1];
+  const bool halved = vertical.elements() < fine.axis[D - 1].elements();
+  layout_.rows = vertical.functions();
+  layout_.solid_elements = fine.solid_elements / (halved ? 2 : 1);
+  if (layout_.has_solid)
+    layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
+  mask_ = to_device<Array>(coarse_mask(fine, layout_, to_host(mask), refinement), "coarse.mask");
+}
+
+template <int D, bool ToCoarse>
+void transfer(const Layout<D>& from_layout, const Layout<D>& to_layout, const AxisTransfer (&axis)[D],
+              const ConstArray& from, const ConstArray& mask, const Array& to) {
+  const Stencil<D> points(to_layout);
+  Transfer<D, ToCoarse> body{{}, from, mask, to, {}, {}, {}, {}, points.points};
+  for (int d = 0; d < D; ++d) body.axis[d] = axis[d];
+  for (int c = 0; c < points.components; ++c) {
+    body.from_shift[c] = component_shift(from_layout, c);
+    body.to_shift[c] = component_shift(to_layout, c);
+    body.from_first[c] = c < D ? 0 : from_layout.fluid_shift();
+    body.to_first[c] = c < D ? 0 : to_layout.fluid_shift();
+  }
+  Kokkos::parallel_for("softwet::transfer", Policy(0, std::int64_t(points.components) * points.points), body);
+}
+
+template <int D>
+void CoarseSpace<D>::restrict_to(const ConstArray& fine, const Array& coarse) const {
+  transfer<D, true>(fine_, layout_, axis_, fine, mask_, coarse);
+}
+
+template <int D>
+void CoarseSpace<D>::prolong(const ConstArray& coarse, const Array& fine) const {
+  transfer<D, false>(layout_, fine_, axis_, coarse, fine_mask_, fine);
+}
+
+template <int D>
+void CoarseSpace<D>::galerkin(const StencilMatrix<D>& fine, const StencilValues& coarse) const {
+  Stencil<D> in = fine.stencil();
+  StencilValues from = fine.values();
+  for (int d = 0; d < D; ++d) {
+    Stencil<D> out = in;
+    out.points = in.points / in.extent[d] * axis_[d].coarse;
+    out.extent[d] = axis_[d].coarse;
+    out.period[d] = axis_[d].periodic ? axis_[d].coarse_owned : 0;
+    const StencilValues to =
+        d == D - 1 ? coarse : StencilValues(Kokkos::view_alloc("galerkin", Kokkos::WithoutInitializing), out.size());
+    Kokkos::parallel_for("softwet::galerkin", Policy(0, out.size()), CoarsenAxis<D>{in, out, from, to, axis_[d], d});
+    in = out;
+    from = to;
+  }
+}
+
+template <int D>
+double CoarseSpace<D>::transient_bytes() const {
+  Stencil<D> s(fine_);
+  double points = 1, bytes = 0;
+  for (int d = 0; d < D; ++d) points *= s.extent[d];
+  for (int d = 0; d + 1 < D; ++d) {
+    points = points / s.extent[d] * axis_[d].coarse;
+    bytes += 4.0 * s.size() / s.points * points;
+  }
+  return bytes;
+}
+
+template class CoarseSpace<2>;
+template class CoarseSpace<3>;
+
+}  // namespace softwet
