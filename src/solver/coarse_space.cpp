@@ -92,46 +92,43 @@ struct Transfer {
   }
 };
 
-/// Rows and columns along one axis replaced by their coarse sums.
+/// Rows and columns along one axis replaced by their coarse sums; an item is one entry of one line of rows.
 template <int D>
 struct CoarsenAxis {
   Stencil<D> in, out;
   StencilValues from, to;
   AxisTransfer axis;
-  int d;
+  int d, below, above;  ///< control points below and above axis d in the order of storage
+
+  std::int64_t items() const { return out.size() / out.points * above * out.extent[d]; }
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
-    const int point = static_cast<int>(item % out.points);
-    const std::int64_t block = item / out.points;
+    const int row = static_cast<int>(item % out.extent[d]), high = static_cast<int>(item / out.extent[d] % above);
+    const std::int64_t block = item / out.extent[d] / above;
     const int offset = static_cast<int>(block % out.offsets);
-    const std::int64_t pair = block / out.offsets;  // row and column component
-    int below = 1, weight = 1;                      // points below axis d; offsets below
-    for (int e = 0; e < d; ++e) {
-      below *= out.extent[e];
-      weight *= 2 * out.degree + 1;
-    }
-    const int row = point / below % out.extent[d], column = row + out.shift(offset, d);
-    const int low = point % below, high = point / below / out.extent[d];
+    float* sum = to.data() + block * out.points + (std::int64_t(high) * out.extent[d] + row) * below;
+    for (int i = 0; i < below; ++i) sum[i] = 0;
+    const int shift = out.shift(offset, d), column = row + shift;
     const int at = inside(column, axis.coarse_owned, axis.periodic);
-    to(item) = 0;
     if (row >= axis.coarse_owned || at < 0) return;
-    const int turn = (column - at) / axis.coarse_owned;
-    const int row_fine = axis.first_fine(row), column_fine = axis.first_fine(at) + turn * axis.fine_owned;
-    const int middle = offset - (out.shift(offset, d) + out.degree) * weight;  // the offset without axis d
-    double sum = 0;
-    for (int k = 0; k < static_cast<int>(axis.to_fine.extent(1)); ++k) {
+    const int row_fine = axis.first_fine(row);
+    const int column_fine = axis.first_fine(at) + (column - at) / axis.coarse_owned * axis.fine_owned;
+    int weight = 1;  // of this axis' shift in an offset
+    for (int e = 0; e < d; ++e) weight *= 2 * out.degree + 1;
+    const std::int64_t first = block - (shift + out.degree) * weight;  // the block with the least shift along this axis
+    const int n = static_cast<int>(axis.to_fine.extent(1));
+    for (int k = 0; k < n; ++k) {
       const int i = inside(row_fine + k, axis.fine_owned, axis.periodic);
       if (axis.to_fine(row, k) == 0 || i < 0) continue;
-      const std::int64_t source = (high * std::int64_t(in.extent[d]) + i) * below + low;
-      for (int l = 0; l < static_cast<int>(axis.to_fine.extent(1)); ++l) {
-        const int shift = column_fine + l - row_fine - k;
-        if (axis.to_fine(at, l) == 0 || shift < -in.degree || shift > in.degree) continue;
-        const int o = middle + (shift + in.degree) * weight;
-        sum += axis.to_fine(row, k) * axis.to_fine(at, l) *
-               from((pair * in.offsets + o) * std::int64_t(in.points) + source);
+      for (int l = 0; l < n; ++l) {
+        const int step = column_fine + l - row_fine - k;
+        const float factor = static_cast<float>(axis.to_fine(row, k) * axis.to_fine(at, l));
+        if (factor == 0 || step < -in.degree || step > in.degree) continue;
+        const float* source = from.data() + (first + (step + in.degree) * weight) * in.points +
+                              (std::int64_t(high) * in.extent[d] + i) * below;
+        for (int j = 0; j < below; ++j) sum[j] += factor * source[j];
       }
     }
-    to(item) = static_cast<float>(sum);
   }
 };
 
@@ -211,14 +208,17 @@ template <int D>
 void CoarseSpace<D>::galerkin(const StencilMatrix<D>& fine, const StencilValues& coarse) const {
   Stencil<D> in = fine.stencil();
   StencilValues from = fine.values();
-  for (int d = 0; d < D; ++d) {
+  for (int d = D - 1; d >= 0; --d) {  // the first axis last: rows of neighbouring points stay together meanwhile
     Stencil<D> out = in;
     out.points = in.points / in.extent[d] * axis_[d].coarse;
     out.extent[d] = axis_[d].coarse;
     out.period[d] = axis_[d].periodic ? axis_[d].coarse_owned : 0;
     const StencilValues to =
-        d == D - 1 ? coarse : StencilValues(Kokkos::view_alloc("galerkin", Kokkos::WithoutInitializing), out.size());
-    Kokkos::parallel_for("softwet::galerkin", Policy(0, out.size()), CoarsenAxis<D>{in, out, from, to, axis_[d], d});
+        d == 0 ? coarse : StencilValues(Kokkos::view_alloc("galerkin", Kokkos::WithoutInitializing), out.size());
+    int below = 1;
+    for (int e = 0; e < d; ++e) below *= out.extent[e];
+    const CoarsenAxis<D> body{in, out, from, to, axis_[d], d, below, out.points / below / out.extent[d]};
+    Kokkos::parallel_for("softwet::galerkin", Policy(0, body.items()), body);
     in = out;
     from = to;
   }
@@ -229,7 +229,7 @@ double CoarseSpace<D>::transient_bytes() const {
   Stencil<D> s(fine_);
   double points = 1, bytes = 0;
   for (int d = 0; d < D; ++d) points *= s.extent[d];
-  for (int d = 0; d + 1 < D; ++d) {
+  for (int d = D - 1; d > 0; --d) {
     points = points / s.extent[d] * axis_[d].coarse;
     bytes += 4.0 * s.size() / s.points * points;
   }

@@ -117,6 +117,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     }
     const double ratio = result.iterations > 0 ? size / previous : 1.0;
     previous = size;
+    const bool fresh = rebuild_;
     if (rebuild_) {
       Stopwatch watch(counts_.build_seconds);
       ++counts_.builds;
@@ -131,7 +132,9 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     result.krylov += linear.iterations;
     counts_.krylov += linear.iterations;
     ++counts_.newton;
-    if (linear.iterations > control.rebuild_above || !linear.converged) rebuild_ = true;
+    if (fresh) built_iterations_ = linear.iterations;
+    const int limit = std::max(control.rebuild_above, 2 * built_iterations_);
+    if (linear.iterations > limit || !linear.converged) rebuild_ = true;
     if (linear.reduction > 0.9) {
       result.reason = "the linear solver stalled";
       return result;

@@ -20,7 +20,7 @@ struct NewtonControl {
   int max = 10;
   double krylov_rtol = 1e-2;  ///< tightest forcing term; early iterations ask for less
   int krylov_max = 200;
-  int rebuild_above = 15;  ///< Krylov iterations after which the preconditioner is rebuilt
+  int rebuild_above = 15;  ///< Krylov iterations after which the preconditioner is rebuilt, if it once did with half
   JacobianKind jacobian = JacobianKind::exact;
 };
 
@@ -93,6 +93,7 @@ class Newton {
   Array residual_, step_, scaled_, probe_;
   std::vector<double> weight_;
   double built_dt_ = 0;
+  int built_iterations_ = 0;  ///< of the first linear solve after the last build
   bool rebuild_ = true;
   SolverCounts counts_;
 };

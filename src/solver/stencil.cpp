@@ -19,22 +19,33 @@ UnknownTable<D>::UnknownTable(const Layout<D>& layout, const std::vector<double>
 
 namespace {
 
-/// y of one component along one row of control points: all columns of one offset after another.
-template <int D>
-struct MultiplyRow {
-  Stencil<D> stencil;
-  StencilValues values;
+/// Free values of a vector by component and control point of the patch, in single precision; others are zero.
+struct SpreadValues {
   ConstArray x, mask;
+  StencilValues out;
+  int shift[5], first[5], points;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int c = item / points, point = item % points, unknown = shift[c] + point;
+    out(item) = point < first[c] ? 0.0f : static_cast<float>(x(unknown) * mask(unknown));
+  }
+};
+
+/// y of one component along a piece of a line of control points, offset by offset.
+template <int D>
+struct MultiplyLine {
+  Stencil<D> stencil;
+  StencilValues values, x;
+  ConstArray mask;
   Array y;
-  int shift[D + 2], first[D + 2];  ///< of each component: unknown - point, and its first point
+  int shift[5], first[5];
   static constexpr int chunk = on_host ? 64 : 1;
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
-    const int n = stencil.extent[0], chunks = (n + chunk - 1) / chunk, rows = stencil.points / n;
+    const int n = stencil.extent[0], chunks = (n + chunk - 1) / chunk, lines = stencil.points / n;
     const int begin = static_cast<int>(item % chunks) * chunk, count = n - begin < chunk ? n - begin : chunk;
-    const int line = static_cast<int>(item / chunks % rows), a = static_cast<int>(item / chunks / rows);
+    const int line = static_cast<int>(item / chunks % lines), a = static_cast<int>(item / chunks / lines);
     const int point = line * n + begin;
-    if (point + count <= first[a]) return;
+    if (point < first[a]) return;
     float sum[chunk] = {};
     for (int o = 0; o < stencil.offsets; ++o) {
       int to = 0, stride = n;  // first control point of the neighbouring line
@@ -45,27 +56,24 @@ struct MultiplyRow {
         to += stride * i;
         stride *= stencil.extent[d];
       }
-      if (inside) add_offset(o, point, begin, count, to, a, sum);
+      if (!inside) continue;
+      for (int u = 0; u < stencil.components; ++u)
+        if (to >= first[u])
+          add_offset(values.data() + stencil.index(a, u, o, point), x.data() + u * stencil.points + to, begin, count,
+                     stencil.shift(o, 0), sum);
     }
     for (int i = 0; i < count; ++i) y(shift[a] + point + i) = sum[i] * mask(shift[a] + point + i);
   }
-  KOKKOS_FUNCTION void add_offset(int o, int point, int begin, int count, int to, int a, float* sum) const {
-    const int move = stencil.shift(o, 0);
-    for (int u = 0; u < stencil.components; ++u) {
-      if (to < first[u]) continue;
-      const float* entry = values.data() + stencil.index(a, u, o, point);
-      const double* from = x.data() + shift[u] + to;
-      const double* free = mask.data() + shift[u] + to;
-      if (begin + move >= 0 && begin + count + move <= stencil.extent[0] && stencil.period[0] == 0) {
-        for (int i = 0; i < count; ++i)
-          sum[i] += entry[i] * static_cast<float>(from[begin + i + move] * free[begin + i + move]);
-        continue;
-      }
-      for (int i = 0; i < count; ++i) {
-        const int j = stencil.moved(begin + i, move, 0);
-        if (j >= 0) sum[i] += entry[i] * static_cast<float>(from[j] * free[j]);
-      }
+  KOKKOS_FORCEINLINE_FUNCTION void add_offset(const float* entry, const float* from, int begin, int count, int move,
+                                              float* sum) const {
+    if (stencil.period[0] > 0) {
+      for (int i = 0; i < count; ++i) sum[i] += entry[i] * from[stencil.moved(begin + i, move, 0)];
+      return;
     }
+    const int low = begin + move < 0 ? -(begin + move) : 0;
+    const int high = begin + count + move > stencil.extent[0] ? stencil.extent[0] - begin - move : count;
+    from += begin + move;
+    for (int i = low; i < high; ++i) sum[i] += entry[i] * from[i];
   }
 };
 
@@ -73,7 +81,7 @@ struct MultiplyRow {
 
 template <int D>
 StencilMatrix<D>::StencilMatrix(const Layout<D>& layout, const ConstArray& mask)
-    : layout_(layout), stencil_(layout), mask_(mask) {}
+    : layout_(layout), stencil_(layout), mask_(mask), spread_("stencil.x", stencil_.components * stencil_.points) {}
 
 template <int D>
 void StencilMatrix<D>::fill(const Jacobian& jacobian) {
@@ -84,15 +92,17 @@ void StencilMatrix<D>::fill(const Jacobian& jacobian) {
 
 template <int D>
 void StencilMatrix<D>::multiply(const ConstArray& x, const Array& y) const {
-  MultiplyRow<D> row{stencil_, values_, x, mask_, y, {}, {}};
+  MultiplyLine<D> line{stencil_, values_, spread_, mask_, y, {}, {}};
+  SpreadValues spread{x, mask_, spread_, {}, {}, stencil_.points};
   for (int c = 0; c < stencil_.components; ++c) {
-    row.shift[c] = component_shift(layout_, c);
-    row.first[c] = c < D ? 0 : layout_.fluid_shift();
+    line.shift[c] = spread.shift[c] = component_shift(layout_, c);
+    line.first[c] = spread.first[c] = c < D ? 0 : layout_.fluid_shift();
   }
-  const int chunks = (stencil_.extent[0] + row.chunk - 1) / row.chunk;
+  Kokkos::parallel_for("softwet::spread", Kokkos::RangePolicy<Exec>(0, spread_.extent(0)), spread);
+  const int chunks = (stencil_.extent[0] + line.chunk - 1) / line.chunk;
   const std::int64_t items = std::int64_t(stencil_.components) * (stencil_.points / stencil_.extent[0]) * chunks;
   Kokkos::parallel_for("softwet::stencil_multiply",
-                       Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>(0, items), row);
+                       Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>(0, items), line);
 }
 
 template class UnknownTable<2>;

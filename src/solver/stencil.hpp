@@ -47,6 +47,7 @@ class StencilMatrix {
   Stencil<D> stencil_;
   ConstArray mask_;
   StencilValues values_;
+  StencilValues spread_;  ///< the vector of a product, by component and control point
 };
 
 /// Calls visit(row unknown, index of the value) for every entry in the column of an unknown. Around a short periodic
