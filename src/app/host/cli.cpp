@@ -18,7 +18,7 @@
 #include "app/host/memory.hpp"
 #include "app/host/nearest.hpp"
 #include "app/host/output_folder.hpp"
-#include "app/host/verify.hpp"
+#include "app/host/tool_commands.hpp"
 
 namespace softwet {
 namespace {
@@ -31,7 +31,7 @@ struct Request {
   bool overwrite = false;
   std::string key;
   std::string file = "softwet.toml";
-  std::vector<std::string> words;  ///< names and options of `verify`
+  std::vector<std::string> words;  ///< what a program of the folder tools gets as it is
 };
 
 Case load_case(const Request& request) {
@@ -118,31 +118,6 @@ void add_bench(CLI::App& app, Request& request) {
   command.callback([&request] { bench_case(load_case(request), request.options, std::cout); });
 }
 
-/// The options are those of tools/verify, which gets them as they are.
-void add_verify(CLI::App& app, Request& request) {
-  CLI::App& command = *app.add_subcommand("verify", "compute cases whose answer is known, and compare");
-  const auto flag = [&](const std::string& name, const std::string& help) {
-    command.add_flag_callback(
-        name, [&request, name] { request.words.push_back(name); }, help);
-  };
-  const auto option = [&](const std::string& name, const std::string& type, const std::string& help) {
-    const auto keep = [&request, name](const std::string& value) {
-      request.words.insert(request.words.end(), {name, value});
-    };
-    command.add_option_function<std::string>(name, keep, help)->type_name(type);
-  };
-  const auto names = [&request](const std::vector<std::string>& values) {
-    request.words.insert(request.words.end(), values.begin(), values.end());
-  };
-  command.add_option_function<std::vector<std::string>>("NAME", names, "studies to run; default: all")->type_name("");
-  flag("--quick", "smaller meshes and fewer points: seconds instead of minutes");
-  flag("--list", "list the studies and how long they take");
-  option("--out", "DIR", "folder of the results; default: out/verify");
-  option("--jobs", "N", "number of runs at once, one thread each; default: 1");
-  option("--docs", "DIR", "also write verification.md and verification/ into this folder");
-  command.callback([&request] { verify_command(request.words); });
-}
-
 void add_commands(CLI::App& app, Request& request) {
   add_run(app, request);
   CLI::App& check =
@@ -162,7 +137,7 @@ void add_commands(CLI::App& app, Request& request) {
     describe_build(std::cout);
   });
   add_bench(app, request);
-  add_verify(app, request);
+  add_tool_commands(app, request.words);
 }
 
 int report(Exit code, const std::string& message) {

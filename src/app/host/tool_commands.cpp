@@ -1,0 +1,81 @@
+// Options of the commands that programs of the folder tools carry out.
+#include "app/host/tool_commands.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "app/host/tool.hpp"
+
+namespace softwet {
+namespace {
+
+/// Options of a command that a program of the folder tools carries out: collected as words for it.
+class ToolOptions {
+ public:
+  ToolOptions(CLI::App& command, std::vector<std::string>& words) : command_(command), words_(words) {}
+
+  void flag(const std::string& name, const std::string& help) {
+    command_.add_flag_callback(
+        name, [&words = words_, name] { words.push_back(name); }, help);
+  }
+
+  CLI::Option* option(const std::string& name, const std::string& type, const std::string& help) {
+    const auto keep = [&words = words_, name](const std::string& value) { words.push_back(name + "=" + value); };
+    return command_.add_option_function<std::string>(name, keep, help)->type_name(type);
+  }
+
+  CLI::Option* repeatable(const std::string& name, const std::string& type, const std::string& help) {
+    return option(name, type, help + "; repeatable")->trigger_on_parse();
+  }
+
+  CLI::Option* names(const std::string& name, const std::string& help) {
+    const auto keep = [&words = words_](const std::vector<std::string>& values) {
+      words.insert(words.end(), values.begin(), values.end());
+    };
+    return command_.add_option_function<std::vector<std::string>>(name, keep, help)->type_name("");
+  }
+
+ private:
+  CLI::App& command_;
+  std::vector<std::string>& words_;
+};
+
+void add_verify(CLI::App& app, std::vector<std::string>& words) {
+  CLI::App& command = *app.add_subcommand("verify", "compute cases whose answer is known, and compare");
+  ToolOptions tool(command, words);
+  tool.names("NAME", "studies to run; default: all");
+  tool.flag("--quick", "smaller meshes and fewer points: seconds instead of minutes");
+  tool.flag("--list", "list the studies and how long they take");
+  tool.option("--out", "DIR", "folder of the results; default: out/verify");
+  tool.option("--jobs", "N", "number of runs at once, one thread each; default: 1");
+  tool.option("--docs", "DIR", "also write verification.md and verification/ into this folder");
+  command.callback([&words] { start_tool({"verify", {"numpy", "h5py"}}, words); });
+}
+
+void add_sweep(CLI::App& app, std::vector<std::string>& words) {
+  CLI::App& command = *app.add_subcommand("sweep", "compute a case for all combinations of some values, with a table");
+  ToolOptions tool(command, words);
+  tool.names("CASE", "case file, for example cases/tensotaxis_pull_2d.toml")->required()->expected(1);
+  tool.repeatable(
+      "--vary", "KEY=V1,V2,...",
+      "a key and its values, for example --vary substrate.poisson=0,0.15,0.3 or load.force=[0.1,0],[-0.1,0]; "
+      "a:b:n means n values from a to b");
+  tool.repeatable("--set", "KEY=VALUE", "set a key of the case for all members");
+  tool.option("--out", "DIR", "folder of the members and of sweep.csv; default: out/<name of the file>_sweep");
+  tool.option("--jobs", "N", "number of members at once, which share the cores; default: 1");
+  tool.flag("--retry", "compute failed members again, from their checkpoint where there is one");
+  tool.option("--columns", "NAMES", "columns of history.csv whose last values the table gets");
+  tool.flag("--dry-run", "check and list the members, write nothing");
+  tool.flag("--table", "write sweep.csv, compute nothing");
+  tool.option("--slurm", "FILE", "write a Slurm array script that computes the members; compute nothing");
+  tool.option("--member", "N", "compute this member only, counted from 0, without sweep.csv");
+  command.callback([&words] { start_tool({"sweep", {}}, words); });
+}
+
+}  // namespace
+
+void add_tool_commands(CLI::App& app, std::vector<std::string>& words) {
+  add_verify(app, words);
+  add_sweep(app, words);
+}
+
+}  // namespace softwet

@@ -1,0 +1,16 @@
+// The commands `softwet verify` and `softwet sweep` on the command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace softwet {
+
+/// Adds the commands; what they are given is collected in `words`, which outlives `app`.
+void add_tool_commands(CLI::App& app, std::vector<std::string>& words);
+
+}  // namespace softwet
