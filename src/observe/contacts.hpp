@@ -31,8 +31,8 @@ constexpr int velocity_column = 3;
 
 /// All footprints. 3D: area and centroid are those of the wetted part of the deformed wall, inside the domain. Contact
 /// points and angles are those of the vertical section through the centroid along the track, as in 2D; positions count
-/// along the track from the middle of the domain. A droplet cut by a side is half of one with the side as its plane of
-/// symmetry, so its section goes along that side.
+/// along the track from the middle of the domain. A droplet cut by a side, beside its centroid, is half of one with the
+/// side as its plane of symmetry, so its section goes along that side.
 /// @param middle  density of the level set
 /// @param track   unit vector
 template <int D>

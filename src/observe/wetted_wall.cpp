@@ -146,24 +146,26 @@ void WettedWall::add_triangle(const std::array<Vertex, 3>& triangle, WettedRegio
 }
 
 void WettedWall::finish() {
-  std::vector<std::array<std::array<bool, 2>, 2>> ends(regions_.size());  // [region][axis][low, high]
-  for (int p = 0; p < static_cast<int>(region_.size()); ++p) {
-    const std::array<int, 2> index{p % samples_.points(0), p / samples_.points(0)};
+  for (WettedRegion& region : regions_)
     for (int d : {0, 1})
-      if (region_[p] >= 0 && !samples_.periodic[d]) {
-        ends[region_[p]][d][0] |= index[d] == 0;
-        ends[region_[p]][d][1] |= index[d] == samples_.cells[d];
-      }
-  }
-  for (std::size_t r = 0; r < regions_.size(); ++r)
-    for (int d : {0, 1}) {
-      WettedRegion& region = regions_[r];
       for (double* sum : {&region.centre[d], &region.reference_centre[d]}) {
         if (region.area > 0) *sum /= region.area;
         if (samples_.periodic[d]) *sum -= samples_.length[d] * std::floor(*sum / samples_.length[d]);
       }
-      region.cut[d] = static_cast<int>(ends[r][d][1]) - static_cast<int>(ends[r][d][0]);
-    }
+  for (int r = 0; r < static_cast<int>(regions_.size()); ++r)
+    for (int d : {0, 1})
+      if (!samples_.periodic[d])
+        regions_[r].cut[d] = static_cast<int>(beside(r, d, samples_.cells[d])) - static_cast<int>(beside(r, d, 0));
+}
+
+/// Whether the point of a side beside the centre of a region belongs to it; `end` is the side's index along the axis.
+bool WettedWall::beside(int region, int axis, int end) const {
+  const int other = 1 - axis;
+  const double share = regions_[region].reference_centre[other] / samples_.length[other];
+  std::array<int, 2> index;
+  index[axis] = end;
+  index[other] = static_cast<int>(std::lround(share * samples_.cells[other]));
+  return region_[corner(index[0], index[1])] == region;
 }
 
 int WettedWall::region_at(const Place& now) const {

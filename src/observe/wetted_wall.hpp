@@ -25,7 +25,7 @@ struct WettedRegion {
   double area = 0;           ///< of the deformed wall
   Place centre{};            ///< of that area, now; inside a periodic domain
   Place reference_centre{};  ///< the same, of the points before they moved
-  /// Per axis: -1 where the region ends on the low side, 1 on the high side, 0 on none or both.
+  /// Per axis: -1 where the low side beside the centre belongs to the region, 1 where the high side does, 0: none, both.
   std::array<int, 2> cut{0, 0};
 };
 
@@ -53,6 +53,7 @@ class WettedWall {
   void add_cell(int i, int j);
   void add_triangle(const std::array<Vertex, 3>& triangle, WettedRegion& region) const;
   void finish();
+  bool beside(int region, int axis, int end) const;
 
   WallSamples samples_;
   double level_;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Droplets on a wall that is a surface: columns of history.csv, symmetry, a track of choice, resume. usage: surface.py SOFTWET"""
+"""Droplets on a wall that is a surface: columns, symmetry, a track of choice, resume. usage: surface.py SOFTWET"""
 
 import pathlib
 

@@ -59,6 +59,14 @@ TEST(WettedWall, PlaneLevelsAreExact) {
   EXPECT_EQ(region.cut, (std::array<int, 2>{-1, 0})) << "ends on the low side of x, on both of y";
 }
 
+TEST(WettedWall, CutIsWhatASideHalvesNotWhatTouchesIt) {
+  const auto cut = [](const auto& level) { return WettedWall(wall(40, false, level, flat), 0).regions().at(0).cut; };
+  EXPECT_EQ(cut([](double x, double y) { return 0.3 - std::hypot(x - 0.5, y); }), (std::array<int, 2>{0, -1}));
+  EXPECT_EQ(cut([](double x, double y) { return 0.3 - std::hypot(1 - x, y); }), (std::array<int, 2>{1, -1}));
+  const auto bow = [](double x, double y) { return 0.1 - std::abs(std::hypot(x, y) - 0.7); };  // from side to side
+  EXPECT_EQ(cut(bow), (std::array<int, 2>{0, 0}));
+}
+
 TEST(WettedWall, RegionsTouchThroughAWetMiddle) {
   const auto corners = [](double on) {
     return [on](double x, double y) { return x == y ? on : -1.0; };  // two opposite corners of the only cell
