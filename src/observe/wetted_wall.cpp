@@ -4,6 +4,9 @@
 
 namespace softwet {
 
+/// The corners of a cell, one after the other around it.
+static constexpr int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
 /// A neighbour of a point, and the turns around periodic axes on the way. point -1: there is none.
 struct WettedWall::Step {
   int point = -1;
@@ -34,8 +37,7 @@ int WettedWall::corner(int i, int j) const {
 
 bool WettedWall::wet_middle(int i, int j) const {
   double sum = 0;
-  for (const auto& [di, dj] : {Place{0, 0}, Place{1, 0}, Place{0, 1}, Place{1, 1}})
-    sum += samples_.density[corner(i + static_cast<int>(di), j + static_cast<int>(dj))];
+  for (const auto& [di, dj] : around) sum += samples_.density[corner(i + di, j + dj)];
   return 0.25 * sum >= level_;
 }
 
@@ -91,7 +93,6 @@ auto WettedWall::vertex(int i, int j, const std::array<int, 2>& turn) const -> V
 }
 
 void WettedWall::add_cell(int i, int j) {
-  static constexpr int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   // Region and turns of the cell as one of its wet corners knows them.
   const auto known_by = [&](int c) {
     const int ci = i + around[c][0], cj = j + around[c][1], point = corner(ci, cj);
