@@ -36,7 +36,8 @@ class Output:
         self.files = plot.field_files(self.folder)
         self.size = np.array(self.case["domain"]["size"], dtype=float)
         if len(self.size) != 3 or "substrate" not in self.case:
-            raise plot.Problem(f"{folder} is not a 3D run with a [substrate]; tools/plot draws the others")
+            raise plot.Problem(f"{folder} is not a 3D run with a [substrate]: tools/plot draws its history, "
+                               "ParaView its fields")
         elements = self.case["domain"]["elements"]
         self.wall = float(self.case["substrate"]["thickness"])
         rows = round(elements[2] * self.wall / self.size[2])

@@ -142,14 +142,14 @@ class Scene:
     def draw_axes(self, axes):
         """The directions of the coordinates, in the lower left corner."""
         page = self.view.flat(self.solid.reshape(-1, 3))
-        reach = 0.1 * self.output.size[0]
+        reach = 0.075 * self.output.size[0]
         tips = self.view.flat(np.eye(3))
-        corner = page.min(axis=0) - 1.4 * reach * np.minimum(tips.min(axis=0), 0)
+        corner = page.min(axis=0) - 1.5 * reach * np.minimum(tips.min(axis=0), 0)
         for tip, name in zip(tips, "xyz"):
             arrow = axes.annotate("", corner + reach * tip, corner, arrowprops={
                 "arrowstyle": "-|>,head_width=0.12,head_length=0.25", "color": "0.2", "linewidth": 0.7, "shrinkA": 0,
                 "shrinkB": 0})
-            label = axes.text(*(corner + 1.4 * reach * tip), f"${name}$", ha="center", va="center", fontsize=8,
+            label = axes.text(*(corner + 1.5 * reach * tip), f"${name}$", ha="center", va="center", fontsize=8,
                               color="0.2")
             for artist in (arrow, label):
                 artist.set_in_layout(False)
