@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -101,6 +102,7 @@ struct SolverControl {
 
 struct OutputControl {
   int history_every = 1;
+  std::vector<double> track;  ///< 3D: horizontal direction along which droplets are followed; empty: x
   std::vector<double> field_times;
   double checkpoint_minutes = 10;
 };
@@ -120,6 +122,12 @@ struct Case {
   OutputControl output;
 
   int dimension() const { return static_cast<int>(domain.size.size()); }
+  /// Unit vector of the track in the plane of the wall, (x, y); in 2D along x.
+  std::array<double, 2> track() const {
+    if (output.track.empty()) return {1, 0};
+    const double norm = std::hypot(output.track[0], output.track[1]);
+    return {output.track[0] / norm, output.track[1] / norm};
+  }
   /// Output time = computation time - clock_zero(): the start of the earliest load, 0 without loads.
   double clock_zero() const {
     double zero = loads.empty() ? 0.0 : loads.front().start;

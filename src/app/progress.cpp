@@ -49,7 +49,8 @@ void Progress::step(double t, long step, const StepReport& report, const Headlin
   last_ = Clock::now();
   std::string line = text("t %.6g", t) + text("  dt %.3g", report.dt) + "  step " + std::to_string(step) + "  Newton " +
                      std::to_string(report.newton) + " Krylov " + std::to_string(report.krylov);
-  if (headline.centre) line += text("  x %.4f", *headline.centre);
+  for (std::size_t d = 0; d < headline.centre.size(); ++d)
+    line += text(d == 0 ? "  x %.4f" : "  y %.4f", headline.centre[d]);
   if (headline.velocity) line += text("  V %.2e", *headline.velocity);
   if (headline.mass_drift) line += text("  mass %+.0e", *headline.mass_drift);
   line += text("  %.0f %%  ", 100 * std::clamp((t - start_) / std::max(end_ - start_, 1e-300), 0.0, 1.0)) + left;

@@ -56,6 +56,10 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
   run["dimension"] = D;
   run["degree"] = P;
   add_unknowns(run["unknowns"], layout.velocity_size(), layout.scalar_size(), layout.solid_size());
+  if (layout.has_fluid) {  // of the flat interface in equilibrium; droplets end half way between
+    run["equilibrium"]["density_vapour"] = model.state().density_vapour;
+    run["equilibrium"]["density_liquid"] = model.state().density_liquid;
+  }
   run["preconditioner"] = stepper.newton().preconditioner().name();
   add_timings(run["seconds"], k, seconds);
   RecordValue& counts = run["counts"];

@@ -1,5 +1,7 @@
 #include "app/restart.hpp"
 
+#include <algorithm>
+
 #include "app/host/fingerprint.hpp"
 #include "app/host/saved_run.hpp"
 #include "model/initial.hpp"
@@ -36,8 +38,10 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
   file.value("history/time", history.time);
   file.value("history/mass_start", history.mass_start);
   std::vector<double> droplets;
-  for (const DropletTrack& track : history.droplets)
-    droplets.insert(droplets.end(), {track.centre, track.on_wall ? 1.0 : 0.0, track.merged ? 1.0 : 0.0});
+  for (const DropletTrack& track : history.droplets) {
+    droplets.insert(droplets.end(), track.centre.begin(), track.centre.begin() + D - 1);
+    droplets.insert(droplets.end(), {track.on_wall ? 1.0 : 0.0, track.merged ? 1.0 : 0.0});
+  }
   file.array("history/droplets", droplets);
   file.commit();
 }
@@ -59,8 +63,11 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
   stepper.counts().rejected_newton = saved.rejected_newton;
   stepper.counts().rejected_error = saved.rejected_error;
   HistoryMemory history{saved.history_step, saved.history_time, saved.mass_start, {}};
-  for (const auto& [centre, on_wall, merged] : saved.droplets)
-    history.droplets.push_back({centre, on_wall != 0, merged != 0});
+  for (const std::vector<double>& saved_track : saved.droplets) {
+    DropletTrack track{{}, saved_track[D - 1] != 0, saved_track[D] != 0};
+    std::copy_n(saved_track.begin(), D - 1, track.centre.begin());
+    history.droplets.push_back(track);
+  }
   return history;
 }
 

@@ -10,12 +10,6 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-std::vector<double> fine_points(double low, double high, int count) {
-  std::vector<double> x(count + 1);
-  for (int i = 0; i <= count; ++i) x[i] = low + (high - low) * i / count;
-  return x;
-}
-
 /// Places where samples cross `level`, with the direction: +1 rising.
 struct Crossing {
   double x;
@@ -32,31 +26,29 @@ std::vector<Crossing> crossings(const std::vector<double>& x, const double* valu
 }
 
 /// The crossing on the wall, sharpened by bisection on the spline itself.
-double sharpen(const Snapshot<2>& s, double x, double reach, double level, int direction) {
-  double lo = x - reach, hi = x + reach;
+template <int D>
+double sharpen(const Section<D>& section, const Crossing& c, double spacing, double level) {
+  const std::vector<double> wall{section.snapshot().wall_height()};
+  double lo = c.x - spacing, hi = c.x + spacing;
   for (int i = 0; i < 60; ++i) {
     const double m = 0.5 * (lo + hi);
-    const double excess = direction * (s.density({std::vector<double>{m}, {s.wall_height()}})[0] - level);
+    const double excess = c.direction * (section.density({m}, wall)[0] - level);
     (excess < 0 ? lo : hi) = m;
   }
   return 0.5 * (lo + hi);
-}
-
-Point current(const Snapshot<2>& s, double x, double y) {
-  const Snapshot<2>::Grid at{std::vector<double>{x}, {y}};
-  return {x + s.displacement(at, 0, true)[0], y + s.displacement(at, 1, true)[0]};
 }
 
 /// Level-set points of the left and right half of the droplet whose wall crossings are given (reference coordinates).
 struct Sides {
   std::vector<Point> left, right;
 };
-Sides trace_level(const Snapshot<2>& s, double left, double right, double middle, double start) {
-  const Axis& horizontal = s.layout().axis[0];
-  const double low = s.wall_height(), high = s.layout().axis[1].length(), middle_x = 0.5 * (left + right);
+template <int D>
+Sides trace_level(const Section<D>& section, double left, double right, double middle, double start) {
+  const Axis& vertical = section.snapshot().layout().axis[D - 1];
+  const double low = section.snapshot().wall_height(), middle_x = 0.5 * (left + right);
   // Height of the droplet above its middle.
-  const std::vector<double> column = fine_points(low, high, 4 * s.layout().axis[1].elements());
-  const std::vector<double> along = s.density({std::vector<double>{middle_x}, column});
+  const std::vector<double> column = equidistant(low, vertical.length(), 4 * vertical.elements());
+  const std::vector<double> along = section.density({middle_x}, column);
   double top = low;
   for (const Crossing& c : crossings(column, along.data(), middle))
     if (c.direction < 0) {
@@ -65,28 +57,27 @@ Sides trace_level(const Snapshot<2>& s, double left, double right, double middle
     }
   Sides sides;
   if (top - low < 1.5 * start) return sides;
-  const std::vector<double> x = fine_points(0, horizontal.length(), 4 * horizontal.elements());
-  const std::vector<double> y = fine_points(low + start, low + start + 0.85 * (top - low - start), 24);
-  const std::vector<double> value = s.density({x, y});
+  const std::vector<double> x = section.abscissas(4);
+  const std::vector<double> y = equidistant(low + start, low + start + 0.85 * (top - low - start), 24);
+  const std::vector<double> value = section.density(x, y);
   for (std::size_t j = 0; j < y.size(); ++j) {
     const std::vector<Crossing> found = crossings(x, value.data() + j * x.size(), middle);
-    double best_left = -1, best_right = 1e300;
+    double best_left = -1e300, best_right = 1e300;
     for (const Crossing& c : found) {
       if (c.direction > 0 && c.x < middle_x) best_left = std::max(best_left, c.x);
       if (c.direction < 0 && c.x > middle_x) best_right = std::min(best_right, c.x);
     }
-    if (best_left >= 0) sides.left.push_back(current(s, best_left, y[j]));
-    if (best_right < 1e300) sides.right.push_back(current(s, best_right, y[j]));
+    if (best_left > -1e300) sides.left.push_back(section.current(best_left, y[j]));
+    if (best_right < 1e300) sides.right.push_back(section.current(best_right, y[j]));
   }
   return sides;
 }
 
 /// A droplet cut by a side of the domain, its plane of symmetry, begins or ends there.
-std::vector<Crossing> with_cut_droplets(std::vector<Crossing> found, const Axis& axis, const std::vector<double>& trace,
-                                        double middle) {
-  if (axis.periodic()) return found;
-  if (trace.front() >= middle) found.insert(found.begin(), {0.0, 1});
-  if (trace.back() >= middle) found.push_back({axis.length(), -1});
+std::vector<Crossing> with_cut_droplets(std::vector<Crossing> found, const Reach& reach,
+                                        const std::vector<double>& trace, double middle) {
+  if (reach.low_is_side && trace.front() >= middle) found.insert(found.begin(), {reach.low, 1});
+  if (reach.high_is_side && trace.back() >= middle) found.push_back({reach.high, -1});
   return found;
 }
 
@@ -118,26 +109,26 @@ std::optional<Circle> fit_circle(const std::vector<Point>& points) {
   return circle;
 }
 
-std::vector<Footprint> find_footprints(const Snapshot<2>& s, double middle, double capillarity) {
-  const Axis& horizontal = s.layout().axis[0];
-  const std::vector<double> x = fine_points(0, horizontal.length(), 4 * horizontal.elements());
-  const double low = s.wall_height(), reach = x[1] - x[0];
-  const std::vector<double> trace = s.density({x, std::vector<double>{low}});
-  const std::vector<Crossing> found = with_cut_droplets(crossings(x, trace.data(), middle), horizontal, trace, middle);
+template <int D>
+std::vector<Footprint> find_footprints(const Section<D>& section, double middle, double capillarity) {
+  const Reach& reach = section.reach();
+  const std::vector<double> x = section.abscissas(4);
+  const double low = section.snapshot().wall_height(), spacing = x[1] - x[0];
+  const std::vector<double> trace = section.density(x, {low});
+  const std::vector<Crossing> found = with_cut_droplets(crossings(x, trace.data(), middle), reach, trace, middle);
   const auto sharp = [&](const Crossing& c) {
-    return c.x == 0 || c.x == horizontal.length() ? c.x : sharpen(s, c.x, reach, middle, c.direction);
+    return c.x == reach.low || c.x == reach.high ? c.x : sharpen(section, c, spacing, middle);
   };
   std::vector<Footprint> result;
   for (std::size_t i = 0; i + 1 < found.size(); ++i) {
     if (found[i].direction < 0 || found[i + 1].direction > 0) continue;
     const double left = sharp(found[i]), right = sharp(found[i + 1]);
-    const Point line_left = current(s, left, low), line_right = current(s, right, low);
+    const Point line_left = section.current(left, low), line_right = section.current(right, low);
     Footprint f{line_left[0], line_right[0], {}, {}, {}};
     // A cut droplet has its middle on the side: as wide beyond it as before.
-    const double length = horizontal.length();
-    const double mirrored_left = left == 0 ? -right : left,
-                 mirrored_right = right == length ? 2 * length - left : right;
-    const Sides sides = trace_level(s, mirrored_left, mirrored_right, middle, 2 * capillarity);
+    const double mirrored_left = left == reach.low ? 2 * reach.low - right : left,
+                 mirrored_right = right == reach.high ? 2 * reach.high - left : right;
+    const Sides sides = trace_level(section, mirrored_left, mirrored_right, middle, 2 * capillarity);
     f.angle_left = angle_at(fit_circle(sides.left), line_left[1]);
     f.angle_right = angle_at(fit_circle(sides.right), line_right[1]);
     std::vector<Point> both = sides.left;
@@ -147,5 +138,8 @@ std::vector<Footprint> find_footprints(const Snapshot<2>& s, double middle, doub
   }
   return result;
 }
+
+template std::vector<Footprint> find_footprints(const Section<2>&, double, double);
+template std::vector<Footprint> find_footprints(const Section<3>&, double, double);
 
 }  // namespace softwet

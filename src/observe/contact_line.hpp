@@ -1,18 +1,19 @@
-// Contact lines and apparent angles of droplets on the wall.
+// Contact lines and apparent angles of droplets on the wall, in a vertical plane.
 #pragma once
 
 #include <optional>
 
-#include "observe/snapshot.hpp"
+#include "observe/section.hpp"
 
 namespace softwet {
 
-/// One droplet's footprint in the plane of motion (2D: the domain), in current coordinates.
+/// One droplet's footprint in a section (2D: the domain, x = s), in current coordinates.
 struct Footprint {
   double x_left, x_right;  ///< where rho = (rho_l + rho_v)/2 on the wall, or the side that cuts it
   std::optional<double> angle_left, angle_right;  ///< apparent angles, degrees, in the liquid
   std::optional<double> radius;                   ///< of the circle through both sides
   double centre() const { return 0.5 * (x_left + x_right); }
+  bool holds(double x) const { return x_left <= x && x <= x_right; }
 };
 
 /// A circle fitted to points (algebraic least squares, Kasa 1976).
@@ -27,6 +28,7 @@ std::optional<Circle> fit_circle(const std::vector<std::array<double, 2>>& point
 /// reads 2 degrees less than the same circle at the undeformed wall (docs/verification.md).
 /// @param middle       density of the level set
 /// @param capillarity  g, sets where the fit begins
-std::vector<Footprint> find_footprints(const Snapshot<2>&, double middle, double capillarity);
+template <int D>
+std::vector<Footprint> find_footprints(const Section<D>&, double middle, double capillarity);
 
 }  // namespace softwet

@@ -6,29 +6,6 @@
 namespace softwet {
 namespace {
 
-/// Which footprint belongs to which droplet (-1: none). Of droplets under one footprint the first goes on with it, as
-/// one that was not there before; the others are merged.
-std::vector<int> assign_footprints(const std::vector<Footprint>& found, std::vector<DropletTrack>& droplets) {
-  std::vector<int> of_droplet(droplets.size(), -1);
-  std::vector<int> grown;
-  for (std::size_t f = 0; f < found.size(); ++f) {
-    int owner = -1;
-    for (std::size_t k = 0; k < droplets.size(); ++k) {
-      const double centre = droplets[k].centre;
-      if (droplets[k].merged || centre < found[f].x_left || centre > found[f].x_right) continue;
-      if (owner < 0 || (droplets[k].on_wall && !droplets[owner].on_wall)) {
-        owner = static_cast<int>(k);
-      } else if (droplets[k].on_wall) {
-        droplets[k].merged = true;
-        grown.push_back(owner);
-      }
-    }
-    if (owner >= 0) of_droplet[owner] = static_cast<int>(f);
-  }
-  for (int owner : grown) droplets[owner].on_wall = false;
-  return of_droplet;
-}
-
 template <int D, int P>
 bool sits_on(const Droplet& droplet, const Model<D, P>& model) {
   return std::abs(droplet.centre[D - 1] - model.wall_height()) < 1e-9;
@@ -53,7 +30,7 @@ double speed_of_liquid(const Layout<D>& layout, const State& state, double middl
 template <int D, int P>
 Scalars<D, P>::Scalars(const Case& c, const Model<D, P>& model) : case_(c), model_(model) {
   for (const Droplet& droplet : c.droplets)
-    memory_.droplets.push_back({droplet.centre[0], sits_on(droplet, model), false});
+    memory_.droplets.push_back({{droplet.centre[0], D == 3 ? droplet.centre[1] : 0}, sits_on(droplet, model), false});
   latest_ = memory_;
 }
 
@@ -77,8 +54,8 @@ std::vector<std::string> Scalars<D, P>::columns() const {
                                  "speed_max_fluid",
                                  "speed_max_solid"};
   for (std::size_t k = 0; k < case_.droplets.size(); ++k)
-    for (const char* name : {"x_left", "x_right", "x_centre", "velocity", "angle_left", "angle_right"})
-      names.push_back(k == 0 ? name : name + ("_" + std::to_string(k + 1)));
+    for (const std::string& name : contact_columns<D>())
+      names.push_back(k == 0 ? name : name + "_" + std::to_string(k + 1));
   for (const char* name : {"energy_total", "mass_drift", "speed_max_liquid", "wall_stretch"}) names.push_back(name);
   if (!case_.droplets.empty()) names.push_back("laplace");
   return names;
@@ -112,29 +89,29 @@ void Scalars<D, P>::add_extremes(const Snapshot<D>& snapshot, const State&, Row&
 
 template <int D, int P>
 void Scalars<D, P>::add_droplets(const Snapshot<D>& snapshot, long step, Row& row) {
-  std::vector<Footprint> found;
-  if constexpr (D == 2) {
-    const double middle = 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
-    if (model_.layout().has_fluid && model_.has_wall())
-      found = find_footprints(snapshot, middle, model_.fluid().capillarity);
-  }
-  const std::vector<int> of_droplet = assign_footprints(found, latest_.droplets);
+  std::vector<Contact> found;
+  const double middle = 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
+  if (model_.layout().has_fluid && model_.has_wall())
+    found = find_contacts(snapshot, middle, model_.fluid().capillarity, case_.track());
+  const std::vector<int> of_droplet = assign_contacts(found, latest_.droplets);
   const double interval = latest_.time - memory_.time;
   for (std::size_t k = 0; k < of_droplet.size(); ++k) {
     DropletTrack& track = latest_.droplets[k];
     const bool was_on_wall = track.on_wall;
     track.on_wall = of_droplet[k] >= 0;
-    if (k == 0) headline_.centre = headline_.velocity = std::nullopt;
+    if (k == 0) headline_.centre.clear(), headline_.velocity.reset();
     if (!track.on_wall) {
-      row.insert(row.end(), 6, std::nullopt);
+      row.insert(row.end(), contact_columns<D>().size(), std::nullopt);
       continue;
     }
-    const Footprint& f = found[of_droplet[k]];
-    std::optional<double> velocity;
-    if (step > 0 && was_on_wall && interval > 0) velocity = (f.centre() - track.centre) / interval;
-    track.centre = f.centre();
-    if (k == 0) headline_.centre = track.centre, headline_.velocity = velocity;
-    row.insert(row.end(), {f.x_left, f.x_right, f.centre(), velocity, f.angle_left, f.angle_right});
+    Contact& contact = found[of_droplet[k]];
+    std::optional<double>& velocity = contact.cells[velocity_column];
+    if (step > 0 && was_on_wall && interval > 0)
+      velocity = advance(model_.layout(), track.centre, contact.centre, case_.track()) / interval;
+    track.centre = contact.centre;
+    if (k == 0)
+      headline_.centre.assign(track.centre.begin(), track.centre.begin() + D - 1), headline_.velocity = velocity;
+    row.insert(row.end(), contact.cells.begin(), contact.cells.end());
   }
 }
 
@@ -143,7 +120,7 @@ double Scalars<D, P>::laplace_pressure(const Snapshot<D>& snapshot) const {
   const Droplet& droplet = case_.droplets[0];
   typename Snapshot<D>::Grid at;
   for (int d = 0; d < D; ++d) at[d] = {droplet.centre[d]};
-  at[0] = {latest_.droplets[0].centre};
+  for (int d = 0; d < D - 1; ++d) at[d] = {latest_.droplets[0].centre[d]};
   if (sits_on(droplet, model_))  // a cap: half its height
     at[D - 1][0] += 0.5 * droplet.radius * (1 - std::cos(case_.fluid->contact_angle * M_PI / 180));
   return snapshot.chemical_potential(at)[0] - model_.state().potential;

@@ -7,17 +7,10 @@
 
 #include "app/case.hpp"
 #include "model/model.hpp"
-#include "observe/contact_line.hpp"
+#include "observe/contacts.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
-
-/// One droplet of the case, from row to row.
-struct DropletTrack {
-  double centre = 0;     ///< of the footprint when last seen; before that, of the droplet in the case
-  bool on_wall = false;  ///< it had a footprint in the last row
-  bool merged = false;   ///< taken over by another droplet of the case; stays so
-};
 
 /// What the next row needs to know of the rows before; part of the checkpoint.
 struct HistoryMemory {
@@ -30,7 +23,8 @@ struct HistoryMemory {
 /// The figures of a row that the progress line shows.
 struct Headline {
   double energy = 0, wall_stretch = 0;
-  std::optional<double> centre, velocity, mass_drift;
+  std::vector<double> centre;  ///< of the first droplet on the wall; empty: it is not there
+  std::optional<double> velocity, mass_drift;
 };
 
 template <int D, int P>

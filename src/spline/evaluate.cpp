@@ -16,13 +16,45 @@ AxisSamples sample_axis(const Axis& axis, const std::vector<double>& points, int
   return s;
 }
 
+namespace {
+
+/// The control values that samples touch: a box inside the box.
 template <int D>
-std::vector<double> evaluate_grid(const double* box, const std::array<int, D>& extent,
+struct Crop {
+  std::array<int, D> first, count;
+  std::vector<double> values;
+
+  Crop(const double* box, const std::array<int, D>& extent, const std::array<AxisSamples, D>& at) {
+    std::size_t all = 1;
+    for (int d = 0; d < D; ++d) {
+      const auto [low, high] = std::minmax_element(at[d].first.begin(), at[d].first.end());
+      first[d] = *low;
+      count[d] = *high + static_cast<int>(at[d].value[0].size()) - *low;
+      all *= count[d];
+    }
+    values.reserve(all);
+    for (int k = 0; k < (D == 3 ? count[D - 1] : 1); ++k)
+      for (int j = 0; j < count[1]; ++j) {
+        const std::size_t plane = D == 3 ? static_cast<std::size_t>(first[D - 1] + k) * extent[1] : 0;
+        const double* row = box + (plane + first[1] + j) * extent[0] + first[0];
+        values.insert(values.end(), row, row + count[0]);
+      }
+  }
+};
+
+}  // namespace
+
+template <int D>
+std::vector<double> evaluate_grid(const double* box, const std::array<int, D>& whole,
                                   const std::array<AxisSamples, D>& at, int derivative) {
+  for (const AxisSamples& axis : at)
+    if (axis.first.empty()) return {};
+  Crop<D> crop(box, whole, at);
+  const std::array<int, D>& extent = crop.count;
   // Contract one axis after the other, last axis first: [k][j][i] -> [qk][j][i] -> ...
   std::size_t outer = 1, inner = 1;
   for (int d = 0; d < D - 1; ++d) inner *= extent[d];
-  std::vector<double> now(box, box + inner * extent[D - 1]);
+  std::vector<double> now = std::move(crop.values);
   for (int d = D - 1; d >= 0; --d) {
     const std::size_t points = at[d].first.size();
     std::vector<double> next(outer * points * inner, 0.0);
@@ -31,7 +63,7 @@ std::vector<double> evaluate_grid(const double* box, const std::array<int, D>& e
         const std::vector<double>& basis = d == derivative ? at[d].slope[q] : at[d].value[q];
         double* out = next.data() + (o * points + q) * inner;
         for (std::size_t a = 0; a < basis.size(); ++a) {
-          const double* in = now.data() + (o * extent[d] + at[d].first[q] + a) * inner;
+          const double* in = now.data() + (o * extent[d] + at[d].first[q] - crop.first[d] + a) * inner;
           for (std::size_t i = 0; i < inner; ++i) out[i] += basis[a] * in[i];
         }
       }

@@ -22,14 +22,22 @@ TIGHT = ["solver.newton.rtol=1e-11", "solver.newton.atol=1e-14", "solver.krylov.
 
 
 def command(case, folder, settings=(), options=()):
+    return command_of_file(cases / f"{case}.toml", folder, settings, options)
+
+
+def command_of_file(path, folder, settings=(), options=()):
     sets = [word for setting in settings for word in ("--set", setting)]
-    return [softwet, "run", str(cases / f"{case}.toml"), "--out", str(folder), *sets, *options]
+    return [softwet, "run", str(path), "--out", str(folder), *sets, *options]
 
 
 def run(case, folder, settings=(), options=("--overwrite", "--quiet", "--threads", "1"), code=0):
-    """Runs to the end and returns what was printed on stderr."""
-    result = subprocess.run(command(case, folder, settings, options), capture_output=True, text=True, timeout=300,
-                            env=environment)
+    """Runs a case of cases/ to the end and returns what was printed on stderr."""
+    return run_file(cases / f"{case}.toml", folder, settings, options, code)
+
+
+def run_file(path, folder, settings=(), options=("--overwrite", "--quiet", "--threads", "1"), code=0):
+    result = subprocess.run(command_of_file(path, folder, settings, options), capture_output=True, text=True,
+                            timeout=300, env=environment)
     if result.returncode != code:
         sys.exit(f"exit code {result.returncode}, not {code}: {result.args}\n{result.stderr}")
     return result.stderr

@@ -256,6 +256,15 @@ void check_time(const Checker& check) {
   }
 }
 
+void check_track(const Checker& check) {
+  const std::string key = "output.history.track";
+  if (!check.document.entries.count(key)) return;
+  if (check.c.dimension() == 2) check.refuse(key, "exists in 3D only", "remove it: in 2D the track is the x axis");
+  const std::vector<double>& track = check.c.output.track;
+  if (track.size() == 2 && std::hypot(track[0], track[1]) > 0) return;
+  check.refuse(key, "must be 2 numbers, not both 0", "write a horizontal direction, for example track = [1, 1]");
+}
+
 }  // namespace
 
 void check_case(const Case& c, const Document& document) {
@@ -273,6 +282,7 @@ void check_case(const Case& c, const Document& document) {
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);
   check_initial(check);
   check_time(check);
+  check_track(check);
 }
 
 }  // namespace softwet

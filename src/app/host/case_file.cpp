@@ -32,6 +32,17 @@ std::size_t entries_of(const Document& document, const std::string& table) {
                                                allowed_text(key), key.help, key.leaf(), example_text(key)));
 }
 
+/// The line along which the loads act: the sum of their horizontal forces, each with the sign that adds to the sum.
+Numbers line_of_loads(const Case& c) {
+  Numbers sum{0, 0};
+  for (const Load& load : c.loads) {
+    if (load.force.size() != 3) continue;  // refused by the checks
+    const double sign = sum[0] * load.force[0] + sum[1] * load.force[1] < 0 ? -1 : 1;
+    for (int d : {0, 1}) sum[d] += sign * load.force[d];
+  }
+  return sum[0] == 0 && sum[1] == 0 ? Numbers{1, 0} : sum;
+}
+
 Case resolve(const Document& document) {
   Case c;
   for (const Table& table : tables()) {
@@ -47,6 +58,7 @@ Case resolve(const Document& document) {
   if (!document.entries.count("boundary.top")) {
     find_key("boundary.top")->bind.set(c, 0, std::string(c.fluid ? "no_slip" : "free"));
   }
+  if (c.dimension() == 3 && !document.entries.count("output.history.track")) c.output.track = line_of_loads(c);
   return c;
 }
 

@@ -73,9 +73,10 @@ SavedRun read_saved_run(const std::string& path, const Case& c, const std::vecto
   run.history_step = file.count("history/step");
   run.history_time = file.not_negative("history/time");
   run.mass_start = file.number("history/mass_start");
-  const std::vector<double> droplets = file.array("history/droplets", 3 * c.droplets.size());
-  for (std::size_t k = 0; k < c.droplets.size(); ++k)
-    run.droplets.push_back({droplets[3 * k], droplets[3 * k + 1], droplets[3 * k + 2]});
+  const std::size_t numbers = static_cast<std::size_t>(c.dimension()) + 1;
+  const std::vector<double> droplets = file.array("history/droplets", numbers * c.droplets.size());
+  for (auto first = droplets.begin(); first != droplets.end(); first += numbers)
+    run.droplets.emplace_back(first, first + numbers);
   return run;
 }
 

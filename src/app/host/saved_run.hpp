@@ -1,7 +1,6 @@
 // What a checkpoint holds, read and judged as a whole: no Kokkos, so it can be tested and fuzzed alone.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -20,7 +19,8 @@ struct SavedRun {
   std::int64_t steps = 0, rejected_newton = 0, rejected_error = 0;
   std::int64_t history_step = 0;
   double history_time = 0, mass_start = 0;
-  std::vector<std::array<double, 3>> droplets;  ///< centre of the footprint, on the wall (1) or not, merged (1) or not
+  /// Per droplet: centre of the footprint (2D: x; 3D: x, y), on the wall (1) or not, merged (1) or not.
+  std::vector<std::vector<double>> droplets;
 };
 
 /// Name and length of an array of the file.

@@ -192,6 +192,18 @@ TEST(BadCases, WhatIsThereAtTheStartHasToFit) {
   tells(message_of(pull, {"fluid.contact_angle=30", "droplet[0].radius=1.01"}), "crosses the left side");
 }
 
+TEST(BadCases, ATrackIsAHorizontalDirectionIn3D) {
+  const std::string box =
+      "name='x'\ntime.end=1\ndomain={size=[1,1,1],elements=[8,8,8]}\n"
+      "fluid={viscosity=1,capillarity=1,temperature=0.5}\n";
+  for (const char* track : {"[0, 0]", "[1]", "[1, 1, 0]"}) {
+    const std::string message = message_of(box, {std::string("output.history.track=") + track});
+    EXPECT_NE(message.find("output.history.track"), std::string::npos) << message;
+    EXPECT_NE(message.find("track = [1, 1]"), std::string::npos) << message;
+  }
+  EXPECT_NE(message_of(pull, {"output.history.track=[1, 1]"}).find("exists in 3D only"), std::string::npos);
+}
+
 TEST(BadCases, OverridesAreNamedAsThePlace) {
   EXPECT_EQ(message_of(pull, {"fluid.viscosity=-1"}).rfind("--set fluid.viscosity=-1: fluid.viscosity = -1", 0), 0u);
   EXPECT_NE(message_of(pull, {"fluid.viscosty=1"}).find("did you mean fluid.viscosity"), std::string::npos);

@@ -140,6 +140,20 @@ TEST(CaseFile, ThreeDimensionsPutBottomAndTopOnTheLastAxis) {
   EXPECT_EQ(write_case(parse_case(write_case(c), "again")), write_case(c));
 }
 
+TEST(CaseFile, TrackIsTheLineOfTheLoadsByDefault) {
+  const std::string solid =
+      "name='s'\ndomain={size=[1,1,1],elements=[4,4,4]}\nsubstrate={thickness=1,young=1,poisson=0}"
+      "\ntime.end=1\n";
+  const auto load = [](const std::string& force) { return "[[load]]\nbox=[[0,0,0],[1,1,1]]\nforce=" + force + "\n"; };
+  const auto track = [](const std::string& text) { return parse_case(text, "solid").track(); };
+  EXPECT_EQ(track(solid), (std::array<double, 2>{1, 0}));
+  EXPECT_EQ(track(solid + load("[0,0,-1]")), (std::array<double, 2>{1, 0}));
+  EXPECT_EQ(track(solid + load("[0,-2,1]")), (std::array<double, 2>{0, -1}));
+  // Two loads that push against each other act along one line.
+  EXPECT_NEAR(track(solid + load("[3,4,0]") + load("[-3,-4,0]"))[1], 0.8, 1e-15);
+  EXPECT_NEAR(track(solid + "output.history.track=[5,-12]")[0], 5.0 / 13, 1e-15);
+}
+
 TEST(CaseFile, TopOfASolidAloneIsFreeByDefault) {
   const Case c = parse_case(
       "name='s'\ndomain={size=[1,1],elements=[4,4]}\nsubstrate={thickness=1,young=1,poisson=0}\ntime.end=1", "solid");

@@ -36,9 +36,9 @@ struct Content {
   std::map<std::string, std::vector<double>> arrays{
       {"state/unknown", {1, 2, 3, 4}}, {"previous/unknown", {5, 6, 7, 8}}, {"history/droplets", {0.5, 1, 0}}};
 
-  void write(const std::string& path) const {
+  void write(const std::string& path, const Case& c = pull()) const {
     CheckpointWriter file(path);
-    file.value("case", fingerprint(pull()));
+    file.value("case", fingerprint(c));
     for (const auto& [name, value] : numbers) file.value(name, value);
     for (const auto& [name, value] : counts) file.value(name, value);
     for (const auto& [name, values] : arrays) file.array(name, values);
@@ -56,7 +56,22 @@ TEST(SavedRun, ReadsWhatARunWrites) {
   EXPECT_EQ(run.previous_dt, 0.5);
   EXPECT_EQ(run.proposed_dt, 0.25);
   EXPECT_EQ(run.steps + run.rejected_newton + run.rejected_error + run.history_step, 7 + 1 + 2 + 6);
-  EXPECT_EQ(run.droplets[0], (std::array<double, 3>{0.5, 1, 0}));
+  EXPECT_EQ(run.droplets[0], (std::vector<double>{0.5, 1, 0}));
+}
+
+TEST(SavedRun, ADropletOn3DHasTwoCoordinates) {
+  const ScratchFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  const Case box = parse_case(
+      "name='b'\ntime.end=1\ndomain={size=[1,1,1],elements=[8,8,8]}\nfluid={viscosity=1,capillarity=1,temperature=0.5}"
+      "\n"
+      "[[droplet]]\ncentre=[0.4,0.4,0]\nradius=0.2\n[[droplet]]\ncentre=[0.6,0.6,0]\nradius=0.2\n",
+      "box.toml");
+  Content content;
+  content.arrays["history/droplets"] = {0.4, 0.5, 1, 0, 0.6, 0.7, 0, 1};
+  content.write(path, box);
+  EXPECT_EQ(read_saved_run(path, box, sizes).droplets,
+            (std::vector<std::vector<double>>{{0.4, 0.5, 1, 0}, {0.6, 0.7, 0, 1}}));
 }
 
 void expect_refused(const std::string& name, const std::function<void(Content&)>& change) {

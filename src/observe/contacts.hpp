@@ -1,0 +1,49 @@
+// Where the droplets of a case meet the wall, from row to row of history.csv.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "observe/contact_line.hpp"
+
+namespace softwet {
+
+/// One droplet of the case, from row to row.
+struct DropletTrack {
+  Place centre{};        ///< of the footprint when last seen; before that, of the droplet in the case
+  bool on_wall = false;  ///< it had a footprint in the last row
+  bool merged = false;   ///< taken over by another droplet of the case; stays so
+};
+
+/// A footprint as a row shows it.
+struct Contact {
+  Place centre;
+  std::vector<std::optional<double>> cells;  ///< in the order of contact_columns; the velocity is left empty
+  std::function<bool(const Place&)> holds;   ///< whether a place of the wall is under it
+};
+
+/// 2D: x_left, x_right, x_centre, velocity, angle_left, angle_right.
+/// 3D: contact_area, x_centre, y_centre, velocity, track_rear, track_front, angle_rear, angle_front.
+template <int D>
+std::vector<std::string> contact_columns();
+constexpr int velocity_column = 3;
+
+/// All footprints. 3D: area and centroid are those of the wetted part of the deformed wall, inside the domain. Contact
+/// points and angles are those of the vertical section through the centroid along the track, as in 2D; positions count
+/// along the track from the middle of the domain. A droplet cut by a side, beside its centroid, is half of one with the
+/// side as its plane of symmetry, so its section goes along that side.
+/// @param middle  density of the level set
+/// @param track   unit vector
+template <int D>
+std::vector<Contact> find_contacts(const Snapshot<D>&, double middle, double capillarity, const Place& track);
+
+/// Which contact belongs to which droplet (-1: none). Of droplets under one footprint the first goes on with it, as one
+/// that was not there before; the others are merged.
+std::vector<int> assign_contacts(const std::vector<Contact>&, std::vector<DropletTrack>&);
+
+/// How far `to` lies from `from` along the track, the shorter way round a periodic axis.
+template <int D>
+double advance(const Layout<D>&, const Place& from, const Place& to, const Place& track);
+
+}  // namespace softwet

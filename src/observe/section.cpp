@@ -1,0 +1,87 @@
+#include "observe/section.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softwet {
+
+std::vector<double> equidistant(double low, double high, int count) {
+  std::vector<double> x(count + 1);
+  for (int i = 0; i <= count; ++i) x[i] = low + (high - low) * i / count;
+  return x;
+}
+
+template <int D>
+std::vector<double> Section<D>::abscissas(int per_element) const {
+  const std::vector<Axis>& axis = snapshot_.layout().axis;
+  if constexpr (D == 2) return equidistant(reach_.low, reach_.high, per_element * axis[0].elements());
+  const double spacing = std::min(axis[0].spacing(), axis[1].spacing());
+  const int elements = static_cast<int>(std::ceil((reach_.high - reach_.low) / spacing - 1e-9));
+  return equidistant(reach_.low, reach_.high, per_element * elements);
+}
+
+template <int D>
+typename Snapshot<D>::Grid Section<D>::point(double s) const {
+  typename Snapshot<D>::Grid at;
+  for (int d = 0; d < D - 1; ++d) {
+    const Axis& axis = snapshot_.layout().axis[d];
+    double x = origin_[d] + s * direction_[d];
+    if (axis.periodic()) x -= axis.length() * std::floor(x / axis.length());
+    at[d] = {x};
+  }
+  return at;
+}
+
+template <int D>
+std::vector<double> Section<D>::density(const std::vector<double>& s, const std::vector<double>& height) const {
+  if constexpr (D == 2) return snapshot_.density({s, height});
+  std::vector<double> values(s.size() * height.size());
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    auto at = point(s[i]);
+    at[D - 1] = height;
+    const std::vector<double> column = snapshot_.density(at);
+    for (std::size_t j = 0; j < height.size(); ++j) values[j * s.size() + i] = column[j];
+  }
+  return values;
+}
+
+template <int D>
+std::array<double, 2> Section<D>::current(double s, double height) const {
+  auto at = point(s);
+  at[D - 1] = {height};
+  double along = 0;
+  for (int d = 0; d < D - 1; ++d) along += direction_[d] * snapshot_.displacement(at, d, true)[0];
+  return {s + along, height + snapshot_.displacement(at, D - 1, true)[0]};
+}
+
+Section<2> side_view(const Snapshot<2>& snapshot) {
+  const Axis& axis = snapshot.layout().axis[0];
+  return {snapshot, {0, 0}, {1, 0}, {0, axis.length(), !axis.periodic(), !axis.periodic()}};
+}
+
+double along_track(const Layout<3>& layout, const Place& point, const Place& direction) {
+  double s = 0;
+  for (int d : {0, 1}) s += (point[d] - 0.5 * layout.axis[d].length()) * direction[d];
+  return s;
+}
+
+Section<3> side_view(const Snapshot<3>& snapshot, const Place& point, const Place& direction) {
+  const Layout<3>& layout = snapshot.layout();
+  const double s = along_track(layout, point, direction);
+  const Place origin{point[0] - s * direction[0], point[1] - s * direction[1]};
+  Reach reach{-1e300, 1e300, true, true};
+  for (int d : {0, 1}) {
+    const double slope = direction[d], length = layout.axis[d].length();
+    if (std::abs(slope) < 1e-12) continue;
+    const bool side = !layout.axis[d].periodic();
+    const double half = 0.5 * length / std::abs(slope), middle = side ? (0.5 * length - origin[d]) / slope : s;
+    if (middle - half > reach.low) reach.low = middle - half, reach.low_is_side = side;
+    if (middle + half < reach.high) reach.high = middle + half, reach.high_is_side = side;
+  }
+  return {snapshot, origin, direction, reach};
+}
+
+template class Section<2>;
+template class Section<3>;
+
+}  // namespace softwet

@@ -1,0 +1,52 @@
+// A vertical plane through the domain, in which droplets are seen from the side.
+#pragma once
+
+#include "observe/snapshot.hpp"
+#include "observe/wetted_wall.hpp"
+
+namespace softwet {
+
+/// The part of a line inside the domain; an end lies on a side, or where a periodic axis is cut open.
+struct Reach {
+  double low, high;
+  bool low_is_side, high_is_side;
+};
+
+/// The points (origin + s direction, height) of the reference domain, s inside the reach, from the wall up.
+template <int D>
+class Section {
+ public:
+  Section(const Snapshot<D>& snapshot, const Place& origin, const Place& direction, const Reach& reach)
+      : snapshot_(snapshot), origin_(origin), direction_(direction), reach_(reach) {}
+
+  const Reach& reach() const { return reach_; }
+  /// `per_element` equidistant values of s per element, or slightly more, from low to high.
+  std::vector<double> abscissas(int per_element) const;
+  /// Values at all pairs of s and height, s fastest.
+  std::vector<double> density(const std::vector<double>& s, const std::vector<double>& height) const;
+  /// Where the point is now: (s, height), projected on to the plane.
+  std::array<double, 2> current(double s, double height) const;
+  const Snapshot<D>& snapshot() const { return snapshot_; }
+
+ private:
+  typename Snapshot<D>::Grid point(double s) const;  ///< horizontal coordinates, inside a periodic domain
+
+  const Snapshot<D>& snapshot_;
+  Place origin_, direction_;
+  Reach reach_;
+};
+
+/// The whole of a 2D domain: s = x.
+Section<2> side_view(const Snapshot<2>&);
+
+/// The plane through a point of the wall along a direction (a unit vector), from side to side. s counts from the foot
+/// of the perpendicular from the middle of the domain. A periodic axis is cut half a period before and behind the point.
+Section<3> side_view(const Snapshot<3>&, const Place& point, const Place& direction);
+
+/// s of a point of the wall in a section along `direction`.
+double along_track(const Layout<3>&, const Place& point, const Place& direction);
+
+/// From `low` to `high` in `count` equal steps, ends included.
+std::vector<double> equidistant(double low, double high, int count);
+
+}  // namespace softwet

@@ -1,0 +1,65 @@
+// The wetted parts of a wall that is a surface: areas, centroids, connectedness. Plain numbers, no state.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace softwet {
+
+using Place = std::array<double, 2>;  ///< a point or direction in the plane of the wall, (x, y); 2D: y = 0
+
+/// Density and displacement on an equidistant grid of the undeformed wall, first axis fastest. An axis of n cells has
+/// n + 1 points, a periodic one n.
+struct WallSamples {
+  std::array<double, 2> length;
+  std::array<int, 2> cells;
+  std::array<bool, 2> periodic;
+  std::vector<double> density;
+  std::array<std::vector<double>, 3> displacement;
+
+  int points(int axis) const { return cells[axis] + (periodic[axis] ? 0 : 1); }
+};
+
+/// A connected part of the wall under liquid.
+struct WettedRegion {
+  double area = 0;           ///< of the deformed wall
+  Place centre{};            ///< of that area, now; inside a periodic domain
+  Place reference_centre{};  ///< the same, of the points before they moved
+  /// Per axis: -1 where the low side beside the centre belongs to the region, 1 where the high side does, 0: none, both.
+  std::array<int, 2> cut{0, 0};
+};
+
+/// Where the density is above a level. Each cell is four triangles around its middle, whose value is the mean of the
+/// corners; a triangle is cut along the line where its linear interpolant has the level. Areas and centroids are of
+/// second order in the size of a cell, and keep the symmetries of the grid.
+class WettedWall {
+ public:
+  WettedWall(const WallSamples& samples, double level);
+
+  /// In the order of their first points.
+  const std::vector<WettedRegion>& regions() const { return regions_; }
+  /// The region at a place of the deformed wall: that of the nearest sample; -1: dry.
+  int region_at(const Place& now) const;
+
+ private:
+  struct Step;
+  struct Vertex;
+  Step step(int point, int di, int dj) const;
+  bool wet(int point) const { return samples_.density[point] >= level_; }
+  bool wet_middle(int i, int j) const;
+  int corner(int i, int j) const;
+  Vertex vertex(int i, int j, const std::array<int, 2>& turn) const;
+  void flood(int start);
+  void add_cell(int i, int j);
+  void add_triangle(const std::array<Vertex, 3>& triangle, WettedRegion& region) const;
+  void finish();
+  bool beside(int region, int axis, int end) const;
+
+  WallSamples samples_;
+  double level_;
+  std::vector<int> region_;               ///< of each point; -1: dry
+  std::vector<std::array<int, 2>> turn_;  ///< how often a region has gone round a periodic axis when it gets there
+  std::vector<WettedRegion> regions_;
+};
+
+}  // namespace softwet

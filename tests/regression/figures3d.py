@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""Pictures of a run in three dimensions: surfaces and profiles are those of the run. usage: figures3d.py SOFTWET"""
+
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+
+import numpy
+from _scene import check, check_true, run_file
+
+try:
+    import matplotlib  # noqa: F401
+except ImportError:
+    print("no matplotlib, no pictures: nothing to test")
+    sys.exit(0)
+
+tools = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tools"
+sys.path.insert(0, str(tools))
+import _output3d  # noqa: E402
+import _scene3d  # noqa: E402
+
+
+# --- surfaces: a sphere in a box of cells that are no cubes ----------------------------------------------------------
+def sphere_area(n):
+    z, y, x = numpy.meshgrid(*(numpy.linspace(-1, 1, m) for m in (n, n + 3, 2 * n)), indexing="ij")
+    place = numpy.stack([x, y, z], axis=-1)
+    radius = numpy.linalg.norm(place, axis=-1)
+    corners, carried = _output3d.level_set(0.7 - radius, 0.0, place, radius[..., None])
+    check(f"carried values belong to the level, {n} points", abs(carried - 0.7).max(), 1e-12)
+    across = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return 0.5 * numpy.linalg.norm(across, axis=1).sum()
+
+
+errors = [abs(sphere_area(n) / (4 * numpy.pi * 0.49) - 1) for n in (11, 21)]
+check("area of a sphere, relative: closed, no face twice", errors[1], 0.01)
+check("of second order: error of the finer over the coarser lattice", errors[1] / errors[0], 0.3)
+
+# --- a small coupled run ---------------------------------------------------------------------------------------------
+pathlib.Path("small.toml").write_text("""
+name = "small"
+[domain]
+size = [0.8, 0.8, 0.4]
+elements = [8, 8, 4]
+[fluid]
+viscosity = 0.05
+capillarity = 0.15
+temperature = 0.39
+contact_angle = 75.0
+[substrate]
+thickness = 0.1
+young = 0.7554
+poisson = 0.45
+[[droplet]]
+centre = [0.4, 0.4, 0.1]
+radius = 0.3
+[[load]]
+box = [[0.3, 0.3, 0.0], [0.5, 0.5, 0.1]]
+force = [1.0, 1.0, 0.0]
+[time]
+end = 0.1
+[output]
+fields = { times = [0.0, 0.1] }
+[solver]
+krylov = { preconditioner = "lu" }
+""")
+run_file("small.toml", "small")
+output = _output3d.Output("small")
+check("the track is the line of the load", abs(output.track - 0.5 ** 0.5).max(), 1e-15)
+s, lift = _output3d.profile(output, 0.1)
+check_true("the surface has moved", abs(lift).max() > 1e-6)
+
+# Points of the diagonal in interface.csv: there the profile has to have their values.
+with open("small/interface.csv", newline="") as file:
+    rows = [{name: float(cell or "nan") for name, cell in row.items()} for row in csv.DictReader(file)]
+diagonal = [row for row in rows if row["time"] == 0.1 and row["x_reference"] == row["y_reference"]]
+check_true("interface.csv has the diagonal", len(diagonal) == 17)
+place = [sum(row[f"{d}_reference"] - 0.4 + row[f"displacement_{d}"] for d in "xy") / 2 ** 0.5 for row in diagonal]
+known = [row["displacement_z"] for row in diagonal]
+check("profile and interface.csv agree", abs(numpy.interp(place, s, lift) - known).max(), 1e-3 * abs(lift).max())
+
+# The contact line of the picture against the contact points of history.csv.
+scene = _scene3d.Scene(output, 0.1, 1.0, _scene3d.View(output.track))
+line = numpy.concatenate(scene.contact_lines()) - 0.4
+with open("small/history.csv", newline="") as file:
+    last = list(csv.DictReader(file))[-1]
+along, across = (line[:, 0] + line[:, 1]) / 2 ** 0.5, (line[:, 0] - line[:, 1]) / 2 ** 0.5
+order = numpy.argsort(across[along > 0])
+front = numpy.interp(0, across[along > 0][order], along[along > 0][order])
+check("contact line and track_front agree", abs(front - float(last["track_front"])), 1e-3)
+
+
+def figures3d(*options):
+    return subprocess.run([sys.executable, str(tools / "figures3d"), "small", *options], capture_output=True, text=True)
+
+
+result = figures3d("--out", "small.png")
+check_true("the picture is there", result.returncode == 0 and pathlib.Path("small.png").stat().st_size > 10000,
+           result.stderr)
+result = figures3d("--scenes", "7")
+check_true("a time without fields is named", result.returncode == 1 and "no fields at t = 7" in result.stderr,
+           result.stderr)
