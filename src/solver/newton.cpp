@@ -90,6 +90,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
                            const NewtonControl& control, double dt, const Array& x) {
   NewtonResult result;
   double start = 0, previous = 0, forcing = 0.1;
+  preconditioner_->set_operator(system.product);
   if (built_dt_ == 0 || dt > 2 * built_dt_ || dt < 0.5 * built_dt_) rebuild_ = true;
   for (;; ++result.iterations) {
     {

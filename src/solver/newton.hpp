@@ -55,7 +55,7 @@ class Stopwatch {
 /// The nonlinear system of one step, as Newton sees it.
 struct NonlinearSystem {
   std::function<void(const Array& x, const Array& r)> residual;
-  std::function<void(const Array& z, const Array& out)> product;
+  Operator product;
   Jacobian jacobian;  ///< for the preconditioner
   /// Empty if x is admissible (finite, densities inside (.., 1)); otherwise what is wrong with it.
   std::function<std::string(const Array& x)> complaint;

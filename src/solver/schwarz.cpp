@@ -140,6 +140,8 @@ class Schwarz final : public StencilSolver<D> {
     coarse_->build(*coarse_matrix_);
   }
 
+  void set_operator(const Operator& product) override { product_ = product; }
+
   void apply(const ConstArray& r, const Array& z) override {
     if (!space_) {
       Kokkos::deep_copy(Exec(), z, 0.0);
@@ -148,7 +150,11 @@ class Schwarz final : public StencilSolver<D> {
     space_->restrict_to(r, coarse_r_);
     coarse_->apply(coarse_r_, coarse_z_);
     space_->prolong(coarse_z_, z);
-    matrix_->multiply(z, rest_);
+    if (product_) {
+      product_(z, rest_);
+    } else {
+      matrix_->multiply(z, rest_);
+    }
     combine(rest_, -1, rest_, 0);
     add_scaled(rest_, 0, 1, r);
     add_boxes(rest_, z);
@@ -195,6 +201,7 @@ class Schwarz final : public StencilSolver<D> {
   DenseBlocks blocks_;  ///< matrices of the boxes, then [box][column][row] of their inverses
   Kokkos::View<float**, Kokkos::LayoutRight, Exec> out_;
   const StencilMatrix<D>* matrix_ = nullptr;
+  Operator product_;
   std::optional<CoarseSpace<D>> space_;
   std::optional<StencilMatrix<D>> coarse_matrix_;
   std::unique_ptr<StencilSolver<D>> coarse_;

@@ -19,61 +19,63 @@ UnknownTable<D>::UnknownTable(const Layout<D>& layout, const std::vector<double>
 
 namespace {
 
-/// Free values of a vector by component and control point of the patch, in single precision; others are zero.
+/// Free values of a vector, in single precision, by component and line of control points along the first axis. Lines
+/// carry `degree` values in front and a rest behind, so that a product reads whole chunks: zeros, or what a periodic
+/// axis repeats. Values that do not exist are zero.
+template <int D>
 struct SpreadValues {
+  Stencil<D> stencil;
   ConstArray x, mask;
   StencilValues out;
-  int shift[5], first[5], points;
-  KOKKOS_FUNCTION void operator()(int item) const {
-    const int c = item / points, point = item % points, unknown = shift[c] + point;
-    out(item) = point < first[c] ? 0.0f : static_cast<float>(x(unknown) * mask(unknown));
+  int shift[D + 2], first[D + 2], line_length;
+
+  KOKKOS_FUNCTION void operator()(std::int64_t item) const {
+    const int n = stencil.extent[0], lines = stencil.points / n;
+    const int at = static_cast<int>(item % line_length), line = static_cast<int>(item / line_length % lines);
+    const int c = static_cast<int>(item / line_length / lines);
+    const int i = at < n + 2 * stencil.degree ? stencil.moved(at, -stencil.degree, 0) : -1;
+    const int point = line * n + i, unknown = shift[c] + point;
+    out(item) = i < 0 || point < first[c] ? 0.0f : static_cast<float>(x(unknown) * mask(unknown));
   }
 };
 
-/// y of one component along a piece of a line of control points, offset by offset.
+/// y of one component on a chunk of a line of control points, offset by offset.
 template <int D>
-struct MultiplyLine {
+struct MultiplyChunk {
   Stencil<D> stencil;
   StencilValues values, x;
   ConstArray mask;
   Array y;
-  int shift[5], first[5];
-  static constexpr int chunk = on_host ? 64 : 1;
+  int shift[D + 2], first[D + 2], line_length;
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
+    constexpr int chunk = StencilMatrix<D>::chunk;
     const int n = stencil.extent[0], chunks = (n + chunk - 1) / chunk, lines = stencil.points / n;
-    const int begin = static_cast<int>(item % chunks) * chunk, count = n - begin < chunk ? n - begin : chunk;
-    const int line = static_cast<int>(item / chunks % lines), a = static_cast<int>(item / chunks / lines);
-    const int point = line * n + begin;
+    const int begin = static_cast<int>(item % chunks) * chunk, line = static_cast<int>(item / chunks % lines);
+    const int a = static_cast<int>(item / chunks / lines), point = line * n + begin;
     if (point < first[a]) return;
+    const int width = 2 * stencil.degree + 1;
     float sum[chunk] = {};
-    for (int o = 0; o < stencil.offsets; ++o) {
-      int to = 0, stride = n;  // first control point of the neighbouring line
+    for (int across = 0; across < stencil.offsets / width; ++across) {  // shifts along the other axes
+      int to = 0, stride = 1;                                           // the neighbouring line
       bool inside = true;
       for (int d = 1; d < D; ++d) {
-        const int i = stencil.moved(stencil.coordinate(point, d), stencil.shift(o, d), d);
+        const int i = stencil.moved(stencil.coordinate(point, d), stencil.shift(across * width, d), d);
         inside = inside && i >= 0;
         to += stride * i;
         stride *= stencil.extent[d];
       }
       if (!inside) continue;
-      for (int u = 0; u < stencil.components; ++u)
-        if (to >= first[u])
-          add_offset(values.data() + stencil.index(a, u, o, point), x.data() + u * stencil.points + to, begin, count,
-                     stencil.shift(o, 0), sum);
+      for (int u = 0; u < stencil.components; ++u) {
+        if (to * n < first[u]) continue;
+        const float* from = x.data() + (u * lines + to) * line_length + begin;
+        const float* entry = values.data() + stencil.index(a, u, across * width, point);
+        for (int o = 0; o < width; ++o, ++from, entry += stencil.points)
+          for (int i = 0; i < chunk; ++i) sum[i] += entry[i] * from[i];
+      }
     }
-    for (int i = 0; i < count; ++i) y(shift[a] + point + i) = sum[i] * mask(shift[a] + point + i);
-  }
-  KOKKOS_FORCEINLINE_FUNCTION void add_offset(const float* entry, const float* from, int begin, int count, int move,
-                                              float* sum) const {
-    if (stencil.period[0] > 0) {
-      for (int i = 0; i < count; ++i) sum[i] += entry[i] * from[stencil.moved(begin + i, move, 0)];
-      return;
-    }
-    const int low = begin + move < 0 ? -(begin + move) : 0;
-    const int high = begin + count + move > stencil.extent[0] ? stencil.extent[0] - begin - move : count;
-    from += begin + move;
-    for (int i = low; i < high; ++i) sum[i] += entry[i] * from[i];
+    for (int i = 0; i < chunk && begin + i < n; ++i)
+      y(shift[a] + point + i) = sum[i] * mask(shift[a] + point + i);
   }
 };
 
@@ -81,28 +83,32 @@ struct MultiplyLine {
 
 template <int D>
 StencilMatrix<D>::StencilMatrix(const Layout<D>& layout, const ConstArray& mask)
-    : layout_(layout), stencil_(layout), mask_(mask), spread_("stencil.x", stencil_.components * stencil_.points) {}
+    : layout_(layout), stencil_(layout), mask_(mask) {
+  const int n = stencil_.extent[0];
+  line_length_ = (n + chunk - 1) / chunk * chunk + 2 * stencil_.degree;
+  spread_ = StencilValues("stencil.x", stencil_.components * (stencil_.points / n) * line_length_);
+}
 
 template <int D>
 void StencilMatrix<D>::fill(const Jacobian& jacobian) {
-  if (values_.extent(0) == 0)
-    values_ = StencilValues(Kokkos::view_alloc("stencil", Kokkos::WithoutInitializing), stencil_.size());
-  jacobian(values_);
+  const auto all = Kokkos::make_pair(std::int64_t(0), stencil_.size());
+  if (values_.extent(0) == 0) values_ = StencilValues("stencil", stencil_.size() + chunk);  // a product reads beyond
+  jacobian(Kokkos::subview(values_, all));
 }
 
 template <int D>
 void StencilMatrix<D>::multiply(const ConstArray& x, const Array& y) const {
-  MultiplyLine<D> line{stencil_, values_, spread_, mask_, y, {}, {}};
-  SpreadValues spread{x, mask_, spread_, {}, {}, stencil_.points};
+  using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
+  SpreadValues<D> spread{stencil_, x, mask_, spread_, {}, {}, line_length_};
+  MultiplyChunk<D> product{stencil_, values_, spread_, mask_, y, {}, {}, line_length_};
   for (int c = 0; c < stencil_.components; ++c) {
-    line.shift[c] = spread.shift[c] = component_shift(layout_, c);
-    line.first[c] = spread.first[c] = c < D ? 0 : layout_.fluid_shift();
+    product.shift[c] = spread.shift[c] = component_shift(layout_, c);
+    product.first[c] = spread.first[c] = c < D ? 0 : layout_.fluid_shift();
   }
-  Kokkos::parallel_for("softwet::spread", Kokkos::RangePolicy<Exec>(0, spread_.extent(0)), spread);
-  const int chunks = (stencil_.extent[0] + line.chunk - 1) / line.chunk;
+  Kokkos::parallel_for("softwet::spread", Policy(0, spread_.extent(0)), spread);
+  const int chunks = (stencil_.extent[0] + chunk - 1) / chunk;
   const std::int64_t items = std::int64_t(stencil_.components) * (stencil_.points / stencil_.extent[0]) * chunks;
-  Kokkos::parallel_for("softwet::stencil_multiply",
-                       Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>(0, items), line);
+  Kokkos::parallel_for("softwet::stencil_multiply", Policy(0, items), product);
 }
 
 template class UnknownTable<2>;

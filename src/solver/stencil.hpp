@@ -30,6 +30,8 @@ class UnknownTable {
 template <int D>
 class StencilMatrix {
  public:
+  static constexpr int chunk = on_host ? 16 : 1;  ///< rows of a product at once
+
   StencilMatrix(const Layout<D>& layout, const ConstArray& mask);
 
   void fill(const Jacobian& jacobian);
@@ -47,7 +49,8 @@ class StencilMatrix {
   Stencil<D> stencil_;
   ConstArray mask_;
   StencilValues values_;
-  StencilValues spread_;  ///< the vector of a product, by component and control point
+  StencilValues spread_;  ///< the vector of a product, line by line
+  int line_length_ = 0;
 };
 
 /// Calls visit(row unknown, index of the value) for every entry in the column of an unknown. Around a short periodic
