@@ -71,6 +71,19 @@ KrylovResult Newton::linear_solve(const NonlinearSystem& system, const std::vect
   return gmres_.solve(apply, precondition, scaled_, step_, forcing, control.krylov_max);
 }
 
+void Wear::add(const KrylovResult& linear) {
+  const double digits = -std::log10(std::clamp(linear.reduction, 1e-16, 0.8));
+  if (first_ == 0) first_ = linear.iterations / digits;
+  excess_ += std::max(0.0, linear.iterations - first_ * digits);
+}
+
+void Newton::build(const NonlinearSystem& system) {
+  Stopwatch watch(counts_.build_seconds);
+  ++counts_.builds;
+  preconditioner_->build(system.jacobian);
+  wear_.renew();
+}
+
 std::string Newton::update(const NonlinearSystem& system, const Array& x) {
   std::string complaint;
   double length = 1;
@@ -87,11 +100,10 @@ std::string Newton::update(const NonlinearSystem& system, const Array& x) {
 }
 
 NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<FieldRange>& fields,
-                           const NewtonControl& control, double dt, const Array& x) {
+                           const NewtonControl& control, const Array& x) {
   NewtonResult result;
   double start = 0, previous = 0, forcing = 0.1;
   preconditioner_->set_operator(system.product);
-  if (built_dt_ == 0 || dt > 2 * built_dt_ || dt < 0.5 * built_dt_) rebuild_ = true;
   for (;; ++result.iterations) {
     {
       Stopwatch watch(counts_.residual_seconds);
@@ -119,13 +131,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     const double ratio = result.iterations > 0 ? size / previous : 1.0;
     previous = size;
     const bool fresh = rebuild_;
-    if (rebuild_) {
-      Stopwatch watch(counts_.build_seconds);
-      ++counts_.builds;
-      preconditioner_->build(system.jacobian);
-      built_dt_ = dt;
-      rebuild_ = false;
-    }
+    if (fresh) build(system);
     // Eisenstat and Walker 1996, choice 2, without solving beyond what the step needs.
     if (result.iterations > 0) forcing = std::clamp(0.9 * ratio * ratio, control.krylov_rtol, 0.1);
     forcing = std::max(forcing, std::min(0.1, 0.5 * control.rtol * start / size));
@@ -133,9 +139,9 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     result.krylov += linear.iterations;
     counts_.krylov += linear.iterations;
     ++counts_.newton;
-    if (fresh) built_iterations_ = linear.iterations;
-    const int limit = std::max(control.rebuild_above, 2 * built_iterations_);
-    if (linear.iterations > limit || !linear.converged) rebuild_ = true;
+    wear_.add(linear);
+    rebuild_ = wear_.excess() >= control.build_cost || !linear.converged;
+    if (!linear.converged && !fresh) continue;  // once more with a new preconditioner
     if (linear.reduction > 0.9) {
       result.reason = "the linear solver stalled";
       return result;

@@ -20,7 +20,7 @@ struct NewtonControl {
   int max = 10;
   double krylov_rtol = 1e-2;  ///< tightest forcing term; early iterations ask for less
   int krylov_max = 200;
-  int rebuild_above = 15;  ///< Krylov iterations after which the preconditioner is rebuilt, if it once did with half
+  double build_cost = 60;  ///< of a preconditioner, in Krylov iterations (measured: 60 to 90 for each of them)
   JacobianKind jacobian = JacobianKind::exact;
 };
 
@@ -35,6 +35,19 @@ struct NewtonResult {
   int iterations = 0, krylov = 0;
   double reduction = 1;
   std::string reason;  ///< of a failure, for the user
+};
+
+/// How much a lagged preconditioner has cost beyond a fresh one: iterations above those that its first linear solve took
+/// per digit. Building anew when that reaches the cost of a build is at most twice as dear as the best choice in hindsight.
+class Wear {
+ public:
+  void renew() { *this = {}; }
+  void add(const KrylovResult& linear);
+  double excess() const { return excess_; }
+
+ private:
+  double first_ = 0;  ///< iterations per digit
+  double excess_ = 0;
 };
 
 /// Adds the time of its scope to a counter.
@@ -71,13 +84,13 @@ class Newton {
  public:
   Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditioner);
 
-  /// Improves x until the weighted residual has fallen by rtol. `dt` tells when the lagged preconditioner is too old.
-  NewtonResult solve(const NonlinearSystem&, const std::vector<FieldRange>& fields, const NewtonControl&, double dt,
+  /// Improves x until the weighted residual has fallen by rtol.
+  NewtonResult solve(const NonlinearSystem&, const std::vector<FieldRange>& fields, const NewtonControl&,
                      const Array& x);
 
   SolverCounts& counts() { return counts_; }
   const Preconditioner& preconditioner() const { return *preconditioner_; }
-  void forget_preconditioner() { built_dt_ = 0; }
+  void forget_preconditioner() { rebuild_ = true; }
 
  private:
   double weighted_norm(const std::vector<FieldRange>&, const ConstArray& r) const;
@@ -86,14 +99,14 @@ class Newton {
   KrylovResult linear_solve(const NonlinearSystem&, const std::vector<FieldRange>&, const NewtonControl&,
                             double forcing, const Array& x);
   void jacobian_product(const NonlinearSystem&, const NewtonControl&, const Array& x, const Array& z, const Array& out);
+  void build(const NonlinearSystem&);
   std::string update(const NonlinearSystem&, const Array& x);
 
   Gmres gmres_;
   std::unique_ptr<Preconditioner> preconditioner_;
   Array residual_, step_, scaled_, probe_;
   std::vector<double> weight_;
-  double built_dt_ = 0;
-  int built_iterations_ = 0;  ///< of the first linear solve after the last build
+  Wear wear_;
   bool rebuild_ = true;
   SolverCounts counts_;
 };

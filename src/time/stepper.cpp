@@ -182,7 +182,7 @@ NewtonResult Stepper<D, P>::solve(double dt) {
                                [this](const Array& z, const Array& out) { integrator_.product(z, out, Geometry::exact); },
                                [this](const StencilValues& values) { integrator_.jacobian(values); },
                                [this](const Array& x) { return complaint(x); }};
-  NewtonResult result = newton_.solve(system, fields(), newton_control_, dt, x_);
+  NewtonResult result = newton_.solve(system, fields(), newton_control_, x_);
   if (!result.converged) return result;
   result.reason = complaint_of_step();
   result.converged = result.reason.empty();

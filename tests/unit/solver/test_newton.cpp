@@ -62,7 +62,7 @@ TEST(Newton, ConvergesQuadratically) {
   Cubic cubic;
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
-  const NewtonResult r = newton.solve(cubic.system(x), fields, tight(), 0.1, x);
+  const NewtonResult r = newton.solve(cubic.system(x), fields, tight(), x);
   EXPECT_TRUE(r.converged) << r.reason;
   EXPECT_TRUE(r.reason.empty());
   EXPECT_LE(r.iterations, 7);
@@ -79,7 +79,7 @@ TEST(Newton, InexactStepsConvergeToo) {
   control.rtol = 1e-8;
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
-  const NewtonResult r = newton.solve(cubic.system(x), fields, control, 0.1, x);
+  const NewtonResult r = newton.solve(cubic.system(x), fields, control, x);
   EXPECT_TRUE(r.converged) << r.reason;
   EXPECT_LT(error(x, cubic.root), 1e-7);
 }
@@ -91,7 +91,7 @@ TEST(Newton, DifferenceProductsFindTheSameRoot) {
   control.krylov_rtol = 1e-6;
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
-  const NewtonResult r = newton.solve(cubic.system(x), fields, control, 0.1, x);
+  const NewtonResult r = newton.solve(cubic.system(x), fields, control, x);
   EXPECT_TRUE(r.converged) << r.reason;
   EXPECT_LT(error(x, cubic.root), 1e-11);
   EXPECT_EQ(cubic.exact, 0);
@@ -101,7 +101,7 @@ TEST(Newton, AtTheRootNothingIsDone) {
   Cubic cubic;
   Newton newton = make_newton();
   const Array x = to_device<Array>(cubic.root);
-  const NewtonResult r = newton.solve(cubic.system(x), fields, tight(), 0.1, x);
+  const NewtonResult r = newton.solve(cubic.system(x), fields, tight(), x);
   EXPECT_TRUE(r.converged);
   EXPECT_EQ(r.iterations, 0);
 }
@@ -112,7 +112,7 @@ TEST(Newton, ResidualThatIsNotFinite) {
   system.residual = [](const Array&, const Array& r) { Kokkos::deep_copy(r, std::nan("")); };
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
-  const NewtonResult r = newton.solve(system, fields, tight(), 0.1, x);
+  const NewtonResult r = newton.solve(system, fields, tight(), x);
   EXPECT_FALSE(r.converged);
   EXPECT_EQ(r.reason, "the residual is not finite");
 }
@@ -124,12 +124,12 @@ TEST(Newton, InadmissibleStepsAreShortenedThenRefused) {
   NonlinearSystem system = cubic.system(x);
   int complaints = 0;
   system.complaint = [&](const Array&) { return ++complaints == 1 ? "too far" : std::string(); };
-  EXPECT_TRUE(newton.solve(system, fields, tight(), 0.1, x).converged) << "one shortened step";
+  EXPECT_TRUE(newton.solve(system, fields, tight(), x).converged) << "one shortened step";
   EXPECT_GT(complaints, 1);
 
   Kokkos::deep_copy(x, 0.5);
   system.complaint = [](const Array&) { return std::string("the density becomes negative"); };
-  const NewtonResult r = newton.solve(system, fields, tight(), 0.1, x);
+  const NewtonResult r = newton.solve(system, fields, tight(), x);
   EXPECT_FALSE(r.converged);
   EXPECT_EQ(r.reason, "the density becomes negative");
   EXPECT_LT(error(x, std::vector<double>(n, 0.5)), 1e-300) << "x is untouched by a refused step";
@@ -141,7 +141,7 @@ TEST(Newton, TooFewIterations) {
   control.max = 2;
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
-  const NewtonResult r = newton.solve(cubic.system(x), fields, control, 0.1, x);
+  const NewtonResult r = newton.solve(cubic.system(x), fields, control, x);
   EXPECT_FALSE(r.converged);
   EXPECT_EQ(r.iterations, 2);
   EXPECT_EQ(r.reason, "Newton's method did not converge");
@@ -153,7 +153,7 @@ TEST(Newton, StalledLinearSolver) {
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
   NonlinearSystem system = cubic.system(x);
   system.product = [](const Array&, const Array& out) { Kokkos::deep_copy(out, 0.0); };
-  const NewtonResult r = newton.solve(system, fields, tight(), 0.1, x);
+  const NewtonResult r = newton.solve(system, fields, tight(), x);
   EXPECT_FALSE(r.converged);
   EXPECT_EQ(r.reason, "the linear solver stalled");
 }
@@ -171,25 +171,52 @@ class Counting final : public Preconditioner {
   int& builds_;
 };
 
-TEST(Newton, PreconditionerIsKeptUntilTheStepChangesMuch) {
+TEST(Newton, PreconditionerIsKeptUntilItHasCostABuild) {
   Cubic cubic;
   int builds = 0;
   Newton newton(n, n, std::make_unique<Counting>(builds));
   NewtonControl control = tight();
-  control.rebuild_above = 1000;
-  const auto solve = [&](double dt) {
+  control.build_cost = 1e9;
+  const auto solve = [&] {
     const Array x = to_device<Array>(std::vector<double>(n, 0.5));
-    EXPECT_TRUE(newton.solve(cubic.system(x), fields, control, dt, x).converged);
+    EXPECT_TRUE(newton.solve(cubic.system(x), fields, control, x).converged);
     return builds;
   };
-  EXPECT_EQ(solve(0.1), 1);
-  EXPECT_EQ(solve(0.15), 1);
-  EXPECT_EQ(solve(0.3), 2);
-  EXPECT_EQ(solve(0.1), 3);
+  EXPECT_EQ(solve(), 1);
+  EXPECT_EQ(solve(), 1);
   newton.forget_preconditioner();
-  EXPECT_EQ(solve(0.1), 4);
-  control.rebuild_above = 0;  // every linear solve is too long: a new one before each step but the first
-  EXPECT_GT(solve(0.1), 5);
+  EXPECT_EQ(solve(), 2);
+  control.build_cost = 0;  // a new one for every linear solve
+  EXPECT_GT(solve(), 4);
+}
+
+TEST(Newton, ALaggedPreconditionerThatFailsIsReplacedAtOnce) {
+  Cubic cubic;
+  int builds = 0;
+  Newton newton(n, n, std::make_unique<Counting>(builds));
+  NewtonControl control = tight();
+  control.krylov_rtol = 1e-2;
+  control.rtol = 1e-6;
+  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  EXPECT_TRUE(newton.solve(cubic.system(x), fields, control, x).converged);
+  control.krylov_max = 1;  // no linear solve gets anywhere
+  Kokkos::deep_copy(x, 0.5);
+  newton.solve(cubic.system(x), fields, control, x);
+  EXPECT_GT(builds, 1);
+}
+
+TEST(Wear, CountsIterationsAboveTheFirstRatePerDigit) {
+  Wear wear;
+  wear.add({4, 1e-2, true});  // two iterations per digit
+  EXPECT_DOUBLE_EQ(wear.excess(), 0);
+  wear.add({8, 1e-4, true});
+  EXPECT_NEAR(wear.excess(), 0, 1e-12);
+  wear.add({7, 1e-2, true});
+  EXPECT_NEAR(wear.excess(), 3, 1e-12);
+  wear.add({1, 1e-2, true});  // a good day earns nothing back
+  EXPECT_NEAR(wear.excess(), 3, 1e-12);
+  wear.renew();
+  EXPECT_DOUBLE_EQ(wear.excess(), 0);
 }
 
 }  // namespace
