@@ -44,6 +44,8 @@ class Rest:
             block.x -= self.centre
         self.wall_x = refine(self.wall["x_reference"] + self.wall["displacement_x"]) - self.centre
         self.wall_y = refine(self.wall["displacement_y"])
+        if not np.ptp(self.wall_y) > 0:
+            raise Problem(f"{folder}: the substrate has not moved by t = {self.time:g}, the last of output.fields.times")
         self.thickness = self.case["substrate"]["thickness"]
         self.gamma = self.case["fluid"]["capillarity"]
         self.contact = np.array([self.end["x_right"] - self.centre, 0.0])
@@ -62,12 +64,11 @@ class Rest:
         return np.degrees(np.arctan(np.polyfit(self.wall_x[near], self.wall_y[near], 1)[0]))
 
     def interface_slope(self, line):
-        """Angle in the liquid between the level line close to the wall and the horizontal, degrees."""
-        distance = np.hypot(*(line - self.contact).T)
-        near = line[distance < self.gamma]
-        if len(near) < 3:
-            raise Problem("the interface has fewer than three points within one capillarity of the wall")
-        slope = np.polyfit(near[:, 1], near[:, 0], 1)[0]  # x against y: the interface is steep
+        """Angle in the liquid between the level line where it meets the wall and the horizontal, degrees."""
+        x, y = (line - self.contact)[np.hypot(*(line - self.contact).T) < 1.5 * self.gamma].T
+        if len(x) < 4:
+            raise Problem("the interface has fewer than four points close to the wall")
+        slope = np.polynomial.Polynomial.fit(y, x, 2).deriv()(0.0)  # x against y: the interface is steep
         return np.degrees(np.arctan2(1.0, -slope))
 
     def level_line(self, axes):
@@ -121,7 +122,7 @@ def draw_corner(axes, rest, limit, line, reach):
     ray(axes, corner, 180 + slope, 0.55 * reach, color=BLUE)
     ray(axes, corner, 180 - local, 0.55 * reach, color=BLUE)
     draw_angle(axes, corner, 0.85 * reach, 180 - rest.apparent, 180, rf"$\varphi = {rest.apparent:.1f}\degree$", DARK_RED)
-    draw_angle(axes, corner, 0.32 * reach, 180 - local, 180 + slope, rf"$\alpha = {local + slope:.1f}\degree$", BLUE)
+    draw_angle(axes, corner, 0.32 * reach, 180 - local, 180 + slope, rf"$\alpha \approx {local + slope:.0f}\degree$", BLUE)
     axes.set(xlim=(corner[0] - 1.35 * reach, corner[0] + 0.6 * reach), aspect="equal", xlabel=FROM_CENTRE,
              ylim=(corner[1] - 0.7 * reach, corner[1] + 0.9 * reach))
     return image, local + slope, slope
