@@ -1,4 +1,4 @@
-"""Fluid and solid of one time of an output folder, drawn on axes: density, displacement, streamlines, outline, loads."""
+"""Fluid and solid of one time of an output folder on axes: density, displacement, streamlines, outline, loads."""
 
 from _outputs import RED, Block, np
 from matplotlib.tri import LinearTriInterpolator, Triangulation

@@ -52,7 +52,8 @@ run("fig1b_soft_droplet_2d", "half", REST + ["domain.size=[0.5,0.5]", "domain.el
 rows = drawn(["fig2", "--pull", here["pull"], "--push", here["push"]], "fig2")
 last = next(row for row in rows if row["run"] == "pull" and row["t"] == "1884")
 check("fig2: |X_c - that of history.csv|", abs(float(last["x_centre"]) - history(here["pull"])["x_centre"][-1]), 5e-5)
-check("fig2: far sides against the linear estimate", max(abs(float(row["ratio"]) - 1) for row in rows if row["ratio"]), 0.1)
+check("fig2: far sides against the linear estimate",
+      max(abs(float(row["ratio"]) - 1) for row in rows if row["ratio"]), 0.1)
 
 rows = drawn(["fig3", "--pull", here["pull"].parent, "--push", here["push"].parent], "fig3")
 check_true("fig3: falling Poisson ratio", [row["poisson"] for row in rows] == ["0.45", "0.2"] * 2)

@@ -1,9 +1,9 @@
 """Fig. 1 (B): a droplet at rest on a very soft substrate; dimple, ridge, and the angles at the contact line.
 
-Left: density and the deformed substrate at the last time. Right: the contact line. The static angle alpha is that between
-the liquid-vapour interface and the deformed wall where they meet; the apparent angle phi (history.csv) is that between the
-circle through the interface and the horizontal. Below: vertical displacement of the wall. A run of half of the droplet,
-cut by the side x = 0, is drawn with its mirror image."""
+a: density and the deformed substrate at the last time. b: the contact line. alpha is the angle between the interface of
+the liquid and the deformed wall, read where they meet; the case prescribes it as the static angle. phi is the apparent
+angle of history.csv, between the circle through the interface and the horizontal. c: vertical displacement of the wall.
+A run of half of the droplet, cut by the side x = 0, is drawn with its mirror image."""
 
 from pathlib import Path
 
@@ -16,6 +16,7 @@ from _figures.journal import BLUE, WIDTH, Y, interface_at, letter
 
 
 DARK_RED = "#A01010"
+PHI, ALPHA = r"$\varphi = {:.1f}\degree$", r"$\alpha \approx {:.0f}\degree$"
 FROM_CENTRE = r"$(x - x_0) \;/\; L_0$"
 
 
@@ -45,7 +46,7 @@ class Rest:
         self.wall_x = refine(self.wall["x_reference"] + self.wall["displacement_x"]) - self.centre
         self.wall_y = refine(self.wall["displacement_y"])
         if not np.ptp(self.wall_y) > 0:
-            raise Problem(f"{folder}: the substrate has not moved by t = {self.time:g}, the last of output.fields.times")
+            raise Problem(f"{folder}: the substrate has not moved by t = {self.time:g}, its last field time")
         self.thickness = self.case["substrate"]["thickness"]
         self.gamma = self.case["fluid"]["capillarity"]
         self.contact = np.array([self.end["x_right"] - self.centre, 0.0])
@@ -121,8 +122,8 @@ def draw_corner(axes, rest, limit, line, reach):
     ray(axes, corner, 180 - rest.apparent, 1.1 * reach, color=DARK_RED, linestyle=(0, (4, 2)))
     ray(axes, corner, 180 + slope, 0.55 * reach, color=BLUE)
     ray(axes, corner, 180 - local, 0.55 * reach, color=BLUE)
-    draw_angle(axes, corner, 0.85 * reach, 180 - rest.apparent, 180, rf"$\varphi = {rest.apparent:.1f}\degree$", DARK_RED)
-    draw_angle(axes, corner, 0.32 * reach, 180 - local, 180 + slope, rf"$\alpha \approx {local + slope:.0f}\degree$", BLUE)
+    draw_angle(axes, corner, 0.85 * reach, 180 - rest.apparent, 180, PHI.format(rest.apparent), DARK_RED)
+    draw_angle(axes, corner, 0.32 * reach, 180 - local, 180 + slope, ALPHA.format(local + slope), BLUE)
     axes.set(xlim=(corner[0] - 1.35 * reach, corner[0] + 0.6 * reach), aspect="equal", xlabel=FROM_CENTRE,
              ylim=(corner[1] - 0.7 * reach, corner[1] + 0.9 * reach))
     return image, local + slope, slope
@@ -157,7 +158,8 @@ def draw(options):
     for axes, name in ((scene, "a"), (corner, "b"), (wall, "c")):
         letter(axes, name)
     figure.colorbar(fluid, ax=scene, location="bottom", label=r"density $\rho \,/\, b$", aspect=30, shrink=0.7)
-    figure.colorbar(solid, ax=corner, location="bottom", label=r"vertical displacement $u_y \,/\, 10^{-3} L_0$", aspect=30)
+    figure.colorbar(solid, ax=corner, location="bottom", aspect=30,
+                    label=r"vertical displacement $u_y \,/\, 10^{-3} L_0$")
     return figure, numbers(rest, angle, slope)
 
 

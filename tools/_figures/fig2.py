@@ -1,8 +1,8 @@
 """Fig. 2: a droplet pulled (left) and pushed (right) by a load on the substrate; panels A to J.
 
-A, B: before the load; dashed box: where the force acts. C, D: density, and vertical displacement of the solid, at the last
-time; dashed: the droplet before the load. E, F: streamlines of the fluid while the droplet moves. G, H: vertical
-displacement of the interface. I, J: apparent contact angles (dashed) and their trends (mean
+A, B: before the load; dashed box: where the force acts. C, D: density, and vertical displacement of the solid, at the
+last time; dashed arc: the droplet before the load. E, F: streamlines of the fluid while the droplet moves.
+G, H: vertical displacement of the interface. I, J: apparent contact angles (dashed) and their trends (mean
 over the time in which the droplet passes an element, since the angles waver from element to element)."""
 
 from pathlib import Path
@@ -12,7 +12,7 @@ from _scene import Scene
 from matplotlib.colors import ListedColormap, LogNorm
 import matplotlib.pyplot as plt
 
-from _figures.journal import BLUE, GREEN, ORANGE, TIME, VERMILION, WIDTH, X, Y, interface_at, letter, trend
+from _figures.journal import BLUE, GREEN, TIME, VERMILION, WIDTH, X, Y, interface_at, letter, trend
 
 TIMES = {"pull": (235.0, 471.0, 1884.0), "push": (1962.0, 3924.0, 7848.0)}  # the paper's, panels G and H
 MOVING = {"pull": 471.0, "push": 1962.0}  # time of panels E and F, not stated in the paper
@@ -78,7 +78,8 @@ def draw_density(axes, run, limit):
 
 def draw_streamlines(axes, run):
     scene = run.scene(run.moving)
-    lines = scene.draw_streamlines(axes, colour_speed=(SPEED_COLOURS, SPEED), linewidth=0.7, arrowsize=0.55, density=1.2)
+    lines = scene.draw_streamlines(axes, colour_speed=(SPEED_COLOURS, SPEED), linewidth=0.7, arrowsize=0.55,
+                                   density=1.2)
     scene.fill_solid(axes, "0.85")
     scene.outline(axes, colors="black", linewidths=1.3)
     axes.set_title(f"$t = {run.moving:g}$")

@@ -80,7 +80,8 @@ def numbers(sweeps):
             centre = run.history["x_centre"]
             yield (way, f"{run.poisson:g}", f"{run.end:g}", f"{centre[-1]:.5f}", f"{run.velocity[-1]:.2e}",
                    f"{run.velocity[top]:.3e}", f"{run.at[top]:.0f}", f"{np.abs(centre - 0.5).max():.5f}",
-                   f"{np.abs(run.history['mass_drift']).max():.1e}", *(f"{v:.3e}" if np.isfinite(v) else "" for v in values))
+                   f"{np.abs(run.history['mass_drift']).max():.1e}",
+                   *(f"{v:.3e}" if np.isfinite(v) else "" for v in values))
 
 
 def draw(options):

@@ -1,11 +1,9 @@
-"""How the figures of the paper look: widths of a journal page, colours that the colour-blind tell apart, panel letters."""
+"""How the figures of the paper look: page width, colours that the colour-blind tell apart, panel letters, trends."""
 
 from _outputs import Problem, np
-import matplotlib.pyplot as plt
 
 WIDTH = 7.09  # two columns of the journal, inches
-BLUE, VERMILION, GREEN, PURPLE = "#0072B2", "#D55E00", "#009E73", "#8F4A86"  # after Okabe and Ito
-ORANGE, SKY = "#E69F00", "#56B4E9"
+BLUE, VERMILION, GREEN, ORANGE = "#0072B2", "#D55E00", "#009E73", "#E69F00"  # after Okabe and Ito
 SERIES = (BLUE, GREEN, ORANGE, VERMILION)
 STYLE = {
     "font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "legend.fontsize": 7, "xtick.labelsize": 7,
