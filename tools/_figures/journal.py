@@ -8,7 +8,7 @@ SERIES = (BLUE, GREEN, ORANGE, VERMILION)
 STYLE = {
     "font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "legend.fontsize": 7, "xtick.labelsize": 7,
     "ytick.labelsize": 7, "mathtext.fontset": "dejavusans", "axes.linewidth": 0.6, "lines.linewidth": 1.2,
-    "xtick.major.width": 0.6, "ytick.major.width": 0.6, "savefig.dpi": 200, "axes.titlelocation": "right",
+    "xtick.major.width": 0.6, "ytick.major.width": 0.6, "axes.titlelocation": "right",
     "legend.frameon": False, "legend.handlelength": 1.8,
 }
 TIME, X, Y = r"time $t \;/\; L_0\,(ab)^{-1/2}$", r"$x \;/\; L_0$", r"$y \;/\; L_0$"
