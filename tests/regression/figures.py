@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""tools/figures draws Figs. 1 (B), 2 and 3 from small runs, from any folder, and its tables hold what the outputs hold.
+usage: figures.py SOFTWET"""
+
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+
+import numpy
+from _scene import check, check_true, history, run
+
+try:
+    import matplotlib  # noqa: F401
+except ImportError:
+    sys.exit(print("no matplotlib: figures are not drawn here"))
+
+TOOL = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tools" / "figures"
+SMALL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "fluid.viscosity=1/64", "substrate.young=2"]
+TIMES = {"pull": "[0,235,471,1884]", "push": "[0,1962,3924,7848]"}
+
+
+def figures(words, code=0):
+    result = subprocess.run([sys.executable, str(TOOL), *map(str, words)], capture_output=True, text=True, cwd="/",
+                            timeout=300)
+    check_true(f"figures {words[0]}: exit code {code}", result.returncode == code, result.stderr)
+    return result.stderr
+
+
+def drawn(words, name):
+    """Draws into NAME.png and returns the rows of NAME.csv."""
+    picture = pathlib.Path(name + ".png").resolve()
+    picture.unlink(missing_ok=True)
+    figures([*words, "--out", picture])
+    check_true(f"{name}: is a picture", picture.read_bytes().startswith(b"\x89PNG"))
+    with open(picture.with_suffix(".csv"), newline="") as file:
+        return list(csv.DictReader(file))
+
+
+here = {}
+for way, times in TIMES.items():
+    here[way] = pathlib.Path(f"sweep_{way}/substrate.poisson=0.45").resolve()
+    run(f"tensotaxis_{way}_2d", here[way], SMALL + [f"output.fields.times={times}"])
+    run(f"tensotaxis_{way}_2d", here[way].parent / "substrate.poisson=0.2",
+        SMALL + ["substrate.poisson=0.2", "output.fields.times=[]", "time.end=200"])
+REST = ["fluid.capillarity=1/32", "fluid.viscosity=1/64", "substrate.young=2"]
+run("fig1b_soft_droplet_2d", "fig1b", REST + ["domain.elements=[64,32]", "time.end=40", "output.fields.times=[0,40]"])
+run("fig1b_soft_droplet_2d", "half", REST + ["domain.size=[0.5,0.5]", "domain.elements=[32,32]", "time.end=1",
+                                             "droplet[0].centre=[0,0.125]", "output.fields.times=[1]"])
+
+rows = drawn(["fig2", "--pull", here["pull"], "--push", here["push"]], "fig2")
+last = next(row for row in rows if row["run"] == "pull" and row["t"] == "1884")
+check("fig2: |X_c - that of history.csv|", abs(float(last["x_centre"]) - history(here["pull"])["x_centre"][-1]), 5e-5)
+check("fig2: far sides against the linear estimate",
+      max(abs(float(row["ratio"]) - 1) for row in rows if row["ratio"]), 0.1)
+
+rows = drawn(["fig3", "--pull", here["pull"].parent, "--push", here["push"].parent], "fig3")
+check_true("fig3: falling Poisson ratio", [row["poisson"] for row in rows] == ["0.45", "0.2"] * 2)
+data = history(here["push"])
+value = float(rows[2]["velocity_at_0.495"])
+there = data["t"] > 20
+at = numpy.interp(-0.495, -data["x_centre"][there], data["velocity"][there])
+check("fig3: velocity at 0.495 against the step that passes there", abs(value / at - 1), 0.1)
+
+for name in ("fig1b", "half"):
+    row = drawn(["fig1b", pathlib.Path(name).resolve()], f"{name}_figure")[0]
+    check(f"{name}: |apparent angle - that of history.csv|",
+          abs(float(row["apparent_angle"]) - history(name)["angle_right"][-1]), 0.006)
+    if name == "fig1b":  # at rest; the angle is read from the level line close to the wall
+        check("fig1b: |angle at the wall - static angle|, degrees", abs(float(row["angle_at_wall"]) - 75), 5)
+
+message = figures(["fig1b", pathlib.Path("nothing").resolve(), "--out", "/nowhere/a.png"], code=1)
+check_true("a folder that is none: one line that says so", "is not an output folder" in message and
+           message.count("\n") == 1, message)

@@ -1,0 +1,84 @@
+"""Fluid and solid of one time of an output folder on axes: density, displacement, streamlines, outline, loads."""
+
+from _outputs import RED, Block, np
+from matplotlib.tri import LinearTriInterpolator, Triangulation
+
+
+class Scene:
+    """What is drawn at one time."""
+
+    def __init__(self, case, time, files, magnify=1.0):
+        self.time, self.case = time, case
+        self.fluid, self.solid = (Block(files[kind]) if kind in files else None for kind in ("fluid", "solid"))
+        height = case["domain"]["size"][1]
+        wall = case["substrate"]["thickness"] if "substrate" in case else 0.0
+        if self.fluid:
+            self.fluid.stretch(wall, height, magnify)
+        if self.solid:
+            self.solid.stretch(0.0, wall, magnify)
+
+    def outline(self, axes, **style):
+        """The droplet: density halfway between its extremes."""
+        density = self.fluid.field["density"]
+        low, high = density.min(), density.max()
+        if high > 2 * low:
+            axes.contour(self.fluid.x, self.fluid.y, density, levels=[0.5 * (low + high)], **style)
+
+    def draw_fluid(self, axes, darkest=1.0):
+        """The density, from white to the blue of the density `darkest`."""
+        return axes.pcolormesh(self.fluid.x, self.fluid.y, self.fluid.field["density"], cmap="Blues", vmin=0,
+                               vmax=darkest, shading="gouraud", rasterized=True)
+
+    def velocity(self, columns, rows):
+        """A uniform grid over the fluid, and both components of the velocity there; masked outside."""
+        x = np.linspace(self.fluid.x.min(), self.fluid.x.max(), columns)
+        y = np.linspace(self.fluid.y.min(), self.fluid.y.max(), rows)
+        mesh = Triangulation(self.fluid.x.ravel(), self.fluid.y.ravel())
+        at = np.meshgrid(x, y)
+        velocity = self.fluid.field["velocity"].reshape(-1, 3)
+        return x, y, *(LinearTriInterpolator(mesh, velocity[:, d])(*at) for d in (0, 1))
+
+    def draw_streamlines(self, axes, **style):
+        """Streamlines of the fluid; `colour_speed` = (colour map, norm) colours them by the speed."""
+        x, y, u, v = self.velocity(161, 81)
+        look = {"color": "0.25", "linewidth": 0.5, "arrowsize": 0.6, "density": 1.1}
+        if "colour_speed" in style:
+            look["color"] = np.hypot(u, v)
+            look["cmap"], look["norm"] = style.pop("colour_speed")
+        return axes.streamplot(x, y, u, v, **(look | style))
+
+    def vertical_displacement(self):
+        return 1e3 * self.solid.field["displacement"][..., 1]
+
+    def draw_solid(self, axes, limit):
+        image = axes.pcolormesh(self.solid.x, self.solid.y, self.vertical_displacement(), cmap="PuOr_r", vmin=-limit,
+                                vmax=limit, shading="gouraud", rasterized=True)
+        axes.plot(self.solid.x[-1], self.solid.y[-1], color="0.2", linewidth=0.8)
+        return image
+
+    def fill_solid(self, axes, colour):
+        """The deformed solid in one colour."""
+        axes.fill_between(self.solid.x[-1], 0.0, self.solid.y[-1], facecolor=colour, edgecolor="none")
+        axes.plot(self.solid.x[-1], self.solid.y[-1], color="0.2", linewidth=0.8)
+
+    def load_ring(self, load):
+        """Columns and rows of points around the box of a load."""
+        size, wall = self.case["domain"]["size"], self.case["substrate"]["thickness"]
+        rows, columns = self.solid.x.shape
+        (x0, y0), (x1, y1) = load["box"]
+        i0, i1 = (round(x / size[0] * (columns - 1)) for x in (x0, x1))
+        j0, j1 = (round(y / wall * (rows - 1)) for y in (y0, y1))
+        ring = [(j0, i) for i in range(i0, i1)] + [(j, i1) for j in range(j0, j1)] + \
+               [(j1, i) for i in range(i1, i0, -1)] + [(j, i0) for j in range(j1, j0 - 1, -1)]
+        return ring + ring[:1], ((j0 + j1) // 2, (i0 + i1) // 2)
+
+    def draw_loads(self, axes, colour=RED):
+        """The loaded boxes where the solid has carried them, and the direction of the force."""
+        for load in self.case.get("load", []):
+            ring, middle = self.load_ring(load)
+            j, i = np.array(ring).T
+            axes.plot(self.solid.x[j, i], self.solid.y[j, i], color=colour, linewidth=1.1, linestyle=(0, (4, 2)))
+            half = 0.032 * self.case["domain"]["size"][0] * np.array(load["force"]) / np.linalg.norm(load["force"])
+            centre = np.array([self.solid.x[middle], self.solid.y[middle]])
+            axes.annotate("", centre + half, centre - half,
+                          arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.3})
