@@ -139,7 +139,7 @@ def draw_wall(axes, rest):
         axes.annotate(f"{name} ${u[at]:.2f}$", (x[at], u[at]), (0, 3 if align == "bottom" else -3),
                       textcoords="offset points", ha="center", va=align, fontsize=7.5)
     axes.set(xlabel=FROM_CENTRE, ylabel=r"$u_y \;/\; 10^{-3} L_0$",
-             ylim=(u[low] - 0.22 * np.ptp(u), u[top] + 0.22 * np.ptp(u)))
+             ylim=(u[low] - 0.3 * np.ptp(u), u[top] + 0.3 * np.ptp(u)))
 
 
 def draw(options):

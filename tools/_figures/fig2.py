@@ -35,7 +35,8 @@ class Run:
             raise Problem(f"{folder} is not a run in two dimensions with a load")
         self.history, self.interface = (read_table(folder / f"{name}.csv") for name in ("history", "interface"))
         self.moving = MOVING[way]
-        self.loaded = {name: values[self.history["t"] >= 0] for name, values in self.history.items()}
+        shown = (self.history["t"] >= 0) & (self.history["t"] <= self.times[-1] * (1 + 1e-9))
+        self.loaded = {name: values[shown] for name, values in self.history.items()}
         self.fields = field_files(folder)
 
     def scene(self, time):
