@@ -24,7 +24,7 @@ std::unique_ptr<Preconditioner> choose_preconditioner(const std::string& name, c
                                                       const ConstArray& mask) {
   if (name == "none") return std::make_unique<NoPreconditioner>();
   const auto assembled = [&](auto solver) { return std::make_unique<Assembled<D>>(layout, mask, std::move(solver)); };
-  constexpr int small_in_3d = 20000;
+  constexpr int small_in_3d = 60000;  // factors of about 1.3 GiB
   const bool schwarz = name == "schwarz" || (name == "automatic" && D == 3 && layout.size() > small_in_3d);
   if (schwarz) return assembled(make_schwarz<D>(layout, mask, SchwarzControl::for_dimension(D)));
   if (name == "umfpack") return assembled(make_sparse_lu<D>(layout, mask));

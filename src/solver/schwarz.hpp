@@ -6,13 +6,13 @@
 namespace softwet {
 
 struct SchwarzControl {
-  int width = 5;           ///< control points of a box along an axis
-  int stride = 4;          ///< of the boxes; neighbours share width - stride layers of control points
-  bool coarse = true;      ///< with the coarse space
+  int width = 6;             ///< control points of a box along an axis
+  int stride = 5;            ///< of the boxes; neighbours share width - stride layers of control points, or more
+  bool coarse = true;        ///< with the coarse space
   int direct_up_to = 60000;  ///< unknowns of a coarse space that is factorised (block LU); above, Schwarz again
 
   /// As measured (docs/preconditioners.md): iterations against memory.
-  static SchwarzControl for_dimension(int d) { return d == 2 ? SchwarzControl{8, 6} : SchwarzControl{}; }
+  static SchwarzControl for_dimension(int d) { return d == 2 ? SchwarzControl{8, 6} : SchwarzControl{6, 5}; }
 };
 
 /// z = P A_c^-1 P^T r, then z += sum over boxes of W_b A_b^-1 W_b (r - A z)_b. A_b: all fields of the box; W_b: one over

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "naive.hpp"
+#include "solver/stencil.hpp"
 
 namespace softwet::testing_tools {
 
@@ -78,6 +79,22 @@ struct TermCases {
     ASSERT_GT(largest(expected), 1e-6) << name;
     EXPECT_LT(distance(found, expected), 1e-13) << name << (moves ? ", moving" : ", fixed");
     check_product(piece, moves);
+    check_jacobian(piece);
+  }
+
+  /// The assembled matrix against the product with frozen geometry; its entries are rounded to single precision.
+  void check_jacobian(const Piece<D>& piece) const {
+    Patch<D> p = patch;
+    const Array z = p.draw(p.layout.size(), -1, 1), free("free", p.layout.size()), y("y", p.layout.size());
+    Kokkos::deep_copy(free, 1.0);
+    StencilMatrix<D> matrix(p.layout, free);
+    const Binding<D> binding{p.layout, p.stage, {}, p.stage.unknown, Geometry::frozen};
+    matrix.fill([&](const StencilValues& values) {
+      Kokkos::deep_copy(values, 0.0f);
+      piece.jacobian(binding, matrix.stencil(), values);
+    });
+    matrix.multiply(z, y);
+    EXPECT_LT(distance(to_host(y), p.product(piece, z, Geometry::frozen)), 1e-6) << piece.name();
   }
 
   void check_product(const Piece<D>& piece, bool depends_on_mesh) const {
