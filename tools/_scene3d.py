@@ -215,7 +215,7 @@ def figure(folder, scenes=None, profiles=None, magnify=1.0, turn=16.0, rise=30.0
     panels = top.subplots(1, len(drawn), squeeze=False)[0]
     for letter, scene, axes in zip("ABCDEFGH", drawn, panels):
         image = scene.draw(axes, limit, drawn[0])
-        axes.set_title(f"({letter})  $t = {scene.time:g}$", loc="left", pad=-17)
+        axes.text(0, 0.98, f"({letter})  $t = {scene.time:g}$", transform=axes.transAxes, va="top")
     for which in ("xlim", "ylim"):  # one scale for all
         ends = np.array([plt.getp(axes, which) for axes in panels])
         plt.setp(panels, **{which: (ends[:, 0].min(), ends[:, 1].max())})
@@ -223,7 +223,7 @@ def figure(folder, scenes=None, profiles=None, magnify=1.0, turn=16.0, rise=30.0
                        label=r"vertical displacement $u_z \;/\; 10^{-3} L_0$")
     bar.outline.set_linewidth(0.5)
     if magnify != 1:
-        panels[-1].set_title(f"shape: $u_z$ × {magnify:g}", pad=-17)
+        panels[-1].text(1, 0.98, f"shape: $u_z$ × {magnify:g}", transform=panels[-1].transAxes, va="top", ha="right")
     axes = bottom.subplots()
     draw_profiles(axes, output, profiles)
     axes.set_title(f"({'ABCDEFGHI'[len(drawn)]})", loc="left")

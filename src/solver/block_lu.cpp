@@ -80,10 +80,28 @@ class BlockLu final : public StencilSolver<D> {
       entries += own * (own + 2 * border);
       places += node.entries.size();
     }
-    return 4 * entries + sizeof(DissectionNode::Entry) * places;  // factors; where the entries of the matrix go
+    return 4 * (entries + transient_entries()) + sizeof(DissectionNode::Entry) * places;  // factors; places of the matrix
   }
 
  private:
+  /// Most entries beside the factors during a build: what the level below leaves, what this one leaves, and the fronts
+  /// that threads work on, each with a copy.
+  double transient_entries() const {
+    std::vector<double> left(tree_.levels.size() + 1, 0.0), widest(tree_.levels.size(), 0.0);
+    for (const DissectionNode& node : tree_.nodes) {
+      const double own = node.own.size(), border = node.border.size();
+      left[node.depth] += border * border;
+      widest[node.depth] = std::max(widest[node.depth], (own + border) * (own + border));
+    }
+    double most = 0;
+    for (std::size_t d = 0; d < tree_.levels.size(); ++d) {
+      const double threads =
+          std::min<double>(tree_.levels[d].size(), Kokkos::DefaultHostExecutionSpace().concurrency());
+      most = std::max(most, left[d + 1] + left[d] + 2 * threads * widest[d]);
+    }
+    return most;
+  }
+
   /// Row and column factors that bring the largest entry of each to one.
   void equilibrate() {
     std::vector<double> largest(row_scale_.size(), 0.0);
