@@ -4,26 +4,12 @@ A lattice has three points per element and axis, or finer; splines of degree 2 a
 are in units of L0, times in L0/sqrt(ab).
 """
 
-import importlib.machinery
-import importlib.util
 import json
-import sys
 from pathlib import Path
 
-sys.dont_write_bytecode = True
-
-
-def tool(name):
-    """Another tool of this folder as a module."""
-    loader = importlib.machinery.SourceFileLoader(name, str(Path(__file__).with_name(name)))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
-    loader.exec_module(module)
-    return module
-
-
-plot = tool("plot")
-import h5py  # noqa: E402  (plot tells what to install where these are missing)
-import numpy as np  # noqa: E402
+import _outputs as outputs  # first: it tells what to install where packages are missing
+import h5py
+import numpy as np
 
 
 # --- reading ---------------------------------------------------------------------------------------------------------
@@ -32,11 +18,11 @@ class Output:
 
     def __init__(self, folder):
         self.folder = Path(folder)
-        self.case = plot.read_case(self.folder)
-        self.files = plot.field_files(self.folder)
+        self.case = outputs.read_case(self.folder)
+        self.files = outputs.field_files(self.folder)
         self.size = np.array(self.case["domain"]["size"], dtype=float)
         if len(self.size) != 3 or "substrate" not in self.case:
-            raise plot.Problem(f"{folder} is not a 3D run with a [substrate]: tools/plot draws its history, "
+            raise outputs.Problem(f"{folder} is not a 3D run with a [substrate]: tools/plot draws its history, "
                                "ParaView its fields")
         elements = self.case["domain"]["elements"]
         self.wall = float(self.case["substrate"]["thickness"])
@@ -56,7 +42,7 @@ class Output:
             phases = json.loads((self.folder / "run.json").read_text())["equilibrium"]
             return 0.5 * (phases["density_vapour"] + phases["density_liquid"])
         except (OSError, ValueError, KeyError) as error:
-            raise plot.Problem(f"{self.folder / 'run.json'} tells no equilibrium densities ({error!r}); "
+            raise outputs.Problem(f"{self.folder / 'run.json'} tells no equilibrium densities ({error!r}); "
                                "resume the run with this version of softwet") from error
 
     @property
@@ -64,7 +50,7 @@ class Output:
         return sorted(self.files)
 
     def nearest(self, time):
-        return plot.nearest(self.files, time)
+        return outputs.nearest(self.files, time)
 
     def read(self, kind, time, name, rows=slice(None)):
         """A field, or "Points", as an array [z][y][x](component), of some rows of z; 3 points per element and axis."""
@@ -76,10 +62,10 @@ class Output:
             with h5py.File(path) as file:
                 data = file["VTKHDF"][name if name == "Points" else f"PointData/{name}"]
                 if len(data) != shape[0] * plane:
-                    raise plot.Problem(f"{path} has {len(data)} points, not the {shape[0] * plane} of case.toml")
+                    raise outputs.Problem(f"{path} has {len(data)} points, not the {shape[0] * plane} of case.toml")
                 values = data[first * plane:last * plane]
         except (OSError, KeyError) as error:
-            raise plot.Problem(f"cannot read {path}: {error}") from error
+            raise outputs.Problem(f"cannot read {path}: {error}") from error
         return values.reshape(last - first, *shape[1:], *values.shape[1:])
 
     def rest(self, kind, rows=slice(None)):

@@ -4,7 +4,7 @@ Surfaces are cut out of the fields, projected, sorted by depth and drawn as poly
 no 3D library is needed.
 """
 
-from _output3d import Output, box_edges, level_set, on_lattice, plot, profile, quads, refine, track_line
+from _output3d import Output, box_edges, level_set, on_lattice, outputs, profile, quads, refine, track_line
 import contourpy  # a part of matplotlib
 import matplotlib
 import matplotlib.pyplot as plt
@@ -209,7 +209,7 @@ def figure(folder, scenes=None, profiles=None, magnify=1.0, turn=16.0, rise=30.0
     view = View(output.track, turn, rise)
     drawn = [Scene(output, time, magnify, view) for time in scenes]
     limit = max(np.abs(scene.lift[-1]).max() for scene in drawn) or 1e-3
-    plt.rcParams.update(plot.STYLE)
+    plt.rcParams.update(outputs.STYLE)
     picture = plt.figure(figsize=(7.2, 5.0 if len(scenes) < 3 else 6.2), layout="constrained")
     top, bottom = picture.subfigures(2, 1, height_ratios=[1.35, 1])
     panels = top.subplots(1, len(drawn), squeeze=False)[0]

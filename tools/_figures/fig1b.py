@@ -8,7 +8,7 @@ A run of half of the droplet, cut by the side x = 0, is drawn with its mirror im
 from pathlib import Path
 
 from _outputs import Problem, field_files, np, read_case, read_table, refine
-from _scene import Scene
+from _fields import Scene
 from matplotlib.patches import Arc, Rectangle
 import matplotlib.pyplot as plt
 

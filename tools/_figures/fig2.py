@@ -8,7 +8,7 @@ over the time in which the droplet passes an element, since the angles waver fro
 from pathlib import Path
 
 from _outputs import Problem, field_files, nearest, np, read_case, read_table, refine
-from _scene import Scene
+from _fields import Scene
 from matplotlib.colors import ListedColormap, LogNorm
 import matplotlib.pyplot as plt
 
