@@ -37,7 +37,7 @@ TEST(StencilMatrix, Rigid) { check_matrix(scene(Scene::rigid)); }
 TEST(StencilMatrix, RigidPeriodic) { check_matrix(scene(Scene::rigid, WallLaw::energy, true)); }
 TEST(StencilMatrix, SolidAlone) { check_matrix(scene(Scene::solid)); }
 
-// Few elements around a periodic axis: every count of colours left over, and stencils that wrap onto themselves.
+// Few elements around a periodic axis: stencils that wrap onto themselves.
 TEST(StencilMatrix, ShortPeriodicAxes) {
   for (int n = 3; n < 15; ++n) {
     Case c = scene(Scene::rigid, WallLaw::gradient, true);
