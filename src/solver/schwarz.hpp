@@ -11,14 +11,13 @@ struct SchwarzControl {
   bool coarse = true;        ///< with the coarse space
   int direct_up_to = 60000;  ///< unknowns of a coarse space that is factorised (block LU); above, Schwarz again
 
-  /// As measured (docs/preconditioners.md): iterations against memory.
+  /// Wider boxes take fewer iterations and more memory; these are a compromise.
   static SchwarzControl for_dimension(int d) { return d == 2 ? SchwarzControl{8, 6} : SchwarzControl{6, 5}; }
 };
 
 /// z = P A_c^-1 P^T r, then z += sum over boxes of W_b A_b^-1 W_b (r - A z)_b. A_b: all fields of the box; W_b: one over
 /// the square root of the number of boxes that hold the unknown; A_c = P^T A P on half as many elements per axis. A z is the
-/// operator that was set, matrix-free, or the assembled matrix. The
-/// weights matter: with the usual restriction to cores the overlap of one layer needs two to three times the iterations.
+/// operator that was set, matrix-free, or the assembled matrix.
 /// Inverses are stored in single precision, so applying is one dense product per box, on the host or a device; sums have
 /// a fixed order. Toselli and Widlund, Domain Decomposition Methods, Springer 2005.
 template <int D>
