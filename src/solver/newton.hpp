@@ -20,7 +20,8 @@ struct NewtonControl {
   int max = 10;
   double krylov_rtol = 1e-2;  ///< tightest forcing term; early iterations ask for less
   int krylov_max = 200;
-  double build_cost = 25;  ///< of a preconditioner, in Krylov iterations; whole pulls with 12, 25, 60: 27.8, 26.4, 32.9 s
+  /// Of a preconditioner, in Krylov iterations; whole 2D pulls with 12, 25, 60: 27.8, 26.4, 32.9 s.
+  double build_cost = 25;
   JacobianKind jacobian = JacobianKind::exact;
 };
 
@@ -37,8 +38,8 @@ struct NewtonResult {
   std::string reason;  ///< of a failure, for the user
 };
 
-/// How much a lagged preconditioner has cost beyond a fresh one: iterations above those that its first linear solve took
-/// per digit. A new one is due when that has cost a build.
+/// How much a lagged preconditioner has cost beyond a fresh one: iterations above those that its first linear
+/// solve took per digit. A new one is due when that has cost a build.
 class Wear {
  public:
   void renew() { *this = {}; }
