@@ -17,6 +17,8 @@ inline std::vector<std::string> preconditioner_names() {
 #endif
 }
 
+constexpr int small_in_3d = 60000;  ///< unknowns; factors of about 1.3 GiB
+
 /// automatic: the fastest whole run as measured (README): block LU in 2D and for small scenes in 3D, else two-level
 /// Schwarz. umfpack: the matrix factorised by the library, in double precision.
 template <int D>
@@ -24,7 +26,6 @@ std::unique_ptr<Preconditioner> choose_preconditioner(const std::string& name, c
                                                       const ConstArray& mask) {
   if (name == "none") return std::make_unique<NoPreconditioner>();
   const auto assembled = [&](auto solver) { return std::make_unique<Assembled<D>>(layout, mask, std::move(solver)); };
-  constexpr int small_in_3d = 60000;  // factors of about 1.3 GiB
   const bool schwarz = name == "schwarz" || (name == "automatic" && D == 3 && layout.size() > small_in_3d);
   if (schwarz) return assembled(make_schwarz<D>(layout, mask, SchwarzControl::for_dimension(D)));
   if (name == "umfpack") return assembled(make_sparse_lu<D>(layout, mask));

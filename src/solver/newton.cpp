@@ -53,7 +53,7 @@ void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl
 }
 
 KrylovResult Newton::linear_solve(const NonlinearSystem& system, const std::vector<FieldRange>& fields,
-                                  const NewtonControl& control, double forcing, const Array& x) {
+                                  const NewtonControl& control, double forcing, int limit, const Array& x) {
   Stopwatch watch(counts_.krylov_seconds);
   const auto apply = [&](const Array& z, const Array& out) {
     jacobian_product(system, control, x, z, out);
@@ -68,13 +68,17 @@ KrylovResult Newton::linear_solve(const NonlinearSystem& system, const std::vect
   };
   Kokkos::deep_copy(Exec(), scaled_, residual_);
   scale_rows(fields, scaled_, 1);
-  return gmres_.solve(apply, precondition, scaled_, step_, forcing, control.krylov_max);
+  return gmres_.solve(apply, precondition, scaled_, step_, forcing, limit);
 }
 
 void Wear::add(const KrylovResult& linear) {
   const double digits = -std::log10(std::clamp(linear.reduction, 1e-16, 0.8));
   if (first_ == 0) first_ = linear.iterations / digits;
   excess_ += std::max(0.0, linear.iterations - first_ * digits);
+}
+
+int Wear::patience(double tolerance, double cost) const {
+  return static_cast<int>(std::ceil(first_ * -std::log10(tolerance) + std::max(0.0, cost - excess_))) + 1;
 }
 
 void Newton::build(const NonlinearSystem& system) {
@@ -135,13 +139,15 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     // Eisenstat and Walker 1996, choice 2, without solving beyond what the step needs.
     if (result.iterations > 0) forcing = std::clamp(0.9 * ratio * ratio, control.krylov_rtol, 0.1);
     forcing = std::max(forcing, std::min(0.1, 0.5 * control.rtol * start / size));
-    const KrylovResult linear = linear_solve(system, fields, control, forcing, x);
+    const double cost = preconditioner_->build_cost();
+    const int limit = fresh ? control.krylov_max : std::min(control.krylov_max, wear_.patience(forcing, cost));
+    const KrylovResult linear = linear_solve(system, fields, control, forcing, limit, x);
     result.krylov += linear.iterations;
     counts_.krylov += linear.iterations;
     ++counts_.newton;
     wear_.add(linear);
-    rebuild_ = wear_.excess() >= control.build_cost || !linear.converged;
-    if (!linear.converged && !fresh) continue;  // once more with a new preconditioner
+    rebuild_ = wear_.excess() >= cost || !linear.converged;
+    if (!fresh && linear.reduction > 0.5) continue;  // once more with a new preconditioner
     if (linear.reduction > 0.9) {
       result.reason = "the linear solver stalled";
       return result;

@@ -20,8 +20,6 @@ struct NewtonControl {
   int max = 10;
   double krylov_rtol = 1e-2;  ///< tightest forcing term; early iterations ask for less
   int krylov_max = 200;
-  /// Of a preconditioner, in Krylov iterations; whole 2D pulls with 12, 25, 60: 27.8, 26.4, 32.9 s.
-  double build_cost = 25;
   JacobianKind jacobian = JacobianKind::exact;
 };
 
@@ -39,12 +37,14 @@ struct NewtonResult {
 };
 
 /// How much a lagged preconditioner has cost beyond a fresh one: iterations above those that its first linear
-/// solve took per digit. A new one is due when that has cost a build.
+/// solve took per digit. A new one is due when that has cost a build; a solve that gets there is given up.
 class Wear {
  public:
   void renew() { *this = {}; }
   void add(const KrylovResult& linear);
   double excess() const { return excess_; }
+  /// Iterations of a solve to `tolerance` at which the excess reaches `cost`.
+  int patience(double tolerance, double cost) const;
 
  private:
   double first_ = 0;  ///< iterations per digit
@@ -98,7 +98,7 @@ class Newton {
   void set_weights(const std::vector<FieldRange>&, const ConstArray& r);
   void scale_rows(const std::vector<FieldRange>&, const Array& r, int exponent) const;
   KrylovResult linear_solve(const NonlinearSystem&, const std::vector<FieldRange>&, const NewtonControl&,
-                            double forcing, const Array& x);
+                            double forcing, int limit, const Array& x);
   void jacobian_product(const NonlinearSystem&, const NewtonControl&, const Array& x, const Array& z, const Array& out);
   void build(const NonlinearSystem&);
   std::string update(const NonlinearSystem&, const Array& x);

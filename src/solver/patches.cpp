@@ -6,13 +6,24 @@ namespace softwet {
 
 namespace {
 
-/// First control points of the boxes of one axis.
-std::vector<int> box_starts(const Axis& axis, int width, int stride) {
-  const int n = axis.owned(), span = axis.periodic() ? n : n - width;
-  if (width >= n) return {0};
-  const int boxes = axis.periodic() ? (n + stride - 1) / stride : 1 + (span + stride - 1) / stride;
-  std::vector<int> start;
-  for (int b = 0; b < boxes; ++b) start.push_back(axis.periodic() ? b * n / boxes : b * span / (boxes - 1));
+/// Appends first + i span / count, i = 1 .. count, with the least count of steps up to `stride`.
+void append_evenly(std::vector<int>& start, int last, int stride) {
+  const int first = start.back(), span = last - first, count = (span + stride - 1) / stride;
+  for (int i = 1; i <= count; ++i) start.push_back(first + i * span / count);
+}
+
+/// First control points of the boxes of one axis. One box has `middle` in its middle, as far as the ends allow.
+std::vector<int> box_starts(const Axis& axis, int width, int stride, int middle) {
+  const int n = axis.owned();
+  std::vector<int> start{0};
+  if (width >= n) return start;
+  if (axis.periodic()) {
+    append_evenly(start, n, stride);
+    start.pop_back();
+    return start;
+  }
+  append_evenly(start, std::clamp(middle - width / 2, 0, n - width), stride);
+  append_evenly(start, n - width, stride);
   return start;
 }
 
@@ -21,12 +32,13 @@ std::vector<int> box_starts(const Axis& axis, int width, int stride) {
 template <int D>
 PatchTables make_patches(const Layout<D>& layout, const UnknownTable<D>& table, int width, int stride) {
   const Stencil<D> stencil(layout);
+  const int shared = layout.has_solid && layout.has_fluid ? layout.wall_row : -1;
   std::vector<int> starts[D];
   PatchTables t;
   t.count = 1;
   t.sites = stencil.components;
   for (int d = 0; d < D; ++d) {
-    starts[d] = box_starts(layout.axis[d], width, stride);
+    starts[d] = box_starts(layout.axis[d], width, stride, d == D - 1 ? std::max(shared, 0) : 0);
     t.count *= static_cast<int>(starts[d].size());
     t.sites *= width;
   }
@@ -45,7 +57,7 @@ PatchTables make_patches(const Layout<D>& layout, const UnknownTable<D>& table, 
       for (int d = 0; d < D; ++d) {
         const int along = rest % width, i = along < layout.axis[d].owned() ? stencil.moved(origin[d], along, d) : -1;
         rest /= width;
-        inside = inside && i >= 0;
+        inside = inside && i >= 0 && !(d == D - 1 && i == shared && (along == 0 || along == width - 1));
         point += step * i;
         step *= stencil.extent[d];
       }

@@ -24,6 +24,8 @@ class Preconditioner {
   virtual void apply(const ConstArray& r, const Array& z) = 0;
   virtual std::string name() const = 0;
   virtual double bytes() const = 0;
+  /// What a build costs, in Krylov iterations (product and apply), as measured: Newton lets a lagged one waste as many.
+  virtual double build_cost() const = 0;
 };
 
 /// z = r. Only for tests and comparisons.
@@ -33,6 +35,7 @@ class NoPreconditioner final : public Preconditioner {
   void apply(const ConstArray& r, const Array& z) override { Kokkos::deep_copy(Exec(), z, r); }
   std::string name() const override { return "none"; }
   double bytes() const override { return 0; }
+  double build_cost() const override { return 0; }
 };
 
 /// A rough inverse of a given matrix: of the Jacobian, or of a coarse one under it.
@@ -47,6 +50,7 @@ class StencilSolver {
   virtual std::string name() const = 0;
   /// Without the matrix itself.
   virtual double bytes() const = 0;
+  virtual double build_cost() const = 0;
 };
 
 /// The assembled Jacobian and a solver for it.
@@ -63,6 +67,7 @@ class Assembled final : public Preconditioner {
   void apply(const ConstArray& r, const Array& z) override { solver_->apply(r, z); }
   std::string name() const override { return solver_->name(); }
   double bytes() const override { return matrix_.bytes() + solver_->bytes(); }
+  double build_cost() const override { return solver_->build_cost(); }
 
  private:
   StencilMatrix<D> matrix_;

@@ -161,6 +161,7 @@ class Schwarz final : public StencilSolver<D> {
   }
 
   std::string name() const override { return "schwarz"; }
+  double build_cost() const override { return 25; }
   double bytes() const override {
     double total = 4.0 * count_ * (double(unknowns_) * padded_ + unknowns_);
     if (space_) total += coarse_matrix_->bytes() + coarse_->bytes() + space_->transient_bytes();

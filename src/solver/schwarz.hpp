@@ -12,7 +12,7 @@ struct SchwarzControl {
   int direct_up_to = 60000;  ///< unknowns of a coarse space that is factorised (block LU); above, Schwarz again
 
   /// Wider boxes take fewer iterations and more memory; these are a compromise.
-  static SchwarzControl for_dimension(int d) { return d == 2 ? SchwarzControl{8, 6} : SchwarzControl{6, 5}; }
+  static SchwarzControl for_dimension(int d) { return d == 2 ? SchwarzControl{8, 6} : SchwarzControl{4, 3}; }
 };
 
 /// z = P A_c^-1 P^T r, then z += sum over boxes of W_b A_b^-1 W_b (r - A z)_b. A_b: all fields of the box; W_b: one

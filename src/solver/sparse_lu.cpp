@@ -59,6 +59,7 @@ class SparseLu final : public StencilSolver<D> {
   }
 
   std::string name() const override { return "umfpack"; }
+  double build_cost() const override { return D == 2 ? 25 : 60; }
   double bytes() const override { return 12.0 * values_.size() + sizeof(Place) * places_.size(); }
 
  private:

@@ -87,7 +87,6 @@ Stepper<D, P>::Stepper(const Model<D, P>& model, const Case& c, std::vector<doub
       previous_("stepper.previous", model.layout().size()),
       predicted_("stepper.predicted", model.layout().size()),
       x_("stepper.x", model.layout().size()) {
-  if (D == 3) newton_control_.build_cost = 60;  // factors are dearer there: 80 to 180 iterations as measured
   double volume = 1;
   for (const Axis& axis : model.layout().axis) volume *= axis.spacing();
   const double thickness = model.wall_height(), height = model.layout().axis[D - 1].length() - thickness;

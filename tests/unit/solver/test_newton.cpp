@@ -161,33 +161,33 @@ TEST(Newton, StalledLinearSolver) {
 /// Counts its builds.
 class Counting final : public Preconditioner {
  public:
-  explicit Counting(int& builds) : builds_(builds) {}
+  explicit Counting(int& builds, double cost = 25) : builds_(builds), cost_(cost) {}
   void build(const Jacobian&) override { ++builds_; }
   void apply(const ConstArray& r, const Array& z) override { Kokkos::deep_copy(z, r); }
   std::string name() const override { return "counting"; }
   double bytes() const override { return 0; }
+  double build_cost() const override { return cost_; }
 
  private:
   int& builds_;
+  double cost_;
 };
 
 TEST(Newton, PreconditionerIsKeptUntilItHasCostABuild) {
   Cubic cubic;
   int builds = 0;
-  Newton newton(n, n, std::make_unique<Counting>(builds));
-  NewtonControl control = tight();
-  control.build_cost = 1e9;
-  const auto solve = [&] {
+  const auto solve = [&](Newton& newton) {
     const Array x = to_device<Array>(std::vector<double>(n, 0.5));
-    EXPECT_TRUE(newton.solve(cubic.system(x), fields, control, x).converged);
+    EXPECT_TRUE(newton.solve(cubic.system(x), fields, tight(), x).converged);
     return builds;
   };
-  EXPECT_EQ(solve(), 1);
-  EXPECT_EQ(solve(), 1);
-  newton.forget_preconditioner();
-  EXPECT_EQ(solve(), 2);
-  control.build_cost = 0;  // a new one for every linear solve
-  EXPECT_GT(solve(), 4);
+  Newton dear(n, n, std::make_unique<Counting>(builds, 1e9));
+  EXPECT_EQ(solve(dear), 1);
+  EXPECT_EQ(solve(dear), 1);
+  dear.forget_preconditioner();
+  EXPECT_EQ(solve(dear), 2);
+  Newton free(n, n, std::make_unique<Counting>(builds, 0));  // a new one for every linear solve
+  EXPECT_GT(solve(free), 4);
 }
 
 TEST(Newton, ALaggedPreconditionerThatFailsIsReplacedAtOnce) {
@@ -215,6 +215,7 @@ TEST(Wear, CountsIterationsAboveTheFirstRatePerDigit) {
   EXPECT_NEAR(wear.excess(), 3, 1e-12);
   wear.add({1, 1e-2, true});  // a good day earns nothing back
   EXPECT_NEAR(wear.excess(), 3, 1e-12);
+  EXPECT_EQ(wear.patience(1e-3, 10), 6 + 7 + 1);  // three digits, what is left of the cost, and the one too many
   wear.renew();
   EXPECT_DOUBLE_EQ(wear.excess(), 0);
 }

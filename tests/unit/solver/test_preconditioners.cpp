@@ -3,6 +3,7 @@
 #include "solver/dense_inverse.hpp"
 #include "solver/dissection.hpp"
 #include "solver/gmres.hpp"
+#include "solver/patches.hpp"
 #include "solver/schwarz.hpp"
 #include "unit/model/scenes.hpp"
 
@@ -77,6 +78,24 @@ TEST(Schwarz, OneBoxIsTheInverse) {
     RandomScene s(c);
     Assembled<2> p = assembled(s, make_schwarz<2>(s.layout(), s.model.mask(), {100, 100, false}));
     EXPECT_LT(error_of(p, s), 1e-3);
+  }
+}
+
+TEST(Patches, HoldEveryUnknownAndNeverEndOnTheSharedRow) {
+  const RandomScene s(longer(scene(Scene::coupled), 31, 18));
+  const UnknownTable<2> table(s.layout(), to_host(s.model.mask()));
+  const int row_size = s.layout().row_size, shared = s.layout().wall_row;
+  for (const auto& [width, stride] : {std::pair{3, 2}, {4, 3}, {5, 4}, {6, 5}, {8, 6}, {9, 3}}) {
+    const PatchTables t = make_patches(s.layout(), table, width, stride);
+    std::vector<int> boxes(s.layout().size(), 0);
+    for (int box = 0; box < t.count; ++box)
+      for (int i = 0; i < t.size[box]; ++i) {
+        const int unknown = t.dof[box * t.unknowns + i], row = table.point(unknown) / row_size;
+        ++boxes[unknown];
+        const int below = row - t.start[2 * box + 1];
+        EXPECT_FALSE(row == shared && (below == 0 || below == width - 1)) << "width " << width << ", box " << box;
+      }
+    for (int i = 0; i < s.layout().size(); ++i) EXPECT_EQ(boxes[i] > 0, table.component(i) >= 0) << width << " " << i;
   }
 }
 
