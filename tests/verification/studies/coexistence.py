@@ -11,29 +11,18 @@ import h5py
 import _measure
 import _shape
 import numpy
+from _case import case, fields
 from plane_interface import PlaneInterface
 
 MINUTES = {"quick": 0.1, "full": 0.6}
-CASE = """# A liquid film on the left side, vapour on the right: one plane interface.
-name = "plane_interface"
-[domain]
-size = [1.0, 0.0625]
-elements = [128, 4]
-[fluid]
-viscosity = "1/1024"
-capillarity = "1/64"
-temperature = 0.39
-[[film]]
-box = [[0.0, 0.0], [0.5, 1.0]]
-[boundary]
-top = "slip"
-[time]
-end = 4000.0
-[output]
-fields = { times = [4000.0] }
-[solver]
-newton = { rtol = 1e-9, atol = 1e-14 }
-"""
+CASE = case("A liquid film on the left side, vapour on the right: one plane interface.", "plane_interface",
+            domain=dict(size=[1.0, 0.0625], elements=[128, 4]),
+            fluid=dict(viscosity="1/1024", capillarity="1/64", temperature=0.39),
+            film=[dict(box=[[0.0, 0.0], [0.5, 1.0]])],
+            boundary=dict(top="slip"),
+            time=dict(end=4000.0),
+            output=fields(4000.0),
+            solver=dict(newton=dict(rtol=1e-9, atol=1e-14)))
 # theta: rho_v, rho_l, p_sat, mu_sat, c_l, c_v, sigma/g, 10-90 % width/g; all but the last by tests/oracle/equilibrium.py.
 TABLE = {0.39: (0.001352289801, 0.8666990997, 1.546475127e-4, -0.6501910901, 2.183979206, 0.3363987816, 0.2532027493),
          0.5: (0.007248935716, 0.8194973335, 1.029210928e-3, -0.5941013404, 1.705299831, 0.3685399457, 0.1915416203),

@@ -15,50 +15,33 @@ import numpy
 
 import _measure
 import _shape
+from _case import case, sides
 
 MINUTES = {"quick": 0.1, "full": 0.3}
-CASE = """# A standing wave in a box of solid.
-name = "wave"
-[domain]
-size = [1.0, 0.5]
-elements = [24, 12]
-[substrate]
-thickness = 0.5
-young = 1.0
-poisson = 0.3
-{waves}
-[boundary]
-left = "slip"
-right = "slip"
-bottom = "slip"
-top = "slip"
-[time]
-rho_inf = 1.0
-end = 1.0
-tolerance = 1e6
-[solver]
-newton = {{ rtol = 1e-9, atol = 1e-20 }}
-krylov = {{ rtol = 1e-4 }}
-"""
-WAVE = '[[wave]]\nfield = "{}"\namplitude = {:.17g}\nmode = [{}, {}]\n'
 AMPLITUDE = 1e-6
 PI = numpy.pi
 
 
-def case(*waves):
-    return CASE.format(waves="".join(WAVE.format(field, AMPLITUDE * part, *mode) for field, part, mode in waves))
+def box(*waves):
+    return case("A standing wave in a box of solid.", "wave",
+                domain=dict(size=[1.0, 0.5], elements=[24, 12]),
+                substrate=dict(thickness=0.5, young=1.0, poisson=0.3),
+                wave=[dict(field=field, amplitude=AMPLITUDE * part, mode=mode) for field, part, mode in waves],
+                boundary=sides("slip"),
+                time=dict(rho_inf=1.0, end=1.0, tolerance=1e6),
+                solver=dict(newton=dict(rtol=1e-9, atol=1e-20), krylov=dict(rtol=1e-4)))
 
 
 # name: (case, further settings, wave number, is a pressure wave); L = 1, H = 1/2: (k, l) = pi (m, 2 n)
 PERIODIC = ["boundary.left=periodic", "boundary.right=periodic", "boundary.top=free"]
 OBLIQUE = PI * numpy.hypot(1, 2)
 WAVES = {
-    "P along x": (case(("displacement_x", 1, (1, 0))), [], PI, True),
-    "P along y": (case(("displacement_y", 1, (0, 1))), [], 2 * PI, True),
-    "S across y, free top": (case(("displacement_x", 1, (0, 1))), PERIODIC, 2 * PI, False),
-    "P oblique": (case(("displacement_x", 1, (1, 1)), ("displacement_y", 2, (1, 1))), [], OBLIQUE, True),
-    "S oblique": (case(("displacement_x", 2, (1, 1)), ("displacement_y", -1, (1, 1))), [], OBLIQUE, False),
-    "P oblique, from velocity": (case(("velocity_x", 1, (1, 1)), ("velocity_y", 2, (1, 1))), [], OBLIQUE, True),
+    "P along x": (box(("displacement_x", 1, (1, 0))), [], PI, True),
+    "P along y": (box(("displacement_y", 1, (0, 1))), [], 2 * PI, True),
+    "S across y, free top": (box(("displacement_x", 1, (0, 1))), PERIODIC, 2 * PI, False),
+    "P oblique": (box(("displacement_x", 1, (1, 1)), ("displacement_y", 2, (1, 1))), [], OBLIQUE, True),
+    "S oblique": (box(("displacement_x", 2, (1, 1)), ("displacement_y", -1, (1, 1))), [], OBLIQUE, False),
+    "P oblique, from velocity": (box(("velocity_x", 1, (1, 1)), ("velocity_y", 2, (1, 1))), [], OBLIQUE, True),
 }
 
 
@@ -167,7 +150,7 @@ def time_orders(lab):
         wall = _measure.interface(run.folder)
         return wall["displacement_x"][len(wall["displacement_x"]) // 2] / AMPLITUDE
 
-    for start, text in (("displacement", case(("displacement_x", 1, (1, 0)))), ("velocity", case(("velocity_x", omega, (1, 0))))):
+    for start, text in (("displacement", box(("displacement_x", 1, (1, 0)))), ("velocity", box(("velocity_x", omega, (1, 0))))):
         def settings(r, n):
             return ["domain.elements=[24,4]", f"time.rho_inf={r}", *steps(end / n, n), f"output.fields.times=[{end:.17g}]"]
         wanted = {f"{start}, rho_inf = {r}, {n} steps": (text, settings(r, n)) for r in (0.0, 0.5, 1.0) for n in counts}

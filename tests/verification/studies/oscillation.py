@@ -12,33 +12,18 @@ stabilisation eps is off: it damps by about eps omega^2/(2 rho_l), 5e-3 at h = 1
 import _shape
 import droplet_modes
 import numpy
+from _case import case, fields
 from _measure import radial_droplet
 
 MINUTES = {"quick": 0.2, "full": 3}
 RADIUS, VISCOSITY = 0.2, 3e-4
-CASE = """# A quarter of an elliptic droplet; left and bottom sides are planes of symmetry.
-name = "oscillation"
-[domain]
-size = [0.5, 0.5]
-elements = [64, 64]
-[fluid]
-viscosity = 3e-4
-capillarity = "1/64"
-temperature = 0.39
-contact_angle = 90.0
-stabilisation = 0.0
-[[droplet]]
-centre = [0.0, 0.0]
-radius = 0.2
-stretch = [1.02, 0.98]
-[boundary]
-top = "slip"
-[time]
-end = 7.0
-tolerance = 1e3
-[output]
-fields = { times = [] }
-"""
+CASE = case("A quarter of an elliptic droplet; left and bottom sides are planes of symmetry.", "oscillation",
+            domain=dict(size=[0.5, 0.5], elements=[64, 64]),
+            fluid=dict(viscosity=3e-4, capillarity="1/64", temperature=0.39, contact_angle=90.0, stabilisation=0.0),
+            droplet=[dict(centre=[0.0, 0.0], radius=0.2, stretch=[1.02, 0.98])],
+            boundary=dict(top="slip"),
+            time=dict(end=7.0, tolerance=1e3),
+            output=fields())
 
 
 def settings(g, elements, step, end):

@@ -14,37 +14,17 @@ is one order better than elsewhere), order p + 1; the elastic energy, int (lambd
 
 import numpy
 import scipy.optimize
+from _case import case, fields, sides
 
 MINUTES = {"quick": 0.1, "full": 0.3}
-CASE = """# A column of solid: every displacement depends on the height alone.
-name = "column"
-[domain]
-size = [0.5, 1.0]
-elements = [7, 8]
-[substrate]
-thickness = 1.0
-density = 1.0
-young = 1.0
-poisson = 0.3
-[[load]]
-box = [[0.0, 0.0], [0.5, 1.0]]
-force = [0.0, 0.1]
-ramp = 20.0
-[boundary]
-left = "slip"
-right = "slip"
-bottom = "slip"
-top = "free"
-[time]
-rho_inf = 0.0
-tolerance = 0.05
-end = 1000.0
-[solver]
-newton = { rtol = 1e-9, atol = 1e-13 }
-krylov = { rtol = 1e-4 }
-[output]
-fields = { times = [1000.0] }
-"""
+CASE = case("A column of solid: every displacement depends on the height alone.", "column",
+            domain=dict(size=[0.5, 1.0], elements=[7, 8]),
+            substrate=dict(thickness=1.0, density=1.0, young=1.0, poisson=0.3),
+            load=[dict(box=[[0.0, 0.0], [0.5, 1.0]], force=[0.0, 0.1], ramp=20.0)],
+            boundary=sides("slip", top="free"),
+            time=dict(rho_inf=0.0, tolerance=0.05, end=1000.0),
+            solver=dict(newton=dict(rtol=1e-9, atol=1e-13), krylov=dict(rtol=1e-4)),
+            output=fields(1000.0))
 POISSON = 0.3
 LAME, SHEAR = POISSON / ((1 + POISSON) * (1 - 2 * POISSON)), 0.5 / (1 + POISSON)
 STIFFNESS = LAME + 2 * SHEAR

@@ -16,39 +16,24 @@ spline that does the same work on every spline (mass matrix). What is left vanis
 import _measure
 import numpy
 import scipy.interpolate
+from _case import case, fields
 
 MINUTES = {"quick": 0.4, "full": 15}
 LENGTH, HEIGHT, POISSON, YOUNG = 0.5, 0.125, 0.45, 0.7554
-CASE = """# Half a droplet at rest; the left side is its plane of symmetry.
-name = "{name}"
-[domain]
-size = [0.5, {height}]
-elements = [{n}, {rows}]
-[fluid]
-viscosity = "1/256"
-capillarity = "1/{g}"
-temperature = 0.39
-contact_angle = 75.0
-{substrate}
-[[droplet]]
-centre = [0.0, {wall}]
-radius = 0.155
-[boundary]
-bottom = "{bottom}"
-top = "no_slip"
-[time]
-end = 300.0
-[output]
-fields = {{ times = [300.0] }}
-"""
-SUBSTRATE = "[substrate]\nthickness = 0.125\nyoung = {}\npoisson = 0.45\n"
 
 
-def case(n, g, young=None):
+def half(n, g, young=None):
     """@param n  elements along the wall (0.5);  @param young  None: rigid wall"""
-    if young is None:
-        return CASE.format(name="rigid", height=0.375, n=n, rows=n * 3 // 4, g=g, substrate="", wall=0.0, bottom="no_slip")
-    return CASE.format(name="soft", height=0.5, n=n, rows=n, g=g, substrate=SUBSTRATE.format(young), wall=0.125, bottom="slip")
+    substrate = {} if young is None else dict(substrate=dict(thickness=HEIGHT, young=young, poisson=POISSON))
+    name, height, bottom, wall = ("soft", 0.5, "slip", HEIGHT) if substrate else ("rigid", 0.375, "no_slip", 0.0)
+    return case("Half a droplet at rest; the left side is its plane of symmetry.", name,
+                domain=dict(size=[LENGTH, height], elements=[n, round(n * height / LENGTH)]),
+                fluid=dict(viscosity="1/256", capillarity=f"1/{g}", temperature=0.39, contact_angle=75.0),
+                **substrate,
+                droplet=[dict(centre=[0.0, wall], radius=0.155)],
+                boundary=dict(bottom=bottom, top="no_slip"),
+                time=dict(end=300.0),
+                output=fields(300.0))
 
 
 def compliance(k, young):
@@ -127,9 +112,9 @@ def study(lab):
     factors = (50,) if lab.quick else (1, 10, 50)
     wanted = {}
     for n, g in meshes:
-        wanted[f"rigid, n = {n}, 1/gamma = {g}"] = (case(n, g), [])
+        wanted[f"rigid, n = {n}, 1/gamma = {g}"] = (half(n, g), [])
         for factor in factors if g < 64 else (10,):
-            wanted[f"E x {factor}, n = {n}, 1/gamma = {g}"] = (case(n, g, YOUNG * factor), [])
+            wanted[f"E x {factor}, n = {n}, 1/gamma = {g}"] = (half(n, g, YOUNG * factor), [])
     runs, rows, results = lab.runs(wanted, limit=1500), [], {}
     for n, g in meshes:
         for factor in factors if g < 64 else (10,):
