@@ -7,7 +7,6 @@ the energy per area: int (W + g^2 rho'^2/2 - mu_sat rho + p_sat) dx = E - mu_sat
 of history.csv over the height of the channel and its length L; deviations of the bulk densities enter it in second order.
 The viscosity is small because the vapour settles through the interface, in a time that grows with it."""
 
-import h5py
 import _measure
 import _shape
 import numpy
@@ -40,14 +39,9 @@ def state(run, plane, g):
     energy, mass = (last["energy_free"] + last["energy_kinetic"]) / height, last["mass"] / height
     levels = [_shape.position(x, rho, plane.vapour + part * plane.step) for part in (0.1, 0.9)]
     return {"rho_v": (rho[-1], plane.vapour), "rho_l": (rho[0], plane.liquid),
-            "mu": (potential(run).mean(), plane.potential),
+            "mu": (_measure.fluid_field(run.folder, 0, "chemical_potential")[1].mean(), plane.potential),
             "width/g": ((levels[0] - levels[1]) / g, plane.width),
             "sigma/g": ((energy - plane.potential * mass + plane.pressure * length) / g, plane.tension)}
-
-
-def potential(run):
-    with h5py.File(run.folder / "fields" / "fluid_0000.vtkhdf") as file:
-        return file["VTKHDF/PointData/chemical_potential"][:].ravel()
 
 
 def study(lab):

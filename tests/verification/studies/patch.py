@@ -12,6 +12,7 @@ for P_22 = 0 and P_12 = rho f (H - Y): S_22 = 0, g = rho f (H - Y)/G, s = sqrt(1
 Rest is reached with rho_inf = 0. Error of u: root mean square over the ends and middles of the elements (where a quadratic
 is one order better than elsewhere), order p + 1; the elastic energy, int (lambda/2 + G) E_22^2 + ..., has order 2 p."""
 
+import _measure
 import numpy
 import scipy.optimize
 from _case import case, fields, sides
@@ -61,11 +62,9 @@ def exact(name, force, heights):
 def errors(run, name, force):
     """Root mean square error of u over the column as a part of the largest |u|, relative error of the energy, how far u
     differs along x."""
-    import h5py
-    with h5py.File(run.folder / "fields" / "solid_0000.vtkhdf") as file:
-        u, place = file["VTKHDF/PointData/displacement"][:, :2], file["VTKHDF/Points"][:, :2]
-    across = numpy.isclose((place - u)[:, 1], 0).sum()
-    grid, heights = u.reshape(-1, across, 2), (place - u)[::across, 1]
+    place, u = _measure.solid_field(run.folder, 0)
+    across = numpy.isclose(place[:, 1], 0).sum()
+    grid, heights = u.reshape(-1, across, 2), place[::across, 1]
     true, energy = exact(name, force, heights)
     size = numpy.abs(true).max()
     return (numpy.sqrt(((grid[:, 0] - true)**2).sum(axis=1).mean()) / size,
