@@ -10,6 +10,15 @@ namespace softwet {
 /// In single precision: such a matrix only serves preconditioners.
 using StencilValues = Kokkos::View<float*, Exec>;
 
+/// Index i on an axis of `extent` places, wrapped where the axis has a period (0: none); -1 outside.
+KOKKOS_FORCEINLINE_FUNCTION int wrapped(int i, int extent, int period) {
+  if (period > 0) {
+    while (i < 0) i += period;
+    i %= period;
+  }
+  return i >= 0 && i < extent ? i : -1;
+}
+
 /// values[((a C + u) offsets + o) points + i]: row of component a at control point i, column of component u at point
 /// i + shift(o). C components (velocity, density, potential) on all points of the patch; what does not exist is zero.
 /// Periodic axes wrap.
@@ -38,12 +47,7 @@ struct Stencil {
   }
   /// Coordinate i + shift along axis d, wrapped; -1 outside.
   KOKKOS_FORCEINLINE_FUNCTION int moved(int i, int shift, int d) const {
-    i += shift;
-    if (period[d] > 0) {
-      while (i < 0) i += period[d];
-      return i % period[d];
-    }
-    return i >= 0 && i < extent[d] ? i : -1;
+    return wrapped(i + shift, extent[d], period[d]);
   }
   KOKKOS_FORCEINLINE_FUNCTION int coordinate(int point, int d) const {
     for (int e = 0; e < d; ++e) point /= extent[e];

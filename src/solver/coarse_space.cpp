@@ -45,12 +45,6 @@ AxisTransfer make_transfer(const Axis& fine, const Refinement& r) {
   return t;
 }
 
-/// i wrapped, or -1 outside.
-KOKKOS_FORCEINLINE_FUNCTION int inside(int i, int owned, bool periodic) {
-  if (periodic) return (i % owned + owned) % owned;
-  return i >= 0 && i < owned ? i : -1;
-}
-
 /// out(point) = sum over the other side's points of the product of coefficients, component by component.
 template <int D, bool ToCoarse>
 struct Transfer {
@@ -79,7 +73,7 @@ struct Transfer {
     double result = 0;
     for (int k = 0; k < static_cast<int>(table.extent(1)); ++k) {
       const double factor = table(at[d], k);
-      const int i = inside(first + k, owned, t.periodic);
+      const int i = wrapped(first + k, owned, t.periodic ? owned : 0);
       if (factor == 0 || i < 0) continue;
       const int index = base * n + i;
       if (d > 0) {
@@ -109,7 +103,7 @@ struct CoarsenAxis {
     float* sum = to.data() + block * out.points + (std::int64_t(high) * out.extent[d] + row) * below;
     for (int i = 0; i < below; ++i) sum[i] = 0;
     const int shift = out.shift(offset, d), column = row + shift;
-    const int at = inside(column, axis.coarse_owned, axis.periodic);
+    const int at = wrapped(column, axis.coarse_owned, out.period[d]);
     if (row >= axis.coarse_owned || at < 0) return;
     const int row_fine = axis.first_fine(row);
     const int column_fine = axis.first_fine(at) + (column - at) / axis.coarse_owned * axis.fine_owned;
@@ -118,7 +112,7 @@ struct CoarsenAxis {
     const std::int64_t first = block - (shift + out.degree) * weight;  // the block with the least shift along this axis
     const int n = static_cast<int>(axis.to_fine.extent(1));
     for (int k = 0; k < n; ++k) {
-      const int i = inside(row_fine + k, axis.fine_owned, axis.periodic);
+      const int i = wrapped(row_fine + k, axis.fine_owned, in.period[d]);
       if (axis.to_fine(row, k) == 0 || i < 0) continue;
       for (int l = 0; l < n; ++l) {
         const int step = column_fine + l - row_fine - k;
@@ -147,7 +141,7 @@ std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, 
         const auto& row = refinement[d].coefficient[i];
         const int k = static_cast<int>(std::max_element(row.begin(), row.end()) - row.begin());
         owned = owned && i < coarse.axis[d].owned();
-        partner += stride * inside(refinement[d].first[i] + k, fine.axis[d].owned(), fine.axis[d].periodic());
+        partner += stride * wrapped(refinement[d].first[i] + k, fine.axis[d].owned(), in.period[d]);
         stride *= in.extent[d];
       }
       if (owned) result[component_shift(coarse, c) + p] = mask[component_shift(fine, c) + partner];
