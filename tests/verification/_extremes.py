@@ -1,6 +1,6 @@
 """The runs of the study extremes: every parameter to its end and beyond, alone and in nasty pairs.
 
-Base scene: the pull of Fig. 2 on 64x32 elements with gamma_hat = 2h, the load soon after the start, 20 units of time."""
+Base scene: the pull of Fig. 2 on 64x32 elements with gamma_hat = 2h, an early load, 20 units of time."""
 
 from _case import case, fields
 

@@ -2,9 +2,9 @@
 
 Exact: with rho = rho_0 + R cos(kx), v = V sin(kx) the linearised equations are
     s R + rho_0 k V + eps k^2 G R = 0,   s rho_0 V = rho_0 k G R - (4/3) m k^2 V,   G = W''(rho_0) + g^2 k^2,
-so (s + eps k^2 G)(s + (4/3)(m/rho_0) k^2) + rho_0 k^2 G = 0: frequency^2 = c^2 k^2 + rho_0 g^2 k^4 less the damping, since
-c^2 = rho_0 W''; 4/3 = 2 - 2/3. eps is the stabilisation, switched off here. The fluid starts at rest in density with a
-wave of the velocity; the x-momentum of an odd mode is V (2/k) rho_0 per height, and -b + i w is fitted to its history."""
+so (s + eps k^2 G)(s + (4/3)(m/rho_0) k^2) + rho_0 k^2 G = 0: frequency^2 = c^2 k^2 + rho_0 g^2 k^4 less the damping,
+since c^2 = rho_0 W''; 4/3 = 2 - 2/3. eps is the stabilisation, switched off here. The fluid starts at rest in density
+with a wave of the velocity; the x-momentum of an odd mode is V (2/k) rho_0 per height, and -b + i w is fitted to it."""
 
 import _shape
 import numpy

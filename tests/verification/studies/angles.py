@@ -1,9 +1,9 @@
 """Contact angles from 30 to 150 degrees on a rigid wall, both wall laws.
 
 Young's law: the circle through the interface of a droplet at rest meets the wall at the angle alpha of the case. Half a
-droplet on a slip side. The circle is fitted to the level (rho_l + rho_v)/2 above a layer of 3 gamma_hat at the wall, with its
-centre on the slip side; the angle is the one at which it meets y = 0, cos(alpha) = -y_centre/R. The interface has a width,
-so what is left falls with gamma_hat/R, not with the mesh."""
+droplet on a slip side. The circle is fitted to the level (rho_l + rho_v)/2 above a layer of 3 gamma_hat at the wall,
+with its centre on the slip side; the angle is the one at which it meets y = 0, cos(alpha) = -y_centre/R. The interface
+has a width, so what is left falls with gamma_hat/R, not with the mesh."""
 
 import _measure
 import _shape

@@ -1,15 +1,16 @@
 """Standing elastic waves: frequency and numerical damping.
 
 A box of solid with slip sides carries the standing waves of the linear theory exactly: with potentials
-phi = cos(k x) cos(l y) (pressure wave, u = grad phi) and psi = sin(k x) sin(l y) (shear wave, u = (psi_y, -psi_x)) the normal
-displacement and the tangential traction vanish on all sides. They oscillate with c |(k, l)|,
-c_p^2 = E (1 - nu)/((1 + nu)(1 - 2 nu)), c_s^2 = E/(2 (1 + nu)) (E: young, per density). A shear wave u_x(y) also fits between
-periodic sides under a free top. The amplitude is 1e-6: what Saint Venant-Kirchhoff adds to the linear theory is of that size.
+phi = cos(k x) cos(l y) (pressure wave, u = grad phi) and psi = sin(k x) sin(l y) (shear wave, u = (psi_y, -psi_x)) the
+normal displacement and the tangential traction vanish on all sides. They oscillate with c |(k, l)|,
+c_p^2 = E (1 - nu)/((1 + nu)(1 - 2 nu)), c_s^2 = E/(2 (1 + nu)) (E: young, per density). A shear wave u_x(y) also fits
+between periodic sides under a free top. The amplitude is 1e-6: what Saint Venant-Kirchhoff adds to the linear theory is
+of that size.
 
-The frequency is fitted to (elastic - kinetic energy), cos(2 w t) for one wave, decay to the displacement at every step. What the time
-scheme makes of e^(i w t) follows from its recurrence (Jansen, Whiting, Hulbert 2000): with
-y' = i w y the amplification factor is an eigenvalue of a 2 x 2 matrix; for rho_inf = 1 it gives tan(w' dt/2) = w dt/2, which
-is used to take the error of time out where the error of space is shown: order 2 p for a spline of degree p."""
+The frequency is fitted to (elastic - kinetic energy), cos(2 w t) for one wave, decay to the displacement at every step.
+What the time scheme makes of e^(i w t) follows from its recurrence (Jansen, Whiting, Hulbert 2000): with
+y' = i w y the amplification factor is an eigenvalue of a 2 x 2 matrix; for rho_inf = 1 it gives tan(w' dt/2) = w dt/2,
+which is used to take the error of time out where the error of space is shown: order 2 p for a spline of degree p."""
 
 import numpy
 
@@ -55,7 +56,7 @@ def steps(dt, count, *more):
 
 
 def measured(run, omega):
-    """-b + i w of a run whose wave has about the frequency omega, after the first step, which is one of backward Euler."""
+    """-b + i w of a run whose wave has about the frequency omega, after the first step, one of backward Euler."""
     rows = run.history
     difference = rows["energy_elastic"] - rows["energy_kinetic"]
     return _shape.damped_wave(rows["t"][1:], difference[1:], 2j * omega, drift=False)[0] / 2
@@ -112,7 +113,8 @@ def mesh_orders(lab):
 
 
 def damped(run, omega, dt):
-    """-b + i w of the displacement at the middle of the top, without the first ten steps: there the scheme forgets its start."""
+    """-b + i w of the displacement at the middle of the top, without the first ten steps, in which the
+    scheme forgets its start."""
     wall = _measure.table(run.folder / "interface.csv")
     middle = wall["x_reference"] == 0.5
     return _shape.damped_wave(wall["time"][middle][10:], wall["displacement_x"][middle][10:], 1j * omega, drift=False)[0]

@@ -1,16 +1,17 @@
 """Large strains in closed form: stretched, compressed and sheared columns.
 
-A column of Saint Venant-Kirchhoff of height H between slip sides, under gravity: only u_y(Y) differs from 0, and the free top
-carries nothing, so P_22(Y) = rho f (H - Y) exactly. With F_22 = s, P_22 = (lambda + 2 G) s (s^2 - 1)/2: s is a root of a cubic,
-u_y the integral of s - 1. Hanging (f > 0, from a slip bottom that holds u_y = 0) the root is the one above 1; pressed (f < 0)
-it is the one in (1/sqrt(3), 1), where the material is stable.
+A column of Saint Venant-Kirchhoff of height H between slip sides, under gravity: only u_y(Y) differs from 0, and the
+free top carries nothing, so P_22(Y) = rho f (H - Y) exactly. With F_22 = s, P_22 = (lambda + 2 G) s (s^2 - 1)/2: s is a
+root of a cubic, u_y the integral of s - 1. Hanging (f > 0, from a slip bottom that holds u_y = 0) the root is the one
+above 1; pressed (f < 0) it is the one in (1/sqrt(3), 1), where the material is stable.
 
 A sheared column, periodic sides, bottom clamped, force along x: u_x(Y) and u_y(Y). With g = u_x' and s = 1 + u_y':
-E_12 = g/2, E_22 = (g^2 + s^2 - 1)/2, S_12 = G g, S_22 = (lambda + 2 G) E_22, P_12 = S_12 + g S_22, P_22 = s S_22. Balance asks
-for P_22 = 0 and P_12 = rho f (H - Y): S_22 = 0, g = rho f (H - Y)/G, s = sqrt(1 - g^2).
+E_12 = g/2, E_22 = (g^2 + s^2 - 1)/2, S_12 = G g, S_22 = (lambda + 2 G) E_22, P_12 = S_12 + g S_22, P_22 = s S_22.
+Balance asks for P_22 = 0 and P_12 = rho f (H - Y): S_22 = 0, g = rho f (H - Y)/G, s = sqrt(1 - g^2).
 
-Rest is reached with rho_inf = 0. Error of u: root mean square over the ends and middles of the elements (where a quadratic
-is one order better than elsewhere), order p + 1; the elastic energy, int (lambda/2 + G) E_22^2 + ..., has order 2 p."""
+Rest is reached with rho_inf = 0. Error of u: root mean square over the ends and middles of the elements (where a
+quadratic is one order better than elsewhere), order p + 1; the elastic energy, int (lambda/2 + G) E_22^2 + ..., has
+order 2 p."""
 
 import _measure
 import numpy

@@ -1,17 +1,19 @@
 """Wall under a droplet at rest against the linear theory of an elastic layer.
 
-A droplet on a rigid wall exerts the traction t(x) (interface.csv). On a stiff layer the same traction displaces the surface
-by u = C t, with the compliance C(k) of a layer of height H on a roller base in plane strain, derived here: with
-u_x = a(y) sin kx, u_y = b(y) cos kx, the solutions of (lambda + G) grad div u + G Lap u = 0 with b = a' = 0 at y = 0 are
+A droplet on a rigid wall exerts the traction t(x) (interface.csv). On a stiff layer the same traction displaces the
+surface by u = C t, with the compliance C(k) of a layer of height H on a roller base in plane strain, derived here: with
+u_x = a(y) sin kx, u_y = b(y) cos kx, the solutions of (lambda + G) grad div u + G Lap u = 0, b = a' = 0 at y = 0, are
 
     a = A cosh ky - D ky sinh ky,   b = -(A + (3 - 4 nu) D) sinh ky + D ky cosh ky;
 
-sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H give A and D for the tractions t_x sin kx, t_y cos kx.
-Without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH), which is checked; k = 0 is
-uniaxial strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)). Slip sides make these series exact: cosines for t_y, sines for t_x.
+sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H give A and D for the tractions t_x sin kx,
+t_y cos kx. Without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH), which is
+checked; k = 0 is uniaxial strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)). Slip sides make these series exact: cosines for
+t_y, sines for t_x.
 
-Half a droplet on a slip side. interface.csv holds a traction lumped over the splines of the wall; here it is turned into the
-spline that does the same work on every spline (mass matrix). What is left vanishes with 1/E (deformed geometry) and with h."""
+Half a droplet on a slip side. interface.csv holds a traction lumped over the splines of the wall; here it is turned
+into the spline that does the same work on every spline (mass matrix). What is left vanishes with 1/E (deformed
+geometry) and with h."""
 
 import _measure
 import numpy
