@@ -27,8 +27,7 @@ struct Stencil {
   int extent[D], period[D];  ///< control points along each axis, ghosts included; owned ones, or 0: not periodic
   int degree, components, points = 1, offsets = 1;
 
-  explicit Stencil(const Layout<D>& layout)
-      : degree(layout.axis[0].degree()), components(layout.has_fluid ? D + 2 : D) {
+  explicit Stencil(const Layout<D>& layout) : degree(layout.axis[0].degree()), components(layout.components()) {
     for (int d = 0; d < D; ++d) {
       extent[d] = layout.axis[d].functions();
       period[d] = layout.axis[d].periodic() ? layout.axis[d].owned() : 0;
@@ -68,11 +67,17 @@ struct Stencil {
   }
 };
 
-/// Where the values of component c of a vector of unknowns lie: unknown = offset + control point of the patch.
+/// component_shift and component_first of a layout, for kernels.
 template <int D>
-int component_shift(const Layout<D>& layout, int c) {
-  if (c < D) return layout.velocity_offset(c);
-  return (c == D ? layout.density_offset() : layout.potential_offset()) - layout.fluid_shift();
-}
+struct ComponentPlaces {
+  int shift[D + 2], first[D + 2];
+
+  explicit ComponentPlaces(const Layout<D>& layout) {
+    for (int c = 0; c < D + 2; ++c) {
+      shift[c] = layout.component_shift(c);
+      first[c] = layout.component_first(c);
+    }
+  }
+};
 
 }  // namespace softwet

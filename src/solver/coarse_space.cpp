@@ -51,12 +51,13 @@ struct Transfer {
   AxisTransfer axis[D];
   ConstArray from, mask;
   Array to;
-  int from_shift[D + 2], from_first[D + 2], to_shift[D + 2], to_first[D + 2], points;
+  ComponentPlaces<D> from_place, to_place;
+  int points;
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
     const int c = static_cast<int>(item / points), point = static_cast<int>(item % points);
-    if (point < to_first[c]) return;
-    const int unknown = to_shift[c] + point;
+    if (point < to_place.first[c]) return;
+    const int unknown = to_place.shift[c] + point;
     int at[3] = {0, 0, 0}, rest = point;
     for (int d = 0; d < D; ++d) {
       const int n = ToCoarse ? axis[d].coarse : axis[d].fine;
@@ -78,8 +79,8 @@ struct Transfer {
       const int index = base * n + i;
       if (d > 0) {
         result += factor * sum(c, at, d - 1, index);
-      } else if (index >= from_first[c]) {
-        result += factor * from(from_shift[c] + index);
+      } else if (index >= from_place.first[c]) {
+        result += factor * from(from_place.shift[c] + index);
       }
     }
     return result;
@@ -133,7 +134,7 @@ std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, 
   const Stencil<D> in(fine), out(coarse);
   std::vector<double> result(coarse.size(), 0.0);
   for (int c = 0; c < out.components; ++c)
-    for (int p = c < D ? 0 : coarse.fluid_shift(); p < out.points; ++p) {
+    for (int p = coarse.component_first(c); p < out.points; ++p) {
       int partner = 0, stride = 1;
       bool owned = true;
       for (int d = 0; d < D; ++d) {
@@ -144,7 +145,7 @@ std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, 
         partner += stride * wrapped(refinement[d].first[i] + k, fine.axis[d].owned(), in.period[d]);
         stride *= in.extent[d];
       }
-      if (owned) result[component_shift(coarse, c) + p] = mask[component_shift(fine, c) + partner];
+      if (owned) result[coarse.component_shift(c) + p] = mask[fine.component_shift(c) + partner];
     }
   return result;
 }
@@ -177,14 +178,9 @@ template <int D, bool ToCoarse>
 void transfer(const Layout<D>& from_layout, const Layout<D>& to_layout, const AxisTransfer (&axis)[D],
               const ConstArray& from, const ConstArray& mask, const Array& to) {
   const Stencil<D> points(to_layout);
-  Transfer<D, ToCoarse> body{{}, from, mask, to, {}, {}, {}, {}, points.points};
+  const ComponentPlaces<D> from_place(from_layout), to_place(to_layout);
+  Transfer<D, ToCoarse> body{{}, from, mask, to, from_place, to_place, points.points};
   for (int d = 0; d < D; ++d) body.axis[d] = axis[d];
-  for (int c = 0; c < points.components; ++c) {
-    body.from_shift[c] = component_shift(from_layout, c);
-    body.to_shift[c] = component_shift(to_layout, c);
-    body.from_first[c] = c < D ? 0 : from_layout.fluid_shift();
-    body.to_first[c] = c < D ? 0 : to_layout.fluid_shift();
-  }
   Kokkos::parallel_for("softwet::transfer", Policy(0, std::int64_t(points.components) * points.points), body);
 }
 
