@@ -127,7 +127,7 @@ struct CoarsenAxis {
   }
 };
 
-/// Coarse unknowns are free where the fine one that follows them most closely is: ends map to ends, the wall to the wall.
+/// Coarse unknowns are free where the fine one that follows them most closely is: ends map to ends, wall to wall.
 template <int D>
 std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, const std::vector<double>& mask,
                                 const std::vector<Refinement>& refinement) {
