@@ -6,11 +6,17 @@
 
 namespace softwet {
 
-/// Excess free energy of the homogeneous fluid over coexistence, D(rho) = W(rho) - mu_s rho + p_s >= 0; scale a b^2.
+/// Liquid and vapour at equal pressure and chemical potential.
 struct Coexistence {
   double density_vapour = 0, density_liquid = 0;
   double pressure = 0;   ///< p_s
   double potential = 0;  ///< mu_s
+
+  /// Excess of the free energy of the homogeneous fluid, D(rho) = W(rho) - mu_s rho + p_s >= 0; scale a b^2.
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION N excess(const VanDerWaals& gas, const N& rho) const {
+    return gas.energy(rho) - potential * rho + pressure;
+  }
 };
 
 /// <q, g^2 sqrt(|grad rho|^2 + d^2) cos(alpha)>_Gamma : the paper's law, grad rho . n = |grad rho| cos(alpha).
@@ -49,7 +55,7 @@ struct EnergyWall {
   /// -f_w'(rho), scale a b L0.
   template <class N>
   KOKKOS_FORCEINLINE_FUNCTION N force(const N& rho) const {
-    const N excess = gas.energy(rho) - state.potential * rho + state.pressure;
+    const N excess = state.excess(gas, rho);
     const N safe = select(excess < 0.0, N(0.0), excess);
     return (capillarity * cosine) * (square_root(2.0 * safe + smoothing * smoothing) - smoothing);
   }

@@ -7,7 +7,7 @@ namespace softwet {
 
 /// W(rho) = (8/27) theta rho ln(rho/(1-rho)) - rho^2                                       scale a b^2
 /// Below `continuation` W is continued by its second-order Taylor polynomial, so that it stays convex and finite there.
-/// Source: Bueno et al. 2017, eq. (6), with the scaling of eqs. (8)-(13).   Tested: tests/unit/fluid/test_van_der_waals.cpp
+/// Source: Bueno et al. 2017, eq. (6), scaled as in eqs. (8)-(13).   Tested: tests/unit/fluid/test_van_der_waals.cpp
 struct VanDerWaals {
   double temperature = 0;   ///< theta / theta_c, in (0, 1)
   double continuation = 0;  ///< density below which W is continued; 0: nowhere

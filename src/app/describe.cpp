@@ -97,11 +97,10 @@ void describe_model(const Case& c, std::ostream& out) {
   print(out, "unknowns", unknowns(model.layout()));
   print(out, "memory", memory<D, P>(c, model));
   if (c.fluid) {
-    const double tension = c.fluid->capillarity * surface_tension_over_capillarity(c.fluid->temperature);
     print(out, "equilibrium",
           {{"density of the vapour", number(model.state().density_vapour, "%.10g")},
            {"density of the liquid", number(model.state().density_liquid, "%.10g")},
-           {"surface tension", number(tension, "%.10g") + " a b^2 L0"}});
+           {"surface tension", number(surface_tension(*c.fluid), "%.10g") + " a b^2 L0"}});
   }
   print(out, "limits of explicit steps (for information; the implicit scheme has none)", step_limits(c, model));
   print(out, "kernel",

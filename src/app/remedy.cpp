@@ -20,8 +20,7 @@ std::string number(double value) {
 /// sigma / E, the length over which capillary forces deform the solid; 0 without both.
 double elastocapillary_length(const Case& c) {
   if (!c.fluid || !c.substrate) return 0;
-  const double tension = c.fluid->capillarity * surface_tension_over_capillarity(c.fluid->temperature);
-  return tension / (c.substrate->density * c.substrate->young);
+  return surface_tension(*c.fluid) / (c.substrate->density * c.substrate->young);
 }
 
 std::string softer_than_its_loads(const Case& c) {

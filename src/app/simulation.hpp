@@ -25,7 +25,7 @@ class Simulation {
  public:
   Simulation(const Case& c, const RunOptions& options);
 
-  /// To time.end, time.max_steps or Ctrl-C. Throws Error (computation_failed) after a checkpoint of the last good state.
+  /// To time.end, time.max_steps, Ctrl-C. Throws Error (computation_failed) after a checkpoint of the last good state.
   void run();
 
  private:

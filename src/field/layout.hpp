@@ -34,6 +34,15 @@ struct Layout {
   /// Distance from control value (0, ..) of a fluid component to where row 0 of the patch would be.
   int fluid_shift() const { return wall_row * row_size; }
   int wall_shift() const { return wall_row * row_size; }
+
+  /// Components: velocity 0 .. D - 1, density D, potential D + 1. The values of one lie in a vector of unknowns at
+  /// component_shift + control point of the patch, from the control point component_first on.
+  int components() const { return has_fluid ? D + 2 : D; }
+  int component_first(int c) const { return c < D ? 0 : fluid_shift(); }
+  int component_shift(int c) const {
+    if (c < D) return velocity_offset(c);
+    return (c == D ? density_offset() : potential_offset()) - fluid_shift();
+  }
 };
 
 }  // namespace softwet

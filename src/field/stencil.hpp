@@ -10,6 +10,15 @@ namespace softwet {
 /// In single precision: such a matrix only serves preconditioners.
 using StencilValues = Kokkos::View<float*, Exec>;
 
+/// Index i on an axis of `extent` places, wrapped where the axis has a period (0: none); -1 outside.
+KOKKOS_FORCEINLINE_FUNCTION int wrapped(int i, int extent, int period) {
+  if (period > 0) {
+    while (i < 0) i += period;
+    i %= period;
+  }
+  return i >= 0 && i < extent ? i : -1;
+}
+
 /// values[((a C + u) offsets + o) points + i]: row of component a at control point i, column of component u at point
 /// i + shift(o). C components (velocity, density, potential) on all points of the patch; what does not exist is zero.
 /// Periodic axes wrap.
@@ -18,8 +27,7 @@ struct Stencil {
   int extent[D], period[D];  ///< control points along each axis, ghosts included; owned ones, or 0: not periodic
   int degree, components, points = 1, offsets = 1;
 
-  explicit Stencil(const Layout<D>& layout)
-      : degree(layout.axis[0].degree()), components(layout.has_fluid ? D + 2 : D) {
+  explicit Stencil(const Layout<D>& layout) : degree(layout.axis[0].degree()), components(layout.components()) {
     for (int d = 0; d < D; ++d) {
       extent[d] = layout.axis[d].functions();
       period[d] = layout.axis[d].periodic() ? layout.axis[d].owned() : 0;
@@ -38,12 +46,7 @@ struct Stencil {
   }
   /// Coordinate i + shift along axis d, wrapped; -1 outside.
   KOKKOS_FORCEINLINE_FUNCTION int moved(int i, int shift, int d) const {
-    i += shift;
-    if (period[d] > 0) {
-      while (i < 0) i += period[d];
-      return i % period[d];
-    }
-    return i >= 0 && i < extent[d] ? i : -1;
+    return wrapped(i + shift, extent[d], period[d]);
   }
   KOKKOS_FORCEINLINE_FUNCTION int coordinate(int point, int d) const {
     for (int e = 0; e < d; ++e) point /= extent[e];
@@ -64,11 +67,17 @@ struct Stencil {
   }
 };
 
-/// Where the values of component c of a vector of unknowns lie: unknown = offset + control point of the patch.
+/// component_shift and component_first of a layout, for kernels.
 template <int D>
-int component_shift(const Layout<D>& layout, int c) {
-  if (c < D) return layout.velocity_offset(c);
-  return (c == D ? layout.density_offset() : layout.potential_offset()) - layout.fluid_shift();
-}
+struct ComponentPlaces {
+  int shift[D + 2], first[D + 2];
+
+  explicit ComponentPlaces(const Layout<D>& layout) {
+    for (int c = 0; c < D + 2; ++c) {
+      shift[c] = layout.component_shift(c);
+      first[c] = layout.component_first(c);
+    }
+  }
+};
 
 }  // namespace softwet

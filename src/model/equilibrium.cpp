@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/case.hpp"
 #include "app/error.hpp"
 #include "spline/axis.hpp"
 
@@ -55,9 +56,9 @@ Coexistence coexistence(double theta) {
   return {r.vapour, r.liquid, gas.pressure(r.vapour), mu};
 }
 
-double surface_tension_over_capillarity(double theta) {
-  const VanDerWaals gas{theta, 0};
-  const Coexistence s = coexistence(theta);
+double surface_tension(const Fluid& fluid) {
+  const VanDerWaals gas{fluid.temperature, 0};
+  const Coexistence s = coexistence(fluid.temperature);
   const Gauss rule(12);
   // D vanishes quadratically at both ends: the substitution rho = middle - half cos(phi) keeps the integrand smooth.
   const double middle = 0.5 * (s.density_vapour + s.density_liquid), half = 0.5 * (s.density_liquid - s.density_vapour);
@@ -67,10 +68,9 @@ double surface_tension_over_capillarity(double theta) {
     for (int q = 0; q < 12; ++q) {
       const double phi = M_PI * (p + rule.point[q]) / panels;
       const double rho = middle - half * std::cos(phi);
-      const double excess = gas.energy(rho) - s.potential * rho + s.pressure;
-      sum += rule.weight[q] * M_PI / panels * half * std::sin(phi) * std::sqrt(2 * std::max(excess, 0.0));
+      sum += rule.weight[q] * M_PI / panels * half * std::sin(phi) * std::sqrt(2 * std::max(s.excess(gas, rho), 0.0));
     }
-  return sum;
+  return fluid.capillarity * sum;
 }
 
 }  // namespace softwet

@@ -5,6 +5,8 @@
 
 namespace softwet {
 
+struct Fluid;
+
 /// Densities of the two phases at equal pressure and chemical potential. Errors: theta outside (0, 1).
 /// Tested against independent values: tests/unit/model/test_equilibrium.cpp
 Coexistence coexistence(double temperature);
@@ -19,7 +21,7 @@ PhaseDensities spinodal(double temperature);
 /// Densities of the two phases at a chemical potential between the spinodal values.
 PhaseDensities densities_at(double temperature, double potential);
 
-/// Surface tension sigma / g = int_{rho_v}^{rho_l} sqrt(2 D(rho)) d rho, scale a b^2 L0 / L0.
-double surface_tension_over_capillarity(double temperature);
+/// Surface tension sigma = g int_{rho_v}^{rho_l} sqrt(2 D(rho)) d rho, scale a b^2 L0.
+double surface_tension(const Fluid& fluid);
 
 }  // namespace softwet

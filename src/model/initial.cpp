@@ -55,8 +55,8 @@ struct CurvedEquilibrium {
   Coexistence flat;
   int dimension;
 
-  /// mu = mu_sat +- (D - 1) sigma / (R (rho_l - rho_v)), at most half way to the spinodal: below that radius there is no
-  /// equilibrium and the droplet vanishes.
+  /// mu = mu_sat +- (D - 1) sigma / (R (rho_l - rho_v)), at most half way to the spinodal: below that radius there is
+  /// no equilibrium and the droplet vanishes.
   double potential(double radius, double sign) const {
     const double excess = (dimension - 1) * tension / (radius * (flat.density_liquid - flat.density_vapour));
     const VanDerWaals gas{temperature, 0};
@@ -69,8 +69,7 @@ struct CurvedEquilibrium {
 template <int D, int P>
 std::vector<Shape> shapes(const Case& c, const Model<D, P>& model) {
   const Coexistence& flat = model.state();
-  const double tension = c.fluid->capillarity * surface_tension_over_capillarity(c.fluid->temperature);
-  const CurvedEquilibrium curved{c.fluid->temperature, tension, flat, D};
+  const CurvedEquilibrium curved{c.fluid->temperature, surface_tension(*c.fluid), flat, D};
   const bool bubbles = c.fluid->ambient == Phase::liquid;
   std::vector<Shape> result;
   for (const Droplet& droplet : c.droplets) {
@@ -108,12 +107,11 @@ Shape surroundings(const Case& c, const Coexistence& flat, const std::vector<Sha
 double interface_half_width(const Case& c, const Coexistence& s) {
   const double jump = s.density_liquid - s.density_vapour, middle = 0.5 * (s.density_liquid + s.density_vapour);
   const VanDerWaals gas{c.fluid->temperature, 0};
-  const double excess = gas.energy(middle) - s.potential * middle + s.pressure;
-  return 0.5 * jump * c.fluid->capillarity / std::sqrt(2 * excess);
+  return 0.5 * jump * c.fluid->capillarity / std::sqrt(2 * s.excess(gas, middle));
 }
 
-/// Calls visit(i, x) for each control value of a component with rows [first, first + rows): its Greville point. A control
-/// value equal to the profile there is a positive approximation, so the vapour cannot undershoot.
+/// Calls visit(i, x) for each control value of a component with rows [first, first + rows): its Greville point. A
+/// control value equal to the profile there is a positive approximation, so the vapour cannot undershoot.
 template <int D, class Visit>
 void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& visit) {
   for (int i = 0; i < rows * l.row_size; ++i) {

@@ -25,15 +25,14 @@ struct Binding {
   const double* acceleration(int d) const { return stage.acceleration.data() + layout.velocity_offset(d); }
   const double* displacement(int d) const { return stage.displacement.data() + layout.displacement_offset(d); }
   const double* displacement_end(int d) const { return stage.displacement_end.data() + layout.displacement_offset(d); }
-  const double* density() const { return stage.unknown.data() + layout.density_offset() - layout.fluid_shift(); }
-  const double* potential() const { return stage.unknown.data() + layout.potential_offset() - layout.fluid_shift(); }
+  const double* density() const { return component(stage.unknown, D); }
+  const double* potential() const { return component(stage.unknown, D + 1); }
   const double* density_end() const { return stage.density_end.data() - layout.fluid_shift(); }
 
-  /// Control values of unknown component c (velocity 0..D-1, density D, potential D+1) in a vector of unknowns.
+  /// Control values of component c in a vector of unknowns.
   template <class V>
   auto* component(const V& vector, int c) const {
-    if (c < D) return vector.data() + layout.velocity_offset(c);
-    return vector.data() + (c == D ? layout.density_offset() : layout.potential_offset()) - layout.fluid_shift();
+    return vector.data() + layout.component_shift(c);
   }
 
   /// Motion of the fluid mesh: the wall's row of displacement and velocity, blended over the fluid's height.

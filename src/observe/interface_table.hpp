@@ -10,8 +10,8 @@
 
 namespace softwet {
 
-/// time, x_reference[, y_reference], displacement_x, displacement_y[, displacement_z], density, traction_x, traction_y[,
-/// traction_z]
+/// time, x_reference[, y_reference], displacement_x, displacement_y[, displacement_z], density, traction_x,
+/// traction_y[, traction_z]
 template <int D>
 std::vector<std::string> interface_columns() {
   const std::string axis = "xyz";
@@ -24,9 +24,9 @@ std::vector<std::string> interface_columns() {
 }
 
 /// Force of the fluid on a rigid wall that holds it, per area: control values of a spline on the wall, one list per
-/// component; scale a b^2. Each is the reaction of a control point over the integral of its function, so the integral of
-/// the traction is the sum of the reactions, and a line force is spread over the width of the interface and an element.
-/// It is 0 along the normal of a side that the wall meets: that reaction belongs to the side.
+/// component; scale a b^2. Each is the reaction of a control point over the integral of its function, so the integral
+/// of the traction is the sum of the reactions, and a line force is spread over the width of the interface and an
+/// element. It is 0 along the normal of a side that the wall meets: that reaction belongs to the side.
 template <int D, int P>
 std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage);
 

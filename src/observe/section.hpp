@@ -40,7 +40,7 @@ class Section {
 Section<2> side_view(const Snapshot<2>&);
 
 /// The plane through a point of the wall along a direction (a unit vector), from side to side. s counts from the foot
-/// of the perpendicular from the middle of the domain. A periodic axis is cut half a period before and behind the point.
+/// of the perpendicular from the middle of the domain. A periodic axis is cut half a period before and after the point.
 Section<3> side_view(const Snapshot<3>&, const Place& point, const Place& direction);
 
 /// s of a point of the wall in a section along `direction`.

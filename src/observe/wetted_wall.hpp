@@ -25,7 +25,7 @@ struct WettedRegion {
   double area = 0;           ///< of the deformed wall
   Place centre{};            ///< of that area, now; inside a periodic domain
   Place reference_centre{};  ///< the same, of the points before they moved
-  /// Per axis: -1 where the low side beside the centre belongs to the region, 1 where the high side does, 0: none, both.
+  /// Per axis: -1 where the low side beside the centre is in the region, 1 where the high side is, 0: none, both.
   std::array<int, 2> cut{0, 0};
 };
 

@@ -176,10 +176,15 @@ struct Colouring {
   }
 };
 
-/// Runs body(batch) for all elements of a row of the region in packs of `lanes`.
+/// Numbers of a batch: a lane for each element on the host.
+using BatchNumber = std::conditional_t<on_host, Pack<double>, double>;
+
+/// Runs body(batch) for all elements of a row, batch by batch.
 template <int D, class Body>
-KOKKOS_FORCEINLINE_FUNCTION void for_packs(const Region<D>& region, Batch<D> b, int lanes, const Body& body) {
-  const int n = region.axis[0].elements;
+KOKKOS_FORCEINLINE_FUNCTION void for_row(const Colouring<D>& rows, int row, const Body& body) {
+  constexpr int lanes = Lanes<BatchNumber>::count;
+  const int n = rows.extent[0];
+  Batch<D> b = rows.batch(row);
   for (int e = 0; e < n; e += lanes) {
     b.element[0] = e;
     b.count = n - e < lanes ? n - e : lanes;
@@ -187,35 +192,47 @@ KOKKOS_FORCEINLINE_FUNCTION void for_packs(const Region<D>& region, Batch<D> b, 
   }
 }
 
-template <int D, int P, int QL, bool Tangent, class Term, class Motion>
-struct AssembleRow {
-  Task<D, Term, Motion> task;
+/// An item of one colour: a row of elements on the host, one element on a device.
+template <int D, class Body>
+struct ColourItem {
   Colouring<D> colouring;
+  Body body;
 
   KOKKOS_FUNCTION void operator()(int item) const {
     if constexpr (on_host) {
-      using S = Pack<double>;
-      using N = std::conditional_t<Tangent, Dual<S>, S>;
-      for_packs<D>(task.region, colouring.batch(item), Lanes<S>::count,
-                   [&](const Batch<D>& b) { assemble_batch<S, N, D, P, QL, Term, Motion>(task, b); });
+      for_row<D>(colouring, item, body);
     } else {
-      using N = std::conditional_t<Tangent, Dual<double>, double>;
-      assemble_batch<double, N, D, P, QL, Term, Motion>(task, colouring.batch(item));
+      body(colouring.batch(item));
     }
+  }
+};
+
+/// Runs body(batch) for all elements of a region, one colour after another.
+template <int D, class Body>
+void for_colours(const char* name, const Region<D>& region, int stride, const Body& body) {
+  int colours = 1;
+  for (int d = on_host ? 1 : 0; d < D; ++d) colours *= Colouring<D>::colours_of(region, stride, d);
+  for (int colour = 0; colour < colours; ++colour) {
+    const Colouring<D> colouring(region, stride, colour, !on_host);
+    if (colouring.items() == 0) continue;
+    Kokkos::parallel_for(name, Kokkos::RangePolicy<Exec>(0, colouring.items()), ColourItem<D, Body>{colouring, body});
+  }
+}
+
+template <int D, int P, int QL, bool Tangent, class Term, class Motion>
+struct AssembleBatch {
+  Task<D, Term, Motion> task;
+
+  KOKKOS_FUNCTION void operator()(const Batch<D>& b) const {
+    using N = std::conditional_t<Tangent, Dual<BatchNumber>, BatchNumber>;
+    assemble_batch<BatchNumber, N, D, P, QL, Term, Motion>(task, b);
   }
 };
 
 /// Adds the term's residual, or (Tangent) its Jacobian-vector product, to task.test[].
 template <int P, int QL, bool Tangent, int D, class Term, class Motion>
 void assemble(const Task<D, Term, Motion>& task) {
-  int colours = 1;
-  for (int d = on_host ? 1 : 0; d < D; ++d) colours *= Colouring<D>::colours_of(task.region, P + 1, d);
-  for (int colour = 0; colour < colours; ++colour) {
-    const Colouring<D> colouring(task.region, P + 1, colour, !on_host);
-    if (colouring.items() == 0) continue;
-    Kokkos::parallel_for("softwet::assemble", Kokkos::RangePolicy<Exec>(0, colouring.items()),
-                         AssembleRow<D, P, QL, Tangent, Term, Motion>{task, colouring});
-  }
+  for_colours("softwet::assemble", task.region, P + 1, AssembleBatch<D, P, QL, Tangent, Term, Motion>{task});
 }
 
 }  // namespace softwet

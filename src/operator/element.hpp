@@ -134,7 +134,7 @@ struct BatchGeometry {
   KOKKOS_FORCEINLINE_FUNCTION FixedPoint<N, D> at(int, double, bool) const { return {}; }
 };
 
-/// Geometry of the blended moving mesh: the wall's motion interpolated along the wall, blended vertically at each point.
+/// Geometry of the blended moving mesh: the wall's motion interpolated along it, blended vertically at each point.
 template <class S, class N, int D, int P, int Q>
 struct BatchGeometry<S, N, D, P, Q, WallMotion<D>> {
   static constexpr int wall_points = power(Q, D - 1);

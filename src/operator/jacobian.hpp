@@ -129,23 +129,14 @@ KOKKOS_FUNCTION void jacobian_batch(const Task<D, Term, Motion>& task, const Bat
 }
 
 template <int D, int P, int QL, class Term, class Motion>
-struct JacobianRow {
+struct JacobianBatch {
   Task<D, Term, Motion> task;
-  Colouring<D> colouring;
   Stencil<D> stencil;
   StencilValues values;
   int first_row, first_column;
 
-  KOKKOS_FUNCTION void operator()(int item) const {
-    using S = std::conditional_t<on_host, Pack<double>, double>;
-    const auto run = [&](const Batch<D>& b) {
-      jacobian_batch<S, D, P, QL, Term, Motion>(task, b, stencil, values.data(), first_row, first_column);
-    };
-    if constexpr (on_host) {
-      for_packs<D>(task.region, colouring.batch(item), Lanes<S>::count, run);
-    } else {
-      run(colouring.batch(item));
-    }
+  KOKKOS_FUNCTION void operator()(const Batch<D>& b) const {
+    jacobian_batch<BatchNumber, D, P, QL, Term, Motion>(task, b, stencil, values.data(), first_row, first_column);
   }
 };
 
@@ -154,15 +145,8 @@ struct JacobianRow {
 template <int P, int QL, int D, class Term, class Motion>
 void assemble_jacobian(const Task<D, Term, Motion>& task, const Stencil<D>& stencil, const StencilValues& values,
                        int first_row, int first_column) {
-  int colours = 1;
-  for (int d = on_host ? 1 : 0; d < D; ++d) colours *= Colouring<D>::colours_of(task.region, P + 1, d);
-  for (int colour = 0; colour < colours; ++colour) {
-    const Colouring<D> colouring(task.region, P + 1, colour, !on_host);
-    if (colouring.items() == 0) continue;
-    Kokkos::parallel_for(
-        "softwet::jacobian", Kokkos::RangePolicy<Exec>(0, colouring.items()),
-        JacobianRow<D, P, QL, Term, Motion>{task, colouring, stencil, values, first_row, first_column});
-  }
+  for_colours("softwet::jacobian", task.region, P + 1,
+              JacobianBatch<D, P, QL, Term, Motion>{task, stencil, values, first_row, first_column});
 }
 
 }  // namespace softwet

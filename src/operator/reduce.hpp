@@ -68,11 +68,10 @@ struct ReduceRow {
   Array partial;  ///< [row][functional]
 
   KOKKOS_FUNCTION void operator()(int item) const {
-    using S = std::conditional_t<on_host, Pack<double>, double>;
-    using N = std::conditional_t<Rate, Dual<S>, S>;
+    using N = std::conditional_t<Rate, Dual<BatchNumber>, BatchNumber>;
     double sum[Functional::count] = {};
-    for_packs<D>(task.region, rows.batch(item), Lanes<S>::count,
-                 [&](const Batch<D>& b) { reduce_batch<S, N, D, P, QL, Functional, Motion>(task, b, sum); });
+    for_row<D>(rows, item,
+               [&](const Batch<D>& b) { reduce_batch<BatchNumber, N, D, P, QL, Functional, Motion>(task, b, sum); });
     for (int f = 0; f < Functional::count; ++f) partial(item * Functional::count + f) = sum[f];
   }
 };

@@ -81,7 +81,7 @@ class BlockLu final : public StencilSolver<D> {
       entries += own * (own + 2 * border);
       places += node.entries.size();
     }
-    return 4 * (entries + transient_entries()) + sizeof(DissectionNode::Entry) * places;  // factors; places of the matrix
+    return 4 * (entries + transient_entries()) + sizeof(DissectionNode::Entry) * places;  // factors; places
   }
 
  private:

@@ -45,24 +45,19 @@ AxisTransfer make_transfer(const Axis& fine, const Refinement& r) {
   return t;
 }
 
-/// i wrapped, or -1 outside.
-KOKKOS_FORCEINLINE_FUNCTION int inside(int i, int owned, bool periodic) {
-  if (periodic) return (i % owned + owned) % owned;
-  return i >= 0 && i < owned ? i : -1;
-}
-
 /// out(point) = sum over the other side's points of the product of coefficients, component by component.
 template <int D, bool ToCoarse>
 struct Transfer {
   AxisTransfer axis[D];
   ConstArray from, mask;
   Array to;
-  int from_shift[D + 2], from_first[D + 2], to_shift[D + 2], to_first[D + 2], points;
+  ComponentPlaces<D> from_place, to_place;
+  int points;
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
     const int c = static_cast<int>(item / points), point = static_cast<int>(item % points);
-    if (point < to_first[c]) return;
-    const int unknown = to_shift[c] + point;
+    if (point < to_place.first[c]) return;
+    const int unknown = to_place.shift[c] + point;
     int at[3] = {0, 0, 0}, rest = point;
     for (int d = 0; d < D; ++d) {
       const int n = ToCoarse ? axis[d].coarse : axis[d].fine;
@@ -79,13 +74,13 @@ struct Transfer {
     double result = 0;
     for (int k = 0; k < static_cast<int>(table.extent(1)); ++k) {
       const double factor = table(at[d], k);
-      const int i = inside(first + k, owned, t.periodic);
+      const int i = wrapped(first + k, owned, t.periodic ? owned : 0);
       if (factor == 0 || i < 0) continue;
       const int index = base * n + i;
       if (d > 0) {
         result += factor * sum(c, at, d - 1, index);
-      } else if (index >= from_first[c]) {
-        result += factor * from(from_shift[c] + index);
+      } else if (index >= from_place.first[c]) {
+        result += factor * from(from_place.shift[c] + index);
       }
     }
     return result;
@@ -109,7 +104,7 @@ struct CoarsenAxis {
     float* sum = to.data() + block * out.points + (std::int64_t(high) * out.extent[d] + row) * below;
     for (int i = 0; i < below; ++i) sum[i] = 0;
     const int shift = out.shift(offset, d), column = row + shift;
-    const int at = inside(column, axis.coarse_owned, axis.periodic);
+    const int at = wrapped(column, axis.coarse_owned, out.period[d]);
     if (row >= axis.coarse_owned || at < 0) return;
     const int row_fine = axis.first_fine(row);
     const int column_fine = axis.first_fine(at) + (column - at) / axis.coarse_owned * axis.fine_owned;
@@ -118,7 +113,7 @@ struct CoarsenAxis {
     const std::int64_t first = block - (shift + out.degree) * weight;  // the block with the least shift along this axis
     const int n = static_cast<int>(axis.to_fine.extent(1));
     for (int k = 0; k < n; ++k) {
-      const int i = inside(row_fine + k, axis.fine_owned, axis.periodic);
+      const int i = wrapped(row_fine + k, axis.fine_owned, in.period[d]);
       if (axis.to_fine(row, k) == 0 || i < 0) continue;
       for (int l = 0; l < n; ++l) {
         const int step = column_fine + l - row_fine - k;
@@ -132,14 +127,14 @@ struct CoarsenAxis {
   }
 };
 
-/// Coarse unknowns are free where the fine one that follows them most closely is: ends map to ends, the wall to the wall.
+/// Coarse unknowns are free where the fine one that follows them most closely is: ends map to ends, wall to wall.
 template <int D>
 std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, const std::vector<double>& mask,
                                 const std::vector<Refinement>& refinement) {
   const Stencil<D> in(fine), out(coarse);
   std::vector<double> result(coarse.size(), 0.0);
   for (int c = 0; c < out.components; ++c)
-    for (int p = c < D ? 0 : coarse.fluid_shift(); p < out.points; ++p) {
+    for (int p = coarse.component_first(c); p < out.points; ++p) {
       int partner = 0, stride = 1;
       bool owned = true;
       for (int d = 0; d < D; ++d) {
@@ -147,10 +142,10 @@ std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, 
         const auto& row = refinement[d].coefficient[i];
         const int k = static_cast<int>(std::max_element(row.begin(), row.end()) - row.begin());
         owned = owned && i < coarse.axis[d].owned();
-        partner += stride * inside(refinement[d].first[i] + k, fine.axis[d].owned(), fine.axis[d].periodic());
+        partner += stride * wrapped(refinement[d].first[i] + k, fine.axis[d].owned(), in.period[d]);
         stride *= in.extent[d];
       }
-      if (owned) result[component_shift(coarse, c) + p] = mask[component_shift(fine, c) + partner];
+      if (owned) result[coarse.component_shift(c) + p] = mask[fine.component_shift(c) + partner];
     }
   return result;
 }
@@ -183,14 +178,9 @@ template <int D, bool ToCoarse>
 void transfer(const Layout<D>& from_layout, const Layout<D>& to_layout, const AxisTransfer (&axis)[D],
               const ConstArray& from, const ConstArray& mask, const Array& to) {
   const Stencil<D> points(to_layout);
-  Transfer<D, ToCoarse> body{{}, from, mask, to, {}, {}, {}, {}, points.points};
+  const ComponentPlaces<D> from_place(from_layout), to_place(to_layout);
+  Transfer<D, ToCoarse> body{{}, from, mask, to, from_place, to_place, points.points};
   for (int d = 0; d < D; ++d) body.axis[d] = axis[d];
-  for (int c = 0; c < points.components; ++c) {
-    body.from_shift[c] = component_shift(from_layout, c);
-    body.to_shift[c] = component_shift(to_layout, c);
-    body.from_first[c] = c < D ? 0 : from_layout.fluid_shift();
-    body.to_first[c] = c < D ? 0 : to_layout.fluid_shift();
-  }
   Kokkos::parallel_for("softwet::transfer", Policy(0, std::int64_t(points.components) * points.points), body);
 }
 

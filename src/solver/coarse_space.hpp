@@ -6,8 +6,8 @@
 
 namespace softwet {
 
-/// Both directions of one axis: a coarse function as fine ones, and a fine one's share in coarse ones. Counts are padded
-/// with zero coefficients.
+/// Both directions of one axis: a coarse function as fine ones, and a fine one's share in coarse ones. Counts are
+/// padded with zero coefficients.
 struct AxisTransfer {
   Kokkos::View<int*, Exec> first_fine, first_coarse;                         ///< periodic: before wrapping
   Kokkos::View<double**, Kokkos::LayoutRight, Exec> to_fine, to_coarse;      ///< [coarse][k], [fine][k]

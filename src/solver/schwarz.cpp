@@ -38,7 +38,8 @@ struct FillRow {
     for (int o = 0; o < stencil.offsets; ++o) {
       int to = 0, step = 1;  // control point of the column in the box
       for (int d = 0; d < D; ++d) {
-        const int i = along(at[d], stencil.shift(o, d), d);
+        // A box that goes all around a periodic axis closes on itself.
+        const int i = wrapped(at[d] + stencil.shift(o, d), width, stencil.period[d]);
         to = i < 0 ? -1 : to < 0 ? -1 : to + step * i;
         step *= width;
       }
@@ -48,12 +49,6 @@ struct FillRow {
         if (column >= 0) blocks(box, row, column) += values(stencil.index(a, u, o, point));
       }
     }
-  }
-  /// Place of a neighbour in the box, or -1. A box that goes all around a periodic axis closes on itself.
-  KOKKOS_FUNCTION int along(int i, int shift, int d) const {
-    i += shift;
-    if (stencil.period[d] > 0) i = (i % stencil.period[d] + stencil.period[d]) % stencil.period[d];
-    return i >= 0 && i < width ? i : -1;
   }
 };
 

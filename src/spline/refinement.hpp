@@ -7,7 +7,7 @@
 
 namespace softwet {
 
-/// N_I(coarse) = sum_k coefficient[I][k] N_{first[I] + k}(fine); on a periodic axis fine indices wrap and may be negative.
+/// N_I(coarse) = sum_k coefficient[I][k] N_{first[I] + k}(fine); periodic: fine indices wrap and may be negative.
 struct Refinement {
   Axis coarse;
   std::vector<int> first;                        ///< [coarse function]

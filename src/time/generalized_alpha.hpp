@@ -20,8 +20,8 @@ struct AlphaParameters {
   }
 };
 
-/// Whether the rates v', u', p' of a state are those of the equations. Those of a first state are not: v' = 0 would leave
-/// an error of first order in the step for good, one step of backward Euler does not.
+/// Whether the rates v', u', p' of a state are those of the equations. Those of a first state are not: v' = 0 would
+/// leave an error of first order in the step for good, one step of backward Euler does not.
 enum class Rates { known, unknown };
 
 /// The algebraic system of one step. Unknowns are v and rho at n + af and mu; displacement is eliminated:

@@ -65,8 +65,8 @@ def oscillation(capillarity, viscosity, theta, mass, length, guess, n=2, points=
 
 
 def sharp(capillarity, viscosity, theta, radius, n=2):
-    """Lamb: frequency of an inviscid sharp droplet in its vapour, omega^2 = n (n^2 - 1) sigma/((rho_l + rho_v) R^3), and
-    damping 2 n (n - 1) nu/R^2 in two dimensions."""
+    """Lamb: frequency of an inviscid sharp droplet in its vapour, omega^2 = n (n^2 - 1) sigma/((rho_l + rho_v) R^3),
+    and damping 2 n (n - 1) nu/R^2 in two dimensions."""
     plane = PlaneInterface(theta)
     square = n * (n * n - 1) * plane.tension * capillarity / ((plane.liquid + plane.vapour) * radius**3)
     return -2 * n * (n - 1) * viscosity / plane.liquid / radius**2 + 1j * numpy.sqrt(square)

@@ -31,7 +31,8 @@ class PlaneInterface:
         return numpy.maximum(energy(self.theta, rho) - self.potential * rho + self.pressure, 0)
 
     def integral(self, f, low, high, points=400):
-        """int f d rho between two parts of the step, Gauss-Legendre in s with the part s^2: sqrt(2 D) bends near the vapour."""
+        """int f d rho between two parts of the step, Gauss-Legendre in s with the part s^2:
+        sqrt(2 D) bends near the vapour."""
         s, weight = numpy.polynomial.legendre.leggauss(points)
         a, b = numpy.sqrt(low), numpy.sqrt(high)
         s, weight = 0.5 * (a + b) + 0.5 * (b - a) * s, 0.5 * (b - a) * weight

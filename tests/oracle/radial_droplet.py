@@ -2,8 +2,8 @@
 """Droplet at rest in a disc or ball: density at its centre, in the vapour, and the pressure jump between the two.
 
 Solves mu = W'(rho) - g^2 (rho'' + (d - 1)/r rho') with rho' = 0 at both ends and a given mass, by Chebyshev collocation
-and Newton's method in ln(rho/(1 - rho)). No code or method shared with softwet. Run by hand it prints the three cases of
-radius 0.5 whose values are known from another solver, and how they change with the number of points."""
+and Newton's method in ln(rho/(1 - rho)). No code or method shared with softwet. Run by hand it prints the three cases
+of radius 0.5 whose values are known from another solver, and how they change with the number of points."""
 
 import numpy
 

@@ -43,6 +43,24 @@ def run_file(path, folder, settings=(), options=("--overwrite", "--quiet", "--th
     return result.stderr
 
 
+def write_box(name, height, elements, capillarity, angle, tables):
+    """Writes <name>.toml: a scene in a box 0.8 x 0.8 x height whose mesh is so coarse that it takes seconds.
+    @param tables  the rest of the case: droplets, substrate, time, ..."""
+    pathlib.Path(f"{name}.toml").write_text(f"""
+name = "{name}"
+[domain]
+size = [0.8, 0.8, {height}]
+elements = {elements}
+[fluid]
+viscosity = 0.05
+capillarity = {capillarity}
+temperature = 0.39
+contact_angle = {angle}
+[solver]
+krylov = {{ preconditioner = "lu" }}
+{tables}""")
+
+
 def history(folder):
     """Columns of history.csv by name; an empty cell is nan."""
     with open(pathlib.Path(folder) / "history.csv", newline="") as file:

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Bad input ends with the right exit code, one readable line on stderr, and no output folder. usage: bad_input.py SOFTWET"""
+"""Bad input ends with the right exit code, one readable line on stderr, and no output folder.
+usage: bad_input.py SOFTWET"""
 
 import pathlib
 import resource

@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 import numpy
-from _scene import check, check_true, run_file
+from _scene import check, check_true, run_file, write_box
 
 try:
     import matplotlib  # noqa: F401
@@ -38,16 +38,7 @@ check("area of a sphere, relative: closed, no face twice", errors[1], 0.01)
 check("of second order: error of the finer over the coarser lattice", errors[1] / errors[0], 0.3)
 
 # --- a small coupled run ---------------------------------------------------------------------------------------------
-pathlib.Path("small.toml").write_text("""
-name = "small"
-[domain]
-size = [0.8, 0.8, 0.4]
-elements = [8, 8, 4]
-[fluid]
-viscosity = 0.05
-capillarity = 0.15
-temperature = 0.39
-contact_angle = 75.0
+write_box("small", height=0.4, elements=[8, 8, 4], capillarity=0.15, angle=75.0, tables="""
 [substrate]
 thickness = 0.1
 young = 0.7554
@@ -62,8 +53,6 @@ force = [1.0, 1.0, 0.0]
 end = 0.1
 [output]
 fields = { times = [0.0, 0.1] }
-[solver]
-krylov = { preconditioner = "lu" }
 """)
 run_file("small.toml", "small")
 output = _output3d.Output("small")

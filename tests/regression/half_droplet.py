@@ -18,7 +18,8 @@ for name, one, other in (("contact line", left["x_right"], 0.5 - right["x_left"]
                          ("angle", left["angle_right"], right["angle_left"]), ("mass", left["mass"], right["mass"]),
                          ("laplace", left["laplace"], right["laplace"]), ("energy", left["energy_total"], right["energy_total"])):
     check(f"left and right half, {name}: largest difference", numpy.abs(one - other).max(), 1e-7)
-# Against the whole they differ by the mesh: its splines are smooth across the middle, theirs are flat there only in the limit.
+# Against the whole they differ by the mesh: its splines are smooth across the middle, theirs flat there only in
+# the limit.
 for name, one, other, bound in (("x_right", whole["x_right"] - 0.5, left["x_right"], 1e-4),
                                 ("angle_right", whole["angle_right"], left["angle_right"], 0.05),
                                 ("mass", whole["mass"] / 2, left["mass"], 1e-4),

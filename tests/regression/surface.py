@@ -1,22 +1,11 @@
 #!/usr/bin/env python3
 """Droplets on a wall that is a surface: columns, symmetry, a track of choice, resume. usage: surface.py SOFTWET"""
 
-import pathlib
-
 import numpy
-from _scene import TIGHT, check, check_true, history, run_file
+from _scene import TIGHT, check, check_true, history, run_file, write_box
 
 # Two droplets of one size on the diagonal of a small box with a rigid wall, on a coarse mesh.
-pathlib.Path("pair.toml").write_text("""
-name = "pair"
-[domain]
-size = [0.8, 0.8, 0.2]
-elements = [16, 16, 4]
-[fluid]
-viscosity = 0.05
-capillarity = 0.08
-temperature = 0.39
-contact_angle = 90.0
+write_box("pair", height=0.2, elements=[16, 16, 4], capillarity=0.08, angle=90.0, tables="""
 [[droplet]]
 centre = [0.22, 0.22, 0.0]
 radius = 0.16
@@ -27,8 +16,6 @@ radius = 0.16
 end = 0.2
 [output]
 history = { track = [1, 1] }
-[solver]
-krylov = { preconditioner = "lu" }
 """)
 
 run_file("pair.toml", "whole", TIGHT + ["time.max_steps=6"])

@@ -1,6 +1,8 @@
 """The runs of the study extremes: every parameter to its end and beyond, alone and in nasty pairs.
 
-Base scene: the pull of Fig. 2 on 64x32 elements with gamma_hat = 2h, the load soon after the start, 20 units of time."""
+Base scene: the pull of Fig. 2 on 64x32 elements with gamma_hat = 2h, an early load, 20 units of time."""
+
+from _case import case, fields
 
 SOFT = ["domain.elements=[64,32]", "fluid.capillarity=1/32", "load[0].start=5", "load[0].ramp=5", "time.end=20",
         "output.fields.times=[0,20]", "time.max_steps=3000"]
@@ -17,24 +19,18 @@ def rigid(*settings):
     return "static_droplet_rigid_2d", RIGID + list(settings)
 
 
-def fluid(tables, *settings):
+def fluid(*settings, **tables):
     """A rigid wall with other things in the fluid than the droplet of the case."""
-    return f'''name = "extreme"
-[domain]
-size = [1.0, 0.5]
-elements = [64, 32]
-[fluid]
-viscosity = "1/256"
-capillarity = "1/32"
-temperature = 0.39
-contact_angle = 75.0
-{tables}
-[time]
-end = 20.0
-max_steps = 3000
-[output]
-fields = {{ times = [0.0, 20.0] }}
-''', list(settings)
+    return case("A fluid over a rigid wall, 64 x 32 elements.", "extreme",
+                domain=dict(size=[1.0, 0.5], elements=[64, 32]),
+                fluid=dict(viscosity="1/256", capillarity="1/32", temperature=0.39, contact_angle=75.0),
+                **tables,
+                time=dict(end=20.0, max_steps=3000),
+                output=fields(0.0, 20.0)), list(settings)
+
+
+def droplet(x, y, radius):
+    return dict(centre=[x, y], radius=radius)
 
 
 def load(factor, ramp=5):
@@ -52,7 +48,6 @@ def fixed(dt, steps=60):
             *([f"load[0].start={0.1 * steps * dt}", f"load[0].ramp={0.1 * steps * dt}"])]
 
 
-DROPLET = "[[droplet]]\ncentre = [{}, {}]\nradius = {}\n"
 ENERGY = "fluid.wall_law=energy"
 
 RUNS = {
@@ -107,19 +102,20 @@ RUNS = {
     "half a droplet": soft("droplet[0].centre=[0,0.125]"),
     "droplet on the load": soft("load[0].box=[[0.45,0],[0.55,0.125]]"),
     "droplet touches the top": rigid("droplet[0].centre=[0.5,0.3]", "droplet[0].radius=0.199"),
-    "two droplets touch": fluid(DROPLET.format(0.3, 0, 0.155) + DROPLET.format(0.62, 0, 0.155)),
-    "two droplets overlap": fluid(DROPLET.format(0.4, 0, 0.155) + DROPLET.format(0.6, 0, 0.155)),
-    "droplet of radius gamma": fluid(DROPLET.format(0.5, 0.25, 1 / 32)),
-    "droplet of radius gamma/4": fluid(DROPLET.format(0.5, 0.25, 1 / 128)),
-    "droplet of radius 1e-9": fluid(DROPLET.format(0.5, 0.25, 1e-9)),
-    "film": fluid("[[film]]\nbox = [[0, 0], [1, 0.1]]\n"),
-    "film thinner than the interface": fluid("[[film]]\nbox = [[0, 0], [1, 0.01]]\n"),
-    "all liquid": fluid("[[film]]\nbox = [[0, 0], [1, 0.5]]\n"),
-    "no droplet": fluid(""),
-    "bubble on the wall": fluid(DROPLET.format(0.5, 0, 0.155), "fluid.ambient=liquid"),
-    "wave breaks the vapour": fluid('[[wave]]\nfield = "density"\namplitude = 0.0013\nmode = [4, 2]\n'),
-    "supersonic start": fluid(DROPLET.format(0.5, 0.25, 0.15) + '[[wave]]\nfield = "velocity_x"\namplitude = 5\nmode = [1, 0]\n'),
-    "unstable start": fluid("", "fluid.initial=[0.3,0.3]"),
+    "two droplets touch": fluid(droplet=[droplet(0.3, 0, 0.155), droplet(0.62, 0, 0.155)]),
+    "two droplets overlap": fluid(droplet=[droplet(0.4, 0, 0.155), droplet(0.6, 0, 0.155)]),
+    "droplet of radius gamma": fluid(droplet=[droplet(0.5, 0.25, 1 / 32)]),
+    "droplet of radius gamma/4": fluid(droplet=[droplet(0.5, 0.25, 1 / 128)]),
+    "droplet of radius 1e-9": fluid(droplet=[droplet(0.5, 0.25, 1e-9)]),
+    "film": fluid(film=[dict(box=[[0, 0], [1, 0.1]])]),
+    "film thinner than the interface": fluid(film=[dict(box=[[0, 0], [1, 0.01]])]),
+    "all liquid": fluid(film=[dict(box=[[0, 0], [1, 0.5]])]),
+    "no droplet": fluid(),
+    "bubble on the wall": fluid("fluid.ambient=liquid", droplet=[droplet(0.5, 0, 0.155)]),
+    "wave breaks the vapour": fluid(wave=[dict(field="density", amplitude=0.0013, mode=[4, 2])]),
+    "supersonic start": fluid(droplet=[droplet(0.5, 0.25, 0.15)],
+                              wave=[dict(field="velocity_x", amplitude=5, mode=[1, 0])]),
+    "unstable start": fluid("fluid.initial=[0.3,0.3]"),
     "theta 0.3, angle 5": soft("fluid.temperature=0.3", "fluid.contact_angle=5"),
     "theta 0.3, angle 175, wall energy": rigid("fluid.temperature=0.3", "fluid.contact_angle=175", ENERGY),
     "theta 0.3, gamma h/2": soft("fluid.temperature=0.3", "fluid.capillarity=1/128"),

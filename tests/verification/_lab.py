@@ -1,4 +1,4 @@
-"""What a study works with: runs of softwet that are kept, tables, pictures, and what was asked against what was measured.
+"""What a study works with: runs of softwet that are kept, tables, pictures, and what was asked and measured.
 
 A study is a file of tests/verification/studies:
 
@@ -54,7 +54,7 @@ class Run:
 
 
 class Store:
-    """Runs of one program under a folder. A run whose command, case and program are those of an earlier one is that one."""
+    """Runs of one program under a folder. A run with the command, case and program of an earlier one is that one."""
 
     def __init__(self, program, folder):
         self.program, self.folder = pathlib.Path(program), folder
@@ -97,7 +97,8 @@ class Store:
 
 
 class Lab:
-    """@param name  of the study;  @param store  of the runs;  @param folder  what the study writes;  @param jobs  runs at once"""
+    """@param name  of the study;  @param store  of the runs;  @param folder  what the study writes
+    @param jobs  runs at once"""
 
     def __init__(self, name, store, folder, quick, jobs):
         self.name, self.store, self.folder, self.quick, self.jobs = name, store, folder, quick, jobs
@@ -176,8 +177,8 @@ class Lab:
             self.files.append(file)
 
     def expect(self, what, asked, measured, holds, cause=""):
-        """A row of the table "asked, measured, holds". A row that does not hold makes the exit code 1, unless the cause is
-        known and given here: then the miss and its cause are told and count as missed, not as failed."""
+        """A row of the table "asked, measured, holds". A row that does not hold makes the exit code 1, unless the cause
+        is known and given here: then the miss and its cause are told and count as missed, not as failed."""
         self.asked.append((what, asked, measured, bool(holds), cause))
         print(f"{'ok' if holds else 'MISS' if cause else 'FAIL':4}  {what}: {measured} (asked: {asked})", flush=True)
 

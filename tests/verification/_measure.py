@@ -4,6 +4,7 @@ import csv
 import pathlib
 import sys
 
+import _shape
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "oracle"))
@@ -37,20 +38,21 @@ def interface(folder, first=False):
     return {name: values[chosen] for name, values in columns.items()}
 
 
-def fluid_field(folder, number):
-    """Points (rows, columns, 2) and density (rows, columns) of a field file."""
+def fluid_field(folder, number, name="density"):
+    """Points (rows, columns, 2) and values (rows, columns) of a field file."""
     import h5py
     with h5py.File(pathlib.Path(folder) / "fields" / f"fluid_{number:04d}.vtkhdf") as file:
-        points, density = file["VTKHDF/Points"][:, :2], file["VTKHDF/PointData/density"][:].ravel()
+        points, values = file["VTKHDF/Points"][:, :2], file[f"VTKHDF/PointData/{name}"][:].ravel()
     columns = int(numpy.argmax(numpy.diff(points[:, 0]) < 0)) + 1
-    return points.reshape(-1, columns, 2), density.reshape(-1, columns)
+    return points.reshape(-1, columns, 2), values.reshape(-1, columns)
 
 
-def circle(points):
-    """Centre and radius, algebraic least squares."""
-    solution = numpy.linalg.lstsq(numpy.c_[points, numpy.ones(len(points))], -(points**2).sum(axis=1), rcond=None)[0]
-    x, y = -solution[:2] / 2
-    return x, y, numpy.sqrt(x * x + y * y - solution[2])
+def solid_field(folder, number):
+    """Points of the reference and displacement, (points, 2) each."""
+    import h5py
+    with h5py.File(pathlib.Path(folder) / "fields" / f"solid_{number:04d}.vtkhdf") as file:
+        displacement = file["VTKHDF/PointData/displacement"][:, :2]
+        return file["VTKHDF/Points"][:, :2] - displacement, displacement
 
 
 def cap(folder, number, capillarity, lowest=2.0, highest=0.85):
@@ -68,7 +70,7 @@ def cap(folder, number, capillarity, lowest=2.0, highest=0.85):
     left = numpy.array(left)
     start = left[0, 1] + lowest * capillarity
     chosen = left[(left[:, 1] > start - 1e-9) & (left[:, 1] < start + highest * (left[-1, 1] - start))]
-    x, y, radius = circle(chosen)
+    x, y, radius = _shape.circle(chosen)
     return {"angle": numpy.degrees(numpy.arccos((left[0, 1] - y) / radius)), "radius": radius, "line": left[0],
             "wall": points[0], "circle": (x, y)}
 

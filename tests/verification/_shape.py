@@ -33,8 +33,9 @@ def circle(points, on_axis=False):
 
 
 def damped_wave(t, y, rate, drift=True):
-    """Fits y = e^(-b t) (c cos w t + d sin w t) + e + f t (the last two only with drift) by Gauss-Newton over (b, w), the
-    rest by linear least squares. @param rate  first guess of -b + i w;  @return -b + i w, residual over amplitude"""
+    """Fits y = e^(-b t) (c cos w t + d sin w t) + e + f t (the last two only with drift) by Gauss-Newton over (b, w),
+    the rest by linear least squares. @param rate  first guess of -b + i w;  @return -b + i w, residual over
+    amplitude"""
     def rest(parameters):
         b, w = parameters
         columns = [numpy.exp(-b * t) * numpy.cos(w * t), numpy.exp(-b * t) * numpy.sin(w * t)]

@@ -72,6 +72,10 @@ struct RandomScene {
     for (std::size_t i = 0; i < v.size(); ++i) v[i] *= mask[i];
     return to_device<Array>(v);
   }
+  /// Fills a matrix with the Jacobian at the stage.
+  auto jacobian() {
+    return [this](const StencilValues& values) { model.jacobian(stage(), values); };
+  }
   std::vector<double> residual(const Stage& s) const {
     Array out("out", layout().size());
     model.residual(s, out);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/case.hpp"
 #include "app/error.hpp"
 
 namespace softwet {
@@ -29,7 +30,10 @@ TEST(Equilibrium, Table) {
     EXPECT_NEAR(s.potential, r.potential, 1e-9) << r.theta;
     EXPECT_NEAR(sound(s.density_liquid), r.sound_liquid, 2e-9 * r.sound_liquid) << r.theta;
     EXPECT_NEAR(sound(s.density_vapour), r.sound_vapour, 2e-9 * r.sound_vapour) << r.theta;
-    EXPECT_NEAR(surface_tension_over_capillarity(r.theta), r.tension, 1e-9 * r.tension) << r.theta;
+    Fluid fluid;
+    fluid.temperature = r.theta;
+    fluid.capillarity = 0.5;
+    EXPECT_NEAR(surface_tension(fluid), 0.5 * r.tension, 1e-9 * r.tension) << r.theta;
   }
 }
 

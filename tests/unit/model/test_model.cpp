@@ -18,8 +18,8 @@ struct BoxForce {
   MomentumTest<double, 2> residual(const SolidTrial<double, 2>&) const { return {{{-force[0], -force[1]}}, {}}; }
 };
 
-/// Rows of the fluid added to the wall's with the weights (1 - Greville height): the wall's function blended over the fluid
-/// is that sum of B-splines.
+/// Rows of the fluid added to the wall's with the weights (1 - Greville height): the wall's function blended over the
+/// fluid is that sum of B-splines.
 std::vector<double> blend_rows(const Layout<2>& l, const std::vector<double>& rows) {
   std::vector<double> sum(rows.size(), 0.0);
   const double low = l.axis[1].lower(l.solid_elements), height = l.axis[1].length() - low;

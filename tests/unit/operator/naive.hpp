@@ -183,7 +183,7 @@ struct NaiveWriter {
   }
 };
 
-/// body(point, weight in the reference configuration) at 3 Gauss points per axis; on a face: at the low end of the first.
+/// body(point, weight in the reference) at 3 Gauss points per axis; on a face: at the low end of the first.
 template <int D>
 void for_points(const Layout<D>& l, int first, int last, bool face, const NaiveMotion<D>* motion,
                 const std::function<void(const NaivePoint<D>&, double)>& body) {

@@ -52,7 +52,7 @@ void check_galerkin(Case c, std::vector<int> elements) {
   c.domain.elements = elements;
   RandomScene s(c);
   StencilMatrix<2> matrix(s.layout(), s.model.mask());
-  matrix.fill([&](const StencilValues& values) { s.model.jacobian(s.stage(), values); });
+  matrix.fill(s.jacobian());
   const CoarseSpace<2> space(s.layout(), s.model.mask(), 2);
   ASSERT_TRUE(space.exists());
   StencilMatrix<2> coarse(space.layout(), space.mask());

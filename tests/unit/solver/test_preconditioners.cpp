@@ -12,16 +12,12 @@
 namespace softwet::testing_tools {
 namespace {
 
-Jacobian jacobian_of(RandomScene& s) {
-  return [&s](const StencilValues& values) { s.model.jacobian(s.stage(), values); };
-}
-
 using Make = std::unique_ptr<StencilSolver<2>>;
 Assembled<2> assembled(RandomScene& s, Make solver) { return {s.layout(), s.model.mask(), std::move(solver)}; }
 
 int iterations(RandomScene& s, Make solver, double tolerance) {
   Assembled<2> p = assembled(s, std::move(solver));
-  p.build(jacobian_of(s));
+  p.build(s.jacobian());
   const Array b = to_device<Array>(s.product(s.direction(), Geometry::frozen));
   const Array x("x", s.layout().size());
   Gmres gmres(s.layout().size(), 150);
@@ -35,7 +31,7 @@ int iterations(RandomScene& s, Make solver, double tolerance) {
 double error_of(Preconditioner& p, RandomScene& s) {
   const Array z = s.direction();
   Array found("found", s.layout().size());
-  p.build(jacobian_of(s));
+  p.build(s.jacobian());
   p.apply(to_device<Array>(s.product(z, Geometry::frozen)), found);
   return distance(to_host(found), to_host(z));
 }

@@ -8,15 +8,11 @@
 namespace softwet::testing_tools {
 namespace {
 
-Jacobian jacobian_of(RandomScene& s) {
-  return [&s](const StencilValues& values) { s.model.jacobian(s.stage(), values); };
-}
-
 /// The matrix against products with frozen geometry. Its entries are rounded to single precision.
 void check_matrix(const Case& c) {
   RandomScene s(c);
   StencilMatrix<2> matrix(s.layout(), s.model.mask());
-  matrix.fill(jacobian_of(s));
+  matrix.fill(s.jacobian());
   const Array y("y", s.layout().size());
   for (int n = 0; n < 3; ++n) {
     const Array z = s.direction();
@@ -53,7 +49,7 @@ void check_factors(const Case& c) {
   StencilMatrix<2> matrix(s.layout(), s.model.mask());
   const Array found("found", s.layout().size()), back("back", s.layout().size());
   for (int build = 0; build < 2; ++build) {  // the second one reuses the analysis
-    matrix.fill(jacobian_of(s));
+    matrix.fill(s.jacobian());
     lu->build(matrix);
     const Array b = to_device<Array>(s.product(s.direction(), Geometry::frozen));
     lu->apply(b, found);

@@ -1,7 +1,7 @@
 // The exact solutions: smooth fields chosen freely, in reference coordinates X, that obey the sides of the scene.
 //
-// Horizontal sides are slip sides: a vector component is a sine along its own axis, everything else a cosine. On the top
-// of the coupled scene v = 0, on that of the others v_n = 0. All fields are templates in the number, so that their
+// Horizontal sides are slip sides: a vector component is a sine along its own axis, everything else a cosine. On the
+// top of the coupled scene v = 0, on that of the others v_n = 0. All fields are templates in the number, so that their
 // derivatives come from jets.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace softwet::mms {
 
 enum class Scene { fluid, solid, coupled };
-/// linear: fields linear in time, which generalized-alpha follows exactly on a fixed mesh; harmonic: for orders in time.
+/// linear: fields linear in time, exact for generalized-alpha on a fixed mesh; harmonic: for orders in time.
 enum class Course { linear, harmonic };
 
 /// Reference coordinates and time.
@@ -50,8 +50,8 @@ struct Exact {
     return 1.0 + 0.5 * sin((5.0 + k % 3) * t + 0.9 * k);
   }
 
-  /// Product over the horizontal axes: sine of (mode pi x / L) along `own`, cosine along the others. In 3D, whose meshes are
-  /// coarser, the mode is 1.
+  /// Product over the horizontal axes: sine of (mode pi x / L) along `own`, cosine along the others. In 3D, whose
+  /// meshes are coarser, the mode is 1.
   template <class N>
   N horizontal(const Vector<N, D>& x, int mode, int own = -1) const {
     using std::cos, std::sin;

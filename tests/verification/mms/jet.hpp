@@ -1,5 +1,5 @@
-// A value with its first derivatives along M directions, for exact derivatives of exact solutions (host only). Jets nest:
-// Jet<Jet<double, M>, M> carries second derivatives.
+// A value with its first derivatives along M directions, for exact derivatives of exact solutions (host only). Jets
+// nest: Jet<Jet<double, M>, M> carries second derivatives.
 #pragma once
 
 #include <array>

@@ -3,7 +3,7 @@
 //   mass       rho_t + v.grad rho + rho div v - div(eps grad mu)
 //   potential  mu - W'(rho) + g^2 Lap rho
 //   momentum   rho (v_t + v.grad v) - div tau + rho grad mu               solid: rho0s v_t - Div P
-//   wall rows  - div Sigma - rho grad mu        added to the momentum rows of the wall's functions alone, whose capillary
+//   wall rows  - div Sigma - rho grad mu        added to the momentum of the wall's functions alone, whose capillary
 //                                               force has the form (grad wh, Sigma); zero where mu = W' - g^2 Lap rho
 // and, on the wall and the top, what the integration by parts leaves there. Nothing here uses the weak form.
 #pragma once

@@ -2,40 +2,24 @@
 
 Exact: with rho = rho_0 + R cos(kx), v = V sin(kx) the linearised equations are
     s R + rho_0 k V + eps k^2 G R = 0,   s rho_0 V = rho_0 k G R - (4/3) m k^2 V,   G = W''(rho_0) + g^2 k^2,
-so (s + eps k^2 G)(s + (4/3)(m/rho_0) k^2) + rho_0 k^2 G = 0: frequency^2 = c^2 k^2 + rho_0 g^2 k^4 less the damping, since
-c^2 = rho_0 W''; 4/3 = 2 - 2/3. eps is the stabilisation, switched off here. The fluid starts at rest in density with a
-wave of the velocity; the x-momentum of an odd mode is V (2/k) rho_0 per height, and -b + i w is fitted to its history."""
+so (s + eps k^2 G)(s + (4/3)(m/rho_0) k^2) + rho_0 k^2 G = 0: frequency^2 = c^2 k^2 + rho_0 g^2 k^4 less the damping,
+since c^2 = rho_0 W''; 4/3 = 2 - 2/3. eps is the stabilisation, switched off here. The fluid starts at rest in density
+with a wave of the velocity; the x-momentum of an odd mode is V (2/k) rho_0 per height, and -b + i w is fitted to it."""
 
 import _shape
 import numpy
+from _case import case, fields
 from plane_interface import PlaneInterface
 
 MINUTES = {"quick": 0.1, "full": 0.5}
-CASE = """# A standing sound wave in one phase, in a channel between slip sides.
-name = "sound"
-[domain]
-size = [1.0, 0.0625]
-elements = [64, 4]
-[fluid]
-viscosity = 1e-4
-capillarity = "1/64"
-temperature = 0.85
-ambient = "liquid"
-stabilisation = 0.0
-[[wave]]
-field = "velocity_x"
-amplitude = 1e-5
-mode = [1, 0]
-[boundary]
-top = "slip"
-[time]
-end = 1.0
-tolerance = 1e3
-[output]
-fields = { times = [] }
-[solver]
-newton = { rtol = 1e-8, atol = 1e-15 }
-"""
+CASE = case("A standing sound wave in one phase, in a channel between slip sides.", "sound",
+            domain=dict(size=[1.0, 0.0625], elements=[64, 4]),
+            fluid=dict(viscosity=1e-4, capillarity="1/64", temperature=0.85, ambient="liquid", stabilisation=0.0),
+            wave=[dict(field="velocity_x", amplitude=1e-5, mode=[1, 0])],
+            boundary=dict(top="slip"),
+            time=dict(end=1.0, tolerance=1e3),
+            output=fields(),
+            solver=dict(newton=dict(rtol=1e-8, atol=1e-15)))
 
 
 def exact(plane, phase, k, g, viscosity):

@@ -1,38 +1,25 @@
 """Contact angles from 30 to 150 degrees on a rigid wall, both wall laws.
 
 Young's law: the circle through the interface of a droplet at rest meets the wall at the angle alpha of the case. Half a
-droplet on a slip side. The circle is fitted to the level (rho_l + rho_v)/2 above a layer of 3 gamma_hat at the wall, with its
-centre on the slip side; the angle is the one at which it meets y = 0, cos(alpha) = -y_centre/R. The interface has a width,
-so what is left falls with gamma_hat/R, not with the mesh."""
+droplet on a slip side. The circle is fitted to the level (rho_l + rho_v)/2 above a layer of 3 gamma_hat at the wall,
+with its centre on the slip side; the angle is the one at which it meets y = 0, cos(alpha) = -y_centre/R. The interface
+has a width, so what is left falls with gamma_hat/R, not with the mesh."""
 
 import _measure
 import _shape
 import numpy
+from _case import case, fields
 
 MINUTES = {"quick": 0.1, "full": 3}
 RADIUS = {30: 0.8, 45: 0.5, 60: 0.4, 75: 0.35}  # others 0.3: caps 7 gamma_hat high and more
 SIZE = {30: (1, 0.25), 45: (0.5, 0.25), 60: (0.5, 0.375), 75: (0.5, 0.5), 90: (0.5, 0.5)}  # others 0.5 x 0.75
-CASE = """# Half a droplet at rest on a rigid wall; the left side is its plane of symmetry.
-name = "angle"
-[domain]
-size = [0.5, 0.5]
-elements = [64, 64]
-[fluid]
-viscosity = "1/256"
-capillarity = "1/64"
-temperature = 0.39
-contact_angle = 90.0
-[[droplet]]
-centre = [0.0, 0.0]
-radius = 0.2
-[boundary]
-bottom = "no_slip"
-top = "no_slip"
-[time]
-end = 400.0
-[output]
-fields = { times = [400.0] }
-"""
+CASE = case("Half a droplet at rest on a rigid wall; the left side is its plane of symmetry.", "angle",
+            domain=dict(size=[0.5, 0.5], elements=[64, 64]),
+            fluid=dict(viscosity="1/256", capillarity="1/64", temperature=0.39, contact_angle=90.0),
+            droplet=[dict(centre=[0.0, 0.0], radius=0.2)],
+            boundary=dict(bottom="no_slip", top="no_slip"),
+            time=dict(end=400.0),
+            output=fields(400.0))
 
 
 def settings(alpha, law, g=64, h=128):

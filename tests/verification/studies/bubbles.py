@@ -10,39 +10,18 @@ Counted at every field time: separate pieces of vapour (rho < (rho_v + rho_l)/2)
 
 import _measure
 import numpy
+from _case import case, fields, sides
 from plane_interface import PlaneInterface
 
 MINUTES = {"quick": 0.1, "full": 2}
-CASE = """# Three bubbles of vapour in a periodic square of liquid, after Gomez et al. 2010.
-name = "three_bubbles"
-[domain]
-size = [1.0, 1.0]
-elements = [64, 64]
-[fluid]
-viscosity = "1/128"
-capillarity = "1/64"
-temperature = 0.85
-ambient = "liquid"
-initial = [0.1, 0.6]
-[[droplet]]
-centre = [0.75, 0.5]
-radius = 0.1
-[[droplet]]
-centre = [0.25, 0.5]
-radius = 0.15
-[[droplet]]
-centre = [0.4, 0.75]
-radius = 0.08
-[boundary]
-left = "periodic"
-right = "periodic"
-bottom = "periodic"
-top = "periodic"
-[time]
-end = 5.0
-[output]
-fields = { times = [5.0] }
-"""
+CASE = case("Three bubbles of vapour in a periodic square of liquid, after Gomez et al. 2010.", "three_bubbles",
+            domain=dict(size=[1.0, 1.0], elements=[64, 64]),
+            fluid=dict(viscosity="1/128", capillarity="1/64", temperature=0.85, ambient="liquid", initial=[0.1, 0.6]),
+            droplet=[dict(centre=[0.75, 0.5], radius=0.1), dict(centre=[0.25, 0.5], radius=0.15),
+                     dict(centre=[0.4, 0.75], radius=0.08)],
+            boundary=sides("periodic"),
+            time=dict(end=5.0),
+            output=fields(5.0))
 
 
 def pieces(vapour):

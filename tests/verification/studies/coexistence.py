@@ -1,40 +1,30 @@
 """Plane interface: densities, potential, width and surface tension at five temperatures.
 
-A film in a quasi one-dimensional channel between slip sides comes to rest. Exact answers: tests/oracle/plane_interface.py
-(equal pressure and chemical potential in both phases; first integral g^2 rho'^2/2 = D(rho) of the profile). The table it
-gives is held against the digits of the 40-digit oracle tests/oracle/equilibrium.py. The tension of the run is the excess of
-the energy per area: int (W + g^2 rho'^2/2 - mu_sat rho + p_sat) dx = E - mu_sat M + p_sat L, with energy_free E and mass M
-of history.csv over the height of the channel and its length L; deviations of the bulk densities enter it in second order.
-The viscosity is small because the vapour settles through the interface, in a time that grows with it."""
+A film in a quasi one-dimensional channel between slip sides comes to rest. Exact answers:
+tests/oracle/plane_interface.py (equal pressure and chemical potential in both phases; first integral g^2 rho'^2/2 =
+D(rho) of the profile). The table it gives is held against the digits of the 40-digit oracle
+tests/oracle/equilibrium.py. The tension of the run is the excess of the energy per area: int (W + g^2 rho'^2/2 - mu_sat
+rho + p_sat) dx = E - mu_sat M + p_sat L, with energy_free E and mass M of history.csv over the height of the channel
+and its length L; deviations of the bulk densities enter it in second order. The viscosity is small because the vapour
+settles through the interface, in a time that grows with it."""
 
-import h5py
 import _measure
 import _shape
 import numpy
+from _case import case, fields
 from plane_interface import PlaneInterface
 
 MINUTES = {"quick": 0.1, "full": 0.6}
-CASE = """# A liquid film on the left side, vapour on the right: one plane interface.
-name = "plane_interface"
-[domain]
-size = [1.0, 0.0625]
-elements = [128, 4]
-[fluid]
-viscosity = "1/1024"
-capillarity = "1/64"
-temperature = 0.39
-[[film]]
-box = [[0.0, 0.0], [0.5, 1.0]]
-[boundary]
-top = "slip"
-[time]
-end = 4000.0
-[output]
-fields = { times = [4000.0] }
-[solver]
-newton = { rtol = 1e-9, atol = 1e-14 }
-"""
-# theta: rho_v, rho_l, p_sat, mu_sat, c_l, c_v, sigma/g, 10-90 % width/g; all but the last by tests/oracle/equilibrium.py.
+CASE = case("A liquid film on the left side, vapour on the right: one plane interface.", "plane_interface",
+            domain=dict(size=[1.0, 0.0625], elements=[128, 4]),
+            fluid=dict(viscosity="1/1024", capillarity="1/64", temperature=0.39),
+            film=[dict(box=[[0.0, 0.0], [0.5, 1.0]])],
+            boundary=dict(top="slip"),
+            time=dict(end=4000.0),
+            output=fields(4000.0),
+            solver=dict(newton=dict(rtol=1e-9, atol=1e-14)))
+# theta: rho_v, rho_l, p_sat, mu_sat, c_l, c_v, sigma/g, 10-90 % width/g; all but the last by
+# tests/oracle/equilibrium.py.
 TABLE = {0.39: (0.001352289801, 0.8666990997, 1.546475127e-4, -0.6501910901, 2.183979206, 0.3363987816, 0.2532027493),
          0.5: (0.007248935716, 0.8194973335, 1.029210928e-3, -0.5941013404, 1.705299831, 0.3685399457, 0.1915416203),
          0.7: (0.04267410056, 0.7134808495, 7.424387670e-3, -0.5138467876, 1.048582202, 0.3754494221, 0.09240093455),
@@ -51,14 +41,9 @@ def state(run, plane, g):
     energy, mass = (last["energy_free"] + last["energy_kinetic"]) / height, last["mass"] / height
     levels = [_shape.position(x, rho, plane.vapour + part * plane.step) for part in (0.1, 0.9)]
     return {"rho_v": (rho[-1], plane.vapour), "rho_l": (rho[0], plane.liquid),
-            "mu": (potential(run).mean(), plane.potential),
+            "mu": (_measure.fluid_field(run.folder, 0, "chemical_potential")[1].mean(), plane.potential),
             "width/g": ((levels[0] - levels[1]) / g, plane.width),
             "sigma/g": ((energy - plane.potential * mass + plane.pressure * length) / g, plane.tension)}
-
-
-def potential(run):
-    with h5py.File(run.folder / "fields" / "fluid_0000.vtkhdf") as file:
-        return file["VTKHDF/PointData/chemical_potential"][:].ravel()
 
 
 def study(lab):

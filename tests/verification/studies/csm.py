@@ -1,16 +1,17 @@
 """Beam of Turek and Hron under gravity: CSM1, CSM2 and CSM3.
 
-A clamped beam of Saint Venant-Kirchhoff, 0.35 x 0.02, density 1000, nu = 0.4, gravity 2: at rest with E = 1.4e6 (CSM1) and
-5.6e6 (CSM2), and let go from the straight state (CSM3). Displacement of the middle of its end.
+A clamped beam of Saint Venant-Kirchhoff, 0.35 x 0.02, density 1000, nu = 0.4, gravity 2: at rest with E = 1.4e6 (CSM1)
+and 5.6e6 (CSM2), and let go from the straight state (CSM3). Displacement of the middle of its end.
 
-The published values (S. Turek, J. Hron, Proposal for numerical benchmarking of fluid-structure interaction, 2006; tables at
-featflow.de, fsi_csm_tests) belong to a beam clamped on a circle of radius 0.05, whose corners reach back by 1.01e-3. softwet
-clamps a rectangle. tests/oracle/elastic_beam.py, spectral elements that share nothing with softwet, solves both: curved it
-gives the published values to 0.003 %, as a rectangle 0.8 % less. The rectangle is the reference of what softwet computes;
-the clamped corners are singular, which limits the order to about 1.5 whatever the degree.
-CSM3 is held against the published values: the oracle's curved beam (trapezoidal rule, dt = 0.005) has -14.368 +- 14.369,
--63.736 +- 65.192 mm and 1.095 Hz over t = 8 to 10."""
+The published values (S. Turek, J. Hron, Proposal for numerical benchmarking of fluid-structure interaction, 2006;
+tables at featflow.de, fsi_csm_tests) belong to a beam clamped on a circle of radius 0.05, whose corners reach back by
+1.01e-3. softwet clamps a rectangle. tests/oracle/elastic_beam.py, spectral elements that share nothing with softwet,
+solves both: curved it gives the published values to 0.003 %, as a rectangle 0.8 % less. The rectangle is the reference
+of what softwet computes; the clamped corners are singular, which limits the order to about 1.5 whatever the degree.
+CSM3 is held against the published values: the oracle's curved beam (trapezoidal rule, dt = 0.005) has -14.368 +-
+14.369, -63.736 +- 65.192 mm and 1.095 Hz over t = 8 to 10."""
 
+import _measure
 import numpy
 
 MINUTES = {"quick": 0.1, "full": 2}
@@ -24,10 +25,8 @@ PUBLISHED = ((-14.305, 14.305), (-63.607, 65.160), 1.0995)
 
 def tip(run, number):
     """Displacement of the middle of the free end, mm."""
-    import h5py
-    with h5py.File(run.folder / "fields" / f"solid_{number:04d}.vtkhdf") as file:
-        u, place = file["VTKHDF/PointData/displacement"][:, :2], file["VTKHDF/Points"][:, :2]
-    return 1e3 * u[numpy.abs(place - u - (0.35, 0.01)).sum(axis=1).argmin()]
+    place, u = _measure.solid_field(run.folder, number)
+    return 1e3 * u[numpy.abs(place - (0.35, 0.01)).sum(axis=1).argmin()]
 
 
 def percent(found, exact):

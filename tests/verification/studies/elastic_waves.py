@@ -1,64 +1,48 @@
 """Standing elastic waves: frequency and numerical damping.
 
 A box of solid with slip sides carries the standing waves of the linear theory exactly: with potentials
-phi = cos(k x) cos(l y) (pressure wave, u = grad phi) and psi = sin(k x) sin(l y) (shear wave, u = (psi_y, -psi_x)) the normal
-displacement and the tangential traction vanish on all sides. They oscillate with c |(k, l)|,
-c_p^2 = E (1 - nu)/((1 + nu)(1 - 2 nu)), c_s^2 = E/(2 (1 + nu)) (E: young, per density). A shear wave u_x(y) also fits between
-periodic sides under a free top. The amplitude is 1e-6: what Saint Venant-Kirchhoff adds to the linear theory is of that size.
+phi = cos(k x) cos(l y) (pressure wave, u = grad phi) and psi = sin(k x) sin(l y) (shear wave, u = (psi_y, -psi_x)) the
+normal displacement and the tangential traction vanish on all sides. They oscillate with c |(k, l)|,
+c_p^2 = E (1 - nu)/((1 + nu)(1 - 2 nu)), c_s^2 = E/(2 (1 + nu)) (E: young, per density). A shear wave u_x(y) also fits
+between periodic sides under a free top. The amplitude is 1e-6: what Saint Venant-Kirchhoff adds to the linear theory is
+of that size.
 
-The frequency is fitted to (elastic - kinetic energy), cos(2 w t) for one wave, decay to the displacement at every step. What the time
-scheme makes of e^(i w t) follows from its recurrence (Jansen, Whiting, Hulbert 2000): with
-y' = i w y the amplification factor is an eigenvalue of a 2 x 2 matrix; for rho_inf = 1 it gives tan(w' dt/2) = w dt/2, which
-is used to take the error of time out where the error of space is shown: order 2 p for a spline of degree p."""
+The frequency is fitted to (elastic - kinetic energy), cos(2 w t) for one wave, decay to the displacement at every step.
+What the time scheme makes of e^(i w t) follows from its recurrence (Jansen, Whiting, Hulbert 2000): with
+y' = i w y the amplification factor is an eigenvalue of a 2 x 2 matrix; for rho_inf = 1 it gives tan(w' dt/2) = w dt/2,
+which is used to take the error of time out where the error of space is shown: order 2 p for a spline of degree p."""
 
 import numpy
 
 import _measure
 import _shape
+from _case import case, sides
 
 MINUTES = {"quick": 0.1, "full": 0.3}
-CASE = """# A standing wave in a box of solid.
-name = "wave"
-[domain]
-size = [1.0, 0.5]
-elements = [24, 12]
-[substrate]
-thickness = 0.5
-young = 1.0
-poisson = 0.3
-{waves}
-[boundary]
-left = "slip"
-right = "slip"
-bottom = "slip"
-top = "slip"
-[time]
-rho_inf = 1.0
-end = 1.0
-tolerance = 1e6
-[solver]
-newton = {{ rtol = 1e-9, atol = 1e-20 }}
-krylov = {{ rtol = 1e-4 }}
-"""
-WAVE = '[[wave]]\nfield = "{}"\namplitude = {:.17g}\nmode = [{}, {}]\n'
 AMPLITUDE = 1e-6
 PI = numpy.pi
 
 
-def case(*waves):
-    return CASE.format(waves="".join(WAVE.format(field, AMPLITUDE * part, *mode) for field, part, mode in waves))
+def box(*waves):
+    return case("A standing wave in a box of solid.", "wave",
+                domain=dict(size=[1.0, 0.5], elements=[24, 12]),
+                substrate=dict(thickness=0.5, young=1.0, poisson=0.3),
+                wave=[dict(field=field, amplitude=AMPLITUDE * part, mode=mode) for field, part, mode in waves],
+                boundary=sides("slip"),
+                time=dict(rho_inf=1.0, end=1.0, tolerance=1e6),
+                solver=dict(newton=dict(rtol=1e-9, atol=1e-20), krylov=dict(rtol=1e-4)))
 
 
 # name: (case, further settings, wave number, is a pressure wave); L = 1, H = 1/2: (k, l) = pi (m, 2 n)
 PERIODIC = ["boundary.left=periodic", "boundary.right=periodic", "boundary.top=free"]
 OBLIQUE = PI * numpy.hypot(1, 2)
 WAVES = {
-    "P along x": (case(("displacement_x", 1, (1, 0))), [], PI, True),
-    "P along y": (case(("displacement_y", 1, (0, 1))), [], 2 * PI, True),
-    "S across y, free top": (case(("displacement_x", 1, (0, 1))), PERIODIC, 2 * PI, False),
-    "P oblique": (case(("displacement_x", 1, (1, 1)), ("displacement_y", 2, (1, 1))), [], OBLIQUE, True),
-    "S oblique": (case(("displacement_x", 2, (1, 1)), ("displacement_y", -1, (1, 1))), [], OBLIQUE, False),
-    "P oblique, from velocity": (case(("velocity_x", 1, (1, 1)), ("velocity_y", 2, (1, 1))), [], OBLIQUE, True),
+    "P along x": (box(("displacement_x", 1, (1, 0))), [], PI, True),
+    "P along y": (box(("displacement_y", 1, (0, 1))), [], 2 * PI, True),
+    "S across y, free top": (box(("displacement_x", 1, (0, 1))), PERIODIC, 2 * PI, False),
+    "P oblique": (box(("displacement_x", 1, (1, 1)), ("displacement_y", 2, (1, 1))), [], OBLIQUE, True),
+    "S oblique": (box(("displacement_x", 2, (1, 1)), ("displacement_y", -1, (1, 1))), [], OBLIQUE, False),
+    "P oblique, from velocity": (box(("velocity_x", 1, (1, 1)), ("velocity_y", 2, (1, 1))), [], OBLIQUE, True),
 }
 
 
@@ -72,7 +56,7 @@ def steps(dt, count, *more):
 
 
 def measured(run, omega):
-    """-b + i w of a run whose wave has about the frequency omega, after the first step, which is one of backward Euler."""
+    """-b + i w of a run whose wave has about the frequency omega, after the first step, one of backward Euler."""
     rows = run.history
     difference = rows["energy_elastic"] - rows["energy_kinetic"]
     return _shape.damped_wave(rows["t"][1:], difference[1:], 2j * omega, drift=False)[0] / 2
@@ -129,7 +113,8 @@ def mesh_orders(lab):
 
 
 def damped(run, omega, dt):
-    """-b + i w of the displacement at the middle of the top, without the first ten steps: there the scheme forgets its start."""
+    """-b + i w of the displacement at the middle of the top, without the first ten steps, in which the
+    scheme forgets its start."""
     wall = _measure.table(run.folder / "interface.csv")
     middle = wall["x_reference"] == 0.5
     return _shape.damped_wave(wall["time"][middle][10:], wall["displacement_x"][middle][10:], 1j * omega, drift=False)[0]
@@ -167,7 +152,7 @@ def time_orders(lab):
         wall = _measure.interface(run.folder)
         return wall["displacement_x"][len(wall["displacement_x"]) // 2] / AMPLITUDE
 
-    for start, text in (("displacement", case(("displacement_x", 1, (1, 0)))), ("velocity", case(("velocity_x", omega, (1, 0))))):
+    for start, text in (("displacement", box(("displacement_x", 1, (1, 0)))), ("velocity", box(("velocity_x", omega, (1, 0))))):
         def settings(r, n):
             return ["domain.elements=[24,4]", f"time.rho_inf={r}", *steps(end / n, n), f"output.fields.times=[{end:.17g}]"]
         wanted = {f"{start}, rho_inf = {r}, {n} steps": (text, settings(r, n)) for r in (0.0, 0.5, 1.0) for n in counts}

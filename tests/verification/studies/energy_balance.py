@@ -2,8 +2,8 @@
 
 With the wall-energy law d/dt of the energy = - dissipation + power of the load + int f_w div_Gamma vh holds for the
 semi-discrete equations when the wall's test functions are blended over the fluid like its mesh (fluid.traction =
-"blended"); what the sum over the steps from t = 0 to 4 (the ramp) leaves open, as a part of the dissipation, is then the
-error of the time scheme. With the functions of one layer of elements
+"blended"); what the sum over the steps from t = 0 to 4 (the ramp) leaves open, as a part of the dissipation, is then
+the error of the time scheme. With the functions of one layer of elements
 (the default, faster) a part remains that does not depend on the step: the error of the mesh. The solid is 400 times
 denser than in Fig. 2 (same Young modulus, same force per volume), so that these steps resolve its elastic waves.
 On a rigid wall the energy falls at every accepted step: tests/regression/energy.py."""

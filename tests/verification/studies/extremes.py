@@ -1,10 +1,10 @@
 """Extremes: where runs survive, stop with a reason, or are refused
 
-Each run pushes a parameter to its end, or two at once (tests/verification/_extremes.py). A run may *survive* (exit code 0, laws intact),
-*stop* (exit code 2: it says why, the checkpoint of the last good state can be read, no file holds a number that is not
-finite) or be *refused* before it starts (exit code 1). Everything else *fails*: another exit code, a run longer than its
-limit, a number that is not finite, mass that drifts by more than 1e-8, a density outside (-0.05, 1), and with the
-wall-energy law on a rigid wall an energy that grows."""
+Each run pushes a parameter to its end, or two at once (tests/verification/_extremes.py). A run may *survive* (exit code
+0, laws intact), *stop* (exit code 2: it says why, the checkpoint of the last good state can be read, no file holds a
+number that is not finite) or be *refused* before it starts (exit code 1). Everything else *fails*: another exit code, a
+run longer than its limit, a number that is not finite, mass that drifts by more than 1e-8, a density outside (-0.05,
+1), and with the wall-energy law on a rigid wall an energy that grows."""
 
 import numpy
 

@@ -7,38 +7,18 @@ after moving back by a whole number of elements, mass, and momentum (constant: n
 
 import _measure
 import numpy
+from _case import case, fields, sides
 
 MINUTES = {"quick": 0.1, "full": 1}
 SPEED = 0.125
-CASE = """# A droplet in a periodic square with a uniform velocity.
-name = "carried_droplet"
-[domain]
-size = [1.0, 1.0]
-elements = [64, 64]
-[fluid]
-viscosity = "1/256"
-capillarity = "1/32"
-temperature = 0.85
-[[droplet]]
-centre = [0.5, 0.5]
-radius = 0.25
-[[wave]]
-field = "velocity_x"
-amplitude = 0.125
-mode = [0, 0]
-[boundary]
-left = "periodic"
-right = "periodic"
-bottom = "periodic"
-top = "periodic"
-[time]
-end = 8.0
-dt_initial = 0.02
-dt_max = 0.02
-tolerance = 1e3
-[output]
-fields = { times = [8.0] }
-"""
+CASE = case("A droplet in a periodic square with a uniform velocity.", "carried_droplet",
+            domain=dict(size=[1.0, 1.0], elements=[64, 64]),
+            fluid=dict(viscosity="1/256", capillarity="1/32", temperature=0.85),
+            droplet=[dict(centre=[0.5, 0.5], radius=0.25)],
+            wave=[dict(field="velocity_x", amplitude=0.125, mode=[0, 0])],
+            boundary=sides("periodic"),
+            time=dict(end=8.0, dt_initial=0.02, dt_max=0.02, tolerance=1e3),
+            output=fields(8.0))
 
 
 def density(run):

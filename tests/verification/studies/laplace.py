@@ -10,56 +10,28 @@ import _measure
 import _shape
 import h5py
 import numpy
+from _case import case, fields
 from _measure import radial_droplet
 from plane_interface import PlaneInterface
 
 MINUTES = {"quick": 0.1, "full": 2}
 SIDE = 0.5
-CASE = """# A quarter of a droplet; left and bottom sides are planes of symmetry.
-name = "quarter_droplet"
-[domain]
-size = [0.5, 0.5]
-elements = [64, 64]
-[fluid]
-viscosity = "1/1024"
-capillarity = "1/64"
-temperature = 0.39
-contact_angle = 90.0
-[[droplet]]
-centre = [0.0, 0.0]
-radius = 0.2
-[boundary]
-top = "slip"
-[time]
-end = 2000.0
-[output]
-fields = { times = [2000.0] }
-[solver]
-newton = { rtol = 1e-8, atol = 1e-14 }
-"""
-CASE_3D = """# An eighth of a droplet; left, front and bottom sides are planes of symmetry.
-name = "eighth_droplet"
-[domain]
-size = [0.25, 0.25, 0.25]
-elements = [8, 8, 8]
-[fluid]
-viscosity = "1/1024"
-capillarity = "1/24"
-temperature = 0.39
-contact_angle = 90.0
-[[droplet]]
-centre = [0.0, 0.0, 0.0]
-radius = 0.12
-[boundary]
-top = "slip"
-[time]
-end = 400.0
-[output]
-fields = { times = [400.0] }
-[solver]
-newton = { rtol = 1e-8, atol = 1e-14 }
-krylov = { preconditioner = "lu" }
-"""
+CASE = case("A quarter of a droplet; left and bottom sides are planes of symmetry.", "quarter_droplet",
+            domain=dict(size=[0.5, 0.5], elements=[64, 64]),
+            fluid=dict(viscosity="1/1024", capillarity="1/64", temperature=0.39, contact_angle=90.0),
+            droplet=[dict(centre=[0.0, 0.0], radius=0.2)],
+            boundary=dict(top="slip"),
+            time=dict(end=2000.0),
+            output=fields(2000.0),
+            solver=dict(newton=dict(rtol=1e-8, atol=1e-14)))
+CASE_3D = case("An eighth of a droplet; left, front and bottom sides are planes of symmetry.", "eighth_droplet",
+               domain=dict(size=[0.25, 0.25, 0.25], elements=[8, 8, 8]),
+               fluid=dict(viscosity="1/1024", capillarity="1/24", temperature=0.39, contact_angle=90.0),
+               droplet=[dict(centre=[0.0, 0.0, 0.0], radius=0.12)],
+               boundary=dict(top="slip"),
+               time=dict(end=400.0),
+               output=fields(400.0),
+               solver=dict(newton=dict(rtol=1e-8, atol=1e-14), krylov=dict(preconditioner="lu")))
 
 
 def line(run):

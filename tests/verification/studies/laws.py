@@ -1,78 +1,47 @@
 """Conservation laws step by step.
 
-Mass: sum over the test functions of the mass equation is exactly zero flux, so every step keeps it to round-off once Newton is
-tight: on a fixed mesh, on a moving mesh, and without walls.
+Mass: sum over the test functions of the mass equation is exactly zero flux, so every step keeps it to round-off once
+Newton is tight: on a fixed mesh, on a moving mesh, and without walls.
 
-Momentum: a droplet in a periodic box. The capillary force as the divergence of a stress, (grad w, Sigma), keeps the momentum for
-constant w; the default, (w, rho grad mu), does so only where rho grad mu = - div Sigma holds pointwise, so its momentum drifts
-with the mesh. Inertia is discretised in the convective form, which costs momentum too. Drift: change of the momentum, for a
-droplet at rest as a part of mass times the largest speed seen, for a moving one of its momentum.
+Momentum: a droplet in a periodic box. The capillary force as the divergence of a stress, (grad w, Sigma), keeps the
+momentum for constant w; the default, (w, rho grad mu), does so only where rho grad mu = - div Sigma holds pointwise, so
+its momentum drifts with the mesh. Inertia is discretised in the convective form, which costs momentum too. Drift:
+change of the momentum, for a droplet at rest as a part of mass times the largest speed seen, for a moving one of its
+momentum.
 
-Energy: a stretched droplet on a rigid wall comes to rest. With the wall-energy law the energy lost is the dissipation; the
-trapezoidal sum over the steps leaves open the error of the time scheme, order 2. (On a soft wall: study energy_balance.)
+Energy: a stretched droplet on a rigid wall comes to rest. With the wall-energy law the energy lost is the dissipation;
+the trapezoidal sum over the steps leaves open the error of the time scheme, order 2. (On a soft wall: study
+energy_balance.)
 
-Uniform flow: solid and liquid without pressure translate along x between periodic sides. The mesh of the fluid follows the wall and is sheared
-more and more; density and velocity must stay as they are."""
+Uniform flow: solid and liquid without pressure translate along x between periodic sides. The mesh of the fluid follows
+the wall and is sheared more and more; density and velocity must stay as they are."""
 
 import _measure
 import numpy
+from _case import case, sides
 
 MINUTES = {"quick": 1, "full": 6}
 TIGHT = ["solver.newton.rtol=1e-11", "solver.newton.atol=1e-12", "solver.krylov.rtol=1e-4"]
-FREE = """# A droplet between periodic sides: no wall.
-name = "periodic_droplet"
-[domain]
-size = [1.0, 1.0]
-elements = [32, 32]
-[fluid]
-viscosity = "1/256"
-capillarity = "1/16"
-temperature = 0.39
-[[droplet]]
-centre = [0.513, 0.477]
-radius = 0.25
-{wave}
-[boundary]
-left = "periodic"
-right = "periodic"
-bottom = "periodic"
-top = "periodic"
-[time]
-end = 1.0
-dt_max = 0.05
-tolerance = 1e6
-"""
-MOVING = '[[wave]]\nfield = "velocity_x"\namplitude = 0.05\nmode = [0, 0]\n'
-UNIFORM = """# Solid and liquid in uniform motion. At this density the pressure is 0: r (1 - r) = 8 theta / 27.
-name = "uniform"
-[domain]
-size = [1.0, 0.5]
-elements = [16, 8]
-[fluid]
-viscosity = "1/256"
-capillarity = "1/16"
-temperature = 0.39
-ambient = "liquid"
-initial = [0.00135, 0.8666666666666667]
-[substrate]
-thickness = 0.125
-young = 0.7554
-poisson = 0.45
-[[wave]]
-field = "velocity_x"
-amplitude = 0.05
-mode = [0, 0]
-[boundary]
-left = "periodic"
-right = "periodic"
-bottom = "slip"
-top = "slip"
-[time]
-end = 10.0
-dt_initial = 0.25
-dt_max = 0.25
-tolerance = 1e6
-"""
+MOVING = dict(field="velocity_x", amplitude=0.05, mode=[0, 0])
+UNIFORM = case("Solid and liquid in uniform motion. At this density the pressure is 0: r (1 - r) = 8 theta / 27.",
+               "uniform",
+               domain=dict(size=[1.0, 0.5], elements=[16, 8]),
+               fluid=dict(viscosity="1/256", capillarity="1/16", temperature=0.39, ambient="liquid",
+                          initial=[0.00135, 0.8666666666666667]),
+               substrate=dict(thickness=0.125, young=0.7554, poisson=0.45),
+               wave=[MOVING],
+               boundary=sides("slip", left="periodic", right="periodic"),
+               time=dict(end=10.0, dt_initial=0.25, dt_max=0.25, tolerance=1e6))
+
+
+def free(*waves):
+    return case("A droplet between periodic sides: no wall.", "periodic_droplet",
+                domain=dict(size=[1.0, 1.0], elements=[32, 32]),
+                fluid=dict(viscosity="1/256", capillarity="1/16", temperature=0.39),
+                droplet=[dict(centre=[0.513, 0.477], radius=0.25)],
+                wave=list(waves),
+                boundary=sides("periodic"),
+                time=dict(end=1.0, dt_max=0.05, tolerance=1e6))
 
 
 def mass(lab):
@@ -80,7 +49,7 @@ def mass(lab):
             "output.fields.times=[]", *TIGHT]
     rigid = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "time.end=10", "output.fields.times=[]", *TIGHT]
     runs = lab.runs({"fixed mesh": ("static_droplet_rigid_2d", rigid), "moving mesh": ("tensotaxis_pull_2d", pull),
-                     "no wall": (FREE.format(wave=""), TIGHT)})
+                     "no wall": (free(), TIGHT)})
     for label, run in runs.items():
         value = run.history["mass"]
         step = numpy.abs(numpy.diff(value)).max() / value[0]
@@ -89,7 +58,8 @@ def mass(lab):
 
 def momentum(lab):
     meshes, starts = ((24,), ("at rest",)) if lab.quick else ((24, 32, 48), ("at rest", "moving"))
-    wanted = {(start, form, n): (FREE.format(wave=MOVING if start == "moving" else ""), [f"fluid.form={form}", f"domain.elements=[{n},{n}]", *TIGHT])
+    texts = {"at rest": free(), "moving": free(MOVING)}
+    wanted = {(start, form, n): (texts[start], [f"fluid.form={form}", f"domain.elements=[{n},{n}]", *TIGHT])
               for start in starts for form in ("potential", "divergence") for n in meshes}
     runs = lab.runs({", ".join(map(str, key)): value for key, value in wanted.items()}, limit=1500)
     rows, drift = [], {}

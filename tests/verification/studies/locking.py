@@ -1,43 +1,25 @@
 """Nearly incompressible solid: degree 2 against degree 3.
 
-A layer 1 x 0.125 between slip sides, on a slip bottom, under a horizontal load on a block in its middle, at rest: the surface
-rises on one side and sinks on the other, the more the more incompressible it is. Displacement-based elements lock as nu goes
-to 0.5: too stiff on coarse meshes. Measured: largest difference of the surface's displacement to a fine mesh of degree 3, as a
-part of the largest displacement of that mesh. The reference is checked against itself on half the mesh."""
+A layer 1 x 0.125 between slip sides, on a slip bottom, under a horizontal load on a block in its middle, at rest: the
+surface rises on one side and sinks on the other, the more the more incompressible it is. Displacement-based elements
+lock as nu goes to 0.5: too stiff on coarse meshes. Measured: largest difference of the surface's displacement to a fine
+mesh of degree 3, as a part of the largest displacement of that mesh. The reference is checked against itself on half
+the mesh."""
 
 import _measure
 import numpy
+from _case import case, fields, sides
 
 MINUTES = {"quick": 0.1, "full": 0.3}
 RATIOS = (0.3, 0.45, 0.49, 0.499, 0.4999)
-CASE = """# A layer under a horizontal load, at rest in the end.
-name = "layer"
-[domain]
-size = [1.0, 0.125]
-elements = [32, 4]
-[substrate]
-thickness = 0.125
-young = 1.0
-poisson = 0.45
-[[load]]
-box = [[0.4375, 0.0], [0.5625, 0.125]]
-force = [0.01, 0.0]
-ramp = 5.0
-[boundary]
-left = "slip"
-right = "slip"
-bottom = "slip"
-top = "free"
-[time]
-rho_inf = 0.0
-tolerance = 0.01
-end = 2000.0
-[solver]
-newton = { rtol = 1e-8, atol = 1e-11 }
-krylov = { rtol = 1e-4 }
-[output]
-fields = { times = [2000.0] }
-"""
+CASE = case("A layer under a horizontal load, at rest in the end.", "layer",
+            domain=dict(size=[1.0, 0.125], elements=[32, 4]),
+            substrate=dict(thickness=0.125, young=1.0, poisson=0.45),
+            load=[dict(box=[[0.4375, 0.0], [0.5625, 0.125]], force=[0.01, 0.0], ramp=5.0)],
+            boundary=sides("slip", top="free"),
+            time=dict(rho_inf=0.0, tolerance=0.01, end=2000.0),
+            solver=dict(newton=dict(rtol=1e-8, atol=1e-11), krylov=dict(rtol=1e-4)),
+            output=fields(2000.0))
 
 
 def settings(poisson, degree, n):

@@ -2,43 +2,28 @@
 
 A quarter of a droplet between slip sides starts as an ellipse. Its half axis on the bottom side, less that of the same
 droplet started as a circle (the profile settles, the vapour fills), is fitted by a damped wave.
-Lamb's sharp answer: omega^2 = n (n^2 - 1) sigma/((rho_l + rho_v) R^3), damping 2 n (n - 1) nu/R^2, n = 2. The best answer is
-the eigenvalue of the linearised Navier-Stokes-Korteweg equations about the exact droplet of the same mass
-(tests/oracle/droplet_modes.py): interface of finite width, both phases viscous and compressible, evaporation. What is left
-out of it: the vapour ends at a square, not a disc of radius 0.5 (its density is 1/641 of the liquid's: relative change of
-the frequency (R/L)^4 rho_v/rho_l = 4e-5), the amplitude (2 %: second order, 4e-4), and the step (second order). The
-stabilisation eps is off: it damps by about eps omega^2/(2 rho_l), 5e-3 at h = 1/64."""
+Lamb's sharp answer: omega^2 = n (n^2 - 1) sigma/((rho_l + rho_v) R^3), damping 2 n (n - 1) nu/R^2, n = 2. The best
+answer is the eigenvalue of the linearised Navier-Stokes-Korteweg equations about the exact droplet of the same mass
+(tests/oracle/droplet_modes.py): interface of finite width, both phases viscous and compressible, evaporation. What is
+left out of it: the vapour ends at a square, not a disc of radius 0.5 (its density is 1/641 of the liquid's: relative
+change of the frequency (R/L)^4 rho_v/rho_l = 4e-5), the amplitude (2 %: second order, 4e-4), and the step (second
+order). The stabilisation eps is off: it damps by about eps omega^2/(2 rho_l), 5e-3 at h = 1/64."""
 
 import _shape
 import droplet_modes
 import numpy
+from _case import case, fields
 from _measure import radial_droplet
 
 MINUTES = {"quick": 0.2, "full": 3}
 RADIUS, VISCOSITY = 0.2, 3e-4
-CASE = """# A quarter of an elliptic droplet; left and bottom sides are planes of symmetry.
-name = "oscillation"
-[domain]
-size = [0.5, 0.5]
-elements = [64, 64]
-[fluid]
-viscosity = 3e-4
-capillarity = "1/64"
-temperature = 0.39
-contact_angle = 90.0
-stabilisation = 0.0
-[[droplet]]
-centre = [0.0, 0.0]
-radius = 0.2
-stretch = [1.02, 0.98]
-[boundary]
-top = "slip"
-[time]
-end = 7.0
-tolerance = 1e3
-[output]
-fields = { times = [] }
-"""
+CASE = case("A quarter of an elliptic droplet; left and bottom sides are planes of symmetry.", "oscillation",
+            domain=dict(size=[0.5, 0.5], elements=[64, 64]),
+            fluid=dict(viscosity=3e-4, capillarity="1/64", temperature=0.39, contact_angle=90.0, stabilisation=0.0),
+            droplet=[dict(centre=[0.0, 0.0], radius=0.2, stretch=[1.02, 0.98])],
+            boundary=dict(top="slip"),
+            time=dict(end=7.0, tolerance=1e3),
+            output=fields())
 
 
 def settings(g, elements, step, end):

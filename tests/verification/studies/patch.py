@@ -1,50 +1,32 @@
 """Large strains in closed form: stretched, compressed and sheared columns.
 
-A column of Saint Venant-Kirchhoff of height H between slip sides, under gravity: only u_y(Y) differs from 0, and the free top
-carries nothing, so P_22(Y) = rho f (H - Y) exactly. With F_22 = s, P_22 = (lambda + 2 G) s (s^2 - 1)/2: s is a root of a cubic,
-u_y the integral of s - 1. Hanging (f > 0, from a slip bottom that holds u_y = 0) the root is the one above 1; pressed (f < 0)
-it is the one in (1/sqrt(3), 1), where the material is stable.
+A column of Saint Venant-Kirchhoff of height H between slip sides, under gravity: only u_y(Y) differs from 0, and the
+free top carries nothing, so P_22(Y) = rho f (H - Y) exactly. With F_22 = s, P_22 = (lambda + 2 G) s (s^2 - 1)/2: s is a
+root of a cubic, u_y the integral of s - 1. Hanging (f > 0, from a slip bottom that holds u_y = 0) the root is the one
+above 1; pressed (f < 0) it is the one in (1/sqrt(3), 1), where the material is stable.
 
 A sheared column, periodic sides, bottom clamped, force along x: u_x(Y) and u_y(Y). With g = u_x' and s = 1 + u_y':
-E_12 = g/2, E_22 = (g^2 + s^2 - 1)/2, S_12 = G g, S_22 = (lambda + 2 G) E_22, P_12 = S_12 + g S_22, P_22 = s S_22. Balance asks
-for P_22 = 0 and P_12 = rho f (H - Y): S_22 = 0, g = rho f (H - Y)/G, s = sqrt(1 - g^2).
+E_12 = g/2, E_22 = (g^2 + s^2 - 1)/2, S_12 = G g, S_22 = (lambda + 2 G) E_22, P_12 = S_12 + g S_22, P_22 = s S_22.
+Balance asks for P_22 = 0 and P_12 = rho f (H - Y): S_22 = 0, g = rho f (H - Y)/G, s = sqrt(1 - g^2).
 
-Rest is reached with rho_inf = 0. Error of u: root mean square over the ends and middles of the elements (where a quadratic
-is one order better than elsewhere), order p + 1; the elastic energy, int (lambda/2 + G) E_22^2 + ..., has order 2 p."""
+Rest is reached with rho_inf = 0. Error of u: root mean square over the ends and middles of the elements (where a
+quadratic is one order better than elsewhere), order p + 1; the elastic energy, int (lambda/2 + G) E_22^2 + ..., has
+order 2 p."""
 
+import _measure
 import numpy
 import scipy.optimize
+from _case import case, fields, sides
 
 MINUTES = {"quick": 0.1, "full": 0.3}
-CASE = """# A column of solid: every displacement depends on the height alone.
-name = "column"
-[domain]
-size = [0.5, 1.0]
-elements = [7, 8]
-[substrate]
-thickness = 1.0
-density = 1.0
-young = 1.0
-poisson = 0.3
-[[load]]
-box = [[0.0, 0.0], [0.5, 1.0]]
-force = [0.0, 0.1]
-ramp = 20.0
-[boundary]
-left = "slip"
-right = "slip"
-bottom = "slip"
-top = "free"
-[time]
-rho_inf = 0.0
-tolerance = 0.05
-end = 1000.0
-[solver]
-newton = { rtol = 1e-9, atol = 1e-13 }
-krylov = { rtol = 1e-4 }
-[output]
-fields = { times = [1000.0] }
-"""
+CASE = case("A column of solid: every displacement depends on the height alone.", "column",
+            domain=dict(size=[0.5, 1.0], elements=[7, 8]),
+            substrate=dict(thickness=1.0, density=1.0, young=1.0, poisson=0.3),
+            load=[dict(box=[[0.0, 0.0], [0.5, 1.0]], force=[0.0, 0.1], ramp=20.0)],
+            boundary=sides("slip", top="free"),
+            time=dict(rho_inf=0.0, tolerance=0.05, end=1000.0),
+            solver=dict(newton=dict(rtol=1e-9, atol=1e-13), krylov=dict(rtol=1e-4)),
+            output=fields(1000.0))
 POISSON = 0.3
 LAME, SHEAR = POISSON / ((1 + POISSON) * (1 - 2 * POISSON)), 0.5 / (1 + POISSON)
 STIFFNESS = LAME + 2 * SHEAR
@@ -81,11 +63,9 @@ def exact(name, force, heights):
 def errors(run, name, force):
     """Root mean square error of u over the column as a part of the largest |u|, relative error of the energy, how far u
     differs along x."""
-    import h5py
-    with h5py.File(run.folder / "fields" / "solid_0000.vtkhdf") as file:
-        u, place = file["VTKHDF/PointData/displacement"][:, :2], file["VTKHDF/Points"][:, :2]
-    across = numpy.isclose((place - u)[:, 1], 0).sum()
-    grid, heights = u.reshape(-1, across, 2), (place - u)[::across, 1]
+    place, u = _measure.solid_field(run.folder, 0)
+    across = numpy.isclose(place[:, 1], 0).sum()
+    grid, heights = u.reshape(-1, across, 2), place[::across, 1]
     true, energy = exact(name, force, heights)
     size = numpy.abs(true).max()
     return (numpy.sqrt(((grid[:, 0] - true)**2).sum(axis=1).mean()) / size,

@@ -1,7 +1,7 @@
 """Mass to round-off, and the same numbers for any number of threads.
 
-Mass: moments of the density are carried on the reference domain, so what moves the mesh cannot move the mass. Threads: sums
-have a fixed order, so history.csv is the same to the last bit."""
+Mass: moments of the density are carried on the reference domain, so what moves the mesh cannot move the mass. Threads:
+sums have a fixed order, so history.csv is the same to the last bit."""
 
 import numpy
 

@@ -1,10 +1,10 @@
 """Droplet at rest on a rigid wall: angle, Laplace pressure, forces on the wall.
 
 Both wall laws at 75 degrees. Sharp values: pressure jump sigma/R, vertical line force sigma sin(alpha), tangential line
-force -sigma cos(alpha), with sigma of the plane interface (tests/oracle/equilibrium.py). Values of an interface of finite
-width: the exact radial solution of the same chemical potential (tests/oracle/radial_droplet.py), whose pressure jump times
-the radius of the middle density is 0.5 % above sigma at gamma_hat = 1/64, with the measured angle. What misses the sharp
-values falls with gamma_hat (1/64, 1/128) and does not with the mesh."""
+force -sigma cos(alpha), with sigma of the plane interface (tests/oracle/equilibrium.py). Values of an interface of
+finite width: the exact radial solution of the same chemical potential (tests/oracle/radial_droplet.py), whose pressure
+jump times the radius of the middle density is 0.5 % above sigma at gamma_hat = 1/64, with the measured angle. What
+misses the sharp values falls with gamma_hat (1/64, 1/128) and does not with the mesh."""
 
 import _measure
 import numpy

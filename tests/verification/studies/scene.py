@@ -1,7 +1,8 @@
 """A scene costs what it holds: unknowns, memory and terms.
 
 A rigid wall has no displacement, a solid alone no density and no chemical potential; neither is stored or looped over.
-Elements: 128x64 of fluid, 128x16 of solid, 128x48 of fluid on 128x16 of solid. From `softwet check` and `softwet bench`."""
+Elements: 128x64 of fluid, 128x16 of solid, 128x48 of fluid on 128x16 of solid. From `softwet check` and
+`softwet bench`."""
 
 import re
 

@@ -1,54 +1,41 @@
 """Wall under a droplet at rest against the linear theory of an elastic layer.
 
-A droplet on a rigid wall exerts the traction t(x) (interface.csv). On a stiff layer the same traction displaces the surface
-by u = C t, with the compliance C(k) of a layer of height H on a roller base in plane strain, derived here: with
-u_x = a(y) sin kx, u_y = b(y) cos kx, the solutions of (lambda + G) grad div u + G Lap u = 0 with b = a' = 0 at y = 0 are
+A droplet on a rigid wall exerts the traction t(x) (interface.csv). On a stiff layer the same traction displaces the
+surface by u = C t, with the compliance C(k) of a layer of height H on a roller base in plane strain, derived here: with
+u_x = a(y) sin kx, u_y = b(y) cos kx, the solutions of (lambda + G) grad div u + G Lap u = 0, b = a' = 0 at y = 0, are
 
     a = A cosh ky - D ky sinh ky,   b = -(A + (3 - 4 nu) D) sinh ky + D ky cosh ky;
 
-sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H give A and D for the tractions t_x sin kx, t_y cos kx.
-Without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH), which is checked; k = 0 is
-uniaxial strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)). Slip sides make these series exact: cosines for t_y, sines for t_x.
+sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H give A and D for the tractions t_x sin kx,
+t_y cos kx. Without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH), which is
+checked; k = 0 is uniaxial strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)). Slip sides make these series exact: cosines for
+t_y, sines for t_x.
 
-Half a droplet on a slip side. interface.csv holds a traction lumped over the splines of the wall; here it is turned into the
-spline that does the same work on every spline (mass matrix). What is left vanishes with 1/E (deformed geometry) and with h."""
+Half a droplet on a slip side. interface.csv holds a traction lumped over the splines of the wall; here it is turned
+into the spline that does the same work on every spline (mass matrix). What is left vanishes with 1/E (deformed
+geometry) and with h."""
 
 import _measure
 import numpy
 import scipy.interpolate
+from _case import case, fields
 
 MINUTES = {"quick": 0.4, "full": 15}
 LENGTH, HEIGHT, POISSON, YOUNG = 0.5, 0.125, 0.45, 0.7554
-CASE = """# Half a droplet at rest; the left side is its plane of symmetry.
-name = "{name}"
-[domain]
-size = [0.5, {height}]
-elements = [{n}, {rows}]
-[fluid]
-viscosity = "1/256"
-capillarity = "1/{g}"
-temperature = 0.39
-contact_angle = 75.0
-{substrate}
-[[droplet]]
-centre = [0.0, {wall}]
-radius = 0.155
-[boundary]
-bottom = "{bottom}"
-top = "no_slip"
-[time]
-end = 300.0
-[output]
-fields = {{ times = [300.0] }}
-"""
-SUBSTRATE = "[substrate]\nthickness = 0.125\nyoung = {}\npoisson = 0.45\n"
 
 
-def case(n, g, young=None):
+def half(n, g, young=None):
     """@param n  elements along the wall (0.5);  @param young  None: rigid wall"""
-    if young is None:
-        return CASE.format(name="rigid", height=0.375, n=n, rows=n * 3 // 4, g=g, substrate="", wall=0.0, bottom="no_slip")
-    return CASE.format(name="soft", height=0.5, n=n, rows=n, g=g, substrate=SUBSTRATE.format(young), wall=0.125, bottom="slip")
+    substrate = {} if young is None else dict(substrate=dict(thickness=HEIGHT, young=young, poisson=POISSON))
+    name, height, bottom, wall = ("soft", 0.5, "slip", HEIGHT) if substrate else ("rigid", 0.375, "no_slip", 0.0)
+    return case("Half a droplet at rest; the left side is its plane of symmetry.", name,
+                domain=dict(size=[LENGTH, height], elements=[n, round(n * height / LENGTH)]),
+                fluid=dict(viscosity="1/256", capillarity=f"1/{g}", temperature=0.39, contact_angle=75.0),
+                **substrate,
+                droplet=[dict(centre=[0.0, wall], radius=0.155)],
+                boundary=dict(bottom=bottom, top="no_slip"),
+                time=dict(end=300.0),
+                output=fields(300.0))
 
 
 def compliance(k, young):
@@ -127,9 +114,9 @@ def study(lab):
     factors = (50,) if lab.quick else (1, 10, 50)
     wanted = {}
     for n, g in meshes:
-        wanted[f"rigid, n = {n}, 1/gamma = {g}"] = (case(n, g), [])
+        wanted[f"rigid, n = {n}, 1/gamma = {g}"] = (half(n, g), [])
         for factor in factors if g < 64 else (10,):
-            wanted[f"E x {factor}, n = {n}, 1/gamma = {g}"] = (case(n, g, YOUNG * factor), [])
+            wanted[f"E x {factor}, n = {n}, 1/gamma = {g}"] = (half(n, g, YOUNG * factor), [])
     runs, rows, results = lab.runs(wanted, limit=1500), [], {}
     for n, g in meshes:
         for factor in factors if g < 64 else (10,):

@@ -1,8 +1,8 @@
 """Soft layer: height under a load, and under a droplet.
 
-A horizontal load f on the area A of a layer on rollers raises the side behind it over the other by nu (1 + nu) f A / E far
-from the load (linear theory, plane strain). Under a droplet at rest the layer has a ridge at the contact line, a dimple
-beneath the droplet and a far field whose sizes follow from linear theory,
+A horizontal load f on the area A of a layer on rollers raises the side behind it over the other by nu (1 + nu) f A / E
+far from the load (linear theory, plane strain). Under a droplet at rest the layer has a ridge at the contact line, a
+dimple beneath the droplet and a far field whose sizes follow from linear theory,
 u_y(k)/t_y(k) = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH), with the sharp forces of the droplet."""
 
 import _measure

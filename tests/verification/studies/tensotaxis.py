@@ -1,8 +1,8 @@
 """Tensotaxis: pull, push, Poisson ratio 0, mirrored load.
 
 Fig. 2 of Bueno et al. 2017. The paper gives pictures and trends; the positions of the droplet asked for are those of an
-independent solver of the same scene (docs/tensotaxis_pull_reference.csv), the trends are the paper's: the droplet runs to
-the load that pulls and is trapped there, runs from the one that pushes ever more slowly, and stays where nu = 0."""
+independent solver of the same scene (docs/tensotaxis_pull_reference.csv), the trends are the paper's: the droplet runs
+to the load that pulls and is trapped there, runs from the one that pushes ever more slowly, and stays where nu = 0."""
 
 import _measure
 import numpy

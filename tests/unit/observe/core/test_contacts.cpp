@@ -15,8 +15,8 @@ Quadric cap(double x, double y) { return sphere({x, y, wall - radius * std::cos(
 
 enum Column { area, x, y, velocity, rear, front, angle_rear, angle_front };
 
-/// Linear interpolation between samples h apart lowers a quadratic form of trace T by h^2 T / 4 in the middle of a cell,
-/// and less elsewhere; a form that is 1 on the rim of an area A changes it by no more than that part of A.
+/// Linear interpolation between samples h apart lowers a quadratic form of trace T by h^2 T / 4 in the middle of a
+/// cell, and less elsewhere; a form that is 1 on the rim of an area A changes it by no more than that part of A.
 double area_bound(double area, double trace, int n) {
   return area * trace * std::pow(Drawing::length / (4 * n), 2) / 4;
 }
