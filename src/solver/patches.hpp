@@ -22,8 +22,8 @@ struct PatchTables {
 };
 
 /// Boxes `width` >= 3 control points wide, at most `stride` apart (evenly spread) along every axis. A box that has the row
-/// shared by solid and fluid as its first or last one leaves it out: fluid on the wall without the fluid above it makes a
-/// matrix close to singular (unknowns of the row: 9 iterations become 4, docs/verification/preconditioners.md).
+/// shared by solid and fluid as its first or last one leaves it out: fluid on the wall without the fluid above it makes
+/// a matrix close to singular.
 template <int D>
 PatchTables make_patches(const Layout<D>&, const UnknownTable<D>&, int width, int stride);
 

@@ -85,17 +85,22 @@ struct ApplyBoxes {
   }
 };
 
-/// z += what the boxes say of each unknown.
+/// Over a coarse space the boxes' answer is halved: where several boxes hold an unknown their sum overshoots, and
+/// amplifies what the coarse space adds to the residual (40 x 40 x 20 elements, a step of 0.04: 56 iterations for 6).
+constexpr float damping = 0.5f;
+
+/// z += factor times what the boxes say of each unknown.
 struct Collect {
   Indices grouped, place;
   Kokkos::View<const float*, Exec> weight;
   Kokkos::View<const float**, Kokkos::LayoutRight, Exec> out;
   Array z;
   int unknowns;
+  float factor;
   KOKKOS_FUNCTION void operator()(int i) const {
     float sum = 0;
     for (int k = grouped(i); k < grouped(i + 1); ++k) sum += out(place(k) / unknowns, place(k) % unknowns);
-    z(i) += weight(i) * sum;
+    z(i) += factor * weight(i) * sum;
   }
 };
 
@@ -156,7 +161,7 @@ class Schwarz final : public StencilSolver<D> {
   }
 
   std::string name() const override { return "schwarz"; }
-  double build_cost() const override { return 25; }
+  double build_cost() const override { return D == 2 ? 25 : 50; }
   double bytes() const override {
     double total = 4.0 * count_ * (double(unknowns_) * padded_ + unknowns_);
     if (space_) total += coarse_matrix_->bytes() + coarse_->bytes() + space_->transient_bytes();
@@ -188,7 +193,7 @@ class Schwarz final : public StencilSolver<D> {
                              .set_scratch_size(0, Kokkos::PerTeam(scratch)),
                          ApplyBoxes{size_, dof_, blocks_, weight_, r, out_, unknowns_});
     Kokkos::parallel_for("softwet::collect", Kokkos::RangePolicy<Exec>(0, z.extent(0)),
-                         Collect{grouped_, place_, weight_, out_, z, unknowns_});
+                         Collect{grouped_, place_, weight_, out_, z, unknowns_, space_ ? damping : 1});
   }
 
   int width_, count_ = 0, unknowns_ = 0, sites_ = 0, padded_ = 0;

@@ -15,7 +15,7 @@ struct SchwarzControl {
   static SchwarzControl for_dimension(int d) { return d == 2 ? SchwarzControl{8, 6} : SchwarzControl{4, 3}; }
 };
 
-/// z = P A_c^-1 P^T r, then z += sum over boxes of W_b A_b^-1 W_b (r - A z)_b. A_b: all fields of the box; W_b: one
+/// z = P A_c^-1 P^T r, then z += 1/2 sum over boxes of W_b A_b^-1 W_b (r - A z)_b. A_b: all fields of the box; W_b: one
 /// over the square root of the number of boxes that hold the unknown; A_c = P^T A P on half as many elements per axis.
 /// A z is the operator that was set, matrix-free, or the assembled matrix. Inverses are stored in single precision, so
 /// applying is one dense product per box, on the host or a device; sums have a fixed order. Toselli and Widlund, Domain
