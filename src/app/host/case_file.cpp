@@ -66,10 +66,10 @@ Case resolve(const Document& document) {
 /// Contact angles between which the wall law "gradient" works, in degrees: a line above the angles at which runs stop.
 /// No closed criterion is known (docs/verification/wetting.md). Measured at temperature 0.39, fewer stop when warmer:
 ///   capillarity / h         1     2    3    4
-///   stop below             27  15.5   13   12
-///   stop above            160  none measured (172 works)
+///   stop at                28  15.5   13   12
+///   stop at               157  none measured (172 works)
 std::pair<double, double> gradient_law_angles(double h_over_capillarity) {
-  return {7 + 20 * h_over_capillarity, 180 - std::max(0.0, 40 * h_over_capillarity - 20)};
+  return {8 + 22 * h_over_capillarity, 180 - std::max(0.0, 50 * h_over_capillarity - 25)};
 }
 
 [[noreturn]] void reject_path(const std::string& path, const std::string& reason) {

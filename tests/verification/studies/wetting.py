@@ -4,7 +4,7 @@ The paper's law d_n rho = |grad rho| cos(alpha) has no wall energy, and no close
 without a gradient along the wall it asks d_n rho = 0 at every angle, so the profile normal to the wall tells nothing,
 and a plane interface that meets the wall at alpha obeys it exactly for all alpha. So the limit is measured: half a
 droplet, or half a bubble for the side of drying, with a cap of two gamma_hat, let go at the angle alpha; whether the
-density stays in its range to t = 0.5, bisected to half a degree. Asked: every angle that stops is outside what
+density stays in its range to t = 20, bisected to half a degree. Asked: every angle that stops is outside what
 `softwet check` tells for that mesh. It falls as the mesh gets finer, so a part of it is an error of the mesh at the
 contact line."""
 
@@ -32,7 +32,7 @@ radius = 1.0
 bottom = "no_slip"
 top = "no_slip"
 [time]
-end = 0.5
+end = 20.0
 [output]
 fields = { times = [] }
 """
