@@ -14,7 +14,7 @@ import subprocess
 
 from _lab import StudyError
 
-MINUTES = {"quick": 0.1, "full": 3}
+MINUTES = {"quick": 0.1, "full": 2}
 CASE = """# Half a droplet (or bubble) with a thin cap, let go at its angle; the left side is its plane of symmetry.
 name = "cap"
 [domain]
