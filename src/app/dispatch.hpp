@@ -1,6 +1,7 @@
 // From a validated case (run time) to a compiled configuration (compile time), once.
 #pragma once
 
+#include <functional>
 #include <ostream>
 #include <string>
 
@@ -9,10 +10,11 @@
 namespace softwet {
 
 struct RunOptions {
-  std::string out;      ///< output folder
-  bool resume = false;  ///< continue from out/checkpoint.h5
-  int threads = 0;      ///< 0: all cores
-  bool quiet = false;   ///< no progress line
+  std::string out;              ///< output folder
+  bool resume = false;          ///< continue from out/checkpoint.h5
+  int threads = 0;              ///< 0: all cores
+  bool quiet = false;           ///< no progress line
+  std::function<void()> begin;  ///< called by a run from its start: all checks have passed, no file is written yet
 };
 
 /// Computes the case and writes the output folder. Throws Error.

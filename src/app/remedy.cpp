@@ -37,8 +37,8 @@ std::string for_the_density(const Case& c) {
   double h = 0;
   for (std::size_t d = 0; d < c.domain.size.size(); ++d) h = std::max(h, c.domain.size[d] / c.domain.elements[d]);
   if (c.fluid->wall_law == WallLaw::gradient && std::abs(c.fluid->contact_angle - 90) > 60)
-    return "the wall law \"gradient\" has no bounded density near complete wetting or drying: write fluid.wall_law = "
-           "\"energy\"";
+    return "near complete wetting or drying the wall law \"gradient\" drives the density out of its range: write "
+           "fluid.wall_law = \"energy\"";
   if (elastocapillary_length(c) > 0.2 * (c.substrate ? c.substrate->thickness : 0)) return softer_than_its_loads(c);
   if (c.fluid->capillarity < 2 * h)
     return "the liquid-vapour interface is " + number(c.fluid->capillarity / h) +

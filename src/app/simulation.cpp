@@ -53,6 +53,7 @@ void Simulation<D, P>::begin() {
   State state = initial_state<D, P>(case_, model_);
   stepper_.integrator().initialise(state);
   stepper_.start(state);
+  if (options_.begin) options_.begin();
   history_.emplace(TableFile::create(path("history.csv"), scalars_.columns()));
   interface_.emplace(TableFile::create(path("interface.csv"), interface_columns<D>()));
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/cap.hpp"
 #include "field/vector.hpp"
 #include "model/equilibrium.hpp"
 
@@ -79,7 +80,7 @@ std::vector<Shape> shapes(const Case& c, const Model<D, P>& model) {
     if (bubbles) std::swap(s.density, s.density_around);
     for (std::size_t d = 0; d < droplet.stretch.size(); ++d) s.semi_axis[d] *= droplet.stretch[d];
     if (std::abs(s.centre[D - 1] - model.wall_height()) < 1e-9)
-      s.centre[D - 1] -= s.semi_axis[D - 1] * std::cos(c.fluid->contact_angle * M_PI / 180);
+      s.centre[D - 1] -= s.semi_axis[D - 1] * cap_cosine(*c.fluid);
     result.push_back(s);
   }
   for (const Film& film : c.films)

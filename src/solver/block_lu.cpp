@@ -146,8 +146,9 @@ class BlockLu final : public StencilSolver<D> {
     front.own.compute(f.topLeftCorner(own, own));
     const auto& lu = front.own.matrixLU();
     front.upper = front.own.permutationP() * f.topRightCorner(own, border);
-    lu.template triangularView<Eigen::UnitLower>().solveInPlace(front.upper);
     front.lower = f.bottomLeftCorner(border, own);
+    if (border == 0) return;  // the root; Eigen would refer to an entry of an empty matrix
+    lu.template triangularView<Eigen::UnitLower>().solveInPlace(front.upper);
     lu.template triangularView<Eigen::Upper>().template solveInPlace<Eigen::OnTheRight>(front.lower);
     front.complement = f.bottomRightCorner(border, border);
     front.complement.noalias() -= front.lower * front.upper;

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <limits>
 
+#include "app/cap.hpp"
 #include "app/error.hpp"
 #include "app/host/memory.hpp"
 
 namespace softwet {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double slack = 1e-9;  ///< lengths closer than this (relative to the domain) are equal
 
 /// A resolved case together with the places of its keys, for messages.
@@ -138,14 +138,14 @@ void check_load(const Checker& check, std::size_t index) {
   }
 }
 
-/// How far a droplet reaches from its centre. A cap on the interface has its circle's centre at -R cos(alpha) above it.
+/// How far a droplet reaches from its centre, which is on the wall where it is a cap.
 double reach_along(const Checker& check, const Droplet& droplet, std::size_t axis) {
   const double semi_axis = droplet.radius * (droplet.stretch.empty() ? 1.0 : droplet.stretch[axis]);
   const double above = droplet.centre[check.vertical()] - check.interface();
   if (std::abs(above) > slack * check.height()) return semi_axis;
-  const double angle = check.c.fluid->contact_angle * pi / 180;
-  if (axis == check.vertical()) return semi_axis * (1 - std::cos(angle));
-  return angle < pi / 2 ? semi_axis * std::sin(angle) : semi_axis;
+  const double cosine = cap_cosine(*check.c.fluid);
+  if (axis == check.vertical()) return semi_axis * (1 - cosine);
+  return cosine > 0 ? semi_axis * std::sqrt(1 - cosine * cosine) : semi_axis;
 }
 
 void check_droplet(const Checker& check, std::size_t index) {

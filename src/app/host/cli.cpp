@@ -51,14 +51,14 @@ void run_command(Request& request) {
                         : request.overwrite    ? OldResult::overwrite
                                                : OldResult::refuse;
   OutputFolder folder(request.options.out, c, old);
+  request.options.begin = [&folder] { folder.begin(); };
   try {
     run_case(c, request.options);
-  } catch (const Error& error) {
-    const bool begun = std::filesystem::exists(request.options.out + "/history.csv");
-    if (error.code() == Exit::invalid_input || !begun) folder.discard();
+  } catch (...) {
+    folder.discard();
     throw;
   }
-  folder.finish(c);
+  folder.finish();
 }
 
 void check_command(const Request& request) {

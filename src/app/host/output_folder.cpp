@@ -2,7 +2,10 @@
 #include "app/host/output_folder.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -62,7 +65,7 @@ fs::path first_missing(const fs::path& folder) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old) : path_(path), old_(old) {
+OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old) : path_(path), case_(c), old_(old) {
   const fs::path folder(path);
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail_to_write(path, "a file has that name");
@@ -71,19 +74,19 @@ OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old
   made_ = first_missing(folder).string();
   fs::create_directories(folder, error);
   if (error) fail_to_write(path, error.message());
-  if (old == OldResult::overwrite) remove_old_result(folder);
-  try {
-    write_resolved(folder, c);
-  } catch (const Error&) {
-    discard();
-    throw;
-  }
+  if (::access(path.c_str(), W_OK | X_OK) != 0) fail_to_write(path, std::strerror(errno));
+}
+
+void OutputFolder::begin() {
+  begun_ = true;
+  if (old_ == OldResult::overwrite) remove_old_result(path_);
+  write_resolved(path_, case_);
 }
 
 void OutputFolder::discard() {
-  if (old_ == OldResult::resume) return;
   std::error_code error;
-  fs::remove(fs::path(path_) / "case.toml", error);
+  if (begun_ && fs::exists(fs::path(path_) / "history.csv", error)) return;
+  if (begun_) fs::remove(fs::path(path_) / "case.toml", error);
   if (made_.empty()) return;
   // Only empty folders go, from the deepest one up to the topmost one made here.
   for (fs::path part = fs::absolute(path_).lexically_normal(); fs::remove(part, error); part = part.parent_path()) {
@@ -91,8 +94,8 @@ void OutputFolder::discard() {
   }
 }
 
-void OutputFolder::finish(const Case& c) {
-  if (old_ == OldResult::resume) write_resolved(path_, c);
+void OutputFolder::finish() {
+  if (old_ == OldResult::resume) write_resolved(path_, case_);
 }
 
 }  // namespace softwet

@@ -176,6 +176,24 @@ TEST(CaseFile, WarnsOfAnUnresolvedInterfaceAndOfTimesNeverReached) {
   EXPECT_NE(found[1].find("output.fields.times"), std::string::npos);
 }
 
+TEST(CaseFile, WarnsOfContactAnglesTheGradientLawDoesNotBear) {
+  const auto warns = [](const std::vector<std::string>& settings) {
+    const auto found = warnings(parse_case(pull, "pull", settings));
+    return found.size() == 1 && found[0].find("fluid.contact_angle") != std::string::npos &&
+           found[0].find("write fluid.wall_law = \"energy\"") != std::string::npos;
+  };
+  // The capillarity of the pull is two elements: runs stop at 15 degrees and work at 17 (docs/verification/wetting.md).
+  EXPECT_TRUE(warns({"fluid.contact_angle=15"}));
+  EXPECT_FALSE(warns({"fluid.contact_angle=20"}));
+  EXPECT_FALSE(warns({"fluid.contact_angle=175"}));
+  EXPECT_FALSE(warns({"fluid.contact_angle=15", "fluid.wall_law=energy"}));
+  // One element: runs stop at 28 and at 157 degrees, and work at 30 and 155.
+  EXPECT_TRUE(warns({"fluid.contact_angle=28", "fluid.capillarity=1/128"}));
+  EXPECT_TRUE(warns({"fluid.contact_angle=157", "fluid.capillarity=1/128"}));
+  EXPECT_FALSE(warns({"fluid.contact_angle=31", "fluid.capillarity=1/128"}));
+  EXPECT_FALSE(warns({"fluid.contact_angle=154", "fluid.capillarity=1/128"}));
+}
+
 TEST(Explain, TellsUnitRangeDefaultAndHelp) {
   const std::string one = explain("fluid.contact_angle");
   for (const char* part : {"fluid.contact_angle", "(0, 180)", "degrees", "default 90", "liquid"}) {

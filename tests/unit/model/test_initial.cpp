@@ -71,6 +71,18 @@ TEST(InitialState, BubbleInLiquid) {
   EXPECT_NEAR(density_at(c, 0.9, 0.25), 0.6, 1e-9);
 }
 
+/// alpha = 60 degrees in the liquid: a droplet on the wall is half as high as its radius, a bubble one and a half times.
+TEST(InitialState, CapOnTheWallMeetsItAtTheAngleInTheLiquid) {
+  Case c = fluid_box();
+  c.fluid->contact_angle = 60;
+  c.droplets = {{{0.5, 0.0}, 0.2, {}}};
+  EXPECT_GT(density_at(c, 0.5, 0.05), 0.5);
+  EXPECT_LT(density_at(c, 0.5, 0.15), 0.2);
+  c.fluid->ambient = Phase::liquid;
+  EXPECT_LT(density_at(c, 0.5, 0.25), 0.2);
+  EXPECT_GT(density_at(c, 0.5, 0.35), 0.5);
+}
+
 TEST(InitialState, DropletBelowTheSizeOfAnyEquilibriumStaysBetweenThePhases) {
   Case c = fluid_box();
   c.droplets = {{{0.5, 0.25}, 1e-6, {}}};

@@ -90,7 +90,10 @@ struct NaivePoint {
   }
   double evaluate(const Component& c, int derivative) const {
     double sum = 0;
-    for_functions(derivative, [&](int i, double b) { sum += b * c.values[c.offset + i - c.shift * layout.row_size]; });
+    // On the wall the functions of the rows above it are 0; the displacement has no values there.
+    for_functions(derivative, [&](int i, double b) {
+      if (b != 0) sum += b * c.values[c.offset + i - c.shift * layout.row_size];
+    });
     return sum;
   }
   /// Reference gradient to physical gradient: solves F^T g = G.

@@ -1,0 +1,17 @@
+// The circle of a droplet or bubble that sits on the wall.
+#pragma once
+
+#include <cmath>
+
+#include "app/case.hpp"
+
+namespace softwet {
+
+/// Cosine of the angle inside a cap: alpha in a droplet, 180 degrees - alpha in a bubble, for alpha is measured in the
+/// liquid. The circle's centre lies -R cos above the wall, its top R (1 - cos).
+inline double cap_cosine(const Fluid& fluid) {
+  const double cosine = std::cos(fluid.contact_angle * 3.14159265358979323846 / 180);
+  return fluid.ambient == Phase::liquid ? -cosine : cosine;
+}
+
+}  // namespace softwet

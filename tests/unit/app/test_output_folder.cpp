@@ -1,0 +1,80 @@
+// The output folder: an old result stays until the new run begins; what came to nothing leaves no folder behind.
+#include "app/host/output_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/host/case_file.hpp"
+#include "unit/observe/expect_error.hpp"
+#include "unit/observe/scratch_folder.hpp"
+
+namespace softwet {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Case& pull() {
+  static const Case c = parse_case(initial_case("tensotaxis_pull_2d"), "case.toml");
+  return c;
+}
+
+/// A folder with the result of an earlier run and a file of the user.
+void write_old_result(const ScratchFolder& folder) {
+  fs::create_directory(folder / "fields");
+  for (const char* name : {"case.toml", "run.json", "history.csv", "checkpoint.h5", "fields/fluid_0000.vtkhdf", "mine"})
+    overwrite(folder / name, std::string("old ") + name);
+}
+
+TEST(OutputFolder, AnOldResultStaysWhenTheNewRunIsRefused) {
+  const ScratchFolder folder;
+  write_old_result(folder);
+  OutputFolder(folder / "", pull(), OldResult::overwrite).discard();
+  for (const char* name : {"case.toml", "run.json", "history.csv", "checkpoint.h5", "fields/fluid_0000.vtkhdf", "mine"})
+    EXPECT_EQ(content_of(folder / name), std::string("old ") + name);
+}
+
+TEST(OutputFolder, TheNewRunReplacesTheOldResultAndNothingElse) {
+  const ScratchFolder folder;
+  write_old_result(folder);
+  OutputFolder output(folder / "", pull(), OldResult::overwrite);
+  output.begin();
+  for (const char* name : {"run.json", "history.csv", "checkpoint.h5", "fields"})
+    EXPECT_FALSE(fs::exists(folder / name));
+  EXPECT_EQ(content_of(folder / "mine"), "old mine");
+  EXPECT_NE(content_of(folder / "case.toml").find("tensotaxis_pull_2d"), std::string::npos);
+}
+
+TEST(OutputFolder, ARunThatIsRefusedLeavesNoFolder) {
+  const ScratchFolder folder;
+  OutputFolder output(folder / "a/b/c", pull(), OldResult::refuse);
+  EXPECT_TRUE(fs::is_directory(folder / "a/b/c"));
+  output.discard();
+  EXPECT_FALSE(fs::exists(folder / "a"));
+}
+
+TEST(OutputFolder, ARunWithoutARowLeavesNoFolder) {
+  const ScratchFolder folder;
+  OutputFolder output(folder / "a/b", pull(), OldResult::refuse);
+  output.begin();
+  EXPECT_TRUE(fs::exists(folder / "a/b/case.toml"));
+  output.discard();
+  EXPECT_FALSE(fs::exists(folder / "a"));
+}
+
+TEST(OutputFolder, ARunWithARowStays) {
+  const ScratchFolder folder;
+  OutputFolder output(folder / "a", pull(), OldResult::refuse);
+  output.begin();
+  overwrite(folder / "a/history.csv", "step\n");
+  output.discard();
+  EXPECT_TRUE(fs::exists(folder / "a/case.toml"));
+}
+
+TEST(OutputFolder, RefusesAnOldResultUnlessToldWhatToDoWithIt) {
+  const ScratchFolder folder;
+  write_old_result(folder);
+  expect_error(Exit::invalid_input, {"--resume", "--overwrite", "--out"},
+               [&] { OutputFolder(folder / "", pull(), OldResult::refuse); });
+}
+
+}  // namespace
+}  // namespace softwet
