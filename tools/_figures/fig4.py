@@ -1,7 +1,7 @@
 """Fig. 4: a droplet moved by a load in three dimensions. A, B: start and end; C: the surface along the diagonal.
 
 The table holds, at the times of C, the place of the droplet along the track (counted from the middle of the domain),
-its contact points and angles, its distance from the diagonal plane, and the extremes of the surface along the track."""
+its contact points and angles, its distance from the diagonal plane, and the surface along the track: its extremes and its ends."""
 
 from pathlib import Path
 
@@ -41,6 +41,8 @@ def table(folder, times):
     for name, pick in (("highest", np.argmax), ("lowest", np.argmin)):
         rows.append([f"u_z {name}", *(number(lift[pick(lift)]) for _, lift in surfaces)])
         rows.append([f"track of u_z {name}", *(number(s[pick(lift)]) for s, lift in surfaces)])
+    for name, end in (("behind", 0), ("in front", -1)):
+        rows.append([f"u_z at the end {name}", *(number(lift[end]) for _, lift in surfaces)])
     rows.append(["mass_drift", *(number(history["mass_drift"][i]) for i in at)])
     return rows
 
