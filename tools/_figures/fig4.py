@@ -1,7 +1,8 @@
 """Fig. 4: a droplet moved by a load in three dimensions. A, B: start and end; C: the surface along the diagonal.
 
 The table holds, at the times of C, the place of the droplet along the track (counted from the middle of the domain),
-its contact points and angles, its distance from the diagonal plane, and the surface along the track: its extremes and its ends."""
+its contact points and angles, its distance from the diagonal plane, and extremes and ends of the surface along the
+track."""
 
 from pathlib import Path
 
