@@ -1,10 +1,12 @@
 // Block LU and Schwarz against products, and the dense inverses under them.
+#include "model/initial.hpp"
 #include "solver/block_lu.hpp"
 #include "solver/dense_inverse.hpp"
 #include "solver/dissection.hpp"
 #include "solver/gmres.hpp"
 #include "solver/patches.hpp"
 #include "solver/schwarz.hpp"
+#include "time/stepper.hpp"
 #include "unit/model/scenes.hpp"
 
 #include <random>
@@ -117,6 +119,66 @@ TEST(Schwarz, CoarseSpaceHelps) {
     };
     EXPECT_LT(count(true), 0.8 * count(false));
   }
+}
+
+/// A droplet put on a soft layer, after nine steps.
+Case soft_droplet() {
+  Case c = scene(Scene::coupled);
+  c.domain.size = {0.8, 0.4};
+  c.domain.elements = {48, 24};
+  c.fluid = Fluid{};
+  c.fluid->viscosity = 0.01;
+  c.fluid->capillarity = 0.025;
+  c.fluid->temperature = 0.39;
+  c.fluid->contact_angle = 75;
+  *c.substrate = {.thickness = 0.4 / 3, .density = 1, .young = 1.9, .poisson = 0.45};
+  c.loads.clear();
+  c.droplets = {{.centre = {0.4, 0.4 / 3}, .radius = 0.15}};
+  c.time.dt_initial = 1e-3;
+  c.time.tolerance = 4e-3;
+  c.solver.newton_rtol = 1e-4;
+  return c;
+}
+
+TEST(Schwarz, BoxesOverACoarseSpaceAreDamped) {
+  const Case c = soft_droplet();
+  const Model<2, 2> model(c);
+  Stepper<2, 2> stepper(model, c, {});
+  GeneralizedAlpha<2, 2>& scheme = stepper.integrator();
+  State state = initial_state<2, 2>(c, model);
+  scheme.initialise(state);
+  stepper.start(state);
+  for (int i = 0; i < 9; ++i) stepper.step();
+  Array r("r", scheme.size()), x("x", scheme.size());
+  scheme.begin(stepper.state(), 0.03);
+  scheme.residual(stepper.state().unknown, r);
+  // Every field starts with the same share of the norm, as in Newton's method.
+  const Layout<2>& l = model.layout();
+  const int end[] = {0, l.density_offset(), l.potential_offset(), l.size()};
+  double weight[3];
+  for (int f = 0; f < 3; ++f) weight[f] = 1 / norm(part(r, end[f], end[f + 1]));
+  const auto scale = [&](const Array& a, int exponent) {
+    for (int f = 0; f < 3; ++f) {
+      const Array field = Kokkos::subview(a, Kokkos::make_pair(end[f], end[f + 1]));
+      combine(field, std::pow(weight[f], exponent), field, 0);
+    }
+  };
+  Assembled<2> p(l, model.mask(), make_schwarz<2>(l, model.mask(), {6, 5}));
+  p.build([&](const StencilValues& values) { scheme.jacobian(values); });
+  const auto product = [&](const Array& z, const Array& out) {
+    scheme.product(z, out, Geometry::exact);
+    scale(out, 1);
+  };
+  p.set_operator([&](const Array& z, const Array& out) { scheme.product(z, out, Geometry::exact); });
+  const auto precondition = [&](const Array& a, const Array& z) {
+    const Array unscaled("unscaled", a.extent(0));
+    Kokkos::deep_copy(unscaled, a);
+    scale(unscaled, -1);
+    p.apply(unscaled, z);
+  };
+  scale(r, 1);
+  const KrylovResult result = Gmres(scheme.size(), 60).solve(product, precondition, r, x, 1e-2, 60);
+  EXPECT_LE(result.iterations, 14);  // 8; undamped 27
 }
 
 TEST(DenseInverse, BothWaysAgreeWithTheProduct) {
