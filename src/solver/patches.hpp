@@ -21,9 +21,9 @@ struct PatchTables {
   std::vector<int> grouped;  ///< [unknowns of the layout + 1] the group of each unknown in `place`
 };
 
-/// Boxes `width` >= 3 control points wide, at most `stride` apart (evenly spread) along every axis. A box that has the row
-/// shared by solid and fluid as its first or last one leaves it out: fluid on the wall without the fluid above it makes
-/// a matrix close to singular.
+/// Boxes `width` >= 3 control points wide, at most `stride` apart (evenly spread) along every axis. A box that has the
+/// row shared by solid and fluid as its first or last one leaves it out: fluid on the wall without the fluid above it
+/// makes a matrix close to singular.
 template <int D>
 PatchTables make_patches(const Layout<D>&, const UnknownTable<D>&, int width, int stride);
 

@@ -85,8 +85,9 @@ struct ApplyBoxes {
   }
 };
 
-/// Over a coarse space the boxes' answer is halved: where several boxes hold an unknown their sum overshoots, and
-/// amplifies what the coarse space adds to the residual (40 x 40 x 20 elements, a step of 0.04: 56 iterations for 6).
+/// Over a coarse space the boxes' answer is halved. Where several boxes hold an unknown their sum overshoots, and
+/// amplifies what the coarse space adds to the residual, above all through the moving mesh, which the operator has and
+/// the boxes' matrices have not (unit test: 27 iterations undamped, 8 so; 8 both ways with the matrix as operator).
 constexpr float damping = 0.5f;
 
 /// z += factor times what the boxes say of each unknown.
