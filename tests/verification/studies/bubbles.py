@@ -6,7 +6,9 @@ the isothermal Navier-Stokes-Korteweg equations, CMAME 199 (2010), and demo/Navi
 names no times of events, the text of the paper was not at hand. Energy here: int W + g^2/2 |grad rho|^2 + rho |v|^2/2 (the demo's has |v|^2/2 without the density, which no
 law makes fall). Known: it may only fall (no walls, no loads), mass and momentum are constant, and the vapour ends as one
 round bubble. The tanh of the start is that of the plane interface, a little wider than the demo's 2 gamma_hat.
-Counted at every field time: separate pieces of vapour (rho < (rho_v + rho_l)/2), across the periodic sides."""
+Counted at every field time: separate pieces of vapour (rho < (rho_v + rho_l)/2), across the periodic sides.
+The smaller bubbles vanish into the largest through the liquid, without touching it: the smallest by t = 2.5 on 128 x 128
+elements and by t = 4.5 on 256 x 256."""
 
 import _measure
 import numpy
@@ -40,7 +42,7 @@ def pieces(vapour):
 
 
 def study(lab):
-    n, end, count = (48, 2, 8) if lab.quick else (128, 6, 24)
+    n, end, count = (48, 2, 8) if lab.quick else (256, 6, 24)
     times = [float(f"{end * i / count:.4g}") for i in range(count + 1)]
     run = lab.run(f"{n} x {n}", CASE, [f"domain.elements=[{n},{n}]", f"fluid.capillarity=1/{n}", f"fluid.viscosity=1/{2 * n}",
                                        f"time.end={end}", f"output.fields.times=[{','.join(map(str, times))}]"], limit=3500)
