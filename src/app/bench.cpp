@@ -103,8 +103,8 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
     std::snprintf(text, sizeof text, ", worth %.0f iterations", build / (product + apply));
     sheet.line("preconditioner " + name + ", build", build, text);
     sheet.line("preconditioner " + name + ", apply", apply);
-    std::snprintf(text, sizeof text, "  %.0f MiB; iterations at dt = 0.01 / 0.1 / 1 / 5: ", preconditioner->bytes() / 1048576);
-    sheet.out << text << counts << "\n";
+    std::snprintf(text, sizeof text, "  %.0f MiB", preconditioner->bytes() / 1048576);
+    sheet.out << text << "; iterations at dt = 0.01 / 0.1 / 1 / 5: " << counts << "\n";
   }
 }
 

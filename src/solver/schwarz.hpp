@@ -6,8 +6,8 @@
 namespace softwet {
 
 struct SchwarzControl {
-  int width = 6;             ///< control points of a box along an axis
-  int stride = 5;            ///< of the boxes; neighbours share width - stride layers of control points, or more
+  int width;                 ///< control points of a box along an axis
+  int stride;                ///< of the boxes; neighbours share width - stride layers of control points, or more
   bool coarse = true;        ///< with the coarse space
   int direct_up_to = 60000;  ///< unknowns of a coarse space that is factorised (block LU); above, Schwarz again
 
