@@ -8,8 +8,8 @@ namespace softwet {
 /// value + tangent * d,  d^2 = 0.  S is a scalar or a pack.
 template <class S>
 struct Dual {
-  S value{};
-  S tangent{};
+  S value;
+  S tangent;
 
   Dual() = default;
   KOKKOS_FORCEINLINE_FUNCTION Dual(const S& v, const S& t) : value(v), tangent(t) {}

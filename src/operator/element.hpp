@@ -105,9 +105,10 @@ template <class S, int D, int P>
 KOKKOS_FORCEINLINE_FUNCTION void scatter(double* p, const Region<D>& region, int first, int count,
                                          const S (&nodal)[power(P + 1, D)]) {
   constexpr int n = P + 1;
-  for (int k = 0; k < (D == 3 ? n : 1); ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
+  // Packs of neighbouring i overlap in memory: with i outermost a pack is stored long before its lanes are read again.
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < (D == 3 ? n : 1); ++k)
+      for (int j = 0; j < n; ++j)
         add_lanes(p + first + i + j * region.stride[1] + (D == 3 ? k * region.stride[D - 1] : 0),
                   nodal[(k * n + j) * n + i], count);
 }
