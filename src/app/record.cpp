@@ -81,7 +81,9 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
   return run;
 }
 
-template RunRecord describe_run<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
-                                    Stepper<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const RunSeconds&, long);
+template RunRecord describe_run<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&,
+                                                                   const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
+                                                                   Stepper<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
+                                                                   const RunSeconds&, long);
 
 }  // namespace softwet

@@ -19,7 +19,7 @@ struct State {
 /// Fields at the generalized-alpha point and at the end of the step. Unknowns are the values at n + af.
 struct Stage {
   double time = 0;                ///< t_{n+af}
-  Array unknown;                  ///< v, rho at n+af and mu
+  Array unknown;                  ///< v, rho, mu at n+af
   Array acceleration;             ///< dv/dt at n+am
   Array displacement;             ///< at n+af
   Array displacement_end;         ///< at n+1

@@ -114,7 +114,9 @@ class BlockLu final : public StencilSolver<D> {
     visit([&](int row, int, double size) { largest[row] = std::max(largest[row], size); });
     for (std::size_t i = 0; i < largest.size(); ++i) row_scale_[i] = largest[i] > 0 ? 1 / largest[i] : 1;
     std::fill(largest.begin(), largest.end(), 0.0);
-    visit([&](int row, int column, double size) { largest[column] = std::max(largest[column], size * row_scale_[row]); });
+    visit([&](int row, int column, double size) {
+      largest[column] = std::max(largest[column], size * row_scale_[row]);
+    });
     for (std::size_t i = 0; i < largest.size(); ++i) column_scale_[i] = largest[i] > 0 ? 1 / largest[i] : 1;
   }
 

@@ -52,8 +52,8 @@ struct FillRow {
   }
 };
 
-/// out = W_b A_b^-1 W_b r on every box. Rows are contiguous: lanes (host) or threads (device) take neighbouring rows and
-/// walk along the columns together.
+/// out = W_b A_b^-1 W_b r on every box. Rows are contiguous: lanes (host) or threads (device) take neighbouring rows
+/// and walk along the columns together.
 struct ApplyBoxes {
   Indices size, dof;
   DenseBlocks inverse;  ///< [box][column][row]
@@ -183,7 +183,8 @@ class Schwarz final : public StencilSolver<D> {
   }
 
   void allocate() {
-    blocks_ = DenseBlocks(Kokkos::view_alloc("schwarz.blocks", Kokkos::WithoutInitializing), count_, unknowns_, padded_);
+    const auto uninitialised = Kokkos::view_alloc("schwarz.blocks", Kokkos::WithoutInitializing);
+    blocks_ = DenseBlocks(uninitialised, count_, unknowns_, padded_);
     out_ = Kokkos::View<float**, Kokkos::LayoutRight, Exec>("schwarz.out", count_, unknowns_);
   }
 
@@ -213,7 +214,8 @@ class Schwarz final : public StencilSolver<D> {
 }  // namespace
 
 template <int D>
-std::unique_ptr<StencilSolver<D>> make_schwarz(const Layout<D>& layout, const ConstArray& mask, SchwarzControl control) {
+std::unique_ptr<StencilSolver<D>> make_schwarz(const Layout<D>& layout, const ConstArray& mask,
+                                               SchwarzControl control) {
   return std::make_unique<Schwarz<D>>(layout, mask, control);
 }
 

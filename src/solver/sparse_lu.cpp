@@ -26,8 +26,8 @@ class SparseLu final : public StencilSolver<D> {
     const UnknownTable<D> table(layout, to_host(mask));
     if (stencil.size() > std::numeric_limits<int>::max())
       throw Error(Exit::invalid_input,
-                  "solver.krylov.preconditioner: a matrix of this mesh may have more entries than \"umfpack\" can number "
-                  "(2147483647); choose \"schwarz\" or take fewer elements");
+                  "solver.krylov.preconditioner: a matrix of this mesh may have more entries than \"umfpack\" can "
+                  "number (2147483647); choose \"schwarz\" or take fewer elements");
     for (int i = 0; i < layout.size(); ++i) add_column(stencil, table, i);
     start_.push_back(static_cast<int>(row_.size()));
     values_.assign(row_.size(), 1.0);

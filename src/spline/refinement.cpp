@@ -7,7 +7,8 @@ namespace {
 /// Coefficient of the fine B-spline i in the coarse one j, both of `degree`, by recursion over the degree.
 double oslo(const std::vector<double>& coarse, const std::vector<double>& fine, int j, int i, int degree) {
   if (degree == 0) return coarse[j] <= fine[i] && fine[i] < coarse[j + 1] ? 1.0 : 0.0;
-  const double x = fine[i + degree], left = coarse[j + degree] - coarse[j], right = coarse[j + degree + 1] - coarse[j + 1];
+  const double x = fine[i + degree];
+  const double left = coarse[j + degree] - coarse[j], right = coarse[j + degree + 1] - coarse[j + 1];
   double sum = 0;
   if (left > 0) sum += (x - coarse[j]) / left * oslo(coarse, fine, j, i, degree - 1);
   if (right > 0) sum += (coarse[j + degree + 1] - x) / right * oslo(coarse, fine, j + 1, i, degree - 1);

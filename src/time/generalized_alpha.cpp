@@ -149,11 +149,7 @@ void GeneralizedAlpha<D, P>::finish(const Array& x, State& state) {
   }
   if (l.has_solid) Kokkos::deep_copy(state.displacement, stage_.displacement_end);
   sum_of(state.velocity_rate, 1 - 1 / am, start_.velocity_rate, 1 / am, stage_.acceleration, 0, stage_.acceleration);
-  const int split = l.has_fluid ? l.potential_offset() : l.velocity_size();
-  const Array out = piece_of(state.unknown, 0, split);
-  sum_of(out, 1 / af, stage_.unknown, 1 - 1 / af, start_.unknown, 0, start_.unknown);
-  if (l.has_fluid)  // mu has no history
-    Kokkos::deep_copy(piece_of(state.unknown, split, l.scalar_size()), part(stage_.unknown, split, l.size()));
+  sum_of(state.unknown, 1 / af, stage_.unknown, 1 - 1 / af, start_.unknown, 0, start_.unknown);
   state.time = start_.time + dt_;
   if (l.has_fluid) match_mass(state);
 }

@@ -24,9 +24,10 @@ struct AlphaParameters {
 /// leave an error of first order in the step for good, one step of backward Euler does not.
 enum class Rates { known, unknown };
 
-/// The algebraic system of one step. Unknowns are v and rho at n + af and mu; displacement is eliminated:
+/// The algebraic system of one step. Unknowns are v, rho and mu at n + af; displacement is eliminated:
 ///   v'_{n+am} = (1 - am/ga) v'_n + am/(ga dt af) (v_{n+af} - v_n)
 ///   u_{n+1}   = u_n + dt (1 - ga/am) u'_n + dt (ga/am) v_{n+af},   u_{n+af} = u_n + af (u_{n+1} - u_n)
+///   x_{n+1}   = x_n + (x_{n+af} - x_n) / af   for v, rho, mu
 ///   mass      (1 - am/ga) p'_n + am/(ga dt) (M[x_{n+1}] rho_{n+1} - p_n) + F = 0
 template <int D, int P>
 class GeneralizedAlpha {

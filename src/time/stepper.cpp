@@ -143,12 +143,14 @@ void Stepper<D, P>::predict(double dt) {
   const Layout<D>& l = model_.layout();
   const double af = dt > 0 ? 1 / integrator_.stage().end_scale : 1;
   Kokkos::deep_copy(Exec(), predicted_, state_.unknown);
-  if (previous_dt_ > 0) {  // extrapolation of the last two states; mu as it is
+  if (previous_dt_ > 0) {  // extrapolation of the last two states
     const double factor = af * dt / previous_dt_;
     const Array v = Kokkos::subview(predicted_, Kokkos::make_pair(0, l.velocity_size()));
     combine(v, -factor, part(previous_, 0, l.velocity_size()), 1 + factor);
     Kokkos::parallel_for("softwet::extrapolate", Kokkos::RangePolicy<Exec>(0, l.scalar_size()),
                          ExtrapolateDensity{predicted_, state_.unknown, previous_, l.density_offset(), factor});
+    const Array mu = Kokkos::subview(predicted_, Kokkos::make_pair(l.potential_offset(), l.size()));
+    combine(mu, -factor, part(previous_, l.potential_offset(), l.size()), 1 + factor);
   }
   multiply(Kokkos::subview(predicted_, Kokkos::make_pair(0, l.velocity_size())),
            part(model_.mask(), 0, l.velocity_size()));
@@ -178,8 +180,8 @@ template <int D, int P>
 NewtonResult Stepper<D, P>::solve(double dt) {
   integrator_.begin(state_, dt, previous_dt_ > 0 ? Rates::known : Rates::unknown);
   predict(dt);
-  const NonlinearSystem system{[this](const Array& x, const Array& r) { integrator_.residual(x, r); },
-                               [this](const Array& z, const Array& out) { integrator_.product(z, out, Geometry::exact); },
+  const auto product = [this](const Array& z, const Array& out) { integrator_.product(z, out, Geometry::exact); };
+  const NonlinearSystem system{[this](const Array& x, const Array& r) { integrator_.residual(x, r); }, product,
                                [this](const StencilValues& values) { integrator_.jacobian(values); },
                                [this](const Array& x) { return complaint(x); }};
   NewtonResult result = newton_.solve(system, fields(), newton_control_, x_);

@@ -94,8 +94,8 @@ std::vector<Key> solver_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_rtol; })},
       {.name = "solver.newton.atol",
        .range = positive,
-       .help = "Newton stops at this residual per volume whatever the first was; times the solid's lambda + 2 G where that "
-               "is above 1.",
+       .help = "Newton stops at this residual per volume whatever the first was; times the solid's lambda + 2 G where "
+               "that is above 1.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_atol; })},
       {.name = "solver.newton.max",
        .kind = Kind::integer,

@@ -9,7 +9,7 @@ import _measure
 import numpy
 from _case import case, fields, sides
 
-MINUTES = {"quick": 0.1, "full": 1}
+MINUTES = {"quick": 0.1, "full": 6}
 SPEED = 0.125
 CASE = case("A droplet in a periodic square with a uniform velocity.", "carried_droplet",
             domain=dict(size=[1.0, 1.0], elements=[64, 64]),
@@ -33,7 +33,7 @@ def position(rho):
 
 
 def study(lab):
-    end, meshes, g = (1.0, (16, 32), 16) if lab.quick else (4.0, (32, 64), 32)
+    end, meshes, g = (1.0, (16, 32), 16) if lab.quick else (4.0, (32, 64, 128), 32)
     rows, errors = [], {}
     for n in meshes:
         base = [f"domain.elements=[{n},{n}]", f"time.end={end}", f"output.fields.times=[{end}]", f"fluid.capillarity=1/{g}",
@@ -55,7 +55,7 @@ def study(lab):
     lab.expect("density moved back, largest difference over the step, finer mesh", "<= 1 %", f"{100 * errors[n][1]:.2f} %",
                errors[n][1] <= 0.01)
     lab.expect("momentum, finer mesh", "constant to 0.1 %", f"{100 * momentum:.3f} %", momentum <= 1e-3)
-    rate = numpy.log2(errors[meshes[0]][1] / errors[meshes[1]][1])
-    lab.expect("order of that difference in h and dt", ">= 1.7", f"{rate:.1f}", rate >= 1.7)
+    rate = numpy.log2(errors[meshes[-2]][1] / errors[meshes[-1]][1])
+    lab.expect("order of that difference in h and dt, two finest meshes", ">= 1.7", f"{rate:.1f}", rate >= 1.7)
     lab.table(("mesh", "position off", "largest difference of the density over the step", "change of momentum", "of mass"), rows,
               "carried")

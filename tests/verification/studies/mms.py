@@ -5,7 +5,7 @@ the discrete equations as a source, so that they are the exact solution. The sou
 the chosen fields by nested forward differentiation enter the strong form, which shares nothing with the kernels of the
 weak form (tests/verification/mms). Scenes: fluid alone between slip sides, solid alone, and both coupled on the moving
 mesh, with the traction, the contact angle (gradient law, 60 degrees) and the wall itself in motion. Errors are L2 norms
-at the end; the potential is compared at the point n + alpha_f of the last step, to which it belongs."""
+at the end."""
 
 import csv
 import io
