@@ -11,7 +11,7 @@ struct Dual {
   S value;
   S tangent;
 
-  Dual() = default;
+  Dual() = default;  // without values: zeros would be written for whole bundles at every point
   KOKKOS_FORCEINLINE_FUNCTION Dual(const S& v, const S& t) : value(v), tangent(t) {}
   KOKKOS_FORCEINLINE_FUNCTION Dual(double v) : value(v), tangent(0.0) {}
 

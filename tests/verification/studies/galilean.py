@@ -51,10 +51,10 @@ def study(lab):
         errors[n] = (abs(error), shape)
         rows.append((f"{n} x {n}", f"{error:+.2e}", f"{shape:.2e}", f"{momentum:.1e}", f"{mass:.1e}"))
         lab.expect(f"{n} x {n}: drift of the mass", "<= 1e-10", f"{mass:.1g}", mass <= 1e-10)
-    lab.expect("position off, finer mesh", "<= 0.1 % of the way", f"{100 * errors[n][0] / moved:.3f} %", errors[n][0] <= 1e-3 * moved)
-    lab.expect("density moved back, largest difference over the step, finer mesh", "<= 1 %", f"{100 * errors[n][1]:.2f} %",
+    lab.expect("position off, finer mesh", "<= 0.1 % of the way", f"{100 * errors[n][0] / moved:.2g} %", errors[n][0] <= 1e-3 * moved)
+    lab.expect("density moved back, largest difference over the step, finer mesh", "<= 1 %", f"{100 * errors[n][1]:.2g} %",
                errors[n][1] <= 0.01)
-    lab.expect("momentum, finer mesh", "constant to 0.1 %", f"{100 * momentum:.3f} %", momentum <= 1e-3)
+    lab.expect("momentum, finer mesh", "constant to 0.1 %", f"{100 * momentum:.2g} %", momentum <= 1e-3)
     rate = numpy.log2(errors[meshes[-2]][1] / errors[meshes[-1]][1])
     lab.expect("order of that difference in h and dt, two finest meshes", ">= 1.7", f"{rate:.1f}", rate >= 1.7)
     lab.table(("mesh", "position off", "largest difference of the density over the step", "change of momentum", "of mass"), rows,
