@@ -115,6 +115,13 @@ def balance_error(folder, start, end):
     return error[inside].sum() / (rows["dissipation"][1:] * dt)[inside].sum()
 
 
+def falls(parts):
+    """Errors with steps that are halved from one to the next, the last three looked at: what falls with the step is told
+    from a rest that no step removes. @return (order of what falls, the rest at dt = 0 if that order is 2)"""
+    first, second, third = parts[-3:]
+    return numpy.log2((first - second) / (second - third)), third - (second - third) / 3
+
+
 def compare(name, found, expected, tolerance, relative=True):
     """Prints a figure, what it should be, and how far it may be off; ends the test where it is farther."""
     error = abs(found - expected) / (abs(expected) if relative else 1)
