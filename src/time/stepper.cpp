@@ -145,12 +145,9 @@ void Stepper<D, P>::predict(double dt) {
   Kokkos::deep_copy(Exec(), predicted_, state_.unknown);
   if (previous_dt_ > 0) {  // extrapolation of the last two states
     const double factor = af * dt / previous_dt_;
-    const Array v = Kokkos::subview(predicted_, Kokkos::make_pair(0, l.velocity_size()));
-    combine(v, -factor, part(previous_, 0, l.velocity_size()), 1 + factor);
+    combine(predicted_, -factor, previous_, 1 + factor);
     Kokkos::parallel_for("softwet::extrapolate", Kokkos::RangePolicy<Exec>(0, l.scalar_size()),
                          ExtrapolateDensity{predicted_, state_.unknown, previous_, l.density_offset(), factor});
-    const Array mu = Kokkos::subview(predicted_, Kokkos::make_pair(l.potential_offset(), l.size()));
-    combine(mu, -factor, part(previous_, l.potential_offset(), l.size()), 1 + factor);
   }
   multiply(Kokkos::subview(predicted_, Kokkos::make_pair(0, l.velocity_size())),
            part(model_.mask(), 0, l.velocity_size()));

@@ -171,7 +171,7 @@ def held(begun):
 process, child = held(log.with_name("history.csv").exists)
 os.killpg(process.pid, signal.SIGINT)  # as a terminal does
 os.kill(child, signal.SIGCONT)
-message = process.communicate(timeout=120)[1]
+message = process.communicate(timeout=60)[1]
 check_true("SIGINT: exit code 2", process.returncode == 2 and "the same command goes on" in message, message)
 check_true("SIGINT: the table is true", states("long") == ["interrupted", "waiting"], str(states("long")))
 steps = record("long/poisson=0.3")["counts"]["steps"]
@@ -186,7 +186,7 @@ check_true("SIGKILL: the run goes on and is left alone", "left alone" in other.s
 os.kill(child, signal.SIGCONT)
 wait_for(lambda: is_free(log), "the run ends")
 
-subprocess.run(line, check=True, env=one_thread, timeout=120, capture_output=True)
+subprocess.run(line, check=True, env=one_thread, timeout=60, capture_output=True)
 check_true("all are done", states("long") == ["done", "done"], str(states("long")))
 check_true("whole histories", all(history(f"long/poisson=0.{n}")["step"].tolist() == WHOLE for n in (3, 4)))
 check_true("resumed behind the stop", record("long/poisson=0.3")["counts"]["steps_before_resume"] == steps)
@@ -200,7 +200,7 @@ sweep(PRODUCT, SOLID, ["--out", "array", "--table"], code=2)
 check_true("--table: all are waiting", states("array") == ["waiting"] * 4)
 tasks = [subprocess.Popen(["bash", "other/array.sh"], env={**environment, "SLURM_ARRAY_TASK_ID": str(i)}, text=True,
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) for i in range(4)]
-ends = [(task.communicate(timeout=120)[1], task.returncode) for task in tasks]
+ends = [(task.communicate(timeout=60)[1], task.returncode) for task in tasks]
 check_true("exit codes of the tasks", [code for _, code in ends] == [0, 2, 0, 0], str(ends))
 sweep(PRODUCT, SOLID, ["--out", "array", "--table"], code=2)
 check_true("the same table but for the seconds", [{**row, "seconds": 0} for row in table("array").values()] ==
