@@ -107,7 +107,6 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
                            const NewtonControl& control, const Array& x) {
   NewtonResult result;
   double start = 0, previous = 0, forcing = 0.1;
-  preconditioner_->set_operator(system.product);
   for (;; ++result.iterations) {
     {
       Stopwatch watch(counts_.residual_seconds);

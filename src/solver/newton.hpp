@@ -69,7 +69,7 @@ class Stopwatch {
 /// The nonlinear system of one step, as Newton sees it.
 struct NonlinearSystem {
   std::function<void(const Array& x, const Array& r)> residual;
-  Operator product;
+  std::function<void(const Array& z, const Array& out)> product;  ///< out = A z, with the Jacobian A at the current x
   Jacobian jacobian;  ///< for the preconditioner
   /// Empty if x is admissible (finite, densities inside (.., 1)); otherwise what is wrong with it.
   std::function<std::string(const Array& x)> complaint;

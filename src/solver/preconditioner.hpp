@@ -9,15 +9,9 @@
 
 namespace softwet {
 
-/// out = A z.
-using Operator = std::function<void(const Array& z, const Array& out)>;
-
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
-  /// The Jacobian at the current point as it is applied from now on. Optional: what needs a residual computes it with
-  /// this, and otherwise with the matrix it was built from.
-  virtual void set_operator(const Operator&) {}
   /// Rebuilds from the Jacobian at the current point.
   virtual void build(const Jacobian& jacobian) = 0;
   /// z = approximately J^-1 r.
@@ -43,7 +37,6 @@ template <int D>
 class StencilSolver {
  public:
   virtual ~StencilSolver() = default;
-  virtual void set_operator(const Operator&) {}
   /// Keeps a reference to the matrix.
   virtual void build(const StencilMatrix<D>& matrix) = 0;
   virtual void apply(const ConstArray& r, const Array& z) = 0;
@@ -63,7 +56,6 @@ class Assembled final : public Preconditioner {
     matrix_.fill(jacobian);
     solver_->build(matrix_);
   }
-  void set_operator(const Operator& product) override { solver_->set_operator(product); }
   void apply(const ConstArray& r, const Array& z) override { solver_->apply(r, z); }
   std::string name() const override { return solver_->name(); }
   double bytes() const override { return matrix_.bytes() + solver_->bytes(); }

@@ -39,9 +39,13 @@ struct SpreadValues {
   }
 };
 
-/// y of one component on a chunk of a line of control points, offset by offset.
+/// Rows of a product at once: on the host pieces of neighbouring lines, so that each of the matrix' many streams is read
+/// some hundred entries at a time; on a device one row per thread.
+constexpr int piece = on_host ? 128 : 1, lines_at_once = on_host ? 8 : 1, pack = on_host ? 16 : 1;
+
+/// y of one component on pieces of some lines of control points, offset by offset.
 template <int D>
-struct MultiplyChunk {
+struct MultiplyPieces {
   Stencil<D> stencil;
   StencilValues values, x;
   ConstArray mask;
@@ -49,34 +53,55 @@ struct MultiplyChunk {
   ComponentPlaces<D> places;
   int line_length;
 
+  KOKKOS_FUNCTION int pieces() const { return (stencil.extent[0] + piece - 1) / piece; }
+  KOKKOS_FUNCTION int groups() const { return (stencil.extent[1] + lines_at_once - 1) / lines_at_once; }
+  std::int64_t items() const {
+    const int planes = stencil.points / (stencil.extent[0] * stencil.extent[1]);
+    return std::int64_t(stencil.components) * planes * groups() * pieces();
+  }
+
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
-    constexpr int chunk = StencilMatrix<D>::chunk;
-    const int n = stencil.extent[0], chunks = (n + chunk - 1) / chunk, lines = stencil.points / n;
-    const int begin = static_cast<int>(item % chunks) * chunk, line = static_cast<int>(item / chunks % lines);
-    const int a = static_cast<int>(item / chunks / lines), point = line * n + begin;
-    if (point < places.first[a]) return;
+    const int n = stencil.extent[0], planes = stencil.points / (n * stencil.extent[1]);
+    const int begin = static_cast<int>(item % pieces()) * piece;
+    const int group = static_cast<int>(item / pieces() % groups()) * lines_at_once;
+    const int plane = static_cast<int>(item / pieces() / groups() % planes);
+    const int a = static_cast<int>(item / pieces() / groups() / planes);
+    const int line = plane * stencil.extent[1] + group, first = line * n + begin;
+    const int lines = group + lines_at_once < stencil.extent[1] ? lines_at_once : stencil.extent[1] - group;
+    const int count = begin + piece < n ? piece : n - begin;
+    if (first + (lines - 1) * n < places.first[a]) return;
+    float sum[lines_at_once][piece] = {};
     const int width = 2 * stencil.degree + 1;
-    float sum[chunk] = {};
     for (int across = 0; across < stencil.offsets / width; ++across) {  // shifts along the other axes
-      int to = 0, stride = 1;                                           // the neighbouring line
-      bool inside = true;
-      for (int d = 1; d < D; ++d) {
-        const int i = stencil.moved(stencil.coordinate(point, d), stencil.shift(across * width, d), d);
-        inside = inside && i >= 0;
-        to += stride * i;
-        stride *= stencil.extent[d];
-      }
-      if (!inside) continue;
-      for (int u = 0; u < stencil.components; ++u) {
-        if (to * n < places.first[u]) continue;
-        const float* from = x.data() + (u * lines + to) * line_length + begin;
-        const float* entry = values.data() + stencil.index(a, u, across * width, point);
-        for (int o = 0; o < width; ++o, ++from, entry += stencil.points)
-          for (int i = 0; i < chunk; ++i) sum[i] += entry[i] * from[i];
-      }
+      int to[lines_at_once];                                            // the neighbouring lines
+      for (int l = 0; l < lines; ++l) to[l] = neighbour_line(first + l * n, across * width);
+      for (int u = 0; u < stencil.components; ++u)
+        for (int o = 0; o < width; ++o)
+          for (int l = 0; l < lines; ++l) {
+            if (to[l] * n < places.first[u]) continue;  // also -1, none
+            const float* entry = values.data() + stencil.index(a, u, across * width + o, first + l * n);
+            add(entry, x.data() + (u * (stencil.points / n) + to[l]) * line_length + begin + o, count, sum[l]);
+          }
     }
-    const int unknown = places.shift[a] + point;
-    for (int i = 0; i < chunk && begin + i < n; ++i) y(unknown + i) = sum[i] * mask(unknown + i);
+    for (int l = 0; l < lines; ++l) {
+      const int point = first + l * n, unknown = places.shift[a] + point;
+      if (point < places.first[a]) continue;
+      for (int i = 0; i < count; ++i) y(unknown + i) = sum[l][i] * mask(unknown + i);
+    }
+  }
+  KOKKOS_FUNCTION int neighbour_line(int point, int offset) const {
+    int to = 0, stride = 1;
+    for (int d = 1; d < D; ++d) {
+      const int i = stencil.moved(stencil.coordinate(point, d), stencil.shift(offset, d), d);
+      if (i < 0) return -1;
+      to += stride * i;
+      stride *= stencil.extent[d];
+    }
+    return to;
+  }
+  KOKKOS_FUNCTION static void add(const float* entry, const float* from, int count, float* sum) {
+    for (int k = 0; k < count; k += pack)  // whole packs: what lies beyond the line is not used
+      for (int i = k; i < k + pack; ++i) sum[i] += entry[i] * from[i];
   }
 };
 
@@ -86,14 +111,14 @@ template <int D>
 StencilMatrix<D>::StencilMatrix(const Layout<D>& layout, const ConstArray& mask)
     : layout_(layout), stencil_(layout), mask_(mask) {
   const int n = stencil_.extent[0];
-  line_length_ = (n + chunk - 1) / chunk * chunk + 2 * stencil_.degree;
+  line_length_ = (n + pack - 1) / pack * pack + 2 * stencil_.degree;
   spread_ = StencilValues("stencil.x", stencil_.components * (stencil_.points / n) * line_length_);
 }
 
 template <int D>
 void StencilMatrix<D>::fill(const Jacobian& jacobian) {
   const auto all = Kokkos::make_pair(std::int64_t(0), stencil_.size());
-  if (values_.extent(0) == 0) values_ = StencilValues("stencil", stencil_.size() + chunk);  // a product reads beyond
+  if (values_.extent(0) == 0) values_ = StencilValues("stencil", stencil_.size() + pack);  // a product reads beyond
   jacobian(Kokkos::subview(values_, all));
 }
 
@@ -102,11 +127,9 @@ void StencilMatrix<D>::multiply(const ConstArray& x, const Array& y) const {
   using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
   const ComponentPlaces<D> places(layout_);
   const SpreadValues<D> spread{stencil_, x, mask_, spread_, places, line_length_};
-  const MultiplyChunk<D> product{stencil_, values_, spread_, mask_, y, places, line_length_};
+  const MultiplyPieces<D> product{stencil_, values_, spread_, mask_, y, places, line_length_};
   Kokkos::parallel_for("softwet::spread", Policy(0, spread_.extent(0)), spread);
-  const int chunks = (stencil_.extent[0] + chunk - 1) / chunk;
-  const std::int64_t items = std::int64_t(stencil_.components) * (stencil_.points / stencil_.extent[0]) * chunks;
-  Kokkos::parallel_for("softwet::stencil_multiply", Policy(0, items), product);
+  Kokkos::parallel_for("softwet::stencil_multiply", Policy(0, product.items()), product);
 }
 
 template class UnknownTable<2>;

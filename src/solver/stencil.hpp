@@ -30,8 +30,6 @@ class UnknownTable {
 template <int D>
 class StencilMatrix {
  public:
-  static constexpr int chunk = on_host ? 16 : 1;  ///< rows of a product at once
-
   StencilMatrix(const Layout<D>& layout, const ConstArray& mask);
 
   void fill(const Jacobian& jacobian);

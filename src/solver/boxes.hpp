@@ -1,0 +1,36 @@
+// Dense inverses of overlapping boxes of control points, stored in 16 bits, and their weighted sum.
+#pragma once
+
+#include "solver/stencil.hpp"
+
+namespace softwet {
+
+/// z += factor sum over boxes of W_b A_b^-1 W_b r_b. A_b: all fields of the box; W_b: one over the square root of the
+/// number of boxes that hold the unknown. Sums have a fixed order.
+///
+/// Applying reads every inverse once, so its time is their size. They are stored as the upper half of single precision
+/// (bfloat16: 8 bits of mantissa): a relative error of 2^-9 in each entry, less than what lagging the matrix by a few
+/// steps leaves. Sums are in single precision.
+template <int D>
+class Boxes {
+ public:
+  /// Boxes `width` control points wide, `stride` apart; see make_patches.
+  Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride);
+
+  void build(const StencilMatrix<D>& matrix);
+  void add(const ConstArray& r, const Array& z, float factor) const;
+  double bytes() const;
+
+ private:
+  using Indices = Kokkos::View<const int*, Exec>;
+  /// [box][strip of rows][column][row in the strip]: what one thread of the host reads lies in one piece.
+  using Inverses = Kokkos::View<std::uint16_t*, Exec>;
+
+  int width_, count_, unknowns_, sites_, strip_, strips_;
+  Indices size_, dof_, site_, local_, start_, place_, grouped_;
+  Kokkos::View<const float*, Exec> weight_;
+  Inverses inverse_;
+  Kokkos::View<float**, Kokkos::LayoutRight, Exec> out_;
+};
+
+}  // namespace softwet
