@@ -20,7 +20,7 @@ inline std::vector<std::string> preconditioner_names() {
 /// Unknowns. At 43 940, one core, 52 steps of a coupled run: lu 99 s and 1.9 GiB, schwarz 82 s and 0.5 GiB.
 constexpr int small_in_3d = 20000;
 
-/// automatic: the fastest whole run as measured (README): block LU in 2D and for small scenes in 3D, else two-level
+/// automatic: the fastest whole run as measured (README): block LU in 2D and for small scenes in 3D, else multilevel
 /// Schwarz. umfpack: the matrix factorised by the library, in double precision.
 template <int D>
 std::unique_ptr<Preconditioner> choose_preconditioner(const std::string& name, const Layout<D>& layout,
