@@ -9,8 +9,8 @@ namespace softwet {
 /// number of boxes that hold the unknown. Sums have a fixed order.
 ///
 /// Applying reads every inverse once, so its time is their size. They are stored as the upper half of single precision
-/// (bfloat16: 8 bits of mantissa): a relative error of 2^-9 in each entry, less than what lagging the matrix by a few
-/// steps leaves. Sums are in single precision.
+/// (bfloat16, 8 significant bits): a relative error of 2^-8 in each entry, and no more iterations than 32 bits
+/// take (Fig. 5 at 40 x 40 x 20, first six steps: 150 both ways). Sums are in single precision.
 template <int D>
 class Boxes {
  public:

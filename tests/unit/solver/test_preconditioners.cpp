@@ -71,7 +71,7 @@ TEST(Dissection, EveryUnknownIsEliminatedOnce) {
   EXPECT_TRUE(tree.nodes.back().border.empty());
 }
 
-/// Up to the 16 bits of the inverse: 2^-9 in each entry, which sums of large entries that nearly cancel make 1 %.
+/// Up to the 16 bits of the inverse: 2^-8 in each entry, which sums of large entries that nearly cancel make 1 %.
 TEST(Schwarz, OneBoxIsTheInverse) {
   for (const Case& c : {scene(Scene::coupled), scene(Scene::rigid, WallLaw::energy, true)}) {
     RandomScene s(c);
