@@ -167,18 +167,17 @@ void Boxes<D>::build(const StencilMatrix<D>& matrix) {
                          FillRow<D>{matrix.stencil(), matrix.values(), size_, site_, local_, start_, part, first,
                                     unknowns_, sites_, width_});
     invert(part, Kokkos::subview(size_, some));
-    Kokkos::parallel_for("softwet::store", lines,
-                         Store{size_, part, inverse_, first, unknowns_, strip_, strips_});
+    Kokkos::parallel_for("softwet::store", lines, Store{size_, part, inverse_, first, unknowns_, strip_, strips_});
   }
 }
 
 template <int D>
 void Boxes<D>::add(const ConstArray& r, const Array& z, float factor) const {
   const std::size_t scratch = ApplyBoxes::Scratch::shmem_size(unknowns_);
-  Kokkos::parallel_for("softwet::schwarz",
-                       Kokkos::TeamPolicy<Exec>(count_, on_host ? 1 : 8, on_host ? 1 : 32)
-                           .set_scratch_size(0, Kokkos::PerTeam(scratch)),
-                       ApplyBoxes{size_, dof_, inverse_, weight_, r, out_, unknowns_, strip_, strips_});
+  Kokkos::parallel_for(
+      "softwet::schwarz",
+      Kokkos::TeamPolicy<Exec>(count_, on_host ? 1 : 8, on_host ? 1 : 32).set_scratch_size(0, Kokkos::PerTeam(scratch)),
+      ApplyBoxes{size_, dof_, inverse_, weight_, r, out_, unknowns_, strip_, strips_});
   Kokkos::parallel_for("softwet::collect", Kokkos::RangePolicy<Exec>(0, z.extent(0)),
                        Collect{grouped_, place_, weight_, out_, z, unknowns_, factor});
 }

@@ -23,11 +23,11 @@ struct SchwarzControl {
 /// z = P A_c^-1 P^T r + sum over boxes of W_b A_b^-1 W_b r_b. A_b: all fields of the box; W_b: one over the square root
 /// of the number of boxes that hold the unknown; A_c = P^T A P on half as many elements per axis, and so on below.
 /// `multiplicative` gives the boxes half of a say on r - A P A_c^-1 P^T r instead, at the price of a product with the
-/// matrix: cheap, and worth it, on the coarse levels (Fig. 5 at 40 x 40 x 20 over three levels, 14 steps, one core: 622
-/// Krylov iterations and 60 s in products and applications so; 845 and 69 s with all levels additive; 576 and 75 s with
-/// the exact product and the finest level multiplicative too, which gains on long steps: docs/figures.md, Fig. 4). Applying
-/// is one dense product per box, on the host or a device (solver/boxes.hpp); sums have a fixed order. Toselli and Widlund,
-/// Domain Decomposition Methods, Springer 2005.
+/// matrix: cheap, and worth it, on the coarse levels (Fig. 5 at 40 x 40 x 20 over three levels, 14 steps, one core:
+/// 622 Krylov iterations and 60 s in products and applications so; 845 and 69 s with all levels additive; 576 and 75 s
+/// with the exact product and the finest level multiplicative too, which gains on long steps: docs/figures.md, Fig. 4).
+/// Applying is one dense product per box, on the host or a device (solver/boxes.hpp); sums have a fixed order. Toselli
+/// and Widlund, Domain Decomposition Methods, Springer 2005.
 template <int D>
 std::unique_ptr<StencilSolver<D>> make_schwarz(const Layout<D>& layout, const ConstArray& mask, SchwarzControl control);
 

@@ -39,8 +39,8 @@ struct SpreadValues {
   }
 };
 
-/// Rows of a product at once: on the host pieces of neighbouring lines, so that each of the matrix' many streams is read
-/// some hundred entries at a time; on a device one row per thread.
+/// Rows of a product at once: on the host pieces of neighbouring lines, so that each of the matrix' many streams is
+/// read some hundred entries at a time; on a device one row per thread.
 constexpr int piece = on_host ? 128 : 1, lines_at_once = on_host ? 8 : 1, pack = on_host ? 16 : 1;
 
 /// y of one component on pieces of some lines of control points, offset by offset.
