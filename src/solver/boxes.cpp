@@ -1,6 +1,7 @@
 #include "solver/boxes.hpp"
 
-#include "field/vector.hpp"
+#include <cmath>
+
 #include "solver/dense_inverse.hpp"
 #include "solver/patches.hpp"
 
