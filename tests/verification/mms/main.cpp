@@ -22,7 +22,7 @@ const char* const usage =
     "  dt=0.1 end=0.2         step and end\n"
     "  rho_inf=0.5            of generalized-alpha, 0 .. 1\n"
     "  stabilisation=0.002    C of eps = C h^2 rho^2 / m\n"
-    "  preconditioner=automatic\n"
+    "  preconditioner=automatic   none, lu, umfpack or schwarz\n"
     "  header=0               1: with the line of column names\n";
 
 /// name=value arguments; a name or value that is not expected throws Error.
@@ -74,7 +74,8 @@ Settings read(Arguments& a) {
   s.end = a.number("end", 0.2, 1e-8, 1e3);
   s.rho_inf = a.number("rho_inf", 0.5, 0, 1);
   s.stabilisation = a.number("stabilisation", 0.002, 0, 1e6);
-  s.preconditioner = a.text("preconditioner", "automatic");
+  const std::vector<std::string> preconditioners{"automatic", "none", "lu", "umfpack", "schwarz"};
+  s.preconditioner = preconditioners[a.choice("preconditioner", preconditioners)];
   if (s.scene == Scene::coupled && s.elements % 2)
     throw Error(Exit::invalid_input, "elements = " + std::to_string(s.elements) + ": expected an even number");
   return s;
