@@ -14,7 +14,7 @@ import math
 import subprocess
 import time
 
-MINUTES = {"quick": 0.2, "full": 4}
+MINUTES = {"quick": 0.2, "full": 8}
 
 TOLERANCE = 0.2
 NAMES = {"velocity": "v", "density": "rho", "potential": "mu", "displacement": "u"}
@@ -80,9 +80,6 @@ def show(lab, name, title, columns, sizes, found):
     lab.plot(name, draw)
 
 
-COARSE = ("the order still rises with the mesh; 16 elements, 8 in each material, are the finest mesh of degree 3 that one core "
-          "computes in minutes")
-
 # scene, dimension, degree, elements of quick and full form, what is computed
 SPACE = [
     ("fluid", 2, 2, (16, 32, 64), (16, 32, 64, 128), {"dt": 0.1, "end": 0.4, "stabilisation": 0}),
@@ -93,8 +90,8 @@ SPACE = [
     ("coupled", 2, 3, None, (16, 24, 32, 40), {"dt": 0.02, "end": 0.2, "rho_inf": 1}),
     ("solid", 3, 2, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
     ("coupled", 3, 2, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
-    ("solid", 3, 3, None, (4, 8, 12), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
-    ("coupled", 3, 3, None, (8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
+    ("solid", 3, 3, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
+    ("coupled", 3, 3, None, (16, 20, 24, 28), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "schwarz"}),
 ]
 
 
@@ -118,8 +115,7 @@ def judge_space(lab, title, dimension, degree, sizes, found):
         exact = dimension == 2 and field in ("velocity", "displacement")
         asked = f"{lowest} +- {TOLERANCE}" if exact else f"{lowest - TOLERANCE:g} or more"
         lab.expect(f"{title}: order of {NAMES[field]} over h", asked, text_of(observed),
-                   within(observed, lowest) if exact else min(observed) >= lowest - TOLERANCE,
-                   cause=COARSE if (dimension, degree) == (3, 3) else "")
+                   within(observed, lowest) if exact else min(observed) >= lowest - TOLERANCE)
 
 
 def control(lab, measurement):
@@ -164,7 +160,9 @@ def study(lab):
              "mesh. On a moving one rho J is not linear in time; rho_inf = 1 and a small step keep that error below the "
              "error of space. The solid starts undeformed: the interpolant of a deformation differs from the discrete "
              "equilibrium by order p + 1 in displacement but sets off waves of order p in velocity. The meshes of 3D are "
-             "coarse: most orders are still above p + 1 and are asked not to be below. Meshes of one table keep the number of "
+             "coarse: most orders are still above p + 1 and are asked not to be below. That of the displacement in the coupled "
+             "scene of degree 3 comes from below: 3.73 between 8 and 12 elements, 3.78 between 12 and 16, which the table "
+             "leaves out. Meshes of one table keep the number of "
              "element rows of each material even (3D) or all numbers even: the potential's error differs between even and "
              "odd numbers of elements, because the wave of the mesh that it does not control fits one and not the other.")
     space(lab, measurement)
