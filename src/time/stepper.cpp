@@ -46,11 +46,11 @@ std::pair<double, double> range(const ConstArray& x) {
   return {r.min_val, r.max_val};
 }
 
-std::string density_complaint(const ConstArray& density) {
+std::string density_complaint(const ConstArray& density, double undershoot) {
   const auto [least, largest] = range(density);
   if (!(largest < 0.999)) return "the density reaches the close-packed limit (rho >= 0.999 b)";
   // Undershoots of the vapour's small density are admissible: W is continued below it.
-  if (least <= -0.05) return "the density becomes negative (rho <= -0.05 b)";
+  if (least <= -undershoot) return "the density becomes negative (solver.newton.undershoot)";
   return "";
 }
 
@@ -82,6 +82,7 @@ Stepper<D, P>::Stepper(const Model<D, P>& model, const Case& c, std::vector<doub
       newton_(model.layout().size(), c.solver.krylov_restart,
               choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask())),
       newton_control_(newton_control(c)),
+      undershoot_(c.solver.undershoot),
       control_({c.time.dt_initial, c.time.dt_min, c.time.dt_max, c.time.tolerance}, std::move(events)),
       state_(empty_state(model.layout())),
       previous_("stepper.previous", model.layout().size()),
@@ -126,7 +127,7 @@ template <int D, int P>
 std::string Stepper<D, P>::complaint(const Array& x) const {
   const Layout<D>& l = model_.layout();
   if (!std::isfinite(range(x).second)) return "the solution is not finite";
-  return l.has_fluid ? density_complaint(part(x, l.density_offset(), l.potential_offset())) : "";
+  return l.has_fluid ? density_complaint(part(x, l.density_offset(), l.potential_offset()), undershoot_) : "";
 }
 
 template <int D, int P>
@@ -135,7 +136,7 @@ std::string Stepper<D, P>::complaint_of_step() const {
   const Integrals sum = model_.integrals(stage);
   if (sum.inverted > 0) return "the solid is turned inside out somewhere (det F <= 0)";
   if (sum.folded > 0) return "the mesh of the fluid folds over above the deformed solid (J < 0)";
-  return model_.layout().has_fluid ? density_complaint(stage.density_end) : "";
+  return model_.layout().has_fluid ? density_complaint(stage.density_end, undershoot_) : "";
 }
 
 template <int D, int P>

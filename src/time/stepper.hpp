@@ -57,6 +57,7 @@ class Stepper {
   GeneralizedAlpha<D, P> integrator_;
   Newton newton_;
   NewtonControl newton_control_;
+  double undershoot_;
   StepControl control_;
   State state_;
   Array previous_, predicted_, x_;

@@ -106,6 +106,7 @@ TEST(CaseFile, RoundTripKeepsEveryKeyAwayFromItsDefault) {
                              "solver.newton.rtol=1e-9",
                              "solver.newton.atol=1e-12",
                              "solver.newton.max=7",
+                             "solver.newton.undershoot=0.07",
                              "solver.krylov.rtol=0.1",
                              "solver.krylov.restart=50",
                              "solver.krylov.max=99",
