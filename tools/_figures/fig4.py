@@ -15,16 +15,18 @@ TIMES = (63.0, 125.0, 188.0, 251.0)
 
 def add_arguments(parser):
     parser.add_argument("folder", metavar="OUT", type=Path, help="output folder of cases/fig4_needle_3d.toml")
-    add_view(parser)
+    add_view(parser, TIMES)
 
 
-def add_view(parser):
+def add_view(parser, times):
     parser.add_argument("--magnify", metavar="M", type=float, default=1.0, help="stretch the vertical displacement")
+    parser.add_argument("--times", metavar="T", type=float, nargs="+", default=times,
+                        help="of C, the last one of B too; default: those of the paper")
 
 
-def draw(options, times=TIMES):
-    picture = figure(options.folder, [0, times[-1]], list(times), options.magnify)
-    return picture, table(options.folder, times)
+def draw(options):
+    picture = figure(options.folder, [0, options.times[-1]], list(options.times), options.magnify)
+    return picture, table(options.folder, options.times)
 
 
 def table(folder, times):

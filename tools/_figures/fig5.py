@@ -10,8 +10,7 @@ TIMES = (66.0, 240.0, 267.0, 314.0)
 
 def add_arguments(parser):
     parser.add_argument("folder", metavar="OUT", type=Path, help="output folder of cases/fig5_coalescence_3d.toml")
-    fig4.add_view(parser)
+    fig4.add_view(parser, TIMES)
 
 
-def draw(options):
-    return fig4.draw(options, TIMES)
+draw = fig4.draw
