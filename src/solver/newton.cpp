@@ -73,14 +73,12 @@ KrylovResult Newton::linear_solve(const NonlinearSystem& system, const std::vect
 
 void Wear::add(const KrylovResult& linear) {
   const double digits = -std::log10(std::clamp(linear.reduction, 1e-16, 0.8));
-  const double rate = linear.iterations / digits;
-  mean_ = mean_ > 0 ? mean_ + 0.25 * (rate - mean_) : rate;
-  best_ = best_ > 0 ? std::min(best_, mean_) : rate;
-  excess_ += std::max(0.0, linear.iterations - best_ * digits);
+  if (first_ == 0) first_ = linear.iterations / digits;
+  excess_ += std::max(0.0, linear.iterations - first_ * digits);
 }
 
 int Wear::patience(double tolerance, double cost) const {
-  return static_cast<int>(std::ceil(best_ * -std::log10(tolerance) + std::max(0.0, cost - excess_))) + 1;
+  return static_cast<int>(std::ceil(first_ * -std::log10(tolerance) + std::max(0.0, cost - excess_))) + 1;
 }
 
 void Newton::build(const NonlinearSystem& system) {

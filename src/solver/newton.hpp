@@ -36,9 +36,8 @@ struct NewtonResult {
   std::string reason;  ///< of a failure, for the user
 };
 
-/// How much a lagged preconditioner has cost beyond its best days: iterations above the lowest rate per digit, that of
-/// its first linear solve or of the running mean since (a start from rough values is harder than what follows). A new
-/// one is due when that has cost a build; a solve that gets there is given up.
+/// How much a lagged preconditioner has cost beyond a fresh one: iterations above those that its first linear
+/// solve took per digit. A new one is due when that has cost a build; a solve that gets there is given up.
 class Wear {
  public:
   void renew() { *this = {}; }
@@ -48,7 +47,7 @@ class Wear {
   int patience(double tolerance, double cost) const;
 
  private:
-  double mean_ = 0, best_ = 0;  ///< iterations per digit: of about the last four solves; their lowest
+  double first_ = 0;  ///< iterations per digit
   double excess_ = 0;
 };
 

@@ -46,7 +46,7 @@ class Schwarz final : public StencilSolver<D> {
   }
 
   std::string name() const override { return "schwarz"; }
-  double build_cost() const override { return D == 2 ? 25 : 100; }  // 3D: 76 to 115 in seconds (README)
+  double build_cost() const override { return D == 2 ? 25 : 50; }
   double bytes() const override {
     double total = boxes_.bytes();
     if (space_) total += coarse_matrix_->bytes() + coarse_->bytes() + space_->transient_bytes();
