@@ -133,6 +133,30 @@ TEST(Stepper, GivesUpWithTheLastGoodState) {
   EXPECT_EQ(stepper.counts().steps, 0);
   EXPECT_GT(stepper.counts().rejected_newton, 10);
 }
+
+/// A step of 1e-5 from a droplet with one control value of the vapour at -0.02. @return reason of a rejection, or empty
+std::string step_from_undershoot(double allowed) {
+  Case c = droplet(Scene::rigid);
+  c.solver.undershoot = allowed;
+  c.time.dt_initial = c.time.dt_min = c.time.dt_max = 1e-5;
+  const Model<2, 2> model(c);
+  Stepper<2, 2> stepper(model, c, {});
+  State state = initial_state(c, model);
+  std::vector<double> x = to_host(state.unknown);
+  x[model.layout().potential_offset() - 1] = -0.02;  // the corner farthest from the droplet
+  state.unknown = to_device<Array>(x);
+  stepper.integrator().initialise(state);
+  stepper.start(state);
+  try {
+    stepper.step();
+  } catch (const std::exception&) {
+  }
+  return stepper.counts().last_rejection;
+}
+TEST(Stepper, UndershootOfTheDensityIsAllowedAsFarAsTheCaseSays) {
+  EXPECT_EQ(step_from_undershoot(0.03), "");
+  EXPECT_NE(step_from_undershoot(0.01).find("solver.newton.undershoot"), std::string::npos);
+}
 #endif
 
 }  // namespace
