@@ -9,6 +9,7 @@
 #include "app/error.hpp"
 #include "app/machine.hpp"
 #include "problem.hpp"
+#include "solver/choose.hpp"
 
 namespace softwet::mms {
 namespace {
@@ -74,7 +75,8 @@ Settings read(Arguments& a) {
   s.end = a.number("end", 0.2, 1e-8, 1e3);
   s.rho_inf = a.number("rho_inf", 0.5, 0, 1);
   s.stabilisation = a.number("stabilisation", 0.002, 0, 1e6);
-  const std::vector<std::string> preconditioners{"automatic", "none", "lu", "umfpack", "schwarz"};
+  std::vector<std::string> preconditioners = preconditioner_names();
+  preconditioners.insert(preconditioners.begin(), {"automatic", "none"});
   s.preconditioner = preconditioners[a.choice("preconditioner", preconditioners)];
   if (s.scene == Scene::coupled && s.elements % 2)
     throw Error(Exit::invalid_input, "elements = " + std::to_string(s.elements) + ": expected an even number");
