@@ -92,7 +92,7 @@ struct SolverControl {
   double newton_rtol = 1e-6;
   double newton_atol = 1e-10;
   int newton_max = 10;
-  double undershoot = 0.05;  ///< by which a control value of the density may fall below 0
+  double newton_undershoot = 0.05;  ///< by which a control value of the density may fall below 0
   double krylov_rtol = 1e-2;
   int krylov_restart = 30;
   int krylov_max = 200;

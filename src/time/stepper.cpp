@@ -82,7 +82,7 @@ Stepper<D, P>::Stepper(const Model<D, P>& model, const Case& c, std::vector<doub
       newton_(model.layout().size(), c.solver.krylov_restart,
               choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask())),
       newton_control_(newton_control(c)),
-      undershoot_(c.solver.undershoot),
+      undershoot_(c.solver.newton_undershoot),
       control_({c.time.dt_initial, c.time.dt_min, c.time.dt_max, c.time.tolerance}, std::move(events)),
       state_(empty_state(model.layout())),
       previous_("stepper.previous", model.layout().size()),

@@ -107,7 +107,7 @@ std::vector<Key> solver_keys() {
        .range = {0, 1, false, false},
        .help = "How far a control value of the density may fall below 0 in a step that is accepted. The density itself "
                "falls less far, and W is continued there.",
-       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.undershoot; })},
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_undershoot; })},
       {.name = "solver.krylov.rtol",
        .range = fraction,
        .help = "Reduction of the true residual by each linear solve.",

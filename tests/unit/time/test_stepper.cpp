@@ -137,7 +137,7 @@ TEST(Stepper, GivesUpWithTheLastGoodState) {
 /// A step of 1e-5 from a droplet with one control value of the vapour at -0.02. @return reason of a rejection, or empty
 std::string step_from_undershoot(double allowed) {
   Case c = droplet(Scene::rigid);
-  c.solver.undershoot = allowed;
+  c.solver.newton_undershoot = allowed;
   c.time.dt_initial = c.time.dt_min = c.time.dt_max = 1e-5;
   const Model<2, 2> model(c);
   Stepper<2, 2> stepper(model, c, {});
