@@ -78,6 +78,8 @@ class Scene:
             ring, middle = self.load_ring(load)
             j, i = np.array(ring).T
             axes.plot(self.solid.x[j, i], self.solid.y[j, i], color=colour, linewidth=1.1, linestyle=(0, (4, 2)))
+            if not np.any(load["force"]):
+                continue
             half = 0.032 * self.case["domain"]["size"][0] * np.array(load["force"]) / np.linalg.norm(load["force"])
             centre = np.array([self.solid.x[middle], self.solid.y[middle]])
             axes.annotate("", centre + half, centre - half,

@@ -19,11 +19,13 @@ class Output:
     def __init__(self, folder):
         self.folder = Path(folder)
         self.case = outputs.read_case(self.folder)
-        self.files = outputs.field_files(self.folder)
         self.size = np.array(self.case["domain"]["size"], dtype=float)
-        if len(self.size) != 3 or "substrate" not in self.case:
-            raise outputs.Problem(f"{folder} is not a 3D run with a [substrate]: tools/plot draws its history, "
-                               "ParaView its fields")
+        if len(self.size) != 3:
+            raise outputs.Problem(f"{folder} is a 2D run: tools/plot draws its fields and its history")
+        if "substrate" not in self.case:
+            raise outputs.Problem(f"{folder} is a 3D run without a [substrate]: tools/plot draws its history, "
+                                  "ParaView its fields")
+        self.files = outputs.field_files(self.folder)
         elements = self.case["domain"]["elements"]
         self.wall = float(self.case["substrate"]["thickness"])
         rows = round(elements[2] * self.wall / self.size[2])
@@ -43,7 +45,7 @@ class Output:
             return 0.5 * (phases["density_vapour"] + phases["density_liquid"])
         except (OSError, ValueError, KeyError) as error:
             raise outputs.Problem(f"{self.folder / 'run.json'} tells no equilibrium densities ({error!r}); "
-                               "resume the run with this version of softwet") from error
+                                  "resume the run with this version of softwet") from error
 
     @property
     def times(self):

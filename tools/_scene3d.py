@@ -17,6 +17,7 @@ ORDER = [RED, GREEN, "#d4a017", "#1f5fa8"]  # red, green, yellow, blue: the time
 COLOURS = "PuOr_r"
 LIGHT = np.array([-0.45, 0.55, 0.70])  # to the left, above, towards the eye
 LIGHT /= np.linalg.norm(LIGHT)
+LETTERS = "ABCDEFGHI"  # of the scenes and of the profile
 
 
 # --- the view --------------------------------------------------------------------------------------------------------
@@ -167,6 +168,8 @@ class Scene:
                 axes.plot(*self.view.flat(self.carried(line)).T, color=RED, linewidth=0.9, linestyle=(0, (3, 1.5)),
                           zorder=3.5)
             force = np.array(load["force"], dtype=float)
+            if not force.any():
+                continue
             centre = self.carried(np.array([[*(0.5 * (low + high))[:2], high[2]]]))[0]
             reach = 0.13 * self.output.size[0] * force / np.linalg.norm(force)
             tail, head = self.view.flat(np.array([centre - reach, centre + reach]))
@@ -200,8 +203,18 @@ def draw_profiles(axes, output, times):
 
 
 # --- the figure ------------------------------------------------------------------------------------------------------
+def check_options(scenes, magnify, turn, rise):
+    if len(scenes) >= len(LETTERS):
+        raise outputs.Problem(f"--scenes with {len(scenes)} times: a picture has 1 to {len(LETTERS) - 1}; draw the "
+                              "others into another picture")
+    outputs.check_number("--magnify", magnify, 0, 1e6)
+    outputs.check_number("--turn", turn, -360, 360)
+    outputs.check_number("--rise", rise, -90, 90)
+
+
 def figure(folder, scenes=None, profiles=None, magnify=1.0, turn=16.0, rise=30.0):
     """(A), (B): the droplets at two times, more or fewer as asked; last: profiles of the surface."""
+    check_options(scenes or [], magnify, turn, rise)
     output = Output(folder)
     started = [t for t in output.times if t >= 0] or output.times
     scenes = [output.nearest(t) for t in scenes] if scenes else sorted({started[0], started[-1]})
@@ -213,7 +226,7 @@ def figure(folder, scenes=None, profiles=None, magnify=1.0, turn=16.0, rise=30.0
     picture = plt.figure(figsize=(7.2, 5.0 if len(scenes) < 3 else 6.2), layout="constrained")
     top, bottom = picture.subfigures(2, 1, height_ratios=[1.35, 1])
     panels = top.subplots(1, len(drawn), squeeze=False)[0]
-    for letter, scene, axes in zip("ABCDEFGH", drawn, panels):
+    for letter, scene, axes in zip(LETTERS, drawn, panels):
         image = scene.draw(axes, limit, drawn[0])
         axes.text(0, 0.98, f"({letter})  $t = {scene.time:g}$", transform=axes.transAxes, va="top")
     for which in ("xlim", "ylim"):  # one scale for all
@@ -226,5 +239,5 @@ def figure(folder, scenes=None, profiles=None, magnify=1.0, turn=16.0, rise=30.0
         panels[-1].text(1, 0.98, f"shape: $u_z$ × {magnify:g}", transform=panels[-1].transAxes, va="top", ha="right")
     axes = bottom.subplots()
     draw_profiles(axes, output, profiles)
-    axes.set_title(f"({'ABCDEFGHI'[len(drawn)]})", loc="left")
+    axes.set_title(f"({LETTERS[len(drawn)]})", loc="left")
     return picture

@@ -40,13 +40,16 @@ def last_line(text, start):
 
 
 def write_atomic(path, text):
-    """The file appears whole or not at all, whoever else writes it."""
+    """The file appears whole or not at all, whoever else writes it. A failure names the file itself."""
     partial = path.with_name(f"{path.name}.{socket.gethostname()}.{os.getpid()}.partial")
-    with open(partial, "w", encoding="utf-8", errors="surrogateescape", newline="") as file:
-        file.write(text)
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(partial, path)
+    try:
+        with open(partial, "w", encoding="utf-8", errors="surrogateescape", newline="") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(partial, path)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from error
 
 
 def read_json(path):

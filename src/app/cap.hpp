@@ -14,4 +14,10 @@ inline double cap_cosine(const Fluid& fluid) {
   return fluid.ambient == Phase::liquid ? -cosine : cosine;
 }
 
+/// Whether a droplet is centred on the wall, where it becomes a cap.
+inline bool sits_on_wall(const Case& c, const Droplet& droplet) {
+  const double wall = c.substrate ? c.substrate->thickness : 0;
+  return std::abs(droplet.centre.back() - wall) <= 1e-9 * c.domain.size.back();
+}
+
 }  // namespace softwet

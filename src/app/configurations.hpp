@@ -1,4 +1,4 @@
-// The configurations this build holds: dimension x degree x precision, and the step from a case to one of them.
+// The configurations this build holds: dimension x degree, and the step from a case to one of them.
 #pragma once
 
 #include <softwet_configurations.hpp>

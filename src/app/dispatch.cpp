@@ -8,6 +8,7 @@
 #include "app/describe.hpp"
 #include "app/machine.hpp"
 #include "app/simulation.hpp"
+#include "solver/choose.hpp"
 
 namespace softwet {
 namespace {
@@ -39,7 +40,7 @@ void run_case(const Case& c, const RunOptions& options) {
 }
 
 void describe_case(const Case& c, std::ostream& out) {
-  on_machine(1, [&] {
+  on_machine(0, [&] {  // what a preconditioner holds depends on the number of threads
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
       describe_model<Chosen::dimension, Chosen::degree>(c, out);
@@ -63,11 +64,9 @@ void describe_build(std::ostream& out) {
       << "configurations  " << compiled_configurations() << "\n"
       << "backend         " << backend_name() << ", " << thread_count() << " threads\n"
       << "instructions    " << instruction_set() << ", " << lanes() << " elements per pack\n"
-#ifdef SOFTWET_HAVE_UMFPACK
-      << "preconditioners lu, umfpack, schwarz, none\n"
-#else
-      << "preconditioners lu, schwarz, none (umfpack: install libsuitesparse-dev)\n"
-#endif
+      << "preconditioners ";
+  for (const std::string& name : preconditioner_names()) out << name << ", ";
+  out << "none\n"
       << "Kokkos          " << KOKKOS_VERSION / 10000 << "." << KOKKOS_VERSION / 100 % 100 << "."
       << KOKKOS_VERSION % 100 << "\n";
 }

@@ -18,11 +18,14 @@ InterruptGuard::InterruptGuard() {
   stop_requested = 0;
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
+  hangup_ = std::signal(SIGHUP, SIG_IGN) != SIG_IGN;
+  if (hangup_) std::signal(SIGHUP, request_stop);
 }
 
 InterruptGuard::~InterruptGuard() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  if (hangup_) std::signal(SIGHUP, SIG_DFL);
 }
 
 bool InterruptGuard::requested() { return stop_requested != 0; }

@@ -3,7 +3,8 @@
 
 namespace softwet {
 
-/// While it lives, the first SIGINT or SIGTERM only sets `requested()`; a second one ends the program as usual.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP (a closed terminal; not under nohup) only sets
+/// `requested()`; a second one ends the program as usual.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -12,6 +13,9 @@ class InterruptGuard {
   ~InterruptGuard();
 
   static bool requested();
+
+ private:
+  bool hangup_ = false;  ///< SIGHUP is heard
 };
 
 }  // namespace softwet

@@ -10,7 +10,8 @@
 
 namespace softwet {
 
-/// Name and bytes of each part. The preconditioner counts what it will hold once it is built.
+/// Name and bytes of each part. The preconditioner counts what it will hold once it is built; the factors of "umfpack"
+/// are then an estimate, mostly too low.
 template <int D>
 std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const Layout<D>& l,
                                                          const Preconditioner& preconditioner) {

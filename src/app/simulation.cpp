@@ -10,6 +10,7 @@
 #include "app/remedy.hpp"
 #include "app/restart.hpp"
 #include "model/initial.hpp"
+#include "observe/host/field_file.hpp"
 #include "observe/interface_table.hpp"
 #include "observe/output_fields.hpp"
 
@@ -66,12 +67,17 @@ void Simulation<D, P>::restore() {
 
 template <int D, int P>
 void Simulation<D, P>::resume() {
+  if (options_.begin) options_.begin();
   // The row of a last step that is no multiple of output.history.every is dropped: the run goes on behind it.
   history_.emplace(
       TableFile::append_after(path("history.csv"), scalars_.columns(), static_cast<double>(scalars_.memory().step)));
   const double t = output_time();
   interface_.emplace(
       TableFile::append_after(path("interface.csv"), interface_columns<D>(), t + 1e-9 * std::max(1.0, std::abs(t))));
+  const std::string part = model_.layout().has_fluid ? "fluid" : "solid";
+  for (double written : field_file_times(path("fields"), part))
+    if (written <= t || same_time(written, t)) written_.push_back(written);
+  write_fields_due();  // of a time that is new in the case
 }
 
 template <int D, int P>
@@ -83,7 +89,9 @@ void Simulation<D, P>::run() {
   progress_.emplace(Progress::voice(options_.quiet), output_time(), case_.time.end);
   if (options_.resume) {
     const std::string place = stop_reason() + " at t = " + short_text(output_time());
-    if (!stop_reason().empty()) return progress_->tell("nothing left to do: " + place + "; raise time.end to go on");
+    if (!stop_reason().empty())
+      return progress_->tell("nothing left to do: " + place + "; raise " + (at_end() ? "time.end" : "time.max_steps") +
+                             " to go on");
     progress_->tell("resumed at t = " + short_text(output_time()));
     resume();
   }
@@ -99,6 +107,18 @@ void Simulation<D, P>::run() {
     throw Error(error.code(), std::string(error.what()) + "; " + advice +
                                   "; the last good state, t = " + short_text(output_time()) +
                                   " on the clock of the output, is in " + path("checkpoint.h5"));
+  } catch (const std::exception& error) {  // memory or the device: the state is still the last good one
+    keep_after(error.what());
+    throw;
+  }
+}
+
+template <int D, int P>
+void Simulation<D, P>::keep_after(const std::string& failure) {
+  try {
+    save();
+    record("failed: " + failure);
+  } catch (const std::exception&) {  // the failure itself is what the user has to hear of
   }
 }
 
@@ -123,8 +143,8 @@ void Simulation<D, P>::advance() {
 template <int D, int P>
 std::string Simulation<D, P>::stop_reason() {
   if (at_end()) return "end reached";
-  if (InterruptGuard::requested()) return "stopped by user";
   if (stepper_.counts().steps >= case_.time.max_steps) return "time.max_steps reached";
+  if (InterruptGuard::requested()) return "stopped by user";
   return "";
 }
 
@@ -149,13 +169,13 @@ void Simulation<D, P>::write_row(const StepReport& report) {
 
 template <int D, int P>
 void Simulation<D, P>::write_fields_due() {
-  const std::vector<double>& times = case_.output.field_times;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!same_time(output_time(), times[i])) continue;
+  for (double time : case_.output.field_times) {
+    if (!same_time(output_time(), time) || (!written_.empty() && same_time(written_.back(), time))) continue;
     Stopwatch watch(seconds_.output);
+    written_.push_back(time);
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
-    write_field_files<D, P>(options_.out, model_, snapshot, i, times);
-    add_interface_rows<D, P>(*interface_, model_, stepper_.integrator().at(stepper_.state()), snapshot, times[i]);
+    write_field_files<D, P>(options_.out, model_, snapshot, written_);
+    add_interface_rows<D, P>(*interface_, model_, stepper_.integrator().at(stepper_.state()), snapshot, time);
   }
 }
 

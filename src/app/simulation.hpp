@@ -37,6 +37,8 @@ class Simulation {
   void write_row(const StepReport& report);
   void write_fields_due();
   void save();
+  /// Tries to save after a failure that is not of the computation.
+  void keep_after(const std::string& failure);
   void record(const std::string& reason);
   std::string stop_reason();
 
@@ -56,6 +58,7 @@ class Simulation {
   typename Scalars<D, P>::Row last_row_;
   RunSeconds seconds_;
   long first_step_ = 0;
+  std::vector<double> written_;  ///< times of the field files there are
 };
 
 /// run.json but for the reason of the end: build, machine, case, unknowns, timings, counts, memory.

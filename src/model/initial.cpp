@@ -79,8 +79,7 @@ std::vector<Shape> shapes(const Case& c, const Model<D, P>& model) {
     Shape s{droplet.centre, std::vector<double>(D, droplet.radius), {}, {}, rho.liquid, potential, rho.vapour};
     if (bubbles) std::swap(s.density, s.density_around);
     for (std::size_t d = 0; d < droplet.stretch.size(); ++d) s.semi_axis[d] *= droplet.stretch[d];
-    if (std::abs(s.centre[D - 1] - model.wall_height()) < 1e-9)
-      s.centre[D - 1] -= s.semi_axis[D - 1] * cap_cosine(*c.fluid);
+    if (sits_on_wall(c, droplet)) s.centre[D - 1] -= s.semi_axis[D - 1] * cap_cosine(*c.fluid);
     result.push_back(s);
   }
   for (const Film& film : c.films)

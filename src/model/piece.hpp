@@ -52,7 +52,7 @@ struct Binding {
   }
 };
 
-// Which unknowns a term's trial and test components are, first one and stride: the only term-specific wiring.
+// Which arrays hold the fields that a term reads: the only term-specific wiring.
 template <int D>
 void bind_slots(const NavierStokesKorteweg&, const Binding<D>& b, const double** slot) {
   for (int d = 0; d < D; ++d) {

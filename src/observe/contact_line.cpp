@@ -103,10 +103,7 @@ std::optional<Circle> fit_circle(const std::vector<Point>& points) {
   const Eigen::Vector3d c = a.colPivHouseholderQr().solve(b);
   const double x = -0.5 * c[0], y = -0.5 * c[1], square = x * x + y * y - c[2];
   if (!(square > 0)) return std::nullopt;
-  Circle circle{x, y, std::sqrt(square), 0};
-  for (const auto& [px, py] : points) circle.misfit += std::pow(std::hypot(px - x, py - y) - circle.radius, 2);
-  circle.misfit = std::sqrt(circle.misfit / points.size());
-  return circle;
+  return Circle{x, y, std::sqrt(square)};
 }
 
 template <int D>
@@ -124,16 +121,13 @@ std::vector<Footprint> find_footprints(const Section<D>& section, double middle,
     if (found[i].direction < 0 || found[i + 1].direction > 0) continue;
     const double left = sharp(found[i]), right = sharp(found[i + 1]);
     const Point line_left = section.current(left, low), line_right = section.current(right, low);
-    Footprint f{line_left[0], line_right[0], {}, {}, {}};
+    Footprint f{line_left[0], line_right[0], {}, {}};
     // A cut droplet has its middle on the side: as wide beyond it as before.
     const double mirrored_left = left == reach.low ? 2 * reach.low - right : left,
                  mirrored_right = right == reach.high ? 2 * reach.high - left : right;
     const Sides sides = trace_level(section, mirrored_left, mirrored_right, middle, 2 * capillarity);
     f.angle_left = angle_at(fit_circle(sides.left), line_left[1]);
     f.angle_right = angle_at(fit_circle(sides.right), line_right[1]);
-    std::vector<Point> both = sides.left;
-    both.insert(both.end(), sides.right.begin(), sides.right.end());
-    if (const auto circle = fit_circle(both)) f.radius = circle->radius;
     result.push_back(f);
   }
   return result;

@@ -11,14 +11,13 @@ namespace softwet {
 struct Footprint {
   double x_left, x_right;  ///< where rho = (rho_l + rho_v)/2 on the wall, or the side that cuts it
   std::optional<double> angle_left, angle_right;  ///< apparent angles, degrees, in the liquid
-  std::optional<double> radius;                   ///< of the circle through both sides
   double centre() const { return 0.5 * (x_left + x_right); }
   bool holds(double x) const { return x_left <= x && x <= x_right; }
 };
 
 /// A circle fitted to points (algebraic least squares, Kasa 1976).
 struct Circle {
-  double x, y, radius, misfit;  ///< misfit: root mean square distance of the points
+  double x, y, radius;
 };
 std::optional<Circle> fit_circle(const std::vector<std::array<double, 2>>& points);
 
@@ -26,7 +25,7 @@ std::optional<Circle> fit_circle(const std::vector<std::array<double, 2>>& point
 /// apparent angle of a side is that of a circle fitted to the level set of its half of the droplet, from 2 g above the
 /// wall, where it meets the height of that side's contact line. Where the fit begins (g .. 3 g) and ends moves the
 /// angle by 0.05 degrees. The height matters: a contact line on a ridge of 5e-3 reads 2 degrees less than the same
-/// circle at the undeformed wall (docs/verification.md).
+/// circle at the undeformed wall (docs/verification/tensotaxis.md).
 /// @param middle       density of the level set
 /// @param capillarity  g, sets where the fit begins
 template <int D>

@@ -51,11 +51,18 @@ std::vector<std::string> contact_columns<3>() {
 
 template <>
 std::vector<Contact> find_contacts(const Snapshot<2>& snapshot, double middle, double capillarity, const Place&) {
+  const Axis& axis = snapshot.layout().axis[0];
   std::vector<Contact> found;
-  for (const Footprint& f : find_footprints(side_view(snapshot), middle, capillarity))
+  for (Footprint f : find_footprints(side_view(snapshot, middle), middle, capillarity)) {
+    const double turn = axis.periodic() ? axis.length() * std::floor(f.centre() / axis.length()) : 0;
+    f.x_left -= turn, f.x_right -= turn;
     found.push_back({{f.centre(), 0},
                      {f.x_left, f.x_right, f.centre(), std::nullopt, f.angle_left, f.angle_right},
-                     [f](const Place& place) { return f.holds(place[0]); }});
+                     [f, axis](const Place& place) {
+                       const double away = place[0] - f.centre();
+                       return f.holds(f.centre() + (axis.periodic() ? std::remainder(away, axis.length()) : away));
+                     }});
+  }
   return found;
 }
 

@@ -23,7 +23,8 @@ struct Contact {
   std::function<bool(const Place&)> holds;   ///< whether a place of the wall is under it
 };
 
-/// 2D: x_left, x_right, x_centre, velocity, angle_left, angle_right.
+/// 2D: x_left, x_right, x_centre, velocity, angle_left, angle_right; across a periodic side the centre is inside the
+/// domain, and one of the two others beyond it.
 /// 3D: contact_area, x_centre, y_centre, velocity, track_rear, track_front, angle_rear, angle_front.
 template <int D>
 std::vector<std::string> contact_columns();

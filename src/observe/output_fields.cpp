@@ -1,18 +1,9 @@
 #include "observe/output_fields.hpp"
 
-#include <cstdio>
-#include <filesystem>
-
 #include "observe/host/field_file.hpp"
 
 namespace softwet {
 namespace {
-
-std::string file_name(const std::string& part, std::size_t number) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "_%04zu.vtkhdf", number);
-  return part + digits;
-}
 
 /// Reference coordinates of the points of the elements [first, last): ends and middle of each element.
 std::vector<double> element_points(const Axis& axis, int first, int last) {
@@ -67,18 +58,16 @@ std::vector<double> positions(const typename Snapshot<D>::Grid& grid, std::vecto
   return displacement;
 }
 
-void write_list(const std::string& folder, const std::string& part, std::size_t number,
-                const std::vector<double>& times) {
+void write_list(const std::string& folder, const std::string& part, const std::vector<double>& times) {
   std::vector<std::pair<std::string, double>> list;
-  for (std::size_t i = 0; i <= number; ++i)
-    if (std::filesystem::exists(folder + file_name(part, i))) list.emplace_back(file_name(part, i), times[i]);
+  for (std::size_t i = 0; i < times.size(); ++i) list.emplace_back(field_file_name(part, i), times[i]);
   write_series(folder + part + ".vtkhdf.series", list);
 }
 
 }  // namespace
 
 template <int D, int P>
-void write_field_files(const std::string& output, const Model<D, P>& model, const Snapshot<D>& s, std::size_t number,
+void write_field_files(const std::string& output, const Model<D, P>& model, const Snapshot<D>& s,
                        const std::vector<double>& times) {
   const Layout<D>& layout = model.layout();
   const std::string folder = output + "/fields/";
@@ -102,13 +91,13 @@ void write_field_files(const std::string& output, const Model<D, P>& model, cons
     } else {
       fields.push_back({"displacement", D, displacement});
     }
-    write_fields(folder + file_name(part, number), block.cells, positions<D>(grid, displacement), fields,
-                 times[number]);
-    write_list(folder, part, number, times);
+    write_fields(folder + field_file_name(part, times.size() - 1), block.cells, positions<D>(grid, displacement), fields,
+                 times.back());
+    write_list(folder, part, times);
   }
 }
 
 template void write_field_files(const std::string&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
-                                const Snapshot<SOFTWET_DIMENSION>&, std::size_t, const std::vector<double>&);
+                                const Snapshot<SOFTWET_DIMENSION>&, const std::vector<double>&);
 
 }  // namespace softwet

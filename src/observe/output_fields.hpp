@@ -11,10 +11,9 @@ namespace softwet {
 
 /// Writes fields/fluid_NNNN.vtkhdf and fields/solid_NNNN.vtkhdf (what the scene has) below `folder`, and the .series
 /// files that list the times so far. Points, 2 cells + 1 per axis, lie at their deformed positions; exact for degree 2.
-/// @param number  position of the time in output.fields.times
-/// @param times   all of output.fields.times, on the clock of the output
+/// @param times  of all field files of the run, on the clock of the output; this one's, the last, is file times.size() - 1
 template <int D, int P>
 void write_field_files(const std::string& folder, const Model<D, P>& model, const Snapshot<D>& snapshot,
-                       std::size_t number, const std::vector<double>& times);
+                       const std::vector<double>& times);
 
 }  // namespace softwet

@@ -8,11 +8,6 @@
 namespace softwet {
 namespace {
 
-template <int D, int P>
-bool sits_on(const Droplet& droplet, const Model<D, P>& model) {
-  return std::abs(droplet.centre[D - 1] - model.wall_height()) < 1e-9;
-}
-
 /// Largest |v| of a control point whose density is above `middle`.
 template <int D>
 double speed_of_liquid(const Layout<D>& layout, const State& state, double middle) {
@@ -32,7 +27,7 @@ double speed_of_liquid(const Layout<D>& layout, const State& state, double middl
 template <int D, int P>
 Scalars<D, P>::Scalars(const Case& c, const Model<D, P>& model) : case_(c), model_(model) {
   for (const Droplet& droplet : c.droplets)
-    memory_.droplets.push_back({{droplet.centre[0], D == 3 ? droplet.centre[1] : 0}, sits_on(droplet, model), false});
+    memory_.droplets.push_back({{droplet.centre[0], D == 3 ? droplet.centre[1] : 0}, sits_on_wall(c, droplet), false});
   latest_ = memory_;
 }
 
@@ -79,7 +74,7 @@ void Scalars<D, P>::add_integrals(long step, const State& state, const Stage& en
 }
 
 template <int D, int P>
-void Scalars<D, P>::add_extremes(const Snapshot<D>& snapshot, const State&, Row& row) const {
+void Scalars<D, P>::add_extremes(const Snapshot<D>& snapshot, Row& row) const {
   const Layout<D>& layout = model_.layout();
   if (layout.has_fluid) {
     row.insert(row.end(), {snapshot.density_min(), snapshot.density_max(), snapshot.speed_max(true)});
@@ -123,7 +118,7 @@ double Scalars<D, P>::laplace_pressure(const Snapshot<D>& snapshot) const {
   typename Snapshot<D>::Grid at;
   for (int d = 0; d < D; ++d) at[d] = {droplet.centre[d]};
   for (int d = 0; d < D - 1; ++d) at[d] = {latest_.droplets[0].centre[d]};
-  if (sits_on(droplet, model_))  // a cap: half its height
+  if (sits_on_wall(case_, droplet))  // a cap: half its height
     at[D - 1][0] += 0.5 * droplet.radius * (1 - cap_cosine(*case_.fluid));
   return snapshot.chemical_potential(at)[0] - model_.state().potential;
 }
@@ -137,7 +132,7 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
           static_cast<double>(report.krylov)};
   const Snapshot<D> snapshot(model_.layout(), state);
   add_integrals(step, state, end, row);
-  add_extremes(snapshot, state, row);
+  add_extremes(snapshot, row);
   add_droplets(snapshot, step, row);
   row.insert(row.end(), {headline_.energy, headline_.mass_drift});
   if (model_.layout().has_fluid) {

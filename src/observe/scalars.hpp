@@ -50,7 +50,7 @@ class Scalars {
 
  private:
   void add_integrals(long step, const State&, const Stage&, Row&);
-  void add_extremes(const Snapshot<D>&, const State&, Row&) const;
+  void add_extremes(const Snapshot<D>&, Row&) const;
   void add_droplets(const Snapshot<D>&, long step, Row&);
   double laplace_pressure(const Snapshot<D>&) const;
 

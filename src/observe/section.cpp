@@ -5,6 +5,20 @@
 
 namespace softwet {
 
+namespace {
+
+/// Largest density above each place of the wall.
+std::vector<double> largest_of_columns(const Snapshot<2>& snapshot, const std::vector<double>& x) {
+  const Axis& vertical = snapshot.layout().axis[1];
+  const std::vector<double> height = equidistant(snapshot.wall_height(), vertical.length(), vertical.elements());
+  const std::vector<double> density = snapshot.density({x, height});
+  std::vector<double> largest(density.begin(), density.begin() + x.size());
+  for (std::size_t i = 0; i < density.size(); ++i) largest[i % x.size()] = std::max(largest[i % x.size()], density[i]);
+  return largest;
+}
+
+}  // namespace
+
 std::vector<double> equidistant(double low, double high, int count) {
   std::vector<double> x(count + 1);
   for (int i = 0; i <= count; ++i) x[i] = low + (high - low) * i / count;
@@ -34,7 +48,11 @@ typename Snapshot<D>::Grid Section<D>::point(double s) const {
 
 template <int D>
 std::vector<double> Section<D>::density(const std::vector<double>& s, const std::vector<double>& height) const {
-  if constexpr (D == 2) return snapshot_.density({s, height});
+  if constexpr (D == 2) {
+    std::vector<double> x;
+    for (double along : s) x.push_back(point(along)[0][0]);
+    return snapshot_.density({x, height});
+  }
   std::vector<double> values(s.size() * height.size());
   for (std::size_t i = 0; i < s.size(); ++i) {
     auto at = point(s[i]);
@@ -54,9 +72,16 @@ std::array<double, 2> Section<D>::current(double s, double height) const {
   return {s + along, height + snapshot_.displacement(at, D - 1, true)[0]};
 }
 
-Section<2> side_view(const Snapshot<2>& snapshot) {
+Section<2> side_view(const Snapshot<2>& snapshot, double middle) {
   const Axis& axis = snapshot.layout().axis[0];
-  return {snapshot, {0, 0}, {1, 0}, {0, axis.length(), !axis.periodic(), !axis.periodic()}};
+  if (!axis.periodic()) return {snapshot, {0, 0}, {1, 0}, {0, axis.length(), true, true}};
+  double low = 0;
+  if (largest_of_columns(snapshot, {0})[0] >= middle) {
+    const std::vector<double> x = equidistant(0, axis.length(), 4 * axis.elements());
+    const std::vector<double> largest = largest_of_columns(snapshot, x);
+    low = x[std::min_element(largest.begin(), largest.end()) - largest.begin()] - axis.length();
+  }
+  return {snapshot, {0, 0}, {1, 0}, {low, low + axis.length(), false, false}};
 }
 
 double along_track(const Layout<3>& layout, const Place& point, const Place& direction) {

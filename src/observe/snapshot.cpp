@@ -60,13 +60,6 @@ std::vector<double> Snapshot<D>::displacement(const Grid& grid, int d, bool in_f
 }
 
 template <int D>
-bool Snapshot<D>::all_finite() const {
-  const auto finite = [](double x) { return std::isfinite(x); };
-  return std::all_of(unknown_.begin(), unknown_.end(), finite) &&
-         std::all_of(displacement_.begin(), displacement_.end(), finite);
-}
-
-template <int D>
 double Snapshot<D>::extreme(int first, int count, int sign) const {
   const auto begin = unknown_.begin() + first, end = begin + count;
   if (count == 0) return 0;

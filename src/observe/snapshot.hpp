@@ -24,7 +24,6 @@ class Snapshot {
 
   const Layout<D>& layout() const { return layout_; }
   double wall_height() const { return layout_.axis[D - 1].lower(layout_.solid_elements); }
-  bool all_finite() const;
   double density_min() const { return extreme(layout_.density_offset(), layout_.scalar_size(), -1); }
   double density_max() const { return extreme(layout_.density_offset(), layout_.scalar_size(), 1); }
   /// Largest |control value| of the velocity on the rows of the fluid (wall included) or of the solid.

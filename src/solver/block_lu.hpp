@@ -1,6 +1,7 @@
 // Lagged LU factors of the Jacobian with frozen geometry by nested dissection, in single precision, on the host.
 #pragma once
 
+#include "solver/dissection.hpp"
 #include "solver/preconditioner.hpp"
 
 namespace softwet {
@@ -11,5 +12,8 @@ namespace softwet {
 /// single precision leaves.
 template <int D>
 std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask);
+
+/// Numbers in the LU factors of a matrix that is eliminated along this tree.
+double factor_entries(const Dissection&);
 
 }  // namespace softwet

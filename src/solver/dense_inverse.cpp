@@ -1,6 +1,8 @@
 #include "solver/dense_inverse.hpp"
 
 #include <Eigen/Dense>
+#include <atomic>
+#include <new>
 
 namespace softwet {
 
@@ -13,8 +15,16 @@ using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
 struct InvertOnHost {
   DenseBlocks blocks;
   Sizes size;
+  std::atomic<bool>* out_of_memory;  ///< no exception may leave a parallel region
 
   void operator()(int b) const {
+    try {
+      invert(b);
+    } catch (const std::bad_alloc&) {
+      *out_of_memory = true;
+    }
+  }
+  void invert(int b) const {
     const int n = size(b);
     if (n == 0) return;
     using Strided = Eigen::Map<RowMajor, 0, Eigen::OuterStride<>>;
@@ -53,7 +63,7 @@ struct InvertOnDevice {
           }
         },
         Best(best));
-    return best.loc;
+    return best.loc < n ? best.loc : k;  // none was found: after a zero pivot the column is not finite
   }
   KOKKOS_FUNCTION void eliminate(const Team& team, int b, int n, int k) const {
     const float scale = 1.0f / blocks(b, k, k);
@@ -111,7 +121,10 @@ void invert_by_teams(const DenseBlocks& blocks, const Sizes& size) {
 void invert(const DenseBlocks& blocks, const Sizes& size) {
   if (!on_host) return invert_by_teams(blocks, size);
   using Host = Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
-  Kokkos::parallel_for("softwet::invert", Host(0, blocks.extent(0)).set_chunk_size(1), InvertOnHost{blocks, size});
+  std::atomic<bool> out_of_memory = false;
+  Kokkos::parallel_for("softwet::invert", Host(0, blocks.extent(0)).set_chunk_size(1),
+                       InvertOnHost{blocks, size, &out_of_memory});
+  if (out_of_memory) throw std::bad_alloc();
 }
 
 }  // namespace softwet

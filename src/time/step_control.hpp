@@ -1,6 +1,7 @@
 // The size of the next step: from the local error, the effort of Newton's method, and the times that must be met.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ class StepControl {
   bool reject(double dt);
 
   double proposed() const { return proposed_; }
-  void set_proposed(double dt) { proposed_ = dt; }
+  /// Within the limits, which may have changed since the step was proposed.
+  void set_proposed(double dt) { proposed_ = std::clamp(dt, limits_.smallest, limits_.largest); }
   /// Indicator above which a converged step is repeated with a smaller one.
   double rejection_level() const { return 4 * limits_.tolerance; }
 

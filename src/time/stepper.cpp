@@ -203,9 +203,9 @@ StepReport Stepper<D, P>::step() {
                   "the computation stopped: " + result.reason + ", even with the smallest step (time.dt_min)");
     }
     const double e = indicator(dt);
-    if (e > control_.rejection_level() && dt > 1e-3 * integrator_.dt()) {
+    if (e > control_.rejection_level() && control_.reject(dt)) {
       ++counts_.rejected_error;
-      if (control_.reject(dt)) continue;
+      continue;
     }
     Kokkos::deep_copy(Exec(), previous_, state_.unknown);
     previous_dt_ = dt;

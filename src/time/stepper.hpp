@@ -1,8 +1,6 @@
 // One accepted time step: predict, solve, judge, accept or halve.
 #pragma once
 
-#include <map>
-
 #include "solver/newton.hpp"
 #include "time/generalized_alpha.hpp"
 #include "time/step_control.hpp"

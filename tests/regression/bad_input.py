@@ -28,7 +28,7 @@ BAD_CASES = {
     "negative elements": ("elements = [128, 64]", "elements = [128, -64]", ["domain.elements", "[1, 100000]"]),
     "critical": ("temperature = 0.39", "temperature = 1.2", ["fluid.temperature", "below 1"]),
     "half periodic": ('left = "slip"', 'left = "periodic"', ["boundary.left", "boundary.right"]),
-    "unsafe name": ('"tensotaxis_pull_2d"', '"../escape"', ["name", "letters"]),
+    "unsafe name": ('"first"', '"../escape"', ["name", "letters"]),
 }
 
 failures = []
@@ -84,12 +84,14 @@ def bad_files(softwet, root, good):
         scene.fails(f"{command}, a folder", [command, "."], 1, ["folder"])
         scene.fails(f"{command}, --set unknown", [command, "good.toml", "--set", "time.edn=1"], 1, ["time.end"])
         scene.fails(f"{command}, --set value", [command, "good.toml", "--set", "time.end=-1"], 1, ["--set", "(0, inf)"])
+        scene.fails(f"{command}, no name", [command, ""], 1, ["case file"])
         scene.fails(f"{command}, --set word", [command, "good.toml", "--set", "time.end"], 1, ["key=value"])
 
 
 def bad_folders(softwet, root, good):
     old = {"good.toml": good, "out/history.csv": "step\n", "plain": "a file\n"}
     scene = Scene(softwet, root, old)
+    scene.fails("init, a name no case can have", ["init", "my case.toml"], 1, ["name", "letters, digits"])
     scene.fails("old result", ["run", "good.toml", "--out", "out"], 1, ["--resume", "--overwrite", "--out"])
     scene.fails("nothing to resume", ["run", "good.toml", "--out", "out", "--resume"], 1, ["checkpoint.h5"])
     scene.fails("nothing at all", ["run", "good.toml", "--out", "new", "--resume"], 1, ["checkpoint.h5"])

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """tools/figures draws Figs. 1 (B), 2 and 3 from small runs, from any folder, and its tables hold what the outputs hold.
+tools/plot draws a load of force 0, and names the file where a folder is not whole.
 usage: figures.py SOFTWET"""
 
 import csv
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -73,3 +75,40 @@ for name in ("fig1b", "half"):
 message = figures(["fig1b", pathlib.Path("nothing").resolve(), "--out", "/nowhere/a.png"], code=1)
 check_true("a folder that is none: one line that says so", "is not an output folder" in message and
            message.count("\n") == 1, message)
+
+
+def plot(*words):
+    return subprocess.run([sys.executable, str(TOOL.with_name("plot")), *words], capture_output=True, text=True,
+                          timeout=60)
+
+
+run("tensotaxis_pull_2d", "still", SMALL + ["load.force=[0,0]", "time.end=0.01", "output.fields.times=[0]"])
+result = plot("still", "--field", "--out", "still.png")
+check_true("plot: a load of force 0", result.returncode == 0 and "Warning" not in result.stderr, result.stderr)
+
+
+def cut(name, length):
+    """Leaves the beginning of a file of the folder `broken`, which is `still` again."""
+    shutil.rmtree("broken", ignore_errors=True)
+    shutil.copytree("still", "broken")
+    path = pathlib.Path("broken") / name
+    path.write_bytes(path.read_bytes()[:length])
+
+
+def plot_refuses(part, *words):
+    result = plot("broken", *words)
+    check_true(f"plot refuses: {part}", result.returncode == 1 and part in result.stderr and
+               result.stderr.count("\n") == 1, result.stderr)
+
+
+domain = pathlib.Path("still/case.toml").read_text().index("[domain]")
+cut("case.toml", domain)
+plot_refuses("case.toml has no 'domain'", "--field")
+cut("case.toml", domain + 3)
+plot_refuses("cannot read broken/case.toml", "--field")
+cut("fields/solid.vtkhdf.series", 60)
+plot_refuses("cannot read broken/fields/solid.vtkhdf.series", "--field")
+pathlib.Path("points.csv").write_text("time,x_centre\n1,0.5\n")
+cut("case.toml", None)
+plot_refuses("points.csv has no column t", "--history", "--reference", "points.csv")
+plot_refuses("--magnify nan: must be a number in [0, 1e+06]", "--magnify", "nan")

@@ -11,7 +11,7 @@ import numpy
 from _scene import check, check_true, run_file, write_box
 
 try:
-    import matplotlib  # noqa: F401
+    import matplotlib.pyplot
 except ImportError:
     print("no matplotlib, no pictures: nothing to test")
     sys.exit(0)
@@ -87,6 +87,20 @@ def figures3d(*options):
 result = figures3d("--out", "small.png")
 check_true("the picture is there", result.returncode == 0 and pathlib.Path("small.png").stat().st_size > 10000,
            result.stderr)
-result = figures3d("--scenes", "7")
-check_true("a time without fields is named", result.returncode == 1 and "no fields at t = 7" in result.stderr,
-           result.stderr)
+output.case["load"][0]["force"] = [0.0, 0.0, 0.0]
+axes = matplotlib.pyplot.figure().subplots()
+scene.draw_loads(axes)
+check_true("a load without force: its box, no arrow", len(axes.lines) == 12 and not axes.texts)
+
+
+def refused(message, *options):
+    result = figures3d(*options)
+    good = result.returncode == 1 and message in result.stderr and result.stderr.count("\n") == 1
+    check_true(f"refused: {message}", good, result.stderr)
+
+
+refused("no fields at t = 7", "--scenes", "7")
+refused("a picture has 1 to 8", "--scenes", *9 * ["0"])
+refused("--magnify nan: must be a number in [0, 1e+06]", "--magnify", "nan")
+os.remove("small/fields/solid.vtkhdf.series")
+refused("there is no small/fields/solid.vtkhdf.series")

@@ -9,10 +9,13 @@ import time
 from _scene import PULL, check_true, command, environment, history, record, run
 
 LONG = PULL + ["time.end=1e6", "output.fields.times=[0]", "time.dt_max=0.01"]
-for number in (signal.SIGINT, signal.SIGTERM):
+for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
     process = subprocess.Popen(command("tensotaxis_pull_2d", "stopped", LONG, ["--overwrite", "--threads", "1"]),
-                               stderr=subprocess.PIPE, text=True, env=environment)
+                               stderr=subprocess.PIPE, text=True, env=environment,
+                               preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
     time.sleep(1.5)
+    message = run("tensotaxis_pull_2d", "stopped", PULL, code=1)
+    check_true("the folder is taken while it runs", "another run" in message, message.strip())
     process.send_signal(number)
     message = process.communicate(timeout=60)[1]
     name = signal.Signals(number).name

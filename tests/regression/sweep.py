@@ -13,6 +13,7 @@ import time
 
 from _scene import cases, check_true, environment, history, record, run, softwet
 
+TOOL = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tools" / "sweep"
 CASE = str(cases / "solid_layer_2d.toml")
 # A solid alone: a member takes 0.1 s. One Newton iteration is enough for the load 0 only.
 SOLID = ["domain.elements=[16,4]", "time.max_steps=5", "output.fields.times=[]", "time.dt_initial=1", "time.dt_min=0.6"]
@@ -140,11 +141,20 @@ refused("twice", ["0.3 is there twice"], ["substrate.poisson=0.3,0.3"], SOLID, e
 refused("range", ["0:1:1", "a:b:n"], ["substrate.poisson=0:1:1"], SOLID, elsewhere)
 refused("varied and set", ["time.max_steps", "set twice"], ["time.max_steps=1,2"], SOLID, elsewhere)
 MANY = [f"time.{key}=1:100:100" for key in ("end", "dt_min", "dt_max")]
+for other in ("load.ramp", "load[00].ramp"):
+    refused(f"set as {other}", ["load[0].ramp", "set twice"], ["load[0].ramp=1,2"], [f"{other}=1"], elsewhere)
 refused("too many", ["1000000 members"], MANY, [], elsewhere)
 refused("no such member", ["--member 2", "0 to 1"], ["time.max_steps=1,2"], [], [*elsewhere, "--member", "2"])
 refused("no case", ["nowhere.toml", "No such file"], ["time.max_steps=1,2"], [], elsewhere, case="nowhere.toml")
 refused("nothing to vary", ["--vary"], [], [], elsewhere)
 check_true("refused: no folder", not os.path.exists("nowhere"))
+NO_FILES = {"a file has that name": ["--out", "other/case.toml"], "is no program": ["--softwet", "other/case.toml"],
+            "cannot use 'nowhere/a.sh'": ["--out", "other/new", "--slurm", "nowhere/a.sh"]}
+for part, options in NO_FILES.items():
+    command = [str(TOOL), CASE, "--softwet", softwet, "--vary", "substrate.poisson=0.3,0.4", *options]
+    result = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment)
+    check_true(f"refused with its remedy: {' '.join(options)}", result.returncode == 3 and part in result.stderr and
+               result.stderr.count("\n") == 1 and "full" not in result.stderr, result.stderr)
 
 # Stopped by Ctrl-C, then killed, then to the end: as if nothing had happened. The run is held while it is looked at.
 LONG = [*SOLID[:1], "time.max_steps=9000", "time.end=90", "output.fields.times=[]", "time.dt_max=0.01",
@@ -191,9 +201,11 @@ check_true("all are done", states("long") == ["done", "done"], str(states("long"
 check_true("whole histories", all(history(f"long/poisson=0.{n}")["step"].tolist() == WHOLE for n in (3, 4)))
 check_true("resumed behind the stop", record("long/poisson=0.3")["counts"]["steps_before_resume"] == steps)
 
-# The array script under a plain shell, its tasks side by side; then the table.
+# The array script under a plain shell, its tasks side by side, when its case is gone; then the table.
 options = ["--out", "array", "--slurm", "array/../other/array.sh"]
-sweep(PRODUCT, SOLID, options)
+shutil.copy(CASE, "other/gone.toml")
+sweep(PRODUCT, SOLID, options, case="other/gone.toml")
+os.remove("other/gone.toml")
 text = pathlib.Path("other/array.sh").read_text()
 check_true("array of four", re.search(r"^#SBATCH --array=0-3$", text, re.M) is not None)
 sweep(PRODUCT, SOLID, ["--out", "array", "--table"], code=2)

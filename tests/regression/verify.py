@@ -66,7 +66,7 @@ check_true("its document", "| steps | 2 | 2 | yes |" in text and "softwet run ca
 check_true("its table", pathlib.Path("result/layer/layer_numbers.csv").read_text() == "a,b\n1,0.5\n")
 check_true("copied", pathlib.Path("result/docs/verification/layer.md").read_text() == text)
 index = pathlib.Path("result/docs/verification.md").read_text()
-check_true("the index", "| [layer](verification/layer.md) | A solid layer | Its height | 1 of 1 hold |" in index, index)
+check_true("the index", "| [layer](verification/layer.md) | A solid layer | 1 of 1 hold |" in index, index)
 
 before = [(path, path.stat().st_mtime_ns) for path in sorted(pathlib.Path("result/runs").rglob("*"))]
 bad = verify("layer", "--out", "result", "--docs", "result/docs", tools=copy_with(STUDY.format(steps=3)))

@@ -148,10 +148,13 @@ class Lab:
         """What `softwet check` or `softwet bench` prints about a case."""
         path, shown = self.case_file(case)
         words = [command, str(path), *options]
-        self.commands[f"{command} {case if shown.startswith('cases') else shown}"] = shlex.join(
-            ["softwet", command, shown, *options])
-        return subprocess.run([str(self.program), *words], cwd=ROOT, text=True, check=True, capture_output=True,
-                              env=ENVIRONMENT).stdout
+        label = f"{command} {case if shown.startswith('cases') else shown}"
+        self.commands[label] = shlex.join(["softwet", command, shown, *options])
+        start = time.monotonic()
+        done = subprocess.run([str(self.program), *words], cwd=ROOT, text=True, check=True, capture_output=True,
+                              env=ENVIRONMENT)
+        self.seconds[label] = time.monotonic() - start
+        return done.stdout
 
     def tool(self, name):
         """Path of another program of the build."""

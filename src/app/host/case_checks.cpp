@@ -75,6 +75,12 @@ void check_boundary(const Checker& check) {
   }
   for (std::size_t axis = 0; axis <= vertical; ++axis) {
     const auto& [low, high] = check.c.boundary.side[axis];
+    for (std::size_t end : {0, 1}) {
+      const bool touches_fluid = check.c.fluid && (axis != vertical || end == 1 || !check.c.substrate);
+      if (touches_fluid && check.c.boundary.side[axis][end] == Side::free)
+        check.refuse(side_name(axis, end, vertical), "a side of the fluid cannot be free: it is closed to mass",
+                     "write slip or no_slip");
+    }
     if (low != Side::periodic && high != Side::periodic) continue;
     const std::string &low_name = side_name(axis, 0, vertical), &high_name = side_name(axis, 1, vertical);
     if (low != high) {
@@ -141,8 +147,7 @@ void check_load(const Checker& check, std::size_t index) {
 /// How far a droplet reaches from its centre, which is on the wall where it is a cap.
 double reach_along(const Checker& check, const Droplet& droplet, std::size_t axis) {
   const double semi_axis = droplet.radius * (droplet.stretch.empty() ? 1.0 : droplet.stretch[axis]);
-  const double above = droplet.centre[check.vertical()] - check.interface();
-  if (std::abs(above) > slack * check.height()) return semi_axis;
+  if (!sits_on_wall(check.c, droplet)) return semi_axis;
   const double cosine = cap_cosine(*check.c.fluid);
   if (axis == check.vertical()) return semi_axis * (1 - cosine);
   return cosine > 0 ? semi_axis * std::sqrt(1 - cosine * cosine) : semi_axis;

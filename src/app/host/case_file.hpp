@@ -21,7 +21,7 @@ std::string write_case(const Case& c);
 /// What `softwet explain` prints: one key, all keys of a table, or everything when `name` is empty.
 std::string explain(const std::string& name);
 
-/// A commented case to start from: "tensotaxis_pull_2d". Throws Error naming the known ones.
+/// A commented case to start from: the paper's pull under this name. Throws Error when no case can have the name.
 std::string initial_case(const std::string& name);
 
 /// What is allowed in a checked case but deserves a look: under-resolved interface, times never reached.

@@ -77,25 +77,26 @@ std::string write_case(const Case& c) {
 }
 
 std::string initial_case(const std::string& name) {
-  if (name != "tensotaxis_pull_2d") {
-    throw Error(Exit::invalid_input, fmt::format("there is no initial case '{}'; write tensotaxis_pull_2d", name));
-  }
-  const auto line = [](const Key& key, std::size_t) {
-    const std::string value = key.leaf() + " = " + example_text(key);
+  const auto line = [&name](const Key& key, std::size_t) {
+    const std::string value = key.leaf() + " = " + (key.name == "name" ? text_of_value(name) : example_text(key));
     std::string comment = key.source.empty() ? key.help : key.source;
     return fmt::format("{:<42} # {}", value, comment);
   };
-  return "# A droplet on a soft substrate, pulled by a load on the solid. Change what you need, then\n"
+  const std::string text =
+         "# A droplet on a soft substrate, pulled by a load on the solid. Change what you need, then\n"
          "#   softwet check FILE     shows what will be computed\n"
          "#   softwet run FILE       computes it\n"
          "#   softwet explain KEY    tells the meaning, range and default of a key\n"
          "# Numbers may be written as ratios in quotes. Keys with defaults may be removed; tables select the "
          "physics.\n" +
          write_tables(example_scene(), line, [](const Table& table) { return "  # " + table.help; });
+  parse_case(text, fmt::format("init '{}'", name));  // refuses what cannot be the name of a case
+  return text;
 }
 
 std::string explain(const std::string& name) {
   std::string text, last_table;
+  if (name.empty()) text = "Numbers are 0 or between 1e-30 and 1e30 in size; ratios in quotes (\"1/256\") are numbers too.\n";
   for (const Key& key : schema()) {
     if (!name.empty() && !matches(key, name)) continue;
     if (const std::string table = key.table(); table != last_table) {

@@ -34,12 +34,14 @@ struct Request {
   std::vector<std::string> words;  ///< what a program of the folder tools gets as it is
 };
 
-Case load_case(const Request& request) {
-  Case c = read_case(request.case_path, request.overrides);
+/// Refuses what cannot fit, and tells what deserves a look.
+Case examined(const Case& c) {
   require_bytes(c, least_bytes(c));
   for (const std::string& warning : warnings(c)) std::cerr << "softwet: warning: " << warning << "\n";
   return c;
 }
+
+Case load_case(const Request& request) { return examined(read_case(request.case_path, request.overrides)); }
 
 void run_command(Request& request) {
   if (request.options.resume && request.overwrite) {
@@ -58,7 +60,6 @@ void run_command(Request& request) {
     folder.discard();
     throw;
   }
-  folder.finish();
 }
 
 void check_command(const Request& request) {
@@ -73,8 +74,9 @@ void init_command(const Request& request) {
                                                  "'softwet init my_case.toml'",
                                                  request.file));
   }
+  const std::string text = initial_case(std::filesystem::path(request.file).stem().string());
   std::ofstream file(request.file);
-  file << initial_case("tensotaxis_pull_2d");
+  file << text;
   file.close();
   if (!file) {
     throw Error(Exit::machine_failed, fmt::format("init: cannot write '{}'; give a file in a folder that exists and is "
@@ -84,14 +86,16 @@ void init_command(const Request& request) {
   fmt::print("wrote {}; next: softwet check {}\n", request.file, request.file);
 }
 
-void add_case(CLI::App& command, Request& request) {
-  command.add_option("CASE", request.case_path, "case file, for example cases/tensotaxis_pull_2d.toml")->required();
+CLI::Option* add_case(CLI::App& command, Request& request) {
+  CLI::Option* option =
+      command.add_option("CASE", request.case_path, "case file, for example cases/tensotaxis_pull_2d.toml");
   command
       .add_option_function<std::string>(
           "--set", [&request](const std::string& assignment) { request.overrides.push_back(assignment); },
           "set a key of the case, for example --set time.end=10 or --set load[0].ramp=2; repeatable")
       ->type_name("KEY=VALUE")
       ->trigger_on_parse();
+  return option->required();
 }
 
 void add_threads(CLI::App& command, Request& request) {
@@ -112,10 +116,15 @@ void add_run(CLI::App& app, Request& request) {
 }
 
 void add_bench(CLI::App& app, Request& request) {
-  CLI::App& command = *app.add_subcommand("bench", "measure residuals and products of a case");
-  add_case(command, request);
+  CLI::App& command = *app.add_subcommand("bench", "measure residuals and products of a case; default: that of 'init'");
+  CLI::Option* given = add_case(command, request)->required(false);
   add_threads(command, request);
-  command.callback([&request] { bench_case(load_case(request), request.options, std::cout); });
+  command.callback([&request, given] {
+    const Case c = given->count() > 0
+                       ? load_case(request)
+                       : examined(parse_case(initial_case("bench"), "the case of init", request.overrides));
+    bench_case(c, request.options, std::cout);
+  });
 }
 
 void add_commands(CLI::App& app, Request& request) {

@@ -15,34 +15,57 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The number behind "Name:" in a file such as /proc/meminfo, in KiB; `missing` where there is none.
-double kib_of(const char* path, const std::string& name, double missing) {
+/// The number behind the word `name` at the start of a line, as in /proc/meminfo; `missing` where there is none.
+double number_after(const std::string& name, const std::string& path, double missing) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
-    if (line.rfind(name + ":", 0) != 0) continue;
-    double kib = 0;
-    return std::istringstream(line.substr(name.size() + 1)) >> kib ? kib : missing;
+    std::istringstream words(line);
+    std::string first;
+    double number = 0;
+    if (words >> first && first == name) return words >> number ? number : missing;
   }
   return missing;
 }
 
 /// The one number of a file; "max" and a missing file are no limit.
-double number_in(const char* path) {
+double number_in(const std::string& path) {
   std::ifstream file(path);
   double number = 0;
   return file >> number ? number : unlimited;
 }
 
-/// What the control group of a container or a job leaves; version 2 (Linux).
-double left_by_control_group() {
-  const double limit = number_in("/sys/fs/cgroup/memory.max"), used = number_in("/sys/fs/cgroup/memory.current");
-  return limit == unlimited || used == unlimited ? unlimited : std::max(0.0, limit - used);
+/// Where a control group tells its memory, by version: two files, and two words in memory.stat for cached files.
+struct GroupFiles {
+  const char *limit, *used, *inactive, *active;
+};
+constexpr GroupFiles version_1{"/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_inactive_file",
+                               "total_active_file"};
+constexpr GroupFiles version_2{"/memory.max", "/memory.current", "inactive_file", "active_file"};
+
+/// Cached files count as used by the group, but the system drops them where memory is asked for.
+double left_in_group(const std::string& folder, const GroupFiles& files) {
+  const double limit = number_in(folder + files.limit), used = number_in(folder + files.used);
+  if (limit == unlimited || used == unlimited) return unlimited;
+  const std::string stat = folder + "/memory.stat";
+  const double cached = number_after(files.inactive, stat, 0) + number_after(files.active, stat, 0);
+  return std::clamp(limit - used + cached, 0.0, limit);
+}
+
+/// The least of a group and all groups above it. A container may see its own group at `mount` only.
+double left_along(const std::string& mount, std::string path, const GroupFiles& files) {
+  double left = unlimited;
+  for (;;) {
+    left = std::min(left, left_in_group(mount + path, files));
+    const std::size_t slash = path.rfind('/');
+    if (slash == std::string::npos) return left;
+    path.resize(slash);
+  }
 }
 
 double left_by_process_limit() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
-  return std::max(0.0, static_cast<double>(limit.rlim_cur) - 1024 * kib_of("/proc/self/status", "VmSize", 0));
+  return std::max(0.0, static_cast<double>(limit.rlim_cur) - 1024 * number_after("VmSize:", "/proc/self/status", 0));
 }
 
 }  // namespace
@@ -62,10 +85,26 @@ double least_bytes(const Case& c) {
   return 8 * (vectors * unknowns + 2 * velocity);
 }
 
+double left_by_control_groups(const std::string& root) {
+  const std::string mount = root + "/sys/fs/cgroup";
+  std::ifstream file(root + "/proc/self/cgroup");
+  double left = unlimited;
+  for (std::string line; std::getline(file, line);) {  // number:controllers:path
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (first == std::string::npos || second == std::string::npos) continue;
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    const std::string path = line.substr(second + 1);
+    if (controllers == ",,") left = std::min(left, left_along(mount, path, version_2));
+    if (controllers.find(",memory,") != std::string::npos)
+      left = std::min(left, left_along(mount + "/memory", path, version_1));
+  }
+  return left;
+}
+
 double bytes_to_be_had() {
-  const double system = 1024 * kib_of("/proc/meminfo", "MemAvailable", unlimited);
-  const double held = 1024 * kib_of("/proc/self/status", "VmRSS", 0);
-  return held + std::min({system, left_by_control_group(), left_by_process_limit()});
+  const double system = 1024 * number_after("MemAvailable:", "/proc/meminfo", unlimited);
+  const double held = 1024 * number_after("VmRSS:", "/proc/self/status", 0);
+  return held + std::min({system, left_by_control_groups(), left_by_process_limit()});
 }
 
 void require_bytes(const Case& c, double needed) {

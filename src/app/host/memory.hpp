@@ -16,8 +16,13 @@ double most_unknowns(const Case&);
 double least_bytes(const Case&);
 
 /// Bytes this process can hold in all: what it holds now and what the system has available, within the limits of the
-/// process (ulimit -v) and of its control group. Infinity where the system does not tell.
+/// process (ulimit -v) and of its control groups. Infinity where the system does not tell.
 double bytes_to_be_had();
+
+/// Bytes that the control groups of this process (a container, a job) and those above them still leave, cached files
+/// counted as left (Linux, versions 1 and 2). Infinity without a limit.
+/// @param root  what stands before /proc and /sys: a folder in tests
+double left_by_control_groups(const std::string& root = "");
 
 /// Throws Error (machine_failed) with both amounts when `needed` bytes are more than can be had.
 void require_bytes(const Case&, double needed);

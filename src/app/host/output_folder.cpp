@@ -1,7 +1,9 @@
 // Making, guarding and removing the output folder.
 #include "app/host/output_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -70,11 +72,26 @@ OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail_to_write(path, "a file has that name");
   check_old_result(folder, old);
-  if (old == OldResult::resume) return;
-  made_ = first_missing(folder).string();
-  fs::create_directories(folder, error);
-  if (error) fail_to_write(path, error.message());
-  if (::access(path.c_str(), W_OK | X_OK) != 0) fail_to_write(path, std::strerror(errno));
+  if (old != OldResult::resume) {
+    made_ = first_missing(folder).string();
+    fs::create_directories(folder, error);
+    if (error) fail_to_write(path, error.message());
+    if (::access(path.c_str(), W_OK | X_OK) != 0) fail_to_write(path, std::strerror(errno));
+  }
+  lock();
+}
+
+OutputFolder::~OutputFolder() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OutputFolder::lock() {
+  descriptor_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // File systems without locks go unguarded.
+  if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  throw Error(Exit::invalid_input, fmt::format("another run is writing to '{}'; wait for its end, or choose another "
+                                               "folder with --out",
+                                               path_));
 }
 
 void OutputFolder::begin() {
@@ -92,10 +109,6 @@ void OutputFolder::discard() {
   for (fs::path part = fs::absolute(path_).lexically_normal(); fs::remove(part, error); part = part.parent_path()) {
     if (part == fs::path(made_)) break;
   }
-}
-
-void OutputFolder::finish() {
-  if (old_ == OldResult::resume) write_resolved(path_, case_);
 }
 
 }  // namespace softwet

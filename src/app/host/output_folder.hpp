@@ -12,24 +12,28 @@ enum class OldResult { refuse, resume, overwrite };
 class OutputFolder {
  public:
   /// Makes the folder where it is missing; a result in it stays. Throws Error: invalid_input when an old result is in
-  /// the way or there is nothing to resume, machine_failed when the folder cannot be written.
+  /// the way, there is nothing to resume or another run has the folder, machine_failed when it cannot be written.
   OutputFolder(const std::string& path, const Case& c, OldResult old);
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+  ~OutputFolder();
 
-  /// Removes the old result that is to be replaced and writes case.toml. For a run that nothing can refuse any more.
+  /// Removes the old result that is to be replaced and writes case.toml, of a resumed run too, whose end or output may
+  /// have changed. For a run that nothing can refuse any more.
   void begin();
 
   /// Takes back what this object made, for a run that ended before its first row. An old result stays until begin().
   void discard();
 
-  /// Writes case.toml of a resumed run, whose end or output may have changed.
-  void finish();
-
  private:
+  void lock();
+
   std::string path_;
   std::string made_;  ///< the topmost folder this object made; empty: the folder was there
   const Case& case_;
   OldResult old_;
   bool begun_ = false;
+  int descriptor_ = -1;  ///< of the folder, locked while the run lasts
 };
 
 }  // namespace softwet

@@ -18,8 +18,8 @@ std::vector<Key> initial_keys() {
        .required = true,
        .example = "[0.5, 0.125]",
        .source = "[?] on the interface: a cap cut at the contact angle",
-       .help = "Centre of the circle or sphere; on the interface it becomes a cap cut at the contact angle, on a slip "
-               "side a half of the droplet.",
+       .help = "Centre of the circle or sphere; on the interface it becomes a cap cut at the contact angle (near "
+               "it with stretch), on a slip side a half of the droplet.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.droplets[i].centre; })},
       {.name = "droplet[].radius",
        .unit = "L0",

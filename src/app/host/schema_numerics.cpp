@@ -155,7 +155,7 @@ std::vector<Key> output_keys() {
                "Its length does not count.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.track; }),
        .three_dimensional = true,
-       .default_note = "the horizontal force of the loads, each with the sign that adds to the first; [1, 0] without"},
+       .default_note = "the horizontal force of the loads, each with the sign that adds to the sum of those before; [1, 0] without"},
       {.name = "output.fields.times",
        .kind = Kind::numbers,
        .unit = "L0/sqrt(ab)",

@@ -83,7 +83,7 @@ std::vector<Key> fluid_keys() {
        .kind = Kind::choice,
        .choices = wall_law_words(),
        .help = "Wall condition of the contact angle: the paper's |grad rho| cos(alpha), or the variational wall energy "
-               "(exact energy law, droplets about 25 % slower).",
+               "(exact energy law, droplets 23 to 40 % slower).",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_law; })},
       {.name = "fluid.form",
        .kind = Kind::choice,

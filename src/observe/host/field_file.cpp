@@ -1,6 +1,8 @@
 #include "observe/host/field_file.hpp"
 
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
 #include <set>
 
 #include "app/error.hpp"
@@ -12,6 +14,8 @@
 
 namespace softwet {
 namespace {
+
+constexpr const char* time_value = "/VTKHDF/FieldData/TimeValue";
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
   throw Error(Exit::computation_failed, path + ": not written: " + what);
@@ -119,9 +123,27 @@ void write_fields(const std::string& path, const TensorGrid& grid, const std::ve
   }
   file.make_group("/VTKHDF/CellData");
   file.make_group("/VTKHDF/FieldData");
-  file.write("/VTKHDF/FieldData/TimeValue", std::vector<double>{time}, {1});
+  file.write(time_value, std::vector<double>{time}, {1});
   file.close();
   target.commit();
+}
+
+std::string field_file_name(const std::string& part, std::size_t number) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "_%04zu.vtkhdf", number);
+  return part + digits;
+}
+
+std::vector<double> field_file_times(const std::string& folder, const std::string& part) {
+  std::vector<double> times;
+  for (;;) {
+    const std::string path = folder + "/" + field_file_name(part, times.size());
+    if (!std::filesystem::exists(path)) return times;
+    const Hdf5File file = Hdf5File::open(path, "put back the file, or remove it and those after it");
+    const std::vector<double> time = file.read<double>(time_value);
+    if (time.size() != 1 || !std::isfinite(time[0])) file.fail("holds no time");
+    times.push_back(time[0]);
+  }
 }
 
 void write_series(const std::string& path, const std::vector<std::pair<std::string, double>>& files_and_times) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +32,13 @@ struct PointField {
 /// and position), machine_failed for the disk.
 void write_fields(const std::string& path, const TensorGrid& grid, const std::vector<double>& points,
                   const std::vector<PointField>& fields, double time);
+
+/// "fluid_0003.vtkhdf".
+std::string field_file_name(const std::string& part, std::size_t number);
+
+/// Times stored in the files part_0000, part_0001, ... of a folder, up to the first that is missing. Throws Error
+/// (invalid_input) for a file that cannot be read.
+std::vector<double> field_file_times(const std::string& folder, const std::string& part);
 
 /// Writes the list of files that ParaView opens as one animation, atomically.
 /// @param path             ends with .vtkhdf.series

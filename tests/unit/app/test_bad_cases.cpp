@@ -119,6 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
             "right = \"slip\"",
             "right = \"periodic\"",
             {"boundary.right", "boundary.left = \"periodic\""}},
+        Bad{"FreeSideOfTheFluid", "right = \"slip\"", "right = \"free\"", {"boundary.right", "closed to mass", "no_slip"}},
         Bad{"FrontIn2D", "right = \"slip\"", "front = \"slip\"", {"boundary.front", "3D"}},
         Bad{"EndZero", "end = 1884.0", "end = 0", {"time.end = 0", "(0, inf)"}},
         Bad{"RhoInf", "rho_inf = 0.5", "rho_inf = 1.5", {"time.rho_inf = 1.5", "[0, 1]"}},

@@ -79,6 +79,12 @@ TEST(CaseFile, InitialCaseIsThePullOfTheCasesFolder) {
   EXPECT_EQ(c.clock_zero(), 30.0);
 }
 
+TEST(CaseFile, InitialCaseHasTheNameAskedFor) {
+  EXPECT_EQ(parse_case(initial_case("my_case"), "init").name, "my_case");
+  EXPECT_THROW(initial_case("my case"), Error);
+  EXPECT_THROW(initial_case(""), Error);
+}
+
 TEST(CaseFile, EveryCaseOfTheFolderSurvivesARoundTrip) {
   int count = 0;
   for (const auto& file : std::filesystem::directory_iterator(SOFTWET_SOURCE_DIR "/cases")) {

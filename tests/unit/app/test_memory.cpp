@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <limits>
+
 #include "app/host/case_file.hpp"
 #include "unit/observe/expect_error.hpp"
+#include "unit/observe/scratch_folder.hpp"
 
 namespace softwet {
 namespace {
@@ -31,6 +35,77 @@ TEST(Memory, LeastStaysBelowWhatATableOfPartsCounts) {
 }
 
 TEST(Memory, MostUnknownsBoundsThoseOfTheMesh) { EXPECT_GE(most_unknowns(pull("[128, 64]")), 130 * 68 * 4); }
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// A made-up /proc and /sys.
+class FakeRoot {
+ public:
+  explicit FakeRoot(const std::string& groups_of_process) { write("/proc/self", "cgroup", groups_of_process); }
+  void version_1(const std::string& group, const std::string& limit, const std::string& used) const {
+    const std::string folder = "/sys/fs/cgroup/memory" + group;
+    write(folder, "memory.limit_in_bytes", limit);
+    write(folder, "memory.usage_in_bytes", used);
+    write(folder, "memory.stat", "inactive_file 7\ntotal_inactive_file 100\ntotal_active_file 20\n");
+  }
+  void version_2(const std::string& group, const std::string& limit, const std::string& used) const {
+    const std::string folder = "/sys/fs/cgroup" + group;
+    write(folder, "memory.max", limit);
+    write(folder, "memory.current", used);
+    write(folder, "memory.stat", "anon 5000\nactive_file 20\ninactive_file 100\n");
+  }
+  double left() const { return left_by_control_groups(root_ / ""); }
+
+ private:
+  void write(const std::string& folder, const std::string& name, const std::string& content) const {
+    std::filesystem::create_directories(root_ / folder.substr(1));
+    overwrite(root_ / (folder.substr(1) + "/" + name), content + "\n");
+  }
+  ScratchFolder root_;
+};
+
+TEST(Memory, ControlGroupsOfVersion2LeaveTheLeastOfTheirPathWithCachedFiles) {
+  const FakeRoot root("0::/slurm/job_1/step_0");
+  EXPECT_EQ(root.left(), no_limit);
+  root.version_2("/slurm/job_1/step_0", "max", "2000");
+  EXPECT_EQ(root.left(), no_limit);
+  root.version_2("/slurm/job_1", "10000", "4000");
+  EXPECT_EQ(root.left(), 10000 - 4000 + 120);
+  root.version_2("/slurm", "20000", "17000");
+  EXPECT_EQ(root.left(), 20000 - 17000 + 120);
+  root.version_2("/slurm/job_2", "10", "0");  // of others
+  EXPECT_EQ(root.left(), 20000 - 17000 + 120);
+  root.version_2("/slurm/job_1/step_0", "2000", "2500");
+  EXPECT_EQ(root.left(), 0);
+}
+
+TEST(Memory, ControlGroupsOfVersion1LeaveTheLeastOfTheirPathWithCachedFiles) {
+  const FakeRoot root("5:devices:/other\n4:hugetlb,memory:/slurm/job_1\n1:cpu:/x\n0::/");
+  EXPECT_EQ(root.left(), no_limit);
+  root.version_1("/other", "10", "0");
+  root.version_1("", "9223372036854771712", "30000");  // as the system writes "no limit"
+  EXPECT_GT(root.left(), 9e18);
+  root.version_1("/slurm", "20000", "4000");
+  EXPECT_EQ(root.left(), 20000 - 4000 + 120);
+  root.version_1("/slurm/job_1", "5000", "4000");
+  EXPECT_EQ(root.left(), 5000 - 4000 + 120);
+  root.version_1("/slurm/job_1", "5000", "50");  // more cached than used: a group leaves no more than its limit
+  EXPECT_EQ(root.left(), 5000);
+}
+
+TEST(Memory, AContainerThatSeesItsOwnGroupOnlyHasItsLimit) {
+  const FakeRoot version_2("0::/docker/abc"), version_1("3:memory:/docker/abc");
+  version_2.version_2("", "9000", "1000");
+  EXPECT_EQ(version_2.left(), 9000 - 1000 + 120);
+  version_1.version_1("", "9000", "1000");
+  EXPECT_EQ(version_1.left(), 9000 - 1000 + 120);
+}
+
+TEST(Memory, LinesThatNameNoGroupAreNoLimit) {
+  const FakeRoot root("\nmemory\n4:memory\n::");
+  EXPECT_EQ(root.left(), no_limit);
+  EXPECT_EQ(left_by_control_groups("/nowhere"), no_limit);
+}
 
 TEST(Memory, WhatCanBeHadIsPositiveAndMoreIsRefusedWithBothAmounts) {
   const double all = bytes_to_be_had();

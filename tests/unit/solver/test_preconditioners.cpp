@@ -210,5 +210,31 @@ TEST(DenseInverse, BothWaysAgreeWithTheProduct) {
   }
 }
 
+TEST(DenseInverse, ASingularBlockIsNotFiniteAndItsNeighbourIsRight) {
+  const int n = 6;
+  DenseBlocks a("a", 3, n, n), copy("copy", 3, n, n);
+  const auto given = Kokkos::create_mirror(a);
+  // Two zero pivots in a row in the first block, nothing but zeros in the second one, 2 I in the third one.
+  for (int i = 0; i < n; ++i) {
+    given(0, i, i) = i == 2 || i == 3 ? 0.0f : 1.0f;
+    given(2, i, i) = 2;
+  }
+  Kokkos::deep_copy(a, given);
+  Kokkos::deep_copy(copy, given);
+  const auto sizes = to_device<Kokkos::View<int*, Exec>>(std::vector<int>(3, n));
+  invert(a, sizes);
+  invert_by_teams(copy, sizes);
+  for (const DenseBlocks& inverse : {a, copy}) {
+    const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), inverse);
+    double sum[3] = {0, 0, 0};
+    for (int b = 0; b < 3; ++b)
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) sum[b] += std::abs(found(b, i, j));
+    EXPECT_FALSE(std::isfinite(sum[0]));
+    EXPECT_FALSE(std::isfinite(sum[1]));
+    EXPECT_DOUBLE_EQ(sum[2], 0.5 * n);
+  }
+}
+
 }  // namespace
 }  // namespace softwet::testing_tools

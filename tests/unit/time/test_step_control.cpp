@@ -74,6 +74,10 @@ TEST(StepControl, Clamps) {
   EXPECT_DOUBLE_EQ(control.proposed(), 2.0);
   for (int n = 0; n < 50; ++n) control.accept(control.next(0), 1e3, 2, 10);
   EXPECT_DOUBLE_EQ(control.proposed(), 1e-3);
+  control.set_proposed(50);  // of a run with other limits
+  EXPECT_DOUBLE_EQ(control.proposed(), 2.0);
+  control.set_proposed(1e-9);
+  EXPECT_DOUBLE_EQ(control.proposed(), 1e-3);
 }
 
 TEST(StepControl, RejectionHalvesUntilTheSmallestStep) {

@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+"""Field files keep their times when a run is resumed with others. usage: resume_fields.py SOFTWET"""
+
+import json
+
+import h5py
+from _scene import RIGID, check_true, run
+
+
+def times(folder):
+    """Times of the series of the fluid; each must be that of its file."""
+    listed = []
+    for number, entry in enumerate(json.load(open(f"{folder}/fields/fluid.vtkhdf.series"))["files"]):
+        with h5py.File(f"{folder}/fields/{entry['name']}") as file:
+            stored = float(file["VTKHDF/FieldData/TimeValue"][0])
+        check_true(f"{entry['name']} is listed with its time", entry["name"] == f"fluid_{number:04}.vtkhdf"
+                   and entry["time"] == stored, f"{entry['time']:g}, {stored:g}")
+        listed.append(entry["time"])
+    return listed
+
+
+def resumed(end, wanted):
+    run("static_droplet_rigid_2d", "out", RIGID + [f"time.end={end}", f"output.fields.times={wanted}"],
+        ["--resume", "--quiet", "--threads", "1"])
+    return times("out")
+
+
+def rows(folder):
+    return sorted({float(line.split(",")[0]) for line in open(f"{folder}/interface.csv").readlines()[1:]})
+
+
+run("static_droplet_rigid_2d", "out", RIGID + ["time.end=4", "output.fields.times=[0,2]"])
+check_true("as asked", times("out") == [0, 2])
+check_true("at the time of the resume, and later", resumed(6, "[0,4,6]") == [0, 2, 4, 6], str(times("out")))
+check_true("times that are over are left alone", resumed(8, "[1,2,8]") == [0, 2, 4, 6, 8], str(times("out")))
+check_true("interface.csv has them all", rows("out") == [0, 2, 4, 6, 8], str(rows("out")))
+check_true("case.toml is that of the last run", "end = 8" in open("out/case.toml").read())
+message = run("static_droplet_rigid_2d", "out", RIGID + ["time.end=3", "output.fields.times=[]"],
+              ["--resume", "--threads", "1"])
+check_true("nothing left to do: tells what to raise", "raise time.end" in message, message.strip())
+check_true("and leaves case.toml alone", "end = 8" in open("out/case.toml").read())
