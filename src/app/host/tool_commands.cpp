@@ -48,7 +48,7 @@ void add_verify(CLI::App& app, std::vector<std::string>& words) {
   tool.option("--out", "DIR", "folder of the results; default: out/verify");
   tool.option("--jobs", "N", "number of runs at once, one thread each; default: 1");
   tool.option("--docs", "DIR", "also write verification.md and verification/ into this folder");
-  command.callback([&words] { start_tool({"verify", {"numpy", "h5py"}}, words); });
+  command.callback([&words] { start_tool({"verify", {"numpy", "scipy", "h5py"}}, words); });
 }
 
 void add_sweep(CLI::App& app, std::vector<std::string>& words) {
