@@ -5,7 +5,7 @@ A study is a file of tests/verification/studies:
     '''Title in one line.
 
     What is done and where the exact answers come from.'''
-    MINUTES = {"quick": 0.2, "full": 5}   # as measured on one core
+    MINUTES = {"quick": 0.2, "full": 5}   # as measured on one core, rounded up; in one line
     def study(lab): ...
 
 tools/verify calls study(lab) and writes <out>/<name>/<name>.md with the tables and pictures beside it."""
@@ -59,10 +59,18 @@ class Store:
     def __init__(self, program, folder):
         self.program, self.folder = pathlib.Path(program), folder
         self.content = hashlib.sha1(self.program.read_bytes()).hexdigest()
+        self.running, self.stopped = set(), False
+
+    def stop(self):
+        """Kills the runs under way, which are not kept; no other starts. Takes no lock: for a signal handler."""
+        self.stopped = True
+        for process in list(self.running):
+            process.kill()
 
     def get(self, case, shown, settings, options, limit):
         """@param case   path of the case; @param shown  how the command names it
         @return the run, whatever its exit code"""
+        self.go_on()
         words = [word for setting in settings for word in ("--set", setting)] + list(options)
         if "--threads" not in words:
             words += ["--threads", "1"]
@@ -72,20 +80,33 @@ class Store:
         if not file.exists():
             note = self.compute([str(self.program), "run", str(case), *words, "--out", str(folder), "--overwrite", "--quiet"],
                                 limit)
+            self.go_on()
             note["command"] = shlex.join(["softwet", "run", shown, *words])
             if note["code"] not in (0, 1, 2):
                 return Run(folder, note)  # the machine's fault, or too slow: not kept
-            file.write_text(json.dumps(note))
+            part = file.with_suffix(".part")
+            part.write_text(json.dumps(note))
+            part.rename(file)  # whole or not at all
         return Run(folder, {**json.loads(file.read_text()), "command": shlex.join(["softwet", "run", shown, *words])})
+
+    def go_on(self):
+        if self.stopped:
+            raise StudyError("interrupted")
 
     def compute(self, words, limit):
         start = time.monotonic()
         with tempfile.TemporaryFile("w+") as errors:
-            process = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=errors, env=ENVIRONMENT)
+            # In a session of its own: Ctrl-C does not reach it, which it would take as the order to end early and well.
+            process = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=errors, env=ENVIRONMENT,
+                                       start_new_session=True)
+            self.running.add(process)
+            if self.stopped:  # since go_on()
+                process.kill()
             timer = threading.Timer(limit, process.kill)
             timer.start()
             _, status, usage = os.wait4(process.pid, 0)
             timer.cancel()
+            self.running.discard(process)
             process.returncode = os.waitstatus_to_exitcode(status)
             errors.seek(0)
             message = errors.read()
@@ -109,7 +130,11 @@ class Lab:
 
     # --- runs
 
-    def run(self, label, case, settings=(), options=(), expect=0, limit=600):
+    def run(self, label, case, settings=(), options=(), **keywords):
+        """One run; parameters as in get."""
+        return self.runs({label: (case, settings, options)}, **keywords)[label]
+
+    def get(self, label, case, settings=(), options=(), expect=0, limit=600):
         """Runs `softwet run`, unless an equal run is kept. @param label  names the run in this study
         @param case      a name in cases/, or the text of a case
         @param settings  values of --set;  @param options  further options, default "--threads 1"
@@ -123,11 +148,13 @@ class Lab:
         return run
 
     def runs(self, wanted, **keywords):
-        """@param wanted  {label: (case, settings)};  @return {label: Run}, computed side by side (--jobs)"""
-        for case, _ in wanted.values():
+        """@param wanted  {label: (case, settings)};  @return {label: Run}, computed side by side (--jobs)
+
+        Runs are started by the threads of the pool only: the main thread is the one that a signal stops anywhere."""
+        for case, *_ in wanted.values():
             self.case_file(case)
         with ThreadPoolExecutor(self.jobs) as pool:
-            futures = {label: pool.submit(self.run, label, *words, **keywords) for label, words in wanted.items()}
+            futures = {label: pool.submit(self.get, label, *words, **keywords) for label, words in wanted.items()}
             return {label: future.result() for label, future in futures.items()}
 
     def case_file(self, case):

@@ -4,14 +4,21 @@ Exact: with rho = rho_0 + R cos(kx), v = V sin(kx) the linearised equations are
     s R + rho_0 k V + eps k^2 G R = 0,   s rho_0 V = rho_0 k G R - (4/3) m k^2 V,   G = W''(rho_0) + g^2 k^2,
 so (s + eps k^2 G)(s + (4/3)(m/rho_0) k^2) + rho_0 k^2 G = 0: frequency^2 = c^2 k^2 + rho_0 g^2 k^4 less the damping,
 since c^2 = rho_0 W''; 4/3 = 2 - 2/3. eps is the stabilisation, switched off here. The fluid starts at rest in density
-with a wave of the velocity; the x-momentum of an odd mode is V (2/k) rho_0 per height, and -b + i w is fitted to it."""
+with a wave of the velocity; the x-momentum of an odd mode is V (2/k) rho_0 per height, and -b + i w is fitted to it.
 
+Generalized-alpha damps a little itself. What it makes of the exact s at the step of the run follows from its recurrence
+(as in the study elastic_waves). The damping measured is held against that, and asked for as closely as the frequency:
+1 %. The wave of theta = 0.39, liquid, mode 1 shows the difference: there the scheme adds 4 %. The first ten steps are
+left out: the first is one of backward Euler, and what it sets off in the second root of the scheme falls to 0.2 with
+each step (rho_inf = 0.5)."""
+
+import _measure
 import _shape
 import numpy
 from _case import case, fields
 from plane_interface import PlaneInterface
 
-MINUTES = {"quick": 0.1, "full": 0.5}
+MINUTES = {"quick": 0.1, "full": 0.2}
 CASE = case("A standing sound wave in one phase, in a channel between slip sides.", "sound",
             domain=dict(size=[1.0, 0.0625], elements=[64, 4]),
             fluid=dict(viscosity=1e-4, capillarity="1/64", temperature=0.85, ambient="liquid", stabilisation=0.0),
@@ -38,13 +45,13 @@ def settings(theta, phase, mode, viscosity, s, per_period=80, periods=2, element
 
 
 def measure(run, s):
-    return _shape.damped_wave(run.history["t"], run.history["momentum_x"], s, drift=False)
+    return _shape.damped_wave(run.history["t"][10:], run.history["momentum_x"][10:], s, drift=False)
 
 
 def study(lab):
     modes = (1, 9) if lab.quick else (1, 3, 5, 9, 15, 21)
     thetas = (0.85,) if lab.quick else (0.39, 0.85)
-    wanted, asked = {}, {}
+    wanted, asked, dampings = {}, {}, {}
     for theta in thetas:
         plane = PlaneInterface(theta)
         for phase in ("liquid", "vapour"):
@@ -58,12 +65,18 @@ def study(lab):
     for label, run in runs.items():
         s, plane, phase, k = asked[label]
         found, left = measure(run, s)
+        theory = _measure.scheme(s, run.history["dt"][1], 0.5)
+        dampings[label] = found.real / theory.real - 1
         c = plane.sound_speed(plane.liquid if phase == "liquid" else plane.vapour)
         error = found.imag / s.imag - 1
         lab.expect(f"{label}: frequency", f"{s.imag:.6g} +- 1 %", f"{found.imag:.6g}, {100 * error:+.3f} %", abs(error) <= 0.01)
         rows.append((label, f"{k:.4g}", f"{s.imag / (c * k):.5f}", f"{found.imag / (c * k):.5f}", f"{-s.real:.4g}",
-                     f"{-found.real:.4g}", f"{left:.0e}"))
-    lab.table(("wave", "k", "w/(c k) exact", "w/(c k)", "damping exact", "damping", "misfit"), rows, "dispersion")
+                     f"{-theory.real:.4g}", f"{-found.real:.4g}", f"{left:.0e}"))
+    worst = max(dampings, key=lambda label: abs(dampings[label]))
+    lab.expect("damping of all waves, with that of the scheme", "+- 1 %",
+               f"at most {100 * dampings[worst]:+.3f} %, {worst}", abs(dampings[worst]) <= 0.01)
+    lab.table(("wave", "k", "w/(c k) exact", "w/(c k)", "damping by viscosity, exact", "with that of the scheme",
+               "damping", "misfit"), rows, "dispersion")
     if not lab.quick:
         lab.plot("dispersion", lambda axes: draw(axes, runs, asked))
         steps(lab)

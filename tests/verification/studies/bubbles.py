@@ -15,7 +15,7 @@ import numpy
 from _case import case, fields, sides
 from plane_interface import PlaneInterface
 
-MINUTES = {"quick": 0.1, "full": 2}
+MINUTES = {"quick": 0.1, "full": 9}
 CASE = case("Three bubbles of vapour in a periodic square of liquid, after Gomez et al. 2010.", "three_bubbles",
             domain=dict(size=[1.0, 1.0], elements=[64, 64]),
             fluid=dict(viscosity="1/128", capillarity="1/64", temperature=0.85, ambient="liquid", initial=[0.1, 0.6]),

@@ -14,7 +14,7 @@ import numpy
 from _case import case, fields
 from plane_interface import PlaneInterface
 
-MINUTES = {"quick": 0.1, "full": 0.6}
+MINUTES = {"quick": 0.1, "full": 0.4}
 CASE = case("A liquid film on the left side, vapour on the right: one plane interface.", "plane_interface",
             domain=dict(size=[1.0, 0.0625], elements=[128, 4]),
             fluid=dict(viscosity="1/1024", capillarity="1/64", temperature=0.39),

@@ -4,7 +4,8 @@ Each run pushes a parameter to its end, or two at once (tests/verification/_extr
 0, laws intact), *stop* (exit code 2: it says why, the checkpoint of the last good state can be read, no file holds a
 number that is not finite) or be *refused* before it starts (exit code 1). Everything else *fails*: another exit code, a
 run longer than its limit, a number that is not finite, mass that drifts by more than 1e-8, a density outside (-0.05,
-1), and with the wall-energy law on a rigid wall an energy that grows."""
+1), and with the wall-energy law on a rigid wall an energy that grows. Where the outcome is not in doubt (EXPECTED in
+that file, with the reasons) it is asked for, so that a program that refuses or stops everything does not pass."""
 
 import numpy
 
@@ -66,10 +67,11 @@ def verdict(label, run):
 def row(label, run):
     found, reason = verdict(label, run)
     if run.code == 1 or found == "FAILS" and run.code not in (0, 2):
-        return found, [label, found, reason] + [""] * 6
+        return found, [label, found, matrix.EXPECTED.get(label, ""), reason] + [""] * 6
     rows, counts = run.history, run.record["counts"]
     steps, newton = max(1, counts["steps"]), max(1, counts["newton"])
-    return found, [label, found, reason, counts["steps"], counts["rejected_by_newton"] + counts["rejected_by_error"],
+    rejected = counts["rejected_by_newton"] + counts["rejected_by_error"]
+    return found, [label, found, matrix.EXPECTED.get(label, ""), reason, counts["steps"], rejected,
                    f"{rows['dt'].max():.3g}", f"{newton / steps:.1f}", f"{counts['krylov'] / newton:.1f}",
                    f"{rows['rho_min'].min():.2g}"]
 
@@ -82,5 +84,10 @@ def study(lab):
     lab.text(f"{len(kinds)} runs: " + ", ".join(f"{kinds.count(kind)} {kind}" for kind in
                                               ("survives", "stops", "refused", "FAILS")) + ".")
     lab.expect("runs that fail", 0, kinds.count("FAILS"), kinds.count("FAILS") == 0)
-    lab.table(["run", "verdict", "reason", "steps", "rejected", "largest step", "Newton per step", "Krylov per Newton",
-               "least density"], [cells for _, cells in found.values()], name="runs")
+    wrong = [f"{label}: {found[label][0]}, not {asked}" for label, asked in matrix.EXPECTED.items()
+             if label in found and found[label][0] != asked]
+    sure = len(found.keys() & matrix.EXPECTED.keys())
+    lab.expect(f"of {sure} runs whose outcome is not in doubt, those that came out otherwise", "none",
+               "; ".join(wrong) or "none", not wrong)
+    lab.table(["run", "verdict", "asked", "reason", "steps", "rejected", "largest step", "Newton per step",
+               "Krylov per Newton", "least density"], [cells for _, cells in found.values()], name="runs")

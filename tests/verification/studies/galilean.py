@@ -11,7 +11,7 @@ import _measure
 import numpy
 from _case import case, fields, sides
 
-MINUTES = {"quick": 0.1, "full": 6}
+MINUTES = {"quick": 0.1, "full": 4}
 SPEED = 0.125
 CASE = case("A droplet in a periodic square with a uniform velocity.", "carried_droplet",
             domain=dict(size=[1.0, 1.0], elements=[64, 64]),

@@ -20,7 +20,7 @@ import _measure
 import numpy
 from _case import case, sides
 
-MINUTES = {"quick": 1, "full": 6}
+MINUTES = {"quick": 0.2, "full": 0.6}
 TIGHT = ["solver.newton.rtol=1e-11", "solver.newton.atol=1e-12", "solver.krylov.rtol=1e-4"]
 MOVING = dict(field="velocity_x", amplitude=0.05, mode=[0, 0])
 UNIFORM = case("Solid and liquid in uniform motion. At this density the pressure is 0: r (1 - r) = 8 theta / 27.",

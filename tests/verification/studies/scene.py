@@ -6,7 +6,7 @@ Elements: 128x64 of fluid, 128x16 of solid, 128x48 of fluid on 128x16 of solid. 
 
 import re
 
-MINUTES = {"quick": 0.05, "full": 0.3}
+MINUTES = {"quick": 0.05, "full": 2}
 SCENES = {"static_droplet_rigid_2d": (True, False), "solid_layer_2d": (False, True), "tensotaxis_pull_2d": (True, True)}
 
 
