@@ -20,10 +20,26 @@ std::vector<std::pair<std::string, Array>> arrays_of(const State& s) {
           {"state/moment_rate", s.moment_rate}};
 }
 
+/// Visits what a run has cost, in the order of the file.
+template <class Visit>
+void each_cost(SolverCounts& k, RunSeconds& s, const Visit& visit) {
+  for (long* count : {&k.newton, &k.krylov, &k.residuals, &k.products, &k.builds, &k.applications}) visit(*count);
+  for (double* seconds : {&k.residual_seconds, &k.product_seconds, &k.build_seconds, &k.apply_seconds,
+                          &k.krylov_seconds, &s.setup, &s.observers, &s.output, &s.total})
+    visit(*seconds);
+}
+
+std::vector<double> costs(SolverCounts& k, RunSeconds& s) {
+  std::vector<double> numbers;
+  each_cost(k, s, [&](auto cost) { numbers.push_back(static_cast<double>(cost)); });
+  return numbers;
+}
+
 }  // namespace
 
 template <int D, int P>
-void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, const HistoryMemory& history) {
+void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, const HistoryMemory& history,
+                      RunSeconds seconds) {
   CheckpointWriter file(path);
   file.value("case", fingerprint(c));
   file.value("time", stepper.state().time);
@@ -43,18 +59,23 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
     droplets.insert(droplets.end(), {track.on_wall ? 1.0 : 0.0, track.merged ? 1.0 : 0.0});
   }
   file.array("history/droplets", droplets);
+  file.array("costs", costs(stepper.newton().counts(), seconds));
   file.commit();
 }
 
 template <int D, int P>
-HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper) {
+HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, RunSeconds& seconds) {
   State state = empty_state(stepper.integrator().model().layout());
   const Array previous("previous", state.unknown.extent(0));
   auto targets = arrays_of(state);
   targets.emplace_back("previous/unknown", previous);
   std::vector<ArraySize> sizes;
   for (const auto& [name, array] : targets) sizes.emplace_back(name, array.extent(0));
+  SolverCounts& counts = stepper.newton().counts();
+  sizes.emplace_back("costs", costs(counts, seconds).size());
   const SavedRun saved = read_saved_run(path, c, sizes);
+  auto cost = saved.arrays.back().begin();
+  each_cost(counts, seconds, [&](auto& number) { number = static_cast<std::decay_t<decltype(number)>>(*cost++); });
   state.time = saved.time;
   for (std::size_t i = 0; i < targets.size(); ++i)
     Kokkos::deep_copy(targets[i].second, to_device<Array>(saved.arrays[i]));
@@ -72,7 +93,7 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
 }
 
 using Steps = Stepper<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
-template void write_checkpoint(const std::string&, const Case&, Steps&, const HistoryMemory&);
-template HistoryMemory read_checkpoint(const std::string&, const Case&, Steps&);
+template void write_checkpoint(const std::string&, const Case&, Steps&, const HistoryMemory&, RunSeconds);
+template HistoryMemory read_checkpoint(const std::string&, const Case&, Steps&, RunSeconds&);
 
 }  // namespace softwet

@@ -8,14 +8,19 @@
 
 namespace softwet {
 
-/// Writes all levels of the integrator, the step control and the memory of the history, atomically. The lagged
+/// Seconds of a run beside those that Newton's method counts.
+struct RunSeconds {
+  double setup = 0, observers = 0, output = 0, total = 0;
+};
+
+/// Writes all levels of the integrator, the step control, the memory of the history and what the run has cost, atomically. The lagged
 /// preconditioner is not part of it: a resumed run builds a new one, so it agrees with an uninterrupted run to the
 /// tolerance of the solver, not to the last bit.
 template <int D, int P>
-void write_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, const HistoryMemory&);
+void write_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, const HistoryMemory&, RunSeconds);
 
-/// Puts a stepper where the checkpoint was written. Throws Error (invalid_input).
+/// Puts a stepper and the seconds where the checkpoint was written. Throws Error (invalid_input).
 template <int D, int P>
-HistoryMemory read_checkpoint(const std::string& path, const Case&, Stepper<D, P>&);
+HistoryMemory read_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, RunSeconds&);
 
 }  // namespace softwet

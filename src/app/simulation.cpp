@@ -8,7 +8,6 @@
 #include "app/interrupt.hpp"
 #include "app/memory_parts.hpp"
 #include "app/remedy.hpp"
-#include "app/restart.hpp"
 #include "model/initial.hpp"
 #include "observe/host/field_file.hpp"
 #include "observe/interface_table.hpp"
@@ -61,7 +60,8 @@ void Simulation<D, P>::begin() {
 
 template <int D, int P>
 void Simulation<D, P>::restore() {
-  scalars_.restore(read_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_));
+  scalars_.restore(read_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, seconds_));
+  seconds_before_ = seconds_.total;
   first_step_ = stepper_.counts().steps;
 }
 
@@ -95,7 +95,7 @@ void Simulation<D, P>::run() {
     progress_->tell("resumed at t = " + short_text(output_time()));
     resume();
   }
-  seconds_.setup = std::chrono::duration<double>(Clock::now() - start_).count();
+  seconds_.setup += since_start();
   try {
     if (!options_.resume) observe({});
     advance();
@@ -184,14 +184,15 @@ void Simulation<D, P>::save() {
   Stopwatch watch(seconds_.output);
   history_->flush();
   interface_->flush();
-  write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory());
+  seconds_.total = seconds_before_ + since_start();
+  write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory(), seconds_);
   record("running");
   last_save_ = Clock::now();
 }
 
 template <int D, int P>
 void Simulation<D, P>::record(const std::string& reason) {
-  seconds_.total = std::chrono::duration<double>(Clock::now() - start_).count();
+  seconds_.total = seconds_before_ + since_start();
   RunRecord run = describe_run<D, P>(case_, model_, stepper_, seconds_, first_step_);
   run["stop"]["reason"] = reason;
   run["stop"]["t"] = output_time();

@@ -7,17 +7,13 @@
 
 #include "app/dispatch.hpp"
 #include "app/progress.hpp"
+#include "app/restart.hpp"
 #include "observe/host/run_record.hpp"
 #include "observe/host/table_file.hpp"
 #include "observe/scalars.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
-
-/// Seconds of a run beside those that Newton's method counts.
-struct RunSeconds {
-  double setup = 0, observers = 0, output = 0, total = 0;
-};
 
 /// Computes a case in a folder that exists. The output clock is the computation clock minus case.clock_zero().
 template <int D, int P>
@@ -43,6 +39,7 @@ class Simulation {
   std::string stop_reason();
 
   bool at_end() const;
+  double since_start() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   double output_time() const { return stepper_.state().time - case_.clock_zero(); }
   std::string path(const std::string& name) const { return options_.out + "/" + name; }
 
@@ -56,7 +53,8 @@ class Simulation {
   std::optional<TableFile> history_, interface_;
   std::optional<Progress> progress_;
   typename Scalars<D, P>::Row last_row_;
-  RunSeconds seconds_;
+  RunSeconds seconds_;          ///< of the whole run
+  double seconds_before_ = 0;   ///< the resume
   long first_step_ = 0;
   std::vector<double> written_;  ///< times of the field files there are
 };

@@ -2,15 +2,21 @@
 """A run stopped and resumed gives the history of one that was not stopped. usage: resume.py SOFTWET"""
 
 import numpy
-from _scene import PULL, TIGHT, check, check_true, history, run
+from _scene import PULL, TIGHT, check, check_true, history, record, run
 
 # The droplet's velocity and momentum are differences of nearly equal numbers; they are compared on their own scale.
 run("tensotaxis_pull_2d", "whole", PULL + TIGHT)
 run("tensotaxis_pull_2d", "parts", PULL + TIGHT + ["time.max_steps=20"])
 run("tensotaxis_pull_2d", "parts", PULL + TIGHT + ["time.max_steps=45"], ["--resume", "--quiet", "--threads", "1"])
+before = record("parts")["seconds"]["total"]
 run("tensotaxis_pull_2d", "parts", PULL + TIGHT, ["--resume", "--quiet", "--threads", "1"])
 
 whole, parts = history("whole"), history("parts")
+counts = record("parts")["counts"]
+check_true("run.json counts the whole run", counts["newton"] >= parts["newton"].sum() and counts["krylov"] >= parts["krylov"].sum()
+           and counts["preconditioner_builds"] >= 3 and counts["steps"] == parts["step"][-1], str(counts))
+seconds = record("parts")["seconds"]
+check_true("and its seconds", seconds["total"] > before and seconds["product"] <= seconds["total"], f"{before}, {seconds}")
 check_true("same columns", list(whole) == list(parts))
 check_true("same steps", numpy.array_equal(whole["step"], parts["step"]), f"{len(parts['step'])} rows")
 for name in whole:
