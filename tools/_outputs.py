@@ -25,7 +25,7 @@ BLUE, RED, GREEN, GREY = "#1f5fa8", "#c0392b", "#2e8b57", "0.55"
 UNIT = {"t": r"$t \;/\; L_0\,(ab)^{-1/2}$", "x": r"$x \;/\; L_0$", "y": r"$y \;/\; L_0$"}
 
 
-ANEW = "is it cut? 'softwet run CASE --out DIR --resume' writes it anew"
+ANEW = "is it cut? 'softwet check CASE' prints what belongs there"
 
 
 class Problem(Exception):

@@ -53,8 +53,8 @@ class Simulation {
   std::optional<TableFile> history_, interface_;
   std::optional<Progress> progress_;
   typename Scalars<D, P>::Row last_row_;
-  RunSeconds seconds_;          ///< of the whole run
-  double seconds_before_ = 0;   ///< the resume
+  RunSeconds seconds_;         ///< of the whole run
+  double seconds_before_ = 0;  ///< the total at the resume
   long first_step_ = 0;
   std::vector<double> written_;  ///< times of the field files there are
 };

@@ -91,8 +91,8 @@ void write_field_files(const std::string& output, const Model<D, P>& model, cons
     } else {
       fields.push_back({"displacement", D, displacement});
     }
-    write_fields(folder + field_file_name(part, times.size() - 1), block.cells, positions<D>(grid, displacement), fields,
-                 times.back());
+    write_fields(folder + field_file_name(part, times.size() - 1), block.cells, positions<D>(grid, displacement),
+                 fields, times.back());
     write_list(folder, part, times);
   }
 }

@@ -2,6 +2,7 @@
 """Ctrl-C ends a run cleanly and resumably; a failed computation leaves its last good state. usage: ... SOFTWET"""
 
 import pathlib
+import shutil
 import signal
 import subprocess
 import time
@@ -10,10 +11,13 @@ from _scene import PULL, check_true, command, environment, history, record, run
 
 LONG = PULL + ["time.end=1e6", "output.fields.times=[0]", "time.dt_max=0.01"]
 for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+    shutil.rmtree("stopped", ignore_errors=True)
     process = subprocess.Popen(command("tensotaxis_pull_2d", "stopped", LONG, ["--overwrite", "--threads", "1"]),
                                stderr=subprocess.PIPE, text=True, env=environment,
                                preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
-    time.sleep(1.5)
+    while not pathlib.Path("stopped/case.toml").exists() and process.poll() is None:
+        time.sleep(0.05)  # until it has begun, and hears signals
+    time.sleep(0.5)
     message = run("tensotaxis_pull_2d", "stopped", PULL, code=1)
     check_true("the folder is taken while it runs", "another run" in message, message.strip())
     process.send_signal(number)

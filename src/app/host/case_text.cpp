@@ -83,20 +83,21 @@ std::string initial_case(const std::string& name) {
     return fmt::format("{:<42} # {}", value, comment);
   };
   const std::string text =
-         "# A droplet on a soft substrate, pulled by a load on the solid. Change what you need, then\n"
-         "#   softwet check FILE     shows what will be computed\n"
-         "#   softwet run FILE       computes it\n"
-         "#   softwet explain KEY    tells the meaning, range and default of a key\n"
-         "# Numbers may be written as ratios in quotes. Keys with defaults may be removed; tables select the "
-         "physics.\n" +
-         write_tables(example_scene(), line, [](const Table& table) { return "  # " + table.help; });
+      "# A droplet on a soft substrate, pulled by a load on the solid. Change what you need, then\n"
+      "#   softwet check FILE     shows what will be computed\n"
+      "#   softwet run FILE       computes it\n"
+      "#   softwet explain KEY    tells the meaning, range and default of a key\n"
+      "# Numbers may be written as ratios in quotes. Keys with defaults may be removed; tables select the "
+      "physics.\n" +
+      write_tables(example_scene(), line, [](const Table& table) { return "  # " + table.help; });
   parse_case(text, fmt::format("init '{}'", name));  // refuses what cannot be the name of a case
   return text;
 }
 
 std::string explain(const std::string& name) {
   std::string text, last_table;
-  if (name.empty()) text = "Numbers are 0 or between 1e-30 and 1e30 in size; ratios in quotes (\"1/256\") are numbers too.\n";
+  if (name.empty())
+    text = "Numbers are 0 or between 1e-30 and 1e30 in size; ratios in quotes (\"1/256\") are numbers too.\n";
   for (const Key& key : schema()) {
     if (!name.empty() && !matches(key, name)) continue;
     if (const std::string table = key.table(); table != last_table) {
