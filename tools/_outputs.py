@@ -97,7 +97,7 @@ def read_series(path):
 def field_files(folder):
     """{time: {"fluid": path, "solid": path}} of the field files there are, without what the case has not."""
     case = read_case(folder)
-    series = {kind: folder / "fields" / f"{kind}.vtkhdf.series"
+    series = {kind: folder / "fields" / f"{kind}.hdf.series"
               for kind, table in (("fluid", "fluid"), ("solid", "substrate")) if table in case}
     missing = [path for path in series.values() if not path.is_file()]
     if len(missing) == len(series):

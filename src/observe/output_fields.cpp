@@ -61,7 +61,7 @@ std::vector<double> positions(const typename Snapshot<D>::Grid& grid, std::vecto
 void write_list(const std::string& folder, const std::string& part, const std::vector<double>& times) {
   std::vector<std::pair<std::string, double>> list;
   for (std::size_t i = 0; i < times.size(); ++i) list.emplace_back(field_file_name(part, i), times[i]);
-  write_series(folder + part + ".vtkhdf.series", list);
+  write_series(folder + part + ".hdf.series", list);
 }
 
 }  // namespace

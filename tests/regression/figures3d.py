@@ -102,5 +102,5 @@ def refused(message, *options):
 refused("no fields at t = 7", "--scenes", "7")
 refused("a picture has 1 to 8", "--scenes", *9 * ["0"])
 refused("--magnify nan: must be a number in [0, 1e+06]", "--magnify", "nan")
-os.remove("small/fields/solid.vtkhdf.series")
-refused("there is no small/fields/solid.vtkhdf.series")
+os.remove("small/fields/solid.hdf.series")
+refused("there is no small/fields/solid.hdf.series")

@@ -10,10 +10,10 @@ from _scene import RIGID, check_true, run
 def times(folder):
     """Times of the series of the fluid; each must be that of its file."""
     listed = []
-    for number, entry in enumerate(json.load(open(f"{folder}/fields/fluid.vtkhdf.series"))["files"]):
+    for number, entry in enumerate(json.load(open(f"{folder}/fields/fluid.hdf.series"))["files"]):
         with h5py.File(f"{folder}/fields/{entry['name']}") as file:
             stored = float(file["VTKHDF/FieldData/TimeValue"][0])
-        check_true(f"{entry['name']} is listed with its time", entry["name"] == f"fluid_{number:04}.vtkhdf"
+        check_true(f"{entry['name']} is listed with its time", entry["name"] == f"fluid_{number:04}.hdf"
                    and entry["time"] == stored, f"{entry['time']:g}, {stored:g}")
         listed.append(entry["time"])
     return listed

@@ -41,7 +41,7 @@ def interface(folder, first=False):
 def fluid_field(folder, number, name="density"):
     """Points (rows, columns, 2) and values (rows, columns) of a field file."""
     import h5py
-    with h5py.File(pathlib.Path(folder) / "fields" / f"fluid_{number:04d}.vtkhdf") as file:
+    with h5py.File(pathlib.Path(folder) / "fields" / f"fluid_{number:04d}.hdf") as file:
         points, values = file["VTKHDF/Points"][:, :2], file[f"VTKHDF/PointData/{name}"][:].ravel()
     columns = int(numpy.argmax(numpy.diff(points[:, 0]) < 0)) + 1
     return points.reshape(-1, columns, 2), values.reshape(-1, columns)
@@ -50,7 +50,7 @@ def fluid_field(folder, number, name="density"):
 def solid_field(folder, number):
     """Points of the reference and displacement, (points, 2) each."""
     import h5py
-    with h5py.File(pathlib.Path(folder) / "fields" / f"solid_{number:04d}.vtkhdf") as file:
+    with h5py.File(pathlib.Path(folder) / "fields" / f"solid_{number:04d}.hdf") as file:
         displacement = file["VTKHDF/PointData/displacement"][:, :2]
         return file["VTKHDF/Points"][:, :2] - displacement, displacement
 

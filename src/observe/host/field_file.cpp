@@ -130,7 +130,7 @@ void write_fields(const std::string& path, const TensorGrid& grid, const std::ve
 
 std::string field_file_name(const std::string& part, std::size_t number) {
   char digits[32];
-  std::snprintf(digits, sizeof digits, "_%04zu.vtkhdf", number);
+  std::snprintf(digits, sizeof digits, "_%04zu.hdf", number);
   return part + digits;
 }
 

@@ -25,7 +25,7 @@ struct PointField {
 };
 
 /// Writes one block (the fluid, the solid) at one time, atomically: PATH holds the whole file or is left as it was.
-/// @param path    ends with .vtkhdf
+/// @param path    ends with .hdf
 /// @param points  positions, shape (points, dimension), components fastest
 /// @param time    stored as field data "TimeValue"
 /// Throws Error: computation_failed for a size that does not fit and for a value that is not finite (names field, point
@@ -33,7 +33,7 @@ struct PointField {
 void write_fields(const std::string& path, const TensorGrid& grid, const std::vector<double>& points,
                   const std::vector<PointField>& fields, double time);
 
-/// "fluid_0003.vtkhdf".
+/// "fluid_0003.hdf".
 std::string field_file_name(const std::string& part, std::size_t number);
 
 /// Times stored in the files part_0000, part_0001, ... of a folder, up to the first that is missing. Throws Error
@@ -41,7 +41,7 @@ std::string field_file_name(const std::string& part, std::size_t number);
 std::vector<double> field_file_times(const std::string& folder, const std::string& part);
 
 /// Writes the list of files that ParaView opens as one animation, atomically.
-/// @param path             ends with .vtkhdf.series
+/// @param path             ends with .hdf.series
 /// @param files_and_times  file names relative to the folder of `path`, and their times
 /// Throws Error: computation_failed for a time that is not finite, machine_failed for the disk.
 void write_series(const std::string& path, const std::vector<std::pair<std::string, double>>& files_and_times);

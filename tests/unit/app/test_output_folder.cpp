@@ -20,7 +20,7 @@ const Case& pull() {
 /// A folder with the result of an earlier run and a file of the user.
 void write_old_result(const ScratchFolder& folder) {
   fs::create_directory(folder / "fields");
-  for (const char* name : {"case.toml", "run.json", "history.csv", "checkpoint.h5", "fields/fluid_0000.vtkhdf", "mine"})
+  for (const char* name : {"case.toml", "run.json", "history.csv", "checkpoint.h5", "fields/fluid_0000.hdf", "mine"})
     overwrite(folder / name, std::string("old ") + name);
 }
 
@@ -28,7 +28,7 @@ TEST(OutputFolder, AnOldResultStaysWhenTheNewRunIsRefused) {
   const ScratchFolder folder;
   write_old_result(folder);
   OutputFolder(folder / "", pull(), OldResult::overwrite).discard();
-  for (const char* name : {"case.toml", "run.json", "history.csv", "checkpoint.h5", "fields/fluid_0000.vtkhdf", "mine"})
+  for (const char* name : {"case.toml", "run.json", "history.csv", "checkpoint.h5", "fields/fluid_0000.hdf", "mine"})
     EXPECT_EQ(content_of(folder / name), std::string("old ") + name);
 }
 

@@ -31,7 +31,7 @@ std::vector<double> lattice(const TensorGrid& grid) {
 
 TEST(FieldFile, LayoutOfAPlane) {
   const ScratchFolder folder;
-  const std::string path = folder / "fields/fluid_000123.vtkhdf";
+  const std::string path = folder / "fields/fluid_000123.hdf";
   const TensorGrid grid = {2, {3, 2, 1}};
   const std::vector<double> points = lattice(grid);
   const std::vector<double> density(35, 0.25);
@@ -53,7 +53,7 @@ TEST(FieldFile, LayoutOfAPlane) {
 
 TEST(FieldFile, LayoutOfAVolume) {
   const ScratchFolder folder;
-  const std::string path = folder / "solid_000000.vtkhdf";
+  const std::string path = folder / "solid_000000.hdf";
   const TensorGrid grid = {3, {2, 1, 2}};
   const std::vector<double> points = lattice(grid);
   write_fields(path, grid, points, {{"displacement", 3, points}}, 0);
@@ -109,7 +109,7 @@ TEST(QuadraticCells, NodesOfAHexahedronLieWhereVtkWantsThem) {
 
 TEST(FieldFile, RefusesValuesThatAreNotFinite) {
   const ScratchFolder folder;
-  const std::string path = folder / "fluid_000001.vtkhdf";
+  const std::string path = folder / "fluid_000001.hdf";
   const TensorGrid grid = {2, {1, 1, 1}};
   std::vector<double> points = lattice(grid);
   std::vector<double> velocity(18, 0.0);
@@ -127,7 +127,7 @@ TEST(FieldFile, RefusesValuesThatAreNotFinite) {
 
 TEST(FieldFile, RefusesFieldsThatDoNotFit) {
   const ScratchFolder folder;
-  const std::string path = folder / "fluid_000001.vtkhdf";
+  const std::string path = folder / "fluid_000001.hdf";
   const TensorGrid grid = {2, {1, 1, 1}};
   const std::vector<double> points = lattice(grid);
   const std::vector<double> nine(9, 1.0);
@@ -142,12 +142,12 @@ TEST(FieldFile, RefusesFieldsThatDoNotFit) {
 
 TEST(FieldSeries, ListsFilesAndTimes) {
   const ScratchFolder folder;
-  const std::string path = folder / "fields/fluid.vtkhdf.series";
-  write_series(path, {{"fluid_000000.vtkhdf", 0.0}, {"fluid_000123.vtkhdf", 235.5}});
+  const std::string path = folder / "fields/fluid.hdf.series";
+  write_series(path, {{"fluid_000000.hdf", 0.0}, {"fluid_000123.hdf", 235.5}});
   EXPECT_EQ(content_of(path),
             "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n"
-            "    {\"name\": \"fluid_000000.vtkhdf\", \"time\": 0},\n"
-            "    {\"name\": \"fluid_000123.vtkhdf\", \"time\": 235.5}\n  ]\n}\n");
+            "    {\"name\": \"fluid_000000.hdf\", \"time\": 0},\n"
+            "    {\"name\": \"fluid_000123.hdf\", \"time\": 235.5}\n  ]\n}\n");
 }
 
 }  // namespace

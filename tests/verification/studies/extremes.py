@@ -22,7 +22,7 @@ def finite(run):
     if "nan" in text or "inf" in text:
         return False
     import h5py
-    for path in [*run.folder.glob("fields/*.vtkhdf"), run.folder / "checkpoint.h5"]:
+    for path in [*run.folder.glob("fields/*.hdf"), run.folder / "checkpoint.h5"]:
         bad = []
         with h5py.File(path) as file:
             file.visititems(lambda name, item: bad.append(name) if isinstance(item, h5py.Dataset) and item.dtype.kind == "f"

@@ -38,7 +38,7 @@ CASE_3D = case("An eighth of a droplet; left, front and bottom sides are planes 
 
 def line(run):
     """Distance from the centre, density and chemical potential along the bottom side."""
-    with h5py.File(run.folder / "fields" / "fluid_0000.vtkhdf") as file:
+    with h5py.File(run.folder / "fields" / "fluid_0000.hdf") as file:
         points = file["VTKHDF/Points"][:]
         on = (numpy.abs(points[:, 1]) < 1e-9) & (numpy.abs(points[:, 2]) < 1e-9)
         x, at = numpy.unique(points[on, 0], return_index=True)
