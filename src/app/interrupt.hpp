@@ -4,7 +4,8 @@
 namespace softwet {
 
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP (a closed terminal; not under nohup) only sets
-/// `requested()`; a second one ends the program as usual.
+/// `requested()`; a second one ends the program as usual. A reader of the progress lines that goes away (`| head`) does
+/// not end the run.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <chrono>
-#include <deque>
+#include <optional>
 #include <string>
 
 #include "observe/scalars.hpp"
 
 namespace softwet {
 
-/// On a terminal one line that is rewritten a few times a second; elsewhere one line about every ten seconds.
+/// On a terminal one line that is rewritten a few times a second; elsewhere one line about every ten seconds. Times are
+/// t, on the clock of the output.
 class Progress {
  public:
   enum class Voice { silent, lines, terminal };
@@ -17,23 +18,20 @@ class Progress {
   /// The voice that fits stderr, silent when the user wants quiet.
   static Voice voice(bool quiet);
 
-  /// @param start, end  on the clock of the output
-  Progress(Voice voice, double start, double end);
+  Progress(Voice voice, double start, double end) : voice_(voice), start_(start), end_(end) {}
   ~Progress() { finish_line(); }
 
-  void step(double t, long step, const StepReport& report, const Headline& headline);
+  void step(double t, long step, double dt, const Headline& headline, const std::optional<double>& seconds_left);
   /// A message on a line of its own, also before and after the run.
   void tell(const std::string& message);
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::string time_left(double t);
   void finish_line();
 
   Voice voice_;
   double start_, end_;
-  Clock::time_point begin_, last_;
-  std::deque<std::pair<Clock::time_point, double>> recent_;  ///< wall time and t of the last twenty seconds
+  Clock::time_point last_ = Clock::now();
   bool open_line_ = false;
 };
 

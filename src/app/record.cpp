@@ -1,9 +1,11 @@
-// run.json: what a run was, where it ran, and what it cost.
+#include "app/record.hpp"
+
+#include <unistd.h>
+
 #include <Kokkos_Core.hpp>
 #include <softwet_version.hpp>
 
 #include "app/machine.hpp"
-#include "app/simulation.hpp"
 
 namespace softwet {
 namespace {
@@ -49,6 +51,7 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
   run["commit"] = commit;
   run["case"] = c.name;
   run["host"] = host_name();
+  run["process"] = static_cast<std::int64_t>(::getpid());
   run["backend"] = backend_name();
   run["threads"] = thread_count();
   run["instructions"] = instruction_set();

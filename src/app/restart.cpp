@@ -59,6 +59,8 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
     droplets.insert(droplets.end(), {track.on_wall ? 1.0 : 0.0, track.merged ? 1.0 : 0.0});
   }
   file.array("history/droplets", droplets);
+  write_watch(history.bodies, history.events, file);
+  file.value("run/started", seconds.started);
   file.array("costs", costs(stepper.newton().counts(), seconds));
   file.commit();
 }
@@ -83,7 +85,8 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
   stepper.counts().steps = saved.steps;
   stepper.counts().rejected_newton = saved.rejected_newton;
   stepper.counts().rejected_error = saved.rejected_error;
-  HistoryMemory history{saved.history_step, saved.history_time, saved.mass_start, {}};
+  if (saved.started > 0) seconds.started = saved.started;
+  HistoryMemory history{saved.history_step, saved.history_time, saved.mass_start, {}, saved.bodies, saved.events};
   for (const std::vector<double>& saved_track : saved.droplets) {
     DropletTrack track{{}, saved_track[D - 1] != 0, saved_track[D] != 0};
     std::copy_n(saved_track.begin(), D - 1, track.centre.begin());

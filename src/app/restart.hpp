@@ -11,6 +11,7 @@ namespace softwet {
 /// Seconds of a run beside those that Newton's method counts.
 struct RunSeconds {
   double setup = 0, observers = 0, output = 0, total = 0;
+  double started = 0;  ///< when the first process of the run began, seconds since 1970
 };
 
 /// Writes all levels of the integrator, the step control, the memory of the history and what the run has cost, atomically. The lagged

@@ -16,6 +16,9 @@
 namespace softwet {
 namespace {
 
+// Seconds.
+constexpr double first_save = 60, record_pause = 15;
+
 /// Times on the clock of the computation that a step has to end at.
 std::vector<double> events(const Case& c) {
   const double zero = c.clock_zero();
@@ -40,7 +43,15 @@ std::string short_text(double value) {
 
 template <int D, int P>
 Simulation<D, P>::Simulation(const Case& c, const RunOptions& options)
-    : case_(c), options_(options), model_(c), stepper_(model_, c, events(c)), scalars_(c, model_) {}
+    : case_(c),
+      options_(options),
+      model_(c),
+      stepper_(model_, c, events(c)),
+      scalars_(c, model_),
+      time_left_(c.clock_zero() + c.time.end, c.time.dt_max, c.time.max_steps) {
+  save_pause_ = std::min(first_save, 60 * c.output.checkpoint_minutes);
+  seconds_.started = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
 
 template <int D, int P>
 bool Simulation<D, P>::at_end() const {
@@ -63,6 +74,7 @@ void Simulation<D, P>::restore() {
   scalars_.restore(read_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, seconds_));
   seconds_before_ = seconds_.total;
   first_step_ = stepper_.counts().steps;
+  told_ = scalars_.events().size();
 }
 
 template <int D, int P>
@@ -86,27 +98,31 @@ void Simulation<D, P>::run() {
   // The factors of a preconditioner may be most of the memory; they are not there yet.
   require_bytes(case_, total_bytes(case_, model_.layout(), stepper_.newton().preconditioner()));
   options_.resume ? restore() : begin();
-  progress_.emplace(Progress::voice(options_.quiet), output_time(), case_.time.end);
+  progress_.emplace(Progress::voice(options_.quiet), -case_.clock_zero(), case_.time.end);
   if (options_.resume) {
     const std::string place = stop_reason() + " at t = " + short_text(output_time());
     if (!stop_reason().empty())
-      return progress_->tell("nothing left to do: " + place + "; raise " + (at_end() ? "time.end" : "time.max_steps") +
-                             " to go on");
+      return progress_->tell("nothing is left to compute: " + place + "; to go on, raise " +
+                             (at_end() ? "time.end" : "time.max_steps"));
     progress_->tell("resumed at t = " + short_text(output_time()));
     resume();
   }
   seconds_.setup += since_start();
   try {
-    if (!options_.resume) observe({});
+    if (options_.resume) {
+      record("running");
+    } else {
+      observe({});
+      save();
+    }
     advance();
   } catch (const Error& error) {
     if (error.code() != Exit::computation_failed) throw;
     save();
     record(std::string("failed: ") + error.what());
     const std::string advice = remedy(case_, error.what());
-    throw Error(error.code(), std::string(error.what()) + "; " + advice +
-                                  "; the last good state, t = " + short_text(output_time()) +
-                                  " on the clock of the output, is in " + path("checkpoint.h5"));
+    throw Error(error.code(), std::string(error.what()) + "; " + advice + "; the last good state, that of t = " +
+                                  short_text(output_time()) + ", is in " + path("checkpoint.h5"));
   } catch (const std::exception& error) {  // memory or the device: the state is still the last good one
     keep_after(error.what());
     throw;
@@ -127,17 +143,19 @@ void Simulation<D, P>::advance() {
   StepReport report;
   while (stop_reason().empty()) {
     report = stepper_.step();
+    time_left_.step(stepper_.counts().steps, stepper_.state().time, since_start());
     observe(report);
-    if (Clock::now() - last_save_ >= std::chrono::duration<double>(60 * case_.output.checkpoint_minutes)) save();
+    keep_files_current();
   }
   const long steps = stepper_.counts().steps;
   if (steps > first_step_ && steps % case_.output.history_every != 0) write_row(report);
   save();
   const std::string reason = stop_reason();
   record(reason);
-  const std::string more = reason == "end reached" ? "" : ", continue with --resume";
+  const std::string more = reason == "end reached" ? "" : "; to go on, run the same command with --resume";
   progress_->tell(reason + " at t = " + short_text(output_time()) + " after " + std::to_string(steps) + " steps and " +
-                  short_text(seconds_.total) + " s" + more + "; result in " + options_.out);
+                  short_text(seconds_.total) + " s" + more + "; the result is in " + options_.out +
+                  summary(scalars_.events()));
 }
 
 template <int D, int P>
@@ -156,7 +174,7 @@ void Simulation<D, P>::observe(const StepReport& report) {
     scalars_.keep();
   }
   write_fields_due();
-  if (step > 0) progress_->step(output_time(), step, report, scalars_.headline());
+  if (step > 0) progress_->step(output_time(), step, report.dt, scalars_.headline(), time_left_.seconds());
 }
 
 template <int D, int P>
@@ -165,6 +183,12 @@ void Simulation<D, P>::write_row(const StepReport& report) {
   last_row_ =
       scalars_.evaluate(stepper_.counts().steps, report, stepper_.state(), stepper_.integrator().at(stepper_.state()));
   history_->row(last_row_);
+  tell_events();
+}
+
+template <int D, int P>
+void Simulation<D, P>::tell_events() {
+  for (; told_ < scalars_.events().size(); ++told_) progress_->tell(sentence(scalars_.events()[told_]));
 }
 
 template <int D, int P>
@@ -176,6 +200,18 @@ void Simulation<D, P>::write_fields_due() {
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
     write_field_files<D, P>(options_.out, model_, snapshot, written_);
     add_interface_rows<D, P>(*interface_, model_, stepper_.integrator().at(stepper_.state()), snapshot, time);
+  }
+}
+
+template <int D, int P>
+void Simulation<D, P>::keep_files_current() {
+  const auto past = [](Clock::time_point last) { return std::chrono::duration<double>(Clock::now() - last).count(); };
+  if (past(last_save_) >= save_pause_) {
+    save();
+    save_pause_ = 60 * case_.output.checkpoint_minutes;
+  } else if (past(last_record_) >= record_pause) {
+    history_->flush();
+    record("running");
   }
 }
 
@@ -194,12 +230,12 @@ template <int D, int P>
 void Simulation<D, P>::record(const std::string& reason) {
   seconds_.total = seconds_before_ + since_start();
   RunRecord run = describe_run<D, P>(case_, model_, stepper_, seconds_, first_step_);
-  run["stop"]["reason"] = reason;
-  run["stop"]["t"] = output_time();
+  add_status(run, {reason, output_time(), seconds_.started, time_left_.seconds(), scalars_.events()});
   const std::vector<std::string> names = scalars_.columns();
   for (std::size_t i = 0; i < last_row_.size(); ++i)
     if (last_row_[i]) run["last_row"][names[i]] = *last_row_[i];
   run.write(path("run.json"));
+  last_record_ = Clock::now();
 }
 
 template class Simulation<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

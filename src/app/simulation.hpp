@@ -6,9 +6,10 @@
 #include <optional>
 
 #include "app/dispatch.hpp"
+#include "app/host/time_left.hpp"
 #include "app/progress.hpp"
+#include "app/record.hpp"
 #include "app/restart.hpp"
-#include "observe/host/run_record.hpp"
 #include "observe/host/table_file.hpp"
 #include "observe/scalars.hpp"
 #include "time/stepper.hpp"
@@ -32,6 +33,9 @@ class Simulation {
   void observe(const StepReport& report);
   void write_row(const StepReport& report);
   void write_fields_due();
+  void tell_events();
+  /// Brings checkpoint, history.csv and run.json up to date when their time has come.
+  void keep_files_current();
   void save();
   /// Tries to save after a failure that is not of the computation.
   void keep_after(const std::string& failure);
@@ -44,7 +48,8 @@ class Simulation {
   std::string path(const std::string& name) const { return options_.out + "/" + name; }
 
   using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now(), last_save_ = start_;
+  Clock::time_point start_ = Clock::now(), last_save_ = start_, last_record_ = start_;
+  double save_pause_ = 0;  ///< seconds from one checkpoint to the next
   const Case& case_;
   RunOptions options_;
   Model<D, P> model_;
@@ -52,15 +57,13 @@ class Simulation {
   Scalars<D, P> scalars_;
   std::optional<TableFile> history_, interface_;
   std::optional<Progress> progress_;
+  TimeLeft time_left_;
+  std::size_t told_ = 0;  ///< events the user has heard of
   typename Scalars<D, P>::Row last_row_;
   RunSeconds seconds_;         ///< of the whole run
   double seconds_before_ = 0;  ///< the total at the resume
   long first_step_ = 0;
   std::vector<double> written_;  ///< times of the field files there are
 };
-
-/// run.json but for the reason of the end: build, machine, case, unknowns, timings, counts, memory.
-template <int D, int P>
-RunRecord describe_run(const Case&, const Model<D, P>&, Stepper<D, P>&, const RunSeconds&, long first_step);
 
 }  // namespace softwet

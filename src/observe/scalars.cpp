@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/cap.hpp"
+#include "observe/phase_samples.hpp"
 
 namespace softwet {
 namespace {
@@ -28,7 +29,20 @@ template <int D, int P>
 Scalars<D, P>::Scalars(const Case& c, const Model<D, P>& model) : case_(c), model_(model) {
   for (const Droplet& droplet : c.droplets)
     memory_.droplets.push_back({{droplet.centre[0], D == 3 ? droplet.centre[1] : 0}, sits_on_wall(c, droplet), false});
+  memory_.bodies = bodies_of(c);
   latest_ = memory_;
+}
+
+template <int D, int P>
+void Scalars<D, P>::restore(const HistoryMemory& memory) {
+  memory_ = memory;
+  if (memory_.bodies.empty()) memory_.bodies = bodies_of(case_);
+  latest_ = memory_;
+}
+
+template <int D, int P>
+double Scalars<D, P>::middle() const {
+  return 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
 }
 
 template <int D, int P>
@@ -87,9 +101,8 @@ void Scalars<D, P>::add_extremes(const Snapshot<D>& snapshot, Row& row) const {
 template <int D, int P>
 void Scalars<D, P>::add_droplets(const Snapshot<D>& snapshot, long step, Row& row) {
   std::vector<Contact> found;
-  const double middle = 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
   if (model_.layout().has_fluid && model_.has_wall())
-    found = find_contacts(snapshot, middle, model_.fluid().capillarity, case_.track());
+    found = find_contacts(snapshot, middle(), model_.fluid().capillarity, case_.track());
   const std::vector<int> of_droplet = assign_contacts(found, latest_.droplets);
   const double interval = latest_.time - memory_.time;
   for (std::size_t k = 0; k < of_droplet.size(); ++k) {
@@ -110,6 +123,14 @@ void Scalars<D, P>::add_droplets(const Snapshot<D>& snapshot, long step, Row& ro
       headline_.centre.assign(track.centre.begin(), track.centre.begin() + D - 1), headline_.velocity = velocity;
     row.insert(row.end(), contact.cells.begin(), contact.cells.end());
   }
+}
+
+template <int D, int P>
+void Scalars<D, P>::follow_bodies(const Snapshot<D>& snapshot) {
+  if (latest_.bodies.empty()) return;
+  const PhaseSamples samples = sample_phase(snapshot, middle(), case_.fluid->ambient);
+  for (const std::string& what : follow(latest_.bodies, samples, body_names(case_)))
+    latest_.events.push_back({latest_.time - case_.clock_zero(), what});
 }
 
 template <int D, int P>
@@ -134,10 +155,10 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   add_integrals(step, state, end, row);
   add_extremes(snapshot, row);
   add_droplets(snapshot, step, row);
+  follow_bodies(snapshot);
   row.insert(row.end(), {headline_.energy, headline_.mass_drift});
   if (model_.layout().has_fluid) {
-    const double middle = 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
-    row.insert(row.end(), {speed_of_liquid(model_.layout(), state, middle), headline_.wall_stretch});
+    row.insert(row.end(), {speed_of_liquid(model_.layout(), state, middle()), headline_.wall_stretch});
   } else {
     row.insert(row.end(), 2, std::nullopt);
   }

@@ -8,6 +8,7 @@
 #include "app/case.hpp"
 #include "model/model.hpp"
 #include "observe/contacts.hpp"
+#include "observe/host/bodies.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
@@ -18,6 +19,8 @@ struct HistoryMemory {
   double time = 0;        ///< of that row, on the clock of the computation
   double mass_start = 0;  ///< at step 0
   std::vector<DropletTrack> droplets;
+  std::vector<Body> bodies;
+  std::vector<Event> events;  ///< of the whole run
 };
 
 /// The figures of a row that the progress line shows.
@@ -45,13 +48,18 @@ class Scalars {
   void keep() { memory_ = latest_; }
 
   const HistoryMemory& memory() const { return memory_; }
-  void restore(const HistoryMemory& memory) { memory_ = memory; }
+  /// Goes on behind a row of an earlier process. A memory without bodies gets those of the case.
+  void restore(const HistoryMemory& memory);
+  /// All that happened to the droplets up to the row last evaluated.
+  const std::vector<Event>& events() const { return latest_.events; }
   const Headline& headline() const { return headline_; }
 
  private:
   void add_integrals(long step, const State&, const Stage&, Row&);
   void add_extremes(const Snapshot<D>&, Row&) const;
   void add_droplets(const Snapshot<D>&, long step, Row&);
+  void follow_bodies(const Snapshot<D>&);
+  double middle() const;  ///< density of the level set that is the surface of a droplet
   double laplace_pressure(const Snapshot<D>&) const;
 
   const Case& case_;

@@ -27,7 +27,8 @@ const std::vector<ArraySize> arrays{{"state/unknown", 24},
                                     {"state/displacement", 8},
                                     {"state/moment", 6},
                                     {"previous/unknown", 24}};
-const char* const reals[] = {"time", "previous/dt", "step_control/proposed", "history/time", "history/mass_start"};
+const char* const reals[] = {"time",         "previous/dt",        "step_control/proposed",
+                             "history/time", "history/mass_start", "run/started"};
 const char* const counts[] = {"steps/accepted", "steps/rejected_newton", "steps/rejected_error", "history/step"};
 
 double any_number(FuzzedDataProvider& input) {
@@ -122,6 +123,12 @@ void write_file(const std::string& path, FuzzedDataProvider& input) {
   for (const char* name : counts) attribute("/values", name, std::int64_t{3}, input.ConsumeIntegral<std::int64_t>());
   for (const auto& [name, size] : arrays) write_array(file, id, name, size, input);
   write_array(file, id, "history/droplets", 3 * small_case().droplets.size(), input);
+  write_array(file, id, "history/bodies", 8 * small_case().droplets.size(), input);
+  write_array(file, id, "history/event_times", 1, input);
+  if (any_fate(input) == Fate::usual) {
+    const std::string events = "the droplet vanished\n";
+    file.write("/texts/history/events", std::vector<std::uint8_t>(events.begin(), events.end()), {events.size()});
+  }
   const Fate fate = any_fate(input);
   std::string text = fingerprint(small_case());
   if (fate == Fate::number)
@@ -143,6 +150,10 @@ void check_accepted(const SavedRun& run) {
                    "counts are not negative", "");
   require_property(std::isfinite(run.mass_start) && run.history_time >= 0, "the history is one", "");
   for (const auto& droplet : run.droplets) require_property(std::isfinite(droplet[0]), "a droplet has a place", "");
+  for (const Body& body : run.bodies)
+    require_property(std::isfinite(body.place[0]) && body.touched < 64, "a body has a place", "");
+  for (const Event& event : run.events) require_property(std::isfinite(event.time), "an event has a time", event.what);
+  require_property(run.started >= 0 && std::isfinite(run.started), "the start is a time", "");
 }
 
 }  // namespace

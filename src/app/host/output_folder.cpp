@@ -4,12 +4,15 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "app/error.hpp"
 #include "app/host/case_file.hpp"
@@ -41,18 +44,49 @@ void write_resolved(const fs::path& folder, const Case& c) {
   if (!file) fail_to_write(path.string(), "the disk is full or the folder is not yours");
 }
 
+[[noreturn]] void refuse(const std::string& message) { throw Error(Exit::invalid_input, message); }
+
 void check_old_result(const fs::path& folder, OldResult old) {
-  if (old == OldResult::resume && !fs::exists(folder / "checkpoint.h5")) {
-    throw Error(Exit::invalid_input,
-                fmt::format("--resume: there is no checkpoint.h5 in '{}'; leave out --resume to start "
-                            "from the beginning, or give the folder with --out",
-                            folder.string()));
+  const std::string name = folder.string();
+  const bool has_checkpoint = fs::exists(folder / "checkpoint.h5"), has_rows = fs::exists(folder / "history.csv");
+  if (has_rows && !has_checkpoint && old == OldResult::resume)
+    refuse(
+        fmt::format("--resume: the run in '{}' ended before its first checkpoint, so there is no state to go on from; "
+                    "start it again from the beginning with --overwrite in place of --resume",
+                    name));
+  if (has_rows && !has_checkpoint && old == OldResult::refuse)
+    refuse(
+        fmt::format("the folder '{}' holds a run that ended before its first checkpoint; start it again from the "
+                    "beginning with --overwrite, or choose another folder with --out",
+                    name));
+  if (!has_checkpoint && old == OldResult::resume)
+    refuse(
+        fmt::format("--resume: there is no run in '{}'; leave out --resume to start one, or give the folder of the "
+                    "run with --out",
+                    name));
+  if (has_checkpoint && old == OldResult::refuse)
+    refuse(
+        fmt::format("the folder '{}' holds the result of an earlier run; continue it with --resume, replace it with "
+                    "--overwrite, or choose another with --out",
+                    name));
+}
+
+/// " (process 1234)" for the holder of the lock on an open folder, as Linux tells it; empty where it does not.
+std::string holder_text(int descriptor) {
+  struct stat folder {};
+  if (::fstat(descriptor, &folder) != 0) return "";
+  const std::string place = fmt::format("{:02x}:{:02x}:{}", major(folder.st_dev), minor(folder.st_dev), folder.st_ino);
+  std::ifstream locks("/proc/locks");
+  // "7: FLOCK  ADVISORY  WRITE 1234 08:01:5678 0 EOF"
+  for (std::string line; std::getline(locks, line);) {
+    std::istringstream words(line);
+    std::string number, kind, manner, access, where;
+    long process = 0;
+    if (words >> number >> kind >> manner >> access >> process >> where && kind == "FLOCK" && where == place &&
+        process > 0)
+      return fmt::format(" (process {})", process);
   }
-  if (old == OldResult::refuse && (fs::exists(folder / "history.csv") || fs::exists(folder / "checkpoint.h5"))) {
-    throw Error(Exit::invalid_input, fmt::format("the folder '{}' holds the result of an earlier run; continue it with "
-                                                 "--resume, replace it with --overwrite, or choose another with --out",
-                                                 folder.string()));
-  }
+  return "";
 }
 
 /// The topmost folder of the path that does not exist yet.
@@ -71,6 +105,7 @@ OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old
   const fs::path folder(path);
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail_to_write(path, "a file has that name");
+  lock();  // first: what a run that is under way has written so far is no result
   check_old_result(folder, old);
   if (old != OldResult::resume) {
     made_ = first_missing(folder).string();
@@ -78,20 +113,21 @@ OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old
     if (error) fail_to_write(path, error.message());
     if (::access(path.c_str(), W_OK | X_OK) != 0) fail_to_write(path, std::strerror(errno));
   }
-  lock();
+  if (lock_.descriptor < 0) lock();
 }
 
-OutputFolder::~OutputFolder() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+OutputFolder::Lock::~Lock() {
+  if (descriptor >= 0) ::close(descriptor);
 }
 
 void OutputFolder::lock() {
-  descriptor_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  lock_.descriptor = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   // File systems without locks go unguarded.
-  if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  throw Error(Exit::invalid_input, fmt::format("another run is writing to '{}'; wait for its end, or choose another "
-                                               "folder with --out",
-                                               path_));
+  if (lock_.descriptor < 0 || ::flock(lock_.descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  refuse(
+      fmt::format("another run{} is writing to '{}' at this moment; wait for its end, or choose another folder with "
+                  "--out",
+                  holder_text(lock_.descriptor), path_));
 }
 
 void OutputFolder::begin() {

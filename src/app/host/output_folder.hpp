@@ -16,7 +16,6 @@ class OutputFolder {
   OutputFolder(const std::string& path, const Case& c, OldResult old);
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
-  ~OutputFolder();
 
   /// Removes the old result that is to be replaced and writes case.toml, of a resumed run too, whose end or output may
   /// have changed. For a run that nothing can refuse any more.
@@ -26,6 +25,11 @@ class OutputFolder {
   void discard();
 
  private:
+  /// A lock on the folder, held while it is open.
+  struct Lock {
+    int descriptor = -1;
+    ~Lock();
+  };
   void lock();
 
   std::string path_;
@@ -33,7 +37,7 @@ class OutputFolder {
   const Case& case_;
   OldResult old_;
   bool begun_ = false;
-  int descriptor_ = -1;  ///< of the folder, locked while the run lasts
+  Lock lock_;
 };
 
 }  // namespace softwet

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "app/error.hpp"
 #include "app/host/fingerprint.hpp"
@@ -16,6 +17,7 @@ class Judge {
  public:
   explicit Judge(const std::string& path) : path_(path), file_(path) {}
 
+  bool has(const std::string& name) const { return file_.has(name); }
   std::string text(const std::string& name) const { return file_.text(name); }
 
   double number(const std::string& name) const {
@@ -45,7 +47,6 @@ class Judge {
     return values;
   }
 
- private:
   [[noreturn]] void refuse(const std::string& name, const std::string& found, const std::string& needed) const {
     throw Error(Exit::invalid_input,
                 fmt::format("{}: '{}' {} where a checkpoint holds {}; put back the checkpoint.h5 that this case wrote, "
@@ -53,11 +54,46 @@ class Judge {
                             path_, name, found, needed));
   }
 
+ private:
   std::string path_;
   CheckpointReader file_;
 };
 
+constexpr std::size_t body_numbers = 8;
+const std::string body_array = "history/bodies", event_times = "history/event_times", event_texts = "history/events";
+
+void read_bodies(const Judge& file, const Case& c, SavedRun& run) {
+  const std::vector<double> numbers = file.array(body_array, body_numbers * bodies_of(c).size());
+  for (auto n = numbers.begin(); n != numbers.end(); n += body_numbers) {
+    if (n[3] < 0 || n[3] > 63) file.refuse(body_array, fmt::format("has the sides {}", n[3]), "a number in [0, 63]");
+    run.bodies.push_back({{n[0], n[1], n[2]}, static_cast<unsigned>(n[3]), n[4] != 0, n[5] != 0, n[6] != 0, n[7] != 0});
+  }
+}
+
+void read_events(const Judge& file, SavedRun& run) {
+  std::istringstream lines(file.text(event_texts));
+  for (std::string what; std::getline(lines, what);) run.events.push_back({0, what});
+  const std::vector<double> times = file.array(event_times, run.events.size());
+  for (std::size_t i = 0; i < times.size(); ++i) run.events[i].time = times[i];
+}
+
 }  // namespace
+
+void write_watch(const std::vector<Body>& bodies, const std::vector<Event>& events, CheckpointWriter& file) {
+  std::vector<double> numbers, times;
+  for (const Body& b : bodies)
+    for (double n : {b.place[0], b.place[1], b.place[2], double(b.touched), double(b.seen), double(b.on_wall),
+                     double(b.left_wall), double(b.gone)})
+      numbers.push_back(n);
+  std::string texts;
+  for (const Event& event : events) {
+    times.push_back(event.time);
+    texts += event.what + "\n";
+  }
+  file.array(body_array, numbers);
+  file.array(event_times, times);
+  file.value(event_texts, texts);
+}
 
 SavedRun read_saved_run(const std::string& path, const Case& c, const std::vector<ArraySize>& arrays) {
   const Judge file(path);
@@ -77,6 +113,9 @@ SavedRun read_saved_run(const std::string& path, const Case& c, const std::vecto
   const std::vector<double> droplets = file.array("history/droplets", numbers * c.droplets.size());
   for (auto first = droplets.begin(); first != droplets.end(); first += numbers)
     run.droplets.emplace_back(first, first + numbers);
+  if (file.has(body_array)) read_bodies(file, c, run);
+  if (file.has(event_texts)) read_events(file, run);
+  if (file.has("run/started")) run.started = file.positive("run/started");
   return run;
 }
 

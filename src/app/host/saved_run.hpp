@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/case.hpp"
+#include "observe/host/bodies.hpp"
+#include "observe/host/checkpoint_file.hpp"
 
 namespace softwet {
 
@@ -21,10 +23,17 @@ struct SavedRun {
   double history_time = 0, mass_start = 0;
   /// Per droplet: centre of the footprint (2D: x; 3D: x, y), on the wall (1) or not, merged (1) or not.
   std::vector<std::vector<double>> droplets;
+  /// What checkpoints of older programs have not: empty and 0 there.
+  std::vector<Body> bodies;
+  std::vector<Event> events;
+  double started = 0;  ///< when the run began, seconds since 1970
 };
 
 /// Name and length of an array of the file.
 using ArraySize = std::pair<std::string, std::size_t>;
+
+/// Writes what a run knows of its droplets as wholes.
+void write_watch(const std::vector<Body>& bodies, const std::vector<Event>& events, CheckpointWriter& file);
 
 /// Reads a checkpoint of this case. Throws Error (invalid_input) naming the file and the value where something is
 /// missing, belongs to another case, or is no state of a computation: not finite, a negative time, step or count.

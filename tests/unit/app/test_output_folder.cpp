@@ -76,5 +76,43 @@ TEST(OutputFolder, RefusesAnOldResultUnlessToldWhatToDoWithIt) {
                [&] { OutputFolder(folder / "", pull(), OldResult::refuse); });
 }
 
+TEST(OutputFolder, ARunThatEndedBeforeItsFirstCheckpointIsStartedAgain) {
+  const ScratchFolder folder;
+  write_old_result(folder);
+  fs::remove(folder / "checkpoint.h5");
+  for (OldResult old : {OldResult::refuse, OldResult::resume})
+    expect_error(Exit::invalid_input, {folder / "", "before its first checkpoint", "--overwrite"},
+                 [&] { OutputFolder(folder / "", pull(), old); });
+  OutputFolder(folder / "", pull(), OldResult::overwrite).begin();
+  EXPECT_FALSE(fs::exists(folder / "history.csv"));
+}
+
+TEST(OutputFolder, ThereIsNothingToResumeWhereNoRunIs) {
+  const ScratchFolder folder;
+  for (const char* name : {"", "none"})
+    expect_error(Exit::invalid_input, {folder / name, "there is no run", "leave out --resume", "--out"},
+                 [&] { OutputFolder(folder / name, pull(), OldResult::resume); });
+  EXPECT_FALSE(fs::exists(folder / "none"));
+}
+
+TEST(OutputFolder, ARunThatIsUnderWayIsTheFirstThingSaid) {
+  const ScratchFolder folder;
+  const OutputFolder running(folder / "", pull(), OldResult::refuse);
+  for (OldResult old : {OldResult::refuse, OldResult::resume, OldResult::overwrite})
+    expect_error(Exit::invalid_input, {"another run", folder / "", "is writing", "--out"},
+                 [&] { OutputFolder(folder / "", pull(), old); });
+  write_old_result(folder);
+  for (OldResult old : {OldResult::refuse, OldResult::resume, OldResult::overwrite})
+    expect_error(Exit::invalid_input, {"another run", folder / "", "is writing", "--out"},
+                 [&] { OutputFolder(folder / "", pull(), old); });
+}
+
+TEST(OutputFolder, ARefusalGivesTheFolderBack) {
+  const ScratchFolder folder;
+  write_old_result(folder);
+  EXPECT_THROW(OutputFolder(folder / "", pull(), OldResult::refuse), Error);
+  OutputFolder(folder / "", pull(), OldResult::resume);
+}
+
 }  // namespace
 }  // namespace softwet

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -36,12 +37,15 @@ struct Content {
   std::map<std::string, std::vector<double>> arrays{
       {"state/unknown", {1, 2, 3, 4}}, {"previous/unknown", {5, 6, 7, 8}}, {"history/droplets", {0.5, 1, 0}}};
 
-  void write(const std::string& path, const Case& c = pull()) const {
+  void write(
+      const std::string& path, const Case& c = pull(),
+      const std::function<void(CheckpointWriter&)>& more = [](CheckpointWriter&) {}) const {
     CheckpointWriter file(path);
     file.value("case", fingerprint(c));
     for (const auto& [name, value] : numbers) file.value(name, value);
     for (const auto& [name, value] : counts) file.value(name, value);
     for (const auto& [name, values] : arrays) file.array(name, values);
+    more(file);
     file.commit();
   }
 };
@@ -57,6 +61,55 @@ TEST(SavedRun, ReadsWhatARunWrites) {
   EXPECT_EQ(run.proposed_dt, 0.25);
   EXPECT_EQ(run.steps + run.rejected_newton + run.rejected_error + run.history_step, 7 + 1 + 2 + 6);
   EXPECT_EQ(run.droplets[0], (std::vector<double>{0.5, 1, 0}));
+}
+
+TEST(SavedRun, ReadsWhatBecameOfTheDroplets) {
+  const ScratchFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  const Body body{{0.5, 0.25, 0}, 6, true, true, false, true};
+  Content().write(path, pull(), [&](CheckpointWriter& file) {
+    write_watch({body}, {{-2, "the droplet reached the left side"}, {3.5, "the droplet vanished"}}, file);
+    file.value("run/started", 1e9);
+  });
+  const SavedRun run = read_saved_run(path, pull(), sizes);
+  ASSERT_EQ(run.bodies.size(), 1U);
+  EXPECT_EQ(run.bodies[0].place, body.place);
+  EXPECT_EQ(run.bodies[0].touched, 6U);
+  EXPECT_TRUE(run.bodies[0].seen && run.bodies[0].on_wall && !run.bodies[0].left_wall && run.bodies[0].gone);
+  ASSERT_EQ(run.events.size(), 2U);
+  EXPECT_EQ(run.events[0].time, -2);
+  EXPECT_EQ(run.events[1].what, "the droplet vanished");
+  EXPECT_EQ(run.started, 1e9);
+}
+
+TEST(SavedRun, ACheckpointOfAnOlderProgramHasNoEvents) {
+  const ScratchFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  Content().write(path);
+  const SavedRun run = read_saved_run(path, pull(), sizes);
+  EXPECT_TRUE(run.bodies.empty() && run.events.empty());
+  EXPECT_EQ(run.started, 0);
+}
+
+TEST(SavedRun, RefusesDropletsAndEventsThatNoRunWrites) {
+  const ScratchFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  const auto refuses = [&](const std::string& name, const std::function<void(CheckpointWriter&)>& more) {
+    Content().write(path, pull(), more);
+    expect_error(Exit::invalid_input, {path, "'" + name + "'", "--resume"},
+                 [&] { read_saved_run(path, pull(), sizes); });
+  };
+  refuses("history/bodies", [](CheckpointWriter& file) { write_watch({{}, {}}, {}, file); });
+  refuses("history/bodies", [](CheckpointWriter& file) { write_watch({{{}, 64}}, {}, file); });
+  refuses("history/bodies", [](CheckpointWriter& file) { write_watch({{{NAN, 0, 0}}}, {}, file); });
+  refuses("history/event_times", [](CheckpointWriter& file) {
+    write_watch({{}}, {{NAN, "the droplet vanished"}}, file);
+  });
+  refuses("history/event_times", [](CheckpointWriter& file) {
+    file.array("history/event_times", {1, 2});
+    file.value("history/events", std::string("the droplet vanished\n"));
+  });
+  refuses("run/started", [](CheckpointWriter& file) { file.value("run/started", -1.0); });
 }
 
 TEST(SavedRun, ADropletOn3DHasTwoCoordinates) {

@@ -1,0 +1,34 @@
+// The droplets, bubbles and films of a case as wholes, and what happened to them. Plain data.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/case.hpp"
+
+namespace softwet {
+
+/// Something that happened during a run.
+struct Event {
+  double time = 0;   ///< t, on the clock of the output
+  std::string what;  ///< a sentence without its time: "the droplet vanished"
+};
+
+/// A droplet, bubble or film of the case, from row to row of history.csv.
+struct Body {
+  std::array<double, 3> place{};  ///< reference point deep inside when last seen; before that, of the case
+  unsigned touched = 0;           ///< sides it has ever reached: bit 2 axis + (0: low, 1: high)
+  bool seen = false;              ///< a row has looked at it
+  bool on_wall = false;           ///< in the last row
+  bool left_wall = false;         ///< it was said that it lost its contact line
+  bool gone = false;              ///< vanished, or merged into another body
+};
+
+/// The bodies of a case before its first row: droplets (bubbles), then films. Films among bubbles are ambient.
+std::vector<Body> bodies_of(const Case&);
+
+/// Names of the bodies: "the droplet", "droplet 2", "the film".
+std::vector<std::string> body_names(const Case&);
+
+}  // namespace softwet

@@ -1,0 +1,202 @@
+#include "observe/host/droplet_watch.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace softwet {
+namespace {
+
+/// A connected set of points inside.
+struct Region {
+  int deepest = -1;      ///< the point that is the most steps away from the points outside
+  unsigned touched = 0;  ///< as in Body
+};
+
+/// The connected regions of a grid: points are neighbours along the axes, also across a periodic end.
+class Regions {
+ public:
+  explicit Regions(const PhaseSamples& samples) : samples_(samples), label_(samples.inside.size(), -1) {
+    for (std::size_t p = 0; p < label_.size(); ++p)
+      if (samples_.inside[p] && label_[p] < 0) flood(static_cast<int>(p));
+    find_deepest();
+  }
+
+  const std::vector<Region>& all() const { return regions_; }
+  unsigned wall_bit() const { return samples_.periodic[vertical()] ? 0U : 1U << (2 * vertical()); }
+
+  std::array<double, 3> place(int point) const {
+    const std::array<int, 3> index = index_of(point);
+    std::array<double, 3> x{};
+    for (int d = 0; d < samples_.dimension; ++d) x[d] = samples_.origin[d] + samples_.step[d] * index[d];
+    return x;
+  }
+
+  /// The region at the point nearest to a place; -1: none.
+  int at(const std::array<double, 3>& x) const {
+    int point = 0;
+    for (int d = samples_.dimension - 1; d >= 0; --d) {
+      const int n = samples_.points[d];
+      const int i = static_cast<int>(std::lround((x[d] - samples_.origin[d]) / samples_.step[d]));
+      point = point * n + (samples_.periodic[d] ? (i % n + n) % n : std::min(std::max(i, 0), n - 1));
+    }
+    return label_[point];
+  }
+
+  /// The nearest region to a place that is not taken; -1: none.
+  int nearest(const std::array<double, 3>& x, const std::vector<bool>& taken) const {
+    double least = std::numeric_limits<double>::infinity();
+    int found = -1;
+    for (std::size_t p = 0; p < label_.size(); ++p) {
+      if (label_[p] < 0 || taken[label_[p]]) continue;
+      const std::array<double, 3> y = place(static_cast<int>(p));
+      double square = 0;
+      for (int d = 0; d < samples_.dimension; ++d) {
+        const double away = y[d] - x[d], length = samples_.step[d] * samples_.points[d];
+        square += std::pow(samples_.periodic[d] ? std::remainder(away, length) : away, 2);
+      }
+      if (square < least) least = square, found = label_[p];
+    }
+    return found;
+  }
+
+ private:
+  int vertical() const { return samples_.dimension - 1; }
+
+  std::array<int, 3> index_of(int point) const {
+    const auto& n = samples_.points;
+    return {point % n[0], point / n[0] % n[1], point / n[0] / n[1]};
+  }
+
+  /// Calls visit(axis, end, neighbour) for each direction; neighbour -1: the point lies on that side of the domain.
+  template <class Visit>
+  void each_neighbour(int point, const Visit& visit) const {
+    const std::array<int, 3> index = index_of(point);
+    int stride = 1;
+    for (int d = 0; d < samples_.dimension; stride *= samples_.points[d], ++d)
+      for (int end : {0, 1}) {
+        const int n = samples_.points[d], next = index[d] + (end == 0 ? -1 : 1);
+        const bool beyond = next < 0 || next >= n;
+        visit(d, end, beyond && !samples_.periodic[d] ? -1 : point + ((next + n) % n - index[d]) * stride);
+      }
+  }
+
+  void flood(int start) {
+    const int label = static_cast<int>(regions_.size());
+    regions_.emplace_back();
+    std::vector<int> open{start};
+    label_[start] = label;
+    while (!open.empty()) {
+      const int point = open.back();
+      open.pop_back();
+      each_neighbour(point, [&](int axis, int end, int next) {
+        if (next < 0) {
+          regions_[label].touched |= 1U << (2 * axis + end);
+        } else if (samples_.inside[next] && label_[next] < 0) {
+          label_[next] = label;
+          open.push_back(next);
+        }
+      });
+    }
+  }
+
+  /// Goes inwards from all points outside at once; the last point reached of a region is its deepest.
+  void find_deepest() {
+    std::vector<bool> reached(label_.size());
+    std::vector<int> front;
+    for (std::size_t p = 0; p < label_.size(); ++p) {
+      reached[p] = label_[p] < 0;
+      if (reached[p]) front.push_back(static_cast<int>(p));
+      if (!reached[p] && regions_[label_[p]].deepest < 0) regions_[label_[p]].deepest = static_cast<int>(p);
+    }
+    for (std::size_t k = 0; k < front.size(); ++k)
+      each_neighbour(front[k], [&](int, int, int next) {
+        if (next < 0 || reached[next]) return;
+        reached[next] = true;
+        regions_[label_[next]].deepest = next;
+        front.push_back(next);
+      });
+  }
+
+  const PhaseSamples& samples_;
+  std::vector<int> label_;  ///< the region of each point; -1: outside
+  std::vector<Region> regions_;
+};
+
+/// The region of each body; -1: it has none, or it is gone.
+std::vector<int> find_bodies(const std::vector<Body>& bodies, const Regions& regions) {
+  std::vector<int> region_of(bodies.size(), -1);
+  std::vector<bool> taken(regions.all().size(), false);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (!bodies[k].gone) region_of[k] = regions.at(bodies[k].place);
+    if (region_of[k] >= 0) taken[region_of[k]] = true;
+  }
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (bodies[k].gone || region_of[k] >= 0) continue;
+    region_of[k] = regions.nearest(bodies[k].place, taken);
+    if (region_of[k] >= 0) taken[region_of[k]] = true;
+  }
+  return region_of;
+}
+
+std::string vanished(const std::string& name, bool nothing_left, bool bubbles) {
+  if (!nothing_left) return name + " vanished";
+  return name + (bubbles ? " vanished: no vapour is left, and the run goes on with liquid alone"
+                         : " vanished: no liquid is left, and the run goes on with vapour alone");
+}
+
+std::string side_name(int axis, int end, int dimension) {
+  if (axis == dimension - 1) return end == 0 ? "the wall" : "the top";
+  const char* const names[2][2] = {{"left", "right"}, {"front", "back"}};
+  return std::string("the ") + names[axis][end] + " side";
+}
+
+/// What is new about a body that is there.
+void meet_sides(Body& body, const Region& region, const std::string& name, int dimension, unsigned wall_bit,
+                std::vector<std::string>& said) {
+  const unsigned fresh = region.touched & ~body.touched;
+  for (int side = 0; side < 2 * dimension; ++side)
+    if (body.seen && (fresh & 1U << side) != 0)
+      said.push_back(name + " reached " + side_name(side / 2, side % 2, dimension));
+  body.touched |= region.touched;
+  const bool on_wall = (region.touched & wall_bit) != 0;
+  if (body.on_wall && !on_wall && !body.left_wall) {
+    said.push_back(name + " lost its contact line: it no longer touches the wall");
+    body.left_wall = true;
+  }
+  body.on_wall = on_wall;
+}
+
+}  // namespace
+
+std::vector<std::string> follow(std::vector<Body>& bodies, const PhaseSamples& samples,
+                                const std::vector<std::string>& names) {
+  const Regions regions(samples);
+  const std::vector<int> region_of = find_bodies(bodies, regions);
+  std::vector<std::string> said;
+  std::vector<int> owner(regions.all().size(), -1);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    Body& body = bodies[k];
+    if (body.gone) continue;
+    const int r = region_of[k];
+    if (r < 0) {
+      body.gone = true;
+      said.push_back(vanished(names[k], regions.all().empty(), samples.bubbles));
+    } else if (owner[r] >= 0) {
+      body.gone = true;
+      said.push_back(names[owner[r]] + " and " + names[k] + (body.seen ? " merged" : " are one from the start"));
+      bodies[owner[r]].touched |= body.touched;
+    } else {
+      owner[r] = static_cast<int>(k);
+    }
+  }
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (bodies[k].gone) continue;
+    const Region& region = regions.all()[region_of[k]];
+    meet_sides(bodies[k], region, names[k], samples.dimension, regions.wall_bit(), said);
+    bodies[k].place = regions.place(region.deepest);
+    bodies[k].seen = true;
+  }
+  return said;
+}
+
+}  // namespace softwet
