@@ -43,7 +43,7 @@ void Progress::step(double t, long step, double dt, const Headline& headline,
   for (std::size_t d = 0; d < headline.centre.size(); ++d)
     line += text(d == 0 ? ", x = %.4f" : ", y = %.4f", headline.centre[d]);
   if (headline.velocity) line += text(", V = %.2e", *headline.velocity);
-  if (headline.mass_drift) line += text(", mass %+.0e", *headline.mass_drift);
+  if (headline.mass_drift) line += text(", mass drift %+.0e", *headline.mass_drift);
   if (voice_ == Voice::terminal) {
     std::fprintf(stderr, "\r%s\033[K", line.substr(0, terminal_width() - 1).c_str());
     open_line_ = true;

@@ -43,13 +43,14 @@ std::string short_text(double value) {
 
 template <int D, int P>
 Simulation<D, P>::Simulation(const Case& c, const RunOptions& options)
-    : case_(c),
+    : saves_(std::min(first_save, 60 * c.output.checkpoint_minutes), 60 * c.output.checkpoint_minutes),
+      records_(record_pause, record_pause),
+      case_(c),
       options_(options),
       model_(c),
       stepper_(model_, c, events(c)),
       scalars_(c, model_),
       time_left_(c.clock_zero() + c.time.end, c.time.dt_max, c.time.max_steps) {
-  save_pause_ = std::min(first_save, 60 * c.output.checkpoint_minutes);
   seconds_.started = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
@@ -205,11 +206,9 @@ void Simulation<D, P>::write_fields_due() {
 
 template <int D, int P>
 void Simulation<D, P>::keep_files_current() {
-  const auto past = [](Clock::time_point last) { return std::chrono::duration<double>(Clock::now() - last).count(); };
-  if (past(last_save_) >= save_pause_) {
+  if (saves_.due(since_start())) {
     save();
-    save_pause_ = 60 * case_.output.checkpoint_minutes;
-  } else if (past(last_record_) >= record_pause) {
+  } else if (records_.due(since_start())) {
     history_->flush();
     record("running");
   }
@@ -223,7 +222,6 @@ void Simulation<D, P>::save() {
   seconds_.total = seconds_before_ + since_start();
   write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory(), seconds_);
   record("running");
-  last_save_ = Clock::now();
 }
 
 template <int D, int P>
@@ -235,7 +233,6 @@ void Simulation<D, P>::record(const std::string& reason) {
   for (std::size_t i = 0; i < last_row_.size(); ++i)
     if (last_row_[i]) run["last_row"][names[i]] = *last_row_[i];
   run.write(path("run.json"));
-  last_record_ = Clock::now();
 }
 
 template class Simulation<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/dispatch.hpp"
+#include "app/host/rhythm.hpp"
 #include "app/host/time_left.hpp"
 #include "app/progress.hpp"
 #include "app/record.hpp"
@@ -48,8 +49,8 @@ class Simulation {
   std::string path(const std::string& name) const { return options_.out + "/" + name; }
 
   using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now(), last_save_ = start_, last_record_ = start_;
-  double save_pause_ = 0;  ///< seconds from one checkpoint to the next
+  Clock::time_point start_ = Clock::now();
+  Rhythm saves_, records_;
   const Case& case_;
   RunOptions options_;
   Model<D, P> model_;

@@ -34,7 +34,8 @@ std::optional<double> TimeLeft::seconds() const {
 }
 
 std::string rough_duration(double seconds) {
-  if (seconds < 95) return fmt::format("about {:g} s", rounded(seconds, seconds < 15 ? 5 : 10));
+  if (seconds < 10) return "a few seconds";
+  if (seconds < 95) return fmt::format("about {:g} s", rounded(seconds, 10));
   const double minutes = seconds / 60, hours = minutes / 60;
   if (minutes < 57) return fmt::format("about {:g} min", rounded(minutes, minutes < 10 ? 1 : 5));
   if (hours < 36) return fmt::format("about {:g} h", rounded(hours, hours < 5 ? 0.5 : 1));

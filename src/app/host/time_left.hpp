@@ -32,7 +32,7 @@ class TimeLeft {
   std::deque<Sample> recent_;
 };
 
-/// "about 40 s", "about 3 min", "about 2 h", "about 4 days": no more figures than an estimate has.
+/// "a few seconds", "about 40 s", "about 3 min", "about 2 h", "about 4 days": no more figures than an estimate has.
 std::string rough_duration(double seconds);
 
 }  // namespace softwet
