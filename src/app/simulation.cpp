@@ -4,12 +4,12 @@
 #include <cstdio>
 
 #include "app/error.hpp"
+#include "app/host/field_times.hpp"
 #include "app/host/memory.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory_parts.hpp"
 #include "app/remedy.hpp"
 #include "model/initial.hpp"
-#include "observe/host/field_file.hpp"
 #include "observe/interface_table.hpp"
 #include "observe/output_fields.hpp"
 
@@ -24,11 +24,9 @@ std::vector<double> events(const Case& c) {
     times.push_back(load.start);
     times.push_back(load.start + load.ramp);
   }
-  for (double t : c.output.field_times) times.push_back(zero + t);
+  for (double t : field_times(c)) times.push_back(zero + t);
   return times;
 }
-
-bool same_time(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
 
 std::string short_text(double value) {
   char text[32];
@@ -40,7 +38,12 @@ std::string short_text(double value) {
 
 template <int D, int P>
 Simulation<D, P>::Simulation(const Case& c, const RunOptions& options)
-    : case_(c), options_(options), model_(c), stepper_(model_, c, events(c)), scalars_(c, model_) {}
+    : case_(c),
+      options_(options),
+      model_(c),
+      stepper_(model_, c, events(c)),
+      scalars_(c, model_),
+      field_times_(field_times(c)) {}
 
 template <int D, int P>
 bool Simulation<D, P>::at_end() const {
@@ -169,12 +172,12 @@ void Simulation<D, P>::write_row(const StepReport& report) {
 
 template <int D, int P>
 void Simulation<D, P>::write_fields_due() {
-  for (double time : case_.output.field_times) {
+  for (double time : field_times_) {
     if (!same_time(output_time(), time) || (!written_.empty() && same_time(written_.back(), time))) continue;
     Stopwatch watch(seconds_.output);
     written_.push_back(time);
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
-    write_field_files<D, P>(options_.out, model_, snapshot, written_);
+    write_field_files<D, P>(options_.out, origin(), case_.output.field_select, model_, snapshot, written_);
     add_interface_rows<D, P>(*interface_, model_, stepper_.integrator().at(stepper_.state()), snapshot, time);
   }
 }
