@@ -39,8 +39,7 @@ struct SolidIntegrals {
     Vector<N, count> r;
     r[kinetic] = (0.5 * model.density) * dot(t.velocity, t.velocity);
     r[elastic] = model.material.energy(t.displacement_gradient);
-    const Matrix<N, D> f = add_diagonal(t.displacement_gradient, 1.0);
-    r[inverted] = select(0.0 < determinant(f, cofactor(f)), N(0.0), N(1.0));
+    r[inverted] = select(0.0 < model.material.volume_ratio(t.displacement_gradient), N(0.0), N(1.0));
     for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? model.density * t.velocity[i < D ? i : 0] : N(0.0);
     return r;
   }

@@ -30,12 +30,26 @@ struct SaintVenantKirchhoff {
     return e;
   }
 
+  /// J = det F, deformed over reference volume.
+  template <class N, int D>
+  static KOKKOS_FORCEINLINE_FUNCTION N volume_ratio(const Matrix<N, D>& grad_u) {
+    const Matrix<N, D> f = add_diagonal(grad_u, 1.0);
+    return determinant(f, cofactor(f));
+  }
+
   /// First Piola-Kirchhoff stress P = F S, shape (D, D).
   template <class N, int D>
   KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> first_piola(const Matrix<N, D>& grad_u) const {
     const Matrix<N, D> e = strain(grad_u);
     const Matrix<N, D> s = add_diagonal((2.0 * shear_modulus) * e, lambda * trace(e));
     return s + product(grad_u, s);
+  }
+
+  /// Cauchy stress P F^T / J. Plane strain has a stress along the third axis too: give Grad u with shape (3, 3).
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, 3> cauchy(const Matrix<N, 3>& grad_u) const {
+    const Matrix<N, 3> p = first_piola(grad_u);
+    return (1.0 / volume_ratio(grad_u)) * (p + product(p, transpose(grad_u)));
   }
 
   /// Stored energy per reference volume, scale a b^2.

@@ -33,8 +33,8 @@ struct Fluid {
   WallLaw wall_law = WallLaw::gradient;
   CapillaryForm form = CapillaryForm::potential;
   Traction traction = Traction::layer;
-  double stabilisation = 0.002;  ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
-  double smoothing = 1e-4;       ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
+  double stabilisation = 0.002;   ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
+  double smoothing = 1e-4;        ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
   Phase ambient = Phase::vapour;  ///< what is around the droplets; liquid makes them bubbles
   std::vector<double> initial;    ///< densities of vapour and liquid at the start; empty: those of the equilibrium
 };
@@ -105,6 +105,8 @@ struct OutputControl {
   int history_every = 1;
   std::vector<double> track;  ///< 3D: horizontal direction along which droplets are followed; empty: x
   std::vector<double> field_times;
+  double field_every = 0;                 ///< interval from t = 0 on; 0: none
+  std::vector<std::string> field_select;  ///< names of fields (observe/host/field_table.hpp); empty: all
   double checkpoint_minutes = 10;
 };
 

@@ -4,12 +4,12 @@
 #include <cstdio>
 
 #include "app/error.hpp"
+#include "app/host/field_times.hpp"
 #include "app/host/memory.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory_parts.hpp"
 #include "app/remedy.hpp"
 #include "model/initial.hpp"
-#include "observe/host/field_file.hpp"
 #include "observe/interface_table.hpp"
 #include "observe/output_fields.hpp"
 
@@ -27,11 +27,9 @@ std::vector<double> events(const Case& c) {
     times.push_back(load.start);
     times.push_back(load.start + load.ramp);
   }
-  for (double t : c.output.field_times) times.push_back(zero + t);
+  for (double t : field_times(c)) times.push_back(zero + t);
   return times;
 }
-
-bool same_time(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
 
 std::string short_text(double value) {
   char text[32];
@@ -50,7 +48,8 @@ Simulation<D, P>::Simulation(const Case& c, const RunOptions& options)
       model_(c),
       stepper_(model_, c, events(c)),
       scalars_(c, model_),
-      time_left_(c.clock_zero() + c.time.end, c.time.dt_max, c.time.max_steps) {
+      time_left_(c.clock_zero() + c.time.end, c.time.dt_max, c.time.max_steps),
+      field_times_(field_times(c)) {
   seconds_.started = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
@@ -194,12 +193,12 @@ void Simulation<D, P>::tell_events() {
 
 template <int D, int P>
 void Simulation<D, P>::write_fields_due() {
-  for (double time : case_.output.field_times) {
+  for (double time : field_times_) {
     if (!same_time(output_time(), time) || (!written_.empty() && same_time(written_.back(), time))) continue;
     Stopwatch watch(seconds_.output);
     written_.push_back(time);
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
-    write_field_files<D, P>(options_.out, model_, snapshot, written_);
+    write_field_files<D, P>(options_.out, origin(), case_.output.field_select, model_, snapshot, written_);
     add_interface_rows<D, P>(*interface_, model_, stepper_.integrator().at(stepper_.state()), snapshot, time);
   }
 }

@@ -11,6 +11,7 @@
 #include "app/progress.hpp"
 #include "app/record.hpp"
 #include "app/restart.hpp"
+#include "observe/host/field_file.hpp"
 #include "observe/host/table_file.hpp"
 #include "observe/scalars.hpp"
 #include "time/stepper.hpp"
@@ -41,6 +42,7 @@ class Simulation {
   /// Tries to save after a failure that is not of the computation.
   void keep_after(const std::string& failure);
   void record(const std::string& reason);
+  FieldOrigin origin() const;
   std::string stop_reason();
 
   bool at_end() const;
@@ -64,7 +66,8 @@ class Simulation {
   RunSeconds seconds_;         ///< of the whole run
   double seconds_before_ = 0;  ///< the total at the resume
   long first_step_ = 0;
-  std::vector<double> written_;  ///< times of the field files there are
+  std::vector<double> field_times_;  ///< at which field files are due
+  std::vector<double> written_;      ///< times of the field files there are
 };
 
 }  // namespace softwet

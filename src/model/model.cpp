@@ -109,6 +109,7 @@ void Model<D, P>::build_fluid(const Case& c) {
   fluid_.stabilisation = c.fluid->stabilisation * h * h / c.fluid->viscosity;
   fluid_.inertia_floor = 0.1 * coexistence_.density_vapour;
   has_wall_ = c.boundary.side[D - 1][0] != Side::periodic;
+  first_of_fluid_ = pieces_.size();
   const double angle = c.fluid->contact_angle;
   wall_ = {c.fluid->capillarity, angle == 90.0 ? 0.0 : std::cos(angle * M_PI / 180.0), 1e-5, fluid_.gas, coexistence_};
   if (layout_.has_solid) {
@@ -179,8 +180,9 @@ void Model<D, P>::add_loads(double time, const Array& out) const {
 }
 
 template <int D, int P>
-void Model<D, P>::run_pieces(const Binding<D>& binding) const {
-  for (const auto& piece : pieces_) {
+void Model<D, P>::run_pieces(const Binding<D>& binding, std::size_t first) const {
+  for (std::size_t i = first; i < pieces_.size(); ++i) {
+    const auto& piece = pieces_[i];
     // A frozen product feeds a preconditioner, whose matrix has the pattern of one layer.
     const bool blended = blended_traction_ && piece == pieces_.back() && binding.geometry == Geometry::exact;
     const Piece<D>& chosen = blended ? *blended_traction_ : *piece;
@@ -199,10 +201,10 @@ void Model<D, P>::residual(const Stage& stage, const Array& out) const {
 }
 
 template <int D, int P>
-void Model<D, P>::reactions(const Stage& stage, const Array& out) const {
+void Model<D, P>::fluid_residual(const Stage& stage, const Array& out) const {
   Kokkos::deep_copy(Exec(), out, 0.0);
   const Binding<D> binding{layout_, stage, {}, out};
-  run_pieces(binding);
+  run_pieces(binding, first_of_fluid_);
   if (rigid_traction_) rigid_traction_->residual(binding);
   move_ghosts(layout_, out, GhostAction::add);
 }

@@ -50,8 +50,9 @@ class Model {
 
   /// out = R(stage), zero where a value is prescribed.
   void residual(const Stage&, const Array& out) const;
-  /// As residual, before prescribed values are dropped, with the wall traction also on a rigid wall: the reactions.
-  void reactions(const Stage&, const Array& out) const;
+  /// The terms of the fluid alone, before prescribed values are dropped, with the wall traction also on a rigid wall.
+  /// The rows of the wall hold minus the force of the fluid on the wall.
+  void fluid_residual(const Stage&, const Array& out) const;
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen.
   void product(const Stage&, const Array& direction, const Array& out, Geometry) const;
   /// values = dR/d(unknown) with the geometry frozen, of the form without blended traction; prescribed values count as
@@ -72,8 +73,8 @@ class Model {
   void add_fluid_pieces(const Case&);
   template <class Motion>
   void add_traction(const Case&);
-  /// All pieces: their products where the binding has a tangent, else their residuals.
-  void run_pieces(const Binding<D>&) const;
+  /// The pieces from number `first` on: their products where the binding has a tangent, else their residuals.
+  void run_pieces(const Binding<D>&, std::size_t first = 0) const;
   template <class Motion>
   void fluid_integrals(const Binding<D>&, Integrals&) const;
   void add_loads(double time, const Array& out) const;
@@ -86,7 +87,8 @@ class Model {
   EnergyWall wall_;
   Elastodynamics solid_;
   bool has_wall_ = false;
-  std::vector<std::unique_ptr<Piece<D>>> pieces_;
+  std::vector<std::unique_ptr<Piece<D>>> pieces_;  ///< those of the solid, then those of the fluid
+  std::size_t first_of_fluid_ = 0;
   std::unique_ptr<Piece<D>> rigid_traction_;
   std::unique_ptr<Piece<D>> blended_traction_;  ///< instead of the last piece, but in frozen products
   std::vector<LoadVector> loads_;

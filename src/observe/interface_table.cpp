@@ -52,10 +52,10 @@ std::vector<double> on_wall(const Layout<D>& layout, const std::vector<double>& 
 template <int D, int P>
 std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage) {
   const Layout<D>& layout = model.layout();
-  const Array reaction("reaction", layout.size());
-  model.reactions(stage, reaction);
-  move_ghosts(layout, reaction, GhostAction::update);
-  const std::vector<double> weight = wall_weights(layout), r = to_host(reaction);
+  const Array residual("fluid_residual", layout.size());
+  model.fluid_residual(stage, residual);
+  move_ghosts(layout, residual, GhostAction::update);
+  const std::vector<double> weight = wall_weights(layout), r = to_host(residual);
   std::array<std::vector<double>, D> traction;
   for (int d = 0; d < D; ++d) {
     const int first = layout.velocity_offset(d) + layout.wall_shift();
@@ -78,10 +78,10 @@ void add_interface_rows(TableFile& table, const Model<D, P>& model, const Stage&
   for (int d = 0; d < D; ++d) displacement[d] = snapshot.displacement(wall, d, false);
   std::vector<double> density;
   if (layout.has_fluid) density = snapshot.density(wall);
-  const bool held = layout.has_fluid && !layout.has_solid && model.has_wall();
+  const bool loaded = layout.has_fluid && model.has_wall();
   std::array<std::vector<double>, D> traction;
-  if (held) traction = wall_traction(model, stage);
-  for (int d = 0; held && d < D; ++d) traction[d] = on_wall<D>(layout, traction[d], wall);
+  if (loaded) traction = wall_traction(model, stage);
+  for (int d = 0; loaded && d < D; ++d) traction[d] = on_wall<D>(layout, traction[d], wall);
   for (std::size_t i = 0; i < displacement[0].size(); ++i) {
     std::vector<std::optional<double>> row{time};
     std::size_t rest = i;
@@ -91,7 +91,7 @@ void add_interface_rows(TableFile& table, const Model<D, P>& model, const Stage&
     }
     for (int d = 0; d < D; ++d) row.push_back(displacement[d][i]);
     row.push_back(layout.has_fluid ? std::optional<double>(density[i]) : std::nullopt);
-    for (int d = 0; d < D; ++d) row.push_back(held ? std::optional<double>(traction[d][i]) : std::nullopt);
+    for (int d = 0; d < D; ++d) row.push_back(loaded ? std::optional<double>(traction[d][i]) : std::nullopt);
     table.row(row);
   }
 }

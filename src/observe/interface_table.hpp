@@ -23,16 +23,17 @@ std::vector<std::string> interface_columns() {
   return names;
 }
 
-/// Force of the fluid on a rigid wall that holds it, per area: control values of a spline on the wall, one list per
-/// component; scale a b^2. Each is the reaction of a control point over the integral of its function, so the integral
-/// of the traction is the sum of the reactions, and a line force is spread over the width of the interface and an
-/// element. It is 0 along the normal of a side that the wall meets: that reaction belongs to the side.
+/// Force of the fluid on the wall, rigid or the surface of a solid, per area of the wall in the reference
+/// configuration: control values of a spline on the wall, one list per component; scale a b^2. Each is minus the
+/// fluid's residual of a control point over the integral of its function. So the integral of the traction is the sum of
+/// the forces, and a line force is spread over the width of the interface and an element. On a solid these are the very
+/// forces that load it in the equations. It is 0 along the normal of a side that the wall meets: that force belongs to
+/// the side.
 template <int D, int P>
 std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage);
 
 /// One row for each point of the wall: two per element along each axis, and the ends. Without a fluid the wall is the
-/// top of the solid; density and traction are empty. On a solid the traction is empty: the equations of the solid's
-/// surface hold it.
+/// top of the solid; density and traction are empty.
 /// @param stage  at the state of the snapshot
 /// @param time   on the clock of the output
 template <int D, int P>

@@ -1,6 +1,8 @@
 #include "observe/output_fields.hpp"
 
-#include "observe/host/field_file.hpp"
+#include <algorithm>
+
+#include "observe/host/field_table.hpp"
 
 namespace softwet {
 namespace {
@@ -58,6 +60,86 @@ std::vector<double> positions(const typename Snapshot<D>::Grid& grid, std::vecto
   return displacement;
 }
 
+/// Grad u of the solid at the points of a grid. In 2D the third row and column are 0: plane strain.
+template <int D>
+std::vector<Matrix<double, 3>> displacement_gradients(const Snapshot<D>& s, const typename Snapshot<D>::Grid& grid) {
+  std::vector<Matrix<double, 3>> gradients;
+  for (int d = 0; d < D; ++d)
+    for (int axis = 0; axis < D; ++axis) {
+      const std::vector<double> slope = s.displacement_gradient(grid, d, axis);
+      gradients.resize(slope.size(), Matrix<double, 3>{});
+      for (std::size_t i = 0; i < slope.size(); ++i) gradients[i](d, axis) = slope[i];
+    }
+  return gradients;
+}
+
+/// A tensor of each gradient, row by row: 9 numbers a point.
+std::vector<double> tensors(const std::vector<Matrix<double, 3>>& gradients, const auto& law) {
+  std::vector<double> values;
+  values.reserve(9 * gradients.size());
+  for (const Matrix<double, 3>& gradient : gradients) {
+    const Matrix<double, 3> tensor = law(gradient);
+    for (int i = 0; i < 3; ++i) values.insert(values.end(), tensor.c[i], tensor.c[i] + 3);
+  }
+  return values;
+}
+
+/// The fields of one file: those that were asked for, evaluated.
+class Selection {
+ public:
+  /// @param names  those wanted; empty: all
+  Selection(int dimension, const std::vector<std::string>& names) : dimension_(dimension), names_(names) {}
+
+  void add(const std::string& name, const auto& evaluate) {
+    if (!names_.empty() && std::find(names_.begin(), names_.end(), name) == names_.end()) return;
+    const FieldInfo& info = field_info(name);
+    const int components = info.shape == FieldShape::scalar ? 1 : info.shape == FieldShape::vector ? dimension_ : 9;
+    fields_.push_back({name, components, evaluate(), info.unit});
+  }
+  const std::vector<PointField>& fields() const { return fields_; }
+
+ private:
+  int dimension_;
+  const std::vector<std::string>& names_;
+  std::vector<PointField> fields_;
+};
+
+template <int D, int P>
+void add_fluid_fields(Selection& selection, const Model<D, P>& model, const Snapshot<D>& s,
+                      const typename Snapshot<D>::Grid& grid) {
+  selection.add("velocity",
+                [&] { return vector_field<D>(grid, [&](const auto& at, int d) { return s.velocity(at, d, true); }); });
+  selection.add("density", [&] { return s.density(grid); });
+  selection.add("chemical_potential", [&] { return s.chemical_potential(grid); });
+  selection.add("pressure", [&] {
+    std::vector<double> pressure;
+    for (double rho : s.density(grid)) pressure.push_back(model.fluid().gas.pressure(rho));
+    return pressure;
+  });
+}
+
+template <int D, int P>
+void add_solid_fields(Selection& selection, const Model<D, P>& model, const Snapshot<D>& s,
+                      const typename Snapshot<D>::Grid& grid, const std::vector<double>& displacement) {
+  using Gradient = Matrix<double, 3>;
+  const SaintVenantKirchhoff& material = model.solid().material;
+  const std::vector<Gradient> gradients = displacement_gradients(s, grid);
+  selection.add("velocity",
+                [&] { return vector_field<D>(grid, [&](const auto& at, int d) { return s.velocity(at, d, false); }); });
+  selection.add("displacement", [&] { return displacement; });
+  selection.add("green_lagrange_strain",
+                [&] { return tensors(gradients, [](const Gradient& g) { return SaintVenantKirchhoff::strain(g); }); });
+  selection.add("first_piola_stress",
+                [&] { return tensors(gradients, [&](const Gradient& g) { return material.first_piola(g); }); });
+  selection.add("cauchy_stress",
+                [&] { return tensors(gradients, [&](const Gradient& g) { return material.cauchy(g); }); });
+  selection.add("volume_ratio", [&] {
+    std::vector<double> ratio;
+    for (const Gradient& g : gradients) ratio.push_back(SaintVenantKirchhoff::volume_ratio(g));
+    return ratio;
+  });
+}
+
 void write_list(const std::string& folder, const std::string& part, const std::vector<double>& times) {
   std::vector<std::pair<std::string, double>> list;
   for (std::size_t i = 0; i < times.size(); ++i) list.emplace_back(field_file_name(part, i), times[i]);
@@ -67,8 +149,8 @@ void write_list(const std::string& folder, const std::string& part, const std::v
 }  // namespace
 
 template <int D, int P>
-void write_field_files(const std::string& output, const Model<D, P>& model, const Snapshot<D>& s,
-                       const std::vector<double>& times) {
+void write_field_files(const std::string& output, const FieldOrigin& origin, const std::vector<std::string>& selected,
+                       const Model<D, P>& model, const Snapshot<D>& s, const std::vector<double>& times) {
   const Layout<D>& layout = model.layout();
   const std::string folder = output + "/fields/";
   for (const std::string part : {"fluid", "solid"}) {
@@ -79,25 +161,16 @@ void write_field_files(const std::string& output, const Model<D, P>& model, cons
     const auto& grid = block.grid;
     const std::vector<double> displacement =
         vector_field<D>(grid, [&](const auto& points, int d) { return s.displacement(points, d, in_fluid); });
-    std::vector<PointField> fields{
-        {"velocity", D, vector_field<D>(grid, [&](const auto& at, int d) { return s.velocity(at, d, in_fluid); })}};
-    if (in_fluid) {
-      const std::vector<double> density = s.density(grid);
-      std::vector<double> pressure;
-      for (double rho : density) pressure.push_back(model.fluid().gas.pressure(rho));
-      fields.push_back({"density", 1, density});
-      fields.push_back({"chemical_potential", 1, s.chemical_potential(grid)});
-      fields.push_back({"pressure", 1, pressure});
-    } else {
-      fields.push_back({"displacement", D, displacement});
-    }
-    write_fields(folder + field_file_name(part, times.size() - 1), block.cells, positions<D>(grid, displacement),
-                 fields, times.back());
+    Selection selection(D, selected);
+    in_fluid ? add_fluid_fields(selection, model, s, grid) : add_solid_fields(selection, model, s, grid, displacement);
+    write_fields(folder + field_file_name(part, times.size() - 1), origin, block.cells,
+                 positions<D>(grid, displacement), selection.fields(), times.back());
     write_list(folder, part, times);
   }
 }
 
-template void write_field_files(const std::string&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
-                                const Snapshot<SOFTWET_DIMENSION>&, const std::vector<double>&);
+template void write_field_files(const std::string&, const FieldOrigin&, const std::vector<std::string>&,
+                                const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Snapshot<SOFTWET_DIMENSION>&,
+                                const std::vector<double>&);
 
 }  // namespace softwet

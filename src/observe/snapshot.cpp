@@ -60,6 +60,12 @@ std::vector<double> Snapshot<D>::displacement(const Grid& grid, int d, bool in_f
 }
 
 template <int D>
+std::vector<double> Snapshot<D>::displacement_gradient(const Grid& grid, int d, int axis) const {
+  return component(displacement_.data() + layout_.displacement_offset(d), layout_.solid_rows(), grid, 0, 0,
+                   layout_.solid_elements, axis);
+}
+
+template <int D>
 double Snapshot<D>::extreme(int first, int count, int sign) const {
   const auto begin = unknown_.begin() + first, end = begin + count;
   if (count == 0) return 0;

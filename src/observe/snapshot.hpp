@@ -21,6 +21,8 @@ class Snapshot {
   std::vector<double> chemical_potential(const Grid&) const;
   /// Displacement of the material in the solid, of the mesh in the fluid (blended from the wall).
   std::vector<double> displacement(const Grid&, int d, bool in_fluid) const;
+  /// du_d/dX_axis of the solid; at the wall the one from below.
+  std::vector<double> displacement_gradient(const Grid&, int d, int axis) const;
 
   const Layout<D>& layout() const { return layout_; }
   double wall_height() const { return layout_.axis[D - 1].lower(layout_.solid_elements); }

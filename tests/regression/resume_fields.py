@@ -19,8 +19,8 @@ def times(folder):
     return listed
 
 
-def resumed(end, wanted):
-    run("static_droplet_rigid_2d", "out", RIGID + [f"time.end={end}", f"output.fields.times={wanted}"],
+def resumed(end, wanted, *settings):
+    run("static_droplet_rigid_2d", "out", RIGID + [f"time.end={end}", f"output.fields.times={wanted}", *settings],
         ["--resume", "--quiet", "--threads", "1"])
     return times("out")
 
@@ -34,8 +34,10 @@ check_true("as asked", times("out") == [0, 2])
 check_true("at the time of the resume, and later", resumed(6, "[0,4,6]") == [0, 2, 4, 6], str(times("out")))
 check_true("times that are over are left alone", resumed(8, "[1,2,8]") == [0, 2, 4, 6, 8], str(times("out")))
 check_true("interface.csv has them all", rows("out") == [0, 2, 4, 6, 8], str(rows("out")))
-check_true("case.toml is that of the last run", "end = 8" in open("out/case.toml").read())
+check_true("times of an interval that are over are left alone", resumed(9, "[]", "output.fields.every=3") == [0, 2, 4, 6, 8, 9],
+           str(times("out")))
+check_true("case.toml is that of the last run", "end = 9" in open("out/case.toml").read())
 message = run("static_droplet_rigid_2d", "out", RIGID + ["time.end=3", "output.fields.times=[]"],
               ["--resume", "--threads", "1"])
 check_true("nothing left to do: tells what to raise", "raise time.end" in message, message.strip())
-check_true("and leaves case.toml alone", "end = 8" in open("out/case.toml").read())
+check_true("and leaves case.toml alone", "end = 9" in open("out/case.toml").read())

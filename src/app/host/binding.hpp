@@ -44,6 +44,7 @@ inline void store(int& member, const Value& value) { member = static_cast<int>(s
 inline void store(long& member, const Value& value) { member = static_cast<long>(std::get<double>(value)); }
 inline void store(std::string& member, const Value& value) { member = std::get<std::string>(value); }
 inline void store(Numbers& member, const Value& value) { member = std::get<Numbers>(value); }
+inline void store(Words& member, const Value& value) { member = std::get<Words>(value); }
 inline void store(std::vector<int>& member, const Value& value) {
   const Numbers& numbers = std::get<Numbers>(value);
   member.assign(numbers.begin(), numbers.end());
@@ -70,6 +71,7 @@ inline Value load(int member) { return static_cast<double>(member); }
 inline Value load(long member) { return static_cast<double>(member); }
 inline Value load(const std::string& member) { return member; }
 inline Value load(const Numbers& member) { return member; }
+inline Value load(const Words& member) { return member; }
 inline Value load(const std::vector<int>& member) { return Numbers(member.begin(), member.end()); }
 inline Value load(Side member) { return side_words()[static_cast<std::size_t>(member)]; }
 inline Value load(CapillaryForm member) { return form_words()[static_cast<std::size_t>(member)]; }

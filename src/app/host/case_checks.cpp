@@ -10,7 +10,9 @@
 
 #include "app/cap.hpp"
 #include "app/error.hpp"
+#include "app/host/field_times.hpp"
 #include "app/host/memory.hpp"
+#include "observe/host/field_table.hpp"
 
 namespace softwet {
 namespace {
@@ -250,7 +252,34 @@ void check_time(const Checker& check) {
                  fmt::format("dt_initial = {} must be at most dt_max = {}", time.dt_initial, time.dt_max),
                  "lower dt_initial or raise dt_max");
   }
-  const auto& times = check.c.output.field_times;
+}
+
+/// A field of a material that the case does not have cannot be written.
+void check_field_names(const Checker& check) {
+  for (const std::string& name : check.c.output.field_select) {
+    const FieldInfo& field = field_info(name);
+    if ((field.in_fluid && check.c.fluid) || (field.in_solid && check.c.substrate)) continue;
+    check.refuse("output.fields.select",
+                 fmt::format("{} is a field of the {}", name, field.in_solid ? "solid" : "fluid"),
+                 fmt::format("add a [{}] or leave the name out", field.in_solid ? "substrate" : "fluid"));
+  }
+}
+
+void check_field_times(const Checker& check) {
+  const OutputControl& output = check.c.output;
+  const auto& times = output.field_times;
+  const double multiples = count_of_multiples(check.c), room = most_field_files - static_cast<double>(times.size());
+  if (room < 0) {
+    check.refuse("output.fields.times",
+                 fmt::format("has {} times, at most {} are possible", times.size(), most_field_files),
+                 "leave some out");
+  }
+  if (multiples > room) {
+    check.refuse("output.fields.every",
+                 fmt::format("asks for {:.3g} field files up to time.end = {}, at most {} are possible", multiples,
+                             check.c.time.end, most_field_files),
+                 fmt::format("write every = {:.3g} or more", 1.01 * check.c.time.end / std::max(room - 1, 1.0)));
+  }
   if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end()) {
     check.refuse("output.fields.times", "must increase", "sort the times and remove repeated ones");
   }
@@ -287,6 +316,8 @@ void check_case(const Case& c, const Document& document) {
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);
   check_initial(check);
   check_time(check);
+  check_field_times(check);
+  check_field_names(check);
   check_track(check);
 }
 

@@ -63,6 +63,12 @@ std::vector<double> numbers_of(const Value& value) {
   return all;
 }
 
+/// What has to be among the choices of a key.
+Words words_of(const Key& key, const Value& value) {
+  if (key.kind == Kind::choice) return {std::get<std::string>(value)};
+  return key.kind == Kind::names ? std::get<Words>(value) : Words{};
+}
+
 /// So that products of several inputs (h^4, 1 / dt^2) stay numbers.
 constexpr double smallest = 1e-30, largest = 1e30;
 
@@ -78,11 +84,11 @@ void check_range(const Key& key, const Value& value, const std::string& name, co
       reject(place, name, text, fmt::format("must be 0 or between {} and {} in size", smallest, largest),
              "choose the scales L0, a, b of the case so that its numbers are near 1");
   }
-  if (key.kind != Kind::choice) return;
-  const std::string& word = std::get<std::string>(value);
-  if (std::find(key.choices.begin(), key.choices.end(), word) != key.choices.end()) return;
-  reject(place, name, text, "must be " + allowed_text(key),
-         fmt::format("did you mean {}?", quoted(nearest_name(word, key.choices))));
+  for (const std::string& word : words_of(key, value)) {
+    if (std::find(key.choices.begin(), key.choices.end(), word) != key.choices.end()) continue;
+    reject(place, name, text, (key.kind == Kind::choice ? "must be " : "must be a ") + allowed_text(key),
+           fmt::format("did you mean {}?", quoted(nearest_name(word, key.choices))));
+  }
 }
 
 Entry make_entry(const Key& key, std::size_t index, const toml::node& node, const std::string& place) {

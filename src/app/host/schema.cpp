@@ -105,8 +105,8 @@ std::string indexed_name(const Key& key, std::size_t index) {
 }
 
 std::string allowed_text(const Key& key) {
-  if (key.kind == Kind::choice) {
-    std::string text = "one of ";
+  if (key.kind == Kind::choice || key.kind == Kind::names) {
+    std::string text = key.kind == Kind::choice ? "one of " : "list of names out of ";
     for (const std::string& choice : key.choices) text += (&choice == &key.choices[0] ? "" : ", ") + quoted(choice);
     return text;
   }
@@ -120,6 +120,9 @@ std::string allowed_text(const Key& key) {
       break;
     case Kind::numbers:
       text = "list of numbers";
+      break;
+    case Kind::times:
+      text = "list of numbers and of ranges \"first:last:count\" (count 2 to 10000)";
       break;
     case Kind::integers:
       text = "list of whole numbers";

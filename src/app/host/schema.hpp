@@ -13,7 +13,7 @@
 
 namespace softwet {
 
-enum class Kind { number, integer, text, choice, numbers, integers, box };
+enum class Kind { number, integer, text, choice, numbers, integers, box, times, names };
 
 /// Allowed interval of a number, or of each number of a list. Always finite numbers.
 struct Range {
@@ -31,7 +31,7 @@ struct Table {
   std::string name;  ///< "fluid", "droplet[]"; "" is the top of the file
   std::string help{};
   bool repeated = false;
-  bool in_example = true;  ///< part of the case that `init` writes
+  bool in_example = true;                  ///< part of the case that `init` writes
   std::size_t (*count)(const Case&);       ///< entries a case has: 0 or 1, any number when repeated
   void (*open)(Case&, std::size_t index);  ///< grows the case so that entry `index` exists
 };
@@ -47,7 +47,7 @@ struct Key {
   Kind kind = Kind::number;
   std::string unit{};  ///< scale of the number; empty: none
   Range range{};
-  std::vector<std::string> choices{};
+  std::vector<std::string> choices{};  ///< of a choice, or of each of the names
   bool required = false;
   std::string example{};  ///< TOML text, the value of the paper's pull scene; empty: the default is the example
   std::string source{};   ///< short note `init` writes behind the value

@@ -1,6 +1,7 @@
 // Schema, third part: sides, time steps, solver and output.
 #include "app/host/binding.hpp"
 #include "app/host/schema.hpp"
+#include "observe/host/field_table.hpp"
 
 namespace softwet {
 namespace {
@@ -155,13 +156,26 @@ std::vector<Key> output_keys() {
                "Its length does not count.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.track; }),
        .three_dimensional = true,
-       .default_note = "the horizontal force of the loads, each with the sign that adds to the sum of those before; [1, 0] without"},
+       .default_note = "the horizontal force of the loads, each with the sign that adds to the sum of those before; "
+                       "[1, 0] without"},
       {.name = "output.fields.times",
-       .kind = Kind::numbers,
+       .kind = Kind::times,
        .unit = "L0/sqrt(ab)",
        .example = "[0.0, 235.0, 471.0, 1884.0]",
-       .help = "Increasing times of field files and interface.csv, on the clock of the output (negative: relaxation).",
+       .help = "Increasing times t at which the fields and the rows of interface.csv are written. Negative times lie "
+               "before the first load. An entry may be a range: \"0:5:11\" means 11 times from 0 to 5.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.field_times; })},
+      {.name = "output.fields.every",
+       .unit = "L0/sqrt(ab)",
+       .range = {0, infinity, false, true},
+       .help = "Interval of time t between field files, counted from t = 0 up to time.end, beside those of "
+               "output.fields.times. 0 means none.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.field_every; })},
+      {.name = "output.fields.select",
+       .kind = Kind::names,
+       .choices = field_names(),
+       .help = "Names of the fields that the field files hold. Without names they hold all fields.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.field_select; })},
       {.name = "output.checkpoint.minutes",
        .unit = "minutes of wall time",
        .range = positive,

@@ -28,6 +28,41 @@ std::optional<Numbers> numbers_of(const toml::node& node, bool whole) {
   return numbers;
 }
 
+/// A number, or the numbers of a range. TOML takes 10:50:11 without quotes for a time of day.
+std::optional<Numbers> moments_of(const toml::node& node) {
+  if (const auto number = number_of(node, false)) return Numbers{*number};
+  if (const auto* text = node.as_string()) return range_from_text(text->get());
+  if (node.is_time()) return range_from_text(text_of_node(node));
+  return std::nullopt;
+}
+
+/// Numbers and ranges in a list, or one of them. A range that begins where the entry before ends does not repeat it.
+std::optional<Numbers> times_of(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (!list) return moments_of(node);
+  Numbers times;
+  for (const toml::node& entry : *list) {
+    const auto moments = moments_of(entry);
+    if (!moments) return std::nullopt;
+    const bool repeats = moments->size() > 1 && !times.empty() && times.back() == moments->front();
+    times.insert(times.end(), moments->begin() + (repeats ? 1 : 0), moments->end());
+  }
+  return times;
+}
+
+std::optional<Words> names_of(const toml::node& node) {
+  if (const auto* text = node.as_string()) return Words{text->get()};
+  const toml::array* list = node.as_array();
+  if (!list) return std::nullopt;
+  Words names;
+  for (const toml::node& entry : *list) {
+    const auto* name = entry.as_string();
+    if (!name) return std::nullopt;
+    names.push_back(name->get());
+  }
+  return names;
+}
+
 std::optional<Value> box_of(const toml::node& node) {
   const toml::array* corners = node.as_array();
   if (!corners || corners->size() != 2) return std::nullopt;
@@ -60,6 +95,10 @@ std::optional<Value> value_of_node(const toml::node& node, Kind kind) {
       return widen(numbers_of(node, true));
     case Kind::box:
       return box_of(node);
+    case Kind::times:
+      return widen(times_of(node));
+    case Kind::names:
+      return widen(names_of(node));
     case Kind::text:
     case Kind::choice:
       break;

@@ -41,6 +41,22 @@ std::optional<double> number_from_text(std::string_view text) {
   return *above / *below;
 }
 
+std::optional<Numbers> range_from_text(std::string_view text) {
+  const auto first_colon = text.find(':');
+  if (first_colon == std::string_view::npos) return std::nullopt;
+  const auto second_colon = text.find(':', first_colon + 1);
+  if (second_colon == std::string_view::npos) return std::nullopt;
+  const auto first = number_from_text(text.substr(0, first_colon));
+  const auto last = number_from_text(text.substr(first_colon + 1, second_colon - first_colon - 1));
+  const auto count = plain_number(text.substr(second_colon + 1));
+  if (!first || !last || !count || !(*count >= 2 && *count <= 10000) || *count != std::floor(*count))
+    return std::nullopt;
+  Numbers numbers;
+  for (double i = 0; i < *count; ++i) numbers.push_back(*first + (*last - *first) * (i / (*count - 1)));
+  numbers.back() = *last;
+  return numbers;
+}
+
 std::string text_of_number(double number) {
   if (number == 0.0 && std::signbit(number)) return "-0.0";  // TOML reads -0 as the integer 0
   return fmt::format("{}", number);
@@ -67,6 +83,10 @@ std::string text_of_value(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
   if (const auto* numbers = std::get_if<Numbers>(&value)) return text_of_numbers(*numbers);
   std::string text = "[";
+  if (const auto* words = std::get_if<Words>(&value)) {
+    for (const std::string& word : *words) text += (text.size() > 1 ? ", " : "") + quoted(word);
+    return text + "]";
+  }
   for (const Numbers& corner : std::get<std::vector<Numbers>>(value)) {
     text += (text.size() > 1 ? ", " : "") + text_of_numbers(corner);
   }

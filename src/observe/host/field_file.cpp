@@ -16,6 +16,7 @@ namespace softwet {
 namespace {
 
 constexpr const char* time_value = "/VTKHDF/FieldData/TimeValue";
+constexpr const char *unit_length = "L0", *unit_time = "L0/sqrt(ab)";
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
   throw Error(Exit::computation_failed, path + ": not written: " + what);
@@ -104,26 +105,41 @@ void write_cells(Hdf5File& file, const TensorGrid& grid) {
   file.write("/VTKHDF/Types", types, {types.size()});
 }
 
+/// What VTK does not read but a person or a script wants to know.
+void write_origin(Hdf5File& file, const FieldOrigin& origin, double time) {
+  file.write_attribute("/", "case", origin.case_name);
+  file.write_attribute("/", "version", origin.version);
+  file.write_attribute("/", "commit", origin.commit);
+  file.write_attribute("/", "time", time);
+  file.write_attribute("/", "unit_length", std::string(unit_length));
+  file.write_attribute("/", "unit_time", std::string(unit_time));
+}
+
 }  // namespace
 
-void write_fields(const std::string& path, const TensorGrid& grid, const std::vector<double>& points,
-                  const std::vector<PointField>& fields, double time) {
+void write_fields(const std::string& path, const FieldOrigin& origin, const TensorGrid& grid,
+                  const std::vector<double>& points, const std::vector<PointField>& fields, double time) {
   check_fields(path, grid, points, fields, time);
   AtomicFile target(path);
   Hdf5File file = Hdf5File::create(target.partial_path(), Hdf5Format::compatible);
+  write_origin(file, origin, time);
   file.make_group("/VTKHDF");
   file.write_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});
   file.write_attribute("/VTKHDF", "Type", std::string("UnstructuredGrid"));
   write_cells(file, grid);
   const auto count = static_cast<std::size_t>(point_count(grid));
   write_vectors(file, "/VTKHDF/Points", points, grid.dimension, grid.dimension, count);
+  file.write_attribute("/VTKHDF/Points", "unit", std::string(unit_length));
   file.make_group("/VTKHDF/PointData");
   for (const PointField& field : fields) {
-    write_vectors(file, "/VTKHDF/PointData/" + field.name, field.values, field.components, grid.dimension, count);
+    const std::string name = "/VTKHDF/PointData/" + field.name;
+    write_vectors(file, name, field.values, field.components, grid.dimension, count);
+    file.write_attribute(name, "unit", field.unit);
   }
   file.make_group("/VTKHDF/CellData");
   file.make_group("/VTKHDF/FieldData");
   file.write(time_value, std::vector<double>{time}, {1});
+  file.write_attribute(time_value, "unit", std::string(unit_time));
   file.close();
   target.commit();
 }

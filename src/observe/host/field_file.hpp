@@ -22,16 +22,23 @@ struct PointField {
   std::string name;            ///< without "/"
   int components = 1;          ///< 2 in a 2D grid is a vector and gets a third component 0 on writing, as VTK wants
   std::vector<double> values;  ///< shape (points, components), components fastest
+  std::string unit = "1";      ///< scale of the values
+};
+
+/// Whose fields these are: attributes of the file.
+struct FieldOrigin {
+  std::string case_name, version, commit;
 };
 
 /// Writes one block (the fluid, the solid) at one time, atomically: PATH holds the whole file or is left as it was.
+/// Attributes of the file: case, version, commit, time, unit_length, unit_time; each array has the attribute unit.
 /// @param path    ends with .hdf
 /// @param points  positions, shape (points, dimension), components fastest
-/// @param time    stored as field data "TimeValue"
+/// @param time    stored as field data "TimeValue" too
 /// Throws Error: computation_failed for a size that does not fit and for a value that is not finite (names field, point
 /// and position), machine_failed for the disk.
-void write_fields(const std::string& path, const TensorGrid& grid, const std::vector<double>& points,
-                  const std::vector<PointField>& fields, double time);
+void write_fields(const std::string& path, const FieldOrigin& origin, const TensorGrid& grid,
+                  const std::vector<double>& points, const std::vector<PointField>& fields, double time);
 
 /// "fluid_0003.hdf".
 std::string field_file_name(const std::string& part, std::size_t number);

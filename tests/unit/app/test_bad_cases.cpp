@@ -119,13 +119,33 @@ INSTANTIATE_TEST_SUITE_P(
             "right = \"slip\"",
             "right = \"periodic\"",
             {"boundary.right", "boundary.left = \"periodic\""}},
-        Bad{"FreeSideOfTheFluid", "right = \"slip\"", "right = \"free\"", {"boundary.right", "closed to mass", "no_slip"}},
+        Bad{"FreeSideOfTheFluid",
+            "right = \"slip\"",
+            "right = \"free\"",
+            {"boundary.right", "closed to mass", "no_slip"}},
         Bad{"FrontIn2D", "right = \"slip\"", "front = \"slip\"", {"boundary.front", "3D"}},
         Bad{"EndZero", "end = 1884.0", "end = 0", {"time.end = 0", "(0, inf)"}},
         Bad{"RhoInf", "rho_inf = 0.5", "rho_inf = 1.5", {"time.rho_inf = 1.5", "[0, 1]"}},
         Bad{"StepsOutOfOrder", "dt_max = 50", "dt_max = 1e-3", {"time.dt", "dt_max"}},
         Bad{"TimesNotSorted", "[0.0, 235.0,", "[235.0, 0.0,", {"output.fields.times", "increase"}},
         Bad{"TimesTooEarly", "[0.0, 235.0,", "[-31.0, 235.0,", {"output.fields.times", "-30"}},
+        Bad{"TimesOfNoRange",
+            "times = [0.0, 235.0, 471.0, 1884.0]",
+            "times = '0:5'",
+            {"output.fields.times", "first:last:count", "[0.0, 235.0"}},
+        Bad{"TimesRepeated",
+            "times = [0.0, 235.0,",
+            "times = ['0:235:3', '100:235:3',",
+            {"output.fields.times", "increase"}},
+        Bad{"FieldMisspelt",
+            "fields.select = []",
+            "fields.select = ['velocity', 'presure']",
+            {"output.fields.select", "\"pressure\""}},
+        Bad{"IntervalNegative", "fields.every = 0", "fields.every = -1", {"output.fields.every = -1", "[0, inf)"}},
+        Bad{"TooManyFieldFiles",
+            "fields.every = 0",
+            "fields.every = 0.1",
+            {"output.fields.every = 0.1", "1.88e+04", "10000", "write every = 0.19"}},
         Bad{"BadName", "\"tensotaxis_pull_2d\"", "\"../x\"", {"name = \"../x\"", "letters"}}),
     [](const auto& info) { return std::string(info.param.name); });
 
@@ -168,6 +188,21 @@ TEST(BadCases, LoadNeedsASubstrateDropletAFluid) {
             std::string::npos);
   EXPECT_NE(message_of(start + solid + "[[droplet]]\ncentre=[0,0]\nradius=1").find("[fluid]"), std::string::npos);
   EXPECT_NE(message_of(start + "substrate={thickness=0.5,young=1,poisson=0}").find("solid alone"), std::string::npos);
+}
+
+TEST(BadCases, FieldsNeedTheirMaterial) {
+  const std::string start = "name='x'\ntime.end=1\ndomain={size=[1,1],elements=[8,8]}\n";
+  const std::string fluid = "fluid={viscosity=1,capillarity=1,temperature=0.5}\n";
+  const std::string solid = "substrate={thickness=1,young=1,poisson=0}\n";
+  EXPECT_NE(message_of(start + fluid + "output.fields.select=['density','cauchy_stress']").find("add a [substrate]"),
+            std::string::npos);
+  EXPECT_NE(message_of(start + solid + "output.fields.select=['density']").find("add a [fluid]"), std::string::npos);
+}
+
+TEST(BadCases, TooManyListedTimes) {
+  std::string times = "output.fields.times=[";
+  for (int i = 0; i < 10001; ++i) times += std::to_string(i) + ",";
+  EXPECT_NE(message_of(pull, {times + "]"}).find("10001 times, at most 10000"), std::string::npos);
 }
 
 TEST(BadCases, WhatIsThereAtTheStartHasToFit) {

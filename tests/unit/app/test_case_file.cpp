@@ -7,6 +7,7 @@
 #include "app/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/document.hpp"
+#include "app/host/field_times.hpp"
 #include "app/host/nearest.hpp"
 #include "app/host/schema.hpp"
 
@@ -120,6 +121,8 @@ TEST(CaseFile, RoundTripKeepsEveryKeyAwayFromItsDefault) {
                              "solver.krylov.preconditioner=schwarz",
                              "output.history.every=3",
                              "output.fields.times=[-30, 0.5]",
+                             "output.fields.every=471",
+                             "output.fields.select=[\"density\", \"cauchy_stress\"]",
                              "output.checkpoint.minutes=2.5",
                              "domain.degree=3",
                              "boundary.top=slip",
@@ -135,6 +138,37 @@ TEST(CaseFile, RoundTripKeepsEveryKeyAwayFromItsDefault) {
     ASSERT_EQ(find_table(key.table())->count(again), entries) << key.name;
     for (std::size_t i = 0; i < entries; ++i) EXPECT_EQ(key.bind.get(again, i), key.bind.get(c, i)) << key.name;
   }
+}
+
+TEST(Value, ReadsRanges) {
+  EXPECT_EQ(range_from_text("0:5:11"), (Numbers{0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5}));
+  EXPECT_EQ(range_from_text(" -1/2 : 0.1 : 2 "), (Numbers{-0.5, 0.1}));
+  for (const char* wrong : {"", ":", "::", "0:5", "0:5:1", "0:5:2.5", "0:5:10001", "0:5:nan", "0:x:3", "0:5:3:4"})
+    EXPECT_FALSE(range_from_text(wrong)) << wrong;
+}
+
+TEST(CaseFile, FieldTimesMayBeRanges) {
+  const auto times = [](const std::string& value) {
+    const Case c = parse_case(pull, "pull", {"output.fields.times=" + value});
+    EXPECT_EQ(write_case(parse_case(write_case(c), "again")), write_case(c));
+    return c.output.field_times;
+  };
+  EXPECT_EQ(times("0:5:3"), (Numbers{0, 2.5, 5}));
+  EXPECT_EQ(times("10:50:11").size(), 11U) << "for TOML this is a time of day";
+  EXPECT_EQ(times("7"), Numbers{7});
+  EXPECT_EQ(times("[-1, \"0:5:3\", \"5:25:3\", 30]"), (Numbers{-1, 0, 2.5, 5, 15, 25, 30}));
+}
+
+TEST(CaseFile, FieldTimesAreThoseListedAndTheMultiplesOfTheInterval) {
+  const auto times = [](const std::vector<std::string>& settings) {
+    return field_times(parse_case(pull, "pull", settings));
+  };
+  EXPECT_EQ(times({"output.fields.times=[]"}), Numbers{});
+  EXPECT_EQ(times({"time.end=1", "output.fields.every=0.25", "output.fields.times=[-30, 0.5, 0.6]"}),
+            (Numbers{-30, 0, 0.25, 0.5, 0.6, 0.75, 1}));
+  const Numbers tenths = times({"time.end=0.3", "output.fields.every=0.1", "output.fields.times=0:0.3:4"});
+  ASSERT_EQ(tenths.size(), 4U) << "0.1 * 3 is not 0.3, but the same time";
+  EXPECT_EQ(times({"time.end=9999", "output.fields.every=1", "output.fields.times=[]"}).size(), 10000U);
 }
 
 TEST(CaseFile, ThreeDimensionsPutBottomAndTopOnTheLastAxis) {

@@ -184,11 +184,11 @@ TEST(Model, FluxesOfMassSumToZero) {
   }
 }
 
-// Without a solid the reactions add the traction of the fluid on the wall's own functions.
-TEST(Model, ReactionsOfARigidWall) {
+// Without a solid the fluid's residual adds the traction of the fluid on the wall's own functions.
+TEST(Model, FluidResidualOnARigidWall) {
   RandomScene s(scene(Scene::rigid));
   Array out("out", s.layout().size());
-  s.model.reactions(s.stage(), out);
+  s.model.fluid_residual(s.stage(), out);
   std::vector<double> expected = expected_residual(s);
   add(expected, s.terms.naive(CapillaryTraction{s.model.fluid().gas, 0.2}, 0, 2, 0, 1, false, false, 0));
   EXPECT_LT(distance(to_host(out), expected), 1e-13);

@@ -57,7 +57,7 @@ TEST(DiskFull, FieldsAreNotLeftHalfWritten) {
   const std::string path = folder / "fluid_000001.hdf";
   const TensorGrid grid = {2, {50, 50, 1}};
   const std::vector<double> points(2 * 101 * 101, 1.0);
-  const auto write = [&] { write_fields(path, grid, points, {}, 0.0); };
+  const auto write = [&] { write_fields(path, {}, grid, points, {}, 0.0); };
   EXPECT_EXIT(exit_with_code_on_small_disk(write), testing::ExitedWithCode(3), "fluid_000001.hdf.*File too large");
   EXPECT_FALSE(std::filesystem::exists(path));
   EXPECT_FALSE(std::filesystem::exists(path + ".partial"));

@@ -15,6 +15,8 @@ namespace {
 
 using Shape = std::vector<std::size_t>;
 
+const FieldOrigin origin{"droplet", "1.2.3", "abc123"};
+
 /// Points of the grid at their numbers (i, j, k). @return shape (points, dimension)
 std::vector<double> lattice(const TensorGrid& grid) {
   std::vector<double> points;
@@ -35,7 +37,7 @@ TEST(FieldFile, LayoutOfAPlane) {
   const TensorGrid grid = {2, {3, 2, 1}};
   const std::vector<double> points = lattice(grid);
   const std::vector<double> density(35, 0.25);
-  write_fields(path, grid, points, {{"density", 1, density}, {"velocity", 2, points}}, 1.5);
+  write_fields(path, origin, grid, points, {{"density", 1, density, "b"}, {"velocity", 2, points, "sqrt(ab)"}}, 1.5);
   EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
   const Hdf5File file = Hdf5File::open(path, "rewrite it");
   EXPECT_EQ(file.read_text("/VTKHDF", "Type"), "UnstructuredGrid");
@@ -51,12 +53,32 @@ TEST(FieldFile, LayoutOfAPlane) {
   EXPECT_EQ(file.read<double>("/VTKHDF/FieldData/TimeValue"), std::vector<double>{1.5});
 }
 
+TEST(FieldFile, TellsWhoseFieldsItHoldsAndInWhichUnits) {
+  const ScratchFolder folder;
+  const std::string path = folder / "solid_0000.hdf";
+  const TensorGrid grid = {2, {1, 1, 1}};
+  const std::vector<double> points = lattice(grid), stress(81, 0.5), ratio(9, 1.0);
+  write_fields(path, origin, grid, points, {{"stress", 9, stress, "a b^2"}, {"ratio", 1, ratio}}, 2.5);
+  const Hdf5File file = Hdf5File::open(path, "rewrite it");
+  EXPECT_EQ(file.read_text("/", "case"), "droplet");
+  EXPECT_EQ(file.read_text("/", "version"), "1.2.3");
+  EXPECT_EQ(file.read_text("/", "commit"), "abc123");
+  EXPECT_EQ(file.read_double("/", "time"), 2.5);
+  EXPECT_EQ(file.read_text("/", "unit_length"), "L0");
+  EXPECT_EQ(file.read_text("/", "unit_time"), "L0/sqrt(ab)");
+  EXPECT_EQ(file.read_text("/VTKHDF/Points", "unit"), "L0");
+  EXPECT_EQ(file.read_text("/VTKHDF/FieldData/TimeValue", "unit"), "L0/sqrt(ab)");
+  EXPECT_EQ(file.read_text("/VTKHDF/PointData/stress", "unit"), "a b^2");
+  EXPECT_EQ(file.read_text("/VTKHDF/PointData/ratio", "unit"), "1");
+  EXPECT_EQ(file.shape("/VTKHDF/PointData/stress"), (Shape{9, 9}));
+}
+
 TEST(FieldFile, LayoutOfAVolume) {
   const ScratchFolder folder;
   const std::string path = folder / "solid_000000.hdf";
   const TensorGrid grid = {3, {2, 1, 2}};
   const std::vector<double> points = lattice(grid);
-  write_fields(path, grid, points, {{"displacement", 3, points}}, 0);
+  write_fields(path, origin, grid, points, {{"displacement", 3, points}}, 0);
   const Hdf5File file = Hdf5File::open(path, "rewrite it");
   EXPECT_EQ(file.read<double>("/VTKHDF/Points"), points);
   EXPECT_EQ(file.shape("/VTKHDF/Connectivity"), (Shape{4 * 27}));
@@ -115,13 +137,13 @@ TEST(FieldFile, RefusesValuesThatAreNotFinite) {
   std::vector<double> velocity(18, 0.0);
   velocity[11] = NAN;  // point 5 is (2, 1)
   expect_error(Exit::computation_failed, {path, "'velocity'", "component 1", "nan", "point 5 (2, 1)"}, [&] {
-    write_fields(path, grid, points, {{"velocity", 2, velocity}}, 0);
+    write_fields(path, origin, grid, points, {{"velocity", 2, velocity}}, 0);
   });
   expect_error(Exit::computation_failed, {path, "time", "inf"},
-               [&] { write_fields(path, grid, points, {}, INFINITY); });
+               [&] { write_fields(path, origin, grid, points, {}, INFINITY); });
   points[3] = -INFINITY;
   expect_error(Exit::computation_failed, {path, "'points'", "-inf", "point 1 "},
-               [&] { write_fields(path, grid, points, {}, 0); });
+               [&] { write_fields(path, origin, grid, points, {}, 0); });
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
@@ -132,11 +154,13 @@ TEST(FieldFile, RefusesFieldsThatDoNotFit) {
   const std::vector<double> points = lattice(grid);
   const std::vector<double> nine(9, 1.0);
   expect_error(Exit::computation_failed, {"'density'", "8 values", "9"}, [&] {
-    write_fields(path, grid, points, {{"density", 1, std::vector<double>(8, 1.0)}}, 0);
+    write_fields(path, origin, grid, points, {{"density", 1, std::vector<double>(8, 1.0)}}, 0);
   });
-  expect_error(Exit::computation_failed, {"'a/b'"}, [&] { write_fields(path, grid, points, {{"a/b", 1, nine}}, 0); });
+  expect_error(Exit::computation_failed, {"'a/b'"}, [&] {
+    write_fields(path, origin, grid, points, {{"a/b", 1, nine}}, 0);
+  });
   expect_error(Exit::computation_failed, {"'a'", "taken"}, [&] {
-    write_fields(path, grid, points, {{"a", 1, nine}, {"a", 1, nine}}, 0);
+    write_fields(path, origin, grid, points, {{"a", 1, nine}, {"a", 1, nine}}, 0);
   });
 }
 

@@ -113,5 +113,53 @@ TEST(SaintVenantKirchhoff, PlaneStrain) {
     for (int j = 0; j < 2; ++j) EXPECT_NEAR(flat(i, j), full(i, j), 1e-16);
 }
 
+// Stretches s and r along x and y in plane strain: J = s r, E = diag((s^2 - 1)/2, (r^2 - 1)/2, 0) and
+// S = lambda tr(E) I + 2 G E; P_ii = F_ii S_ii; sigma_ii = F_ii^2 S_ii / J. Along z, F_zz = 1 and S_zz = lambda tr(E).
+TEST(SaintVenantKirchhoff, CauchyStressOfTwoStretches) {
+  const SaintVenantKirchhoff m{1.5, 0.7};
+  const double s = 1.3, r = 0.8, ex = 0.345, ey = -0.18, tr = ex + ey;
+  const Matrix<double, 3> g{{{s - 1, 0, 0}, {0, r - 1, 0}, {0, 0, 0}}};
+  EXPECT_NEAR(m.volume_ratio(g), 1.04, 1e-15);
+  const auto p = m.first_piola(g), cauchy = m.cauchy(g);
+  EXPECT_NEAR(p(2, 2), 1.5 * tr, 1e-15);
+  EXPECT_NEAR(cauchy(0, 0), s * s * (1.5 * tr + 1.4 * ex) / 1.04, 1e-15);
+  EXPECT_NEAR(cauchy(1, 1), r * r * (1.5 * tr + 1.4 * ey) / 1.04, 1e-15);
+  EXPECT_NEAR(cauchy(2, 2), 1.5 * tr / 1.04, 1e-15);
+  EXPECT_EQ(cauchy(0, 1), 0);
+  EXPECT_EQ(cauchy(1, 2), 0);
+}
+
+// Power of the Cauchy stress: stretching the deformed body by x -> x + e L x changes the stored energy of a reference
+// volume by e J sigma : L.
+TEST(SaintVenantKirchhoff, CauchyStressIsWorkOnTheDeformedBody) {
+  const SaintVenantKirchhoff m{1.5, 0.7};
+  const Matrix<double, 3> g{{{0.3, 0.4, -0.1}, {-0.2, 0.1, 0.2}, {0.15, -0.05, -0.25}}};
+  const Matrix<double, 3> f = add_diagonal(g, 1.0), cauchy = m.cauchy(g);
+  const double j = m.volume_ratio(g), e = 1e-3;
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      EXPECT_NEAR(cauchy(a, b), cauchy(b, a), 1e-15);
+      const auto at = [&](double step) {
+        Matrix<double, 3> moved = g;
+        for (int k = 0; k < 3; ++k) moved(a, k) += step * f(b, k);
+        return m.energy(moved);
+      };
+      EXPECT_NEAR((8 * (at(e) - at(-e)) - at(2 * e) + at(-2 * e)) / (12 * e), j * cauchy(a, b), 1e-11);
+    }
+}
+
+TEST(SaintVenantKirchhoff, RotationHasNoStressAndKeepsTheVolume) {
+  const SaintVenantKirchhoff m{1.5, 0.7};
+  const double c = std::cos(0.9), s = std::sin(0.9);
+  const Matrix<double, 3> g{{{c - 1, -s, 0}, {s, c - 1, 0}, {0, 0, 0}}};
+  EXPECT_NEAR(m.volume_ratio(g), 1, 1e-15);
+  const auto cauchy = m.cauchy(g), e = m.strain(g);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      EXPECT_NEAR(cauchy(i, j), 0, 1e-15);
+      EXPECT_NEAR(e(i, j), 0, 1e-15);
+    }
+}
+
 }  // namespace
 }  // namespace softwet

@@ -1,0 +1,24 @@
+// When a run writes field files.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/case.hpp"
+
+namespace softwet {
+
+/// Field files of one run: their names have four digits.
+constexpr int most_field_files = 10000;
+
+/// Times that differ by rounding alone.
+inline bool same_time(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
+
+/// How many multiples of output.fields.every lie in [0, time.end]; 0 where the case has no interval.
+double count_of_multiples(const Case&);
+
+/// Times in t, increasing: those of output.fields.times, and 0, every, 2 every, ... up to time.end.
+std::vector<double> field_times(const Case&);
+
+}  // namespace softwet

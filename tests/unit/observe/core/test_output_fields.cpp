@@ -1,0 +1,76 @@
+// Field files of a solid that is deformed by the same gradient everywhere, against stresses worked out by hand.
+#include "observe/output_fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include "observe/host/hdf5_file.hpp"
+#include "unit/observe/core/homogeneous.hpp"
+#include "unit/observe/scratch_folder.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+using Tensor = std::array<double, 9>;
+
+/// The field files of a scene at time 1.5, `names` of them (none: all).
+struct Written {
+  ScratchFolder folder;
+
+  explicit Written(const Homogeneous& scene, const std::vector<std::string>& names = {}) {
+    write_field_files<2, 2>(folder / "", {"scene", "1.0", "abc"}, names, scene.model, scene.snapshot(), {1.5});
+  }
+  Hdf5File open(const std::string& part) const {
+    return Hdf5File::open(folder / ("fields/" + part + "_0000.hdf"), "write it again");
+  }
+};
+
+/// Every point of a tensor field has these components.
+void expect_everywhere(const Hdf5File& file, const std::string& name, const Tensor& expected) {
+  const std::vector<double> found = file.read<double>("/VTKHDF/PointData/" + name);
+  ASSERT_EQ(found.size() % 9, 0U);
+  for (std::size_t i = 0; i < found.size(); ++i) ASSERT_NEAR(found[i], expected[i % 9], 1e-12) << name << " " << i;
+}
+
+// x = 1.2 X, y = 0.9 Y in plane strain: E = diag(0.22, -0.095, 0), S = lambda tr(E) I + 2 G E, P = F S, and
+// sigma_ii = P_ii F_ii / J. Young 2.0 times density 1.3, nu = 0.3: lambda = 1.5, G = 1.
+TEST(FieldFiles, StressOfAHomogeneousStretch) {
+  const Written written(Homogeneous(scene(Scene::coupled), {{{0.2, 0}, {0, -0.1}}}));
+  const Hdf5File file = written.open("solid");
+  const double sx = 1.5 * 0.125 + 2 * 0.22, sy = 1.5 * 0.125 - 2 * 0.095, sz = 1.5 * 0.125, j = 1.2 * 0.9;
+  expect_everywhere(file, "green_lagrange_strain", {0.22, 0, 0, 0, -0.095, 0, 0, 0, 0});
+  expect_everywhere(file, "first_piola_stress", {1.2 * sx, 0, 0, 0, 0.9 * sy, 0, 0, 0, sz});
+  expect_everywhere(file, "cauchy_stress", {1.44 * sx / j, 0, 0, 0, 0.81 * sy / j, 0, 0, 0, sz / j});
+  for (double ratio : file.read<double>("/VTKHDF/PointData/volume_ratio")) ASSERT_NEAR(ratio, j, 1e-13);
+  EXPECT_EQ(file.read_text("/VTKHDF/PointData/cauchy_stress", "unit"), "a b^2");
+  EXPECT_EQ(file.read_text("/", "case"), "scene");
+}
+
+// x = X + k Y: rows are the direction of the force, so P_xy = k S_yy + S_xy and P_yx = S_xy.
+TEST(FieldFiles, RowsOfTheFirstPiolaStressAreDirectionsOfTheForce) {
+  const double k = 0.4, tr = 0.08, sxx = 1.5 * tr, sxy = k, syy = 1.5 * tr + 2 * tr;
+  const Written written(Homogeneous(scene(Scene::solid), {{{0, k}, {0, 0}}}));
+  expect_everywhere(written.open("solid"), "first_piola_stress",
+                    {sxx + k * sxy, sxy + k * syy, 0, sxy, syy, 0, 0, 0, 1.5 * tr});
+}
+
+TEST(FieldFiles, RotationHasNoStrainAndNoStress) {
+  const double c = std::cos(0.4), s = std::sin(0.4);
+  const Written written(Homogeneous(scene(Scene::solid), {{{c - 1, -s}, {s, c - 1}}}));
+  const Hdf5File file = written.open("solid");
+  for (const char* name : {"green_lagrange_strain", "first_piola_stress", "cauchy_stress"})
+    expect_everywhere(file, name, {});
+}
+
+TEST(FieldFiles, HoldTheFieldsAskedFor) {
+  const Written written(Homogeneous(scene(Scene::coupled), {}), {"pressure", "velocity", "volume_ratio"});
+  const Hdf5File fluid = written.open("fluid"), solid = written.open("solid");
+  for (const char* name : {"pressure", "velocity"}) EXPECT_TRUE(fluid.has(std::string("/VTKHDF/PointData/") + name));
+  for (const char* name : {"density", "volume_ratio"})
+    EXPECT_FALSE(fluid.has(std::string("/VTKHDF/PointData/") + name));
+  for (const char* name : {"velocity", "volume_ratio"})
+    EXPECT_TRUE(solid.has(std::string("/VTKHDF/PointData/") + name));
+  EXPECT_FALSE(solid.has("/VTKHDF/PointData/displacement"));
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools
