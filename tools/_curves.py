@@ -37,6 +37,10 @@ class Curves:
             self.table["track_centre" + suffix] = sum(
                 (self.table[f"{name}_centre{suffix}"] - 0.5 * size[d]) * track[d] for d, name in enumerate("xy"))
 
+    def settled(self):
+        """Which rows are behind the first instants, in which the start rings off."""
+        return self.t > self.t[0] + SPIKE * (self.t[-1] - self.t[0])
+
     def any_number(self, name):
         """Whether the column, or that of a further droplet, has a value in the rows shown."""
         return any(np.isfinite(values).any() for column, values in self.table.items() if column.startswith(name))
@@ -83,7 +87,7 @@ def velocity(ax, curves):
 def cut_spike(ax, curves):
     """Velocities of the first instants, in which the start rings off, do not set the scale of the others."""
     columns = [curves.table["velocity" + suffix] for suffix in curves.droplets]
-    later = curves.t > curves.t[0] + SPIKE * (curves.t[-1] - curves.t[0])
+    later = curves.settled()
     rest = np.concatenate([[0.0], *(values[later & np.isfinite(values)] for values in columns)])
     rest = np.concatenate([rest, curves.reference.get("velocity", [])])
     early = np.concatenate([values[~later & np.isfinite(values)] for values in columns])

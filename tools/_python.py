@@ -6,6 +6,7 @@ the same way."""
 
 import importlib.util
 import os
+import shutil
 import subprocess
 import sys
 
@@ -16,7 +17,7 @@ def need(*modules):
     """Goes on in a python3 that has the modules; ends with exit code 1 or 3 and a sentence where there is none."""
     sys.dont_write_bytecode = True
     chosen = os.environ.get("SOFTWET_PYTHON", "")
-    again = os.environ.pop(STARTED, None) is not None
+    again = os.environ.pop(STARTED, None) is not None or (chosen and shutil.which(chosen) == sys.executable)
     missing = [module for module in modules if importlib.util.find_spec(module) is None]
     if not missing and (again or not chosen):
         return

@@ -43,8 +43,8 @@ def told_state(record):
 
 
 def state(folder, record):
-    """The state of a run: running, done, stopped, failed, or `died` where run.json says running and no process of this
-    machine holds the folder. A run of another machine is believed, since locks may not reach from there to here."""
+    """The state of a run: running, done, stopped, failed, or `died` where run.json does not tell the end and no process of
+    this machine holds the folder. A run of another machine is believed, since locks may not reach from there to here."""
     told = told_state(record)
     if told != "running" or is_locked(folder) is not False:
         return told
