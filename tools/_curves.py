@@ -71,8 +71,8 @@ def position(ax, curves):
         curves.line(ax, centre + suffix, color=BLUE, label="midpoint $X_c$" if curves.flat else "centroid $X_c$")
     curves.compare(ax, "x_centre")
     low, high = ax.get_ylim()
-    ax.set(ylabel=r"position $\;/\; L_0$",
-           title="contact lines and " + ("their midpoint" if curves.flat else "centroid on the track"),
+    ax.set(ylabel=r"position $\;/\; L_0$" if curves.flat else r"place on the track $\;/\; L_0$",
+           title="contact lines and their midpoint" if curves.flat else "contact points and centroid",
            ylim=(low, high + 0.45 * (high - low)))  # room for the legend
 
 

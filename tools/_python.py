@@ -17,12 +17,12 @@ def need(*modules):
     """Goes on in a python3 that has the modules; ends with exit code 1 or 3 and a sentence where there is none."""
     sys.dont_write_bytecode = True
     chosen = os.environ.get("SOFTWET_PYTHON", "")
-    again = os.environ.pop(STARTED, None) is not None or (chosen and shutil.which(chosen) == sys.executable)
+    started = os.environ.pop(STARTED, None) is not None
     missing = [module for module in modules if importlib.util.find_spec(module) is None]
-    if not missing and (again or not chosen):
+    if not missing and (started or not chosen or shutil.which(chosen) == sys.executable):
         return
     for python in [chosen] if chosen else ["python3", "/usr/bin/python3"]:
-        if not again and serves(python, modules):
+        if not started and serves(python, modules):
             start_again(python)
     if chosen:
         has_no = f" or has no {' and '.join(modules)}" if modules else ""

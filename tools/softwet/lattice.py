@@ -34,6 +34,14 @@ def evaluate(lattice, index, slope_of=None):
     return result
 
 
+def solve(matrices, right):
+    """Solutions (n, D) of n small systems; the shortest ones where a matrix is singular."""
+    try:
+        return np.linalg.solve(matrices, right[..., None])[..., 0]
+    except np.linalg.LinAlgError:
+        return np.einsum("nij,nj->ni", np.linalg.pinv(matrices), right)
+
+
 def newton(positions, points, index):
     """Indices (n, D) where the lattice of positions has the points (n, D); nan where the iteration finds none inside."""
     top = np.array(positions.shape[-2::-1]) - 1.0
@@ -45,7 +53,7 @@ def newton(positions, points, index):
         here = index[active]
         rest = points[active] - evaluate(positions, here)
         slope = np.stack([evaluate(positions, here, d) for d in range(len(top))], axis=-1)
-        step = np.clip(np.einsum("nij,nj->ni", np.linalg.pinv(slope), rest), -4, 4)
+        step = np.clip(solve(slope, rest), -4, 4)
         index[active] = np.clip(here + step, -1, top + 1)
         done[active] = np.abs(step).max(axis=-1) < 1e-9
     inside = done & ((index >= -1e-6) & (index <= top + 1e-6)).all(axis=-1)
