@@ -70,10 +70,15 @@ def position(ax, curves):
         curves.line(ax, rear + suffix, color=GREY, linewidth=0.9)
         curves.line(ax, centre + suffix, color=BLUE, label="midpoint $X_c$" if curves.flat else "centroid $X_c$")
     curves.compare(ax, "x_centre")
-    low, high = ax.get_ylim()
     ax.set(ylabel=r"position $\;/\; L_0$" if curves.flat else r"place on the track $\;/\; L_0$",
-           title="contact lines and their midpoint" if curves.flat else "contact points and centroid",
-           ylim=(low, high + 0.45 * (high - low)))  # room for the legend
+           title="contact lines and their midpoint" if curves.flat else "contact points and centroid")
+    make_room(ax)
+
+
+def make_room(ax):
+    """For the legend, above the curves."""
+    low, high = ax.get_ylim()
+    ax.set_ylim(low, high + 0.45 * (high - low))
 
 
 def velocity(ax, curves):
@@ -97,7 +102,7 @@ def cut_spike(ax, curves):
         margin = 0.12 * np.ptp(rest)
         ax.set_ylim(rest.min() - margin, rest.max() + 2 * margin)
         peak = early[np.abs(early).argmax()]
-        ax.text(0.97, 0.76, f"at the start up to {peak:.1e}", transform=ax.transAxes, ha="right", fontsize=7, color="0.4")
+        ax.text(0.97, 0.58, f"at the start up to {peak:.1e}", transform=ax.transAxes, ha="right", fontsize=7, color="0.4")
 
 
 def angles(ax, curves):
@@ -117,6 +122,7 @@ def energies(ax, curves):
         if values is not None and np.isfinite(values).all() and np.ptp(values) > 0:
             ax.plot(curves.t, values - values[0], color=colour, label=label, **markers(len(values)))
     ax.set(ylabel=f"energy / {energy_unit(curves)}", title=f"energies, change since $t = {curves.t[0]:.4g}$")
+    make_room(ax)
 
 
 def mass(ax, curves):
