@@ -1,21 +1,28 @@
 """Fluid and solid of one time of an output folder on axes: density, displacement, streamlines, outline, loads."""
 
-from _outputs import RED, Block, np
+from _outputs import RED, Problem, fraction_of, np
 from matplotlib.tri import LinearTriInterpolator, Triangulation
 
 
-class Scene:
-    """What is drawn at one time."""
+class Block:
+    """Where a part of the scene is drawn, x and y of shape (rows, points per row), and its fields.
+    @param magnify  of the vertical displacement"""
 
-    def __init__(self, case, time, files, magnify=1.0):
-        self.time, self.case = time, case
-        self.fluid, self.solid = (Block(files[kind]) if kind in files else None for kind in ("fluid", "solid"))
-        height = case["domain"]["size"][1]
-        wall = case["substrate"]["thickness"] if "substrate" in case else 0.0
-        if self.fluid:
-            self.fluid.stretch(wall, height, magnify)
-        if self.solid:
-            self.solid.stretch(0.0, wall, magnify)
+    def __init__(self, field, magnify):
+        self.field, self.x = field, field.positions[..., 0].copy()
+        rest = field.reference[..., 1]
+        self.y = rest + magnify * (field.positions[..., 1] - rest)
+
+
+class Scene:
+    """What is drawn at one time of a softwet.Run in two dimensions."""
+
+    def __init__(self, run, time, magnify=1.0):
+        if run.dimension != 2:
+            raise Problem(f"{run.folder} is not two-dimensional; tools/figures3d or ParaView draw its fields")
+        self.time, self.case = run.time(time), run.case
+        self.fluid, self.solid = (Block(run.fields(time, part), magnify) if part in run.parts else None
+                                  for part in ("fluid", "solid"))
 
     def outline(self, axes, **style):
         """The droplet: density halfway between its extremes."""
@@ -35,7 +42,7 @@ class Scene:
         y = np.linspace(self.fluid.y.min(), self.fluid.y.max(), rows)
         mesh = Triangulation(self.fluid.x.ravel(), self.fluid.y.ravel())
         at = np.meshgrid(x, y)
-        velocity = self.fluid.field["velocity"].reshape(-1, 3)
+        velocity = self.fluid.field["velocity"].reshape(-1, 2)
         return x, y, *(LinearTriInterpolator(mesh, velocity[:, d])(*at) for d in (0, 1))
 
     def draw_streamlines(self, axes, **style):
@@ -73,14 +80,16 @@ class Scene:
         return ring + ring[:1], ((j0 + j1) // 2, (i0 + i1) // 2)
 
     def draw_loads(self, axes, colour=RED):
-        """The loaded boxes where the solid has carried them, and the direction of the force."""
+        """The loaded boxes where the solid has carried them, and the direction of the force: an arrow while the load
+        acts, shorter while it grows."""
         for load in self.case.get("load", []):
             ring, middle = self.load_ring(load)
             j, i = np.array(ring).T
             axes.plot(self.solid.x[j, i], self.solid.y[j, i], color=colour, linewidth=1.1, linestyle=(0, (4, 2)))
-            if not np.any(load["force"]):
+            part = fraction_of(load, self.case, self.time)
+            if not np.any(load["force"]) or part == 0:
                 continue
-            half = 0.032 * self.case["domain"]["size"][0] * np.array(load["force"]) / np.linalg.norm(load["force"])
+            half = part * 0.032 * self.case["domain"]["size"][0] * np.array(load["force"]) / np.linalg.norm(load["force"])
             centre = np.array([self.solid.x[middle], self.solid.y[middle]])
             axes.annotate("", centre + half, centre - half,
                           arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.3})

@@ -4,12 +4,11 @@ A lattice has three points per element and axis, or finer; splines of degree 2 a
 are in units of L0, times in L0/sqrt(ab).
 """
 
-import json
-from pathlib import Path
-
-import _outputs as outputs  # first: it tells what to install where packages are missing
-import h5py
 import numpy as np
+
+import softwet
+from _outputs import Problem
+from softwet.lattice import evaluate, quadratic
 
 
 # --- reading ---------------------------------------------------------------------------------------------------------
@@ -17,21 +16,17 @@ class Output:
     """An output folder of a 3D run with a substrate."""
 
     def __init__(self, folder):
-        self.folder = Path(folder)
-        self.case = outputs.read_case(self.folder)
+        self.run = softwet.open(folder)
+        self.case = self.run.case
         self.size = np.array(self.case["domain"]["size"], dtype=float)
         if len(self.size) != 3:
-            raise outputs.Problem(f"{folder} is a 2D run: tools/plot draws its fields and its history")
+            raise Problem(f"{folder} is a 2D run: tools/plot draws its fields and its history")
         if "substrate" not in self.case:
-            raise outputs.Problem(f"{folder} is a 3D run without a [substrate]: tools/plot draws its history, "
-                                  "ParaView its fields")
-        self.files = outputs.field_files(self.folder)
-        elements = self.case["domain"]["elements"]
+            raise Problem(f"{folder} is a 3D run without a [substrate]: tools/plot draws its history, "
+                          "ParaView its fields")
+        self.times = self.run.need_times()
         self.wall = float(self.case["substrate"]["thickness"])
-        rows = round(elements[2] * self.wall / self.size[2])
-        self.points = {"solid": (2 * rows + 1, 2 * elements[1] + 1, 2 * elements[0] + 1),
-                       "fluid": (2 * (elements[2] - rows) + 1, 2 * elements[1] + 1, 2 * elements[0] + 1)}
-        self.fine = max(2, -(-160 // max(elements)))  # intervals of an element in a picture
+        self.fine = max(2, -(-160 // max(self.case["domain"]["elements"])))  # intervals of an element in a picture
         self.middle = self.middle_density()
         track = np.array(self.case["output"]["history"]["track"], dtype=float)
         self.track = track / np.hypot(*track)
@@ -41,66 +36,28 @@ class Output:
         if "fluid" not in self.case:
             return None
         try:
-            phases = json.loads((self.folder / "run.json").read_text())["equilibrium"]
+            phases = self.run.record["equilibrium"]
             return 0.5 * (phases["density_vapour"] + phases["density_liquid"])
-        except (OSError, ValueError, KeyError) as error:
-            raise outputs.Problem(f"{self.folder / 'run.json'} tells no equilibrium densities ({error!r}); "
-                                  "resume the run with this version of softwet") from error
+        except KeyError as error:
+            raise Problem(f"{self.run.folder / 'run.json'} tells no equilibrium densities ({error!r}); "
+                          "resume the run with this version of softwet") from error
 
-    @property
-    def times(self):
-        return sorted(self.files)
+    def smooth(self, part, time, name, rows=slice(None)):
+        """A field on a lattice [z][y][x](component) with `fine` intervals per element. @param rows  of z"""
+        return refine(self.run.fields(time, part).read(name, rows), self.fine)
 
-    def nearest(self, time):
-        return outputs.nearest(self.files, time)
-
-    def read(self, kind, time, name, rows=slice(None)):
-        """A field, or "Points", as an array [z][y][x](component), of some rows of z; 3 points per element and axis."""
-        path = self.files[time][kind]
-        shape = self.points[kind]
-        plane = shape[1] * shape[2]
-        first, last, _ = rows.indices(shape[0])
-        try:
-            with h5py.File(path) as file:
-                data = file["VTKHDF"][name if name == "Points" else f"PointData/{name}"]
-                if len(data) != shape[0] * plane:
-                    raise outputs.Problem(f"{path} has {len(data)} points, not the {shape[0] * plane} of case.toml")
-                values = data[first * plane:last * plane]
-        except (OSError, KeyError) as error:
-            raise outputs.Problem(f"cannot read {path}: {error}") from error
-        return values.reshape(last - first, *shape[1:], *values.shape[1:])
-
-    def rest(self, kind, rows=slice(None)):
-        """Reference positions of the points of `read`."""
-        low, high = (0.0, self.wall) if kind == "solid" else (self.wall, self.size[2])
-        nz, ny, nx = self.points[kind]
-        z, y, x = np.meshgrid(np.linspace(low, high, nz)[rows], np.linspace(0, self.size[1], ny),
-                              np.linspace(0, self.size[0], nx), indexing="ij")
-        return np.stack([x, y, z], axis=-1)
-
-    def smooth(self, kind, time, name, rows=slice(None)):
-        """As `read`, with `fine` intervals per element."""
-        return refine(self.read(kind, time, name, rows), self.fine)
-
-    def positions(self, kind, time, magnify, rows=slice(None)):
+    def positions(self, part, time, magnify, rows=slice(None)):
         """Positions with the vertical displacement magnified, `fine` intervals per element."""
-        rest = self.rest(kind, rows)
-        return refine(rest + (self.read(kind, time, "Points", rows) - rest) * [1, 1, magnify], self.fine)
-
-
-def quadratic(points, at):
-    """Interpolation on a line of `points` points, quadratic over each three as the splines of degree 2 are: the first
-    of the three and the weights (n, 3) for each place, counted in intervals."""
-    low = 2 * np.clip(np.floor(at / 2).astype(int), 0, (points - 1) // 2 - 1)
-    s = at - low
-    return low, np.stack([0.5 * (s - 1) * (s - 2), s * (2 - s), 0.5 * s * (s - 1)], axis=-1)
+        field = self.run.fields(time, part)
+        rest = field.rest(rows)
+        return refine(rest + (field.read("Points", rows) - rest) * [1, 1, magnify], self.fine)
 
 
 def refine(values, intervals):
     """A lattice [z][y][x](...) of three points per element and axis with so many intervals per element."""
     for axis in range(3) if intervals != 2 else ():
         points = values.shape[axis]
-        low, weight = quadratic(points, np.linspace(0, points - 1, (points - 1) // 2 * intervals + 1))
+        low, weight, _ = quadratic(points, np.linspace(0, points - 1, (points - 1) // 2 * intervals + 1))
         shape = [-1 if d == axis else 1 for d in range(values.ndim)]
         values = sum(weight[:, a].reshape(shape) * values.take(low + a, axis) for a in range(3))
     return values
@@ -172,11 +129,7 @@ def track_line(output, count=800):
 
 def profile(output, time):
     """Where points of the track's line are now along it, and their vertical displacement."""
-    surface = output.read("solid", time, "displacement", slice(-1, None))[0]
+    surface = output.run.fields(time, "solid").read("displacement", slice(-1, None))[0]
     s, places = track_line(output)
-    ny, nx, _ = surface.shape
-    i, across = quadratic(nx, places[:, 0] * (nx - 1) / output.size[0])
-    j, along = quadratic(ny, places[:, 1] * (ny - 1) / output.size[1])
-    displacement = sum(across[:, a, None] * along[:, b, None] * surface[j + b, i + a]
-                       for a in range(3) for b in range(3))
+    displacement = evaluate(surface, places * (np.array(surface.shape[1::-1]) - 1) / output.size[:2])
     return s + displacement[:, :2] @ output.track, displacement[:, 2]

@@ -4,7 +4,8 @@ Surfaces are cut out of the fields, projected, sorted by depth and drawn as poly
 no 3D library is needed.
 """
 
-from _output3d import Output, box_edges, level_set, on_lattice, outputs, profile, quads, refine, track_line
+import _outputs as outputs
+from _output3d import Output, box_edges, level_set, on_lattice, profile, quads, refine, track_line
 import contourpy  # a part of matplotlib
 import matplotlib
 import matplotlib.pyplot as plt
@@ -57,7 +58,7 @@ class Scene:
         self.lift = output.smooth("solid", time, "displacement")[..., 2]
         self.density = None
         if output.middle is not None:
-            density = output.read("fluid", time, "density")
+            density = output.run.fields(time, "fluid").read("density")
             liquid = np.nonzero((density >= output.middle).any(axis=(1, 2)))[0]
             if len(liquid):  # whole elements, up to just above the droplet
                 self.rows = slice(0, min((liquid.max() + 4) // 2 * 2 + 1, len(density)))
@@ -160,7 +161,8 @@ class Scene:
         self.draw_on_wall(axes, track_line(self.output)[1], color=GREEN, linewidth=1.0, zorder=2.5)
 
     def draw_loads(self, axes):
-        """Boxes where the solid has carried them, and the direction of the force."""
+        """Boxes where the solid has carried them, and the direction of the force: an arrow while the load acts, shorter
+        while it grows."""
         for load in self.output.case.get("load", []):
             low, high = np.array(load["box"], dtype=float)
             for start, end in box_edges(low, high):
@@ -168,10 +170,11 @@ class Scene:
                 axes.plot(*self.view.flat(self.carried(line)).T, color=RED, linewidth=0.9, linestyle=(0, (3, 1.5)),
                           zorder=3.5)
             force = np.array(load["force"], dtype=float)
-            if not force.any():
+            part = outputs.fraction_of(load, self.output.case, self.time)
+            if not force.any() or part == 0:
                 continue
             centre = self.carried(np.array([[*(0.5 * (low + high))[:2], high[2]]]))[0]
-            reach = 0.13 * self.output.size[0] * force / np.linalg.norm(force)
+            reach = part * 0.13 * self.output.size[0] * force / np.linalg.norm(force)
             tail, head = self.view.flat(np.array([centre - reach, centre + reach]))
             axes.annotate("", head, tail, zorder=6, arrowprops={"arrowstyle": "-|>,head_width=0.28,head_length=0.55",
                                                                 "color": RED, "linewidth": 1.8, "shrinkA": 0,
@@ -217,8 +220,8 @@ def figure(folder, scenes=None, profiles=None, magnify=1.0, turn=16.0, rise=30.0
     check_options(scenes or [], magnify, turn, rise)
     output = Output(folder)
     started = [t for t in output.times if t >= 0] or output.times
-    scenes = [output.nearest(t) for t in scenes] if scenes else sorted({started[0], started[-1]})
-    profiles = [output.nearest(t) for t in profiles] if profiles else (started[1:] or started)
+    scenes = [output.run.time(t) for t in scenes] if scenes else sorted({started[0], started[-1]})
+    profiles = [output.run.time(t) for t in profiles] if profiles else (started[1:] or started)
     view = View(output.track, turn, rise)
     drawn = [Scene(output, time, magnify, view) for time in scenes]
     limit = max(np.abs(scene.lift[-1]).max() for scene in drawn) or 1e-3

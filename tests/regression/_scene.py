@@ -1,13 +1,13 @@
 """Runs of small scenes with softwet, and their results."""
 
-import csv
-import json
 import os
 import pathlib
 import subprocess
 import sys
 
-import numpy
+tools = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tools"
+sys.path.insert(0, str(tools))
+from softwet import open as open_output  # noqa: E402
 
 softwet = str(pathlib.Path(sys.argv[1]).resolve())
 cases = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "cases"
@@ -63,13 +63,11 @@ krylov = {{ preconditioner = "lu" }}
 
 def history(folder):
     """Columns of history.csv by name; an empty cell is nan."""
-    with open(pathlib.Path(folder) / "history.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    return {name: numpy.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
+    return open_output(folder).history
 
 
 def record(folder):
-    return json.loads((pathlib.Path(folder) / "run.json").read_text())
+    return open_output(folder).record
 
 
 def check(name, value, bound):

@@ -4,21 +4,20 @@ tools/plot draws a load of force 0, and names the file where a folder is not who
 usage: figures.py SOFTWET"""
 
 import csv
-import os
 import pathlib
 import shutil
 import subprocess
 import sys
 
 import numpy
-from _scene import check, check_true, history, run
+from _scene import check, check_true, history, run, tools
 
 try:
     import matplotlib  # noqa: F401
 except ImportError:
     sys.exit(print("no matplotlib: figures are not drawn here"))
 
-TOOL = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tools" / "figures"
+TOOL = tools / "figures"
 SMALL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "fluid.viscosity=1/64", "substrate.young=2"]
 TIMES = {"pull": "[0,235,471,1884]", "push": "[0,1962,3924,7848]"}
 

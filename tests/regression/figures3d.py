@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 """Pictures of a run in three dimensions: surfaces and profiles are those of the run. usage: figures3d.py SOFTWET"""
 
-import csv
 import os
 import pathlib
 import subprocess
 import sys
 
 import numpy
-from _scene import check, check_true, run_file, write_box
+from _scene import check, check_true, run_file, tools, write_box
 
 try:
     import matplotlib.pyplot
@@ -16,8 +15,6 @@ except ImportError:
     print("no matplotlib, no pictures: nothing to test")
     sys.exit(0)
 
-tools = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tools"
-sys.path.insert(0, str(tools))
 import _output3d  # noqa: E402
 import _scene3d  # noqa: E402
 
@@ -61,23 +58,20 @@ s, lift = _output3d.profile(output, 0.1)
 check_true("the surface has moved", abs(lift).max() > 1e-6)
 
 # Points of the diagonal in interface.csv: there the profile has to have their values.
-with open("small/interface.csv", newline="") as file:
-    rows = [{name: float(cell or "nan") for name, cell in row.items()} for row in csv.DictReader(file)]
-diagonal = [row for row in rows if row["time"] == 0.1 and row["x_reference"] == row["y_reference"]]
-check_true("interface.csv has the diagonal", len(diagonal) == 17)
-place = [sum(row[f"{d}_reference"] - 0.4 + row[f"displacement_{d}"] for d in "xy") / 2 ** 0.5 for row in diagonal]
-known = [row["displacement_z"] for row in diagonal]
+wall = output.run.interface[0.1]
+on = wall["x_reference"] == wall["y_reference"]
+check_true("interface.csv has the diagonal", on.sum() == 17)
+place = sum(wall[f"{d}_reference"][on] - 0.4 + wall[f"displacement_{d}"][on] for d in "xy") / 2 ** 0.5
+known = wall["displacement_z"][on]
 check("profile and interface.csv agree", abs(numpy.interp(place, s, lift) - known).max(), 1e-3 * abs(lift).max())
 
 # The contact line of the picture against the contact points of history.csv.
 scene = _scene3d.Scene(output, 0.1, 1.0, _scene3d.View(output.track))
 line = numpy.concatenate(scene.contact_lines()) - 0.4
-with open("small/history.csv", newline="") as file:
-    last = list(csv.DictReader(file))[-1]
 along, across = (line[:, 0] + line[:, 1]) / 2 ** 0.5, (line[:, 0] - line[:, 1]) / 2 ** 0.5
 order = numpy.argsort(across[along > 0])
 front = numpy.interp(0, across[along > 0][order], along[along > 0][order])
-check("contact line and track_front agree", abs(front - float(last["track_front"])), 1e-3)
+check("contact line and track_front agree", abs(front - output.run.history["track_front"][-1]), 1e-3)
 
 
 def figures3d(*options):

@@ -3,6 +3,7 @@
 
 import csv
 import fcntl
+import json
 import os
 import pathlib
 import re
@@ -139,6 +140,9 @@ refused("no list", ["--vary substrate.poisson", "KEY=V1,V2"], ["substrate.poisso
 refused("no values", ["a value is empty"], ["substrate.poisson=0.3,"], SOLID, elsewhere)
 refused("twice", ["0.3 is there twice"], ["substrate.poisson=0.3,0.3"], SOLID, elsewhere)
 refused("range", ["0:1:1", "a:b:n"], ["substrate.poisson=0:1:1"], SOLID, elsewhere)
+for value in ("60:90", "60:90:", "1/4:1/2"):
+    refused(f"range {value}", [value, "without the number of values", f"{value.rstrip(':')}:4"],
+            [f"time.end={value}"], SOLID, elsewhere)
 refused("varied and set", ["time.max_steps", "set twice"], ["time.max_steps=1,2"], SOLID, elsewhere)
 MANY = [f"time.{key}=1:100:100" for key in ("end", "dt_min", "dt_max")]
 for other in ("load.ramp", "load[00].ramp"):
@@ -218,11 +222,28 @@ sweep(PRODUCT, SOLID, ["--out", "array", "--table"], code=2)
 check_true("the same table but for the seconds", [{**row, "seconds": 0} for row in table("array").values()] ==
            [{**row, "seconds": 0} for row in table("product").values()])
 
+# A value more: new members are computed, old ones stay. Fewer values are refused, but for the tasks of an older script.
+MORE = [PRODUCT[0], "load[0].force=[0,0],[0.08,0],[0.16,0]"]
+rows = table("product")
+before = bytes_of("product", ["sweep.csv", "sweep.json"])
+refused("a value more and other settings", ["holds another sweep", "time.max_steps=6"], MORE,
+        [*SOLID, "time.max_steps=6"], here)
+sweep(MORE, SOLID, here, code=2)
+after = bytes_of("product", ["sweep.csv", "sweep.json"])
+check_true("a value more: old members stay", before.items() <= after.items())
+check_true("a value more: new members", states("product") == ["done", "failed", "failed", "done", "done", "done"] and
+           rows.items() <= table("product").items(), str(states("product")))
+refused("a value less", ["holds another sweep", "values may be added"], PRODUCT, SOLID, here)
+sweep(PRODUCT, SOLID, [*here, "--member", "3"])
+check_true("a task of before: the folder keeps all values", len(json.loads(
+    pathlib.Path("product/sweep.json").read_text())["vary"][1].split("],[")) == 3)
+
 # Columns of a droplet: last values and the largest velocity.
 RIGID = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "time.end=1", "output.fields.times=[]"]
-done = sweep(["fluid.contact_angle=60,120"], RIGID, ["--out", "droplet", "--columns", "x_centre,x_left,x_center"],
-             case=str(cases / "static_droplet_rigid_2d.toml"), threads=2)
-check_true("no such column", "--columns x_center" in done.stderr and "'x_centre'" in done.stderr, done.stderr)
+sweep(["fluid.contact_angle=60,120"], RIGID, ["--out", "droplet", "--columns", "x_centre,x_left"],
+      case=str(cases / "static_droplet_rigid_2d.toml"), threads=2)
+refused("no such column", ["--columns x_center", "did you mean 'x_centre'"], ["fluid.contact_angle=60,120"], RIGID,
+        ["--out", "droplet", "--columns", "x_center"], case=str(cases / "static_droplet_rigid_2d.toml"))
 for name, row in table("droplet").items():
     check_true(f"{name}: OMP_NUM_THREADS", record(f"droplet/{name}")["threads"] == 2)
     found = history(f"droplet/{name}")

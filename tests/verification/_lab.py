@@ -17,15 +17,17 @@ import pathlib
 import re
 import shlex
 import subprocess
+import sys
 import tempfile
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property
 
-import _measure
-
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "tools"))
+import softwet  # noqa: E402
+
 # Threads that wait without spinning: runs share the machine with each other.
 ENVIRONMENT = {**os.environ, "OMP_WAIT_POLICY": "passive", "OMP_PROC_BIND": "false"}
 
@@ -36,7 +38,7 @@ class StudyError(Exception):
 
 class Run:
     """A finished run: .folder, .code, .message (stderr), .seconds (wall), .processor_seconds, .commandline,
-    .history, .record."""
+    .output, .history, .record."""
 
     def __init__(self, folder, note):
         self.folder, self.code, self.message = folder, note["code"], note["message"]
@@ -44,13 +46,18 @@ class Run:
         self.processor_seconds = note.get("processor_seconds", self.seconds)
 
     @cached_property
+    def output(self):
+        """The output folder, a softwet.Run."""
+        return softwet.open(self.folder)
+
+    @property
     def history(self):
         """Columns of history.csv by name; an empty cell is nan."""
-        return _measure.history(self.folder)
+        return self.output.history
 
-    @cached_property
+    @property
     def record(self):
-        return json.loads((self.folder / "run.json").read_text())
+        return self.output.record
 
 
 class Store:

@@ -1,14 +1,15 @@
 """What is read from the files of a run, and what the exact answers are. Nothing here starts softwet."""
 
-import csv
 import pathlib
 import sys
 
 import _shape
 import numpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "oracle"))
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path[:0] = [str(ROOT / "tests" / "oracle"), str(ROOT / "tools")]
 import radial_droplet  # noqa: E402
+import softwet  # noqa: E402
 
 THETA = 0.39
 VAPOUR, LIQUID = radial_droplet.coexistence(THETA)
@@ -20,39 +21,32 @@ PULL_CENTRE = {50: 0.5048, 235: 0.5163, 471: 0.5378, 700: 0.5860, 1000: 0.6396, 
 PULL_PEAK = (2.8e-4, 686.0)
 
 
-def table(path):
-    """Columns of a csv file by name; an empty cell is nan."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
-    return {name: numpy.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
-
-
 def history(folder):
-    return table(pathlib.Path(folder) / "history.csv")
+    return softwet.open(folder).history
 
 
 def interface(folder, first=False):
     """The last (or first) field time of interface.csv."""
-    columns = table(pathlib.Path(folder) / "interface.csv")
-    chosen = columns["time"] == (columns["time"].min() if first else columns["time"].max())
-    return {name: values[chosen] for name, values in columns.items()}
+    walls = softwet.open(folder).interface
+    return walls[min(walls) if first else max(walls)]
+
+
+def field(folder, number, part="fluid"):
+    """The softwet.Field of the field file of this number."""
+    run = softwet.open(folder)
+    return run.fields(run.times[number], part)
 
 
 def fluid_field(folder, number, name="density"):
     """Points (rows, columns, 2) and values (rows, columns) of a field file."""
-    import h5py
-    with h5py.File(pathlib.Path(folder) / "fields" / f"fluid_{number:04d}.hdf") as file:
-        points, values = file["VTKHDF/Points"][:, :2], file[f"VTKHDF/PointData/{name}"][:].ravel()
-    columns = int(numpy.argmax(numpy.diff(points[:, 0]) < 0)) + 1
-    return points.reshape(-1, columns, 2), values.reshape(-1, columns)
+    fluid = field(folder, number)
+    return fluid.positions, fluid[name]
 
 
 def solid_field(folder, number):
     """Points of the reference and displacement, (points, 2) each."""
-    import h5py
-    with h5py.File(pathlib.Path(folder) / "fields" / f"solid_{number:04d}.hdf") as file:
-        displacement = file["VTKHDF/PointData/displacement"][:, :2]
-        return file["VTKHDF/Points"][:, :2] - displacement, displacement
+    solid = field(folder, number, "solid")
+    return solid.reference.reshape(-1, 2), solid["displacement"].reshape(-1, 2)
 
 
 def cap(folder, number, capillarity, lowest=2.0, highest=0.85):

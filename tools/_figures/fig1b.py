@@ -7,12 +7,13 @@ A run of half of the droplet, cut by the side x = 0, is drawn with its mirror im
 
 from pathlib import Path
 
-from _outputs import Problem, field_files, np, read_case, read_table, refine
+import softwet
+from _outputs import Problem, np, refine
 from _fields import Scene
 from matplotlib.patches import Arc, Rectangle
 import matplotlib.pyplot as plt
 
-from _figures.journal import BLUE, WIDTH, Y, interface_at, letter
+from _figures.journal import BLUE, WIDTH, Y, letter
 
 
 DARK_RED = "#A01010"
@@ -28,17 +29,17 @@ class Rest:
     """The last fields of a run, its wall and its contact line on the right; x counts from the droplet's centre."""
 
     def __init__(self, folder):
-        self.case = read_case(folder)
+        run = softwet.open(folder)
+        self.case = run.case
         if "droplet" not in self.case or "substrate" not in self.case or len(self.case["domain"]["size"]) != 2:
             raise Problem(f"{folder} is not a run of a droplet on a substrate in two dimensions")
-        fields = field_files(folder)
-        self.time = max(fields)
-        self.scene = Scene(self.case, self.time, fields[self.time])
-        history = read_table(folder / "history.csv")
+        self.time = run.need_times()[-1]
+        self.scene = Scene(run, self.time)
+        history = run.history
         row = np.argmin(np.abs(history["t"] - self.time))
         self.end = {name: values[row] for name, values in history.items()}
         self.extremes = history["rho_min"].min(), history["rho_max"].max()
-        self.wall = interface_at(read_table(folder / "interface.csv"), self.time)
+        self.wall = run.interface[self.time]
         self.half = self.case["droplet"][0]["centre"][0] == 0
         self.centre = 0.0 if self.half else self.end["x_centre"]
         for block in (self.scene.fluid, self.scene.solid):

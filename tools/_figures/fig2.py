@@ -7,12 +7,13 @@ over the time in which the droplet passes an element, since the angles waver fro
 
 from pathlib import Path
 
-from _outputs import Problem, field_files, nearest, np, read_case, read_table, refine
+import softwet
+from _outputs import Problem, np, refine
 from _fields import Scene
 from matplotlib.colors import ListedColormap, LogNorm
 import matplotlib.pyplot as plt
 
-from _figures.journal import BLUE, GREEN, TIME, VERMILION, WIDTH, X, Y, interface_at, letter, trend
+from _figures.journal import BLUE, GREEN, TIME, VERMILION, WIDTH, X, Y, letter, trend
 
 TIMES = {"pull": (235.0, 471.0, 1884.0), "push": (1962.0, 3924.0, 7848.0)}  # the paper's, panels G and H
 MOVING = {"pull": 471.0, "push": 1962.0}  # time of panels E and F, not stated in the paper
@@ -30,18 +31,17 @@ class Run:
     """An output folder, and the times of its panels."""
 
     def __init__(self, folder, way):
-        self.way, self.case, self.times = way, read_case(folder), TIMES[way]
-        if "load" not in self.case or len(self.case["domain"]["size"]) != 2:
+        self.output, self.way, self.times = softwet.open(folder), way, TIMES[way]
+        self.case, self.interface = self.output.case, self.output.interface
+        if "load" not in self.case or self.output.dimension != 2:
             raise Problem(f"{folder} is not a run in two dimensions with a load")
-        self.history, self.interface = (read_table(folder / f"{name}.csv") for name in ("history", "interface"))
+        self.history = self.output.history
         self.moving = MOVING[way]
         shown = (self.history["t"] >= 0) & (self.history["t"] <= self.times[-1] * (1 + 1e-9))
         self.loaded = {name: values[shown] for name, values in self.history.items()}
-        self.fields = field_files(folder)
 
     def scene(self, time):
-        found = nearest(self.fields, time)
-        return Scene(self.case, found, self.fields[found])
+        return Scene(self.output, time)
 
 
 # --- panels ----------------------------------------------------------------------------------------------------------
@@ -90,7 +90,7 @@ def draw_streamlines(axes, run):
 
 def draw_interface(axes, run):
     for time, colour, dashes in zip(run.times, (BLUE, GREEN, VERMILION), ("-", (0, (5, 1.5)), (0, (1.5, 1)))):
-        wall = interface_at(run.interface, time)
+        wall = run.interface[time]
         axes.plot(refine(wall["x_reference"] + wall["displacement_x"]), 1e3 * refine(wall["displacement_y"]),
                   color=colour, linestyle=dashes, label=f"$t = {time:g}$")
     axes.axhline(0, color="0.6", linewidth=0.5, zorder=0)
@@ -122,7 +122,7 @@ def numbers(runs):
            "far_left", "far_right", "far_step", "linear_step", "ratio")
     for way, run in runs.items():
         for time in (0.0, *run.times):
-            wall = interface_at(run.interface, time)
+            wall = run.interface[time]
             x, u = wall["x_reference"], wall["displacement_y"]
             at = lambda name: np.interp(time, run.history["t"], run.history[name])  # noqa: E731
             centre = at("x_centre")

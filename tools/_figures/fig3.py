@@ -7,7 +7,8 @@ from element to element). Curves start when the load stands and the substrate ha
 from pathlib import Path
 import sys
 
-from _outputs import Problem, np, read_case, read_table
+import softwet
+from _outputs import Problem, np
 import matplotlib.pyplot as plt
 
 from _figures.journal import SERIES, TIME, WIDTH, letter, trend
@@ -27,8 +28,8 @@ def add_arguments(parser):
 class Member:
     """One run: its trend of velocity and position at times spaced evenly."""
 
-    def __init__(self, folder):
-        self.case, history = read_case(folder), read_table(folder / "history.csv")
+    def __init__(self, run):
+        self.case, history = run.case, run.history
         if "x_centre" not in history or "substrate" not in self.case:
             raise Problem("has no droplet on a substrate")
         self.poisson = self.case["substrate"]["poisson"]
@@ -50,11 +51,11 @@ class Member:
 def members(folder):
     """The runs of a sweep, by falling Poisson ratio; those that cannot be read are named and left out."""
     found = []
-    for path in sorted(folder.glob("*/case.toml")):
+    for member in softwet.sweep(folder):
         try:
-            found.append(Member(path.parent))
+            found.append(Member(member.run))
         except Problem as problem:
-            print(f"figures: {path.parent} is left out: {problem}", file=sys.stderr)
+            print(f"figures: {member.folder} is left out: {problem}", file=sys.stderr)
     if not found:
         raise Problem(f"{folder} holds no output folder that can be drawn; write it with softwet sweep")
     return sorted(found, key=lambda one: -one.poisson)

@@ -7,7 +7,7 @@ track."""
 from pathlib import Path
 
 from _output3d import Output, profile
-from _outputs import Problem, np, read_table
+from _outputs import Problem, np
 from _scene3d import figure
 
 TIMES = (63.0, 125.0, 188.0, 251.0)
@@ -31,7 +31,8 @@ def draw(options):
 
 def table(folder, times):
     """One row per quantity, one column per time; empty where a droplet has none."""
-    history, output = read_table(folder / "history.csv"), Output(folder)
+    output = Output(folder)
+    history = output.run.history
     if "track_front" not in history:
         raise Problem(f"{folder}: history.csv has no droplets of a run in three dimensions")
     rows = [["quantity", *times]]

@@ -1,6 +1,6 @@
 """How the figures of the paper look: page width, colours that the colour-blind tell apart, panel letters, trends."""
 
-from _outputs import Problem, np
+from _outputs import np
 
 WIDTH = 7.09  # two columns of the journal, inches
 BLUE, VERMILION, GREEN, ORANGE = "#0072B2", "#D55E00", "#009E73", "#E69F00"  # after Okabe and Ito
@@ -33,13 +33,3 @@ def trend(history, name, at, case):
     reach = np.minimum(at - first, last - at) + 1e-6
     first, last = np.maximum(at - reach, t[0]), np.minimum(at + reach, t[-1])
     return (np.interp(last, t, integral) - np.interp(first, t, integral)) / (last - first)
-
-
-def interface_at(table, time):
-    """The rows of interface.csv of one time."""
-    times = np.unique(table["time"])
-    found = times[np.abs(times - time) <= 1e-6 * max(1.0, abs(time))]
-    if not len(found):
-        raise Problem(f"interface.csv has no rows of t = {time:g}, only of {', '.join(f'{t:g}' for t in times)}; "
-                      "run the case with that time in output.fields.times")
-    return {name: values[table["time"] == found[0]] for name, values in table.items()}

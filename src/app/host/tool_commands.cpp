@@ -71,11 +71,29 @@ void add_sweep(CLI::App& app, std::vector<std::string>& words) {
   command.callback([&words] { start_tool({"sweep", {}}, words); });
 }
 
+void add_status(CLI::App& app, std::vector<std::string>& words) {
+  CLI::App& command = *app.add_subcommand("status", "tell in one line how a run stands");
+  ToolOptions(command, words).names("OUT", "output folders of softwet run")->required();
+  command.callback([&words] { start_tool({"status", {}}, words); });
+}
+
+void add_watch(CLI::App& app, std::vector<std::string>& words) {
+  CLI::App& command = *app.add_subcommand("watch", "draw the curves of a run in the terminal until it ends");
+  ToolOptions tool(command, words);
+  tool.names("OUT", "output folder of softwet run")->required()->expected(1);
+  tool.option("--every", "SECONDS", "pause between two pictures; default: 2");
+  tool.option("--from", "TIME", "first time of the curves; default: 0 once the run is there");
+  tool.flag("--once", "draw once and end");
+  command.callback([&words] { start_tool({"watch", {}}, words); });
+}
+
 }  // namespace
 
 void add_tool_commands(CLI::App& app, std::vector<std::string>& words) {
   add_verify(app, words);
   add_sweep(app, words);
+  add_status(app, words);
+  add_watch(app, words);
 }
 
 }  // namespace softwet

@@ -103,9 +103,9 @@ def mesh_orders(lab):
 def damped(run, omega, dt):
     """-b + i w of the displacement at the middle of the top, without the first ten steps, in which the
     scheme forgets its start."""
-    wall = _measure.table(run.folder / "interface.csv")
-    middle = wall["x_reference"] == 0.5
-    return _shape.damped_wave(wall["time"][middle][10:], wall["displacement_x"][middle][10:], 1j * omega, drift=False)[0]
+    walls = run.output.interface
+    middle = [wall["displacement_x"][wall["x_reference"] == 0.5][0] for wall in walls.values()]
+    return _shape.damped_wave(numpy.array(list(walls))[10:], numpy.array(middle)[10:], 1j * omega, drift=False)[0]
 
 
 def damping(lab):

@@ -10,7 +10,6 @@ the density is 6 % above that of the vapour). In 3D the mesh is refined with gam
 
 import _measure
 import _shape
-import h5py
 import numpy
 from _case import case, fields
 from _measure import radial_droplet
@@ -38,13 +37,10 @@ CASE_3D = case("An eighth of a droplet; left, front and bottom sides are planes 
 
 def line(run):
     """Distance from the centre, density and chemical potential along the bottom side."""
-    with h5py.File(run.folder / "fields" / "fluid_0000.hdf") as file:
-        points = file["VTKHDF/Points"][:]
-        on = (numpy.abs(points[:, 1]) < 1e-9) & (numpy.abs(points[:, 2]) < 1e-9)
-        x, at = numpy.unique(points[on, 0], return_index=True)
-        values = [file[f"VTKHDF/PointData/{name}"][:].ravel()[on][at] for name in ("density", "chemical_potential")]
-        corner = file["VTKHDF/PointData/density"][:].ravel()[numpy.argmax(points.sum(axis=1))]
-    return x, *values, corner
+    fluid = _measure.field(run.folder, 0)
+    first = (0,) * (fluid.dimension - 1)
+    values = [fluid[name][first] for name in ("density", "chemical_potential")]
+    return fluid.positions[first][:, 0], *values, fluid["density"].flat[-1]
 
 
 def compare(lab, label, run, theta, g, side, dimension):

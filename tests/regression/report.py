@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""tools/report writes its page for the kinds of scenes, and its energy budget is that of history.csv; how the pictures
+of tools/plot show few points, the start's spike and loads. usage: report.py SOFTWET"""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+import numpy
+from _scene import PULL, RIGID, check, check_true, environment, record, run, run_file, tools, write_box
+
+try:
+    import matplotlib.pyplot as plt
+except ImportError:
+    sys.exit(print("no matplotlib: no page is drawn here"))
+
+import _curves  # noqa: E402
+import _report_tables  # noqa: E402
+import softwet  # noqa: E402
+from _fields import Scene  # noqa: E402
+from _outputs import fraction_of, markers  # noqa: E402
+
+
+def report(folder, *words, code=0):
+    result = subprocess.run([sys.executable, str(tools / "report"), folder, *words], capture_output=True, text=True,
+                            timeout=120, env=environment)
+    check_true(f"report {folder}: exit code {code}", result.returncode == code and "Warning" not in result.stderr,
+               result.stderr)
+    return result.stderr
+
+
+def page(folder):
+    report(folder)
+    pdf, png = (pathlib.Path(folder, f"report.{end}").read_bytes() for end in ("pdf", "png"))
+    width, height = (int.from_bytes(png[i:i + 4], "big") for i in (16, 20))
+    check_true(f"{folder}: one page of A4", pdf.count(b"/Type /Page ") == 1 and (width, height) == (1240, 1753),
+               f"{width} x {height}")
+
+
+# --- pages -----------------------------------------------------------------------------------------------------------
+run("tensotaxis_pull_2d", "pull", [*PULL, "load.ramp=4"])
+told = {**record("pull"), "groups": {"elastocapillary_over_radius": 0.034}, "started": "2026-01-01T00:00:00Z",
+        "events": [{"t": 1.0, "what": "a droplet touches a side"}]}
+pathlib.Path("pull/run.json").write_text(json.dumps(told))
+page("pull")
+run("static_droplet_rigid_2d", "rigid", [*RIGID, "time.end=1", "output.fields.times=[]"])
+page("rigid")  # no field files
+run("solid_layer_2d", "solid", ["domain.elements=[16,4]", "time.max_steps=3", "output.fields.times=[0]"])
+page("solid")
+write_box("box", height=0.4, elements=[6, 6, 4], capillarity=0.2, angle=90.0, tables="""
+[substrate]
+thickness = 0.1
+young = 0.7554
+poisson = 0.45
+[[droplet]]
+centre = [0.4, 0.4, 0.1]
+radius = 0.25
+[time]
+end = 1.0
+max_steps = 1
+[output]
+fields = { times = [0.0] }
+""")
+run_file("box.toml", "box")
+page("box")
+check_true("no output folder", "nowhere is not an output folder" in report("nowhere", code=1))
+pathlib.Path("solid/history.csv").write_text("step,t\n")
+check_true("a run without rows", "has no rows yet" in report("solid", code=1))
+
+# --- numbers ---------------------------------------------------------------------------------------------------------
+pull = softwet.open("pull")
+curves = _curves.Curves(pull)
+budget = _report_tables.Budget(curves)
+t, power = curves.t, curves.table["power_load"]
+check("work of the loads", abs(budget.work[-1] - numpy.trapz(power, t)), 1e-15)
+check("the budget adds up", abs(budget.change - budget.work - budget.stretch + budget.lost - budget.rest).max(), 1e-15)
+check_true("groups as run.json tells them", _report_tables.groups(told) == [("elastocapillary over radius", "0.034")] and
+           _report_tables.groups({}) == [])
+
+# --- how pictures show things ----------------------------------------------------------------------------------------
+check_true("few points are marked, many are not", markers(24) and not markers(25))
+case = {"load": [{"start": 10.0, "ramp": 4.0}, {"start": 12.0, "ramp": 0.0}]}  # the first one starts at t = 0
+check_true("the part of a load that acts", [fraction_of(case["load"][0], case, t) for t in (-1, 0, 1, 4, 9)] ==
+           [0, 0, 0.25, 1, 1] and [fraction_of(case["load"][1], case, t) for t in (1, 2, 3)] == [0, 1, 1])
+
+
+def arrows(time):
+    axes = plt.figure().subplots()
+    Scene(pull, time).draw_loads(axes)
+    return len(axes.texts)
+
+
+check_true("an arrow only while the load acts", (arrows(0), arrows(10)) == (0, 1))
+figure, axes = plt.subplots()
+curves.table["velocity"] = numpy.where(t <= t[0] + 0.01 * numpy.ptp(t), 1.0, 1e-3 * numpy.sin(t))
+_curves.velocity(axes, curves)
+check("the start's spike does not set the scale", axes.get_ylim()[1], 2e-3)
+check_true("but is told", any("up to 1.0e+00" in text.get_text() for text in axes.texts))
+for name, unit in (("pull", "L_0^2"), ("box", "L_0^3")):
+    check_true(f"{name}: unit of the energy", unit in _curves.energy_unit(_curves.Curves(softwet.open(name), -1.0)))
+letters = [axes.get_title(loc="left")[:3] for axes in _curves.draw_curves(pull).axes if axes.get_visible()]
+check_true("letters on the panels", letters == [f"({c})" for c in "abcdef"[:len(letters)]] and len(letters) > 3, str(letters))

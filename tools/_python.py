@@ -1,0 +1,51 @@
+"""Which python3 a tool runs in: the same choice for all of them.
+
+A tool begins with `need(modules)`. Where this interpreter lacks one, or where SOFTWET_PYTHON names another, the tool
+starts again in SOFTWET_PYTHON, or else in python3, or else in /usr/bin/python3. `softwet verify` and its like choose in
+the same way."""
+
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+
+STARTED = "SOFTWET_PYTHON_STARTED"  # in the environment of a tool that was started again
+
+
+def need(*modules):
+    """Goes on in a python3 that has the modules; ends with exit code 1 or 3 and a sentence where there is none."""
+    sys.dont_write_bytecode = True
+    chosen = os.environ.get("SOFTWET_PYTHON", "")
+    started = os.environ.pop(STARTED, None) is not None
+    missing = [module for module in modules if importlib.util.find_spec(module) is None]
+    if not missing and (started or not chosen or shutil.which(chosen) == sys.executable):
+        return
+    for python in [chosen] if chosen else ["python3", "/usr/bin/python3"]:
+        if not started and serves(python, modules):
+            start_again(python)
+    if chosen:
+        has_no = f" or has no {' and '.join(modules)}" if modules else ""
+        end(f"SOFTWET_PYTHON = '{chosen}' does not start{has_no}; give a python3 that does, or unset it", 1)
+    packages = " ".join(f"python3-{module}" for module in modules)
+    end(f"no python3 with {' and '.join(modules)}; on Debian: apt-get install {packages}, elsewhere set SOFTWET_PYTHON "
+        "to one", 3)
+
+
+def serves(python, modules):
+    """Whether the interpreter starts and has the modules."""
+    imports = "".join(f"import {module}\n" for module in modules)
+    try:
+        return subprocess.run([python, "-c", imports], capture_output=True).returncode == 0
+    except OSError:
+        return False
+
+
+def start_again(python):
+    os.environ[STARTED] = "yes"
+    os.execvp(python, [python, os.path.abspath(sys.argv[0]), *sys.argv[1:]])
+
+
+def end(message, code):
+    print(f"{os.path.basename(sys.argv[0])}: error: {message}", file=sys.stderr)
+    raise SystemExit(code)

@@ -1,0 +1,112 @@
+"""The pictures of tools/report: a sketch of the scene, and the fields at some times in two and three dimensions."""
+
+import numpy as np
+from matplotlib.patches import Circle, Rectangle
+
+from _fields import Scene
+from _outputs import BLUE, GREY, RED
+
+
+def sketch(axes, case):
+    """The scene as the case tells it, in the plane of the first axis and the vertical: substrate, droplets, loads, and
+    the kinds of the sides."""
+    width, height = case["domain"]["size"][0], case["domain"]["size"][-1]
+    wall = case["substrate"]["thickness"] if "substrate" in case else 0.0
+    axes.add_patch(Rectangle((0, 0), width, height, facecolor="none", edgecolor="0.2", linewidth=0.9))
+    if wall:
+        axes.add_patch(Rectangle((0, 0), width, wall, facecolor="0.88", edgecolor="0.2", linewidth=0.9))
+    fluid = Rectangle((0, wall), width, height - wall, visible=False)
+    axes.add_patch(fluid)
+    for droplet in case.get("droplet", []):
+        x, y = droplet["centre"][0], droplet["centre"][-1]
+        circle = Circle((x, y), droplet["radius"], facecolor=BLUE, alpha=0.35, linewidth=0)
+        axes.add_patch(circle)
+        circle.set_clip_path(fluid)
+    for load in case.get("load", []):
+        low, high = np.array(load["box"])[:, [0, -1]]
+        axes.add_patch(Rectangle(low, *(high - low), facecolor="none", edgecolor=RED, linewidth=0.9, linestyle="--"))
+        force = np.array(load["force"])[[0, -1]]
+        if force.any():
+            half, centre = 0.05 * width * force / np.linalg.norm(force), 0.5 * (low + high)
+            axes.annotate("", centre + half, centre - half,
+                          arrowprops={"arrowstyle": "-|>", "color": RED, "linewidth": 1.1})
+    label_sides(axes, case.get("boundary", {}), width, height)
+    axes.set(xlim=(-0.1 * width, 1.1 * width), ylim=(-0.16 * height, 1.16 * height), aspect="equal")
+    axes.set_axis_off()
+
+
+def label_sides(axes, kinds, width, height):
+    for side, x, y, turn in (("left", -0.02, 0.5, 90), ("right", 1.02, 0.5, 270), ("bottom", 0.5, -0.03, 0),
+                             ("top", 0.5, 1.03, 0)):
+        axes.text(x * width, y * height, kinds.get(side, "").replace("_", " "), rotation=turn, color=GREY, fontsize=7,
+                  ha={"left": "right", "right": "left"}.get(side, "center"),
+                  va={"bottom": "top", "top": "bottom"}.get(side, "center"))
+
+
+def chosen_times(run, most=3):
+    """At most so many field times: the first from 0 on, the last, and others between."""
+    times = [t for t in run.times if t >= 0] or run.times
+    if len(times) <= most:
+        return times
+    return [times[round(i * (len(times) - 1) / (most - 1))] for i in range(most)]
+
+
+def flat(figure, run, times):
+    """Density and vertical displacement in two dimensions."""
+    scenes = [Scene(run, t) for t in times]
+    limit = max((np.abs(s.vertical_displacement()).max() for s in scenes if s.solid), default=0) or 1.0
+    panels, images = figure.subplots(1, len(scenes), squeeze=False, sharey=True)[0], {}
+    for scene, axes in zip(scenes, panels):
+        if scene.fluid:
+            images[r"$\rho / b$"] = scene.draw_fluid(axes)
+            scene.outline(axes, colors="black", linewidths=0.9)
+        if scene.solid:
+            images[r"$u_y / 10^{-3} L_0$"] = scene.draw_solid(axes, limit)
+            scene.draw_loads(axes)
+        low = min([0.0, *(block.y.min() for block in (scene.solid, scene.fluid) if block)])
+        axes.set(aspect="equal", xlim=(0, run.case["domain"]["size"][0]), ylim=(low, run.case["domain"]["size"][1]))
+        axes.locator_params(nbins=4)
+    for label, image in images.items():
+        figure.colorbar(image, ax=list(panels), label=label, aspect=14, shrink=0.8)
+    return panels
+
+
+def deep(figure, run, times):
+    """Droplets on the deformed substrate in three dimensions."""
+    from _scene3d import Output, Scene as Scene3d, View
+    output = Output(run.folder)
+    view = View(output.track)
+    scenes = [Scene3d(output, t, 1.0, view) for t in times]
+    limit = max(np.abs(scene.lift[-1]).max() for scene in scenes) or 1e-3
+    panels = figure.subplots(1, len(scenes), squeeze=False)[0]
+    for scene, axes in zip(scenes, panels):
+        image = scene.draw(axes, limit, scenes[0])
+    figure.colorbar(image, ax=list(panels), label=r"$u_z / 10^{-3} L_0$", aspect=14, shrink=0.8)
+    return panels
+
+
+def section(figure, run, times):
+    """Density in the vertical plane through the middle along x: three dimensions without a substrate."""
+    size, panels = run.case["domain"]["size"], figure.subplots(1, len(times), squeeze=False, sharey=True)[0]
+    x, z = np.linspace(0, size[0], 160), np.linspace(0, size[2], 120)
+    places = np.stack(np.broadcast_arrays(x, 0.5 * size[1], z[:, None]), axis=-1)
+    for time, axes in zip(times, panels):
+        density = run.fields(time).at(places)["density"]
+        image = axes.pcolormesh(x, z, density, cmap="Blues", vmin=0, vmax=1, shading="gouraud", rasterized=True)
+        axes.set(aspect="equal")
+        axes.locator_params(nbins=4)
+    figure.colorbar(image, ax=list(panels), label=r"$\rho / b$, middle plane", aspect=14, shrink=0.8)
+    return panels
+
+
+def fields(figure, run):
+    """Fields at some times, or a sentence where there are none. @return axes, one for each picture"""
+    times = chosen_times(run)
+    if not times:
+        figure.text(0.5, 0.5, "no field files: the case gives no output.fields.times", ha="center", color=GREY)
+        return []
+    draw = flat if run.dimension == 2 else deep if "solid" in run.parts else section
+    panels = draw(figure, run, times)
+    for time, axes in zip(times, panels):
+        axes.set_title(f"$t = {time:g}$", loc="left")
+    return list(panels)

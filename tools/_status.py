@@ -1,0 +1,92 @@
+"""How a run stands, in one line. Needs nothing but Python; used by tools/status and tools/watch."""
+
+import time
+from datetime import datetime, timezone
+
+import softwet
+from softwet.table import last_row
+
+
+
+def duration(seconds):
+    """Seconds in words: 12 s, 5 min, 3.2 h, 2.5 days."""
+    for unit, length, digits in (("days", 172800, 1), ("h", 5400, 1), ("min", 90, 0)):
+        if seconds >= length:
+            return f"{seconds / {'days': 86400, 'h': 3600, 'min': 60}[unit]:.{digits}f} {unit}"
+    return f"{seconds:.0f} s"
+
+
+def age(text):
+    """Seconds since an ISO 8601 time; None where it is none."""
+    try:
+        then = datetime.fromisoformat(text)
+    except (TypeError, ValueError):
+        return None
+    then = then if then.tzinfo else then.replace(tzinfo=timezone.utc)
+    return max(0.0, time.time() - then.timestamp())
+
+
+def newest_row(run):
+    """The last row of history.csv; where run.json tells a later one, that."""
+    row, told = last_row(run.folder / "history.csv"), run.record.get("last_row") or {}
+    return told if told.get("t", float("-inf")) > row.get("t", float("-inf")) else row
+
+
+def droplet_text(row):
+    """Where the first droplet meets the wall and under which angles; empty where it does not."""
+    for rear, front, first, second in (("x_left", "x_right", "angle_left", "angle_right"),
+                                       ("track_rear", "track_front", "angle_rear", "angle_front")):
+        if rear in row and front in row:
+            angles = [f"{row[name]:.1f}" for name in (first, second) if name in row]
+            return f"contact line {row[rear]:.4f} to {row[front]:.4f}" + (
+                f", angles {' and '.join(angles)} degrees" if angles else "")
+    return ""
+
+
+def state_text(run, state):
+    """The state, and what may be done about it."""
+    saved = (run.folder / "checkpoint.h5").exists()
+    remedy = "continue it with --resume" if saved else "start it again with --overwrite"
+    if state == "died":
+        return f"died: it has not told its end, and no process holds the folder; {remedy}"
+    if state == "failed":
+        return run.record.get("stop", {}).get("reason", "failed")
+    return f"stopped, {remedy}" if state == "stopped" else state
+
+
+def rate_text(record):
+    steps, seconds = record.get("counts", {}).get("steps", 0), record.get("seconds", {}).get("total", 0)
+    return f"{seconds / steps:.2g} s a step" if steps > 0 and seconds > 0 else ""
+
+
+def left_text(record, since):
+    """The time left, which run.json told `since` seconds ago; empty where it does not tell or has run out."""
+    left = record.get("seconds_left")
+    left = left - (since or 0) if isinstance(left, (int, float)) else 0
+    return f"{duration(left)} left" if left > 0 else ""
+
+
+def status(run, state):
+    """One line: state, time, step, rate, time left, last contact line. Parts that are not known are left out."""
+    record, row = run.record, newest_row(run)
+    since = age(record.get("updated"))
+    parts = [f"{run.folder}: {state_text(run, state)}"]
+    if "t" in row:
+        parts += [f"t = {row['t']:.6g} of {run.case['time']['end']:g}", f"step {row.get('step', 0):.0f}"]
+        parts += [f"dt {row['dt']:.3g}"] if row.get("dt", 0) > 0 else []
+    else:
+        parts.append("no row of history.csv yet")
+    parts += [rate_text(record), left_text(record, since) if state == "running" else "", droplet_text(row)]
+    if state == "running" and since is not None and since > 120:
+        parts.append(f"run.json is {duration(since)} old")
+    if record.get("events"):
+        event = record["events"][-1]
+        parts.append(f"last event: {event.get('what', '')} (t = {event.get('t', float('nan')):.6g})")
+    return ", ".join(part for part in parts if part)
+
+
+def look(folder):
+    """The run as it is now, and its state. Raises softwet.Problem"""
+    run = softwet.open(folder)
+    run.case
+    return run, run.state

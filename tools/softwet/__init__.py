@@ -1,0 +1,38 @@
+"""Results of softwet in Python: an output folder as arrays.
+
+    import softwet
+
+    run = softwet.open("out/tensotaxis_pull_2d")
+    run.case["substrate"]["young"]            # any key of case.toml
+    run.record["counts"]["steps"]             # run.json
+    run.history["t"], run.history["x_centre"] # columns of history.csv; an empty cell is nan
+    run.interface[471.0]["displacement_y"]    # the wall at a field time
+    run.times                                 # times of the field files
+    fluid = run.fields(471.0)                 # the fluid on the points of its file
+    fluid["density"], fluid.positions
+    fluid.on_grid(200, 100)["density"]        # the same on a uniform grid
+    for member in softwet.sweep("out/tensotaxis_pull_2d_sweep"):
+        print(member.values, member.run.history["x_centre"][-1])
+
+Everything is in the units of the paper: lengths in L0, times in L0/sqrt(ab), velocities in sqrt(ab), densities in b,
+stresses in a b^2. Time 0 is the start of the first load. Arrays need numpy, fields need h5py too; what needs neither
+is read without them. Every error is a softwet.Problem, whose text names the file, what is wrong, and what to do.
+"""
+
+from .case import read_case
+from .problem import Problem
+from .run import Run
+from .sweep import Member, Sweep
+from .table import read_table
+
+__all__ = ["Member", "Problem", "Run", "Sweep", "open", "read_case", "read_table", "sweep"]
+
+
+def open(folder):
+    """The output folder of `softwet run`. @return Run; raises Problem where the folder is none"""
+    return Run(folder)
+
+
+def sweep(folder):
+    """The folder of `softwet sweep`, or a folder that holds output folders. @return Sweep; raises Problem"""
+    return Sweep(folder)
