@@ -4,7 +4,7 @@
 namespace softwet {
 
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP (a closed terminal; not under nohup) only sets
-/// `requested()`; a second one ends the program as usual.
+/// `requested()`; a second one ends the program as usual. A run also goes on when nobody reads its progress any more.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -170,7 +170,8 @@ std::string version_line() { return fmt::format("softwet {} ({})", version, comm
 
 void help_command(const CLI::App& app, const std::string& command) {
   if (!command.empty()) check_command_name(app, command);
-  std::cout << (command.empty() ? app.help() : app.get_subcommand(command)->help());
+  std::cout << (command.empty() ? app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal)
+                                : app.get_subcommand(command)->help(app.get_name()));
 }
 
 /// Commands that tell of the program itself.
@@ -190,7 +191,10 @@ void add_answers(CLI::App& app, Request& request) {
   });
   CLI::App& completion =
       *app.add_subcommand("completion", "print the completion of a shell, for 'source <(softwet completion bash)'");
-  completion.add_option("SHELL", request.shell, "bash")->required()->check(CLI::IsMember({"bash"}))->type_name("");
+  completion.add_option("SHELL", request.shell, "name of the shell; there is one for bash")
+      ->required()
+      ->check(CLI::IsMember({"bash"}))
+      ->type_name("");
   completion.callback([&app] { std::cout << bash_completion(app); });
 }
 

@@ -37,14 +37,10 @@ std::string choice_branches() {
 
 /// What completes a value, by the word that stands for it in the help: CASE, DIR, KEY=VALUE, ...
 std::string completer(const std::string& placeholder) {
-  static const std::map<std::string, std::string> known{{"CASE", "_softwet_cases"},
-                                                        {"FILE", "_softwet_files"},
-                                                        {"DIR", "_softwet_folders"},
-                                                        {"OUT", "_softwet_folders"},
-                                                        {"OUTDIR", "_softwet_folders"},
-                                                        {"KEY", "_softwet_words \"$keys\""},
-                                                        {"COMMAND", "_softwet_words \"$commands\""},
-                                                        {"SHELL", "_softwet_words bash"}};
+  static const std::map<std::string, std::string> known{{"CASE", "_softwet_cases"},       {"FILE", "_softwet_files"},
+                                                        {"DIR", "_softwet_folders"},      {"OUT", "_softwet_folders"},
+                                                        {"OUTDIR", "_softwet_folders"},   {"KEY", "_softwet_keys"},
+                                                        {"COMMAND", "_softwet_commands"}, {"SHELL", "_softwet_shells"}};
   if (placeholder.compare(0, 4, "KEY=") == 0) return "_softwet_assignments";
   const auto found = known.find(placeholder);
   return found == known.end() ? "" : found->second;
@@ -65,29 +61,28 @@ std::string option_branches(const CLI::App& app) {
   return text;
 }
 
-/// Branches "run) options='--set --out ...'; other=cases ;;" of the commands.
+/// Branches "run) options='--set --out ...' argument=_softwet_cases ;;" of the commands.
 std::string command_branches(const CLI::App& app) {
   std::string text;
   for (const CLI::App* command : app.get_subcommands({})) {
     std::vector<std::string> options;
-    std::string positional;
+    std::string argument;
     for (const CLI::Option* option : command->get_options()) {
       if (option->get_positional()) {
-        positional = completer(option->get_name(true));
+        argument = completer(option->get_name(true));
       } else {
         for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
       }
     }
-    const std::string action = positional.empty() ? "" : " || " + positional;
-    text += fmt::format("    {}) _softwet_is_option && _softwet_words '{}'{} ;;\n", command->get_name(),
-                        fmt::join(options, " "), action);
+    text +=
+        fmt::format("    {}) options='{}' argument={} ;;\n", command->get_name(), fmt::join(options, " "), argument);
   }
   return text;
 }
 
 constexpr const char* script = R"(# Completion of softwet for bash; written by `softwet completion bash`.
 _softwet() {{
-  local IFS=$' \t\n' current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}}
+  local IFS=$' \t\n' options= argument= current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}}
   local commands='{commands}'
   local keys='{keys}'
   COMPREPLY=()
@@ -102,7 +97,9 @@ _softwet() {{
   _softwet_folders() {{ _softwet_paths -d; }}
   _softwet_files() {{ _softwet_paths -f; }}
   _softwet_assignments() {{ COMPREPLY=($(compgen -W "$keys" -S = -- "$current")); compopt -o nospace 2>/dev/null; }}
-  _softwet_is_option() {{ [[ $current == -* ]]; }}
+  _softwet_keys() {{ _softwet_words "$keys"; }}
+  _softwet_commands() {{ _softwet_words "$commands"; }}
+  _softwet_shells() {{ _softwet_words bash; }}
   if [[ $COMP_CWORD == 1 ]]; then
     _softwet_words "$commands --help --version"
     return
@@ -111,6 +108,11 @@ _softwet() {{
 {options}{choices}  esac
   case ${{COMP_WORDS[1]}} in
 {branches}  esac
+  if [[ $current == -* ]]; then
+    _softwet_words "$options"
+  else
+    $argument
+  fi
 }}
 complete -F _softwet softwet
 )";

@@ -45,7 +45,9 @@ std::string placeholder(const CLI::Option& option) {
 std::string option_head(const CLI::Option& option) {
   if (option.get_positional()) return "\\fI" + plain(option.get_name(true)) + "\\fR";
   const std::string head = "\\fB" + plain(option.get_name()) + "\\fR";
-  return option.get_items_expected_max() == 0 ? head : head + " \\fI" + plain(option.get_type_name()) + "\\fR";
+  const std::string type = option.get_type_name();
+  const std::string value = type.substr(0, type.find(':'));  // "N" of "N:INT in [1 - 65536]"
+  return option.get_items_expected_max() == 0 ? head : head + " \\fI" + plain(value) + "\\fR";
 }
 
 std::string command_text(const CLI::App& command) {
