@@ -9,8 +9,6 @@
 
 namespace softwet {
 
-struct Key;
-
 /// Reads and checks a case file, with "key=value" overrides of the command line. Throws Error invalid_input.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
@@ -22,9 +20,6 @@ std::string write_case(const Case& c);
 
 /// What `softwet explain` prints: one key, all keys of a table, or everything when `name` is empty.
 std::string explain(const std::string& name);
-
-/// Its part on one key: the name in the first line, then indented lines.
-std::string explain_key(const Key& key);
 
 /// A commented case to start from: the paper's pull under this name. Throws Error when no case can have the name.
 std::string initial_case(const std::string& name);

@@ -45,6 +45,19 @@ Case example_scene() {
   return c;
 }
 
+std::string explain_key(const Key& key) {
+  std::string text = key.name + "\n    " + key.help + "\n    " + allowed_text(key);
+  if (!key.unit.empty()) text += ", in " + key.unit;
+  if (key.required) {
+    text += "; required";
+  } else {
+    text += "; default " + (key.default_note.empty() ? default_text(key) : key.default_note);
+  }
+  if (!key.reason.empty()) text += "\n    " + key.reason;
+  if (!key.example.empty()) text += fmt::format("\n    example: {} = {}", key.leaf(), key.example);
+  return text + "\n";
+}
+
 /// True for the key itself, its table or group, with or without "[]".
 bool matches(const Key& key, const std::string& name) {
   std::string plain = key.name;
@@ -79,19 +92,6 @@ std::string initial_case(const std::string& name) {
       write_tables(example_scene(), line, [](const Table& table) { return "  # " + table.help; });
   parse_case(text, fmt::format("init '{}'", name));  // refuses what cannot be the name of a case
   return text;
-}
-
-std::string explain_key(const Key& key) {
-  std::string text = key.name + "\n    " + key.help + "\n    " + allowed_text(key);
-  if (!key.unit.empty()) text += ", in " + key.unit;
-  if (key.required) {
-    text += "; required";
-  } else {
-    text += "; default " + (key.default_note.empty() ? default_text(key) : key.default_note);
-  }
-  if (!key.reason.empty()) text += "\n    " + key.reason;
-  if (!key.example.empty()) text += fmt::format("\n    example: {} = {}", key.leaf(), key.example);
-  return text + "\n";
 }
 
 std::string explain(const std::string& name) {

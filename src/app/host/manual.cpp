@@ -63,9 +63,10 @@ std::string command_text(const CLI::App& command) {
 
 /// What `explain` tells of a key, in one paragraph.
 std::string key_text(const Key& key) {
-  std::istringstream lines(explain_key(key));
+  std::istringstream lines(explain(key.name));
   std::string line, text;
-  std::getline(lines, line);  // the name
+  while (line != key.name && std::getline(lines, line)) {
+  }
   while (std::getline(lines, line)) {
     line.erase(0, line.find_first_not_of(' '));
     text += (text.empty() || text.back() == '.' ? "" : ".") + std::string(text.empty() ? "" : " ") + line;
