@@ -11,7 +11,8 @@ install(DIRECTORY tools/ DESTINATION ${softwet_share}/tools USE_SOURCE_PERMISSIO
 install(DIRECTORY cases/ DESTINATION ${softwet_share}/cases)
 
 # The studies of `softwet verify`, where tools/verify looks for them.
-install(DIRECTORY tests/verification tests/oracle DESTINATION ${softwet_share}/tests FILES_MATCHING PATTERN *.py)
+install(DIRECTORY tests/verification tests/oracle DESTINATION ${softwet_share}/tests
+  FILES_MATCHING PATTERN *.py PATTERN mms EXCLUDE PATTERN time_order.py EXCLUDE)
 
 # The package softwet of tools/, where Debian's python3 looks for packages.
 install(CODE [[
