@@ -4,8 +4,7 @@
 namespace softwet {
 
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP (a closed terminal; not under nohup) only sets
-/// `requested()`; a second one ends the program as usual. A reader of the progress lines that goes away (`| head`) does
-/// not end the run.
+/// `requested()`; a second one ends the program as usual. A run also goes on when nobody reads its progress any more.
 class InterruptGuard {
  public:
   InterruptGuard();

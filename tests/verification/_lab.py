@@ -194,7 +194,8 @@ class Lab:
         """Path of another program of the build."""
         path = self.program.parent / name
         if not path.exists():
-            raise StudyError(f"{path} is not there; build it: cmake --build {self.program.parent} --target {name}")
+            raise StudyError(f"{path} is not there; this study needs the sources of softwet: tools/setup softwet {name} builds "
+                             f"it there, then tools/verify {self.name}")
         return path
 
     # --- what is written

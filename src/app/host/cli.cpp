@@ -15,6 +15,8 @@
 #include "app/dispatch.hpp"
 #include "app/error.hpp"
 #include "app/host/case_file.hpp"
+#include "app/host/completion.hpp"
+#include "app/host/manual.hpp"
 #include "app/host/memory.hpp"
 #include "app/host/nearest.hpp"
 #include "app/host/output_folder.hpp"
@@ -31,6 +33,8 @@ struct Request {
   bool overwrite = false;
   std::string key;
   std::string file = "softwet.toml";
+  std::string command;             ///< of which help is wanted
+  std::string shell;               ///< whose completion is wanted
   std::vector<std::string> words;  ///< what a program of the folder tools gets as it is
 };
 
@@ -142,9 +146,6 @@ void add_commands(CLI::App& app, Request& request) {
   init.add_option("FILE", request.file, "file to write; default: softwet.toml")->type_name("");
   init.callback([&request] { init_command(request); });
 
-  app.add_subcommand("info", "tell version, backend and compiled configurations")->callback([] {
-    describe_build(std::cout);
-  });
   add_bench(app, request);
   add_tool_commands(app, request.words);
 }
@@ -155,19 +156,50 @@ int report(Exit code, const std::string& message) {
   return static_cast<int>(code);
 }
 
-/// A first word that is no command and no option gets the nearest command as an answer.
-void check_command_name(const CLI::App& app, int argc, const char* const* argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
+/// A word that should be a command and is none gets the nearest command as an answer.
+void check_command_name(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  if (std::find(names.begin(), names.end(), word) != names.end()) return;
   throw Error(Exit::invalid_input,
-              fmt::format("unknown command '{}'; did you mean 'softwet {}'? 'softwet --help' lists all", argv[1],
-                          nearest_name(argv[1], names)));
+              fmt::format("unknown command '{}'; did you mean 'softwet {}'? 'softwet --help' lists all", word,
+                          nearest_name(word, names)));
+}
+
+std::string version_line() { return fmt::format("softwet {} ({})", version, commit); }
+
+void help_command(const CLI::App& app, const std::string& command) {
+  if (!command.empty()) check_command_name(app, command);
+  std::cout << (command.empty() ? app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal)
+                                : app.get_subcommand(command)->help(app.get_name()));
+}
+
+/// Commands that tell of the program itself.
+void add_answers(CLI::App& app, Request& request) {
+  app.add_subcommand("info", "tell version, backend and compiled configurations")->callback([] {
+    describe_build(std::cout);
+  });
+  app.add_subcommand("version", "tell version and commit")->callback([] { std::cout << version_line() << "\n"; });
+
+  CLI::App& help = *app.add_subcommand("help", "tell the commands, or the options of one command");
+  help.add_option("COMMAND", request.command, "command to explain; default: all commands in a line each")
+      ->type_name("");
+  help.callback([&app, &request] { help_command(app, request.command); });
+
+  app.add_subcommand("man", "print the manual page, for 'softwet man | man -l -'")->callback([&app] {
+    std::cout << manual_page(app);
+  });
+  CLI::App& completion =
+      *app.add_subcommand("completion", "print the completion of a shell, for 'source <(softwet completion bash)'");
+  completion.add_option("SHELL", request.shell, "name of the shell; there is one for bash")
+      ->required()
+      ->check(CLI::IsMember({"bash"}))
+      ->type_name("");
+  completion.callback([&app] { std::cout << bash_completion(app); });
 }
 
 int parse(CLI::App& app, int argc, const char* const* argv) {
-  check_command_name(app, argc, argv);
+  if (argc >= 2 && argv[1][0] != '-') check_command_name(app, argv[1]);
   try {
     app.parse(argc, argv);
     return static_cast<int>(Exit::done);
@@ -188,10 +220,11 @@ int run_command_line(int argc, const char* const* argv) {
       "Start:  softwet init my_case.toml;  softwet check my_case.toml;  softwet run my_case.toml\n"
       "Exit codes: 0 done, 1 the case or the command line is wrong, 2 the computation failed,\n"
       "            3 the machine failed (disk, memory, device).");
-  app.set_version_flag("--version", fmt::format("softwet {} ({})", version, commit), "print version and commit");
+  app.set_version_flag("--version", version_line(), "print version and commit");
   app.require_subcommand(1);
   Request request;
   add_commands(app, request);
+  add_answers(app, request);
   try {
     return parse(app, argc, argv);
   } catch (const Error& error) {

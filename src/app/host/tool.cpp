@@ -19,19 +19,25 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-std::string find_file(const std::string& name) {
-  const std::string chosen = environment("SOFTWET_TOOLS");
-  const std::string file = (chosen.empty() ? SOFTWET_SOURCE_DIR "/tools" : chosen) + "/" + name;
+/// The folder tools: the chosen one, else that of the installation this program is part of, else that of its sources.
+std::filesystem::path tools_folder(const std::filesystem::path& program) {
+  if (const std::string chosen = environment("SOFTWET_TOOLS"); !chosen.empty()) return chosen;
+  const auto installed = program.parent_path().parent_path() / "share/softwet/tools";
+  return std::filesystem::is_directory(installed) ? installed : SOFTWET_SOURCE_DIR "/tools";
+}
+
+std::string find_file(const std::string& name, const std::filesystem::path& program) {
+  const std::string folder = tools_folder(program).string(), file = folder + "/" + name;
   if (std::filesystem::exists(file)) return file;
-  if (!chosen.empty()) {
+  if (!environment("SOFTWET_TOOLS").empty()) {
     throw Error(Exit::invalid_input,
                 fmt::format("{0}: SOFTWET_TOOLS = '{1}' holds no file '{0}'; give the folder tools "
                             "of softwet's sources",
-                            name, chosen));
+                            name, folder));
   }
   throw Error(Exit::machine_failed,
-              fmt::format("{}: '{}' is not there; it comes with the sources: set SOFTWET_TOOLS to "
-                          "their folder tools",
+              fmt::format("{}: '{}' is not there; install softwet again, or set SOFTWET_TOOLS to the folder tools of "
+                          "its sources",
                           name, file));
 }
 
@@ -65,7 +71,7 @@ std::string find_python(const Tool& tool) {
 }  // namespace
 
 void start_tool(const Tool& tool, const std::vector<std::string>& words) {
-  const std::string file = find_file(tool.name), self = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string(), file = find_file(tool.name, self);
   std::vector<std::string> line = {find_python(tool), file, "--softwet", self};
   line.insert(line.end(), words.begin(), words.end());
   std::vector<char*> pointers;

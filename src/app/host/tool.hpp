@@ -13,9 +13,10 @@ struct Tool {
 };
 
 /// Replaces this program by a python3 with the modules that runs tools/<name> with `words` and the path of this
-/// program. tools/ is SOFTWET_TOOLS, else that of the source folder of the build; python3 is SOFTWET_PYTHON, else
-/// python3, else /usr/bin/python3. Throws Error: invalid_input where SOFTWET_TOOLS or SOFTWET_PYTHON name nothing of
-/// use, machine_failed where tools or Python are missing.
+/// program. tools/ is SOFTWET_TOOLS, else share/softwet/tools of the installation this program is part of, else that of
+/// the sources it was built from; python3 is SOFTWET_PYTHON, else python3, else /usr/bin/python3. Throws Error:
+/// invalid_input where SOFTWET_TOOLS or SOFTWET_PYTHON name nothing of use, machine_failed where tools or Python are
+/// missing.
 [[noreturn]] void start_tool(const Tool& tool, const std::vector<std::string>& words);
 
 }  // namespace softwet

@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""What softwet tells of itself: help, version, manual page and completion; and a reader that reads no further.
+usage: answers.py SOFTWET"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+from _scene import check_true, environment, softwet
+
+ROOT = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"])
+
+
+def output(*words):
+    return subprocess.run([softwet, *words], capture_output=True, text=True, check=True).stdout
+
+
+def commands():
+    return re.findall(r"^  (\w+) ", output("--help").partition("Subcommands:")[2], re.M)
+
+
+def test_help_and_version():
+    check_true("help", output("help") == output("--help"))
+    for command in commands():
+        check_true(f"help {command}", output("help", command) == output(command, "--help"), output("help", command))
+    wrong = subprocess.run([softwet, "help", "rnu"], capture_output=True, text=True)
+    check_true("help rnu", wrong.returncode == 1 and "'softwet run'" in wrong.stderr, wrong.stderr)
+    check_true("version", output("version") == output("--version"), output("version"))
+
+
+def test_manual():
+    page = output("man")
+    keys = re.findall(r"^([a-z]\S*\.\S+)$", output("explain"), re.M)
+    check_true("keys that explain lists", len(keys) > 40, keys)
+    for name in [*commands(), *keys]:
+        check_true(f"the manual has {name}", re.search(rf"(^\.SS \"|\\fB){re.escape(name)}\b", page, re.M) is not None)
+    for option in re.findall(r"^  (--\w+)", output("run", "--help"), re.M):
+        check_true(f"the manual has {option}", option.replace("-", "\\-") in page)
+    if shutil.which("groff"):
+        done = subprocess.run(["groff", "-man", "-ww", "-Tascii"], input=page, capture_output=True, text=True)
+        check_true("groff reads the manual without a warning", done.returncode == 0 and not done.stderr, done.stderr)
+
+
+def completed(line, *files):
+    """The words that bash offers at the end of the line."""
+    folder = pathlib.Path("completion")
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    for file in files:
+        (folder / file).touch()
+    words = line.replace("=", " = ").split() + ([] if line[-1] not in " " else [""])  # bash takes "=" for a word
+    program = 'source <("$0" completion bash); COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _softwet; printf "%s\\n" "${COMPREPLY[@]}"'
+    done = subprocess.run(["bash", "-c", program, softwet, *words], cwd=folder, capture_output=True, text=True)
+    check_true(f"'{line}' completes", not done.stderr, done.stderr)
+    return set(done.stdout.split())
+
+
+def test_completion():
+    registered = subprocess.run(["bash", "-c", 'source <("$0" completion bash); complete -p softwet', softwet],
+                                capture_output=True, text=True)
+    check_true("registered", registered.stdout.strip() == "complete -F _softwet softwet", registered)
+    expected = {
+        "softwet ru": {"run"},
+        "softwet help ru": {"run"},
+        "softwet explain fluid.v": {"fluid.viscosity"},
+        "softwet explain load.b": {"load.box"},
+        "softwet run a.toml --set fluid.v": {"fluid.viscosity="},
+        "softwet run a.toml --set=fluid.v": {"fluid.viscosity="},
+        "softwet run a.toml --set fluid.wall_law=": {"gradient", "energy"},
+        "softwet run a.toml --set fluid.wall_law=g": {"gradient"},
+        "softwet run a.toml --over": {"--overwrite"},
+        "softwet sweep a.toml --vary substrate.yo": {"substrate.young="},
+        "softwet run a.toml --threads ": set(),
+    }
+    for line, words in expected.items():
+        check_true(f"'{line}'", completed(line) == words, completed(line))
+    check_true("'softwet '", completed("softwet ") >= {*commands(), "--help"})
+    found = completed("softwet run my", "my.toml", "my.txt")
+    check_true("case files", found == {"my.toml"}, found)
+
+
+def test_cut_output():
+    """What `| head` does: the reader ends first. Nothing is complained about, and a run goes on."""
+    def cut(line, end):
+        program = f'{line} | (exec <&-; sleep {end}); exit "${{PIPESTATUS[0]}}"'
+        return subprocess.run(["bash", "-c", program, softwet], capture_output=True, text=True, env=environment)
+
+    for line in ('"$0" explain', '"$0" man', '"$0" verify --list', f'"{ROOT}/tools/sweep" --help'):
+        done = cut(line, 1)
+        check_true(f"{line}, cut: quiet", done.returncode in (0, 141) and not done.stderr, done)
+    case = ROOT / "cases/solid_layer_2d.toml"
+    done = cut(f'"$0" run "{case}" --set time.max_steps=3 --overwrite --out cut --threads 1 2>&1', 0)
+    check_true("a run goes on", done.returncode == 0 and len(pathlib.Path("cut/history.csv").read_text().splitlines()) > 3, done)
+
+
+test_help_and_version()
+test_manual()
+test_completion()
+test_cut_output()

@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+"""What cmake --install installs works from another place, and nothing else is installed. usage: installed.py SOFTWET"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+BUILD = pathlib.Path(sys.argv[1]).resolve().parent
+ROOT = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"])
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "SOFTWET_TOOLS"}
+LAYOUT = ("bin/softwet", "share/softwet/cases/tensotaxis_pull_2d.toml", "share/softwet/tools/plot",
+          "share/softwet/tests/verification/studies/laplace.py", "share/man/man1/softwet.1",
+          "share/bash-completion/completions/softwet", "share/doc/softwet/README.md", "share/doc/softwet/docs/installing.md",
+          "share/doc/softwet/copyright")
+
+
+def check(name, good, seen=""):
+    print(f"{'ok' if good else 'FAIL':4}  {name} {'' if good else seen}")
+    if not good:
+        sys.exit(1)
+
+
+def start(*words):
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=300,
+                          env={**ENVIRONMENT, "OMP_WAIT_POLICY": "passive"})
+
+
+for folder in ("first", "second"):
+    shutil.rmtree(folder, ignore_errors=True)
+done = start("cmake", "--install", BUILD, "--prefix", pathlib.Path("first").resolve())
+check("cmake --install", done.returncode == 0, done)
+pathlib.Path("first").rename("second")  # the installation can be moved
+prefix = pathlib.Path("second").resolve()
+files = {str(path.relative_to(prefix)) for path in prefix.rglob("*") if not path.is_dir()}
+for name in LAYOUT:
+    check(name, name in files, sorted(files))
+check("nothing of Kokkos", not [name for name in files if "kokkos" in name.lower()], files)
+check("nothing that needs the sources", not files & {f"share/softwet/tools/{name}" for name in ("setup", "run", "test")})
+
+softwet = prefix / "bin/softwet"
+done = start(softwet, "run", prefix / "share/softwet/cases/solid_layer_2d.toml", "--set", "time.max_steps=2", "--out", "out",
+             "--overwrite", "--threads", "1")
+check("run", done.returncode == 0 and pathlib.Path("out/history.csv").exists(), done)
+(prefix / "share/softwet/tests/verification/studies/laplace.py").unlink()
+done = start(softwet, "verify", "--list")
+check("the studies are those of the installation",
+      done.returncode == 0 and "tensotaxis" in done.stdout and "laplace" not in done.stdout, done)
+done = start(softwet, "sweep", prefix / "share/softwet/cases/solid_layer_2d.toml", "--vary", "substrate.poisson=0,0.3", "--dry-run")
+check("sweep", done.returncode == 0 and "2" in done.stdout, done)
+
+link = prefix / "lib/python3/dist-packages/softwet"
+if (ROOT / "tools/softwet/__init__.py").exists():
+    check("the Python package", link.is_symlink() and not os.path.isabs(os.readlink(link)) and (link / "__init__.py").exists())

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""tools/setup, tools/run and tools/test answer before they build, and a missing cmake gets one message that helps.
+usage: shell_tools.py SOFTWET"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"])
+# Programs that the tools may use while nothing is installed; cmake, ninja and c++ are not among them.
+PLAIN = ("bash", "env", "dirname", "sed", "mkdir", "cat", "nproc", "awk", "grep")
+failures = []
+
+
+def check(name, good, seen):
+    if not good:
+        failures.append(f"{name}: {seen}")
+
+
+def script(path, text):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("#!/usr/bin/env bash\n" + text)
+    path.chmod(0o755)
+
+
+def tree(folder):
+    """A source tree of shell tools alone, whose program tells the environment it was started in."""
+    (folder / "tools").mkdir(parents=True)
+    for name in ("setup", "run", "test"):
+        shutil.copy(ROOT / "tools" / name, folder / "tools" / name)
+    (folder / "case.toml").write_text("")
+    script(folder / "build/release/softwet", 'echo "places=${OMP_PLACES:-} words=$*"\n')
+    return folder
+
+
+def bare_path(folder, user, installed):
+    """A PATH of a Debian machine on which nothing but PLAIN is installed, seen by this user."""
+    folder.mkdir()
+    for name in PLAIN:
+        (folder / name).symlink_to(shutil.which(name))
+    script(folder / "id", f"echo {user}\n")
+    script(folder / "apt-get", "exit 100\n")
+    script(folder / "dpkg-query", f"echo {'installed' if installed else 'not-installed'}\n")
+    script(folder / "sudo", "exit 1\n")
+    return str(folder)
+
+
+def start(folder, *words, **environment):
+    return subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True, timeout=60,
+                          env={**os.environ, **environment})
+
+
+def answers(folder):
+    """Help and mistakes: nothing is set up."""
+    for name in ("setup", "run", "test"):
+        for word in ("--help", "-h"):
+            done = start(folder, folder / "tools" / name, word, PATH="/usr/bin:/bin")
+            check(f"{name} {word}", done.returncode == 0 and done.stdout.startswith(f"usage: tools/{name}"), done)
+            check(f"{name} {word} sets nothing up", not (folder / "build/release.lock").exists(), "build/release.lock")
+    mistakes = {"no case": ["run"], "missing case": ["run", "typo.toml"], "a folder": ["run", "tools"],
+                "unknown option": ["setup", "--fast"]}
+    for name, words in mistakes.items():
+        done = start(folder, folder / "tools" / words[0], *words[1:])
+        lines = done.stderr.splitlines()
+        check(name, done.returncode == 1 and len(lines) == 1 and all(word in lines[0] for word in words[1:]), done)
+        check(f"{name} sets nothing up", not (folder / "build/release.lock").exists(), "build/release.lock")
+
+
+def missing_packages(root, folder):
+    """One message on what to do, whether the packages, their installation or the whole package system is missing."""
+    user = start(folder, folder / "tools/setup", "softwet", PATH=bare_path(root / "user", 1000, False))
+    lines = user.stderr.splitlines()
+    check("no root", user.returncode == 3 and len(lines) == 2 and "cmake ninja c++" in lines[0]
+          and "apt-get install" in lines[1] and "libhdf5-dev" in lines[1], user)
+    admin = start(folder, folder / "tools/setup", "softwet", PATH=bare_path(root / "admin", 0, False))
+    check("root without network", admin.returncode == 3 and admin.stderr.count("cannot be built") == 1
+          and "cmake ninja c++" in admin.stderr, admin)
+    path = bare_path(root / "other", 1000, False)
+    pathlib.Path(path, "dpkg-query").unlink()
+    other = start(folder, folder / "tools/setup", "softwet", PATH=path)
+    check("not Debian", other.returncode == 3 and "what Debian calls" in other.stderr and "ninja-build" in other.stderr, other)
+
+
+def failed_configure(root, folder):
+    """Packages are missing, cmake is there and fails: the remedy, and where its output is."""
+    path = bare_path(root / "half", 1000, False)
+    script(pathlib.Path(path, "cmake"), "echo no HDF5; exit 1\n")
+    for name in ("ninja", "c++", "flock"):
+        script(pathlib.Path(path, name), "")
+    done = start(folder, folder / "tools/setup", "softwet", PATH=path, SOFTWET_CMAKE_ARGS="-DSOFTWET_SYSTEM_KOKKOS=ON")
+    lines = done.stderr.splitlines()
+    check("cmake fails", done.returncode == 3 and len(lines) == 2 and "configure_release.log" in lines[0]
+          and "apt-get install" in lines[1], done)
+
+
+def places(folder):
+    """Threads are bound to cores where the system tells which these are."""
+    script(folder / "tools/setup", "")
+    environment = {key: value for key, value in os.environ.items() if not key.startswith("OMP_")}
+    line = ["tools/run", "case.toml", "--quiet"]
+    done = subprocess.run(line, cwd=folder, capture_output=True, text=True, env=environment)
+    known = os.access("/sys/devices/system/cpu/cpu0/topology/thread_siblings_list", os.R_OK)
+    wanted = f"places={'cores' if known else ''} words=run case.toml --quiet"
+    check("OMP_PLACES", done.stdout.strip() == wanted, done)
+    hide = ["unshare", "--mount", "--map-root-user", "sh", "-c", 'mount -t tmpfs none /sys && exec "$@"', "sh"]
+    if shutil.which("unshare") and subprocess.run([*hide, "true"], capture_output=True).returncode == 0:
+        done = subprocess.run([*hide, *line], cwd=folder, capture_output=True, text=True, env=environment)
+        check("OMP_PLACES without /sys", done.stdout.strip() == "places= words=run case.toml --quiet", done)
+
+
+with tempfile.TemporaryDirectory() as name:
+    root = pathlib.Path(name)
+    answers(tree(root / "answers"))
+    missing_packages(root, tree(root / "missing"))
+    failed_configure(root, tree(root / "configure"))
+    places(tree(root / "places"))
+for failure in failures:
+    print(f"shell_tools: {failure}", file=sys.stderr)
+sys.exit(1 if failures else 0)

@@ -1,0 +1,37 @@
+# cmake --install: the program, its tools, cases, manual and documentation. Every path is relative to the prefix, and the
+# program finds its tools beside itself, so that the folder can be moved.
+set(softwet_share share/softwet)
+
+install(TARGETS softwet RUNTIME DESTINATION bin)
+
+# Tools that need the sources stay with them.
+install(DIRECTORY tools/ DESTINATION ${softwet_share}/tools USE_SOURCE_PERMISSIONS
+  PATTERN setup EXCLUDE PATTERN run EXCLUDE PATTERN test EXCLUDE PATTERN bench EXCLUDE PATTERN fuzz EXCLUDE
+  PATTERN cmake EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY cases/ DESTINATION ${softwet_share}/cases)
+
+# The studies of `softwet verify`, where tools/verify looks for them.
+install(DIRECTORY tests/verification tests/oracle DESTINATION ${softwet_share}/tests
+  FILES_MATCHING PATTERN *.py PATTERN mms EXCLUDE PATTERN time_order.py EXCLUDE)
+
+# The package softwet of tools/, where Debian's python3 looks for packages.
+install(CODE [[
+  set(prefix "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}")
+  if(EXISTS "${prefix}/share/softwet/tools/softwet/__init__.py")
+    file(MAKE_DIRECTORY "${prefix}/lib/python3/dist-packages")
+    file(CREATE_LINK ../../../share/softwet/tools/softwet "${prefix}/lib/python3/dist-packages/softwet" SYMBOLIC)
+  endif()
+]])
+
+# Manual and completion, written by the program itself.
+set(softwet_generated ${PROJECT_BINARY_DIR}/generated)
+install(CODE "
+  set(softwet_program \"$<TARGET_FILE:softwet>\")
+  set(softwet_generated \"${softwet_generated}\")")
+install(SCRIPT tools/cmake/write_manual.cmake)
+install(FILES ${softwet_generated}/softwet.1 DESTINATION share/man/man1 OPTIONAL)
+install(FILES ${softwet_generated}/softwet.bash DESTINATION share/bash-completion/completions RENAME softwet OPTIONAL)
+
+install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION share/doc/softwet)
+install(DIRECTORY docs DESTINATION share/doc/softwet)
+install(FILES LICENSE DESTINATION share/doc/softwet RENAME copyright)  # the name that Debian asks for
