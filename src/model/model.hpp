@@ -1,5 +1,5 @@
-// The discrete equations of a scene: a list of terms on regions, sides, and loads. The only join of physics and
-// discretisation.
+// The discrete equations of a scene: a list of terms on regions, sides, and loads. The only place where physics and
+// discretisation meet.
 #pragma once
 
 #include <functional>
@@ -50,12 +50,13 @@ class Model {
 
   /// out = R(stage), zero where a value is prescribed.
   void residual(const Stage&, const Array& out) const;
-  /// As residual, before prescribed values are dropped, with the wall traction also on a rigid wall: the reactions.
+  /// The residual before the rows of prescribed values are set to zero: there it is the reaction. It has the traction of
+  /// the fluid on the wall also where the wall is rigid.
   void reactions(const Stage&, const Array& out) const;
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen.
   void product(const Stage&, const Array& direction, const Array& out, Geometry) const;
-  /// values = dR/d(unknown) with the geometry frozen, of the form without blended traction; prescribed values count as
-  /// free here, and rows of ghosts are empty.
+  /// values = dR/d(unknown) with the geometry frozen, and always with the traction of one layer. Prescribed values count
+  /// as free here, and rows of ghosts are empty.
   void jacobian(const Stage&, const StencilValues& values) const;
 
   Integrals integrals(const Stage&) const;
@@ -88,7 +89,7 @@ class Model {
   bool has_wall_ = false;
   std::vector<std::unique_ptr<Piece<D>>> pieces_;
   std::unique_ptr<Piece<D>> rigid_traction_;
-  std::unique_ptr<Piece<D>> blended_traction_;  ///< instead of the last piece, but in frozen products
+  std::unique_ptr<Piece<D>> blended_traction_;  ///< takes the place of the last piece, except in frozen products
   std::vector<LoadVector> loads_;
   std::function<void(double, const Array&)> source_;
   Array mask_;
