@@ -1,4 +1,4 @@
-// Isothermal Navier-Stokes-Korteweg equations in potential form, on a moving mesh (PHYSICS: Bueno et al. 2017, eq. 7).
+// Isothermal Navier-Stokes-Korteweg equations in potential form, on a moving mesh (Bueno et al. 2017, eq. 7).
 //
 //   mass       (q, d/dt(rho J)/J) - (grad q, rho (v - vh)) + (grad q, eps grad mu) = 0
 //   potential  (q, mu - W'(rho)) - (grad q, g^2 grad rho) = 0

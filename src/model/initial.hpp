@@ -21,8 +21,8 @@ State empty_state(const Layout<D>& l) {
 
 /// Fluid at rest: tanh profiles around each droplet and film with curvature-corrected densities (Kelvin, Laplace), so
 /// that the vapour need not equilibrate: mu = mu_sat + (D - 1) sigma / (R (rho_l - rho_v)). A droplet centred on the
-/// wall is lowered to R cos(alpha) below it, a cap cut at the contact angle (a circle; an ellipse, `stretch`,
-/// meets the wall at another). Solid undeformed and at rest. Then the waves.
+/// wall is lowered to R cos(alpha) below it, so that its circle meets the wall at the contact angle. An ellipse (`stretch`)
+/// meets it at another angle. The solid is undeformed and at rest. Then the waves are added.
 /// Tested: tests/unit/model/test_initial.cpp
 template <int D, int P>
 State initial_state(const Case&, const Model<D, P>&);

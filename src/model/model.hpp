@@ -1,5 +1,5 @@
-// The discrete equations of a scene: a list of terms on regions, sides, and loads. The only join of physics and
-// discretisation.
+// The discrete equations of a scene: a list of terms on regions, sides, and loads. The only place where physics and
+// discretisation meet.
 #pragma once
 
 #include <functional>
@@ -55,8 +55,8 @@ class Model {
   void fluid_residual(const Stage&, const Array& out) const;
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen.
   void product(const Stage&, const Array& direction, const Array& out, Geometry) const;
-  /// values = dR/d(unknown) with the geometry frozen, of the form without blended traction; prescribed values count as
-  /// free here, and rows of ghosts are empty.
+  /// values = dR/d(unknown) with the geometry frozen, and always with the traction of one layer. Prescribed values count
+  /// as free here, and rows of ghosts are empty.
   void jacobian(const Stage&, const StencilValues& values) const;
 
   Integrals integrals(const Stage&) const;
@@ -90,7 +90,7 @@ class Model {
   std::vector<std::unique_ptr<Piece<D>>> pieces_;  ///< those of the solid, then those of the fluid
   std::size_t first_of_fluid_ = 0;
   std::unique_ptr<Piece<D>> rigid_traction_;
-  std::unique_ptr<Piece<D>> blended_traction_;  ///< instead of the last piece, but in frozen products
+  std::unique_ptr<Piece<D>> blended_traction_;  ///< takes the place of the last piece, except in frozen products
   std::vector<LoadVector> loads_;
   std::function<void(double, const Array&)> source_;
   Array mask_;

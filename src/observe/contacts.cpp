@@ -3,6 +3,8 @@
 #include <cmath>
 #include <memory>
 
+#include "observe/host/columns.hpp"
+
 namespace softwet {
 namespace {
 
@@ -40,16 +42,6 @@ std::optional<Footprint> along(const Snapshot<3>& snapshot, const WettedRegion& 
 }  // namespace
 
 template <>
-std::vector<std::string> contact_columns<2>() {
-  return {"x_left", "x_right", "x_centre", "velocity", "angle_left", "angle_right"};
-}
-
-template <>
-std::vector<std::string> contact_columns<3>() {
-  return {"contact_area", "x_centre", "y_centre", "velocity", "track_rear", "track_front", "angle_rear", "angle_front"};
-}
-
-template <>
 std::vector<Contact> find_contacts(const Snapshot<2>& snapshot, double middle, double capillarity, const Place&) {
   const Axis& axis = snapshot.layout().axis[0];
   std::vector<Contact> found;
@@ -75,7 +67,7 @@ std::vector<Contact> find_contacts(const Snapshot<3>& snapshot, double middle, d
     Contact contact{region.centre,
                     {region.area, region.centre[0], region.centre[1], std::nullopt},
                     [wall, r](const Place& place) { return wall->region_at(place) == r; }};
-    contact.cells.resize(contact_columns<3>().size());
+    contact.cells.resize(contact_names(3).size());
     if (const auto f = along(snapshot, region, middle, capillarity, track)) {
       const std::optional<double> seen[4] = {f->x_left, f->x_right, f->angle_left, f->angle_right};
       std::copy(std::begin(seen), std::end(seen), contact.cells.begin() + velocity_column + 1);

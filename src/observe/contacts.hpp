@@ -19,15 +19,11 @@ struct DropletTrack {
 /// A footprint as a row shows it.
 struct Contact {
   Place centre;
-  std::vector<std::optional<double>> cells;  ///< in the order of contact_columns; the velocity is left empty
+  std::vector<std::optional<double>> cells;  ///< in the order of contact_names; the velocity is left empty
   std::function<bool(const Place&)> holds;   ///< whether a place of the wall is under it
 };
 
-/// 2D: x_left, x_right, x_centre, velocity, angle_left, angle_right; across a periodic side the centre is inside the
-/// domain, and one of the two others beyond it.
-/// 3D: contact_area, x_centre, y_centre, velocity, track_rear, track_front, angle_rear, angle_front.
-template <int D>
-std::vector<std::string> contact_columns();
+/// Place of the velocity among the columns of a droplet (observe/host/columns.hpp), in 2D and in 3D.
 constexpr int velocity_column = 3;
 
 /// All footprints. 3D: area and centroid are those of the wetted part of the deformed wall, inside the domain. Contact

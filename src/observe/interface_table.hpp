@@ -5,22 +5,16 @@
 #include <vector>
 
 #include "model/model.hpp"
+#include "observe/host/columns.hpp"
 #include "observe/host/table_file.hpp"
 #include "observe/snapshot.hpp"
 
 namespace softwet {
 
-/// time, x_reference[, y_reference], displacement_x, displacement_y[, displacement_z], density, traction_x,
-/// traction_y[, traction_z]
+/// Header of the table.
 template <int D>
 std::vector<std::string> interface_columns() {
-  const std::string axis = "xyz";
-  std::vector<std::string> names{"time"};
-  for (int d = 0; d < D - 1; ++d) names.push_back(std::string(1, axis[d]) + "_reference");
-  for (int d = 0; d < D; ++d) names.push_back(std::string("displacement_") + axis[d]);
-  names.push_back("density");
-  for (int d = 0; d < D; ++d) names.push_back(std::string("traction_") + axis[d]);
-  return names;
+  return interface_names(D);
 }
 
 /// Force of the fluid on the wall, rigid or the surface of a solid, per area of the wall in the reference

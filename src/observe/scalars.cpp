@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/cap.hpp"
+#include "observe/host/columns.hpp"
 #include "observe/phase_samples.hpp"
 
 namespace softwet {
@@ -47,29 +48,7 @@ double Scalars<D, P>::middle() const {
 
 template <int D, int P>
 std::vector<std::string> Scalars<D, P>::columns() const {
-  std::vector<std::string> names{"step",
-                                 "t",
-                                 "dt",
-                                 "newton",
-                                 "krylov",
-                                 "mass",
-                                 "momentum_x",
-                                 "energy_kinetic",
-                                 "energy_free",
-                                 "energy_wall",
-                                 "energy_elastic",
-                                 "power_load",
-                                 "dissipation",
-                                 "rho_min",
-                                 "rho_max",
-                                 "speed_max_fluid",
-                                 "speed_max_solid"};
-  for (std::size_t k = 0; k < case_.droplets.size(); ++k)
-    for (const std::string& name : contact_columns<D>())
-      names.push_back(k == 0 ? name : name + "_" + std::to_string(k + 1));
-  for (const char* name : {"energy_total", "mass_drift", "speed_max_liquid", "wall_stretch"}) names.push_back(name);
-  if (!case_.droplets.empty()) names.push_back("laplace");
-  return names;
+  return history_names(D, case_.droplets.size());
 }
 
 template <int D, int P>
@@ -111,7 +90,7 @@ void Scalars<D, P>::add_droplets(const Snapshot<D>& snapshot, long step, Row& ro
     track.on_wall = of_droplet[k] >= 0;
     if (k == 0) headline_.centre.clear(), headline_.velocity.reset();
     if (!track.on_wall) {
-      row.insert(row.end(), contact_columns<D>().size(), std::nullopt);
+      row.insert(row.end(), contact_names(D).size(), std::nullopt);
       continue;
     }
     Contact& contact = found[of_droplet[k]];

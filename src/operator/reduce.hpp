@@ -76,8 +76,8 @@ struct ReduceRow {
   }
 };
 
-/// Rate: instead of the integrals, how fast they change because the domain moves (with `motion.tangent` as velocity and
-/// `motion.scale` = 1).
+/// With Rate, not the integrals but the rates at which they change because the domain moves; `motion.tangent` is then the
+/// velocity of the wall and `motion.scale` 1.
 template <int P, int QL, bool Rate = false, int D, class Functional, class Motion>
 std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Motion>& task) {
   const Colouring<D> rows(task.region, 1, 0, false);

@@ -17,11 +17,11 @@ inline std::vector<std::string> preconditioner_names() {
 #endif
 }
 
-/// Unknowns. At 43 940, one core, 52 steps of a coupled run: lu 99 s and 1.9 GiB, schwarz 82 s and 0.5 GiB.
+/// Number of unknowns up to which `automatic` takes the block LU in 3D (docs/performance.md).
 constexpr int small_in_3d = 20000;
 
-/// automatic: the fastest whole run as measured (README): block LU in 2D and for small scenes in 3D, else multilevel
-/// Schwarz. umfpack: the matrix factorised by the library, in double precision.
+/// automatic: block LU in 2D and for small scenes in 3D, otherwise multilevel Schwarz, as whole runs were measured to be
+/// fastest. umfpack: the matrix is factorised by that library, in double precision.
 template <int D>
 std::unique_ptr<Preconditioner> choose_preconditioner(const std::string& name, const Layout<D>& layout,
                                                       const ConstArray& mask) {

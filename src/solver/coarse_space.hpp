@@ -6,11 +6,11 @@
 
 namespace softwet {
 
-/// Both directions of one axis: a coarse function as fine ones, and a fine one's share in coarse ones. Counts are
-/// padded with zero coefficients.
+/// The transfer along one axis in both directions: each coarse function as a sum of fine ones, and the part of each fine
+/// function in the coarse ones. All sums have the same number of terms; missing coefficients are zero.
 struct AxisTransfer {
-  Kokkos::View<int*, Exec> first_fine, first_coarse;                         ///< periodic: before wrapping
-  Kokkos::View<double**, Kokkos::LayoutRight, Exec> to_fine, to_coarse;      ///< [coarse][k], [fine][k]
+  Kokkos::View<int*, Exec> first_fine, first_coarse;                     ///< periodic: before wrapping
+  Kokkos::View<double**, Kokkos::LayoutRight, Exec> to_fine, to_coarse;  ///< [coarse][k], [fine][k]
   int fine = 0, coarse = 0, fine_owned = 0, coarse_owned = 0;
   bool periodic = false;
 };
@@ -30,7 +30,7 @@ class CoarseSpace {
   void restrict_to(const ConstArray& fine, const Array& coarse) const;  ///< coarse = P^T fine
   void prolong(const ConstArray& coarse, const Array& fine) const;      ///< fine = P coarse, zero where prescribed
   void galerkin(const StencilMatrix<D>& fine, const StencilValues& coarse) const;
-  /// Memory that galerkin() needs for a while.
+  /// Memory that galerkin() needs while it runs.
   double transient_bytes() const;
 
  private:

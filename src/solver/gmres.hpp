@@ -79,7 +79,7 @@ class Gmres {
       }
       const double length = std::hypot(h[j][j], h[j][j + 1]);
       used = j + 1;
-      // A direction that the operator maps into what is there already, to round-off: it would only add noise to x.
+      // The operator maps this direction into the space that is there already, up to round-off. It would only add noise.
       if (!(length > 1e-14 * std::sqrt(square)) || !std::isfinite(length)) {
         used = j;
         break;

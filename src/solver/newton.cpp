@@ -25,7 +25,7 @@ double Newton::weighted_norm(const std::vector<FieldRange>& fields, const ConstA
 void Newton::set_weights(const std::vector<FieldRange>& fields, const ConstArray& r) {
   std::vector<double> size(fields.size());
   for (std::size_t f = 0; f < fields.size(); ++f) size[f] = norm(part(r, fields[f].first, fields[f].last));
-  // A field that happens to start without residual is no measure: round-off of the others would outweigh them.
+  // A field that happens to start without a residual is no measure: its round-off would outweigh the other fields.
   const double least = 1e-6 * *std::max_element(size.begin(), size.end());
   weight_.resize(fields.size());
   for (std::size_t f = 0; f < fields.size(); ++f) weight_[f] = 1 / std::max({size[f], fields[f].floor, least});
@@ -122,7 +122,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     if (result.iterations == 0) start = std::sqrt(static_cast<double>(fields.size()));
     result.reduction = size / start;
     result.converged = size <= control.rtol * start;
-    // At its floor every field is as exact as asked for, whatever the relative reduction.
+    // When every field is at its floor it is as exact as asked for, whatever the relative reduction.
     bool at_floor = true;
     for (const FieldRange& f : fields) at_floor = at_floor && norm(part(residual_, f.first, f.last)) <= f.floor;
     result.converged = result.converged || at_floor;

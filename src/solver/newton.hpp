@@ -37,8 +37,9 @@ struct NewtonResult {
   std::string reason;  ///< of a failure, for the user
 };
 
-/// How much a lagged preconditioner has cost beyond a fresh one: iterations above those that its first linear
-/// solve took per digit. A new one is due when that has cost a build; a solve that gets there is given up.
+/// How much a lagged preconditioner has cost beyond a fresh one: the iterations above those that its first linear solve
+/// took for each digit. When this excess has cost as much as a build, a new preconditioner is due, and a solve that gets
+/// there is given up.
 class Wear {
  public:
   void renew() { *this = {}; }
@@ -59,7 +60,7 @@ class Stopwatch {
   ~Stopwatch() {
     try {
       Kokkos::fence();
-    } catch (const std::runtime_error&) {  // a failed device; the next copy tells
+    } catch (const std::runtime_error&) {  // a failed device: the next copy reports it
     }
     seconds_ += std::chrono::duration<double>(Clock::now() - start_).count();
   }
@@ -74,12 +75,12 @@ class Stopwatch {
 struct NonlinearSystem {
   std::function<void(const Array& x, const Array& r)> residual;
   std::function<void(const Array& z, const Array& out)> product;  ///< out = A z, with the Jacobian A at the current x
-  Jacobian jacobian;  ///< for the preconditioner
-  /// Empty if x is admissible (finite, densities inside (.., 1)); otherwise what is wrong with it.
+  Jacobian jacobian;                                              ///< for the preconditioner
+  /// Empty if x is admissible (finite, densities in their range); otherwise what is wrong with it.
   std::function<std::string(const Array& x)> complaint;
 };
 
-/// Fields are weighted so that each starts the step with the same share of the residual norm (or sits at its floor).
+/// Fields are weighted so that each starts the step with the same share of the norm of the residual, or is at its floor.
 struct FieldRange {
   int first, last;
   double floor;

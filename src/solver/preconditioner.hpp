@@ -18,7 +18,8 @@ class Preconditioner {
   virtual void apply(const ConstArray& r, const Array& z) = 0;
   virtual std::string name() const = 0;
   virtual double bytes() const = 0;
-  /// What a build costs, in Krylov iterations (product and apply), as measured: Newton lets a lagged one waste as many.
+  /// The measured cost of a build, in Krylov iterations (a product and an application each). Newton keeps a lagged
+  /// preconditioner until it has wasted as many.
   virtual double build_cost() const = 0;
 };
 

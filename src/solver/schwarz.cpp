@@ -11,8 +11,8 @@ namespace softwet {
 
 namespace {
 
-/// Share of the boxes' answer that is added after the residual has been computed anew. Where several boxes hold an
-/// unknown their sum overshoots.
+/// Part of the boxes' answer that is added when the residual has been computed anew after the coarse correction. All of it
+/// would be too much: where several boxes hold an unknown, their sum overshoots.
 constexpr float damping = 0.5f;
 
 template <int D>

@@ -12,8 +12,8 @@ struct SchwarzControl {
   bool multiplicative = false;  ///< see below; always on coarse levels
   int direct_up_to = 60000;     ///< unknowns of a coarse space that is factorised (block LU); above, Schwarz again
 
-  /// Wider boxes take fewer iterations and more memory; these are a compromise. In three dimensions factors of 25 000
-  /// unknowns took longer than a level more (Fig. 5 at 40 x 40 x 20, 14 steps, one core: 102 against 96 s).
+  /// Wider boxes need fewer iterations and more memory; these are a compromise. In three dimensions one more level is
+  /// faster than factors of 25 000 unknowns.
   static SchwarzControl for_dimension(int d) {
     return d == 2 ? SchwarzControl{.width = 8, .stride = 6}
                   : SchwarzControl{.width = 4, .stride = 3, .direct_up_to = 10000};
@@ -22,12 +22,11 @@ struct SchwarzControl {
 
 /// z = P A_c^-1 P^T r + sum over boxes of W_b A_b^-1 W_b r_b. A_b: all fields of the box; W_b: one over the square root
 /// of the number of boxes that hold the unknown; A_c = P^T A P on half as many elements per axis, and so on below.
-/// `multiplicative` gives the boxes half of a say on r - A P A_c^-1 P^T r instead, at the price of a product with the
-/// matrix: cheap, and worth it, on the coarse levels (Fig. 5 at 40 x 40 x 20 over three levels, 14 steps, one core:
-/// 622 Krylov iterations and 60 s in products and applications so; 845 and 69 s with all levels additive; 576 and 75 s
-/// with the exact product and the finest level multiplicative too, which gains on long steps: docs/figures.md, Fig. 4).
-/// Applying is one dense product per box, on the host or a device (solver/boxes.hpp); sums have a fixed order. Toselli
-/// and Widlund, Domain Decomposition Methods, Springer 2005.
+/// With `multiplicative` the boxes get the residual that the coarse correction leaves, r - A P A_c^-1 P^T r, and half of
+/// their answer is added. This takes fewer iterations and costs a product with the matrix, which is cheap on the coarse
+/// levels. The finest level is additive (docs/performance.md tells why).
+/// Applying is one dense product for each box, on the host or a device (solver/boxes.hpp); sums have a fixed order.
+/// Source: Toselli and Widlund, Domain Decomposition Methods, Springer 2005.
 template <int D>
 std::unique_ptr<StencilSolver<D>> make_schwarz(const Layout<D>& layout, const ConstArray& mask, SchwarzControl control);
 

@@ -20,8 +20,8 @@ struct AlphaParameters {
   }
 };
 
-/// Whether the rates v', u', p' of a state are those of the equations. Those of a first state are not: v' = 0 would
-/// leave an error of first order in the step for good, one step of backward Euler does not.
+/// Whether the rates v', u', p' of a state obey the equations. Those of a first state do not. To start from v' = 0 would
+/// leave an error of first order for the whole run; a first step of backward Euler, which needs no rates, does not.
 enum class Rates { known, unknown };
 
 /// The algebraic system of one step. Unknowns are v, rho and mu at n + af; displacement is eliminated:
@@ -60,8 +60,9 @@ class GeneralizedAlpha {
 
  private:
   void fill_stage(const Array& x);
-  /// Shifts the density by a constant, as small as the residual Newton left, so that its integral is the sum of the
-  /// moments: to round-off on a fixed mesh, to the mesh's relative change of volume on a moving one.
+  /// Shifts the density by a constant so that its integral is the sum of the moments: up to round-off on a fixed mesh, up
+  /// to the relative change of the mesh's volume on a moving one. The constant is as small as the residual that Newton's
+  /// method has left.
   void match_mass(const State& state) const;
 
   const Model<D, P>& model_;

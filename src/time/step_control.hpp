@@ -28,7 +28,7 @@ class StepControl {
   bool reject(double dt);
 
   double proposed() const { return proposed_; }
-  /// Within the limits, which may have changed since the step was proposed.
+  /// Kept within the limits, which may have changed since the step was proposed.
   void set_proposed(double dt) { proposed_ = std::clamp(dt, limits_.smallest, limits_.largest); }
   /// Indicator above which a converged step is repeated with a smaller one.
   double rejection_level() const { return 4 * limits_.tolerance; }

@@ -24,7 +24,7 @@ class Stepper {
  public:
   Stepper(const Model<D, P>& model, const Case& c, std::vector<double> events);
 
-  /// Takes over a state without history: the first step is predicted constant.
+  /// Takes over a state without history. The first step is predicted to change nothing.
   void start(const State& state);
 
   /// Advances by one accepted step. Throws Error (computation_failed) when no step is small enough; the state is then
@@ -46,7 +46,7 @@ class Stepper {
   void predict(double dt);
   NewtonResult solve(double dt);
   double indicator(double dt) const;
-  /// Why values of Newton's method, or the step they make, are not admissible; empty when they are.
+  /// Why an iterate of Newton's method, or the step that it makes, is not admissible; empty when it is.
   std::string complaint(const Array& x) const;
   std::string complaint_of_step() const;
   std::vector<FieldRange> fields() const;

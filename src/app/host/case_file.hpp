@@ -18,7 +18,8 @@ Case parse_case(std::string_view text, const std::string& place, const std::vect
 /// The complete resolved case as TOML, every key with its value: parse_case(write_case(c)) equals c.
 std::string write_case(const Case& c);
 
-/// What `softwet explain` prints: one key, all keys of a table, or everything when `name` is empty.
+/// What `softwet explain` prints: one key, all keys of a table, or all keys when `name` is empty; a column of history.csv
+/// or interface.csv, or all of them ("history", "interface").
 std::string explain(const std::string& name);
 
 /// A commented case to start from: the paper's pull under this name. Throws Error when no case can have the name.

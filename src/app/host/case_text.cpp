@@ -5,6 +5,7 @@
 
 #include "app/error.hpp"
 #include "app/host/case_file.hpp"
+#include "app/host/column_text.hpp"
 #include "app/host/document.hpp"
 #include "app/host/nearest.hpp"
 
@@ -109,12 +110,14 @@ std::string explain(const std::string& name) {
     }
     text += explain_key(key);
   }
+  if (name.empty()) text += "\nThe columns of the tables: softwet explain history, softwet explain interface\n";
+  if (text.empty()) text = explain_columns(name);
   if (!text.empty()) return text;
-  std::vector<std::string> names;
+  std::vector<std::string> names = column_names();
   for (const Key& key : schema()) names.push_back(key.name);
   throw Error(Exit::invalid_input,
-              fmt::format("explain: unknown key '{}'; did you mean {}? 'softwet explain' lists all keys", name,
-                          nearest_name(name, names)));
+              fmt::format("explain: unknown key or column '{}'; did you mean {}? 'softwet explain' lists all keys",
+                          name, nearest_name(name, names)));
 }
 
 }  // namespace softwet

@@ -15,6 +15,7 @@
 #include "app/dispatch.hpp"
 #include "app/error.hpp"
 #include "app/host/case_file.hpp"
+#include "app/host/column_text.hpp"
 #include "app/host/completion.hpp"
 #include "app/host/manual.hpp"
 #include "app/host/memory.hpp"
@@ -32,6 +33,7 @@ struct Request {
   RunOptions options;
   bool overwrite = false;
   std::string key;
+  bool markdown = false;
   std::string file = "softwet.toml";
   std::string command;             ///< of which help is wanted
   std::string shell;               ///< whose completion is wanted
@@ -131,6 +133,16 @@ void add_bench(CLI::App& app, Request& request) {
   });
 }
 
+void add_explain(CLI::App& app, Request& request) {
+  CLI::App& command =
+      *app.add_subcommand("explain", "tell the meaning of the keys of a case and of the columns of its tables");
+  CLI::Option* key =
+      command.add_option("NAME", request.key,
+                         "a key, a table or a column: fluid.viscosity, load, history, history.mass; default: all keys");
+  command.add_flag("--markdown", request.markdown, "print all keys and columns as a page of Markdown")->excludes(key);
+  command.callback([&request] { std::cout << (request.markdown ? reference_page() : explain(request.key)); });
+}
+
 void add_commands(CLI::App& app, Request& request) {
   add_run(app, request);
   CLI::App& check =
@@ -138,9 +150,7 @@ void add_commands(CLI::App& app, Request& request) {
   add_case(check, request);
   check.callback([&request] { check_command(request); });
 
-  CLI::App& explain_keys = *app.add_subcommand("explain", "tell meaning, range and default of the keys of a case");
-  explain_keys.add_option("KEY", request.key, "a key or table, for example fluid.viscosity or load; default: all");
-  explain_keys.callback([&request] { std::cout << explain(request.key); });
+  add_explain(app, request);
 
   CLI::App& init = *app.add_subcommand("init", "write a commented case to start from");
   init.add_option("FILE", request.file, "file to write; default: softwet.toml")->type_name("");

@@ -2,12 +2,12 @@
 
 With the wall-energy law d/dt of the energy = - dissipation + power of the load + int f_w div_Gamma vh holds for the
 semi-discrete equations when the wall's test functions are blended over the fluid like its mesh (fluid.traction =
-"blended"), but for what the convective form of the inertia adds to the kinetic energy. What the sum over the steps from
-t = 0 to 4 (the ramp) leaves open, as a part of the dissipation, is then the error of the time scheme, which falls with
-the square of the step, and a small rest. With the functions of one layer of elements (the
-default, faster) the mesh's part is larger. The solid is 400 times denser than in Fig. 2 (same Young modulus, same force
-per volume), so that these steps resolve its elastic waves. On a rigid wall the energy falls at every accepted step:
-tests/regression/energy.py."""
+"blended"), except for what the convective form of the inertia adds to the kinetic energy. The balance is summed over the
+steps from t = 0 to 4 (the ramp of the load). What is missing in it, as a part of the dissipation, is the error of the
+time scheme, which falls with the square of the step, and a small rest. With the test functions of one layer of elements
+(the default, which is faster) the part that comes from the mesh is larger. The solid is 400 times denser than in Fig. 2,
+with the same Young modulus and force per volume, so that these steps resolve its elastic waves. On a rigid wall the
+energy falls at every accepted step: tests/regression/energy.py shows that."""
 
 import _measure
 

@@ -4,8 +4,8 @@ The equations are invariant under a uniform velocity. In a periodic square a dro
 what the droplet at rest does, moved by v t. The frame of the mesh breaks this to the order of the discretisation: what is
 compared is the position of the droplet (phase of the first Fourier mode of the density), the difference of the densities
 after moving back by a whole number of elements, mass, and momentum (constant: no walls). Step and element are halved
-together. On 64 x 64 elements half the step leaves a quarter of the difference: it is the error of the time scheme. From
-32 to 64 elements it falls with order 1.5 only."""
+together. On 64 x 64 elements half the step leaves a quarter of the difference, so it is the error of the time scheme. From
+32 to 64 elements the difference falls only with order 1.5."""
 
 import _measure
 import numpy

@@ -1,8 +1,8 @@
 """Laplace pressure of droplets of several radii, two and three dimensions.
 
 A quarter (2D) or an eighth (3D) of a droplet between slip sides, at 90 degrees to the wall. Sharp answer:
-(mu - mu_sat)(rho_l - rho_v) R = (D - 1) sigma with sigma of the plane interface. It leaves out that the interface has a width
-and that the liquid is compressed, which counts more for small droplets. Exact answer: the radial solution of the mass of
+(mu - mu_sat)(rho_l - rho_v) R = (D - 1) sigma with sigma of the plane interface. It neglects the width of the interface and
+the compression of the liquid, which matter more for small droplets. Exact answer: the radial solution of the mass of
 the run in the disc or ball of the volume of its box (tests/oracle/radial_droplet.py), for the chemical potential, both
 densities and the radius R of the middle density. The density outside is that of the corner of the box against that on the
 rim of the ball: nearer to the droplet, on the side of the box, the interface has not ended (3 gamma_hat from it in 3D, where

@@ -1,17 +1,17 @@
 """Conservation laws step by step.
 
-Mass: sum over the test functions of the mass equation is exactly zero flux, so every step keeps it to round-off once
-Newton is tight: on a fixed mesh, on a moving mesh, and without walls.
+Mass: summed over all test functions, the fluxes of the mass equation cancel exactly. So every step conserves mass to
+round-off if Newton's method is solved tightly. This is shown on a fixed mesh, on a moving mesh, and without walls.
 
 Momentum: a droplet in a periodic box. The capillary force as the divergence of a stress, (grad w, Sigma), keeps the
 momentum for constant w; the default, (w, rho grad mu), does so only where rho grad mu = - div Sigma holds pointwise, so
-its momentum drifts with the mesh. Inertia is discretised in the convective form, which costs momentum too. Drift:
-change of the momentum, for a droplet at rest as a part of mass times the largest speed seen, for a moving one of its
-momentum.
+its momentum drifts by an error of the mesh. Inertia is discretised in the convective form, which does not conserve
+momentum exactly either. The drift is the change of the momentum. For a droplet at rest it is given as a part of its mass
+times the largest speed seen, for a moving droplet as a part of its momentum.
 
 Energy: a stretched droplet on a rigid wall comes to rest. With the wall-energy law the energy lost is the dissipation;
-the trapezoidal sum over the steps leaves open the error of the time scheme, order 2. (On a soft wall: study
-energy_balance.)
+the trapezoidal sum over the steps misses it by the error of the time scheme, which is of order 2. (The study
+energy_balance does this on a soft wall.)
 
 Uniform flow: solid and liquid without pressure translate along x between periodic sides. The mesh of the fluid follows
 the wall and is sheared more and more; density and velocity must stay as they are."""

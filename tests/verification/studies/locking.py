@@ -1,7 +1,7 @@
 """Nearly incompressible solid: degree 2 against degree 3.
 
 A layer 1 x 0.125 between slip sides, on a slip bottom, under a horizontal load on a block in its middle, at rest: the
-surface rises on one side and sinks on the other, the more the more incompressible it is. Displacement-based elements
+surface rises on one side and sinks on the other. The rise grows as the layer becomes less compressible. Displacement-based elements
 lock as nu goes to 0.5: too stiff on coarse meshes. Measured: largest difference of the surface's displacement to a fine
 mesh of degree 3, as a part of the largest displacement of that mesh. The reference is checked against itself on half
 the mesh."""

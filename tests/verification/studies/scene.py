@@ -1,8 +1,8 @@
 """A scene costs what it holds: unknowns, memory and terms.
 
-A rigid wall has no displacement, a solid alone no density and no chemical potential; neither is stored or looped over.
-Elements: 128x64 of fluid, 128x16 of solid, 128x48 of fluid on 128x16 of solid. From `softwet check` and
-`softwet bench`."""
+A rigid wall has no displacement, and a solid alone has no density and no chemical potential. What a scene does not have
+is neither stored nor computed. The three scenes have 128 x 64 elements of fluid, 128 x 16 of solid, and 128 x 48 of fluid
+on 128 x 16 of solid. The numbers are those of `softwet check` and `softwet bench`."""
 
 import re
 

@@ -1,10 +1,10 @@
 """Soft layer: height under a load, and under a droplet.
 
-A horizontal load f on the area A of a layer on rollers raises the side behind it over the other by nu (1 + nu) f A / E
-far from the load (linear theory, plane strain). Under a droplet at rest the layer has a ridge at the contact line, a
-dimple beneath the droplet and a far field. The bounds of these three come from no formula: they are the rounded ranges
-that an independent solver of the same scene gave (ridge 5 to 6e-3, dimple -2.5 to -3e-3, far field about -3.5e-4, here
-with +- 1e-5). What linear theory says of a wall under a droplet is the study soft_layer."""
+A horizontal load f on the area A of a layer on rollers raises the side that it compresses over the other side by
+nu (1 + nu) f A / E far from the load (linear theory, plane strain). Under a droplet at rest the layer has a ridge at the contact line, a
+dimple beneath the droplet and a far field. The bounds of these three come from no formula. They are the rounded ranges
+that an independent solver of the same scene gave (docs/reference_numbers.md; ridge 5 to 6e-3, dimple -2.5 to -3e-3, far field about -3.5e-4, here
+with +- 1e-5). The study soft_layer compares a wall under a droplet with linear theory."""
 
 import _measure
 

@@ -1,11 +1,11 @@
 """Tensotaxis: pull, push, Poisson ratio 0, mirrored load.
 
-Fig. 2 of Bueno et al. 2017. The paper gives pictures and trends; the positions of the droplet asked for are those of an
-independent solver of the same scene (docs/tensotaxis_pull_reference.csv), and so are the ranges of ridge, dimple and
-far field of the wall before the load (5 to 6e-3, -2.5 to -3e-3, about -3.5e-4, here with +- 1e-5). The trends are the
-paper's: the droplet runs to the load that pulls and is trapped there, runs from the one that pushes ever more slowly,
-and stays where nu = 0. What halving time.tolerance twice changes must fall, as the error of the steps does, and stay
-below the 0.006 that is asked of X_c."""
+Fig. 2 of Bueno et al. 2017. The paper gives pictures and trends. The positions of the droplet that are asked for come
+from an independent solver of the same scene (docs/reference_numbers.md, docs/tensotaxis_pull_reference.csv). So do the
+ranges of ridge, dimple and far field of the wall before the load (5 to 6e-3, -2.5 to -3e-3, about -3.5e-4, here with
++- 1e-5). The trends are the paper's: the droplet runs to a load that pulls and is trapped there, it runs away from a
+load that pushes, ever more slowly, and it stays in its place where nu = 0. time.tolerance is halved twice. The changes
+of X_c that this makes must fall, as the error of the steps does, and stay below the 0.006 that are allowed for X_c."""
 
 import _measure
 import numpy

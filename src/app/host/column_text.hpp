@@ -1,0 +1,19 @@
+// What `softwet explain` tells of the columns of history.csv and interface.csv, and the page of the whole reference.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace softwet {
+
+/// A table ("history"), a column of it ("history.mass"), or a column alone ("mass", "velocity_2"). Empty when there is
+/// no such table or column.
+std::string explain_columns(const std::string& name);
+
+/// Tables and columns as explain_columns knows them, for "did you mean".
+std::vector<std::string> column_names();
+
+/// All keys and all columns as a page of Markdown: docs/reference.md.
+std::string reference_page();
+
+}  // namespace softwet

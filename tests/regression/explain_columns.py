@@ -1,0 +1,37 @@
+#!/usr/bin/env python3
+"""`softwet explain` answers for every column that a run writes. usage: explain_columns.py SOFTWET"""
+
+import csv
+import subprocess
+
+from _scene import RIGID, check_true, run, run_file, softwet, write_box
+
+
+def header(folder, table):
+    with open(f"{folder}/{table}.csv", newline="") as file:
+        return next(csv.reader(file))
+
+
+def explained(folder):
+    for table in ("history", "interface"):
+        for name in header(folder, table):
+            result = subprocess.run([softwet, "explain", f"{table}.{name}"], capture_output=True, text=True)
+            good = result.returncode == 0 and f"column of {table}.csv" in result.stdout
+            check_true(f"{folder}: {table}.{name} is explained", good, result.stderr)
+
+
+few = ["time.max_steps=2", "output.fields.times=[0]"]
+run("static_droplet_rigid_2d", "plane", [s for s in RIGID if "fields" not in s] + few)
+explained("plane")
+write_box("space", 0.4, [8, 8, 4], 0.1, 75, """
+[[droplet]]
+centre = [0.2, 0.2, 0.0]
+radius = 0.15
+[[droplet]]
+centre = [0.6, 0.6, 0.0]
+radius = 0.15
+[time]
+end = 1.0
+""")
+run_file("space.toml", "space", few)
+explained("space")
