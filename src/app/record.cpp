@@ -84,12 +84,6 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
   return run;
 }
 
-template <int D, int P>
-FieldOrigin Simulation<D, P>::origin() const {
-  return {case_.name, version, commit};
-}
-
-template FieldOrigin Simulation<SOFTWET_DIMENSION, SOFTWET_DEGREE>::origin() const;
 template RunRecord describe_run<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&,
                                                                    const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
                                                                    Stepper<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,

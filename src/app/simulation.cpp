@@ -198,7 +198,7 @@ void Simulation<D, P>::write_fields_due() {
     Stopwatch watch(seconds_.output);
     written_.push_back(time);
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
-    write_field_files<D, P>(options_.out, origin(), case_.output.field_select, model_, snapshot, written_);
+    write_field_files<D, P>(options_.out, origin_of(case_), case_.output.field_select, model_, snapshot, written_);
     add_interface_rows<D, P>(*interface_, model_, stepper_.integrator().at(stepper_.state()), snapshot, time);
   }
 }

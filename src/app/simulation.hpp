@@ -11,7 +11,6 @@
 #include "app/progress.hpp"
 #include "app/record.hpp"
 #include "app/restart.hpp"
-#include "observe/host/field_file.hpp"
 #include "observe/host/table_file.hpp"
 #include "observe/scalars.hpp"
 #include "time/stepper.hpp"
@@ -42,7 +41,6 @@ class Simulation {
   /// Tries to save after a failure that is not of the computation.
   void keep_after(const std::string& failure);
   void record(const std::string& reason);
-  FieldOrigin origin() const;
   std::string stop_reason();
 
   bool at_end() const;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <softwet_version.hpp>
 
 namespace softwet {
 namespace {
@@ -35,6 +36,8 @@ std::string utc_text(double seconds_since_1970) {
   if (gmtime_r(&time, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
   return text;
 }
+
+FieldOrigin origin_of(const Case& c) { return {c.name, version, commit}; }
 
 void add_status(RunRecord& run, const RunStatus& status) {
   const std::string state = state_of(status.reason);

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/case.hpp"
 #include "observe/host/bodies.hpp"
+#include "observe/host/field_file.hpp"
 #include "observe/host/run_record.hpp"
 
 namespace softwet {
@@ -21,6 +23,9 @@ struct RunStatus {
 /// Sets started, updated (now), state, seconds_left, events and stop. The state is running, done (the end is reached),
 /// stopped (before the end, and to be resumed) or failed.
 void add_status(RunRecord&, const RunStatus&);
+
+/// Whose a field file is: the case, and the program that wrote it.
+FieldOrigin origin_of(const Case&);
 
 /// "2026-01-31T23:59:59Z"
 std::string utc_text(double seconds_since_1970);
