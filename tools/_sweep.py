@@ -105,10 +105,9 @@ class Member:
         return "done" if note["exit"] == 0 else "failed"
 
     def lost_seconds(self):
-        """Seconds up to the last checkpoint of a run whose sweep was killed."""
-        file = self.folder / "run.json"
-        later = file.exists() and file.stat().st_mtime >= self.note_path.stat().st_mtime
-        return self.record()["seconds"]["total"] if later else 0
+        """Seconds that run.json knows of and the note does not, for a run whose sweep was killed."""
+        known = self.record().get("seconds", {}).get("total", 0)
+        return max(0, known - read_json(self.note_path).get("seconds", 0))
 
 
 class Table:
