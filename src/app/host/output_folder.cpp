@@ -9,10 +9,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "app/error.hpp"
 #include "app/host/case_file.hpp"
@@ -122,8 +124,13 @@ OutputFolder::Lock::~Lock() {
 
 void OutputFolder::lock() {
   lock_.descriptor = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  // File systems without locks go unguarded.
-  if (lock_.descriptor < 0 || ::flock(lock_.descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  // `softwet status` holds the lock for a moment to see whether it is taken: try again before believing it.
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    if (attempt > 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    // File systems without locks go unguarded.
+    const int descriptor = lock_.descriptor;
+    if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  }
   refuse(
       fmt::format("another run{} is writing to '{}' at this moment; wait for its end, or choose another folder with "
                   "--out",

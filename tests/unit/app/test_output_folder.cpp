@@ -1,7 +1,13 @@
 // The output folder: an old result stays until the new run begins; what came to nothing leaves no folder behind.
 #include "app/host/output_folder.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
 
 #include "app/host/case_file.hpp"
 #include "unit/observe/expect_error.hpp"
@@ -105,6 +111,18 @@ TEST(OutputFolder, ARunThatIsUnderWayIsTheFirstThingSaid) {
   for (OldResult old : {OldResult::refuse, OldResult::resume, OldResult::overwrite})
     expect_error(Exit::invalid_input, {"another run", folder / "", "is writing", "--out"},
                  [&] { OutputFolder(folder / "", pull(), old); });
+}
+
+TEST(OutputFolder, AGlanceAtTheLockIsNoRun) {
+  const ScratchFolder folder;
+  const int glance = ::open((folder / "").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(glance, LOCK_SH), 0);
+  std::thread end([glance] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ::close(glance);
+  });
+  EXPECT_NO_THROW(OutputFolder(folder / "", pull(), OldResult::refuse));
+  end.join();
 }
 
 TEST(OutputFolder, ARefusalGivesTheFolderBack) {
