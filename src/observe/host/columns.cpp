@@ -83,7 +83,7 @@ const std::vector<Column> of_balance{
 };
 
 const std::vector<Column> of_interface{
-    {"time", time_unit, "Time of the row, one of output.fields.times; the same clock as t in history.csv."},
+    {"time", time_unit, "Time of the row, when field files are written too; the same clock as t in history.csv."},
     {"x_reference", "L0", "Position of the point of the wall along x before any deformation."},
     {"y_reference", "L0", "The same along y.", 3},
     {"displacement_x", "L0", "Displacement of that point along x."},
@@ -91,8 +91,9 @@ const std::vector<Column> of_interface{
     {"displacement_z", "L0", "Vertical displacement.", 3},
     {"density", "b", "Density of the fluid at that point. Empty without a fluid."},
     {"traction_x", "a b^2",
-     "Force of the fluid on the wall per area, along x. A line force is spread over the width of the interface and an "
-     "element. Empty where it is not computed."},
+     "Force of the fluid on the wall per area of the undeformed wall, along x. A line force is spread over the width "
+     "of "
+     "the interface and an element. Empty without a fluid."},
     {"traction_y", "a b^2", "The same along y; in 2D this is the vertical one."},
     {"traction_z", "a b^2", "The same along z, the vertical.", 3},
 };

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Field files of a plane and of a box: their content, and that ParaView (else VTK's reader, where one of them is
-installed) opens their series with all times and fields. usage: paraview.py SOFTWET"""
+installed) opens their series with all times and fields. usage: field_files.py SOFTWET"""
 
 import json
 import pathlib
