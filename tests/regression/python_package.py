@@ -53,6 +53,8 @@ check_true("times", pull.times == [0.0, 10.0] and list(pull.interface) == [0.0, 
 fluid, solid, wall = pull.fields(10), pull.fields(10.000001, "solid"), pull.interface[10]
 check_true("fields and shapes", {"density", "velocity", "pressure"} <= set(fluid) and fluid.shape == (25, 65) and
            fluid["density"].shape == (25, 65) and fluid["velocity"].shape == (25, 65, 2))
+check_true("a tensor", solid["cauchy_stress"].shape == (9, 65, 3, 3) and
+           solid.at([0.5, 0.06])["cauchy_stress"].shape == (3, 3))
 check("the solid is where its displacement has carried it",
       abs(solid.positions - solid.reference - solid["displacement"]).max(), 1e-15)
 check("its top is the wall of interface.csv", abs(solid["displacement"][-1, :, 1] - wall["displacement_y"]).max(), 1e-12)
@@ -70,7 +72,7 @@ check("the density at the contact line", abs(at_wall - middle), 0.01)
 
 refused("no such time", lambda: pull.fields(3), "no fields at t = 3; there are: 0, 10")
 refused("no such part", lambda: pull.fields(0, "air"), "'air'", "fluid and solid")
-refused("no such field", lambda: fluid["temperature"], "no field 'temperature'", "density")
+refused("no such field", lambda: fluid["temperature"], "no field 'temperature'", "density", "output.fields.select")
 refused("no such time of the wall", lambda: pull.interface[3], "t = 3", "0, 10")
 refused("no such key", lambda: pull.case["fluid"]["colour"], "pull/case.toml has no 'colour'")
 refused("a place without coordinates", lambda: fluid.at([0.1, 0.2, 0.3]), "2 coordinates")

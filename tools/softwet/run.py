@@ -76,7 +76,7 @@ class Run:
         """As `times`, but raises Problem where there are none."""
         if not self._files:
             yet = " yet" if any(self._series(part).is_file() for part in self.parts) else ""
-            raise Problem(f"{self.folder / 'fields'} holds no field files{yet or '; give the case output.fields.times'}")
+            raise Problem(f"{self.folder / 'fields'} holds no field files{yet or '; give the case output.fields.times or output.fields.every'}")
         return self.times
 
     def time(self, wanted):
