@@ -5,6 +5,7 @@ usage: python_package.py SOFTWET"""
 import importlib.util
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -125,6 +126,18 @@ check_true("sweep: their runs", all(m.run.case["substrate"]["poisson"] == m.valu
                                     len(m.run.history["t"]) == 3 for m in swept))
 check_true("a folder of output folders", [m.name for m in softwet.sweep(".")] == ["box", "cut", "pull"])
 refused("no sweep", lambda: softwet.sweep("pull"), "pull holds no output folder")
+
+# --- the examples of the documentation, in their order -----------------------------------------------------------------
+shutil.rmtree("out", ignore_errors=True)
+pathlib.Path("out").mkdir()
+for name, target in (("example", "pull"), ("example_sweep", "swept")):
+    pathlib.Path("out", name).symlink_to(pathlib.Path(target).resolve())
+page = (tools.parent / "docs" / "reading_results.md").read_text()
+result = subprocess.run([sys.executable, "-W", "error", "-c", "\n".join(re.findall(r"```python\n(.*?)```", page, re.DOTALL))],
+                        capture_output=True, text=True, env={**environment, "PYTHONPATH": str(tools)})
+check_true("docs/reading_results.md", result.returncode == 0 and "no fields at t = 7" in result.stdout,
+           result.stdout + result.stderr)
+
 pathlib.Path("swept/sweep.json").write_text(json.dumps({"vary": ["a=1"]}))
 refused("a cut sweep", lambda: softwet.sweep("swept"), "cannot read the sweep swept", "--table")
 
