@@ -125,6 +125,8 @@ check_true("sweep: members and values", len(swept) == 4 and [m.values["substrate
 check_true("sweep: their runs", all(m.run.case["substrate"]["poisson"] == m.values["substrate.poisson"] and
                                     len(m.run.history["t"]) == 3 for m in swept))
 check_true("a folder of output folders", [m.name for m in softwet.sweep(".")] == ["box", "cut", "pull"])
+told = subprocess.run([program, "status", "swept"], capture_output=True, text=True, env=environment)
+check_true("status of a sweep", told.returncode == 0 and told.stdout.count(": stopped") == 4, told.stdout + told.stderr)
 refused("no sweep", lambda: softwet.sweep("pull"), "pull holds no output folder")
 
 # --- the examples of the documentation, in their order -----------------------------------------------------------------
