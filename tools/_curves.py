@@ -102,7 +102,7 @@ def cut_spike(ax, curves):
         margin = 0.12 * np.ptp(rest)
         ax.set_ylim(rest.min() - margin, rest.max() + 2 * margin)
         peak = early[np.abs(early).argmax()]
-        ax.text(0.97, 0.58, f"at the start up to {peak:.1e}", transform=ax.transAxes, ha="right", fontsize=7, color="0.4")
+        ax.set_title(f"{ax.get_title(loc='right')}, {peak:.1e} at the start", loc="right")
 
 
 def angles(ax, curves):

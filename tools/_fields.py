@@ -55,7 +55,7 @@ class Scene:
         return axes.streamplot(x, y, u, v, **(look | style))
 
     def vertical_displacement(self):
-        return 1e3 * self.solid.field["displacement"][..., 1]
+        return 1e3 * self.solid.field.moved()[..., 1]
 
     def draw_solid(self, axes, limit):
         image = axes.pcolormesh(self.solid.x, self.solid.y, self.vertical_displacement(), cmap="PuOr_r", vmin=-limit,

@@ -42,15 +42,10 @@ class Output:
             raise Problem(f"{self.run.folder / 'run.json'} tells no equilibrium densities ({error!r}); "
                           "resume the run with this version of softwet") from error
 
-    def smooth(self, part, time, name, rows=slice(None)):
-        """A field on a lattice [z][y][x](component) with `fine` intervals per element. @param rows  of z"""
-        return refine(self.run.fields(time, part).read(name, rows), self.fine)
-
     def positions(self, part, time, magnify, rows=slice(None)):
         """Positions with the vertical displacement magnified, `fine` intervals per element."""
         field = self.run.fields(time, part)
-        rest = field.rest(rows)
-        return refine(rest + (field.read("Points", rows) - rest) * [1, 1, magnify], self.fine)
+        return refine(field.rest(rows) + field.moved(rows) * [1, 1, magnify], self.fine)
 
 
 def refine(values, intervals):
@@ -129,7 +124,7 @@ def track_line(output, count=800):
 
 def profile(output, time):
     """Where points of the track's line are now along it, and their vertical displacement."""
-    surface = output.run.fields(time, "solid").read("displacement", slice(-1, None))[0]
+    surface = output.run.fields(time, "solid").moved(slice(-1, None))[0]
     s, places = track_line(output)
     displacement = evaluate(surface, places * (np.array(surface.shape[1::-1]) - 1) / output.size[:2])
     return s + displacement[:, :2] @ output.track, displacement[:, 2]

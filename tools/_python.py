@@ -7,6 +7,7 @@ the same way."""
 import importlib.util
 import os
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -44,6 +45,12 @@ def serves(python, modules):
 def start_again(python):
     os.environ[STARTED] = "yes"
     os.execvp(python, [python, os.path.abspath(sys.argv[0]), *sys.argv[1:]])
+
+
+def end_unread():
+    """Ends a tool whose reader has read enough, as in `| head -1`, without a word."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    raise SystemExit(128 + signal.SIGPIPE)
 
 
 def end(message, code):

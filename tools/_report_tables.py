@@ -39,8 +39,10 @@ def scene(case):
 
 
 def groups(record):
-    """Dimensionless groups as run.json tells them; none of older records."""
-    return [(name.replace("_", " "), number(value)) for name, value in (record.get("groups") or {}).items()]
+    """Dimensionless groups as run.json tells them; none of older records. Those of a speed are told for the speed 1."""
+    of_speed = ("capillary_number", "reynolds")
+    return [(name.replace("_", " ") + (" at speed 1" if name in of_speed else ""), number(value))
+            for name, value in (record.get("groups") or {}).items()]
 
 
 class Budget:
@@ -63,7 +65,7 @@ class Budget:
 
 def result(curves, budget):
     """What came out, at the last row."""
-    table, unit = curves.table, energy_unit(curves)
+    table = curves.table
     rows = [("t, step", f"{curves.t[-1]:.6g}, {table['step'][-1]:.0f}")]
     for suffix in curves.droplets:
         centre = table[("x_centre" if curves.flat else "track_centre") + suffix][-1]
@@ -79,8 +81,8 @@ def result(curves, budget):
             rows.append((f"{name}: angles", " and ".join(f"{angle:.2f}" for angle in angles) + " degrees"))
     if np.isfinite(table["mass_drift"]).any():
         rows.append(("largest drift of the mass", f"{np.nanmax(np.abs(table['mass_drift'])):.1e}"))
-    rows += [(f"{name} / {unit}", f"{values[-1]:.4e}") for name, values in (
-        ("change of the energy", budget.change), ("work of the loads", budget.work),
+    rows += [(name, f"{values[-1]:.4e}") for name, values in (
+        (f"energy / {energy_unit(curves)}: change", budget.change), ("work of the loads", budget.work),
         ("work of the stretched wall", budget.stretch), ("dissipated", budget.lost), ("rest of the balance", budget.rest))]
     return rows
 
@@ -91,13 +93,12 @@ def cost(record):
         return [("run.json", "not written yet")]
     seconds, counts = record["seconds"], record["counts"]
     total = seconds["total"] or 1.0
-    parts = sorted(((value, name) for name, value in seconds.items() if name != "total"), reverse=True)[:4]
+    parts = sorted(((value, name) for name, value in seconds.items() if name != "total"), reverse=True)[:3]
     return [("where", f"{record['host']}, {record['backend']}, {record['threads']} threads"),
             ("unknowns solved", f"{record['unknowns']['solved']}"),
             ("steps; rejected", f"{counts['steps']}; {counts['rejected_by_newton'] + counts['rejected_by_error']}"),
             ("Newton, Krylov iterations", f"{counts['newton']}, {counts['krylov']}"),
             ("preconditioner; builds", f"{record['preconditioner']}; {counts['preconditioner_builds']}"),
             ("wall seconds", f"{total:.1f}"),
-            ("of that", ", ".join(f"{name.replace('preconditioner_', '').replace('_', ' ')} {100 * value / total:.0f} %"
-                                  for value, name in parts)),
+            *((f"of that {name.replace('_', ' ')}", f"{100 * value / total:.0f} %") for value, name in parts),
             ("peak memory", f"{record['peak_memory_mib']:.0f} MiB")]

@@ -55,7 +55,7 @@ class Scene:
     def __init__(self, output, time, magnify, view):
         self.output, self.time, self.magnify, self.view = output, time, magnify, view
         self.solid = output.positions("solid", time, magnify)
-        self.lift = output.smooth("solid", time, "displacement")[..., 2]
+        self.lift = refine(output.run.fields(time, "solid").moved()[..., 2], output.fine)
         self.density = None
         if output.middle is not None:
             density = output.run.fields(time, "fluid").read("density")

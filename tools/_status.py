@@ -81,7 +81,7 @@ def status(run, state):
         parts.append(f"run.json is {duration(since)} old")
     if record.get("events"):
         event = record["events"][-1]
-        parts.append(f"last event: {event.get('what', '')} (t = {event.get('t', float('nan')):.6g})")
+        parts.append(f"last event: at t = {event.get('t', float('nan')):.6g} {event.get('what', '')}")
     return ", ".join(part for part in parts if part)
 
 

@@ -5,6 +5,7 @@ usage: python_package.py SOFTWET"""
 import importlib.util
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -53,6 +54,8 @@ check_true("times", pull.times == [0.0, 10.0] and list(pull.interface) == [0.0, 
 fluid, solid, wall = pull.fields(10), pull.fields(10.000001, "solid"), pull.interface[10]
 check_true("fields and shapes", {"density", "velocity", "pressure"} <= set(fluid) and fluid.shape == (25, 65) and
            fluid["density"].shape == (25, 65) and fluid["velocity"].shape == (25, 65, 2))
+check_true("a tensor", solid["cauchy_stress"].shape == (9, 65, 3, 3) and
+           solid.at([0.5, 0.06])["cauchy_stress"].shape == (3, 3))
 check("the solid is where its displacement has carried it",
       abs(solid.positions - solid.reference - solid["displacement"]).max(), 1e-15)
 check("its top is the wall of interface.csv", abs(solid["displacement"][-1, :, 1] - wall["displacement_y"]).max(), 1e-12)
@@ -70,7 +73,7 @@ check("the density at the contact line", abs(at_wall - middle), 0.01)
 
 refused("no such time", lambda: pull.fields(3), "no fields at t = 3; there are: 0, 10")
 refused("no such part", lambda: pull.fields(0, "air"), "'air'", "fluid and solid")
-refused("no such field", lambda: fluid["temperature"], "no field 'temperature'", "density")
+refused("no such field", lambda: fluid["temperature"], "no field 'temperature'", "density", "output.fields.select")
 refused("no such time of the wall", lambda: pull.interface[3], "t = 3", "0, 10")
 refused("no such key", lambda: pull.case["fluid"]["colour"], "pull/case.toml has no 'colour'")
 refused("a place without coordinates", lambda: fluid.at([0.1, 0.2, 0.3]), "2 coordinates")
@@ -122,7 +125,21 @@ check_true("sweep: members and values", len(swept) == 4 and [m.values["substrate
 check_true("sweep: their runs", all(m.run.case["substrate"]["poisson"] == m.values["substrate.poisson"] and
                                     len(m.run.history["t"]) == 3 for m in swept))
 check_true("a folder of output folders", [m.name for m in softwet.sweep(".")] == ["box", "cut", "pull"])
+told = subprocess.run([program, "status", "swept"], capture_output=True, text=True, env=environment)
+check_true("status of a sweep", told.returncode == 0 and told.stdout.count(": stopped") == 4, told.stdout + told.stderr)
 refused("no sweep", lambda: softwet.sweep("pull"), "pull holds no output folder")
+
+# --- the examples of the documentation, in their order -----------------------------------------------------------------
+shutil.rmtree("out", ignore_errors=True)
+pathlib.Path("out").mkdir()
+for name, target in (("example", "pull"), ("example_sweep", "swept")):
+    pathlib.Path("out", name).symlink_to(pathlib.Path(target).resolve())
+page = (tools.parent / "docs" / "reading_results.md").read_text()
+result = subprocess.run([sys.executable, "-W", "error", "-c", "\n".join(re.findall(r"```python\n(.*?)```", page, re.DOTALL))],
+                        capture_output=True, text=True, env={**environment, "PYTHONPATH": str(tools)})
+check_true("docs/reading_results.md", result.returncode == 0 and "no fields at t = 7" in result.stdout,
+           result.stdout + result.stderr)
+
 pathlib.Path("swept/sweep.json").write_text(json.dumps({"vary": ["a=1"]}))
 refused("a cut sweep", lambda: softwet.sweep("swept"), "cannot read the sweep swept", "--table")
 

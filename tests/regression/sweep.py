@@ -150,6 +150,8 @@ for other in ("load.ramp", "load[00].ramp"):
 refused("too many", ["1000000 members"], MANY, [], elsewhere)
 refused("no such member", ["--member 2", "0 to 1"], ["time.max_steps=1,2"], [], [*elsewhere, "--member", "2"])
 refused("no case", ["nowhere.toml", "No such file"], ["time.max_steps=1,2"], [], elsewhere, case="nowhere.toml")
+refused("no such column, before any run", ["--columns x_center", "x_centre"], ["time.max_steps=1,2"], [],
+        [*elsewhere, "--columns", "t,x_center"])
 refused("nothing to vary", ["--vary"], [], [], elsewhere)
 check_true("refused: no folder", not os.path.exists("nowhere"))
 NO_FILES = {"a file has that name": ["--out", "other/case.toml"], "is no program": ["--softwet", "other/case.toml"],
@@ -240,8 +242,9 @@ check_true("a task of before: the folder keeps all values", len(json.loads(
 
 # Columns of a droplet: last values and the largest velocity.
 RIGID = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "time.end=1", "output.fields.times=[]"]
-sweep(["fluid.contact_angle=60,120"], RIGID, ["--out", "droplet", "--columns", "x_centre,x_left"],
-      case=str(cases / "static_droplet_rigid_2d.toml"), threads=2)
+done = sweep(["fluid.contact_angle=60,120"], RIGID, ["--out", "droplet", "--columns", "x_centre,x_left,contact_area"],
+             case=str(cases / "static_droplet_rigid_2d.toml"), threads=2)
+check_true("a column of other cases", "warning: --columns contact_area" in done.stderr, done.stderr)
 refused("no such column", ["--columns x_center", "did you mean 'x_centre'"], ["fluid.contact_angle=60,120"], RIGID,
         ["--out", "droplet", "--columns", "x_center"], case=str(cases / "static_droplet_rigid_2d.toml"))
 for name, row in table("droplet").items():

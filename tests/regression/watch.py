@@ -59,7 +59,7 @@ check_true("watch: exit code of a failed run", "Newton" in tell("watch", "told",
 rewrite("told", state="running", host=socket.gethostname())
 tells("running, and the folder is free", tell("status", "told"), "told: died", "--resume")
 rewrite("told", host="elsewhere", updated=now, seconds_left=7300.0, events=[{"t": 1.5, "what": "a droplet is gone"}])
-tells("a run of another machine", tell("status", "told"), "told: running", "2.0 h left", "a droplet is gone (t = 1.5)")
+tells("a run of another machine", tell("status", "told"), "told: running", "2.0 h left", "at t = 1.5 a droplet is gone")
 pathlib.Path("told/run.json").unlink()
 tells("before the first record", tell("status", "told"), "t = 2 of 2")
 pathlib.Path("told/run.json").write_text("{")

@@ -46,7 +46,7 @@ def fluid_field(folder, number, name="density"):
 def solid_field(folder, number):
     """Points of the reference and displacement, (points, 2) each."""
     solid = field(folder, number, "solid")
-    return solid.reference.reshape(-1, 2), solid["displacement"].reshape(-1, 2)
+    return solid.reference.reshape(-1, 2), solid.moved().reshape(-1, 2)
 
 
 def cap(folder, number, capillarity, lowest=2.0, highest=0.85):

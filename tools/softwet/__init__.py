@@ -16,7 +16,7 @@
 
 Everything is in the units of the paper: lengths in L0, times in L0/sqrt(ab), velocities in sqrt(ab), densities in b,
 stresses in a b^2. Time 0 is the start of the first load. Arrays need numpy, fields need h5py too; what needs neither
-is read without them. Every error is a softwet.Problem, whose text names the file, what is wrong, and what to do.
+is read without them. What is wrong with a file or a question raises softwet.Problem, whose text says what to do.
 """
 
 from .case import read_case

@@ -16,10 +16,11 @@ class Field:
 
     time, part, path  which it is and where it comes from
     shape             points of the lattice: (ny, nx) or (nz, ny, nx)
-    field[name]       array of shape (*shape) for a scalar, (*shape, dimension) for a vector, (*shape, n) for others
+    field[name]       array of shape (*shape) for a scalar, (*shape, dimension) for a vector, (*shape, 3, 3) for a tensor
     list(field)       names of the fields in the file
     positions         (*shape, dimension): where the points are now
-    reference         (*shape, dimension): where they are in the undeformed mesh"""
+    reference         (*shape, dimension): where they are in the undeformed mesh
+    rest, moved       the same, and positions - reference, of some rows of the vertical axis"""
 
     def __init__(self, path, time, part, shape, low, high, size):
         self.path, self.time, self.part, self.shape = path, time, part, shape
@@ -56,7 +57,8 @@ class Field:
             key = f"VTKHDF/{name}" if name == "Points" else f"VTKHDF/PointData/{name}"
             if key not in file:
                 there = ", ".join(file.get("VTKHDF/PointData", ())) or "none"
-                raise Problem(f"{self.path} has no field '{name}'; there are: {there}")
+                raise Problem(f"{self.path} has no field '{name}'; there are: {there}; output.fields.select of the case "
+                              "chooses them")
             data = file[key]
             if len(data) != self.shape[0] * row:
                 raise Problem(f"{self.path} has {len(data)} points, not the {self.shape[0] * row} of case.toml; "
@@ -67,8 +69,8 @@ class Field:
                 raise Problem(f"cannot read {self.path}: {error}") from error
         if values.ndim == 2 and values.shape[1] == 3:  # the file has a third component in the plane too
             values = values[:, :self.dimension]
-        elif values.ndim == 2 and values.shape[1] == 1:
-            values = values[:, 0]
+        elif values.ndim == 2 and values.shape[1] == 9:
+            values = values.reshape(-1, 3, 3)
         return values.reshape(last - first, *self.shape[1:], *values.shape[1:])
 
     @property
@@ -85,6 +87,10 @@ class Field:
         lines = [np.linspace(self.low, self.high, self.shape[0])[rows]]
         lines += [np.linspace(0, length, n) for length, n in zip(reversed(across), self.shape[1:])]
         return np.stack(np.meshgrid(*lines, indexing="ij")[::-1], axis=-1)
+
+    def moved(self, rows=slice(None)):
+        """How far the points of some rows of the vertical axis have moved: in the solid its displacement."""
+        return self.read("Points", rows) - self.rest(rows)
 
     def at(self, points):
         """The fields at places of the deformed body. @param points  (..., dimension);  @return Sample"""

@@ -75,8 +75,9 @@ class Run:
     def need_times(self):
         """As `times`, but raises Problem where there are none."""
         if not self._files:
-            yet = " yet" if any(self._series(part).is_file() for part in self.parts) else ""
-            raise Problem(f"{self.folder / 'fields'} holds no field files{yet or '; give the case output.fields.times'}")
+            begun = any(self._series(part).is_file() for part in self.parts)
+            remedy = " yet" if begun else "; give the case output.fields.times or output.fields.every"
+            raise Problem(f"{self.folder / 'fields'} holds no field files{remedy}")
         return self.times
 
     def time(self, wanted):

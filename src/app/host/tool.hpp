@@ -1,4 +1,4 @@
-// Commands that are Python programs of the folder tools: `softwet verify`, `softwet sweep`.
+// Commands that are Python programs of the folder tools: `softwet verify`, `sweep`, `status`, `watch`.
 #pragma once
 
 #include <string>

@@ -73,7 +73,7 @@ void add_sweep(CLI::App& app, std::vector<std::string>& words) {
 
 void add_status(CLI::App& app, std::vector<std::string>& words) {
   CLI::App& command = *app.add_subcommand("status", "tell in one line how a run stands");
-  ToolOptions(command, words).names("OUT", "output folders of softwet run")->required();
+  ToolOptions(command, words).names("OUT", "output folders of softwet run, or of softwet sweep")->required();
   command.callback([&words] { start_tool({"status", {}}, words); });
 }
 
