@@ -67,6 +67,7 @@ def test_completion():
         "softwet help ru": {"run"},
         "softwet explain fluid.v": {"fluid.viscosity"},
         "softwet explain load.b": {"load.box"},
+        "softwet explain history.mass_d": {"history.mass_drift"},
         "softwet run a.toml --set fluid.v": {"fluid.viscosity="},
         "softwet run a.toml --set=fluid.v": {"fluid.viscosity="},
         "softwet run a.toml --set fluid.wall_law=": {"gradient", "energy"},

@@ -8,7 +8,6 @@ import subprocess
 import sys
 
 BUILD = pathlib.Path(sys.argv[1]).resolve().parent
-ROOT = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"])
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "SOFTWET_TOOLS"}
 LAYOUT = ("bin/softwet", "share/softwet/cases/tensotaxis_pull_2d.toml", "share/softwet/tools/plot",
           "share/softwet/tests/verification/studies/laplace.py", "share/man/man1/softwet.1",
@@ -50,6 +49,11 @@ check("the studies are those of the installation",
 done = start(softwet, "sweep", prefix / "share/softwet/cases/solid_layer_2d.toml", "--vary", "substrate.poisson=0,0.3", "--dry-run")
 check("sweep", done.returncode == 0 and "2" in done.stdout, done)
 
+done = start(softwet, "status", "out")
+check("status", done.returncode == 0 and done.stdout.count("\n") == 1, done)
+
 link = prefix / "lib/python3/dist-packages/softwet"
-if (ROOT / "tools/softwet/__init__.py").exists():
-    check("the Python package", link.is_symlink() and not os.path.isabs(os.readlink(link)) and (link / "__init__.py").exists())
+check("the link to the Python package can be moved too", link.is_symlink() and not os.path.isabs(os.readlink(link)), link)
+ENVIRONMENT["PYTHONPATH"] = str(link.parent)
+done = start(sys.executable, "-c", "import softwet; print(softwet.__file__)")
+check("the Python package", done.returncode == 0 and done.stdout.strip() == str(link / "__init__.py"), done)

@@ -16,11 +16,9 @@ install(DIRECTORY tests/verification tests/oracle DESTINATION ${softwet_share}/t
 
 # The package softwet of tools/, where Debian's python3 looks for packages.
 install(CODE [[
-  set(prefix "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}")
-  if(EXISTS "${prefix}/share/softwet/tools/softwet/__init__.py")
-    file(MAKE_DIRECTORY "${prefix}/lib/python3/dist-packages")
-    file(CREATE_LINK ../../../share/softwet/tools/softwet "${prefix}/lib/python3/dist-packages/softwet" SYMBOLIC)
-  endif()
+  set(packages "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages")
+  file(MAKE_DIRECTORY "${packages}")
+  file(CREATE_LINK ../../../share/softwet/tools/softwet "${packages}/softwet" SYMBOLIC)
 ]])
 
 # Manual and completion, written by the program itself.

@@ -1,19 +1,19 @@
 # Provides Kokkos::kokkos: the pinned release built in this tree, or an installed one.
 # FETCHCONTENT_SOURCE_DIR_KOKKOS=<unpacked source> works as always.
 
-# Says at configure time what the program will run on.
-function(softwet_report_kokkos origin devices arch)
-  list(JOIN devices ", " devices)
-  list(JOIN arch ", " arch)
-  if(NOT arch)
-    set(arch "the compiler's default")
+# Says at configure time what the program will run on, and keeps the architecture as softwet_arch.
+macro(softwet_report_kokkos origin devices arch)
+  list(JOIN ${devices} ", " softwet_devices)
+  list(JOIN ${arch} ", " softwet_arch)
+  if(NOT softwet_arch)
+    set(softwet_arch "generic")
   endif()
-  message(STATUS "softwet: Kokkos ${origin}, backends ${devices}, architecture ${arch}")
-endfunction()
+  message(STATUS "softwet: Kokkos ${origin}, backends ${softwet_devices}, architecture ${softwet_arch}")
+endmacro()
 
 if(SOFTWET_SYSTEM_KOKKOS)
   find_package(Kokkos 5.0 REQUIRED)
-  softwet_report_kokkos("${Kokkos_VERSION} of this site (${Kokkos_DIR})" "${Kokkos_DEVICES}" "${Kokkos_ARCH}")
+  softwet_report_kokkos("${Kokkos_VERSION} of this site (${Kokkos_DIR})" Kokkos_DEVICES Kokkos_ARCH)
   return()
 endif()
 
@@ -69,10 +69,10 @@ if(NOT kokkos_POPULATED)
 endif()
 add_subdirectory(${kokkos_SOURCE_DIR} ${kokkos_BINARY_DIR} EXCLUDE_FROM_ALL SYSTEM)
 
-get_directory_property(softwet_devices DIRECTORY ${kokkos_SOURCE_DIR} DEFINITION KOKKOS_ENABLED_DEVICES)
-get_directory_property(softwet_arch DIRECTORY ${kokkos_SOURCE_DIR} DEFINITION KOKKOS_ENABLED_ARCH_LIST)
+get_directory_property(softwet_enabled_devices DIRECTORY ${kokkos_SOURCE_DIR} DEFINITION KOKKOS_ENABLED_DEVICES)
+get_directory_property(softwet_enabled_arch DIRECTORY ${kokkos_SOURCE_DIR} DEFINITION KOKKOS_ENABLED_ARCH_LIST)
 if(SOFTWET_ARCH)
   target_compile_options(kokkoscore PUBLIC -march=${SOFTWET_ARCH})  # of Kokkos and of all that uses it
-  list(APPEND softwet_arch ${SOFTWET_ARCH})
+  list(APPEND softwet_enabled_arch ${SOFTWET_ARCH})
 endif()
-softwet_report_kokkos("${softwet_kokkos_version}" "${softwet_devices}" "${softwet_arch}")
+softwet_report_kokkos(${softwet_kokkos_version} softwet_enabled_devices softwet_enabled_arch)

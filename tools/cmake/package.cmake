@@ -2,12 +2,11 @@
 set(SOURCE_DIR ${PROJECT_SOURCE_DIR})
 include(${CMAKE_CURRENT_LIST_DIR}/version.cmake)
 
-if(SOFTWET_ARCH)
-  set(softwet_package_arch ${SOFTWET_ARCH})
-else()
-  set(softwet_package_arch native)
+if(softwet_arch STREQUAL "NATIVE")
   message(STATUS "softwet: cpack would make packages for processors like this one; for others take the preset portable")
 endif()
+string(REPLACE ", " "-" softwet_package_arch ${softwet_arch})
+string(TOLOWER ${softwet_package_arch} softwet_package_arch)
 
 set(CPACK_PACKAGE_NAME softwet)
 set(CPACK_PACKAGE_VERSION ${SOFTWET_VERSION})

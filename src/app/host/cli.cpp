@@ -137,7 +137,7 @@ void add_explain(CLI::App& app, Request& request) {
   CLI::App& command =
       *app.add_subcommand("explain", "tell the meaning of the keys of a case and of the columns of its tables");
   CLI::Option* key =
-      command.add_option("NAME", request.key,
+      command.add_option("TOPIC", request.key,
                          "a key, a table or a column: fluid.viscosity, load, history, history.mass; default: all keys");
   command.add_flag("--markdown", request.markdown, "print all keys and columns as a page of Markdown")->excludes(key);
   command.callback([&request] { std::cout << (request.markdown ? reference_page() : explain(request.key)); });

@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
-#include <set>
 
+#include "app/host/column_text.hpp"
 #include "app/host/schema.hpp"
 
 namespace softwet {
@@ -37,10 +37,10 @@ std::string choice_branches() {
 
 /// What completes a value, by the word that stands for it in the help: CASE, DIR, KEY=VALUE, ...
 std::string completer(const std::string& placeholder) {
-  static const std::map<std::string, std::string> known{{"CASE", "_softwet_cases"},       {"FILE", "_softwet_files"},
-                                                        {"DIR", "_softwet_folders"},      {"OUT", "_softwet_folders"},
-                                                        {"OUTDIR", "_softwet_folders"},   {"KEY", "_softwet_keys"},
-                                                        {"COMMAND", "_softwet_commands"}, {"SHELL", "_softwet_shells"}};
+  static const std::map<std::string, std::string> known{{"CASE", "_softwet_cases"},   {"FILE", "_softwet_files"},
+                                                        {"DIR", "_softwet_folders"},  {"OUT", "_softwet_folders"},
+                                                        {"TOPIC", "_softwet_topics"}, {"COMMAND", "_softwet_commands"},
+                                                        {"SHELL", "_softwet_shells"}};
   if (placeholder.compare(0, 4, "KEY=") == 0) return "_softwet_assignments";
   const auto found = known.find(placeholder);
   return found == known.end() ? "" : found->second;
@@ -97,7 +97,7 @@ _softwet() {{
   _softwet_folders() {{ _softwet_paths -d; }}
   _softwet_files() {{ _softwet_paths -f; }}
   _softwet_assignments() {{ COMPREPLY=($(compgen -W "$keys" -S = -- "$current")); compopt -o nospace 2>/dev/null; }}
-  _softwet_keys() {{ _softwet_words "$keys"; }}
+  _softwet_topics() {{ _softwet_words "$keys {columns}"; }}
   _softwet_commands() {{ _softwet_words "$commands"; }}
   _softwet_shells() {{ _softwet_words bash; }}
   if [[ $COMP_CWORD == 1 ]]; then
@@ -123,8 +123,8 @@ std::string bash_completion(const CLI::App& app) {
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
   return fmt::format(script, fmt::arg("commands", fmt::join(commands, " ")), fmt::arg("keys", key_words()),
-                     fmt::arg("options", option_branches(app)), fmt::arg("choices", choice_branches()),
-                     fmt::arg("branches", command_branches(app)));
+                     fmt::arg("columns", fmt::join(column_names(), " ")), fmt::arg("options", option_branches(app)),
+                     fmt::arg("choices", choice_branches()), fmt::arg("branches", command_branches(app)));
 }
 
 }  // namespace softwet

@@ -93,7 +93,8 @@ std::string manual_page(const CLI::App& app) {
   text +=
       section("DESCRIPTION") + plain(app.get_description()) +
       "\nA case file in TOML describes a scene. The command run computes it and writes an output folder with tables, "
-      "field files for ParaView, a record of the run and a checkpoint.\n";
+      "field files for ParaView, a record of the run and a checkpoint. "
+      "'softwet explain history' and 'softwet explain interface' tell the columns of the tables.\n";
   text += section("COMMANDS");
   for (const CLI::App* command : app.get_subcommands({})) text += command_text(*command);
   text += section("CASE FILES") +
