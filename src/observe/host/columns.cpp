@@ -113,9 +113,10 @@ std::vector<Column> of_fields() {
   std::vector<Column> columns;
   for (const FieldInfo& field : field_table()) {
     std::string meaning = field.meaning;
-    meaning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning[0])));
-    const std::string where = !field.in_solid ? "fluid" : field.in_fluid ? "fluid and solid" : "solid";
-    columns.push_back({field.name, field.unit == "1" ? "" : field.unit, meaning + ". In the " + where + "."});
+    if (meaning.find('=') == std::string::npos)  // a symbol keeps its letter
+      meaning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning[0])));
+    const std::string where = !field.in_solid ? "the fluid" : field.in_fluid ? "fluid and solid" : "the solid";
+    columns.push_back({field.name, field.unit == "1" ? "" : field.unit, meaning + ". In " + where + "."});
   }
   return columns;
 }
