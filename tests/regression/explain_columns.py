@@ -16,7 +16,7 @@ def explained(folder):
     for table in ("history", "interface"):
         for name in header(folder, table):
             result = subprocess.run([softwet, "explain", f"{table}.{name}"], capture_output=True, text=True)
-            good = result.returncode == 0 and f"column of {table}.csv" in result.stdout
+            good = result.returncode == 0 and f"in {table}.csv, " in result.stdout
             check_true(f"{folder}: {table}.{name} is explained", good, result.stderr)
 
 

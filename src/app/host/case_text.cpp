@@ -110,7 +110,8 @@ std::string explain(const std::string& name) {
     }
     text += explain_key(key);
   }
-  if (name.empty()) text += "\nThe columns of the tables: softwet explain history, softwet explain interface\n";
+  if (name.empty())
+    text += "\nWhat a run writes: softwet explain history, softwet explain interface, softwet explain fields\n";
   if (text.empty()) text = explain_columns(name);
   if (!text.empty()) return text;
   std::vector<std::string> names = column_names();

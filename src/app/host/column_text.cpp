@@ -20,8 +20,8 @@ std::string dimension_note(const Column& column) {
 }
 
 std::string explain_column(const ColumnTable& table, const Column& column) {
-  const std::string unit = column.unit.empty() ? "a pure number" : "in " + column.unit;
-  return fmt::format("{}.{}\n    {}{}\n    column of {}, {}\n", table.name, column.name, dimension_note(column),
+  const std::string unit = column.unit.empty() ? "a pure number" : "unit " + column.unit;
+  return fmt::format("{}.{}\n    {}{}\n    in {}, {}\n", table.name, column.name, dimension_note(column),
                      column.meaning, table.file, unit);
 }
 
@@ -64,8 +64,8 @@ std::string key_section(const Table& table) {
 }
 
 std::string column_section(const ColumnTable& table) {
-  std::string text = fmt::format("\n## Columns of {}\n\n{}\n\n| column | meaning | unit |\n|---|---|---|\n", table.file,
-                                 cell(table.meaning));
+  std::string text =
+      fmt::format("\n## `{}`\n\n{}\n\n| name | meaning | unit |\n|---|---|---|\n", table.file, cell(table.meaning));
   for (const Column& column : table.columns)
     text += fmt::format("| {} | {}{} | {} |\n", code(column.name), dimension_note(column), cell(column.meaning),
                         code(column.unit));
@@ -101,7 +101,8 @@ std::string reference_page() {
       "# Reference of keys and columns\n\n"
       "This page is written by `softwet explain --markdown`; do not edit it by hand. `softwet explain KEY` and\n"
       "`softwet explain COLUMN` print the same text in the terminal. The symbols are those of "
-      "[theory.md](theory.md).\n\n"
+      "[theory.md](theory.md).\n"
+      "The last sections tell the columns of `history.csv` and `interface.csv`, and the fields of `fields/*.hdf`.\n\n"
       "## Keys of a case\n\n"
       "Numbers are 0 or between 1e-30 and 1e30 in size. Ratios in quotes (`\"1/256\"`) are numbers too.\n";
   for (const Table& table : tables()) text += key_section(table);

@@ -1,4 +1,5 @@
-// What `softwet explain` tells of the columns of history.csv and interface.csv, and the page of the whole reference.
+// What `softwet explain` tells of the columns of history.csv and interface.csv and of the fields, and the page of the
+// whole reference.
 #pragma once
 
 #include <string>

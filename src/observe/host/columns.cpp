@@ -1,5 +1,9 @@
 #include "observe/host/columns.hpp"
 
+#include <cctype>
+
+#include "observe/host/field_table.hpp"
+
 namespace softwet {
 namespace {
 
@@ -83,7 +87,7 @@ const std::vector<Column> of_balance{
 };
 
 const std::vector<Column> of_interface{
-    {"time", time_unit, "Time of the row, when field files are written too; the same clock as t in history.csv."},
+    {"time", time_unit, "Time of the row, one of output.fields.times; the same clock as t in history.csv."},
     {"x_reference", "L0", "Position of the point of the wall along x before any deformation."},
     {"y_reference", "L0", "The same along y.", 3},
     {"displacement_x", "L0", "Displacement of that point along x."},
@@ -91,9 +95,8 @@ const std::vector<Column> of_interface{
     {"displacement_z", "L0", "Vertical displacement.", 3},
     {"density", "b", "Density of the fluid at that point. Empty without a fluid."},
     {"traction_x", "a b^2",
-     "Force of the fluid on the wall per area of the undeformed wall, along x. A line force is spread over the width "
-     "of "
-     "the interface and an element. Empty without a fluid."},
+     "Force of the fluid on the wall along x, per area of the undeformed wall. A line force is spread over the width "
+     "of the interface and an element. Empty without a fluid."},
     {"traction_y", "a b^2", "The same along y; in 2D this is the vertical one."},
     {"traction_z", "a b^2", "The same along z, the vertical.", 3},
 };
@@ -103,6 +106,19 @@ std::vector<Column> joined(std::vector<Column> all, const std::vector<Column>& d
   all.insert(all.end(), droplet.begin(), droplet.end());
   all.insert(all.end(), balance.begin(), balance.end());
   return all;
+}
+
+/// The fields as columns of a table.
+std::vector<Column> of_fields() {
+  std::vector<Column> columns;
+  for (const FieldInfo& field : field_table()) {
+    std::string meaning = field.meaning;
+    if (meaning.find('=') == std::string::npos)  // a symbol keeps its letter
+      meaning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning[0])));
+    const std::string where = !field.in_solid ? "the fluid" : field.in_fluid ? "fluid and solid" : "the solid";
+    columns.push_back({field.name, field.unit == "1" ? "" : field.unit, meaning + ". In " + where + "."});
+  }
+  return columns;
 }
 
 std::vector<std::string> names_of(const std::vector<Column>& columns, int dimension) {
@@ -139,7 +155,11 @@ const std::vector<ColumnTable>& column_tables() {
       {"interface", "interface.csv",
        "The wall at the field times: two points for each element along each axis, and the ends. Without a fluid it is "
        "the top of the solid.",
-       of_interface}};
+       of_interface},
+      {"fields", "fields/*.hdf",
+       "The fields at the field times, on the deformed mesh. output.fields.select chooses among them. A tensor has "
+       "nine components, row by row.",
+       of_fields()}};
   return tables;
 }
 

@@ -1,5 +1,5 @@
 // The columns of history.csv and interface.csv: name, unit and meaning, once. The writers of the tables take their
-// headers from here, and `softwet explain` prints it.
+// headers from here, and `softwet explain` prints it, together with the fields of field_table.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ std::vector<std::string> history_names(int dimension, std::size_t droplets);
 /// Header of interface.csv.
 std::vector<std::string> interface_names(int dimension);
 
-/// A table, all columns it can have, and what holds for the whole of it.
+/// A table, all columns it can have, and what holds for the whole of it. The fields count as a table too.
 struct ColumnTable {
   std::string name;  ///< as `softwet explain` calls it
   std::string file;

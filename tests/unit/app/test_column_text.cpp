@@ -28,6 +28,7 @@ TEST(ExplainColumns, ListsATable) {
   EXPECT_NE(explain("history").find("history.energy_total"), std::string::npos);
   EXPECT_EQ(explain("history").find("interface."), std::string::npos);
   EXPECT_NE(explain("interface.csv").find("interface.density"), std::string::npos);
+  EXPECT_NE(explain("fields").find("fields.cauchy_stress"), std::string::npos);
 }
 
 TEST(ExplainColumns, KnowsNothingElse) {
