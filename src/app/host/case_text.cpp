@@ -7,17 +7,12 @@
 #include "app/host/case_file.hpp"
 #include "app/host/column_text.hpp"
 #include "app/host/document.hpp"
-#include "app/host/nearest.hpp"
+#include "app/host/suggestion.hpp"
 
 namespace softwet {
 namespace {
 
 bool applies(const Key& key, const Case& c) { return !key.three_dimensional || c.dimension() == 3; }
-
-std::string header_of(const Table& table) {
-  if (!table.repeated) return fmt::format("[{}]", table.name);
-  return fmt::format("[[{}]]", table.name.substr(0, table.name.find('[')));
-}
 
 /// One line for each key of each table the case has; `line` returns it, `remark` what follows a table's header.
 std::string write_tables(const Case& c, const std::function<std::string(const Key&, std::size_t)>& line,
@@ -113,11 +108,8 @@ std::string explain(const std::string& name) {
   if (name.empty()) text += "\nThe columns of the tables: softwet explain history, softwet explain interface\n";
   if (text.empty()) text = explain_columns(name);
   if (!text.empty()) return text;
-  std::vector<std::string> names = column_names();
-  for (const Key& key : schema()) names.push_back(key.name);
   throw Error(Exit::invalid_input,
-              fmt::format("explain: unknown key or column '{}'; did you mean {}? 'softwet explain' lists all keys",
-                          name, nearest_name(name, names)));
+              fmt::format("explain: unknown key or column '{}'; {}", name, suggest(name, column_names()).sentence));
 }
 
 }  // namespace softwet

@@ -10,6 +10,7 @@
 #include <iostream>
 #include <new>
 #include <softwet_version.hpp>
+#include <sstream>
 
 #include "app/case.hpp"
 #include "app/dispatch.hpp"
@@ -162,7 +163,8 @@ void add_commands(CLI::App& app, Request& request) {
 
 int report(Exit code, const std::string& message) {
   std::cout << std::flush;
-  std::cerr << "softwet: error: " << message << "\n";
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) std::cerr << "softwet: error: " << line << "\n";
   return static_cast<int>(code);
 }
 

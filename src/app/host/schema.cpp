@@ -98,10 +98,15 @@ const Table* find_table(std::string_view name) {
   return found == tables().end() ? nullptr : &*found;
 }
 
-std::string indexed_name(const Key& key, std::size_t index) {
-  const auto bracket = key.name.find("[]");
-  if (bracket == std::string::npos) return key.name;
-  return fmt::format("{}[{}]{}", key.name.substr(0, bracket), index, key.name.substr(bracket + 2));
+std::string indexed_name(const std::string& name, std::size_t index) {
+  const auto bracket = name.find("[]");
+  if (bracket == std::string::npos) return name;
+  return fmt::format("{}[{}]{}", name.substr(0, bracket), index, name.substr(bracket + 2));
+}
+
+std::string header_of(const Table& table) {
+  if (!table.repeated) return fmt::format("[{}]", table.name);
+  return fmt::format("[[{}]]", table.name.substr(0, table.name.find('[')));
 }
 
 std::string allowed_text(const Key& key) {

@@ -68,8 +68,11 @@ const std::vector<Key>& schema();
 const Key* find_key(std::string_view name);
 const Table* find_table(std::string_view name);
 
-/// "load[0].box" for a key of a repeated table, the plain name otherwise.
-std::string indexed_name(const Key& key, std::size_t index);
+/// "load[0].box" for "load[].box", a name without "[]" as it is.
+std::string indexed_name(const std::string& name, std::size_t index);
+
+/// How a table begins in a case file: "[fluid]", "[[load]]".
+std::string header_of(const Table& table);
 
 /// What may stand there: "number in (0, 180)", "one of "gradient", "energy"".
 std::string allowed_text(const Key& key);
