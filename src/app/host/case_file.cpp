@@ -107,10 +107,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
 
 std::vector<std::string> warnings(const Case& c) {
   std::vector<std::string> found;
-  double largest = 0;
-  for (std::size_t axis = 0; axis < c.domain.size.size(); ++axis) {
-    largest = std::max(largest, c.domain.size[axis] / c.domain.elements[axis]);
-  }
+  const double largest = c.spacing();
   if (c.fluid && c.fluid->capillarity < largest) {
     found.push_back(
         fmt::format("fluid.capillarity = {:.6g} is less than an element ({:.6g}): the liquid-vapour "

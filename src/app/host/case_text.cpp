@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <functional>
+#include <sstream>
 
 #include "app/error.hpp"
 #include "app/host/case_file.hpp"
@@ -39,6 +40,13 @@ Case example_scene() {
     if (table.in_example && !key.example.empty()) key.bind.set(c, 0, value_from_text(key, key.example));
   }
   return c;
+}
+
+std::string explain_table(const Table& table) {
+  std::string text = fmt::format("{}\n    {}\n", header_of(table), table.help);
+  std::istringstream notes(table.notes);
+  for (std::string line; std::getline(notes, line);) text += line.empty() ? "\n" : "    " + line + "\n";
+  return text;
 }
 
 std::string explain_key(const Key& key) {
@@ -99,8 +107,7 @@ std::string explain(const std::string& name) {
     if (const std::string table = key.table(); table != last_table) {
       last_table = table;
       if (name.empty() || name.find('.') == std::string::npos) {
-        text += fmt::format("{}{}\n    {}\n\n", text.empty() ? "" : "\n", header_of(*find_table(table)),
-                            find_table(table)->help);
+        text += (text.empty() ? "" : "\n") + explain_table(*find_table(table)) + "\n";
       }
     }
     text += explain_key(key);

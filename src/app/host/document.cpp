@@ -27,7 +27,7 @@ bool begins_a_key(const std::string& name) {
                                  const std::string& text) {
   const Suggestion suggestion = suggest(name);
   const Key* meant = find_key(suggestion.name);
-  const bool is_table = text == "{...}";
+  const bool is_table = text.find("{...}") != std::string::npos;
   reject(place, indexed_name(name, index), is_table ? "" : text, is_table ? "unknown table" : "unknown key",
          suggestion.sentence, meant ? indexed_name(meant->name, index) : suggestion.name);
 }
@@ -181,6 +181,9 @@ void take_out_line(std::string& text, const std::string& place, long line, std::
   const auto hint = syntax_hint(text, line);
   problems.keep([&] {
     if (hint) reject(where, hint->key, hint->value, hint->problem, hint->remedy);
+    if (problem.find("redefine") != std::string_view::npos)
+      reject(where, std::string(problem), "", "a key or table stands twice",
+             "keep one of them; where there are several loads, each begins with [[load]]");
     reject(where, "this is not TOML", "", std::string(problem), "see 'softwet init' for a case to start from");
   });
   if (!hint) problems.throw_if_any();
