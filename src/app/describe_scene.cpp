@@ -2,6 +2,7 @@
 #include <iomanip>
 
 #include "app/describe.hpp"
+#include "app/host/field_times.hpp"
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
 #include "model/equilibrium.hpp"
 #include "model/groups.hpp"
@@ -56,7 +57,7 @@ std::vector<Line> clock(const Case& c) {
     lines.push_back(event(c, name + " starts", c.loads[i].start));
     lines.push_back(event(c, name + " has its full force", c.loads[i].start + c.loads[i].ramp));
   }
-  if (const auto& times = c.output.field_times; !times.empty()) {
+  if (const auto times = field_times(c); !times.empty()) {
     lines.push_back(event(c, "first of " + std::to_string(times.size()) + " field times", zero + times.front()));
     if (times.size() > 1) lines.push_back(event(c, "last field time", zero + times.back()));
   }

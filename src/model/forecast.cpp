@@ -52,14 +52,13 @@ void add_droplets(const Case& c, std::vector<std::string>& found) {
 }
 
 void add_softness(const Case& c, std::vector<std::string>& found) {
-  const double length = elastocapillary_length(c);
   if (!too_soft(c)) return;
-  found.push_back("substrate.young = " + number(c.substrate->young) + ": the elastocapillary length sigma/E = " +
-                  number(length) + " is " + number(length / c.fluid->capillarity) + " times fluid.capillarity (and " +
-                  number(length / c.substrate->thickness) +
-                  " times the thickness); from 0.85 on, the contact line was measured to turn the solid inside out "
-                  "soon after the start: write young = " +
-                  number(surface_tension(*c.fluid) / (0.8 * c.fluid->capillarity * c.substrate->density)) + " or more");
+  const double length = elastocapillary_length(c), bound = longest_elastocapillary_length(c);
+  found.push_back("substrate.young = " + number(c.substrate->young) + ": the elastocapillary length sigma/E is " +
+                  number(length) + " (thickness: " + number(c.substrate->thickness) +
+                  ", fluid.capillarity: " + number(c.fluid->capillarity) + "); above " + number(bound) +
+                  " the droplet was measured to turn the solid inside out soon after the start: write young = " +
+                  number(1.05 * c.substrate->young * length / bound) + " or more");
 }
 
 void add_locking(const Case& c, std::vector<std::string>& found) {
@@ -92,9 +91,12 @@ double least_radius(const Case& c, const Droplet& droplet) {
   return std::max(1.75 * width, sharp + 0.5 * width);
 }
 
+double longest_elastocapillary_length(const Case& c) {
+  return std::max(0.85 * c.fluid->capillarity, 0.17 * largest_radius(c));
+}
+
 bool too_soft(const Case& c) {
-  return c.fluid && c.substrate && elastocapillary_length(c) > 0.85 * c.fluid->capillarity &&
-         c.fluid->capillarity > 1.5 * c.spacing();
+  return c.fluid && c.substrate && elastocapillary_length(c) > longest_elastocapillary_length(c);
 }
 
 double locking_error(const Case& c) {

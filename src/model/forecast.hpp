@@ -17,9 +17,12 @@ namespace softwet {
 /// temperatures 0.39, 0.7, 0.85, boxes of 16 to 64 capillarities: of 53 droplets those below dissolved.
 double least_radius(const Case&, const Droplet&);
 
-/// True where the contact line pulls the solid harder than a Saint Venant-Kirchhoff solid bears: sigma / E above 0.85
-/// capillarities, the interface resolved. Measured in 2D at temperature 0.39 and layers of 2 to 8 capillarities: runs to
-/// t = 15 went through up to 0.85; the first that stopped had 0.9 or 1.2, after t = 0.3 to 2, some with 1.2 went through.
+/// Longest sigma / E that a Saint Venant-Kirchhoff solid bears under a droplet; scale L0: 0.85 capillarities or 0.17
+/// radii of the largest droplet, whichever is longer. Measured in 2D at temperature 0.39 (docs/limits.md): runs went
+/// through below and stopped above, soon after the start. Only with a fluid.
+double longest_elastocapillary_length(const Case&);
+
+/// True where sigma / E is longer.
 bool too_soft(const Case&);
 
 /// Largest error of the displacement of a layer of degree 2, relative, under a load within it:

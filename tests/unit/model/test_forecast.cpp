@@ -71,12 +71,24 @@ TEST(Forecast, LeastRadiusByHand) {
   EXPECT_NEAR(least_radius(c, c.droplets[0]), 1.75 * interface_half_width(*c.fluid), 1e-12);
 }
 
-TEST(Forecast, SolidTooSoftForItsContactLine) {
-  EXPECT_TRUE(tells(soft(0.1), "turn the solid inside out"));
-  EXPECT_TRUE(tells(soft(0.2532027 / 0.9), "write young = 0.317"));
-  EXPECT_FALSE(tells(soft(0.2532027 / 0.8), "inside out"));
+/// docs/limits.md: droplets of five, ten and twenty capillarities.
+TEST(Forecast, SolidTooSoftForItsDroplet) {
+  const auto stops = [](double radius, double capillarity, double length_over_capillarity) {
+    Case c = soft(0.2532027 / length_over_capillarity);  // sigma = 0.2532 capillarity
+    c.fluid->capillarity = capillarity;
+    c.droplets[0].radius = radius;
+    return tells(c, "inside out");
+  };
+  EXPECT_FALSE(stops(0.155, 1.0 / 32, 0.8));
+  EXPECT_TRUE(stops(0.155, 1.0 / 32, 0.9));
+  EXPECT_FALSE(stops(0.1, 1.0 / 32, 0.7));
+  EXPECT_FALSE(stops(0.155, 1.0 / 48, 1.05));
+  EXPECT_FALSE(stops(0.155, 1.0 / 64, 1.6));
+  EXPECT_TRUE(stops(0.155, 1.0 / 64, 2.4));
+  EXPECT_FALSE(stops(0.155, 1.0 / 512, 2.53)) << "fig1b_soft_droplet_2d";
   EXPECT_TRUE(forecast(soft(0.7554)).empty());
   Case heavy = soft(0.1);
+  EXPECT_TRUE(tells(heavy, "inside out"));
   heavy.substrate->density = 8;
   EXPECT_FALSE(tells(heavy, "inside out"));
   EXPECT_TRUE(tells(heavy, "the Young modulus is 0.8 a b^2"));
