@@ -3,6 +3,7 @@
 // Scales (Bueno et al. 2017, eqs. 8-13): length L0, time L0/sqrt(ab), velocity sqrt(ab), density b, stress a b^2.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -44,6 +45,8 @@ struct Substrate {
   double density = 1;    ///< rho_0^s / b
   double young = 0;      ///< E_hat, eq. (12): Young modulus / (rho_0^s a b)
   double poisson = 0;    ///< nu
+
+  double young_modulus() const { return density * young; }  ///< E, scale a b^2
 };
 
 struct Droplet {
@@ -67,7 +70,7 @@ struct Wave {
 struct Load {
   std::vector<double> lower, upper;  ///< box in reference coordinates, inside the solid
   std::vector<double> force;         ///< f_hat, eq. (13), force per unit mass
-  double start = 0;                  ///< on the clock of the computation, which starts at 0 with the relaxation
+  double start = 0;                  ///< in run time, which is 0 at the beginning of the computation
   double ramp = 0;                   ///< time over which the force grows linearly to its full value
 };
 
@@ -80,7 +83,7 @@ struct Boundary {
 struct TimeControl {
   std::string scheme = "generalized_alpha";
   double rho_inf = 0.5;
-  double end = 0;  ///< on the clock of the output, whose zero is the start of the first load
+  double end = 0;  ///< in t, the time of all results, which is 0 at the start of the first load
   double dt_initial = 1e-2;
   double dt_min = 1e-8;
   double dt_max = 50;
@@ -124,6 +127,15 @@ struct Case {
   SolverControl solver;
   OutputControl output;
 
+  /// Largest extent of an element.
+  double spacing() const {
+    double largest = 0;
+    for (std::size_t d = 0; d < domain.size.size(); ++d)
+      largest = std::max(largest, domain.size[d] / domain.elements[d]);
+    return largest;
+  }
+  /// Rows of elements in the solid. Only with a solid.
+  double rows_of_solid() const { return substrate->thickness * domain.elements.back() / domain.size.back(); }
   int dimension() const { return static_cast<int>(domain.size.size()); }
   /// Unit vector of the track in the plane of the wall, (x, y); in 2D along x.
   std::array<double, 2> track() const {
@@ -131,7 +143,7 @@ struct Case {
     const double norm = std::hypot(output.track[0], output.track[1]);
     return {output.track[0] / norm, output.track[1] / norm};
   }
-  /// Output time = computation time - clock_zero(): the start of the earliest load, 0 without loads.
+  /// t = run time - clock_zero(): the start of the earliest load, 0 without loads.
   double clock_zero() const {
     double zero = loads.empty() ? 0.0 : loads.front().start;
     for (const Load& load : loads) zero = load.start < zero ? load.start : zero;

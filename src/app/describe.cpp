@@ -1,28 +1,18 @@
 #include "app/describe.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <string>
 #include <vector>
 
 #include "app/host/memory.hpp"
 #include "app/machine.hpp"
 #include "app/memory_parts.hpp"
-#include "model/equilibrium.hpp"
 #include "model/model.hpp"
 #include "solver/choose.hpp"
 
 namespace softwet {
 namespace {
-
-struct Line {
-  std::string name, value;
-};
-
-void print(std::ostream& out, const std::string& title, const std::vector<Line>& lines) {
-  out << title << "\n";
-  for (const Line& line : lines) out << "  " << std::left << std::setw(30) << line.name << line.value << "\n";
-}
 
 std::string number(double value, const char* format = "%.3g") {
   char text[40];
@@ -30,37 +20,72 @@ std::string number(double value, const char* format = "%.3g") {
   return text;
 }
 
+/// A part of a case that is small enough to be set up here, and how many times it fits into the whole.
+struct Part {
+  Case part;
+  double times = 1;
+};
+
+/// The whole case where this machine surely holds it, else a strip of the same height: a run needs less than
+/// `most_over_least` times the least memory, and what it keeps grows like the number of elements.
+Part part_of(const Case& c) {
+  constexpr double most_over_least = 30;
+  Part p{c};
+  const auto largest = [&] {
+    return std::max_element(p.part.domain.elements.begin(), p.part.domain.elements.end() - 1);
+  };
+  while (most_over_least * least_bytes(p.part) > bytes_to_be_had() && *largest() >= 4 * c.domain.degree + 2) {
+    const auto axis = static_cast<std::size_t>(largest() - p.part.domain.elements.begin());
+    int& elements = p.part.domain.elements[axis];
+    const double before = elements;
+    elements /= 2;
+    p.part.domain.size[axis] *= elements / before;
+    p.times *= before / elements;
+    p.part.loads.clear();
+  }
+  return p;
+}
+
+std::string count(double number) { return std::to_string(std::lround(number)); }
+
 template <int D, int P>
-std::vector<Line> terms(const Case& c, const Model<D, P>& model) {
+std::vector<Line> terms(const Case& c, const Model<D, P>& model, double times) {
   std::vector<Line> lines;
   for (const auto& piece : model.pieces())
-    lines.push_back({piece->name(), std::to_string(piece->region().elements()) + " elements"});
-  if (!model.loads().empty())
+    lines.push_back({piece->name(), count(times * piece->region().elements()) + " elements"});
+  if (!c.loads.empty())
     lines.push_back({"body_force", std::to_string(c.loads.size()) + (c.loads.size() == 1 ? " box" : " boxes")});
   return lines;
 }
 
 template <int D>
-std::vector<Line> unknowns(const Layout<D>& l) {
-  std::vector<Line> lines{{"velocity", std::to_string(l.velocity_size())}};
+std::vector<Line> unknowns(const Layout<D>& l, double times) {
+  std::vector<Line> lines{{"velocity", count(times * l.velocity_size())}};
   if (l.has_fluid) {
-    lines.push_back({"density", std::to_string(l.scalar_size())});
-    lines.push_back({"chemical_potential", std::to_string(l.scalar_size())});
+    lines.push_back({"density", count(times * l.scalar_size())});
+    lines.push_back({"chemical_potential", count(times * l.scalar_size())});
   }
-  if (l.has_solid) lines.push_back({"displacement (eliminated)", std::to_string(l.solid_size())});
-  lines.push_back({"solved", std::to_string(l.size())});
+  if (l.has_solid) lines.push_back({"displacement (eliminated)", count(times * l.solid_size())});
+  lines.push_back({"solved", count(times * l.size())});
   return lines;
 }
 
 template <int D, int P>
-std::vector<Line> memory(const Case& c, const Model<D, P>& model) {
-  const auto preconditioner = choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask());
+void print_memory(const Case& c, const Model<D, P>& model, double times, std::ostream& out) {
+  const bool large = D == 3 && times * model.layout().size() > small_in_3d;
+  const std::string& asked = c.solver.preconditioner;
+  const auto preconditioner =
+      choose_preconditioner<D>(large && asked == "automatic" ? "schwarz" : asked, model.layout(), model.mask());
+  const double total = times * total_bytes(c, model.layout(), *preconditioner), here = bytes_to_be_had();
   std::vector<Line> lines;
   for (const auto& [name, bytes] : memory_parts(c, model.layout(), *preconditioner))
-    lines.push_back({name, bytes_text(bytes)});
-  lines.push_back({"total", bytes_text(total_bytes(c, model.layout(), *preconditioner))});
-  lines.push_back({"to be had here", bytes_text(bytes_to_be_had())});
-  return lines;
+    lines.push_back({name, bytes_text(times * bytes)});
+  lines.push_back({"total", bytes_text(total)});
+  lines.push_back({"to be had here", bytes_text(here)});
+  print_section(out, "memory", lines);
+  if (total > here)
+    out << "  This is more than this machine has: 'softwet run' would refuse the case here, and needs a larger "
+           "machine.\n";
 }
 
 /// Largest steps of SSP-RK3 with row-sum lumped mass on uniform quadratics, away from the ends (frozen coefficients).
@@ -92,21 +117,18 @@ std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
 
 template <int D, int P>
 void describe_model(const Case& c, std::ostream& out) {
-  const Model<D, P> model(c);
-  print(out, "terms", terms(c, model));
-  print(out, "unknowns", unknowns(model.layout()));
-  print(out, "memory", memory<D, P>(c, model));
-  if (c.fluid) {
-    print(out, "equilibrium",
-          {{"density of the vapour", number(model.state().density_vapour, "%.10g")},
-           {"density of the liquid", number(model.state().density_liquid, "%.10g")},
-           {"surface tension", number(surface_tension(*c.fluid), "%.10g") + " a b^2 L0"}});
-  }
-  print(out, "limits of explicit steps (for information; the implicit scheme has none)", step_limits(c, model));
-  print(out, "kernel",
-        {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", double"},
-         {"backend",
-          backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
+  const Part p = part_of(c);
+  const Model<D, P> model(p.part);
+  if (p.times > 1)
+    out << "The numbers of elements, unknowns and bytes below are estimates from a part of this large mesh.\n";
+  print_section(out, "terms", terms(c, model, p.times));
+  print_section(out, "unknowns", unknowns(model.layout(), p.times));
+  print_memory<D, P>(c, model, p.times, out);
+  print_section(out, "limits of explicit steps (for information; the implicit scheme has none)", step_limits(c, model));
+  print_section(out, "kernel",
+                {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", double"},
+                 {"backend",
+                  backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
 }
 
 template void describe_model<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);

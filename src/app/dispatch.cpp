@@ -8,6 +8,8 @@
 #include "app/describe.hpp"
 #include "app/machine.hpp"
 #include "app/simulation.hpp"
+#include "app/units.hpp"
+#include "model/forecast.hpp"
 #include "solver/choose.hpp"
 
 namespace softwet {
@@ -40,6 +42,7 @@ void run_case(const Case& c, const RunOptions& options) {
 }
 
 void describe_case(const Case& c, std::ostream& out) {
+  describe_scene(c, out);
   on_machine(0, [&] {  // what a preconditioner holds depends on the number of threads
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
@@ -47,6 +50,10 @@ void describe_case(const Case& c, std::ostream& out) {
     });
   });
 }
+
+std::vector<std::string> forecast_case(const Case& c) { return forecast(c); }
+
+void convert_units(const PhysicalScene& scene, std::ostream& out) { describe_units(scene, out); }
 
 void bench_case(const Case& c, const RunOptions& options, std::ostream& out) {
   on_machine(options.threads, [&] {

@@ -4,8 +4,10 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "app/case.hpp"
+#include "app/physical.hpp"
 
 namespace softwet {
 
@@ -20,8 +22,15 @@ struct RunOptions {
 /// Computes the case and writes the output folder. Throws Error.
 void run_case(const Case&, const RunOptions&);
 
-/// Prints the terms in play, unknowns per field, memory, step limits and kernel of a case. Throws Error.
+/// Prints what a case means (stiffness, groups, clock) and what it takes (terms, unknowns, memory, step limits, kernel).
+/// A case too large for this machine is described too. Throws Error.
 void describe_case(const Case&, std::ostream&);
+
+/// What is likely to go wrong with a case, a sentence each.
+std::vector<std::string> forecast_case(const Case&);
+
+/// Prints what physical numbers are in a case, and the other way round. Throws Error.
+void convert_units(const PhysicalScene&, std::ostream&);
 
 /// Measures residuals, products and preconditioner of a case and prints throughput. Throws Error.
 void bench_case(const Case&, const RunOptions&, std::ostream&);

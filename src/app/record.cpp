@@ -6,6 +6,7 @@
 #include <softwet_version.hpp>
 
 #include "app/machine.hpp"
+#include "model/groups.hpp"
 
 namespace softwet {
 namespace {
@@ -63,6 +64,7 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
     run["equilibrium"]["density_vapour"] = model.state().density_vapour;
     run["equilibrium"]["density_liquid"] = model.state().density_liquid;
   }
+  for (const Group& group : groups(c)) run["groups"][group.name] = group.value;
   run["preconditioner"] = stepper.newton().preconditioner().name();
   add_timings(run["seconds"], k, seconds);
   RecordValue& counts = run["counts"];

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "model/equilibrium.hpp"
+#include "model/forecast.hpp"
+#include "model/groups.hpp"
 
 namespace softwet {
 namespace {
@@ -15,12 +16,6 @@ std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;
-}
-
-/// sigma / E, the length over which capillary forces deform the solid; 0 without both.
-double elastocapillary_length(const Case& c) {
-  if (!c.fluid || !c.substrate) return 0;
-  return surface_tension(*c.fluid) / (c.substrate->density * c.substrate->young);
 }
 
 std::string softer_than_its_loads(const Case& c) {
@@ -34,12 +29,11 @@ std::string softer_than_its_loads(const Case& c) {
 }
 
 std::string for_the_density(const Case& c) {
-  double h = 0;
-  for (std::size_t d = 0; d < c.domain.size.size(); ++d) h = std::max(h, c.domain.size[d] / c.domain.elements[d]);
+  const double h = c.spacing();
   if (c.fluid->wall_law == WallLaw::gradient && std::abs(c.fluid->contact_angle - 90) > 60)
     return "near complete wetting or drying the wall law \"gradient\" drives the density out of its range: write "
            "fluid.wall_law = \"energy\"";
-  if (elastocapillary_length(c) > 0.2 * (c.substrate ? c.substrate->thickness : 0)) return softer_than_its_loads(c);
+  if (too_soft(c)) return softer_than_its_loads(c);
   if (c.fluid->capillarity < 2 * h)
     return "the liquid-vapour interface is " + number(c.fluid->capillarity / h) +
            " elements wide: two resolve it, with more domain.elements or a larger fluid.capillarity";
@@ -51,7 +45,7 @@ std::string for_the_density(const Case& c) {
 std::string remedy(const Case& c, const std::string& reason) {
   if (has(reason, "inside out") || has(reason, "folds")) return softer_than_its_loads(c);
   if (c.fluid && has(reason, "density")) return for_the_density(c);
-  if (elastocapillary_length(c) > 0.2 * (c.substrate ? c.substrate->thickness : 1)) return softer_than_its_loads(c);
+  if (too_soft(c)) return softer_than_its_loads(c);
   if (has(reason, "stalled"))
     return "solver.krylov.preconditioner = \"automatic\", or more iterations with solver.krylov.max";
   return "a finer mesh, a larger fluid.capillarity, a softer load ramp or a tighter time.tolerance may help";

@@ -73,4 +73,11 @@ double surface_tension(const Fluid& fluid) {
   return fluid.capillarity * sum;
 }
 
+double interface_half_width(const Fluid& fluid) {
+  const VanDerWaals gas{fluid.temperature, 0};
+  const Coexistence s = coexistence(fluid.temperature);
+  const double jump = s.density_liquid - s.density_vapour, middle = 0.5 * (s.density_liquid + s.density_vapour);
+  return 0.5 * jump * fluid.capillarity / std::sqrt(2 * s.excess(gas, middle));
+}
+
 }  // namespace softwet

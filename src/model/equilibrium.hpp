@@ -24,4 +24,7 @@ PhaseDensities densities_at(double temperature, double potential);
 /// Surface tension sigma = g int_{rho_v}^{rho_l} sqrt(2 D(rho)) d rho, scale a b^2 L0.
 double surface_tension(const Fluid& fluid);
 
+/// Half width w of tanh(x / w) with the slope of the planar interface in its middle; scale L0.
+double interface_half_width(const Fluid& fluid);
+
 }  // namespace softwet

@@ -103,13 +103,6 @@ Shape surroundings(const Case& c, const Coexistence& flat, const std::vector<Sha
   return around;
 }
 
-/// Half width w of tanh(x / w) with the slope of the planar interface in its middle.
-double interface_half_width(const Case& c, const Coexistence& s) {
-  const double jump = s.density_liquid - s.density_vapour, middle = 0.5 * (s.density_liquid + s.density_vapour);
-  const VanDerWaals gas{c.fluid->temperature, 0};
-  return 0.5 * jump * c.fluid->capillarity / std::sqrt(2 * s.excess(gas, middle));
-}
-
 /// Calls visit(i, x) for each control value of a component with rows [first, first + rows): its Greville point. A
 /// control value equal to the profile there is a positive approximation, so the vapour cannot undershoot.
 template <int D, class Visit>
@@ -131,7 +124,7 @@ void fill_fluid(const Case& c, const Model<D, P>& model, std::vector<double>& un
   const Layout<D>& l = model.layout();
   const std::vector<Shape> all = shapes(c, model);
   const Shape around = surroundings(c, model.state(), all);
-  const double half_width = interface_half_width(c, model.state());
+  const double half_width = interface_half_width(*c.fluid);
   at_greville_points(l, l.wall_row, l.fluid_rows(), [&](int i, const double* x) {
     double rho = around.density_around, cover = 0;
     for (const Shape& shape : all) {

@@ -122,7 +122,7 @@ void Model<D, P>::build_fluid(const Case& c) {
 template <int D, int P>
 void Model<D, P>::build_solid(const Case& c) {
   const Substrate& s = *c.substrate;
-  solid_ = {SaintVenantKirchhoff::from(s.density * s.young, s.poisson), s.density};
+  solid_ = {SaintVenantKirchhoff::from(s.young_modulus(), s.poisson), s.density};
   pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, Elastodynamics, NoMotion>>(
       "saint_venant_kirchhoff", solid_region_, solid_, Components{0, 0}));
   for (const Load& load : c.loads) {

@@ -1,11 +1,12 @@
 // Case files and command line assignments. A line "#set KEY=VALUE" of the input is one --set (a comment for TOML).
 //
-// Properties: nothing but an Error of bad input comes out, its message is one line and names its place; an accepted
+// Properties: nothing but an Error of bad input comes out, its message is short and names its place; an accepted
 // case is written and read back to the same text, has the same fingerprint, and its warnings can be told.
 #include <sstream>
 
 #include "app/host/case_file.hpp"
 #include "app/host/fingerprint.hpp"
+#include "app/host/problems.hpp"
 #include "property.hpp"
 
 namespace softwet {
@@ -40,9 +41,12 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   using namespace softwet;
   const std::string text(reinterpret_cast<const char*>(data), size);
   const std::vector<std::string> assignments = assignments_of(text);
-  only_bad_input(":", [&] { check_accepted(parse_case(text, "case.toml")); });
+  constexpr int lines = Problems::most + 1;
+  only_bad_input(
+      ":", [&] { check_accepted(parse_case(text, "case.toml")); }, lines);
   if (assignments.empty()) return 0;
-  only_bad_input(":", [&] { check_accepted(parse_case(text, "case.toml", assignments)); });
+  only_bad_input(
+      ":", [&] { check_accepted(parse_case(text, "case.toml", assignments)); }, lines);
   for (const std::string& assignment : assignments)
     only_bad_input("explain", [&] {
       const std::string key = assignment.substr(0, assignment.find('='));

@@ -6,7 +6,8 @@
 
 namespace softwet {
 
-/// Throws Error invalid_input at the first contradiction; `document` tells where its values stand.
-void check_case(const Case& c, const Document& document);
+/// Contradictions go to `problems`; `document` tells where the values stand. A check that needs a value which is wrong
+/// already is left out, for what it said would mislead.
+void check_case(const Case& c, const Document& document, Problems& problems);
 
 }  // namespace softwet

@@ -26,11 +26,11 @@ std::size_t entries_of(const Document& document, const std::string& table) {
 }
 
 [[noreturn]] void reject_missing(const Document& document, const Key& key, std::size_t index) {
-  const std::string name = indexed_name(key, index);
+  const std::string name = indexed_name(key.name, index);
   const auto table = document.table_place.find(name.substr(0, name.find('.')));
   const std::string& place = table == document.table_place.end() ? document.place : table->second;
-  throw Error(Exit::invalid_input, fmt::format("{}: {} is missing (a {}: {}); write for example {} = {}", place, name,
-                                               allowed_text(key), key.help, key.leaf(), example_text(key)));
+  throw CaseError(name, fmt::format("{}: {} is missing (a {}: {}); write for example {} = {}", place, name,
+                                    allowed_text(key), key.help, key.leaf(), example_text(key)));
 }
 
 /// The line along which the loads act: the sum of their horizontal forces, each with the sign that adds to the sum.
@@ -44,16 +44,19 @@ Numbers line_of_loads(const Case& c) {
   return sum[0] == 0 && sum[1] == 0 ? Numbers{1, 0} : sum;
 }
 
-Case resolve(const Document& document) {
+/// Keys that are missing go to the problems, unless it is known already that they are wrong.
+Case resolve(const Document& document, Problems& problems) {
   Case c;
   for (const Table& table : tables()) {
     for (std::size_t i = 0; i < entries_of(document, table.name); ++i) table.open(c, i);
   }
   for (const Key& key : schema()) {  // in schema order: the domain decides the dimension before the sides need it
     for (std::size_t i = 0; i < entries_of(document, key.table()); ++i) {
-      const auto found = document.entries.find(indexed_name(key, i));
+      const std::string name = indexed_name(key.name, i);
+      const auto found = document.entries.find(name);
       if (found != document.entries.end()) key.bind.set(c, i, found->second.value);
-      if (found == document.entries.end() && key.required) reject_missing(document, key, i);
+      if (found == document.entries.end() && key.required && !problems.about(name))
+        problems.keep([&] { reject_missing(document, key, i); });
     }
   }
   if (!document.entries.count("boundary.top")) {
@@ -82,11 +85,12 @@ std::pair<double, double> gradient_law_angles(double h_over_capillarity) {
 }  // namespace
 
 Case parse_case(std::string_view text, const std::string& place, const std::vector<std::string>& overrides) {
-  Document document = read_document(text, place);
-  for (const std::string& assignment : overrides) apply_override(document, assignment);
-  if (!document.table_count.count("fluid") && !document.table_count.count("substrate")) check_case(Case{}, document);
-  Case c = resolve(document);
-  check_case(c, document);
+  Problems problems;
+  Document document = read_document(text, place, problems);
+  for (const std::string& assignment : overrides) problems.keep([&] { apply_override(document, assignment); });
+  const Case c = resolve(document, problems);
+  check_case(c, document, problems);
+  problems.throw_if_any();
   return c;
 }
 
@@ -103,10 +107,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
 
 std::vector<std::string> warnings(const Case& c) {
   std::vector<std::string> found;
-  double largest = 0;
-  for (std::size_t axis = 0; axis < c.domain.size.size(); ++axis) {
-    largest = std::max(largest, c.domain.size[axis] / c.domain.elements[axis]);
-  }
+  const double largest = c.spacing();
   if (c.fluid && c.fluid->capillarity < largest) {
     found.push_back(
         fmt::format("fluid.capillarity = {:.6g} is less than an element ({:.6g}): the liquid-vapour "

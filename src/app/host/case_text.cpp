@@ -2,22 +2,18 @@
 #include <fmt/core.h>
 
 #include <functional>
+#include <sstream>
 
 #include "app/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/column_text.hpp"
 #include "app/host/document.hpp"
-#include "app/host/nearest.hpp"
+#include "app/host/suggestion.hpp"
 
 namespace softwet {
 namespace {
 
 bool applies(const Key& key, const Case& c) { return !key.three_dimensional || c.dimension() == 3; }
-
-std::string header_of(const Table& table) {
-  if (!table.repeated) return fmt::format("[{}]", table.name);
-  return fmt::format("[[{}]]", table.name.substr(0, table.name.find('[')));
-}
 
 /// One line for each key of each table the case has; `line` returns it, `remark` what follows a table's header.
 std::string write_tables(const Case& c, const std::function<std::string(const Key&, std::size_t)>& line,
@@ -44,6 +40,13 @@ Case example_scene() {
     if (table.in_example && !key.example.empty()) key.bind.set(c, 0, value_from_text(key, key.example));
   }
   return c;
+}
+
+std::string explain_table(const Table& table) {
+  std::string text = fmt::format("{}\n    {}\n", header_of(table), table.help);
+  std::istringstream notes(table.notes);
+  for (std::string line; std::getline(notes, line);) text += line.empty() ? "\n" : "    " + line + "\n";
+  return text;
 }
 
 std::string explain_key(const Key& key) {
@@ -104,8 +107,7 @@ std::string explain(const std::string& name) {
     if (const std::string table = key.table(); table != last_table) {
       last_table = table;
       if (name.empty() || name.find('.') == std::string::npos) {
-        text += fmt::format("{}{}\n    {}\n\n", text.empty() ? "" : "\n", header_of(*find_table(table)),
-                            find_table(table)->help);
+        text += (text.empty() ? "" : "\n") + explain_table(*find_table(table)) + "\n";
       }
     }
     text += explain_key(key);
@@ -114,11 +116,8 @@ std::string explain(const std::string& name) {
     text += "\nWhat a run writes: softwet explain history, softwet explain interface, softwet explain fields\n";
   if (text.empty()) text = explain_columns(name);
   if (!text.empty()) return text;
-  std::vector<std::string> names = column_names();
-  for (const Key& key : schema()) names.push_back(key.name);
   throw Error(Exit::invalid_input,
-              fmt::format("explain: unknown key or column '{}'; did you mean {}? 'softwet explain' lists all keys",
-                          name, nearest_name(name, names)));
+              fmt::format("explain: unknown key or column '{}'; {}", name, suggest(name, column_names()).sentence));
 }
 
 }  // namespace softwet

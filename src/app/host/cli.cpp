@@ -10,6 +10,7 @@
 #include <iostream>
 #include <new>
 #include <softwet_version.hpp>
+#include <sstream>
 
 #include "app/case.hpp"
 #include "app/dispatch.hpp"
@@ -22,6 +23,7 @@
 #include "app/host/nearest.hpp"
 #include "app/host/output_folder.hpp"
 #include "app/host/tool_commands.hpp"
+#include "app/host/units_command.hpp"
 
 namespace softwet {
 namespace {
@@ -35,15 +37,23 @@ struct Request {
   std::string key;
   bool markdown = false;
   std::string file = "softwet.toml";
-  std::string command;             ///< of which help is wanted
-  std::string shell;               ///< whose completion is wanted
+  std::string command;  ///< of which help is wanted
+  std::string shell;    ///< whose completion is wanted
+  PhysicalScene physical;
   std::vector<std::string> words;  ///< what a program of the folder tools gets as it is
 };
+
+/// Tells what deserves a look.
+void warn(const Case& c) {
+  std::vector<std::string> all = warnings(c);
+  for (const std::string& sentence : forecast_case(c)) all.push_back(sentence);
+  for (const std::string& warning : all) std::cerr << "softwet: warning: " << warning << "\n";
+}
 
 /// Refuses what cannot fit, and tells what deserves a look.
 Case examined(const Case& c) {
   require_bytes(c, least_bytes(c));
-  for (const std::string& warning : warnings(c)) std::cerr << "softwet: warning: " << warning << "\n";
+  warn(c);
   return c;
 }
 
@@ -69,7 +79,8 @@ void run_command(Request& request) {
 }
 
 void check_command(const Request& request) {
-  const Case c = load_case(request);
+  const Case c = read_case(request.case_path, request.overrides);  // larger than this machine, too
+  warn(c);
   std::cout << write_case(c) << "\n" << std::flush;
   describe_case(c, std::cout);
 }
@@ -157,12 +168,14 @@ void add_commands(CLI::App& app, Request& request) {
   init.callback([&request] { init_command(request); });
 
   add_bench(app, request);
+  add_units_command(app, request.physical);
   add_tool_commands(app, request.words);
 }
 
 int report(Exit code, const std::string& message) {
   std::cout << std::flush;
-  std::cerr << "softwet: error: " << message << "\n";
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) std::cerr << "softwet: error: " << line << "\n";
   return static_cast<int>(code);
 }
 
@@ -171,9 +184,26 @@ void check_command_name(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  const std::string nearest = nearest_name(word, names);
+  const std::string meant = nearest.empty() ? "" : fmt::format("did you mean 'softwet {}'? ", nearest);
   throw Error(Exit::invalid_input,
-              fmt::format("unknown command '{}'; did you mean 'softwet {}'? 'softwet --help' lists all", word,
-                          nearest_name(word, names)));
+              fmt::format("unknown command '{}'; {}'softwet --help' lists all commands", word, meant));
+}
+
+/// "did you mean --threads? " for the first option of the command line that its command does not have.
+std::string meant_option(const CLI::App& app, int argc, const char* const* argv) {
+  if (app.get_subcommands().empty()) return {};
+  const CLI::App& command = *app.get_subcommands().front();
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i], option = word.substr(0, word.find('='));
+    if (option.rfind("--", 0) != 0 || command.get_option_no_throw(option)) continue;
+    std::vector<std::string> names;
+    for (const CLI::Option* known : command.get_options())
+      for (const std::string& name : known->get_lnames()) names.push_back(name);
+    const std::string nearest = nearest_name(option.substr(2), names);
+    return nearest.empty() ? "" : fmt::format("did you mean --{}? ", nearest);
+  }
+  return {};
 }
 
 std::string version_line() { return fmt::format("softwet {} ({})", version, commit); }
@@ -218,7 +248,8 @@ int parse(CLI::App& app, int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     std::string message = error.what();
     for (char& c : message) c = c == '\n' ? ' ' : c;
-    return report(Exit::invalid_input, message + "; 'softwet --help' and 'softwet COMMAND --help' show what there is");
+    return report(Exit::invalid_input, message + "; " + meant_option(app, argc, argv) +
+                                           "'softwet --help' and 'softwet COMMAND --help' show what there is");
   }
 }
 

@@ -9,32 +9,12 @@
 
 #include "app/error.hpp"
 #include "app/host/nearest.hpp"
+#include "app/host/suggestion.hpp"
+#include "app/host/syntax_hint.hpp"
 #include "app/host/toml_value.hpp"
 
 namespace softwet {
 namespace {
-
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
-}
-
-/// Its beginning, where a text is too long for a message.
-std::string shortened(const std::string& text) {
-  constexpr std::size_t most = 200;
-  return text.size() <= most ? text : text.substr(0, most) + "...";
-}
-
-/// Names of all keys and all tables, "[fluid]" without brackets; repeated tables without "[]".
-std::vector<std::string> known_names() {
-  std::vector<std::string> names;
-  for (const Key& key : schema()) names.push_back(key.name);
-  for (const Table& table : tables()) {
-    if (!table.name.empty()) names.push_back(table.name.substr(0, table.name.find('[')));
-  }
-  return names;
-}
 
 /// True when `name` is the beginning of some key: a table or a group such as "solver.newton".
 bool begins_a_key(const std::string& name) {
@@ -42,15 +22,14 @@ bool begins_a_key(const std::string& name) {
                      [&](const Key& key) { return key.name.compare(0, name.size() + 1, name + ".") == 0; });
 }
 
-[[noreturn]] void reject_unknown(const std::string& place, const std::string& name, const std::string& text) {
-  const std::string nearest = nearest_name(name, known_names());
-  const Key* key = find_key(nearest);
-  const std::string remedy =
-      key ? fmt::format("did you mean {} (for example {} = {})?", nearest, key->leaf(), example_text(*key))
-          : fmt::format("did you mean the table {}?", nearest);
-  const bool is_table = text == "{...}";
-  reject(place, name, is_table ? "" : text, is_table ? "unknown table" : "unknown key",
-         remedy + " 'softwet explain' lists all keys");
+/// `shown` is the name with the entry of its table, "load[1].forc".
+[[noreturn]] void reject_unknown(const std::string& place, const std::string& name, std::size_t index,
+                                 const std::string& text) {
+  const Suggestion suggestion = suggest(name);
+  const Key* meant = find_key(suggestion.name);
+  const bool is_table = text.find("{...}") != std::string::npos;
+  reject(place, indexed_name(name, index), is_table ? "" : text, is_table ? "unknown table" : "unknown key",
+         suggestion.sentence, meant ? indexed_name(meant->name, index) : suggestion.name);
 }
 
 /// Numbers of a value, however deep they lie.
@@ -86,46 +65,66 @@ void check_range(const Key& key, const Value& value, const std::string& name, co
   }
   for (const std::string& word : words_of(key, value)) {
     if (std::find(key.choices.begin(), key.choices.end(), word) != key.choices.end()) continue;
+    const std::string nearest = nearest_name(word, key.choices);
     reject(place, name, text, (key.kind == Kind::choice ? "must be " : "must be a ") + allowed_text(key),
-           fmt::format("did you mean {}?", quoted(nearest_name(word, key.choices))));
+           nearest.empty() ? fmt::format("write for example {} = {}", key.leaf(), example_text(key))
+                           : fmt::format("did you mean {}?", quoted(nearest)));
   }
 }
 
+/// What to write instead of a value of the wrong kind.
+std::string remedy_for(const Key& key, const toml::node& node) {
+  if (const auto* text = node.as_string(); text && key.kind != Kind::text && key.kind != Kind::choice) {
+    std::string point = text->get();
+    if (const auto comma = point.find(','); comma != std::string::npos) point[comma] = '.';
+    if (const auto number = number_from_text(point); number && point != text->get())
+      return fmt::format("a decimal number has a point: write {} = {}", key.leaf(), text_of_number(*number));
+  }
+  const bool ratio = key.kind == Kind::number && key.example.find('/') == std::string::npos;
+  return fmt::format("write for example {} = {}{}", key.leaf(), example_text(key), ratio ? " or a ratio \"3/8\"" : "");
+}
+
 Entry make_entry(const Key& key, std::size_t index, const toml::node& node, const std::string& place) {
-  const std::string name = indexed_name(key, index), text = text_of_node(node);
+  const std::string name = indexed_name(key.name, index), text = text_of_node(node);
   const auto value = value_of_node(node, key.kind);
   if (!value) {
-    const bool ratio = key.kind == Kind::number && key.example.find('/') == std::string::npos;
-    reject(
-        place, name, text, "must be " + std::string(key.kind == Kind::choice ? "" : "a ") + allowed_text(key),
-        fmt::format("write for example {} = {}{}", key.leaf(), example_text(key), ratio ? " or a ratio \"3/8\"" : ""));
+    const std::string article = key.kind == Kind::choice || key.kind == Kind::text ? "" : "a ";
+    reject(place, name, text, "must be " + article + allowed_text(key), remedy_for(key, node));
   }
   check_range(key, *value, name, text, place);
   return {&key, index, *value, text, place};
 }
 
-/// Walks the tables of a file and fills the document.
+/// Walks the tables of a file and fills the document; what is wrong goes to the problems, in the order of the file.
 class Walker {
  public:
-  Walker(Document& document, std::string place) : document_(document), place_(std::move(place)) {}
+  Walker(Document& document, std::string place, Problems& problems)
+      : document_(document), place_(std::move(place)), problems_(problems) {}
 
   /// `prefix` is the schema name of the table with its dot: "", "fluid.", "load[].", "solver.newton.".
   void walk(const toml::table& table, const std::string& prefix, std::size_t index) {
-    for (const auto& [word, node] : table) {
-      const std::string name = prefix + std::string(word.str());
-      if (const Key* key = find_key(name)) {
-        document_.entries[indexed_name(*key, index)] = make_entry(*key, index, node, at(node));
-      } else if (prefix.empty() && find_table(name + "[]")) {
-        walk_entries(node, name);
-      } else if (begins_a_key(name)) {
-        walk_table(node, name, index);
-      } else {
-        reject_unknown(at(node), name, text_of_node(node));
-      }
-    }
+    std::vector<std::pair<std::string, const toml::node*>> nodes;
+    for (const auto& [word, node] : table) nodes.emplace_back(std::string(word.str()), &node);
+    std::stable_sort(nodes.begin(), nodes.end(), [](const auto& one, const auto& other) {
+      return one.second->source().begin.line < other.second->source().begin.line;
+    });
+    for (const auto& [word, node] : nodes)
+      problems_.keep([&, name = prefix + word, node = node] { enter(name, *node, prefix, index); });
   }
 
  private:
+  void enter(const std::string& name, const toml::node& node, const std::string& prefix, std::size_t index) {
+    if (const Key* key = find_key(name)) {
+      document_.entries[indexed_name(key->name, index)] = make_entry(*key, index, node, at(node));
+    } else if (prefix.empty() && find_table(name + "[]")) {
+      walk_entries(node, name);
+    } else if (begins_a_key(name)) {
+      walk_table(node, name, index);
+    } else {
+      reject_unknown(at(node), name, index, text_of_node(node));
+    }
+  }
+
   std::string at(const toml::node& node) const { return fmt::format("{}:{}", place_, node.source().begin.line); }
 
   void walk_table(const toml::node& node, const std::string& name, std::size_t index) {
@@ -141,8 +140,8 @@ class Walker {
   void walk_entries(const toml::node& node, const std::string& name) {
     const toml::array* list = node.as_array();
     if (!list || !std::all_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_table(); })) {
-      reject(at(node), name, text_of_node(node), "is a list of tables",
-             fmt::format("write [[{}]] with double brackets above its keys", name));
+      reject(at(node), name, text_of_node(node), "is a list of tables, because a case may have several",
+             fmt::format("write [[{}]] with double brackets on a line of its own, and its keys below", name));
     }
     document_.table_count[name + "[]"] = list->size();
     for (std::size_t i = 0; i < list->size(); ++i) {
@@ -153,6 +152,7 @@ class Walker {
 
   Document& document_;
   std::string place_;
+  Problems& problems_;
 };
 
 /// "load[2].ramp" -> ("load[].ramp", 2); "load.ramp" -> ("load[].ramp", 0); other names stay.
@@ -173,10 +173,23 @@ std::pair<std::string, std::size_t> split_index(const std::string& name, const s
   return {name.substr(0, open) + "[]" + name.substr(close + 1), static_cast<std::size_t>(std::stoul(digits))};
 }
 
-[[noreturn]] void reject_syntax(const std::string& place, long line, std::string_view problem) {
-  throw Error(Exit::invalid_input, one_line(fmt::format("{}:{}: this is not TOML: {}; see 'softwet init' for a case to "
-                                                        "start from",
-                                                        place, line, problem)));
+/// Keeps what is wrong with a line that is no TOML, and empties it so that the rest can be read. Throws where nothing
+/// better is known than what the library says.
+void take_out_line(std::string& text, const std::string& place, long line, std::string_view problem,
+                   Problems& problems) {
+  const std::string where = fmt::format("{}:{}", place, line);
+  const auto hint = syntax_hint(text, line);
+  problems.keep([&] {
+    if (hint) reject(where, hint->key, hint->value, hint->problem, hint->remedy);
+    if (problem.find("redefine") != std::string_view::npos)
+      reject(where, std::string(problem), "", "a key or table stands twice",
+             "keep one of them; where there are several loads, each begins with [[load]]");
+    reject(where, "this is not TOML", "", std::string(problem), "see 'softwet init' for a case to start from");
+  });
+  if (!hint) problems.throw_if_any();
+  std::size_t begin = 0;
+  for (long number = 1; number < line; ++number) begin = text.find('\n', begin) + 1;
+  text.erase(begin, std::min(text.find('\n', begin), text.size()) - begin);
 }
 
 bool is_malformed(std::string_view text) {
@@ -199,13 +212,15 @@ long line_of_malformed(std::string_view text) {
   return 1 + (std::partition_point(ends.begin(), ends.end(), healthy) - ends.begin());
 }
 
-toml::table parse_file(std::string_view text, const std::string& place) {
-  try {
-    return toml::parse(text, place);
-  } catch (const toml::parse_error& error) {
-    reject_syntax(place, static_cast<long>(error.source().begin.line), error.description());
-  } catch (const MalformedToml& error) {
-    reject_syntax(place, line_of_malformed(text), error.what());
+toml::table parse_file(std::string text, const std::string& place, Problems& problems) {
+  for (;;) {  // each turn takes a line out, and the number of problems is limited
+    try {
+      return toml::parse(text, place);
+    } catch (const toml::parse_error& error) {
+      take_out_line(text, place, static_cast<long>(error.source().begin.line), error.description(), problems);
+    } catch (const MalformedToml& error) {
+      take_out_line(text, place, line_of_malformed(text), error.what(), problems);
+    }
   }
 }
 
@@ -222,22 +237,16 @@ toml::table parse_value(const std::string& text) {
 
 }  // namespace
 
-void reject(const std::string& place, const std::string& key, const std::string& text, const std::string& problem,
-            const std::string& remedy) {
-  const std::string value = text.empty() ? "" : " = " + shortened(text);
-  throw Error(Exit::invalid_input,
-              one_line(fmt::format("{}: {}{}: {}; {}", shortened(place), shortened(key), value, problem, remedy)));
-}
-
-Document read_document(std::string_view text, const std::string& place) {
+Document read_document(std::string_view text, const std::string& place, Problems& problems) {
   Document document;
   document.place = place;
-  const toml::table table = parse_file(text, place);
+  const toml::table table = parse_file(std::string(text), place, problems);
   if (table.empty()) {
+    problems.throw_if_any();
     throw Error(Exit::invalid_input,
                 fmt::format("{}: the file is empty; 'softwet init FILE' writes a complete case to start from", place));
   }
-  Walker(document, place).walk(table, "", 0);
+  Walker(document, place, problems).walk(table, "", 0);
   return document;
 }
 
@@ -250,18 +259,18 @@ void apply_override(Document& document, const std::string& assignment) {
   const std::string text = assignment.substr(equals + 1);
   const auto [name, index] = split_index(assignment.substr(0, equals), place);
   const Key* key = find_key(name);
-  if (!key) reject_unknown(place, name, text);
+  if (!key) reject_unknown(place, name, index, text);
   const std::string table = key->table();
   if (const Table* repeated = find_table(table); repeated && repeated->repeated) {
     const std::size_t count = document.table_count[table];
     if (index >= count) {
-      reject(place, indexed_name(*key, index), text,
+      reject(place, indexed_name(key->name, index), text,
              fmt::format("the case has {} of these tables, counted from 0", count), "add the table to the case file");
     }
   } else if (!table.empty()) {
     document.table_count[table] = 1;
   }
-  document.entries[indexed_name(*key, index)] = make_entry(*key, index, *parse_value(text).get("value"), place);
+  document.entries[indexed_name(key->name, index)] = make_entry(*key, index, *parse_value(text).get("value"), place);
 }
 
 Value value_from_text(const Key& key, const std::string& text) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/host/problems.hpp"
 #include "app/host/schema.hpp"
 
 namespace softwet {
@@ -25,17 +26,14 @@ struct Document {
   std::map<std::string, std::string> table_place;  ///< where the tables begin, by indexed name, "load[0]"
 };
 
-/// Reads TOML text. Throws Error for broken syntax, unknown keys and values of the wrong type or out of range.
-Document read_document(std::string_view text, const std::string& place);
+/// Reads TOML text. Broken lines, unknown keys and values of the wrong type or out of range go to `problems`.
+Document read_document(std::string_view text, const std::string& place, Problems& problems);
 
 /// Applies one "key=value" of the command line, as if the file had said so; entries of lists as "load[0].ramp=2".
+/// Throws CaseError.
 void apply_override(Document& document, const std::string& assignment);
 
-/// The value in the text of one TOML value, checked against its key.
+/// The value in the text of one TOML value, checked against its key. Throws CaseError.
 Value value_from_text(const Key& key, const std::string& text);
-
-/// Ends with Error invalid_input: "place: key = text: problem; remedy".
-[[noreturn]] void reject(const std::string& place, const std::string& key, const std::string& text,
-                         const std::string& problem, const std::string& remedy);
 
 }  // namespace softwet

@@ -7,9 +7,37 @@
 namespace softwet {
 namespace {
 
+constexpr int far = std::numeric_limits<int>::max();
+
 std::string_view last_part(std::string_view name) {
   const auto dot = name.rfind('.');
   return dot == std::string_view::npos ? name : name.substr(dot + 1);
+}
+
+std::string_view first_part(std::string_view name) { return name.substr(0, name.size() - last_part(name).size()); }
+
+/// Whether `part` stands in `name` from one '_' to another: "angle" in "contact_angle".
+bool is_part(std::string_view part, std::string_view name) {
+  constexpr std::size_t least = 3;
+  for (auto at = name.find(part); part.size() >= least && at != std::string_view::npos; at = name.find(part, at + 1)) {
+    const std::size_t end = at + part.size();
+    if ((at == 0 || name[at - 1] == '_') && (end == name.size() || name[end] == '_')) return true;
+  }
+  return false;
+}
+
+/// The letters a word may have wrong and still be meant: one of three, three at most.
+int tolerated(std::string_view word) { return std::min(3, static_cast<int>(word.size() + 1) / 3); }
+
+/// How far a word is from a known name; `far` where nobody would take it for that name.
+int distance_to(std::string_view word, std::string_view name) {
+  const std::string_view leaf = last_part(word), known = last_part(name);
+  const int whole = edit_distance(word, name);
+  if (whole <= tolerated(leaf)) return 10 * whole;
+  if (first_part(word) != first_part(name) && leaf != word) return far;  // a key of another table
+  const int letters = edit_distance(leaf, known);
+  if (letters <= tolerated(leaf)) return 10 * letters + 1;
+  return is_part(leaf, known) || is_part(known, leaf) ? 50 : far;
 }
 
 }  // namespace
@@ -35,16 +63,12 @@ int edit_distance(std::string_view from, std::string_view to) {
 std::string nearest_name(std::string_view word, const std::vector<std::string>& known) {
   word = word.substr(0, 100);  // longer than any name: the rest tells nothing and would take long
   std::string best;
-  int best_distance = std::numeric_limits<int>::max();
+  int best_distance = far;
   for (const std::string& name : known) {
-    const int whole = edit_distance(word, name);
-    const int leaf = edit_distance(last_part(word), last_part(name)) + 1;  // right word, wrong table
-    // Two leaves at the same distance: the one whose whole name is closer.
-    const int distance = std::min(whole, leaf) * 1000 + std::min(whole, 999);
-    if (distance < best_distance) {
-      best_distance = distance;
-      best = name;
-    }
+    const int distance = distance_to(word, name);
+    if (distance >= best_distance) continue;
+    best_distance = distance;
+    best = name;
   }
   return best;
 }

@@ -17,6 +17,23 @@ void grow(std::vector<Entry>& entries, std::size_t index) {
   if (entries.size() <= index) entries.resize(index + 1);
 }
 
+/// What Model::build_mask prescribes.
+constexpr const char* boundary_notes =
+    R"(A side belongs to the fluid, to the solid, or to both: left is a side of the layer below and of the fluid above.
+
+kind      on the fluid                               on the solid
+slip      no velocity through the side,              no motion through the side,
+          no shear stress along it                   no shear stress along it (a roller)
+no_slip   the velocity is zero                       the displacement stays zero
+clamped   the same as no_slip                        the same as no_slip
+free      not allowed: the fluid is closed to mass   no stress on the side: it moves freely
+periodic  goes on at the opposite side, which must   the same; not from bottom to top
+          be periodic too
+
+On every side of the fluid no mass passes and the density has no normal derivative, which is a contact angle of 90
+degrees. fluid.contact_angle holds on the wall alone: on top of the solid, or at boundary.bottom where there is none.
+)";
+
 std::string number_text(double number) { return fmt::format("{}", number); }
 
 /// A case with one of everything, all members at their defaults.
@@ -61,7 +78,7 @@ const std::vector<Table>& tables() {
        [](const Case& c) { return c.waves.size(); }, [](Case& c, std::size_t i) { grow(c.waves, i); }},
       {"load[]", "Force per unit mass on a box of the solid; one [[load]] each", true, true,
        [](const Case& c) { return c.loads.size(); }, [](Case& c, std::size_t i) { grow(c.loads, i); }},
-      {"boundary", "Sides of the domain", false, true, always, nothing},
+      {"boundary", "What holds on the sides of the domain", false, true, always, nothing, boundary_notes},
       {"time", "Time steps", false, true, always, nothing},
       {"solver", "Newton, Krylov", false, true, always, nothing},
       {"output", "What is written, and when", false, true, always, nothing},
@@ -98,10 +115,15 @@ const Table* find_table(std::string_view name) {
   return found == tables().end() ? nullptr : &*found;
 }
 
-std::string indexed_name(const Key& key, std::size_t index) {
-  const auto bracket = key.name.find("[]");
-  if (bracket == std::string::npos) return key.name;
-  return fmt::format("{}[{}]{}", key.name.substr(0, bracket), index, key.name.substr(bracket + 2));
+std::string indexed_name(const std::string& name, std::size_t index) {
+  const auto bracket = name.find("[]");
+  if (bracket == std::string::npos) return name;
+  return fmt::format("{}[{}]{}", name.substr(0, bracket), index, name.substr(bracket + 2));
+}
+
+std::string header_of(const Table& table) {
+  if (!table.repeated) return fmt::format("[{}]", table.name);
+  return fmt::format("[[{}]]", table.name.substr(0, table.name.find('[')));
 }
 
 std::string allowed_text(const Key& key) {

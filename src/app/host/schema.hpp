@@ -34,6 +34,7 @@ struct Table {
   bool in_example = true;                  ///< part of the case that `init` writes
   std::size_t (*count)(const Case&);       ///< entries a case has: 0 or 1, any number when repeated
   void (*open)(Case&, std::size_t index);  ///< grows the case so that entry `index` exists
+  std::string notes{};                     ///< what `explain` tells below the help, in lines
 };
 
 /// How a key reads and writes its place in a Case; `index` counts the entries of a repeated table.
@@ -68,8 +69,11 @@ const std::vector<Key>& schema();
 const Key* find_key(std::string_view name);
 const Table* find_table(std::string_view name);
 
-/// "load[0].box" for a key of a repeated table, the plain name otherwise.
-std::string indexed_name(const Key& key, std::size_t index);
+/// "load[0].box" for "load[].box", a name without "[]" as it is.
+std::string indexed_name(const std::string& name, std::size_t index);
+
+/// How a table begins in a case file: "[fluid]", "[[load]]".
+std::string header_of(const Table& table);
 
 /// What may stand there: "number in (0, 180)", "one of "gradient", "energy"".
 std::string allowed_text(const Key& key);

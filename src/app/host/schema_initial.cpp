@@ -18,8 +18,8 @@ std::vector<Key> initial_keys() {
        .required = true,
        .example = "[0.5, 0.125]",
        .source = "[?] on the interface: a cap cut at the contact angle",
-       .help = "Centre of the circle or sphere; on the interface it becomes a cap cut at the contact angle (near "
-               "it with stretch), on a slip side a half of the droplet.",
+       .help = "Centre of the circle or sphere. A centre on the wall makes it a cap that meets the wall at the contact "
+               "angle (nearly so with stretch). A centre on a slip side makes it half a droplet.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.droplets[i].centre; })},
       {.name = "droplet[].radius",
        .unit = "L0",
@@ -40,7 +40,9 @@ std::vector<Key> initial_keys() {
        .unit = "L0",
        .required = true,
        .example = "[[0.0, 0.125], [1.0, 0.2]]",
-       .help = "Lower and upper corner of the liquid; a face on a side of the fluid, or beyond it, is no interface.",
+       .help =
+           "Lower and upper corner of the box of liquid. Where a face of the box lies on a side of the fluid or beyond "
+           "it, the liquid touches that side.",
        .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.films[i]; })},
       {.name = "wave[].field",
        .kind = Kind::choice,
@@ -53,8 +55,9 @@ std::vector<Key> initial_keys() {
       {.name = "wave[].amplitude",
        .required = true,
        .example = "1e-3",
-       .help = "Amplitude of prod_d cos(mode_d pi x_d / L_d), in the unit of the field; along the direction of a "
-               "velocity or displacement it is sin where mode_d is not 0.",
+       .help =
+           "Amplitude of the wave, in the unit of the field. The wave is the product of cos(mode pi x / L) over the "
+           "axes; along its own direction a velocity or displacement has sin where mode is not 0.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.waves[i].amplitude; })},
       {.name = "wave[].mode",
        .kind = Kind::numbers,

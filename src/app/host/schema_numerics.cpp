@@ -30,12 +30,20 @@ Key side_key(const char* name, Pair pair, std::size_t end, const char* help, con
 
 std::vector<Key> boundary_keys() {
   std::vector<Key> keys{
-      side_key("boundary.left", Pair::left_right, 0, "Low end of the first axis; periodic only together with right."),
-      side_key("boundary.right", Pair::left_right, 1, "High end of the first axis; periodic only together with left."),
-      side_key("boundary.front", Pair::front_back, 0, "Low end of the second axis, 3D; periodic only with back."),
-      side_key("boundary.back", Pair::front_back, 1, "High end of the second axis, 3D; periodic only with front."),
-      side_key("boundary.bottom", Pair::bottom_top, 0, "Under the solid, or the rigid wall without one."),
-      side_key("boundary.top", Pair::bottom_top, 1, "Above the fluid, or above a solid alone.", "\"no_slip\""),
+      side_key("boundary.left", Pair::left_right, 0,
+               "Low end of the first axis; periodic only together with right. 'softwet explain boundary' tells what "
+               "each kind prescribes."),
+      side_key("boundary.right", Pair::left_right, 1,
+               "High end of the first axis; periodic only together with left. 'softwet explain boundary' tells what "
+               "each kind prescribes."),
+      side_key("boundary.front", Pair::front_back, 0,
+               "Low end of the second axis in 3D; periodic only together with back."),
+      side_key("boundary.back", Pair::front_back, 1,
+               "High end of the second axis in 3D; periodic only together with front."),
+      side_key("boundary.bottom", Pair::bottom_top, 0,
+               "Below the solid; without a solid it is the rigid wall, where the contact angle holds."),
+      side_key("boundary.top", Pair::bottom_top, 1, "Above the fluid, or above a solid without a fluid.",
+               "\"no_slip\""),
   };
   keys.back().default_note = "\"no_slip\" with a fluid, \"free\" for a solid alone";
   return keys;
@@ -51,14 +59,18 @@ std::vector<Key> time_keys() {
       {.name = "time.rho_inf",
        .range = {0, 1, false, false},
        .example = "0.5",
-       .help = "Spectral radius of generalized-alpha for infinite steps: 1 keeps all, 0 damps high frequencies most.",
+       .help =
+           "Damping of generalized-alpha: the factor by which one very large step multiplies an oscillation. 1 damps "
+           "nothing, 0 damps high frequencies most.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.rho_inf; })},
       {.name = "time.end",
        .unit = "L0/sqrt(ab)",
        .range = positive,
        .required = true,
        .example = "1884.0",
-       .help = "End of the computation on the clock of the output, whose zero is the start of the first load.",
+       .help =
+           "Time t at which the computation ends. t is the time of all results: 0 when the first load begins, negative "
+           "before (load[].start is a run time, which counts from the beginning of the computation).",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.end; })},
       {.name = "time.dt_initial",
        .unit = "L0/sqrt(ab)",
@@ -95,8 +107,9 @@ std::vector<Key> solver_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_rtol; })},
       {.name = "solver.newton.atol",
        .range = positive,
-       .help = "Newton stops at this residual per volume whatever the first was; times the solid's lambda + 2 G where "
-               "that is above 1.",
+       .help =
+           "Newton also stops at this residual per volume, however large the first residual was. With a solid whose "
+           "lambda + 2 G is above 1, the bound is multiplied by it.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_atol; })},
       {.name = "solver.newton.max",
        .kind = Kind::integer,
@@ -107,7 +120,7 @@ std::vector<Key> solver_keys() {
        .unit = "b",
        .range = {0, 1, false, false},
        .help = "How far a control value of the density may fall below 0 in a step that is accepted. The density itself "
-               "falls less far, and W is continued there.",
+               "falls less far, and the free energy is continued smoothly below 0.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_undershoot; })},
       {.name = "solver.krylov.rtol",
        .range = fraction,
@@ -137,7 +150,7 @@ std::vector<Key> solver_keys() {
       {.name = "solver.precision",
        .kind = Kind::choice,
        .choices = {"double"},
-       .help = "Numbers of the computation.",
+       .help = "Precision of the numbers in the computation.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.precision; })},
   };
 }
@@ -152,17 +165,20 @@ std::vector<Key> output_keys() {
       {.name = "output.history.track",
        .kind = Kind::numbers,
        .range = {-1e30, 1e30, false, false},
-       .help = "Horizontal direction [x, y] along which droplets are followed in 3D: velocity, contact points, angles. "
-               "Its length does not count.",
+       .help =
+           "Horizontal direction [x, y] along which droplets are followed in 3D: their velocity, contact points and "
+           "angles. Only the direction counts, not the length.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.track; }),
        .three_dimensional = true,
-       .default_note = "the horizontal force of the loads, each with the sign that adds to the sum of those before; "
-                       "[1, 0] without"},
+       .default_note =
+           "the horizontal line along which the loads act: the sum of their forces, where a force that "
+           "points against the sum of those before it counts with the opposite sign; [1, 0] without a load"},
       {.name = "output.fields.times",
        .kind = Kind::times,
        .unit = "L0/sqrt(ab)",
        .example = "[0.0, 235.0, 471.0, 1884.0]",
-       .help = "Increasing times t at which the fields and the rows of interface.csv are written. Negative times lie "
+       .help = "Times t, in increasing order, at which the fields and the rows of interface.csv are written. Negative "
+               "times lie "
                "before the first load. An entry may be a range: \"0:5:11\" means 11 times from 0 to 5.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.field_times; })},
       {.name = "output.fields.every",
@@ -179,7 +195,7 @@ std::vector<Key> output_keys() {
       {.name = "output.checkpoint.minutes",
        .unit = "minutes of wall time",
        .range = positive,
-       .help = "Time between checkpoints.",
+       .help = "Time between two checkpoints, on the clock on the wall.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.checkpoint_minutes; })},
   };
 }

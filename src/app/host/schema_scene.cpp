@@ -37,7 +37,7 @@ std::vector<Key> domain_keys() {
        .kind = Kind::integer,
        .range = {2, 3, false, false},
        .example = "2",
-       .help = "Degree p of the B-splines, C^(p-1) inside each material.",
+       .help = "Degree p of the B-splines. The fields have p - 1 continuous derivatives inside each material.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.degree; })},
   };
 }
@@ -82,8 +82,9 @@ std::vector<Key> fluid_keys() {
       {.name = "fluid.wall_law",
        .kind = Kind::choice,
        .choices = wall_law_words(),
-       .help = "Wall condition of the contact angle: the paper's |grad rho| cos(alpha), or the variational wall energy "
-               "(exact energy law, droplets 23 to 40 % slower).",
+       .help = "Law that gives the contact angle. \"gradient\" is the paper's |grad rho| cos(alpha). \"energy\" is the "
+               "variational wall energy: it has an exact energy law, bears angles near 0 and 180 degrees, and moves "
+               "droplets 23 to 40 % more slowly.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_law; })},
       {.name = "fluid.form",
        .kind = Kind::choice,
@@ -94,17 +95,20 @@ std::vector<Key> fluid_keys() {
       {.name = "fluid.traction",
        .kind = Kind::choice,
        .choices = traction_words(),
-       .help = "Test functions that carry the capillary force to the solid: those of one layer of elements, or blended "
-               "over the fluid like its mesh, which makes the energy law exact in space and is slower.",
+       .help =
+           "How the capillary force reaches the solid. \"layer\": through the test functions of the elements next to "
+           "the wall. \"blended\": through test functions that reach into the fluid as its mesh motion does; the "
+           "energy law is then exact in space, and the run is slower.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->traction; })},
       {.name = "fluid.stabilisation",
        .range = {0, 1, false, false},
-       .help = "C of the checkerboard control eps = C h^2 rho^2 / mu-hat; 0 switches it off.",
+       .help = "Constant C of the term eps = C h^2 rho^2 / mu-hat, which damps oscillations of the density from one "
+               "element to the next and keeps the mass; 0 switches it off.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->stabilisation; })},
       {.name = "fluid.smoothing",
        .unit = "b/L0",
        .range = positive,
-       .help = "d of sqrt(|grad rho|^2 + d^2) in the wall law \"gradient\".",
+       .help = "The wall law \"gradient\" uses sqrt(|grad rho|^2 + d^2) in place of |grad rho|; this is d.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->smoothing; })},
       {.name = "fluid.ambient",
        .kind = Kind::choice,
@@ -115,7 +119,7 @@ std::vector<Key> fluid_keys() {
        .kind = Kind::numbers,
        .unit = "b",
        .range = {0, 0.999, true, false},
-       .help = "Densities of vapour and liquid at the start.",
+       .help = "Densities of vapour and liquid at the start, two numbers in this order.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->initial; }),
        .default_note = "[], those of the equilibrium with the curved interface (Kelvin, Laplace)"},
   };
@@ -129,22 +133,26 @@ std::vector<Key> substrate_keys() {
        .required = true,
        .example = "0.125",
        .source = "[?]",
-       .help = "Height of the solid: whole rows of elements, less than the domain with a fluid, all of it without.",
+       .help =
+           "Height of the solid layer. It is a whole number of rows of elements: less than the height of the domain "
+           "with a fluid, equal to it without.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->thickness; })},
       {.name = "substrate.density",
        .unit = "b",
        .range = positive,
        .example = "1.0",
        .source = "[?] rho_0^s / b",
-       .help = "Density of the undeformed solid.",
+       .help = "Density rho_0^s of the undeformed solid. It also multiplies substrate.young and load[].force.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->density; })},
       {.name = "substrate.young",
        .unit = "rho_0^s ab",
        .range = positive,
        .required = true,
        .example = "0.7554",
-       .source = "E-hat, eq. (12)",
-       .help = "Young modulus E-hat, eq. (12).",
+       .source = "E-hat, eq. (12): Young modulus / (rho_0^s ab)",
+       .help =
+           "Young modulus divided by rho_0^s ab, the E-hat of eq. (12). The Young modulus in units of ab^2 is "
+           "substrate.density times this number, so another density is another stiffness; 'softwet check' prints it.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->young; })},
       {.name = "substrate.poisson",
        .range = {-1, 0.5, true, true},
@@ -174,21 +182,24 @@ std::vector<Key> load_keys() {
        .required = true,
        .example = "[0.16215, 0.0]",
        .source = "f-hat, eq. (13)",
-       .help = "Force per unit mass f-hat, eq. (13), in its full strength.",
+       .help = "Force per unit mass f-hat, eq. (13), at its full strength: one component for each axis, the last is "
+               "vertical.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].force; })},
       {.name = "load[].start",
        .unit = "L0/sqrt(ab)",
        .range = not_negative,
        .example = "30.0",
        .source = "[?] after relaxation; time zero of the output is the start of the load",
-       .help = "Begin of the load on the clock of the computation, which starts at 0 with the relaxation.",
+       .help =
+           "Run time at which the load begins. Run time is 0 at the beginning of the computation; the time t of all "
+           "results is 0 when the first load begins. 'softwet check' prints both.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].start; })},
       {.name = "load[].ramp",
        .unit = "L0/sqrt(ab)",
        .range = not_negative,
        .example = "5.0",
        .source = "[?]",
-       .help = "Time over which the force grows linearly to its full strength.",
+       .help = "Duration over which the force grows linearly from 0 to its full strength.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].ramp; })},
   };
 }

@@ -56,6 +56,8 @@ TEST(NearestName, FindsMisspeltAndMisplacedKeys) {
   EXPECT_EQ(nearest_name("fluid.viscosty", known), "fluid.viscosity");
   EXPECT_EQ(nearest_name("temperature", known), "fluid.temperature");
   EXPECT_EQ(nearest_name("time.edn", known), "time.end");
+  EXPECT_EQ(nearest_name("angle", {"fluid.contact_angle"}), "fluid.contact_angle");
+  for (const char* word : {"fluid.gravity", "substrate.viscosity", "e", ""}) EXPECT_EQ(nearest_name(word, known), "");
   EXPECT_EQ(edit_distance("edn", "end"), 1);
   EXPECT_EQ(edit_distance("", "abc"), 3);
 }

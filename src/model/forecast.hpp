@@ -1,0 +1,36 @@
+// What is known to go wrong in a scene before it is computed (host).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/case.hpp"
+
+namespace softwet {
+
+/// Radius below which a droplet or bubble dissolves; scale L0. The larger of two:
+///   1.75 w                 w: half width of the interface; there is no room for liquid between its flanks
+///   R_c + w / 2            R_c: a smaller sharp droplet feeds the vapour of the closed box faster than its vapour
+///                          pressure rises,  R_c^(D+1) = (D - 1) sigma V / (W''(rho_around) (rho_l - rho_v)^2 k),
+///                          V the volume of the fluid, k = (dV_droplet/dR) / R^(D-1)
+/// Measured in 2D with two elements for a capillarity, contact angles 75 and 120 degrees and free droplets and bubbles,
+/// temperatures 0.39, 0.7, 0.85, boxes of 16 to 64 capillarities: of 53 droplets those below dissolved.
+double least_radius(const Case&, const Droplet&);
+
+/// Longest sigma / E that a Saint Venant-Kirchhoff solid bears under a droplet; scale L0: 0.85 capillarities or 0.17
+/// radii of the largest droplet, whichever is longer. Measured in 2D at temperature 0.39 (docs/limits.md): runs went
+/// through below and stopped above, soon after the start. Only with a fluid.
+double longest_elastocapillary_length(const Case&);
+
+/// True where sigma / E is longer.
+bool too_soft(const Case&);
+
+/// Largest error of the displacement of a layer of degree 2, relative, under a load within it:
+///   0.94 % (0.1 / (1 - 2 nu))^0.37 (2 / rows)^2, a fit to docs/verification/locking.md.
+double locking_error(const Case&);
+
+/// Sentences for the user, each with key, value, bound and remedy: droplets that dissolve, a fluid without any, a solid
+/// too soft for its droplet, one that locks, a density that changes its stiffness. Empty when nothing is known.
+std::vector<std::string> forecast(const Case&);
+
+}  // namespace softwet

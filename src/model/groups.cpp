@@ -1,0 +1,60 @@
+#include "model/groups.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/equilibrium.hpp"
+
+namespace softwet {
+
+double Liquid::ohnesorge() const { return viscosity / std::sqrt(density * tension * radius); }
+
+double Liquid::time_inertia() const { return std::sqrt(density * radius * radius * radius / tension); }
+
+double largest_radius(const Case& c) {
+  double largest = 0;
+  for (const Droplet& droplet : c.droplets) largest = std::max(largest, droplet.radius);
+  return largest;
+}
+
+Liquid liquid_of(const Case& c) {
+  return {coexistence(c.fluid->temperature).density_liquid, c.fluid->viscosity, surface_tension(*c.fluid),
+          largest_radius(c)};
+}
+
+double elastocapillary_length(const Case& c) {
+  return c.fluid && c.substrate ? surface_tension(*c.fluid) / c.substrate->young_modulus() : 0;
+}
+
+double time_elasticity(const Substrate& s) {
+  const double shear_modulus = s.young_modulus() / (2 * (1 + s.poisson));
+  return s.thickness / std::sqrt(shear_modulus / s.density);
+}
+
+std::vector<Group> groups(const Case& c) {
+  std::vector<Group> all;
+  const double radius = largest_radius(c), length = elastocapillary_length(c);
+  if (length > 0) {
+    if (radius > 0) all.push_back({"elastocapillary_over_radius", length / radius, "sigma / (E R)"});
+    all.push_back({"elastocapillary_over_thickness", length / c.substrate->thickness, "sigma / (E Hs)"});
+    all.push_back({"elastocapillary_over_interface", length / (2 * c.fluid->capillarity),
+                   "sigma / (E 2 gamma), 2 gamma being the width of the interface"});
+  }
+  if (c.fluid && radius > 0) {
+    const Liquid liquid = liquid_of(c);
+    all.push_back({"radius_over_capillarity", radius / c.fluid->capillarity, "R / gamma"});
+    all.push_back({"ohnesorge", liquid.ohnesorge(), "mu / sqrt(rho_l sigma R)"});
+    all.push_back(
+        {"capillary_number", liquid.capillary_number(1), "mu v / sigma at v = 1; times a speed of history.csv"});
+    all.push_back({"reynolds", liquid.reynolds(1), "rho_l v R / mu at v = 1; times a speed of history.csv"});
+    all.push_back({"time_capillary", liquid.time_capillary(), "mu R / sigma: capillarity against viscosity"});
+    all.push_back({"time_inertia", liquid.time_inertia(), "sqrt(rho_l R^3 / sigma): capillarity against inertia"});
+    all.push_back({"time_viscosity", liquid.time_viscosity(), "rho_l R^2 / mu: viscosity against inertia"});
+  }
+  if (c.substrate)
+    all.push_back(
+        {"time_elasticity", time_elasticity(*c.substrate), "Hs / sqrt(G / rho_0^s): a shear wave in the layer"});
+  return all;
+}
+
+}  // namespace softwet
