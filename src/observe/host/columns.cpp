@@ -87,7 +87,7 @@ const std::vector<Column> of_balance{
 };
 
 const std::vector<Column> of_interface{
-    {"time", time_unit, "Time of the row, one of output.fields.times; the same clock as t in history.csv."},
+    {"time", time_unit, "Time of the row, when field files are written too; the same clock as t in history.csv."},
     {"x_reference", "L0", "Position of the point of the wall along x before any deformation."},
     {"y_reference", "L0", "The same along y.", 3},
     {"displacement_x", "L0", "Displacement of that point along x."},
