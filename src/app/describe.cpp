@@ -76,10 +76,14 @@ void print_memory(const Case& c, const Model<D, P>& model, double times, std::os
   const std::string& asked = c.solver.preconditioner;
   const auto preconditioner =
       choose_preconditioner<D>(large && asked == "automatic" ? "schwarz" : asked, model.layout(), model.mask());
-  const double total = times * total_bytes(c, model.layout(), *preconditioner), here = bytes_to_be_had();
+  const double here = bytes_to_be_had();
+  double total = 0;
   std::vector<Line> lines;
-  for (const auto& [name, bytes] : memory_parts(c, model.layout(), *preconditioner))
-    lines.push_back({name, bytes_text(times * bytes)});
+  for (const auto& [name, bytes] : memory_parts(c, model.layout(), *preconditioner)) {
+    const double whole = (name == program_part ? 1 : times) * bytes;
+    lines.push_back({name, bytes_text(whole)});
+    total += whole;
+  }
   lines.push_back({"total", bytes_text(total)});
   lines.push_back({"to be had here", bytes_text(here)});
   print_section(out, "memory", lines);

@@ -10,6 +10,9 @@
 
 namespace softwet {
 
+/// The part that does not grow with the case.
+constexpr const char* program_part = "program and libraries";
+
 /// Name and bytes of each part. The preconditioner counts what it will hold once it is built; the factors of "umfpack"
 /// are then an estimate, mostly too low.
 template <int D>
@@ -18,7 +21,7 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
   const double n = l.size(), rate = l.velocity_size(), solid = l.solid_size(), scalar = l.scalar_size();
   const double state = n + rate + 2 * solid + 2 * scalar;
   const double stage = 2 * n + rate + 2 * solid + scalar;
-  return {{"program and libraries", 34.0 * 1048576},
+  return {{program_part, 34.0 * 1048576},
           {"state and history", 8 * (state + 3 * n)},
           {"stage", 8 * stage},
           {"Newton", 8 * 5 * n},

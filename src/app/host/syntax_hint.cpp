@@ -69,7 +69,7 @@ std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& lea
   if (std::regex_match(value, found, comma))
     return SyntaxHint{key, value, "a decimal number has a point, not a comma",
                       fmt::format("write {} = {}.{}", leaf, found.str(1), found.str(2))};
-  if (std::regex_match(value, found, point) && value.size() > 1)
+  if (std::regex_match(value, found, point) && (found.length(2) == 0) != (found.length(3) == 0))
     return SyntaxHint{key, value, "a decimal number has digits on both sides of its point",
                       fmt::format("write {} = {}{}.{}{}", leaf, found.str(1), found.length(2) ? found.str(2) : "0",
                                   found.length(3) ? found.str(3) : "0", found.str(4))};
