@@ -13,8 +13,7 @@ namespace softwet {
 ///   R_c + w / 2            R_c: a smaller sharp droplet feeds the vapour of the closed box faster than its vapour
 ///                          pressure rises,  R_c^(D+1) = (D - 1) sigma V / (W''(rho_around) (rho_l - rho_v)^2 k),
 ///                          V the volume of the fluid, k = (dV_droplet/dR) / R^(D-1)
-/// Measured in 2D with two elements for a capillarity, contact angles 75 and 120 degrees and free droplets and bubbles,
-/// temperatures 0.39, 0.7, 0.85, boxes of 16 to 64 capillarities: of 53 droplets those below dissolved.
+/// Runs of single droplets against it: docs/limits.md.
 double least_radius(const Case&, const Droplet&);
 
 /// Longest sigma / E that a Saint Venant-Kirchhoff solid bears under a droplet; scale L0: 0.85 capillarities or 0.17
