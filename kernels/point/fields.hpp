@@ -76,6 +76,7 @@ struct FluidTest {
   Vector<N, D> potential_flux;
 
   static constexpr int channel_count = D + 2;
+  static constexpr bool has_flux = true;
 
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
@@ -108,6 +109,7 @@ template <class N, int D>
 struct WallTest {
   N potential;
   static constexpr int channel_count = 1;
+  static constexpr bool has_flux = false;
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
     to.add(0, potential);
@@ -138,6 +140,7 @@ struct MomentumTest {
   Matrix<N, D> momentum_flux;
 
   static constexpr int channel_count = D;
+  static constexpr bool has_flux = true;
 
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
@@ -169,6 +172,87 @@ struct SolidTrial {
       for (int j = 0; j < D; ++j) t.displacement_gradient(i, j) = g[j];
     }
     return t;
+  }
+};
+
+/// A scalar of the fluid whose mass matrix is applied: density or chemical potential.
+template <class N, int D>
+struct ScalarTrial {
+  N value;
+
+  static constexpr int slot_count = 1, unknown_count = 1;
+  static constexpr Slot slot(int) { return {true, false, 0, Scale::one}; }
+
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION ScalarTrial read(const Reader& at) {
+    return {at.value(0)};
+  }
+};
+
+/// Integrand against q alone.
+template <class N, int D>
+struct ScalarTest {
+  N value;
+  static constexpr int channel_count = 1;
+  static constexpr bool has_flux = false;
+  template <class Writer>
+  KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
+    to.add(0, value);
+  }
+};
+
+/// A velocity (or acceleration) z in the fluid, and the density that is its weight.
+template <class N, int D>
+struct WeightedTrial {
+  N density;
+  Vector<N, D> vector;
+  Matrix<N, D> gradient;
+
+  static constexpr int slot_count = D + 1, unknown_count = D + 1;
+  static constexpr Slot slot(int s) {
+    return s == 0 ? Slot{true, false, 0, Scale::one} : Slot{true, true, s, Scale::one};
+  }
+
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION WeightedTrial read(const Reader& at) {
+    WeightedTrial t;
+    t.density = at.value(0);
+    for (int i = 0; i < D; ++i) {
+      t.vector[i] = at.value(1 + i);
+      const Vector<N, D> g = at.gradient(1 + i);
+      for (int j = 0; j < D; ++j) t.gradient(i, j) = g[j];
+    }
+    return t;
+  }
+};
+
+/// A velocity (or acceleration) z in the solid.
+template <class N, int D>
+struct VectorTrial {
+  Vector<N, D> vector;
+
+  static constexpr int slot_count = D, unknown_count = D;
+  static constexpr Slot slot(int s) { return {true, false, s, Scale::one}; }
+
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION VectorTrial read(const Reader& at) {
+    VectorTrial t;
+    for (int i = 0; i < D; ++i) t.vector[i] = at.value(i);
+    return t;
+  }
+};
+
+/// Integrand against w alone.
+template <class N, int D>
+struct VectorTest {
+  Vector<N, D> value;
+
+  static constexpr int channel_count = D;
+  static constexpr bool has_flux = false;
+
+  template <class Writer>
+  KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
+    for (int i = 0; i < D; ++i) to.add(i, value[i]);
   }
 };
 

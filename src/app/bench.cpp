@@ -8,6 +8,7 @@
 #include "app/machine.hpp"
 #include "model/initial.hpp"
 #include "solver/choose.hpp"
+#include "time/choose_scheme.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
@@ -73,10 +74,10 @@ template <int D, int P>
 void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>& model) {
   Stepper<D, P> stepper(model, c, {});
   State start = initial_state<D, P>(c, model);
-  stepper.integrator().initialise(start);
+  stepper.scheme().initialise(start);
   stepper.start(start);
   for (int i = 0; i < 40; ++i) stepper.step();
-  GeneralizedAlpha<D, P>& scheme = stepper.integrator();
+  GeneralizedAlpha<D, P>& scheme = static_cast<ImplicitScheme<D, P>&>(stepper.scheme()).integrator();
   const Array r("r", scheme.size()), z("z", scheme.size());
   const Jacobian frozen = [&](const StencilValues& values) { scheme.jacobian(values); };
   Gmres gmres(scheme.size(), 200);
@@ -105,6 +106,19 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
     sheet.line("preconditioner " + name + ", apply", apply);
     std::snprintf(text, sizeof text, "  %.0f MiB", preconditioner->bytes() / 1048576);
     sheet.out << text << "; iterations at dt = 0.01 / 0.1 / 1 / 5: " << counts << "\n";
+  }
+}
+
+/// One evaluation of the rates of the explicit schemes, with both kinds of mass.
+template <int D, int P>
+void bench_rates(const Sheet& sheet, const Model<D, P>& model, State state) {
+  for (const MassKind kind : {MassKind::consistent, MassKind::lumped}) {
+    SemiDiscrete<D, P> system(model, kind);
+    system.set_moments(state);
+    const Array y("y", system.size()), rates("rates", system.size());
+    system.pack(state, y);
+    sheet.line(kind == MassKind::lumped ? "explicit rates, lumped" : "explicit rates, consistent",
+               seconds_per_call([&] { system.rates(state.time, y, rates); }));
   }
 }
 
@@ -140,7 +154,8 @@ void bench_model(const Case& c, std::ostream& out) {
   bench_terms(sheet, model, scheme.stage(), z, r);
   sheet.line("dot", seconds_per_call([&] { dot(z, r); }));
 
-  bench_preconditioners(sheet, c, model);
+  bench_rates(sheet, model, state);
+  if (c.time.scheme == implicit_scheme) bench_preconditioners(sheet, c, model);
   out << "peak memory " << peak_memory_mib() << " MiB\n";
 }
 

@@ -80,8 +80,12 @@ struct Boundary {
       {{Side::slip, Side::slip}, {Side::slip, Side::slip}, {Side::slip, Side::slip}}};
 };
 
+/// The scheme without a largest step.
+inline constexpr const char* implicit_scheme = "generalized_alpha";
+
 struct TimeControl {
-  std::string scheme = "generalized_alpha";
+  std::string scheme = implicit_scheme;  ///< generalized_alpha | ssp_rk3 | imex
+  std::string mass = "consistent";       ///< of explicit schemes: consistent | lumped
   double rho_inf = 0.5;
   double end = 0;  ///< in t, the time of all results, which is 0 at the start of the first load
   double dt_initial = 1e-2;

@@ -32,7 +32,6 @@ void with_configuration(const Case& c, const Visit& visit) {
                                          " (CMake option SOFTWET_CONFIGURATIONS)");
   };
   if (c.solver.precision != "double") refuse("solver.precision = \"" + c.solver.precision + "\"");
-  if (c.time.scheme != "generalized_alpha") refuse("time.scheme = \"" + c.time.scheme + "\"");
 #define SOFTWET_VISIT(D, P) \
   if (c.dimension() == D && c.domain.degree == P) return visit(Configuration<D, P>{});
   SOFTWET_CONFIGURATIONS(SOFTWET_VISIT)

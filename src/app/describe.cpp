@@ -74,12 +74,14 @@ template <int D, int P>
 void print_memory(const Case& c, const Model<D, P>& model, double times, std::ostream& out) {
   const bool large = D == 3 && times * model.layout().size() > small_in_3d;
   const std::string& asked = c.solver.preconditioner;
-  const auto preconditioner =
-      choose_preconditioner<D>(large && asked == "automatic" ? "schwarz" : asked, model.layout(), model.mask());
+  std::unique_ptr<Preconditioner> preconditioner;
+  if (c.time.scheme == implicit_scheme)
+    preconditioner =
+        choose_preconditioner<D>(large && asked == "automatic" ? "schwarz" : asked, model.layout(), model.mask());
   const double here = bytes_to_be_had();
   double total = 0;
   std::vector<Line> lines;
-  for (const auto& [name, bytes] : memory_parts(c, model.layout(), *preconditioner)) {
+  for (const auto& [name, bytes] : memory_parts(c, model.layout(), preconditioner.get())) {
     const double whole = (name == program_part ? 1 : times) * bytes;
     lines.push_back({name, bytes_text(whole)});
     total += whole;
@@ -128,7 +130,8 @@ void describe_model(const Case& c, std::ostream& out) {
   print_section(out, "terms", terms(c, model, p.times));
   print_section(out, "unknowns", unknowns(model.layout(), p.times));
   print_memory<D, P>(c, model, p.times, out);
-  print_section(out, "limits of explicit steps (for information; the implicit scheme has none)", step_limits(c, model));
+  print_section(out, "limits of explicit steps (for ssp_rk3 with time.mass = \"lumped\"; generalized_alpha has none)",
+                step_limits(c, model));
   print_section(out, "kernel",
                 {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", double"},
                  {"backend",

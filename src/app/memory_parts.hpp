@@ -14,23 +14,29 @@ namespace softwet {
 constexpr const char* program_part = "program and libraries";
 
 /// Name and bytes of each part. The preconditioner counts what it will hold once it is built; the factors of "umfpack"
-/// are then an estimate, mostly too low.
+/// are then an estimate, mostly too low. Explicit schemes have none.
 template <int D>
 std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const Layout<D>& l,
-                                                         const Preconditioner& preconditioner) {
+                                                         const Preconditioner* preconditioner) {
   const double n = l.size(), rate = l.velocity_size(), solid = l.solid_size(), scalar = l.scalar_size();
   const double state = n + rate + 2 * solid + 2 * scalar;
   const double stage = 2 * n + rate + 2 * solid + scalar;
-  return {{program_part, 34.0 * 1048576},
-          {"state and history", 8 * (state + 3 * n)},
-          {"stage", 8 * stage},
-          {"Newton", 8 * 5 * n},
-          {"Krylov basis", 8 * n * (2.0 * c.solver.krylov_restart + 2)},
-          {"preconditioner " + preconditioner.name(), preconditioner.bytes()}};
+  std::vector<std::pair<std::string, double>> parts{{program_part, 34.0 * 1048576},
+                                                    {"state and history", 8 * (state + 3 * n)}};
+  if (preconditioner) {
+    parts.insert(parts.end(), {{"stage", 8 * stage},
+                               {"Newton", 8 * 5 * n},
+                               {"Krylov basis", 8 * n * (2.0 * c.solver.krylov_restart + 2)},
+                               {"preconditioner " + preconditioner->name(), preconditioner->bytes()}});
+  } else {
+    constexpr double stages = 13, masses = 11;  // vectors, as many as the scheme imex has
+    parts.push_back({"stages and masses", 8 * (stages * (rate + solid + scalar) + masses * n)});
+  }
+  return parts;
 }
 
 template <int D>
-double total_bytes(const Case& c, const Layout<D>& layout, const Preconditioner& preconditioner) {
+double total_bytes(const Case& c, const Layout<D>& layout, const Preconditioner* preconditioner) {
   double total = 0;
   for (const auto& [name, bytes] : memory_parts(c, layout, preconditioner)) total += bytes;
   return total;

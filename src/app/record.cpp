@@ -46,7 +46,7 @@ template <int D, int P>
 RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& stepper, const RunSeconds& seconds,
                        long first_step) {
   const Layout<D>& layout = model.layout();
-  const SolverCounts& k = stepper.newton().counts();
+  const SolverCounts& k = stepper.scheme().counts();
   RunRecord run;
   run["softwet"] = version;
   run["commit"] = commit;
@@ -65,7 +65,8 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
     run["equilibrium"]["density_liquid"] = model.state().density_liquid;
   }
   for (const Group& group : groups(c)) run["groups"][group.name] = group.value;
-  run["preconditioner"] = stepper.newton().preconditioner().name();
+  const Preconditioner* preconditioner = stepper.scheme().preconditioner();
+  run["preconditioner"] = preconditioner ? preconditioner->name() : "none";
   add_timings(run["seconds"], k, seconds);
   RecordValue& counts = run["counts"];
   counts["steps"] = stepper.counts().steps;

@@ -61,19 +61,19 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
   file.array("history/droplets", droplets);
   write_watch(history.bodies, history.events, file);
   file.value("run/started", seconds.started);
-  file.array("costs", costs(stepper.newton().counts(), seconds));
+  file.array("costs", costs(stepper.scheme().counts(), seconds));
   file.commit();
 }
 
 template <int D, int P>
 HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, RunSeconds& seconds) {
-  State state = empty_state(stepper.integrator().model().layout());
+  State state = empty_state(stepper.model().layout());
   const Array previous("previous", state.unknown.extent(0));
   auto targets = arrays_of(state);
   targets.emplace_back("previous/unknown", previous);
   std::vector<ArraySize> sizes;
   for (const auto& [name, array] : targets) sizes.emplace_back(name, array.extent(0));
-  SolverCounts& counts = stepper.newton().counts();
+  SolverCounts& counts = stepper.scheme().counts();
   sizes.emplace_back("costs", costs(counts, seconds).size());
   const SavedRun saved = read_saved_run(path, c, sizes);
   auto cost = saved.arrays.back().begin();

@@ -62,7 +62,7 @@ bool Simulation<D, P>::at_end() const {
 template <int D, int P>
 void Simulation<D, P>::begin() {
   State state = initial_state<D, P>(case_, model_);
-  stepper_.integrator().initialise(state);
+  stepper_.scheme().initialise(state);
   stepper_.start(state);
   if (options_.begin) options_.begin();
   history_.emplace(TableFile::create(path("history.csv"), scalars_.columns()));
@@ -96,7 +96,7 @@ template <int D, int P>
 void Simulation<D, P>::run() {
   const InterruptGuard interrupts;
   // The factors of a preconditioner may be most of the memory; they are not there yet.
-  require_bytes(case_, total_bytes(case_, model_.layout(), stepper_.newton().preconditioner()));
+  require_bytes(case_, total_bytes(case_, model_.layout(), stepper_.scheme().preconditioner()));
   options_.resume ? restore() : begin();
   progress_.emplace(Progress::voice(options_.quiet), -case_.clock_zero(), case_.time.end);
   if (options_.resume) {
@@ -181,7 +181,7 @@ template <int D, int P>
 void Simulation<D, P>::write_row(const StepReport& report) {
   Stopwatch watch(seconds_.observers);
   last_row_ =
-      scalars_.evaluate(stepper_.counts().steps, report, stepper_.state(), stepper_.integrator().at(stepper_.state()));
+      scalars_.evaluate(stepper_.counts().steps, report, stepper_.state(), stage_at(model_.layout(), stepper_.state()));
   history_->row(last_row_);
   tell_events();
 }
@@ -199,7 +199,7 @@ void Simulation<D, P>::write_fields_due() {
     written_.push_back(time);
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
     write_field_files<D, P>(options_.out, origin_of(case_), case_.output.field_select, model_, snapshot, written_);
-    add_interface_rows<D, P>(*interface_, model_, stepper_.integrator().at(stepper_.state()), snapshot, time);
+    add_interface_rows<D, P>(*interface_, model_, stage_at(model_.layout(), stepper_.state()), snapshot, time);
   }
 }
 

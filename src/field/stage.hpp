@@ -30,4 +30,17 @@ struct Stage {
   double moment_rate = 0;         ///< am / (ga dt)
 };
 
+/// The stage at a state itself, for integrals and output: its values, and no scales of a scheme.
+template <int D>
+Stage stage_at(const Layout<D>& l, const State& state) {
+  Stage s;
+  s.time = state.time;
+  s.unknown = state.unknown;
+  s.acceleration = state.velocity_rate;
+  s.displacement = s.displacement_end = state.displacement;
+  if (l.has_fluid)
+    s.density_end = Kokkos::subview(state.unknown, Kokkos::make_pair(l.density_offset(), l.potential_offset()));
+  return s;
+}
+
 }  // namespace softwet

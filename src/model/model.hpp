@@ -43,6 +43,9 @@ class Model {
   ConstArray mask() const { return mask_; }  ///< 1 free, 0 prescribed or ghost
   double wall_height() const { return blend_.low; }
   bool has_wall() const { return has_wall_; }
+  const Region<D>& fluid_region() const { return fluid_region_; }
+  const Region<D>& solid_region() const { return solid_region_; }
+  const Blend& blend() const { return blend_; }
 
   /// Adds a source to the discrete equations: residual() calls source(t_{n+af}, out), which subtracts its load vector.
   /// For manufactured solutions (tests/verification/mms); production never sets it.

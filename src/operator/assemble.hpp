@@ -132,11 +132,10 @@ KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion>& task, const Bat
     test.write(Writer<S, N, D, points, std::remove_const_t<decltype(point)>>{out, point,
                                                                              weight_at<S, D, Q>(task.region, b, q), q});
   }
-  constexpr bool has_flux = !std::is_same_v<Test, WallTest<N, D>>;
   const int first = first_test(task.region, b);
   for (int c = 0; c < channels; ++c) {
     S nodal[power(P + 1, D)];
-    basis.template backward<has_flux>(out[c], nodal);
+    basis.template backward<Test::has_flux>(out[c], nodal);
     scatter<S, D, P>(task.test[c], task.region, first, b.count, nodal);
   }
 }

@@ -94,28 +94,14 @@ void GeneralizedAlpha<D, P>::product(const Array& z, const Array& out, Geometry 
 }
 
 template <int D, int P>
-Stage GeneralizedAlpha<D, P>::at(const State& state) const {
-  const Layout<D>& l = model_.layout();
-  Stage s;
-  s.time = state.time;
-  s.unknown = state.unknown;
-  s.acceleration = state.velocity_rate;
-  s.displacement = s.displacement_end = state.displacement;
-  if (l.has_fluid)
-    s.density_end = Kokkos::subview(state.unknown, Kokkos::make_pair(l.density_offset(), l.potential_offset()));
-  return s;
-}
-
-template <int D, int P>
 void GeneralizedAlpha<D, P>::initialise(State& state) {
   const Layout<D>& l = model_.layout();
   move_ghosts(l, state.unknown, GhostAction::update);
   for (int d = 0; d < D && l.has_solid; ++d)  // u' = v
-    Kokkos::deep_copy(
-        piece_of(state.displacement_rate, l.displacement_offset(d), l.solid_rows() * l.row_size),
-        solid_velocity(l, state.unknown, d));
+    Kokkos::deep_copy(piece_of(state.displacement_rate, l.displacement_offset(d), l.solid_rows() * l.row_size),
+                      solid_velocity(l, state.unknown, d));
   if (!l.has_fluid) return;
-  Stage s = at(state);
+  Stage s = stage_at(l, state);
   s.moment_rate = 0;
   model_.residual(s, work_);
   Kokkos::deep_copy(state.moment_rate, part(work_, l.density_offset(), l.potential_offset()));
@@ -160,7 +146,7 @@ void GeneralizedAlpha<D, P>::match_mass(const State& state) const {
   double volume = 1;
   for (const Axis& axis : l.axis) volume *= axis.length();
   volume *= 1 - static_cast<double>(l.solid_elements) / l.axis[D - 1].elements();
-  const double shift = (total(state.moment) - model_.integrals(at(state)).mass) / volume;
+  const double shift = (total(state.moment) - model_.integrals(stage_at(l, state)).mass) / volume;
   add_constant(piece_of(state.unknown, l.density_offset(), l.scalar_size()), shift);
 }
 

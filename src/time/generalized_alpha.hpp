@@ -50,9 +50,6 @@ class GeneralizedAlpha {
   /// integral of the density with it.
   void finish(const Array& x, State& state);
 
-  /// The stage at a state itself (values, no rates): for integrals and output.
-  Stage at(const State& state) const;
-
   int size() const { return model_.layout().size(); }
   const Model<D, P>& model() const { return model_; }
   const Stage& stage() const { return stage_; }

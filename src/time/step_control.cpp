@@ -10,19 +10,21 @@ StepControl::StepControl(const StepLimits& limits, std::vector<double> events)
   std::sort(events_.begin(), events_.end());
 }
 
-double StepControl::next(double t) const {
+double StepControl::next(double t, double largest) const {
+  constexpr double stretch = 1.1;
+  const double wish = std::min(proposed_, largest / stretch);
   const double tiny = 1e-12 * std::max(1.0, std::abs(t));
   const auto event = std::upper_bound(events_.begin(), events_.end(), t + tiny);
-  if (event == events_.end()) return proposed_;
+  if (event == events_.end()) return wish;
   const double left = *event - t;
-  if (left <= 1.1 * proposed_) return left;
-  return left < 2 * proposed_ ? 0.5 * left : proposed_;
+  if (left <= stretch * wish) return left;
+  return left < 2 * wish ? 0.5 * left : wish;
 }
 
-void StepControl::accept(double dt, double indicator, int newton, int newton_max) {
+void StepControl::accept(double dt, double indicator, bool laborious) {
   double factor = indicator > 0 ? 0.9 * std::sqrt(limits_.tolerance / indicator) : 2.0;
   factor = std::clamp(factor, 0.5, 1.5);
-  if (newton + 2 > newton_max) factor = std::min(factor, 0.9);  // close to giving up
+  if (laborious) factor = std::min(factor, 0.9);
   // A step cut short to meet an event says little about a longer one: never fall below the old proposal for that.
   const double wish = dt < 0.7 * proposed_ && factor > 1 ? std::max(proposed_, factor * dt) : factor * dt;
   proposed_ = std::clamp(wish, limits_.smallest, limits_.largest);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,11 @@ class StepControl {
   StepControl(const StepLimits& limits, std::vector<double> events);
 
   /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly.
-  double next(double t) const;
+  /// @param largest  that the scheme can take from there; it is not exceeded
+  double next(double t, double largest = std::numeric_limits<double>::infinity()) const;
 
-  /// After an accepted step of size dt with its indicator and effort.
-  void accept(double dt, double indicator, int newton, int newton_max);
+  /// After an accepted step of size dt with its indicator. @param laborious  the solver was close to giving up
+  void accept(double dt, double indicator, bool laborious = false);
 
   /// After a step that failed: halves. Returns false when the step has become smaller than allowed.
   bool reject(double dt);

@@ -1,8 +1,9 @@
-// One accepted time step: predict, solve, judge, accept or halve.
+// One accepted time step: try, judge, accept or halve.
 #pragma once
 
-#include "solver/newton.hpp"
-#include "time/generalized_alpha.hpp"
+#include <memory>
+
+#include "time/judge.hpp"
 #include "time/step_control.hpp"
 
 namespace softwet {
@@ -24,7 +25,7 @@ class Stepper {
  public:
   Stepper(const Model<D, P>& model, const Case& c, std::vector<double> events);
 
-  /// Takes over a state without history. The first step is predicted to change nothing.
+  /// Takes over a state without history: the first step is predicted constant.
   void start(const State& state);
 
   /// Advances by one accepted step. Throws Error (computation_failed) when no step is small enough; the state is then
@@ -37,31 +38,19 @@ class Stepper {
   double previous_dt() const { return previous_dt_; }
   void restore(const State& state, const Array& previous, double previous_dt, double proposed);
 
-  GeneralizedAlpha<D, P>& integrator() { return integrator_; }
+  const Model<D, P>& model() const { return model_; }
+  Scheme<D, P>& scheme() { return *scheme_; }
   StepControl& control() { return control_; }
-  Newton& newton() { return newton_; }
   StepCounts& counts() { return counts_; }
 
  private:
-  void predict(double dt);
-  NewtonResult solve(double dt);
-  double indicator(double dt) const;
-  /// Why an iterate of Newton's method, or the step that it makes, is not admissible; empty when it is.
-  std::string complaint(const Array& x) const;
-  std::string complaint_of_step() const;
-  std::vector<FieldRange> fields() const;
-
   const Model<D, P>& model_;
-  GeneralizedAlpha<D, P> integrator_;
-  Newton newton_;
-  NewtonControl newton_control_;
-  double undershoot_;
+  Judge<D, P> judge_;
+  std::unique_ptr<Scheme<D, P>> scheme_;
   StepControl control_;
   State state_;
-  Array previous_, predicted_, x_;
+  Array previous_;
   double previous_dt_ = 0;
-  double volume_norm_ = 1;
-  double length_ = 1;  ///< the thinner of solid layer and fluid: what displacement errors are compared with
   StepCounts counts_;
 };
 

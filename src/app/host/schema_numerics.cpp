@@ -53,9 +53,20 @@ std::vector<Key> time_keys() {
   return {
       {.name = "time.scheme",
        .kind = Kind::choice,
-       .choices = {"generalized_alpha"},
-       .help = "Time scheme.",
+       .choices = {"generalized_alpha", "ssp_rk3", "imex"},
+       .help =
+           "Time scheme. generalized_alpha is implicit and takes steps of any size; it is the one for slow motion. The "
+           "others are explicit: their steps are limited by sound, capillarity, elasticity and, but for imex, by the "
+           "viscosity of the vapour. ssp_rk3 is of third order with three stages. imex is of third order with four, and "
+           "treats viscosity implicitly.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.scheme; })},
+      {.name = "time.mass",
+       .kind = Kind::choice,
+       .choices = {"consistent", "lumped"},
+       .help =
+           "Mass matrices of the explicit schemes. consistent solves with them by conjugate gradients. lumped takes their "
+           "row sums: steps are cheaper and may be longer, and the error in space is of second order.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.mass; })},
       {.name = "time.rho_inf",
        .range = {0, 1, false, false},
        .example = "0.5",

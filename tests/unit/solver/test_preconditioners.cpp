@@ -6,6 +6,7 @@
 #include "solver/gmres.hpp"
 #include "solver/patches.hpp"
 #include "solver/schwarz.hpp"
+#include "time/implicit_scheme.hpp"
 #include "time/stepper.hpp"
 #include "unit/model/scenes.hpp"
 
@@ -146,7 +147,7 @@ TEST(Schwarz, HelpsWhereTheMeshMoves) {
   const Case c = soft_droplet();
   const Model<2, 2> model(c);
   Stepper<2, 2> stepper(model, c, {});
-  GeneralizedAlpha<2, 2>& scheme = stepper.integrator();
+  GeneralizedAlpha<2, 2>& scheme = static_cast<ImplicitScheme<2, 2>&>(stepper.scheme()).integrator();
   State state = initial_state<2, 2>(c, model);
   scheme.initialise(state);
   stepper.start(state);

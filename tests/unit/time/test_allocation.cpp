@@ -39,7 +39,7 @@ TEST(Allocation, NoneInsideAStep) {
   const Model<2, 2> model(c);
   Stepper<2, 2> stepper(model, c, {});
   State state = initial_state<2, 2>(c, model);
-  stepper.integrator().initialise(state);
+  stepper.scheme().initialise(state);
   stepper.start(state);
   for (int i = 0; i < 3; ++i) stepper.step();
   Kokkos::Tools::Experimental::set_allocate_data_callback(count_allocation);

@@ -25,7 +25,7 @@ TEST(StepControl, EventsAreMetExactly) {
         met.push_back(event);
       }
     }
-    control.accept(dt, 1e-6, 2, 10);
+    control.accept(dt, 1e-6);
   }
   EXPECT_EQ(met, (std::vector<double>{1.0, 1.05, 2.5, 7.3}));
 }
@@ -40,39 +40,46 @@ TEST(StepControl, NoSliverBeforeAnEvent) {
 
 TEST(StepControl, GrowthFollowsTheIndicator) {
   StepControl control(limits, {});
-  control.accept(0.1, 1e-3, 2, 10);  // as large as wanted: factor 0.9
+  control.accept(0.1, 1e-3);  // as large as wanted: factor 0.9
   EXPECT_DOUBLE_EQ(control.proposed(), 0.09);
   control.set_proposed(0.1);
-  control.accept(0.1, 0.81e-3, 2, 10);  // 0.9 sqrt(1 / 0.81) = 1
+  control.accept(0.1, 0.81e-3);  // 0.9 sqrt(1 / 0.81) = 1
   EXPECT_NEAR(control.proposed(), 0.1, 1e-15);
   control.set_proposed(0.1);
-  control.accept(0.1, 1e-12, 2, 10);
+  control.accept(0.1, 1e-12);
   EXPECT_DOUBLE_EQ(control.proposed(), 0.15) << "at most half as much again";
   control.set_proposed(0.1);
-  control.accept(0.1, 1e3, 2, 10);
+  control.accept(0.1, 1e3);
   EXPECT_DOUBLE_EQ(control.proposed(), 0.05) << "at least half";
   control.set_proposed(0.1);
-  control.accept(0.1, 0.0, 2, 10);
+  control.accept(0.1, 0.0);
   EXPECT_DOUBLE_EQ(control.proposed(), 0.15) << "nothing moves";
 }
 
 TEST(StepControl, LaboriousNewtonShrinksTheStep) {
   StepControl control(limits, {});
-  control.accept(0.1, 1e-12, 9, 10);  // one more would have been the last
+  control.accept(0.1, 1e-12, true);
   EXPECT_DOUBLE_EQ(control.proposed(), 0.09);
 }
 
 TEST(StepControl, CutStepDoesNotForgetTheProposal) {
   StepControl control(limits, {});
-  control.accept(0.01, 1e-12, 2, 10);
+  control.accept(0.01, 1e-12);
   EXPECT_DOUBLE_EQ(control.proposed(), 0.1);
+}
+
+TEST(StepControl, TheLargestStepOfASchemeIsNotExceeded) {
+  StepControl control(limits, {1.0});
+  EXPECT_DOUBLE_EQ(control.next(0.0, 0.011), 0.01);
+  EXPECT_LE(control.next(0.9892, 0.011), 0.011) << "stretched to an event";
+  EXPECT_DOUBLE_EQ(control.next(0.0), 0.1) << "the proposal stays";
 }
 
 TEST(StepControl, Clamps) {
   StepControl control(limits, {});
-  for (int n = 0; n < 50; ++n) control.accept(control.next(0), 1e-12, 2, 10);
+  for (int n = 0; n < 50; ++n) control.accept(control.next(0), 1e-12);
   EXPECT_DOUBLE_EQ(control.proposed(), 2.0);
-  for (int n = 0; n < 50; ++n) control.accept(control.next(0), 1e3, 2, 10);
+  for (int n = 0; n < 50; ++n) control.accept(control.next(0), 1e3);
   EXPECT_DOUBLE_EQ(control.proposed(), 1e-3);
   control.set_proposed(50);  // of a run with other limits
   EXPECT_DOUBLE_EQ(control.proposed(), 2.0);

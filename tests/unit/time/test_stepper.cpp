@@ -44,7 +44,7 @@ std::vector<double> run(Scene kind, int steps) {
     }
     state.unknown = to_device<Array>(x);
   }
-  stepper.integrator().initialise(state);
+  stepper.scheme().initialise(state);
   stepper.start(state);
   for (int n = 0; n < steps; ++n) stepper.step();
   EXPECT_NEAR(stepper.state().time, end, 1e-12);
@@ -81,9 +81,9 @@ void check_mass(Scene kind, double drift) {
   const Model<2, 2> model(c);
   Stepper<2, 2> stepper(model, c, {});
   State state = initial_state(c, model);
-  stepper.integrator().initialise(state);
+  stepper.scheme().initialise(state);
   stepper.start(state);
-  const auto mass = [&] { return model.integrals(stepper.integrator().at(stepper.state())).mass; };
+  const auto mass = [&] { return model.integrals(stage_at(model.layout(), stepper.state())).mass; };
   const auto moments = [&] {
     double sum = 0;
     for (double p : to_host(stepper.state().moment)) sum += p;
@@ -103,12 +103,12 @@ TEST(Stepper, RestoredRunTakesTheSameSteps) {
   const Model<2, 2> model(c);
   Stepper<2, 2> first(model, c, {});
   State state = initial_state(c, model);
-  first.integrator().initialise(state);
+  first.scheme().initialise(state);
   first.start(state);
   for (int n = 0; n < 3; ++n) first.step();
   Stepper<2, 2> second(model, c, {});
   second.restore(first.state(), first.previous(), first.previous_dt(), first.control().proposed());
-  first.newton().forget_preconditioner();  // a restart factorises anew
+  first.scheme().refuse();  // a restart factorises anew
   for (int n = 0; n < 2; ++n) {
     first.step();
     second.step();
@@ -125,7 +125,7 @@ TEST(Stepper, GivesUpWithTheLastGoodState) {
   const Model<2, 2> model(c);
   Stepper<2, 2> stepper(model, c, {});
   State state = initial_state(c, model);
-  stepper.integrator().initialise(state);
+  stepper.scheme().initialise(state);
   stepper.start(state);
   EXPECT_THROW(stepper.step(), std::exception);
   EXPECT_EQ(to_host(stepper.state().unknown), to_host(state.unknown));
@@ -145,7 +145,7 @@ std::string step_from_undershoot(double allowed) {
   std::vector<double> x = to_host(state.unknown);
   x[model.layout().potential_offset() - 1] = -0.02;  // the corner farthest from the droplet
   state.unknown = to_device<Array>(x);
-  stepper.integrator().initialise(state);
+  stepper.scheme().initialise(state);
   stepper.start(state);
   try {
     stepper.step();

@@ -87,7 +87,7 @@ class Problem {
         stepper_(model_, data_, {s.end}) {
     model_.set_source([this](double t, const Array& out) { add_scaled(out, 0, -1, to_device<Array>(load_.at(t))); });
     State state = initial();
-    stepper_.integrator().initialise(state);
+    stepper_.scheme().initialise(state);
     stepper_.restore(state, state.unknown, s.dt, s.dt);  // all rates are known: no first step of backward Euler
   }
 

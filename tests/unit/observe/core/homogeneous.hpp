@@ -31,7 +31,7 @@ struct Homogeneous {
     state.unknown = to_device<Array>(x);
     state.displacement = to_device<Array>(u);
   }
-  Stage stage() const { return GeneralizedAlpha<2, 2>(model, 0.5).at(state); }
+  Stage stage() const { return stage_at(model.layout(), state); }
   Snapshot<2> snapshot() const { return {model.layout(), state}; }
 };
 

@@ -1,0 +1,56 @@
+// The linear operators that time schemes invert: masses of the fluid and the solid, and the viscosity beside them.
+#pragma once
+
+#include "kernels/fluid/newtonian.hpp"
+#include "kernels/point/fields.hpp"
+
+namespace softwet {
+
+/// Mass matrix of a scalar of the fluid, (q, z).
+struct ScalarMass {
+  template <class N, int D>
+  using Trial = ScalarTrial<N, D>;
+  template <class N, int D>
+  using Test = ScalarTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION ScalarTest<N, D> residual(const ScalarTrial<N, D>& t) const {
+    return {t.value};
+  }
+};
+
+/// Inertia and viscosity of the fluid acting on a velocity z: inertia (w, max(rho, floor) z) + (grad w, tau(z)). It is
+/// symmetric and positive definite. Time schemes that treat viscosity implicitly invert it.
+struct WeightedViscosity {
+  double inertia = 1;    ///< 1: a mass; 0: the viscous force alone
+  double viscosity = 0;  ///< mu_hat times the step of the scheme, or mu_hat for the viscous force
+  double floor = 0;      ///< smallest density in the inertia, as in NavierStokesKorteweg
+
+  template <class N, int D>
+  using Trial = WeightedTrial<N, D>;
+  template <class N, int D>
+  using Test = MomentumTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const WeightedTrial<N, D>& t) const {
+    const N weight = inertia * select(t.density < floor, N(floor), t.density);
+    return {weight * t.vector, newtonian_stress(viscosity, t.gradient)};
+  }
+};
+
+/// Mass matrix of the solid, (w, rho_0 z).
+struct SolidMass {
+  double density = 0;  ///< rho_0^s / b
+
+  template <class N, int D>
+  using Trial = VectorTrial<N, D>;
+  template <class N, int D>
+  using Test = VectorTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION VectorTest<N, D> residual(const VectorTrial<N, D>& t) const {
+    return {density * t.vector};
+  }
+};
+
+}  // namespace softwet

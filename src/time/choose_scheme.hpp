@@ -1,0 +1,15 @@
+// From the name in a case to a time scheme.
+#pragma once
+
+#include "time/explicit_scheme.hpp"
+#include "time/implicit_scheme.hpp"
+
+namespace softwet {
+
+template <int D, int P>
+std::unique_ptr<Scheme<D, P>> choose_scheme(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge) {
+  if (c.time.scheme == implicit_scheme) return std::make_unique<ImplicitScheme<D, P>>(model, c, judge);
+  return std::make_unique<ExplicitScheme<D, P>>(model, c, judge);
+}
+
+}  // namespace softwet

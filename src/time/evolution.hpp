@@ -1,0 +1,25 @@
+// What an explicit time scheme sees of a scene: y' = f(t, y), and a stiff linear part of it.
+#pragma once
+
+#include "field/vector.hpp"
+
+namespace softwet {
+
+/// An evolution equation in a vector y. `rates` may keep what it has computed, so results of the last call count.
+class Evolution {
+ public:
+  virtual ~Evolution() = default;
+  virtual int size() const = 0;
+
+  /// out = f(t, y). @return empty, or why f has no value there
+  virtual std::string rates(double t, const Array& y, const Array& out) = 0;
+
+  /// out = f(t, y) - g(y), g the stiff dissipative part (viscosity).
+  virtual std::string gentle_rates(double t, const Array& y, const Array& out) = 0;
+
+  /// Replaces y by the solution of y - c g(y) = y_given and returns g(y) in `out`; the parts of y that g does not change
+  /// are those that g depends on.
+  virtual std::string implicit_part(double c, const Array& y, const Array& out) = 0;
+};
+
+}  // namespace softwet

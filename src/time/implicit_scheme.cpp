@@ -1,0 +1,108 @@
+#include "time/implicit_scheme.hpp"
+
+#include "solver/choose.hpp"
+
+namespace softwet {
+namespace {
+
+NewtonControl newton_control(const Case& c) {
+  NewtonControl n;
+  n.rtol = c.solver.newton_rtol;
+  n.atol = c.solver.newton_atol;
+  n.max = c.solver.newton_max;
+  n.krylov_rtol = c.solver.krylov_rtol;
+  n.krylov_max = c.solver.krylov_max;
+  n.jacobian = c.solver.jacobian == "difference" ? JacobianKind::difference : JacobianKind::exact;
+  return n;
+}
+
+/// rho_n + f (rho_n - rho_{n-1}) in the variable ln(rho/(1-rho)): exact for the tail of a travelling interface, and it
+/// stays inside (0, 1). Linear where a control value is not inside.
+struct ExtrapolateDensity {
+  Array out;
+  ConstArray now, before;
+  int first;
+  double factor;
+  KOKKOS_FUNCTION void operator()(int k) const {
+    const int i = first + k;
+    const double a = now(i), b = before(i);
+    if (a > 0 && b > 0 && a < 1 && b < 1) {
+      const double s = (1 + factor) * Kokkos::log(a / (1 - a)) - factor * Kokkos::log(b / (1 - b));
+      out(i) = 1 / (1 + Kokkos::exp(-s));
+    } else {
+      out(i) = a + factor * (a - b);
+    }
+  }
+};
+
+}  // namespace
+
+template <int D, int P>
+ImplicitScheme<D, P>::ImplicitScheme(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge)
+    : model_(model),
+      judge_(judge),
+      integrator_(model, c.time.rho_inf),
+      newton_(model.layout().size(), c.solver.krylov_restart,
+              choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask())),
+      newton_control_(newton_control(c)),
+      x_("implicit.x", model.layout().size()) {
+  double volume = 1;
+  for (const Axis& axis : model.layout().axis) volume *= axis.spacing();
+  volume_norm_ = volume * std::sqrt(static_cast<double>(model.layout().rows) * model.layout().row_size);
+}
+
+template <int D, int P>
+std::vector<FieldRange> ImplicitScheme<D, P>::fields() const {
+  const Layout<D>& l = model_.layout();
+  const double atol = newton_control_.atol, rate = integrator_.stage().rate_scale;
+  const SaintVenantKirchhoff& solid = model_.solid().material;
+  const double stiffness = l.has_solid ? solid.lambda + 2 * solid.shear_modulus : 0;
+  std::vector<FieldRange> f{{0, l.velocity_size(), atol * volume_norm_ * std::max({rate, 1.0, stiffness})}};
+  if (l.has_fluid) {
+    f.push_back({l.density_offset(), l.potential_offset(), atol * volume_norm_ * std::max(rate, 1e-2)});
+    f.push_back({l.potential_offset(), l.size(), atol * volume_norm_});
+  }
+  return f;
+}
+
+template <int D, int P>
+void ImplicitScheme<D, P>::predict(const StepHistory& history, double dt) {
+  const Layout<D>& l = model_.layout();
+  const ConstArray now = history.state.unknown;
+  Kokkos::deep_copy(Exec(), x_, now);
+  if (history.previous_dt > 0) {  // extrapolation of the last two states
+    const double factor = dt / integrator_.stage().end_scale / history.previous_dt;
+    combine(x_, -factor, history.previous, 1 + factor);
+    Kokkos::parallel_for("softwet::extrapolate", Kokkos::RangePolicy<Exec>(0, l.scalar_size()),
+                         ExtrapolateDensity{x_, now, history.previous, l.density_offset(), factor});
+  }
+  multiply(Kokkos::subview(x_, Kokkos::make_pair(0, l.velocity_size())), part(model_.mask(), 0, l.velocity_size()));
+  if (!judge_.of_values(x_).empty()) Kokkos::deep_copy(Exec(), x_, now);
+}
+
+template <int D, int P>
+NewtonResult ImplicitScheme<D, P>::solve(const StepHistory& history, double dt) {
+  integrator_.begin(history.state, dt, history.previous_dt > 0 ? Rates::known : Rates::unknown);
+  predict(history, dt);
+  const auto product = [this](const Array& z, const Array& out) { integrator_.product(z, out, Geometry::exact); };
+  const NonlinearSystem system{[this](const Array& x, const Array& r) { integrator_.residual(x, r); }, product,
+                               [this](const StencilValues& values) { integrator_.jacobian(values); },
+                               [this](const Array& x) { return judge_.of_values(x); }};
+  NewtonResult result = newton_.solve(system, fields(), newton_control_, x_);
+  if (result.converged) result.reason = judge_.of_end(integrator_.stage());
+  return result;
+}
+
+template <int D, int P>
+StepAttempt ImplicitScheme<D, P>::attempt(const StepHistory& history, double dt) {
+  const NewtonResult result = solve(history, dt);
+  StepAttempt attempt{result.reason, 0, result.iterations, result.krylov, result.iterations + 2 > newton_control_.max};
+  if (!attempt.reason.empty()) return attempt;
+  move_ghosts(model_.layout(), x_, GhostAction::update);  // the prediction left them out
+  attempt.indicator = judge_.indicator(history, x_, dt / integrator_.stage().end_scale / history.previous_dt, dt);
+  return attempt;
+}
+
+template class ImplicitScheme<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
+
+}  // namespace softwet

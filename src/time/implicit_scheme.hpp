@@ -1,0 +1,38 @@
+// Generalized-alpha with Newton's method: a scheme without a largest step.
+#pragma once
+
+#include "time/generalized_alpha.hpp"
+#include "time/judge.hpp"
+
+namespace softwet {
+
+/// Predicts, solves the nonlinear system of the step, and judges what it found.
+template <int D, int P>
+class ImplicitScheme final : public Scheme<D, P> {
+ public:
+  ImplicitScheme(const Model<D, P>&, const Case&, const Judge<D, P>&);
+
+  void initialise(State& state) override { integrator_.initialise(state); }
+  StepAttempt attempt(const StepHistory&, double dt) override;
+  void accept(State& state) override { integrator_.finish(x_, state); }
+  void refuse() override { newton_.forget_preconditioner(); }
+  SolverCounts& counts() override { return newton_.counts(); }
+  const Preconditioner* preconditioner() const override { return &newton_.preconditioner(); }
+
+  GeneralizedAlpha<D, P>& integrator() { return integrator_; }
+
+ private:
+  void predict(const StepHistory&, double dt);
+  NewtonResult solve(const StepHistory&, double dt);
+  std::vector<FieldRange> fields() const;
+
+  const Model<D, P>& model_;
+  const Judge<D, P>& judge_;
+  GeneralizedAlpha<D, P> integrator_;
+  Newton newton_;
+  NewtonControl newton_control_;
+  double volume_norm_;  ///< the norm of a vector of residuals that are 1 per volume
+  Array x_;
+};
+
+}  // namespace softwet

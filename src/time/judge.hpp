@@ -1,0 +1,29 @@
+// Whether values are admissible, and how large the local error of a step is: the same for all schemes.
+#pragma once
+
+#include "model/model.hpp"
+#include "time/scheme.hpp"
+
+namespace softwet {
+
+template <int D, int P>
+class Judge {
+ public:
+  Judge(const Model<D, P>&, const Case&);
+
+  /// Why values of the unknowns are not admissible; empty when they are.
+  std::string of_values(const ConstArray& unknown) const;
+  /// The same for the mesh of a stage and the density at the end of the step.
+  std::string of_end(const Stage&) const;
+
+  /// Compares values with the extrapolation of the two states before, f = (time from the last state) / previous_dt:
+  ///   max( rms(rho - rho_f) / (rho_l - rho_v),  dt rms(v - v_f) / H )  ~ dt^2,   H the thinner layer
+  double indicator(const StepHistory&, const Array& values, double f, double dt) const;
+
+ private:
+  const Model<D, P>& model_;
+  double undershoot_, length_;
+  Array difference_;
+};
+
+}  // namespace softwet

@@ -1,0 +1,58 @@
+#include "time/runge_kutta.hpp"
+
+namespace softwet {
+namespace {
+
+/// y = a x + b z + c w
+void sum_of(const Array& y, double a, const ConstArray& x, double b, const ConstArray& z, double c,
+            const ConstArray& w) {
+  Kokkos::parallel_for(
+      "softwet::runge_kutta", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
+      KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + b * z(i) + c * w(i); });
+}
+
+}  // namespace
+
+std::string SspRk3::advance(Evolution& f, double t, double dt, const Array& y, const Array& k) {
+  sum_of(stage_, 1, y, dt, k, 0, k);
+  std::string problem = f.rates(t + dt, stage_, rate_);
+  if (!problem.empty()) return problem;
+  sum_of(stage_, 0.75, y, 0.25, stage_, 0.25 * dt, rate_);
+  problem = f.rates(t + 0.5 * dt, stage_, rate_);
+  sum_of(y, 1.0 / 3, y, 2.0 / 3, stage_, 2.0 / 3 * dt, rate_);
+  return problem;
+}
+
+ImexArs343::ImexArs343(int size) : stage_("imex.stage", size) {
+  for (Array& a : gentle_) a = Array("imex.gentle", size);
+  for (Array& a : stiff_) a = Array("imex.stiff", size);
+}
+
+std::string ImexArs343::advance(Evolution& f, double t, double dt, const Array& y, const Array& k) {
+  // gamma is the middle root of 6 x^3 - 18 x^2 + 9 x - 1; the free coefficients are chosen as in the source.
+  constexpr double g = 0.4358665215084590, b1 = -1.5 * g * g + 4 * g - 0.25, b2 = 1.5 * g * g - 5 * g + 1.25;
+  constexpr double a42 = 0.5529291480359398, a43 = a42;
+  constexpr double a31 =
+      (1 - 4.5 * g + 1.5 * g * g) * a42 + (2.75 - 10.5 * g + 3.75 * g * g) * a43 - 3.5 + 13 * g - 4.5 * g * g;
+  constexpr double a32 =
+      (-1 + 4.5 * g - 1.5 * g * g) * a42 + (-2.75 + 10.5 * g - 3.75 * g * g) * a43 + 4 - 12.5 * g + 4.5 * g * g;
+  constexpr double gentle[3][3] = {{g, 0, 0}, {a31, a32, 0}, {1 - a42 - a43, a42, a43}};
+  constexpr double stiff[3][3] = {{g, 0, 0}, {(1 - g) / 2, g, 0}, {b1, b2, g}};
+  constexpr double weight[3] = {b1, b2, g}, node[3] = {g, (1 + g) / 2, 1};
+  std::string problem;
+  for (int i = 0; i < 3 && problem.empty(); ++i) {
+    Kokkos::deep_copy(Exec(), stage_, y);
+    for (int j = 0; j <= i; ++j) add_scaled(stage_, 0, dt * gentle[i][j], j == 0 ? k : gentle_[j - 1]);
+    for (int j = 0; j < i; ++j) add_scaled(stage_, 0, dt * stiff[i][j], stiff_[j]);
+    problem = f.implicit_part(dt * g, stage_, stiff_[i]);
+    if (problem.empty()) problem = f.gentle_rates(t + node[i] * dt, stage_, gentle_[i]);
+  }
+  if (!problem.empty()) return problem;
+  for (int i = 0; i < 3; ++i) {
+    add_scaled(y, 0, dt * weight[i], gentle_[i]);
+    add_scaled(y, 0, dt * weight[i], stiff_[i]);
+  }
+  return "";
+}
+
+}  // namespace softwet

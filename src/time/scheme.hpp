@@ -1,0 +1,49 @@
+// A time scheme as the stepper sees it: it tries a step, and the stepper decides whether the step counts.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "field/stage.hpp"
+#include "solver/newton.hpp"
+
+namespace softwet {
+
+/// What a step is made from: the last state, and the unknowns one accepted step before it.
+struct StepHistory {
+  const State& state;
+  Array previous;
+  double previous_dt = 0;  ///< 0: there is no state before
+};
+
+/// How a step that was tried went.
+struct StepAttempt {
+  std::string reason;    ///< empty: the step is admissible
+  double indicator = 0;  ///< of the local error, see StepControl
+  int newton = 0, krylov = 0;
+  bool laborious = false;  ///< the solver was close to giving up
+};
+
+template <int D, int P>
+class Scheme {
+ public:
+  virtual ~Scheme() = default;
+
+  /// Moments and rates of a state that is given by its unknowns and displacements alone.
+  virtual void initialise(State&) = 0;
+
+  virtual StepAttempt attempt(const StepHistory&, double dt) = 0;
+  /// Writes the result of the last attempt to the state that it started from.
+  virtual void accept(State&) = 0;
+  /// The last attempt was refused; a smaller step follows.
+  virtual void refuse() {}
+
+  /// Largest step that is stable from a state.
+  virtual double largest_step(const State&) { return std::numeric_limits<double>::infinity(); }
+
+  virtual SolverCounts& counts() = 0;
+  /// Null where nothing is preconditioned.
+  virtual const Preconditioner* preconditioner() const { return nullptr; }
+};
+
+}  // namespace softwet
