@@ -1,16 +1,10 @@
 #include "time/generalized_alpha.hpp"
 
+#include "time/sum_of.hpp"
+
 namespace softwet {
 
 namespace {
-
-/// y = a x + b z + c w, element by element; x, z, w have at least the length of y.
-void sum_of(const Array& y, double a, const ConstArray& x, double b, const ConstArray& z, double c,
-            const ConstArray& w) {
-  Kokkos::parallel_for(
-      "softwet::sum_of", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
-      KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + b * z(i) + c * w(i); });
-}
 
 void add_constant(const Array& y, double a) {
   Kokkos::parallel_for(

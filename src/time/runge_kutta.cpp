@@ -1,17 +1,8 @@
 #include "time/runge_kutta.hpp"
 
+#include "time/sum_of.hpp"
+
 namespace softwet {
-namespace {
-
-/// y = a x + b z + c w
-void sum_of(const Array& y, double a, const ConstArray& x, double b, const ConstArray& z, double c,
-            const ConstArray& w) {
-  Kokkos::parallel_for(
-      "softwet::runge_kutta", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
-      KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + b * z(i) + c * w(i); });
-}
-
-}  // namespace
 
 std::string SspRk3::advance(Evolution& f, double t, double dt, const Array& y, const Array& k) {
   sum_of(stage_, 1, y, dt, k, 0, k);

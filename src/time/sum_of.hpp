@@ -1,0 +1,16 @@
+// The sum of vectors that time schemes are made of.
+#pragma once
+
+#include "field/array.hpp"
+
+namespace softwet {
+
+/// y = a x + b z + c w, element by element; x, z, w have at least the length of y.
+inline void sum_of(const Array& y, double a, const ConstArray& x, double b, const ConstArray& z, double c,
+                   const ConstArray& w) {
+  Kokkos::parallel_for(
+      "softwet::sum_of", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
+      KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + b * z(i) + c * w(i); });
+}
+
+}  // namespace softwet
