@@ -4,6 +4,7 @@ A tool begins with `need(modules)`. Where this interpreter lacks one, or where S
 starts again in SOFTWET_PYTHON, or else in python3, or else in /usr/bin/python3. `softwet verify` and its like choose in
 the same way."""
 
+import atexit
 import importlib.util
 import os
 import shutil
@@ -17,6 +18,8 @@ STARTED = "SOFTWET_PYTHON_STARTED"  # in the environment of a tool that was star
 def need(*modules):
     """Goes on in a python3 that has the modules; ends with exit code 1 or 3 and a sentence where there is none."""
     sys.dont_write_bytecode = True
+    atexit.register(flush)
+    sys.excepthook = tell
     chosen = os.environ.get("SOFTWET_PYTHON", "")
     started = os.environ.pop(STARTED, None) is not None
     missing = [module for module in modules if importlib.util.find_spec(module) is None]
@@ -51,6 +54,21 @@ def end_unread():
     """Ends a tool whose reader has read enough, as in `| head -1`, without a word."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     raise SystemExit(128 + signal.SIGPIPE)
+
+
+def flush():
+    """At the end of a tool: what is still to be written may find that its reader is gone."""
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os._exit(128 + signal.SIGPIPE)
+
+
+def tell(kind, error, trace):
+    """As an error that nothing has caught is told, unless it is that of a reader who is gone."""
+    if kind is BrokenPipeError:
+        os._exit(128 + signal.SIGPIPE)
+    sys.__excepthook__(kind, error, trace)
 
 
 def end(message, code):
