@@ -130,8 +130,9 @@ void describe_model(const Case& c, std::ostream& out) {
   print_section(out, "terms", terms(c, model, p.times));
   print_section(out, "unknowns", unknowns(model.layout(), p.times));
   print_memory<D, P>(c, model, p.times, out);
-  print_section(out, "limits of explicit steps (for ssp_rk3 with time.mass = \"lumped\"; generalized_alpha has none)",
-                step_limits(c, model));
+  print_section(
+      out, "explicit steps, estimated away from the sides (ssp_rk3 with lumped masses; a run measures its own limit)",
+      step_limits(c, model));
   print_section(out, "kernel",
                 {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", double"},
                  {"backend",

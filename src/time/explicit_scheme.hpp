@@ -1,9 +1,9 @@
 // Runge-Kutta schemes on a scene: largest stable step, states and moments.
 #pragma once
 
-#include "time/semi_discrete.hpp"
 #include "time/judge.hpp"
 #include "time/runge_kutta.hpp"
+#include "time/semi_discrete.hpp"
 
 namespace softwet {
 
@@ -20,8 +20,6 @@ class ExplicitScheme final : public Scheme<D, P> {
   void refuse() override { known_rates_ = false, age_ = most_age; }
   double largest_step(const State&) override;
   SolverCounts& counts() override { return counts_; }
-
-  const SemiDiscrete<D, P>& system() const { return system_; }
 
  private:
   static constexpr int most_age = 50;  ///< steps after which the spectral radius is measured again

@@ -225,7 +225,6 @@ std::string SemiDiscrete<D, P>::implicit_part(double c, const Array& y, const Ar
   const int iterations = solve_velocity(c, right_, solution_, velocity_tolerance);
   if (iterations < 0) return "the implicit viscosity could not be solved";
   counts_.viscous += iterations;
-  ++counts_.viscous_solves;
   Kokkos::deep_copy(Exec(), cut(out, 0, velocity_), part(solution_, 0, velocity_));
   add_scaled(cut(y, 0, velocity_), 0, c, part(solution_, 0, velocity_));
   return "";

@@ -14,7 +14,7 @@ enum class MassKind { consistent, lumped };
 
 /// Evaluations of rates, and iterations of conjugate gradients for what they need.
 struct MassCounts {
-  long rates = 0, density = 0, potential = 0, velocity = 0, viscous = 0, viscous_solves = 0;
+  long rates = 0, density = 0, potential = 0, velocity = 0, viscous = 0;
   long iterations() const { return density + potential + velocity + viscous; }
 };
 
