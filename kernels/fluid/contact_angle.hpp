@@ -27,12 +27,12 @@ struct GradientWall {
   double smoothing = 0;  ///< d, scale b/L0
 
   template <class N, int D>
-  using Trial = WallTrial<N, D>;
+  using Trial = DensityTrial<N, D>;
   template <class N, int D>
   using Test = WallTest<N, D>;
 
   template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION WallTest<N, D> residual(const WallTrial<N, D>& t) const {
+  KOKKOS_FORCEINLINE_FUNCTION WallTest<N, D> residual(const DensityTrial<N, D>& t) const {
     const N slope = square_root(dot(t.density_gradient, t.density_gradient) + smoothing * smoothing);
     return {(capillarity * capillarity * cosine) * slope};
   }
@@ -48,7 +48,7 @@ struct EnergyWall {
   Coexistence state;
 
   template <class N, int D>
-  using Trial = WallTrial<N, D>;
+  using Trial = DensityTrial<N, D>;
   template <class N, int D>
   using Test = WallTest<N, D>;
 
@@ -61,7 +61,7 @@ struct EnergyWall {
   }
 
   template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION WallTest<N, D> residual(const WallTrial<N, D>& t) const {
+  KOKKOS_FORCEINLINE_FUNCTION WallTest<N, D> residual(const DensityTrial<N, D>& t) const {
     return {force(t.density)};
   }
 };

@@ -14,6 +14,23 @@
 
 namespace softwet {
 
+/// What the density contributes to the potential equation, - (q, W'(rho)) - (grad q, g^2 grad rho). Explicit schemes
+/// find mu from it.
+struct VariationalDerivative {
+  VanDerWaals gas;
+  double capillarity = 0;  ///< g = gamma_hat, eq. (8)
+
+  template <class N, int D>
+  using Trial = DensityTrial<N, D>;
+  template <class N, int D>
+  using Test = PotentialTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION PotentialTest<N, D> residual(const DensityTrial<N, D>& t) const {
+    return {-1.0 * gas.derivative(t.density), (-capillarity * capillarity) * t.density_gradient};
+  }
+};
+
 struct NavierStokesKorteweg {
   VanDerWaals gas;
   double viscosity = 0;      ///< m = mu_hat, eq. (9)
@@ -39,8 +56,10 @@ struct NavierStokesKorteweg {
     r.momentum_flux = newtonian_stress(viscosity, t.velocity_gradient);
     r.mass = moment_rate * (t.density_end * t.volume_ratio_end);
     r.mass_flux = eps * t.chemical_potential_gradient - rho * slip;
-    r.potential = t.chemical_potential - gas.derivative(rho);
-    r.potential_flux = (-capillarity * capillarity) * t.density_gradient;
+    const PotentialTest<N, D> w =
+        VariationalDerivative{gas, capillarity}.residual(DensityTrial<N, D>{rho, t.density_gradient});
+    r.potential = t.chemical_potential + w.potential;
+    r.potential_flux = w.potential_flux;
     return r;
   }
 };

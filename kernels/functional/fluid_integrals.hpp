@@ -56,10 +56,10 @@ struct WallIntegrals {
   static constexpr int count = 3;
 
   template <class N, int D>
-  using Trial = WallTrial<N, D>;
+  using Trial = DensityTrial<N, D>;
 
   template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const WallTrial<N, D>& t) const {
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const DensityTrial<N, D>& t) const {
     Vector<N, count> r;
     r[area] = N(1.0);
     const double middle = 0.5 * (law.state.density_vapour + law.state.density_liquid);

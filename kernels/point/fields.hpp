@@ -90,9 +90,9 @@ struct FluidTest {
   }
 };
 
-/// Density at a point of the wall Gamma. Unknown: density. Test: the potential equation.
+/// Density at a point of the fluid or of the wall Gamma. Unknown: density.
 template <class N, int D>
-struct WallTrial {
+struct DensityTrial {
   N density;
   Vector<N, D> density_gradient;
 
@@ -100,7 +100,7 @@ struct WallTrial {
   static constexpr Slot slot(int) { return {true, true, 0, Scale::one}; }
 
   template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION WallTrial read(const Reader& at) {
+  static KOKKOS_FORCEINLINE_FUNCTION DensityTrial read(const Reader& at) {
     return {at.value(0), at.gradient(0)};
   }
 };
@@ -113,6 +113,19 @@ struct WallTest {
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
     to.add(0, potential);
+  }
+};
+
+/// Integrand against (q, grad q) of the potential equation alone.
+template <class N, int D>
+struct PotentialTest {
+  N potential;
+  Vector<N, D> potential_flux;
+  static constexpr int channel_count = 1;
+  static constexpr bool has_flux = true;
+  template <class Writer>
+  KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
+    to.add(0, potential, potential_flux);
   }
 };
 

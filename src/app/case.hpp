@@ -45,6 +45,8 @@ struct Substrate {
   double density = 1;    ///< rho_0^s / b
   double young = 0;      ///< E_hat, eq. (12): Young modulus / (rho_0^s a b)
   double poisson = 0;    ///< nu
+  std::string strain = "finite";  ///< finite (Green-Lagrange) | small (Hooke's law)
+  std::string inertia = "full";   ///< full | none: the solid is in equilibrium at every time
 
   double young_modulus() const { return density * young; }  ///< E, scale a b^2
 };
@@ -84,8 +86,10 @@ struct Boundary {
 inline constexpr const char* implicit_scheme = "generalized_alpha";
 
 struct TimeControl {
-  std::string scheme = implicit_scheme;  ///< generalized_alpha | ssp_rk3 | imex
+  std::string scheme = implicit_scheme;  ///< generalized_alpha | ssp_rk3 | rkl2 | imex
   std::string mass = "consistent";       ///< of explicit schemes: consistent | lumped
+  double safety = 0.9;                   ///< of explicit schemes: step over the largest stable one
+  std::string start = "initial";         ///< initial | equilibrium: brought to rest before the first step
   double rho_inf = 0.5;
   double end = 0;  ///< in t, the time of all results, which is 0 at the start of the first load
   double dt_initial = 1e-2;
@@ -103,7 +107,7 @@ struct SolverControl {
   double krylov_rtol = 1e-2;
   int krylov_restart = 30;
   int krylov_max = 200;
-  std::string jacobian = "exact";            ///< exact | difference
+  std::string jacobian = "exact";            ///< exact | frozen | difference
   std::string preconditioner = "automatic";  ///< automatic | lu | umfpack | schwarz | none
   std::string precision = "double";
 };
@@ -119,6 +123,7 @@ struct OutputControl {
 
 struct Case {
   std::string name;
+  std::string quality = "standard";  ///< draft | standard | reference (app/host/quality.hpp)
   Domain domain;
   std::optional<Fluid> fluid;
   std::optional<Substrate> substrate;
@@ -153,6 +158,8 @@ struct Case {
     for (const Load& load : loads) zero = load.start < zero ? load.start : zero;
     return zero;
   }
+  /// Run time of the first state: that of the first load where the scene starts from its equilibrium.
+  double run_start() const { return time.start == "equilibrium" ? clock_zero() : 0; }
 };
 
 }  // namespace softwet

@@ -8,8 +8,10 @@
 #include "app/host/memory.hpp"
 #include "app/machine.hpp"
 #include "app/memory_parts.hpp"
+#include "model/initial.hpp"
 #include "model/model.hpp"
 #include "solver/choose.hpp"
+#include "time/explicit_scheme.hpp"
 
 namespace softwet {
 namespace {
@@ -119,6 +121,23 @@ std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
   return lines;
 }
 
+/// Largest stable steps of the explicit schemes from the first state, measured as a run does.
+template <int D, int P>
+std::vector<Line> measured_limits(const Case& c, const Model<D, P>& model) {
+  std::vector<Line> lines;
+  for (const char* scheme : {"ssp_rk3", "rkl2", "imex"}) {
+    Case probe = c;
+    probe.time.scheme = scheme;
+    probe.time.safety = 1;
+    const Judge<D, P> judge(model, probe);
+    ExplicitScheme<D, P> explicit_scheme(model, probe, judge);
+    State state = initial_state<D, P>(probe, model);
+    explicit_scheme.initialise(state);
+    lines.push_back({scheme, "dt <= " + number(explicit_scheme.largest_step(state), "%.3g")});
+  }
+  return lines;
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -133,6 +152,9 @@ void describe_model(const Case& c, std::ostream& out) {
   print_section(
       out, "explicit steps, estimated away from the sides (ssp_rk3 with lumped masses; a run measures its own limit)",
       step_limits(c, model));
+  if (c.time.scheme != implicit_scheme && p.times == 1)
+    print_section(out, "explicit steps, measured at the first state (time.mass = \"" + c.time.mass + "\")",
+                  measured_limits(c, model));
   print_section(out, "kernel",
                 {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", double"},
                  {"backend",

@@ -51,7 +51,7 @@ Line event(const Case& c, const std::string& name, double run_time) {
 
 std::vector<Line> clock(const Case& c) {
   const double zero = c.clock_zero();
-  std::vector<Line> lines{{"", "run time        t"}, event(c, "beginning", 0)};
+  std::vector<Line> lines{{"", "run time        t"}, event(c, "beginning", c.run_start())};
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     const std::string name = "load[" + std::to_string(i) + "]";
     lines.push_back(event(c, name + " starts", c.loads[i].start));

@@ -43,6 +43,9 @@ std::string for_the_density(const Case& c) {
 }  // namespace
 
 std::string remedy(const Case& c, const std::string& reason) {
+  if (c.time.scheme != implicit_scheme && c.time.safety > 1)
+    return "with time.safety = " + number(c.time.safety) +
+           " the steps may be longer than the largest stable one: write time.safety = 0.9";
   if (has(reason, "inside out") || has(reason, "folds")) return softer_than_its_loads(c);
   if (c.fluid && has(reason, "density")) return for_the_density(c);
   if (too_soft(c)) return softer_than_its_loads(c);

@@ -62,11 +62,20 @@ bool Simulation<D, P>::at_end() const {
 template <int D, int P>
 void Simulation<D, P>::begin() {
   State state = initial_state<D, P>(case_, model_);
+  state.time = case_.run_start();
+  if (case_.time.start == "equilibrium") come_to_rest(state);
   stepper_.scheme().initialise(state);
   stepper_.start(state);
   if (options_.begin) options_.begin();
   history_.emplace(TableFile::create(path("history.csv"), scalars_.columns()));
   interface_.emplace(TableFile::create(path("interface.csv"), interface_columns<D>()));
+}
+
+template <int D, int P>
+void Simulation<D, P>::come_to_rest(State& state) {
+  relaxation_ = relax<D, P>(model_, case_, state, state.time);
+  progress_->tell("at rest after " + std::to_string(relaxation_->steps) + " steps: the fields change by less than " +
+                  short_text(std::max(1e-15, relaxation_->rate)) + " of their range in a unit of time");
 }
 
 template <int D, int P>
@@ -97,8 +106,8 @@ void Simulation<D, P>::run() {
   const InterruptGuard interrupts;
   // The factors of a preconditioner may be most of the memory; they are not there yet.
   require_bytes(case_, total_bytes(case_, model_.layout(), stepper_.scheme().preconditioner()));
+  progress_.emplace(Progress::voice(options_.quiet), case_.run_start() - case_.clock_zero(), case_.time.end);
   options_.resume ? restore() : begin();
-  progress_.emplace(Progress::voice(options_.quiet), -case_.clock_zero(), case_.time.end);
   if (options_.resume) {
     const std::string place = stop_reason() + " at t = " + short_text(output_time());
     if (!stop_reason().empty())
@@ -231,6 +240,15 @@ void Simulation<D, P>::record(const std::string& reason) {
   const std::vector<std::string> names = scalars_.columns();
   for (std::size_t i = 0; i < last_row_.size(); ++i)
     if (last_row_[i]) run["last_row"][names[i]] = *last_row_[i];
+  if (relaxation_) {
+    RecordValue& start = run["start"];
+    start["steps"] = relaxation_->steps;
+    start["rejected"] = relaxation_->rejected;
+    start["newton"] = relaxation_->newton;
+    start["krylov"] = relaxation_->krylov;
+    start["time"] = relaxation_->time;
+    start["rate_of_change"] = relaxation_->rate;
+  }
   run.write(path("run.json"));
 }
 

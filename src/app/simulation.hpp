@@ -13,6 +13,7 @@
 #include "app/restart.hpp"
 #include "observe/host/table_file.hpp"
 #include "observe/scalars.hpp"
+#include "time/relaxation.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
@@ -28,6 +29,7 @@ class Simulation {
 
  private:
   void begin();
+  void come_to_rest(State&);
   void restore();
   void resume();
   void advance();
@@ -58,6 +60,7 @@ class Simulation {
   Scalars<D, P> scalars_;
   std::optional<TableFile> history_, interface_;
   std::optional<Progress> progress_;
+  std::optional<Relaxation> relaxation_;
   TimeLeft time_left_;
   std::size_t told_ = 0;  ///< events the user has heard of
   typename Scalars<D, P>::Row last_row_;

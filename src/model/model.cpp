@@ -61,6 +61,9 @@ template <class Motion>
 void Model<D, P>::add_fluid_pieces(const Case& c) {
   pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, NavierStokesKorteweg, Motion>>(
       "navier_stokes_korteweg", fluid_region_, fluid_, Components{0, 0}, blend_));
+  variational_derivative_ = std::make_unique<PieceOf<D, P, P + 1, VariationalDerivative, Motion>>(
+      "variational_derivative", fluid_region_, VariationalDerivative{fluid_.gas, fluid_.capillarity},
+      Components{D, D + 1}, blend_);
   if (c.fluid->form == CapillaryForm::divergence)
     pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, CapillaryTraction, Motion>>(
         "capillary stress (divergence form)", fluid_region_, CapillaryTraction{fluid_.gas, fluid_.capillarity},
@@ -76,6 +79,7 @@ void Model<D, P>::add_fluid_pieces(const Case& c) {
       pieces_.push_back(std::make_unique<PieceOf<D, P, 1, EnergyWall, Motion>>(
           "contact_angle (wall energy)", wall_region_, wall_, Components{D, D + 1}, blend_));
     }
+    wall_law_ = pieces_.back().get();
   }
   if (c.fluid->form == CapillaryForm::potential) add_traction<Motion>(c);  // else it is in the stress already
 }
@@ -122,7 +126,8 @@ void Model<D, P>::build_fluid(const Case& c) {
 template <int D, int P>
 void Model<D, P>::build_solid(const Case& c) {
   const Substrate& s = *c.substrate;
-  solid_ = {SaintVenantKirchhoff::from(s.young_modulus(), s.poisson), s.density};
+  solid_ = {SaintVenantKirchhoff::from(s.young_modulus(), s.poisson, s.strain == "small"),
+            s.inertia == "none" ? 0.0 : s.density};
   pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, Elastodynamics, NoMotion>>(
       "saint_venant_kirchhoff", solid_region_, solid_, Components{0, 0}));
   for (const Load& load : c.loads) {
@@ -197,6 +202,18 @@ void Model<D, P>::residual(const Stage& stage, const Array& out) const {
   add_loads(stage.time, out);
   if (source_) source_(stage.time, out);
   move_ghosts(layout_, out, GhostAction::add);
+  multiply(out, mask_);
+}
+
+template <int D, int P>
+void Model<D, P>::potential_moments(const Stage& stage, const Array& out) const {
+  Kokkos::deep_copy(Exec(), out, 0.0);
+  const Binding<D> binding{layout_, stage, {}, out};
+  variational_derivative_->residual(binding);
+  if (wall_law_) wall_law_->residual(binding);
+  if (source_) source_(stage.time, out);
+  move_ghosts(layout_, out, GhostAction::add);
+  combine(out, -1, out, 0);
   multiply(out, mask_);
 }
 

@@ -56,6 +56,8 @@ class Model {
   /// The terms of the fluid alone, before prescribed values are dropped, with the wall traction also on a rigid wall.
   /// The rows of the wall hold minus the force of the fluid on the wall.
   void fluid_residual(const Stage&, const Array& out) const;
+  /// The rows of the potential equation without (q, mu), with the other sign, so that M mu = out. Other rows mean nothing.
+  void potential_moments(const Stage&, const Array& out) const;
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen.
   void product(const Stage&, const Array& direction, const Array& out, Geometry) const;
   /// values = dR/d(unknown) with the geometry frozen, and always with the traction of one layer. Prescribed values count
@@ -92,6 +94,8 @@ class Model {
   bool has_wall_ = false;
   std::vector<std::unique_ptr<Piece<D>>> pieces_;  ///< those of the solid, then those of the fluid
   std::size_t first_of_fluid_ = 0;
+  std::unique_ptr<Piece<D>> variational_derivative_;
+  const Piece<D>* wall_law_ = nullptr;  ///< one of the pieces, or none at 90 degrees
   std::unique_ptr<Piece<D>> rigid_traction_;
   std::unique_ptr<Piece<D>> blended_traction_;  ///< takes the place of the last piece, except in frozen products
   std::vector<LoadVector> loads_;

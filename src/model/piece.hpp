@@ -69,6 +69,10 @@ void bind_slots(const CapillaryTraction&, const Binding<D>& b, const double** sl
   slot[1] = b.potential();
 }
 template <int D>
+void bind_slots(const VariationalDerivative&, const Binding<D>& b, const double** slot) {
+  slot[0] = b.density();
+}
+template <int D>
 void bind_slots(const GradientWall&, const Binding<D>& b, const double** slot) {
   slot[0] = b.density();
 }

@@ -128,7 +128,7 @@ void add_solid_fields(Selection& selection, const Model<D, P>& model, const Snap
                 [&] { return vector_field<D>(grid, [&](const auto& at, int d) { return s.velocity(at, d, false); }); });
   selection.add("displacement", [&] { return displacement; });
   selection.add("green_lagrange_strain",
-                [&] { return tensors(gradients, [](const Gradient& g) { return SaintVenantKirchhoff::strain(g); }); });
+                [&] { return tensors(gradients, [&](const Gradient& g) { return material.strain(g); }); });
   selection.add("first_piola_stress",
                 [&] { return tensors(gradients, [&](const Gradient& g) { return material.first_piola(g); }); });
   selection.add("cauchy_stress",

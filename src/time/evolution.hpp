@@ -17,6 +17,10 @@ class Evolution {
   /// out = f(t, y) - g(y), g the stiff dissipative part (viscosity).
   virtual std::string gentle_rates(double t, const Array& y, const Array& out) = 0;
 
+  /// out = g(y), where g takes what it depends on beside its own part of y from the last `hold`.
+  virtual void stiff_rates(const Array& y, const Array& out) = 0;
+  virtual std::string hold(const Array& y) = 0;
+
   /// Replaces y by the solution of y - c g(y) = y_given and returns g(y) in `out`; the parts of y that g does not change
   /// are those that g depends on.
   virtual std::string implicit_part(double c, const Array& y, const Array& out) = 0;

@@ -3,21 +3,10 @@
 namespace softwet {
 namespace {
 
-/// Fraction of the largest stable step that is taken.
-constexpr double safety = 0.9;
-
 std::unique_ptr<RungeKutta> runge_kutta(const std::string& name, int size) {
+  if (name == "rkl2") return std::make_unique<StrangRkl2>(size);
   if (name == "imex") return std::make_unique<ImexArs343>(size);
   return std::make_unique<SspRk3>(size);
-}
-
-/// Numbers between -1 and 1 that look random and are the same in every run.
-void fill_noise(const Array& a) {
-  Kokkos::parallel_for(
-      "softwet::noise", Kokkos::RangePolicy<Exec>(0, a.extent(0)), KOKKOS_LAMBDA(int i) {
-        const unsigned mixed = (static_cast<unsigned>(i) * 2654435761u) ^ (static_cast<unsigned>(i) >> 7);
-        a(i) = (mixed % 20011u) / 10005.0 - 1.0;
-      });
 }
 
 }  // namespace
@@ -26,10 +15,11 @@ template <int D, int P>
 ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge)
     : judge_(judge),
       system_(model, c.time.mass == "lumped" ? MassKind::lumped : MassKind::consistent),
-      scheme_(runge_kutta(c.time.scheme, system_.size())) {
-  for (Array* a : {&y_, &rates_, &next_, &next_rates_, &probe_, &direction_})
-    *a = Array("explicit.vector", system_.size());
-  fill_noise(direction_);
+      scheme_(runge_kutta(c.time.scheme, system_.size())),
+      spectrum_(system_.size()),
+      stiff_spectrum_(scheme_->needs_stiff_radius() ? system_.size() : 0),
+      safety_(c.time.safety) {
+  for (Array* a : {&y_, &rates_, &next_, &next_rates_, &probe_}) *a = Array("explicit.vector", system_.size());
 }
 
 template <int D, int P>
@@ -48,29 +38,19 @@ std::string ExplicitScheme<D, P>::begin(const State& state) {
 
 template <int D, int P>
 void ExplicitScheme<D, P>::measure_radius(double t) {
-  constexpr int most = 80, least = 12;
-  constexpr double settled = 0.01;
-  double before = 0, cosine = 0;
-  radius_ = 0;
-  for (int k = 0; k < most; ++k) {
-    const double length = norm(direction_), step = 1e-7 * (1 + norm(y_)) / length;
+  spectrum_.measure([&](const Array& z, const Array& out) {
+    const double step = 1e-7 * (1 + norm(y_)) / norm(z);
     Kokkos::deep_copy(Exec(), probe_, y_);
-    add_scaled(probe_, 0, step, direction_);
-    if (!rates(t, probe_, next_rates_).empty()) break;
-    add_scaled(next_rates_, 0, -1, rates_);
-    combine(next_rates_, 1 / step, next_rates_, 0);
-    const double size = norm(next_rates_);
-    if (!(size > 0) || !std::isfinite(size)) break;
-    cosine = dot(next_rates_, direction_) / (size * length);
-    combine(direction_, 1 / size, next_rates_, 0);
-    // The mean growth over two iterations does not swing where two eigenvalues are conjugate.
-    const double now = std::sqrt(size / length * (before > 0 ? before : size / length));
-    before = size / length;
-    const bool still = k >= least && std::abs(now - radius_) < settled * now;
-    radius_ = now;
-    if (still) break;
+    add_scaled(probe_, 0, step, z);
+    if (!rates(t, probe_, out).empty()) return false;
+    add_scaled(out, 0, -1, rates_);
+    combine(out, 1 / step, out, 0);
+    return true;
+  });
+  if (scheme_->needs_stiff_radius() && system_.hold(y_).empty()) {
+    stiff_spectrum_.measure([&](const Array& z, const Array& out) { return system_.stiff_rates(z, out), true; });
+    scheme_->set_stiff_radius(stiff_spectrum_.radius());
   }
-  imaginary_ = cosine > -0.9;
   age_ = 0;
 }
 
@@ -78,7 +58,7 @@ template <int D, int P>
 double ExplicitScheme<D, P>::largest_step(const State& state) {
   if (!begin(state).empty()) return std::numeric_limits<double>::infinity();  // the attempt tells
   if (age_ >= most_age) measure_radius(state.time);
-  return safety * scheme_->limit(radius_, imaginary_);
+  return safety_ * scheme_->limit(spectrum_.radius(), spectrum_.imaginary());
 }
 
 template <int D, int P>

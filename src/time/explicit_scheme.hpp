@@ -2,6 +2,7 @@
 #pragma once
 
 #include "time/judge.hpp"
+#include "time/power_iteration.hpp"
 #include "time/runge_kutta.hpp"
 #include "time/semi_discrete.hpp"
 
@@ -32,9 +33,12 @@ class ExplicitScheme final : public Scheme<D, P> {
   const Judge<D, P>& judge_;
   SemiDiscrete<D, P> system_;
   std::unique_ptr<RungeKutta> scheme_;
-  Array y_, rates_, next_, next_rates_, probe_, direction_;
-  double end_ = 0, radius_ = 0;
-  bool imaginary_ = false, known_rates_ = false;
+  PowerIteration spectrum_;        ///< of the rates that limit the step
+  PowerIteration stiff_spectrum_;  ///< of the stiff part, where the scheme needs it
+  double safety_;
+  Array y_, rates_, next_, next_rates_, probe_;
+  double end_ = 0;
+  bool known_rates_ = false;
   int age_ = most_age;
   SolverCounts counts_;
 };

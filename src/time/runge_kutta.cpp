@@ -1,5 +1,8 @@
 #include "time/runge_kutta.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "time/sum_of.hpp"
 
 namespace softwet {
@@ -12,6 +15,68 @@ std::string SspRk3::advance(Evolution& f, double t, double dt, const Array& y, c
   problem = f.rates(t + 0.5 * dt, stage_, rate_);
   sum_of(y, 1.0 / 3, y, 2.0 / 3, stage_, 2.0 / 3 * dt, rate_);
   return problem;
+}
+
+namespace {
+
+/// An evolution without its stiff part.
+class Gentle final : public Evolution {
+ public:
+  explicit Gentle(Evolution& whole) : whole_(whole) {}
+  int size() const override { return whole_.size(); }
+  std::string rates(double t, const Array& y, const Array& out) override { return whole_.gentle_rates(t, y, out); }
+  std::string gentle_rates(double t, const Array& y, const Array& out) override { return rates(t, y, out); }
+  void stiff_rates(const Array&, const Array& out) override { Kokkos::deep_copy(Exec(), out, 0.0); }
+  std::string hold(const Array&) override { return ""; }
+  std::string implicit_part(double, const Array&, const Array& out) override {
+    Kokkos::deep_copy(Exec(), out, 0.0);
+    return "";
+  }
+
+ private:
+  Evolution& whole_;
+};
+
+}  // namespace
+
+StrangRkl2::StrangRkl2(int size) : gentle_(size) {
+  for (Array* a : {&gentle_rate_, &first_rate_, &rate_, &before_, &now_, &next_}) *a = Array("rkl2.vector", size);
+}
+
+int StrangRkl2::stages(double step, double radius) {
+  constexpr double margin = 1.05;  // the radius is measured
+  const int s = static_cast<int>(std::ceil(0.5 * (std::sqrt(9 + 8 * margin * step * radius) - 1)));
+  return std::max(3, s % 2 == 1 ? s : s + 1);  // odd numbers damp the stiffest part more
+}
+
+std::string StrangRkl2::stiff_step(Evolution& f, double dt, const Array& y) {
+  const std::string problem = f.hold(y);
+  if (!problem.empty()) return problem;
+  const auto b = [](int j) { return j < 2 ? 1.0 / 3 : (j * j + j - 2.0) / (2.0 * j * (j + 1)); };
+  const int s = stages(dt, stiff_radius_);
+  const double w = 4.0 / (s * s + s - 2);
+  f.stiff_rates(y, first_rate_);
+  Kokkos::deep_copy(Exec(), before_, y);
+  sum_of(now_, 1, y, b(1) * w * dt, first_rate_, 0, y);
+  for (int j = 2; j <= s; ++j) {
+    const double mu = (2.0 * j - 1) / j * b(j) / b(j - 1), nu = -(j - 1.0) / j * b(j) / b(j - 2);
+    f.stiff_rates(now_, rate_);
+    sum_of(next_, mu, now_, nu, before_, 1 - mu - nu, y);
+    add_scaled(next_, 0, mu * w * dt, rate_);
+    add_scaled(next_, 0, -(1 - b(j - 1)) * mu * w * dt, first_rate_);
+    std::swap(before_, now_);
+    std::swap(now_, next_);
+  }
+  Kokkos::deep_copy(Exec(), y, now_);
+  return "";
+}
+
+std::string StrangRkl2::advance(Evolution& f, double t, double dt, const Array& y, const Array&) {
+  Gentle gentle(f);
+  std::string problem = stiff_step(f, 0.5 * dt, y);
+  if (problem.empty()) problem = gentle.rates(t, y, gentle_rate_);
+  if (problem.empty()) problem = gentle_.advance(gentle, t, dt, y, gentle_rate_);
+  return problem.empty() ? stiff_step(f, 0.5 * dt, y) : problem;
 }
 
 ImexArs343::ImexArs343(int size) : stage_("imex.stage", size) {

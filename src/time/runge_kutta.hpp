@@ -15,8 +15,11 @@ class RungeKutta {
   virtual double limit(double radius, bool imaginary) const = 0;
   virtual const char* name() const = 0;
 
-  /// True where the stiff part is implicit: `k` and the limit are then those of the gentle rates.
+  /// True where the stiff part is treated apart: `k` and the limit are then those of the gentle rates.
   virtual bool treats_stiff_part() const { return false; }
+  /// True where the scheme has to know the spectral radius of the stiff part before it advances.
+  virtual bool needs_stiff_radius() const { return false; }
+  virtual void set_stiff_radius(double) {}
 };
 
 /// Strong-stability-preserving scheme of third order with three stages.
@@ -30,6 +33,32 @@ class SspRk3 final : public RungeKutta {
 
  private:
   Array stage_, rate_;
+};
+
+/// Strang splitting of second order: half a step of the stiff part by the Runge-Kutta-Legendre scheme with s stages, a step
+/// of the gentle part by SspRk3, half a step of the stiff part. s follows from the spectral radius r of the stiff part,
+/// dt/2 r <= (s^2 + s - 2) / 2. Nothing is solved for, and waves without damping stay bounded, which stabilised schemes of
+/// second order for the whole equation do not achieve: |P(i w dt)| > 1 there.
+/// Source: Meyer, Balsara and Aslam 2014 (RKL2).   Tested: tests/unit/time/test_runge_kutta.cpp
+class StrangRkl2 final : public RungeKutta {
+ public:
+  explicit StrangRkl2(int size);
+  std::string advance(Evolution&, double t, double dt, const Array& y, const Array& k) override;
+  double limit(double radius, bool imaginary) const override { return gentle_.limit(radius, imaginary); }
+  const char* name() const override { return "rkl2"; }
+  bool treats_stiff_part() const override { return true; }
+  bool needs_stiff_radius() const override { return true; }
+  void set_stiff_radius(double radius) override { stiff_radius_ = radius; }
+
+  /// Stages of the stiff part for a step of its own.
+  static int stages(double step, double radius);
+
+ private:
+  std::string stiff_step(Evolution&, double dt, const Array& y);
+
+  SspRk3 gentle_;
+  Array gentle_rate_, first_rate_, rate_, before_, now_, next_;
+  double stiff_radius_ = 0;
 };
 
 /// Implicit-explicit scheme of third order: four explicit evaluations whose stability polynomial is that of the classical

@@ -34,6 +34,7 @@ SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
       velocity_(model.layout().velocity_size()),
       solid_(model.layout().solid_size()),
       scalar_(model.layout().scalar_size()),
+      stiff_("explicit.stiff", velocity_),
       zero_("explicit.zero", velocity_),
       force_("explicit.force", model.layout().size()),
       right_("explicit.right", model.layout().size()),
@@ -128,10 +129,9 @@ std::string SemiDiscrete<D, P>::find_potential() {
   const Array potential = cut(stage_.unknown, last, l.size());
   Kokkos::deep_copy(Exec(), solution_, 0.0);  // from the last one
   Kokkos::deep_copy(Exec(), cut(solution_, first, last), potential);
-  Kokkos::deep_copy(Exec(), potential, 0.0);
-  model_.residual(stage_, force_);
+  model_.potential_moments(stage_, force_);
   Kokkos::deep_copy(Exec(), right_, 0.0);
-  combine(cut(right_, first, last), -1, part(force_, last, last + count), 0);
+  Kokkos::deep_copy(Exec(), cut(right_, first, last), part(force_, last, last + count));
   multiply(solution_, model_.mask());
   const int iterations = solve_scalar(right_, solution_, tight);
   if (iterations < 0) return "the chemical potential could not be found";
@@ -209,6 +209,28 @@ std::string SemiDiscrete<D, P>::all_rates(double t, const Array& y, const Array&
 }
 
 template <int D, int P>
+std::string SemiDiscrete<D, P>::hold(const Array& y) {
+  place_motion(y);
+  if (!model_.layout().has_fluid) return "";
+  const std::string problem = find_density(part(y, velocity_ + solid_, size()));
+  move_ghosts(model_.layout(), stage_.unknown, GhostAction::update);
+  weigh_velocities();
+  return problem;
+}
+
+template <int D, int P>
+void SemiDiscrete<D, P>::stiff_rates(const Array& y, const Array& out) {
+  Kokkos::deep_copy(Exec(), out, 0.0);
+  if (!model_.layout().has_fluid) return;
+  Kokkos::deep_copy(Exec(), solution_, 0.0);
+  Kokkos::deep_copy(Exec(), cut(solution_, 0, velocity_), part(y, 0, velocity_));
+  masses_.velocity(stage_, 0, -model_.fluid().viscosity, solution_, right_);
+  Kokkos::deep_copy(Exec(), solution_, 0.0);
+  counts_.viscous += std::max(1, solve_velocity(0, right_, solution_, velocity_tolerance));
+  Kokkos::deep_copy(Exec(), cut(out, 0, velocity_), part(solution_, 0, velocity_));
+}
+
+template <int D, int P>
 std::string SemiDiscrete<D, P>::implicit_part(double c, const Array& y, const Array& out) {
   Kokkos::deep_copy(Exec(), out, 0.0);
   if (!model_.layout().has_fluid || c == 0) return "";
@@ -221,10 +243,12 @@ std::string SemiDiscrete<D, P>::implicit_part(double c, const Array& y, const Ar
   Kokkos::deep_copy(Exec(), cut(solution_, 0, velocity_), part(stage_.unknown, 0, velocity_));
   masses_.velocity(stage_, 0, -model_.fluid().viscosity, solution_, right_);
   weigh_velocities();
-  Kokkos::deep_copy(Exec(), solution_, 0.0);
+  Kokkos::deep_copy(Exec(), solution_, 0.0);  // the search begins at what was found last
+  Kokkos::deep_copy(Exec(), cut(solution_, 0, velocity_), stiff_);
   const int iterations = solve_velocity(c, right_, solution_, velocity_tolerance);
   if (iterations < 0) return "the implicit viscosity could not be solved";
   counts_.viscous += iterations;
+  Kokkos::deep_copy(Exec(), stiff_, part(solution_, 0, velocity_));
   Kokkos::deep_copy(Exec(), cut(out, 0, velocity_), part(solution_, 0, velocity_));
   add_scaled(cut(y, 0, velocity_), 0, c, part(solution_, 0, velocity_));
   return "";

@@ -29,6 +29,8 @@ class SemiDiscrete final : public Evolution {
   int size() const override { return velocity_ + solid_ + scalar_; }
   std::string rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, true); }
   std::string gentle_rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, false); }
+  void stiff_rates(const Array& y, const Array& out) override;
+  std::string hold(const Array& y) override;
   std::string implicit_part(double c, const Array& y, const Array& out) override;
 
   /// Moments of a state that is given by its unknowns and displacements.
@@ -61,6 +63,7 @@ class SemiDiscrete final : public Evolution {
   ConjugateGradient solver_;
   int velocity_, solid_, scalar_;  ///< parts of y
   Stage stage_;
+  Array stiff_;  ///< the last result of implicit_part, velocities
   Array zero_, force_, right_, solution_, ones_, scalar_weight_, velocity_weight_;
   MassCounts counts_;
 };

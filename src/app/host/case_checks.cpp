@@ -149,6 +149,13 @@ void check_steps(const Checker& check) {
   });
 }
 
+/// Explicit schemes divide by the inertia of the solid.
+void check_inertia(const Checker& check) {
+  if (!check.c.substrate || check.c.substrate->inertia == "full" || check.c.time.scheme == implicit_scheme) return;
+  check.refuse("substrate.inertia", fmt::format("cannot be \"none\" with time.scheme = \"{}\"", check.c.time.scheme),
+               fmt::format("write inertia = \"full\", or time.scheme = \"{}\"", implicit_scheme));
+}
+
 /// A field of a material that the case does not have cannot be written.
 void check_field_names(const Checker& check) {
   for (const std::string& name : check.c.output.field_select) {
@@ -180,10 +187,11 @@ void check_field_times(const Checker& check) {
   }
   for (std::size_t i = 0; i < check.c.loads.size(); ++i)
     if (check.problems.about(fmt::format("load[{}].start", i))) return;
-  const double beginning = 0 - check.c.clock_zero();  // not -0
+  const double beginning = check.c.run_start() - check.c.clock_zero();
   if (!times.empty() && times.front() < beginning) {
     check.refuse("output.fields.times", fmt::format("must be at least {}, the start of the computation", beginning),
-                 "zero is the start of the first load");
+                 check.c.time.start == "equilibrium" ? "with time.start = \"equilibrium\" it begins at zero"
+                                                     : "zero is the start of the first load");
   }
 }
 
@@ -208,6 +216,7 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   });
   check.with({"name"}, [&] { check_name(check); });
   check_steps(check);
+  check.with({"substrate.inertia", "time.scheme"}, [&] { check_inertia(check); });
   check.with({"output.fields.times", "output.fields.every", "time.end"}, [&] { check_field_times(check); });
   check.with({"domain.size"}, [&] { check_size(check); });
   if (problems.about("domain.size")) return;  // what follows needs the axes

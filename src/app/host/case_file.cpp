@@ -14,6 +14,7 @@
 #include "app/error.hpp"
 #include "app/host/case_checks.hpp"
 #include "app/host/document.hpp"
+#include "app/host/quality.hpp"
 
 namespace softwet {
 namespace {
@@ -44,12 +45,25 @@ Numbers line_of_loads(const Case& c) {
   return sum[0] == 0 && sum[1] == 0 ? Numbers{1, 0} : sum;
 }
 
+/// The values that the case's quality sets; those of the file come after them.
+void apply_quality(const Document& document, Case& c) {
+  const auto chosen = document.entries.find("quality");
+  const std::string name = chosen == document.entries.end() ? c.quality : std::get<std::string>(chosen->second.value);
+  for (const Quality& quality : qualities())
+    if (quality.name == name)
+      for (const QualityValue& value : quality.values) {
+        const Key& key = *find_key(value.key);
+        key.bind.set(c, 0, value_from_text(key, value.text));
+      }
+}
+
 /// Keys that are missing go to the problems, unless it is known already that they are wrong.
 Case resolve(const Document& document, Problems& problems) {
   Case c;
   for (const Table& table : tables()) {
     for (std::size_t i = 0; i < entries_of(document, table.name); ++i) table.open(c, i);
   }
+  apply_quality(document, c);
   for (const Key& key : schema()) {  // in schema order: the domain decides the dimension before the sides need it
     for (std::size_t i = 0; i < entries_of(document, key.table()); ++i) {
       const std::string name = indexed_name(key.name, i);

@@ -8,6 +8,7 @@
 #include "app/host/case_file.hpp"
 #include "app/host/column_text.hpp"
 #include "app/host/document.hpp"
+#include "app/host/quality.hpp"
 #include "app/host/suggestion.hpp"
 
 namespace softwet {
@@ -83,6 +84,7 @@ std::string write_case(const Case& c) {
 std::string initial_case(const std::string& name) {
   const auto line = [&name](const Key& key, std::size_t) {
     const std::string value = key.leaf() + " = " + (key.name == "name" ? text_of_value(name) : example_text(key));
+    if (set_by_quality(key.name)) return fmt::format("# {:<40} # set by quality. {}", value, key.help);
     std::string comment = key.source.empty() ? key.help : key.source;
     return fmt::format("{:<42} # {}", value, comment);
   };

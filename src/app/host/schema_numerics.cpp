@@ -53,12 +53,13 @@ std::vector<Key> time_keys() {
   return {
       {.name = "time.scheme",
        .kind = Kind::choice,
-       .choices = {"generalized_alpha", "ssp_rk3", "imex"},
+       .choices = {"generalized_alpha", "ssp_rk3", "rkl2", "imex"},
        .help =
            "Time scheme. generalized_alpha is implicit and takes steps of any size; it is the one for slow motion. The "
-           "others are explicit: their steps are limited by sound, capillarity, elasticity and, but for imex, by the "
+           "others are explicit: their steps are limited by sound, capillarity, elasticity and, for ssp_rk3, by the "
            "viscosity of the vapour. ssp_rk3 is of third order with three stages. imex is of third order with four, and "
-           "treats viscosity implicitly.",
+           "treats viscosity implicitly. rkl2 is of second order; it treats viscosity explicitly in half steps of their "
+           "own, with as many stages as these need to be stable.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.scheme; })},
       {.name = "time.mass",
        .kind = Kind::choice,
@@ -67,6 +68,21 @@ std::vector<Key> time_keys() {
            "Mass matrices of the explicit schemes. consistent solves with them by conjugate gradients. lumped takes their "
            "row sums: steps are cheaper and may be longer, and the error in space is of second order.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.mass; })},
+      {.name = "time.safety",
+       .range = {0, 10, true, false},
+       .help =
+           "Largest step of the explicit schemes, as a part of the largest stable step that is measured during the run. "
+           "Above 1 the computation becomes unstable; such values are for experiments.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.safety; })},
+      {.name = "time.start",
+       .kind = Kind::choice,
+       .choices = {"initial", "equilibrium"},
+       .help =
+           "State that the computation begins with. initial is the state of the case file, which moves until it is at "
+           "rest. equilibrium brings it to rest first, without loads, by implicit steps that grow quickly and are not "
+           "accurate in time; the computation then begins when the first load does. Not for scenes that are to move "
+           "from the beginning.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.time.start; })},
       {.name = "time.rho_inf",
        .range = {0, 1, false, false},
        .example = "0.5",
@@ -149,8 +165,9 @@ std::vector<Key> solver_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.krylov_max; })},
       {.name = "solver.krylov.jacobian",
        .kind = Kind::choice,
-       .choices = {"exact", "difference"},
-       .help = "Jacobian-vector product: exact (dual numbers) or a finite difference of residuals.",
+       .choices = {"exact", "frozen", "difference"},
+       .help = "Jacobian-vector product: exact (dual numbers), frozen (without the motion of the fluid's mesh, cheaper, "
+               "with more Newton iterations), or a finite difference of residuals.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.jacobian; })},
       {.name = "solver.krylov.preconditioner",
        .kind = Kind::choice,

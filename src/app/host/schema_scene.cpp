@@ -1,5 +1,6 @@
 // Schema, first part: what is simulated. Equation numbers are those of Bueno et al. 2017.
 #include "app/host/binding.hpp"
+#include "app/host/quality.hpp"
 #include "app/host/schema.hpp"
 
 namespace softwet {
@@ -17,6 +18,13 @@ std::vector<Key> domain_keys() {
        .source = "Bueno et al. 2017, Fig. 2, left column; [?] = not stated in the paper",
        .help = "Name of the case, and of its output folder: letters, digits, '_', '-' and '.'.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.name; })},
+      {.name = "quality",
+       .kind = Kind::choice,
+       .choices = {"draft", "standard", "reference"},
+       .help = "Accuracy for speed, measured in docs/tradeoff.md: the values of some keys where the case does not give "
+               "them. " +
+               describe_qualities(),
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.quality; })},
       {.name = "domain.size",
        .kind = Kind::numbers,
        .unit = "L0",
@@ -162,6 +170,20 @@ std::vector<Key> substrate_keys() {
        .help = "Poisson ratio nu, eq. (11).",
        .reason = "0.5 would be incompressible, choose 0.49 at most for a nearly incompressible solid",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->poisson; })},
+      {.name = "substrate.strain",
+       .kind = Kind::choice,
+       .choices = {"finite", "small"},
+       .help =
+           "Strain of the solid. finite is the Green-Lagrange strain of the Saint Venant-Kirchhoff law. small is its "
+           "linear part, which makes the law that of Hooke: for deformations of a few per cent.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->strain; })},
+      {.name = "substrate.inertia",
+       .kind = Kind::choice,
+       .choices = {"full", "none"},
+       .help =
+           "Inertia of the solid. none leaves the solid in equilibrium with the fluid and the loads at every time: for "
+           "motion that is slow against elastic waves. Explicit schemes need full.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->inertia; })},
   };
 }
 

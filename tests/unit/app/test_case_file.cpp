@@ -9,6 +9,7 @@
 #include "app/host/document.hpp"
 #include "app/host/field_times.hpp"
 #include "app/host/nearest.hpp"
+#include "app/host/quality.hpp"
 #include "app/host/schema.hpp"
 
 namespace softwet {
@@ -80,6 +81,28 @@ TEST(CaseFile, InitialCaseIsThePullOfTheCasesFolder) {
   EXPECT_EQ(c.fluid->viscosity, 1.0 / 256);
   EXPECT_EQ(c.loads.at(0).upper, (Numbers{0.8, 0.125}));
   EXPECT_EQ(c.clock_zero(), 30.0);
+}
+
+TEST(CaseFile, QualitySetsWhatTheFileLeavesOut) {
+  const Case standard = parse_case(pull, "init"), draft = parse_case(pull, "init", {"quality=\"draft\""});
+  EXPECT_GT(draft.time.tolerance, standard.time.tolerance);
+  EXPECT_GT(draft.solver.newton_rtol, standard.solver.newton_rtol);
+  EXPECT_EQ(parse_case(pull, "init", {"quality=\"draft\"", "time.tolerance=0.5"}).time.tolerance, 0.5);
+  EXPECT_LT(parse_case(pull, "init", {"quality=\"reference\""}).time.tolerance, standard.time.tolerance);
+}
+
+TEST(CaseFile, QualitiesNameKeysAndValuesThatExist) {
+  for (const Quality& quality : qualities())
+    for (const QualityValue& value : quality.values) {
+      ASSERT_NE(find_key(value.key), nullptr) << value.key;
+      EXPECT_NO_THROW(value_from_text(*find_key(value.key), value.text)) << value.key;
+    }
+}
+
+TEST(CaseFile, AStartFromEquilibriumBeginsWithTheFirstLoad) {
+  const Case c = parse_case(pull, "init", {"time.start=\"equilibrium\""});
+  EXPECT_EQ(c.run_start(), c.clock_zero());
+  EXPECT_EQ(parse_case(pull, "init").run_start(), 0);
 }
 
 TEST(CaseFile, InitialCaseHasTheNameAskedFor) {

@@ -16,9 +16,9 @@ EnergyWall energy_wall(double smoothing) { return {0.1, 0.5, smoothing, {0.39, 0
 
 TEST(ContactAngle, GradientLawByHand) {
   const GradientWall law{0.2, 0.5, 0.0};
-  const auto r = law.residual(WallTrial<double, 3>{0.3, {{2, -6, 9}}});  // |grad rho| = 11
+  const auto r = law.residual(DensityTrial<double, 3>{0.3, {{2, -6, 9}}});  // |grad rho| = 11
   EXPECT_NEAR(r.potential, 0.04 * 0.5 * 11, 1e-15);
-  const auto s = GradientWall{0.2, -0.5, 0.0}.residual(WallTrial<double, 3>{0.3, {{2, -6, 9}}});
+  const auto s = GradientWall{0.2, -0.5, 0.0}.residual(DensityTrial<double, 3>{0.3, {{2, -6, 9}}});
   EXPECT_EQ(s.potential, -r.potential);
 }
 
@@ -26,12 +26,12 @@ TEST(ContactAngle, GradientLawByHand) {
 TEST(ContactAngle, GradientLawLimits) {
   const double d = 1e-4;
   const GradientWall law{1.0, 1.0, d};
-  const auto at = [&](double slope) { return law.residual(WallTrial<double, 2>{0.3, {{slope, 0}}}).potential; };
+  const auto at = [&](double slope) { return law.residual(DensityTrial<double, 2>{0.3, {{slope, 0}}}).potential; };
   EXPECT_NEAR(at(0), d, 1e-19);
   EXPECT_NEAR(at(1e-8), d, 1e-12);
   EXPECT_NEAR(at(3), 3 + d * d / 6, 1e-15);
   const Dual<double> slope =
-      law.residual(WallTrial<Dual<double>, 2>{{0.3}, {{Dual<double>(0.0, 1.0), {0.0}}}}).potential;
+      law.residual(DensityTrial<Dual<double>, 2>{{0.3}, {{Dual<double>(0.0, 1.0), {0.0}}}}).potential;
   EXPECT_EQ(slope.tangent, 0) << "differentiable where the density is uniform";
 }
 

@@ -26,6 +26,31 @@ TEST(SaintVenantKirchhoff, UniaxialStretch) {
   EXPECT_NEAR(m.energy(Matrix<double, 2>{{{s - 1, 0}, {0, 0}}}), (0.75 + 0.7) * e * e, 1e-15);
 }
 
+// Hooke's law: P = lambda tr(e) I + 2 G e with e = (Grad u + Grad u^T)/2, energy P:e/2; P is the Cauchy stress.
+TEST(SaintVenantKirchhoff, SmallStrainIsHookesLaw) {
+  const SaintVenantKirchhoff m = SaintVenantKirchhoff::from(2.6, 0.3, true);  // lambda = 1.5, G = 1
+  const Matrix<double, 2> g{{{0.3, 0.4}, {-0.2, 0.1}}};
+  const auto p = m.first_piola(g);
+  EXPECT_NEAR(p(0, 0), 1.5 * 0.4 + 2 * 0.3, 1e-15);
+  EXPECT_NEAR(p(0, 1), 0.2, 1e-15);
+  EXPECT_NEAR(p(1, 0), 0.2, 1e-15);
+  EXPECT_NEAR(p(1, 1), 1.5 * 0.4 + 2 * 0.1, 1e-15);
+  EXPECT_NEAR(m.energy(g), 0.5 * (p(0, 0) * 0.3 + 0.2 * 0.2 + p(1, 1) * 0.1), 1e-15);
+  const Matrix<double, 3> g3{{{0.3, 0.4, 0}, {-0.2, 0.1, 0}, {0, 0, 0}}};
+  EXPECT_EQ(m.cauchy(g3)(0, 1), m.first_piola(g3)(0, 1));
+}
+
+// Both laws agree to first order in the strain.
+TEST(SaintVenantKirchhoff, SmallStrainIsTheLimitOfFiniteStrain) {
+  const SaintVenantKirchhoff small{1.5, 0.7, true}, finite{1.5, 0.7};
+  for (const double size : {1e-3, 1e-4}) {
+    const Matrix<double, 2> g{{{0.3 * size, 0.4 * size}, {-0.2 * size, 0.1 * size}}};
+    const auto a = small.first_piola(g), b = finite.first_piola(g);
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) EXPECT_NEAR(a(i, j), b(i, j), 2 * size * size);
+  }
+}
+
 // x = X + k Y: E_xy = k/2, E_yy = k^2/2; S_xx = lambda k^2/2, S_xy = G k, S_yy = (lambda/2 + G) k^2; P = F S.
 TEST(SaintVenantKirchhoff, SimpleShear) {
   const SaintVenantKirchhoff m{1.5, 0.7};

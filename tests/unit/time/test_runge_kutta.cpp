@@ -29,6 +29,10 @@ struct Toy final : Evolution {
     Kokkos::deep_copy(out, to_device<Array>(gentle(t, to_host(y))));
     return "";
   }
+  void stiff_rates(const Array& y, const Array& out) override {
+    Kokkos::deep_copy(out, to_device<Array>(std::vector<double>{0, -stiffness * to_host(y)[1]}));
+  }
+  std::string hold(const Array&) override { return ""; }
   std::string implicit_part(double c, const Array& y, const Array& out) override {
     std::vector<double> v = to_host(y);
     v[1] /= 1 + c * stiffness;
@@ -66,6 +70,27 @@ TEST(RungeKutta, OrdersOfAccuracy) {
   expect_order(rk3, 0.5, 20, 3);
   ImexArs343 imex(2);
   expect_order(imex, 0.5, 20, 3);
+  StrangRkl2 rkl2(2);
+  rkl2.set_stiff_radius(0.5);
+  expect_order(rkl2, 0.5, 40, 2);
+}
+
+// s stages bear dt r up to (s^2 + s - 2) / 2; the number of stages is the least odd one that does, with 5 % to spare.
+TEST(RungeKutta, StagesOfRkl2) {
+  EXPECT_EQ(StrangRkl2::stages(1, 0), 3);
+  EXPECT_EQ(StrangRkl2::stages(1, 5 / 1.051), 3);
+  EXPECT_EQ(StrangRkl2::stages(1, 5 / 1.049), 5);
+  EXPECT_EQ(StrangRkl2::stages(0.5, 2 * 494 / 1.051), 31);
+}
+
+// The stiff part alone has a bound of dt; stages remove it, down to stages that are too few.
+TEST(RungeKutta, StagesOfRkl2BearTheStiffPart) {
+  StrangRkl2 rkl2(2);
+  Toy toy(4000);
+  rkl2.set_stiff_radius(4000);
+  EXPECT_LT(std::abs(integrate(rkl2, toy, 20)[1]), 0.01);
+  rkl2.set_stiff_radius(1000);
+  EXPECT_GT(std::abs(integrate(rkl2, toy, 20)[1]), 1e3);
 }
 
 TEST(RungeKutta, ImplicitPartDampsAnyStiffness) {
@@ -83,6 +108,8 @@ struct Oscillator final : Evolution {
     return "";
   }
   std::string gentle_rates(double t, const Array& y, const Array& out) override { return rates(t, y, out); }
+  void stiff_rates(const Array&, const Array& out) override { Kokkos::deep_copy(out, 0.0); }
+  std::string hold(const Array&) override { return ""; }
   std::string implicit_part(double, const Array&, const Array& out) override {
     Kokkos::deep_copy(out, 0.0);
     return "";
@@ -103,7 +130,8 @@ double growth(RungeKutta& scheme, double dt) {
 TEST(RungeKutta, LimitsForOscillationsAreThoseStated) {
   SspRk3 rk3(2);
   ImexArs343 imex(2);
-  for (RungeKutta* scheme : {static_cast<RungeKutta*>(&rk3), static_cast<RungeKutta*>(&imex)}) {
+  StrangRkl2 rkl2(2);
+  for (RungeKutta* scheme : std::initializer_list<RungeKutta*>{&rk3, &imex, &rkl2}) {
     const double limit = scheme->limit(1, true);
     EXPECT_LE(growth(*scheme, limit), 1.0) << scheme->name();
     EXPECT_GT(growth(*scheme, 1.01 * limit), 10.0) << scheme->name();

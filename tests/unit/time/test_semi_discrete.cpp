@@ -64,6 +64,17 @@ TEST(SemiDiscrete, RatesSolveTheEquationsOfAPeriodicScene) {
 }
 TEST(SemiDiscrete, RatesSolveTheEquationsOfASolid) { expect_solved(scene(Scene::solid)); }
 
+TEST(SemiDiscrete, StiffRatesAreThoseOfTheImplicitPartForNoStep) {
+  RandomRates s(scene(Scene::coupled), MassKind::consistent);
+  const Array out("out", s.system.size()), stiff("stiff", s.system.size()), y = to_device<Array>(to_host(s.y));
+  ASSERT_EQ(s.system.hold(s.y), "");
+  s.system.stiff_rates(s.y, out);
+  ASSERT_EQ(s.system.implicit_part(1e-9, y, stiff), "");
+  const std::vector<double> a = to_host(out), b = to_host(stiff);
+  const double size = largest(b, 0, s.scene.layout().velocity_size());
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-5 * size);
+}
+
 TEST(SemiDiscrete, GentleAndStiffPartAddUp) {
   RandomRates s(scene(Scene::coupled), MassKind::consistent);
   const Array gentle("gentle", s.system.size()), stiff("stiff", s.system.size()), y = to_device<Array>(to_host(s.y));

@@ -24,6 +24,9 @@ const char* const usage =
     "  rho_inf=0.5            of generalized-alpha, 0 .. 1\n"
     "  stabilisation=0.002    C of eps = C h^2 rho^2 / m\n"
     "  preconditioner=automatic   none, lu, umfpack or schwarz\n"
+    "  scheme=generalized_alpha   or ssp_rk3, rkl2, imex\n"
+    "  mass=consistent        or lumped, of the explicit schemes\n"
+    "  against=0              a step: errors are differences from a computation with it, else from the exact fields\n"
     "  header=0               1: with the line of column names\n";
 
 /// name=value arguments; a name or value that is not expected throws Error.
@@ -78,6 +81,10 @@ Settings read(Arguments& a) {
   std::vector<std::string> preconditioners = preconditioner_names();
   preconditioners.insert(preconditioners.begin(), {"automatic", "none"});
   s.preconditioner = preconditioners[a.choice("preconditioner", preconditioners)];
+  const std::vector<std::string> schemes{implicit_scheme, "ssp_rk3", "rkl2", "imex"}, masses{"consistent", "lumped"};
+  s.scheme = schemes[a.choice("scheme", schemes)];
+  s.mass = masses[a.choice("mass", masses)];
+  s.against = a.number("against", 0, 0, 1e3);
   if (s.scene == Scene::coupled && s.elements % 2)
     throw Error(Exit::invalid_input, "elements = " + std::to_string(s.elements) + ": expected an even number");
   return s;
@@ -86,7 +93,14 @@ Settings read(Arguments& a) {
 template <int D, int P>
 void measure(const Settings& s) {
   Problem<D, P> problem(s);
-  const Errors e = problem.run(s.end);
+  Errors e = problem.run(s.end);
+  if (s.against > 0) {
+    Settings fine = s;
+    fine.dt = s.against;
+    Problem<D, P> other(fine);
+    other.run(s.end);
+    e = problem.difference(other);
+  }
   const char* const scenes[] = {"fluid", "solid", "coupled"};
   const std::pair<const char*, double> fields[] = {
       {"velocity", e.velocity}, {"density", e.density}, {"potential", e.potential}, {"displacement", e.displacement}};

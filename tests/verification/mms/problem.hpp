@@ -13,7 +13,8 @@ struct Settings {
   Course course = Course::linear;
   int dimension = 2, degree = 2, elements = 8;
   double dt = 0.1, end = 0.2, rho_inf = 0.5, stabilisation = 0.002;
-  std::string preconditioner = "automatic";
+  std::string preconditioner = "automatic", scheme = implicit_scheme, mass = "consistent";
+  double against = 0;  ///< above 0: step of a second computation that takes the place of the exact solution
 };
 
 /// @param elements  per axis; the coupled scene needs an even number
@@ -40,6 +41,8 @@ inline Case make_case(const Settings& s) {
   }
   if (s.scene == Scene::coupled) c.boundary.side[s.dimension - 1][1] = Side::no_slip;
   c.time.rho_inf = s.rho_inf;
+  c.time.scheme = s.scheme;
+  c.time.mass = s.mass;
   c.time.dt_initial = c.time.dt_min = c.time.dt_max = s.dt;
   c.time.tolerance = 1e30;  // steps of one size
   c.solver.newton_rtol = 1e-8;
@@ -94,6 +97,23 @@ class Problem {
   Errors run(double end) {
     while (stepper_.state().time < end * (1 - 1e-12)) stepper_.step();
     return errors();
+  }
+
+  /// Root mean squares of the differences of the control values: the error of the steps, where the other's are finer.
+  Errors difference(const Problem& other) const {
+    const Layout<D>& l = model_.layout();
+    const State &a = stepper_.state(), &b = other.stepper_.state();
+    const auto rms = [](const ConstArray& x, const ConstArray& y, int first, int last) {
+      const Array d = to_device<Array>(to_host(part(x, first, last)));
+      combine(d, -1, part(y, first, last), 1);
+      return norm(d) / std::sqrt(static_cast<double>(last - first));
+    };
+    Errors e;
+    e.velocity = rms(a.unknown, b.unknown, 0, l.velocity_size());
+    if (l.has_fluid) e.density = rms(a.unknown, b.unknown, l.density_offset(), l.potential_offset());
+    if (l.has_fluid) e.potential = rms(a.unknown, b.unknown, l.potential_offset(), l.size());
+    if (l.has_solid) e.displacement = rms(a.displacement, b.displacement, 0, l.solid_size());
+    return e;
   }
 
  private:

@@ -166,6 +166,29 @@ def course(lab, measurement):
                        within(observed, 2))
 
 
+# scheme, mass, order, elements per axis, steps, step of the computation that takes the place of the exact solution
+EXPLICIT = [
+    ("ssp_rk3", "lumped", 3, 8, (0.002, 0.001, 0.0005), 0.000125),
+    ("ssp_rk3", "consistent", 3, 8, (0.001, 0.0005, 0.00025), 0.0000625),
+    ("rkl2", "lumped", 2, 8, (0.004, 0.002, 0.001), 0.000125),
+    ("imex", "lumped", 3, 8, (0.004, 0.002, 0.001), 0.000125),
+    ("imex", "consistent", 3, 8, (0.002, 0.001, 0.0005), 0.000125),
+]
+
+
+def explicit_course(lab, measurement):
+    """Orders in time of the explicit schemes; their error in space would hide that of their small steps."""
+    for scheme, mass, order, elements, steps, fine in EXPLICIT[:3:2] if lab.quick else EXPLICIT:
+        found = measurement.series("dt", steps, scene="coupled", course="harmonic", dimension=2, degree=2,
+                                   elements=elements, end=0.1, scheme=scheme, mass=mass, against=fine)
+        title = f"{scheme}, {mass} masses, coupled, {elements} x {elements} elements of degree 2"
+        show(lab, f"time_{scheme}_{mass}", title, [f"dt = {dt:g}" for dt in steps], steps, found)
+        for field, errors in found.items():
+            observed = orders(steps, errors)
+            lab.expect(f"{scheme}, {mass}: order of {NAMES[field]} over dt", f"{order - TOLERANCE:g} or more",
+                       text_of(observed), min(observed) >= order - TOLERANCE)
+
+
 def study(lab):
     measurement = Measurement(lab)
     lab.text("Theory, splines of degree p: order p + 1 of velocity and displacement, and at least that of density (its error "
@@ -186,4 +209,5 @@ def study(lab):
     if not lab.quick:
         control(lab, measurement)
     course(lab, measurement)
+    explicit_course(lab, measurement)
     lab.table(list(measurement.rows[0]), [list(row.values()) for row in measurement.rows], "errors")

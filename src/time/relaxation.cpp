@@ -1,0 +1,125 @@
+#include "time/relaxation.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "app/error.hpp"
+#include "app/interrupt.hpp"
+#include "field/vector.hpp"
+#include "time/implicit_scheme.hpp"
+
+namespace softwet {
+namespace {
+
+constexpr double rest = 1e-6;           ///< rate of change of a state at rest
+constexpr double remaining = 1e-4;      ///< change that may still be to come
+constexpr double change_of_step = 0.02; ///< of the fields, that a step aims at
+constexpr double longest = 200;         ///< step
+constexpr int most_steps = 300;
+
+/// Newton's method need not be accurate on the way, but its products must be: the steps are long.
+Case loose(const Case& c) {
+  Case loose = c;
+  loose.time.scheme = implicit_scheme;
+  loose.solver.jacobian = "exact";
+  loose.solver.newton_rtol = std::max(c.solver.newton_rtol, 1e-4);
+  return loose;
+}
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", x);
+  return text;
+}
+
+/// Changes of the fields from one state to the next, relative: of the density and of the displacement.
+template <int D, int P>
+class Change {
+ public:
+  Change(const Model<D, P>& model, const State& start)
+      : model_(model), density_("relaxation.density", model.layout().scalar_size()),
+        displacement_("relaxation.displacement", model.layout().solid_size()) {
+    keep(start);
+  }
+
+  double from_last(const State& now) {
+    const Layout<D>& l = model_.layout();
+    double change = 0;
+    if (l.has_fluid) {
+      combine(density_, 1, part(now.unknown, l.density_offset(), l.potential_offset()), -1);
+      const double jump = model_.state().density_liquid - model_.state().density_vapour;
+      change = norm(density_) / std::sqrt(static_cast<double>(l.scalar_size())) / jump;
+    }
+    if (l.has_solid) {
+      combine(displacement_, 1, now.displacement, -1);
+      const double height = l.has_fluid ? model_.wall_height() : l.axis[D - 1].length();
+      change = std::max(change, norm(displacement_) / std::sqrt(static_cast<double>(l.solid_size()) / D) / height);
+    }
+    keep(now);
+    return change;
+  }
+
+ private:
+  void keep(const State& now) {
+    const Layout<D>& l = model_.layout();
+    if (l.has_fluid) Kokkos::deep_copy(density_, part(now.unknown, l.density_offset(), l.potential_offset()));
+    if (l.has_solid) Kokkos::deep_copy(displacement_, now.displacement);
+  }
+
+  const Model<D, P>& model_;
+  Array density_, displacement_;
+};
+
+[[noreturn]] void give_up(const std::string& why) {
+  throw Error(Exit::computation_failed,
+              "the scene does not come to rest (time.start = \"equilibrium\"): " + why +
+                  "; write time.start = \"initial\" to compute its motion from the state of the case file");
+}
+
+}  // namespace
+
+template <int D, int P>
+Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double time) {
+  const Case control = loose(c);
+  const Judge<D, P> judge(model, control);
+  ImplicitScheme<D, P> scheme(model, control, judge);
+  Change<D, P> change(model, state);
+  Relaxation done;
+  const Array unused;
+  for (double dt = c.time.dt_initial, before = 0;;) {
+    if (InterruptGuard::requested())
+      throw Error(Exit::computation_failed,
+                  "interrupted before the scene was at rest; nothing was written, give the same command again");
+    if (done.steps == most_steps)
+      give_up("after " + std::to_string(most_steps) + " steps its fields still change by " + number(done.rate) +
+              " of their range in a unit of time, where " + number(rest) + " counts as rest");
+    state.time = time - dt;  // a step ends no later than the first load begins
+    scheme.initialise(state);
+    const StepAttempt tried = scheme.attempt({state, unused, 0}, dt);
+    if (!tried.reason.empty()) {
+      ++done.rejected;
+      scheme.refuse();
+      dt *= 0.25;
+      if (dt < c.time.dt_min) give_up(tried.reason + ", even with the smallest step (time.dt_min)");
+      continue;
+    }
+    scheme.accept(state);
+    const double size = change.from_last(state);
+    ++done.steps;
+    done.newton += tried.newton;
+    done.krylov += tried.krylov;
+    done.time += dt;
+    done.rate = size / dt;
+    // An exponential that falls from `before` to `rate` over dt still changes the state by rate dt / log(before / rate).
+    const double to_come = before > done.rate ? done.rate * dt / std::log(before / done.rate) : remaining;
+    if (done.rate < rest && to_come < remaining) break;
+    before = done.rate;
+    dt = std::min(longest, dt * std::clamp(change_of_step / size, 0.5, tried.laborious ? 1.0 : 2.0));
+  }
+  state.time = time;
+  return done;
+}
+
+template Relaxation relax(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, State&, double);
+
+}  // namespace softwet

@@ -1,0 +1,26 @@
+// Brings a scene to rest before a computation: pseudo-transient continuation.
+#pragma once
+
+#include "time/judge.hpp"
+
+namespace softwet {
+
+/// How a scene came to rest.
+struct Relaxation {
+  long steps = 0, rejected = 0, newton = 0, krylov = 0;
+  double rate = 0;  ///< of change at the end, see `relax`; scale sqrt(ab)/L0
+  double time = 0;  ///< sum of the steps
+};
+
+/// Advances a state by steps of backward Euler without loads until it is at rest. A step doubles where the one before
+/// has changed the state little, so that the way there is not accurate, but the end is: mass is conserved and the
+/// equations of the state at rest are those of the scene. At rest means that the rate of change
+///   r = max( rms(rho' ) / (rho_l - rho_v),  rms(u') / Hs )
+/// is below `rest` and that the change that is still to come, estimated from the last two rates as if they were of one
+/// exponential, is small too. The state gets the time `time` and is as one that `Scheme::initialise` has not seen.
+/// Throws Error (computation_failed) where this does not happen, with the reason.
+/// Source: Kelley and Keyes 1998.   Tested: tests/unit/time/test_relaxation.cpp
+template <int D, int P>
+Relaxation relax(const Model<D, P>&, const Case&, State&, double time);
+
+}  // namespace softwet

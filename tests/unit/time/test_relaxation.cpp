@@ -1,0 +1,44 @@
+// Scenes that are brought to rest: what is kept, what the end is, and what is refused.
+#include "time/relaxation.hpp"
+
+#include "app/error.hpp"
+#include "model/initial.hpp"
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+double mass_of(const Model<2, 2>& model, const State& s) { return model.integrals(stage_at(model.layout(), s)).mass; }
+
+TEST(Relaxation, ASolidLayerUnderNoLoadReturnsToItsReference) {
+  Case c = scene(Scene::solid);
+  c.loads.clear();
+  c.waves = {{"displacement_x", 1e-3, {1, 1}}};
+  const Model<2, 2> model(c);
+  State s = initial_state<2, 2>(c, model);
+  const double before = norm(s.displacement);
+  ASSERT_GT(before, 1e-3);
+  const Relaxation done = relax<2, 2>(model, c, s, 7.0);
+  EXPECT_LT(norm(s.displacement), 0.05 * before);
+  EXPECT_LT(done.rate, 1e-6);
+  EXPECT_EQ(s.time, 7.0);
+}
+
+// Twice at rest is once at rest: the second time finds nothing to do, and the mass is what it was in the beginning.
+TEST(Relaxation, KeepsTheMassAndFindsItsOwnEndAtRest) {
+  const Case c = scene(Scene::coupled);
+  const Model<2, 2> model(c);
+  State s = initial_state<2, 2>(c, model);
+  const double mass = mass_of(model, s);
+  const Relaxation first = relax<2, 2>(model, c, s, 0);
+  EXPECT_NEAR(mass_of(model, s), mass, 1e-11 * mass);
+  const std::vector<double> at_rest = to_host(s.unknown);
+  const Relaxation second = relax<2, 2>(model, c, s, 0);
+  EXPECT_LT(second.time, first.time);
+  const Layout<2>& l = model.layout();
+  const std::vector<double> again = to_host(s.unknown);
+  for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(again[i], at_rest[i], 1e-3);
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools
