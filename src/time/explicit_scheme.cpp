@@ -11,12 +11,12 @@ std::unique_ptr<RungeKutta> runge_kutta(const std::string& name, int size) {
   return std::make_unique<SspRk3>(size);
 }
 
-/// Numbers between -1 and 1 that look random and are the same in every run.
-void fill_noise(const Array& a) {
+/// Adds numbers between -size and size that look random and are the same in every run.
+void add_noise(const Array& a, double size) {
   Kokkos::parallel_for(
       "softwet::noise", Kokkos::RangePolicy<Exec>(0, a.extent(0)), KOKKOS_LAMBDA(int i) {
         const unsigned mixed = (static_cast<unsigned>(i) * 2654435761u) ^ (static_cast<unsigned>(i) >> 7);
-        a(i) = (mixed % 20011u) / 10005.0 - 1.0;
+        a(i) += size * ((mixed % 20011u) / 10005.0 - 1.0);
       });
 }
 
@@ -29,7 +29,6 @@ ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, co
       scheme_(runge_kutta(c.time.scheme, system_.size())) {
   for (Array* a : {&y_, &rates_, &next_, &next_rates_, &probe_, &direction_})
     *a = Array("explicit.vector", system_.size());
-  fill_noise(direction_);
 }
 
 template <int D, int P>
@@ -47,30 +46,38 @@ std::string ExplicitScheme<D, P>::begin(const State& state) {
 }
 
 template <int D, int P>
+double ExplicitScheme<D, P>::grow_direction(double t) {
+  const double length = norm(direction_), step = 1e-7 * (1 + norm(y_)) / length;
+  Kokkos::deep_copy(Exec(), probe_, y_);
+  add_scaled(probe_, 0, step, direction_);
+  if (!rates(t, probe_, next_rates_).empty()) return 0;
+  add_scaled(next_rates_, 0, -1, rates_);
+  const double size = norm(next_rates_) / (step * length);
+  if (!(size > 0) || !std::isfinite(size)) return 0;
+  combine(direction_, 1 / (size * step * length), next_rates_, 0);
+  return size;
+}
+
+template <int D, int P>
 void ExplicitScheme<D, P>::measure_radius(double t) {
-  constexpr int most = 80, least = 12;
-  constexpr double settled = 0.01;
-  double before = 0, cosine = 0;
+  // The length of one product swings, for the velocities and moments in the direction trade places. The mean growth over
+  // a window does not.
+  constexpr int window = 8, most = 80;
+  constexpr double settled = 0.02;
+  double growth[most + 1] = {};  // logarithm of that since the first iteration
+  // The noise lets modes grow that have become the largest since the last time.
+  add_noise(direction_, 0.1 / std::sqrt(static_cast<double>(direction_.extent(0))));
   radius_ = 0;
-  for (int k = 0; k < most; ++k) {
-    const double length = norm(direction_), step = 1e-7 * (1 + norm(y_)) / length;
-    Kokkos::deep_copy(Exec(), probe_, y_);
-    add_scaled(probe_, 0, step, direction_);
-    if (!rates(t, probe_, next_rates_).empty()) break;
-    add_scaled(next_rates_, 0, -1, rates_);
-    combine(next_rates_, 1 / step, next_rates_, 0);
-    const double size = norm(next_rates_);
-    if (!(size > 0) || !std::isfinite(size)) break;
-    cosine = dot(next_rates_, direction_) / (size * length);
-    combine(direction_, 1 / size, next_rates_, 0);
-    // The mean growth over two iterations does not swing where two eigenvalues are conjugate.
-    const double now = std::sqrt(size / length * (before > 0 ? before : size / length));
-    before = size / length;
-    const bool still = k >= least && std::abs(now - radius_) < settled * now;
+  for (int k = 1; k <= most; ++k) {
+    const double size = grow_direction(t);
+    if (size == 0) break;
+    growth[k] = growth[k - 1] + std::log(size);
+    const int first = std::max(0, k - window);
+    const double now = std::exp((growth[k] - growth[first]) / (k - first));
+    const bool still = k > 2 * window && std::abs(now - radius_) < settled * now;
     radius_ = now;
     if (still) break;
   }
-  imaginary_ = cosine > -0.9;
   age_ = 0;
 }
 
@@ -78,7 +85,7 @@ template <int D, int P>
 double ExplicitScheme<D, P>::largest_step(const State& state) {
   if (!begin(state).empty()) return std::numeric_limits<double>::infinity();  // the attempt tells
   if (age_ >= most_age) measure_radius(state.time);
-  return safety * scheme_->limit(radius_, imaginary_);
+  return safety * scheme_->limit(radius_);
 }
 
 template <int D, int P>

@@ -28,13 +28,16 @@ class ExplicitScheme final : public Scheme<D, P> {
   /// Fills y and its rates from a state, unless they are those of the last accepted step.
   std::string begin(const State&);
   void measure_radius(double t);
+  /// One power iteration: the direction becomes its product with the Jacobian of the rates, over its length.
+  /// @return that length; 0 where there is none
+  double grow_direction(double t);
 
   const Judge<D, P>& judge_;
   SemiDiscrete<D, P> system_;
   std::unique_ptr<RungeKutta> scheme_;
   Array y_, rates_, next_, next_rates_, probe_, direction_;
   double end_ = 0, radius_ = 0;
-  bool imaginary_ = false, known_rates_ = false;
+  bool known_rates_ = false;
   int age_ = most_age;
   SolverCounts counts_;
 };

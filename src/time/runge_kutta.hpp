@@ -11,8 +11,8 @@ class RungeKutta {
   virtual ~RungeKutta() = default;
   virtual std::string advance(Evolution&, double t, double dt, const Array& y, const Array& k) = 0;
 
-  /// Largest dt for eigenvalues of f up to `radius` in size that are real and negative, or imaginary.
-  virtual double limit(double radius, bool imaginary) const = 0;
+  /// Largest dt for eigenvalues of f up to `radius` in size, anywhere in the left half of the complex plane.
+  virtual double limit(double radius) const = 0;
   virtual const char* name() const = 0;
 
   /// True where the stiff part is implicit: `k` and the limit are then those of the gentle rates.
@@ -25,7 +25,7 @@ class SspRk3 final : public RungeKutta {
  public:
   explicit SspRk3(int size) : stage_("ssp_rk3.stage", size), rate_("ssp_rk3.rate", size) {}
   std::string advance(Evolution&, double t, double dt, const Array& y, const Array& k) override;
-  double limit(double radius, bool imaginary) const override { return (imaginary ? 1.73 : 2.51) / radius; }
+  double limit(double radius) const override { return 1.73 / radius; }
   const char* name() const override { return "ssp_rk3"; }
 
  private:
@@ -39,7 +39,7 @@ class ImexArs343 final : public RungeKutta {
  public:
   explicit ImexArs343(int size);
   std::string advance(Evolution&, double t, double dt, const Array& y, const Array& k) override;
-  double limit(double radius, bool imaginary) const override { return (imaginary ? 2.82 : 2.78) / radius; }
+  double limit(double radius) const override { return 2.61 / radius; }
   const char* name() const override { return "imex"; }
   bool treats_stiff_part() const override { return true; }
 
