@@ -22,7 +22,7 @@ class ExplicitScheme final : public Scheme<D, P> {
   SolverCounts& counts() override { return counts_; }
 
  private:
-  static constexpr int most_age = 50;  ///< steps after which the spectral radius is measured again
+  static constexpr int most_age = 10;  ///< steps after which the spectral radius is measured again
 
   std::string rates(double t, const Array& y, const Array& out);
   /// Fills y and its rates from a state, unless they are those of the last accepted step.
