@@ -54,7 +54,8 @@ struct Substrate {
 struct Droplet {
   std::vector<double> centre;  ///< of the circle or sphere; on the interface it becomes a cap cut at the contact angle
   double radius = 0;
-  std::vector<double> stretch = {};  ///< semi-axes over the radius; empty: 1 along each axis
+  std::vector<double> stretch = {};   ///< semi-axes over the radius; empty: 1 along each axis
+  std::vector<double> velocity = {};  ///< of its liquid at the start; empty: at rest
 };
 
 /// A box of liquid at the start.

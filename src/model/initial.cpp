@@ -19,6 +19,7 @@ struct Shape {
   std::vector<double> lower, upper;       ///< of a box
   double density, potential;              ///< inside, and of both phases in equilibrium with it
   double density_around;
+  std::vector<double> velocity;  ///< inside; empty: at rest
 
   double indicator(const Case& c, const double* x, double half_width) const {
     return centre.empty() ? in_box(c, x, half_width) : in_ellipse(c, x, half_width);
@@ -76,14 +77,15 @@ std::vector<Shape> shapes(const Case& c, const Model<D, P>& model) {
   for (const Droplet& droplet : c.droplets) {
     const double potential = curved.potential(droplet.radius, bubbles ? -1 : 1);
     const PhaseDensities rho = densities_at(c.fluid->temperature, potential);
-    Shape s{droplet.centre, std::vector<double>(D, droplet.radius), {}, {}, rho.liquid, potential, rho.vapour};
+    Shape s{droplet.centre,  std::vector<double>(D, droplet.radius), {}, {}, rho.liquid, potential, rho.vapour,
+            droplet.velocity};
     if (bubbles) std::swap(s.density, s.density_around);
     for (std::size_t d = 0; d < droplet.stretch.size(); ++d) s.semi_axis[d] *= droplet.stretch[d];
     if (sits_on_wall(c, droplet)) s.centre[D - 1] -= s.semi_axis[D - 1] * cap_cosine(*c.fluid);
     result.push_back(s);
   }
   for (const Film& film : c.films)
-    result.push_back({{}, {}, film.lower, film.upper, flat.density_liquid, flat.potential, flat.density_vapour});
+    result.push_back({{}, {}, film.lower, film.upper, flat.density_liquid, flat.potential, flat.density_vapour, {}});
   return result;
 }
 
@@ -119,24 +121,46 @@ void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& vi
   }
 }
 
+/// The part of each shape at a point, shape by shape as visit(shape, part). Together they are at most 1.
+template <class Visit>
+void at_parts(const Case& c, const std::vector<Shape>& all, const double* x, const Visit& visit) {
+  const double half_width = interface_half_width(*c.fluid);
+  double cover = 0;
+  for (const Shape& shape : all) {
+    const double part = std::min(shape.indicator(c, x, half_width), 1 - cover);
+    visit(shape, part);
+    cover += part;
+  }
+}
+
+/// Moving droplets: the sum of velocity times part. The solid, which has the wall in common with the fluid, stays at rest.
+template <int D>
+void fill_velocity(const Case& c, const Layout<D>& l, const std::vector<Shape>& all, std::vector<double>& unknown) {
+  const int first = c.substrate ? l.wall_row + 1 : l.wall_row;
+  at_greville_points(l, first, l.rows - first, [&](int i, const double* x) {
+    at_parts(c, all, x, [&](const Shape& shape, double part) {
+      for (std::size_t d = 0; d < shape.velocity.size(); ++d)
+        unknown[l.velocity_offset(d) + first * l.row_size + i] += part * shape.velocity[d];
+    });
+  });
+}
+
 template <int D, int P>
 void fill_fluid(const Case& c, const Model<D, P>& model, std::vector<double>& unknown) {
   const Layout<D>& l = model.layout();
   const std::vector<Shape> all = shapes(c, model);
   const Shape around = surroundings(c, model.state(), all);
-  const double half_width = interface_half_width(*c.fluid);
   at_greville_points(l, l.wall_row, l.fluid_rows(), [&](int i, const double* x) {
-    double rho = around.density_around, cover = 0;
-    for (const Shape& shape : all) {
+    double rho = around.density_around;
+    at_parts(c, all, x, [&](const Shape& shape, double part) {
       const bool liquid = shape.density > shape.density_around;
       const double inside = c.fluid->initial.empty() ? shape.density : c.fluid->initial[liquid ? 1 : 0];
-      const double phi = std::min(shape.indicator(c, x, half_width), 1 - cover);
-      rho += (inside - around.density_around) * phi;
-      cover += phi;
-    }
+      rho += (inside - around.density_around) * part;
+    });
     unknown[l.density_offset() + i] = rho;
     unknown[l.potential_offset() + i] = around.potential;
   });
+  fill_velocity(c, l, all, unknown);
 }
 
 /// Adds the wave to a component; `own` is the direction of a vector's component, -1 for the density.

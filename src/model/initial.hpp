@@ -19,10 +19,11 @@ State empty_state(const Layout<D>& l) {
   return s;
 }
 
-/// Fluid at rest: tanh profiles around each droplet and film with curvature-corrected densities (Kelvin, Laplace), so
+/// Fluid: tanh profiles around each droplet and film with curvature-corrected densities (Kelvin, Laplace), so
 /// that the vapour need not equilibrate: mu = mu_sat + (D - 1) sigma / (R (rho_l - rho_v)). A droplet centred on the
 /// wall is lowered to R cos(alpha) below it, so that its circle meets the wall at the contact angle. An ellipse (`stretch`)
-/// meets it at another angle. The solid is undeformed and at rest. Then the waves are added.
+/// meets it at another angle. A droplet with a velocity carries it times the same tanh profile; all else is at rest. The
+/// solid is undeformed. Then the waves are added, and what the sides prescribe is kept.
 /// Tested: tests/unit/model/test_initial.cpp
 template <int D, int P>
 State initial_state(const Case&, const Model<D, P>&);

@@ -38,6 +38,9 @@ std::string ExplicitScheme<D, P>::begin(const State& state) {
 
 template <int D, int P>
 void ExplicitScheme<D, P>::measure_radius(double t) {
+  constexpr int shortest = 10, longest = 80;
+  constexpr double same = 0.02;
+  const double before = spectrum_.radius();
   spectrum_.measure([&](const Array& z, const Array& out) {
     const double step = 1e-7 * (1 + norm(y_)) / norm(z);
     Kokkos::deep_copy(Exec(), probe_, y_);
@@ -51,13 +54,15 @@ void ExplicitScheme<D, P>::measure_radius(double t) {
     stiff_spectrum_.measure([&](const Array& z, const Array& out) { return system_.stiff_rates(z, out), true; });
     scheme_->set_stiff_radius(stiff_spectrum_.radius());
   }
+  const bool steady = std::abs(spectrum_.radius() - before) < same * before;
+  most_age_ = steady ? std::min(2 * most_age_, longest) : shortest;
   age_ = 0;
 }
 
 template <int D, int P>
 double ExplicitScheme<D, P>::largest_step(const State& state) {
   if (!begin(state).empty()) return std::numeric_limits<double>::infinity();  // the attempt tells
-  if (age_ >= most_age) measure_radius(state.time);
+  if (age_ >= most_age_) measure_radius(state.time);
   return safety_ * scheme_->limit(spectrum_.radius(), spectrum_.imaginary());
 }
 

@@ -18,13 +18,11 @@ class ExplicitScheme final : public Scheme<D, P> {
   void initialise(State& state) override { system_.set_moments(state); }
   StepAttempt attempt(const StepHistory&, double dt) override;
   void accept(State& state) override;
-  void refuse() override { known_rates_ = false, age_ = most_age; }
+  void refuse() override { known_rates_ = false, age_ = most_age_; }
   double largest_step(const State&) override;
   SolverCounts& counts() override { return counts_; }
 
  private:
-  static constexpr int most_age = 50;  ///< steps after which the spectral radius is measured again
-
   std::string rates(double t, const Array& y, const Array& out);
   /// Fills y and its rates from a state, unless they are those of the last accepted step.
   std::string begin(const State&);
@@ -39,7 +37,7 @@ class ExplicitScheme final : public Scheme<D, P> {
   Array y_, rates_, next_, next_rates_, probe_;
   double end_ = 0;
   bool known_rates_ = false;
-  int age_ = most_age;
+  int age_ = 0, most_age_ = 0;  ///< of the spectral radius, in steps
   SolverCounts counts_;
 };
 

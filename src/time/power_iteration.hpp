@@ -33,7 +33,7 @@ class PowerIteration {
       combine(direction_, 1 / size, product_, 0);
       const int first = std::max(0, k - window);
       const double now = std::exp((growth[k] - growth[first]) / (k - first));
-      const bool still = k >= 2 * window && std::abs(now - radius_) < settled * now;
+      const bool still = k >= window + window / 2 && std::abs(now - radius_) < settled * now;
       radius_ = now;
       imaginary_ = *std::max_element(cosine + first + 1, cosine + k + 1) > -0.9;
       if (still) break;

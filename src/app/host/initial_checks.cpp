@@ -58,6 +58,11 @@ void check_droplet(const Checker& check, std::size_t index) {
     if (const std::size_t stretches = check.c.droplets[index].stretch.size(); stretches != 0)
       check.require_axes(name + ".stretch", stretches, "write one factor for each axis, or leave it out for a circle");
   });
+  check.with({name + ".velocity"}, [&] {
+    if (const std::size_t numbers = check.c.droplets[index].velocity.size(); numbers != 0)
+      check.require_axes(name + ".velocity", numbers,
+                         "write one number for each axis, or leave it out for a droplet at rest");
+  });
   check.with({name + ".centre", name + ".radius", name + ".stretch", "fluid.contact_angle", "fluid.ambient",
               "substrate.thickness", "boundary"},
              [&] { check_reach(check, index); });
