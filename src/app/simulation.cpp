@@ -73,7 +73,7 @@ void Simulation<D, P>::begin() {
 
 template <int D, int P>
 void Simulation<D, P>::come_to_rest(State& state) {
-  relaxation_ = relax<D, P>(model_, case_, state, state.time);
+  relaxation_ = relax<D, P>(model_, case_, state, state.time, InterruptGuard::requested);
   progress_->tell("at rest after " + std::to_string(relaxation_->steps) + " steps: the fields change by less than " +
                   short_text(std::max(1e-15, relaxation_->rate)) + " of their range in a unit of time");
 }

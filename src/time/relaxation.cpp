@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "app/error.hpp"
-#include "app/interrupt.hpp"
 #include "field/vector.hpp"
 #include "time/implicit_scheme.hpp"
 
@@ -79,7 +78,8 @@ class Change {
 }  // namespace
 
 template <int D, int P>
-Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double time) {
+Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double time,
+                 const std::function<bool()>& interrupted) {
   const Case control = loose(c);
   const Judge<D, P> judge(model, control);
   ImplicitScheme<D, P> scheme(model, control, judge);
@@ -87,7 +87,7 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
   Relaxation done;
   const Array unused;
   for (double dt = c.time.dt_initial, before = 0;;) {
-    if (InterruptGuard::requested())
+    if (interrupted())
       throw Error(Exit::computation_failed,
                   "interrupted before the scene was at rest; nothing was written, give the same command again");
     if (done.steps == most_steps)
@@ -120,6 +120,7 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
   return done;
 }
 
-template Relaxation relax(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, State&, double);
+template Relaxation relax(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, State&, double,
+                          const std::function<bool()>&);
 
 }  // namespace softwet

@@ -1,6 +1,8 @@
 // Brings a scene to rest before a computation: pseudo-transient continuation.
 #pragma once
 
+#include <functional>
+
 #include "time/judge.hpp"
 
 namespace softwet {
@@ -15,12 +17,13 @@ struct Relaxation {
 /// Advances a state by steps of backward Euler without loads until it is at rest. A step doubles where the one before
 /// has changed the state little, so that the way there is not accurate, but the end is: mass is conserved and the
 /// equations of the state at rest are those of the scene. At rest means that the rate of change
-///   r = max( rms(rho' ) / (rho_l - rho_v),  rms(u') / Hs )
+///   r = max( rms(rho') / (rho_l - rho_v),  rms(u') / Hs )
 /// is below `rest` and that the change that is still to come, estimated from the last two rates as if they were of one
 /// exponential, is small too. The state gets the time `time` and is as one that `Scheme::initialise` has not seen.
-/// Throws Error (computation_failed) where this does not happen, with the reason.
+/// Throws Error (computation_failed) where this does not happen, with the reason, and when interrupted.
 /// Source: Kelley and Keyes 1998.   Tested: tests/unit/time/test_relaxation.cpp
 template <int D, int P>
-Relaxation relax(const Model<D, P>&, const Case&, State&, double time);
+Relaxation relax(const Model<D, P>&, const Case&, State&, double time,
+                 const std::function<bool()>& interrupted = [] { return false; });
 
 }  // namespace softwet
