@@ -25,7 +25,7 @@ DIALS = [
     {"name": "elements", "refine": ["1/2", "3/4", "3/2"]},
     {"name": "degree", "key": "domain.degree", "values": ["2", "3"]},
     {"name": "newton", "key": "solver.newton.rtol", "values": ["1e-2", "1e-3", "1e-4", "1e-8"]},
-    {"name": "krylov", "key": "solver.krylov.rtol", "values": ["0.3", "0.1", "1e-3"]},
+    {"name": "krylov", "key": "solver.krylov.rtol", "values": ["0.1", "1e-3"]},
     {"name": "jacobian", "key": "solver.krylov.jacobian", "choices": True},
     {"name": "preconditioner", "key": "solver.krylov.preconditioner", "values": ["lu", "umfpack", "schwarz"]},
     {"name": "stabilisation", "key": "fluid.stabilisation", "values": ["0", "0.002", "0.02"]},

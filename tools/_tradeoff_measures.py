@@ -27,12 +27,19 @@ def interpolate(at, x, y):
 
 
 def series(run, name):
-    """(t, values) of a column of history.csv for t >= 0; None where it has fewer than four values."""
+    """(t, values) of a column of history.csv for t >= 0, with a value at 0 where the run begins before; None where there
+    are fewer than four values."""
     if name not in run.history:
         return None
     t, values = run.history["t"], run.history[name]
-    good = np.isfinite(values) & (t >= 0)
-    return (t[good], values[good]) if good.sum() >= 4 else None
+    good = np.isfinite(values)
+    t, values = t[good], values[good]
+    if (t >= 0).sum() < 4:
+        return None
+    if t[0] < 0 and not (t == 0).any():
+        at = np.searchsorted(t, 0)
+        t, values = np.insert(t, at, 0.0), np.insert(values, at, interpolate(np.zeros(1), t, values)[0])
+    return t[t >= 0], values[t >= 0]
 
 
 def pair(run, reference, name):

@@ -32,7 +32,8 @@ def draw(path, entries, name, floor, cost, title):
     axes.set(xscale="log", xlabel=f"{COST_NAMES[cost]}, over that of the base", title=title,
              ylabel=f"error: {name} [{UNITS[name] or '-'}]", **({"yscale": "log"} if shown else {}))
     lines = [f"{number}  {entry.setting.label}" for number, (_, _, entry) in enumerate(front, 1)]
-    axes.legend(fontsize=7)
+    if shown:
+        axes.legend(fontsize=7)
     figure.text(0.12, 0.0, "\n".join(lines), fontsize=7, va="top")
     figure.savefig(path, dpi=100, bbox_inches="tight", metadata={"Software": None})
     plt.close(figure)
