@@ -109,7 +109,7 @@ def error_cell(entry, name, floor):
         return f"~ {number(limit, 2)}" if limit is not None else ""
     if value is None:
         return ""
-    return f"<= {number(limit, 2)}" if limit is not None and value <= limit else number(value)
+    return f"<= {number(limit, 2)}" if limit and value <= limit else number(value)
 
 
 def shown_measures(entries):
