@@ -95,10 +95,10 @@ check_true("again: the same table", pathlib.Path("pull/tradeoff.csv").read_text(
 refused("another end", "holds another comparison", "--out", "pull", settings=[*SMALL, "time.rho_inf=0.6"])
 refused("another reference", "holds another comparison", "--out", "pull", reference=[])
 refused("no such dial", "there is no such dial", "--out", "pull", dials=["toleranse"])
-refused("no case", "no.toml", "--out", "other", case="no.toml")
-refused("a wrong setting", "must be", "--out", "other", settings=["time.rho_inf=7"])
-refused("no number of jobs", "--jobs 0", "--out", "other", "--jobs", "0")
-check_true("refusals write nothing", not pathlib.Path("other").exists())
+refused("no case", "no.toml", "--out", "nowhere", case="no.toml")
+refused("a wrong setting", "must be", "--out", "nowhere", settings=["time.rho_inf=7"])
+refused("no number of jobs", "--jobs 0", "--out", "nowhere", "--jobs", "0")
+check_true("refusals write nothing", not pathlib.Path("nowhere").exists())
 
 # A member that takes too long is asked to end, counts as failed, and is not computed again.
 folder = pathlib.Path("limited").resolve() / "long"
