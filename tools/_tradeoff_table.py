@@ -134,9 +134,9 @@ def table_rows(entries, names, floor, cost):
 
 def others(entries):
     """(setting, why it has no numbers) of the members that are not done."""
-    told = {"refused": "does not apply: ", "failed": "failed: "}
-    left = [entry for entry in entries if entry.state != "done"]
-    return [(entry.label, told.get(entry.state, entry.state) + entry.reason.partition("; ")[0]) for entry in left]
+    told = [(entry.label, "does not apply" if entry.state == "refused" else entry.state, entry.reason.partition("; ")[0])
+            for entry in entries if entry.state != "done"]
+    return [(label, f"{state}: {reason}" if reason else state) for label, state, reason in told]
 
 
 def terminal(entries, floor, cost):
