@@ -1,4 +1,4 @@
-"""Members of a sweep: their folders, their table, their computation. Used by tools/sweep.
+"""Members of a sweep: their folders and their table. Used by tools/sweep and tools/tradeoff.
 
 The folder of a member is the output folder of its run, with two more files: member.log, what the run says, and
 member.json, how it ended. The log is locked as long as the run, or the sweep that started it, lives; so several sweeps,
@@ -11,32 +11,13 @@ import fcntl
 import io
 import json
 import os
-import signal
 import socket
 import subprocess
 import sys
-import time
 
-ERROR = "softwet: error: "
-WARNING = "softwet: warning: "
+from _messages import WARNING
+
 COLUMNS = ["x_centre", "velocity", "angle_left", "angle_right", "mass_drift"]  # the default ones: a droplet's
-
-
-def fail(message, code=1):
-    print(f"{ERROR}{message}", file=sys.stderr)
-    raise SystemExit(code)
-
-
-def say(message):
-    try:
-        print(f"sweep: {message}", flush=True)
-    except OSError:  # the terminal is gone; the sweep goes on
-        sys.stdout = open(os.devnull, "w")
-
-
-def last_line(text, start):
-    """The last line that starts so, without the start."""
-    return next((line[len(start):] for line in reversed(text.splitlines()) if line.startswith(start)), "")
 
 
 def write_atomic(path, text):
@@ -110,6 +91,12 @@ class Member:
         return max(0, known - read_json(self.note_path).get("seconds", 0))
 
 
+def ask_check(program, case, member):
+    """What `softwet check` says of a member. @return CompletedProcess, with its stdout and stderr"""
+    words = [str(program), "check", str(case), *member.words()]
+    return subprocess.run(words, text=True, capture_output=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
+
+
 class Table:
     """sweep.csv: a row per member, in the order of the members."""
 
@@ -161,107 +148,3 @@ class Table:
             near = difflib.get_close_matches(name, names, 1, 0)[0]
             print(f"{WARNING}--columns {name}: history.csv of {member.name} has no such column; did you mean '{near}'?",
                   file=sys.stderr)
-
-
-class Job:
-    """A member that runs. @param log  holds its lock;  @param seconds  those of earlier parts of the run"""
-
-    def __init__(self, member, log, process, seconds):
-        self.member, self.log, self.process, self.seconds = member, log, process, seconds
-        self.start, self.signals = time.monotonic(), 0
-
-    def finish(self):
-        """Writes how it ended. A run that a stop ended before it could listen is interrupted, not failed."""
-        code, member = self.process.returncode, self.member
-        note = {"exit": code, "seconds": self.seconds + time.monotonic() - self.start}
-        if code < 0:
-            note["exit"] = None if self.signals else 128 - code
-            note["reason"] = f"ended by signal {-code} ({signal.strsignal(-code)})"
-        else:  # run.json tells it without the remedies that the log has
-            told = member.record().get("stop", {}).get("reason", "")
-            said = last_line(member.log_path.read_text(errors="replace"), ERROR) if code else ""
-            note["reason"] = told.removeprefix("failed: ") if code == 0 or (code == 2 and "failed: " in told) else said
-        write_atomic(member.note_path, json.dumps(note) + "\n")
-        self.log.close()
-        state, counts = member.outcome(note), member.record().get("counts", {})
-        say(f"{member.name}: {state}, " + (note["reason"] if state == "failed" else
-                                           f"{counts.get('steps', 0)} steps, {note['seconds']:.1f} s"))
-
-
-class Computation:
-    """Computes members, `jobs` at once. The first SIGINT, SIGTERM or SIGHUP asks the runs to write their checkpoints
-    and end, the next one ends them at once.
-    @param case  path of the case;  @param changed  called after starts and ends of members"""
-
-    def __init__(self, program, case, jobs, retry, changed):
-        self.program, self.case, self.jobs, self.changed = str(program), str(case), jobs, changed
-        self.wanted = ("waiting", "interrupted", "failed") if retry else ("waiting", "interrupted")
-        self.running, self.signals = [], 0
-        self.environment = dict(os.environ)
-        self.environment.setdefault("OMP_NUM_THREADS", str(max(1, len(os.sched_getaffinity(0)) // jobs)))
-        if jobs > 1:
-            self.environment["OMP_PROC_BIND"] = "false"  # else all of them bind to the same cores
-
-    def run(self, members):
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            if signal.getsignal(number) != signal.SIG_IGN:
-                signal.signal(number, self.count_signal)
-        waiting = [member for member in members if member.status()[0] in (*self.wanted, "running")]
-        try:
-            while self.running or (waiting and not self.signals):
-                changed = self.end_some()
-                while waiting and len(self.running) < self.jobs and not self.signals:
-                    changed |= self.start(waiting.pop(0))
-                if changed:
-                    self.changed()
-                time.sleep(0.03)
-        finally:
-            for job in self.running:
-                if not job.signals:
-                    job.process.terminate()
-
-    def count_signal(self, *_):
-        self.signals += 1
-
-    def end_some(self):
-        """Passes signals on and takes ended jobs off the list. @return whether there were any"""
-        for job in self.running:
-            if job.signals < self.signals:
-                job.process.terminate()
-                job.signals = self.signals
-        ended = [job for job in self.running if job.process.poll() is not None]
-        for job in ended:
-            self.running.remove(job)
-            job.finish()
-        return bool(ended)
-
-    def start(self, member):
-        """Starts a member, unless someone else has it or has had it. @return whether it was started"""
-        member.folder.mkdir(parents=True, exist_ok=True)
-        log = open(member.log_path, "ab")
-        for _ in range(5):  # who only looks at the state has the lock for an instant
-            if lock(log, fcntl.LOCK_EX):
-                break
-            time.sleep(0.02)
-        else:
-            log.close()
-            say(f"{member.name}: runs already, started by another sweep; left alone")
-            return False
-        note = read_json(member.note_path)
-        if member.outcome(note) not in self.wanted:
-            log.close()
-            return False
-        self.launch(member, log, note)
-        return True
-
-    def launch(self, member, log, note):
-        saved = (member.folder / "checkpoint.h5").exists()
-        options = [] if not note else ["--resume"] if saved else ["--overwrite"]
-        seconds = note.get("seconds", 0) + (member.lost_seconds() if note and "reason" not in note else 0)
-        write_atomic(member.note_path, json.dumps({"exit": None, "seconds": seconds}) + "\n")
-        words = [self.program, "run", self.case, *member.words(), "--out", str(member.folder), *options]
-        # A session of its own: Ctrl-C reaches the sweep alone, which passes it on.
-        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=self.environment,
-                                   start_new_session=True)
-        self.running.append(Job(member, log, process, seconds))
-        say(f"{member.name}: {'resumed' if '--resume' in options else 'started'}")

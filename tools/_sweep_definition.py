@@ -1,14 +1,25 @@
-"""What a sweep computes: the values of --vary, and how the folder of a sweep keeps them. Used by tools/sweep."""
+"""What a sweep computes: the values of --vary, and how the folder of a sweep keeps them. Parts of it serve tradeoff."""
 
+import hashlib
 import itertools
 import json
 import re
 from fractions import Fraction
 
-from _sweep import fail, read_json, write_atomic
+from _messages import fail
+from _sweep import read_json, write_atomic
 
 LARGEST = 10000  # members
 NUMBER = r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d\d?)?)(?:/(\d+))?"
+
+
+def member_name(keys, values, whole=False):
+    """Name of a folder. @param whole  with whole keys, not the last part of each where that is enough"""
+    leaves = [key if whole else key.rpartition(".")[2] for key in keys]
+    shown = [leaf if leaves.count(leaf) == 1 else key for key, leaf in zip(keys, leaves)]
+    parts = [f"{key}={re.sub('[^A-Za-z0-9.+-]+', '_', value).strip('_')}" for key, value in zip(shown, values)]
+    name = re.sub(r"[^A-Za-z0-9.+=_-]", "_", "__".join(parts))
+    return name if len(name) <= 150 else f"{name[:140]}_{hashlib.sha1(name.encode()).hexdigest()[:9]}"
 
 
 def split_values(text):
@@ -81,34 +92,47 @@ def has_all(some, other):
     return list(mine) == list(theirs) and all(theirs[key] <= mine[key] for key in mine)
 
 
+def case_difference(old, new):
+    """What differs between two texts of a case, in words."""
+    lines = itertools.zip_longest(old["case"].splitlines(), new["case"].splitlines())
+    changed = [(number, was, now) for number, (was, now) in enumerate(lines, 1) if was != now]
+    told = "line {} of the case was {!r} and is {!r} now"
+    return told.format(*changed[0]) if changed else "the line ends of the case changed"
+
+
+def option_difference(old, new, option):
+    """What differs between the words of an option, in words; empty where nothing does."""
+    gone, new_ones = (" ".join(f"--{option} {word}" for word in some[option] if word not in other[option])
+                      for some, other in ((old, new), (new, old)))
+    if gone or new_ones:
+        return f"it was made {f'with {gone}' if gone else f'without {new_ones}'}" + (
+            f", not with {new_ones}" if gone and new_ones else "")
+    return f"its --{option} came in another order" if old[option] != new[option] else ""
+
+
 def difference(old, new, part):
     """What forbids the sweep `new` in the folder of `old`, in words; empty where nothing does. Values may be added.
     @param part  `new` may also have fewer values: a task of an array script from before they were added"""
     if old["case"] != new["case"]:
-        lines = itertools.zip_longest(old["case"].splitlines(), new["case"].splitlines())
-        changed = [(number, was, now) for number, (was, now) in enumerate(lines, 1) if was != now]
-        told = "line {} of the case was {!r} and is {!r} now"
-        return told.format(*changed[0]) if changed else "the line ends of the case changed"
+        return case_difference(old, new)
     grown = has_all(new["vary"], old["vary"]) or (part and has_all(old["vary"], new["vary"]))
-    for option in ("set",) if grown else ("vary", "set"):
-        gone, new_ones = (" ".join(f"--{option} {word}" for word in some[option] if word not in other[option])
-                          for some, other in ((old, new), (new, old)))
-        if gone or new_ones:
-            return f"it was made {f'with {gone}' if gone else f'without {new_ones}'}" + (
-                f", not with {new_ones}" if gone and new_ones else "")
-        if old[option] != new[option]:
-            return f"its --{option} came in another order"
-    return ""
+    told = (option_difference(old, new, option) for option in (("set",) if grown else ("vary", "set")))
+    return next(filter(None, told), "")
+
+
+def read_case(path):
+    """The text of a case; refuses a path that has none."""
+    try:
+        return path.read_bytes().decode(errors="surrogateescape")
+    except OSError as error:
+        fail(f"cannot read the case file '{path}': {error.strerror}; give the path of a case, for example "
+             "cases/tensotaxis_pull_2d.toml")
 
 
 def read_definition(arguments, vary):
     """Case and values as they are kept in sweep.json; refuses a folder that holds others."""
-    try:
-        text = arguments.case.read_bytes().decode(errors="surrogateescape")
-    except OSError as error:
-        fail(f"cannot read the case file '{arguments.case}': {error.strerror}; give the path of a case, for example "
-             "cases/tensotaxis_pull_2d.toml")
-    new = {"case": text, "vary": [f"{key}={','.join(values)}" for key, values in vary], "set": arguments.set}
+    new = {"case": read_case(arguments.case), "vary": [f"{key}={','.join(values)}" for key, values in vary],
+           "set": arguments.set}
     old = read_json(arguments.out / "sweep.json")
     told = difference(old, new, arguments.member is not None) if old else ""
     if told:

@@ -1,4 +1,4 @@
-// Commands that are Python programs of the folder tools: `softwet verify`, `sweep`, `status`, `watch`.
+// Commands that are Python programs of the folder tools: `softwet verify`, `sweep`, `tradeoff`, `status`, `watch`.
 #pragma once
 
 #include <string>

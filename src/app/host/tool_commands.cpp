@@ -71,6 +71,28 @@ void add_sweep(CLI::App& app, std::vector<std::string>& words) {
   command.callback([&words] { start_tool({"sweep", {}}, words); });
 }
 
+void add_tradeoff(CLI::App& app, std::vector<std::string>& words) {
+  CLI::App& command = *app.add_subcommand("tradeoff", "measure what speed costs in accuracy, setting by setting");
+  ToolOptions tool(command, words);
+  tool.names("CASE", "case file, for example cases/tensotaxis_pull_2d.toml")->required()->expected(1);
+  tool.repeatable(
+      "--dials", "KEY=V1,V2,... or NAMES",
+      "settings to try: names, for example tolerance,elements, or a key and its values; default: all names");
+  tool.repeatable("--set", "KEY=VALUE", "set a key of the case for all members");
+  tool.repeatable("--reference", "KEY=VALUE",
+                  "set a key of the reference; default: a tenth of time.tolerance, elements of half the size, "
+                  "solver.newton.rtol=1e-8");
+  tool.option("--by", "MEASURE", "error of the Pareto front; default: path, or else interface, or else wall");
+  tool.option("--cost", "COST", "cost of the Pareto front: seconds (default), or processor, the time on processors");
+  tool.option("--combine", "N", "most combinations of settings that did well; default: 6");
+  tool.option("--longest", "FACTOR", "end a setting after so many times the seconds of the base; default: 10");
+  tool.option("--jobs", "N", "number of members at once, which disturb each other's seconds; default: 1");
+  tool.option("--out", "DIR", "folder of the members and of tradeoff.csv; default: out/<name of the file>_tradeoff");
+  tool.flag("--dry-run", "check and list the members, write nothing");
+  tool.flag("--table", "write the tables, compute nothing");
+  command.callback([&words] { start_tool({"tradeoff", {"numpy", "h5py"}}, words); });
+}
+
 void add_status(CLI::App& app, std::vector<std::string>& words) {
   CLI::App& command = *app.add_subcommand("status", "tell in one line how a run stands");
   ToolOptions(command, words).names("OUT", "output folders of softwet run, or of softwet sweep")->required();
@@ -92,6 +114,7 @@ void add_watch(CLI::App& app, std::vector<std::string>& words) {
 void add_tool_commands(CLI::App& app, std::vector<std::string>& words) {
   add_verify(app, words);
   add_sweep(app, words);
+  add_tradeoff(app, words);
   add_status(app, words);
   add_watch(app, words);
 }

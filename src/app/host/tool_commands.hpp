@@ -1,4 +1,4 @@
-// The commands `softwet verify` and `softwet sweep` on the command line.
+// The commands that are programs of the folder tools, on the command line.
 #pragma once
 
 #include <string>

@@ -1,0 +1,137 @@
+"""The computation of members, several at once, with notes of how they ended. Used by tools/sweep and tools/tradeoff."""
+
+import fcntl
+import json
+import os
+import resource
+import signal
+import subprocess
+import time
+
+from _messages import ERROR, last_line, say
+from _sweep import lock, read_json, write_atomic
+
+
+def processor_seconds():
+    """Time that all ended child processes have had processors."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+class Job:
+    """A member that runs. @param log  holds its lock;  @param note  its note, with the seconds of earlier parts"""
+
+    def __init__(self, member, log, process, note):
+        self.member, self.log, self.process, self.seconds = member, log, process, note["seconds"]
+        self.processor = note["processor"]
+        self.start, self.signals, self.overdue = time.monotonic(), 0, False
+
+    def finish(self, processor):
+        """Writes how it ended. A run that a stop ended before it could listen is interrupted, not failed.
+        @param processor  seconds that this part of the run had processors"""
+        code, member = self.process.returncode, self.member
+        note = {"exit": code, "seconds": self.seconds + time.monotonic() - self.start,
+                "processor": self.processor + processor}
+        if code < 0:
+            note["exit"] = None if self.signals else 128 - code
+            note["reason"] = f"ended by signal {-code} ({signal.strsignal(-code)})"
+        else:  # run.json tells it without the remedies that the log has
+            told = member.record().get("stop", {}).get("reason", "")
+            said = last_line(member.log_path.read_text(errors="replace"), ERROR) if code else ""
+            note["reason"] = told.removeprefix("failed: ") if code == 0 or (code == 2 and "failed: " in told) else said
+        if self.overdue and note["reason"] != "end reached":
+            note["exit"] = 2
+            note["reason"] = f"slower than its limit: ended at t = {member.record().get('stop', {}).get('t', 0):.4g}"
+        write_atomic(member.note_path, json.dumps(note) + "\n")
+        self.log.close()
+        state, counts = member.outcome(note), member.record().get("counts", {})
+        say(f"{member.name}: {state}, " + (note["reason"] if state == "failed" else
+                                           f"{counts.get('steps', 0)} steps, {note['seconds']:.1f} s"))
+
+
+class Computation:
+    """Computes members, `jobs` at once. The first SIGINT, SIGTERM or SIGHUP asks the runs to write their checkpoints
+    and end, the next one ends them at once.
+    @param case  path of the case;  @param changed  called after starts and ends of members
+    @param limit  seconds after which a run is asked to end; it then counts as failed. None: no limit"""
+
+    def __init__(self, program, case, jobs, retry, changed, limit=None):
+        self.limit = limit
+        self.program, self.case, self.jobs, self.changed = str(program), str(case), jobs, changed
+        self.wanted = ("waiting", "interrupted", "failed") if retry else ("waiting", "interrupted")
+        self.running, self.signals = [], 0
+        self.environment = dict(os.environ)
+        self.environment.setdefault("OMP_NUM_THREADS", str(max(1, len(os.sched_getaffinity(0)) // jobs)))
+        if jobs > 1:
+            self.environment["OMP_PROC_BIND"] = "false"  # else all of them bind to the same cores
+
+    def run(self, members):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            if signal.getsignal(number) != signal.SIG_IGN:
+                signal.signal(number, self.count_signal)
+        waiting = [member for member in members if member.status()[0] in (*self.wanted, "running")]
+        try:
+            while self.running or (waiting and not self.signals):
+                changed = self.end_some()
+                while waiting and len(self.running) < self.jobs and not self.signals:
+                    changed |= self.start(waiting.pop(0))
+                if changed:
+                    self.changed()
+                time.sleep(0.03)
+        finally:
+            for job in self.running:
+                if not job.signals:
+                    job.process.terminate()
+
+    def count_signal(self, *_):
+        self.signals += 1
+
+    def end_some(self):
+        """Passes signals on and takes ended jobs off the list. @return whether there were any"""
+        for job in self.running:
+            if job.signals < self.signals:
+                job.process.terminate()
+                job.signals = self.signals
+            if self.limit and not job.overdue and job.seconds + time.monotonic() - job.start > self.limit:
+                job.process.terminate()
+                job.overdue = True
+        ended = []
+        for job in list(self.running):
+            before = processor_seconds()
+            if job.process.poll() is not None:  # its processor time is known as soon as it has ended
+                ended.append(job)
+                self.running.remove(job)
+                job.finish(processor_seconds() - before)
+        return bool(ended)
+
+    def start(self, member):
+        """Starts a member, unless someone else has it or has had it. @return whether it was started"""
+        member.folder.mkdir(parents=True, exist_ok=True)
+        log = open(member.log_path, "ab")
+        for _ in range(5):  # who only looks at the state has the lock for an instant
+            if lock(log, fcntl.LOCK_EX):
+                break
+            time.sleep(0.02)
+        else:
+            log.close()
+            say(f"{member.name}: runs already, started by another sweep; left alone")
+            return False
+        note = read_json(member.note_path)
+        if member.outcome(note) not in self.wanted:
+            log.close()
+            return False
+        self.launch(member, log, note)
+        return True
+
+    def launch(self, member, log, note):
+        saved = (member.folder / "checkpoint.h5").exists()
+        options = [] if not note else ["--resume"] if saved else ["--overwrite"]
+        seconds = note.get("seconds", 0) + (member.lost_seconds() if note and "reason" not in note else 0)
+        begun = {"exit": None, "seconds": seconds, "processor": note.get("processor", 0)}
+        write_atomic(member.note_path, json.dumps(begun) + "\n")
+        words = [self.program, "run", self.case, *member.words(), "--out", str(member.folder), *options]
+        # A session of its own: Ctrl-C reaches the sweep alone, which passes it on.
+        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=self.environment,
+                                   start_new_session=True)
+        self.running.append(Job(member, log, process, begun))
+        say(f"{member.name}: {'resumed' if '--resume' in options else 'started'}")
