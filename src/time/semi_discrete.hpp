@@ -31,7 +31,7 @@ class SemiDiscrete final : public Evolution {
   std::string gentle_rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, false); }
   std::string implicit_part(double c, const Array& y, const Array& out) override;
 
-  /// Moments of a state that is given by its unknowns and displacements.
+  /// Moments of a state that is given by its unknowns and displacements: those that give its density back.
   void set_moments(State&);
   void pack(const State&, const Array& y) const;
   /// Writes y, whose rates were evaluated last, with its density, chemical potential and rates to a state.
