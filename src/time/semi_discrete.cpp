@@ -74,9 +74,16 @@ void SemiDiscrete<D, P>::set_moments(State& s) {
   move_ghosts(l, s.unknown, GhostAction::update);
   if (!l.has_fluid) return;
   Kokkos::deep_copy(stage_.displacement, s.displacement);
-  Kokkos::deep_copy(right_, s.unknown);
-  masses_.scalar(stage_, right_, solution_);
-  Kokkos::deep_copy(s.moment, part(solution_, l.density_offset(), l.potential_offset()));
+  const int first = l.density_offset(), last = l.potential_offset();
+  if (kind_ == MassKind::lumped) {
+    masses_.scalar(stage_, ones_, scalar_weight_);
+    Kokkos::deep_copy(s.moment, part(s.unknown, first, last));
+    multiply(s.moment, part(scalar_weight_, first, last));
+  } else {
+    Kokkos::deep_copy(right_, s.unknown);
+    masses_.scalar(stage_, right_, solution_);
+    Kokkos::deep_copy(s.moment, part(solution_, first, last));
+  }
   Kokkos::deep_copy(stage_.unknown, s.unknown);  // where the searches for density and potential begin
 }
 

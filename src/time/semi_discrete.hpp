@@ -33,7 +33,7 @@ class SemiDiscrete final : public Evolution {
   std::string hold(const Array& y) override;
   std::string implicit_part(double c, const Array& y, const Array& out) override;
 
-  /// Moments of a state that is given by its unknowns and displacements.
+  /// Moments of a state that is given by its unknowns and displacements: those that give its density back.
   void set_moments(State&);
   void pack(const State&, const Array& y) const;
   /// Writes y, whose rates were evaluated last, with its density, chemical potential and rates to a state.
