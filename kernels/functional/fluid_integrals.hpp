@@ -18,14 +18,15 @@ struct FluidState : FluidTrial<N, D> {
 
 /// Integrands over the current fluid domain, in this order:
 ///   mass rho, kinetic rho |v|^2/2, bulk W(rho), gradient g^2 |grad rho|^2/2,
-///   viscous dissipation tau : grad v, stabilisation eps |grad mu|^2, folded -1 where J < 0, momentum rho v_i (3)
+///   viscous dissipation tau : grad v, stabilisation eps |grad mu|^2, folded -1 where J < 0, volume 1,
+///   momentum rho v_i (3)
 /// The integral of `folded` is the volume of the mesh that is turned inside out: it must be 0.
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct FluidIntegrals {
   NavierStokesKorteweg model;
 
-  enum { mass, kinetic, bulk, gradient, viscous, stabilisation, folded, momentum };
-  static constexpr int count = 10;
+  enum { mass, kinetic, bulk, gradient, viscous, stabilisation, folded, volume, momentum };
+  static constexpr int count = 11;
 
   template <class N, int D>
   using Trial = FluidState<N, D>;
@@ -42,6 +43,7 @@ struct FluidIntegrals {
     r[stabilisation] =
         model.stabilisation * t.density * t.density * dot(t.chemical_potential_gradient, t.chemical_potential_gradient);
     r[folded] = select(t.volume_ratio < 0.0, N(-1.0), N(0.0));
+    r[volume] = N(1.0);
     for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? t.density * t.velocity[i < D ? i : 0] : N(0.0);
     return r;
   }

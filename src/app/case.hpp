@@ -101,7 +101,7 @@ struct TimeControl {
 };
 
 struct SolverControl {
-  double newton_rtol = 1e-6;
+  double newton_rtol = 1e-3;
   double newton_atol = 1e-10;
   int newton_max = 10;
   double newton_undershoot = 0.05;  ///< by which a control value of the density may fall below 0

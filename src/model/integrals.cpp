@@ -21,6 +21,7 @@ void Model<D, P>::fluid_integrals(const Binding<D>& b, Integrals& result) const 
   result.viscous = sum[FluidIntegrals::viscous];
   result.stabilisation = sum[FluidIntegrals::stabilisation];
   result.folded = sum[FluidIntegrals::folded];
+  result.volume = sum[FluidIntegrals::volume];
   for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
   if (!has_wall_) return;
   ReduceTask<D, WallIntegrals, Motion> face{wall_region_, {wall_}, volume.motion, {}, {}};

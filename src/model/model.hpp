@@ -19,6 +19,7 @@ struct Integrals {
   double viscous = 0, stabilisation = 0;  ///< dissipation rates
   double wall_stretch = 0;                ///< int_Gamma f_w div_Gamma vh: power of the wall energy on a stretching wall
   double wetted = 0;                      ///< area of Gamma above the middle density
+  double volume = 0;                      ///< of the fluid
   double folded = 0, inverted = 0;        ///< volume of the fluid's mesh and of the solid that is turned inside out
 };
 

@@ -136,7 +136,8 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     const bool fresh = rebuild_;
     if (fresh) build(system);
     // Eisenstat and Walker 1996, choice 2, without solving beyond what the step needs.
-    if (result.iterations > 0) forcing = std::clamp(0.9 * ratio * ratio, control.krylov_rtol, 0.1);
+    const double tightest = std::min(0.1, control.krylov_rtol);
+    if (result.iterations > 0) forcing = std::clamp(0.9 * ratio * ratio, tightest, 0.1);
     forcing = std::max(forcing, std::min(0.1, 0.5 * control.rtol * start / size));
     const double cost = preconditioner_->build_cost();
     const int limit = fresh ? control.krylov_max : std::min(control.krylov_max, wear_.patience(forcing, cost));

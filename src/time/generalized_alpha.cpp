@@ -137,10 +137,8 @@ void GeneralizedAlpha<D, P>::finish(const Array& x, State& state) {
 template <int D, int P>
 void GeneralizedAlpha<D, P>::match_mass(const State& state) const {
   const Layout<D>& l = model_.layout();
-  double volume = 1;
-  for (const Axis& axis : l.axis) volume *= axis.length();
-  volume *= 1 - static_cast<double>(l.solid_elements) / l.axis[D - 1].elements();
-  const double shift = (total(state.moment) - model_.integrals(stage_at(l, state)).mass) / volume;
+  const Integrals sum = model_.integrals(stage_at(l, state));
+  const double shift = (total(state.moment) - sum.mass) / sum.volume;
   add_constant(piece_of(state.unknown, l.density_offset(), l.scalar_size()), shift);
 }
 

@@ -57,9 +57,8 @@ class GeneralizedAlpha {
 
  private:
   void fill_stage(const Array& x);
-  /// Shifts the density by a constant so that its integral is the sum of the moments: up to round-off on a fixed mesh, up
-  /// to the relative change of the mesh's volume on a moving one. The constant is as small as the residual that Newton's
-  /// method has left.
+  /// Shifts the density by a constant so that its integral is the sum of the moments. The constant is as small as the
+  /// residual that Newton's method has left.
   void match_mass(const State& state) const;
 
   const Model<D, P>& model_;

@@ -1,0 +1,43 @@
+#!/usr/bin/env python3
+"""A scene that starts from its equilibrium: it begins with the load, at rest, and then moves as one that has relaxed by
+itself; a scene that cannot come to rest is refused with a sentence; models that leave something out agree with the full
+one where they should.
+usage: equilibrium_start.py SOFTWET"""
+
+from _scene import check, check_true, history, record, run
+
+SCENE = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "load[0].ramp=2", "load[0].force=[0.5,0]", "time.end=20",
+         "output.fields.times=[]"]
+AT_REST = 'time.start="equilibrium"'
+
+
+def moved(folder, *settings):
+    """@return X_c(t) - X_c(0) at the end, columns"""
+    run("tensotaxis_pull_2d", folder, [*SCENE, *settings])
+    rows = history(folder)
+    start = rows["x_centre"][abs(rows["t"]).argmin()]
+    return rows["x_centre"][-1] - start, rows
+
+
+path, _ = moved("relaxed", "load[0].start=30")
+quick, rows = moved("at_rest", "load[0].start=30", AT_REST)
+check_true("the computation begins with the load", rows["t"][0] == 0)
+check("fastest liquid at the start", rows["speed_max_liquid"][0], 1e-5)
+check("path against that of a scene that has relaxed", abs(quick / path - 1), 0.02)
+check("drift of the mass", abs(rows["mass_drift"]).max(), 1e-12)
+start = record("at_rest")["start"]
+check_true("run.json tells how it came to rest", start["steps"] > 3 and 0 <= start["rate_of_change"] < 1e-6, str(start))
+steps = record("relaxed")["counts"]["steps"], record("at_rest")["counts"]["steps"] + start["steps"]
+check_true("fewer steps than the motion takes", steps[1] < 0.7 * steps[0], f"{steps[1]} instead of {steps[0]}")
+
+# The load is slow against elastic waves: inertia of the solid does nothing. Its strain is a few per cent.
+quasi_static, _ = moved("quasi_static", "load[0].start=30", AT_REST, 'substrate.inertia="none"')
+check("path without inertia of the solid", abs(quasi_static / quick - 1), 0.02)
+small, _ = moved("small_strain", "load[0].start=30", AT_REST, 'substrate.strain="small"')
+check("path with small strain", abs(small / quick - 1), 0.3)
+check_true("small strain is another model", abs(small / quick - 1) > 1e-4)
+frozen, _ = moved("frozen", "load[0].start=30", AT_REST, 'solver.krylov.jacobian="frozen"')
+check("path with frozen products", abs(frozen / quick - 1), 0.02)
+
+message = run("tensotaxis_pull_2d", "too_soft", [*SCENE, "load[0].start=1", AT_REST, "substrate.young=0.005"], code=2)
+check_true("what does not come to rest says so", "does not come to rest" in message and "time.start" in message, message)
