@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Fast scenes near the critical temperature, small: explicit schemes come to the end that generalized_alpha with fine steps
+comes to, keep the mass to rounding, and let the total energy fall at every row. Sound has the speed of the equation of
+state. usage: fast_scenes.py SOFTWET"""
+
+import math
+import tomllib
+
+import numpy
+from _scene import cases, check, check_true, history, open_output, record, run
+
+# name: settings, size of the fine steps, and what lumped masses and their errors in space may change at the end:
+# parts of the energy that was dissipated, of the kinetic energy, and of the density step (rms).
+IMPACT = ["domain.elements=[40,25]", "fluid.capillarity=1/24", "time.end=2", "output.fields.times=[2]"]
+SWING = ["domain.elements=[32,32]", "fluid.capillarity=1/28", "time.end=3", "output.fields.times=[3]"]
+SCENES = {"impact_rigid_2d": (IMPACT, 0.01, 0.05, 0.15, 0.03), "oscillating_droplet_2d": (SWING, 0.02, 0.015, 0.05, 0.002)}
+STEP = 0.6023801 - 0.1065767  # of the density at the temperature 0.85, tests/oracle/plane_interface.py
+
+
+def compute(scene, name, settings):
+    run(scene, name, settings)
+    rows = history(name)
+    end = open_output(name).fields(rows["t"][-1])
+    return rows, end["density"]
+
+
+def fall(rows):
+    return rows["energy_total"][0] - rows["energy_total"][-1]
+
+
+def compare(scene, settings, dt, of_fall, of_kinetic, of_density):
+    fine = ["time.scheme=generalized_alpha", "time.tolerance=1e30", f"time.dt_initial={dt}", f"time.dt_max={dt}",
+            "solver.newton.rtol=1e-9"]
+    expected, density = compute(scene, f"{scene}_fine", settings + fine)
+    for scheme in ("ssp_rk3", "imex"):
+        name = f"{scene}_{scheme}"
+        rows, found = compute(scene, name, settings + [f"time.scheme={scheme}", "time.mass=lumped"])
+        check(f"{name}: energy dissipated", abs(fall(rows) / fall(expected) - 1), of_fall)
+        kinetic = rows["energy_kinetic"][-1] / expected["energy_kinetic"][-1]
+        check(f"{name}: kinetic energy at the end", abs(kinetic - 1), of_kinetic)
+        check(f"{name}: density at the end, rms", numpy.sqrt(((found - density)**2).mean()) / STEP, of_density)
+        check(f"{name}: drift of the mass", abs(rows["mass_drift"]).max(), 1e-12)
+        check(f"{name}: largest rise of the total energy in a step", numpy.diff(rows["energy_total"]).max(), 0)
+        check_true(f"{name}: no step was refused", record(name)["counts"]["rejected_by_newton"] == 0)
+
+
+def pulse(x, t, c, rho, height, capillarity=1 / 32, viscosity=4e-4):
+    """Exact small waves of the fluid at rest that start as height cos(pi x/4)^16, the sum over k of (C(16, 8 - k)/2^15,
+    half of it for k = 0) cos(q x), q = k pi/2: each swings with s^2 + 2 d s + w^2 = 0, w^2 = c^2 q^2 + rho g^2 q^4 and
+    d = (2/3)(m/rho) q^2, and starts with the velocity 0."""
+    total = height * math.comb(16, 8) / 2**16 + 0 * x
+    for k in range(1, 9):
+        q = k * math.pi / 2
+        d = 2 / 3 * viscosity / rho * q**2
+        w = math.sqrt((c * q)**2 + rho * (capillarity * q**2)**2 - d**2)
+        swing = math.exp(-d * t) * (math.cos(w * t) + d / w * math.sin(w * t))
+        total += height * math.comb(16, 8 - k) / 2**15 * swing * numpy.cos(q * x)
+    return total
+
+
+def check_sound():
+    """The pulse of the case, a twentieth as high, at t = 1.5, less the same run without pulse, above the droplet and left
+    of what it sends back. The speed of sound with which small waves come closest is that of the equation of state but for
+    the squares of the height (0.3 %) and of the mesh size."""
+    t, share = 1.5, 0.05
+    settings = ["domain.elements=[96,24]", "fluid.capillarity=1/32", f"time.end={t}", f"output.fields.times=[{t}]"]
+    waves = tomllib.loads((cases / "sound_pulse_2d.toml").read_text())["wave"]
+    for name, part in (("pulse", share), ("still", 0)):
+        run("sound_pulse_2d", name,
+            settings + [f"wave[{i}].amplitude={part * wave['amplitude']}" for i, wave in enumerate(waves)])
+    fields = [open_output(name).fields(t) for name in ("pulse", "still")]
+    x = fields[0].reference[-1, :, 0]
+    seen, rise = x < 0.7, (fields[0]["density"] - fields[1]["density"])[-1]
+    rho = history("still")["rho_min"][0]
+    exact = math.sqrt(8 / 27 * 0.85 / (1 - rho)**2 - 2 * rho)
+    tried = numpy.linspace(0.9 * exact, 1.1 * exact, 401)
+    errors = [((pulse(x, t, c, rho, 0.008 * share) - rise)[seen]**2).sum() for c in tried]
+    speed = tried[numpy.argmin(errors)]
+    check(f"speed of sound {speed:.4f}, by the equation of state {exact:.4f}: relative error", abs(speed / exact - 1), 0.01)
+
+
+for scene, numbers in SCENES.items():
+    compare(scene, *numbers)
+check_sound()
