@@ -134,7 +134,7 @@ void describe_model(const Case& c, std::ostream& out) {
       out, "explicit steps, estimated away from the sides (ssp_rk3 with lumped masses; a run measures its own limit)",
       step_limits(c, model));
   print_section(out, "kernel",
-                {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", double"},
+                {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", " + c.solver.precision},
                  {"backend",
                   backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
 }
