@@ -7,6 +7,7 @@
 #if defined(__AVX512F__) && defined(__GLIBC__) && !defined(__CUDACC__)
 #define SOFTWET_VECTOR_LOG
 extern "C" __m512d _ZGVeN8v_log(__m512d);  // glibc libmvec: eight logarithms at once
+extern "C" __m512 _ZGVeN16v_logf(__m512);  // sixteen in single precision
 #endif
 
 namespace softwet {
@@ -15,15 +16,38 @@ namespace softwet {
 template <class Real>
 using Pack = Kokkos::Experimental::simd<Real>;
 
-/// Number of lanes of a number at a point.
+/// Number of lanes of a number at a point, and the real numbers in them.
 template <class S>
 struct Lanes {
   static constexpr int count = 1;
+  using Real = S;
 };
-template <class Real, class Abi>
-struct Lanes<Kokkos::Experimental::basic_simd<Real, Abi>> {
-  static constexpr int count = static_cast<int>(Kokkos::Experimental::basic_simd<Real, Abi>::size());
+template <class R, class Abi>
+struct Lanes<Kokkos::Experimental::basic_simd<R, Abi>> {
+  static constexpr int count = static_cast<int>(Kokkos::Experimental::basic_simd<R, Abi>::size());
+  using Real = R;
 };
+template <class S>
+using RealOf = typename Lanes<S>::Real;
+
+/// A pack in single precision beside a parameter: Kokkos would widen both to double.
+template <class Abi>
+using SinglePack = Kokkos::Experimental::basic_simd<float, Abi>;
+#define SOFTWET_ROUND_PARAMETER(operation)                                                  \
+  template <class Abi>                                                                      \
+  KOKKOS_FORCEINLINE_FUNCTION auto operator operation(const SinglePack<Abi>& a, double b) { \
+    return a operation SinglePack<Abi>(static_cast<float>(b));                              \
+  }                                                                                         \
+  template <class Abi>                                                                      \
+  KOKKOS_FORCEINLINE_FUNCTION auto operator operation(double a, const SinglePack<Abi>& b) { \
+    return SinglePack<Abi>(static_cast<float>(a)) operation b;                              \
+  }
+SOFTWET_ROUND_PARAMETER(+)
+SOFTWET_ROUND_PARAMETER(-)
+SOFTWET_ROUND_PARAMETER(*)
+SOFTWET_ROUND_PARAMETER(/)
+SOFTWET_ROUND_PARAMETER(<)
+#undef SOFTWET_ROUND_PARAMETER
 
 /// Scalar versions; packs get theirs below.
 KOKKOS_FORCEINLINE_FUNCTION double logarithm(double x) { return Kokkos::log(x); }
@@ -48,6 +72,7 @@ KOKKOS_FORCEINLINE_FUNCTION auto logarithm(const Kokkos::Experimental::basic_sim
   using P = Kokkos::Experimental::basic_simd<Real, Abi>;
 #ifdef SOFTWET_VECTOR_LOG
   if constexpr (std::is_same_v<Real, double> && P::size() == 8) return P(_ZGVeN8v_log(static_cast<__m512d>(x)));
+  if constexpr (std::is_same_v<Real, float> && P::size() == 16) return P(_ZGVeN16v_logf(static_cast<__m512>(x)));
 #endif
   Real lane[P::size()];
   Kokkos::Experimental::simd_unchecked_store(x, lane, Kokkos::Experimental::simd_flag_default);

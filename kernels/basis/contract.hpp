@@ -19,7 +19,7 @@ struct AxisBasis {
 /// nodal: (P+1)^D control values, first axis fastest.
 template <bool Value, bool Gradient, class S, int P, int Q, int QL>
 KOKKOS_FORCEINLINE_FUNCTION void interpolate(const S (&nodal)[power(P + 1, 2)], const AxisBasis<S, P, Q>& x,
-                                             const AxisBasis<double, P, QL>& y, S (*out)[Q * QL]) {
+                                             const AxisBasis<RealOf<S>, P, QL>& y, S (*out)[Q * QL]) {
   for (int qx = 0; qx < Q; ++qx) {
     S v[P + 1], dx[P + 1];
     for (int j = 0; j <= P; ++j) {
@@ -52,7 +52,7 @@ KOKKOS_FORCEINLINE_FUNCTION void interpolate(const S (&nodal)[power(P + 1, 2)], 
 
 template <bool Value, bool Gradient, class S, int P, int Q, int QL>
 KOKKOS_FORCEINLINE_FUNCTION void interpolate(const S (&nodal)[power(P + 1, 3)], const AxisBasis<S, P, Q>& x,
-                                             const AxisBasis<double, P, Q>& y, const AxisBasis<double, P, QL>& z,
+                                             const AxisBasis<RealOf<S>, P, Q>& y, const AxisBasis<RealOf<S>, P, QL>& z,
                                              S (*out)[Q * Q * QL]) {
   constexpr int n = P + 1;
   S plane[n][3][Q * Q];
@@ -85,7 +85,7 @@ KOKKOS_FORCEINLINE_FUNCTION void interpolate(const S (&nodal)[power(P + 1, 3)], 
 /// Transpose of interpolate with value and (if Gradient) gradient: nodal = sum_q basis * in[0] + grad basis . in[1..].
 template <bool Gradient, class S, int P, int Q, int QL>
 KOKKOS_FORCEINLINE_FUNCTION void integrate(const S (*in)[Q * QL], const AxisBasis<S, P, Q>& x,
-                                           const AxisBasis<double, P, QL>& y, S (&nodal)[power(P + 1, 2)]) {
+                                           const AxisBasis<RealOf<S>, P, QL>& y, S (&nodal)[power(P + 1, 2)]) {
   for (int j = 0; j <= P; ++j) {
     S sum[P + 1];
     for (int i = 0; i <= P; ++i) sum[i] = S(0.0);
@@ -109,7 +109,7 @@ KOKKOS_FORCEINLINE_FUNCTION void integrate(const S (*in)[Q * QL], const AxisBasi
 
 template <bool Gradient, class S, int P, int Q, int QL>
 KOKKOS_FORCEINLINE_FUNCTION void integrate(const S (*in)[Q * Q * QL], const AxisBasis<S, P, Q>& x,
-                                           const AxisBasis<double, P, Q>& y, const AxisBasis<double, P, QL>& z,
+                                           const AxisBasis<RealOf<S>, P, Q>& y, const AxisBasis<RealOf<S>, P, QL>& z,
                                            S (&nodal)[power(P + 1, 3)]) {
   constexpr int n = P + 1;
   for (int k = 0; k < n; ++k) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "app/configurations.hpp"
 #include "app/machine.hpp"
 #include "model/initial.hpp"
 #include "solver/choose.hpp"
@@ -55,10 +56,12 @@ struct Sheet {
   }
 };
 
-template <int D, int P>
-void bench_terms(const Sheet& sheet, const Model<D, P>& model, const Stage& stage, const Array& z, const Array& out) {
-  const Binding<D> plain{model.layout(), stage, {}, out}, tangent{model.layout(), stage, z, out};
-  for (const auto& piece : model.pieces()) {
+template <int D, class Real>
+void bench_terms(const Sheet& sheet, const Layout<D>& layout,
+                 const std::vector<std::unique_ptr<Piece<D, Real>>>& pieces, const StageOf<Real>& stage,
+                 const ArrayOf<Real>& z, const ArrayOf<Real>& out) {
+  const Binding<D, Real> plain{layout, stage, {}, out}, tangent{layout, stage, z, out};
+  for (const auto& piece : pieces) {
     const std::string name = piece->name();
     const double elements = piece->region().elements();
     sheet.rate("  residual of " + name, seconds_per_call([&] { piece->residual(plain); }), elements,
@@ -66,6 +69,44 @@ void bench_terms(const Sheet& sheet, const Model<D, P>& model, const Stage& stag
     sheet.rate("  product of " + name, seconds_per_call([&] { piece->product(tangent); }), elements,
                "M elements/s/core");
   }
+}
+
+/// Residual and product in single precision.
+template <int D, int P>
+void bench_single(const Sheet& sheet, Case c, const State& state) {
+  c.solver.precision = "single";
+  const Model<D, P> model(c);
+  GeneralizedAlpha<D, P> scheme(model, c.time.rho_inf);
+  scheme.begin(state, 1.0);
+  const Array r("r", scheme.size());
+  const ArrayOf<float> z("z", scheme.size()), out("out", scheme.size());
+  convert(z, state.unknown);
+  sheet.line("residual, single precision", seconds_per_call([&] { scheme.residual(state.unknown, r); }));
+  sheet.line("product, exact, single precision", seconds_per_call([&] { scheme.product(z, out, Geometry::exact); }));
+  bench_terms(sheet, model.layout(), model.single_pieces()->list, scheme.single_stage(), z, out);
+  sheet.line("dot, single precision", seconds_per_call([&] { dot(z, out); }));
+}
+
+/// Time of a GMRES iteration with vectors of the precision Real, its product and the preconditioner included.
+template <class Real, int D, int P>
+void bench_gmres(const Sheet& sheet, const std::string& name, const GeneralizedAlpha<D, P>& scheme, const Array& right,
+                 Preconditioner& preconditioner) {
+  GmresOf<Real> gmres(scheme.size(), 30);
+  const ArrayOf<Real> b("b", scheme.size()), x("x", scheme.size());
+  const Array r("r", scheme.size()), z("z", scheme.size());
+  convert(b, right);
+  const auto product = [&](const ArrayOf<Real>& in, const ArrayOf<Real>& out) {
+    scheme.product(in, out, Geometry::exact);
+  };
+  const auto precondition = [&](const ArrayOf<Real>& in, const ArrayOf<Real>& out) {
+    convert(r, in);
+    preconditioner.apply(r, z);
+    convert(out, z);
+  };
+  int iterations = 0;
+  const double seconds =
+      seconds_per_call([&] { iterations = gmres.solve(product, precondition, b, x, 1e-4, 200).iterations; });
+  sheet.line(name, seconds / iterations, ", " + std::to_string(iterations) + " iterations to 1e-4");
 }
 
 /// Build and apply of each preconditioner, and GMRES iterations to 1e-4 of the first linear system of a step from a
@@ -77,7 +118,10 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   stepper.scheme().initialise(start);
   stepper.start(start);
   for (int i = 0; i < 40; ++i) stepper.step();
-  GeneralizedAlpha<D, P>& scheme = static_cast<ImplicitScheme<D, P>&>(stepper.scheme()).integrator();
+  Case mixed = c;
+  mixed.solver.precision = has_single_precision ? "mixed" : "double";
+  const Model<D, P> both(mixed);
+  GeneralizedAlpha<D, P> scheme(both, c.time.rho_inf);
   const Array r("r", scheme.size()), z("z", scheme.size());
   const Jacobian frozen = [&](const StencilValues& values) { scheme.jacobian(values); };
   Gmres gmres(scheme.size(), 200);
@@ -106,6 +150,14 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
     sheet.line("preconditioner " + name + ", apply", apply);
     std::snprintf(text, sizeof text, "  %.0f MiB", preconditioner->bytes() / 1048576);
     sheet.out << text << "; iterations at dt = 0.01 / 0.1 / 1 / 5: " << counts << "\n";
+    scheme.begin(stepper.state(), 0.1);
+    scheme.residual(stepper.state().unknown, r);
+    preconditioner->build(frozen);
+    const Array right = Kokkos::create_mirror(Exec(), r);
+    Kokkos::deep_copy(right, r);
+    bench_gmres<double>(sheet, "GMRES iteration, " + name, scheme, right, *preconditioner);
+    if (has_single_precision)
+      bench_gmres<float>(sheet, "GMRES iteration, " + name + ", single precision", scheme, right, *preconditioner);
   }
 }
 
@@ -125,7 +177,9 @@ void bench_rates(const Sheet& sheet, const Model<D, P>& model, State state) {
 }  // namespace
 
 template <int D, int P>
-void bench_model(const Case& c, std::ostream& out) {
+void bench_model(const Case& asked, std::ostream& out) {
+  Case c = asked;
+  c.solver.precision = "double";  // single precision is measured beside it
   const Model<D, P> model(c);
   const Layout<D>& layout = model.layout();
   GeneralizedAlpha<D, P> scheme(model, c.time.rho_inf);
@@ -151,8 +205,9 @@ void bench_model(const Case& c, std::ostream& out) {
   sheet.line("product, exact", seconds_per_call([&] { scheme.product(z, r, Geometry::exact); }));
   const StencilValues values("jacobian", Stencil<D>(layout).size());
   sheet.line("Jacobian as a matrix", seconds_per_call([&] { scheme.jacobian(values); }));
-  bench_terms(sheet, model, scheme.stage(), z, r);
+  bench_terms(sheet, layout, model.pieces(), scheme.stage(), z, r);
   sheet.line("dot", seconds_per_call([&] { dot(z, r); }));
+  if (has_single_precision) bench_single<D, P>(sheet, c, state);
 
   bench_rates(sheet, model, state);
   if (c.time.scheme == implicit_scheme) bench_preconditioners(sheet, c, model);

@@ -156,7 +156,7 @@ void describe_model(const Case& c, std::ostream& out) {
     print_section(out, "explicit steps, measured at the first state (time.mass = \"" + c.time.mass + "\")",
                   measured_limits(c, model));
   print_section(out, "kernel",
-                {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", double"},
+                {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", " + c.solver.precision},
                  {"backend",
                   backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
 }

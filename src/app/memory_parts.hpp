@@ -24,9 +24,11 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
   std::vector<std::pair<std::string, double>> parts{{program_part, 34.0 * 1048576},
                                                     {"state and history", 8 * (state + 3 * n)}};
   if (preconditioner) {
-    parts.insert(parts.end(), {{"stage", 8 * stage},
+    const bool mixed = c.solver.precision != "double";
+    const double rounded = mixed ? stage + (c.solver.precision == "single" ? n : 0) : 0;
+    parts.insert(parts.end(), {{"stage", 8 * stage + 4 * rounded},
                                {"Newton", 8 * 5 * n},
-                               {"Krylov basis", 8 * n * (2.0 * c.solver.krylov_restart + 2)},
+                               {"Krylov basis", (mixed ? 4 : 8) * n * (2.0 * c.solver.krylov_restart + 2)},
                                {"preconditioner " + preconditioner->name(), preconditioner->bytes()}});
   } else {
     constexpr double stages = 13, masses = 11;  // vectors, as many as the scheme imex has

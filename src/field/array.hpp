@@ -8,8 +8,12 @@
 namespace softwet {
 
 using Exec = Kokkos::DefaultExecutionSpace;
-using Array = Kokkos::View<double*, Exec>;
-using ConstArray = Kokkos::View<const double*, Exec>;
+template <class Real>
+using ArrayOf = Kokkos::View<Real*, Exec>;
+template <class Real>
+using ConstArrayOf = Kokkos::View<const Real*, Exec>;
+using Array = ArrayOf<double>;
+using ConstArray = ConstArrayOf<double>;
 
 /// True where kernels run on the host, one SIMD pack of elements at a time; false on a device, one element per thread.
 inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, Exec::memory_space>::accessible;

@@ -57,10 +57,10 @@ struct GhostPair {
   }
 };
 
-template <int D>
+template <int D, class Real>
 struct MoveGhosts {
   GhostPair<D> pair;
-  Array vector;
+  ArrayOf<Real> vector;
   GhostAction action;
   KOKKOS_FUNCTION void operator()(int g) const {
     int ghost = 0, own = 0;
@@ -75,8 +75,8 @@ struct MoveGhosts {
 };
 
 /// update: ghosts take the value of the control point they repeat. add: its transpose; ghosts are left at zero.
-template <int D>
-void move_ghosts(const Layout<D>& layout, const Array& vector, GhostAction action) {
+template <int D, class Real>
+void move_ghosts(const Layout<D>& layout, const ArrayOf<Real>& vector, GhostAction action) {
   for (int d = 0; d < D; ++d) {
     const Axis& axis = layout.axis[d];
     if (!axis.periodic()) continue;
@@ -84,7 +84,7 @@ void move_ghosts(const Layout<D>& layout, const Array& vector, GhostAction actio
       int items = axis.functions() - axis.owned();
       for (int e = 0; e < D; ++e) items *= e == d ? 1 : box.extent[e];
       Kokkos::parallel_for("softwet::ghosts", Kokkos::RangePolicy<Exec>(0, items),
-                           MoveGhosts<D>{{box, d, axis.owned()}, vector, action});
+                           MoveGhosts<D, Real>{{box, d, axis.owned()}, vector, action});
     }
   }
 }

@@ -17,18 +17,20 @@ struct State {
 };
 
 /// Fields at the generalized-alpha point and at the end of the step. Unknowns are the values at n + af.
-struct Stage {
-  double time = 0;                ///< t_{n+af}
-  Array unknown;                  ///< v, rho, mu at n+af
-  Array acceleration;             ///< dv/dt at n+am
-  Array displacement;             ///< at n+af
-  Array displacement_end;         ///< at n+1
-  Array density_end;              ///< at n+1
-  double rate_scale = 0;          ///< d acceleration / d velocity
-  double displacement_scale = 0;  ///< d displacement / d velocity
-  double end_scale = 1;           ///< d density_end / d density = d displacement_end / d displacement
-  double moment_rate = 0;         ///< am / (ga dt)
+template <class Real>
+struct StageOf {
+  double time = 0;                 ///< t_{n+af}
+  ArrayOf<Real> unknown;           ///< v, rho, mu at n+af
+  ArrayOf<Real> acceleration;      ///< dv/dt at n+am
+  ArrayOf<Real> displacement;      ///< at n+af
+  ArrayOf<Real> displacement_end;  ///< at n+1
+  ArrayOf<Real> density_end;       ///< at n+1
+  double rate_scale = 0;           ///< d acceleration / d velocity
+  double displacement_scale = 0;   ///< d displacement / d velocity
+  double end_scale = 1;            ///< d density_end / d density = d displacement_end / d displacement
+  double moment_rate = 0;          ///< am / (ga dt)
 };
+using Stage = StageOf<double>;
 
 /// The stage at a state itself, for integrals and output: its values, and no scales of a scheme.
 template <int D>

@@ -9,11 +9,15 @@
 namespace softwet {
 
 template <int D, int P>
-Model<D, P>::Model(const Case& c) {
+Model<D, P>::Model(const Case& c) : precision_(precision_of(c)) {
   build_axes(c);
   if (layout_.has_solid) build_solid(c);
   if (layout_.has_fluid) build_fluid(c);
   build_mask(c);
+  pieces_ = make_pieces<D, P, double>(*this, c);
+#ifdef SOFTWET_SINGLE
+  if (precision_ != Precision::full) single_ = std::make_unique<Pieces<D, float>>(make_pieces<D, P, float>(*this, c));
+#endif
 }
 
 template <int D, int P>
@@ -57,52 +61,6 @@ Region<D> Model<D, P>::region(int first, int last) const {
 }
 
 template <int D, int P>
-template <class Motion>
-void Model<D, P>::add_fluid_pieces(const Case& c) {
-  pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, NavierStokesKorteweg, Motion>>(
-      "navier_stokes_korteweg", fluid_region_, fluid_, Components{0, 0}, blend_));
-  variational_derivative_ = std::make_unique<PieceOf<D, P, P + 1, VariationalDerivative, Motion>>(
-      "variational_derivative", fluid_region_, VariationalDerivative{fluid_.gas, fluid_.capillarity},
-      Components{D, D + 1}, blend_);
-  if (c.fluid->form == CapillaryForm::divergence)
-    pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, CapillaryTraction, Motion>>(
-        "capillary stress (divergence form)", fluid_region_, CapillaryTraction{fluid_.gas, fluid_.capillarity},
-        Components{D, 0}, blend_));
-  if (!has_wall_) return;
-  const double cosine = wall_.cosine;
-  if (std::abs(cosine) > 1e-14) {  // 90 degrees: nothing to integrate
-    if (c.fluid->wall_law == WallLaw::gradient) {
-      pieces_.push_back(std::make_unique<PieceOf<D, P, 1, GradientWall, Motion>>(
-          "contact_angle (gradient law)", wall_region_, GradientWall{fluid_.capillarity, cosine, c.fluid->smoothing},
-          Components{D, D + 1}, blend_));
-    } else {
-      pieces_.push_back(std::make_unique<PieceOf<D, P, 1, EnergyWall, Motion>>(
-          "contact_angle (wall energy)", wall_region_, wall_, Components{D, D + 1}, blend_));
-    }
-    wall_law_ = pieces_.back().get();
-  }
-  if (c.fluid->form == CapillaryForm::potential) add_traction<Motion>(c);  // else it is in the stress already
-}
-
-template <int D, int P>
-template <class Motion>
-void Model<D, P>::add_traction(const Case& c) {
-  const CapillaryTraction term{fluid_.gas, fluid_.capillarity};
-  const auto on = [&](const char* name, const Region<D>& region) {
-    return std::make_unique<PieceOf<D, P, P + 1, CapillaryTraction, Motion>>(name, region, term, Components{D, 0},
-                                                                             blend_);
-  };
-  Region<D> layer = region(layout_.solid_elements, layout_.solid_elements + 1);
-  layer.test = restricted_to(layer.test, 0);
-  (layout_.has_solid ? pieces_.emplace_back() : rigid_traction_) = on("capillary_traction", layer);
-  if (!layout_.has_solid || c.fluid->traction == Traction::layer) return;
-  Region<D> all = fluid_region_;
-  all.test = linear_from(all.test, layout_.wall_row, blend_.low, blend_.height);
-  all.shared_test = true;
-  blended_traction_ = on("capillary_traction (blended)", all);
-}
-
-template <int D, int P>
 void Model<D, P>::build_fluid(const Case& c) {
   coexistence_ = coexistence(c.fluid->temperature);
   double h = layout_.axis[0].spacing();
@@ -113,14 +71,8 @@ void Model<D, P>::build_fluid(const Case& c) {
   fluid_.stabilisation = c.fluid->stabilisation * h * h / c.fluid->viscosity;
   fluid_.inertia_floor = 0.1 * coexistence_.density_vapour;
   has_wall_ = c.boundary.side[D - 1][0] != Side::periodic;
-  first_of_fluid_ = pieces_.size();
   const double angle = c.fluid->contact_angle;
   wall_ = {c.fluid->capillarity, angle == 90.0 ? 0.0 : std::cos(angle * M_PI / 180.0), 1e-5, fluid_.gas, coexistence_};
-  if (layout_.has_solid) {
-    add_fluid_pieces<WallMotion<D>>(c);
-  } else {
-    add_fluid_pieces<NoMotion>(c);
-  }
 }
 
 template <int D, int P>
@@ -128,8 +80,6 @@ void Model<D, P>::build_solid(const Case& c) {
   const Substrate& s = *c.substrate;
   solid_ = {SaintVenantKirchhoff::from(s.young_modulus(), s.poisson, s.strain == "small"),
             s.inertia == "none" ? 0.0 : s.density};
-  pieces_.push_back(std::make_unique<PieceOf<D, P, P + 1, Elastodynamics, NoMotion>>(
-      "saint_venant_kirchhoff", solid_region_, solid_, Components{0, 0}));
   for (const Load& load : c.loads) {
     std::vector<double> w(static_cast<std::size_t>(layout_.solid_rows()) * layout_.row_size, s.density);
     int stride = 1;
@@ -185,32 +135,34 @@ void Model<D, P>::add_loads(double time, const Array& out) const {
 }
 
 template <int D, int P>
-void Model<D, P>::run_pieces(const Binding<D>& binding, std::size_t first) const {
-  for (std::size_t i = first; i < pieces_.size(); ++i) {
-    const auto& piece = pieces_[i];
-    // A frozen product feeds a preconditioner, whose matrix has the pattern of one layer.
-    const bool blended = blended_traction_ && piece == pieces_.back() && binding.geometry == Geometry::exact;
-    const Piece<D>& chosen = blended ? *blended_traction_ : *piece;
-    binding.tangent.data() ? chosen.product(binding) : chosen.residual(binding);
-  }
+void Model<D, P>::finish_residual(double time, const Array& out) const {
+  add_loads(time, out);
+  if (source_) source_(time, out);
+  move_ghosts(layout_, out, GhostAction::add);
+  multiply(out, mask_);
 }
 
 template <int D, int P>
 void Model<D, P>::residual(const Stage& stage, const Array& out) const {
   Kokkos::deep_copy(Exec(), out, 0.0);
-  run_pieces({layout_, stage, {}, out});
-  add_loads(stage.time, out);
-  if (source_) source_(stage.time, out);
-  move_ghosts(layout_, out, GhostAction::add);
-  multiply(out, mask_);
+  pieces_.run({layout_, stage, {}, out});
+  finish_residual(stage.time, out);
+}
+
+template <int D, int P>
+void Model<D, P>::residual(const StageOf<float>& stage, const ArrayOf<float>& work, const Array& out) const {
+  Kokkos::deep_copy(Exec(), work, 0.0f);
+  single_->run({layout_, stage, {}, work});
+  convert(out, work);
+  finish_residual(stage.time, out);
 }
 
 template <int D, int P>
 void Model<D, P>::potential_moments(const Stage& stage, const Array& out) const {
   Kokkos::deep_copy(Exec(), out, 0.0);
   const Binding<D> binding{layout_, stage, {}, out};
-  variational_derivative_->residual(binding);
-  if (wall_law_) wall_law_->residual(binding);
+  pieces_.variational_derivative->residual(binding);
+  if (pieces_.wall_law) pieces_.wall_law->residual(binding);
   if (source_) source_(stage.time, out);
   move_ghosts(layout_, out, GhostAction::add);
   combine(out, -1, out, 0);
@@ -221,26 +173,39 @@ template <int D, int P>
 void Model<D, P>::fluid_residual(const Stage& stage, const Array& out) const {
   Kokkos::deep_copy(Exec(), out, 0.0);
   const Binding<D> binding{layout_, stage, {}, out};
-  run_pieces(binding, first_of_fluid_);
-  if (rigid_traction_) rigid_traction_->residual(binding);
+  pieces_.run(binding, pieces_.first_of_fluid);
+  if (pieces_.rigid_traction) pieces_.rigid_traction->residual(binding);
   move_ghosts(layout_, out, GhostAction::add);
 }
 
 template <int D, int P>
-void Model<D, P>::product(const Stage& stage, const Array& direction, const Array& out, Geometry geometry) const {
-  Kokkos::deep_copy(Exec(), out, 0.0);
+template <class Real>
+void Model<D, P>::run_product(const Pieces<D, Real>& pieces, const StageOf<Real>& stage, const ArrayOf<Real>& direction,
+                              const ArrayOf<Real>& out, Geometry geometry) const {
+  Kokkos::deep_copy(Exec(), out, Real(0));
   move_ghosts(layout_, direction, GhostAction::update);
-  run_pieces({layout_, stage, direction, out, geometry});
+  pieces.run({layout_, stage, direction, out, geometry});
   move_ghosts(layout_, out, GhostAction::add);
   multiply(out, mask_);
   multiply(direction, mask_);
 }
 
 template <int D, int P>
+void Model<D, P>::product(const Stage& stage, const Array& direction, const Array& out, Geometry geometry) const {
+  run_product(pieces_, stage, direction, out, geometry);
+}
+
+template <int D, int P>
+void Model<D, P>::product(const StageOf<float>& stage, const ArrayOf<float>& direction, const ArrayOf<float>& out,
+                          Geometry geometry) const {
+  run_product(*single_, stage, direction, out, geometry);
+}
+
+template <int D, int P>
 void Model<D, P>::jacobian(const Stage& stage, const StencilValues& values) const {
   Kokkos::deep_copy(Exec(), values, 0.0f);
   const Stencil<D> stencil(layout_);
-  for (const auto& piece : pieces_)
+  for (const auto& piece : pieces_.list)
     piece->jacobian({layout_, stage, {}, stage.unknown, Geometry::frozen}, stencil, values);
   fold_ghosts(layout_, stencil, values);
 }

@@ -8,7 +8,8 @@
 #include "field/ghosts.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
-#include "model/piece.hpp"
+#include "model/pieces.hpp"
+#include "model/precision.hpp"
 
 namespace softwet {
 
@@ -39,13 +40,20 @@ class Model {
   const Coexistence& state() const { return coexistence_; }
   const NavierStokesKorteweg& fluid() const { return fluid_; }
   const Elastodynamics& solid() const { return solid_; }
-  const std::vector<std::unique_ptr<Piece<D>>>& pieces() const { return pieces_; }
+  const EnergyWall& wall() const { return wall_; }  ///< also of the gradient law: its capillarity and cosine
+  const std::vector<std::unique_ptr<Piece<D>>>& pieces() const { return pieces_.list; }
+  /// Null where the case asks for double precision.
+  const Pieces<D, float>* single_pieces() const { return single_.get(); }
+  Precision precision() const { return precision_; }
   const std::vector<LoadVector>& loads() const { return loads_; }
   ConstArray mask() const { return mask_; }  ///< 1 free, 0 prescribed or ghost
   double wall_height() const { return blend_.low; }
   bool has_wall() const { return has_wall_; }
   const Region<D>& fluid_region() const { return fluid_region_; }
   const Region<D>& solid_region() const { return solid_region_; }
+  const Region<D>& wall_region() const { return wall_region_; }
+  /// Rows of elements [first, last) over the whole width.
+  Region<D> region(int first, int last) const;
   const Blend& blend() const { return blend_; }
 
   /// Adds a source to the discrete equations: residual() calls source(t_{n+af}, out), which subtracts its load vector.
@@ -61,6 +69,11 @@ class Model {
   void potential_moments(const Stage&, const Array& out) const;
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen.
   void product(const Stage&, const Array& direction, const Array& out, Geometry) const;
+
+  // The same in single precision. Only for cases that do not ask for double precision.
+  void residual(const StageOf<float>&, const ArrayOf<float>& work, const Array& out) const;
+  void product(const StageOf<float>&, const ArrayOf<float>& direction, const ArrayOf<float>& out, Geometry) const;
+
   /// values = dR/d(unknown) with the geometry frozen, and always with the traction of one layer. Prescribed values count
   /// as free here, and rows of ghosts are empty.
   void jacobian(const Stage&, const StencilValues& values) const;
@@ -74,13 +87,11 @@ class Model {
   void build_fluid(const Case&);
   void build_solid(const Case&);
   void build_mask(const Case&);
-  Region<D> region(int first, int last) const;
-  template <class Motion>
-  void add_fluid_pieces(const Case&);
-  template <class Motion>
-  void add_traction(const Case&);
-  /// The pieces from number `first` on: their products where the binding has a tangent, else their residuals.
-  void run_pieces(const Binding<D>&, std::size_t first = 0) const;
+  template <class Real>
+  void run_product(const Pieces<D, Real>&, const StageOf<Real>&, const ArrayOf<Real>& direction,
+                   const ArrayOf<Real>& out, Geometry) const;
+  /// What follows the terms in a residual: loads, the source, ghosts, and prescribed values.
+  void finish_residual(double time, const Array& out) const;
   template <class Motion>
   void fluid_integrals(const Binding<D>&, Integrals&) const;
   void add_loads(double time, const Array& out) const;
@@ -93,12 +104,9 @@ class Model {
   EnergyWall wall_;
   Elastodynamics solid_;
   bool has_wall_ = false;
-  std::vector<std::unique_ptr<Piece<D>>> pieces_;  ///< those of the solid, then those of the fluid
-  std::size_t first_of_fluid_ = 0;
-  std::unique_ptr<Piece<D>> variational_derivative_;
-  const Piece<D>* wall_law_ = nullptr;  ///< one of the pieces, or none at 90 degrees
-  std::unique_ptr<Piece<D>> rigid_traction_;
-  std::unique_ptr<Piece<D>> blended_traction_;  ///< takes the place of the last piece, except in frozen products
+  Precision precision_;
+  Pieces<D, double> pieces_;
+  std::unique_ptr<Pieces<D, float>> single_;
   std::vector<LoadVector> loads_;
   std::function<void(double, const Array&)> source_;
   Array mask_;

@@ -7,18 +7,19 @@
 namespace softwet {
 
 /// Everything a term needs on a region. Pointers are to control value (0, 0, 0) of each component's own grid.
-template <int D, class Term, class Motion>
+template <int D, class Term, class Motion, class R = double>
 struct Task {
+  using Real = R;
   using Trial = typename Term::template Trial<double, D>;
   using Test = typename Term::template Test<double, D>;
 
-  Region<D> region;
+  Region<D, Real> region;
   Term term;
   Motion motion;
-  const double* slot[Trial::slot_count];
-  const double* tangent[Trial::unknown_count];
-  double* test[Test::channel_count];
-  double scale[scale_count];
+  const Real* slot[Trial::slot_count];
+  const Real* tangent[Trial::unknown_count];
+  Real* test[Test::channel_count];
+  Real scale[scale_count];
 };
 
 /// Slots of a batch at its points, with tangents where N is dual.
@@ -28,7 +29,7 @@ struct BatchFields {
   static constexpr int slots = Trial::slot_count, unknowns = Trial::unknown_count;
   S value[slots][1 + D][points];
   S tangent[is_dual<N> ? unknowns : 1][1 + D][points];
-  double scale[scale_count];
+  RealOf<S> scale[scale_count];
 
   template <class TaskType>
   KOKKOS_FORCEINLINE_FUNCTION BatchFields(const TaskType& task, const Batch<D>& b,
@@ -107,16 +108,16 @@ struct Writer {
 
 /// Quadrature weight and height of point q of a batch.
 template <class S, int D, int Q>
-KOKKOS_FORCEINLINE_FUNCTION S weight_at(const Region<D>& region, const Batch<D>& b, int q) {
+KOKKOS_FORCEINLINE_FUNCTION S weight_at(const Region<D, RealOf<S>>& region, const Batch<D>& b, int q) {
   constexpr int wall_points = power(Q, D - 1);
-  double shared = region.axis[D - 1].weight(q / wall_points, b.element[D - 1]);
+  RealOf<S> shared = region.axis[D - 1].weight(q / wall_points, b.element[D - 1]);
   if constexpr (D == 3) shared *= region.axis[1].weight((q % wall_points) / Q, b.element[1]);
   return shared * load<S>(&region.axis[0].weight(q % Q, b.element[0]));
 }
 
 /// Residual (N = S) or Jacobian-vector product (N = Dual<S>) of one batch.
 template <class S, class N, int D, int P, int QL, class Term, class Motion>
-KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion>& task, const Batch<D>& b) {
+KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion, RealOf<S>>& task, const Batch<D>& b) {
   constexpr int Q = P + 1, wall_points = power(Q, D - 1), points = wall_points * QL;
   using Trial = typename Term::template Trial<N, D>;
   using Test = typename Term::template Test<N, D>;
@@ -146,7 +147,8 @@ template <int D>
 struct Colouring {
   int extent[D], start[D], step[D], count[D];
 
-  Colouring(const Region<D>& region, int stride, int colour, bool include_first) {
+  template <class Real>
+  Colouring(const Region<D, Real>& region, int stride, int colour, bool include_first) {
     for (int d = 0; d < D; ++d) {
       const bool coloured = d > 0 || include_first;
       extent[d] = region.axis[d].elements;
@@ -156,7 +158,8 @@ struct Colouring {
       count[d] = coloured ? (extent[d] - start[d] + step[d] - 1) / step[d] : 1;
     }
   }
-  static int colours_of(const Region<D>& region, int stride, int d) {
+  template <class Real>
+  static int colours_of(const Region<D, Real>& region, int stride, int d) {
     return d == D - 1 && stride > 1 && region.shared_test ? region.axis[d].elements : stride;
   }
   int items() const {
@@ -175,13 +178,14 @@ struct Colouring {
   }
 };
 
-/// Numbers of a batch: a lane for each element on the host.
-using BatchNumber = std::conditional_t<on_host, Pack<double>, double>;
+/// Numbers of a batch: a lane for each element on the host. On a device single precision is a pack of one lane, because
+/// packs round parameters to their precision, and a plain float would be computed as a double beside them.
+template <class Real>
+using BatchNumber = std::conditional_t<on_host || std::is_same_v<Real, float>, Pack<Real>, Real>;
 
-/// Runs body(batch) for all elements of a row, batch by batch.
-template <int D, class Body>
+/// Runs body(batch) for all elements of a row, `lanes` elements in a batch.
+template <int D, int lanes, class Body>
 KOKKOS_FORCEINLINE_FUNCTION void for_row(const Colouring<D>& rows, int row, const Body& body) {
-  constexpr int lanes = Lanes<BatchNumber>::count;
   const int n = rows.extent[0];
   Batch<D> b = rows.batch(row);
   for (int e = 0; e < n; e += lanes) {
@@ -192,14 +196,14 @@ KOKKOS_FORCEINLINE_FUNCTION void for_row(const Colouring<D>& rows, int row, cons
 }
 
 /// An item of one colour: a row of elements on the host, one element on a device.
-template <int D, class Body>
+template <int D, int lanes, class Body>
 struct ColourItem {
   Colouring<D> colouring;
   Body body;
 
   KOKKOS_FUNCTION void operator()(int item) const {
     if constexpr (on_host) {
-      for_row<D>(colouring, item, body);
+      for_row<D, lanes>(colouring, item, body);
     } else {
       body(colouring.batch(item));
     }
@@ -207,31 +211,33 @@ struct ColourItem {
 };
 
 /// Runs body(batch) for all elements of a region, one colour after another.
-template <int D, class Body>
-void for_colours(const char* name, const Region<D>& region, int stride, const Body& body) {
+template <int D, class Real, class Body>
+void for_colours(const char* name, const Region<D, Real>& region, int stride, const Body& body) {
+  constexpr int lanes = Lanes<BatchNumber<Real>>::count;
   int colours = 1;
   for (int d = on_host ? 1 : 0; d < D; ++d) colours *= Colouring<D>::colours_of(region, stride, d);
   for (int colour = 0; colour < colours; ++colour) {
     const Colouring<D> colouring(region, stride, colour, !on_host);
     if (colouring.items() == 0) continue;
-    Kokkos::parallel_for(name, Kokkos::RangePolicy<Exec>(0, colouring.items()), ColourItem<D, Body>{colouring, body});
+    Kokkos::parallel_for(name, Kokkos::RangePolicy<Exec>(0, colouring.items()),
+                         ColourItem<D, lanes, Body>{colouring, body});
   }
 }
 
-template <int D, int P, int QL, bool Tangent, class Term, class Motion>
+template <int D, int P, int QL, bool Tangent, class Term, class Motion, class Real>
 struct AssembleBatch {
-  Task<D, Term, Motion> task;
+  Task<D, Term, Motion, Real> task;
 
   KOKKOS_FUNCTION void operator()(const Batch<D>& b) const {
-    using N = std::conditional_t<Tangent, Dual<BatchNumber>, BatchNumber>;
-    assemble_batch<BatchNumber, N, D, P, QL, Term, Motion>(task, b);
+    using S = BatchNumber<Real>;
+    assemble_batch<S, std::conditional_t<Tangent, Dual<S>, S>, D, P, QL, Term, Motion>(task, b);
   }
 };
 
 /// Adds the term's residual, or (Tangent) its Jacobian-vector product, to task.test[].
-template <int P, int QL, bool Tangent, int D, class Term, class Motion>
-void assemble(const Task<D, Term, Motion>& task) {
-  for_colours("softwet::assemble", task.region, P + 1, AssembleBatch<D, P, QL, Tangent, Term, Motion>{task});
+template <int P, int QL, bool Tangent, int D, class Term, class Motion, class Real>
+void assemble(const Task<D, Term, Motion, Real>& task) {
+  for_colours("softwet::assemble", task.region, P + 1, AssembleBatch<D, P, QL, Tangent, Term, Motion, Real>{task});
 }
 
 }  // namespace softwet

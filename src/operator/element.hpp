@@ -17,16 +17,16 @@ struct Batch {
 
 /// Reads `count` lanes from p[0..]; further lanes repeat the last one.
 template <class S>
-KOKKOS_FORCEINLINE_FUNCTION S load_lanes(const double* p, int count) {
+KOKKOS_FORCEINLINE_FUNCTION S load_lanes(const RealOf<S>* p, int count) {
   constexpr int lanes = Lanes<S>::count;
   if (lanes == 1 || count == lanes) return load<S>(p);
-  double lane[lanes];
+  RealOf<S> lane[lanes];
   for (int l = 0; l < lanes; ++l) lane[l] = p[l < count ? l : count - 1];
   return load<S>(lane);
 }
 
 template <class S>
-KOKKOS_FORCEINLINE_FUNCTION void add_lanes(double* p, const S& x, int count) {
+KOKKOS_FORCEINLINE_FUNCTION void add_lanes(RealOf<S>* p, const S& x, int count) {
   constexpr int lanes = Lanes<S>::count;
   if (lanes == 1 || count == lanes) return add_to(p, x);
   if constexpr (lanes > 1)
@@ -34,7 +34,7 @@ KOKKOS_FORCEINLINE_FUNCTION void add_lanes(double* p, const S& x, int count) {
 }
 
 template <class S, int P, int Q>
-KOKKOS_FORCEINLINE_FUNCTION AxisBasis<S, P, Q> load_basis(const AxisRule& rule, int element) {
+KOKKOS_FORCEINLINE_FUNCTION AxisBasis<S, P, Q> load_basis(const AxisRuleOf<RealOf<S>>& rule, int element) {
   AxisBasis<S, P, Q> b;
   for (int q = 0; q < Q; ++q)
     for (int a = 0; a <= P; ++a) {
@@ -47,15 +47,16 @@ KOKKOS_FORCEINLINE_FUNCTION AxisBasis<S, P, Q> load_basis(const AxisRule& rule, 
 /// The 1D bases of a batch; `test` differs from the last axis' trial basis where the test space is restricted.
 template <class S, int D, int P, int Q, int QL>
 struct BatchBasis {
+  using Real = RealOf<S>;
   AxisBasis<S, P, Q> x;
-  AxisBasis<double, P, Q> y;  // 3D only
-  AxisBasis<double, P, QL> last, test;
+  AxisBasis<Real, P, Q> y;  // 3D only
+  AxisBasis<Real, P, QL> last, test;
 
-  KOKKOS_FORCEINLINE_FUNCTION BatchBasis(const Region<D>& region, const Batch<D>& b)
+  KOKKOS_FORCEINLINE_FUNCTION BatchBasis(const Region<D, Real>& region, const Batch<D>& b)
       : x(load_basis<S, P, Q>(region.axis[0], b.element[0])),
-        last(load_basis<double, P, QL>(region.axis[D - 1], b.element[D - 1])),
-        test(load_basis<double, P, QL>(region.test, b.element[D - 1])) {
-    if constexpr (D == 3) y = load_basis<double, P, Q>(region.axis[1], b.element[1]);
+        last(load_basis<Real, P, QL>(region.axis[D - 1], b.element[D - 1])),
+        test(load_basis<Real, P, QL>(region.test, b.element[D - 1])) {
+    if constexpr (D == 3) y = load_basis<Real, P, Q>(region.axis[1], b.element[1]);
   }
   template <bool Value, bool Gradient>
   KOKKOS_FORCEINLINE_FUNCTION void forward(const S (&nodal)[power(P + 1, D)], S (*out)[power(Q, D - 1) * QL]) const {
@@ -76,22 +77,22 @@ struct BatchBasis {
 };
 
 /// Offset of a batch's first control value in a component.
-template <int D>
-KOKKOS_FORCEINLINE_FUNCTION int first_control(const Region<D>& region, const Batch<D>& b) {
+template <int D, class Real>
+KOKKOS_FORCEINLINE_FUNCTION int first_control(const Region<D, Real>& region, const Batch<D>& b) {
   int offset = b.element[0];
   for (int d = 1; d < D; ++d) offset += region.axis[d].first(b.element[d]) * region.stride[d];
   return offset;
 }
 
 /// The same for the test functions.
-template <int D>
-KOKKOS_FORCEINLINE_FUNCTION int first_test(const Region<D>& region, const Batch<D>& b) {
+template <int D, class Real>
+KOKKOS_FORCEINLINE_FUNCTION int first_test(const Region<D, Real>& region, const Batch<D>& b) {
   const int last = b.element[D - 1];
   return first_control(region, b) + (region.test.first(last) - region.axis[D - 1].first(last)) * region.stride[D - 1];
 }
 
 template <class S, int D, int P>
-KOKKOS_FORCEINLINE_FUNCTION void gather(const double* p, const Region<D>& region, int first, int count,
+KOKKOS_FORCEINLINE_FUNCTION void gather(const RealOf<S>* p, const Region<D, RealOf<S>>& region, int first, int count,
                                         S (&nodal)[power(P + 1, D)]) {
   constexpr int n = P + 1;
   for (int k = 0; k < (D == 3 ? n : 1); ++k)
@@ -102,7 +103,7 @@ KOKKOS_FORCEINLINE_FUNCTION void gather(const double* p, const Region<D>& region
 }
 
 template <class S, int D, int P>
-KOKKOS_FORCEINLINE_FUNCTION void scatter(double* p, const Region<D>& region, int first, int count,
+KOKKOS_FORCEINLINE_FUNCTION void scatter(RealOf<S>* p, const Region<D, RealOf<S>>& region, int first, int count,
                                          const S (&nodal)[power(P + 1, D)]) {
   constexpr int n = P + 1;
   // Packs of neighbouring i overlap in memory: with i outermost a pack is stored long before its lanes are read again.
@@ -114,13 +115,13 @@ KOKKOS_FORCEINLINE_FUNCTION void scatter(double* p, const Region<D>& region, int
 }
 
 /// Motion of the wall that moves the fluid mesh: control values of the wall's row per direction.
-template <int D>
+template <int D, class Real = double>
 struct WallMotion {
-  const double* displacement[D];      ///< at n+af
-  const double* displacement_end[D];  ///< at n+1
-  const double* velocity[D];          ///< at n+af
-  const double* tangent[D];           ///< of the velocity, or null: geometry frozen
-  double scale, scale_end;            ///< d displacement / d velocity at n+af and n+1
+  const Real* displacement[D];      ///< at n+af
+  const Real* displacement_end[D];  ///< at n+1
+  const Real* velocity[D];          ///< at n+af
+  const Real* tangent[D];           ///< of the velocity, or null: geometry frozen
+  Real scale, scale_end;            ///< d displacement / d velocity at n+af and n+1
   Blend blend;
 };
 
@@ -130,25 +131,26 @@ struct NoMotion {};
 /// Geometry at the points of a batch on a fixed mesh.
 template <class S, class N, int D, int P, int Q, class Motion>
 struct BatchGeometry {
-  KOKKOS_FORCEINLINE_FUNCTION BatchGeometry(const Region<D>&, const Batch<D>&, const AxisBasis<S, P, Q>&,
-                                            const AxisBasis<double, P, Q>&, const Motion&) {}
+  KOKKOS_FORCEINLINE_FUNCTION BatchGeometry(const Region<D, RealOf<S>>&, const Batch<D>&, const AxisBasis<S, P, Q>&,
+                                            const AxisBasis<RealOf<S>, P, Q>&, const Motion&) {}
   KOKKOS_FORCEINLINE_FUNCTION FixedPoint<N, D> at(int, double, bool) const { return {}; }
 };
 
 /// Geometry of the blended moving mesh: the wall's motion interpolated along it, blended vertically at each point.
-template <class S, class N, int D, int P, int Q>
-struct BatchGeometry<S, N, D, P, Q, WallMotion<D>> {
+template <class S, class N, int D, int P, int Q, class Real>
+struct BatchGeometry<S, N, D, P, Q, WallMotion<D, Real>> {
   static constexpr int wall_points = power(Q, D - 1);
   static constexpr int wall_controls = power(P + 1, D - 1);
   S displacement[D][D][wall_points];  // [direction][0: value, 1..: slopes along the wall]
   S displacement_end[D][D][wall_points];
   S velocity[D][wall_points];
   S tangent[is_dual<N> ? D : 1][D][wall_points];
-  double scale, scale_end;
+  Real scale, scale_end;
   Blend blend;
 
-  KOKKOS_FORCEINLINE_FUNCTION BatchGeometry(const Region<D>& region, const Batch<D>& b, const AxisBasis<S, P, Q>& x,
-                                            const AxisBasis<double, P, Q>& y, const WallMotion<D>& wall)
+  KOKKOS_FORCEINLINE_FUNCTION BatchGeometry(const Region<D, Real>& region, const Batch<D>& b,
+                                            const AxisBasis<S, P, Q>& x, const AxisBasis<Real, P, Q>& y,
+                                            const WallMotion<D, Real>& wall)
       : scale(wall.scale), scale_end(wall.scale_end), blend(wall.blend) {
     for (int d = 0; d < D; ++d) {
       trace(wall.displacement[d], region, b, x, y, displacement[d]);
@@ -168,8 +170,8 @@ struct BatchGeometry<S, N, D, P, Q, WallMotion<D>> {
   }
 
   /// Value and slopes along the wall of one field of the wall's row.
-  KOKKOS_FORCEINLINE_FUNCTION void trace(const double* p, const Region<D>& region, const Batch<D>& b,
-                                         const AxisBasis<S, P, Q>& x, const AxisBasis<double, P, Q>& y,
+  KOKKOS_FORCEINLINE_FUNCTION void trace(const Real* p, const Region<D, Real>& region, const Batch<D>& b,
+                                         const AxisBasis<S, P, Q>& x, const AxisBasis<Real, P, Q>& y,
                                          S (&out)[D][wall_points]) const {
     constexpr int n = P + 1;
     S nodal[wall_controls];
@@ -191,7 +193,7 @@ struct BatchGeometry<S, N, D, P, Q, WallMotion<D>> {
     }
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION N number(const S& value, const S& t, double factor) const {
+  KOKKOS_FORCEINLINE_FUNCTION N number(const S& value, const S& t, Real factor) const {
     if constexpr (is_dual<N>) {
       return N(value, factor * t);
     } else {
@@ -201,7 +203,7 @@ struct BatchGeometry<S, N, D, P, Q, WallMotion<D>> {
 
   KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> at(int q, double height, bool face) const {
     const int w = q % wall_points;
-    const double beta = blend.value(height), slope = blend.slope();
+    const Real beta = static_cast<Real>(blend.value(height)), slope = static_cast<Real>(blend.slope());
     Matrix<N, D> f, f_end;
     Vector<N, D> v;
     for (int i = 0; i < D; ++i) {

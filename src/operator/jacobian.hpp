@@ -136,7 +136,8 @@ struct JacobianBatch {
   int first_row, first_column;
 
   KOKKOS_FUNCTION void operator()(const Batch<D>& b) const {
-    jacobian_batch<BatchNumber, D, P, QL, Term, Motion>(task, b, stencil, values.data(), first_row, first_column);
+    jacobian_batch<BatchNumber<double>, D, P, QL, Term, Motion>(task, b, stencil, values.data(), first_row,
+                                                                first_column);
   }
 };
 

@@ -68,10 +68,11 @@ struct ReduceRow {
   Array partial;  ///< [row][functional]
 
   KOKKOS_FUNCTION void operator()(int item) const {
-    using N = std::conditional_t<Rate, Dual<BatchNumber>, BatchNumber>;
+    using S = BatchNumber<double>;
+    using N = std::conditional_t<Rate, Dual<S>, S>;
     double sum[Functional::count] = {};
-    for_row<D>(rows, item,
-               [&](const Batch<D>& b) { reduce_batch<BatchNumber, N, D, P, QL, Functional, Motion>(task, b, sum); });
+    for_row<D, Lanes<S>::count>(
+        rows, item, [&](const Batch<D>& b) { reduce_batch<S, N, D, P, QL, Functional, Motion>(task, b, sum); });
     for (int f = 0; f < Functional::count; ++f) partial(item * Functional::count + f) = sum[f];
   }
 };

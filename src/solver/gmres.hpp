@@ -15,21 +15,25 @@ struct KrylovResult {
 };
 
 /// Saad 1993. Workspace is allocated once. `apply(z, out)` is the operator, `precondition(r, z)` its rough inverse.
-class Gmres {
+/// Vectors are of the precision Real; their dot products are summed, and the small system is solved, in double precision.
+template <class Real>
+class GmresOf {
  public:
-  Gmres(int size, int restart) : restart_(restart), residual_("gmres.residual", size) {
+  using Vector = ArrayOf<Real>;
+
+  GmresOf(int size, int restart) : restart_(restart), residual_("gmres.residual", size) {
     for (int j = 0; j <= restart; ++j) basis_.emplace_back("gmres.basis", size);
     for (int j = 0; j < restart; ++j) direction_.emplace_back("gmres.direction", size);
   }
 
   /// Solves A x = b from x = 0 to ||b - A x|| <= tolerance ||b||, in at most `limit` iterations.
   template <class Apply, class Precondition>
-  KrylovResult solve(const Apply& apply, const Precondition& precondition, const Array& b, const Array& x,
+  KrylovResult solve(const Apply& apply, const Precondition& precondition, const Vector& b, const Vector& x,
                      double tolerance, int limit) {
     KrylovResult result;
     const double target = tolerance * norm(b);
     const double start = norm(b);
-    Kokkos::deep_copy(Exec(), x, 0.0);
+    Kokkos::deep_copy(Exec(), x, Real(0));
     Kokkos::deep_copy(Exec(), basis_[0], b);
     if (start == 0) return {0, 0, true};
     double beta = start;
@@ -60,7 +64,7 @@ class Gmres {
     int used = 0;
     for (int j = 0; j < steps; ++j) {
       precondition(basis_[j], direction_[j]);
-      const Array& w = basis_[j + 1];
+      const Vector& w = basis_[j + 1];
       apply(direction_[j], w);
       double square = 0;              // |w|^2 before the projections
       for (int i = 0; i <= j; ++i) {  // modified Gram-Schmidt
@@ -80,7 +84,7 @@ class Gmres {
       const double length = std::hypot(h[j][j], h[j][j + 1]);
       used = j + 1;
       // The operator maps this direction into the space that is there already, up to round-off. It would only add noise.
-      if (!(length > 1e-14 * std::sqrt(square)) || !std::isfinite(length)) {
+      if (!(length > round_off * std::sqrt(square)) || !std::isfinite(length)) {
         used = j;
         break;
       }
@@ -100,10 +104,14 @@ class Gmres {
     return used;
   }
 
+  /// Relative size of a vector that is nothing but round-off.
+  static constexpr double round_off = std::is_same_v<Real, double> ? 1e-14 : 5e-6;
+
   int restart_;
-  Array residual_;
-  std::vector<Array> basis_, direction_;
+  Vector residual_;
+  std::vector<Vector> basis_, direction_;
   std::vector<double> y_;
 };
+using Gmres = GmresOf<double>;
 
 }  // namespace softwet

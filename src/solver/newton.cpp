@@ -4,14 +4,29 @@
 #include <cmath>
 
 namespace softwet {
+namespace {
 
-Newton::Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditioner)
-    : gmres_(size, restart),
+/// A residual of this many times the measured round-off counts as round-off. In a first step the velocities begin with
+/// the measurement, and the round-off at the solution is 3 times as large.
+constexpr double round_off_margin = 4;
+/// A residual of fewer times its round-off is not worth the full weight of a field.
+constexpr double signal_over_round_off = 100;
+
+std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(int size, int restart, LinearSolves precision) {
+  if (precision == LinearSolves::single) return LinearSpace<float>(size, restart);
+  return LinearSpace<double>(size, restart);
+}
+
+}  // namespace
+
+Newton::Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditioner, LinearSolves linear)
+    : linear_(linear_space(size, restart, linear)),
       preconditioner_(std::move(preconditioner)),
       residual_("newton.residual", size),
-      step_("newton.step", size),
-      scaled_("newton.scaled", size),
-      probe_("newton.probe", size) {}
+      probe_("newton.probe", size) {
+  const auto* full = std::get_if<LinearSpace<double>>(&linear_);
+  step_ = full ? full->step : Array("newton.step", size);
+}
 
 double Newton::weighted_norm(const std::vector<FieldRange>& fields, const ConstArray& r) const {
   double sum = 0;
@@ -26,14 +41,18 @@ void Newton::set_weights(const std::vector<FieldRange>& fields, const ConstArray
   std::vector<double> size(fields.size());
   for (std::size_t f = 0; f < fields.size(); ++f) size[f] = norm(part(r, fields[f].first, fields[f].last));
   // A field that happens to start without a residual is no measure: its round-off would outweigh the other fields.
-  const double least = 1e-6 * *std::max_element(size.begin(), size.end());
+  // Products in single precision bring more of it.
+  const bool single = std::holds_alternative<LinearSpace<float>>(linear_);
+  const double least = (single ? 1e-4 : 1e-6) * *std::max_element(size.begin(), size.end());
   weight_.resize(fields.size());
-  for (std::size_t f = 0; f < fields.size(); ++f) weight_[f] = 1 / std::max({size[f], fields[f].floor, least});
+  for (std::size_t f = 0; f < fields.size(); ++f)
+    weight_[f] = 1 / std::max({size[f], fields[f].floor, least, signal_over_round_off * fields[f].round_off});
 }
 
-void Newton::scale_rows(const std::vector<FieldRange>& fields, const Array& r, int exponent) const {
+template <class Real>
+void Newton::scale_rows(const std::vector<FieldRange>& fields, const ArrayOf<Real>& r, int exponent) const {
   for (std::size_t f = 0; f < fields.size(); ++f) {
-    const Array field = Kokkos::subview(r, Kokkos::make_pair(fields[f].first, fields[f].last));
+    const ArrayOf<Real> field = Kokkos::subview(r, Kokkos::make_pair(fields[f].first, fields[f].last));
     combine(field, exponent > 0 ? weight_[f] : 1 / weight_[f], field, 0);
   }
 }
@@ -52,23 +71,46 @@ void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl
   combine(out, 1 / epsilon, out, 0);
 }
 
+void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl&, const Array&,
+                              const ArrayOf<float>& z, const ArrayOf<float>& out) {
+  Stopwatch watch(counts_.product_seconds);
+  ++counts_.products;
+  system.single_product(z, out);
+}
+
+template <class Real>
+KrylovResult Newton::linear_solve_in(LinearSpace<Real>& space, const NonlinearSystem& system,
+                                     const std::vector<FieldRange>& fields, const NewtonControl& control,
+                                     double forcing, int limit, const Array& x) {
+  using Vector = ArrayOf<Real>;
+  const auto apply = [&](const Vector& z, const Vector& out) {
+    jacobian_product(system, control, x, z, out);
+    scale_rows<Real>(fields, out, 1);
+  };
+  const auto precondition = [&](const Vector& r, const Vector& z) {
+    Stopwatch inner(counts_.apply_seconds);
+    ++counts_.applications;
+    convert(probe_, r);
+    scale_rows<double>(fields, probe_, -1);
+    if constexpr (std::is_same_v<Real, double>) {
+      preconditioner_->apply(probe_, z);
+    } else {
+      preconditioner_->apply(probe_, step_);
+      convert(z, step_);
+    }
+  };
+  convert(space.right, residual_);
+  scale_rows<Real>(fields, space.right, 1);
+  const KrylovResult result = space.gmres.solve(apply, precondition, space.right, space.step, forcing, limit);
+  if constexpr (!std::is_same_v<Real, double>) convert(step_, space.step);
+  return result;
+}
+
 KrylovResult Newton::linear_solve(const NonlinearSystem& system, const std::vector<FieldRange>& fields,
                                   const NewtonControl& control, double forcing, int limit, const Array& x) {
   Stopwatch watch(counts_.krylov_seconds);
-  const auto apply = [&](const Array& z, const Array& out) {
-    jacobian_product(system, control, x, z, out);
-    scale_rows(fields, out, 1);
-  };
-  const auto precondition = [&](const Array& r, const Array& z) {
-    Stopwatch inner(counts_.apply_seconds);
-    ++counts_.applications;
-    Kokkos::deep_copy(Exec(), probe_, r);
-    scale_rows(fields, probe_, -1);
-    preconditioner_->apply(probe_, z);
-  };
-  Kokkos::deep_copy(Exec(), scaled_, residual_);
-  scale_rows(fields, scaled_, 1);
-  return gmres_.solve(apply, precondition, scaled_, step_, forcing, limit);
+  return std::visit([&](auto& space) { return linear_solve_in(space, system, fields, control, forcing, limit, x); },
+                    linear_);
 }
 
 void Wear::add(const KrylovResult& linear) {
@@ -124,7 +166,9 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     result.converged = size <= control.rtol * start;
     // When every field is at its floor it is as exact as asked for, whatever the relative reduction.
     bool at_floor = true;
-    for (const FieldRange& f : fields) at_floor = at_floor && norm(part(residual_, f.first, f.last)) <= f.floor;
+    for (const FieldRange& f : fields)
+      at_floor =
+          at_floor && norm(part(residual_, f.first, f.last)) <= std::max(f.floor, round_off_margin * f.round_off);
     result.converged = result.converged || at_floor;
     if (result.converged) return result;
     if (result.iterations == control.max || (result.iterations > 2 && size > 2 * previous)) {

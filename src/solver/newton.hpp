@@ -5,6 +5,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 #include "field/layout.hpp"
 #include "model/geometry.hpp"
@@ -53,6 +54,14 @@ class Wear {
   double excess_ = 0;
 };
 
+/// GMRES and the vectors of a linear solve, in one precision.
+template <class Real>
+struct LinearSpace {
+  LinearSpace(int size, int restart) : gmres(size, restart), right("newton.scaled", size), step("newton.step", size) {}
+  GmresOf<Real> gmres;
+  ArrayOf<Real> right, step;
+};
+
 /// Adds the time of its scope to a counter.
 class Stopwatch {
  public:
@@ -78,17 +87,25 @@ struct NonlinearSystem {
   Jacobian jacobian;                                              ///< for the preconditioner
   /// Empty if x is admissible (finite, densities in their range); otherwise what is wrong with it.
   std::function<std::string(const Array& x)> complaint;
+  /// The product in single precision, for a Newton that solves its linear systems in single precision.
+  std::function<void(const ArrayOf<float>& z, const ArrayOf<float>& out)> single_product = {};
 };
 
 /// Fields are weighted so that each starts the step with the same share of the norm of the residual, or is at its floor.
+/// A field whose residual is not much more than round-off has a smaller share, because no solve makes it smaller.
 struct FieldRange {
   int first, last;
   double floor;
+  double round_off = 0;  ///< norm of the round-off of the residual, where it is not far below the floor
 };
+
+enum class LinearSolves { full, single };
 
 class Newton {
  public:
-  Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditioner);
+  /// @param linear  precision of the linear solves; `single` needs the product in single precision
+  Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditioner,
+         LinearSolves linear = LinearSolves::full);
 
   /// Improves x until the weighted residual has fallen by rtol.
   NewtonResult solve(const NonlinearSystem&, const std::vector<FieldRange>& fields, const NewtonControl&,
@@ -101,16 +118,23 @@ class Newton {
  private:
   double weighted_norm(const std::vector<FieldRange>&, const ConstArray& r) const;
   void set_weights(const std::vector<FieldRange>&, const ConstArray& r);
-  void scale_rows(const std::vector<FieldRange>&, const Array& r, int exponent) const;
+  template <class Real>
+  void scale_rows(const std::vector<FieldRange>&, const ArrayOf<Real>& r, int exponent) const;
+  /// Solves A step = residual.
   KrylovResult linear_solve(const NonlinearSystem&, const std::vector<FieldRange>&, const NewtonControl&,
                             double forcing, int limit, const Array& x);
+  template <class Real>
+  KrylovResult linear_solve_in(LinearSpace<Real>&, const NonlinearSystem&, const std::vector<FieldRange>&,
+                               const NewtonControl&, double forcing, int limit, const Array& x);
   void jacobian_product(const NonlinearSystem&, const NewtonControl&, const Array& x, const Array& z, const Array& out);
+  void jacobian_product(const NonlinearSystem&, const NewtonControl&, const Array& x, const ArrayOf<float>& z,
+                        const ArrayOf<float>& out);
   void build(const NonlinearSystem&);
   std::string update(const NonlinearSystem&, const Array& x);
 
-  Gmres gmres_;
+  std::variant<LinearSpace<double>, LinearSpace<float>> linear_;
   std::unique_ptr<Preconditioner> preconditioner_;
-  Array residual_, step_, scaled_, probe_;
+  Array residual_, step_, probe_;
   std::vector<double> weight_;
   Wear wear_;
   bool rebuild_ = true;

@@ -8,10 +8,10 @@ namespace softwet {
 /// Element rules per axis; `test` replaces the last axis' rule for the test functions (same points). Where one test
 /// function of that axis lives on all elements (`shared_test`), a column of elements adds to the same control values.
 /// Control values of a component lie at [k][j][i], i fastest, with these strides over the whole patch.
-template <int D>
+template <int D, class Real = double>
 struct Region {
-  AxisRule axis[D];
-  AxisRule test;
+  AxisRuleOf<Real> axis[D];
+  AxisRuleOf<Real> test;
   bool shared_test = false;
   int stride[D] = {};
 
@@ -21,6 +21,21 @@ struct Region {
     return n;
   }
 };
+
+/// The same box with tables of the precision Real.
+template <class Real, int D>
+Region<D, Real> rounded(const Region<D>& region) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return region;
+  } else {
+    Region<D, Real> r;
+    for (int d = 0; d < D; ++d) r.axis[d] = in_single(region.axis[d]);
+    r.test = in_single(region.test);
+    r.shared_test = region.shared_test;
+    for (int d = 0; d < D; ++d) r.stride[d] = region.stride[d];
+    return r;
+  }
+}
 
 /// Vertical blending of the wall's motion into the fluid mesh: displacement(x, y) = d(x) (1 - eta(y)).
 /// The control points of row j move by (1 - Greville height) times the wall's, which is this linear blend exactly.

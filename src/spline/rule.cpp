@@ -53,6 +53,22 @@ AxisRule sample_rule(const Axis& axis, int first, int last, int points) {
   return tabulate(axis, first, last, fraction, weight);
 }
 
+AxisRuleOf<float> in_single(const AxisRule& rule) {
+  const auto cube = [](const auto& table) {
+    const Kokkos::View<float***, Kokkos::LayoutRight, Exec> to("rounded", table.extent(0), table.extent(1),
+                                                               table.extent(2));
+    Kokkos::deep_copy(to, table);
+    return to;
+  };
+  const auto square = [](const auto& table) {
+    const Kokkos::View<float**, Kokkos::LayoutRight, Exec> to("rounded", table.extent(0), table.extent(1));
+    Kokkos::deep_copy(to, table);
+    return to;
+  };
+  return {cube(rule.value), cube(rule.slope), square(rule.weight), square(rule.position),
+          rule.first,       rule.elements,    rule.points};
+}
+
 AxisRule restricted_to(const AxisRule& rule, int function) {
   const auto keep = [function](const auto& table) {
     Kokkos::View<double***, Kokkos::LayoutRight, Exec> copy("restricted", table.extent(0), table.extent(1),

@@ -11,14 +11,19 @@ namespace softwet {
 inline constexpr int lane_padding = 16;  ///< tables carry this many copies of the last element behind it
 
 /// value, slope: [point][function][element]; weight: [point][element]; first: [element], first living function.
-struct AxisRule {
-  Kokkos::View<const double***, Kokkos::LayoutRight, Exec> value, slope;
-  Kokkos::View<const double**, Kokkos::LayoutRight, Exec> weight;
-  Kokkos::View<const double**, Kokkos::LayoutRight, Exec> position;
+template <class Real>
+struct AxisRuleOf {
+  Kokkos::View<const Real***, Kokkos::LayoutRight, Exec> value, slope;
+  Kokkos::View<const Real**, Kokkos::LayoutRight, Exec> weight;
+  Kokkos::View<const Real**, Kokkos::LayoutRight, Exec> position;
   Kokkos::View<const int*, Exec> first;
   int elements = 0;
   int points = 0;
 };
+using AxisRule = AxisRuleOf<double>;
+
+/// The same rule with tables rounded to single precision.
+AxisRuleOf<float> in_single(const AxisRule&);
 
 /// Gauss points on the elements [first, last).
 AxisRule gauss_rule(const Axis&, int first, int last, int points);

@@ -41,8 +41,12 @@ class GeneralizedAlpha {
   void begin(const State& state, double dt, Rates rates = Rates::known);
 
   void residual(const Array& x, const Array& r);
+  /// What single precision makes of the residual at x: the residual in single precision minus that in double precision.
+  void round_off(const Array& x, const Array& out);
   /// dR/dx z at the point of the last residual.
   void product(const Array& z, const Array& out, Geometry geometry) const;
+  /// The same in single precision. Only for models that have it.
+  void product(const ArrayOf<float>& z, const ArrayOf<float>& out, Geometry geometry) const;
   /// The same with frozen geometry as a matrix.
   void jacobian(const StencilValues& values) const { model_.jacobian(stage_, values); }
 
@@ -53,10 +57,12 @@ class GeneralizedAlpha {
   int size() const { return model_.layout().size(); }
   const Model<D, P>& model() const { return model_; }
   const Stage& stage() const { return stage_; }
+  const StageOf<float>& single_stage() const { return single_stage_; }
   double dt() const { return dt_; }
 
  private:
   void fill_stage(const Array& x);
+  void round_stage();
   /// Shifts the density by a constant so that its integral is the sum of the moments. The constant is as small as the
   /// residual that Newton's method has left.
   void match_mass(const State& state) const;
@@ -64,6 +70,8 @@ class GeneralizedAlpha {
   const Model<D, P>& model_;
   AlphaParameters scheme_, alpha_;  ///< of rho_inf, and of the current step
   Stage stage_;
+  StageOf<float> single_stage_;  ///< the stage, rounded; empty in double precision
+  ArrayOf<float> single_work_;
   State start_;
   Array work_;
   double dt_ = 0;

@@ -43,12 +43,14 @@ ImplicitScheme<D, P>::ImplicitScheme(const Model<D, P>& model, const Case& c, co
       judge_(judge),
       integrator_(model, c.time.rho_inf),
       newton_(model.layout().size(), c.solver.krylov_restart,
-              choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask())),
+              choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask()),
+              model.precision() == Precision::full ? LinearSolves::full : LinearSolves::single),
       newton_control_(newton_control(c)),
       geometry_(c.solver.jacobian == "frozen" ? Geometry::frozen : Geometry::exact),
       x_("implicit.x", model.layout().size()) {
   double volume = 1;
   for (const Axis& axis : model.layout().axis) volume *= axis.spacing();
+  if (model.precision() == Precision::single) round_off_ = Array("implicit.round_off", model.layout().size());
   volume_norm_ = volume * std::sqrt(static_cast<double>(model.layout().rows) * model.layout().row_size);
 }
 
@@ -64,6 +66,12 @@ std::vector<FieldRange> ImplicitScheme<D, P>::fields() const {
     f.push_back({l.potential_offset(), l.size(), atol * volume_norm_});
   }
   return f;
+}
+
+template <int D, int P>
+void ImplicitScheme<D, P>::measure_round_off(std::vector<FieldRange>& fields) {
+  integrator_.round_off(x_, round_off_);
+  for (FieldRange& f : fields) f.round_off = norm(part(round_off_, f.first, f.last));
 }
 
 template <int D, int P>
@@ -86,10 +94,14 @@ NewtonResult ImplicitScheme<D, P>::solve(const StepHistory& history, double dt) 
   integrator_.begin(history.state, dt, history.previous_dt > 0 ? Rates::known : Rates::unknown);
   predict(history, dt);
   const auto product = [this](const Array& z, const Array& out) { integrator_.product(z, out, geometry_); };
-  const NonlinearSystem system{[this](const Array& x, const Array& r) { integrator_.residual(x, r); }, product,
-                               [this](const StencilValues& values) { integrator_.jacobian(values); },
-                               [this](const Array& x) { return judge_.of_values(x); }};
-  NewtonResult result = newton_.solve(system, fields(), newton_control_, x_);
+  const NonlinearSystem system{
+      [this](const Array& x, const Array& r) { integrator_.residual(x, r); }, product,
+      [this](const StencilValues& values) { integrator_.jacobian(values); },
+      [this](const Array& x) { return judge_.of_values(x); },
+      [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { integrator_.product(z, out, geometry_); }};
+  std::vector<FieldRange> ranges = fields();
+  if (model_.precision() == Precision::single) measure_round_off(ranges);
+  NewtonResult result = newton_.solve(system, ranges, newton_control_, x_);
   if (result.converged) result.reason = judge_.of_end(integrator_.stage());
   return result;
 }

@@ -25,6 +25,8 @@ class ImplicitScheme final : public Scheme<D, P> {
   void predict(const StepHistory&, double dt);
   NewtonResult solve(const StepHistory&, double dt);
   std::vector<FieldRange> fields() const;
+  /// The round-off of residuals in single precision, as it is at the prediction.
+  void measure_round_off(std::vector<FieldRange>&);
 
   const Model<D, P>& model_;
   const Judge<D, P>& judge_;
@@ -34,6 +36,7 @@ class ImplicitScheme final : public Scheme<D, P> {
   Geometry geometry_;  ///< in products with the Jacobian
   double volume_norm_;  ///< the norm of a vector of residuals that are 1 per volume
   Array x_;
+  Array round_off_;  ///< empty but in single precision
 };
 
 }  // namespace softwet

@@ -204,6 +204,19 @@ void check_track(const Checker& check) {
   check.refuse(key, "must be 2 numbers, not both 0", "write a horizontal direction, for example track = [1, 1]");
 }
 
+/// Explicit schemes, and differences of residuals, have no use for or no digits left in single precision.
+void check_precision(const Checker& check) {
+  const SolverControl& solver = check.c.solver;
+  if (solver.precision == "double") return;
+  if (check.c.time.scheme != implicit_scheme)
+    check.refuse("solver.precision",
+                 fmt::format("needs time.scheme = \"{}\", not \"{}\"", implicit_scheme, check.c.time.scheme),
+                 "write \"double\": explicit schemes know no other precision");
+  if (solver.jacobian != "exact")
+    check.refuse("solver.precision", "needs solver.krylov.jacobian = \"exact\"",
+                 "write \"double\": differences of residuals have no digits left in single precision");
+}
+
 }  // namespace
 
 void check_case(const Case& c, const Document& document, Problems& problems) {
@@ -227,6 +240,7 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check_initial(check);
   check.with({"output.fields.select", "fluid", "substrate"}, [&] { check_field_names(check); });
   check.with({"output.history.track"}, [&] { check_track(check); });
+  check.with({"solver.precision", "time.scheme", "solver.krylov.jacobian"}, [&] { check_precision(check); });
 }
 
 }  // namespace softwet

@@ -64,9 +64,9 @@ std::vector<Key> time_keys() {
       {.name = "time.mass",
        .kind = Kind::choice,
        .choices = {"consistent", "lumped"},
-       .help =
-           "Mass matrices of the explicit schemes. consistent solves with them by conjugate gradients. lumped takes their "
-           "row sums: steps are cheaper and may be longer, and the error in space is of second order.",
+       .help = "Mass matrices of the explicit schemes. consistent solves with them by conjugate gradients. lumped "
+               "takes their "
+               "row sums: steps are cheaper and may be longer, and the error in space is of second order.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.mass; })},
       {.name = "time.safety",
        .range = {0, 10, true, false},
@@ -177,8 +177,13 @@ std::vector<Key> solver_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.preconditioner; })},
       {.name = "solver.precision",
        .kind = Kind::choice,
-       .choices = {"double"},
-       .help = "Precision of the numbers in the computation.",
+       .choices = {"double", "mixed", "single"},
+       .help =
+           "Precision of the numbers in the computation with generalized_alpha. mixed: the linear solves of Newton's "
+           "method, with their products of the Jacobian and their vectors, are in single precision. The results have "
+           "the accuracy of double. single: the residuals are in single precision too, which limits how far Newton's "
+           "method gets. States, integrals and the mass are always in double precision, and preconditioners "
+           "in single. docs/performance.md tells what each of them costs and where it ends.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.precision; })},
   };
 }

@@ -240,7 +240,8 @@ TEST(BadCases, ClearMistakesInTheSyntaxAreCalledByTheirName) {
   EXPECT_NE(message_of(replaced(pull, "force = [0.16215, 0.0]", "force = [1/8, 0.0]")).find("[\"1/8\", 0.0]"),
             std::string::npos);
   EXPECT_NE(message_of(pull, {"load.ramp=0,5"}).find("write ramp = 0.5"), std::string::npos);
-  EXPECT_NE(message_of(pull, {"droplet.centre=[0,5, 0,125]"}).find("a comma begins the next number"), std::string::npos);
+  EXPECT_NE(message_of(pull, {"droplet.centre=[0,5, 0,125]"}).find("a comma begins the next number"),
+            std::string::npos);
 }
 
 TEST(BadCases, OnlyWhatIsNearIsSuggested) {
@@ -359,6 +360,30 @@ TEST(BadCases, UnreadablePathsSayWhy) {
       EXPECT_NE(std::string(error.what()).find(path), std::string::npos);
     }
   }
+}
+
+void expect_parts(const std::string& message, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
+}
+
+TEST(BadPrecision, UnknownWord) {
+  expect_parts(message_of(pull, {"solver.precision=half"}),
+               {"solver.precision = \"half\"", "\"double\"", "\"mixed\"", "\"single\""});
+}
+
+TEST(BadPrecision, ExplicitSchemesAreDouble) {
+  for (const char* precision : {"mixed", "single"})
+    for (const char* scheme : {"ssp_rk3", "imex"})
+      expect_parts(
+          message_of(pull, {std::string("solver.precision=") + precision, std::string("time.scheme=") + scheme}),
+          {"solver.precision", precision, "generalized_alpha", scheme, "write \"double\""});
+  EXPECT_EQ(message_of(pull, {"solver.precision=mixed"}), "(accepted)");
+  EXPECT_EQ(message_of(pull, {"solver.precision=double", "time.scheme=imex"}), "(accepted)");
+}
+
+TEST(BadPrecision, DifferencesOfResidualsAreDouble) {
+  expect_parts(message_of(pull, {"solver.precision=mixed", "solver.krylov.jacobian=difference"}),
+               {"solver.precision", "solver.krylov.jacobian", "\"exact\"", "write \"double\""});
 }
 
 }  // namespace

@@ -25,6 +25,9 @@ TEST(Memory, LeastGrowsWithTheMeshAndTheKrylovBasis) {
   const double unknowns = 128 * 64 * (2 + 2 * 0.75);
   c.solver.krylov_restart += 10;
   EXPECT_NEAR(least_bytes(c) - coarse, 8 * 20 * unknowns, 1e-6);
+  const double full = least_bytes(c);
+  c.solver.precision = "mixed";
+  EXPECT_NEAR(full - least_bytes(c), 4 * 2 * c.solver.krylov_restart * unknowns, 1e-6);
 }
 
 TEST(Memory, LeastStaysBelowWhatATableOfPartsCounts) {

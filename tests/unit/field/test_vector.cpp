@@ -53,5 +53,31 @@ TEST(Vector, CombineAddMultiply) {
   EXPECT_EQ(to_host(part(b, 95, 97))[0], 0.5 * r[95]);
 }
 
+// Vectors of single precision: what is added up is double, so that a sum of many small parts keeps them.
+TEST(Vector, SumsOfSinglePrecisionAreDouble) {
+  const int n = 1 << 20;
+  const ArrayOf<float> x("x", n);
+  Kokkos::deep_copy(x, 1e-4f);
+  const double each = static_cast<double>(1e-4f);
+  EXPECT_NEAR(dot(x, x) / (n * each * each), 1, 1e-12);
+  EXPECT_NEAR(norm(x) / (std::sqrt(n) * each), 1, 1e-12);
+}
+
+TEST(Vector, SinglePrecisionRoundsOnce) {
+  const std::vector<double> x = ramp(100, 1.1), y = ramp(100, 0.7);
+  const Array wide = to_device<Array>(x);
+  const ArrayOf<float> a("a", 100), b("b", 100);
+  convert(a, wide);
+  convert(b, to_device<Array>(y));
+  convert(wide, a);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(to_host(wide)[i], static_cast<double>(static_cast<float>(x[i])));
+  combine(a, 2, b, -3);
+  add_scaled(a, 0, 0.5, b);
+  multiply(a, to_device<Array>(std::vector<double>(100, 0.25)));
+  convert(wide, a);
+  const std::vector<double> r = to_host(wide);
+  for (int i = 0; i < 100; ++i) EXPECT_NEAR(r[i], 0.25 * (2 * y[i] - 3 * x[i] + 0.5 * y[i]), 5e-7);
+}
+
 }  // namespace
 }  // namespace softwet

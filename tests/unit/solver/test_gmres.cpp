@@ -33,6 +33,14 @@ struct Dense {
   auto apply() const {
     return [this](const Array& x, const Array& y) { Kokkos::deep_copy(y, to_device<Array>(multiply(to_host(x)))); };
   }
+  /// The operator on vectors in single precision; its own arithmetic is double.
+  auto apply_single() const {
+    return [this](const ArrayOf<float>& x, const ArrayOf<float>& y) {
+      const Array wide("wide", n);
+      convert(wide, x);
+      convert(y, to_device<Array>(multiply(to_host(wide))));
+    };
+  }
   auto jacobi() const {
     return [this](const Array& r, const Array& z) {
       std::vector<double> v = to_host(r);
@@ -75,6 +83,36 @@ TEST(Gmres, ReportsTheTrueResidual) {
     EXPECT_LE(r.reduction, 1.01 * tolerance);
     EXPECT_NEAR(r.reduction, m.reduction(to_host(x)), 1e-8 * r.reduction + 1e-16);
   }
+}
+
+// Vectors in single precision lose 1e-7 of the right-hand side in each iteration: 1e-4 is far above that.
+TEST(Gmres, ReachesTheSameToleranceInSinglePrecision) {
+  const Dense m(60, 4, 0.6);
+  for (const double tolerance : {1e-1, 1e-2, 1e-4}) {
+    const Array b = to_device<Array>(m.right), x("x", 60);
+    const KrylovResult full = Gmres(60, 30).solve(m.apply(), identity, b, x, tolerance, 200);
+    const ArrayOf<float> single_b("b", 60), single_x("x", 60);
+    convert(single_b, b);
+    const auto copy = [](const ArrayOf<float>& r, const ArrayOf<float>& z) { Kokkos::deep_copy(z, r); };
+    const KrylovResult single =
+        GmresOf<float>(60, 30).solve(m.apply_single(), copy, single_b, single_x, tolerance, 200);
+    EXPECT_TRUE(single.converged);
+    EXPECT_EQ(single.iterations, full.iterations);
+    convert(x, single_x);
+    EXPECT_LE(m.reduction(to_host(x)), 1.02 * tolerance);
+    EXPECT_NEAR(single.reduction, m.reduction(to_host(x)), 1e-6);
+  }
+}
+
+TEST(Gmres, SinglePrecisionEndsAtItsRoundOffWithoutClaimingSuccess) {
+  const Dense m(60, 4, 0.6);
+  const ArrayOf<float> b("b", 60), x("x", 60);
+  convert(b, to_device<Array>(m.right));
+  const auto copy = [](const ArrayOf<float>& r, const ArrayOf<float>& z) { Kokkos::deep_copy(z, r); };
+  const KrylovResult r = GmresOf<float>(60, 60).solve(m.apply_single(), copy, b, x, 1e-12, 10000);
+  EXPECT_FALSE(r.converged);
+  EXPECT_LT(r.iterations, 1000);
+  EXPECT_LT(r.reduction, 1e-5);
 }
 
 TEST(Gmres, RestartsAndStillConverges) {

@@ -40,6 +40,19 @@ struct Cubic {
   }
 };
 
+/// The same system with a product whose vectors are in single precision.
+NonlinearSystem with_single_product(Cubic& cubic, const Array& x) {
+  NonlinearSystem system = cubic.system(x);
+  system.single_product = [product = std::exchange(system.product, nullptr)](const ArrayOf<float>& z,
+                                                                             const ArrayOf<float>& out) {
+    const Array wide("wide", n), result("result", n);
+    convert(wide, z);
+    product(wide, result);
+    convert(out, result);
+  };
+  return system;
+}
+
 Newton make_newton() { return Newton(n, n, std::make_unique<NoPreconditioner>()); }
 const std::vector<FieldRange> fields{{0, n / 2, 1e-14}, {n / 2, n, 1e-14}};
 
@@ -95,6 +108,52 @@ TEST(Newton, DifferenceProductsFindTheSameRoot) {
   EXPECT_TRUE(r.converged) << r.reason;
   EXPECT_LT(error(x, cubic.root), 1e-11);
   EXPECT_EQ(cubic.exact, 0);
+}
+
+// The residual is double, so its tolerance is met to the end, although each correction has seven digits only.
+TEST(Newton, LinearSolvesInSinglePrecisionFindTheSameRoot) {
+  Cubic cubic;
+  NewtonControl control = tight();
+  control.krylov_rtol = 1e-4;
+  Newton full(n, n, std::make_unique<NoPreconditioner>());
+  Newton single(n, n, std::make_unique<NoPreconditioner>(), LinearSolves::single);
+  const Array x = to_device<Array>(std::vector<double>(n, 0.5)), y = to_device<Array>(std::vector<double>(n, 0.5));
+  const NewtonResult expected = full.solve(cubic.system(x), fields, control, x);
+  const NewtonResult found = single.solve(with_single_product(cubic, y), fields, control, y);
+  EXPECT_TRUE(found.converged) << found.reason;
+  EXPECT_LE(found.iterations, expected.iterations + 1);
+  EXPECT_LE(found.reduction, 1e-12);
+  EXPECT_LT(error(y, cubic.root), 1e-11);
+  EXPECT_EQ(single.counts().products, cubic.exact - full.counts().products);
+}
+
+/// Residuals with a round-off of 1e-7 that looks random.
+NonlinearSystem with_round_off(Cubic& cubic, const Array& x) {
+  NonlinearSystem system = cubic.system(x);
+  system.residual = [&cubic](const Array& y, const Array& r) {
+    std::vector<double> f = cubic.value(to_host(y));
+    for (int i = 0; i < n; ++i) f[i] += 1e-7 * std::sin(1e9 * (f[i] + i));
+    Kokkos::deep_copy(r, to_device<Array>(f));
+  };
+  return system;
+}
+
+TEST(Newton, EndsAtTheRoundOffOfTheResidualWhereItIsTold) {
+  Cubic cubic;
+  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  Newton newton = make_newton();
+  const NewtonResult untold = newton.solve(with_round_off(cubic, x), fields, tight(), x);
+  EXPECT_FALSE(untold.converged);
+  EXPECT_EQ(untold.reason, "Newton's method did not converge");
+
+  Kokkos::deep_copy(x, 0.5);
+  std::vector<FieldRange> told = fields;
+  for (FieldRange& f : told) f.round_off = 1e-7 * std::sqrt(0.5 * n / 2);
+  const NewtonResult found = newton.solve(with_round_off(cubic, x), told, tight(), x);
+  EXPECT_TRUE(found.converged) << found.reason;
+  EXPECT_LE(found.iterations, 7);
+  EXPECT_LT(error(x, cubic.root), 1e-6);
+  EXPECT_GT(error(x, cubic.root), 1e-11);
 }
 
 TEST(Newton, AtTheRootNothingIsDone) {
