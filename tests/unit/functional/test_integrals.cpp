@@ -28,6 +28,7 @@ TEST(FluidIntegrals, ByHand) {
   EXPECT_DOUBLE_EQ(v[FluidIntegrals::momentum + 1], 1.5);
   EXPECT_EQ(v[FluidIntegrals::momentum + 2], 0);
   EXPECT_EQ(v[FluidIntegrals::folded], 0);
+  EXPECT_EQ(v[FluidIntegrals::volume], 1);
   t.volume_ratio = -0.1;
   EXPECT_EQ(f.value(t)[FluidIntegrals::folded], -1) << "times J: a positive volume";
 }
