@@ -10,7 +10,7 @@ const std::vector<Quality>& qualities() {
       {"standard", "the defaults", {}},
       {"reference",
        "to judge the others by",
-       {{"time.tolerance", "1e-4"}, {"solver.newton.rtol", "1e-7"}, {"solver.newton.atol", "1e-11"}}},
+       {{"time.tolerance", "1e-5"}, {"solver.newton.rtol", "1e-6"}, {"solver.newton.atol", "1e-11"}}},
   };
   return all;
 }

@@ -166,8 +166,8 @@ std::vector<Key> solver_keys() {
       {.name = "solver.krylov.jacobian",
        .kind = Kind::choice,
        .choices = {"exact", "frozen", "difference"},
-       .help = "Jacobian-vector product: exact (dual numbers), frozen (without the motion of the fluid's mesh, cheaper, "
-               "with more Newton iterations), or a finite difference of residuals.",
+       .help = "Jacobian-vector product: exact (dual numbers), frozen (without the motion of the fluid's mesh; it was "
+               "slower wherever the mesh moved), or a finite difference of residuals.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.jacobian; })},
       {.name = "solver.krylov.preconditioner",
        .kind = Kind::choice,
