@@ -6,9 +6,9 @@
 namespace softwet {
 namespace {
 
-/// A residual of this many times the measured round-off counts as round-off. In a first step the velocities begin with
-/// the measurement, and the round-off at the solution is 3 times as large.
-constexpr double round_off_margin = 4;
+/// A residual of this many times the measured round-off counts as round-off. In a first step the round-off is measured
+/// at rest, and at the solution it was found to be up to 5 times as large.
+constexpr double round_off_margin = 8;
 /// A residual of fewer times its round-off is not worth the full weight of a field.
 constexpr double signal_over_round_off = 100;
 
