@@ -6,9 +6,10 @@
 namespace softwet {
 namespace {
 
-/// A residual of this many times the measured round-off counts as round-off. In a first step the velocities begin with
-/// the measurement, and the round-off at the solution is 3 times as large.
-constexpr double round_off_margin = 4;
+/// Where residuals count as solved because steps make them hardly smaller: the weighted norm of all fields at this many
+/// times its measured round-off, or each field at this many times its own. The round-off at the solution differs from the
+/// measured one, most where a field begins at rest.
+constexpr double weighted_margin = 2, field_margin = 8;
 /// A residual of fewer times its round-off is not worth the full weight of a field.
 constexpr double signal_over_round_off = 100;
 
@@ -34,6 +35,12 @@ double Newton::weighted_norm(const std::vector<FieldRange>& fields, const ConstA
     const ConstArray field = part(r, fields[f].first, fields[f].last);
     sum += weight_[f] * weight_[f] * dot(field, field);
   }
+  return std::sqrt(sum);
+}
+
+double Newton::weighted_round_off(const std::vector<FieldRange>& fields) const {
+  double sum = 0;
+  for (std::size_t f = 0; f < fields.size(); ++f) sum += std::pow(weight_[f] * fields[f].round_off, 2);
   return std::sqrt(sum);
 }
 
@@ -167,8 +174,8 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     // When every field is at its floor it is as exact as asked for, whatever the relative reduction.
     bool at_floor = true;
     for (const FieldRange& f : fields)
-      at_floor =
-          at_floor && norm(part(residual_, f.first, f.last)) <= std::max(f.floor, round_off_margin * f.round_off);
+      at_floor = at_floor && norm(part(residual_, f.first, f.last)) <= std::max(f.floor, field_margin * f.round_off);
+    at_floor = at_floor || size <= weighted_margin * weighted_round_off(fields);
     result.converged = result.converged || at_floor;
     if (result.converged) return result;
     if (result.iterations == control.max || (result.iterations > 2 && size > 2 * previous)) {

@@ -96,7 +96,7 @@ struct NonlinearSystem {
 struct FieldRange {
   int first, last;
   double floor;
-  double round_off = 0;  ///< norm of the round-off of the residual, where it is not far below the floor
+  double round_off = 0;  ///< norm of the round-off of the residual, where it is above the floor
 };
 
 enum class LinearSolves { full, single };
@@ -117,6 +117,7 @@ class Newton {
 
  private:
   double weighted_norm(const std::vector<FieldRange>&, const ConstArray& r) const;
+  double weighted_round_off(const std::vector<FieldRange>&) const;
   void set_weights(const std::vector<FieldRange>&, const ConstArray& r);
   template <class Real>
   void scale_rows(const std::vector<FieldRange>&, const ArrayOf<Real>& r, int exponent) const;
