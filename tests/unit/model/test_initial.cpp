@@ -97,7 +97,7 @@ TEST(InitialState, DropletBelowTheSizeOfAnyEquilibriumStaysBetweenThePhases) {
 /// The mesh resolves this step with four elements and more; control values at Greville points widen it by O(h^2).
 TEST(InitialState, DropletCarriesItsVelocityAsMomentum) {
   Case c = fluid_box();
-  c.domain.elements = {100, 50};
+  c.domain.elements = {200, 100};
   c.fluid->capillarity = 0.012;
   c.droplets = {{{0.5, 0.25}, 0.15, {}, {0.3, -0.2}}};
   const Model<2, 2> model(c);
