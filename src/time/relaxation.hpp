@@ -18,8 +18,7 @@ struct Relaxation {
 /// has changed the state little, so that the way there is not accurate, but the end is: mass is conserved and the
 /// equations of the state at rest are those of the scene. At rest means that the rate of change
 ///   r = max( rms(rho') / (rho_l - rho_v),  rms(u') / Hs )
-/// is below `rest` and that the change that is still to come, estimated from the last two rates as if they were of one
-/// exponential, is small too. The state gets the time `time` and is as one that `Scheme::initialise` has not seen.
+/// is below 1e-6. A droplet that creeps more slowly than that counts as at rest. The state gets the time `time` and is as one that `Scheme::initialise` has not seen.
 /// Throws Error (computation_failed) where this does not happen, with the reason, and when interrupted.
 /// Source: Kelley and Keyes 1998.   Tested: tests/unit/time/test_relaxation.cpp
 template <int D, int P>
