@@ -8,6 +8,16 @@
 
 namespace softwet {
 
+/// Adds numbers that look random to a vector.
+struct AddNoise {
+  Array a;
+  double scale;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    const unsigned mixed = (static_cast<unsigned>(i) * 2654435761u) ^ (static_cast<unsigned>(i) >> 7);
+    a(i) += scale * ((mixed % 20011u) / 10005.0 - 1.0);
+  }
+};
+
 /// Keeps its vector from one measurement to the next, which then takes few products.
 class PowerIteration {
  public:
@@ -51,16 +61,9 @@ class PowerIteration {
     constexpr double part = 0.1;
     const double length = norm(direction_), size = direction_.extent(0) > 0 ? direction_.extent(0) : 1;
     const double scale = length > 0 ? part * length / std::sqrt(size) : 1;
-    Kokkos::parallel_for("softwet::noise", Kokkos::RangePolicy<Exec>(0, direction_.extent(0)), Noise{direction_, scale});
+    Kokkos::parallel_for("softwet::noise", Kokkos::RangePolicy<Exec>(0, direction_.extent(0)),
+                         AddNoise{direction_, scale});
   }
-  struct Noise {
-    Array a;
-    double scale;
-    KOKKOS_FUNCTION void operator()(int i) const {
-      const unsigned mixed = (static_cast<unsigned>(i) * 2654435761u) ^ (static_cast<unsigned>(i) >> 7);
-      a(i) += scale * ((mixed % 20011u) / 10005.0 - 1.0);
-    }
-  };
 
   Array direction_, product_;
   double radius_ = 0;
