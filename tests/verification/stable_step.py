@@ -5,8 +5,8 @@ usage: stable_step.py SOFTWET [--full]     --full adds two finer meshes and cons
 A droplet on a rigid wall at the temperature 0.85, with the wall law that has an energy: on a rigid wall the total energy
 may only fall. From a state after 100 short steps the run goes on for 150 steps of time.safety times the measured limit.
 They are stable where all are done, none is refused, and the total energy rises in none. The answer is the largest such
-time.safety. Above 1 the measured limit is on the safe side. With imex it is so by half, for the implicit viscosity damps
-what the explicit part alone would let grow."""
+time.safety. Above 1 the measured limit is on the safe side. With rkl2 and imex it is so by half, for the viscosity damps what
+the rest alone would let grow."""
 
 import pathlib
 import shutil
