@@ -80,6 +80,16 @@ KOKKOS_FORCEINLINE_FUNCTION auto logarithm(const Kokkos::Experimental::basic_sim
   return Kokkos::Experimental::simd_unchecked_load<P>(lane, Kokkos::Experimental::simd_flag_default);
 }
 
+/// Whether any lane is not zero.
+template <class S>
+KOKKOS_FORCEINLINE_FUNCTION bool any_nonzero(const S& x) {
+  if constexpr (std::is_arithmetic_v<S>) {
+    return x != 0;
+  } else {
+    return Kokkos::Experimental::any_of(x != S(0));
+  }
+}
+
 /// Reads lanes p[0], p[1], ... (consecutive elements).
 template <class S, class Real>
 KOKKOS_FORCEINLINE_FUNCTION S load(const Real* p) {

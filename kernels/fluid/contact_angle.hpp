@@ -22,6 +22,8 @@ struct Coexistence {
 /// <q, g^2 sqrt(|grad rho|^2 + d^2) cos(alpha)>_Gamma : the paper's law, grad rho . n = |grad rho| cos(alpha).
 /// Source: Bueno et al. 2017, section 2.1.   Tested: tests/unit/fluid/test_contact_angle.cpp
 struct GradientWall {
+  static constexpr Where where = Where::wall;
+
   double capillarity = 0;
   double cosine = 0;     ///< cos(alpha), alpha measured in the liquid
   double smoothing = 0;  ///< d, scale b/L0
@@ -41,6 +43,8 @@ struct GradientWall {
 /// <q, -f_w'(rho)>_Gamma with the wall energy f_w' = -cos(alpha) g sqrt(2 D(rho)): the variational equivalent.
 /// sqrt(2 D) is smoothed as sqrt(2 D + d^2) - d, so that it vanishes and is differentiable in both phases.
 struct EnergyWall {
+  static constexpr Where where = Where::wall;
+
   double capillarity = 0;
   double cosine = 0;
   double smoothing = 1e-5;  ///< d, scale sqrt(a) b

@@ -1,4 +1,4 @@
-// The linear operators that time schemes invert: masses of the fluid and the solid, and the viscosity beside them.
+// The linear operators on velocities that time schemes invert: masses of the fluid and the solid, and the viscosity.
 #pragma once
 
 #include "kernels/fluid/newtonian.hpp"
@@ -6,22 +6,11 @@
 
 namespace softwet {
 
-/// Mass matrix of a scalar of the fluid, (q, z).
-struct ScalarMass {
-  template <class N, int D>
-  using Trial = ScalarTrial<N, D>;
-  template <class N, int D>
-  using Test = ScalarTest<N, D>;
-
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION ScalarTest<N, D> residual(const ScalarTrial<N, D>& t) const {
-    return {t.value};
-  }
-};
-
 /// Inertia and viscosity of the fluid acting on a velocity z: inertia (w, max(rho, floor) z) + (grad w, tau(z)). It is
 /// symmetric and positive definite. Time schemes that treat viscosity implicitly invert it.
 struct WeightedViscosity {
+  static constexpr Where where = Where::fluid;
+
   double inertia = 1;    ///< 1: a mass; 0: the viscous force alone
   double viscosity = 0;  ///< mu_hat times the step of the scheme, or mu_hat for the viscous force
   double floor = 0;      ///< smallest density in the inertia, as in NavierStokesKorteweg
@@ -40,6 +29,8 @@ struct WeightedViscosity {
 
 /// Mass matrix of the solid, (w, rho_0 z).
 struct SolidMass {
+  static constexpr Where where = Where::solid;
+
   double density = 0;  ///< rho_0^s / b
 
   template <class N, int D>

@@ -1,9 +1,10 @@
 // Isothermal Navier-Stokes-Korteweg equations in potential form, on a moving mesh (Bueno et al. 2017, eq. 7).
 //
-//   mass       (q, d/dt(rho J)/J) - (grad q, rho (v - vh)) + (grad q, eps grad mu) = 0
+//   mass       d/dt (q, rho) - (grad q, rho (v - vh)) + (grad q, eps grad mu) = 0      q moves with the mesh
 //   potential  (q, mu - W'(rho)) - (grad q, g^2 grad rho) = 0
 //   momentum   (w, rho [v_t + (v - vh).grad v]) + (grad w, tau) + (w, rho grad mu) = 0
 //
+// `NavierStokesKorteweg` holds all of this but the moment (q, rho), which is `DensityMoment`.
 // Next to the wall the momentum force (w, rho grad mu) is replaced by its variational form (grad w, Sigma) for the
 // wall's own basis functions: see `CapillaryTraction`.
 #pragma once
@@ -17,6 +18,8 @@ namespace softwet {
 /// What the density contributes to the potential equation, - (q, W'(rho)) - (grad q, g^2 grad rho). Explicit schemes
 /// find mu from it.
 struct VariationalDerivative {
+  static constexpr Where where = Where::fluid;
+
   VanDerWaals gas;
   double capillarity = 0;  ///< g = gamma_hat, eq. (8)
 
@@ -31,13 +34,29 @@ struct VariationalDerivative {
   }
 };
 
+/// The moment of the density, (q, rho) on the moved mesh: what the balance of mass keeps.
+struct DensityMoment {
+  static constexpr Where where = Where::fluid;
+
+  template <class N, int D>
+  using Trial = DensityValueTrial<N, D>;
+  template <class N, int D>
+  using Test = MassTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION MassTest<N, D> residual(const DensityValueTrial<N, D>& t) const {
+    return {t.density};
+  }
+};
+
 struct NavierStokesKorteweg {
+  static constexpr Where where = Where::fluid;
+
   VanDerWaals gas;
   double viscosity = 0;      ///< m = mu_hat, eq. (9)
   double capillarity = 0;    ///< g = gamma_hat, eq. (8)
   double stabilisation = 0;  ///< C h^2 / m: eps = (C h^2 / m) rho^2, checkerboard control
   double inertia_floor = 0;  ///< smallest density in the inertia term
-  double moment_rate = 0;    ///< am / (ga dt): factor of the moment (q, rho J) at the end of the step
 
   template <class N, int D>
   using Trial = FluidTrial<N, D>;
@@ -54,7 +73,6 @@ struct NavierStokesKorteweg {
     FluidTest<N, D> r;
     r.momentum = inertia * (t.acceleration + product(t.velocity_gradient, slip)) + rho * t.chemical_potential_gradient;
     r.momentum_flux = newtonian_stress(viscosity, t.velocity_gradient);
-    r.mass = moment_rate * (t.density_end * t.volume_ratio_end);
     r.mass_flux = eps * t.chemical_potential_gradient - rho * slip;
     const PotentialTest<N, D> w =
         VariationalDerivative{gas, capillarity}.residual(DensityTrial<N, D>{rho, t.density_gradient});
@@ -67,6 +85,8 @@ struct NavierStokesKorteweg {
 /// (grad w, Sigma) - (w, rho grad mu) for the wall's basis functions w: together with the volume force this is the
 /// variational traction of the fluid on the solid; it carries the full capillary line force and the Laplace pressure.
 struct CapillaryTraction {
+  static constexpr Where where = Where::beside_wall;
+
   VanDerWaals gas;
   double capillarity = 0;
 

@@ -23,6 +23,8 @@ struct FluidState : FluidTrial<N, D> {
 /// The integral of `folded` is the volume of the mesh that is turned inside out: it must be 0.
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct FluidIntegrals {
+  static constexpr Where where = Where::fluid;
+
   NavierStokesKorteweg model;
 
   enum { mass, kinetic, bulk, gradient, viscous, stabilisation, folded, volume, momentum };
@@ -52,6 +54,8 @@ struct FluidIntegrals {
 /// Integrands over the wall Gamma: its area, the area wetted by liquid, and the wall energy f_w(rho).
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct WallIntegrals {
+  static constexpr Where where = Where::wall;
+
   EnergyWall law;
 
   enum { area, wetted, energy };

@@ -11,9 +11,9 @@ struct SolidState {
   Vector<N, D> velocity;
   Matrix<N, D> displacement_gradient;
 
-  static constexpr int slot_count = 2 * D, unknown_count = D;
+  static constexpr int slot_count = 2 * D;
   static constexpr Slot slot(int s) {
-    return s < D ? Slot{true, false, s, Scale::one} : Slot{false, true, s - D, Scale::displacement};
+    return s < D ? Slot{{Field::velocity, s}, true, false} : Slot{{Field::displacement, s - D}, false, true};
   }
   template <class Reader>
   static KOKKOS_FORCEINLINE_FUNCTION SolidState read(const Reader& at) {
@@ -26,6 +26,8 @@ struct SolidState {
 /// det F <= 0, momentum rho_0 v_i (3). The integral of `inverted` must be 0: there the material law has no meaning.
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct SolidIntegrals {
+  static constexpr Where where = Where::solid;
+
   Elastodynamics model;
 
   enum { kinetic, elastic, inverted, momentum };

@@ -1,24 +1,43 @@
 // Trial and test bundles: what a term sees at a point, and which discrete fields feed it.
 //
-// A *slot* is one scalar field interpolated to the point. Slot s has a tangent that is a multiple of the tangent of one
-// unknown: d(slot) = scale * d(unknown), with the scale of the time scheme. A *reader* (src/operator) hands out values
-// and physical gradients of slots, as plain or dual numbers.
+// A *slot* is one scalar field interpolated to the point, named by its field and component. Its tangent is a multiple of
+// the tangent of one unknown; the stage (src/field/stage.hpp) holds the factors. A *reader* (src/operator) hands out
+// values and physical gradients of slots, as plain or dual numbers.
 #pragma once
 
 #include "kernels/algebra/tensor.hpp"
 
 namespace softwet {
 
-/// Factor between the tangent of an unknown and that of a slot; the time scheme sets the numbers.
-enum class Scale { one, rate, displacement, end };
-inline constexpr int scale_count = 4;
+/// Unknowns are velocity, density and potential; each has an equation: momentum, mass, and that of the potential.
+/// Acceleration and displacement follow from the velocity. An operand is the vector that a linear operator acts on; its
+/// components are numbered as those of the unknowns.
+enum class Field { velocity, density, potential, acceleration, displacement, operand };
 
+/// A component of a field.
+struct Component {
+  Field field;
+  int index = 0;
+
+  /// Its place among the unknowns, or that of the unknown which it follows from: velocity 0 .. D - 1, density D,
+  /// potential D + 1.
+  constexpr int unknown(int dimension) const {
+    if (field == Field::density) return dimension;
+    if (field == Field::potential) return dimension + 1;
+    return index;
+  }
+};
+
+/// What a term needs of a component at its points.
 struct Slot {
+  Component from;
   bool value;
   bool gradient;
-  int unknown;
-  Scale scale;
 };
+
+/// Where a term is integrated; `beside_wall` is the layer of the fluid that touches the wall Gamma, where the term meets
+/// the wall's basis functions alone.
+enum class Where { solid, fluid, wall, beside_wall };
 
 /// Fluid at a point. Unknowns: velocity (D), density, chemical potential; gradients are with respect to x.
 template <class N, int D>
@@ -30,19 +49,14 @@ struct FluidTrial {
   Vector<N, D> density_gradient;
   N chemical_potential;  ///< mu, a b
   Vector<N, D> chemical_potential_gradient;
-  N density_end;               ///< rho at the end of the step
   Vector<N, D> mesh_velocity;  ///< vh
-  N volume_ratio_end;          ///< J(t_{n+1}) / J(t_{n+af}) of the mesh map
 
-  static constexpr int density_slot = 2 * D, potential_slot = 2 * D + 1, density_end_slot = 2 * D + 2;
-  static constexpr int slot_count = 2 * D + 3, unknown_count = D + 2;
+  static constexpr int density_slot = 2 * D, potential_slot = 2 * D + 1, slot_count = 2 * D + 2;
 
   static constexpr Slot slot(int s) {
-    if (s < D) return {true, true, s, Scale::one};
-    if (s < 2 * D) return {true, false, s - D, Scale::rate};
-    if (s == density_slot) return {true, true, D, Scale::one};
-    if (s == potential_slot) return {true, true, D + 1, Scale::one};
-    return {true, false, D, Scale::end};
+    if (s < D) return {{Field::velocity, s}, true, true};
+    if (s < 2 * D) return {{Field::acceleration, s - D}, true, false};
+    return {{s == density_slot ? Field::density : Field::potential}, true, true};
   }
 
   template <class Reader>
@@ -58,25 +72,26 @@ struct FluidTrial {
     t.density_gradient = at.gradient(density_slot);
     t.chemical_potential = at.value(potential_slot);
     t.chemical_potential_gradient = at.gradient(potential_slot);
-    t.density_end = at.value(density_end_slot);
     t.mesh_velocity = at.mesh_velocity();
-    t.volume_ratio_end = at.volume_ratio_end();
     return t;
   }
 };
 
-/// Integrand against (w, grad w) of momentum, (q, grad q) of mass and (q, grad q) of the potential equation.
+/// Integrand against (w, grad w) of momentum, grad q of mass and (q, grad q) of the potential equation.
 template <class N, int D>
 struct FluidTest {
   Vector<N, D> momentum;
   Matrix<N, D> momentum_flux;
-  N mass;
   Vector<N, D> mass_flux;
   N potential;
   Vector<N, D> potential_flux;
 
   static constexpr int channel_count = D + 2;
   static constexpr bool has_flux = true;
+  static constexpr Component channel(int c) {
+    if (c < D) return {Field::velocity, c};
+    return {c == D ? Field::density : Field::potential};
+  }
 
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
@@ -85,19 +100,19 @@ struct FluidTest {
       for (int j = 0; j < D; ++j) row[j] = momentum_flux(i, j);
       to.add(i, momentum[i], row);
     }
-    to.add(D, mass, mass_flux);
+    to.add(D, N(0.0), mass_flux);
     to.add(D + 1, potential, potential_flux);
   }
 };
 
-/// Density at a point of the fluid or of the wall Gamma. Unknown: density.
+/// Density and its gradient at a point of the fluid or of the wall Gamma.
 template <class N, int D>
 struct DensityTrial {
   N density;
   Vector<N, D> density_gradient;
 
-  static constexpr int slot_count = 1, unknown_count = 1;
-  static constexpr Slot slot(int) { return {true, true, 0, Scale::one}; }
+  static constexpr int slot_count = 1;
+  static constexpr Slot slot(int) { return {{Field::density}, true, true}; }
 
   template <class Reader>
   static KOKKOS_FORCEINLINE_FUNCTION DensityTrial read(const Reader& at) {
@@ -110,6 +125,7 @@ struct WallTest {
   N potential;
   static constexpr int channel_count = 1;
   static constexpr bool has_flux = false;
+  static constexpr Component channel(int) { return {Field::potential}; }
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
     to.add(0, potential);
@@ -123,13 +139,14 @@ struct PotentialTest {
   Vector<N, D> potential_flux;
   static constexpr int channel_count = 1;
   static constexpr bool has_flux = true;
+  static constexpr Component channel(int) { return {Field::potential}; }
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
     to.add(0, potential, potential_flux);
   }
 };
 
-/// Density and chemical potential next to the wall. Test: momentum, by the wall's basis functions only.
+/// Density and chemical potential next to the wall.
 template <class N, int D>
 struct TractionTrial {
   N density;
@@ -137,8 +154,8 @@ struct TractionTrial {
   N chemical_potential;
   Vector<N, D> chemical_potential_gradient;
 
-  static constexpr int slot_count = 2, unknown_count = 2;
-  static constexpr Slot slot(int s) { return {true, true, s, Scale::one}; }
+  static constexpr int slot_count = 2;
+  static constexpr Slot slot(int s) { return {{s == 0 ? Field::density : Field::potential}, true, true}; }
 
   template <class Reader>
   static KOKKOS_FORCEINLINE_FUNCTION TractionTrial read(const Reader& at) {
@@ -154,6 +171,7 @@ struct MomentumTest {
 
   static constexpr int channel_count = D;
   static constexpr bool has_flux = true;
+  static constexpr Component channel(int c) { return {Field::velocity, c}; }
 
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
@@ -165,15 +183,15 @@ struct MomentumTest {
   }
 };
 
-/// Solid at a point; gradients are with respect to X. Unknown: velocity; the displacement follows from the time scheme.
+/// Solid at a point; gradients are with respect to X.
 template <class N, int D>
 struct SolidTrial {
   Vector<N, D> acceleration;
   Matrix<N, D> displacement_gradient;  ///< (Grad u)_ij = du_i/dX_j
 
-  static constexpr int slot_count = 2 * D, unknown_count = D;
+  static constexpr int slot_count = 2 * D;
   static constexpr Slot slot(int s) {
-    return s < D ? Slot{true, false, s, Scale::rate} : Slot{false, true, s - D, Scale::displacement};
+    return s < D ? Slot{{Field::acceleration, s}, true, false} : Slot{{Field::displacement, s - D}, false, true};
   }
 
   template <class Reader>
@@ -188,29 +206,30 @@ struct SolidTrial {
   }
 };
 
-/// A scalar of the fluid whose mass matrix is applied: density or chemical potential.
+/// Density alone at a point of the fluid.
 template <class N, int D>
-struct ScalarTrial {
-  N value;
+struct DensityValueTrial {
+  N density;
 
-  static constexpr int slot_count = 1, unknown_count = 1;
-  static constexpr Slot slot(int) { return {true, false, 0, Scale::one}; }
+  static constexpr int slot_count = 1;
+  static constexpr Slot slot(int) { return {{Field::density}, true, false}; }
 
   template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION ScalarTrial read(const Reader& at) {
+  static KOKKOS_FORCEINLINE_FUNCTION DensityValueTrial read(const Reader& at) {
     return {at.value(0)};
   }
 };
 
-/// Integrand against q alone.
+/// Integrand against q of the mass equation alone.
 template <class N, int D>
-struct ScalarTest {
-  N value;
+struct MassTest {
+  N mass;
   static constexpr int channel_count = 1;
   static constexpr bool has_flux = false;
+  static constexpr Component channel(int) { return {Field::density}; }
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
-    to.add(0, value);
+    to.add(0, mass);
   }
 };
 
@@ -221,9 +240,9 @@ struct WeightedTrial {
   Vector<N, D> vector;
   Matrix<N, D> gradient;
 
-  static constexpr int slot_count = D + 1, unknown_count = D + 1;
+  static constexpr int slot_count = D + 1;
   static constexpr Slot slot(int s) {
-    return s == 0 ? Slot{true, false, 0, Scale::one} : Slot{true, true, s, Scale::one};
+    return s == 0 ? Slot{{Field::density}, true, false} : Slot{{Field::operand, s - 1}, true, true};
   }
 
   template <class Reader>
@@ -244,8 +263,8 @@ template <class N, int D>
 struct VectorTrial {
   Vector<N, D> vector;
 
-  static constexpr int slot_count = D, unknown_count = D;
-  static constexpr Slot slot(int s) { return {true, false, s, Scale::one}; }
+  static constexpr int slot_count = D;
+  static constexpr Slot slot(int s) { return {{Field::operand, s}, true, false}; }
 
   template <class Reader>
   static KOKKOS_FORCEINLINE_FUNCTION VectorTrial read(const Reader& at) {
@@ -262,6 +281,7 @@ struct VectorTest {
 
   static constexpr int channel_count = D;
   static constexpr bool has_flux = false;
+  static constexpr Component channel(int c) { return {Field::velocity, c}; }
 
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {

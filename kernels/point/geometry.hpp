@@ -5,9 +5,20 @@
 
 namespace softwet {
 
+/// Vertical blending of the wall's motion into the fluid mesh: displacement(x, y) = d(x) (1 - eta(y)).
+/// The control points of row j move by (1 - Greville height) times the wall's, which is this linear blend exactly.
+struct Blend {
+  double low = 0;     ///< height of the wall
+  double height = 1;  ///< of the fluid
+  KOKKOS_FORCEINLINE_FUNCTION double value(double y) const { return 1.0 - (y - low) / height; }
+  KOKKOS_FORCEINLINE_FUNCTION double slope() const { return -1.0 / height; }
+};
+
 /// Identity map: a fixed mesh, or the reference configuration of the solid.
 template <class N, int D>
 struct FixedPoint {
+  Vector<N, D> position;  ///< x
+
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> physical(const Vector<N, D>& g) const { return g; }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> reference_flux(const Vector<N, D>& f) const { return f; }
   KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const { return x; }
@@ -17,7 +28,6 @@ struct FixedPoint {
     return zero;
   }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return N(1.0); }
-  KOKKOS_FORCEINLINE_FUNCTION N volume_ratio_end() const { return N(1.0); }
 };
 
 /// Moving map x = X + d(X): F = I + Grad d, cof F = J F^-T.
@@ -28,19 +38,17 @@ struct MovingPoint {
   N volume;                ///< J = det F
   N inverse_volume;        ///< 1 / J
   N measure;               ///< J in a volume; |cof F e_D| on a face of the last axis
-  N ratio_end;             ///< J(t_{n+1}) / J
   Vector<N, D> velocity;   ///< mesh velocity
+  Vector<N, D> position;   ///< x
 
-  /// @param gradient      F - I at n+af
-  /// @param gradient_end  F - I at n+1
-  KOKKOS_FORCEINLINE_FUNCTION MovingPoint(const Matrix<N, D>& gradient, const Matrix<N, D>& gradient_end,
-                                          const Vector<N, D>& mesh_velocity, bool face)
-      : velocity(mesh_velocity) {
-    const Matrix<N, D> f = add_diagonal(gradient, 1.0), f_end = add_diagonal(gradient_end, 1.0);
+  /// @param gradient  F - I
+  KOKKOS_FORCEINLINE_FUNCTION MovingPoint(const Matrix<N, D>& gradient, const Vector<N, D>& mesh_velocity,
+                                          const Vector<N, D>& place, bool face)
+      : velocity(mesh_velocity), position(place) {
+    const Matrix<N, D> f = add_diagonal(gradient, 1.0);
     cofactors = cofactor(f);
     volume = determinant(f, cofactors);
     inverse_volume = 1.0 / volume;
-    ratio_end = determinant(f_end, cofactor(f_end)) * inverse_volume;
     measure = volume;
     if (face) {
       Vector<N, D> normal;
@@ -57,7 +65,6 @@ struct MovingPoint {
   KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const { return measure * x; }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return velocity; }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return volume; }
-  KOKKOS_FORCEINLINE_FUNCTION N volume_ratio_end() const { return ratio_end; }
 };
 
 }  // namespace softwet

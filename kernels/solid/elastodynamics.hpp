@@ -8,6 +8,8 @@ namespace softwet {
 
 /// Source: Bueno et al. 2017, eq. (1).   Tested: tests/unit/solid/test_elastodynamics.cpp
 struct Elastodynamics {
+  static constexpr Where where = Where::solid;
+
   SaintVenantKirchhoff material;
   double density = 0;  ///< rho_0^s / b
 

@@ -58,15 +58,16 @@ struct Sheet {
 
 template <int D, class Real>
 void bench_terms(const Sheet& sheet, const Layout<D>& layout,
-                 const std::vector<std::unique_ptr<Piece<D, Real>>>& pieces, const StageOf<Real>& stage,
-                 const ArrayOf<Real>& z, const ArrayOf<Real>& out) {
-  const Binding<D, Real> plain{layout, stage, {}, out}, tangent{layout, stage, z, out};
-  for (const auto& piece : pieces) {
-    const std::string name = piece->name();
-    const double elements = piece->region().elements();
-    sheet.rate("  residual of " + name, seconds_per_call([&] { piece->residual(plain); }), elements,
+                 const Pieces<D, Real>& pieces, const StageOf<Real>& stage, const ArrayOf<Real>& z,
+                 const ArrayOf<Real>& out) {
+  const Evaluation<D, Real> plain{layout, stage, {}, out}, tangent{layout, stage, z, out};
+  for (const auto& entry : pieces.list) {
+    const Piece<D, Real>& piece = *entry.piece;
+    const std::string name = piece.name();
+    const double elements = piece.region().elements();
+    sheet.rate("  residual of " + name, seconds_per_call([&] { piece.residual(plain); }), elements,
                "M elements/s/core");
-    sheet.rate("  product of " + name, seconds_per_call([&] { piece->product(tangent); }), elements,
+    sheet.rate("  product of " + name, seconds_per_call([&] { piece.product(tangent); }), elements,
                "M elements/s/core");
   }
 }
@@ -83,7 +84,7 @@ void bench_single(const Sheet& sheet, Case c, const State& state) {
   convert(z, state.unknown);
   sheet.line("residual, single precision", seconds_per_call([&] { scheme.residual(state.unknown, r); }));
   sheet.line("product, exact, single precision", seconds_per_call([&] { scheme.product(z, out, Geometry::exact); }));
-  bench_terms(sheet, model.layout(), model.single_pieces()->list, scheme.single_stage(), z, out);
+  bench_terms(sheet, model.layout(), model.single_pieces(), scheme.single_stage(), z, out);
   sheet.line("dot, single precision", seconds_per_call([&] { dot(z, out); }));
 }
 
@@ -119,7 +120,7 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   stepper.start(start);
   for (int i = 0; i < 40; ++i) stepper.step();
   Case mixed = c;
-  mixed.solver.precision = has_single_precision ? "mixed" : "double";
+  mixed.solver.precision = "mixed";
   const Model<D, P> both(mixed);
   GeneralizedAlpha<D, P> scheme(both, c.time.rho_inf);
   const Array r("r", scheme.size()), z("z", scheme.size());
@@ -156,8 +157,7 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
     const Array right = Kokkos::create_mirror(Exec(), r);
     Kokkos::deep_copy(right, r);
     bench_gmres<double>(sheet, "GMRES iteration, " + name, scheme, right, *preconditioner);
-    if (has_single_precision)
-      bench_gmres<float>(sheet, "GMRES iteration, " + name + ", single precision", scheme, right, *preconditioner);
+    bench_gmres<float>(sheet, "GMRES iteration, " + name + ", single precision", scheme, right, *preconditioner);
   }
 }
 
@@ -207,7 +207,7 @@ void bench_model(const Case& asked, std::ostream& out) {
   sheet.line("Jacobian as a matrix", seconds_per_call([&] { scheme.jacobian(values); }));
   bench_terms(sheet, layout, model.pieces(), scheme.stage(), z, r);
   sheet.line("dot", seconds_per_call([&] { dot(z, r); }));
-  if (has_single_precision) bench_single<D, P>(sheet, c, state);
+  bench_single<D, P>(sheet, c, state);
 
   bench_rates(sheet, model, state);
   if (c.time.scheme == implicit_scheme) bench_preconditioners(sheet, c, model);

@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 
 namespace softwet {
 

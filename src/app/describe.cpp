@@ -53,8 +53,8 @@ std::string count(double number) { return std::to_string(std::lround(number)); }
 template <int D, int P>
 std::vector<Line> terms(const Case& c, const Model<D, P>& model, double times) {
   std::vector<Line> lines;
-  for (const auto& piece : model.pieces())
-    lines.push_back({piece->name(), count(times * piece->region().elements()) + " elements"});
+  for (const auto& entry : model.pieces().list)
+    lines.push_back({entry.piece->name(), count(times * entry.piece->region().elements()) + " elements"});
   if (!c.loads.empty())
     lines.push_back({"body_force", std::to_string(c.loads.size()) + (c.loads.size() == 1 ? " box" : " boxes")});
   return lines;
@@ -156,7 +156,7 @@ void describe_model(const Case& c, std::ostream& out) {
     print_section(out, "explicit steps, measured at the first state (time.mass = \"" + c.time.mass + "\")",
                   measured_limits(c, model));
   print_section(out, "kernel",
-                {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", " + c.solver.precision},
+                {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", " + name_of(model.precision())},
                  {"backend",
                   backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 #include "app/physical.hpp"
 
 namespace softwet {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "field/array.hpp"
 #include "kernels/algebra/pack.hpp"
 

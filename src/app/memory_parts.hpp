@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
+#include "case/precision.hpp"
 #include "solver/preconditioner.hpp"
 
 namespace softwet {
@@ -24,8 +25,8 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
   std::vector<std::pair<std::string, double>> parts{{program_part, 34.0 * 1048576},
                                                     {"state and history", 8 * (state + 3 * n)}};
   if (preconditioner) {
-    const bool mixed = c.solver.precision != "double";
-    const double rounded = mixed ? stage + (c.solver.precision == "single" ? n : 0) : 0;
+    const bool mixed = precision_of(c) != Precision::full;
+    const double rounded = stage + (precision_of(c) == Precision::single ? n : 0);
     parts.insert(parts.end(), {{"stage", 8 * stage + 4 * rounded},
                                {"Newton", 8 * 5 * n},
                                {"Krylov basis", (mixed ? 4 : 8) * n * (2.0 * c.solver.krylov_restart + 2)},

@@ -56,7 +56,7 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
   run["backend"] = backend_name();
   run["threads"] = thread_count();
   run["instructions"] = instruction_set();
-  run["precision"] = c.solver.precision;
+  run["precision"] = name_of(model.precision());
   run["dimension"] = D;
   run["degree"] = P;
   add_unknowns(run["unknowns"], layout.velocity_size(), layout.scalar_size(), layout.solid_size());
@@ -83,7 +83,7 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
   throughput["residual"] = rate(layout.size(), k.residuals, k.residual_seconds);
   throughput["product"] = rate(layout.size(), k.products, k.product_seconds);
   run["peak_memory_mib"] = peak_memory_mib();
-  run["last_rejection"] = stepper.counts().last_rejection;
+  run["last_rejection"] = std::string(stepper.counts().last_rejection.text());
   return run;
 }
 

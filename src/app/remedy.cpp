@@ -10,8 +10,6 @@
 namespace softwet {
 namespace {
 
-bool has(const std::string& text, const char* word) { return text.find(word) != std::string::npos; }
-
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
@@ -24,8 +22,8 @@ std::string softer_than_its_loads(const Case& c) {
                                             number(c.substrate->thickness) + " thick; "
                                       : "";
   return soft +
-         "a Saint Venant-Kirchhoff solid loses its stiffness under strong compression: raise substrate.young, lower "
-         "load[].force or lengthen load[].ramp";
+         "a Saint Venant-Kirchhoff solid loses its stiffness under strong compression: raise substrate.young" +
+         (c.loads.empty() ? "" : ", lower load[].force or lengthen load[].ramp");
 }
 
 std::string for_the_density(const Case& c) {
@@ -42,14 +40,16 @@ std::string for_the_density(const Case& c) {
 
 }  // namespace
 
-std::string remedy(const Case& c, const std::string& reason) {
+std::string remedy(const Case& c, const Refusal& refusal) {
   if (c.time.scheme != implicit_scheme && c.time.safety > 1)
     return "with time.safety = " + number(c.time.safety) +
            " the steps may be longer than the largest stable one: write time.safety = 0.9";
-  if (has(reason, "inside out") || has(reason, "folds")) return softer_than_its_loads(c);
-  if (c.fluid && has(reason, "density")) return for_the_density(c);
+  const auto cause = refusal.cause;
+  if (cause == Refusal::solid_inverted || cause == Refusal::mesh_folded) return softer_than_its_loads(c);
+  if (cause == Refusal::close_packed || cause == Refusal::negative_density || cause == Refusal::density_of_moments)
+    return for_the_density(c);
   if (too_soft(c)) return softer_than_its_loads(c);
-  if (has(reason, "stalled"))
+  if (cause == Refusal::linear_solver)
     return "solver.krylov.preconditioner = \"automatic\", or more iterations with solver.krylov.max";
   return "a finer mesh, a larger fluid.capillarity, a softer load ramp or a tighter time.tolerance may help";
 }

@@ -3,11 +3,12 @@
 
 #include <string>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
+#include "case/refusal.hpp"
 
 namespace softwet {
 
 /// A sentence for the reason of the last rejected step, with the numbers of the case that decide.
-std::string remedy(const Case&, const std::string& reason);
+std::string remedy(const Case&, const Refusal& refusal);
 
 }  // namespace softwet

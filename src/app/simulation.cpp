@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/field_times.hpp"
 #include "app/host/memory.hpp"
 #include "app/interrupt.hpp"
@@ -129,7 +129,7 @@ void Simulation<D, P>::run() {
     if (error.code() != Exit::computation_failed) throw;
     save();
     record(std::string("failed: ") + error.what());
-    const std::string advice = remedy(case_, error.what());
+    const std::string advice = remedy(case_, stepper_.counts().last_rejection);
     throw Error(error.code(), std::string(error.what()) + "; " + advice + "; the last good state, that of t = " +
                                   short_text(output_time()) + ", is in " + path("checkpoint.h5"));
   } catch (const std::exception& error) {  // memory or the device: the state is still the last good one

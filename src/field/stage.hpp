@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/layout.hpp"
+#include "field/vector.hpp"
 
 namespace softwet {
 
@@ -28,9 +29,35 @@ struct StageOf {
   double rate_scale = 0;           ///< d acceleration / d velocity
   double displacement_scale = 0;   ///< d displacement / d velocity
   double end_scale = 1;            ///< d density_end / d density = d displacement_end / d displacement
-  double moment_rate = 0;          ///< am / (ga dt)
+  double moment_rate = 0;          ///< am / (ga dt), factor of the moments at n+1; 0: fluxes alone
 };
 using Stage = StageOf<double>;
+
+/// Arrays for a stage of a layout.
+template <class Real, int D>
+StageOf<Real> make_stage(const Layout<D>& l) {
+  StageOf<Real> s;
+  s.unknown = ArrayOf<Real>("stage.unknown", l.size());
+  s.acceleration = ArrayOf<Real>("stage.acceleration", l.velocity_size());
+  s.displacement = ArrayOf<Real>("stage.displacement", l.solid_size());
+  s.displacement_end = ArrayOf<Real>("stage.displacement_end", l.solid_size());
+  s.density_end = ArrayOf<Real>("stage.density_end", l.scalar_size());
+  return s;
+}
+
+/// to = from, rounded.
+inline void round_stage(StageOf<float>& to, const Stage& from) {
+  to.time = from.time;
+  convert(to.unknown, from.unknown);
+  convert(to.acceleration, from.acceleration);
+  convert(to.displacement, from.displacement);
+  convert(to.displacement_end, from.displacement_end);
+  convert(to.density_end, from.density_end);
+  to.rate_scale = from.rate_scale;
+  to.displacement_scale = from.displacement_scale;
+  to.end_scale = from.end_scale;
+  to.moment_rate = from.moment_rate;
+}
 
 /// The stage at a state itself, for integrals and output: its values, and no scales of a scheme.
 template <int D>

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "app/case.hpp"
-#include "app/error.hpp"
+#include "case/case.hpp"
+#include "case/error.hpp"
 #include "spline/axis.hpp"
 
 namespace softwet {

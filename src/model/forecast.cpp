@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/cap.hpp"
+#include "case/cap.hpp"
 #include "model/equilibrium.hpp"
 #include "model/groups.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 
 namespace softwet {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/cap.hpp"
+#include "case/cap.hpp"
 #include "field/vector.hpp"
 #include "model/equilibrium.hpp"
 

@@ -8,12 +8,11 @@ namespace softwet {
 
 template <int D, int P>
 template <class Motion>
-void Model<D, P>::fluid_integrals(const Binding<D>& b, Integrals& result) const {
+void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) const {
   using Volume = ReduceTask<D, FluidIntegrals, Motion>;
   Volume volume{fluid_region_, {fluid_}, {}, {}, {}};
-  if constexpr (std::is_same_v<Motion, WallMotion<D>>) volume.motion = b.motion(blend_);
-  bind_slots(fluid_, b, volume.slot);
-  const auto sum = reduce<P, P + 1>(volume);
+  bind_fields(at, blend_, volume);
+  const auto sum = reduce<P>(volume);
   result.mass = sum[FluidIntegrals::mass];
   result.energy_kinetic += sum[FluidIntegrals::kinetic];
   result.energy_bulk = sum[FluidIntegrals::bulk];
@@ -24,29 +23,26 @@ void Model<D, P>::fluid_integrals(const Binding<D>& b, Integrals& result) const 
   result.volume = sum[FluidIntegrals::volume];
   for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
   if (!has_wall_) return;
-  ReduceTask<D, WallIntegrals, Motion> face{wall_region_, {wall_}, volume.motion, {}, {}};
-  bind_slots(wall_, b, face.slot);
-  const auto wall = reduce<P, 1>(face);
+  ReduceTask<D, WallIntegrals, Motion> face{wall_region_, {wall_}, {}, {}, {}};
+  bind_fields(at, blend_, face);
+  const auto wall = reduce<P>(face);
   result.wetted = wall[WallIntegrals::wetted];
   result.energy_wall = wall[WallIntegrals::energy];
   if constexpr (std::is_same_v<Motion, WallMotion<D>>) {
     for (int d = 0; d < D; ++d) face.motion.tangent[d] = face.motion.velocity[d];
     face.motion.scale = 1;
-    result.wall_stretch = reduce<P, 1, true>(face)[WallIntegrals::energy];
+    result.wall_stretch = reduce<P, true>(face)[WallIntegrals::energy];
   }
 }
 
 template <int D, int P>
 Integrals Model<D, P>::integrals(const Stage& stage) const {
   Integrals result;
-  const Binding<D> b{layout_, stage, {}, {}};
+  const Evaluation<D> at{layout_, stage, {}, {}};
   if (layout_.has_solid) {
     ReduceTask<D, SolidIntegrals, NoMotion> task{solid_region_, {solid_}, {}, {}, {}};
-    for (int d = 0; d < D; ++d) {
-      task.slot[d] = b.velocity(d);
-      task.slot[D + d] = b.displacement(d);
-    }
-    const auto sum = reduce<P, P + 1>(task);
+    bind_fields(at, blend_, task);
+    const auto sum = reduce<P>(task);
     result.energy_kinetic += sum[SolidIntegrals::kinetic];
     result.energy_elastic = sum[SolidIntegrals::elastic];
     result.inverted = sum[SolidIntegrals::inverted];
@@ -54,9 +50,9 @@ Integrals Model<D, P>::integrals(const Stage& stage) const {
   }
   if (!layout_.has_fluid) return result;
   if (layout_.has_solid) {
-    fluid_integrals<WallMotion<D>>(b, result);
+    fluid_integrals<WallMotion<D>>(at, result);
   } else {
-    fluid_integrals<NoMotion>(b, result);
+    fluid_integrals<NoMotion>(at, result);
   }
   return result;
 }

@@ -22,11 +22,10 @@ class Masses {
   void velocity(const Stage&, double inertia, double viscosity, const Array& z, const Array& out) const;
 
  private:
-  template <class Motion>
-  void add_scalar(const Binding<D>&, const Array& z) const;
-  template <class Motion>
-  void add_fluid(const Binding<D>&, double inertia, double viscosity, const Array& z) const;
-  void add_solid(const Binding<D>&, const Array& z) const;
+  template <class Motion, class Term>
+  void add(const Term&, const Region<D>&, const Evaluation<D>&) const;
+  template <class Term>
+  void add_fluid(const Term&, const Evaluation<D>&) const;
   /// Sums what ghosts hold, and drops what is prescribed.
   void collect(const Array& out) const;
 

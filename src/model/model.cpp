@@ -15,9 +15,7 @@ Model<D, P>::Model(const Case& c) : precision_(precision_of(c)) {
   if (layout_.has_fluid) build_fluid(c);
   build_mask(c);
   pieces_ = make_pieces<D, P, double>(*this, c);
-#ifdef SOFTWET_SINGLE
-  if (precision_ != Precision::full) single_ = std::make_unique<Pieces<D, float>>(make_pieces<D, P, float>(*this, c));
-#endif
+  single_ = make_pieces<D, P, float>(*this, c);
 }
 
 template <int D, int P>
@@ -152,7 +150,7 @@ void Model<D, P>::residual(const Stage& stage, const Array& out) const {
 template <int D, int P>
 void Model<D, P>::residual(const StageOf<float>& stage, const ArrayOf<float>& work, const Array& out) const {
   Kokkos::deep_copy(Exec(), work, 0.0f);
-  single_->run({layout_, stage, {}, work});
+  single_.run({layout_, stage, {}, work});
   convert(out, work);
   finish_residual(stage.time, out);
 }
@@ -160,9 +158,9 @@ void Model<D, P>::residual(const StageOf<float>& stage, const ArrayOf<float>& wo
 template <int D, int P>
 void Model<D, P>::potential_moments(const Stage& stage, const Array& out) const {
   Kokkos::deep_copy(Exec(), out, 0.0);
-  const Binding<D> binding{layout_, stage, {}, out};
-  pieces_.variational_derivative->residual(binding);
-  if (pieces_.wall_law) pieces_.wall_law->residual(binding);
+  const Evaluation<D> at{layout_, stage, {}, out};
+  pieces_.variational_derivative->residual(at);
+  if (pieces_.wall_law) pieces_.wall_law->residual(at);
   if (source_) source_(stage.time, out);
   move_ghosts(layout_, out, GhostAction::add);
   combine(out, -1, out, 0);
@@ -172,9 +170,9 @@ void Model<D, P>::potential_moments(const Stage& stage, const Array& out) const 
 template <int D, int P>
 void Model<D, P>::fluid_residual(const Stage& stage, const Array& out) const {
   Kokkos::deep_copy(Exec(), out, 0.0);
-  const Binding<D> binding{layout_, stage, {}, out};
-  pieces_.run(binding, pieces_.first_of_fluid);
-  if (pieces_.rigid_traction) pieces_.rigid_traction->residual(binding);
+  const Evaluation<D> at{layout_, stage, {}, out};
+  pieces_.run(at, pieces_.first_of_fluid);
+  if (pieces_.rigid_traction) pieces_.rigid_traction->residual(at);
   move_ghosts(layout_, out, GhostAction::add);
 }
 
@@ -198,15 +196,15 @@ void Model<D, P>::product(const Stage& stage, const Array& direction, const Arra
 template <int D, int P>
 void Model<D, P>::product(const StageOf<float>& stage, const ArrayOf<float>& direction, const ArrayOf<float>& out,
                           Geometry geometry) const {
-  run_product(*single_, stage, direction, out, geometry);
+  run_product(single_, stage, direction, out, geometry);
 }
 
 template <int D, int P>
-void Model<D, P>::jacobian(const Stage& stage, const StencilValues& values) const {
+void Model<D, P>::jacobian(const StageOf<float>& stage, const StencilValues& values) const {
   Kokkos::deep_copy(Exec(), values, 0.0f);
   const Stencil<D> stencil(layout_);
-  for (const auto& piece : pieces_.list)
-    piece->jacobian({layout_, stage, {}, stage.unknown, Geometry::frozen}, stencil, values);
+  for (const auto& entry : single_.list)
+    entry.piece->jacobian({layout_, stage, {}, stage.unknown, Geometry::frozen}, stencil, values);
   fold_ghosts(layout_, stencil, values);
 }
 

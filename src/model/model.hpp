@@ -4,12 +4,12 @@
 
 #include <functional>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 #include "field/ghosts.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
 #include "model/pieces.hpp"
-#include "model/precision.hpp"
+#include "case/precision.hpp"
 
 namespace softwet {
 
@@ -41,9 +41,8 @@ class Model {
   const NavierStokesKorteweg& fluid() const { return fluid_; }
   const Elastodynamics& solid() const { return solid_; }
   const EnergyWall& wall() const { return wall_; }  ///< also of the gradient law: its capillarity and cosine
-  const std::vector<std::unique_ptr<Piece<D>>>& pieces() const { return pieces_.list; }
-  /// Null where the case asks for double precision.
-  const Pieces<D, float>* single_pieces() const { return single_.get(); }
+  const Pieces<D, double>& pieces() const { return pieces_; }
+  const Pieces<D, float>& single_pieces() const { return single_; }
   Precision precision() const { return precision_; }
   const std::vector<LoadVector>& loads() const { return loads_; }
   ConstArray mask() const { return mask_; }  ///< 1 free, 0 prescribed or ghost
@@ -70,13 +69,13 @@ class Model {
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen.
   void product(const Stage&, const Array& direction, const Array& out, Geometry) const;
 
-  // The same in single precision. Only for cases that do not ask for double precision.
+  // The same in single precision.
   void residual(const StageOf<float>&, const ArrayOf<float>& work, const Array& out) const;
   void product(const StageOf<float>&, const ArrayOf<float>& direction, const ArrayOf<float>& out, Geometry) const;
 
   /// values = dR/d(unknown) with the geometry frozen, and always with the traction of one layer. Prescribed values count
   /// as free here, and rows of ghosts are empty.
-  void jacobian(const Stage&, const StencilValues& values) const;
+  void jacobian(const StageOf<float>&, const StencilValues& values) const;
 
   Integrals integrals(const Stage&) const;
   /// Power of the loads on a velocity field at a time.
@@ -93,7 +92,7 @@ class Model {
   /// What follows the terms in a residual: loads, the source, ghosts, and prescribed values.
   void finish_residual(double time, const Array& out) const;
   template <class Motion>
-  void fluid_integrals(const Binding<D>&, Integrals&) const;
+  void fluid_integrals(const Evaluation<D>&, Integrals&) const;
   void add_loads(double time, const Array& out) const;
 
   Layout<D> layout_;
@@ -106,7 +105,7 @@ class Model {
   bool has_wall_ = false;
   Precision precision_;
   Pieces<D, double> pieces_;
-  std::unique_ptr<Pieces<D, float>> single_;
+  Pieces<D, float> single_;
   std::vector<LoadVector> loads_;
   std::function<void(double, const Array&)> source_;
   Array mask_;

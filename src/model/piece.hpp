@@ -12,22 +12,42 @@
 
 namespace softwet {
 
-/// Where the fields of a stage lie, as pointers a task can use; `tangent` is a vector of unknowns or empty.
+/// Which values of the fields a term takes: those of the stage, or those at the end of the step.
+enum class Instant { stage, end };
+
+/// One evaluation of terms: where their fields lie, and where their result goes. `tangent` is a vector of unknowns, or
+/// empty. The end of the step has density and displacement alone.
 template <int D, class Real = double>
-struct Binding {
+struct Evaluation {
   const Layout<D>& layout;
   const StageOf<Real>& stage;
   ConstArrayOf<Real> tangent;
   ArrayOf<Real> test;
   Geometry geometry = Geometry::exact;
+  ConstArrayOf<Real> operand = {};
+  Instant instant = Instant::stage;
 
-  const Real* velocity(int d) const { return stage.unknown.data() + layout.velocity_offset(d); }
-  const Real* acceleration(int d) const { return stage.acceleration.data() + layout.velocity_offset(d); }
-  const Real* displacement(int d) const { return stage.displacement.data() + layout.displacement_offset(d); }
-  const Real* displacement_end(int d) const { return stage.displacement_end.data() + layout.displacement_offset(d); }
-  const Real* density() const { return component(stage.unknown, D); }
-  const Real* potential() const { return component(stage.unknown, D + 1); }
-  const Real* density_end() const { return stage.density_end.data() - layout.fluid_shift(); }
+  /// Control value (0, 0, 0) of a component on its own grid.
+  const Real* field(Component c) const {
+    const bool end = instant == Instant::end;
+    switch (c.field) {
+      case Field::acceleration: return stage.acceleration.data() + layout.velocity_offset(c.index);
+      case Field::displacement:
+        return (end ? stage.displacement_end : stage.displacement).data() + layout.displacement_offset(c.index);
+      case Field::operand: return component(operand, c.index);
+      case Field::density:
+        if (end) return stage.density_end.data() - layout.fluid_shift();
+        [[fallthrough]];
+      default: return component(stage.unknown, c.unknown(D));
+    }
+  }
+
+  /// d field / d unknown.
+  Real scale(Field f) const {
+    const double later = instant == Instant::end ? stage.end_scale : 1.0;
+    if (f == Field::acceleration) return static_cast<Real>(stage.rate_scale);
+    return static_cast<Real>(f == Field::displacement ? stage.displacement_scale * later : later);
+  }
 
   /// Control values of component c in a vector of unknowns.
   template <class V>
@@ -39,118 +59,110 @@ struct Binding {
   WallMotion<D, Real> motion(const Blend& blend) const {
     WallMotion<D, Real> m{};
     for (int d = 0; d < D; ++d) {
-      m.displacement[d] = displacement(d) + layout.wall_shift();
-      m.displacement_end[d] = displacement_end(d) + layout.wall_shift();
-      m.velocity[d] = velocity(d) + layout.wall_shift();
+      m.displacement[d] = field({Field::displacement, d}) + layout.wall_shift();
+      m.velocity[d] = field({Field::velocity, d}) + layout.wall_shift();
       const bool differentiate = tangent.data() && geometry == Geometry::exact;
       m.tangent[d] = differentiate ? component(tangent, d) + layout.wall_shift() : nullptr;
     }
-    m.scale = static_cast<Real>(stage.displacement_scale);
-    m.scale_end = static_cast<Real>(stage.displacement_scale * stage.end_scale);
+    m.scale = scale(Field::displacement);
     m.blend = blend;
     return m;
   }
 };
 
-// Which arrays hold the fields that a term reads: the only term-specific wiring.
-template <int D, class Real>
-void bind_slots(const NavierStokesKorteweg&, const Binding<D, Real>& b, const Real** slot) {
-  for (int d = 0; d < D; ++d) {
-    slot[d] = b.velocity(d);
-    slot[D + d] = b.acceleration(d);
+/// Fills what a task of operator/ reads: the fields of its slots, and the motion of the mesh where there is one.
+template <int D, class Real, class TaskType>
+void bind_fields(const Evaluation<D, Real>& at, const Blend& blend, TaskType& task) {
+  using Trial = typename TaskType::Trial;
+  for (int s = 0; s < Trial::slot_count; ++s) {
+    task.slot[s] = at.field(Trial::slot(s).from);
+    task.scale[s] = at.scale(Trial::slot(s).from.field);
   }
-  slot[2 * D] = b.density();
-  slot[2 * D + 1] = b.potential();
-  slot[2 * D + 2] = b.density_end();
-}
-template <int D, class Real>
-void bind_slots(const CapillaryTraction&, const Binding<D, Real>& b, const Real** slot) {
-  slot[0] = b.density();
-  slot[1] = b.potential();
-}
-template <int D, class Real>
-void bind_slots(const VariationalDerivative&, const Binding<D, Real>& b, const Real** slot) {
-  slot[0] = b.density();
-}
-template <int D, class Real>
-void bind_slots(const GradientWall&, const Binding<D, Real>& b, const Real** slot) {
-  slot[0] = b.density();
-}
-template <int D, class Real>
-void bind_slots(const EnergyWall&, const Binding<D, Real>& b, const Real** slot) {
-  slot[0] = b.density();
-}
-template <int D, class Real>
-void bind_slots(const Elastodynamics&, const Binding<D, Real>& b, const Real** slot) {
-  for (int d = 0; d < D; ++d) {
-    slot[d] = b.acceleration(d);
-    slot[D + d] = b.displacement(d);
-  }
+  if constexpr (std::is_same_v<decltype(task.motion), WallMotion<D, Real>>) task.motion = at.motion(blend);
 }
 
-/// Unknown component of trial unknown 0 and of test channel 0; the following ones are consecutive.
-struct Components {
-  int trial, test;
-};
+/// The same for a term, with its tangents and the equations that it adds to.
+template <int D, class Term, class Motion, class Real>
+Task<D, Term, Motion, Real> task_of(const Term& term, const Region<D, Real>& region, const Evaluation<D, Real>& at,
+                                    const Blend& blend) {
+  Task<D, Term, Motion, Real> task{region, term, {}, {}, {}, {}, {}};
+  using Types = decltype(task);
+  bind_fields(at, blend, task);
+  for (int u = 0; u < D + 2; ++u)
+    if (at.tangent.data() && reads<typename Types::Trial, D>(u)) task.tangent[u] = at.component(at.tangent, u);
+  for (int c = 0; c < Types::Test::channel_count; ++c)
+    task.test[c] = at.component(at.test, Types::Test::channel(c).unknown(D));
+  return task;
+}
 
 /// A term on a region, type erased: the only virtual call of the computation, a handful per residual.
 template <int D, class Real>
 class PieceIn {
  public:
   virtual ~PieceIn() = default;
-  virtual void residual(const Binding<D, Real>&) const = 0;
-  virtual void product(const Binding<D, Real>&) const = 0;
+  virtual void residual(const Evaluation<D, Real>&) const = 0;
+  virtual void product(const Evaluation<D, Real>&) const = 0;
   virtual const char* name() const = 0;
   virtual const Region<D, Real>& region() const = 0;
 };
 
-/// Matrices are assembled from double precision alone.
+/// Matrices are assembled in single precision alone.
 template <int D, class Real = double>
 class Piece : public PieceIn<D, Real> {};
 template <int D>
-class Piece<D, double> : public PieceIn<D, double> {
+class Piece<D, float> : public PieceIn<D, float> {
  public:
-  /// Adds the Jacobian with frozen geometry; the binding has no tangent.
-  virtual void jacobian(const Binding<D>&, const Stencil<D>&, const StencilValues&) const = 0;
+  /// Adds the Jacobian with frozen geometry; the evaluation has no tangent.
+  virtual void jacobian(const Evaluation<D, float>&, const Stencil<D>&, const StencilValues&) const = 0;
 };
 
-template <int D, int P, int QL, class Term, class Motion, class Real = double>
+template <int D, int P, class Term, class Motion, class Real = double>
 class PieceOf final : public Piece<D, Real> {
  public:
-  PieceOf(const char* name, const Region<D>& region, const Term& term, Components components, Blend blend = {})
-      : name_(name), region_(rounded<Real>(region)), term_(term), components_(components), blend_(blend) {}
+  PieceOf(const char* name, const Region<D>& region, const Term& term, Blend blend = {},
+          Instant instant = Instant::stage)
+      : name_(name), region_(rounded<Real>(region)), term_(term), blend_(blend), instant_(instant) {}
 
-  void residual(const Binding<D, Real>& b) const override { assemble<P, QL, false>(task(b)); }
-  void product(const Binding<D, Real>& b) const override { assemble<P, QL, true>(task(b)); }
-  /// Overrides in double precision. In single precision nothing calls it, and it is not compiled.
-  void jacobian(const Binding<D, Real>& b, const Stencil<D>& stencil, const StencilValues& values) const {
-    assemble_jacobian<P, QL>(task(b), stencil, values, components_.test, components_.trial);
-  }
+  void residual(const Evaluation<D, Real>&) const override;
+  void product(const Evaluation<D, Real>&) const override;
+  /// Overrides in single precision. In double precision nothing calls it, and it is not compiled.
+  void jacobian(const Evaluation<D, Real>&, const Stencil<D>&, const StencilValues&) const;
   const char* name() const override { return name_; }
   const Region<D, Real>& region() const override { return region_; }
 
  private:
-  Task<D, Term, Motion, Real> task(const Binding<D, Real>& b) const {
-    using Types = Task<D, Term, Motion, Real>;
-    Types t{region_, term_, {}, {}, {}, {}, {}};
-    if constexpr (std::is_same_v<Term, NavierStokesKorteweg>) t.term.moment_rate = b.stage.moment_rate;
-    if constexpr (std::is_same_v<Motion, WallMotion<D, Real>>) t.motion = b.motion(blend_);
-    bind_slots(term_, b, t.slot);
-    for (int u = 0; u < Types::Trial::unknown_count; ++u)
-      t.tangent[u] = b.tangent.data() ? b.component(b.tangent, components_.trial + u) : nullptr;
-    for (int c = 0; c < Types::Test::channel_count; ++c) t.test[c] = b.component(b.test, components_.test + c);
-    t.scale[static_cast<int>(Scale::one)] = 1;
-    t.scale[static_cast<int>(Scale::rate)] = static_cast<Real>(b.stage.rate_scale);
-    t.scale[static_cast<int>(Scale::displacement)] = static_cast<Real>(b.stage.displacement_scale);
-    t.scale[static_cast<int>(Scale::end)] = static_cast<Real>(b.stage.end_scale);
-    return t;
+  /// Moments at the end of the step count by their rate, which is 0 where only the fluxes are wanted.
+  bool idle(const Evaluation<D, Real>& at) const { return instant_ == Instant::end && at.stage.moment_rate == 0; }
+
+  Task<D, Term, Motion, Real> task(Evaluation<D, Real> at) const {
+    at.instant = instant_;
+    auto task = task_of<D, Term, Motion, Real>(term_, region_, at, blend_);
+    if (instant_ == Instant::end) task.factor = static_cast<Real>(at.stage.moment_rate);
+    return task;
   }
 
   const char* name_;
   Region<D, Real> region_;
   Term term_;
-  Components components_;
   Blend blend_;
+  Instant instant_;
 };
+
+// Outside of the class, so that a source which declares a piece `extern template` does not compile it again.
+template <int D, int P, class Term, class Motion, class Real>
+void PieceOf<D, P, Term, Motion, Real>::residual(const Evaluation<D, Real>& at) const {
+  if (!idle(at)) assemble<P, false>(task(at));
+}
+
+template <int D, int P, class Term, class Motion, class Real>
+void PieceOf<D, P, Term, Motion, Real>::product(const Evaluation<D, Real>& at) const {
+  if (!idle(at)) assemble<P, true>(task(at));
+}
+
+template <int D, int P, class Term, class Motion, class Real>
+void PieceOf<D, P, Term, Motion, Real>::jacobian(const Evaluation<D, Real>& at, const Stencil<D>& stencil,
+                                                 const StencilValues& values) const {
+  if (!idle(at)) assemble_jacobian<P>(task(at), stencil, values);
+}
 
 }  // namespace softwet

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cap.hpp"
+#include "case/cap.hpp"
 #include "observe/host/columns.hpp"
 #include "observe/phase_samples.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 #include "model/model.hpp"
 #include "observe/contacts.hpp"
 #include "observe/host/bodies.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/point/geometry.hpp"
+
 namespace softwet {
 
 template <int D>

@@ -6,7 +6,12 @@
 
 namespace softwet {
 
-/// Everything a term needs on a region. Pointers are to control value (0, 0, 0) of each component's own grid.
+/// Points of a term along the last axis, of Q on an axis: one where it acts on the wall.
+template <class Term, int Q>
+inline constexpr int points_across = Term::where == Where::wall ? 1 : Q;
+
+/// Everything a term needs on a region. Pointers are to control value (0, 0, 0) of each component's own grid. Arrays of
+/// unknowns are numbered by `Component::unknown`; those that the term does not read stay empty.
 template <int D, class Term, class Motion, class R = double>
 struct Task {
   using Real = R;
@@ -17,32 +22,40 @@ struct Task {
   Term term;
   Motion motion;
   const Real* slot[Trial::slot_count];
-  const Real* tangent[Trial::unknown_count];
+  Real scale[Trial::slot_count];  ///< d slot / d unknown
+  const Real* tangent[D + 2];     ///< of the unknowns
   Real* test[Test::channel_count];
-  Real scale[scale_count];
+  Real factor = 1;  ///< of the integrals
 };
+
+/// Whether a trial bundle needs the value, or the gradient, of the tangent of an unknown.
+template <class Trial, int D>
+constexpr bool reads(int unknown, bool Slot::*what) {
+  for (int s = 0; s < Trial::slot_count; ++s)
+    if (Trial::slot(s).from.unknown(D) == unknown && Trial::slot(s).*what) return true;
+  return false;
+}
+template <class Trial, int D>
+constexpr bool reads(int unknown) {
+  return reads<Trial, D>(unknown, &Slot::value) || reads<Trial, D>(unknown, &Slot::gradient);
+}
 
 /// Slots of a batch at its points, with tangents where N is dual.
 template <class S, class N, int D, int P, int Q, int QL, class Trial>
 struct BatchFields {
   static constexpr int points = power(Q, D - 1) * QL;
-  static constexpr int slots = Trial::slot_count, unknowns = Trial::unknown_count;
+  static constexpr int slots = Trial::slot_count;
   S value[slots][1 + D][points];
-  S tangent[is_dual<N> ? unknowns : 1][1 + D][points];
-  RealOf<S> scale[scale_count];
+  S tangent[is_dual<N> ? D + 2 : 1][1 + D][points];
+  RealOf<S> scale[slots];
 
   template <class TaskType>
   KOKKOS_FORCEINLINE_FUNCTION BatchFields(const TaskType& task, const Batch<D>& b,
                                           const BatchBasis<S, D, P, Q, QL>& basis) {
-    for (int i = 0; i < scale_count; ++i) scale[i] = task.scale[i];
+    for (int s = 0; s < slots; ++s) scale[s] = task.scale[s];
     const int first = first_control(task.region, b);
     fill_slots(task, b, basis, first, std::make_integer_sequence<int, slots>());
-    if constexpr (is_dual<N>)
-      for (int u = 0; u < unknowns; ++u) {
-        S nodal[power(P + 1, D)];
-        gather<S, D, P>(task.tangent[u], task.region, first, b.count, nodal);
-        basis.template forward<true, true>(nodal, tangent[u]);
-      }
+    if constexpr (is_dual<N>) fill_tangents(task, b, basis, first, std::make_integer_sequence<int, D + 2>());
   }
 
   template <class TaskType, int... s>
@@ -59,11 +72,26 @@ struct BatchFields {
     gather<S, D, P>(task.slot[s], task.region, first, b.count, nodal);
     basis.template forward<kind.value, kind.gradient>(nodal, value[s]);
   }
+  template <class TaskType, int... u>
+  KOKKOS_FORCEINLINE_FUNCTION void fill_tangents(const TaskType& task, const Batch<D>& b,
+                                                 const BatchBasis<S, D, P, Q, QL>& basis, int first,
+                                                 std::integer_sequence<int, u...>) {
+    (fill_tangent<u>(task, b, basis, first), ...);
+  }
+  template <int u, class TaskType>
+  KOKKOS_FORCEINLINE_FUNCTION void fill_tangent(const TaskType& task, const Batch<D>& b,
+                                                const BatchBasis<S, D, P, Q, QL>& basis, int first) {
+    constexpr bool values = reads<Trial, D>(u, &Slot::value), gradients = reads<Trial, D>(u, &Slot::gradient);
+    if constexpr (values || gradients) {
+      S nodal[power(P + 1, D)];
+      gather<S, D, P>(task.tangent[u], task.region, first, b.count, nodal);
+      basis.template forward<values, gradients>(nodal, tangent[u]);
+    }
+  }
 
   KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
     if constexpr (is_dual<N>) {
-      const Slot kind = Trial::slot(s);
-      return N(value[s][c][q], scale[static_cast<int>(kind.scale)] * tangent[kind.unknown][c][q]);
+      return N(value[s][c][q], scale[s] * tangent[Trial::slot(s).from.unknown(D)][c][q]);
     } else {
       return value[s][c][q];
     }
@@ -85,7 +113,7 @@ struct Reader {
   }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return point.mesh_velocity(); }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return point.volume_ratio(); }
-  KOKKOS_FORCEINLINE_FUNCTION N volume_ratio_end() const { return point.volume_ratio_end(); }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> position() const { return point.position; }
 };
 
 /// What Test::write sees: integrands are weighted, pulled back and stored for the integration sweeps.
@@ -115,10 +143,23 @@ KOKKOS_FORCEINLINE_FUNCTION S weight_at(const Region<D, RealOf<S>>& region, cons
   return shared * load<S>(&region.axis[0].weight(q % Q, b.element[0]));
 }
 
+/// Geometry at point q of a batch.
+template <class Term, int Q, class S, int D, class BatchGeometryType>
+KOKKOS_FORCEINLINE_FUNCTION auto point_at(const BatchGeometryType& geometry, const Region<D, RealOf<S>>& region,
+                                          const Batch<D>& b, int q) {
+  constexpr int wall_points = power(Q, D - 1);
+  const RealOf<S> height = region.axis[D - 1].position(q / wall_points, b.element[D - 1]);
+  Vector<S, D> reference;
+  reference[0] = load<S>(&region.axis[0].position(q % Q, b.element[0]));
+  if constexpr (D == 3) reference[1] = S(region.axis[1].position((q % wall_points) / Q, b.element[1]));
+  reference[D - 1] = S(height);
+  return geometry.at(q, reference, height, Term::where == Where::wall);
+}
+
 /// Residual (N = S) or Jacobian-vector product (N = Dual<S>) of one batch.
-template <class S, class N, int D, int P, int QL, class Term, class Motion>
+template <class S, class N, int D, int P, class Term, class Motion>
 KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion, RealOf<S>>& task, const Batch<D>& b) {
-  constexpr int Q = P + 1, wall_points = power(Q, D - 1), points = wall_points * QL;
+  constexpr int Q = P + 1, QL = points_across<Term, Q>, points = power(Q, D - 1) * QL;
   using Trial = typename Term::template Trial<N, D>;
   using Test = typename Term::template Test<N, D>;
   constexpr int channels = Test::channel_count;
@@ -127,11 +168,11 @@ KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion, RealOf<S>>& task
   const BatchGeometry<S, N, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
   S out[channels][1 + D][points];
   for (int q = 0; q < points; ++q) {
-    const auto point = geometry.at(q, task.region.axis[D - 1].position(q / wall_points, b.element[D - 1]), QL == 1);
-    const Reader<N, D, decltype(fields), std::remove_const_t<decltype(point)>> reader{fields, point, q};
-    const Test test = task.term.residual(Trial::read(reader));
-    test.write(Writer<S, N, D, points, std::remove_const_t<decltype(point)>>{out, point,
-                                                                             weight_at<S, D, Q>(task.region, b, q), q});
+    const auto point = point_at<Term, Q, S>(geometry, task.region, b, q);
+    using Point = std::remove_const_t<decltype(point)>;
+    const Test test = task.term.residual(Trial::read(Reader<N, D, decltype(fields), Point>{fields, point, q}));
+    const S weight = task.factor * weight_at<S, D, Q>(task.region, b, q);
+    test.write(Writer<S, N, D, points, Point>{out, point, weight, q});
   }
   const int first = first_test(task.region, b);
   for (int c = 0; c < channels; ++c) {
@@ -224,20 +265,20 @@ void for_colours(const char* name, const Region<D, Real>& region, int stride, co
   }
 }
 
-template <int D, int P, int QL, bool Tangent, class Term, class Motion, class Real>
+template <int D, int P, bool Tangent, class Term, class Motion, class Real>
 struct AssembleBatch {
   Task<D, Term, Motion, Real> task;
 
   KOKKOS_FUNCTION void operator()(const Batch<D>& b) const {
     using S = BatchNumber<Real>;
-    assemble_batch<S, std::conditional_t<Tangent, Dual<S>, S>, D, P, QL, Term, Motion>(task, b);
+    assemble_batch<S, std::conditional_t<Tangent, Dual<S>, S>, D, P, Term, Motion>(task, b);
   }
 };
 
 /// Adds the term's residual, or (Tangent) its Jacobian-vector product, to task.test[].
-template <int P, int QL, bool Tangent, int D, class Term, class Motion, class Real>
+template <int P, bool Tangent, int D, class Term, class Motion, class Real>
 void assemble(const Task<D, Term, Motion, Real>& task) {
-  for_colours("softwet::assemble", task.region, P + 1, AssembleBatch<D, P, QL, Tangent, Term, Motion, Real>{task});
+  for_colours("softwet::assemble", task.region, P + 1, AssembleBatch<D, P, Tangent, Term, Motion, Real>{task});
 }
 
 }  // namespace softwet

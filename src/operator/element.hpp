@@ -117,11 +117,10 @@ KOKKOS_FORCEINLINE_FUNCTION void scatter(RealOf<S>* p, const Region<D, RealOf<S>
 /// Motion of the wall that moves the fluid mesh: control values of the wall's row per direction.
 template <int D, class Real = double>
 struct WallMotion {
-  const Real* displacement[D];      ///< at n+af
-  const Real* displacement_end[D];  ///< at n+1
-  const Real* velocity[D];          ///< at n+af
-  const Real* tangent[D];           ///< of the velocity, or null: geometry frozen
-  Real scale, scale_end;            ///< d displacement / d velocity at n+af and n+1
+  const Real* displacement[D];
+  const Real* velocity[D];
+  const Real* tangent[D];  ///< of the velocity, or null: geometry frozen
+  Real scale;              ///< d displacement / d velocity
   Blend blend;
 };
 
@@ -133,7 +132,17 @@ template <class S, class N, int D, int P, int Q, class Motion>
 struct BatchGeometry {
   KOKKOS_FORCEINLINE_FUNCTION BatchGeometry(const Region<D, RealOf<S>>&, const Batch<D>&, const AxisBasis<S, P, Q>&,
                                             const AxisBasis<RealOf<S>, P, Q>&, const Motion&) {}
-  KOKKOS_FORCEINLINE_FUNCTION FixedPoint<N, D> at(int, double, bool) const { return {}; }
+  KOKKOS_FORCEINLINE_FUNCTION FixedPoint<N, D> at(int, const Vector<S, D>& reference, double, bool) const {
+    FixedPoint<N, D> point;
+    for (int i = 0; i < D; ++i) {
+      if constexpr (is_dual<N>) {
+        point.position[i] = N(reference[i], S(0.0));
+      } else {
+        point.position[i] = reference[i];
+      }
+    }
+    return point;
+  }
 };
 
 /// Geometry of the blended moving mesh: the wall's motion interpolated along it, blended vertically at each point.
@@ -142,19 +151,17 @@ struct BatchGeometry<S, N, D, P, Q, WallMotion<D, Real>> {
   static constexpr int wall_points = power(Q, D - 1);
   static constexpr int wall_controls = power(P + 1, D - 1);
   S displacement[D][D][wall_points];  // [direction][0: value, 1..: slopes along the wall]
-  S displacement_end[D][D][wall_points];
   S velocity[D][wall_points];
   S tangent[is_dual<N> ? D : 1][D][wall_points];
-  Real scale, scale_end;
+  Real scale;
   Blend blend;
 
   KOKKOS_FORCEINLINE_FUNCTION BatchGeometry(const Region<D, Real>& region, const Batch<D>& b,
                                             const AxisBasis<S, P, Q>& x, const AxisBasis<Real, P, Q>& y,
                                             const WallMotion<D, Real>& wall)
-      : scale(wall.scale), scale_end(wall.scale_end), blend(wall.blend) {
+      : scale(wall.scale), blend(wall.blend) {
     for (int d = 0; d < D; ++d) {
       trace(wall.displacement[d], region, b, x, y, displacement[d]);
-      trace(wall.displacement_end[d], region, b, x, y, displacement_end[d]);
       S v[D][wall_points];
       trace(wall.velocity[d], region, b, x, y, v);
       for (int q = 0; q < wall_points; ++q) velocity[d][q] = v[0][q];
@@ -201,23 +208,21 @@ struct BatchGeometry<S, N, D, P, Q, WallMotion<D, Real>> {
     }
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> at(int q, double height, bool face) const {
+  KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> at(int q, const Vector<S, D>& reference, double height,
+                                                   bool face) const {
     const int w = q % wall_points;
     const Real beta = static_cast<Real>(blend.value(height)), slope = static_cast<Real>(blend.slope());
-    Matrix<N, D> f, f_end;
-    Vector<N, D> v;
+    Matrix<N, D> f;
+    Vector<N, D> v, x;
     for (int i = 0; i < D; ++i) {
       const S* t[D];
       for (int c = 0; c < D; ++c) t[c] = &tangent[is_dual<N> ? i : 0][c][w];
-      for (int j = 0; j + 1 < D; ++j) {
-        f(i, j) = number(beta * displacement[i][j + 1][w], *t[j + 1], beta * scale);
-        f_end(i, j) = number(beta * displacement_end[i][j + 1][w], *t[j + 1], beta * scale_end);
-      }
+      for (int j = 0; j + 1 < D; ++j) f(i, j) = number(beta * displacement[i][j + 1][w], *t[j + 1], beta * scale);
       f(i, D - 1) = number(slope * displacement[i][0][w], *t[0], slope * scale);
-      f_end(i, D - 1) = number(slope * displacement_end[i][0][w], *t[0], slope * scale_end);
       v[i] = number(beta * velocity[i][w], *t[0], beta);
+      x[i] = number(reference[i] + beta * displacement[i][0][w], *t[0], beta * scale);
     }
-    return MovingPoint<N, D>(f, f_end, v, face);
+    return MovingPoint<N, D>(f, v, x, face);
   }
 };
 

@@ -1,8 +1,9 @@
 // The Jacobian of a term as a matrix, with frozen geometry: element matrices by sum factorisation, added to a stencil.
+// It is computed in single precision, in which preconditioners keep it.
 //
 // At a point the tangent of a term is a small matrix: test channel and its derivatives against unknown and its
 // derivatives. Dual numbers seeded one by one give its columns; folding the axes one after another turns it into the
-// element's matrix.
+// element's matrix. Most of the small matrix is zero, and what is zero at all points of a batch is not folded.
 #pragma once
 
 #include "field/stencil.hpp"
@@ -10,34 +11,84 @@
 
 namespace softwet {
 
+/// Geometry at a point that does not depend on the unknowns, for numbers with a tangent: it acts on value and tangent.
+template <class N, int D, class Point>
+struct FrozenPoint {
+  using S = typename Plain<N>::type;
+  const Point& point;
+
+  static KOKKOS_FORCEINLINE_FUNCTION void split(const Vector<N, D>& g, Vector<S, D>& value, Vector<S, D>& tangent) {
+    for (int i = 0; i < D; ++i) {
+      value[i] = g[i].value;
+      tangent[i] = g[i].tangent;
+    }
+  }
+  static KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> join(const Vector<S, D>& value, const Vector<S, D>& tangent) {
+    Vector<N, D> g;
+    for (int i = 0; i < D; ++i) g[i] = N(value[i], tangent[i]);
+    return g;
+  }
+  static KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> fixed(const Vector<S, D>& value) {
+    Vector<N, D> g;
+    for (int i = 0; i < D; ++i) g[i] = N(value[i], S(0.0));
+    return g;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> physical(const Vector<N, D>& g) const {
+    Vector<S, D> value, tangent;
+    split(g, value, tangent);
+    return join(point.physical(value), point.physical(tangent));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> reference_flux(const Vector<N, D>& f) const {
+    Vector<S, D> value, tangent;
+    split(f, value, tangent);
+    return join(point.reference_flux(value), point.reference_flux(tangent));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const { return N(point.measured(x.value), point.measured(x.tangent)); }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return fixed(point.mesh_velocity()); }
+};
+
 /// Slots of a batch whose tangent is that of one reference derivative (0: value) of one unknown.
-template <class Fields, class N, class Trial>
+template <class Fields, class N, class Trial, int D>
 struct SeededFields {
   const Fields& fields;
   int unknown, derivative;
 
   KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
-    const Slot kind = Trial::slot(s);
-    const bool here = kind.unknown == unknown && c == derivative;
+    const bool here = Trial::slot(s).from.unknown(D) == unknown && c == derivative;
     using S = std::remove_cvref_t<decltype(fields.value[0][0][0])>;
-    return N(fields.value[s][c][q], S(here ? fields.scale[static_cast<int>(kind.scale)] : 0.0));
+    return N(fields.value[s][c][q], S(here ? fields.scale[s] : 0.0));
+  }
+};
+
+/// Which blocks of a small matrix are not zero: [derivative of the test function][of the trial function].
+template <int Size>
+struct Blocks {
+  bool used[Size][Size];
+
+  KOKKOS_FORCEINLINE_FUNCTION Blocks() {
+    for (int k = 0; k < Size; ++k)
+      for (int l = 0; l < Size; ++l) used[k][l] = false;
   }
 };
 
 /// Integrates over one axis. in(k, l, pair, q): derivative k of the test and l of the trial function (0: none,
 /// 1: along this axis, 2..: along a later one), pairs of functions of earlier axes, points with this axis fastest.
-/// out[k][l][pair (P+1)^2 + (test, trial)][rest]: derivatives along later axes only.
+/// out[k][l][pair (P+1)^2 + (test, trial)][rest]: derivatives along later axes only. Blocks that are not used are neither
+/// read nor written.
 template <int Later, int Pairs, int Rest, int P, int Q, class S, class Row, class Column, class In>
-KOKKOS_FORCEINLINE_FUNCTION void fold_axis(const Row& row, const Column& column, const In& in,
-                                           S (&out)[Later + 1][Later + 1][Pairs * (P + 1) * (P + 1)][Rest]) {
+KOKKOS_FORCEINLINE_FUNCTION void fold_axis(const Row& row, const Column& column, const Blocks<Later + 2>& blocks,
+                                           const In& in, S (&out)[Later + 1][Later + 1][Pairs * (P + 1) * (P + 1)][Rest],
+                                           Blocks<Later + 1>& left_over) {
   constexpr int n = P + 1;
-  for (int k = 0; k <= Later; ++k)
-    for (int l = 0; l <= Later; ++l)
-      for (int e = 0; e < Pairs * n * n; ++e)
-        for (int r = 0; r < Rest; ++r) out[k][l][e][r] = S(0.0);
   for (int k = 0; k < Later + 2; ++k)
     for (int l = 0; l < Later + 2; ++l) {
+      if (!blocks.used[k][l]) continue;
       auto& sum = out[k > 0 ? k - 1 : 0][l > 0 ? l - 1 : 0];
+      bool& begun = left_over.used[k > 0 ? k - 1 : 0][l > 0 ? l - 1 : 0];
+      if (!begun)
+        for (int e = 0; e < Pairs * n * n; ++e)
+          for (int r = 0; r < Rest; ++r) sum[e][r] = S(0.0);
+      begun = true;
       for (int pair = 0; pair < Pairs; ++pair)
         for (int r = 0; r < Rest; ++r)
           for (int q = 0; q < Q; ++q) {
@@ -56,8 +107,8 @@ KOKKOS_FORCEINLINE_FUNCTION void fold_axis(const Row& row, const Column& column,
 /// Adds an element matrix; pairs of functions with the first axis' pair slowest.
 template <class S, int D, int P>
 KOKKOS_FORCEINLINE_FUNCTION void add_element_matrix(const Stencil<D>& stencil, float* values, int row, int column,
-                                                    int first, int count, const S (&matrix)[power(P + 1, 2 * D)]) {
-  constexpr int n = P + 1, lanes = Lanes<S>::count;
+                                                    int first, int count, const S* matrix) {
+  constexpr int n = P + 1;
   for (int e = 0; e < power(n, 2 * D); ++e) {
     int rest = e, point = first, offset = 0;
     for (int d = D - 1, pair = 0; d >= 0; --d) {
@@ -69,22 +120,31 @@ KOKKOS_FORCEINLINE_FUNCTION void add_element_matrix(const Stencil<D>& stencil, f
       point += i * stride;
       offset = offset * (2 * P + 1) + j - i + P;
     }
-    float* to = values + stencil.index(row, column, offset, point);
-    if constexpr (lanes == 1) {
-      *to += static_cast<float>(matrix[e]);
-    } else {
-      double lane[lanes];
-      Kokkos::Experimental::simd_unchecked_store(matrix[e], lane, Kokkos::Experimental::simd_flag_default);
-      for (int l = 0; l < count; ++l) to[l] += static_cast<float>(lane[l]);
-    }
+    add_lanes<S>(values + stencil.index(row, column, offset, point), matrix[e], count);
   }
 }
 
+/// The small matrices of one unknown at the points of a batch: [derivative of the trial function][channel]
+/// [derivative of the test function][point].
+template <class S, int D, int channels, int points>
+struct PointMatrices {
+  S at[1 + D][channels][1 + D][points];
+
+  KOKKOS_FORCEINLINE_FUNCTION Blocks<1 + D> blocks(int channel) const {
+    Blocks<1 + D> b;
+    for (int k = 0; k <= D; ++k)
+      for (int l = 0; l <= D; ++l)
+        for (int q = 0; q < points && !b.used[k][l]; ++q) b.used[k][l] = any_nonzero(at[l][channel][k][q]);
+    return b;
+  }
+};
+
 /// The matrices of one batch: unknown by unknown, test channel by test channel.
-template <class S, int D, int P, int QL, class Term, class Motion>
-KOKKOS_FUNCTION void jacobian_batch(const Task<D, Term, Motion>& task, const Batch<D>& b, const Stencil<D>& stencil,
-                                    float* values, int first_row, int first_column) {
-  constexpr int Q = P + 1, n2 = (P + 1) * (P + 1), wall_points = power(Q, D - 1), points = wall_points * QL;
+template <class S, int D, int P, class Term, class Motion>
+KOKKOS_FUNCTION void jacobian_batch(const Task<D, Term, Motion, float>& task, const Batch<D>& b,
+                                    const Stencil<D>& stencil, float* values) {
+  constexpr int Q = P + 1, QL = points_across<Term, Q>, n2 = (P + 1) * (P + 1), wall_points = power(Q, D - 1);
+  constexpr int points = wall_points * QL;
   using N = Dual<S>;
   using Trial = typename Term::template Trial<N, D>;
   using Test = typename Term::template Test<N, D>;
@@ -92,62 +152,66 @@ KOKKOS_FUNCTION void jacobian_batch(const Task<D, Term, Motion>& task, const Bat
   const BatchBasis<S, D, P, Q, QL> basis(task.region, b);
   using Fields = BatchFields<S, S, D, P, Q, QL, typename Term::template Trial<S, D>>;
   const Fields fields(task, b, basis);
-  const BatchGeometry<S, N, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
-  S at[1 + D][channels][1 + D][points];
-  for (int u = 0; u < Trial::unknown_count; ++u) {
-    for (int l = 0; l <= D; ++l)
-      for (int q = 0; q < points; ++q) {
-        const auto point = geometry.at(q, task.region.axis[D - 1].position(q / wall_points, b.element[D - 1]), QL == 1);
-        using Point = std::remove_const_t<decltype(point)>;
-        using Seeded = SeededFields<Fields, N, Trial>;
+  const BatchGeometry<S, S, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
+  PointMatrices<S, D, channels, points> matrices;
+  for (int u = 0; u < D + 2; ++u) {
+    if (!reads<Trial, D>(u)) continue;
+    for (int q = 0; q < points; ++q) {
+      const auto plain = point_at<Term, Q, S>(geometry, task.region, b, q);
+      using Point = FrozenPoint<N, D, std::remove_const_t<decltype(plain)>>;
+      const Point point{plain};
+      const S weight = task.factor * weight_at<S, D, Q>(task.region, b, q);
+      for (int l = 0; l <= D; ++l) {
+        using Seeded = SeededFields<Fields, N, Trial, D>;
         const Seeded seeded{fields, u, l};
         for (int c = 0; c < channels; ++c)
-          for (int k = 0; k <= D; ++k) at[l][c][k][q] = S(0.0);
+          for (int k = 0; k <= D; ++k) matrices.at[l][c][k][q] = S(0.0);
         const Test test = task.term.residual(Trial::read(Reader<N, D, Seeded, Point>{seeded, point, q}));
-        test.write(Writer<S, N, D, points, Point>{at[l], point, weight_at<S, D, Q>(task.region, b, q), q});
+        test.write(Writer<S, N, D, points, Point>{matrices.at[l], point, weight, q});
       }
+    }
     for (int c = 0; c < channels; ++c) {
+      const Blocks<1 + D> blocks = matrices.blocks(c);
+      const auto in = [&](int k, int l, int, int q) { return matrices.at[l][c][k][q]; };
       S x[D][D][n2][wall_points / Q * QL], matrix[1][1][power(n2, D)][1];
-      fold_axis<D - 1, 1, wall_points / Q * QL, P, Q>(
-          basis.x, basis.x, [&](int k, int l, int, int q) { return at[l][c][k][q]; }, x);
+      Blocks<D> of_x;
+      Blocks<1> of_matrix;
+      fold_axis<D - 1, 1, wall_points / Q * QL, P, Q>(basis.x, basis.x, blocks, in, x, of_x);
+      const auto from_x = [&](int k, int l, int pair, int q) { return x[k][l][pair][q]; };
       if constexpr (D == 2) {
-        fold_axis<0, n2, 1, P, QL>(
-            basis.test, basis.last, [&](int k, int l, int pair, int q) { return x[k][l][pair][q]; }, matrix);
+        fold_axis<0, n2, 1, P, QL>(basis.test, basis.last, of_x, from_x, matrix, of_matrix);
       } else {
         S y[2][2][n2 * n2][QL];
-        fold_axis<1, n2, QL, P, Q>(
-            basis.y, basis.y, [&](int k, int l, int pair, int q) { return x[k][l][pair][q]; }, y);
+        Blocks<2> of_y;
+        fold_axis<1, n2, QL, P, Q>(basis.y, basis.y, of_x, from_x, y, of_y);
         fold_axis<0, n2 * n2, 1, P, QL>(
-            basis.test, basis.last, [&](int k, int l, int pair, int q) { return y[k][l][pair][q]; }, matrix);
+            basis.test, basis.last, of_y, [&](int k, int l, int pair, int q) { return y[k][l][pair][q]; }, matrix,
+            of_matrix);
       }
-      S flat[power(P + 1, 2 * D)];
-      for (int e = 0; e < power(n2, D); ++e) flat[e] = matrix[0][0][e][0];
-      add_element_matrix<S, D, P>(stencil, values, first_row + c, first_column + u, first_test(task.region, b), b.count,
-                                  flat);
+      if (!of_matrix.used[0][0]) continue;
+      static_assert(sizeof(matrix) == power(P + 1, 2 * D) * sizeof(S));
+      add_element_matrix<S, D, P>(stencil, values, Test::channel(c).unknown(D), u, first_test(task.region, b), b.count,
+                                  &matrix[0][0][0][0]);
     }
   }
 }
 
-template <int D, int P, int QL, class Term, class Motion>
+template <int D, int P, class Term, class Motion>
 struct JacobianBatch {
-  Task<D, Term, Motion> task;
+  Task<D, Term, Motion, float> task;
   Stencil<D> stencil;
   StencilValues values;
-  int first_row, first_column;
 
   KOKKOS_FUNCTION void operator()(const Batch<D>& b) const {
-    jacobian_batch<BatchNumber<double>, D, P, QL, Term, Motion>(task, b, stencil, values.data(), first_row,
-                                                                first_column);
+    jacobian_batch<BatchNumber<float>, D, P, Term, Motion>(task, b, stencil, values.data());
   }
 };
 
-/// Adds the term's Jacobian with frozen geometry (task.motion without tangent) to a stencil; first_row and first_column
-/// are the components of test channel 0 and of unknown 0.
-template <int P, int QL, int D, class Term, class Motion>
-void assemble_jacobian(const Task<D, Term, Motion>& task, const Stencil<D>& stencil, const StencilValues& values,
-                       int first_row, int first_column) {
-  for_colours("softwet::jacobian", task.region, P + 1,
-              JacobianBatch<D, P, QL, Term, Motion>{task, stencil, values, first_row, first_column});
+/// Adds the term's Jacobian with frozen geometry (task.motion without tangent) to a stencil.
+template <int P, int D, class Term, class Motion>
+void assemble_jacobian(const Task<D, Term, Motion, float>& task, const Stencil<D>& stencil,
+                       const StencilValues& values) {
+  for_colours("softwet::jacobian", task.region, P + 1, JacobianBatch<D, P, Term, Motion>{task, stencil, values});
 }
 
 }  // namespace softwet

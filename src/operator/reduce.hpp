@@ -17,7 +17,7 @@ struct ReduceTask {
   Functional functional;
   Motion motion;
   const double* slot[Trial::slot_count];
-  double scale[scale_count] = {};
+  double scale[Trial::slot_count] = {};
 };
 
 /// Values of fields that do not move, as numbers whose tangent is zero.
@@ -34,9 +34,9 @@ struct LiftedFields {
 };
 
 /// N = S: the integral. N = Dual<S>: its rate of change by the motion of the domain alone, at fixed fields.
-template <class S, class N, int D, int P, int QL, class Functional, class Motion>
+template <class S, class N, int D, int P, class Functional, class Motion>
 KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task, const Batch<D>& b, double* sum) {
-  constexpr int Q = P + 1, wall_points = power(Q, D - 1), points = wall_points * QL;
+  constexpr int Q = P + 1, QL = points_across<Functional, Q>, points = power(Q, D - 1) * QL;
   using Trial = typename Functional::template Trial<N, D>;
   using Fields = BatchFields<S, S, D, P, Q, QL, typename Functional::template Trial<S, D>>;
   const BatchBasis<S, D, P, Q, QL> basis(task.region, b);
@@ -44,7 +44,7 @@ KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task,
   const LiftedFields<Fields, N> fields{values};
   const BatchGeometry<S, N, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
   for (int q = 0; q < points; ++q) {
-    const auto point = geometry.at(q, task.region.axis[D - 1].position(q / wall_points, b.element[D - 1]), QL == 1);
+    const auto point = point_at<Functional, Q, S>(geometry, task.region, b, q);
     const Reader<N, D, std::remove_const_t<decltype(fields)>, std::remove_const_t<decltype(point)>> reader{fields,
                                                                                                            point, q};
     const Vector<N, Functional::count> value = task.functional.value(Trial::read(reader));
@@ -61,7 +61,7 @@ KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task,
 }
 
 /// Partial sums of one row of elements.
-template <int D, int P, int QL, bool Rate, class Functional, class Motion>
+template <int D, int P, bool Rate, class Functional, class Motion>
 struct ReduceRow {
   ReduceTask<D, Functional, Motion> task;
   Colouring<D> rows;
@@ -72,19 +72,19 @@ struct ReduceRow {
     using N = std::conditional_t<Rate, Dual<S>, S>;
     double sum[Functional::count] = {};
     for_row<D, Lanes<S>::count>(
-        rows, item, [&](const Batch<D>& b) { reduce_batch<S, N, D, P, QL, Functional, Motion>(task, b, sum); });
+        rows, item, [&](const Batch<D>& b) { reduce_batch<S, N, D, P, Functional, Motion>(task, b, sum); });
     for (int f = 0; f < Functional::count; ++f) partial(item * Functional::count + f) = sum[f];
   }
 };
 
 /// With Rate, not the integrals but the rates at which they change because the domain moves; `motion.tangent` is then the
 /// velocity of the wall and `motion.scale` 1.
-template <int P, int QL, bool Rate = false, int D, class Functional, class Motion>
+template <int P, bool Rate = false, int D, class Functional, class Motion>
 std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Motion>& task) {
   const Colouring<D> rows(task.region, 1, 0, false);
   const SumSpace& space = sum_space(static_cast<std::size_t>(rows.items()) * Functional::count);
   Kokkos::parallel_for("softwet::reduce", Kokkos::RangePolicy<Exec>(0, rows.items()),
-                       ReduceRow<D, P, QL, Rate, Functional, Motion>{task, rows, space.device});
+                       ReduceRow<D, P, Rate, Functional, Motion>{task, rows, space.device});
   Kokkos::deep_copy(space.host, space.device);
   std::array<double, Functional::count> sum{};
   for (int r = 0; r < rows.items(); ++r)

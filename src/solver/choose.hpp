@@ -1,7 +1,7 @@
 // From the name in a case to a preconditioner.
 #pragma once
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "solver/block_lu.hpp"
 #include "solver/schwarz.hpp"
 #include "solver/sparse_lu.hpp"

@@ -137,8 +137,8 @@ void Newton::build(const NonlinearSystem& system) {
   wear_.renew();
 }
 
-std::string Newton::update(const NonlinearSystem& system, const Array& x) {
-  std::string complaint;
+Refusal Newton::update(const NonlinearSystem& system, const Array& x) {
+  Refusal complaint;
   double length = 1;
   for (int halvings = 0; halvings < 4; ++halvings, length *= 0.5) {
     Kokkos::deep_copy(Exec(), probe_, x);
@@ -165,7 +165,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     if (result.iterations == 0) set_weights(fields, residual_);
     const double size = weighted_norm(fields, residual_);
     if (!std::isfinite(size)) {
-      result.reason = "the residual is not finite";
+      result.refusal = {Refusal::not_finite};
       return result;
     }
     if (result.iterations == 0) start = std::sqrt(static_cast<double>(fields.size()));
@@ -179,7 +179,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     result.converged = result.converged || at_floor;
     if (result.converged) return result;
     if (result.iterations == control.max || (result.iterations > 2 && size > 2 * previous)) {
-      result.reason = "Newton's method did not converge";
+      result.refusal = {Refusal::newton};
       return result;
     }
     const double ratio = result.iterations > 0 ? size / previous : 1.0;
@@ -200,12 +200,12 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     rebuild_ = wear_.excess() >= cost || !linear.converged;
     if (!fresh && linear.reduction > 0.5) continue;  // once more with a new preconditioner
     if (linear.reduction > 0.9) {
-      result.reason = "the linear solver stalled";
+      result.refusal = {Refusal::linear_solver};
       return result;
     }
-    const std::string complaint = update(system, x);
+    const Refusal complaint = update(system, x);
     if (!complaint.empty()) {
-      result.reason = complaint;
+      result.refusal = complaint;
       return result;
     }
   }

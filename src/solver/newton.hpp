@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "case/refusal.hpp"
 #include "field/layout.hpp"
 #include "model/geometry.hpp"
 #include "solver/gmres.hpp"
@@ -35,7 +36,7 @@ struct NewtonResult {
   bool converged = false;
   int iterations = 0, krylov = 0;
   double reduction = 1;
-  std::string reason;  ///< of a failure, for the user
+  Refusal refusal;  ///< why it failed
 };
 
 /// How much a lagged preconditioner has cost beyond a fresh one: the iterations above those that its first linear solve
@@ -86,7 +87,7 @@ struct NonlinearSystem {
   std::function<void(const Array& z, const Array& out)> product;  ///< out = A z, with the Jacobian A at the current x
   Jacobian jacobian;                                              ///< for the preconditioner
   /// Empty if x is admissible (finite, densities in their range); otherwise what is wrong with it.
-  std::function<std::string(const Array& x)> complaint;
+  std::function<Refusal(const Array& x)> complaint;
   /// The product in single precision, for a Newton that solves its linear systems in single precision.
   std::function<void(const ArrayOf<float>& z, const ArrayOf<float>& out)> single_product = {};
 };
@@ -131,7 +132,7 @@ class Newton {
   void jacobian_product(const NonlinearSystem&, const NewtonControl&, const Array& x, const ArrayOf<float>& z,
                         const ArrayOf<float>& out);
   void build(const NonlinearSystem&);
-  std::string update(const NonlinearSystem&, const Array& x);
+  Refusal update(const NonlinearSystem&, const Array& x);
 
   std::variant<LinearSpace<double>, LinearSpace<float>> linear_;
   std::unique_ptr<Preconditioner> preconditioner_;

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "solver/block_lu.hpp"
 
 #ifdef SOFTWET_HAVE_UMFPACK

@@ -37,13 +37,4 @@ Region<D, Real> rounded(const Region<D>& region) {
   }
 }
 
-/// Vertical blending of the wall's motion into the fluid mesh: displacement(x, y) = d(x) (1 - eta(y)).
-/// The control points of row j move by (1 - Greville height) times the wall's, which is this linear blend exactly.
-struct Blend {
-  double low = 0;     ///< height of the wall
-  double height = 1;  ///< of the fluid
-  KOKKOS_FORCEINLINE_FUNCTION double value(double y) const { return 1.0 - (y - low) / height; }
-  KOKKOS_FORCEINLINE_FUNCTION double slope() const { return -1.0 / height; }
-};
-
 }  // namespace softwet

@@ -1,6 +1,7 @@
 // What an explicit time scheme sees of a scene: y' = f(t, y), and a stiff linear part of it.
 #pragma once
 
+#include "case/refusal.hpp"
 #include "field/vector.hpp"
 
 namespace softwet {
@@ -12,18 +13,18 @@ class Evolution {
   virtual int size() const = 0;
 
   /// out = f(t, y). @return empty, or why f has no value there
-  virtual std::string rates(double t, const Array& y, const Array& out) = 0;
+  virtual Refusal rates(double t, const Array& y, const Array& out) = 0;
 
   /// out = f(t, y) - g(y), g the stiff dissipative part (viscosity).
-  virtual std::string gentle_rates(double t, const Array& y, const Array& out) = 0;
+  virtual Refusal gentle_rates(double t, const Array& y, const Array& out) = 0;
 
   /// out = g(y), where g takes what it depends on beside its own part of y from the last `hold`.
   virtual void stiff_rates(const Array& y, const Array& out) = 0;
-  virtual std::string hold(const Array& y) = 0;
+  virtual Refusal hold(const Array& y) = 0;
 
   /// Replaces y by the solution of y - c g(y) = y_given and returns g(y) in `out`; the parts of y that g does not change
   /// are those that g depends on.
-  virtual std::string implicit_part(double c, const Array& y, const Array& out) = 0;
+  virtual Refusal implicit_part(double c, const Array& y, const Array& out) = 0;
 };
 
 }  // namespace softwet

@@ -23,15 +23,15 @@ ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, co
 }
 
 template <int D, int P>
-std::string ExplicitScheme<D, P>::rates(double t, const Array& y, const Array& out) {
+Refusal ExplicitScheme<D, P>::rates(double t, const Array& y, const Array& out) {
   return scheme_->treats_stiff_part() ? system_.gentle_rates(t, y, out) : system_.rates(t, y, out);
 }
 
 template <int D, int P>
-std::string ExplicitScheme<D, P>::begin(const State& state) {
-  if (known_rates_) return "";
+Refusal ExplicitScheme<D, P>::begin(const State& state) {
+  if (known_rates_) return {};
   system_.pack(state, y_);
-  const std::string problem = rates(state.time, y_, rates_);
+  const Refusal problem = rates(state.time, y_, rates_);
   known_rates_ = problem.empty();
   return problem;
 }
@@ -71,19 +71,19 @@ StepAttempt ExplicitScheme<D, P>::attempt(const StepHistory& history, double dt)
   Stopwatch watch(counts_.residual_seconds);
   const MassCounts before = system_.counts();
   StepAttempt attempt;
-  attempt.reason = begin(history.state);
-  if (!attempt.reason.empty()) return attempt;
+  attempt.refusal = begin(history.state);
+  if (!attempt.refusal.empty()) return attempt;
   Kokkos::deep_copy(Exec(), next_, y_);
   end_ = history.state.time + dt;
-  attempt.reason = scheme_->advance(system_, history.state.time, dt, next_, rates_);
-  if (attempt.reason.empty()) attempt.reason = rates(end_, next_, next_rates_);
-  if (attempt.reason.empty()) attempt.reason = judge_.of_values(system_.stage().unknown);
-  if (attempt.reason.empty()) attempt.reason = judge_.of_end(system_.stage());
+  attempt.refusal = scheme_->advance(system_, history.state.time, dt, next_, rates_);
+  if (attempt.refusal.empty()) attempt.refusal = rates(end_, next_, next_rates_);
+  if (attempt.refusal.empty()) attempt.refusal = judge_.of_values(system_.stage().unknown);
+  if (attempt.refusal.empty()) attempt.refusal = judge_.of_end(system_.stage());
   const MassCounts& now = system_.counts();
   attempt.krylov = static_cast<int>(now.iterations() - before.iterations());
   counts_.residuals += 2 * (now.rates - before.rates);
   counts_.krylov += attempt.krylov;
-  if (attempt.reason.empty())
+  if (attempt.refusal.empty())
     attempt.indicator = judge_.indicator(history, system_.stage().unknown, dt / history.previous_dt, dt);
   return attempt;
 }

@@ -23,9 +23,9 @@ class ExplicitScheme final : public Scheme<D, P> {
   SolverCounts& counts() override { return counts_; }
 
  private:
-  std::string rates(double t, const Array& y, const Array& out);
+  Refusal rates(double t, const Array& y, const Array& out);
   /// Fills y and its rates from a state, unless they are those of the last accepted step.
-  std::string begin(const State&);
+  Refusal begin(const State&);
   void measure_radius(double t);
 
   const Judge<D, P>& judge_;

@@ -18,17 +18,6 @@ ConstArray solid_velocity(const Layout<D>& layout, const ConstArray& unknown, in
   return part(unknown, first, first + layout.solid_rows() * layout.row_size);
 }
 
-template <class Real>
-StageOf<Real> make_stage(int unknowns, int velocities, int displacements, int densities) {
-  StageOf<Real> s;
-  s.unknown = ArrayOf<Real>("stage.unknown", unknowns);
-  s.acceleration = ArrayOf<Real>("stage.acceleration", velocities);
-  s.displacement = ArrayOf<Real>("stage.displacement", displacements);
-  s.displacement_end = ArrayOf<Real>("stage.displacement_end", displacements);
-  s.density_end = ArrayOf<Real>("stage.density_end", densities);
-  return s;
-}
-
 Array piece_of(const Array& a, int first, int count) {
   return Kokkos::subview(a, Kokkos::make_pair(first, first + count));
 }
@@ -39,9 +28,8 @@ template <int D, int P>
 GeneralizedAlpha<D, P>::GeneralizedAlpha(const Model<D, P>& model, double rho_inf)
     : model_(model), scheme_(rho_inf), alpha_(rho_inf), work_("work", model.layout().size()) {
   const Layout<D>& l = model.layout();
-  stage_ = make_stage<double>(l.size(), l.velocity_size(), l.solid_size(), l.scalar_size());
-  if (model.precision() == Precision::full) return;
-  single_stage_ = make_stage<float>(l.size(), l.velocity_size(), l.solid_size(), l.scalar_size());
+  stage_ = make_stage<double>(l);
+  single_stage_ = make_stage<float>(l);
   if (model.precision() == Precision::single) single_work_ = ArrayOf<float>("stage.work", l.size());
 }
 
@@ -83,24 +71,9 @@ void GeneralizedAlpha<D, P>::fill_stage(const Array& x) {
 }
 
 template <int D, int P>
-void GeneralizedAlpha<D, P>::round_stage() {
-  StageOf<float>& s = single_stage_;
-  s.time = stage_.time;
-  convert(s.unknown, stage_.unknown);
-  convert(s.acceleration, stage_.acceleration);
-  convert(s.displacement, stage_.displacement);
-  convert(s.displacement_end, stage_.displacement_end);
-  convert(s.density_end, stage_.density_end);
-  s.rate_scale = stage_.rate_scale;
-  s.displacement_scale = stage_.displacement_scale;
-  s.end_scale = stage_.end_scale;
-  s.moment_rate = stage_.moment_rate;
-}
-
-template <int D, int P>
 void GeneralizedAlpha<D, P>::residual(const Array& x, const Array& r) {
   fill_stage(x);
-  if (model_.precision() != Precision::full) round_stage();
+  if (model_.precision() != Precision::full) round_stage(single_stage_, stage_);
   if (model_.precision() == Precision::single) {
     model_.residual(single_stage_, single_work_, r);
   } else {
@@ -115,7 +88,7 @@ void GeneralizedAlpha<D, P>::residual(const Array& x, const Array& r) {
 template <int D, int P>
 void GeneralizedAlpha<D, P>::round_off(const Array& x, const Array& out) {
   fill_stage(x);
-  round_stage();
+  round_stage(single_stage_, stage_);
   model_.residual(single_stage_, single_work_, out);
   model_.residual(stage_, work_);
   add_scaled(out, 0, -1, work_);
@@ -129,6 +102,12 @@ void GeneralizedAlpha<D, P>::product(const Array& z, const Array& out, Geometry 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::product(const ArrayOf<float>& z, const ArrayOf<float>& out, Geometry geometry) const {
   model_.product(single_stage_, z, out, geometry);
+}
+
+template <int D, int P>
+void GeneralizedAlpha<D, P>::jacobian(const StencilValues& values) {
+  if (model_.precision() == Precision::full) round_stage(single_stage_, stage_);
+  model_.jacobian(single_stage_, values);
 }
 
 template <int D, int P>

@@ -48,7 +48,7 @@ class GeneralizedAlpha {
   /// The same in single precision. Only for models that have it.
   void product(const ArrayOf<float>& z, const ArrayOf<float>& out, Geometry geometry) const;
   /// The same with frozen geometry as a matrix.
-  void jacobian(const StencilValues& values) const { model_.jacobian(stage_, values); }
+  void jacobian(const StencilValues& values);
 
   /// Ends the step: writes the state at t + dt from the solution x. Conserves the sum of the moments exactly, and the
   /// integral of the density with it.
@@ -62,7 +62,6 @@ class GeneralizedAlpha {
 
  private:
   void fill_stage(const Array& x);
-  void round_stage();
   /// Shifts the density by a constant so that its integral is the sum of the moments. The constant is as small as the
   /// residual that Newton's method has left.
   void match_mass(const State& state) const;
@@ -70,7 +69,7 @@ class GeneralizedAlpha {
   const Model<D, P>& model_;
   AlphaParameters scheme_, alpha_;  ///< of rho_inf, and of the current step
   Stage stage_;
-  StageOf<float> single_stage_;  ///< the stage, rounded; empty in double precision
+  StageOf<float> single_stage_;  ///< the stage, rounded; in double precision for the Jacobian alone
   ArrayOf<float> single_work_;
   State start_;
   Array work_;

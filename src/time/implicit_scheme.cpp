@@ -102,15 +102,15 @@ NewtonResult ImplicitScheme<D, P>::solve(const StepHistory& history, double dt) 
   std::vector<FieldRange> ranges = fields();
   if (model_.precision() == Precision::single) measure_round_off(ranges);
   NewtonResult result = newton_.solve(system, ranges, newton_control_, x_);
-  if (result.converged) result.reason = judge_.of_end(integrator_.stage());
+  if (result.converged) result.refusal = judge_.of_end(integrator_.stage());
   return result;
 }
 
 template <int D, int P>
 StepAttempt ImplicitScheme<D, P>::attempt(const StepHistory& history, double dt) {
   const NewtonResult result = solve(history, dt);
-  StepAttempt attempt{result.reason, 0, result.iterations, result.krylov, result.iterations + 2 > newton_control_.max};
-  if (!attempt.reason.empty()) return attempt;
+  StepAttempt attempt{result.refusal, 0, result.iterations, result.krylov, result.iterations + 2 > newton_control_.max};
+  if (!attempt.refusal.empty()) return attempt;
   move_ghosts(model_.layout(), x_, GhostAction::update);  // the prediction left them out
   attempt.indicator = judge_.indicator(history, x_, dt / integrator_.stage().end_scale / history.previous_dt, dt);
   return attempt;

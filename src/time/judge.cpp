@@ -18,12 +18,12 @@ std::pair<double, double> range(const ConstArray& x) {
   return {r.min_val, r.max_val};
 }
 
-std::string density_complaint(const ConstArray& density, double undershoot) {
+Refusal density_complaint(const ConstArray& density, double undershoot) {
   const auto [least, largest] = range(density);
-  if (!(largest < 0.999)) return "the density reaches the close-packed limit (rho >= 0.999 b)";
+  if (!(largest < 0.999)) return {Refusal::close_packed};
   // Undershoots of the vapour's small density are admissible: W is continued below it.
-  if (least <= -undershoot) return "the density becomes negative (solver.newton.undershoot)";
-  return "";
+  if (least <= -undershoot) return {Refusal::negative_density};
+  return {};
 }
 
 }  // namespace
@@ -36,18 +36,18 @@ Judge<D, P>::Judge(const Model<D, P>& model, const Case& c)
 }
 
 template <int D, int P>
-std::string Judge<D, P>::of_values(const ConstArray& x) const {
+Refusal Judge<D, P>::of_values(const ConstArray& x) const {
   const Layout<D>& l = model_.layout();
-  if (!std::isfinite(range(x).second)) return "the solution is not finite";
-  return l.has_fluid ? density_complaint(part(x, l.density_offset(), l.potential_offset()), undershoot_) : "";
+  if (!std::isfinite(range(x).second)) return {Refusal::not_finite};
+  return l.has_fluid ? density_complaint(part(x, l.density_offset(), l.potential_offset()), undershoot_) : Refusal{};
 }
 
 template <int D, int P>
-std::string Judge<D, P>::of_end(const Stage& stage) const {
+Refusal Judge<D, P>::of_end(const Stage& stage) const {
   const Integrals sum = model_.integrals(stage);
-  if (sum.inverted > 0) return "the solid is turned inside out somewhere (det F <= 0)";
-  if (sum.folded > 0) return "the mesh of the fluid folds over above the deformed solid (J < 0)";
-  return model_.layout().has_fluid ? density_complaint(stage.density_end, undershoot_) : "";
+  if (sum.inverted > 0) return {Refusal::solid_inverted};
+  if (sum.folded > 0) return {Refusal::mesh_folded};
+  return model_.layout().has_fluid ? density_complaint(stage.density_end, undershoot_) : Refusal{};
 }
 
 template <int D, int P>

@@ -12,9 +12,9 @@ class Judge {
   Judge(const Model<D, P>&, const Case&);
 
   /// Why values of the unknowns are not admissible; empty when they are.
-  std::string of_values(const ConstArray& unknown) const;
+  Refusal of_values(const ConstArray& unknown) const;
   /// The same for the mesh of a stage and the density at the end of the step.
-  std::string of_end(const Stage&) const;
+  Refusal of_end(const Stage&) const;
 
   /// Compares values with the extrapolation of the two states before, f = (time from the last state) / previous_dt:
   ///   max( rms(rho - rho_f) / (rho_l - rho_v),  dt rms(v - v_f) / H )  ~ dt^2,   H the thinner layer

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "field/vector.hpp"
 #include "time/implicit_scheme.hpp"
 
@@ -96,11 +96,11 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
     state.time = time - dt;  // a step ends no later than the first load begins
     scheme.initialise(state);
     const StepAttempt tried = scheme.attempt({state, unused, 0}, dt);
-    if (!tried.reason.empty()) {
+    if (!tried.refusal.empty()) {
       ++done.rejected;
       scheme.refuse();
       dt *= 0.25;
-      if (dt < c.time.dt_min) give_up(tried.reason + ", even with the smallest step (time.dt_min)");
+      if (dt < c.time.dt_min) give_up(std::string(tried.refusal.text()) + ", even with the smallest step (time.dt_min)");
       continue;
     }
     scheme.accept(state);

@@ -7,9 +7,9 @@
 
 namespace softwet {
 
-std::string SspRk3::advance(Evolution& f, double t, double dt, const Array& y, const Array& k) {
+Refusal SspRk3::advance(Evolution& f, double t, double dt, const Array& y, const Array& k) {
   sum_of(stage_, 1, y, dt, k, 0, k);
-  std::string problem = f.rates(t + dt, stage_, rate_);
+  Refusal problem = f.rates(t + dt, stage_, rate_);
   if (!problem.empty()) return problem;
   sum_of(stage_, 0.75, y, 0.25, stage_, 0.25 * dt, rate_);
   problem = f.rates(t + 0.5 * dt, stage_, rate_);
@@ -24,13 +24,13 @@ class Gentle final : public Evolution {
  public:
   explicit Gentle(Evolution& whole) : whole_(whole) {}
   int size() const override { return whole_.size(); }
-  std::string rates(double t, const Array& y, const Array& out) override { return whole_.gentle_rates(t, y, out); }
-  std::string gentle_rates(double t, const Array& y, const Array& out) override { return rates(t, y, out); }
+  Refusal rates(double t, const Array& y, const Array& out) override { return whole_.gentle_rates(t, y, out); }
+  Refusal gentle_rates(double t, const Array& y, const Array& out) override { return rates(t, y, out); }
   void stiff_rates(const Array&, const Array& out) override { Kokkos::deep_copy(Exec(), out, 0.0); }
-  std::string hold(const Array&) override { return ""; }
-  std::string implicit_part(double, const Array&, const Array& out) override {
+  Refusal hold(const Array&) override { return {}; }
+  Refusal implicit_part(double, const Array&, const Array& out) override {
     Kokkos::deep_copy(Exec(), out, 0.0);
-    return "";
+    return {};
   }
 
  private:
@@ -49,8 +49,8 @@ int StrangRkl2::stages(double step, double radius) {
   return std::max(3, s % 2 == 1 ? s : s + 1);  // odd numbers damp the stiffest part more
 }
 
-std::string StrangRkl2::stiff_step(Evolution& f, double dt, const Array& y) {
-  const std::string problem = f.hold(y);
+Refusal StrangRkl2::stiff_step(Evolution& f, double dt, const Array& y) {
+  const Refusal problem = f.hold(y);
   if (!problem.empty()) return problem;
   const auto b = [](int j) { return j < 2 ? 1.0 / 3 : (j * j + j - 2.0) / (2.0 * j * (j + 1)); };
   const int s = stages(dt, stiff_radius_);
@@ -68,12 +68,12 @@ std::string StrangRkl2::stiff_step(Evolution& f, double dt, const Array& y) {
     std::swap(now_, next_);
   }
   Kokkos::deep_copy(Exec(), y, now_);
-  return "";
+  return {};
 }
 
-std::string StrangRkl2::advance(Evolution& f, double t, double dt, const Array& y, const Array&) {
+Refusal StrangRkl2::advance(Evolution& f, double t, double dt, const Array& y, const Array&) {
   Gentle gentle(f);
-  std::string problem = stiff_step(f, 0.5 * dt, y);
+  Refusal problem = stiff_step(f, 0.5 * dt, y);
   if (problem.empty()) problem = gentle.rates(t, y, gentle_rate_);
   if (problem.empty()) problem = gentle_.advance(gentle, t, dt, y, gentle_rate_);
   return problem.empty() ? stiff_step(f, 0.5 * dt, y) : problem;
@@ -84,7 +84,7 @@ ImexArs343::ImexArs343(int size) : stage_("imex.stage", size) {
   for (Array& a : stiff_) a = Array("imex.stiff", size);
 }
 
-std::string ImexArs343::advance(Evolution& f, double t, double dt, const Array& y, const Array& k) {
+Refusal ImexArs343::advance(Evolution& f, double t, double dt, const Array& y, const Array& k) {
   // gamma is the middle root of 6 x^3 - 18 x^2 + 9 x - 1; the free coefficients are chosen as in the source.
   constexpr double g = 0.4358665215084590, b1 = -1.5 * g * g + 4 * g - 0.25, b2 = 1.5 * g * g - 5 * g + 1.25;
   constexpr double a42 = 0.5529291480359398, a43 = a42;
@@ -95,7 +95,7 @@ std::string ImexArs343::advance(Evolution& f, double t, double dt, const Array& 
   constexpr double gentle[3][3] = {{g, 0, 0}, {a31, a32, 0}, {1 - a42 - a43, a42, a43}};
   constexpr double stiff[3][3] = {{g, 0, 0}, {(1 - g) / 2, g, 0}, {b1, b2, g}};
   constexpr double weight[3] = {b1, b2, g}, node[3] = {g, (1 + g) / 2, 1};
-  std::string problem;
+  Refusal problem;
   for (int i = 0; i < 3 && problem.empty(); ++i) {
     Kokkos::deep_copy(Exec(), stage_, y);
     for (int j = 0; j <= i; ++j) add_scaled(stage_, 0, dt * gentle[i][j], j == 0 ? k : gentle_[j - 1]);
@@ -108,7 +108,7 @@ std::string ImexArs343::advance(Evolution& f, double t, double dt, const Array& 
     add_scaled(y, 0, dt * weight[i], gentle_[i]);
     add_scaled(y, 0, dt * weight[i], stiff_[i]);
   }
-  return "";
+  return {};
 }
 
 }  // namespace softwet

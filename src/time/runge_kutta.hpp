@@ -9,7 +9,7 @@ namespace softwet {
 class RungeKutta {
  public:
   virtual ~RungeKutta() = default;
-  virtual std::string advance(Evolution&, double t, double dt, const Array& y, const Array& k) = 0;
+  virtual Refusal advance(Evolution&, double t, double dt, const Array& y, const Array& k) = 0;
 
   /// Largest dt for eigenvalues of f up to `radius` in size that are real and negative, or imaginary.
   virtual double limit(double radius, bool imaginary) const = 0;
@@ -27,7 +27,7 @@ class RungeKutta {
 class SspRk3 final : public RungeKutta {
  public:
   explicit SspRk3(int size) : stage_("ssp_rk3.stage", size), rate_("ssp_rk3.rate", size) {}
-  std::string advance(Evolution&, double t, double dt, const Array& y, const Array& k) override;
+  Refusal advance(Evolution&, double t, double dt, const Array& y, const Array& k) override;
   double limit(double radius, bool imaginary) const override { return (imaginary ? 1.73 : 2.51) / radius; }
   const char* name() const override { return "ssp_rk3"; }
 
@@ -43,7 +43,7 @@ class SspRk3 final : public RungeKutta {
 class StrangRkl2 final : public RungeKutta {
  public:
   explicit StrangRkl2(int size);
-  std::string advance(Evolution&, double t, double dt, const Array& y, const Array& k) override;
+  Refusal advance(Evolution&, double t, double dt, const Array& y, const Array& k) override;
   double limit(double radius, bool imaginary) const override { return gentle_.limit(radius, imaginary); }
   const char* name() const override { return "rkl2"; }
   bool treats_stiff_part() const override { return true; }
@@ -54,7 +54,7 @@ class StrangRkl2 final : public RungeKutta {
   static int stages(double step, double radius);
 
  private:
-  std::string stiff_step(Evolution&, double dt, const Array& y);
+  Refusal stiff_step(Evolution&, double dt, const Array& y);
 
   SspRk3 gentle_;
   Array gentle_rate_, first_rate_, rate_, before_, now_, next_;
@@ -67,7 +67,7 @@ class StrangRkl2 final : public RungeKutta {
 class ImexArs343 final : public RungeKutta {
  public:
   explicit ImexArs343(int size);
-  std::string advance(Evolution&, double t, double dt, const Array& y, const Array& k) override;
+  Refusal advance(Evolution&, double t, double dt, const Array& y, const Array& k) override;
   double limit(double radius, bool imaginary) const override { return (imaginary ? 2.82 : 2.78) / radius; }
   const char* name() const override { return "imex"; }
   bool treats_stiff_part() const override { return true; }

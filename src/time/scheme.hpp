@@ -2,7 +2,6 @@
 #pragma once
 
 #include <limits>
-#include <string>
 
 #include "field/stage.hpp"
 #include "solver/newton.hpp"
@@ -18,7 +17,7 @@ struct StepHistory {
 
 /// How a step that was tried went.
 struct StepAttempt {
-  std::string reason;    ///< empty: the step is admissible
+  Refusal refusal;       ///< empty: the step is admissible
   double indicator = 0;  ///< of the local error, see StepControl
   int newton = 0, krylov = 0;
   bool laborious = false;  ///< the solver was close to giving up

@@ -113,7 +113,7 @@ int SemiDiscrete<D, P>::solve_scalar(const Array& b, const Array& z, double tole
 }
 
 template <int D, int P>
-std::string SemiDiscrete<D, P>::find_density(const ConstArray& moments) {
+Refusal SemiDiscrete<D, P>::find_density(const ConstArray& moments) {
   const Layout<D>& l = model_.layout();
   const int first = l.density_offset(), last = l.potential_offset();
   if (kind_ == MassKind::lumped) masses_.scalar(stage_, ones_, scalar_weight_);
@@ -123,14 +123,14 @@ std::string SemiDiscrete<D, P>::find_density(const ConstArray& moments) {
   Kokkos::deep_copy(Exec(), cut(solution_, first, last), part(stage_.unknown, first, last));
   multiply(solution_, model_.mask());
   const int iterations = solve_scalar(right_, solution_, tight);
-  if (iterations < 0) return "the density could not be found from its moments";
+  if (iterations < 0) return {Refusal::density_of_moments};
   counts_.density += iterations;
   Kokkos::deep_copy(Exec(), cut(stage_.unknown, first, last), part(solution_, first, last));
-  return "";
+  return {};
 }
 
 template <int D, int P>
-std::string SemiDiscrete<D, P>::find_potential() {
+Refusal SemiDiscrete<D, P>::find_potential() {
   const Layout<D>& l = model_.layout();
   const int first = l.density_offset(), last = l.potential_offset(), count = last - first;
   const Array potential = cut(stage_.unknown, last, l.size());
@@ -141,18 +141,18 @@ std::string SemiDiscrete<D, P>::find_potential() {
   Kokkos::deep_copy(Exec(), cut(right_, first, last), part(force_, last, last + count));
   multiply(solution_, model_.mask());
   const int iterations = solve_scalar(right_, solution_, tight);
-  if (iterations < 0) return "the chemical potential could not be found";
+  if (iterations < 0) return {Refusal::potential};
   counts_.potential += iterations;
   Kokkos::deep_copy(Exec(), potential, part(solution_, first, last));
-  return "";
+  return {};
 }
 
 template <int D, int P>
-std::string SemiDiscrete<D, P>::place(double t, const Array& y) {
+Refusal SemiDiscrete<D, P>::place(double t, const Array& y) {
   stage_.time = t;
   place_motion(y);
-  if (!model_.layout().has_fluid) return "";
-  std::string problem = find_density(part(y, velocity_ + solid_, size()));
+  if (!model_.layout().has_fluid) return {};
+  Refusal problem = find_density(part(y, velocity_ + solid_, size()));
   move_ghosts(model_.layout(), stage_.unknown, GhostAction::update);
   if (problem.empty()) problem = find_potential();
   move_ghosts(model_.layout(), stage_.unknown, GhostAction::update);
@@ -185,9 +185,9 @@ int SemiDiscrete<D, P>::solve_velocity(double c, const Array& b, const Array& z,
 }
 
 template <int D, int P>
-std::string SemiDiscrete<D, P>::all_rates(double t, const Array& y, const Array& out, bool viscous) {
+Refusal SemiDiscrete<D, P>::all_rates(double t, const Array& y, const Array& out, bool viscous) {
   ++counts_.rates;
-  const std::string problem = place(t, y);
+  const Refusal problem = place(t, y);
   if (!problem.empty()) return problem;
   const Layout<D>& l = model_.layout();
   model_.residual(stage_, force_);
@@ -209,17 +209,17 @@ std::string SemiDiscrete<D, P>::all_rates(double t, const Array& y, const Array&
   weigh_velocities();
   Kokkos::deep_copy(Exec(), solution_, 0.0);
   const int iterations = solve_velocity(0, right_, solution_, velocity_tolerance);
-  if (iterations < 0) return "the acceleration could not be found";
+  if (iterations < 0) return {Refusal::acceleration};
   counts_.velocity += iterations;
   Kokkos::deep_copy(Exec(), cut(out, 0, velocity_), part(solution_, 0, velocity_));
-  return "";
+  return {};
 }
 
 template <int D, int P>
-std::string SemiDiscrete<D, P>::hold(const Array& y) {
+Refusal SemiDiscrete<D, P>::hold(const Array& y) {
   place_motion(y);
-  if (!model_.layout().has_fluid) return "";
-  const std::string problem = find_density(part(y, velocity_ + solid_, size()));
+  if (!model_.layout().has_fluid) return {};
+  const Refusal problem = find_density(part(y, velocity_ + solid_, size()));
   move_ghosts(model_.layout(), stage_.unknown, GhostAction::update);
   weigh_velocities();
   return problem;
@@ -238,11 +238,11 @@ void SemiDiscrete<D, P>::stiff_rates(const Array& y, const Array& out) {
 }
 
 template <int D, int P>
-std::string SemiDiscrete<D, P>::implicit_part(double c, const Array& y, const Array& out) {
+Refusal SemiDiscrete<D, P>::implicit_part(double c, const Array& y, const Array& out) {
   Kokkos::deep_copy(Exec(), out, 0.0);
-  if (!model_.layout().has_fluid || c == 0) return "";
+  if (!model_.layout().has_fluid || c == 0) return {};
   place_motion(y);
-  const std::string problem = find_density(part(y, velocity_ + solid_, size()));
+  const Refusal problem = find_density(part(y, velocity_ + solid_, size()));
   if (!problem.empty()) return problem;
   move_ghosts(model_.layout(), stage_.unknown, GhostAction::update);
   // (A + c K) v = A w; with v = w + c g this is (A + c K) g = -K w, which keeps small g accurate.
@@ -253,12 +253,12 @@ std::string SemiDiscrete<D, P>::implicit_part(double c, const Array& y, const Ar
   Kokkos::deep_copy(Exec(), solution_, 0.0);  // the search begins at what was found last
   Kokkos::deep_copy(Exec(), cut(solution_, 0, velocity_), stiff_);
   const int iterations = solve_velocity(c, right_, solution_, velocity_tolerance);
-  if (iterations < 0) return "the implicit viscosity could not be solved";
+  if (iterations < 0) return {Refusal::implicit_viscosity};
   counts_.viscous += iterations;
   Kokkos::deep_copy(Exec(), stiff_, part(solution_, 0, velocity_));
   Kokkos::deep_copy(Exec(), cut(out, 0, velocity_), part(solution_, 0, velocity_));
   add_scaled(cut(y, 0, velocity_), 0, c, part(solution_, 0, velocity_));
-  return "";
+  return {};
 }
 
 template class SemiDiscrete<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

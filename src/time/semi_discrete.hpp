@@ -27,11 +27,11 @@ class SemiDiscrete final : public Evolution {
   SemiDiscrete(const Model<D, P>&, MassKind);
 
   int size() const override { return velocity_ + solid_ + scalar_; }
-  std::string rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, true); }
-  std::string gentle_rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, false); }
+  Refusal rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, true); }
+  Refusal gentle_rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, false); }
   void stiff_rates(const Array& y, const Array& out) override;
-  std::string hold(const Array& y) override;
-  std::string implicit_part(double c, const Array& y, const Array& out) override;
+  Refusal hold(const Array& y) override;
+  Refusal implicit_part(double c, const Array& y, const Array& out) override;
 
   /// Moments of a state that is given by its unknowns and displacements: those that give its density back.
   void set_moments(State&);
@@ -44,12 +44,12 @@ class SemiDiscrete final : public Evolution {
   const MassCounts& counts() const { return counts_; }
 
  private:
-  std::string all_rates(double t, const Array& y, const Array& out, bool viscous);
+  Refusal all_rates(double t, const Array& y, const Array& out, bool viscous);
   /// Fills the stage from y: velocities, displacements, density, chemical potential.
-  std::string place(double t, const Array& y);
+  Refusal place(double t, const Array& y);
   void place_motion(const Array& y);
-  std::string find_density(const ConstArray& moments);
-  std::string find_potential();
+  Refusal find_density(const ConstArray& moments);
+  Refusal find_potential();
   /// z = M^{-1} b for a scalar, from the part of the density of b to that of z.
   int solve_scalar(const Array& b, const Array& z, double tolerance);
   /// z = (A + c K)^{-1} b for velocities; K the viscous force.

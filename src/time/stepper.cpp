@@ -1,6 +1,6 @@
 #include "time/stepper.hpp"
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "model/initial.hpp"
 #include "time/choose_scheme.hpp"
 
@@ -47,13 +47,14 @@ StepReport Stepper<D, P>::step() {
   for (;;) {
     const double dt = control_.next(state_.time, scheme_->largest_step(state_));
     const StepAttempt tried = scheme_->attempt({state_, previous_, previous_dt_}, dt);
-    if (!tried.reason.empty()) {
+    if (!tried.refusal.empty()) {
       ++counts_.rejected_newton;
-      counts_.last_rejection = tried.reason;
+      counts_.last_rejection = tried.refusal;
       scheme_->refuse();
       if (control_.reject(dt)) continue;
       throw Error(Exit::computation_failed,
-                  "the computation stopped: " + tried.reason + ", even with the smallest step (time.dt_min)");
+                  std::string("the computation stopped: ") + tried.refusal.text() +
+                      ", even with the smallest step (time.dt_min)");
     }
     if (tried.indicator > control_.rejection_level() && control_.reject(dt)) {
       ++counts_.rejected_error;

@@ -17,7 +17,7 @@ struct StepReport {
 /// Counts of the whole run.
 struct StepCounts {
   long steps = 0, rejected_newton = 0, rejected_error = 0;
-  std::string last_rejection;
+  Refusal last_rejection;
 };
 
 template <int D, int P>

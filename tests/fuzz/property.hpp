@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 

@@ -8,7 +8,6 @@ from _scene import PULL, cases, check, check_true, environment, history, record,
 
 # Steps of one size, so that the runs can be compared row by row, solved far beyond the errors that are asked about.
 FIXED = ["time.tolerance=1e30", "time.dt_initial=0.25", "time.dt_max=0.25", "solver.newton.rtol=1e-6"]
-info = subprocess.run([softwet, "info"], capture_output=True, text=True, check=True).stdout
 
 
 def refused(*settings):
@@ -23,13 +22,6 @@ for scheme in ("ssp_rk3", "imex"):
     message = refused("solver.precision=mixed", f"time.scheme={scheme}")
     check_true("the message names the scheme that has it", "generalized_alpha" in message, message)
 refused("solver.precision=single", "solver.krylov.jacobian=difference")
-
-if "mixed" not in info:  # a build without SOFTWET_SINGLE
-    result = subprocess.run([softwet, "run", str(cases / "tensotaxis_pull_2d.toml"), "--out", "lacking", "--overwrite",
-                             "--set", "solver.precision=mixed"], capture_output=True, text=True, env=environment)
-    check_true("a build without single precision says so", result.returncode == 1 and "SOFTWET_SINGLE" in result.stderr,
-               result.stderr)
-    raise SystemExit
 
 rows = {}
 for precision in ("double", "mixed", "single"):

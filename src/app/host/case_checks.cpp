@@ -207,14 +207,14 @@ void check_track(const Checker& check) {
 /// Explicit schemes, and differences of residuals, have no use for or no digits left in single precision.
 void check_precision(const Checker& check) {
   const SolverControl& solver = check.c.solver;
-  if (solver.precision == "double") return;
+  if (solver.precision == "double" || solver.precision == "automatic") return;
   if (check.c.time.scheme != implicit_scheme)
     check.refuse("solver.precision",
                  fmt::format("needs time.scheme = \"{}\", not \"{}\"", implicit_scheme, check.c.time.scheme),
-                 "write \"double\": explicit schemes know no other precision");
+                 "write \"automatic\": explicit schemes are always in double precision");
   if (solver.jacobian != "exact")
     check.refuse("solver.precision", "needs solver.krylov.jacobian = \"exact\"",
-                 "write \"double\": differences of residuals have no digits left in single precision");
+                 "write \"automatic\": differences of residuals have no digits left in single precision");
 }
 
 }  // namespace

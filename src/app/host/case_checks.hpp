@@ -1,7 +1,7 @@
 // Checks that need more than one key: shapes, and how solid, fluid, droplets, loads and sides fit together.
 #pragma once
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 #include "app/host/document.hpp"
 
 namespace softwet {

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <utility>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/case_checks.hpp"
 #include "app/host/document.hpp"
 #include "app/host/quality.hpp"

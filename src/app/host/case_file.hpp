@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 
 namespace softwet {
 

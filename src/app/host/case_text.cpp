@@ -4,7 +4,7 @@
 #include <functional>
 #include <sstream>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/column_text.hpp"
 #include "app/host/document.hpp"

@@ -12,9 +12,9 @@
 #include <softwet_version.hpp>
 #include <sstream>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 #include "app/dispatch.hpp"
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/column_text.hpp"
 #include "app/host/completion.hpp"

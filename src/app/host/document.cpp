@@ -7,7 +7,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/nearest.hpp"
 #include "app/host/suggestion.hpp"
 #include "app/host/syntax_hint.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 
 namespace softwet {
 

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <vector>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 
 namespace softwet {

@@ -1,7 +1,7 @@
 // Cross checks of what is there at the start: droplets, films, waves.
 #include <cmath>
 
-#include "app/cap.hpp"
+#include "case/cap.hpp"
 #include "app/host/checker.hpp"
 
 namespace softwet {

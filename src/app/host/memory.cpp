@@ -8,7 +8,8 @@
 #include <limits>
 #include <sstream>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
+#include "case/precision.hpp"
 
 namespace softwet {
 namespace {
@@ -81,7 +82,7 @@ double least_bytes(const Case& c) {
   for (int elements : c.domain.elements) points *= elements;
   const double solid = !c.substrate ? 0 : c.fluid ? c.substrate->thickness / c.domain.size.back() : 1;
   const double velocity = points * c.dimension(), unknowns = velocity + 2 * points * (1 - solid);
-  const double krylov = (c.solver.precision == "double" ? 2.0 : 1.0) * c.solver.krylov_restart;
+  const double krylov = (precision_of(c) == Precision::full ? 2.0 : 1.0) * c.solver.krylov_restart;
   const double vectors = krylov + 13;  // Krylov; Newton 5, states 4, stage 2, residual and work
   return 8 * (vectors * unknowns + 2 * velocity);
 }

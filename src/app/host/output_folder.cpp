@@ -16,7 +16,7 @@
 #include <sstream>
 #include <thread>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 
 namespace softwet {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 

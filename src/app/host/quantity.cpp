@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/value.hpp"
 
 namespace softwet {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 #include "observe/host/bodies.hpp"
 #include "observe/host/field_file.hpp"
 #include "observe/host/run_record.hpp"

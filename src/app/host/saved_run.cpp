@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/fingerprint.hpp"
 #include "observe/host/checkpoint_file.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 #include "observe/host/bodies.hpp"
 #include "observe/host/checkpoint_file.hpp"
 

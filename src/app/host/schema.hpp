@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 #include "app/host/value.hpp"
 
 namespace softwet {

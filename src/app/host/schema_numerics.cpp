@@ -177,9 +177,10 @@ std::vector<Key> solver_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.preconditioner; })},
       {.name = "solver.precision",
        .kind = Kind::choice,
-       .choices = {"double", "mixed", "single"},
+       .choices = {"automatic", "double", "mixed", "single"},
        .help =
-           "Precision of the numbers in the computation with generalized_alpha. mixed: the linear solves of Newton's "
+           "Precision of the numbers in the computation with generalized_alpha. automatic: mixed, except for explicit "
+           "schemes, for solver.krylov.jacobian = \"difference\" and for solver.krylov.rtol below 1e-5. mixed: the linear solves of Newton's "
            "method, with their products of the Jacobian and their vectors, are in single precision. The results have "
            "the accuracy of double. single: the residuals are in single precision too, which limits how far Newton's "
            "method gets. States, integrals and the mass are always in double precision, and preconditioners "

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

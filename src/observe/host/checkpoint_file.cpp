@@ -1,6 +1,6 @@
 #include "observe/host/checkpoint_file.hpp"
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "observe/host/hdf5_file.hpp"
 
 namespace softwet {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "observe/host/atomic_file.hpp"
 #include "observe/host/hdf5_file.hpp"
 #include "observe/host/json_text.hpp"

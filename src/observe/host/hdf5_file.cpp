@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "observe/host/atomic_file.hpp"
 
 namespace softwet {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "observe/host/atomic_file.hpp"
 #include "observe/host/number_text.hpp"
 

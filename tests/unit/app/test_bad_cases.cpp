@@ -5,7 +5,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/problems.hpp"
 
@@ -376,14 +376,14 @@ TEST(BadPrecision, ExplicitSchemesAreDouble) {
     for (const char* scheme : {"ssp_rk3", "imex"})
       expect_parts(
           message_of(pull, {std::string("solver.precision=") + precision, std::string("time.scheme=") + scheme}),
-          {"solver.precision", precision, "generalized_alpha", scheme, "write \"double\""});
+          {"solver.precision", precision, "generalized_alpha", scheme, "write \"automatic\""});
   EXPECT_EQ(message_of(pull, {"solver.precision=mixed"}), "(accepted)");
   EXPECT_EQ(message_of(pull, {"solver.precision=double", "time.scheme=imex"}), "(accepted)");
 }
 
 TEST(BadPrecision, DifferencesOfResidualsAreDouble) {
   expect_parts(message_of(pull, {"solver.precision=mixed", "solver.krylov.jacobian=difference"}),
-               {"solver.precision", "solver.krylov.jacobian", "\"exact\"", "write \"double\""});
+               {"solver.precision", "solver.krylov.jacobian", "\"exact\"", "write \"automatic\""});
 }
 
 }  // namespace

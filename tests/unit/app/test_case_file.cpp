@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/document.hpp"
 #include "app/host/field_times.hpp"

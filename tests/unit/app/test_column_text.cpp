@@ -1,7 +1,7 @@
 // What `softwet explain` tells of the columns of the tables.
 #include <gtest/gtest.h>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/column_text.hpp"
 #include "app/host/schema.hpp"

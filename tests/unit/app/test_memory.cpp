@@ -14,7 +14,7 @@ namespace softwet {
 namespace {
 
 Case pull(const std::string& elements) {
-  return parse_case(initial_case("tensotaxis_pull_2d"), "case.toml", {"domain.elements=" + elements});
+  return parse_case(initial_case("tensotaxis_pull_2d"), "case.toml", {"domain.elements=" + elements, "solver.precision=double"});
 }
 
 TEST(Memory, LeastGrowsWithTheMeshAndTheKrylovBasis) {

@@ -8,7 +8,7 @@ namespace softwet {
 namespace {
 
 TEST(FluidIntegrals, ByHand) {
-  const FluidIntegrals f{{{0.81, 0}, 3.0, 0.5, 0.1, 0.01, 0}};
+  const FluidIntegrals f{{{0.81, 0}, 3.0, 0.5, 0.1, 0.01}};
   FluidState<double, 2> t{};
   t.volume_ratio = 1;
   t.velocity = {{2, 3}};

@@ -74,7 +74,7 @@ struct RandomScene {
   }
   /// Fills a matrix with the Jacobian at the stage.
   auto jacobian() {
-    return [this](const StencilValues& values) { model.jacobian(stage(), values); };
+    return [this](const StencilValues& values) { model.jacobian(single_stage(stage()), values); };
   }
   std::vector<double> residual(const Stage& s) const {
     Array out("out", layout().size());

@@ -44,7 +44,7 @@ TEST(EnergyLaw, OnAFixedMeshWithWallEnergy) {
     return i.energy_bulk + i.energy_gradient + i.energy_wall;
   };
   double convection = 0;
-  const std::vector<Component> field{s.terms.unknown(0), s.terms.unknown(1), s.terms.unknown(2)};
+  const std::vector<Grid> field{s.terms.unknown(0), s.terms.unknown(1), s.terms.unknown(2)};
   for_points<2>(l, 0, 6, false, nullptr, [&](const NaivePoint<2>& p, double w) {
     const double v[2] = {p.evaluate(field[0], -1), p.evaluate(field[1], -1)};
     for (int i = 0; i < 2; ++i)

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/case.hpp"
-#include "app/error.hpp"
+#include "case/case.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

@@ -36,21 +36,21 @@ std::vector<double> expected_residual(RandomScene& s) {
   const int low = l.solid_elements, high = l.axis[1].elements();
   const TermCases<2>& t = s.terms;
   std::vector<double> sum(l.size(), 0.0);
-  if (l.has_solid) add(sum, t.naive(s.model.solid(), 0, 2, 0, low, false, false));
+  if (l.has_solid) add(sum, t.naive(s.model.solid(), 0, low, false));
   if (l.has_fluid) {
-    NavierStokesKorteweg fluid = s.model.fluid();
-    fluid.moment_rate = s.stage().moment_rate;
-    add(sum, t.naive(fluid, 0, 4, low, high, false, l.has_solid));
+    const NavierStokesKorteweg& fluid = s.model.fluid();
+    add(sum, t.naive(fluid, low, high, l.has_solid));
+    add(sum, t.naive_moments(low, high, l.has_solid));
     const double g = s.data.fluid->capillarity;
     if (s.data.fluid->wall_law == WallLaw::gradient) {
-      add(sum, t.naive(GradientWall{g, 0.5, 1e-2}, 2 + 1, 1, low, low + 1, true, l.has_solid));
+      add(sum, t.naive(GradientWall{g, 0.5, 1e-2}, low, low + 1, l.has_solid));
     } else {
-      add(sum, t.naive(EnergyWall{g, 0.5, 1e-5, fluid.gas, s.model.state()}, 3, 1, low, low + 1, true, l.has_solid));
+      add(sum, t.naive(EnergyWall{g, 0.5, 1e-5, fluid.gas, s.model.state()}, low, low + 1, l.has_solid));
     }
     const CapillaryTraction traction{fluid.gas, g};
     const bool blended = s.data.fluid->traction == Traction::blended;
-    if (l.has_solid && blended) add(sum, blend_rows(l, t.naive(traction, 0, 2, low, high, false, true)));
-    if (l.has_solid && !blended) add(sum, t.naive(traction, 0, 2, low, low + 1, false, true, l.wall_row));
+    if (l.has_solid && blended) add(sum, blend_rows(l, t.naive(traction, low, high, true)));
+    if (l.has_solid && !blended) add(sum, t.naive(traction, low, low + 1, true, l.wall_row));
   }
   return sum;
 }
@@ -103,16 +103,17 @@ TEST(Model, SceneHasOnlyWhatItAsksFor) {
   const auto names = [](const Case& c) {
     std::string all;
     const Model<2, 2> model(c);
-    for (const auto& p : model.pieces()) all += std::string(p->name()) + ";";
+    for (const auto& entry : model.pieces().list) all += std::string(entry.piece->name()) + ";";
     return all;
   };
   EXPECT_EQ(names(scene(Scene::coupled)),
-            "saint_venant_kirchhoff;navier_stokes_korteweg;contact_angle (gradient law);capillary_traction;");
-  EXPECT_EQ(names(scene(Scene::rigid, WallLaw::energy)), "navier_stokes_korteweg;contact_angle (wall energy);");
+            "saint_venant_kirchhoff;navier_stokes_korteweg;density_moment;contact_angle (gradient law);"
+            "capillary_traction;");
+  EXPECT_EQ(names(scene(Scene::rigid, WallLaw::energy)), "navier_stokes_korteweg;density_moment;contact_angle (wall energy);");
   EXPECT_EQ(names(scene(Scene::solid)), "saint_venant_kirchhoff;");
   Case neutral = scene(Scene::rigid);
   neutral.fluid->contact_angle = 90;
-  EXPECT_EQ(names(neutral), "navier_stokes_korteweg;");
+  EXPECT_EQ(names(neutral), "navier_stokes_korteweg;density_moment;");
   const Model<2, 2> rigid(scene(Scene::rigid)), solid(scene(Scene::solid));
   EXPECT_EQ(rigid.layout().solid_size(), 0);
   EXPECT_EQ(solid.layout().scalar_size(), 0);
@@ -190,7 +191,7 @@ TEST(Model, FluidResidualOnARigidWall) {
   Array out("out", s.layout().size());
   s.model.fluid_residual(s.stage(), out);
   std::vector<double> expected = expected_residual(s);
-  add(expected, s.terms.naive(CapillaryTraction{s.model.fluid().gas, 0.2}, 0, 2, 0, 1, false, false, 0));
+  add(expected, s.terms.naive(CapillaryTraction{s.model.fluid().gas, 0.2}, 0, 1, false, 0));
   EXPECT_LT(distance(to_host(out), expected), 1e-13);
 }
 

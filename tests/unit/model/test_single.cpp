@@ -2,8 +2,6 @@
 #include "field/vector.hpp"
 #include "unit/model/scenes.hpp"
 
-#ifdef SOFTWET_SINGLE
-
 namespace softwet::testing_tools {
 namespace {
 
@@ -14,24 +12,6 @@ constexpr double allowed = 1e-6;
 Case in_single(Case c) {
   c.solver.precision = "single";
   return c;
-}
-
-StageOf<float> rounded_stage(const Stage& s) {
-  const auto copy = [](const Array& a) {
-    const ArrayOf<float> r("rounded", a.extent(0));
-    convert(r, a);
-    return r;
-  };
-  return {s.time,
-          copy(s.unknown),
-          copy(s.acceleration),
-          copy(s.displacement),
-          copy(s.displacement_end),
-          copy(s.density_end),
-          s.rate_scale,
-          s.displacement_scale,
-          s.end_scale,
-          s.moment_rate};
 }
 
 std::vector<double> widened(const ArrayOf<float>& a) {
@@ -56,7 +36,7 @@ double field_distance(const Layout<2>& l, const std::vector<double>& a, const st
 void check_single(const char* name, const Case& c, double bound = allowed) {
   RandomScene s(in_single(c));
   const Layout<2>& l = s.layout();
-  const StageOf<float> stage = rounded_stage(s.stage());
+  const StageOf<float> stage = single_stage(s.stage());
   const ArrayOf<float> work("work", l.size()), z("z", l.size()), out("out", l.size());
   const Array r("r", l.size()), direction = s.direction();
   s.model.residual(stage, work, r);
@@ -83,14 +63,11 @@ TEST(SinglePrecision, BlendedTraction) {
 
 TEST(SinglePrecision, TheListOfTermsIsTheSame) {
   const Model<2, 2> model(in_single(scene(Scene::coupled)));
-  ASSERT_EQ(model.single_pieces()->list.size(), model.pieces().size());
-  for (std::size_t i = 0; i < model.pieces().size(); ++i)
-    EXPECT_STREQ(model.single_pieces()->list[i]->name(), model.pieces()[i]->name());
-  const Model<2, 2> full(scene(Scene::coupled));
-  EXPECT_EQ(full.single_pieces(), nullptr);
+  ASSERT_EQ(model.single_pieces().list.size(), model.pieces().list.size());
+  for (std::size_t i = 0; i < model.pieces().list.size(); ++i)
+    EXPECT_STREQ(model.single_pieces().list[i].piece->name(), model.pieces().list[i].piece->name());
 }
 
 }  // namespace
 }  // namespace softwet::testing_tools
 
-#endif

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 

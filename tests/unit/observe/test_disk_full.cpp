@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "observe/host/checkpoint_file.hpp"
 #include "observe/host/field_file.hpp"
 #include "observe/host/run_record.hpp"

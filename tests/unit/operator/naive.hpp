@@ -8,16 +8,16 @@
 
 namespace softwet::testing_tools {
 
-/// A component: control values from `offset` on, whose first row is row `shift` of the patch.
-struct Component {
+/// Control values of a component, from `offset` on, whose first row is row `shift` of the patch.
+struct Grid {
   std::vector<double> values;
   int offset = 0, shift = 0;
 };
 
-/// How the mesh moves: the wall's displacement (twice) and velocity as full-patch components, or nothing.
+/// How the mesh moves: the wall's displacement and velocity as full-patch components, or nothing.
 template <int D>
 struct NaiveMotion {
-  std::vector<Component> displacement, displacement_end, velocity;
+  std::vector<Grid> displacement, velocity;
   Blend blend;
 };
 
@@ -55,9 +55,9 @@ struct NaivePoint {
   std::array<std::vector<double>, D> value, slope;
   std::array<int, D> first;
   std::array<double, D> x;
-  std::array<std::array<double, D>, D> f_transposed{}, f_end_transposed{};
+  std::array<std::array<double, D>, D> f_transposed{};
   std::array<double, D> mesh_velocity{};
-  double volume = 1, volume_end = 1;
+  double volume = 1;
 
   NaivePoint(const Layout<D>& l, const std::array<int, D>& element, const std::array<double, D>& position,
              const NaiveMotion<D>* motion)
@@ -66,7 +66,7 @@ struct NaivePoint {
       value[d] = l.axis[d].values(element[d], x[d]);
       slope[d] = l.axis[d].slopes(element[d], x[d]);
       first[d] = l.axis[d].span(element[d]);
-      f_transposed[d][d] = f_end_transposed[d][d] = 1;
+      f_transposed[d][d] = 1;
     }
     if (motion) move(*motion);
   }
@@ -88,7 +88,7 @@ struct NaivePoint {
           body(index, b);
         }
   }
-  double evaluate(const Component& c, int derivative) const {
+  double evaluate(const Grid& c, int derivative) const {
     double sum = 0;
     // On the wall the functions of the rows above it are 0; the displacement has no values there.
     for_functions(derivative, [&](int i, double b) {
@@ -111,16 +111,11 @@ struct NaivePoint {
     const double beta = (m.blend.low + m.blend.height - x[D - 1]) / m.blend.height;
     for (int i = 0; i < D; ++i) {
       mesh_velocity[i] = beta * wall.evaluate(m.velocity[i], -1);
-      for (int j = 0; j + 1 < D; ++j) {
-        f_transposed[j][i] += beta * wall.evaluate(m.displacement[i], j);
-        f_end_transposed[j][i] += beta * wall.evaluate(m.displacement_end[i], j);
-      }
+      for (int j = 0; j + 1 < D; ++j) f_transposed[j][i] += beta * wall.evaluate(m.displacement[i], j);
       f_transposed[D - 1][i] -= wall.evaluate(m.displacement[i], -1) / m.blend.height;
-      f_end_transposed[D - 1][i] -= wall.evaluate(m.displacement_end[i], -1) / m.blend.height;
     }
     std::array<double, D> none{};
     volume = eliminate<D>(f_transposed, none);
-    volume_end = eliminate<D>(f_end_transposed, none);
   }
   /// Current area per reference area of a face normal to the last axis, from its tangent vectors.
   double area() const {
@@ -138,7 +133,7 @@ struct NaivePoint {
 template <int D>
 struct NaiveReader {
   const NaivePoint<D>& point;
-  const std::vector<Component>& slots;
+  const std::vector<Grid>& slots;
   double value(int s) const { return point.evaluate(slots[s], -1); }
   Vector<double, D> gradient(int s) const {
     std::array<double, D> g;
@@ -153,13 +148,12 @@ struct NaiveReader {
     for (int d = 0; d < D; ++d) v[d] = point.mesh_velocity[d];
     return v;
   }
-  double volume_ratio_end() const { return point.volume_end / point.volume; }
 };
 
 template <int D>
 struct NaiveWriter {
   const NaivePoint<D>& point;
-  const std::vector<Component>& tests;  ///< values unused
+  const std::vector<Grid>& tests;  ///< values unused
   double measure;
   int only_row;  ///< row of the patch whose functions are tested, or -1: all
   std::vector<double>& out;
@@ -214,8 +208,8 @@ void for_points(const Layout<D>& l, int first, int last, bool face, const NaiveM
 
 /// Residual of a term: `slots` and `tests` in the order of its bundles; element rows [first, last).
 template <int D, class Term>
-std::vector<double> naive_residual(const Layout<D>& l, const Term& term, const std::vector<Component>& slots,
-                                   const std::vector<Component>& tests, int first, int last, bool face,
+std::vector<double> naive_residual(const Layout<D>& l, const Term& term, const std::vector<Grid>& slots,
+                                   const std::vector<Grid>& tests, int first, int last, bool face,
                                    const NaiveMotion<D>* motion, int only_row = -1) {
   std::vector<double> out(l.size(), 0.0);
   for_points<D>(l, first, last, face, motion, [&](const NaivePoint<D>& p, double w) {

@@ -93,12 +93,12 @@ struct Patch {
 
   std::vector<double> residual(const Piece<D>& piece, const Stage& at) const {
     Array out("out", layout.size());
-    piece.residual(Binding<D>{layout, at, {}, out});
+    piece.residual(Evaluation<D>{layout, at, {}, out});
     return to_host(out);
   }
   std::vector<double> product(const Piece<D>& piece, const Array& z, Geometry geometry = Geometry::exact) const {
     Array out("out", layout.size());
-    piece.product(Binding<D>{layout, stage, z, out, geometry});
+    piece.product(Evaluation<D>{layout, stage, z, out, geometry});
     return to_host(out);
   }
 
@@ -133,6 +133,24 @@ struct Patch {
   }
 };
 
+inline StageOf<float> single_stage(const Stage& s) {
+  const auto copy = [](const Array& a) {
+    const ArrayOf<float> r("rounded", a.extent(0));
+    convert(r, a);
+    return r;
+  };
+  return {s.time,
+          copy(s.unknown),
+          copy(s.acceleration),
+          copy(s.displacement),
+          copy(s.displacement_end),
+          copy(s.density_end),
+          s.rate_scale,
+          s.displacement_scale,
+          s.end_scale,
+          s.moment_rate};
+}
+
 inline double largest(const std::vector<double>& v) {
   double m = 0;
   for (double x : v) m = std::max(m, std::abs(x));
@@ -150,7 +168,7 @@ inline double distance(const std::vector<double>& a, const std::vector<double>& 
 struct Terms {
   VanDerWaals gas{0.85, 0.02};
   Coexistence state{0.1065766548, 0.6023801091, 1.868487592e-2, -0.4667444110};
-  NavierStokesKorteweg fluid{gas, 0.3, 0.4, 0.2, 0.05, 0};
+  NavierStokesKorteweg fluid{gas, 0.3, 0.4, 0.2, 0.05};
   GradientWall gradient_wall{0.4, 0.6, 1e-2};
   EnergyWall energy_wall{0.4, 0.6, 1e-2, gas, state};
   CapillaryTraction traction{gas, 0.4};

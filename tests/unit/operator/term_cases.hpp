@@ -6,6 +6,26 @@
 #include "naive.hpp"
 #include "solver/stencil.hpp"
 
+// Compiled in src/model/pieces.cpp and pieces_single.cpp, which is what these tests are to test.
+#define SOFTWET_COMPILED(D, TERM, MOTION)                                                           \
+  extern template class softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, double>, double>; \
+  extern template class softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, float>, float>;
+#define SOFTWET_COMPILED_ALL(D, MOTION)             \
+  SOFTWET_COMPILED(D, NavierStokesKorteweg, MOTION) \
+  SOFTWET_COMPILED(D, DensityMoment, MOTION)        \
+  SOFTWET_COMPILED(D, GradientWall, MOTION)         \
+  SOFTWET_COMPILED(D, EnergyWall, MOTION)           \
+  SOFTWET_COMPILED(D, CapillaryTraction, MOTION)    \
+  SOFTWET_COMPILED(D, Elastodynamics, MOTION)
+namespace softwet {
+template <int, class>
+using Still = NoMotion;
+}
+SOFTWET_COMPILED_ALL(2, WallMotion)
+SOFTWET_COMPILED_ALL(2, Still)
+SOFTWET_COMPILED_ALL(3, WallMotion)
+SOFTWET_COMPILED_ALL(3, Still)
+
 namespace softwet::testing_tools {
 
 template <int D>
@@ -16,82 +36,98 @@ struct TermCases {
   explicit TermCases(const std::array<int, D>& elements) : patch(elements, 2) {}
   explicit TermCases(const Patch<D>& p) : patch(p) {}
 
-  Component unknown(int c) const {
+  Grid unknown(int c) const {
     const Layout<D>& l = patch.layout;
     if (c < D) return {to_host(patch.stage.unknown), l.velocity_offset(c), 0};
     return {to_host(patch.stage.unknown), c == D ? l.density_offset() : l.potential_offset(), l.wall_row};
   }
-  Component acceleration(int d) const {
-    return {to_host(patch.stage.acceleration), patch.layout.velocity_offset(d), 0};
+  std::vector<Grid> each(const Array& values, bool of_solid) const {
+    const Layout<D>& l = patch.layout;
+    std::vector<Grid> g;
+    for (int d = 0; d < D; ++d)
+      g.push_back({to_host(values), of_solid ? l.displacement_offset(d) : l.velocity_offset(d), 0});
+    return g;
   }
-  Component displacement(int d) const {
-    return {to_host(patch.stage.displacement), patch.layout.displacement_offset(d), 0};
-  }
-  NaiveMotion<D> motion() const {
-    NaiveMotion<D> m;
-    for (int d = 0; d < D; ++d) {
-      m.displacement.push_back(displacement(d));
-      m.displacement_end.push_back({to_host(patch.stage.displacement_end), patch.layout.displacement_offset(d), 0});
-      m.velocity.push_back(unknown(d));
-    }
-    m.blend = patch.blend;
-    return m;
+  NaiveMotion<D> motion(const Array& displacement) const {
+    return {each(displacement, true), each(patch.stage.unknown, false), patch.blend};
   }
 
-  std::vector<Component> slots(const NavierStokesKorteweg&) const {
-    std::vector<Component> s;
-    for (int d = 0; d < D; ++d) s.push_back(unknown(d));
-    for (int d = 0; d < D; ++d) s.push_back(acceleration(d));
+  std::vector<Grid> slots(const NavierStokesKorteweg&) const {
+    std::vector<Grid> s = each(patch.stage.unknown, false);
+    for (const Grid& g : each(patch.stage.acceleration, false)) s.push_back(g);
     s.push_back(unknown(D));
     s.push_back(unknown(D + 1));
-    s.push_back({to_host(patch.stage.density_end), 0, patch.layout.wall_row});
     return s;
   }
-  std::vector<Component> slots(const GradientWall&) const { return {unknown(D)}; }
-  std::vector<Component> slots(const EnergyWall&) const { return {unknown(D)}; }
-  std::vector<Component> slots(const CapillaryTraction&) const { return {unknown(D), unknown(D + 1)}; }
-  std::vector<Component> slots(const Elastodynamics&) const {
-    std::vector<Component> s;
-    for (int d = 0; d < D; ++d) s.push_back(acceleration(d));
-    for (int d = 0; d < D; ++d) s.push_back(displacement(d));
+  std::vector<Grid> slots(const GradientWall&) const { return {unknown(D)}; }
+  std::vector<Grid> slots(const EnergyWall&) const { return {unknown(D)}; }
+  std::vector<Grid> slots(const CapillaryTraction&) const { return {unknown(D), unknown(D + 1)}; }
+  std::vector<Grid> slots(const Elastodynamics&) const {
+    std::vector<Grid> s = each(patch.stage.acceleration, false);
+    for (const Grid& g : each(patch.stage.displacement, true)) s.push_back(g);
     return s;
+  }
+  static std::vector<int> equations(const NavierStokesKorteweg&) { return D == 2 ? from(0, 4) : from(0, 5); }
+  static std::vector<int> equations(const GradientWall&) { return {D + 1}; }
+  static std::vector<int> equations(const EnergyWall&) { return {D + 1}; }
+  static std::vector<int> equations(const CapillaryTraction&) { return from(0, D); }
+  static std::vector<int> equations(const Elastodynamics&) { return from(0, D); }
+  static std::vector<int> from(int first, int count) {
+    std::vector<int> v(count);
+    for (int i = 0; i < count; ++i) v[i] = first + i;
+    return v;
   }
 
   /// The term's residual by the reference assembly, from element rows [first, last).
   template <class Term>
-  std::vector<double> naive(const Term& term, int first_test, int channels, int first, int last, bool face, bool moves,
-                            int only_row = -1) const {
-    std::vector<Component> tests;
-    for (int c = 0; c < channels; ++c) tests.push_back(unknown(first_test + c));
-    const NaiveMotion<D> mesh = moves ? motion() : NaiveMotion<D>{};
-    return naive_residual<D, Term>(patch.layout, term, slots(term), tests, first, last, face, moves ? &mesh : nullptr,
-                                   only_row);
+  std::vector<double> naive(const Term& term, int first, int last, bool moves, int only_row = -1) const {
+    std::vector<Grid> tests;
+    for (int c : equations(term)) tests.push_back(unknown(c));
+    const NaiveMotion<D> mesh = moves ? motion(patch.stage.displacement) : NaiveMotion<D>{};
+    return naive_residual<D, Term>(patch.layout, term, slots(term), tests, first, last, Term::where == Where::wall,
+                                   moves ? &mesh : nullptr, only_row);
+  }
+  /// Moments of the density at the end of the step, times their rate.
+  std::vector<double> naive_moments(int first, int last, bool moves) const {
+    const NaiveMotion<D> mesh = moves ? motion(patch.stage.displacement_end) : NaiveMotion<D>{};
+    std::vector<double> sum =
+        naive_residual<D>(patch.layout, DensityMoment{}, {{to_host(patch.stage.density_end), 0, patch.layout.wall_row}},
+                          {unknown(D)}, first, last, false, moves ? &mesh : nullptr);
+    for (double& x : sum) x *= patch.stage.moment_rate;
+    return sum;
   }
 
-  template <int QL, class Motion, class Term>
-  void check(const char* name, Term term, const Region<D>& region, Components components, int channels, int first,
-             int last, int only_row = -1) const {
-    const PieceOf<D, 2, QL, Term, Motion> piece(name, region, term, components, patch.blend);
-    if constexpr (std::is_same_v<Term, NavierStokesKorteweg>) term.moment_rate = patch.stage.moment_rate;
-    constexpr bool moves = std::is_same_v<Motion, WallMotion<D>>;
-    const std::vector<double> expected = naive(term, components.test, channels, first, last, QL == 1, moves, only_row);
+  /// Motion<D, Real> is that of the fluid's mesh.
+  template <template <int, class> class Motion, class Term>
+  void check(const char* name, const Term& term, const Region<D>& region, int first, int last,
+             int only_row = -1) const {
+    constexpr bool moves = std::is_same_v<Motion<D, double>, WallMotion<D>>;
+    check_piece<Motion>(name, term, region, Instant::stage, naive(term, first, last, moves, only_row));
+  }
+  template <template <int, class> class Motion, class Term>
+  void check_piece(const char* name, const Term& term, const Region<D>& region, Instant instant,
+                   const std::vector<double>& expected) const {
+    constexpr bool moves = std::is_same_v<Motion<D, double>, WallMotion<D>>;
+    const PieceOf<D, 2, Term, Motion<D, double>, double> piece(name, region, term, patch.blend, instant);
+    const PieceOf<D, 2, Term, Motion<D, float>, float> single(name, region, term, patch.blend, instant);
     const std::vector<double> found = patch.residual(piece, patch.stage);
     ASSERT_GT(largest(expected), 1e-6) << name;
     EXPECT_LT(distance(found, expected), 1e-13) << name << (moves ? ", moving" : ", fixed");
     check_product(piece, moves);
-    check_jacobian(piece);
+    check_jacobian(piece, single);
   }
 
-  /// The assembled matrix against the product with frozen geometry; its entries are rounded to single precision.
-  void check_jacobian(const Piece<D>& piece) const {
+  /// The matrix, which is computed in single precision, against the product with frozen geometry.
+  void check_jacobian(const Piece<D>& piece, const Piece<D, float>& single) const {
     Patch<D> p = patch;
     const Array z = p.draw(p.layout.size(), -1, 1), free("free", p.layout.size()), y("y", p.layout.size());
     Kokkos::deep_copy(free, 1.0);
     StencilMatrix<D> matrix(p.layout, free);
-    const Binding<D> binding{p.layout, p.stage, {}, p.stage.unknown, Geometry::frozen};
+    const StageOf<float> stage = single_stage(p.stage);
+    const Evaluation<D, float> at{p.layout, stage, {}, stage.unknown, Geometry::frozen};
     matrix.fill([&](const StencilValues& values) {
       Kokkos::deep_copy(values, 0.0f);
-      piece.jacobian(binding, matrix.stencil(), values);
+      single.jacobian(at, matrix.stencil(), values);
     });
     matrix.multiply(z, y);
     EXPECT_LT(distance(to_host(y), p.product(piece, z, Geometry::frozen)), 1e-6) << piece.name();
@@ -110,21 +146,23 @@ struct TermCases {
     }
   }
 
-  template <class Motion>
+  template <template <int, class> class Motion>
   void check_fluid() const {
     const int low = patch.layout.solid_elements, high = patch.layout.axis[D - 1].elements();
-    check<3, Motion>("navier_stokes_korteweg", terms.fluid, patch.fluid(), {0, 0}, D + 2, low, high);
+    check<Motion>("navier_stokes_korteweg", terms.fluid, patch.fluid(), low, high);
+    constexpr bool moves = std::is_same_v<Motion<D, double>, WallMotion<D>>;
+    check_piece<Motion>("density_moment", DensityMoment{}, patch.fluid(), Instant::end,
+                        naive_moments(low, high, moves));
   }
-  template <class Motion>
+  template <template <int, class> class Motion>
   void check_wall() const {
     const int low = patch.layout.solid_elements;
-    check<1, Motion>("gradient_wall", terms.gradient_wall, patch.face(), {D, D + 1}, 1, low, low + 1);
-    check<1, Motion>("energy_wall", terms.energy_wall, patch.face(), {D, D + 1}, 1, low, low + 1);
-    check<3, Motion>("capillary_traction", terms.traction, patch.layer(), {D, 0}, D, low, low + 1,
-                     patch.layout.wall_row);
+    check<Motion>("gradient_wall", terms.gradient_wall, patch.face(), low, low + 1);
+    check<Motion>("energy_wall", terms.energy_wall, patch.face(), low, low + 1);
+    check<Motion>("capillary_traction", terms.traction, patch.layer(), low, low + 1, patch.layout.wall_row);
   }
   void check_solid() const {
-    check<3, NoMotion>("elastodynamics", terms.solid, patch.solid(), {0, 0}, D, 0, patch.layout.solid_elements);
+    check<Still>("elastodynamics", terms.solid, patch.solid(), 0, patch.layout.solid_elements);
   }
 };
 

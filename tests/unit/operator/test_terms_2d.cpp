@@ -6,10 +6,10 @@ namespace {
 
 TermCases<2> cases() { return TermCases<2>(std::array<int, 2>{11, 7}); }
 
-TEST(Terms2D, FluidOnMovingMesh) { cases().check_fluid<WallMotion<2>>(); }
-TEST(Terms2D, FluidOnFixedMesh) { cases().check_fluid<NoMotion>(); }
-TEST(Terms2D, WallOnMovingMesh) { cases().check_wall<WallMotion<2>>(); }
-TEST(Terms2D, WallOnFixedMesh) { cases().check_wall<NoMotion>(); }
+TEST(Terms2D, FluidOnMovingMesh) { cases().check_fluid<WallMotion>(); }
+TEST(Terms2D, FluidOnFixedMesh) { cases().check_fluid<Still>(); }
+TEST(Terms2D, WallOnMovingMesh) { cases().check_wall<WallMotion>(); }
+TEST(Terms2D, WallOnFixedMesh) { cases().check_wall<Still>(); }
 TEST(Terms2D, Solid) { cases().check_solid(); }
 
 }  // namespace

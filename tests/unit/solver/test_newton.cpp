@@ -36,7 +36,7 @@ struct Cubic {
               ++exact;
               Kokkos::deep_copy(out, to_device<Array>(slope(to_host(x), to_host(z))));
             },
-            [](const StencilValues&) {}, [](const Array&) { return std::string(); }};
+            [](const StencilValues&) {}, [](const Array&) { return Refusal{}; }};
   }
 };
 
@@ -76,8 +76,8 @@ TEST(Newton, ConvergesQuadratically) {
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
   const NewtonResult r = newton.solve(cubic.system(x), fields, tight(), x);
-  EXPECT_TRUE(r.converged) << r.reason;
-  EXPECT_TRUE(r.reason.empty());
+  EXPECT_TRUE(r.converged) << r.refusal.text();
+  EXPECT_TRUE(r.refusal.empty());
   EXPECT_LE(r.iterations, 7);
   EXPECT_LE(r.reduction, 1e-12);
   EXPECT_LT(error(x, cubic.root), 1e-11);
@@ -93,7 +93,7 @@ TEST(Newton, InexactStepsConvergeToo) {
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
   const NewtonResult r = newton.solve(cubic.system(x), fields, control, x);
-  EXPECT_TRUE(r.converged) << r.reason;
+  EXPECT_TRUE(r.converged) << r.refusal.text();
   EXPECT_LT(error(x, cubic.root), 1e-7);
 }
 
@@ -105,7 +105,7 @@ TEST(Newton, DifferenceProductsFindTheSameRoot) {
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
   const NewtonResult r = newton.solve(cubic.system(x), fields, control, x);
-  EXPECT_TRUE(r.converged) << r.reason;
+  EXPECT_TRUE(r.converged) << r.refusal.text();
   EXPECT_LT(error(x, cubic.root), 1e-11);
   EXPECT_EQ(cubic.exact, 0);
 }
@@ -120,7 +120,7 @@ TEST(Newton, LinearSolvesInSinglePrecisionFindTheSameRoot) {
   const Array x = to_device<Array>(std::vector<double>(n, 0.5)), y = to_device<Array>(std::vector<double>(n, 0.5));
   const NewtonResult expected = full.solve(cubic.system(x), fields, control, x);
   const NewtonResult found = single.solve(with_single_product(cubic, y), fields, control, y);
-  EXPECT_TRUE(found.converged) << found.reason;
+  EXPECT_TRUE(found.converged) << found.refusal.text();
   EXPECT_LE(found.iterations, expected.iterations + 1);
   EXPECT_LE(found.reduction, 1e-12);
   EXPECT_LT(error(y, cubic.root), 1e-11);
@@ -144,13 +144,13 @@ TEST(Newton, EndsAtTheRoundOffOfTheResidualWhereItIsTold) {
   Newton newton = make_newton();
   const NewtonResult untold = newton.solve(with_round_off(cubic, x), fields, tight(), x);
   EXPECT_FALSE(untold.converged);
-  EXPECT_EQ(untold.reason, "Newton's method did not converge");
+  EXPECT_EQ(untold.refusal.cause, Refusal::newton);
 
   Kokkos::deep_copy(x, 0.5);
   std::vector<FieldRange> told = fields;
   for (FieldRange& f : told) f.round_off = 1e-7 * std::sqrt(0.5 * n / 2);
   const NewtonResult found = newton.solve(with_round_off(cubic, x), told, tight(), x);
-  EXPECT_TRUE(found.converged) << found.reason;
+  EXPECT_TRUE(found.converged) << found.refusal.text();
   EXPECT_LE(found.iterations, 7);
   EXPECT_LT(error(x, cubic.root), 1e-6);
   EXPECT_GT(error(x, cubic.root), 1e-11);
@@ -173,7 +173,7 @@ TEST(Newton, ResidualThatIsNotFinite) {
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
   const NewtonResult r = newton.solve(system, fields, tight(), x);
   EXPECT_FALSE(r.converged);
-  EXPECT_EQ(r.reason, "the residual is not finite");
+  EXPECT_EQ(r.refusal.cause, Refusal::not_finite);
 }
 
 TEST(Newton, InadmissibleStepsAreShortenedThenRefused) {
@@ -182,15 +182,15 @@ TEST(Newton, InadmissibleStepsAreShortenedThenRefused) {
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
   NonlinearSystem system = cubic.system(x);
   int complaints = 0;
-  system.complaint = [&](const Array&) { return ++complaints == 1 ? "too far" : std::string(); };
+  system.complaint = [&](const Array&) { return Refusal{++complaints == 1 ? Refusal::mesh_folded : Refusal::none}; };
   EXPECT_TRUE(newton.solve(system, fields, tight(), x).converged) << "one shortened step";
   EXPECT_GT(complaints, 1);
 
   Kokkos::deep_copy(x, 0.5);
-  system.complaint = [](const Array&) { return std::string("the density becomes negative"); };
+  system.complaint = [](const Array&) { return Refusal{Refusal::negative_density}; };
   const NewtonResult r = newton.solve(system, fields, tight(), x);
   EXPECT_FALSE(r.converged);
-  EXPECT_EQ(r.reason, "the density becomes negative");
+  EXPECT_EQ(r.refusal.cause, Refusal::negative_density);
   EXPECT_LT(error(x, std::vector<double>(n, 0.5)), 1e-300) << "x is untouched by a refused step";
 }
 
@@ -203,7 +203,7 @@ TEST(Newton, TooFewIterations) {
   const NewtonResult r = newton.solve(cubic.system(x), fields, control, x);
   EXPECT_FALSE(r.converged);
   EXPECT_EQ(r.iterations, 2);
-  EXPECT_EQ(r.reason, "Newton's method did not converge");
+  EXPECT_EQ(r.refusal.cause, Refusal::newton);
 }
 
 TEST(Newton, StalledLinearSolver) {
@@ -214,7 +214,7 @@ TEST(Newton, StalledLinearSolver) {
   system.product = [](const Array&, const Array& out) { Kokkos::deep_copy(out, 0.0); };
   const NewtonResult r = newton.solve(system, fields, tight(), x);
   EXPECT_FALSE(r.converged);
-  EXPECT_EQ(r.reason, "the linear solver stalled");
+  EXPECT_EQ(r.refusal.cause, Refusal::linear_solver);
 }
 
 /// Counts its builds.

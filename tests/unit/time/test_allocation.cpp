@@ -3,7 +3,7 @@
 
 #include <Kokkos_Core.hpp>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 #include "model/initial.hpp"
 #include "time/stepper.hpp"
 

@@ -1,7 +1,7 @@
 // Scenes that are brought to rest: what is kept, what the end is, and what is refused.
 #include "time/relaxation.hpp"
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "model/initial.hpp"
 #include "unit/model/scenes.hpp"
 

@@ -24,7 +24,7 @@ struct RandomRates {
     y = Array("y", system.size());
     rates = Array("rates", system.size());
     system.pack(state, y);
-    EXPECT_EQ(system.rates(3.0, y, rates), "");
+    EXPECT_TRUE(system.rates(3.0, y, rates).empty());
   }
   /// The residual of the equations with these rates.
   std::vector<double> residual() {
@@ -69,7 +69,7 @@ TEST(SemiDiscrete, StiffRatesAreThoseOfTheImplicitPartForNoStep) {
   const Array out("out", s.system.size()), stiff("stiff", s.system.size()), y = to_device<Array>(to_host(s.y));
   ASSERT_EQ(s.system.hold(s.y), "");
   s.system.stiff_rates(s.y, out);
-  ASSERT_EQ(s.system.implicit_part(1e-9, y, stiff), "");
+  ASSERT_TRUE(s.system.implicit_part(1e-9, y, stiff).empty());
   const std::vector<double> a = to_host(out), b = to_host(stiff);
   const double size = largest(b, 0, s.scene.layout().velocity_size());
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-5 * size);
@@ -79,7 +79,7 @@ TEST(SemiDiscrete, GentleAndStiffPartAddUp) {
   RandomRates s(scene(Scene::coupled), MassKind::consistent);
   const Array gentle("gentle", s.system.size()), stiff("stiff", s.system.size()), y = to_device<Array>(to_host(s.y));
   ASSERT_EQ(s.system.gentle_rates(3.0, s.y, gentle), "");
-  ASSERT_EQ(s.system.implicit_part(1e-9, y, stiff), "");
+  ASSERT_TRUE(s.system.implicit_part(1e-9, y, stiff).empty());
   const std::vector<double> a = to_host(s.rates), b = to_host(gentle), c = to_host(stiff);
   const double size = largest(c, 0, s.scene.layout().velocity_size());
   EXPECT_GT(size, 1);

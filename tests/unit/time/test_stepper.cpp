@@ -48,7 +48,7 @@ std::vector<double> run(Scene kind, int steps) {
   stepper.start(state);
   for (int n = 0; n < steps; ++n) stepper.step();
   EXPECT_NEAR(stepper.state().time, end, 1e-12);
-  EXPECT_EQ(stepper.counts().rejected_newton, 0) << stepper.counts().last_rejection;
+  EXPECT_EQ(stepper.counts().rejected_newton, 0) << stepper.counts().last_rejection.text();
   std::vector<double> result = to_host(stepper.state().unknown), u = to_host(stepper.state().displacement);
   result.resize(l.has_fluid ? l.potential_offset() : l.size());  // mu is collocated inside the step
   result.insert(result.end(), u.begin(), u.end());
@@ -151,7 +151,7 @@ std::string step_from_undershoot(double allowed) {
     stepper.step();
   } catch (const std::exception&) {
   }
-  return stepper.counts().last_rejection;
+  return stepper.counts().last_rejection.text();
 }
 TEST(Stepper, UndershootOfTheDensityIsAllowedAsFarAsTheCaseSays) {
   EXPECT_EQ(step_from_undershoot(0.03), "");

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <map>
 
-#include "app/error.hpp"
+#include "case/error.hpp"
 #include "app/machine.hpp"
 #include "problem.hpp"
 #include "solver/choose.hpp"

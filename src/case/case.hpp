@@ -110,7 +110,7 @@ struct SolverControl {
   int krylov_max = 200;
   std::string jacobian = "exact";            ///< exact | frozen | difference
   std::string preconditioner = "automatic";  ///< automatic | lu | umfpack | schwarz | none
-  std::string precision = "double";
+  std::string precision = "automatic";       ///< automatic | double | mixed | single
 };
 
 struct OutputControl {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "app/case.hpp"
+#include "case/case.hpp"
 
 namespace softwet {
 
