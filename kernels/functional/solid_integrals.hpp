@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/solid/elastodynamics.hpp"
+#include "kernels/solid/isotropic.hpp"
 
 namespace softwet {
 
@@ -25,10 +26,11 @@ struct SolidState {
 /// Integrands over the reference domain: kinetic rho_0 |v|^2/2, elastic energy, inverted 1 where
 /// det F <= 0, momentum rho_0 v_i (3). The integral of `inverted` must be 0: there the material law has no meaning.
 /// Tested: tests/unit/functional/test_integrals.cpp
+template <class Material>
 struct SolidIntegrals {
   static constexpr Where where = Where::solid;
 
-  Elastodynamics model;
+  Elastodynamics<Material> model;
 
   enum { kinetic, elastic, inverted, momentum };
   static constexpr int count = 6;
@@ -41,7 +43,7 @@ struct SolidIntegrals {
     Vector<N, count> r;
     r[kinetic] = (0.5 * model.density) * dot(t.velocity, t.velocity);
     r[elastic] = model.material.energy(t.displacement_gradient);
-    r[inverted] = select(0.0 < model.material.volume_ratio(t.displacement_gradient), N(0.0), N(1.0));
+    r[inverted] = select(0.0 < volume_ratio(t.displacement_gradient), N(0.0), N(1.0));
     for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? model.density * t.velocity[i < D ? i : 0] : N(0.0);
     return r;
   }

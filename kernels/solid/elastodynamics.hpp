@@ -1,16 +1,17 @@
-// Momentum balance of the solid in its reference configuration: (w, rho_0 v_t) + (Grad w, F S).
+// Momentum balance of the solid in its reference configuration: (w, rho_0 v_t) + (Grad w, P).
 #pragma once
 
 #include "kernels/point/fields.hpp"
-#include "kernels/solid/saint_venant_kirchhoff.hpp"
 
 namespace softwet {
 
+/// Material: `first_piola(Grad u)`, `energy(Grad u)`, `strain(Grad u)`.
 /// Source: Bueno et al. 2017, eq. (1).   Tested: tests/unit/solid/test_elastodynamics.cpp
+template <class Material>
 struct Elastodynamics {
   static constexpr Where where = Where::solid;
 
-  SaintVenantKirchhoff material;
+  Material material;
   double density = 0;  ///< rho_0^s / b
 
   template <class N, int D>

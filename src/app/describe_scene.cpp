@@ -3,7 +3,7 @@
 
 #include "app/describe.hpp"
 #include "app/host/field_times.hpp"
-#include "kernels/solid/saint_venant_kirchhoff.hpp"
+#include "kernels/solid/isotropic.hpp"
 #include "model/equilibrium.hpp"
 #include "model/groups.hpp"
 
@@ -17,7 +17,7 @@ std::string number(double value, const char* format = "%.4g") {
 }
 
 std::vector<Line> stiffness(const Substrate& s) {
-  const auto solid = SaintVenantKirchhoff::from(s.young_modulus(), s.poisson);
+  const auto solid = LameParameters::from(s.young_modulus(), s.poisson);
   return {{"Young modulus", number(s.young_modulus()) + " a b^2 (density x young)"},
           {"shear modulus", number(solid.shear_modulus) + " a b^2"},
           {"first Lame parameter lambda", number(solid.lambda) + " a b^2"}};

@@ -34,6 +34,7 @@ struct Fluid {
   WallLaw wall_law = WallLaw::gradient;
   CapillaryForm form = CapillaryForm::potential;
   Traction traction = Traction::layer;
+  std::vector<double> gravity;    ///< force per unit mass on the fluid, scale a b/L0; empty: none
   double stabilisation = 0.002;   ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
   double smoothing = 1e-4;        ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
   Phase ambient = Phase::vapour;  ///< what is around the droplets; liquid makes them bubbles
@@ -41,12 +42,13 @@ struct Fluid {
 };
 
 struct Substrate {
-  double thickness = 0;  ///< Hs; a whole number of element rows
-  double density = 1;    ///< rho_0^s / b
-  double young = 0;      ///< E_hat, eq. (12): Young modulus / (rho_0^s a b)
-  double poisson = 0;    ///< nu
-  std::string strain = "finite";  ///< finite (Green-Lagrange) | small (Hooke's law)
-  std::string inertia = "full";   ///< full | none: the solid is in equilibrium at every time
+  double thickness = 0;                             ///< Hs; a whole number of element rows
+  double density = 1;                               ///< rho_0^s / b
+  double young = 0;                                 ///< E_hat, eq. (12): Young modulus / (rho_0^s a b)
+  double poisson = 0;                               ///< nu
+  std::string material = "saint_venant_kirchhoff";  ///< saint_venant_kirchhoff | neo_hookean
+  std::string strain = "finite";                    ///< finite | small: Hooke's law, in place of the material
+  std::string inertia = "full";                     ///< full | none: the solid is in equilibrium at every time
 
   double young_modulus() const { return density * young; }  ///< E, scale a b^2
 };

@@ -26,18 +26,30 @@ struct Refusal {
 
   const char* text() const {
     switch (cause) {
-      case none: return "";
-      case not_finite: return "the solution is not finite";
-      case close_packed: return "the density reaches the close-packed limit (rho >= 0.999 b)";
-      case negative_density: return "the density becomes negative (solver.newton.undershoot)";
-      case solid_inverted: return "the solid is turned inside out somewhere (det F <= 0)";
-      case mesh_folded: return "the mesh of the fluid folds over above the deformed solid (J < 0)";
-      case newton: return "Newton's method did not converge";
-      case linear_solver: return "the linear solver stalled";
-      case density_of_moments: return "the density could not be found from its moments";
-      case potential: return "the chemical potential could not be found";
-      case acceleration: return "the acceleration could not be found";
-      case implicit_viscosity: return "the implicit viscosity could not be solved";
+      case none:
+        return "";
+      case not_finite:
+        return "the solution is not finite";
+      case close_packed:
+        return "the density reaches the close-packed limit (rho >= 0.999 b)";
+      case negative_density:
+        return "the density becomes negative (solver.newton.undershoot)";
+      case solid_inverted:
+        return "the solid is turned inside out somewhere (det F <= 0)";
+      case mesh_folded:
+        return "the mesh of the fluid folds over above the deformed solid (J < 0)";
+      case newton:
+        return "Newton's method did not converge";
+      case linear_solver:
+        return "the linear solver stalled";
+      case density_of_moments:
+        return "the density could not be found from its moments";
+      case potential:
+        return "the chemical potential could not be found";
+      case acceleration:
+        return "the acceleration could not be found";
+      case implicit_viscosity:
+        return "the implicit viscosity could not be solved";
     }
     return "";
   }

@@ -22,6 +22,11 @@ void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) co
   result.folded = sum[FluidIntegrals::folded];
   result.volume = sum[FluidIntegrals::volume];
   for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
+  if (has_gravity_) {
+    ReduceTask<D, GravityEnergy, Motion> task{fluid_region_, {gravity_}, {}, {}, {}};
+    bind_fields(at, blend_, task);
+    result.energy_gravity = reduce<P>(task)[0];
+  }
   if (!has_wall_) return;
   ReduceTask<D, WallIntegrals, Motion> face{wall_region_, {wall_}, {}, {}, {}};
   bind_fields(at, blend_, face);
@@ -36,18 +41,24 @@ void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) co
 }
 
 template <int D, int P>
+template <class Material>
+void Model<D, P>::solid_integrals(const Elastodynamics<Material>& solid, const Evaluation<D>& at,
+                                  Integrals& result) const {
+  using Sums = SolidIntegrals<Material>;
+  ReduceTask<D, Sums, NoMotion> task{solid_region_, {solid}, {}, {}, {}};
+  bind_fields(at, blend_, task);
+  const auto sum = reduce<P>(task);
+  result.energy_kinetic += sum[Sums::kinetic];
+  result.energy_elastic = sum[Sums::elastic];
+  result.inverted = sum[Sums::inverted];
+  for (int d = 0; d < 3; ++d) result.momentum[d] += sum[Sums::momentum + d];
+}
+
+template <int D, int P>
 Integrals Model<D, P>::integrals(const Stage& stage) const {
   Integrals result;
   const Evaluation<D> at{layout_, stage, {}, {}};
-  if (layout_.has_solid) {
-    ReduceTask<D, SolidIntegrals, NoMotion> task{solid_region_, {solid_}, {}, {}, {}};
-    bind_fields(at, blend_, task);
-    const auto sum = reduce<P>(task);
-    result.energy_kinetic += sum[SolidIntegrals::kinetic];
-    result.energy_elastic = sum[SolidIntegrals::elastic];
-    result.inverted = sum[SolidIntegrals::inverted];
-    for (int d = 0; d < 3; ++d) result.momentum[d] += sum[SolidIntegrals::momentum + d];
-  }
+  if (layout_.has_solid) std::visit([&](const auto& solid) { solid_integrals(solid, at, result); }, solid_);
   if (!layout_.has_fluid) return result;
   if (layout_.has_solid) {
     fluid_integrals<WallMotion<D>>(at, result);

@@ -14,7 +14,8 @@ class PieceMaker {
 
   Pieces<D, Real> make() {
     const Layout<D>& layout = model_.layout();
-    if (layout.has_solid) add<NoMotion>("saint_venant_kirchhoff", model_.solid());
+    if (layout.has_solid)
+      std::visit([&](const auto& solid) { add<NoMotion>(solid.material.name, solid); }, model_.solid());
     pieces_.first_of_fluid = pieces_.list.size();
     if (layout.has_fluid) layout.has_solid ? add_fluid<WallMotion<D, Real>>() : add_fluid<NoMotion>();
     return std::move(pieces_);
@@ -60,6 +61,7 @@ class PieceMaker {
       const VariationalDerivative term{model_.fluid().gas, model_.fluid().capillarity};
       pieces_.variational_derivative = piece<Motion>("variational_derivative", region(term.where), term);
     }
+    if (model_.has_gravity()) add<Motion>("gravity", model_.gravity());
     if (case_.fluid->form == CapillaryForm::divergence)
       pieces_.list.push_back(
           {piece<Motion>("capillary stress (divergence form)", model_.fluid_region(), traction()), nullptr});

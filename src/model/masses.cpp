@@ -41,7 +41,8 @@ void Masses<D, P>::velocity(const Stage& stage, double inertia, double viscosity
   Kokkos::deep_copy(Exec(), out, 0.0);
   move_ghosts(l, z, GhostAction::update);
   const Evaluation<D> at{l, stage, {}, out, Geometry::exact, z};
-  if (l.has_solid && inertia != 0) add<NoMotion>(SolidMass{model_.solid().density}, model_.solid_region(), at);
+  const double density = std::visit([](const auto& solid) { return solid.density; }, model_.solid());
+  if (l.has_solid && inertia != 0) add<NoMotion>(SolidMass{density}, model_.solid_region(), at);
   if (l.has_fluid) add_fluid(WeightedViscosity{inertia, viscosity, model_.fluid().inertia_floor}, at);
   collect(out);
 }

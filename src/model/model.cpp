@@ -68,6 +68,10 @@ void Model<D, P>::build_fluid(const Case& c) {
   fluid_.capillarity = c.fluid->capillarity;
   fluid_.stabilisation = c.fluid->stabilisation * h * h / c.fluid->viscosity;
   fluid_.inertia_floor = 0.1 * coexistence_.density_vapour;
+  for (std::size_t d = 0; d < c.fluid->gravity.size(); ++d) {
+    gravity_.force[d] = c.fluid->gravity[d];
+    has_gravity_ = has_gravity_ || gravity_.force[d] != 0;
+  }
   has_wall_ = c.boundary.side[D - 1][0] != Side::periodic;
   const double angle = c.fluid->contact_angle;
   wall_ = {c.fluid->capillarity, angle == 90.0 ? 0.0 : std::cos(angle * M_PI / 180.0), 1e-5, fluid_.gas, coexistence_};
@@ -76,8 +80,15 @@ void Model<D, P>::build_fluid(const Case& c) {
 template <int D, int P>
 void Model<D, P>::build_solid(const Case& c) {
   const Substrate& s = *c.substrate;
-  solid_ = {SaintVenantKirchhoff::from(s.young_modulus(), s.poisson, s.strain == "small"),
-            s.inertia == "none" ? 0.0 : s.density};
+  stiffness_ = LameParameters::from(s.young_modulus(), s.poisson);
+  const double density = s.inertia == "none" ? 0.0 : s.density;
+  if (s.strain == "small") {
+    solid_ = Elastodynamics<Hooke>{{stiffness_}, density};
+  } else if (s.material == "neo_hookean") {
+    solid_ = Elastodynamics<NeoHookean>{{stiffness_}, density};
+  } else {
+    solid_ = Elastodynamics<SaintVenantKirchhoff>{{stiffness_}, density};
+  }
   for (const Load& load : c.loads) {
     std::vector<double> w(static_cast<std::size_t>(layout_.solid_rows()) * layout_.row_size, s.density);
     int stride = 1;

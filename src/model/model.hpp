@@ -3,19 +3,25 @@
 #pragma once
 
 #include <functional>
+#include <variant>
 
 #include "case/case.hpp"
+#include "case/precision.hpp"
 #include "field/ghosts.hpp"
+#include "kernels/fluid/gravity.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/solid/hooke.hpp"
+#include "kernels/solid/neo_hookean.hpp"
+#include "kernels/solid/saint_venant_kirchhoff.hpp"
 #include "model/pieces.hpp"
-#include "case/precision.hpp"
 
 namespace softwet {
 
 /// Integrals of the state, for history.csv; scales: energies a b^2 L0^D, mass b L0^D.
 struct Integrals {
   double mass = 0, energy_kinetic = 0, energy_bulk = 0, energy_gradient = 0, energy_wall = 0, energy_elastic = 0;
+  double energy_gravity = 0;
   double momentum[3] = {0, 0, 0};
   double viscous = 0, stabilisation = 0;  ///< dissipation rates
   double wall_stretch = 0;                ///< int_Gamma f_w div_Gamma vh: power of the wall energy on a stretching wall
@@ -31,6 +37,8 @@ struct LoadVector {
   double start, ramp;
 };
 
+using Solid = std::variant<Elastodynamics<SaintVenantKirchhoff>, Elastodynamics<Hooke>, Elastodynamics<NeoHookean>>;
+
 template <int D, int P>
 class Model {
  public:
@@ -39,7 +47,10 @@ class Model {
   const Layout<D>& layout() const { return layout_; }
   const Coexistence& state() const { return coexistence_; }
   const NavierStokesKorteweg& fluid() const { return fluid_; }
-  const Elastodynamics& solid() const { return solid_; }
+  const Solid& solid() const { return solid_; }
+  const LameParameters& stiffness() const { return stiffness_; }
+  const Gravity& gravity() const { return gravity_; }
+  bool has_gravity() const { return has_gravity_; }
   const EnergyWall& wall() const { return wall_; }  ///< also of the gradient law: its capillarity and cosine
   const Pieces<D, double>& pieces() const { return pieces_; }
   const Pieces<D, float>& single_pieces() const { return single_; }
@@ -93,6 +104,8 @@ class Model {
   void finish_residual(double time, const Array& out) const;
   template <class Motion>
   void fluid_integrals(const Evaluation<D>&, Integrals&) const;
+  template <class Material>
+  void solid_integrals(const Elastodynamics<Material>&, const Evaluation<D>&, Integrals&) const;
   void add_loads(double time, const Array& out) const;
 
   Layout<D> layout_;
@@ -101,8 +114,10 @@ class Model {
   Coexistence coexistence_;
   NavierStokesKorteweg fluid_;
   EnergyWall wall_;
-  Elastodynamics solid_;
-  bool has_wall_ = false;
+  Gravity gravity_;
+  Solid solid_;
+  LameParameters stiffness_;
+  bool has_wall_ = false, has_gravity_ = false;
   Precision precision_;
   Pieces<D, double> pieces_;
   Pieces<D, float> single_;

@@ -31,14 +31,17 @@ struct Evaluation {
   const Real* field(Component c) const {
     const bool end = instant == Instant::end;
     switch (c.field) {
-      case Field::acceleration: return stage.acceleration.data() + layout.velocity_offset(c.index);
+      case Field::acceleration:
+        return stage.acceleration.data() + layout.velocity_offset(c.index);
       case Field::displacement:
         return (end ? stage.displacement_end : stage.displacement).data() + layout.displacement_offset(c.index);
-      case Field::operand: return component(operand, c.index);
+      case Field::operand:
+        return component(operand, c.index);
       case Field::density:
         if (end) return stage.density_end.data() - layout.fluid_shift();
         [[fallthrough]];
-      default: return component(stage.unknown, c.unknown(D));
+      default:
+        return component(stage.unknown, c.unknown(D));
     }
   }
 

@@ -1,8 +1,8 @@
 // From physical numbers to those of a case: the scales a, b, L0 of Bueno et al. 2017, eqs. (8)-(13) (host).
 #pragma once
 
-#include "case/case.hpp"
 #include "app/physical.hpp"
+#include "case/case.hpp"
 
 namespace softwet {
 

@@ -122,20 +122,26 @@ template <int D, int P>
 void add_solid_fields(Selection& selection, const Model<D, P>& model, const Snapshot<D>& s,
                       const typename Snapshot<D>::Grid& grid, const std::vector<double>& displacement) {
   using Gradient = Matrix<double, 3>;
-  const SaintVenantKirchhoff& material = model.solid().material;
   const std::vector<Gradient> gradients = displacement_gradients(s, grid);
   selection.add("velocity",
                 [&] { return vector_field<D>(grid, [&](const auto& at, int d) { return s.velocity(at, d, false); }); });
   selection.add("displacement", [&] { return displacement; });
   selection.add("green_lagrange_strain",
-                [&] { return tensors(gradients, [&](const Gradient& g) { return material.strain(g); }); });
+                [&] { return tensors(gradients, [](const Gradient& g) { return green_lagrange_strain(g); }); });
+  const auto stress = [&](const auto& of_material) {
+    return std::visit(
+        [&](const auto& solid) {
+          return tensors(gradients, [&](const Gradient& g) { return of_material(solid.material, g); });
+        },
+        model.solid());
+  };
   selection.add("first_piola_stress",
-                [&] { return tensors(gradients, [&](const Gradient& g) { return material.first_piola(g); }); });
+                [&] { return stress([](const auto& m, const Gradient& g) { return m.first_piola(g); }); });
   selection.add("cauchy_stress",
-                [&] { return tensors(gradients, [&](const Gradient& g) { return material.cauchy(g); }); });
+                [&] { return stress([](const auto& m, const Gradient& g) { return cauchy_stress(m, g); }); });
   selection.add("volume_ratio", [&] {
     std::vector<double> ratio;
-    for (const Gradient& g : gradients) ratio.push_back(SaintVenantKirchhoff::volume_ratio(g));
+    for (const Gradient& g : gradients) ratio.push_back(volume_ratio(g));
     return ratio;
   });
 }

@@ -58,8 +58,9 @@ void Scalars<D, P>::add_integrals(long step, const State& state, const Stage& en
   const bool fluid = model_.layout().has_fluid;
   const auto of_fluid = [fluid](double x) { return fluid ? std::optional<double>(x) : std::nullopt; };
   if (step == 0) latest_.mass_start = sum.mass;
-  headline_.energy = sum.energy_kinetic + free_energy + sum.energy_wall + sum.energy_elastic;
+  headline_.energy = sum.energy_kinetic + free_energy + sum.energy_wall + sum.energy_elastic + sum.energy_gravity;
   headline_.wall_stretch = sum.wall_stretch;
+  headline_.gravity = sum.energy_gravity;
   headline_.mass_drift = of_fluid(sum.mass / latest_.mass_start - 1);
   row.insert(row.end(),
              {of_fluid(sum.mass), sum.momentum[0], sum.energy_kinetic, of_fluid(free_energy), of_fluid(sum.energy_wall),
@@ -137,9 +138,10 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   follow_bodies(snapshot);
   row.insert(row.end(), {headline_.energy, headline_.mass_drift});
   if (model_.layout().has_fluid) {
-    row.insert(row.end(), {speed_of_liquid(model_.layout(), state, middle()), headline_.wall_stretch});
+    row.insert(row.end(),
+               {speed_of_liquid(model_.layout(), state, middle()), headline_.wall_stretch, headline_.gravity});
   } else {
-    row.insert(row.end(), 2, std::nullopt);
+    row.insert(row.end(), 3, std::nullopt);
   }
   if (!case_.droplets.empty()) row.push_back(laplace_pressure(snapshot));
   return row;

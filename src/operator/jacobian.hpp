@@ -43,7 +43,9 @@ struct FrozenPoint {
     split(f, value, tangent);
     return join(point.reference_flux(value), point.reference_flux(tangent));
   }
-  KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const { return N(point.measured(x.value), point.measured(x.tangent)); }
+  KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const {
+    return N(point.measured(x.value), point.measured(x.tangent));
+  }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return fixed(point.mesh_velocity()); }
 };
 
@@ -77,7 +79,8 @@ struct Blocks {
 /// read nor written.
 template <int Later, int Pairs, int Rest, int P, int Q, class S, class Row, class Column, class In>
 KOKKOS_FORCEINLINE_FUNCTION void fold_axis(const Row& row, const Column& column, const Blocks<Later + 2>& blocks,
-                                           const In& in, S (&out)[Later + 1][Later + 1][Pairs * (P + 1) * (P + 1)][Rest],
+                                           const In& in,
+                                           S (&out)[Later + 1][Later + 1][Pairs * (P + 1) * (P + 1)][Rest],
                                            Blocks<Later + 1>& left_over) {
   constexpr int n = P + 1;
   for (int k = 0; k < Later + 2; ++k)

@@ -71,8 +71,8 @@ struct ReduceRow {
     using S = BatchNumber<double>;
     using N = std::conditional_t<Rate, Dual<S>, S>;
     double sum[Functional::count] = {};
-    for_row<D, Lanes<S>::count>(
-        rows, item, [&](const Batch<D>& b) { reduce_batch<S, N, D, P, Functional, Motion>(task, b, sum); });
+    for_row<D, Lanes<S>::count>(rows, item,
+                                [&](const Batch<D>& b) { reduce_batch<S, N, D, P, Functional, Motion>(task, b, sum); });
     for (int f = 0; f < Functional::count; ++f) partial(item * Functional::count + f) = sum[f];
   }
 };

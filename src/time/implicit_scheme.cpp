@@ -58,8 +58,8 @@ template <int D, int P>
 std::vector<FieldRange> ImplicitScheme<D, P>::fields() const {
   const Layout<D>& l = model_.layout();
   const double atol = newton_control_.atol, rate = integrator_.stage().rate_scale;
-  const SaintVenantKirchhoff& solid = model_.solid().material;
-  const double stiffness = l.has_solid ? solid.lambda + 2 * solid.shear_modulus : 0;
+  const LameParameters& solid = model_.stiffness();
+  const double stiffness = solid.lambda + 2 * solid.shear_modulus;
   std::vector<FieldRange> f{{0, l.velocity_size(), atol * volume_norm_ * std::max({rate, 1.0, stiffness})}};
   if (l.has_fluid) {
     f.push_back({l.density_offset(), l.potential_offset(), atol * volume_norm_ * std::max(rate, 1e-2)});

@@ -87,6 +87,17 @@ void check_boundary(const Checker& check) {
   }
 }
 
+/// A force along a periodic axis would do work for ever: it has no potential energy.
+void check_gravity(const Checker& check) {
+  if (!check.c.fluid || check.c.fluid->gravity.empty()) return;
+  const Numbers& gravity = check.c.fluid->gravity;
+  check.require_axes("fluid.gravity", gravity.size(), "write one component for each axis, the last is vertical");
+  for (std::size_t axis = 0; axis < gravity.size(); ++axis)
+    if (gravity[axis] != 0 && check.periodic(axis))
+      check.refuse("fluid.gravity", fmt::format("must be 0 along axis {}, whose sides are periodic", axis),
+                   "write 0 there, or other sides");
+}
+
 void check_substrate(const Checker& check) {
   if (!check.c.substrate) return;
   const double thickness = check.c.substrate->thickness, height = check.height(), row = check.element_height();
@@ -204,6 +215,14 @@ void check_track(const Checker& check) {
   check.refuse(key, "must be 2 numbers, not both 0", "write a horizontal direction, for example track = [1, 1]");
 }
 
+void check_material(const Checker& check) {
+  if (!check.c.substrate || check.c.substrate->strain == "finite" ||
+      check.c.substrate->material == Substrate{}.material)
+    return;
+  check.refuse("substrate.material", "is not used where substrate.strain = \"small\": that is Hooke's law",
+               "write strain = \"finite\", or remove the material");
+}
+
 /// Explicit schemes, and differences of residuals, have no use for or no digits left in single precision.
 void check_precision(const Checker& check) {
   const SolverControl& solver = check.c.solver;
@@ -230,11 +249,13 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check.with({"name"}, [&] { check_name(check); });
   check_steps(check);
   check.with({"substrate.inertia", "time.scheme"}, [&] { check_inertia(check); });
+  check.with({"substrate.material", "substrate.strain"}, [&] { check_material(check); });
   check.with({"output.fields.times", "output.fields.every", "time.end"}, [&] { check_field_times(check); });
   check.with({"domain.size"}, [&] { check_size(check); });
   if (problems.about("domain.size")) return;  // what follows needs the axes
   check.with({"domain.elements", "domain.degree"}, [&] { check_elements(check); });
   check_boundary(check);
+  check.with({"fluid.gravity", "boundary"}, [&] { check_gravity(check); });
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);
   check_initial(check);

@@ -65,7 +65,7 @@ const std::vector<Table>& tables() {
        [](Case& c, std::size_t) {
          if (!c.fluid) c.fluid.emplace();
        }},
-      {"substrate", "Saint Venant-Kirchhoff solid (2D: plane strain); omit for a rigid wall", false, true,
+      {"substrate", "Elastic solid (2D: plane strain); omit for a rigid wall", false, true,
        [](const Case& c) -> std::size_t { return c.substrate ? 1 : 0; },
        [](Case& c, std::size_t) {
          if (!c.substrate) c.substrate.emplace();

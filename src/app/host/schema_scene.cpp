@@ -94,6 +94,13 @@ std::vector<Key> fluid_keys() {
                "variational wall energy: it has an exact energy law, bears angles near 0 and 180 degrees, and moves "
                "droplets 23 to 40 % more slowly.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_law; })},
+      {.name = "fluid.gravity",
+       .kind = Kind::numbers,
+       .unit = "ab/L0",
+       .help = "Uniform force per unit mass on the fluid, one component for each axis; the last is vertical. The solid "
+               "does not feel it. Periodic sides allow none along their axis.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->gravity; }),
+       .default_note = "[], none"},
       {.name = "fluid.form",
        .kind = Kind::choice,
        .choices = form_words(),
@@ -170,12 +177,18 @@ std::vector<Key> substrate_keys() {
        .help = "Poisson ratio nu, eq. (11).",
        .reason = "0.5 would be incompressible, choose 0.49 at most for a nearly incompressible solid",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->poisson; })},
+      {.name = "substrate.material",
+       .kind = Kind::choice,
+       .choices = {"saint_venant_kirchhoff", "neo_hookean"},
+       .help = "Law of the solid. saint_venant_kirchhoff is that of the paper; it softens when it is squeezed hard. "
+               "neo_hookean is compressible and stays stiff under any compression. For small strains both are Hooke's "
+               "law, with the same young and poisson.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->material; })},
       {.name = "substrate.strain",
        .kind = Kind::choice,
        .choices = {"finite", "small"},
-       .help =
-           "Strain of the solid. finite is the Green-Lagrange strain of the Saint Venant-Kirchhoff law. small is its "
-           "linear part, which makes the law that of Hooke: for deformations of a few per cent.",
+       .help = "Strain of the solid. finite is what substrate.material says. small is the limit of linear elasticity, "
+               "Hooke's law, in place of the material: for deformations of a few per cent.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->strain; })},
       {.name = "substrate.inertia",
        .kind = Kind::choice,

@@ -3,6 +3,7 @@
 
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/solid/saint_venant_kirchhoff.hpp"
 
 namespace softwet {
 namespace {
@@ -42,14 +43,15 @@ TEST(WallIntegrals, WettedWhereDenserThanTheMiddle) {
 }
 
 TEST(SolidIntegrals, ByHand) {
-  const SolidIntegrals f{Elastodynamics{{1.5, 0.7}, 2.0}};
+  using Sums = SolidIntegrals<SaintVenantKirchhoff>;
+  const Sums f{{{{1.5, 0.7}}, 2.0}};
   const auto v = f.value(SolidState<double, 3>{{{1, 2, -2}}, {{{0.2, 0, 0}, {0, 0, 0}, {0, 0, 0}}}});
-  EXPECT_EQ(v[SolidIntegrals::kinetic], 9);
-  EXPECT_NEAR(v[SolidIntegrals::elastic], (0.75 + 0.7) * 0.22 * 0.22, 1e-16);
-  EXPECT_EQ(v[SolidIntegrals::momentum + 2], -4);
-  EXPECT_EQ(v[SolidIntegrals::inverted], 0);
+  EXPECT_EQ(v[Sums::kinetic], 9);
+  EXPECT_NEAR(v[Sums::elastic], (0.75 + 0.7) * 0.22 * 0.22, 1e-16);
+  EXPECT_EQ(v[Sums::momentum + 2], -4);
+  EXPECT_EQ(v[Sums::inverted], 0);
   const auto mirrored = f.value(SolidState<double, 3>{{}, {{{-2, 0, 0}, {0, 0, 0}, {0, 0, 0}}}});
-  EXPECT_EQ(mirrored[SolidIntegrals::inverted], 1) << "det F = -1";
+  EXPECT_EQ(mirrored[Sums::inverted], 1) << "det F = -1";
 }
 
 }  // namespace

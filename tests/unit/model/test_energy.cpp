@@ -17,10 +17,12 @@ Array plus(const Array& y, double e, const std::vector<double>& x) {
 }
 
 // Testing momentum with v, mass with mu and potential with rho_t on a fixed mesh leaves
-//   d/dt (kinetic + bulk + gradient + wall energy) + dissipation = - convection,
+//   d/dt (kinetic + bulk + gradient + wall energy) + dissipation = power of gravity - convection,
 // the last being (v, rho (v . grad) v), which the exact rho_t |v|^2/2 of the kinetic energy balances.
 TEST(EnergyLaw, OnAFixedMeshWithWallEnergy) {
-  RandomScene s(scene(Scene::rigid, WallLaw::energy));
+  Case c = scene(Scene::rigid, WallLaw::energy);
+  c.fluid->gravity = {0.3, -0.8};
+  RandomScene s(c);
   const Layout<2>& l = s.layout();
   s.stage().moment_rate = 1;  // density_end is then the rate of the density
   const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
@@ -51,9 +53,12 @@ TEST(EnergyLaw, OnAFixedMeshWithWallEnergy) {
       for (int j = 0; j < 2; ++j) convection += w * p.evaluate(field[2], -1) * v[i] * v[j] * p.evaluate(field[i], j);
   });
   const Integrals now = s.model.integrals(s.stage());
+  const double power_of_gravity = 0.3 * now.momentum[0] - 0.8 * now.momentum[1];
+  EXPECT_GT(std::abs(power_of_gravity), 1e-6);
   EXPECT_GT(now.viscous, 0);
   EXPECT_GT(now.stabilisation, 0);
-  const double expected = slope(kinetic, 1e-3) + slope(free, 2e-4) + now.viscous + now.stabilisation + convection;
+  const double expected =
+      slope(kinetic, 1e-3) + slope(free, 2e-4) + now.viscous + now.stabilisation + convection - power_of_gravity;
   std::printf("  contraction %.12g, energies %.12g\n", contraction, expected);
   EXPECT_NEAR(contraction, expected, 1e-9 * std::abs(expected));
   EXPECT_GT(std::abs(slope(
@@ -113,11 +118,29 @@ TEST(Integrals, UniformFluidOnAMovedMesh) {
   EXPECT_NEAR(i.momentum[0], v * (rho * fluid + solid), 1e-14);
   EXPECT_NEAR(i.momentum[1], 0, 1e-16);
   const double exx = 0.5 * (1.1 * 1.1 - 1), k = 1 + rise / s.model.wall_height(), eyy = 0.5 * (k * k - 1);
-  const SaintVenantKirchhoff& m = s.model.solid().material;
+  const LameParameters& m = s.model.stiffness();
   EXPECT_NEAR(i.energy_elastic,
               0.9 * s.model.wall_height() *
                   (0.5 * m.lambda * (exx + eyy) * (exx + eyy) + m.shear_modulus * (exx * exx + eyy * eyy)),
               1e-14);
+}
+
+// A uniform fluid on a moved mesh: the energy is - rho f . (integral of x), known for a stretched rectangle.
+TEST(Integrals, GravityOnAMovedMesh) {
+  Case c = scene(Scene::coupled);
+  c.fluid->gravity = {0.3, -0.8};
+  RandomScene s(c);
+  const Layout<2>& l = s.layout();
+  std::vector<double> x(l.size(), 0.0), u(l.solid_size(), 0.0);
+  const double rho = 0.5, rise = 0.04;
+  for (int i = 0; i < l.scalar_size(); ++i) x[l.density_offset() + i] = rho;
+  for (int j = 0; j < l.solid_rows(); ++j)
+    for (int i = 0; i < l.row_size; ++i)
+      u[l.displacement_offset(1) + j * l.row_size + i] = rise * l.axis[1].greville(j) / s.model.wall_height();
+  s.stage().unknown = to_device<Array>(x);
+  s.stage().displacement = s.stage().displacement_end = to_device<Array>(u);
+  const double low = s.model.wall_height() + rise, area = 0.9 * (0.8 - low);
+  EXPECT_NEAR(s.model.integrals(s.stage()).energy_gravity, -rho * area * (0.3 * 0.45 - 0.8 * 0.5 * (low + 0.8)), 1e-14);
 }
 
 }  // namespace

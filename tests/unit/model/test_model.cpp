@@ -36,11 +36,13 @@ std::vector<double> expected_residual(RandomScene& s) {
   const int low = l.solid_elements, high = l.axis[1].elements();
   const TermCases<2>& t = s.terms;
   std::vector<double> sum(l.size(), 0.0);
-  if (l.has_solid) add(sum, t.naive(s.model.solid(), 0, low, false));
+  if (l.has_solid)
+    add(sum, std::visit([&](const auto& solid) { return t.naive(solid, 0, low, false); }, s.model.solid()));
   if (l.has_fluid) {
     const NavierStokesKorteweg& fluid = s.model.fluid();
     add(sum, t.naive(fluid, low, high, l.has_solid));
     add(sum, t.naive_moments(low, high, l.has_solid));
+    if (s.model.has_gravity()) add(sum, t.naive(s.model.gravity(), low, high, l.has_solid));
     const double g = s.data.fluid->capillarity;
     if (s.data.fluid->wall_law == WallLaw::gradient) {
       add(sum, t.naive(GradientWall{g, 0.5, 1e-2}, low, low + 1, l.has_solid));
@@ -97,6 +99,12 @@ TEST(Model, CoupledWithBlendedTraction) {
 }
 TEST(Model, Rigid) { check_scene(scene(Scene::rigid)); }
 TEST(Model, RigidPeriodicWithWallEnergy) { check_scene(scene(Scene::rigid, WallLaw::energy, true)); }
+TEST(Model, CoupledWithGravityAndNeoHookeanSolid) {
+  Case c = scene(Scene::coupled);
+  c.fluid->gravity = {0.2, -0.6};
+  c.substrate->material = "neo_hookean";
+  check_scene(c);
+}
 TEST(Model, SolidAlone) { check_scene(scene(Scene::solid)); }
 
 TEST(Model, SceneHasOnlyWhatItAsksFor) {
@@ -109,7 +117,8 @@ TEST(Model, SceneHasOnlyWhatItAsksFor) {
   EXPECT_EQ(names(scene(Scene::coupled)),
             "saint_venant_kirchhoff;navier_stokes_korteweg;density_moment;contact_angle (gradient law);"
             "capillary_traction;");
-  EXPECT_EQ(names(scene(Scene::rigid, WallLaw::energy)), "navier_stokes_korteweg;density_moment;contact_angle (wall energy);");
+  EXPECT_EQ(names(scene(Scene::rigid, WallLaw::energy)),
+            "navier_stokes_korteweg;density_moment;contact_angle (wall energy);");
   EXPECT_EQ(names(scene(Scene::solid)), "saint_venant_kirchhoff;");
   Case neutral = scene(Scene::rigid);
   neutral.fluid->contact_angle = 90;

@@ -4,6 +4,10 @@
 #include <random>
 
 #include "field/ghosts.hpp"
+#include "kernels/fluid/gravity.hpp"
+#include "kernels/solid/hooke.hpp"
+#include "kernels/solid/neo_hookean.hpp"
+#include "kernels/solid/saint_venant_kirchhoff.hpp"
 #include "model/piece.hpp"
 
 namespace softwet::testing_tools {
@@ -172,7 +176,10 @@ struct Terms {
   GradientWall gradient_wall{0.4, 0.6, 1e-2};
   EnergyWall energy_wall{0.4, 0.6, 1e-2, gas, state};
   CapillaryTraction traction{gas, 0.4};
-  Elastodynamics solid{{0.8, 0.5}, 1.3};
+  Gravity gravity{{0.3, -0.7, 0.4}};
+  Elastodynamics<SaintVenantKirchhoff> solid{{{0.8, 0.5}}, 1.3};
+  Elastodynamics<Hooke> hooke{{{0.8, 0.5}}, 1.3};
+  Elastodynamics<NeoHookean> neo_hookean{{{0.8, 0.5}}, 1.3};
 };
 
 }  // namespace softwet::testing_tools

@@ -7,16 +7,20 @@
 #include "solver/stencil.hpp"
 
 // Compiled in src/model/pieces.cpp and pieces_single.cpp, which is what these tests are to test.
-#define SOFTWET_COMPILED(D, TERM, MOTION)                                                           \
+#define SOFTWET_COMPILED(D, TERM, MOTION)                                                          \
   extern template class softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, double>, double>; \
   extern template class softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, float>, float>;
+#define SOFTWET_COMPILED_SOLID(D, MATERIAL) SOFTWET_COMPILED(D, Elastodynamics<softwet::MATERIAL>, Still)
 #define SOFTWET_COMPILED_ALL(D, MOTION)             \
   SOFTWET_COMPILED(D, NavierStokesKorteweg, MOTION) \
   SOFTWET_COMPILED(D, DensityMoment, MOTION)        \
   SOFTWET_COMPILED(D, GradientWall, MOTION)         \
   SOFTWET_COMPILED(D, EnergyWall, MOTION)           \
   SOFTWET_COMPILED(D, CapillaryTraction, MOTION)    \
-  SOFTWET_COMPILED(D, Elastodynamics, MOTION)
+  SOFTWET_COMPILED(D, Gravity, MOTION)              \
+  SOFTWET_COMPILED_SOLID(D, SaintVenantKirchhoff)   \
+  SOFTWET_COMPILED_SOLID(D, Hooke)                  \
+  SOFTWET_COMPILED_SOLID(D, NeoHookean)
 namespace softwet {
 template <int, class>
 using Still = NoMotion;
@@ -62,7 +66,9 @@ struct TermCases {
   std::vector<Grid> slots(const GradientWall&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const EnergyWall&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const CapillaryTraction&) const { return {unknown(D), unknown(D + 1)}; }
-  std::vector<Grid> slots(const Elastodynamics&) const {
+  std::vector<Grid> slots(const Gravity&) const { return {unknown(D)}; }
+  template <class Material>
+  std::vector<Grid> slots(const Elastodynamics<Material>&) const {
     std::vector<Grid> s = each(patch.stage.acceleration, false);
     for (const Grid& g : each(patch.stage.displacement, true)) s.push_back(g);
     return s;
@@ -71,7 +77,11 @@ struct TermCases {
   static std::vector<int> equations(const GradientWall&) { return {D + 1}; }
   static std::vector<int> equations(const EnergyWall&) { return {D + 1}; }
   static std::vector<int> equations(const CapillaryTraction&) { return from(0, D); }
-  static std::vector<int> equations(const Elastodynamics&) { return from(0, D); }
+  static std::vector<int> equations(const Gravity&) { return from(0, D); }
+  template <class Material>
+  static std::vector<int> equations(const Elastodynamics<Material>&) {
+    return from(0, D);
+  }
   static std::vector<int> from(int first, int count) {
     std::vector<int> v(count);
     for (int i = 0; i < count; ++i) v[i] = first + i;
@@ -153,6 +163,7 @@ struct TermCases {
     constexpr bool moves = std::is_same_v<Motion<D, double>, WallMotion<D>>;
     check_piece<Motion>("density_moment", DensityMoment{}, patch.fluid(), Instant::end,
                         naive_moments(low, high, moves));
+    check<Motion>("gravity", terms.gravity, patch.fluid(), low, high);
   }
   template <template <int, class> class Motion>
   void check_wall() const {
@@ -162,7 +173,9 @@ struct TermCases {
     check<Motion>("capillary_traction", terms.traction, patch.layer(), low, low + 1, patch.layout.wall_row);
   }
   void check_solid() const {
-    check<Still>("elastodynamics", terms.solid, patch.solid(), 0, patch.layout.solid_elements);
+    check<Still>("saint_venant_kirchhoff", terms.solid, patch.solid(), 0, patch.layout.solid_elements);
+    check<Still>("hooke", terms.hooke, patch.solid(), 0, patch.layout.solid_elements);
+    check<Still>("neo_hookean", terms.neo_hookean, patch.solid(), 0, patch.layout.solid_elements);
   }
 };
 

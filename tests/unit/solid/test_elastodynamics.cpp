@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/solid/saint_venant_kirchhoff.hpp"
+
 namespace softwet {
 namespace {
 
 TEST(Elastodynamics, InertiaAndStress) {
-  const Elastodynamics term{{1.5, 0.7}, 2.0};
+  const Elastodynamics<SaintVenantKirchhoff> term{{{1.5, 0.7}}, 2.0};
   const SolidTrial<double, 2> t{{{3, -5}}, {{{0.2, 0}, {0, 0}}}};
   const auto r = term.residual(t);
   EXPECT_DOUBLE_EQ(r.momentum[0], 6);
@@ -17,7 +19,7 @@ TEST(Elastodynamics, InertiaAndStress) {
 }
 
 TEST(Elastodynamics, TangentAgainstDifferences) {
-  const Elastodynamics term{{1.5, 0.7}, 2.0};
+  const Elastodynamics<SaintVenantKirchhoff> term{{{1.5, 0.7}}, 2.0};
   SolidTrial<Dual<double>, 3> t;
   SolidTrial<double, 3> base, step;
   for (int i = 0; i < 3; ++i) {

@@ -9,15 +9,15 @@ namespace softwet {
 namespace {
 
 TEST(SaintVenantKirchhoff, LameParameters) {
-  const auto m = SaintVenantKirchhoff::from(2.6, 0.3);
+  const auto m = LameParameters::from(2.6, 0.3);
   EXPECT_NEAR(m.shear_modulus, 1.0, 1e-15);
   EXPECT_NEAR(m.lambda, 1.5, 1e-14);
-  EXPECT_EQ(SaintVenantKirchhoff::from(2.6, 0.0).lambda, 0);
+  EXPECT_EQ(LameParameters::from(2.6, 0.0).lambda, 0);
 }
 
 // Stretch s along x, plane strain: E_xx = (s^2 - 1)/2, P_xx = s (lambda + 2 G) E_xx, P_yy = lambda E_xx.
 TEST(SaintVenantKirchhoff, UniaxialStretch) {
-  const SaintVenantKirchhoff m{1.5, 0.7};
+  const SaintVenantKirchhoff m{{1.5, 0.7}};
   const double s = 1.3, e = 0.5 * (s * s - 1);
   const auto p = m.first_piola(Matrix<double, 2>{{{s - 1, 0}, {0, 0}}});
   EXPECT_NEAR(p(0, 0), s * (1.5 + 1.4) * e, 1e-15);
@@ -26,34 +26,9 @@ TEST(SaintVenantKirchhoff, UniaxialStretch) {
   EXPECT_NEAR(m.energy(Matrix<double, 2>{{{s - 1, 0}, {0, 0}}}), (0.75 + 0.7) * e * e, 1e-15);
 }
 
-// Hooke's law: P = lambda tr(e) I + 2 G e with e = (Grad u + Grad u^T)/2, energy P:e/2; P is the Cauchy stress.
-TEST(SaintVenantKirchhoff, SmallStrainIsHookesLaw) {
-  const SaintVenantKirchhoff m = SaintVenantKirchhoff::from(2.6, 0.3, true);  // lambda = 1.5, G = 1
-  const Matrix<double, 2> g{{{0.3, 0.4}, {-0.2, 0.1}}};
-  const auto p = m.first_piola(g);
-  EXPECT_NEAR(p(0, 0), 1.5 * 0.4 + 2 * 0.3, 1e-15);
-  EXPECT_NEAR(p(0, 1), 0.2, 1e-15);
-  EXPECT_NEAR(p(1, 0), 0.2, 1e-15);
-  EXPECT_NEAR(p(1, 1), 1.5 * 0.4 + 2 * 0.1, 1e-15);
-  EXPECT_NEAR(m.energy(g), 0.5 * (p(0, 0) * 0.3 + 0.2 * 0.2 + p(1, 1) * 0.1), 1e-15);
-  const Matrix<double, 3> g3{{{0.3, 0.4, 0}, {-0.2, 0.1, 0}, {0, 0, 0}}};
-  EXPECT_EQ(m.cauchy(g3)(0, 1), m.first_piola(g3)(0, 1));
-}
-
-// Both laws agree to first order in the strain.
-TEST(SaintVenantKirchhoff, SmallStrainIsTheLimitOfFiniteStrain) {
-  const SaintVenantKirchhoff small{1.5, 0.7, true}, finite{1.5, 0.7};
-  for (const double size : {1e-3, 1e-4}) {
-    const Matrix<double, 2> g{{{0.3 * size, 0.4 * size}, {-0.2 * size, 0.1 * size}}};
-    const auto a = small.first_piola(g), b = finite.first_piola(g);
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) EXPECT_NEAR(a(i, j), b(i, j), 2 * size * size);
-  }
-}
-
 // x = X + k Y: E_xy = k/2, E_yy = k^2/2; S_xx = lambda k^2/2, S_xy = G k, S_yy = (lambda/2 + G) k^2; P = F S.
 TEST(SaintVenantKirchhoff, SimpleShear) {
-  const SaintVenantKirchhoff m{1.5, 0.7};
+  const SaintVenantKirchhoff m{{1.5, 0.7}};
   const double k = 0.4, sxx = 0.75 * k * k, sxy = 0.7 * k, syy = (0.75 + 0.7) * k * k;
   const auto p = m.first_piola(Matrix<double, 2>{{{0, k}, {0, 0}}});
   EXPECT_NEAR(p(0, 0), sxx + k * sxy, 1e-15);
@@ -63,7 +38,7 @@ TEST(SaintVenantKirchhoff, SimpleShear) {
 }
 
 TEST(SaintVenantKirchhoff, RotationIsFree) {
-  const SaintVenantKirchhoff m{1.5, 0.7};
+  const SaintVenantKirchhoff m{{1.5, 0.7}};
   const double c = std::cos(0.9), s = std::sin(0.9);
   const Matrix<double, 3> g{{{c - 1, -s, 0}, {s, c - 1, 0}, {0, 0, 0}}};
   EXPECT_NEAR(m.energy(g), 0, 1e-30);
@@ -74,7 +49,7 @@ TEST(SaintVenantKirchhoff, RotationIsFree) {
 
 // The frame does not matter: for a rotation Q, energy(Q F) = energy(F) and P(Q F) = Q P(F).
 TEST(SaintVenantKirchhoff, RotationOfADeformedStateTurnsTheStress) {
-  const SaintVenantKirchhoff m{1.5, 0.7};
+  const SaintVenantKirchhoff m{{1.5, 0.7}};
   const double c = std::cos(2.3), s = std::sin(2.3);
   const double q[2][2] = {{c, -s}, {s, c}};
   const Matrix<double, 2> g{{{0.3, 0.4}, {-0.2, 0.1}}};
@@ -96,7 +71,7 @@ TEST(SaintVenantKirchhoff, RotationOfADeformedStateTurnsTheStress) {
 
 // Small strains: P is the linear stress lambda tr(e) I + 2 G e up to second order.
 TEST(SaintVenantKirchhoff, SmallStrainsAreLinear) {
-  const SaintVenantKirchhoff m{1.5, 0.7};
+  const SaintVenantKirchhoff m{{1.5, 0.7}};
   const double h = 1e-6;
   const auto p = m.first_piola(Matrix<double, 2>{{{2 * h, 3 * h}, {-h, 5 * h}}});
   EXPECT_NEAR(p(0, 0) / h, 1.5 * 7 + 1.4 * 2, 1e-4);
@@ -106,7 +81,7 @@ TEST(SaintVenantKirchhoff, SmallStrainsAreLinear) {
 
 template <int D>
 void stress_is_the_derivative_of_the_energy() {
-  const SaintVenantKirchhoff m{1.5, 0.7};
+  const SaintVenantKirchhoff m{{1.5, 0.7}};
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-0.4, 0.4);
   Matrix<double, D> g;
@@ -131,7 +106,7 @@ TEST(SaintVenantKirchhoff, StressIsTheDerivativeOfTheEnergy) {
 
 // Plane strain is the 3D law without motion along z.
 TEST(SaintVenantKirchhoff, PlaneStrain) {
-  const SaintVenantKirchhoff m{1.5, 0.7};
+  const SaintVenantKirchhoff m{{1.5, 0.7}};
   const auto flat = m.first_piola(Matrix<double, 2>{{{0.1, 0.3}, {-0.2, 0.2}}});
   const auto full = m.first_piola(Matrix<double, 3>{{{0.1, 0.3, 0}, {-0.2, 0.2, 0}, {0, 0, 0}}});
   for (int i = 0; i < 2; ++i)
@@ -141,11 +116,11 @@ TEST(SaintVenantKirchhoff, PlaneStrain) {
 // Stretches s and r along x and y in plane strain: J = s r, E = diag((s^2 - 1)/2, (r^2 - 1)/2, 0) and
 // S = lambda tr(E) I + 2 G E; P_ii = F_ii S_ii; sigma_ii = F_ii^2 S_ii / J. Along z, F_zz = 1 and S_zz = lambda tr(E).
 TEST(SaintVenantKirchhoff, CauchyStressOfTwoStretches) {
-  const SaintVenantKirchhoff m{1.5, 0.7};
+  const SaintVenantKirchhoff m{{1.5, 0.7}};
   const double s = 1.3, r = 0.8, ex = 0.345, ey = -0.18, tr = ex + ey;
   const Matrix<double, 3> g{{{s - 1, 0, 0}, {0, r - 1, 0}, {0, 0, 0}}};
-  EXPECT_NEAR(m.volume_ratio(g), 1.04, 1e-15);
-  const auto p = m.first_piola(g), cauchy = m.cauchy(g);
+  EXPECT_NEAR(volume_ratio(g), 1.04, 1e-15);
+  const auto p = m.first_piola(g), cauchy = cauchy_stress(m, g);
   EXPECT_NEAR(p(2, 2), 1.5 * tr, 1e-15);
   EXPECT_NEAR(cauchy(0, 0), s * s * (1.5 * tr + 1.4 * ex) / 1.04, 1e-15);
   EXPECT_NEAR(cauchy(1, 1), r * r * (1.5 * tr + 1.4 * ey) / 1.04, 1e-15);
@@ -157,10 +132,10 @@ TEST(SaintVenantKirchhoff, CauchyStressOfTwoStretches) {
 // Power of the Cauchy stress: stretching the deformed body by x -> x + e L x changes the stored energy of a reference
 // volume by e J sigma : L.
 TEST(SaintVenantKirchhoff, CauchyStressIsWorkOnTheDeformedBody) {
-  const SaintVenantKirchhoff m{1.5, 0.7};
+  const SaintVenantKirchhoff m{{1.5, 0.7}};
   const Matrix<double, 3> g{{{0.3, 0.4, -0.1}, {-0.2, 0.1, 0.2}, {0.15, -0.05, -0.25}}};
-  const Matrix<double, 3> f = add_diagonal(g, 1.0), cauchy = m.cauchy(g);
-  const double j = m.volume_ratio(g), e = 1e-3;
+  const Matrix<double, 3> f = add_diagonal(g, 1.0), cauchy = cauchy_stress(m, g);
+  const double j = volume_ratio(g), e = 1e-3;
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {
       EXPECT_NEAR(cauchy(a, b), cauchy(b, a), 1e-15);
@@ -174,11 +149,11 @@ TEST(SaintVenantKirchhoff, CauchyStressIsWorkOnTheDeformedBody) {
 }
 
 TEST(SaintVenantKirchhoff, RotationHasNoStressAndKeepsTheVolume) {
-  const SaintVenantKirchhoff m{1.5, 0.7};
+  const SaintVenantKirchhoff m{{1.5, 0.7}};
   const double c = std::cos(0.9), s = std::sin(0.9);
   const Matrix<double, 3> g{{{c - 1, -s, 0}, {s, c - 1, 0}, {0, 0, 0}}};
-  EXPECT_NEAR(m.volume_ratio(g), 1, 1e-15);
-  const auto cauchy = m.cauchy(g), e = m.strain(g);
+  EXPECT_NEAR(volume_ratio(g), 1, 1e-15);
+  const auto cauchy = cauchy_stress(m, g), e = m.strain(g);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       EXPECT_NEAR(cauchy(i, j), 0, 1e-15);

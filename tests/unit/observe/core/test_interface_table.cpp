@@ -44,7 +44,8 @@ TEST(WallTraction, IsWhatTheSolidHasToBear) {
   RandomScene s(c);
   const Layout<2>& l = s.layout();
   const std::vector<double> all = s.residual(s.stage()),
-                            solid = s.terms.naive(s.model.solid(), 0, l.solid_elements, false);
+                            solid = s.terms.naive(std::get<Elastodynamics<SaintVenantKirchhoff>>(s.model.solid()), 0,
+                                                  l.solid_elements, false);
   const auto traction = wall_traction(s.model, s.stage());
   const std::vector<double> weight = l.axis[0].integrals(0, l.axis[0].length(), 0, l.axis[0].elements());
   for (int d = 0; d < 2; ++d)

@@ -1,0 +1,60 @@
+// What the materials of the solid share: their two parameters, the strain, and the stress in the deformed state.
+#pragma once
+
+#include "kernels/algebra/tensor.hpp"
+
+namespace softwet {
+
+/// Parameters of an isotropic elastic solid, scale a b^2.
+struct LameParameters {
+  double lambda = 0;         ///< first Lame parameter
+  double shear_modulus = 0;  ///< G
+
+  /// @param young    Young modulus, scale a b^2 (rho_0^s * E_hat)
+  /// @param poisson  nu in (-1, 1/2)
+  static LameParameters from(double young, double poisson) {
+    return {poisson * young / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))};
+  }
+};
+
+/// Green-Lagrange strain E = (F^T F - I)/2 with F = I + Grad u, shape (D, D). 2D: plane strain.
+template <class N, int D>
+KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> green_lagrange_strain(const Matrix<N, D>& grad_u) {
+  Matrix<N, D> e;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) {
+      N quadratic = grad_u(0, i) * grad_u(0, j);
+      for (int k = 1; k < D; ++k) quadratic = quadratic + grad_u(k, i) * grad_u(k, j);
+      e(i, j) = 0.5 * (grad_u(i, j) + grad_u(j, i) + quadratic);
+    }
+  return e;
+}
+
+/// J = det F, deformed over reference volume.
+template <class N, int D>
+KOKKOS_FORCEINLINE_FUNCTION N volume_ratio(const Matrix<N, D>& grad_u) {
+  const Matrix<N, D> f = add_diagonal(grad_u, 1.0);
+  return determinant(f, cofactor(f));
+}
+
+/// lambda tr(E) I + 2 G E, the stress of Hooke's law for a strain E; scale a b^2.
+template <class N, int D>
+KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> linear_stress(const LameParameters& m, const Matrix<N, D>& e) {
+  return add_diagonal((2.0 * m.shear_modulus) * e, m.lambda * trace(e));
+}
+
+/// lambda tr(E)^2/2 + G E : E, its energy; scale a b^2.
+template <class N, int D>
+KOKKOS_FORCEINLINE_FUNCTION N quadratic_energy(const LameParameters& m, const Matrix<N, D>& e) {
+  const N tr = trace(e);
+  return (0.5 * m.lambda) * (tr * tr) + m.shear_modulus * contract(e, e);
+}
+
+/// Cauchy stress P F^T / J. Plane strain has a stress along the third axis too: give Grad u with shape (3, 3).
+template <class Material, class N>
+KOKKOS_FORCEINLINE_FUNCTION Matrix<N, 3> cauchy_stress(const Material& material, const Matrix<N, 3>& grad_u) {
+  const Matrix<N, 3> p = material.first_piola(grad_u);
+  return (1.0 / volume_ratio(grad_u)) * (p + product(p, transpose(grad_u)));
+}
+
+}  // namespace softwet
