@@ -5,22 +5,28 @@
 
 namespace softwet {
 
-/// - (w, rho f) with f the force per unit mass, scale a b/L0.
+/// - (w, rho f) - (grad q, eps f) with f the force per unit mass, scale a b/L0, and eps = (C h^2 / m) rho^2. The second
+/// part makes the stabilisation of `NavierStokesKorteweg` vanish at rest, where grad mu = f.
 /// Tested: tests/unit/fluid/test_gravity.cpp, tests/verification/studies/gravity.py
 struct Gravity {
   static constexpr Where where = Where::fluid;
 
   double force[3] = {0, 0, 0};
+  double stabilisation = 0;  ///< C h^2 / m, as in NavierStokesKorteweg
 
   template <class N, int D>
   using Trial = DensityValueTrial<N, D>;
   template <class N, int D>
-  using Test = VectorTest<N, D>;
+  using Test = ForceTest<N, D>;
 
   template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION VectorTest<N, D> residual(const DensityValueTrial<N, D>& t) const {
-    VectorTest<N, D> r;
-    for (int i = 0; i < D; ++i) r.value[i] = -force[i] * t.density;
+  KOKKOS_FORCEINLINE_FUNCTION ForceTest<N, D> residual(const DensityValueTrial<N, D>& t) const {
+    const N eps = stabilisation * (t.density * t.density);
+    ForceTest<N, D> r;
+    for (int i = 0; i < D; ++i) {
+      r.momentum[i] = -force[i] * t.density;
+      r.mass_flux[i] = -force[i] * eps;
+    }
     return r;
   }
 };

@@ -57,9 +57,8 @@ struct Sheet {
 };
 
 template <int D, class Real>
-void bench_terms(const Sheet& sheet, const Layout<D>& layout,
-                 const Pieces<D, Real>& pieces, const StageOf<Real>& stage, const ArrayOf<Real>& z,
-                 const ArrayOf<Real>& out) {
+void bench_terms(const Sheet& sheet, const Layout<D>& layout, const Pieces<D, Real>& pieces, const StageOf<Real>& stage,
+                 const ArrayOf<Real>& z, const ArrayOf<Real>& out) {
   const Evaluation<D, Real> plain{layout, stage, {}, out}, tangent{layout, stage, z, out};
   for (const auto& entry : pieces.list) {
     const Piece<D, Real>& piece = *entry.piece;

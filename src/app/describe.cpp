@@ -155,10 +155,11 @@ void describe_model(const Case& c, std::ostream& out) {
   if (c.time.scheme != implicit_scheme && p.times == 1)
     print_section(out, "explicit steps, measured at the first state (time.mass = \"" + c.time.mass + "\")",
                   measured_limits(c, model));
-  print_section(out, "kernel",
-                {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", " + name_of(model.precision())},
-                 {"backend",
-                  backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
+  print_section(
+      out, "kernel",
+      {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", " + name_of(model.precision())},
+       {"backend",
+        backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
 }
 
 template void describe_model<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);

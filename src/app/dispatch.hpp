@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "case/case.hpp"
 #include "app/physical.hpp"
+#include "case/case.hpp"
 
 namespace softwet {
 

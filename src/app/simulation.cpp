@@ -3,12 +3,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "case/error.hpp"
 #include "app/host/field_times.hpp"
 #include "app/host/memory.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory_parts.hpp"
 #include "app/remedy.hpp"
+#include "case/error.hpp"
 #include "model/initial.hpp"
 #include "observe/interface_table.hpp"
 #include "observe/output_fields.hpp"

@@ -10,7 +10,7 @@ template <int D, int P>
 template <class Motion>
 void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) const {
   using Volume = ReduceTask<D, FluidIntegrals, Motion>;
-  Volume volume{fluid_region_, {fluid_}, {}, {}, {}};
+  Volume volume{fluid_region_, {fluid_, gravity_}, {}, {}, {}};
   bind_fields(at, blend_, volume);
   const auto sum = reduce<P>(volume);
   result.mass = sum[FluidIntegrals::mass];

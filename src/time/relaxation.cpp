@@ -100,7 +100,8 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
       ++done.rejected;
       scheme.refuse();
       dt *= 0.25;
-      if (dt < c.time.dt_min) give_up(std::string(tried.refusal.text()) + ", even with the smallest step (time.dt_min)");
+      if (dt < c.time.dt_min)
+        give_up(std::string(tried.refusal.text()) + ", even with the smallest step (time.dt_min)");
       continue;
     }
     scheme.accept(state);

@@ -22,7 +22,8 @@ struct Relaxation {
 /// Throws Error (computation_failed) where this does not happen, with the reason, and when interrupted.
 /// Source: Kelley and Keyes 1998.   Tested: tests/unit/time/test_relaxation.cpp
 template <int D, int P>
-Relaxation relax(const Model<D, P>&, const Case&, State&, double time,
-                 const std::function<bool()>& interrupted = [] { return false; });
+Relaxation relax(
+    const Model<D, P>&, const Case&, State&, double time,
+    const std::function<bool()>& interrupted = [] { return false; });
 
 }  // namespace softwet

@@ -52,9 +52,8 @@ StepReport Stepper<D, P>::step() {
       counts_.last_rejection = tried.refusal;
       scheme_->refuse();
       if (control_.reject(dt)) continue;
-      throw Error(Exit::computation_failed,
-                  std::string("the computation stopped: ") + tried.refusal.text() +
-                      ", even with the smallest step (time.dt_min)");
+      throw Error(Exit::computation_failed, std::string("the computation stopped: ") + tried.refusal.text() +
+                                                ", even with the smallest step (time.dt_min)");
     }
     if (tried.indicator > control_.rejection_level() && control_.reject(dt)) {
       ++counts_.rejected_error;

@@ -1,8 +1,8 @@
 // Checks that need more than one key: shapes, and how solid, fluid, droplets, loads and sides fit together.
 #pragma once
 
-#include "case/case.hpp"
 #include "app/host/document.hpp"
+#include "case/case.hpp"
 
 namespace softwet {
 

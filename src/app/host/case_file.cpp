@@ -11,10 +11,10 @@
 #include <sstream>
 #include <utility>
 
-#include "case/error.hpp"
 #include "app/host/case_checks.hpp"
 #include "app/host/document.hpp"
 #include "app/host/quality.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

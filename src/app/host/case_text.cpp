@@ -4,12 +4,12 @@
 #include <functional>
 #include <sstream>
 
-#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/column_text.hpp"
 #include "app/host/document.hpp"
 #include "app/host/quality.hpp"
 #include "app/host/suggestion.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

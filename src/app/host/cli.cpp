@@ -12,9 +12,7 @@
 #include <softwet_version.hpp>
 #include <sstream>
 
-#include "case/case.hpp"
 #include "app/dispatch.hpp"
-#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/column_text.hpp"
 #include "app/host/completion.hpp"
@@ -24,6 +22,8 @@
 #include "app/host/output_folder.hpp"
 #include "app/host/tool_commands.hpp"
 #include "app/host/units_command.hpp"
+#include "case/case.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

@@ -7,11 +7,11 @@
 #include <cctype>
 #include <cmath>
 
-#include "case/error.hpp"
 #include "app/host/nearest.hpp"
 #include "app/host/suggestion.hpp"
 #include "app/host/syntax_hint.hpp"
 #include "app/host/toml_value.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <vector>
 
-#include "case/error.hpp"
 #include "app/host/case_file.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

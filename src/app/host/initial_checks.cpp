@@ -1,8 +1,8 @@
 // Cross checks of what is there at the start: droplets, films, waves.
 #include <cmath>
 
-#include "case/cap.hpp"
 #include "app/host/checker.hpp"
+#include "case/cap.hpp"
 
 namespace softwet {
 namespace {

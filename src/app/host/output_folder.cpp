@@ -16,8 +16,8 @@
 #include <sstream>
 #include <thread>
 
-#include "case/error.hpp"
 #include "app/host/case_file.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "case/error.hpp"
 #include "app/host/value.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "case/error.hpp"
 #include "app/host/fingerprint.hpp"
+#include "case/error.hpp"
 #include "observe/host/checkpoint_file.hpp"
 
 namespace softwet {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "case/case.hpp"
 #include "app/host/value.hpp"
+#include "case/case.hpp"
 
 namespace softwet {
 

@@ -57,8 +57,10 @@ std::vector<Key> time_keys() {
        .help =
            "Time scheme. generalized_alpha is implicit and takes steps of any size; it is the one for slow motion. The "
            "others are explicit: their steps are limited by sound, capillarity, elasticity and, for ssp_rk3, by the "
-           "viscosity of the vapour. ssp_rk3 is of third order with three stages. imex is of third order with four, and "
-           "treats viscosity implicitly. rkl2 is of second order; it treats viscosity explicitly in half steps of their "
+           "viscosity of the vapour. ssp_rk3 is of third order with three stages. imex is of third order with four, "
+           "and "
+           "treats viscosity implicitly. rkl2 is of second order; it treats viscosity explicitly in half steps of "
+           "their "
            "own, with as many stages as these need to be stable.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.scheme; })},
       {.name = "time.mass",
@@ -70,9 +72,9 @@ std::vector<Key> time_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.mass; })},
       {.name = "time.safety",
        .range = {0, 10, true, false},
-       .help =
-           "Largest step of the explicit schemes, as a part of the largest stable step that is measured during the run. "
-           "Above 1 the computation becomes unstable; such values are for experiments.",
+       .help = "Largest step of the explicit schemes, as a part of the largest stable step that is measured during the "
+               "run. "
+               "Above 1 the computation becomes unstable; such values are for experiments.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.safety; })},
       {.name = "time.start",
        .kind = Kind::choice,
@@ -180,7 +182,8 @@ std::vector<Key> solver_keys() {
        .choices = {"automatic", "double", "mixed", "single"},
        .help =
            "Precision of the numbers in the computation with generalized_alpha. automatic: mixed, except for explicit "
-           "schemes, for solver.krylov.jacobian = \"difference\" and for solver.krylov.rtol below 1e-5. mixed: the linear solves of Newton's "
+           "schemes, for solver.krylov.jacobian = \"difference\" and for solver.krylov.rtol below 1e-5. mixed: the "
+           "linear solves of Newton's "
            "method, with their products of the Jacobian and their vectors, are in single precision. The results have "
            "the accuracy of double. single: the residuals are in single precision too, which limits how far Newton's "
            "method gets. States, integrals and the mass are always in double precision, and preconditioners "

@@ -5,9 +5,9 @@
 #include <ostream>
 #include <sstream>
 
-#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/problems.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

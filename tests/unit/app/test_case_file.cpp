@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/document.hpp"
 #include "app/host/field_times.hpp"
 #include "app/host/nearest.hpp"
 #include "app/host/quality.hpp"
 #include "app/host/schema.hpp"
+#include "case/error.hpp"
 
 namespace softwet {
 namespace {

@@ -1,10 +1,10 @@
 // What `softwet explain` tells of the columns of the tables.
 #include <gtest/gtest.h>
 
-#include "case/error.hpp"
 #include "app/host/case_file.hpp"
 #include "app/host/column_text.hpp"
 #include "app/host/schema.hpp"
+#include "case/error.hpp"
 #include "observe/host/columns.hpp"
 
 namespace softwet {

@@ -14,7 +14,8 @@ namespace softwet {
 namespace {
 
 Case pull(const std::string& elements) {
-  return parse_case(initial_case("tensotaxis_pull_2d"), "case.toml", {"domain.elements=" + elements, "solver.precision=double"});
+  return parse_case(initial_case("tensotaxis_pull_2d"), "case.toml",
+                    {"domain.elements=" + elements, "solver.precision=double"});
 }
 
 TEST(Memory, LeastGrowsWithTheMeshAndTheKrylovBasis) {

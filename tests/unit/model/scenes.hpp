@@ -38,20 +38,36 @@ inline Case scene(Scene kind, WallLaw law = WallLaw::gradient, bool periodic = f
   return c;
 }
 
-/// A model with a random stage whose velocity and acceleration respect the sides.
-struct RandomScene {
-  Case data;
-  Model<2, 2> model;
-  TermCases<2> terms;
+/// The same in space: as deep as three elements.
+inline Case scene_in_space(Scene kind, WallLaw law = WallLaw::gradient) {
+  Case c = scene(kind, law);
+  c.domain.size.insert(c.domain.size.begin() + 1, 0.5);
+  c.domain.elements = {5, 3, 6};
+  for (Load& load : c.loads) {
+    load.lower.insert(load.lower.begin() + 1, 0.0);
+    load.upper.insert(load.upper.begin() + 1, 0.5);
+    load.force.insert(load.force.begin() + 1, 0.0);
+  }
+  c.boundary.side[2] = c.boundary.side[1];
+  c.boundary.side[1] = {Side::slip, Side::slip};
+  return c;
+}
 
-  explicit RandomScene(const Case& c)
-      : data(c), model(c), terms(Patch<2>(model.layout(), Blend{model.wall_height(), 0.8 - model.wall_height()})) {
+/// A model with a random stage whose velocity and acceleration respect the sides.
+template <int D>
+struct RandomSceneIn {
+  Case data;
+  Model<D, 2> model;
+  TermCases<D> terms;
+
+  explicit RandomSceneIn(const Case& c)
+      : data(c), model(c), terms(Patch<D>(model.layout(), Blend{model.wall_height(), 0.8 - model.wall_height()})) {
     hold(stage().unknown);
     hold(stage().acceleration);
     stage().time = 3.0;  // half of the load's ramp
   }
   Stage& stage() { return terms.patch.stage; }
-  const Layout<2>& layout() const { return model.layout(); }
+  const Layout<D>& layout() const { return model.layout(); }
 
   /// Zero where a velocity is prescribed.
   void hold(const Array& a) {
@@ -97,6 +113,8 @@ struct RandomScene {
     return r;
   }
 };
+
+using RandomScene = RandomSceneIn<2>;
 
 inline double contract(const std::vector<double>& a, const std::vector<double>& b, int first, int last) {
   double sum = 0;

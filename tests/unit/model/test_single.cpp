@@ -70,4 +70,3 @@ TEST(SinglePrecision, TheListOfTermsIsTheSame) {
 
 }  // namespace
 }  // namespace softwet::testing_tools
-

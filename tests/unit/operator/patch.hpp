@@ -176,7 +176,7 @@ struct Terms {
   GradientWall gradient_wall{0.4, 0.6, 1e-2};
   EnergyWall energy_wall{0.4, 0.6, 1e-2, gas, state};
   CapillaryTraction traction{gas, 0.4};
-  Gravity gravity{{0.3, -0.7, 0.4}};
+  Gravity gravity{{0.3, -0.7, 0.4}, 0.2};
   Elastodynamics<SaintVenantKirchhoff> solid{{{0.8, 0.5}}, 1.3};
   Elastodynamics<Hooke> hooke{{{0.8, 0.5}}, 1.3};
   Elastodynamics<NeoHookean> neo_hookean{{{0.8, 0.5}}, 1.3};

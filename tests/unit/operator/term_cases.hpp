@@ -77,7 +77,7 @@ struct TermCases {
   static std::vector<int> equations(const GradientWall&) { return {D + 1}; }
   static std::vector<int> equations(const EnergyWall&) { return {D + 1}; }
   static std::vector<int> equations(const CapillaryTraction&) { return from(0, D); }
-  static std::vector<int> equations(const Gravity&) { return from(0, D); }
+  static std::vector<int> equations(const Gravity&) { return from(0, D + 1); }
   template <class Material>
   static std::vector<int> equations(const Elastodynamics<Material>&) {
     return from(0, D);

@@ -61,7 +61,6 @@ void expect_second_order(Scene kind) {
   std::printf("  errors with 24 and 48 steps: %.2e %.2e\n", a, b);
   EXPECT_NEAR(std::log2(a / b), 2, 0.2);
 }
-#ifdef SOFTWET_HAVE_UMFPACK
 TEST(Stepper, SecondOrderForAVibratingSolid) { expect_second_order(Scene::solid); }
 TEST(Stepper, SecondOrderForFluidOnSolid) { expect_second_order(Scene::coupled); }
 
@@ -96,7 +95,7 @@ void check_mass(Scene kind, double drift) {
   EXPECT_NEAR(mass() / mass_before, 1, drift);
 }
 TEST(Stepper, MassOnAFixedMesh) { check_mass(Scene::rigid, 1e-13); }
-TEST(Stepper, MassOnAMovingMesh) { check_mass(Scene::coupled, 1e-8); }
+TEST(Stepper, MassOnAMovingMesh) { check_mass(Scene::coupled, 1e-12); }
 
 TEST(Stepper, RestoredRunTakesTheSameSteps) {
   const Case c = droplet(Scene::rigid);
@@ -157,7 +156,6 @@ TEST(Stepper, UndershootOfTheDensityIsAllowedAsFarAsTheCaseSays) {
   EXPECT_EQ(step_from_undershoot(0.03), "");
   EXPECT_NE(step_from_undershoot(0.01).find("solver.newton.undershoot"), std::string::npos);
 }
-#endif
 
 }  // namespace
 }  // namespace softwet::testing_tools

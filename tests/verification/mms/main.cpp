@@ -6,8 +6,8 @@
 #include <cstring>
 #include <map>
 
-#include "case/error.hpp"
 #include "app/machine.hpp"
+#include "case/error.hpp"
 #include "problem.hpp"
 #include "solver/choose.hpp"
 
