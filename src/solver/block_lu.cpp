@@ -1,205 +1,254 @@
 #include "solver/block_lu.hpp"
 
-#define EIGEN_DONT_PARALLELIZE  // levels of the tree are parallel, fronts are not
-#include <Eigen/Dense>
+#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <new>
+
+#include "solver/equilibration.hpp"
+#include "solver/front.hpp"
+#include "solver/work_split.hpp"
 
 namespace softwet {
 
 namespace {
 
-using Dense = Eigen::MatrixXf;
-using Column = Eigen::VectorXf;
+using Host = Kokkos::DefaultHostExecutionSpace;
+template <class Number>
+using Buffer = Kokkos::View<Number*, Kokkos::HostSpace>;
 
-/// Factors of one node: own block P L U, and the two blocks that couple it to its border.
-struct Front {
-  Eigen::PartialPivLU<Dense> own;
-  Dense upper;       ///< L^-1 P F12, shape (own, border)
-  Dense lower;       ///< F21 U^-1, shape (border, own)
-  Dense complement;  ///< F22 - F21 F11^-1 F12, until the parent has taken it
-  Column part;       ///< right-hand side of own and border during a solve
-};
-
-/// Throws std::bad_alloc after the loop where a body did: no exception may leave a parallel region.
-template <class Body>
-void for_level(const std::vector<int>& level, const Body& body) {
-  using Host = Kokkos::DefaultHostExecutionSpace;
-  std::atomic<bool> out_of_memory = false;
-  Kokkos::parallel_for("softwet::fronts",
-                       Kokkos::RangePolicy<Host, Kokkos::Schedule<Kokkos::Dynamic>>(0, level.size()).set_chunk_size(1),
-                       [&](int i) {
-                         try {
-                           body(level[i]);
-                         } catch (const std::bad_alloc&) {
-                           out_of_memory = true;
-                         }
-                       });
-  if (out_of_memory) throw std::bad_alloc();
+template <class Number>
+Buffer<Number> buffer(const char* label, std::size_t size) {
+  return Buffer<Number>(Kokkos::view_alloc(std::string(label), Kokkos::WithoutInitializing), size);
 }
 
-template <int D>
+/// Runs body(slot, item) for all items. One thread works on a slot at a time, so that slots can have memory of their own.
+template <class Body>
+void for_items(int slots, int items, const Body& body) {
+  std::atomic<int> next = 0;
+  const auto work = [&](int slot) {
+    for (int item = next++; item < items; item = next++) body(slot, item);
+  };
+  Kokkos::parallel_for(
+      "softwet::fronts",
+      Kokkos::RangePolicy<Host, Kokkos::Schedule<Kokkos::Dynamic>>(0, std::min(slots, items)).set_chunk_size(1), work);
+}
+
+template <int D, class Number>
 class BlockLu final : public StencilSolver<D> {
  public:
   BlockLu(const Layout<D>& layout, const ConstArray& mask)
-      : table_(layout, to_host(mask)),
-        tree_(dissect(layout, table_, D == 2 ? 40 : 64)),
+      : stencil_(layout),
+        table_(layout, to_host(mask)),
+        tree_(dissect(layout, table_, D == 2 ? 10 : 64)),
+        equilibrator_(layout, table_),
+        scale_{std::vector<float>(layout.size()), std::vector<float>(layout.size())},
         fronts_(tree_.nodes.size()),
-        row_scale_(layout.size()),
-        column_scale_(layout.size()),
-        values_(layout.size()) {
-    const std::size_t enough = 4 * Kokkos::DefaultHostExecutionSpace().concurrency();
-    int depth = 0;
-    while (depth + 1 < static_cast<int>(tree_.levels.size()) && tree_.levels[depth].size() < enough) ++depth;
-    for (int n = 0; n < static_cast<int>(tree_.nodes.size()); ++n)
-      if (tree_.nodes[n].depth <= depth) (tree_.nodes[n].depth == depth ? subtrees_ : top_).push_back(n);
+        below_(tree_.nodes.size()) {
+    for (std::size_t n = 0; n < fronts_.size(); ++n) {
+      const DissectionNode& node = tree_.nodes[n];
+      fronts_[n].set_size(static_cast<int>(node.own.size()), static_cast<int>(node.border.size()));
+      largest_ = std::max(largest_, fronts_[n].size());
+      for (int child : node.children) {
+        fronts_[child].runs = find_runs(tree_.nodes[child].border_in_parent, fronts_[n].own());
+        below_[n].push_back(&fronts_[child]);
+      }
+    }
+    for (int i = 0; i < layout.size(); ++i)
+      if (table_.component(i) < 0) held_.push_back(i);
+    split_ = split_work(tree_, Host().concurrency());
+    slots_ = std::min<int>(Host().concurrency(), split_.subtrees.size());
   }
 
   void build(const StencilMatrix<D>& matrix) override {
-    entries_ = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), matrix.values());
-    equilibrate();
-    for (auto level = tree_.levels.rbegin(); level != tree_.levels.rend(); ++level)
-      for_level(*level, [&](int n) { factorise(n); });
+    if (factors_.extent(0) == 0) allocate();
+    if constexpr (on_host) {
+      entries_ = matrix.values();
+    } else {
+      if (copy_.extent(0) == 0) copy_ = buffer<float>("lu.entries", matrix.values().extent(0));
+      Kokkos::deep_copy(copy_, matrix.values());
+      entries_ = copy_;
+    }
+    equilibrator_.compute(entries_, scale_);
+    for_items(slots_, split_.subtrees.size(), [&](int slot, int item) {
+      const int n = split_.subtrees[item];
+      eliminate_subtree(n, fronts_memory_.data() + slot * subtree_size_, scratch(slot));
+      fronts_[n].keep_complement(fronts_memory_.data() + slot * subtree_size_);
+    });
+    for (auto level = split_.top.rbegin(); level != split_.top.rend(); ++level)
+      for_items(slots_, level->size(), [&](int slot, int item) {
+        float* memory = fronts_memory_.data();
+        for (int i = 0; i < item; ++i) memory += top_size(fronts_[(*level)[i]]);
+        eliminate_top((*level)[item], memory, scratch(slot));
+      });
     entries_ = {};
   }
 
   void apply(const ConstArray& r, const Array& z) override {
-    Kokkos::View<double*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(values_.data(),
-                                                                                           values_.size());
-    Kokkos::deep_copy(host, r);
-    // Whole subtrees in parallel, the few nodes above them one after another: two launches in all.
-    for_level(subtrees_, [&](int root) {
-      for (int n = tree_.nodes[root].first; n <= root; ++n) forward(n);
+    Kokkos::deep_copy(right_, r);
+    for_items(slots_, split_.subtrees.size(), [&](int slot, int item) {
+      const int root = split_.subtrees[item];
+      for (int n = tree_.nodes[root].first; n <= root; ++n) forward(n, scratch(slot));
     });
-    for (int n : top_) forward(n);
-    for (auto n = top_.rbegin(); n != top_.rend(); ++n) backward(*n);
-    for_level(subtrees_, [&](int root) {
-      for (int n = root; n >= tree_.nodes[root].first; --n) backward(n);
+    for (auto level = split_.top.rbegin(); level != split_.top.rend(); ++level)
+      for (int n : *level) forward(n, scratch(0));
+    for (const std::vector<int>& level : split_.top)
+      for (int n : level) backward(n, scratch(0));
+    for_items(slots_, split_.subtrees.size(), [&](int slot, int item) {
+      const int root = split_.subtrees[item];
+      for (int n = root; n >= tree_.nodes[root].first; --n) backward(n, scratch(slot));
     });
-    Kokkos::deep_copy(z, host);
+    for (int i : held_) solution_[i] = right_[i];
+    Kokkos::deep_copy(z, solution_);
   }
 
   std::string name() const override { return "lu"; }
-
   double build_cost() const override { return D == 2 ? 25 : 60; }  // chosen by the time of whole runs
   double bytes() const override {
-    double places = 0;
-    for (const DissectionNode& node : tree_.nodes) places += node.entries.size();
-    return 4 * (factor_entries(tree_) + transient_entries()) + sizeof(DissectionNode::Entry) * places;
+    double total = 0;
+    for (const DissectionNode& node : tree_.nodes) total += sizeof(DissectionNode::PointPair) * node.pairs.size();
+    const Sizes sizes = count();
+    return total + sizes.factors + 4.0 * (sizes.vectors + sizes.complements + sizes.fronts + slots_ * scratch_size());
   }
 
  private:
-  /// Most entries beside the factors during a build: what the level below leaves, what this one leaves, and the fronts
-  /// that threads work on, each with a copy.
-  double transient_entries() const {
-    std::vector<double> left(tree_.levels.size() + 1, 0.0), widest(tree_.levels.size(), 0.0);
-    for (const DissectionNode& node : tree_.nodes) {
-      const double own = node.own.size(), border = node.border.size();
-      left[node.depth] += border * border;
-      widest[node.depth] = std::max(widest[node.depth], (own + border) * (own + border));
+  /// Bytes of the factors, and numbers in other buffers.
+  struct Sizes {
+    std::size_t factors = 0, vectors = 0, complements = 0, fronts = 0, subtree = 0;
+  };
+
+  static int padded(int size) { return PackedBlock<Number>::padded(size); }
+  static std::size_t top_size(const Front<Number>& front) { return front.front_size() + front.beside_size(); }
+
+  /// Numbers that the elimination of a subtree needs: the fronts on the way down, and what is beside the last one.
+  std::size_t subtree_size(int n) const {
+    std::size_t below = fronts_[n].beside_size();
+    for (int child : tree_.nodes[n].children) below = std::max(below, subtree_size(child));
+    return fronts_[n].front_size() + below;
+  }
+  std::size_t scratch_size() const { return std::max<std::size_t>(inversion_scratch(largest_), 2 * padded(largest_)); }
+  Sizes count() const {
+    Sizes s;
+    for (const Front<Number>& front : fronts_) {
+      s.factors += front.factor_bytes();
+      s.vectors += front.vector_size();
     }
-    double most = 0;
-    for (std::size_t d = 0; d < tree_.levels.size(); ++d) {
-      const double threads =
-          std::min<double>(tree_.levels[d].size(), Kokkos::DefaultHostExecutionSpace().concurrency());
-      most = std::max(most, left[d + 1] + left[d] + 2 * threads * widest[d]);
+    for (int n : split_.subtrees) {
+      s.subtree = std::max(s.subtree, subtree_size(n));
+      s.complements += fronts_[n].complement_size();
     }
-    return most;
+    s.fronts = s.subtree * slots_;
+    for (const std::vector<int>& level : split_.top) {
+      std::size_t together = 0;
+      for (int n : level) {
+        together += top_size(fronts_[n]);
+        s.complements += fronts_[n].complement_size();
+      }
+      s.fronts = std::max(s.fronts, together);
+    }
+    return s;
   }
 
-  /// Row and column factors that bring the largest entry of each to one.
-  void equilibrate() {
-    std::vector<double> largest(row_scale_.size(), 0.0);
-    const auto visit = [&](const auto& body) {
-      for (const DissectionNode& node : tree_.nodes)
-        for (const DissectionNode::Entry& e : node.entries)
-          body(unknown(node, e.row), unknown(node, e.column), std::abs(entries_(e.value)));
+  void allocate() {
+    const Sizes sizes = count();
+    subtree_size_ = sizes.subtree;
+    fronts_memory_ = buffer<float>("lu.fronts", sizes.fronts);
+    scratch_ = buffer<float>("lu.scratch", slots_ * scratch_size());
+    complements_ = buffer<float>("lu.complements", sizes.complements);
+    vectors_ = buffer<float>("lu.vectors", sizes.vectors);
+    right_ = buffer<double>("lu.right", scale_.row.size());
+    solution_ = buffer<double>("lu.solution", scale_.row.size());
+    scaled_.resize(scale_.row.size());
+    factors_ = buffer<std::byte>("lu.factors", sizes.factors);
+    std::byte* factors = factors_.data();
+    float *vectors = vectors_.data(), *complements = complements_.data();
+    for (Front<Number>& front : fronts_) front.place(vectors, factors);
+    for (int n : split_.subtrees) fronts_[n].place_complement(complements);
+    for (const std::vector<int>& level : split_.top)
+      for (int n : level) fronts_[n].place_complement(complements);
+  }
+
+  float* scratch(int slot) const { return scratch_.data() + slot * scratch_size(); }
+
+  /// Leaves the complement in the front at the begin of the memory.
+  void eliminate_subtree(int n, float* memory, float* scratch) {
+    const Matrix front = fronts_[n].view(memory);
+    float* below = memory + fronts_[n].front_size();
+    assemble(n, front);
+    for (int child : tree_.nodes[n].children) {
+      eliminate_subtree(child, below, scratch);
+      fronts_[child].add_complement(fronts_[child].complement_in(below), front);
+    }
+    fronts_[n].eliminate(front, below, scratch);
+  }
+  void eliminate_top(int n, float* memory, float* scratch) {
+    const Matrix front = fronts_[n].view(memory);
+    assemble(n, front);
+    for (const Front<Number>* child : below_[n]) child->add_complement(child->kept_complement(), front);
+    fronts_[n].eliminate(front, memory + fronts_[n].front_size(), scratch);
+    fronts_[n].keep_complement(memory);
+  }
+
+  /// The matrix entries of a node, scaled.
+  void assemble(int n, const Matrix& front) const {
+    const DissectionNode& node = tree_.nodes[n];
+    std::fill(front.data, front.data + std::ptrdiff_t(front.stride) * front.columns, 0.0f);
+    const auto unknown = [&](int local) {
+      const int own = static_cast<int>(node.own.size());
+      return local < own ? node.own[local] : node.border[local - own];
     };
-    visit([&](int row, int, double size) { largest[row] = std::max(largest[row], size); });
-    for (std::size_t i = 0; i < largest.size(); ++i) row_scale_[i] = largest[i] > 0 ? 1 / largest[i] : 1;
-    std::fill(largest.begin(), largest.end(), 0.0);
-    visit(
-        [&](int row, int column, double size) { largest[column] = std::max(largest[column], size * row_scale_[row]); });
-    for (std::size_t i = 0; i < largest.size(); ++i) column_scale_[i] = largest[i] > 0 ? 1 / largest[i] : 1;
-  }
-
-  static int unknown(const DissectionNode& node, int local) {
-    const int own = static_cast<int>(node.own.size());
-    return local < own ? node.own[local] : node.border[local - own];
-  }
-
-  void factorise(int n) {
-    const DissectionNode& node = tree_.nodes[n];
-    Front& front = fronts_[n];
-    const int own = static_cast<int>(node.own.size()), border = static_cast<int>(node.border.size());
-    Dense f = Dense::Zero(own + border, own + border);
-    for (const DissectionNode::Entry& e : node.entries)  // += : around a short periodic axis offsets coincide
-      f(e.row, e.column) += static_cast<float>(entries_(e.value) * row_scale_[unknown(node, e.row)] *
-                                               column_scale_[unknown(node, e.column)]);
-    for (int child : node.children) {
-      const std::vector<int>& to = tree_.nodes[child].border_in_parent;
-      Dense& s = fronts_[child].complement;
-      for (std::size_t j = 0; j < to.size(); ++j)
-        for (std::size_t i = 0; i < to.size(); ++i) f(to[i], to[j]) += s(i, j);
-      s.resize(0, 0);
+    const int fields = stencil_.components;
+    const std::int64_t block = std::int64_t(stencil_.offsets) * stencil_.points;
+    for (const DissectionNode::PointPair& pair : node.pairs) {
+      const float* entries = entries_.data() + pair.place;
+      int column = pair.column;
+      for (int u = 0; u < fields; ++u) {
+        if (!(pair.column_fields >> u & 1)) continue;
+        const float column_scale = scale_.column[unknown(column)];
+        int row = pair.row;
+        for (int a = 0; a < fields; ++a) {
+          if (!(pair.row_fields >> a & 1)) continue;
+          // += : around a short periodic axis offsets coincide
+          front.column(column)[row] += entries[(a * fields + u) * block] * scale_.row[unknown(row)] * column_scale;
+          ++row;
+        }
+        ++column;
+      }
     }
-    front.part.resize(own + border);
-    if (own == 0) {
-      front.complement = std::move(f);
-      return;
+  }
+
+  void forward(int n, float* scratch) {
+    const std::vector<int>& own = tree_.nodes[n].own;
+    for (std::size_t i = 0; i < own.size(); ++i) scratch[i] = static_cast<float>(right_[own[i]] * scale_.row[own[i]]);
+    fronts_[n].forward(scratch, below_[n], scratch + padded(largest_));
+  }
+
+  void backward(int n, float* scratch) {
+    const std::vector<int>&own = tree_.nodes[n].own, &border = tree_.nodes[n].border;
+    for (std::size_t i = 0; i < border.size(); ++i) scratch[i] = scaled_[border[i]];
+    fronts_[n].backward(scratch, scratch + padded(largest_));
+    const float* solution = fronts_[n].solution();
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      scaled_[own[i]] = solution[i];
+      solution_[own[i]] = double(solution[i]) * scale_.column[own[i]];
     }
-    front.own.compute(f.topLeftCorner(own, own));
-    const auto& lu = front.own.matrixLU();
-    front.upper = front.own.permutationP() * f.topRightCorner(own, border);
-    front.lower = f.bottomLeftCorner(border, own);
-    if (border == 0) return;  // the root; Eigen would refer to an entry of an empty matrix
-    lu.template triangularView<Eigen::UnitLower>().solveInPlace(front.upper);
-    lu.template triangularView<Eigen::Upper>().template solveInPlace<Eigen::OnTheRight>(front.lower);
-    front.complement = f.bottomRightCorner(border, border);
-    front.complement.noalias() -= front.lower * front.upper;
   }
 
-  void forward(int n) {
-    const DissectionNode& node = tree_.nodes[n];
-    Front& front = fronts_[n];
-    const int own = static_cast<int>(node.own.size()), border = static_cast<int>(node.border.size());
-    Column& part = front.part;
-    part.setZero();
-    for (int i = 0; i < own; ++i) part[i] = static_cast<float>(values_[node.own[i]] * row_scale_[node.own[i]]);
-    for (int child : node.children) {
-      const std::vector<int>& to = tree_.nodes[child].border_in_parent;
-      const Front& below = fronts_[child];
-      const int skip = static_cast<int>(tree_.nodes[child].own.size());
-      for (std::size_t i = 0; i < to.size(); ++i) part[to[i]] += below.part[skip + i];
-    }
-    if (own == 0) return;
-    part.head(own) = front.own.permutationP() * part.head(own).eval();
-    auto head = part.head(own);
-    front.own.matrixLU().template triangularView<Eigen::UnitLower>().solveInPlace(head);
-    part.tail(border).noalias() -= front.lower * head;
-  }
-
-  void backward(int n) {
-    const DissectionNode& node = tree_.nodes[n];
-    Front& front = fronts_[n];
-    const int own = static_cast<int>(node.own.size()), border = static_cast<int>(node.border.size());
-    if (own == 0) return;
-    auto head = front.part.head(own);
-    auto tail = front.part.tail(border);
-    for (int i = 0; i < border; ++i)
-      tail[i] = static_cast<float>(values_[node.border[i]] / column_scale_[node.border[i]]);
-    head.noalias() -= front.upper * tail;
-    front.own.matrixLU().template triangularView<Eigen::Upper>().solveInPlace(head);
-    for (int i = 0; i < own; ++i) values_[node.own[i]] = head[i] * column_scale_[node.own[i]];
-  }
-
+  Stencil<D> stencil_;
   UnknownTable<D> table_;
-  Kokkos::View<const float*, Kokkos::HostSpace> entries_;  ///< of the matrix, during a build
   Dissection tree_;
-  std::vector<Front> fronts_;
-  std::vector<int> subtrees_, top_;  ///< roots of subtrees that are solved in parallel, and the nodes above them
-  std::vector<double> row_scale_, column_scale_, values_;
+  Equilibrator<D> equilibrator_;
+  Equilibration scale_;
+  std::vector<Front<Number>> fronts_;
+  std::vector<std::vector<const Front<Number>*>> below_;  ///< children
+  std::vector<int> held_;                                 ///< prescribed values and ghosts
+  WorkSplit split_;
+  int slots_ = 1, largest_ = 0;
+  std::size_t subtree_size_ = 0;
+  Buffer<const float> entries_;  ///< of the matrix, during a build
+  Buffer<float> copy_;           ///< of them, where they are in other memory
+  Buffer<float> fronts_memory_, scratch_, complements_, vectors_;
+  Buffer<std::byte> factors_;
+  Buffer<double> right_, solution_;
+  std::vector<float> scaled_;  ///< the solution of the scaled matrix
 };
 
 }  // namespace
@@ -214,11 +263,13 @@ double factor_entries(const Dissection& tree) {
 }
 
 template <int D>
-std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask) {
-  return std::make_unique<BlockLu<D>>(layout, mask);
+std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask,
+                                                FactorPrecision precision) {
+  if (precision == FactorPrecision::single) return std::make_unique<BlockLu<D, float>>(layout, mask);
+  return std::make_unique<BlockLu<D, FactorNumber>>(layout, mask);
 }
 
-template std::unique_ptr<StencilSolver<2>> make_block_lu<2>(const Layout<2>&, const ConstArray&);
-template std::unique_ptr<StencilSolver<3>> make_block_lu<3>(const Layout<3>&, const ConstArray&);
+template std::unique_ptr<StencilSolver<2>> make_block_lu<2>(const Layout<2>&, const ConstArray&, FactorPrecision);
+template std::unique_ptr<StencilSolver<3>> make_block_lu<3>(const Layout<3>&, const ConstArray&, FactorPrecision);
 
 }  // namespace softwet

@@ -1,4 +1,4 @@
-// Lagged LU factors of the Jacobian with frozen geometry by nested dissection, in single precision, on the host.
+// Lagged LU factors of the Jacobian with frozen geometry by nested dissection, in half or single precision, on the host.
 #pragma once
 
 #include "solver/dissection.hpp"
@@ -6,12 +6,16 @@
 
 namespace softwet {
 
+/// half: where the processor converts it, otherwise single.
+enum class FactorPrecision { half, single };
+
 /// A multifrontal factorisation (Duff and Reid 1983) that knows the tensor structure: dense fronts from a geometric
-/// dissection, single precision with rows and columns scaled to one, pivoting inside each front, fronts of one level in
-/// parallel. The arithmetic does not depend on the number of threads. A preconditioner, not a solver: GMRES mends what
-/// single precision leaves.
+/// dissection, rows and columns scaled to one, pivoting inside each front, subtrees in parallel. It computes in single
+/// precision and stores the factors in `precision`, because applying them takes as long as reading them. The arithmetic
+/// does not depend on the number of threads. A preconditioner, not a solver: GMRES mends what rounding leaves.
 template <int D>
-std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask);
+std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask,
+                                                FactorPrecision precision = FactorPrecision::half);
 
 /// Numbers in the LU factors of a matrix that is eliminated along this tree.
 double factor_entries(const Dissection&);

@@ -116,6 +116,41 @@ void find_border(Dissection& tree, int index, const std::vector<int>& position, 
   border.erase(std::unique(border.begin(), border.end()), border.end());
 }
 
+/// Blocks of the matrix that a node takes. `local` has the local numbers of its unknowns, -1 for others.
+template <int D>
+void find_pairs(DissectionNode& node, const std::vector<int>& local, const Stencil<D>& stencil,
+                const UnknownTable<D>& table) {
+  const int own = static_cast<int>(node.own.size());
+  /// Local number of the first unknown of a point (-1: none), and its components.
+  const auto find = [&](int point, std::uint8_t& fields) {
+    int first = -1;
+    fields = 0;
+    for (int c = stencil.components - 1; c >= 0; --c) {
+      const int unknown = table.unknown(c, point);
+      if (unknown < 0) continue;
+      first = local[unknown];
+      fields |= static_cast<std::uint8_t>(1u << c);
+    }
+    return first;
+  };
+  int previous = -1;
+  for (const std::vector<int>* columns : {&node.own, &node.border})
+    for (int unknown : *columns) {
+      const int point = table.point(unknown);
+      if (point == previous) continue;
+      previous = point;
+      DissectionNode::PointPair pair;
+      pair.column = find(point, pair.column_fields);
+      for_column_point(stencil, point, [&](int from, std::int64_t place) {
+        pair.place = place;
+        pair.row = find(from, pair.row_fields);
+        const bool mine = pair.column < own ? pair.row >= 0 : pair.row >= 0 && pair.row < own;
+        if (mine) node.pairs.push_back(pair);
+      });
+    }
+  node.pairs.shrink_to_fit();
+}
+
 }  // namespace
 
 template <int D>
@@ -133,14 +168,7 @@ Dissection dissect(const Layout<D>& layout, const UnknownTable<D>& table, int le
     const int own = static_cast<int>(node.own.size());
     for (int i = 0; i < own; ++i) local[node.own[i]] = i;
     for (std::size_t i = 0; i < node.border.size(); ++i) local[node.border[i]] = own + static_cast<int>(i);
-    const auto add_column = [&](int column, bool own_rows_only) {
-      for_column(stencil, table, column, [&](int row, std::int64_t value) {
-        const int r = local[row];
-        if (r >= 0 && (!own_rows_only || r < own)) node.entries.push_back({value, r, local[column]});
-      });
-    };
-    for (int column : node.own) add_column(column, false);
-    for (int column : node.border) add_column(column, true);
+    find_pairs(node, local, stencil, table);
     for (int child : node.children)
       for (int unknown : tree.nodes[child].border) tree.nodes[child].border_in_parent.push_back(local[unknown]);
     for (int unknown : node.own) local[unknown] = -1;

@@ -12,15 +12,17 @@ namespace softwet {
 /// ancestors that the elimination touches. Local numbering: own first, then border.
 struct DissectionNode {
   int depth = 0;
-  int first = 0;                      ///< nodes first .. this one are its subtree
+  int first = 0;                 ///< nodes first .. this one are its subtree
   std::vector<int> own, border;  ///< indices into the vector of unknowns
   std::vector<int> children;
   std::vector<int> border_in_parent;  ///< local number of each border unknown in the parent
-  struct Entry {
-    std::int64_t value;  ///< index into the matrix values
-    int row, column;     ///< local
+  /// The block of matrix entries between two control points. Unknowns of a point follow each other.
+  struct PointPair {
+    std::int64_t place;                      ///< of the entry (0, 0), see for_column_point
+    int row, column;                         ///< local numbers of the points' first unknowns
+    std::uint8_t row_fields, column_fields;  ///< bit c: the point has component c as an unknown
   };
-  std::vector<Entry> entries;  ///< matrix entries with a row or column among `own`, and none eliminated
+  std::vector<PointPair> pairs;  ///< with a row or column among `own`, and none eliminated
 };
 
 /// The tree. Nodes of one depth are independent of each other: levels[d] lists them.

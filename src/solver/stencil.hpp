@@ -51,19 +51,27 @@ class StencilMatrix {
   int line_length_ = 0;
 };
 
-/// Calls visit(row unknown, index of the value) for every entry in the column of an unknown. Around a short periodic
-/// axis a row may come more than once; its entry is the sum.
+/// Calls visit(row point, place) for every control point whose rows have entries in the columns of another. The entry of the
+/// components a and u is the value place + (a components + u) offsets points. Around a short periodic axis a row may come
+/// more than once; its entry is the sum.
+template <int D, class Visit>
+void for_column_point(const Stencil<D>& stencil, int column, const Visit& visit) {
+  for (int offset = 0; offset < stencil.offsets; ++offset) {
+    const int from = stencil.neighbour(column, stencil.offsets - 1 - offset);  // the opposite offset
+    if (from >= 0) visit(from, stencil.index(0, 0, offset, from));
+  }
+}
+
+/// Calls visit(row unknown, index of the value) for every entry in the column of an unknown, also as above.
 template <int D, class Visit>
 void for_column(const Stencil<D>& stencil, const UnknownTable<D>& table, int column, const Visit& visit) {
-  const int u = table.component(column), to = table.point(column);
-  for (int offset = 0; offset < stencil.offsets; ++offset) {
-    const int from = stencil.neighbour(to, stencil.offsets - 1 - offset);  // the opposite offset
-    if (from < 0) continue;
+  const int u = table.component(column);
+  for_column_point(stencil, table.point(column), [&](int from, std::int64_t place) {
     for (int a = 0; a < stencil.components; ++a) {
       const int row = table.unknown(a, from);
-      if (row >= 0) visit(row, stencil.index(a, u, offset, from));
+      if (row >= 0) visit(row, place + stencil.index(a, u, 0, 0));
     }
-  }
+  });
 }
 
 }  // namespace softwet
