@@ -16,6 +16,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -74,19 +75,25 @@ class Store:
         for process in list(self.running):
             process.kill()
 
-    def get(self, case, shown, settings, options, limit):
+    def get(self, case, shown, settings, options, limit, begin=None):
         """@param case   path of the case; @param shown  how the command names it
+        @param begin  a run that this one goes on from, on a copy of its folder
         @return the run, whatever its exit code"""
         self.go_on()
         words = [word for setting in settings for word in ("--set", setting)] + list(options)
+        words += ["--resume"] if begin else []
         if "--threads" not in words:
             words += ["--threads", "1"]
-        key = hashlib.sha1("\0".join([self.content, case.read_text(), *words]).encode()).hexdigest()[:12]
+        told = [self.content, case.read_text(), *words, *([begin.folder.name] if begin else [])]
+        key = hashlib.sha1("\0".join(told).encode()).hexdigest()[:12]
         folder = self.folder / f"{case.stem}_{key}"
         file = self.folder / f"{case.stem}_{key}.json"
         if not file.exists():
-            note = self.compute([str(self.program), "run", str(case), *words, "--out", str(folder), "--overwrite", "--quiet"],
-                                limit)
+            if begin:
+                shutil.rmtree(folder, ignore_errors=True)
+                shutil.copytree(begin.folder, folder)
+            note = self.compute([str(self.program), "run", str(case), *words, "--out", str(folder), "--quiet",
+                                 *([] if begin else ["--overwrite"])], limit)
             self.go_on()
             note["command"] = shlex.join(["softwet", "run", shown, *words])
             if note["code"] not in (0, 1, 2):
@@ -128,6 +135,8 @@ class Lab:
     """@param name  of the study;  @param store  of the runs;  @param folder  what the study writes
     @param jobs  runs at once"""
 
+    prefix = ""  # of the files of cases
+
     def __init__(self, name, store, folder, quick, jobs):
         self.name, self.store, self.folder, self.quick, self.jobs = name, store, folder, quick, jobs
         self.program = store.program
@@ -141,13 +150,13 @@ class Lab:
         """One run; parameters as in get."""
         return self.runs({label: (case, settings, options)}, **keywords)[label]
 
-    def get(self, label, case, settings=(), options=(), expect=0, limit=600):
+    def get(self, label, case, settings=(), options=(), expect=0, limit=600, begin=None):
         """Runs `softwet run`, unless an equal run is kept. @param label  names the run in this study
         @param case      a name in cases/, or the text of a case
         @param settings  values of --set;  @param options  further options, default "--threads 1"
-        @param expect    exit code, None: any;  @param limit  seconds"""
+        @param expect    exit code, None: any;  @param limit  seconds;  @param begin  a run that this one goes on from"""
         path, shown = self.case_file(case)
-        run = self.store.get(path, shown, settings, options, limit)
+        run = self.store.get(path, shown, settings, options, limit, begin)
         self.commands[label], self.seconds[label] = run.commandline, run.processor_seconds
         if expect is not None and run.code != expect:
             raise StudyError(f"{label}: exit code {run.code}, not {expect}: {run.commandline}\n{run.message.strip()}")
@@ -170,7 +179,7 @@ class Lab:
             return ROOT / "cases" / f"{case}.toml", f"cases/{case}.toml"
         if case not in self.texts:
             found = re.search(r'^name *= *"(.*)"', case, re.M)
-            name, number = found.group(1) if found else self.name, len(self.texts) + 1
+            name, number = self.prefix + (found.group(1) if found else self.name), len(self.texts) + 1
             if f"{name}.toml" in self.texts.values():
                 name = f"{name}_{number}"
             self.texts[case] = f"{name}.toml"

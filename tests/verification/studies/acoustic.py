@@ -108,3 +108,19 @@ def steps(lab):
     lab.table(("steps a period", "error of the frequency"), [(n, f"{e:+.2e}") for n, e in zip(counts, errors)], "steps")
     rate = numpy.log2(errors[1] / errors[2])
     lab.expect("order in time, 40 to 80 steps", "2 +- 0.2", f"{rate:.2f}", abs(rate - 2) <= 0.2)
+
+
+def explicit(lab):
+    """The third mode at the temperature 0.85, on 32 and 64 elements. Lumped masses err by a part of (k h)^2."""
+    plane, errors = PlaneInterface(0.85), {}
+    for phase, viscosity in (("liquid", 1e-4), ("vapour", 2e-4 * PlaneInterface(0.85).vapour)):
+        s = exact(plane, phase, 3 * numpy.pi, 1 / 64, viscosity)
+        for n in (32, 64):
+            run = lab.run(f"{phase}, {n}", CASE, settings(0.85, phase, 3, viscosity, s, elements=n))
+            found = measure(run, s)[0]
+            errors[n] = abs(found.imag / s.imag - 1)
+        damping = found.real / s.real - 1
+        lab.expect(f"{phase}: frequency, 64 elements", f"{s.imag:.5g} +- 1 %", f"{100 * errors[64]:.2f} % off", errors[64] <= 0.01)
+        lab.expect(f"{phase}: damping, 64 elements", f"{-s.real:.4g} +- 3 %", f"{100 * damping:+.2f} %", abs(damping) <= 0.03)
+        order = numpy.log2(errors[32] / errors[64])
+        lab.expect(f"{phase}: order in h of the error of the frequency", "2 +- 0.3", f"{order:.2f}", abs(order - 2) <= 0.3)

@@ -12,6 +12,8 @@ import numpy
 from _case import case, fields
 
 MINUTES = {"quick": 0.1, "full": 10}
+EXPLICIT = ("a state at rest, which no scheme changes (see laplace and free_droplet); to come to rest takes hundreds of units "
+            "of time, and explicit steps are 1e-4 there")
 LIMIT = 3000
 RADIUS = {30: 0.8, 45: 0.5, 60: 0.4, 75: 0.35}  # others 0.3: caps 7 gamma_hat high and more
 SIZE = {30: (1, 0.25), 45: (0.5, 0.25), 60: (0.5, 0.375), 75: (0.5, 0.5), 90: (0.5, 0.5)}  # others 0.5 x 0.75

@@ -89,3 +89,8 @@ def draw(lab, times, pictures, events):
     figure.savefig(lab.folder / "bubbles_density.png", dpi=80)
     pyplot.close(figure)
     lab.picture("bubbles_density.png")
+
+
+def explicit(lab):
+    """The quick form of the study: 48 x 48 elements to t = 2."""
+    study(lab)

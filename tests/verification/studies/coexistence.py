@@ -82,3 +82,15 @@ def convergence(lab, planes):
         rate = numpy.log2(errors[theta, 64]["sigma/g"] / errors[theta, 256]["sigma/g"]) / 2
         lab.expect(f"theta = {theta}: order of the error of sigma, h = g to g/4", ">= 3 (the energy of quadratics: 4)",
                    f"{rate:.1f}", rate >= 3)
+
+
+def explicit(lab):
+    """Temperatures 0.7 and 0.85 on 128 x 4 elements, brought to rest by `time.start`; then explicit steps to t = 0.2, after
+    which the same is asked."""
+    for theta in (0.7, 0.85):
+        plane = PlaneInterface(theta)
+        run = lab.run(f"theta = {theta}", CASE, [f"fluid.temperature={theta}", "time.start=equilibrium", "time.end=0.2",
+                                                 "output.fields.times=[0.2]"])
+        for name, (found, exact) in state(run, plane, 1 / 64).items():
+            error, bound = found / exact - 1, 0.002 if name == "width/g" else 0.001
+            lab.expect(f"theta = {theta}: {name}", f"{exact:.6g} +- {100 * bound:g} %", f"{100 * error:+.3g} %", abs(error) <= bound)

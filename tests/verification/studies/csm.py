@@ -111,3 +111,8 @@ def swing(lab):
 def study(lab):
     rest(lab)
     swing(lab)
+
+
+def explicit(lab):
+    """CSM3 on 35 x 2 elements to t = 2.5: its frequency. The tests at rest do not apply: nothing damps the solid."""
+    swing(lab)

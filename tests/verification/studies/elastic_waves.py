@@ -12,6 +12,8 @@ What the time scheme makes of e^(i w t) follows from its recurrence (Jansen, Whi
 y' = i w y the amplification factor is an eigenvalue of a 2 x 2 matrix; for rho_inf = 1 it gives tan(w' dt/2) = w dt/2,
 which is used to take the error of time out where the error of space is shown: order 2 p for a spline of degree p."""
 
+from math import factorial
+
 import numpy
 
 import _measure
@@ -161,3 +163,35 @@ def study(lab):
     mesh_orders(lab)
     damping(lab)
     time_orders(lab)
+
+
+POLYNOMIAL = {"ssp_rk3": 3, "rkl2": 3, "imex": 4}  # degree of the stability polynomial, sum z^k / k!, without viscosity
+
+
+def explicit(lab):
+    """Frequencies on 48 x 24 elements, nu = 0.3; decay and frequency with long steps against the stability polynomial."""
+    worst = ("", 0.0)
+    for name, (text, settings, number, pressure) in WAVES.items():
+        omega = speed(0.3, pressure) * number
+        run = lab.run(name, text, [*settings, "domain.elements=[48,24]", *steps(2 * PI / omega / 120, 360)])
+        worst = max(worst, (name, abs(measured(run, omega).imag / omega - 1)), key=lambda pair: pair[1])
+    lab.expect("largest error of a frequency", "<= 1 %", f"{100 * worst[1]:.2g} %, {worst[0]}", worst[1] <= 0.01)
+    text, _, number, _ = WAVES["P along x"]
+    omega, found = speed(0.3, True) * number, {}
+    times = [round(2 * PI / omega / 16 * i, 12) for i in range(64)]
+    for n in (16, 32, 96):
+        dt = 2 * PI / omega / n
+        found[n] = damped(lab.run(f"{n} steps a period", text, [
+            "domain.elements=[6,4]", *steps(dt, 4 * n), f"output.fields.times={times}"]), omega, dt)
+    # Against the finest steps: what other waves, which lumped masses set off, do to the fit is in both. But the longest steps
+    # damp these waves, and a part of that stays.
+    for n, bound in ((16, 1e-4), (32, 1e-5)):
+        theory = [by_polynomial(found[96].imag, 2 * PI / omega / m, POLYNOMIAL[lab.scheme]) for m in (n, 96)]
+        error, lost = abs(found[n] - found[96] - (theory[0] - theory[1])) / omega, 1 - numpy.exp(2 * PI / omega * found[n].real)
+        lab.expect(f"{n} steps a period: decay and frequency against the polynomial", f"<= {bound:g} w",
+                   f"{error:.1e} w, lost {100 * lost:.2g} % a period", error <= bound)
+
+
+def by_polynomial(omega, dt, degree):
+    """-b + i w of a wave of the frequency omega with steps whose amplification factor is sum z^k / k!, z = i omega dt."""
+    return numpy.log(sum((1j * omega * dt)**k / factorial(k) for k in range(degree + 1))) / dt

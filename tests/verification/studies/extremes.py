@@ -13,6 +13,7 @@ import _extremes as matrix
 import _lab
 
 MINUTES = {"quick": 0.5, "full": 10}
+EXPLICIT = "see the study extremes_explicit"
 LIMIT = 600  # seconds for a run
 
 

@@ -11,6 +11,8 @@ import numpy
 from _case import case, fields, sides
 
 MINUTES = {"quick": 0.1, "full": 0.1}
+EXPLICIT = ("the solid comes to rest by the damping of the implicit scheme (rho_inf = 0); explicit schemes leave its waves "
+            "undamped, so it swings for ever")
 RATIOS = (0.3, 0.45, 0.49, 0.499, 0.4999)
 CASE = case("A layer under a horizontal load, at rest in the end.", "layer",
             domain=dict(size=[1.0, 0.125], elements=[32, 4]),

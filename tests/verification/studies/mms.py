@@ -15,6 +15,7 @@ import subprocess
 import time
 
 MINUTES = {"quick": 0.2, "full": 8}
+EXPLICIT = "has the explicit schemes itself: orders in time with lumped and consistent masses"
 
 TOLERANCE = 0.2
 NAMES = {"velocity": "v", "density": "rho", "potential": "mu", "displacement": "u"}
@@ -167,7 +168,7 @@ def course(lab, measurement):
 
 
 # scheme, mass, order, elements per axis, steps, step of the computation that takes the place of the exact solution
-EXPLICIT = [
+EXPLICIT_COURSES = [
     ("ssp_rk3", "lumped", 3, 8, (0.002, 0.001, 0.0005), 0.000125),
     ("ssp_rk3", "consistent", 3, 8, (0.001, 0.0005, 0.00025), 0.0000625),
     ("rkl2", "lumped", 2, 8, (0.004, 0.002, 0.001), 0.000125),
@@ -178,7 +179,7 @@ EXPLICIT = [
 
 def explicit_course(lab, measurement):
     """Orders in time of the explicit schemes; their error in space would hide that of their small steps."""
-    for scheme, mass, order, elements, steps, fine in EXPLICIT[:3:2] if lab.quick else EXPLICIT:
+    for scheme, mass, order, elements, steps, fine in EXPLICIT_COURSES[:3:2] if lab.quick else EXPLICIT_COURSES:
         found = measurement.series("dt", steps, scene="coupled", course="harmonic", dimension=2, degree=2,
                                    elements=elements, end=0.1, scheme=scheme, mass=mass, against=fine)
         title = f"{scheme}, {mass} masses, coupled, {elements} x {elements} elements of degree 2"

@@ -19,6 +19,8 @@ import scipy.optimize
 from _case import case, fields, sides
 
 MINUTES = {"quick": 0.1, "full": 0.1}
+EXPLICIT = ("the solid comes to rest by the damping of the implicit scheme (rho_inf = 0); explicit schemes leave its waves "
+            "undamped, so it swings for ever")
 CASE = case("A column of solid: every displacement depends on the height alone.", "column",
             domain=dict(size=[0.5, 1.0], elements=[7, 8]),
             substrate=dict(thickness=1.0, density=1.0, young=1.0, poisson=0.3),

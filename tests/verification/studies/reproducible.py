@@ -19,3 +19,14 @@ def study(lab):
     texts = [(lab.run(f"{n} thread(s)", CASE, base, ["--threads", str(n)]).folder / "history.csv").read_bytes() for n in (1, 2)]
     same = texts[0] == texts[1]
     lab.expect("history.csv of 1 and 2 threads", "identical", "identical" if same else "different", same)
+
+
+def explicit(lab):
+    """A pull on 32 x 16 elements at the temperature 0.7, over the ramp of its load."""
+    words = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "fluid.temperature=0.7", "load[0].start=0.3", "load[0].ramp=0.2",
+             "load[0].force=[2,0]", "time.end=0.4", "output.fields.times=[]"]
+    runs = [lab.run(f"{n} thread(s)", CASE, words, ["--threads", str(n)]) for n in (1, 2)]
+    drift = numpy.abs(runs[0].history["mass_drift"]).max()
+    lab.expect("drift of the mass", "<= 1e-10", f"{drift:.2g}", drift <= 1e-10)
+    same = (runs[0].folder / "history.csv").read_bytes() == (runs[1].folder / "history.csv").read_bytes()
+    lab.expect("history.csv of 1 and 2 threads", "identical", "identical" if same else "different", same)

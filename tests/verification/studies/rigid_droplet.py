@@ -10,6 +10,8 @@ import _measure
 import numpy
 
 MINUTES = {"quick": 0.3, "full": 4}
+EXPLICIT = ("a state at rest, which no scheme changes (see laplace and free_droplet); to come to rest takes hundreds of units "
+            "of time, and explicit steps are 1e-4 there")
 FINE, THIN = ["domain.elements=[256,128]"], ["fluid.capillarity=1/128"]
 CAUSE = "interface of finite width, see the next row"
 

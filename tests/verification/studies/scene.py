@@ -7,6 +7,7 @@ on 128 x 16 of solid. The numbers are those of `softwet check` and `softwet benc
 import re
 
 MINUTES = {"quick": 0.05, "full": 2}
+EXPLICIT = "asks what a scene costs, by the counts of the implicit scheme"
 SCENES = {"static_droplet_rigid_2d": (True, False), "solid_layer_2d": (False, True), "tensotaxis_pull_2d": (True, True)}
 
 

@@ -21,6 +21,8 @@ import scipy.interpolate
 from _case import case, fields
 
 MINUTES = {"quick": 0.4, "full": 1}
+EXPLICIT = ("a state at rest, which no scheme changes (see laplace and free_droplet); to come to rest takes hundreds of units "
+            "of time, and explicit steps are 1e-4 there")
 LENGTH, HEIGHT, POISSON, YOUNG = 0.5, 0.125, 0.45, 0.7554
 
 

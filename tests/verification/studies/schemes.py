@@ -1,0 +1,66 @@
+"""The studies with explicit schemes: what applies, and what was measured.
+
+The other studies run with `generalized_alpha`. Each says in its own file whether it applies to the explicit schemes: a text
+EXPLICIT says why not, a function explicit(lab) is the form that suits them. Here these forms run with `ssp_rk3`, `rkl2` and
+`imex`, with lumped masses where nothing else is said. Steps are those of the limit of stability, with the default
+`time.safety`, unless a form says otherwise. A scene whose steps would be too short (a thin vapour) has a higher temperature."""
+
+import importlib.util
+import pathlib
+
+from _lab import markdown
+from _scheme_lab import SchemeLab
+
+MINUTES = {"quick": 0.3, "full": 10}
+STUDIES = pathlib.Path(__file__).resolve().parent
+SCHEMES = ("ssp_rk3", "rkl2", "imex")
+QUICK = ("elastic_waves", "laws", "reproducible")
+
+
+def load(name):
+    spec = importlib.util.spec_from_file_location(f"study_{name}", STUDIES / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def study(lab):
+    modules = {path.stem: load(path.stem) for path in sorted(STUDIES.glob("[!_]*.py")) if path.stem != "schemes"}
+    lab.title("What applies")
+    rows, details = [], []
+    for name, module in modules.items():
+        form = getattr(module, "explicit", None)
+        if not form:
+            rows.append((name, "", "", "", module.EXPLICIT))
+        elif not lab.quick or name in QUICK:
+            parts = {scheme: measure(lab, name, form, scheme) for scheme in SCHEMES}
+            rows.append((name, *map(share, parts.values()), " ".join(form.__doc__.split())))
+            details += ["", f"## {name}", "", *compared(parts)]
+    lab.table(("study", *SCHEMES, "the form, or why it does not apply"), rows)
+    lab.lines += details
+
+
+def measure(lab, name, form, scheme):
+    """Runs one study with one scheme, and asks that all its rows hold."""
+    part = SchemeLab(lab, name, scheme)
+    form(part)
+    held, missed, failed = part.counts()
+    if not part.asked:
+        return part
+    causes = "; ".join(dict.fromkeys(cause for *_, holds, cause in part.asked if not holds))
+    lab.expect(f"{name}, {scheme}: what holds", f"{len(part.asked)} of {len(part.asked)}", f"{held} of {len(part.asked)}",
+               missed + failed == 0, causes if not failed else "")
+    return part
+
+
+def share(part):
+    return f"{part.counts()[0]} of {len(part.asked)}" if part.asked else ""
+
+
+def compared(parts):
+    """What was asked, and what each scheme has."""
+    rows = {}
+    for scheme, part in parts.items():
+        for what, asked, measured, holds, _ in part.asked:
+            rows.setdefault((what, asked), {})[scheme] = f"{measured}" if holds else f"**{measured}**"
+    return markdown(("what", "asked", *parts), [(*key, *(cells.get(scheme, "") for scheme in parts)) for key, cells in rows.items()])

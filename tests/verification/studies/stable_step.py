@@ -1,0 +1,109 @@
+"""Largest stable step of the explicit schemes against the limit that the program measures.
+
+Explicit schemes measure the spectral radius of the linearised rates by power iteration, and take `time.safety` (0.9) of the
+step that follows from it; `softwet check` prints the same limit for the first state. Here the largest stable step is found
+by bisection, to 5 %: a run of 100 short steps is gone on with, for 60 to 200 more steps whose size is a chosen part of the
+printed limit. Two states:
+
+rigid: a droplet on a rigid wall at the temperature 0.85, with the wall law that has an energy. There the total energy may
+only fall. Steps are stable where it rises in none and none is refused.
+
+soft: the droplet of Fig. 2 at rest on the soft layer, temperature 0.39, capillarity 1/16 (`time.start = "equilibrium"`). No
+energy law holds with the wall law of the paper. Steps are stable where none is refused, and the kinetic energy stays below
+100 times the largest one of the short steps: a mode that starts 100 times smaller and grows by 3.5 % a step reaches that.
+
+Asked: the printed limit is never above the largest stable step, and at most 20 % below it."""
+
+import math
+
+import numpy
+
+MINUTES = {"quick": 0.5, "full": 20}
+EXPLICIT = "is about the explicit schemes"
+BEFORE = 100
+STEPS = {"rigid": 150, "soft": 200}
+FEWER = {("soft", "imex"): 60}  # a step costs as much as a hundred of ssp_rk3, and what is unstable grows fast
+SCENES = {
+    "rigid": ("static_droplet_rigid_2d", [
+        "fluid.temperature=0.85", "fluid.capillarity=1/32", "fluid.wall_law=energy", "droplet[0].radius=0.2"]),
+    "soft": ("static_droplet_soft_2d", ["fluid.capillarity=1/16", "time.start=equilibrium"]),
+}
+BOTH = ["time.end=1000", "time.tolerance=1e30", "time.dt_max=1", "output.fields.times=[]"]
+CLOSE = 1.05
+STRETCH = 1.1  # a step may be longer by this to end at an event, so it is shorter by this where none is near
+
+
+class Search:
+    """The largest stable step of one scheme, mass and mesh on one state."""
+
+    def __init__(self, lab, scene, scheme, mass, n):
+        self.lab, self.scene = lab, scene
+        self.case, words = SCENES[scene]
+        self.settings = [*words, *BOTH, f"domain.elements=[{n},{n // 2}]", f"time.scheme={scheme}", f"time.mass={mass}"]
+        self.label, self.steps = f"{scene}, {scheme}, {mass}, {n} x {n // 2}", FEWER.get((scene, scheme), STEPS[scene])
+        self.start = lab.run(f"{self.label}, start", self.case, self.words(0.5, BEFORE), limit=2000)
+        self.limit = numpy.median(self.start.history["dt"][-BEFORE // 2:]) / 0.5  # the printed one
+
+    def words(self, part, steps):
+        return [*self.settings, f"time.safety={STRETCH * part:.4g}", f"time.max_steps={steps}"]
+
+    def stable(self, part):
+        run = self.lab.run(f"{self.label}, {part:.3g} of the limit", self.case, self.words(part, BEFORE + self.steps),
+                           expect=None, limit=2000, begin=self.start)
+        if run.code != 0 or run.record["counts"]["rejected_by_newton"] > 0:
+            return False
+        rows, first = run.history, run.history["step"] >= BEFORE
+        if self.scene == "rigid":
+            return numpy.diff(rows["energy_total"][first]).max() <= 0
+        return rows["energy_kinetic"][first].max() <= 100 * rows["energy_kinetic"][~first].max()
+
+    def largest(self):
+        """@return the largest stable step and the least unstable one, as parts of the printed limit"""
+        step = 1.25
+        low, high = (1.0, None) if self.stable(1.0) else (None, 1.0)
+        while low is None:
+            tried = high / step
+            low, high = (tried, high) if self.stable(tried) else (None, tried)
+        while high is None:
+            tried = low * step
+            low, high = (tried, None) if self.stable(tried) else (low, tried)
+        while high / low > CLOSE:
+            middle = math.sqrt(low * high)
+            low, high = (middle, high) if self.stable(middle) else (low, middle)
+        return low, high
+
+
+def chosen(quick):
+    """(state, scheme, masses, elements along the wall): the finest mesh for the scheme whose steps cost least."""
+    schemes = ("ssp_rk3", "rkl2", "imex")
+    if quick:
+        return [("rigid", scheme, "lumped", 32) for scheme in schemes]
+    wanted = [("rigid", scheme, "lumped", n) for scheme in schemes for n in (32, 64)]
+    wanted += [("soft", scheme, "lumped", n) for scheme in schemes[:2] for n in (32, 64)]
+    wanted += [("rigid", scheme, "consistent", 32) for scheme in schemes] + [("soft", "ssp_rk3", "consistent", 32)]
+    return wanted + [("soft", "imex", "lumped", 32), ("rigid", "ssp_rk3", "lumped", 128), ("soft", "ssp_rk3", "lumped", 128)]
+
+
+def study(lab):
+    rows, worst = [], 10.0
+    for scene, scheme, mass, n in chosen(lab.quick):
+        search = Search(lab, scene, scheme, mass, n)
+        low, high = search.largest()
+        worst = min(worst, low)
+        lab.expect(f"{search.label}: printed limit", "at most the largest stable step, and at most 20 % below it",
+                   f"stable at {low:.2f} of it, not at {high:.2f}", 1 <= low <= 1.25, cause(scheme, low))
+        rows.append((scene, scheme, mass, f"{n} x {n // 2}", f"{search.limit:.3g}", f"{low * search.limit:.3g}",
+                     f"{high * search.limit:.3g}", f"{100 * (1 / low - 1):+.0f} %"))
+    lab.expect("steps of the default time.safety are stable, everywhere", f"stable at {0.9 / STRETCH:.2f} of the limit",
+               f"at {worst:.2f} and more", worst >= 0.9 / STRETCH)
+    lab.table(("state", "scheme", "masses", "elements", "printed limit", "largest stable step", "least unstable step",
+               "printed over stable, less 1"), rows, "limits")
+
+
+def cause(scheme, low):
+    """Why the printed limit misses what is asked, where that is known."""
+    if low > 1.25 and scheme != "ssp_rk3":
+        return "the viscous part, treated apart, damps what the limit of the rest would let grow"
+    if 0.9 <= low < 1:
+        return "the radius is measured to a per cent or so; time.safety = 0.9 is there for that"
+    return ""
