@@ -8,121 +8,74 @@ namespace {
 
 using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
 
-Kokkos::View<double**, Kokkos::LayoutRight, Exec> padded(const std::vector<std::vector<double>>& rows) {
-  std::size_t width = 0;
-  for (const auto& row : rows) width = std::max(width, row.size());
-  Kokkos::View<double**, Kokkos::LayoutRight, Exec> table("transfer", rows.size(), width);
-  const auto host = Kokkos::create_mirror_view(table);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t k = 0; k < rows[i].size(); ++k) host(i, k) = rows[i][k];
-  Kokkos::deep_copy(table, host);
-  return table;
-}
-
-AxisTransfer make_transfer(const Axis& fine, const Refinement& r) {
-  AxisTransfer t;
-  t.fine = fine.functions();
-  t.coarse = r.coarse.functions();
-  t.fine_owned = fine.owned();
-  t.coarse_owned = r.coarse.owned();
-  t.periodic = fine.periodic();
-  // The transpose: coarse functions that hold a fine one follow each other, on a periodic axis also across its ends.
-  std::vector<std::vector<double>> of_fine(fine.functions());
-  std::vector<int> first(fine.functions(), 0);
-  const int turns = t.periodic ? 1 : 0;
-  for (int i = 0; i < t.fine_owned; ++i)
-    for (int j = -turns * t.coarse_owned; j < (1 + turns) * t.coarse_owned; ++j) {
-      const int turn = j < 0 ? -1 : j / t.coarse_owned, at = j - turn * t.coarse_owned;
-      const int k = i - r.first[at] - turn * t.fine_owned;
-      if (k < 0 || k >= static_cast<int>(r.coefficient[at].size())) continue;
-      if (of_fine[i].empty()) first[i] = j;
-      of_fine[i].push_back(r.coefficient[at][k]);
-    }
-  t.first_fine = to_device<Kokkos::View<int*, Exec>>(r.first);
-  t.first_coarse = to_device<Kokkos::View<int*, Exec>>(first);
-  t.to_fine = padded(r.coefficient);
-  t.to_coarse = padded(of_fine);
-  return t;
-}
-
-/// out(point) = sum over the other side's points of the product of coefficients, component by component.
-template <int D, bool ToCoarse>
-struct Transfer {
-  AxisTransfer axis[D];
-  ConstArray from, mask;
-  Array to;
-  ComponentPlaces<D> from_place, to_place;
-  int points;
-
-  KOKKOS_FUNCTION void operator()(std::int64_t item) const {
-    const int c = static_cast<int>(item / points), point = static_cast<int>(item % points);
-    if (point < to_place.first[c]) return;
-    const int unknown = to_place.shift[c] + point;
-    int at[3] = {0, 0, 0}, rest = point;
-    for (int d = 0; d < D; ++d) {
-      const int n = ToCoarse ? axis[d].coarse : axis[d].fine;
-      at[d] = rest % n;
-      rest /= n;
-    }
-    to(unknown) = mask(unknown) == 0 ? 0.0 : sum(c, at, D - 1, 0);
-  }
-  KOKKOS_FUNCTION double sum(int c, const int* at, int d, int base) const {
-    const AxisTransfer& t = axis[d];
-    const auto& table = ToCoarse ? t.to_fine : t.to_coarse;
-    const int first = ToCoarse ? t.first_fine(at[d]) : t.first_coarse(at[d]);
-    const int n = ToCoarse ? t.fine : t.coarse, owned = ToCoarse ? t.fine_owned : t.coarse_owned;
-    double result = 0;
-    for (int k = 0; k < static_cast<int>(table.extent(1)); ++k) {
-      const double factor = table(at[d], k);
-      const int i = wrapped(first + k, owned, t.periodic ? owned : 0);
-      if (factor == 0 || i < 0) continue;
-      const int index = base * n + i;
-      if (d > 0) {
-        result += factor * sum(c, at, d - 1, index);
-      } else if (index >= from_place.first[c]) {
-        result += factor * from(from_place.shift[c] + index);
-      }
-    }
-    return result;
-  }
+/// Where the components of a vector lie on its way from one space to the other.
+template <int D>
+struct Places {
+  int extent[D];                   ///< control points along each axis
+  int points;                      ///< of all axes
+  int shift[D + 2], first[D + 2];  ///< as in ComponentPlaces
 };
 
-/// Rows and columns along one axis replaced by their coarse sums; an item is one entry of one line of rows.
+/// The places of a vector of unknowns.
 template <int D>
-struct CoarsenAxis {
-  Stencil<D> in, out;
-  StencilValues from, to;
-  AxisTransfer axis;
-  int d, below, above;  ///< control points below and above axis d in the order of storage
+Places<D> places_of(const Layout<D>& layout) {
+  const ComponentPlaces<D> components(layout);
+  Places<D> p;
+  p.points = 1;
+  for (int d = 0; d < D; ++d) p.points *= p.extent[d] = layout.axis[d].functions();
+  for (int c = 0; c < D + 2; ++c) {
+    p.shift[c] = components.shift[c];
+    p.first[c] = components.first[c];
+  }
+  return p;
+}
 
-  std::int64_t items() const { return out.size() / out.points * above * out.extent[d]; }
+/// Entries of a line of control points along the first axis that are summed at once.
+constexpr int piece = on_host ? 64 : 1;
+
+/// Sums along axis d of all components. An item is a piece of a line of the result.
+template <int D>
+struct SumAxis {
+  AxisSums sums;
+  Places<D> from_place, to_place;
+  ConstArray from, mask;  ///< mask of the result; empty: nothing is prescribed
+  Array to;
+  int d, components;
+
+  KOKKOS_FUNCTION int pieces() const { return (to_place.extent[0] + piece - 1) / piece; }
+  std::int64_t items() const { return std::int64_t(components) * (to_place.points / to_place.extent[0]) * pieces(); }
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
-    const int row = static_cast<int>(item % out.extent[d]), high = static_cast<int>(item / out.extent[d] % above);
-    const std::int64_t block = item / out.extent[d] / above;
-    const int offset = static_cast<int>(block % out.offsets);
-    float* sum = to.data() + block * out.points + (std::int64_t(high) * out.extent[d] + row) * below;
-    for (int i = 0; i < below; ++i) sum[i] = 0;
-    const int shift = out.shift(offset, d), column = row + shift;
-    const int at = wrapped(column, axis.coarse_owned, out.period[d]);
-    if (row >= axis.coarse_owned || at < 0) return;
-    const int row_fine = axis.first_fine(row);
-    const int column_fine = axis.first_fine(at) + (column - at) / axis.coarse_owned * axis.fine_owned;
-    int weight = 1;  // of this axis' shift in an offset
-    for (int e = 0; e < d; ++e) weight *= 2 * out.degree + 1;
-    const std::int64_t first = block - (shift + out.degree) * weight;  // the block with the least shift along this axis
-    const int n = static_cast<int>(axis.to_fine.extent(1));
-    for (int k = 0; k < n; ++k) {
-      const int i = wrapped(row_fine + k, axis.fine_owned, in.period[d]);
-      if (axis.to_fine(row, k) == 0 || i < 0) continue;
-      for (int l = 0; l < n; ++l) {
-        const int step = column_fine + l - row_fine - k;
-        const float factor = static_cast<float>(axis.to_fine(row, k) * axis.to_fine(at, l));
-        if (factor == 0 || step < -in.degree || step > in.degree) continue;
-        const float* source = from.data() + (first + (step + in.degree) * weight) * in.points +
-                              (std::int64_t(high) * in.extent[d] + i) * below;
-        for (int j = 0; j < below; ++j) sum[j] += factor * source[j];
-      }
+    const int n = to_place.extent[0], lines = to_place.points / n;
+    const int begin = static_cast<int>(item % pieces()) * piece, line = static_cast<int>(item / pieces() % lines);
+    const int c = static_cast<int>(item / pieces() / lines), count = begin + piece < n ? piece : n - begin;
+    if (line * n < to_place.first[c]) return;
+    double sum[piece] = {};
+    if (d == 0) {
+      along_line(c, line, begin, count, sum);
+    } else {
+      across_lines(c, line, begin, count, sum);
+    }
+    const int first = to_place.shift[c] + line * n + begin;
+    for (int i = 0; i < count; ++i) to(first + i) = mask.extent(0) == 0 || mask(first + i) != 0 ? sum[i] : 0.0;
+  }
+  KOKKOS_FUNCTION void along_line(int c, int line, int begin, int count, double* sum) const {
+    const double* source = from.data() + from_place.shift[c] + line * from_place.extent[0];
+    for (int i = 0; i < count; ++i)
+      for (int k = 0; k < static_cast<int>(sums.weight.extent(1)); ++k)
+        sum[i] += sums.weight(begin + i, k) * source[sums.source(begin + i, k)];
+  }
+  KOKKOS_FUNCTION void across_lines(int c, int line, int begin, int count, double* sum) const {
+    int below = 1;  // lines between neighbours along axis d
+    for (int e = 1; e < d; ++e) below *= to_place.extent[e];
+    const int row = line / below % to_place.extent[d], above = line / below / to_place.extent[d];
+    for (int k = 0; k < static_cast<int>(sums.weight.extent(1)); ++k) {
+      const double weight = sums.weight(row, k);
+      const int other = (above * from_place.extent[d] + sums.source(row, k)) * below + line % below;
+      const int start = other * from_place.extent[0];
+      if (weight == 0 || start < from_place.first[c]) continue;
+      const double* source = from.data() + from_place.shift[c] + start + begin;
+      for (int i = 0; i < count; ++i) sum[i] += weight * source[i];
     }
   }
 };
@@ -162,8 +115,8 @@ CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int l
     refinement.push_back(refine_from_half(fine.axis[d], least));
     layout_.axis.push_back(refinement[d].coarse);
     if (d < D - 1) layout_.row_size *= refinement[d].coarse.functions();
-    axis_[d] = make_transfer(fine.axis[d], refinement[d]);
-    exists_ = exists_ || axis_[d].coarse_owned < axis_[d].fine_owned;
+    axis_[d] = make_axis_transfer(fine.axis[d], refinement[d]);
+    exists_ = exists_ || refinement[d].coarse.elements() < fine.axis[d].elements();
   }
   const Axis& vertical = layout_.axis[D - 1];
   const bool halved = vertical.elements() < fine.axis[D - 1].elements();
@@ -172,58 +125,52 @@ CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int l
   if (layout_.has_solid)
     layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
   mask_ = to_device<Array>(coarse_mask(fine, layout_, to_host(mask), refinement), "coarse.mask");
+  product_.emplace(fine, refinement);
+  int points = Stencil<D>(fine).points;
+  for (int step = 0; step + 1 < D; ++step) {
+    points = points / axis_[D - 1 - step].fine * axis_[D - 1 - step].coarse;
+    between_[step] = Array("coarse.between", std::size_t(fine.components()) * points);
+  }
 }
 
-template <int D, bool ToCoarse>
-void transfer(const Layout<D>& from_layout, const Layout<D>& to_layout, const AxisTransfer (&axis)[D],
-              const ConstArray& from, const ConstArray& mask, const Array& to) {
-  const Stencil<D> points(to_layout);
-  const ComponentPlaces<D> from_place(from_layout), to_place(to_layout);
-  Transfer<D, ToCoarse> body{{}, from, mask, to, from_place, to_place, points.points};
-  for (int d = 0; d < D; ++d) body.axis[d] = axis[d];
-  Kokkos::parallel_for("softwet::transfer", Policy(0, std::int64_t(points.components) * points.points), body);
+/// Axis by axis: those in between have the rows of the coarse space, so that the fewest sums have the longest lines.
+template <int D>
+void CoarseSpace<D>::transfer(bool to_coarse, const ConstArray& from, const Array& to) const {
+  const Layout<D>& source = to_coarse ? fine_ : layout_;
+  const Layout<D>& target = to_coarse ? layout_ : fine_;
+  Places<D> from_place = places_of(source);
+  ConstArray values = from;
+  for (int step = 0; step < D; ++step) {
+    const int d = to_coarse ? D - 1 - step : step;
+    const bool last = step == D - 1;
+    Places<D> to_place = last ? places_of(target) : from_place;
+    if (!last) {
+      to_place.extent[d] = target.axis[d].functions();
+      to_place.points = from_place.points / from_place.extent[d] * to_place.extent[d];
+      const int row = to_place.points / to_place.extent[D - 1];
+      for (int c = 0; c < D + 2; ++c) {
+        to_place.shift[c] = c * to_place.points;
+        to_place.first[c] = c < D ? 0 : layout_.wall_row * row;
+      }
+    }
+    const Array result = last ? to : between_[to_coarse ? step : D - 2 - step];
+    const ConstArray mask = !last ? ConstArray() : to_coarse ? mask_ : fine_mask_;
+    const AxisSums& sums = to_coarse ? axis_[d].to_coarse : axis_[d].to_fine;
+    const SumAxis<D> body{sums, from_place, to_place, values, mask, result, d, source.components()};
+    Kokkos::parallel_for("softwet::transfer", Policy(0, body.items()), body);
+    from_place = to_place;
+    values = result;
+  }
 }
 
 template <int D>
 void CoarseSpace<D>::restrict_to(const ConstArray& fine, const Array& coarse) const {
-  transfer<D, true>(fine_, layout_, axis_, fine, mask_, coarse);
+  transfer(true, fine, coarse);
 }
 
 template <int D>
 void CoarseSpace<D>::prolong(const ConstArray& coarse, const Array& fine) const {
-  transfer<D, false>(layout_, fine_, axis_, coarse, fine_mask_, fine);
-}
-
-template <int D>
-void CoarseSpace<D>::galerkin(const StencilMatrix<D>& fine, const StencilValues& coarse) const {
-  Stencil<D> in = fine.stencil();
-  StencilValues from = fine.values();
-  for (int d = D - 1; d >= 0; --d) {  // the first axis last: rows of neighbouring points stay together meanwhile
-    Stencil<D> out = in;
-    out.points = in.points / in.extent[d] * axis_[d].coarse;
-    out.extent[d] = axis_[d].coarse;
-    out.period[d] = axis_[d].periodic ? axis_[d].coarse_owned : 0;
-    const StencilValues to =
-        d == 0 ? coarse : StencilValues(Kokkos::view_alloc("galerkin", Kokkos::WithoutInitializing), out.size());
-    int below = 1;
-    for (int e = 0; e < d; ++e) below *= out.extent[e];
-    const CoarsenAxis<D> body{in, out, from, to, axis_[d], d, below, out.points / below / out.extent[d]};
-    Kokkos::parallel_for("softwet::galerkin", Policy(0, body.items()), body);
-    in = out;
-    from = to;
-  }
-}
-
-template <int D>
-double CoarseSpace<D>::transient_bytes() const {
-  Stencil<D> s(fine_);
-  double points = 1, bytes = 0;
-  for (int d = 0; d < D; ++d) points *= s.extent[d];
-  for (int d = D - 1; d > 0; --d) {
-    points = points / s.extent[d] * axis_[d].coarse;
-    bytes += 4.0 * s.size() / s.points * points;
-  }
-  return bytes;
+  transfer(false, coarse, fine);
 }
 
 template class CoarseSpace<2>;

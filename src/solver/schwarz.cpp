@@ -49,7 +49,7 @@ class Schwarz final : public StencilSolver<D> {
   double build_cost() const override { return D == 2 ? 25 : 50; }
   double bytes() const override {
     double total = boxes_.bytes();
-    if (space_) total += coarse_matrix_->bytes() + coarse_->bytes() + space_->transient_bytes();
+    if (space_) total += coarse_matrix_->bytes() + coarse_->bytes() + space_->galerkin_bytes();
     return total;
   }
 

@@ -53,7 +53,7 @@ void check_galerkin(Case c, std::vector<int> elements) {
   RandomScene s(c);
   StencilMatrix<2> matrix(s.layout(), s.model.mask());
   matrix.fill(s.jacobian());
-  const CoarseSpace<2> space(s.layout(), s.model.mask(), 2);
+  CoarseSpace<2> space(s.layout(), s.model.mask(), 2);
   ASSERT_TRUE(space.exists());
   StencilMatrix<2> coarse(space.layout(), space.mask());
   coarse.fill([&](const StencilValues& values) { space.galerkin(matrix, values); });
