@@ -30,17 +30,24 @@ struct Lanes<Kokkos::Experimental::basic_simd<R, Abi>> {
 template <class S>
 using RealOf = typename Lanes<S>::Real;
 
-/// A pack in single precision beside a parameter: Kokkos would widen both to double.
+/// A pack in single precision beside a parameter: Kokkos would widen both to double, except for a parameter on the right
+/// of a pack of one lane, which it rounds itself. A number on the left of such a pack it multiplies on the host alone.
 template <class Abi>
 using SinglePack = Kokkos::Experimental::basic_simd<float, Abi>;
-#define SOFTWET_ROUND_PARAMETER(operation)                                                  \
-  template <class Abi>                                                                      \
-  KOKKOS_FORCEINLINE_FUNCTION auto operator operation(const SinglePack<Abi>& a, double b) { \
-    return a operation SinglePack<Abi>(static_cast<float>(b));                              \
-  }                                                                                         \
-  template <class Abi>                                                                      \
-  KOKKOS_FORCEINLINE_FUNCTION auto operator operation(double a, const SinglePack<Abi>& b) { \
-    return SinglePack<Abi>(static_cast<float>(a)) operation b;                              \
+#define SOFTWET_ROUND_PARAMETER(operation)                                                              \
+  template <class Abi>                                                                                  \
+    requires(!std::is_same_v<Abi, Kokkos::Experimental::simd_abi::scalar>)                              \
+  KOKKOS_FORCEINLINE_FUNCTION auto operator operation(const SinglePack<Abi>& a, double b) {             \
+    return a operation SinglePack<Abi>(static_cast<float>(b));                                          \
+  }                                                                                                     \
+  template <class Abi>                                                                                  \
+  KOKKOS_FORCEINLINE_FUNCTION auto operator operation(double a, const SinglePack<Abi>& b) {             \
+    return SinglePack<Abi>(static_cast<float>(a)) operation b;                                          \
+  }                                                                                                     \
+  template <class Abi>                                                                                  \
+  requires std::is_same_v<Abi, Kokkos::Experimental::simd_abi::scalar> KOKKOS_FORCEINLINE_FUNCTION auto \
+  operator operation(float a, const SinglePack<Abi>& b) {                                               \
+    return SinglePack<Abi>(a) operation b;                                                              \
   }
 SOFTWET_ROUND_PARAMETER(+)
 SOFTWET_ROUND_PARAMETER(-)

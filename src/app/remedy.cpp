@@ -21,11 +21,12 @@ std::string softer_than_its_loads(const Case& c) {
   const std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + number(length) + ", the layer is " +
                                             number(c.substrate->thickness) + " thick; "
                                       : "";
-  const std::string gentler = c.loads.empty() ? "" : ", lower load[].force or lengthen load[].ramp";
-  if (!weakens_under_compression(*c.substrate)) return soft + "raise substrate.young" + gentler;
+  if (c.loads.empty()) return soft + "raise substrate.young";
+  const std::string gentler = "raise substrate.young, lower load[].force or lengthen load[].ramp";
+  if (c.substrate->material != "saint_venant_kirchhoff") return soft + gentler;
   return soft +
-         "a Saint Venant-Kirchhoff solid loses its stiffness under strong compression: write substrate.material = "
-         "\"neo_hookean\", raise substrate.young" +
+         "a Saint Venant-Kirchhoff solid loses its stiffness under strong compression, \"neo_hookean\" "
+         "(substrate.material) does not: " +
          gentler;
 }
 

@@ -95,11 +95,8 @@ double longest_elastocapillary_length(const Case& c) {
   return std::max(0.85 * c.fluid->capillarity, 0.17 * largest_radius(c));
 }
 
-bool weakens_under_compression(const Substrate& s) { return s.material == "saint_venant_kirchhoff"; }
-
 bool too_soft(const Case& c) {
-  return c.fluid && c.substrate && weakens_under_compression(*c.substrate) &&
-         elastocapillary_length(c) > longest_elastocapillary_length(c);
+  return c.fluid && c.substrate && elastocapillary_length(c) > longest_elastocapillary_length(c);
 }
 
 double locking_error(const Case& c) {

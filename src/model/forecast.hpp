@@ -21,10 +21,7 @@ double least_radius(const Case&, const Droplet&);
 /// through below and stopped above, soon after the start. Only with a fluid.
 double longest_elastocapillary_length(const Case&);
 
-/// Whether squeezing the solid hard lowers its stress, as it does with Saint Venant-Kirchhoff and Hooke's law.
-bool weakens_under_compression(const Substrate&);
-
-/// True where sigma / E is longer, and the solid weakens under compression.
+/// True where sigma / E is longer.
 bool too_soft(const Case&);
 
 /// Largest error of the displacement of a layer of degree 2, relative, under a load within it:

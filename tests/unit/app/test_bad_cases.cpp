@@ -248,13 +248,13 @@ TEST(BadCases, OnlyWhatIsNearIsSuggested) {
   const auto in_fluid = [](const std::string& line) {
     return message_of(replaced(pull, "[fluid]", "[fluid]\n" + line));
   };
-  for (const std::string& message : {in_fluid("gravity = 1"), message_of(pull, {"substrate.model=\"neo\""})}) {
+  for (const std::string& message : {in_fluid("magnetism = 1"), message_of(pull, {"substrate.model=\"neo\""})}) {
     EXPECT_EQ(message.find("did you mean"), std::string::npos) << message;
     EXPECT_NE(message.find("has the keys"), std::string::npos) << message;
   }
   EXPECT_NE(in_fluid("density = 1").find("density is a key of [substrate]; [fluid] has the keys"), std::string::npos);
   EXPECT_NE(in_fluid("angle = 1").find("did you mean fluid.contact_angle"), std::string::npos);
-  EXPECT_NE(message_of(pull, {"gravity=1"}).find("the tables are [domain], [fluid]"), std::string::npos);
+  EXPECT_NE(message_of(pull, {"magnetism=1"}).find("the tables are [domain], [fluid]"), std::string::npos);
   const std::string load = message_of(replaced(pull, "[boundary]", "[boundary]\nload = { box = 1 }"));
   EXPECT_NE(load.find("boundary.load"), std::string::npos) << load;
 }
