@@ -1,8 +1,10 @@
 #include "solver/boxes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "solver/dense_inverse.hpp"
+#include "solver/bfloat16.hpp"
+#include "solver/large_pages.hpp"
 #include "solver/patches.hpp"
 
 namespace softwet {
@@ -11,52 +13,81 @@ namespace {
 
 using Indices = Kokkos::View<const int*, Exec>;
 using Inverses = Kokkos::View<std::uint16_t*, Exec>;
+using Places = Kokkos::View<const std::int64_t*, Exec>;
 
 constexpr int rows_at_once = on_host ? 64 : 1;
-constexpr int batch_size = on_host ? 256 : 4096;  ///< boxes whose matrices are held at once during a build
+constexpr int prefetched = 24;  ///< columns ahead of the one that is read
 
-/// The upper half of a float, rounded to nearest, and back. What is not finite stays so.
-KOKKOS_INLINE_FUNCTION std::uint16_t narrow(float x) {
-  const auto bits = Kokkos::bit_cast<std::uint32_t>(x);
-  if ((bits & 0x7f800000u) == 0x7f800000u) return 0x7fc0u;
-  return static_cast<std::uint16_t>((bits + 0x7fffu + ((bits >> 16) & 1u)) >> 16);
+/// Boxes whose matrices are held at once during a build: enough to keep all threads busy, and few for the caches.
+int batch_size() { return on_host ? std::max(32, 4 * Kokkos::DefaultHostExecutionSpace().concurrency()) : 4096; }
+
+KOKKOS_FORCEINLINE_FUNCTION void prefetch([[maybe_unused]] const void* p) {
+  KOKKOS_IF_ON_HOST((__builtin_prefetch(p);))
 }
-KOKKOS_INLINE_FUNCTION float widen(std::uint16_t x) { return Kokkos::bit_cast<float>(std::uint32_t(x) << 16); }
 
-/// One row of the matrix of box `first` + block out of the stencil.
+/// Rows of the boxes' matrices out of the stencil: those of one component on one line of control points of a box. On the
+/// host an item does so for all boxes that follow each other along the first axis, for their values lie side by side.
 template <int D>
-struct FillRow {
+struct FillRows {
   Stencil<D> stencil;
   StencilValues values;
-  Indices size, site, local, start;
+  Indices size, local, start;
   DenseBlocks blocks;
-  int first, unknowns, sites, width;
+  int first, sites, width, together;
+
+  KOKKOS_FUNCTION int lines() const { return sites / stencil.components / width; }
+  int items(int count) const { return count / together * lines() * stencil.components; }
 
   KOKKOS_FUNCTION void operator()(int item) const {
-    const int block = item / unknowns, row = item % unknowns, box = first + block;
-    if (row >= size(box)) return;
-    for (int j = 0; j < unknowns; ++j) blocks(block, row, j) = 0;
-    const int place = site(box * unknowns + row), a = place % stencil.components;
-    int point = 0, stride = 1, at[D];
-    for (int d = 0, rest = place / stencil.components; d < D; ++d) {
+    const int a = item % stencil.components, line = item / stencil.components % lines();
+    const int begin = item / stencil.components / lines() * together;
+    int at[D], point = 0, stride = stencil.extent[0];
+    for (int d = 1, rest = line; d < D; ++d) {
       at[d] = rest % width;
       rest /= width;
-      point += stride * stencil.moved(start(box * D + d), at[d], d);
+      point += stride * stencil.moved(start((first + begin) * D + d), at[d], d);
       stride *= stencil.extent[d];
     }
-    for (int o = 0; o < stencil.offsets; ++o) {
-      int to = 0, step = 1;  // control point of the column in the box
-      for (int d = 0; d < D; ++d) {
-        // A box that goes all around a periodic axis closes on itself.
-        const int i = wrapped(at[d] + stencil.shift(o, d), width, stencil.period[d]);
-        to = i < 0 ? -1 : to < 0 ? -1 : to + step * i;
-        step *= width;
-      }
+    for (int block = begin; block < begin + together; ++block) clear(block, line, a);
+    const int shifts = 2 * stencil.degree + 1;
+    for (int across = 0; across < stencil.offsets; across += shifts) {
+      const int to = neighbour_line(at, across);
       if (to < 0) continue;
-      for (int u = 0; u < stencil.components; ++u) {
-        const int column = local(box * sites + to * stencil.components + u);
-        if (column >= 0) blocks(block, row, column) += values(stencil.index(a, u, o, point));
-      }
+      for (int u = 0; u < stencil.components; ++u)
+        for (int o = 0; o < shifts; ++o) {
+          const float* entry = values.data() + stencil.index(a, u, across + o, point);
+          for (int block = begin; block < begin + together; ++block)
+            add(block, line * width, a, to * width, u, o - stencil.degree, entry);
+        }
+    }
+  }
+  KOKKOS_FUNCTION int unknown(int block, int point, int component) const {
+    return local((first + block) * sites + point * stencil.components + component);
+  }
+  KOKKOS_FUNCTION void clear(int block, int line, int a) const {
+    const int n = size(first + block);
+    for (int x = 0; x < width; ++x) {
+      const int row = unknown(block, line * width + x, a);
+      for (int j = 0; j < n && row >= 0; ++j) blocks(block, row, j) = 0;
+    }
+  }
+  /// The line of a box at an offset from another; a box that goes all around a periodic axis closes on itself.
+  KOKKOS_FUNCTION int neighbour_line(const int* at, int offset) const {
+    int to = 0, step = 1;
+    for (int d = 1; d < D; ++d) {
+      const int i = wrapped(at[d] + stencil.shift(offset, d), width, stencil.period[d]);
+      if (i < 0) return -1;
+      to += step * i;
+      step *= width;
+    }
+    return to;
+  }
+  KOKKOS_FUNCTION void add(int block, int line, int a, int to, int u, int shift, const float* entry) const {
+    const int begin = start((first + block) * D);
+    for (int x = 0; x < width; ++x) {
+      const int there = wrapped(x + shift, width, stencil.period[0]);
+      const int row = unknown(block, line + x, a), column = there < 0 ? -1 : unknown(block, to + there, u);
+      if (row >= 0 && column >= 0) blocks(block, row, column) += entry[stencil.moved(begin, x, 0)];
     }
   }
 };
@@ -64,17 +95,19 @@ struct FillRow {
 /// Inverses of blocks [block][column][row] into their strips.
 struct Store {
   Indices size;
+  Places begin;
   DenseBlocks blocks;
   Inverses inverse;
-  int first, unknowns, strip, strips;
+  int first, unknowns, strip;
 
   KOKKOS_FUNCTION void operator()(int item) const {
-    const int block = item / unknowns, column = item % unknowns, box = first + block;
-    const int n = size(box);
+    const int block = item / unknowns, column = item % unknowns, n = size(first + block);
     if (column >= n) return;
-    for (int row = 0; row < strips * strip; ++row) {
-      const std::int64_t line = (std::int64_t(box) * strips + row / strip) * unknowns + column;
-      inverse(line * strip + row % strip) = row < n ? narrow(blocks(block, column, row)) : 0;
+    std::uint16_t* to = inverse.data() + begin(first + block) + column * strip;
+    for (int row = 0; row < n; row += strip, to += n * strip) {
+      const int count = row + strip < n ? strip : n - row;
+      for (int i = 0; i < count; ++i) to[i] = narrow(blocks(block, column, row + i));
+      for (int i = count; i < strip; ++i) to[i] = 0;
     }
   }
 };
@@ -83,11 +116,12 @@ struct Store {
 /// columns together.
 struct ApplyBoxes {
   Indices size, dof;
+  Places begin;
   Inverses inverse;
   Kokkos::View<const float*, Exec> weight;
   ConstArray r;
-  Kokkos::View<float**, Kokkos::LayoutRight, Exec> out;
-  int unknowns, strip, strips;
+  Kokkos::View<float*, Exec> out;
+  int unknowns, strip;
   using Team = Kokkos::TeamPolicy<Exec>::member_type;
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 
@@ -101,12 +135,13 @@ struct ApplyBoxes {
     team.team_barrier();
     Kokkos::parallel_for(Kokkos::TeamVectorRange(team, (n + rows_at_once - 1) / rows_at_once), [&](int chunk) {
       const int first = chunk * rows_at_once;
-      const std::int64_t line = (std::int64_t(box) * strips + first / strip) * unknowns;
-      const std::uint16_t* column = inverse.data() + line * strip + first % strip;
+      const std::uint16_t* column = inverse.data() + begin(box) + (first / strip) * n * strip + first % strip;
       float sum[rows_at_once] = {};
-      for (int j = 0; j < n; ++j, column += strip)
+      for (int j = 0; j < n; ++j, column += strip) {
+        for (int i = 0; i < rows_at_once; i += 32) prefetch(column + prefetched * strip + i);
         for (int i = 0; i < rows_at_once; ++i) sum[i] += widen(column[i]) * local(j);
-      for (int i = 0; i < rows_at_once && first + i < n; ++i) out(box, first + i) = sum[i];
+      }
+      for (int i = 0; i < rows_at_once && first + i < n; ++i) out(box * unknowns + first + i) = sum[i];
     });
   }
 };
@@ -115,13 +150,12 @@ struct ApplyBoxes {
 struct Collect {
   Indices grouped, place;
   Kokkos::View<const float*, Exec> weight;
-  Kokkos::View<const float**, Kokkos::LayoutRight, Exec> out;
+  Kokkos::View<const float*, Exec> out;
   Array z;
-  int unknowns;
   float factor;
   KOKKOS_FUNCTION void operator()(int i) const {
     float sum = 0;
-    for (int k = grouped(i); k < grouped(i + 1); ++k) sum += out(place(k) / unknowns, place(k) % unknowns);
+    for (int k = grouped(i); k < grouped(i + 1); ++k) sum += out(place(k));
     z(i) += factor * weight(i) * sum;
   }
 };
@@ -134,12 +168,17 @@ Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int 
   count_ = t.count;
   unknowns_ = t.unknowns;
   sites_ = t.sites;
+  row_ = t.row;
   strip_ = on_host ? rows_at_once : unknowns_;
-  strips_ = (unknowns_ + strip_ - 1) / strip_;
+  std::vector<std::int64_t> begin;
+  for (int n : t.size) {
+    begin.push_back(entries_);
+    entries_ += std::int64_t((n + strip_ - 1) / strip_) * strip_ * n;
+  }
+  begin_ = to_device<Kokkos::View<std::int64_t*, Exec>>(begin);
   const auto to_view = [](const std::vector<int>& v) { return to_device<Kokkos::View<int*, Exec>>(v); };
   size_ = to_view(t.size);
   dof_ = to_view(t.dof);
-  site_ = to_view(t.site);
   local_ = to_view(t.local);
   start_ = to_view(t.start);
   place_ = to_view(t.place);
@@ -150,25 +189,30 @@ Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int 
   weight_ = to_device<Kokkos::View<float*, Exec>>(weight);
 }
 
+/// Whole rows of boxes, as many as make a batch.
+template <int D>
+int Boxes<D>::batch() const {
+  return std::min(count_, (batch_size() + row_ - 1) / row_ * row_);
+}
+
 template <int D>
 void Boxes<D>::build(const StencilMatrix<D>& matrix) {
   const auto fresh = [](const std::string& label) { return Kokkos::view_alloc(label, Kokkos::WithoutInitializing); };
   if (inverse_.extent(0) == 0) {
-    inverse_ = Inverses(fresh("boxes.inverse"), std::int64_t(count_) * strips_ * strip_ * unknowns_);
-    out_ = Kokkos::View<float**, Kokkos::LayoutRight, Exec>(fresh("boxes.out"), count_, unknowns_);
+    inverse_ = large_array<Inverses>("boxes.inverse", entries_);
+    out_ = Kokkos::View<float*, Exec>(fresh("boxes.out"), std::size_t(count_) * unknowns_);
+    blocks_ = DenseBlocks(fresh("boxes.blocks"), batch(), unknowns_, unknowns_);
   }
-  const int batch = std::min(count_, batch_size);
-  const DenseBlocks blocks(fresh("boxes.blocks"), batch, unknowns_, unknowns_);
-  for (int first = 0; first < count_; first += batch) {
-    const int now = std::min(batch, count_ - first);
+  for (int first = 0; first < count_; first += batch()) {
+    const int now = std::min(batch(), count_ - first);
     const auto some = Kokkos::make_pair(first, first + now);
-    const DenseBlocks part = Kokkos::subview(blocks, Kokkos::make_pair(0, now), Kokkos::ALL, Kokkos::ALL);
-    const Kokkos::RangePolicy<Exec> lines(0, now * unknowns_);
-    Kokkos::parallel_for("softwet::boxes", lines,
-                         FillRow<D>{matrix.stencil(), matrix.values(), size_, site_, local_, start_, part, first,
-                                    unknowns_, sites_, width_});
+    const DenseBlocks part = Kokkos::subview(blocks_, Kokkos::make_pair(0, now), Kokkos::ALL, Kokkos::ALL);
+    const FillRows<D> fill{matrix.stencil(), matrix.values(),   size_, local_, start_, part, first, sites_,
+                           width_,           on_host ? row_ : 1};
+    Kokkos::parallel_for("softwet::boxes", Kokkos::RangePolicy<Exec>(0, fill.items(now)), fill);
     invert(part, Kokkos::subview(size_, some));
-    Kokkos::parallel_for("softwet::store", lines, Store{size_, part, inverse_, first, unknowns_, strip_, strips_});
+    Kokkos::parallel_for("softwet::store", Kokkos::RangePolicy<Exec>(0, now * unknowns_),
+                         Store{size_, begin_, part, inverse_, first, unknowns_, strip_});
   }
 }
 
@@ -178,15 +222,14 @@ void Boxes<D>::add(const ConstArray& r, const Array& z, float factor) const {
   Kokkos::parallel_for(
       "softwet::schwarz",
       Kokkos::TeamPolicy<Exec>(count_, on_host ? 1 : 8, on_host ? 1 : 32).set_scratch_size(0, Kokkos::PerTeam(scratch)),
-      ApplyBoxes{size_, dof_, inverse_, weight_, r, out_, unknowns_, strip_, strips_});
+      ApplyBoxes{size_, dof_, begin_, inverse_, weight_, r, out_, unknowns_, strip_});
   Kokkos::parallel_for("softwet::collect", Kokkos::RangePolicy<Exec>(0, z.extent(0)),
-                       Collect{grouped_, place_, weight_, out_, z, unknowns_, factor});
+                       Collect{grouped_, place_, weight_, out_, z, factor});
 }
 
 template <int D>
 double Boxes<D>::bytes() const {
-  return double(count_) * unknowns_ * (2.0 * strips_ * strip_ + 4.0) +
-         4.0 * std::min(count_, batch_size) * unknowns_ * unknowns_;
+  return 2.0 * entries_ + 4.0 * unknowns_ * (count_ + double(batch()) * unknowns_);
 }
 
 template class Boxes<2>;

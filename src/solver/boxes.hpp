@@ -1,6 +1,7 @@
 // Dense inverses of overlapping boxes of control points, stored in 16 bits, and their weighted sum.
 #pragma once
 
+#include "solver/dense_inverse.hpp"
 #include "solver/stencil.hpp"
 
 namespace softwet {
@@ -26,11 +27,17 @@ class Boxes {
   /// [box][strip of rows][column][row in the strip]: what one thread of the host reads lies in one piece.
   using Inverses = Kokkos::View<std::uint16_t*, Exec>;
 
-  int width_, count_, unknowns_, sites_, strip_, strips_;
-  Indices size_, dof_, site_, local_, start_, place_, grouped_;
+  int batch() const;
+
+  int width_, count_, unknowns_, sites_, strip_;
+  int row_;                   ///< boxes that follow each other along the first axis
+  std::int64_t entries_ = 0;  ///< of all inverses
+  Indices size_, dof_, local_, start_, place_, grouped_;
+  Kokkos::View<const std::int64_t*, Exec> begin_;  ///< first entry of each inverse
   Kokkos::View<const float*, Exec> weight_;
   Inverses inverse_;
-  Kokkos::View<float**, Kokkos::LayoutRight, Exec> out_;
+  Kokkos::View<float*, Exec> out_;
+  DenseBlocks blocks_;  ///< matrices of some boxes during a build
 };
 
 }  // namespace softwet

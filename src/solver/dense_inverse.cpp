@@ -1,6 +1,7 @@
 #include "solver/dense_inverse.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <atomic>
 #include <new>
 
@@ -27,12 +28,22 @@ struct InvertOnHost {
   void invert(int b) const {
     const int n = size(b);
     if (n == 0) return;
-    using Strided = Eigen::Map<RowMajor, 0, Eigen::OuterStride<>>;
+    // The rows of A are the columns of this map, so that B^T is factorised in place.
+    using Strided = Eigen::Map<Eigen::MatrixXf, 0, Eigen::OuterStride<>>;
     Strided a(&blocks(b, 0, 0), n, n, Eigen::OuterStride<>(blocks.extent(2)));
-    const Eigen::VectorXf scale = a.rowwise().lpNorm<Eigen::Infinity>().cwiseMax(1e-30f).cwiseInverse();
-    const Eigen::MatrixXf transposed = (scale.asDiagonal() * a).transpose();
-    const Eigen::PartialPivLU<Eigen::MatrixXf> lu(transposed);
-    a = scale.asDiagonal() * lu.inverse();
+    const Eigen::VectorXf scale = a.colwise().lpNorm<Eigen::Infinity>().cwiseMax(1e-30f).cwiseInverse();
+    a = a * scale.asDiagonal();
+    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXf, 0, Eigen::OuterStride<>>> lu(a);
+    thread_local Eigen::MatrixXf x;  // kept, so that a second build allocates nothing
+    x.setIdentity(n, n);
+    constexpr int columns = 64;
+    for (int j = 0; j < n; j += columns) {  // above its diagonal the inverse of L is zero
+      auto part = x.block(j, j, n - j, std::min(columns, n - j));
+      a.bottomRightCorner(n - j, n - j).triangularView<Eigen::UnitLower>().solveInPlace(part);
+    }
+    a.triangularView<Eigen::Upper>().solveInPlace(x);
+    Eigen::Map<RowMajor, 0, Eigen::OuterStride<>>(a.data(), n, n, a.outerStride()) =
+        scale.asDiagonal() * (x * lu.permutationP());
   }
 };
 

@@ -42,7 +42,8 @@ PatchTables make_patches(const Layout<D>& layout, const UnknownTable<D>& table, 
     t.count *= static_cast<int>(starts[d].size());
     t.sites *= width;
   }
-  std::vector<std::vector<int>> dof(t.count), site(t.count);
+  t.row = static_cast<int>(starts[0].size());
+  std::vector<std::vector<int>> dof(t.count);
   t.local.assign(static_cast<std::size_t>(t.count) * t.sites, -1);
   for (int box = 0; box < t.count; ++box) {
     int origin[D];
@@ -65,19 +66,16 @@ PatchTables make_patches(const Layout<D>& layout, const UnknownTable<D>& table, 
       if (unknown < 0) continue;
       t.local[static_cast<std::size_t>(box) * t.sites + s] = static_cast<int>(dof[box].size());
       dof[box].push_back(unknown);
-      site[box].push_back(s);
     }
     t.size.push_back(static_cast<int>(dof[box].size()));
     t.unknowns = std::max(t.unknowns, t.size[box]);
   }
   t.dof.assign(static_cast<std::size_t>(t.count) * t.unknowns, -1);
-  t.site.assign(t.dof.size(), -1);
   std::vector<std::vector<int>> places(layout.size());
   for (int box = 0; box < t.count; ++box)
     for (int i = 0; i < t.size[box]; ++i) {
       const int at = box * t.unknowns + i;
       t.dof[at] = dof[box][i];
-      t.site[at] = site[box][i];
       places[dof[box][i]].push_back(at);
     }
   for (const std::vector<int>& group : places) {

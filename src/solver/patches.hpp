@@ -10,12 +10,12 @@ namespace softwet {
 /// Index tables of the boxes.
 struct PatchTables {
   int count = 0;             ///< number of boxes
+  int row = 0;               ///< boxes that follow each other along the first axis
   int unknowns = 0;          ///< largest number of unknowns of a box
   int sites = 0;             ///< control points times components of a box
   std::vector<int> size;     ///< [count] unknowns of each box
   std::vector<int> dof;      ///< [count][unknowns] index into the vector of unknowns, -1 beyond size
-  std::vector<int> site;     ///< [count][unknowns] place in the box: (control point in the box) components + component
-  std::vector<int> local;    ///< [count][sites] number of the unknown in the box, or -1
+  std::vector<int> local;    ///< [count][control point in the box][component] number of the unknown in the box, or -1
   std::vector<int> start;    ///< [count][D] first control point of each box
   std::vector<int> place;    ///< where each unknown is found: box unknowns + number in the box, grouped by unknown
   std::vector<int> grouped;  ///< [unknowns of the layout + 1] the group of each unknown in `place`

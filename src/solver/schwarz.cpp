@@ -58,11 +58,11 @@ class Schwarz final : public StencilSolver<D> {
     space_.emplace(layout, mask, 4);
     if (!space_->exists()) return space_.reset();
     const Layout<D>& coarse = space_->layout();
-    coarse_matrix_.emplace(coarse, space_->mask());
+    const bool direct = coarse.size() <= control.direct_up_to;
+    coarse_matrix_.emplace(coarse, space_->mask(), direct ? Products::single : Products::sixteen_bits);
     SchwarzControl below = control;
     below.multiplicative = true;
-    coarse_ = coarse.size() <= control.direct_up_to ? make_block_lu<D>(coarse, space_->mask())
-                                                    : make_schwarz<D>(coarse, space_->mask(), below);
+    coarse_ = direct ? make_block_lu<D>(coarse, space_->mask()) : make_schwarz<D>(coarse, space_->mask(), below);
     coarse_r_ = Array("schwarz.coarse_r", coarse.size());
     coarse_z_ = Array("schwarz.coarse_z", coarse.size());
     if (multiplicative_) rest_ = Array("schwarz.rest", layout.size());

@@ -1,5 +1,10 @@
 #include "solver/stencil.hpp"
 
+#include <utility>
+
+#include "solver/bfloat16.hpp"
+#include "solver/large_pages.hpp"
+
 namespace softwet {
 
 template <int D>
@@ -18,22 +23,23 @@ UnknownTable<D>::UnknownTable(const Layout<D>& layout, const std::vector<double>
 
 namespace {
 
-/// Free values of a vector, in single precision, by component and line of control points along the first axis. Lines
-/// carry `degree` values in front and a rest behind, so that a product reads whole chunks: zeros, or what a periodic
-/// axis repeats. Values that do not exist are zero.
+/// Free values of a vector, in single precision, by component and line. Lines carry `margin` values in front and more
+/// behind, so that a product reads whole chunks: zeros, or what a periodic axis repeats. Values that do not exist are
+/// zero.
 template <int D>
 struct SpreadValues {
   Stencil<D> stencil;
   ConstArray x, mask;
   StencilValues out;
   ComponentPlaces<D> places;
-  int line_length;
+  StencilLines lines;
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
-    const int n = stencil.extent[0], lines = stencil.points / n;
-    const int at = static_cast<int>(item % line_length), line = static_cast<int>(item / line_length % lines);
-    const int c = static_cast<int>(item / line_length / lines);
-    const int i = at < n + 2 * stencil.degree ? stencil.moved(at, -stencil.degree, 0) : -1;
+    const int n = lines.length, count = stencil.points / n;
+    const int at = static_cast<int>(item % lines.stored), line = static_cast<int>(item / lines.stored % count);
+    const int c = static_cast<int>(item / lines.stored / count);
+    const int i =
+        at < n + 2 * lines.margin ? wrapped(at - lines.margin, n, n < stencil.points ? stencil.period[0] : 0) : -1;
     const int point = line * n + i, unknown = places.shift[c] + point;
     out(item) = i < 0 || point < places.first[c] ? 0.0f : static_cast<float>(x(unknown) * mask(unknown));
   }
@@ -41,17 +47,19 @@ struct SpreadValues {
 
 /// Rows of a product at once: on the host pieces of neighbouring lines, so that each of the matrix' many streams is
 /// read some hundred entries at a time; on a device one row per thread.
-constexpr int piece = on_host ? 128 : 1, lines_at_once = on_host ? 8 : 1, pack = on_host ? 16 : 1;
+constexpr int piece = on_host ? 128 : 1, long_piece = on_host ? 1024 : 1, lines_at_once = on_host ? 8 : 1,
+              pack = on_host ? 16 : 1;
 
 /// y of one component on pieces of some lines of control points, offset by offset.
-template <int D>
+template <int D, class Value>
 struct MultiplyPieces {
   Stencil<D> stencil;
-  StencilValues values, x;
+  Kokkos::View<const Value*, Exec> values;
+  StencilValues x;
   ConstArray mask;
   Array y;
   ComponentPlaces<D> places;
-  int line_length;
+  StencilLines stored_lines;
 
   KOKKOS_FUNCTION int pieces() const { return (stencil.extent[0] + piece - 1) / piece; }
   KOKKOS_FUNCTION int groups() const { return (stencil.extent[1] + lines_at_once - 1) / lines_at_once; }
@@ -79,8 +87,8 @@ struct MultiplyPieces {
         for (int o = 0; o < width; ++o)
           for (int l = 0; l < lines; ++l) {
             if (to[l] * n < places.first[u]) continue;  // also -1, none
-            const float* entry = values.data() + stencil.index(a, u, across * width + o, first + l * n);
-            add(entry, x.data() + (u * (stencil.points / n) + to[l]) * line_length + begin + o, count, sum[l]);
+            const Value* entry = values.data() + stencil.index(a, u, across * width + o, first + l * n);
+            add(entry, x.data() + (u * (stencil.points / n) + to[l]) * stored_lines.stored + begin + o, count, sum[l]);
           }
     }
     for (int l = 0; l < lines; ++l) {
@@ -99,37 +107,130 @@ struct MultiplyPieces {
     }
     return to;
   }
-  KOKKOS_FUNCTION static void add(const float* entry, const float* from, int count, float* sum) {
+  KOKKOS_FUNCTION static void add(const Value* entry, const float* from, int count, float* sum) {
     for (int k = 0; k < count; k += pack)  // whole packs: what lies beyond the line is not used
-      for (int i = k; i < k + pack; ++i) sum[i] += entry[i] * from[i];
+      for (int i = k; i < k + pack; ++i) sum[i] += widen(entry[i]) * from[i];
   }
+};
+
+/// y of one component on a piece of all control points. Where no axis is periodic, each neighbour is everywhere the same
+/// distance away in storage: a neighbour beyond an end does not exist, and its entry is zero.
+template <int D, class Value>
+struct MultiplyLongPieces {
+  Stencil<D> stencil;
+  Kokkos::View<const Value*, Exec> values;
+  StencilValues x;
+  ConstArray mask;
+  Array y;
+  ComponentPlaces<D> places;
+  StencilLines line;
+
+  KOKKOS_FUNCTION int pieces() const { return (stencil.points + long_piece - 1) / long_piece; }
+  std::int64_t items() const { return std::int64_t(stencil.components) * pieces(); }
+
+  KOKKOS_FUNCTION void operator()(std::int64_t item) const {
+    const int a = static_cast<int>(item / pieces()), begin = static_cast<int>(item % pieces()) * long_piece;
+    const int end = begin + long_piece < stencil.points ? begin + long_piece : stencil.points, count = end - begin;
+    if (end <= places.first[a]) return;
+    float sum[long_piece] = {};
+    const int whole = (count + pack - 1) / pack * pack;
+    const int width = 2 * stencil.degree + 1;
+    for (int u = 0; u < stencil.components; ++u)
+      for (int across = 0; across < stencil.offsets; across += width) {
+        const int to = begin + distance(across);
+        if (to + width + count <= places.first[u]) continue;
+        const Value* entry = values.data() + stencil.index(a, u, across, begin);
+        const float* from = x.data() + std::int64_t(u) * line.stored + line.margin + to;
+        if (width == 5) {
+          add(entry, from, whole, sum, std::make_integer_sequence<int, 5>());
+        } else {
+          for (int o = 0; o < width; ++o)
+            add(entry + std::int64_t(o) * stencil.points, from + o, whole, sum, std::make_integer_sequence<int, 1>());
+        }
+      }
+    for (int i = 0; i < count; ++i) {
+      const int unknown = places.shift[a] + begin + i;
+      if (begin + i >= places.first[a]) y(unknown) = sum[i] * mask(unknown);
+    }
+  }
+  KOKKOS_FUNCTION int distance(int offset) const {
+    int result = 0, stride = 1;
+    for (int d = 0; d < D; ++d) {
+      result += stride * stencil.shift(offset, d);
+      stride *= stencil.extent[d];
+    }
+    return result;
+  }
+  /// Offsets that follow each other along the first axis. Counts are whole packs: what lies beyond the end is not used.
+  template <int... O>
+  KOKKOS_FUNCTION void add(const Value* entry, const float* from, int count, float* sum,
+                           std::integer_sequence<int, O...>) const {
+    const std::int64_t next = stencil.points;
+    for (int i = 0; i < count; ++i) sum[i] += ((widen(entry[O * next + i]) * from[O + i]) + ...);
+  }
+};
+
+/// Rounds the values to 16 bits.
+struct NarrowValues {
+  StencilValues values;
+  Kokkos::View<std::uint16_t*, Exec> out;
+  KOKKOS_FUNCTION void operator()(std::int64_t i) const { out(i) = narrow(values(i)); }
 };
 
 }  // namespace
 
 template <int D>
-StencilMatrix<D>::StencilMatrix(const Layout<D>& layout, const ConstArray& mask)
-    : layout_(layout), stencil_(layout), mask_(mask) {
-  const int n = stencil_.extent[0];
-  line_length_ = (n + pack - 1) / pack * pack + 2 * stencil_.degree;
-  spread_ = StencilValues("stencil.x", stencil_.components * (stencil_.points / n) * line_length_);
+StencilMatrix<D>::StencilMatrix(const Layout<D>& layout, const ConstArray& mask, Products products)
+    : layout_(layout), stencil_(layout), mask_(mask), products_(products) {
+  bool periodic = false;
+  int stride = 1, farthest = 0;
+  for (int d = 0; d < D; ++d) {
+    periodic = periodic || stencil_.period[d] > 0;
+    farthest += stride * stencil_.degree;
+    stride *= stencil_.extent[d];
+  }
+  lines_.length = periodic ? stencil_.extent[0] : stencil_.points;
+  lines_.margin = periodic ? stencil_.degree : farthest;
+  lines_.stored = (lines_.length + pack - 1) / pack * pack + 2 * lines_.margin;
+  spread_ =
+      StencilValues("stencil.x", std::int64_t(stencil_.components) * (stencil_.points / lines_.length) * lines_.stored);
 }
 
 template <int D>
 void StencilMatrix<D>::fill(const Jacobian& jacobian) {
+  using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
   const auto all = Kokkos::make_pair(std::int64_t(0), stencil_.size());
-  if (values_.extent(0) == 0) values_ = StencilValues("stencil", stencil_.size() + pack);  // a product reads beyond
+  if (values_.extent(0) == 0) {
+    values_ = large_array<StencilValues>("stencil", stencil_.size() + pack);  // a product reads beyond
+    Kokkos::deep_copy(values_, 0.0f);
+  }
   jacobian(Kokkos::subview(values_, all));
+  if (products_ == Products::single) return;
+  if (narrow_.extent(0) == 0) {
+    narrow_ = large_array<Kokkos::View<std::uint16_t*, Exec>>("stencil.narrow", values_.extent(0));
+    Kokkos::deep_copy(narrow_, std::uint16_t(0));
+  }
+  Kokkos::parallel_for("softwet::narrow", Policy(0, stencil_.size()), NarrowValues{values_, narrow_});
 }
 
 template <int D>
 void StencilMatrix<D>::multiply(const ConstArray& x, const Array& y) const {
   using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
   const ComponentPlaces<D> places(layout_);
-  const SpreadValues<D> spread{stencil_, x, mask_, spread_, places, line_length_};
-  const MultiplyPieces<D> product{stencil_, values_, spread_, mask_, y, places, line_length_};
+  const SpreadValues<D> spread{stencil_, x, mask_, spread_, places, lines_};
   Kokkos::parallel_for("softwet::spread", Policy(0, spread_.extent(0)), spread);
-  Kokkos::parallel_for("softwet::stencil_multiply", Policy(0, product.items()), product);
+  const auto run = [&](const auto& product) {
+    Kokkos::parallel_for("softwet::stencil_multiply", Policy(0, product.items()), product);
+  };
+  const auto with = [&](const auto& values) {
+    using Value = typename std::decay_t<decltype(values)>::non_const_value_type;
+    if (lines_.length == stencil_.points) {
+      run(MultiplyLongPieces<D, Value>{stencil_, values, spread_, mask_, y, places, lines_});
+    } else {
+      run(MultiplyPieces<D, Value>{stencil_, values, spread_, mask_, y, places, lines_});
+    }
+  };
+  products_ == Products::single ? with(values_) : with(narrow_);
 }
 
 template class UnknownTable<2>;

@@ -26,11 +26,20 @@ class UnknownTable {
   std::vector<int> unknown_, component_, point_;
 };
 
+/// What products with a matrix read: its values, or a copy of them in 16 bits, which costs half of the memory traffic.
+enum class Products { single, sixteen_bits };
+
+/// How a vector is stored for a product: lines with a margin at both ends. A line is one along the first axis, or all
+/// control points where no axis is periodic.
+struct StencilLines {
+  int length = 0, margin = 0, stored = 0;
+};
+
 /// The matrix. Values are allocated by the first fill, so that its size can be counted before.
 template <int D>
 class StencilMatrix {
  public:
-  StencilMatrix(const Layout<D>& layout, const ConstArray& mask);
+  StencilMatrix(const Layout<D>& layout, const ConstArray& mask, Products products = Products::single);
 
   void fill(const Jacobian& jacobian);
   /// y = A x; prescribed values and ghosts of x count as zero, those of y are zero.
@@ -40,15 +49,17 @@ class StencilMatrix {
   const Stencil<D>& stencil() const { return stencil_; }
   const StencilValues& values() const { return values_; }
   ConstArray mask() const { return mask_; }
-  double bytes() const { return 4.0 * stencil_.size(); }
+  double bytes() const { return (products_ == Products::single ? 4.0 : 6.0) * stencil_.size(); }
 
  private:
   Layout<D> layout_;
   Stencil<D> stencil_;
   ConstArray mask_;
   StencilValues values_;
-  StencilValues spread_;  ///< the vector of a product, line by line
-  int line_length_ = 0;
+  Products products_;
+  Kokkos::View<std::uint16_t*, Exec> narrow_;  ///< the copy in 16 bits
+  StencilValues spread_;                       ///< the vector of a product, line by line
+  StencilLines lines_;
 };
 
 /// Calls visit(row point, place) for every control point whose rows have entries in the columns of another. The entry of the
