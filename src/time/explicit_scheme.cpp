@@ -1,5 +1,7 @@
 #include "time/explicit_scheme.hpp"
 
+#include "case/error.hpp"
+
 namespace softwet {
 namespace {
 
@@ -16,8 +18,8 @@ ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, co
     : judge_(judge),
       system_(model, c.time.mass == "lumped" ? MassKind::lumped : MassKind::consistent),
       scheme_(runge_kutta(c.time.scheme, system_.size())),
-      spectrum_(system_.size()),
-      stiff_spectrum_(scheme_->needs_stiff_radius() ? system_.size() : 0),
+      spectrum_(system_.size(), system_.free_values()),
+      stiff_spectrum_(scheme_->needs_stiff_radius() ? system_.size() : 0, system_.free_values()),
       safety_(c.time.safety) {
   for (Array* a : {&y_, &rates_, &next_, &next_rates_, &probe_}) *a = Array("explicit.vector", system_.size());
 }
@@ -63,6 +65,10 @@ template <int D, int P>
 double ExplicitScheme<D, P>::largest_step(const State& state) {
   if (!begin(state).empty()) return std::numeric_limits<double>::infinity();  // the attempt tells
   if (age_ >= most_age_) measure_radius(state.time);
+  if (!(spectrum_.radius() > 0))
+    throw Error(Exit::computation_failed,
+                "the largest stable step of time.scheme could not be measured at this state; write time.scheme = "
+                "\"generalized_alpha\"");
   return safety_ * scheme_->limit(spectrum_.radius(), spectrum_.imaginary());
 }
 

@@ -8,20 +8,23 @@
 
 namespace softwet {
 
-/// Adds numbers that look random to a vector.
+/// Adds numbers that look random to the entries of a vector where `free` is 1; empty: to all.
 struct AddNoise {
   Array a;
+  ConstArray free;
   double scale;
   KOKKOS_FUNCTION void operator()(int i) const {
     const unsigned mixed = (static_cast<unsigned>(i) * 2654435761u) ^ (static_cast<unsigned>(i) >> 7);
-    a(i) += scale * ((mixed % 20011u) / 10005.0 - 1.0);
+    a(i) += scale * (free.extent(0) > 0 ? free(i) : 1.0) * ((mixed % 20011u) / 10005.0 - 1.0);
   }
 };
 
 /// Keeps its vector from one measurement to the next, which then takes few products.
 class PowerIteration {
  public:
-  explicit PowerIteration(int size) : direction_("power.direction", size), product_("power.product", size) {}
+  /// @param free  1 where the operator's vectors may be anything, else 0; empty: everywhere
+  explicit PowerIteration(int size, ConstArray free = {})
+      : direction_("power.direction", size), product_("power.product", size), free_(std::move(free)) {}
 
   /// @param apply  apply(z, out) writes the product with z and tells whether there is one
   template <class Apply>
@@ -62,10 +65,11 @@ class PowerIteration {
     const double length = norm(direction_), size = direction_.extent(0) > 0 ? direction_.extent(0) : 1;
     const double scale = length > 0 ? part * length / std::sqrt(size) : 1;
     Kokkos::parallel_for("softwet::noise", Kokkos::RangePolicy<Exec>(0, direction_.extent(0)),
-                         AddNoise{direction_, scale});
+                         AddNoise{direction_, free_, scale});
   }
 
   Array direction_, product_;
+  ConstArray free_;
   double radius_ = 0;
   bool imaginary_ = false;
 };

@@ -58,6 +58,17 @@ void SemiDiscrete<D, P>::pack(const State& s, const Array& y) const {
 }
 
 template <int D, int P>
+Array SemiDiscrete<D, P>::free_values() const {
+  const Layout<D>& l = model_.layout();
+  const Array free("explicit.free", size());
+  Kokkos::deep_copy(cut(free, 0, velocity_), part(model_.mask(), 0, velocity_));
+  if (l.has_fluid)
+    Kokkos::deep_copy(cut(free, velocity_ + solid_, size()),
+                      part(model_.mask(), l.density_offset(), l.potential_offset()));
+  return free;
+}
+
+template <int D, int P>
 void SemiDiscrete<D, P>::copy_stage(double t, const Array& y, const Array& rates, State& s) const {
   s.time = t;
   Kokkos::deep_copy(s.unknown, stage_.unknown);
