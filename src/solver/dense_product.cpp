@@ -1,15 +1,16 @@
 #include "solver/dense_product.hpp"
 
-#include <Kokkos_SIMD.hpp>
 #include <algorithm>
 #include <cmath>
+
+#include "solver/host_pack.hpp"
 
 namespace softwet {
 
 namespace {
 
-using Pack = Kokkos::Experimental::simd<float>;
-constexpr int lanes = static_cast<int>(Pack::size());
+using Pack = HostPack;
+constexpr int lanes = host_lanes;
 
 /// The innermost loop computes a tile of c, which stays in registers: two packs high, and as wide as there are registers.
 constexpr int tile_rows = 2 * lanes, tile_columns = lanes >= 16 ? 12 : 6;
@@ -19,13 +20,6 @@ static_assert(part_columns % tile_columns == 0);
 
 /// Columns of a panel of the elimination.
 constexpr int panel = 16;
-
-Pack load(const float* from) {
-  return Kokkos::Experimental::simd_unchecked_load<Pack>(from, Kokkos::Experimental::simd_flag_default);
-}
-void store(const Pack& x, float* to) {
-  Kokkos::Experimental::simd_unchecked_store(x, to, Kokkos::Experimental::simd_flag_default);
-}
 
 /// Tiles of rows, each with its columns one after another; rows that do not exist are zero.
 void copy_a(float sign, const ConstMatrix& a, float* to) {

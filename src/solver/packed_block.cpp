@@ -1,10 +1,11 @@
 #include "solver/packed_block.hpp"
 
-#include <Kokkos_SIMD.hpp>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <type_traits>
+
+#include "solver/host_pack.hpp"
 
 #ifdef SOFTWET_HALF
 #include <immintrin.h>
@@ -12,41 +13,31 @@
 
 namespace softwet {
 
+#ifdef SOFTWET_HALF
+constexpr int to_nearest = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
+#ifdef KOKKOS_ARCH_AVX512XEON
+static HostPack load(const Half* from) {
+  return HostPack(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))));
+}
+static void store(const HostPack& x, Half* to) {
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvtps_ph(static_cast<__m512>(x), to_nearest));
+}
+#else
+static HostPack load(const Half* from) {
+  return HostPack(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))));
+}
+static void store(const HostPack& x, Half* to) {
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvtps_ph(static_cast<__m256>(x), to_nearest));
+}
+#endif
+#endif
+
 namespace {
 
-using Pack = Kokkos::Experimental::simd<float>;
-constexpr int lanes = static_cast<int>(Pack::size());
+using Pack = HostPack;
+constexpr int lanes = host_lanes;
 constexpr int packs_in_strip = 4;  ///< the last strip of a block may have fewer
 constexpr float top = 32768;       ///< scaled entries lie below; the largest number of half precision is 65504
-
-Pack load(const float* from) {
-  return Kokkos::Experimental::simd_unchecked_load<Pack>(from, Kokkos::Experimental::simd_flag_default);
-}
-void store(const Pack& x, float* to) {
-  Kokkos::Experimental::simd_unchecked_store(x, to, Kokkos::Experimental::simd_flag_default);
-}
-
-#ifdef SOFTWET_HALF
-Pack load(const Half* from) {
-  if constexpr (lanes == 16) {
-#ifdef __AVX512F__
-    return Pack(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))));
-#endif
-  } else {
-    return Pack(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))));
-  }
-}
-void store(const Pack& x, Half* to) {
-  constexpr int nearest = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
-  if constexpr (lanes == 16) {
-#ifdef __AVX512F__
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvtps_ph(static_cast<__m512>(x), nearest));
-#endif
-  } else {
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvtps_ph(static_cast<__m256>(x), nearest));
-  }
-}
-#endif
 
 /// The pack at the end of a column, of which `left` numbers exist; the others are zero.
 Pack load_some(const float* from, int left) {

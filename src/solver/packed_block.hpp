@@ -1,6 +1,7 @@
 // Dense blocks of LU factors, stored for products with vectors in half or in single precision.
 #pragma once
 
+#include <Kokkos_Macros.hpp>
 #include <cstdint>
 #include <type_traits>
 
@@ -13,7 +14,7 @@ struct Half {
   std::uint16_t bits;
 };
 
-#if defined(__AVX512F__) || (defined(__AVX2__) && defined(__F16C__))
+#if defined(__F16C__) && (defined(KOKKOS_ARCH_AVX2) || defined(KOKKOS_ARCH_AVX512XEON))
 #define SOFTWET_HALF  // the processor converts it
 #endif
 
