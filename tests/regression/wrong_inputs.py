@@ -24,7 +24,7 @@ LINES = [
     ('name = "first"', 'name = "first', ["not TOML"]),
     # names
     ('viscosity =', 'viscosty =', ["fluid.viscosty", "did you mean fluid.viscosity"]),
-    ('viscosity =', 'gravity = 1\nviscosity =', ["fluid.gravity = 1", "[fluid] has the keys viscosity"]),
+    ('viscosity =', 'magnetism = 1\nviscosity =', ["fluid.magnetism = 1", "[fluid] has the keys viscosity"]),
     ('viscosity =', 'density = 1\nviscosity =', ["fluid.density", "density is a key of [substrate]"]),
     ('contact_angle =', 'angle =', ["fluid.angle", "did you mean fluid.contact_angle"]),
     ('young =', 'model = "neo_hooke"\nyoung =', ["substrate.model", "[substrate] has the keys thickness"]),
@@ -96,7 +96,8 @@ LINES = [
 COMMANDS = [
     (["check", "case.toml", "--set", "fluid.viscosity=-1"], ["--set fluid.viscosity=-1", "(0, inf)"]),
     (["check", "case.toml", "--set", "fluid.viscosity=0,5"], ["write viscosity = 0.5"]),
-    (["check", "case.toml", "--set", "gravity=9.81"], ["gravity = 9.81", "the tables are"]),
+    (["check", "case.toml", "--set", "gravity=9.81"], ["gravity = 9.81", "did you mean fluid.gravity"]),
+    (["check", "case.toml", "--set", "magnetism=9.81"], ["magnetism = 9.81", "the tables are"]),
     (["check", "case.toml", "--set", "time.edn=1"], ["did you mean time.end"]),
     (["check", "case.toml", "--set", "load[1].ramp=1"], ["has 1 of these tables"]),
     (["check", "case.toml", "--set", "load[x].ramp=1"], ["load[0].ramp=5"]),
@@ -106,7 +107,8 @@ COMMANDS = [
     (["check", "."], ["it is a folder"]),
     (["check"], ["CASE"]),
     (["explain", "angle"], ["did you mean fluid.contact_angle"]),
-    (["explain", "gravity"], ["the tables are"]),
+    (["explain", "gravity"], ["did you mean fluid.gravity"]),
+    (["explain", "magnetism"], ["the tables are"]),
     (["run", "case.toml", "--thread", "2"], ["--thread", "did you mean --threads"]),
     (["run", "case.toml", "--threads", "0"], ["--threads"]),
     (["run", "case.toml", "--fast"], ["--fast", "--help"]),
