@@ -15,6 +15,7 @@ from radial_droplet import energy_curvature, energy_slope
 from scipy.integrate import solve_bvp
 
 MINUTES = {"quick": 0.2, "full": 0.6}
+EXPLICIT = "a state at rest, which no scheme changes; to come to rest takes thousands of units of time"
 THETA, CAPILLARITY, FORCE = 0.85, 1 / 16, 0.1
 CASE = case("A column of liquid under its vapour, in gravity.", "column_in_gravity",
             domain=dict(size=[0.125, 1.0], elements=[8, 64]),

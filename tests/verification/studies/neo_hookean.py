@@ -12,6 +12,7 @@ from _case import case, fields, sides
 from scipy.optimize import brentq
 
 MINUTES = {"quick": 0.1, "full": 0.2}
+EXPLICIT = "a state at rest, which no scheme changes; to come to rest takes thousands of units of time"
 YOUNG, POISSON, HEIGHT = 1.0, 0.3, 1.0
 LAMBDA, SHEAR = POISSON * YOUNG / ((1 + POISSON) * (1 - 2 * POISSON)), YOUNG / (2 * (1 + POISSON))
 LAWS = {"neo_hookean": lambda s: SHEAR * (s - 1 / s) + LAMBDA * numpy.log(s) / s,
