@@ -80,7 +80,7 @@ void Front<Number>::eliminate(const Matrix& front, float* beside, float* scratch
 
 template <class Number>
 void Front<Number>::forward(float* head, const std::vector<const Front*>& below, float* scratch) {
-  std::fill(tail_, tail_ + border_, 0.0f);
+  std::fill(tail_, tail_ + PackedBlock<Number>::padded(border_), 0.0f);
   for (const Front* child : below)
     for (const Run& run : child->runs) {
       float* to = run.to < own_ ? head + run.to : tail_ + (run.to - own_);

@@ -161,6 +161,10 @@ void PackedBlock<Number>::scale_rows(const ConstMatrix& a) {
 template <class Number>
 template <int Sign>
 void PackedBlock<Number>::product(const float* x, float* y, float* scratch) const {
+  if (columns_ == 0) {  // nothing was stored, not even the scales of the rows
+    if (Sign > 0) std::fill(y, y + padded(rows_), 0.0f);
+    return;
+  }
   if constexpr (scaled) {
     for (int j = 0; j < columns_; ++j) scratch[j] = x[j] * column_scale_[j];
     x = scratch;
