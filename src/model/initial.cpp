@@ -123,8 +123,7 @@ void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& vi
 
 /// The part of each shape at a point, shape by shape as visit(shape, part). Together they are at most 1.
 template <class Visit>
-void at_parts(const Case& c, const std::vector<Shape>& all, const double* x, const Visit& visit) {
-  const double half_width = interface_half_width(*c.fluid);
+void at_parts(const Case& c, const std::vector<Shape>& all, double half_width, const double* x, const Visit& visit) {
   double cover = 0;
   for (const Shape& shape : all) {
     const double part = std::min(shape.indicator(c, x, half_width), 1 - cover);
@@ -135,10 +134,11 @@ void at_parts(const Case& c, const std::vector<Shape>& all, const double* x, con
 
 /// Moving droplets: the sum of velocity times part. The solid, which has the wall in common with the fluid, stays at rest.
 template <int D>
-void fill_velocity(const Case& c, const Layout<D>& l, const std::vector<Shape>& all, std::vector<double>& unknown) {
+void fill_velocity(const Case& c, const Layout<D>& l, const std::vector<Shape>& all, double half_width,
+                   std::vector<double>& unknown) {
   const int first = c.substrate ? l.wall_row + 1 : l.wall_row;
   at_greville_points(l, first, l.rows - first, [&](int i, const double* x) {
-    at_parts(c, all, x, [&](const Shape& shape, double part) {
+    at_parts(c, all, half_width, x, [&](const Shape& shape, double part) {
       for (std::size_t d = 0; d < shape.velocity.size(); ++d)
         unknown[l.velocity_offset(d) + first * l.row_size + i] += part * shape.velocity[d];
     });
@@ -150,9 +150,10 @@ void fill_fluid(const Case& c, const Model<D, P>& model, std::vector<double>& un
   const Layout<D>& l = model.layout();
   const std::vector<Shape> all = shapes(c, model);
   const Shape around = surroundings(c, model.state(), all);
+  const double half_width = interface_half_width(*c.fluid);
   at_greville_points(l, l.wall_row, l.fluid_rows(), [&](int i, const double* x) {
     double rho = around.density_around;
-    at_parts(c, all, x, [&](const Shape& shape, double part) {
+    at_parts(c, all, half_width, x, [&](const Shape& shape, double part) {
       const bool liquid = shape.density > shape.density_around;
       const double inside = c.fluid->initial.empty() ? shape.density : c.fluid->initial[liquid ? 1 : 0];
       rho += (inside - around.density_around) * part;
@@ -160,7 +161,7 @@ void fill_fluid(const Case& c, const Model<D, P>& model, std::vector<double>& un
     unknown[l.density_offset() + i] = rho;
     unknown[l.potential_offset() + i] = around.potential;
   });
-  fill_velocity(c, l, all, unknown);
+  fill_velocity(c, l, all, half_width, unknown);
 }
 
 /// Adds the wave to a component; `own` is the direction of a vector's component, -1 for the density.
