@@ -32,7 +32,7 @@ DIALS = [
     {"name": "traction", "key": "fluid.traction", "choices": True},
     {"name": "form", "key": "fluid.form", "choices": True},
     {"name": "precision", "key": "solver.precision", "choices": True},
-    {"name": "quadrature", "key": "solver.quadrature", "choices": True},
+    {"name": "quadrature", "key": "domain.quadrature", "choices": True},
     {"name": "inertia", "key": "substrate.inertia", "choices": True},
     {"name": "strain", "key": "substrate.strain", "choices": True},
     {"name": "start", "key": "time.start", "choices": True},

@@ -21,9 +21,13 @@ enum class Phase { vapour, liquid };
 enum class WallLaw { gradient, energy };  ///< g^2 |grad rho| cos(alpha) of the paper, or the variational wall energy
 
 struct Domain {
-  std::vector<double> size;   ///< extents, 2 or 3 numbers; the last axis is vertical (solid below, fluid above)
-  std::vector<int> elements;  ///< elements per axis
-  int degree = 2;             ///< B-spline degree, C^(degree-1) inside each material
+  std::vector<double> size;         ///< extents, 2 or 3 numbers; the last axis is vertical (solid below, fluid above)
+  std::vector<int> elements;        ///< elements per axis
+  int degree = 2;                   ///< B-spline degree, C^(degree-1) inside each material
+  std::string quadrature = "full";  ///< full | reduced
+
+  /// Gauss points of an element along each axis.
+  int points() const { return quadrature == "reduced" ? degree : degree + 1; }
 };
 
 struct Fluid {

@@ -9,7 +9,7 @@
 namespace softwet {
 
 template <int D, int P>
-Model<D, P>::Model(const Case& c) : precision_(precision_of(c)) {
+Model<D, P>::Model(const Case& c) : precision_(precision_of(c)), points_(c.domain.points()) {
   build_axes(c);
   if (layout_.has_solid) build_solid(c);
   if (layout_.has_fluid) build_fluid(c);
@@ -50,7 +50,7 @@ Region<D> Model<D, P>::region(int first, int last) const {
   int stride = 1;
   for (int d = 0; d < D; ++d) {
     const Axis& axis = layout_.axis[d];
-    r.axis[d] = d < D - 1 ? gauss_rule(axis, 0, axis.elements(), P + 1) : gauss_rule(axis, first, last, P + 1);
+    r.axis[d] = d < D - 1 ? gauss_rule(axis, 0, axis.elements(), points_) : gauss_rule(axis, first, last, points_);
     r.stride[d] = stride;
     stride *= axis.functions();
   }

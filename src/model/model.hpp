@@ -55,6 +55,7 @@ class Model {
   const Pieces<D, double>& pieces() const { return pieces_; }
   const Pieces<D, float>& single_pieces() const { return single_; }
   Precision precision() const { return precision_; }
+  int points() const { return points_; }  ///< of the quadrature, for an element and an axis
   const std::vector<LoadVector>& loads() const { return loads_; }
   ConstArray mask() const { return mask_; }  ///< 1 free, 0 prescribed or ghost
   double wall_height() const { return blend_.low; }
@@ -119,6 +120,7 @@ class Model {
   LameParameters stiffness_;
   bool has_wall_ = false, has_gravity_ = false;
   Precision precision_;
+  int points_;  ///< of the quadrature, for an element and an axis
   Pieces<D, double> pieces_;
   Pieces<D, float> single_;
   std::vector<LoadVector> loads_;

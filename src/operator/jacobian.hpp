@@ -7,7 +7,8 @@
 #pragma once
 
 #include "field/stencil.hpp"
-#include "operator/assemble.hpp"
+#include "operator/batch.hpp"
+#include "operator/colouring.hpp"
 
 namespace softwet {
 
@@ -143,10 +144,10 @@ struct PointMatrices {
 };
 
 /// The matrices of one batch: unknown by unknown, test channel by test channel.
-template <class S, int D, int P, class Term, class Motion>
+template <class S, int D, int P, int Q, class Term, class Motion>
 KOKKOS_FUNCTION void jacobian_batch(const Task<D, Term, Motion, float>& task, const Batch<D>& b,
                                     const Stencil<D>& stencil, float* values) {
-  constexpr int Q = P + 1, QL = points_across<Term, Q>, n2 = (P + 1) * (P + 1), wall_points = power(Q, D - 1);
+  constexpr int QL = points_across<Term, Q>, n2 = (P + 1) * (P + 1), wall_points = power(Q, D - 1);
   constexpr int points = wall_points * QL;
   using N = Dual<S>;
   using Trial = typename Term::template Trial<N, D>;
@@ -199,14 +200,14 @@ KOKKOS_FUNCTION void jacobian_batch(const Task<D, Term, Motion, float>& task, co
   }
 }
 
-template <int D, int P, class Term, class Motion>
+template <int D, int P, int Q, class Term, class Motion>
 struct JacobianBatch {
   Task<D, Term, Motion, float> task;
   Stencil<D> stencil;
   StencilValues values;
 
   KOKKOS_FUNCTION void operator()(const Batch<D>& b) const {
-    jacobian_batch<BatchNumber<float>, D, P, Term, Motion>(task, b, stencil, values.data());
+    jacobian_batch<BatchNumber<float>, D, P, Q, Term, Motion>(task, b, stencil, values.data());
   }
 };
 
@@ -214,7 +215,9 @@ struct JacobianBatch {
 template <int P, int D, class Term, class Motion>
 void assemble_jacobian(const Task<D, Term, Motion, float>& task, const Stencil<D>& stencil,
                        const StencilValues& values) {
-  for_colours("softwet::jacobian", task.region, P + 1, JacobianBatch<D, P, Term, Motion>{task, stencil, values});
+  with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
+    for_colours("softwet::jacobian", task.region, P + 1, JacobianBatch<D, P, Q, Term, Motion>{task, stencil, values});
+  });
 }
 
 }  // namespace softwet

@@ -4,7 +4,8 @@
 #include <array>
 
 #include "field/vector.hpp"
-#include "operator/assemble.hpp"
+#include "operator/batch.hpp"
+#include "operator/colouring.hpp"
 
 namespace softwet {
 
@@ -34,9 +35,9 @@ struct LiftedFields {
 };
 
 /// N = S: the integral. N = Dual<S>: its rate of change by the motion of the domain alone, at fixed fields.
-template <class S, class N, int D, int P, class Functional, class Motion>
+template <class S, class N, int D, int P, int Q, class Functional, class Motion>
 KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task, const Batch<D>& b, double* sum) {
-  constexpr int Q = P + 1, QL = points_across<Functional, Q>, points = power(Q, D - 1) * QL;
+  constexpr int QL = points_across<Functional, Q>, points = power(Q, D - 1) * QL;
   using Trial = typename Functional::template Trial<N, D>;
   using Fields = BatchFields<S, S, D, P, Q, QL, typename Functional::template Trial<S, D>>;
   const BatchBasis<S, D, P, Q, QL> basis(task.region, b);
@@ -61,7 +62,7 @@ KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task,
 }
 
 /// Partial sums of one row of elements.
-template <int D, int P, bool Rate, class Functional, class Motion>
+template <int D, int P, int Q, bool Rate, class Functional, class Motion>
 struct ReduceRow {
   ReduceTask<D, Functional, Motion> task;
   Colouring<D> rows;
@@ -71,8 +72,8 @@ struct ReduceRow {
     using S = BatchNumber<double>;
     using N = std::conditional_t<Rate, Dual<S>, S>;
     double sum[Functional::count] = {};
-    for_row<D, Lanes<S>::count>(rows, item,
-                                [&](const Batch<D>& b) { reduce_batch<S, N, D, P, Functional, Motion>(task, b, sum); });
+    for_row<D, Lanes<S>::count>(
+        rows, item, [&](const Batch<D>& b) { reduce_batch<S, N, D, P, Q, Functional, Motion>(task, b, sum); });
     for (int f = 0; f < Functional::count; ++f) partial(item * Functional::count + f) = sum[f];
   }
 };
@@ -83,8 +84,10 @@ template <int P, bool Rate = false, int D, class Functional, class Motion>
 std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Motion>& task) {
   const Colouring<D> rows(task.region, 1, 0, false);
   const SumSpace& space = sum_space(static_cast<std::size_t>(rows.items()) * Functional::count);
-  Kokkos::parallel_for("softwet::reduce", Kokkos::RangePolicy<Exec>(0, rows.items()),
-                       ReduceRow<D, P, Rate, Functional, Motion>{task, rows, space.device});
+  with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
+    Kokkos::parallel_for("softwet::reduce", Kokkos::RangePolicy<Exec>(0, rows.items()),
+                         ReduceRow<D, P, Q, Rate, Functional, Motion>{task, rows, space.device});
+  });
   Kokkos::deep_copy(space.host, space.device);
   std::array<double, Functional::count> sum{};
   for (int r = 0; r < rows.items(); ++r)

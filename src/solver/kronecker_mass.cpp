@@ -4,12 +4,12 @@ namespace softwet {
 namespace {
 
 /// Rows of the mass matrix of functions [first_function, ..) on the elements [first, last): (i, k) is M(i, i - k).
-std::vector<double> mass_band(const Axis& axis, int first, int last, int first_function, int functions) {
+std::vector<double> mass_band(const Axis& axis, int points, int first, int last, int first_function, int functions) {
   const int p = axis.degree();
-  const Gauss gauss(p + 1);
+  const Gauss gauss(points);
   std::vector<double> band(static_cast<std::size_t>(functions) * (p + 1), 0.0);
   for (int e = first; e < last; ++e)
-    for (int q = 0; q <= p; ++q) {
+    for (int q = 0; q < points; ++q) {
       const std::vector<double> value = axis.values(e, axis.lower(e) + axis.spacing() * gauss.point[q]);
       const double weight = axis.spacing() * gauss.weight[q];
       for (int a = 0; a <= p; ++a)
@@ -59,7 +59,7 @@ struct SolveLine {
 }  // namespace
 
 template <int D>
-KroneckerMass<D>::KroneckerMass(const Layout<D>& l, const ConstArray& device_mask) : boxes_(boxes(l)) {
+KroneckerMass<D>::KroneckerMass(const Layout<D>& l, int points, const ConstArray& device_mask) : boxes_(boxes(l)) {
   const std::vector<double> mask = to_host(device_mask);
   std::vector<double> sums(l.size(), 1.0);
   for (const Axis& axis : l.axis) exact_ = exact_ && !axis.periodic();
@@ -78,7 +78,7 @@ KroneckerMass<D>::KroneckerMass(const Layout<D>& l, const ConstArray& device_mas
       const Axis& axis = l.axis[d];
       const bool of_fluid = d == D - 1 && c >= D;
       const int first = of_fluid ? l.solid_elements : 0, function = of_fluid ? l.wall_row : 0, n = box.extent[d];
-      const std::vector<double> band = mass_band(axis, first, axis.elements(), function, n);
+      const std::vector<double> band = mass_band(axis, points, first, axis.elements(), function, n);
       const std::vector<double> all = axis.integrals(0, axis.length(), first, axis.elements());
       std::vector<bool> is_free(n);
       for (int i = 0; i < n; ++i) is_free[i] = mask[middle + (i - n / 2) * step[d]] != 0;

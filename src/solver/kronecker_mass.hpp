@@ -13,7 +13,8 @@ using BandedFactors = Kokkos::View<const double**, Kokkos::LayoutRight, Exec>;
 template <int D>
 class KroneckerMass {
  public:
-  KroneckerMass(const Layout<D>&, const ConstArray& mask);
+  /// @param points  of the quadrature, for an element and an axis
+  KroneckerMass(const Layout<D>&, int points, const ConstArray& mask);
 
   /// Whether the solution is exact: no axis is periodic.
   bool exact() const { return exact_; }

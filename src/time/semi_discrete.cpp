@@ -29,7 +29,7 @@ SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
     : model_(model),
       masses_(model),
       kind_(kind),
-      kronecker_(model.layout(), model.mask()),
+      kronecker_(model.layout(), model.points(), model.mask()),
       solver_(model.layout().size()),
       velocity_(model.layout().velocity_size()),
       solid_(model.layout().solid_size()),

@@ -47,6 +47,13 @@ std::vector<Key> domain_keys() {
        .example = "2",
        .help = "Degree p of the B-splines. The fields have p - 1 continuous derivatives inside each material.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.degree; })},
+      {.name = "domain.quadrature",
+       .kind = Kind::choice,
+       .choices = {"full", "reduced"},
+       .example = "\"full\"",
+       .help = "Gauss points of an element along each axis: full has degree + 1, reduced has as many as the degree, "
+               "which computes less at each evaluation of the equations.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.quadrature; })},
   };
 }
 

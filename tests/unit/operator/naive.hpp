@@ -180,14 +180,23 @@ struct NaiveWriter {
   }
 };
 
-/// body(point, weight in the reference) at 3 Gauss points per axis; on a face: at the low end of the first.
+/// Gauss points and weights on [0, 1], 2 or 3 of them.
+struct NaiveGauss {
+  int points;
+  double point[3], weight[3];
+  explicit NaiveGauss(int n)
+      : points(n),
+        point{0.5 - std::sqrt(n == 2 ? 1. / 12 : 0.15), n == 2 ? 0.5 + std::sqrt(1. / 12) : 0.5, 0.5 + std::sqrt(0.15)},
+        weight{n == 2 ? 0.5 : 5. / 18, n == 2 ? 0.5 : 8. / 18, 5. / 18} {}
+};
+
+/// body(point, weight in the reference) at the Gauss points; on a face: at the low end of the first element.
 template <int D>
-void for_points(const Layout<D>& l, int first, int last, bool face, const NaiveMotion<D>* motion,
-                const std::function<void(const NaivePoint<D>&, double)>& body) {
-  const double gauss[3] = {0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)}, weight[3] = {5. / 18, 8. / 18, 5. / 18};
+void for_points(const Layout<D>& l, const NaiveGauss& gauss, int first, int last, bool face,
+                const NaiveMotion<D>* motion, const std::function<void(const NaivePoint<D>&, double)>& body) {
   int extent[D], total = 1;
   for (int d = 0; d < D; ++d) extent[d] = d < D - 1 ? l.axis[d].elements() : (face ? 1 : last - first);
-  for (int d = 0; d < D; ++d) total *= extent[d] * (face && d == D - 1 ? 1 : 3);
+  for (int d = 0; d < D; ++d) total *= extent[d] * (face && d == D - 1 ? 1 : gauss.points);
   for (int n = 0; n < total; ++n) {
     std::array<int, D> element;
     std::array<double, D> x;
@@ -196,11 +205,11 @@ void for_points(const Layout<D>& l, int first, int last, bool face, const NaiveM
       const bool trace = face && d == D - 1;
       element[d] = rest % extent[d] + (d == D - 1 ? first : 0);
       rest /= extent[d];
-      const int q = trace ? 0 : rest % 3;
-      rest /= trace ? 1 : 3;
+      const int q = trace ? 0 : rest % gauss.points;
+      rest /= trace ? 1 : gauss.points;
       const double h = l.axis[d].spacing();
-      x[d] = h * (element[d] + (trace ? 0.0 : gauss[q]));
-      w *= trace ? 1.0 : h * weight[q];
+      x[d] = h * (element[d] + (trace ? 0.0 : gauss.point[q]));
+      w *= trace ? 1.0 : h * gauss.weight[q];
     }
     body(NaivePoint<D>(l, element, x, motion), w);
   }
@@ -208,11 +217,11 @@ void for_points(const Layout<D>& l, int first, int last, bool face, const NaiveM
 
 /// Residual of a term: `slots` and `tests` in the order of its bundles; element rows [first, last).
 template <int D, class Term>
-std::vector<double> naive_residual(const Layout<D>& l, const Term& term, const std::vector<Grid>& slots,
-                                   const std::vector<Grid>& tests, int first, int last, bool face,
-                                   const NaiveMotion<D>* motion, int only_row = -1) {
+std::vector<double> naive_residual(const Layout<D>& l, const NaiveGauss& gauss, const Term& term,
+                                   const std::vector<Grid>& slots, const std::vector<Grid>& tests, int first, int last,
+                                   bool face, const NaiveMotion<D>* motion, int only_row = -1) {
   std::vector<double> out(l.size(), 0.0);
-  for_points<D>(l, first, last, face, motion, [&](const NaivePoint<D>& p, double w) {
+  for_points<D>(l, gauss, first, last, face, motion, [&](const NaivePoint<D>& p, double w) {
     using Trial = typename Term::template Trial<double, D>;
     const auto test = term.residual(Trial::read(NaiveReader<D>{p, slots}));
     test.write(NaiveWriter<D>{p, tests, w * (face ? p.area() : p.volume), only_row, out});

@@ -18,6 +18,7 @@ struct Patch {
   Layout<D> layout;
   Blend blend;
   Stage stage;
+  int points = 3;  ///< Gauss points of an element along each axis
   std::mt19937 random{20240607};
 
   explicit Patch(const std::array<int, D>& elements, int solid_elements) {
@@ -74,7 +75,7 @@ struct Patch {
     int stride = 1;
     for (int d = 0; d < D; ++d) {
       const Axis& axis = layout.axis[d];
-      r.axis[d] = d < D - 1 ? gauss_rule(axis, 0, axis.elements(), 3) : gauss_rule(axis, first, last, 3);
+      r.axis[d] = d < D - 1 ? gauss_rule(axis, 0, axis.elements(), points) : gauss_rule(axis, first, last, points);
       r.stride[d] = stride;
       stride *= axis.functions();
     }

@@ -98,15 +98,15 @@ struct TermCases {
     std::vector<Grid> tests;
     for (int c : equations(term)) tests.push_back(unknown(c));
     const NaiveMotion<D> mesh = moves ? motion(patch.stage.displacement) : NaiveMotion<D>{};
-    return naive_residual<D, Term>(patch.layout, term, slots(term), tests, first, last, Term::where == Where::wall,
-                                   moves ? &mesh : nullptr, only_row);
+    return naive_residual<D, Term>(patch.layout, NaiveGauss(patch.points), term, slots(term), tests, first, last,
+                                   Term::where == Where::wall, moves ? &mesh : nullptr, only_row);
   }
   /// Moments of the density at the end of the step, times their rate.
   std::vector<double> naive_moments(int first, int last, bool moves) const {
     const NaiveMotion<D> mesh = moves ? motion(patch.stage.displacement_end) : NaiveMotion<D>{};
-    std::vector<double> sum =
-        naive_residual<D>(patch.layout, DensityMoment{}, {{to_host(patch.stage.density_end), 0, patch.layout.wall_row}},
-                          {unknown(D)}, first, last, false, moves ? &mesh : nullptr);
+    std::vector<double> sum = naive_residual<D>(patch.layout, NaiveGauss(patch.points), DensityMoment{},
+                                                {{to_host(patch.stage.density_end), 0, patch.layout.wall_row}},
+                                                {unknown(D)}, first, last, false, moves ? &mesh : nullptr);
     for (double& x : sum) x *= patch.stage.moment_rate;
     return sum;
   }

@@ -12,5 +12,15 @@ TEST(Terms2D, WallOnMovingMesh) { cases().check_wall<WallMotion>(); }
 TEST(Terms2D, WallOnFixedMesh) { cases().check_wall<Still>(); }
 TEST(Terms2D, Solid) { cases().check_solid(); }
 
+TermCases<2> reduced() {
+  TermCases<2> c = cases();
+  c.patch.points = 2;
+  return c;
+}
+
+TEST(Terms2D, ReducedQuadratureOfFluid) { reduced().check_fluid<WallMotion>(); }
+TEST(Terms2D, ReducedQuadratureOfWall) { reduced().check_wall<WallMotion>(); }
+TEST(Terms2D, ReducedQuadratureOfSolid) { reduced().check_solid(); }
+
 }  // namespace
 }  // namespace softwet::testing_tools

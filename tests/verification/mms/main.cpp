@@ -19,6 +19,7 @@ const char* const usage =
     "  scene=fluid            fluid, solid or coupled\n"
     "  course=linear          fields linear in time, or harmonic\n"
     "  dimension=2 degree=2   a configuration of this program\n"
+    "  quadrature=full        or reduced\n"
     "  elements=8             per axis; even in the scene coupled\n"
     "  dt=0.1 end=0.2         step and end\n"
     "  rho_inf=0.5            of generalized-alpha, 0 .. 1\n"
@@ -85,6 +86,8 @@ Settings read(Arguments& a) {
   s.scheme = schemes[a.choice("scheme", schemes)];
   s.mass = masses[a.choice("mass", masses)];
   s.against = a.number("against", 0, 0, 1e3);
+  const std::vector<std::string> quadratures{"full", "reduced"};
+  s.quadrature = quadratures[a.choice("quadrature", quadratures)];
   if (s.scene == Scene::coupled && s.elements % 2)
     throw Error(Exit::invalid_input, "elements = " + std::to_string(s.elements) + ": expected an even number");
   return s;

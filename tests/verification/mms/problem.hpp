@@ -13,7 +13,7 @@ struct Settings {
   Course course = Course::linear;
   int dimension = 2, degree = 2, elements = 8;
   double dt = 0.1, end = 0.2, rho_inf = 0.5, stabilisation = 0.002;
-  std::string preconditioner = "automatic", scheme = implicit_scheme, mass = "consistent";
+  std::string preconditioner = "automatic", scheme = implicit_scheme, mass = "consistent", quadrature = "full";
   double against = 0;  ///< above 0: step of a second computation that takes the place of the exact solution
 };
 
@@ -23,6 +23,7 @@ inline Case make_case(const Settings& s) {
   c.domain.size = s.dimension == 2 ? std::vector<double>{1.0, 0.9} : std::vector<double>{1.0, 0.8, 0.9};
   c.domain.elements.assign(s.dimension, s.elements);
   c.domain.degree = s.degree;
+  c.domain.quadrature = s.quadrature;
   if (s.scene != Scene::solid) {
     c.fluid = Fluid{};
     c.fluid->viscosity = 0.1;

@@ -89,6 +89,8 @@ SPACE = [
     ("solid", 2, 3, (12, 24, 36), (12, 24, 48, 72), {"dt": 0.1, "end": 0.4}),
     ("coupled", 2, 2, (16, 24, 32), (16, 32, 48, 64), {"dt": 0.02, "end": 0.2, "rho_inf": 1}),
     ("coupled", 2, 3, None, (16, 24, 32, 40), {"dt": 0.02, "end": 0.2, "rho_inf": 1}),
+    ("coupled", 2, 2, (16, 24, 32), (16, 32, 48, 64), {"dt": 0.02, "end": 0.2, "rho_inf": 1, "quadrature": "reduced"}),
+    ("coupled", 2, 3, None, (16, 24, 32, 40), {"dt": 0.02, "end": 0.2, "rho_inf": 1, "quadrature": "reduced"}),
     ("solid", 3, 2, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
     ("coupled", 3, 2, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
     ("solid", 3, 3, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
@@ -104,8 +106,9 @@ def space(lab, measurement):
         settings = {"scene": scene, "dimension": dimension, "degree": degree, **settings}
         found = measurement.series("elements", meshes, **settings)
         sizes = [1 / n for n in meshes]
-        title = f"{scene}, {dimension}D, degree {degree}"
-        show(lab, f"{scene}_{dimension}d_degree_{degree}", title, [f"{n} elements" for n in meshes], sizes, found)
+        reduced = settings.get("quadrature") == "reduced"
+        title = f"{scene}, {dimension}D, degree {degree}" + (", reduced quadrature" if reduced else "")
+        show(lab, f"{scene}_{dimension}d_degree_{degree}" + ("_reduced" if reduced else ""), title, [f"{n} elements" for n in meshes], sizes, found)
         judge_space(lab, title, dimension, degree, sizes, found)
 
 

@@ -1,0 +1,92 @@
+// Rows of elements in colours: those of one colour share no control value, so every sum has one fixed order, whatever the
+// number of threads.
+#pragma once
+
+#include "operator/element.hpp"
+
+namespace softwet {
+
+/// Rows of elements along the first axis, numbered within one colour of the other axes: elements of a colour are
+/// `stride` = degree + 1 apart, so they share no control point; with a shared test function a colour has one layer.
+template <int D>
+struct Colouring {
+  int extent[D], start[D], step[D], count[D];
+
+  template <class Real>
+  Colouring(const Region<D, Real>& region, int stride, int colour, bool include_first) {
+    for (int d = 0; d < D; ++d) {
+      const bool coloured = d > 0 || include_first;
+      extent[d] = region.axis[d].elements;
+      step[d] = colours_of(region, stride, d);
+      start[d] = coloured ? colour % step[d] : 0;
+      if (coloured) colour /= step[d];
+      count[d] = coloured ? (extent[d] - start[d] + step[d] - 1) / step[d] : 1;
+    }
+  }
+  template <class Real>
+  static int colours_of(const Region<D, Real>& region, int stride, int d) {
+    return d == D - 1 && stride > 1 && region.shared_test ? region.axis[d].elements : stride;
+  }
+  int items() const {
+    int n = 1;
+    for (int d = 0; d < D; ++d) n *= count[d] > 0 ? count[d] : 0;
+    return n;
+  }
+  KOKKOS_FUNCTION Batch<D> batch(int item) const {
+    Batch<D> b{};
+    b.count = 1;
+    for (int d = 0; d < D; ++d) {
+      b.element[d] = start[d] + step[d] * (item % count[d]);
+      item /= count[d];
+    }
+    return b;
+  }
+};
+
+/// Numbers of a batch: a lane for each element on the host. On a device single precision is a pack of one lane, because
+/// packs round parameters to their precision, and a plain float would be computed as a double beside them.
+template <class Real>
+using BatchNumber = std::conditional_t<on_host || std::is_same_v<Real, float>, Pack<Real>, Real>;
+
+/// Runs body(batch) for all elements of a row, `lanes` elements in a batch.
+template <int D, int lanes, class Body>
+KOKKOS_FORCEINLINE_FUNCTION void for_row(const Colouring<D>& rows, int row, const Body& body) {
+  const int n = rows.extent[0];
+  Batch<D> b = rows.batch(row);
+  for (int e = 0; e < n; e += lanes) {
+    b.element[0] = e;
+    b.count = n - e < lanes ? n - e : lanes;
+    body(b);
+  }
+}
+
+/// An item of one colour: a row of elements on the host, one element on a device.
+template <int D, int lanes, class Body>
+struct ColourItem {
+  Colouring<D> colouring;
+  Body body;
+
+  KOKKOS_FUNCTION void operator()(int item) const {
+    if constexpr (on_host) {
+      for_row<D, lanes>(colouring, item, body);
+    } else {
+      body(colouring.batch(item));
+    }
+  }
+};
+
+/// Runs body(batch) for all elements of a region, one colour after another.
+template <int D, class Real, class Body>
+void for_colours(const char* name, const Region<D, Real>& region, int stride, const Body& body) {
+  constexpr int lanes = Lanes<BatchNumber<Real>>::count;
+  int colours = 1;
+  for (int d = on_host ? 1 : 0; d < D; ++d) colours *= Colouring<D>::colours_of(region, stride, d);
+  for (int colour = 0; colour < colours; ++colour) {
+    const Colouring<D> colouring(region, stride, colour, !on_host);
+    if (colouring.items() == 0) continue;
+    Kokkos::parallel_for(name, Kokkos::RangePolicy<Exec>(0, colouring.items()),
+                         ColourItem<D, lanes, Body>{colouring, body});
+  }
+}
+
+}  // namespace softwet

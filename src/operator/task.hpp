@@ -1,0 +1,111 @@
+// A term on a region: what its kernels read, at which points, and what they see and write there.
+#pragma once
+
+#include "kernels/point/fields.hpp"
+#include "operator/element.hpp"
+
+namespace softwet {
+
+/// Points of a term along the last axis, of Q on an axis: one where it acts on the wall.
+template <class Term, int Q>
+inline constexpr int points_across = Term::where == Where::wall ? 1 : Q;
+
+/// Number of Gauss points on an element along an axis, as a type.
+template <int Q>
+using PointsPerAxis = std::integral_constant<int, Q>;
+
+/// Calls body with the points per axis of a region's rules: degree + 1, or as many as the degree.
+template <int P, int D, class Real, class Body>
+void with_points(const Region<D, Real>& region, const Body& body) {
+  region.axis[0].points == P ? body(PointsPerAxis<P>()) : body(PointsPerAxis<P + 1>());
+}
+
+/// Everything a term needs on a region. Pointers are to control value (0, 0, 0) of each component's own grid. Arrays of
+/// unknowns are numbered by `Component::unknown`; those that the term does not read stay empty.
+template <int D, class Term, class Motion, class R = double>
+struct Task {
+  using Real = R;
+  using Trial = typename Term::template Trial<double, D>;
+  using Test = typename Term::template Test<double, D>;
+
+  Region<D, Real> region;
+  Term term;
+  Motion motion;
+  const Real* slot[Trial::slot_count];
+  Real scale[Trial::slot_count];  ///< d slot / d unknown
+  const Real* tangent[D + 2];     ///< of the unknowns
+  Real* test[Test::channel_count];
+  Real factor = 1;  ///< of the integrals
+};
+
+/// Whether a trial bundle needs the value, or the gradient, of the tangent of an unknown.
+template <class Trial, int D>
+constexpr bool reads(int unknown, bool Slot::*what) {
+  for (int s = 0; s < Trial::slot_count; ++s)
+    if (Trial::slot(s).from.unknown(D) == unknown && Trial::slot(s).*what) return true;
+  return false;
+}
+template <class Trial, int D>
+constexpr bool reads(int unknown) {
+  return reads<Trial, D>(unknown, &Slot::value) || reads<Trial, D>(unknown, &Slot::gradient);
+}
+
+/// What Trial::read sees: values and physical gradients of slots at point q.
+template <class N, int D, class Fields, class Point>
+struct Reader {
+  const Fields& fields;
+  const Point& point;
+  int q;
+
+  KOKKOS_FORCEINLINE_FUNCTION N value(int s) const { return fields.number(s, 0, q); }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> gradient(int s) const {
+    Vector<N, D> g;
+    for (int d = 0; d < D; ++d) g[d] = fields.number(s, 1 + d, q);
+    return point.physical(g);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return point.mesh_velocity(); }
+  KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return point.volume_ratio(); }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> position() const { return point.position; }
+};
+
+/// What Test::write sees: integrands are weighted, pulled back and stored for the integration sweeps.
+template <class S, class N, int D, int points, class Point>
+struct Writer {
+  S (*out)[1 + D][points];
+  const Point& point;
+  S weight;
+  int q;
+
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value) const {
+    out[channel][0][q] = weight * outcome(point.measured(value));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& flux) const {
+    add(channel, value);
+    const Vector<N, D> f = point.reference_flux(flux);
+    for (int d = 0; d < D; ++d) out[channel][1 + d][q] = weight * outcome(f[d]);
+  }
+};
+
+/// Quadrature weight and height of point q of a batch.
+template <class S, int D, int Q>
+KOKKOS_FORCEINLINE_FUNCTION S weight_at(const Region<D, RealOf<S>>& region, const Batch<D>& b, int q) {
+  constexpr int wall_points = power(Q, D - 1);
+  RealOf<S> shared = region.axis[D - 1].weight(q / wall_points, b.element[D - 1]);
+  if constexpr (D == 3) shared *= region.axis[1].weight((q % wall_points) / Q, b.element[1]);
+  return shared * load<S>(&region.axis[0].weight(q % Q, b.element[0]));
+}
+
+/// Geometry at point q of a batch.
+template <class Term, int Q, class S, int D, class BatchGeometryType>
+KOKKOS_FORCEINLINE_FUNCTION auto point_at(const BatchGeometryType& geometry, const Region<D, RealOf<S>>& region,
+                                          const Batch<D>& b, int q) {
+  constexpr int wall_points = power(Q, D - 1);
+  const RealOf<S> height = region.axis[D - 1].position(q / wall_points, b.element[D - 1]);
+  Vector<S, D> reference;
+  reference[0] = load<S>(&region.axis[0].position(q % Q, b.element[0]));
+  if constexpr (D == 3) reference[1] = S(region.axis[1].position((q % wall_points) / Q, b.element[1]));
+  reference[D - 1] = S(height);
+  return geometry.at(q, reference, height, Term::where == Where::wall);
+}
+
+}  // namespace softwet
