@@ -22,18 +22,6 @@ class PieceMaker {
   }
 
  private:
-  Region<D> region(Where where) const {
-    if (where == Where::solid) return model_.solid_region();
-    if (where == Where::wall) return model_.wall_region();
-    return where == Where::fluid ? model_.fluid_region() : layer();
-  }
-  /// The fluid's elements beside the wall, tested by the wall's functions.
-  Region<D> layer() const {
-    const int first = model_.layout().solid_elements;
-    Region<D> r = model_.region(first, first + 1);
-    r.test = restricted_to(r.test, 0);
-    return r;
-  }
   /// All elements of the fluid, tested by the wall's functions blended over its height.
   Region<D> blended() const {
     Region<D> r = model_.fluid_region();
@@ -43,12 +31,14 @@ class PieceMaker {
   }
 
   template <class Motion, class Term>
-  auto piece(const char* name, const Region<D>& region, const Term& term, Instant instant = Instant::stage) const {
-    return std::make_unique<PieceOf<D, P, Term, Motion, Real>>(name, region, term, model_.blend(), instant);
+  auto piece(const char* name, const Term& term, Where where = Term::where, Instant instant = Instant::stage) const {
+    return std::make_unique<PieceOf<D, P, Term, Motion, Real>>(
+        name, model_.region(where, model_.points()), model_.region(where, matrix_points<D, P>(model_.points())), term,
+        model_.blend(), instant);
   }
   template <class Motion, class Term>
-  void add(const char* name, const Term& term, Instant instant = Instant::stage) {
-    pieces_.list.push_back({piece<Motion>(name, region(Term::where), term, instant), nullptr});
+  void add(const char* name, const Term& term, Where where = Term::where, Instant instant = Instant::stage) {
+    pieces_.list.push_back({piece<Motion>(name, term, where, instant), nullptr});
   }
 
   CapillaryTraction traction() const { return {model_.fluid().gas, model_.fluid().capillarity}; }
@@ -56,15 +46,14 @@ class PieceMaker {
   template <class Motion>
   void add_fluid() {
     add<Motion>("navier_stokes_korteweg", model_.fluid());
-    add<Motion>("density_moment", DensityMoment{}, Instant::end);
+    add<Motion>("density_moment", DensityMoment{}, Where::fluid, Instant::end);
     if constexpr (std::is_same_v<Real, double>) {
       const VariationalDerivative term{model_.fluid().gas, model_.fluid().capillarity};
-      pieces_.variational_derivative = piece<Motion>("variational_derivative", region(term.where), term);
+      pieces_.variational_derivative = piece<Motion>("variational_derivative", term);
     }
     if (model_.has_gravity()) add<Motion>("gravity", model_.gravity());
     if (case_.fluid->form == CapillaryForm::divergence)
-      pieces_.list.push_back(
-          {piece<Motion>("capillary stress (divergence form)", model_.fluid_region(), traction()), nullptr});
+      add<Motion>("capillary stress (divergence form)", traction(), Where::fluid);
     if (!model_.has_wall()) return;
     if (std::abs(model_.wall().cosine) > 1e-14) add_wall<Motion>();             // 90 degrees: nothing to integrate
     if (case_.fluid->form == CapillaryForm::potential) add_traction<Motion>();  // else it is in the stress already
@@ -85,12 +74,13 @@ class PieceMaker {
   template <class Motion>
   void add_traction() {
     if (!model_.layout().has_solid) {
-      pieces_.rigid_traction = piece<Motion>("capillary_traction", layer(), traction());
+      pieces_.rigid_traction = piece<Motion>("capillary_traction", traction());
       return;
     }
     add<Motion>("capillary_traction", traction());
     if (case_.fluid->traction == Traction::blended)
-      pieces_.list.back().exact = piece<Motion>("capillary_traction (blended)", blended(), traction());
+      pieces_.list.back().exact = std::make_unique<PieceOf<D, P, CapillaryTraction, Motion, Real>>(
+          "capillary_traction (blended)", blended(), traction(), model_.blend());
   }
 
   const Model<D, P>& model_;

@@ -37,20 +37,29 @@ void Model<D, P>::build_axes(const Case& c) {
     layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
   blend_.low = vertical.lower(layout_.solid_elements);
   blend_.height = vertical.length() - blend_.low;
-  if (layout_.has_solid) solid_region_ = region(0, layout_.solid_elements);
+  if (layout_.has_solid) solid_region_ = region(Where::solid, points_);
   if (!layout_.has_fluid) return;
-  fluid_region_ = region(layout_.solid_elements, vertical.elements());
-  wall_region_ = fluid_region_;
-  wall_region_.axis[D - 1] = wall_region_.test = low_face_rule(vertical, layout_.solid_elements);
+  fluid_region_ = region(Where::fluid, points_);
+  wall_region_ = region(Where::wall, points_);
 }
 
 template <int D, int P>
-Region<D> Model<D, P>::region(int first, int last) const {
+Region<D> Model<D, P>::region(Where where, int points) const {
+  const int wall = layout_.solid_elements, all = layout_.axis[D - 1].elements();
+  if (where == Where::solid) return region(0, wall, points);
+  Region<D> r = region(wall, where == Where::beside_wall ? wall + 1 : all, points);
+  if (where == Where::beside_wall) r.test = restricted_to(r.test, 0);
+  if (where == Where::wall) r.axis[D - 1] = r.test = low_face_rule(layout_.axis[D - 1], wall);
+  return r;
+}
+
+template <int D, int P>
+Region<D> Model<D, P>::region(int first, int last, int points) const {
   Region<D> r;
   int stride = 1;
   for (int d = 0; d < D; ++d) {
     const Axis& axis = layout_.axis[d];
-    r.axis[d] = d < D - 1 ? gauss_rule(axis, 0, axis.elements(), points_) : gauss_rule(axis, first, last, points_);
+    r.axis[d] = d < D - 1 ? gauss_rule(axis, 0, axis.elements(), points) : gauss_rule(axis, first, last, points);
     r.stride[d] = stride;
     stride *= axis.functions();
   }

@@ -55,7 +55,7 @@ class Model {
   const Pieces<D, double>& pieces() const { return pieces_; }
   const Pieces<D, float>& single_pieces() const { return single_; }
   Precision precision() const { return precision_; }
-  int points() const { return points_; }  ///< of the quadrature, for an element and an axis
+  int points() const { return points_; }  ///< Gauss points per element and axis
   const std::vector<LoadVector>& loads() const { return loads_; }
   ConstArray mask() const { return mask_; }  ///< 1 free, 0 prescribed or ghost
   double wall_height() const { return blend_.low; }
@@ -63,8 +63,10 @@ class Model {
   const Region<D>& fluid_region() const { return fluid_region_; }
   const Region<D>& solid_region() const { return solid_region_; }
   const Region<D>& wall_region() const { return wall_region_; }
-  /// Rows of elements [first, last) over the whole width.
-  Region<D> region(int first, int last) const;
+  /// Rows of elements [first, last) over the whole width, with Gauss points per element and axis.
+  Region<D> region(int first, int last, int points) const;
+  /// Where a term is integrated, with those of the scene or others.
+  Region<D> region(Where, int points) const;
   const Blend& blend() const { return blend_; }
 
   /// Adds a source to the discrete equations: residual() calls source(t_{n+af}, out), which subtracts its load vector.
@@ -120,7 +122,7 @@ class Model {
   LameParameters stiffness_;
   bool has_wall_ = false, has_gravity_ = false;
   Precision precision_;
-  int points_;  ///< of the quadrature, for an element and an axis
+  int points_;
   Pieces<D, double> pieces_;
   Pieces<D, float> single_;
   std::vector<LoadVector> loads_;

@@ -122,9 +122,15 @@ class Piece<D, float> : public PieceIn<D, float> {
 template <int D, int P, class Term, class Motion, class Real = double>
 class PieceOf final : public Piece<D, Real> {
  public:
+  /// @param matrix_region  the same box with the quadrature of the matrix
+  PieceOf(const char* name, const Region<D>& region, const Region<D>& matrix_region, const Term& term, Blend blend = {},
+          Instant instant = Instant::stage)
+      : name_(name), region_(rounded<Real>(region)), term_(term), blend_(blend), instant_(instant) {
+    if constexpr (std::is_same_v<Real, float>) matrix_region_ = rounded<Real>(matrix_region);
+  }
   PieceOf(const char* name, const Region<D>& region, const Term& term, Blend blend = {},
           Instant instant = Instant::stage)
-      : name_(name), region_(rounded<Real>(region)), term_(term), blend_(blend), instant_(instant) {}
+      : PieceOf(name, region, region, term, blend, instant) {}
 
   void residual(const Evaluation<D, Real>&) const override;
   void product(const Evaluation<D, Real>&) const override;
@@ -137,15 +143,15 @@ class PieceOf final : public Piece<D, Real> {
   /// Moments at the end of the step count by their rate, which is 0 where only the fluxes are wanted.
   bool idle(const Evaluation<D, Real>& at) const { return instant_ == Instant::end && at.stage.moment_rate == 0; }
 
-  Task<D, Term, Motion, Real> task(Evaluation<D, Real> at) const {
+  Task<D, Term, Motion, Real> task(Evaluation<D, Real> at, const Region<D, Real>& region) const {
     at.instant = instant_;
-    auto task = task_of<D, Term, Motion, Real>(term_, region_, at, blend_);
+    auto task = task_of<D, Term, Motion, Real>(term_, region, at, blend_);
     if (instant_ == Instant::end) task.factor = static_cast<Real>(at.stage.moment_rate);
     return task;
   }
 
   const char* name_;
-  Region<D, Real> region_;
+  Region<D, Real> region_, matrix_region_;
   Term term_;
   Blend blend_;
   Instant instant_;
@@ -154,18 +160,18 @@ class PieceOf final : public Piece<D, Real> {
 // Outside of the class, so that a source which declares a piece `extern template` does not compile it again.
 template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::residual(const Evaluation<D, Real>& at) const {
-  if (!idle(at)) assemble<P, false>(task(at));
+  if (!idle(at)) assemble<P, false>(task(at, region_));
 }
 
 template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::product(const Evaluation<D, Real>& at) const {
-  if (!idle(at)) assemble<P, true>(task(at));
+  if (!idle(at)) assemble<P, true>(task(at, region_));
 }
 
 template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::jacobian(const Evaluation<D, Real>& at, const Stencil<D>& stencil,
                                                  const StencilValues& values) const {
-  if (!idle(at)) assemble_jacobian<P>(task(at), stencil, values);
+  if (!idle(at)) assemble_jacobian<P>(task(at, matrix_region_), stencil, values);
 }
 
 }  // namespace softwet

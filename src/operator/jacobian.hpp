@@ -6,6 +6,8 @@
 // element's matrix. Most of the small matrix is zero, and what is zero at all points of a batch is not folded.
 #pragma once
 
+#include <stdexcept>
+
 #include "field/stencil.hpp"
 #include "operator/batch.hpp"
 #include "operator/colouring.hpp"
@@ -211,13 +213,26 @@ struct JacobianBatch {
   }
 };
 
-/// Adds the term's Jacobian with frozen geometry (task.motion without tangent) to a stencil.
+/// Points per axis in the quadrature of matrices, for a scene with `points`. In space it is reduced: Schwarz takes no more
+/// iterations for that. In the plane LU would, so matrices have the quadrature of the scene.
+template <int D, int P>
+constexpr int matrix_points(int points) {
+  return D == 3 ? P : points;
+}
+
+/// Adds the term's Jacobian with frozen geometry (task.motion without tangent) to a stencil. The region has matrix_points.
 template <int P, int D, class Term, class Motion>
 void assemble_jacobian(const Task<D, Term, Motion, float>& task, const Stencil<D>& stencil,
                        const StencilValues& values) {
-  with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
+  const auto run = [&]<int Q>(PointsPerAxis<Q>) {
     for_colours("softwet::jacobian", task.region, P + 1, JacobianBatch<D, P, Q, Term, Motion>{task, stencil, values});
-  });
+  };
+  if constexpr (D == 3) {
+    if (task.region.axis[0].points != P) throw std::logic_error("a matrix needs a region with reduced quadrature");
+    run(PointsPerAxis<P>());
+  } else {
+    with_points<P>(task.region, run);
+  }
 }
 
 }  // namespace softwet

@@ -12,15 +12,20 @@ TEST(Terms2D, WallOnMovingMesh) { cases().check_wall<WallMotion>(); }
 TEST(Terms2D, WallOnFixedMesh) { cases().check_wall<Still>(); }
 TEST(Terms2D, Solid) { cases().check_solid(); }
 
+/// The host computes columns in blocks of 8 elements.
+TEST(Terms2D, ColumnsOfSeveralBlocks) { TermCases<2>(std::array<int, 2>{5, 21}).check_fluid<WallMotion>(); }
+
 TermCases<2> reduced() {
   TermCases<2> c = cases();
   c.patch.points = 2;
   return c;
 }
 
-TEST(Terms2D, ReducedQuadratureOfFluid) { reduced().check_fluid<WallMotion>(); }
-TEST(Terms2D, ReducedQuadratureOfWall) { reduced().check_wall<WallMotion>(); }
-TEST(Terms2D, ReducedQuadratureOfSolid) { reduced().check_solid(); }
+TEST(Terms2D, ReducedFluidOnMovingMesh) { reduced().check_fluid<WallMotion>(); }
+TEST(Terms2D, ReducedFluidOnFixedMesh) { reduced().check_fluid<Still>(); }
+TEST(Terms2D, ReducedWallOnMovingMesh) { reduced().check_wall<WallMotion>(); }
+TEST(Terms2D, ReducedWallOnFixedMesh) { reduced().check_wall<Still>(); }
+TEST(Terms2D, ReducedSolid) { reduced().check_solid(); }
 
 }  // namespace
 }  // namespace softwet::testing_tools
