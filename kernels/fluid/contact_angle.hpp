@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernels/fluid/van_der_waals.hpp"
-#include "kernels/point/fields.hpp"
+#include "kernels/point/fluid_fields.hpp"
 
 namespace softwet {
 
