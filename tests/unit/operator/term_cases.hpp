@@ -32,12 +32,12 @@ SOFTWET_COMPILED_ALL(3, Still)
 
 namespace softwet::testing_tools {
 
-template <int D>
+template <int D, int P = 2>
 struct TermCases {
   Patch<D> patch;
   Terms terms;
 
-  explicit TermCases(const std::array<int, D>& elements) : patch(elements, 2) {}
+  explicit TermCases(const std::array<int, D>& elements) : patch(elements, 2, P) {}
   explicit TermCases(const Patch<D>& p) : patch(p) {}
 
   Grid unknown(int c) const {
@@ -118,8 +118,8 @@ struct TermCases {
   void check_piece(const char* name, const Term& term, const Region<D>& region, Instant instant,
                    const std::vector<double>& expected) const {
     constexpr bool moves = std::is_same_v<Motion<D, double>, WallMotion<D>>;
-    const PieceOf<D, 2, Term, Motion<D, double>, double> piece(name, region, term, patch.blend, instant);
-    const PieceOf<D, 2, Term, Motion<D, float>, float> single(name, region, term, patch.blend, instant);
+    const PieceOf<D, P, Term, Motion<D, double>, double> piece(name, region, term, patch.blend, instant);
+    const PieceOf<D, P, Term, Motion<D, float>, float> single(name, region, term, patch.blend, instant);
     const std::vector<double> found = patch.residual(piece, patch.stage);
     ASSERT_GT(largest(expected), 1e-6) << name;
     EXPECT_LT(distance(found, expected), 1e-13) << name << (moves ? ", moving" : ", fixed");
