@@ -50,6 +50,13 @@ KOKKOS_FORCEINLINE_FUNCTION Dual<S> square_root(const Dual<S>& x) {
   const S root = square_root(x.value);
   return {root, x.tangent / (root + root)};
 }
+/// The derivative by ln(a) is z^4/2, that by ln(b) the opposite.
+template <class S>
+KOKKOS_FORCEINLINE_FUNCTION Dual<S> half_logarithm_rest(const Dual<S>& a, const Dual<S>& b, const Dual<S>& z) {
+  const S square = z.value * z.value;
+  return {half_logarithm_rest(a.value, b.value, z.value),
+          0.5 * square * square * (a.tangent / a.value - b.tangent / b.value)};
+}
 template <class Mask, class S>
 KOKKOS_FORCEINLINE_FUNCTION Dual<S> select(const Mask& m, const Dual<S>& a, const Dual<S>& b) {
   return {select(m, a.value, b.value), select(m, a.tangent, b.tangent)};

@@ -87,6 +87,25 @@ KOKKOS_FORCEINLINE_FUNCTION auto logarithm(const Kokkos::Experimental::basic_sim
   return Kokkos::Experimental::simd_unchecked_load<P>(lane, Kokkos::Experimental::simd_flag_default);
 }
 
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION N arsinh(const N& x) {
+  const auto negative = x < 0.0;
+  const N size = select(negative, N(0.0 - x), x);
+  const N y = logarithm(size + square_root(size * size + 1.0));
+  return select(negative, N(0.0 - y), y);
+}
+
+/// ln(a/b)/2 - z - z^3/3 for positive numbers a and b and z = (a - b)/(a + b): of fifth order in z. No digits are lost where
+/// a and b are close: there it is the series of artanh(z) without its first two terms.
+template <class S>
+KOKKOS_FORCEINLINE_FUNCTION S half_logarithm_rest(const S& a, const S& b, const S& z) {
+  const S square = z * z;
+  S series = S(0.0);
+  for (int k = 23; k >= 0; --k) series = series * square + 1.0 / (2 * k + 5);
+  const S whole = 0.5 * logarithm(a / b) - z * (1.0 + (1.0 / 3.0) * square);
+  return select(square < 0.25, S(z * square * square * series), whole);
+}
+
 /// Whether any lane is not zero.
 template <class S>
 KOKKOS_FORCEINLINE_FUNCTION bool any_nonzero(const S& x) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernels/fluid/van_der_waals.hpp"
-#include "kernels/point/fields.hpp"
+#include "kernels/point/fluid_fields.hpp"
 
 namespace softwet {
 
@@ -12,10 +12,20 @@ struct Coexistence {
   double pressure = 0;   ///< p_s
   double potential = 0;  ///< mu_s
 
+  KOKKOS_FORCEINLINE_FUNCTION double middle() const { return 0.5 * (density_vapour + density_liquid); }
+
   /// Excess of the free energy of the homogeneous fluid, D(rho) = W(rho) - mu_s rho + p_s >= 0; scale a b^2.
+  /// mu_s rho - p_s is the tangent of W at both phases: D is the height above it, taken from the phase that is closer.
   template <class N>
   KOKKOS_FORCEINLINE_FUNCTION N excess(const VanDerWaals& gas, const N& rho) const {
-    return gas.energy(rho) - potential * rho + pressure;
+    const double r0 = gas.continuation;
+    const auto low = rho < r0;
+    const N r = select(low, N(r0), rho);
+    const auto lower = rho < middle();
+    const auto at_phase = [&](const auto& f) { return select(lower, N(f(density_vapour)), N(f(density_liquid))); };
+    const N s = rho - r0;
+    const N continued = s * (gas.derivative(r0) - potential + (0.5 * gas.curvature(r0)) * s);
+    return gas.above_tangent(r, at_phase) + select(low, continued, N(0.0));
   }
 };
 
@@ -60,7 +70,7 @@ struct EnergyWall {
   template <class N>
   KOKKOS_FORCEINLINE_FUNCTION N force(const N& rho) const {
     const N excess = state.excess(gas, rho);
-    const N safe = select(excess < 0.0, N(0.0), excess);
+    const N safe = select(excess < 0.0, N(0.0), excess);  // rounding alone makes it negative
     return (capillarity * cosine) * (square_root(2.0 * safe + smoothing * smoothing) - smoothing);
   }
 

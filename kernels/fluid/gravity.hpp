@@ -1,7 +1,7 @@
 // A uniform body force on the fluid.
 #pragma once
 
-#include "kernels/point/fields.hpp"
+#include "kernels/point/fluid_fields.hpp"
 
 namespace softwet {
 

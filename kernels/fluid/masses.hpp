@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernels/fluid/newtonian.hpp"
-#include "kernels/point/fields.hpp"
+#include "kernels/point/vector_fields.hpp"
 
 namespace softwet {
 

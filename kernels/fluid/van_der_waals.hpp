@@ -34,6 +34,26 @@ struct VanDerWaals {
     return value + select(low, s * (slope(r0) + 0.5 * curvature(r0) * s), N(0.0));
   }
 
+  /// W(rho) - W(r) - W'(r) (rho - r), the height of W above its tangent at r, scale a b^2; not for densities below
+  /// `continuation`. With s = rho - r, q = 1 - r, c = (8/27) theta and z = s / (rho q + r (1 - rho)) this is
+  ///   c rho ln(rho q / (r (1 - rho))) - c s/q - s^2,  where ln(...)/2 = z + z^3/3 + ...
+  /// In what remains of the powers of s, only small numbers are subtracted: their coefficients are taken in double.
+  /// @param at  at(f) is f(r), lane by lane
+  template <class N, class At>
+  KOKKOS_FORCEINLINE_FUNCTION N above_tangent(const N& rho, const At& at) const {
+    const double c = factor();
+    // r is the sum of a number that fits single precision, and a rest.
+    const N s = (rho - at([](double r) { return double(float(r)); })) - at([](double r) { return r - float(r); });
+    const N a = rho * at([](double r) { return 1 - r; }), b = (1.0 - rho) * at([](double r) { return r; });
+    const N z = s / (at([](double r) { return 2 * r * (1 - r); }) + s * at([](double r) { return 1 - 2 * r; }));
+    const N second = at([c](double r) { return c / (1 - r) - 2 * r * (1 - r); });
+    const N third = at([c](double r) { return 2 * c * r - 12 * (1 - 2 * r) * r * r * (1 - r) * (1 - r); });
+    const N fourth = at([c](double r) { return 2 * c - 12 * (1 - 2 * r) * (1 - 2 * r) * r * (1 - r); });
+    const N fifth = at([](double r) { return -3 * (1 - 2 * r) * (1 - 2 * r) * (1 - 2 * r); });
+    return s * z * second + (1.0 / 3.0) * (z * z * z) * (third + s * (fourth + s * fifth)) +
+           (2.0 * c) * rho * half_logarithm_rest(a, b, z);
+  }
+
   /// p(rho) = rho W' - W, scale a b^2.
   template <class N>
   KOKKOS_FORCEINLINE_FUNCTION N pressure(const N& rho) const {

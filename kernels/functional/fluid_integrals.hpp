@@ -3,6 +3,7 @@
 
 #include "kernels/fluid/gravity.hpp"
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
+#include "kernels/fluid/wall_energy.hpp"
 
 namespace softwet {
 
@@ -59,7 +60,7 @@ struct FluidIntegrals {
 struct WallIntegrals {
   static constexpr Where where = Where::wall;
 
-  EnergyWall law;
+  WallEnergy wall;
 
   enum { area, wetted, energy };
   static constexpr int count = 3;
@@ -71,38 +72,9 @@ struct WallIntegrals {
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const DensityTrial<N, D>& t) const {
     Vector<N, count> r;
     r[area] = N(1.0);
-    const double middle = 0.5 * (law.state.density_vapour + law.state.density_liquid);
-    r[wetted] = select(t.density < middle, N(0.0), N(1.0));
-    r[energy] = wall_energy(t.density);
+    r[wetted] = select(t.density < wall.law.state.middle(), N(0.0), N(1.0));
+    r[energy] = wall.value(t.density);
     return r;
-  }
-
-  /// f_w(rho) = -cos(alpha) g int_{rho_v}^{rho} sqrt(2 D); scale a b^2 L0. sqrt(2 D) has a kink at rho_l, which the
-  /// liquid of a droplet lies beyond (Laplace): the integral is split there.
-  template <class N>
-  KOKKOS_FORCEINLINE_FUNCTION N wall_energy(const N& rho) const {
-    const N vapour = N(law.state.density_vapour), liquid = N(law.state.density_liquid);
-    const N middle = select(rho < law.state.density_liquid, rho, liquid);
-    return -1.0 * (integral(vapour, middle) + integral(middle, rho));
-  }
-
- private:
-  /// Integral of the force by 8 panels of 8-point Gauss-Legendre in t, rho = from + (to - from) t^2: the points gather
-  /// at the vapour's end, where W'' is largest.
-  template <class N>
-  KOKKOS_FORCEINLINE_FUNCTION N integral(const N& from, const N& to) const {
-    // Abscissae and weights on [-1, 1], positive half.
-    const double x[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
-    const double w[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
-    const int parts = 8;
-    const N span = to - from;
-    N sum = N(0.0);
-    for (int p = 0; p < parts; ++p)
-      for (int i = 0; i < 8; ++i) {
-        const double t = (p + 0.5 * (1.0 + (i < 4 ? x[i] : -x[i - 4]))) / parts;
-        sum = sum + (w[i % 4] * t) * law.force(from + (t * t) * span);
-      }
-    return (1.0 / parts) * (span * sum);
   }
 };
 

@@ -1,7 +1,7 @@
 // Momentum balance of the solid in its reference configuration: (w, rho_0 v_t) + (Grad w, P).
 #pragma once
 
-#include "kernels/point/fields.hpp"
+#include "kernels/point/solid_fields.hpp"
 
 namespace softwet {
 

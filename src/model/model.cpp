@@ -84,7 +84,8 @@ void Model<D, P>::build_fluid(const Case& c) {
   }
   has_wall_ = c.boundary.side[D - 1][0] != Side::periodic;
   const double angle = c.fluid->contact_angle;
-  wall_ = {c.fluid->capillarity, angle == 90.0 ? 0.0 : std::cos(angle * M_PI / 180.0), 1e-5, fluid_.gas, coexistence_};
+  const double cosine = angle == 90.0 ? 0.0 : std::cos(angle * M_PI / 180.0);
+  wall_ = WallEnergy::of({c.fluid->capillarity, cosine, 1e-5, fluid_.gas, coexistence_});
 }
 
 template <int D, int P>

@@ -51,7 +51,7 @@ class Model {
   const LameParameters& stiffness() const { return stiffness_; }
   const Gravity& gravity() const { return gravity_; }
   bool has_gravity() const { return has_gravity_; }
-  const EnergyWall& wall() const { return wall_; }  ///< also of the gradient law: its capillarity and cosine
+  const EnergyWall& wall() const { return wall_.law; }  ///< also of the gradient law: its capillarity and cosine
   const Pieces<D, double>& pieces() const { return pieces_; }
   const Pieces<D, float>& single_pieces() const { return single_; }
   Precision precision() const { return precision_; }
@@ -116,7 +116,7 @@ class Model {
   Blend blend_;
   Coexistence coexistence_;
   NavierStokesKorteweg fluid_;
-  EnergyWall wall_;
+  WallEnergy wall_;
   Gravity gravity_;
   Solid solid_;
   LameParameters stiffness_;

@@ -122,10 +122,10 @@ struct InvertOnDevice {
 
 }  // namespace
 
-void invert_by_teams(const DenseBlocks& blocks, const Sizes& size) {
+void invert_by_teams(const DenseBlocks& blocks, const Sizes& size, int threads) {
   const int count = static_cast<int>(blocks.extent(0));
   const Kokkos::View<int**, Exec> pivots("pivots", count, blocks.extent(1));
-  Kokkos::parallel_for("softwet::invert", Kokkos::TeamPolicy<Exec>(count, on_host ? 1 : 8, on_host ? 1 : 32),
+  Kokkos::parallel_for("softwet::invert", Kokkos::TeamPolicy<Exec>(count, threads, on_host ? 1 : 32),
                        InvertOnDevice{blocks, size, pivots});
 }
 

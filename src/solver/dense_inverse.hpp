@@ -13,6 +13,7 @@ using DenseBlocks = Kokkos::View<float***, Kokkos::LayoutRight, Exec>;
 void invert(const DenseBlocks& blocks, const Kokkos::View<const int*, Exec>& size);
 
 /// The same by one team per block, as on a device; runs on the host too, slowly.
-void invert_by_teams(const DenseBlocks& blocks, const Kokkos::View<const int*, Exec>& size);
+void invert_by_teams(const DenseBlocks& blocks, const Kokkos::View<const int*, Exec>& size,
+                     int threads = on_host ? 1 : 8);
 
 }  // namespace softwet

@@ -47,9 +47,12 @@ def tension(th, v, l):
     return total * h * (l - v) / 2
 
 
-for theta, v, l in (("0.39", "0.0013", "0.867"), ("0.5", "0.007", "0.82"), ("0.7", "0.043", "0.713"),
-                    ("0.85", "0.107", "0.602"), ("0.95", "0.193", "0.487")):
-    th = N(theta)
-    v, l = coexistence(th, N(v), N(l))
-    row = (th, v, l, pressure(th, v), potential(th, v), slope(th, l).sqrt(), slope(th, v).sqrt(), tension(th, v, l))
-    print("{" + ", ".join(f"{float(x):.10g}" for x in row) + "},")
+SCENES = (("0.39", "0.0013", "0.867"), ("0.5", "0.007", "0.82"), ("0.7", "0.043", "0.713"), ("0.85", "0.107", "0.602"),
+          ("0.95", "0.193", "0.487"))  # temperature, and densities to start from
+
+if __name__ == "__main__":
+    for theta, v, l in SCENES:
+        th = N(theta)
+        v, l = coexistence(th, N(v), N(l))
+        row = (th, v, l, pressure(th, v), potential(th, v), slope(th, l).sqrt(), slope(th, v).sqrt(), tension(th, v, l))
+        print("{" + ", ".join(f"{float(x):.10g}" for x in row) + "},")

@@ -12,12 +12,14 @@ from _scene import check_true, softwet
 STUDY = '''"""A solid layer.
 
 Its height. And more."""
+from _lab import Known
+
 MINUTES = {{"quick": 0.1, "full": 0.1}}
 
 
 def study(lab):
-    run = lab.run("layer", "solid_layer_2d", ["time.max_steps=2"])
-    lab.expect("steps", 2, run.record["counts"]["steps"], run.record["counts"]["steps"] == {steps})
+    run = lab.run("layer", "solid_layer_2d", ["{setting}"])
+    lab.expect("steps", 2, run.record["counts"]["steps"], run.record["counts"]["steps"] == {steps}, {known})
     lab.table(("a", "b"), [(1, 0.5)], "numbers")
 '''
 ROOT = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"])
@@ -36,15 +38,15 @@ def fails(name, result, code, *parts):
     check_true(name, good and lines[0].startswith("softwet: error: "), f"{result.returncode} {lines}")
 
 
-def copy_with(study):
-    """Sources of the studies with one study alone. @return their folder tools"""
+def copy_with(steps, known="None", setting="time.max_steps=2"):
+    """Sources of the studies with STUDY alone. @return their folder tools"""
     copy = pathlib.Path("copy").resolve()
     shutil.rmtree(copy, ignore_errors=True)
     for folder in ("tools", "cases", "tests/oracle", "tests/verification"):
         shutil.copytree(ROOT / folder, copy / folder, ignore=shutil.ignore_patterns("studies", "__pycache__"))
     studies = copy / "tests" / "verification" / "studies"
     studies.mkdir()
-    (studies / "layer.py").write_text(study)
+    (studies / "layer.py").write_text(STUDY.format(steps=steps, known=known, setting=setting))
     return copy / "tools"
 
 
@@ -59,7 +61,7 @@ fails("no tools", verify(tools="/nowhere"), 1, "SOFTWET_TOOLS", "/nowhere")
 fails("no Python", verify(SOFTWET_PYTHON="/nowhere/python3"), 1, "SOFTWET_PYTHON", "/nowhere/python3")
 
 shutil.rmtree("result", ignore_errors=True)
-good = verify("layer", "--out", "result", "--docs", "result/docs", tools=copy_with(STUDY.format(steps=2)))
+good = verify("layer", "--out", "result", "--docs", "result/docs", tools=copy_with(2))
 check_true("a study that holds: exit code 0", good.returncode == 0, good.stdout + good.stderr)
 text = pathlib.Path("result/layer/layer.md").read_text()
 check_true("its document", "| steps | 2 | 2 | yes |" in text and "softwet run cases/solid_layer_2d.toml" in text)
@@ -69,11 +71,16 @@ index = pathlib.Path("result/docs/verification.md").read_text()
 check_true("the index", "| [layer](verification/layer.md) | A solid layer | 1 of 1 hold |" in index, index)
 
 before = [(path, path.stat().st_mtime_ns) for path in sorted(pathlib.Path("result/runs").rglob("*"))]
-bad = verify("layer", "--out", "result", "--docs", "result/docs", tools=copy_with(STUDY.format(steps=3)))
+bad = verify("layer", "--out", "result", "--docs", "result/docs", tools=copy_with(3))
 check_true("a study that fails: exit code 1", bad.returncode == 1, bad.stdout + bad.stderr)
 after = [(path, path.stat().st_mtime_ns) for path in sorted(pathlib.Path("result/runs").rglob("*"))]
 check_true("the equal run is kept", before == after)
 check_true("the index tells", "**1 fail**" in pathlib.Path("result/docs/verification.md").read_text())
-broken = verify("layer", "--out", "result", tools=copy_with(STUDY.format(steps=2).replace("max_steps=2", "max_stepz=2")))
+for within, code, told in ((True, 0, "**no**: why; known: 2 at most"), (False, 1, "2; worse than known: 2 at most | **no** |")):
+    missed = verify("layer", "--out", "result", tools=copy_with(3, f'Known("why", "2 at most", {within})'))
+    check_true(f"a known miss, within its bound {within}: exit code {code}", missed.returncode == code, missed.stdout + missed.stderr)
+    text = pathlib.Path("result/layer/layer.md").read_text()
+    check_true("the document tells", told in text, text)
+broken = verify("layer", "--out", "result", tools=copy_with(2, setting="time.max_stepz=2"))
 check_true("a run that fails: exit code 2", broken.returncode == 2 and "max_stepz" in broken.stderr, broken.stderr)
 sys.exit(0)

@@ -24,6 +24,7 @@ import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property
+from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
@@ -35,6 +36,13 @@ ENVIRONMENT = {**os.environ, "OMP_WAIT_POLICY": "passive", "OMP_PROC_BIND": "fal
 
 class StudyError(Exception):
     """A study cannot go on: a run ended with another exit code than expected, or took too long."""
+
+
+class Known(NamedTuple):
+    """A miss whose cause is known: its cause, how large it is at most, and whether it is no larger."""
+    cause: str
+    bound: str
+    within: bool
 
 
 class Run:
@@ -223,9 +231,12 @@ class Lab:
             (self.folder / file).write_text("\n".join(",".join(map(plain, row)) for row in [columns, *rows]) + "\n")
             self.files.append(file)
 
-    def expect(self, what, asked, measured, holds, cause=""):
-        """A row of the table "asked, measured, holds". A row that does not hold makes the exit code 1, unless the cause
-        is known and given here: then the miss and its cause are told and count as missed, not as failed."""
+    def expect(self, what, asked, measured, holds, known=None):
+        """A row of the table "asked, measured, holds". A row that does not hold makes the exit code 1, unless it is a
+        `Known` miss within its bound: then the miss and its cause are told and count as missed, not as failed."""
+        cause = f"{known.cause}; known: {known.bound}" if known and known.within else ""
+        if known and not holds and not known.within:
+            measured = f"{measured}; worse than known: {known.bound}"
         self.asked.append((what, asked, measured, bool(holds), cause))
         print(f"{'ok' if holds else 'MISS' if cause else 'FAIL':4}  {what}: {measured} (asked: {asked})", flush=True)
 

@@ -36,7 +36,7 @@ TEST(FluidIntegrals, ByHand) {
 
 TEST(WallIntegrals, WettedWhereDenserThanTheMiddle) {
   const Coexistence s{0.1065766548, 0.6023801091, 1.868487592e-2, -0.4667444110};
-  const WallIntegrals w{EnergyWall{0.1, 0.5, 1e-5, {0.85, 0.02}, s}};
+  const WallIntegrals w{WallEnergy::of({0.1, 0.5, 1e-5, {0.85, 0.02}, s})};
   EXPECT_EQ(w.value(DensityTrial<double, 2>{0.36, {}})[WallIntegrals::wetted], 1);
   EXPECT_EQ(w.value(DensityTrial<double, 2>{0.35, {}})[WallIntegrals::wetted], 0);
   EXPECT_EQ(w.value(DensityTrial<double, 2>{0.35, {}})[WallIntegrals::area], 1);

@@ -48,7 +48,7 @@ TEST(EnergyLaw, OnAFixedMeshWithWallEnergy) {
   };
   double convection = 0;
   const std::vector<Grid> field{s.terms.unknown(0), s.terms.unknown(1), s.terms.unknown(2)};
-  for_points<2>(l, NaiveGauss(3), 0, 6, false, nullptr, [&](const NaivePoint<2>& p, double w) {
+  for_points<2>(l, 3, 0, 6, false, nullptr, [&](const NaivePoint<2>& p, double w) {
     const double v[2] = {p.evaluate(field[0], -1), p.evaluate(field[1], -1)};
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) convection += w * p.evaluate(field[2], -1) * v[i] * v[j] * p.evaluate(field[i], j);

@@ -62,13 +62,12 @@ void add_load(RandomScene& s, std::vector<double>& sum) {
   if (s.data.loads.empty()) return;
   const Load& load = s.data.loads[0];
   const double factor = 0.5 * s.data.substrate->density;  // half of the ramp
-  for_points<2>(
-      s.layout(), NaiveGauss(3), 0, s.layout().solid_elements, false, nullptr, [&](const NaivePoint<2>& p, double w) {
-        if (p.x[0] < load.lower[0] || p.x[0] > load.upper[0] || p.x[1] > load.upper[1]) return;
-        for (int d = 0; d < 2; ++d)
-          p.for_functions(
-              -1, [&](int i, double b) { sum[s.layout().velocity_offset(d) + i] -= w * factor * load.force[d] * b; });
-      });
+  for_points<2>(s.layout(), 3, 0, s.layout().solid_elements, false, nullptr, [&](const NaivePoint<2>& p, double w) {
+    if (p.x[0] < load.lower[0] || p.x[0] > load.upper[0] || p.x[1] > load.upper[1]) return;
+    for (int d = 0; d < 2; ++d)
+      p.for_functions(
+          -1, [&](int i, double b) { sum[s.layout().velocity_offset(d) + i] -= w * factor * load.force[d] * b; });
+  });
 }
 
 void check_scene(const Case& c) {

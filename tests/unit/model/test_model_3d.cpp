@@ -19,7 +19,7 @@ void check_product(const Case& c) {
   s.model.product(stage, direction, product, Geometry::exact);
   convert(wide, product);
   const double rounding = distance(to_host(wide), s.product(z, Geometry::exact));
-  EXPECT_LT(rounding, c.fluid && c.fluid->wall_law == WallLaw::energy ? rounding_of_wall_energy : 2e-6);
+  EXPECT_LT(rounding, 2e-6);
   EXPECT_GT(rounding, 1e-9) << "this is double precision";
 }
 

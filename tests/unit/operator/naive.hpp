@@ -74,9 +74,10 @@ struct NaivePoint {
   /// Calls body(index in the whole patch, basis value along `derivative`); only the lowest layer of functions if asked.
   template <class Body>
   void for_functions(int derivative, const Body& body) const {
-    for (int k = 0; k < (D == 3 ? 3 : 1); ++k)
-      for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) {
+    const int n = layout.axis[0].degree() + 1;
+    for (int k = 0; k < (D == 3 ? n : 1); ++k)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
           const int local[3] = {i, j, k};
           int index = 0, stride = 1;
           double b = 1;
@@ -180,23 +181,35 @@ struct NaiveWriter {
   }
 };
 
-/// Gauss points and weights on [0, 1], 2 or 3 of them.
-struct NaiveGauss {
-  int points;
-  double point[3], weight[3];
-  explicit NaiveGauss(int n)
-      : points(n),
-        point{0.5 - std::sqrt(n == 2 ? 1. / 12 : 0.15), n == 2 ? 0.5 + std::sqrt(1. / 12) : 0.5, 0.5 + std::sqrt(0.15)},
-        weight{n == 2 ? 0.5 : 5. / 18, n == 2 ? 0.5 : 8. / 18, 5. / 18} {}
+/// Gauss-Legendre points on [0, 1] and their weights: two, three or four.
+struct NaiveRule {
+  std::vector<double> point, weight;
+
+  explicit NaiveRule(int points) {
+    if (points == 2) {
+      point = {0.5 - std::sqrt(1. / 12), 0.5 + std::sqrt(1. / 12)};
+      weight = {0.5, 0.5};
+    } else if (points == 3) {
+      point = {0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)};
+      weight = {5. / 18, 8. / 18, 5. / 18};
+    } else {
+      const double near = std::sqrt(3. / 7 - 2. / 7 * std::sqrt(1.2)),
+                   far = std::sqrt(3. / 7 + 2. / 7 * std::sqrt(1.2));
+      const double more = (18 + std::sqrt(30.)) / 72, less = (18 - std::sqrt(30.)) / 72;
+      point = {0.5 - 0.5 * far, 0.5 - 0.5 * near, 0.5 + 0.5 * near, 0.5 + 0.5 * far};
+      weight = {less, more, more, less};
+    }
+  }
 };
 
-/// body(point, weight in the reference) at the Gauss points; on a face: at the low end of the first element.
+/// body(point, weight in the reference) at `points` Gauss points per axis; on a face: at the low end of the first.
 template <int D>
-void for_points(const Layout<D>& l, const NaiveGauss& gauss, int first, int last, bool face,
-                const NaiveMotion<D>* motion, const std::function<void(const NaivePoint<D>&, double)>& body) {
+void for_points(const Layout<D>& l, int points, int first, int last, bool face, const NaiveMotion<D>* motion,
+                const std::function<void(const NaivePoint<D>&, double)>& body) {
+  const NaiveRule rule(points);
   int extent[D], total = 1;
   for (int d = 0; d < D; ++d) extent[d] = d < D - 1 ? l.axis[d].elements() : (face ? 1 : last - first);
-  for (int d = 0; d < D; ++d) total *= extent[d] * (face && d == D - 1 ? 1 : gauss.points);
+  for (int d = 0; d < D; ++d) total *= extent[d] * (face && d == D - 1 ? 1 : points);
   for (int n = 0; n < total; ++n) {
     std::array<int, D> element;
     std::array<double, D> x;
@@ -205,11 +218,11 @@ void for_points(const Layout<D>& l, const NaiveGauss& gauss, int first, int last
       const bool trace = face && d == D - 1;
       element[d] = rest % extent[d] + (d == D - 1 ? first : 0);
       rest /= extent[d];
-      const int q = trace ? 0 : rest % gauss.points;
-      rest /= trace ? 1 : gauss.points;
+      const int q = trace ? 0 : rest % points;
+      rest /= trace ? 1 : points;
       const double h = l.axis[d].spacing();
-      x[d] = h * (element[d] + (trace ? 0.0 : gauss.point[q]));
-      w *= trace ? 1.0 : h * gauss.weight[q];
+      x[d] = h * (element[d] + (trace ? 0.0 : rule.point[q]));
+      w *= trace ? 1.0 : h * rule.weight[q];
     }
     body(NaivePoint<D>(l, element, x, motion), w);
   }
@@ -217,11 +230,11 @@ void for_points(const Layout<D>& l, const NaiveGauss& gauss, int first, int last
 
 /// Residual of a term: `slots` and `tests` in the order of its bundles; element rows [first, last).
 template <int D, class Term>
-std::vector<double> naive_residual(const Layout<D>& l, const NaiveGauss& gauss, const Term& term,
-                                   const std::vector<Grid>& slots, const std::vector<Grid>& tests, int first, int last,
-                                   bool face, const NaiveMotion<D>* motion, int only_row = -1) {
+std::vector<double> naive_residual(const Layout<D>& l, int points, const Term& term, const std::vector<Grid>& slots,
+                                   const std::vector<Grid>& tests, int first, int last, bool face,
+                                   const NaiveMotion<D>* motion, int only_row = -1) {
   std::vector<double> out(l.size(), 0.0);
-  for_points<D>(l, gauss, first, last, face, motion, [&](const NaivePoint<D>& p, double w) {
+  for_points<D>(l, points, first, last, face, motion, [&](const NaivePoint<D>& p, double w) {
     using Trial = typename Term::template Trial<double, D>;
     const auto test = term.residual(Trial::read(NaiveReader<D>{p, slots}));
     test.write(NaiveWriter<D>{p, tests, w * (face ? p.area() : p.volume), only_row, out});

@@ -21,12 +21,12 @@ struct Patch {
   int points = 3;  ///< Gauss points of an element along each axis
   std::mt19937 random{20240607};
 
-  explicit Patch(const std::array<int, D>& elements, int solid_elements) {
+  explicit Patch(const std::array<int, D>& elements, int solid_elements, int degree = 2) : points(degree + 1) {
     layout.solid_elements = solid_elements;
     layout.row_size = 1;
     for (int d = 0; d < D; ++d) {
       const double length = 0.7 + 0.2 * d;
-      layout.axis.emplace_back(length, elements[d], 2, false, d == D - 1 ? solid_elements : 0);
+      layout.axis.emplace_back(length, elements[d], degree, false, d == D - 1 ? solid_elements : 0);
       if (d < D - 1) layout.row_size *= layout.axis[d].functions();
     }
     layout.rows = layout.axis[D - 1].functions();
@@ -75,7 +75,8 @@ struct Patch {
     int stride = 1;
     for (int d = 0; d < D; ++d) {
       const Axis& axis = layout.axis[d];
-      r.axis[d] = d < D - 1 ? gauss_rule(axis, 0, axis.elements(), points) : gauss_rule(axis, first, last, points);
+      const bool along = d < D - 1;
+      r.axis[d] = gauss_rule(axis, along ? 0 : first, along ? axis.elements() : last, points);
       r.stride[d] = stride;
       stride *= axis.functions();
     }

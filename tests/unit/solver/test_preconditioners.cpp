@@ -226,6 +226,27 @@ TEST(DenseInverse, BothWaysAgreeWithTheProduct) {
   }
 }
 
+// Every number is the result of the same operations, whichever thread does them: a missing barrier shows.
+TEST(DenseInverse, TheThreadsOfATeamDoNotMatter) {
+  const int threads = on_host ? std::min(4, Exec().concurrency()) : 8, n = 61, count = 20;
+  if (threads < 2) GTEST_SKIP() << "one thread alone";
+  DenseBlocks one("one", count, n, n), several("several", count, n, n);
+  const auto given = Kokkos::create_mirror(one);
+  std::mt19937 draw(8);
+  std::uniform_real_distribution<float> number(-1, 1);
+  for (std::size_t i = 0; i < given.size(); ++i) given.data()[i] = number(draw);
+  Kokkos::deep_copy(one, given);
+  Kokkos::deep_copy(several, given);
+  std::vector<int> size;
+  for (int b = 0; b < count; ++b) size.push_back(n - b);
+  const auto sizes = to_device<Kokkos::View<int*, Exec>>(size);
+  invert_by_teams(one, sizes, 1);
+  invert_by_teams(several, sizes, threads);
+  const auto expected = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), one);
+  const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), several);
+  for (std::size_t i = 0; i < found.size(); ++i) ASSERT_EQ(found.data()[i], expected.data()[i]) << i;
+}
+
 TEST(DenseInverse, ASingularBlockIsNotFiniteAndItsNeighbourIsRight) {
   const int n = 6;
   DenseBlocks a("a", 3, n, n), copy("copy", 3, n, n);

@@ -13,11 +13,13 @@ CSM3 is held against the published values: the oracle's curved beam (trapezoidal
 
 import _measure
 import numpy
+from _lab import Known
 
 MINUTES = {"quick": 0.1, "full": 0.2}
 # mm. CSM1, CSM2: (published, curved, rectangle); the last two from tests/oracle/elastic_beam.py
 REST = {"CSM1": ((-7.18767, -66.1023), (-7.18783, -66.1032), (-7.08651, -65.5672)),
         "CSM2": ((-0.469000, -16.9739), (-0.469010, -16.9741), (-0.462157, -16.8310))}
+MISSED = (0.019, 0.011)  # of u_x and u_y as published, by the rectangle on 70 x 4 elements
 YOUNG = {"CSM1": 1400, "CSM2": 5600}
 # CSM3, t = 8 to 10: (mean, amplitude) of u_x and u_y in mm, and the frequency
 PUBLISHED = ((-14.305, 14.305), (-63.607, 65.160), 1.0995)
@@ -51,7 +53,8 @@ def rest(lab):
             if not lab.quick:
                 lab.expect(f"{name}, {mesh[0]} x {mesh[1]}: u_{axis} as published", f"{published[c]:.5f} +- 1 %",
                            f"{u:.5f}, {percent(u, published[c])}", abs(u / published[c] - 1) <= bound,
-                           f"the published beam is clamped on a circle; the rectangle has {percent(exact[c], published[c])}")
+                           Known(f"the published beam is clamped on a circle; the rectangle has {percent(exact[c], published[c])}",
+                                 f"{100 * MISSED[c]:.1f} %", abs(u / published[c] - 1) <= MISSED[c]))
                 lab.expect(f"{name}: u_{axis}, error at 140 x 8 / at 70 x 4", "<= 0.5",
                            f"{(found[140, 8, 2][c] - exact[c]) / (found[mesh][c] - exact[c]):.2f}",
                            abs(found[140, 8, 2][c] - exact[c]) <= 0.5 * abs(found[mesh][c] - exact[c]))

@@ -11,6 +11,7 @@ import importlib.util
 import pathlib
 
 import _extremes as matrix
+from _lab import Known
 
 MINUTES = {"quick": 0.5, "full": 6}
 EXPLICIT = "is about the explicit schemes"
@@ -81,7 +82,8 @@ def summary(lab, column, found):
                                                         ("survives", "stops", "refused", "FAILS")) + ".")
     fail = [label for label, kind in found.items() if kind == "FAILS"]
     known = [KNOWN.get((column, label), "") for label in fail]
-    lab.expect(f"{column}: runs that fail", "none", "; ".join(fail) or "none", not fail, "; ".join(known) if all(known) else "")
+    lab.expect(f"{column}: runs that fail", "none", "; ".join(fail) or "none", not fail,
+               Known("; ".join(known), "these runs alone", True) if all(known) else None)
     sure = asked()
     wrong = [f"{label}: {found[label]}" for label in sure if label in found and found[label] != sure[label]]
     lab.expect(f"{column}: of {len(found.keys() & sure.keys())} runs whose outcome is not in doubt, those that came out otherwise",

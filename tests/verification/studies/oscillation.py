@@ -13,6 +13,7 @@ import _shape
 import droplet_modes
 import numpy
 from _case import case, fields
+from _lab import Known
 from _measure import radial_droplet
 
 MINUTES = {"quick": 0.2, "full": 0.8}
@@ -69,6 +70,7 @@ def study(lab):
 
 
 CAUSE = "lumped masses; their error falls with the mesh, see the last rows"
+MISSED = {32: (0.023, 1.15), 16: (0.01, 0.21)}  # of frequency and damping, by 1/gamma_hat
 
 
 def explicit(lab):
@@ -87,9 +89,11 @@ def explicit(lab):
         exact, wave = found.values()
         off.append((abs(wave.imag / exact.imag - 1), abs(wave.real / exact.real - 1)))
         for i, (what, part, bound) in enumerate((("frequency", "imag", 0.01), ("damping", "real", 0.1))):
+            worst = MISSED[g][i]
             mine, asked, theory = (abs(getattr(value, part)) for value in (wave, exact, best))
             lab.expect(f"{label}: {what}", f"{asked:.4f} +- {100 * bound:g} %, by theory {theory:.4f}",
-                       f"{mine:.4f}, {100 * (mine / asked - 1):+.2g} %", off[-1][i] <= bound, CAUSE)
+                       f"{mine:.4f}, {100 * (mine / asked - 1):+.2g} %", off[-1][i] <= bound,
+                       Known(CAUSE, f"off by {100 * worst:.2g} %", off[-1][i] <= worst))
     for i, what in enumerate(("frequency", "damping")):
         ratio = off[1][i] / off[0][i]
         lab.expect(f"error of the {what}, four elements to a capillarity over two", "<= 1/3", f"{ratio:.2g}", ratio <= 1 / 3)

@@ -8,12 +8,14 @@ misses the sharp values falls with gamma_hat (1/64, 1/128) and does not with the
 
 import _measure
 import numpy
+from _lab import Known
 
 MINUTES = {"quick": 0.3, "full": 4}
 EXPLICIT = ("a state at rest, which no scheme changes (see laplace and free_droplet); to come to rest takes hundreds of units "
             "of time, and explicit steps are 1e-4 there")
 FINE, THIN = ["domain.elements=[256,128]"], ["fluid.capillarity=1/128"]
 CAUSE = "interface of finite width, see the next row"
+MISSED = {"jump": 0.006, "vertical": 0.007, "tangential": 0.015}  # at gamma_hat = 1/64; falls with gamma_hat
 
 
 def study(lab):
@@ -51,5 +53,7 @@ def forces(lab, label, run, last, cap, g):
                                     ("vertical line force", "vertical", sigma * sine, jump * radius * numpy.sin(seen)),
                                     ("tangential line force", "tangential", -sigma * cosine, -sigma * numpy.cos(seen))):
         first, second = found[key] / sharp - 1, found[key] / exact - 1
-        lab.expect(f"{label}: {what}, sharp", "0.5 %", f"{100 * first:+.2f} %", abs(first) <= 0.005, CAUSE)
+        bound = 64 * g * MISSED[key]
+        lab.expect(f"{label}: {what}, sharp", "0.5 %", f"{100 * first:+.2f} %", abs(first) <= 0.005,
+                   Known(CAUSE, f"{100 * bound:.2g} %", abs(first) <= bound))
         lab.expect(f"{label}: {what}, finite width", "0.5 %", f"{100 * second:+.2f} %", abs(second) <= 0.005)

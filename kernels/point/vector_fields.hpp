@@ -1,0 +1,64 @@
+// Bundles of linear operators that act on a velocity or an acceleration.
+#pragma once
+
+#include "kernels/point/fields.hpp"
+
+namespace softwet {
+
+/// A velocity (or acceleration) z in the fluid, and the density that is its weight.
+template <class N, int D>
+struct WeightedTrial {
+  N density;
+  Vector<N, D> vector;
+  Matrix<N, D> gradient;
+
+  static constexpr int slot_count = D + 1;
+  static constexpr Slot slot(int s) {
+    return s == 0 ? Slot{{Field::density}, true, false} : Slot{{Field::operand, s - 1}, true, true};
+  }
+
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION WeightedTrial read(const Reader& at) {
+    WeightedTrial t;
+    t.density = at.value(0);
+    for (int i = 0; i < D; ++i) {
+      t.vector[i] = at.value(1 + i);
+      const Vector<N, D> g = at.gradient(1 + i);
+      for (int j = 0; j < D; ++j) t.gradient(i, j) = g[j];
+    }
+    return t;
+  }
+};
+
+/// A velocity (or acceleration) z in the solid.
+template <class N, int D>
+struct VectorTrial {
+  Vector<N, D> vector;
+
+  static constexpr int slot_count = D;
+  static constexpr Slot slot(int s) { return {{Field::operand, s}, true, false}; }
+
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION VectorTrial read(const Reader& at) {
+    VectorTrial t;
+    for (int i = 0; i < D; ++i) t.vector[i] = at.value(i);
+    return t;
+  }
+};
+
+/// Integrand against w alone.
+template <class N, int D>
+struct VectorTest {
+  Vector<N, D> value;
+
+  static constexpr int channel_count = D;
+  static constexpr bool has_flux = false;
+  static constexpr Component channel(int c) { return {Field::velocity, c}; }
+
+  template <class Writer>
+  KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
+    for (int i = 0; i < D; ++i) to.add(i, value[i]);
+  }
+};
+
+}  // namespace softwet
