@@ -4,10 +4,15 @@
 #include <Kokkos_Core.hpp>
 #include <Kokkos_SIMD.hpp>
 
-#if defined(__AVX512F__) && defined(__GLIBC__) && !defined(__CUDACC__)
+// Logarithms of glibc's libmvec: all lanes of a pack at once.
+#if defined(__GLIBC__) && defined(__AVX512F__) && !defined(__CUDACC__)
 #define SOFTWET_VECTOR_LOG
-extern "C" __m512d _ZGVeN8v_log(__m512d);  // glibc libmvec: eight logarithms at once
-extern "C" __m512 _ZGVeN16v_logf(__m512);  // sixteen in single precision
+extern "C" [[gnu::const]] __m512d _ZGVeN8v_log(__m512d);
+extern "C" [[gnu::const]] __m512 _ZGVeN16v_logf(__m512);
+#elif defined(__GLIBC__) && defined(__AVX2__) && !defined(__CUDACC__)
+#define SOFTWET_VECTOR_LOG
+extern "C" [[gnu::const]] __m256d _ZGVdN4v_log(__m256d);
+extern "C" [[gnu::const]] __m256 _ZGVdN8v_logf(__m256);
 #endif
 
 namespace softwet {
@@ -78,8 +83,13 @@ template <class Real, class Abi>
 KOKKOS_FORCEINLINE_FUNCTION auto logarithm(const Kokkos::Experimental::basic_simd<Real, Abi>& x) {
   using P = Kokkos::Experimental::basic_simd<Real, Abi>;
 #ifdef SOFTWET_VECTOR_LOG
+#ifdef __AVX512F__
   if constexpr (std::is_same_v<Real, double> && P::size() == 8) return P(_ZGVeN8v_log(static_cast<__m512d>(x)));
   if constexpr (std::is_same_v<Real, float> && P::size() == 16) return P(_ZGVeN16v_logf(static_cast<__m512>(x)));
+#else
+  if constexpr (std::is_same_v<Real, double> && P::size() == 4) return P(_ZGVdN4v_log(static_cast<__m256d>(x)));
+  if constexpr (std::is_same_v<Real, float> && P::size() == 8) return P(_ZGVdN8v_logf(static_cast<__m256>(x)));
+#endif
 #endif
   Real lane[P::size()];
   Kokkos::Experimental::simd_unchecked_store(x, lane, Kokkos::Experimental::simd_flag_default);
