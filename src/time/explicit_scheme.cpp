@@ -42,17 +42,18 @@ Refusal ExplicitScheme<D, P>::begin(const State& state) {
 
 template <int D, int P>
 void ExplicitScheme<D, P>::measure_limit(double t) {
-  constexpr int longest = 80;
+  constexpr int shortest = 5, longest = 80;
   constexpr double same = 0.03, rough = 1e-5;
   const double before = limit_;
   linear_.set_base(t, y_, rates_, scheme_->treats_stiff_part());
   measure_stiff_part();
   system_.set_stiff_tolerance(rough);
-  if (limit_ > 0) limit_ = stability_.search(*scheme_, linear_, t, limit_);
+  limit_ = stability_.follow(*scheme_, linear_, t);
+  if (!(limit_ > 0) && before > 0) limit_ = stability_.search(*scheme_, linear_, t, before);
   if (!(limit_ > 0)) limit_ = limit_from_radius(t);
   system_.set_stiff_tolerance(system_.velocity_tolerance);
   const bool steady = std::abs(limit_ - before) < same * before;
-  most_age_ = steady ? std::min(2 * most_age_, longest) : std::max(1, most_age_ / 2);
+  most_age_ = steady ? std::min(2 * most_age_, longest) : std::max(shortest, most_age_ / 2);
   age_ = 0;
 }
 

@@ -7,6 +7,11 @@
 #include "time/noise.hpp"
 
 namespace softwet {
+namespace {
+
+constexpr double margin = 0.98;  ///< growth of a per cent in a step counts as none
+
+}  // namespace
 
 StabilityLimit::StabilityLimit(int size, ConstArray free) : free_(std::move(free)) {
   for (Array* a : {&first_, &second_, &third_, &mode_, &rates_, &first_rates_}) *a = Array("stability.vector", size);
@@ -39,8 +44,8 @@ bool StabilityLimit::grows_by_itself(Evolution& f, double t, double dt, double s
   return std::log(size) < 2 * dt * pair(third_, first_rates_, rates_).real;
 }
 
-StabilityLimit::Growth StabilityLimit::growth(RungeKutta& scheme, Evolution& f, double t, double dt) {
-  constexpr int least = 4, sure = 14, most = 24;  // a mode that is about to grow shows late among those that decay
+StabilityLimit::Growth StabilityLimit::growth(RungeKutta& scheme, Evolution& f, double t, double dt, int sure) {
+  constexpr int least = 4, most = 24;
   constexpr double settled = 0.005;
   Growth now;
   for (int k = 0; k < most; ++k) {
@@ -73,15 +78,34 @@ StabilityLimit::Growth StabilityLimit::climb(RungeKutta& scheme, Evolution& f, d
   return {};
 }
 
+double StabilityLimit::follow(RungeKutta& scheme, Evolution& f, double t) {
+  constexpr int most = 5, few = 6;
+  constexpr double above = 1.04, fast = 1.4, steep = 2, longer = 1.06;
+  double dt = above * unstable_;
+  begin();
+  for (int k = 0; k < most && known_; ++k) {
+    const Growth now = growth(scheme, f, t, dt, few);
+    if (!valid_) break;
+    if (now.unstable() && now.size < fast) {
+      Kokkos::deep_copy(Exec(), mode_, third_);
+      unstable_ = dt / above;
+      return margin * dt * std::pow(now.size, -1 / std::min(exponent_, steep));
+    }
+    dt *= now.unstable() ? std::clamp(std::pow(now.size, -1 / steep), 0.92, 0.97) : longer;
+  }
+  return 0;
+}
+
 double StabilityLimit::search(RungeKutta& scheme, Evolution& f, double t, double near) {
   constexpr int most = 20;
-  constexpr double close = 1.02, slow = 1.04, margin = 0.98;
+  constexpr double close = 1.02, slow = 1.04;
   begin();
   double unstable = (known_ ? 1.08 : 1.2) * near, stable = 0;
   Growth now = climb(scheme, f, t, unstable);
   known_ = now.unstable();
   if (!known_) return 0;
   Kokkos::deep_copy(Exec(), mode_, third_);
+  unstable_ = unstable;
   for (int k = 0; k < most; ++k) {
     // The growth near the limit is at least like the step itself.
     if (now.size < slow) return margin * unstable / now.size;
@@ -95,7 +119,7 @@ double StabilityLimit::search(RungeKutta& scheme, Evolution& f, double t, double
     if (!valid_) break;
     if (next.unstable()) {
       exponent_ = std::clamp(std::log(now.size / next.size) / std::log(unstable / dt), 0.8, 5.0);
-      unstable = dt, now = next;
+      unstable = unstable_ = dt, now = next;
       Kokkos::deep_copy(Exec(), mode_, third_);
     } else {
       stable = dt;

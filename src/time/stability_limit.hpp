@@ -18,6 +18,10 @@ class StabilityLimit {
   /// @return at most the limit, and at most some per cent less; 0: not found
   double search(RungeKutta&, Evolution& linear, double t, double near);
 
+  /// The limit at a state near that of the last search, from the growth of the mode that was found: costs some steps.
+  /// @return as `search`; 0: the state has changed too much
+  double follow(RungeKutta&, Evolution& linear, double t);
+
  private:
   /// What one step does to the vector that grows most.
   struct Growth {
@@ -31,11 +35,12 @@ class StabilityLimit {
   };
 
   /// Repeats steps of the size dt until the growth has settled. `valid_` becomes false where a step fails.
-  Growth growth(RungeKutta&, Evolution&, double t, double dt);
+  /// @param sure  steps before nothing counts as growing: a mode that is about to grow shows late among those that decay
+  Growth growth(RungeKutta&, Evolution&, double t, double dt, int sure = 14);
   void step(RungeKutta&, Evolution&, double t, double dt);
   /// Whether z' = J z lets the last vector grow as much by itself, as where a film breaks.
   bool grows_by_itself(Evolution&, double t, double dt, double size);
-  /// Where a search begins: the mode that was found last, with noise.
+  /// Where repeated steps begin: the mode that was found last, with noise.
   void begin();
   /// Lengthens dt until the growth is clear. @return that growth, or none
   Growth climb(RungeKutta&, Evolution&, double t, double& dt);
@@ -47,6 +52,7 @@ class StabilityLimit {
   Array rates_, first_rates_;
   ConstArray free_;
   bool valid_ = true, known_ = false;
+  double unstable_ = 0;  ///< the step at which that mode grew
   double exponent_ = 4;  ///< near the limit the growth is like this power of the step
 };
 

@@ -120,6 +120,20 @@ TEST(StabilityLimit, CountsTheDampingOfTheStiffPart) {
   expect_limit(found(rk3, {{1, 0, 0}, {1e-3, -0.02, 0}}, 2), limit_of({0, 1}, 3));
 }
 
+// Equations that have become stiffer or softer by some per cent since the search.
+TEST(StabilityLimit, FollowsEquationsThatChangeALittle) {
+  for (const double factor : {0.97, 1.0, 1.05}) {
+    SspRk3 rk3(4);
+    Modes f({{1, 0.3, 0}, {0.3, 0.1, 0}});
+    StabilityLimit stability(f.size());
+    ASSERT_GT(stability.search(rk3, f, 0, 1.7), 0);
+    for (Mode& m : f.modes) m = {factor * m.w, factor * m.gentle, 0};
+    const double limit = limit_of(eigenvalue(f.modes[0]), 3), found = stability.follow(rk3, f, 0);
+    EXPECT_LE(found, limit) << factor;
+    EXPECT_GE(found, 0.9 * limit) << factor;
+  }
+}
+
 TEST(StabilityLimit, NoneIsFoundWhereNothingLimits) {
   SspRk3 rk3(2);
   EXPECT_EQ(found(rk3, {{0, 0, 0}}, 1), 0);
