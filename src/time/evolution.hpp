@@ -18,12 +18,11 @@ class Evolution {
   /// out = f(t, y) - g(y), g the stiff dissipative part (viscosity).
   virtual Refusal gentle_rates(double t, const Array& y, const Array& out) = 0;
 
-  /// out = g(y), where g takes what it depends on beside its own part of y from the last `hold`.
+  /// out = g(y), where g takes what it depends on beside its own part of y from the last `hold`, or from the last rates.
   virtual void stiff_rates(const Array& y, const Array& out) = 0;
   virtual Refusal hold(const Array& y) = 0;
 
-  /// Replaces y by the solution of y - c g(y) = y_given and returns g(y) in `out`; the parts of y that g does not change
-  /// are those that g depends on.
+  /// Replaces y by the solution of y - c g(y) = y_given and returns g(y) in `out`, with what is held as in `stiff_rates`.
   virtual Refusal implicit_part(double c, const Array& y, const Array& out) = 0;
 };
 

@@ -18,10 +18,12 @@ ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, co
     : judge_(judge),
       system_(model, c.time.mass == "lumped" ? MassKind::lumped : MassKind::consistent),
       scheme_(runge_kutta(c.time.scheme, system_.size())),
+      linear_(system_),
       spectrum_(system_.size(), system_.free_values()),
       stiff_spectrum_(scheme_->needs_stiff_radius() ? system_.size() : 0, system_.free_values()),
+      stability_(system_.size(), system_.free_values()),
       safety_(c.time.safety) {
-  for (Array* a : {&y_, &rates_, &next_, &next_rates_, &probe_}) *a = Array("explicit.vector", system_.size());
+  for (Array* a : {&y_, &rates_, &next_, &next_rates_}) *a = Array("explicit.vector", system_.size());
 }
 
 template <int D, int P>
@@ -39,37 +41,53 @@ Refusal ExplicitScheme<D, P>::begin(const State& state) {
 }
 
 template <int D, int P>
-void ExplicitScheme<D, P>::measure_radius(double t) {
-  constexpr int shortest = 10, longest = 80;
-  constexpr double same = 0.02;
-  const double before = spectrum_.radius();
-  spectrum_.measure([&](const Array& z, const Array& out) {
-    const double step = 1e-7 * (1 + norm(y_)) / norm(z);
-    Kokkos::deep_copy(Exec(), probe_, y_);
-    add_scaled(probe_, 0, step, z);
-    if (!rates(t, probe_, out).empty()) return false;
-    add_scaled(out, 0, -1, rates_);
-    combine(out, 1 / step, out, 0);
-    return true;
-  });
-  if (scheme_->needs_stiff_radius() && system_.hold(y_).empty()) {
-    stiff_spectrum_.measure([&](const Array& z, const Array& out) { return system_.stiff_rates(z, out), true; });
-    scheme_->set_stiff_radius(stiff_spectrum_.radius());
-  }
-  const bool steady = std::abs(spectrum_.radius() - before) < same * before;
-  most_age_ = steady ? std::min(2 * most_age_, longest) : shortest;
+void ExplicitScheme<D, P>::measure_limit(double t) {
+  constexpr int shortest = 5, longest = 80;
+  constexpr double same = 0.03, rough = 1e-5;
+  const double before = limit_;
+  linear_.set_base(t, y_, rates_, scheme_->treats_stiff_part());
+  measure_stiff_part();
+  system_.set_stiff_tolerance(rough);
+  limit_ = stability_.follow(*scheme_, linear_, t);
+  if (!(limit_ > 0) && before > 0) limit_ = stability_.search(*scheme_, linear_, t, before);
+  if (!(limit_ > 0)) limit_ = limit_from_radius(t);
+  system_.set_stiff_tolerance(system_.velocity_tolerance);
+  const bool steady = std::abs(limit_ - before) < same * before;
+  most_age_ = steady ? std::min(2 * most_age_, longest) : std::max(shortest, most_age_ / 2);
   age_ = 0;
+}
+
+template <int D, int P>
+double ExplicitScheme<D, P>::limit_from_radius(double t) {
+  spectrum_.measure([&](const Array& z, const Array& out) { return linear_.gentle_rates(t, z, out).empty(); });
+  if (!(spectrum_.radius() > 0)) return 0;
+  const double guess = scheme_->limit(spectrum_.radius(), spectrum_.imaginary());
+  const double found = stability_.search(*scheme_, linear_, t, guess);
+  return found > 0 ? found : guess;
+}
+
+template <int D, int P>
+void ExplicitScheme<D, P>::measure_stiff_part() {
+  if (!scheme_->needs_stiff_radius()) return;
+  stiff_spectrum_.measure([&](const Array& z, const Array& out) { system_.stiff_rates(z, out); },
+                          [&](const Array& z) { return system_.stiff_quotient(z); });
+  scheme_->set_stiff_radius(stiff_spectrum_.radius());
 }
 
 template <int D, int P>
 double ExplicitScheme<D, P>::largest_step(const State& state) {
   if (!begin(state).empty()) return std::numeric_limits<double>::infinity();  // the attempt tells
-  if (age_ >= most_age_) measure_radius(state.time);
-  if (!(spectrum_.radius() > 0))
+  if (age_ >= most_age_) {
+    measure_limit(state.time);
+  } else if (scheme_->needs_stiff_radius()) {
+    stiff_spectrum_.follow([&](const Array& z) { return system_.stiff_quotient(z); });
+    scheme_->set_stiff_radius(stiff_spectrum_.radius());
+  }
+  if (!(limit_ > 0))
     throw Error(Exit::computation_failed,
                 "the largest stable step of time.scheme could not be measured at this state; write time.scheme = "
                 "\"generalized_alpha\"");
-  return safety_ * scheme_->limit(spectrum_.radius(), spectrum_.imaginary());
+  return safety_ * limit_;
 }
 
 template <int D, int P>

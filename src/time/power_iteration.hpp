@@ -4,20 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field/vector.hpp"
+#include "time/noise.hpp"
 
 namespace softwet {
-
-/// Adds numbers that look random to the entries of a vector where `free` is 1; empty: to all.
-struct AddNoise {
-  Array a;
-  ConstArray free;
-  double scale;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    const unsigned mixed = (static_cast<unsigned>(i) * 2654435761u) ^ (static_cast<unsigned>(i) >> 7);
-    a(i) += scale * (free.extent(0) > 0 ? free(i) : 1.0) * ((mixed % 20011u) / 10005.0 - 1.0);
-  }
-};
 
 /// Keeps its vector from one measurement to the next, which then takes few products.
 class PowerIteration {
@@ -34,7 +23,7 @@ class PowerIteration {
     constexpr int window = 8, most = 80;
     constexpr double settled = 0.01;
     double growth[most + 1] = {}, cosine[most + 1] = {};  // growth: logarithm of that since the beginning
-    add_noise();
+    add_noise(direction_, free_);
     radius_ = 0;
     for (int k = 1; k <= most; ++k) {
       const double length = norm(direction_);
@@ -58,16 +47,6 @@ class PowerIteration {
   bool imaginary() const { return imaginary_; }
 
  private:
-  /// Adds numbers that look random and are the same in every run, so that modes grow that have become the largest since
-  /// the last time.
-  void add_noise() {
-    constexpr double part = 0.1;
-    const double length = norm(direction_), size = direction_.extent(0) > 0 ? direction_.extent(0) : 1;
-    const double scale = length > 0 ? part * length / std::sqrt(size) : 1;
-    Kokkos::parallel_for("softwet::noise", Kokkos::RangePolicy<Exec>(0, direction_.extent(0)),
-                         AddNoise{direction_, free_, scale});
-  }
-
   Array direction_, product_;
   ConstArray free_;
   double radius_ = 0;

@@ -11,7 +11,7 @@ namespace softwet {
 namespace {
 
 constexpr double rest = 1e-6;            ///< rate of change of a state at rest
-constexpr double change_of_step = 0.02;  ///< of the fields, that a step aims at
+constexpr double change_of_step = 0.02;  ///< of the fields, that a step aims at; a thin vapour may change by more
 constexpr double longest = 200;          ///< step
 constexpr int most_steps = 300;
 
@@ -30,7 +30,21 @@ std::string number(double x) {
   return text;
 }
 
-/// Changes of the fields from one state to the next, relative: of the density and of the displacement.
+/// x(i) /= density(i) where the density is below `most`, that is in the vapour, and 0 elsewhere.
+void relative_in_vapour(const Array& x, const ConstArray& density, double least, double most) {
+  Kokkos::parallel_for(
+      "softwet::relative_in_vapour", Kokkos::RangePolicy<Exec>(0, x.extent(0)), KOKKOS_LAMBDA(int i) {
+        const double rho = density(i) < least ? least : density(i);
+        x(i) = rho < most ? x(i) / rho : 0.0;
+      });
+}
+
+/// Changes from one state to the next, relative.
+struct Changes {
+  double fields = 0;  ///< of the density and the displacement, to their range
+  double vapour = 0;  ///< of the density of the vapour, to itself
+};
+
 template <int D, int P>
 class Change {
  public:
@@ -41,24 +55,30 @@ class Change {
     keep(start);
   }
 
-  double from_last(const State& now) {
+  Changes from_last(const State& now) {
     const Layout<D>& l = model_.layout();
-    double change = 0;
-    if (l.has_fluid) {
-      combine(density_, 1, part(now.unknown, l.density_offset(), l.potential_offset()), -1);
-      const double jump = model_.state().density_liquid - model_.state().density_vapour;
-      change = norm(density_) / std::sqrt(static_cast<double>(l.scalar_size())) / jump;
-    }
+    Changes change;
+    if (l.has_fluid) change = of_density(part(now.unknown, l.density_offset(), l.potential_offset()));
     if (l.has_solid) {
       combine(displacement_, 1, now.displacement, -1);
       const double height = l.has_fluid ? model_.wall_height() : l.axis[D - 1].length();
-      change = std::max(change, norm(displacement_) / std::sqrt(static_cast<double>(l.solid_size()) / D) / height);
+      const double root = std::sqrt(static_cast<double>(l.solid_size()) / D);
+      change.fields = std::max(change.fields, norm(displacement_) / root / height);
     }
     keep(now);
     return change;
   }
 
  private:
+  Changes of_density(const ConstArray& now) {
+    const double vapour = model_.state().density_vapour, liquid = model_.state().density_liquid;
+    const double root = std::sqrt(static_cast<double>(model_.layout().scalar_size()));
+    combine(density_, 1, now, -1);
+    const double fields = norm(density_) / root / (liquid - vapour);
+    // Four times: a small droplet has denser vapour around it than a large one (Kelvin).
+    relative_in_vapour(density_, now, vapour, std::min(4 * vapour, 0.5 * (vapour + liquid)));
+    return {fields, norm(density_) / root};
+  }
   void keep(const State& now) {
     const Layout<D>& l = model_.layout();
     if (l.has_fluid) Kokkos::deep_copy(density_, part(now.unknown, l.density_offset(), l.potential_offset()));
@@ -105,14 +125,14 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
       continue;
     }
     scheme.accept(state);
-    const double size = change.from_last(state);
+    const Changes size = change.from_last(state);
     ++done.steps;
     done.newton += tried.newton;
     done.krylov += tried.krylov;
     done.time += dt;
-    done.rate = size / dt;
+    done.rate = std::max(size.fields, size.vapour) / dt;
     if (done.rate < rest) break;
-    dt = std::min(longest, dt * std::clamp(change_of_step / size, 0.5, tried.laborious ? 1.0 : 2.0));
+    dt = std::min(longest, dt * std::clamp(change_of_step / size.fields, 0.5, tried.laborious ? 1.0 : 2.0));
   }
   state.time = time;
   return done;

@@ -17,8 +17,9 @@ struct Relaxation {
 /// Advances a state by steps of backward Euler without loads until it is at rest. A step doubles where the one before
 /// has changed the state little, so that the way there is not accurate, but the end is: mass is conserved and the
 /// equations of the state at rest are those of the scene. At rest means that the rate of change
-///   r = max( rms(rho') / (rho_l - rho_v),  rms(u') / Hs )
-/// is below 1e-6. A droplet that creeps more slowly than that counts as at rest. The state gets the time `time` and is as one that `Scheme::initialise` has not seen.
+///   r = max( rms(rho') / (rho_l - rho_v),  rms(rho'/rho in the vapour),  rms(u') / Hs )
+/// is below 1e-6. The second one sees a thin vapour that fills slowly. A droplet that creeps more slowly than that counts
+/// as at rest. The state gets the time `time` and is as one that `Scheme::initialise` has not seen.
 /// Throws Error (computation_failed) where this does not happen, with the reason, and when interrupted.
 /// Source: Kelley and Keyes 1998.   Tested: tests/unit/time/test_relaxation.cpp
 template <int D, int P>

@@ -100,7 +100,8 @@ Refusal ImexArs343::advance(Evolution& f, double t, double dt, const Array& y, c
     Kokkos::deep_copy(Exec(), stage_, y);
     for (int j = 0; j <= i; ++j) add_scaled(stage_, 0, dt * gentle[i][j], j == 0 ? k : gentle_[j - 1]);
     for (int j = 0; j < i; ++j) add_scaled(stage_, 0, dt * stiff[i][j], stiff_[j]);
-    problem = f.implicit_part(dt * g, stage_, stiff_[i]);
+    problem = f.hold(stage_);
+    if (problem.empty()) problem = f.implicit_part(dt * g, stage_, stiff_[i]);
     if (problem.empty()) problem = f.gentle_rates(t + node[i] * dt, stage_, gentle_[i]);
   }
   if (!problem.empty()) return problem;

@@ -11,7 +11,8 @@ class RungeKutta {
   virtual ~RungeKutta() = default;
   virtual Refusal advance(Evolution&, double t, double dt, const Array& y, const Array& k) = 0;
 
-  /// Largest dt for eigenvalues of f up to `radius` in size that are real and negative, or imaginary.
+  /// Largest dt for eigenvalues of f up to `radius` in size that are real and negative, or imaginary: a first guess, see
+  /// StabilityLimit.
   virtual double limit(double radius, bool imaginary) const = 0;
   virtual const char* name() const = 0;
 

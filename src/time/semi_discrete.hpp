@@ -37,6 +37,12 @@ class SemiDiscrete final : public Evolution {
   Refusal hold(const Array& y) override;
   Refusal implicit_part(double c, const Array& y, const Array& out) override;
 
+  /// -(y, g(y)) / (y, y) with the stiff part g and the mass of the velocities as the inner product.
+  double stiff_quotient(const Array& y);
+  /// How accurate the solves for the stiff part are: less where its size alone is asked for.
+  void set_stiff_tolerance(double tolerance) { stiff_tolerance_ = tolerance; }
+  static constexpr double velocity_tolerance = 1e-10;
+
   /// Moments of a state that is given by its unknowns and displacements: those that give its density back.
   void set_moments(State&);
   void pack(const State&, const Array& y) const;
@@ -67,6 +73,7 @@ class SemiDiscrete final : public Evolution {
   ConjugateGradient solver_;
   int velocity_, solid_, scalar_;  ///< parts of y
   Stage stage_;
+  double stiff_tolerance_ = velocity_tolerance;
   Array stiff_;  ///< the last result of implicit_part, velocities
   Array zero_, force_, right_, solution_, ones_, scalar_weight_, velocity_weight_;
   MassCounts counts_;

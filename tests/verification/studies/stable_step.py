@@ -1,9 +1,9 @@
 """Largest stable step of the explicit schemes against the limit that the program measures.
 
-Explicit schemes measure the spectral radius of the linearised rates by power iteration, and take `time.safety` (0.9) of the
-step that follows from it; `softwet check` prints the same limit for the first state. Here the largest stable step is found
-by bisection, to 5 %: a run of 100 short steps is gone on with, for 60 to 200 more steps whose size is a chosen part of the
-printed limit. Two states:
+Explicit schemes search for the largest step that is stable on the linearised rates, and take `time.safety` (0.9) of it;
+`softwet check` prints the same limit for the first state. Here the largest stable step is found by bisection, to 5 %, from
+whole runs: a run of 100 short steps is gone on with, for 60 to 200 more steps whose size is a chosen part of the printed
+limit. Two states:
 
 rigid: a droplet on a rigid wall at the temperature 0.85, with the wall law that has an energy. There the total energy may
 only fall. Steps are stable where it rises in none and none is refused.

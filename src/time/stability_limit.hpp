@@ -1,0 +1,59 @@
+// The largest stable step of a Runge-Kutta scheme on a linear evolution, found from its steps alone.
+#pragma once
+
+#include "time/runge_kutta.hpp"
+
+namespace softwet {
+
+/// A step of a scheme on linear equations z' = J z is a linear map of z. It is stable while no vector grows without end. The
+/// vector that grows most is found by repeating steps, and the largest stable step by making the steps shorter until that
+/// vector grows no longer. So every part of the spectrum counts as the scheme sees it: real, imaginary and in between, and
+/// treated apart or not.   Tested: tests/unit/time/test_stability_limit.cpp
+class StabilityLimit {
+ public:
+  /// @param free  1 where vectors of the evolution may be anything, else 0; empty: everywhere
+  explicit StabilityLimit(int size, ConstArray free = {});
+
+  /// @param near  a step of the size of the limit. A search goes on from the mode that the last one has found.
+  /// @return at most the limit, and at most some per cent less; 0: not found
+  double search(RungeKutta&, Evolution& linear, double t, double near);
+
+  /// The limit at a state near that of the last search, from the growth of the mode that was found: costs some steps.
+  /// @return as `search`; 0: the state has changed too much
+  double follow(RungeKutta&, Evolution& linear, double t);
+
+ private:
+  /// What one step does to the vector that grows most.
+  struct Growth {
+    double size = 1;
+    bool of_scheme = false;  ///< whether the equations themselves grow less
+    bool unstable() const { return of_scheme && size > 1.01; }
+  };
+  /// An eigenvalue: its size and its real part.
+  struct Eigenvalue {
+    double size = 0, real = 0;
+  };
+
+  /// Repeats steps of the size dt until the growth has settled. `valid_` becomes false where a step fails.
+  /// @param sure  steps before nothing counts as growing: a mode that is about to grow shows late among those that decay
+  Growth growth(RungeKutta&, Evolution&, double t, double dt, int sure = 14);
+  void step(RungeKutta&, Evolution&, double t, double dt);
+  /// Whether z' = J z lets the last vector grow as much by itself, as where a film breaks.
+  bool grows_by_itself(Evolution&, double t, double dt, double size);
+  /// Where repeated steps begin: the mode that was found last, with noise.
+  void begin();
+  /// Lengthens dt until the growth is clear. @return that growth, or none
+  Growth climb(RungeKutta&, Evolution&, double t, double& dt);
+  /// Of the map that takes a to b and b to c, where these vectors are made of one pair of modes.
+  static Eigenvalue pair(const ConstArray& a, const ConstArray& b, const ConstArray& c);
+
+  Array first_, second_, third_;  ///< vectors of three steps in a row
+  Array mode_;                    ///< that grew at the shortest unstable step
+  Array rates_, first_rates_;
+  ConstArray free_;
+  bool valid_ = true, known_ = false;
+  double unstable_ = 0;  ///< the step at which that mode grew
+  double exponent_ = 4;  ///< near the limit the growth is like this power of the step
+};
+
+}  // namespace softwet
