@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "case/error.hpp"
 #include "field/vector.hpp"
 #include "kernels/solid/body_force.hpp"
 #include "model/equilibrium.hpp"
@@ -10,6 +11,11 @@ namespace softwet {
 
 template <int D, int P>
 Model<D, P>::Model(const Case& c) : precision_(precision_of(c)), points_(c.domain.points()) {
+  if (!has_reduced_quadrature && points_ <= P)
+    throw Error(
+        Exit::invalid_input,
+        "domain.quadrature = \"reduced\": this program was built without it; write domain.quadrature = \"full\", or "
+        "build it with -DSOFTWET_REDUCED_QUADRATURE=ON");
   build_axes(c);
   if (layout_.has_solid) build_solid(c);
   if (layout_.has_fluid) build_fluid(c);

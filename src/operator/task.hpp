@@ -14,10 +14,19 @@ inline constexpr int points_across = Term::where == Where::wall ? 1 : Q;
 template <int Q>
 using PointsPerAxis = std::integral_constant<int, Q>;
 
+/// Whether the program has kernels for reduced quadrature: the CMake option SOFTWET_REDUCED_QUADRATURE.
+#ifdef SOFTWET_NO_REDUCED_QUADRATURE
+inline constexpr bool has_reduced_quadrature = false;
+#else
+inline constexpr bool has_reduced_quadrature = true;
+#endif
+
 /// Calls body with the points per axis of a region's rules: degree + 1, or as many as the degree.
 template <int P, int D, class Real, class Body>
 void with_points(const Region<D, Real>& region, const Body& body) {
-  region.axis[0].points == P ? body(PointsPerAxis<P>()) : body(PointsPerAxis<P + 1>());
+  if constexpr (has_reduced_quadrature)
+    if (region.axis[0].points == P) return body(PointsPerAxis<P>());
+  body(PointsPerAxis<P + 1>());
 }
 
 /// Everything a term needs on a region. Pointers are to control value (0, 0, 0) of each component's own grid. Arrays of

@@ -132,7 +132,9 @@ std::vector<Key> solver_keys() {
   return {
       {.name = "solver.newton.rtol",
        .range = fraction,
-       .help = "Newton stops at this fraction of the first residual.",
+       .help = "Newton stops at this fraction of the first residual. With time.rho_inf above 0.9, where hardly any "
+               "error is damped, "
+               "the default is at most 1e-6.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_rtol; })},
       {.name = "solver.newton.atol",
        .range = positive,

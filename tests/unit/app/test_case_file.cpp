@@ -92,6 +92,14 @@ TEST(CaseFile, QualitySetsWhatTheFileLeavesOut) {
   EXPECT_LT(parse_case(pull, "init", {"quality=\"reference\""}).time.tolerance, standard.time.tolerance);
 }
 
+/// With 1e-3 and rho_inf = 0.99 the swinging beam of tests/verification/studies/csm.py gains energy until it fails.
+TEST(CaseFile, SchemesThatHardlyDampAreSolvedFurther) {
+  const double usual = parse_case(pull, "init").solver.newton_rtol;
+  EXPECT_EQ(parse_case(pull, "init", {"time.rho_inf=0.9"}).solver.newton_rtol, usual);
+  EXPECT_LT(parse_case(pull, "init", {"time.rho_inf=0.95"}).solver.newton_rtol, usual);
+  EXPECT_EQ(parse_case(pull, "init", {"time.rho_inf=1", "solver.newton.rtol=1e-2"}).solver.newton_rtol, 1e-2);
+}
+
 TEST(CaseFile, QualitiesNameKeysAndValuesThatExist) {
   for (const Quality& quality : qualities())
     for (const QualityValue& value : quality.values) {
