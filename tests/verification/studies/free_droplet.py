@@ -44,16 +44,8 @@ def compare(lab, run, capillarity, number):
 
 
 def explicit(lab):
-    """64 x 64 elements, capillarity 1/32, brought to rest by `time.start`; then explicit steps for a moment. The vapour still
-    fills by then, so it is held against generalized_alpha after the same time, the rest against the exact answer."""
-    words = ["domain.elements=[64,64]", "fluid.capillarity=1/32", "droplet[0].radius=0.25", "time.start=equilibrium",
-             f"time.end={lab.moment}", f"output.fields.times=[{lab.moment}]"]
-    run = lab.run("free", "free_droplet_2d", words)
-    implicit = lab.run(f"implicit, t = {lab.moment}", "free_droplet_2d", [*words, "time.scheme=generalized_alpha"])
-    inside, _, mu, _ = radial_droplet.solve(1 / 32, run.history["mass"][-1], volume=1.0)
-    (middle, corner), expected = ends(run, 0), ends(implicit, 0)[1]
-    for what, found, exact in (("rho_in", middle, inside), ("mu - mu_sat", run.history["laplace"][-1], mu - _measure.POTENTIAL)):
-        error = found / exact - 1
-        lab.expect(what, f"{exact:.6f} +- 0.5 %", f"{100 * error:+.4f} %", abs(error) <= 0.005)
-    error = corner / expected - 1
-    lab.expect("rho_out", "as with generalized_alpha, 0.1 %", f"{100 * error:+.4f} %", abs(error) <= 1e-3)
+    """64 x 64 elements, capillarity 1/32, brought to rest by `time.start`; then explicit steps for a moment."""
+    run = lab.run("free", "free_droplet_2d", [
+        "domain.elements=[64,64]", "fluid.capillarity=1/32", "droplet[0].radius=0.25", "time.start=equilibrium",
+        f"time.end={lab.moment}", f"output.fields.times=[{lab.moment}]"])
+    compare(lab, run, 1 / 32, 0)
