@@ -4,9 +4,7 @@ namespace softwet {
 
 const std::vector<Quality>& qualities() {
   static const std::vector<Quality> all{
-      {"draft",
-       "for a first look at a scene",
-       {{"time.tolerance", "1e-2"}, {"solver.newton.rtol", "1e-2"}, {"domain.quadrature", "\"reduced\""}}},
+      {"draft", "for a first look at a scene", {{"time.tolerance", "1e-2"}, {"domain.quadrature", "\"reduced\""}}},
       {"standard", "the defaults", {}},
       {"reference",
        "to judge the others by",
