@@ -1,5 +1,7 @@
 #include "time/explicit_scheme.hpp"
 
+#include <algorithm>
+
 #include "case/error.hpp"
 
 namespace softwet {
@@ -42,9 +44,10 @@ Refusal ExplicitScheme<D, P>::begin(const State& state) {
 
 template <int D, int P>
 void ExplicitScheme<D, P>::measure_limit(double t) {
-  constexpr int shortest = 5, longest = 80;
+  constexpr int often = 2, seldom = 10;  // steps of the run for each step of a search
   constexpr double same = 0.03, rough = 1e-5;
   const double before = limit_;
+  const int steps_before = stability_.steps();
   linear_.set_base(t, y_, rates_, scheme_->treats_stiff_part());
   measure_stiff_part();
   system_.set_stiff_tolerance(rough);
@@ -53,7 +56,8 @@ void ExplicitScheme<D, P>::measure_limit(double t) {
   if (!(limit_ > 0)) limit_ = limit_from_radius(t);
   system_.set_stiff_tolerance(system_.velocity_tolerance);
   const bool steady = std::abs(limit_ - before) < same * before;
-  most_age_ = steady ? std::min(2 * most_age_, longest) : std::max(shortest, most_age_ / 2);
+  const int cost = stability_.steps() - steps_before;
+  most_age_ = std::clamp(steady ? 2 * most_age_ : 0, often * cost, seldom * cost);
   age_ = 0;
 }
 

@@ -11,7 +11,8 @@
 namespace softwet {
 
 /// The largest stable step of the scheme for the linearised rates limits the step. It is searched for on differences of
-/// rates, kept for a number of steps, and searched for anew after a refused step.
+/// rates, kept for a number of steps, and searched for anew after a refused step. That number depends on the steps of the
+/// search, so searches take a third of a run at most, and a tenth where the limit stays the same.
 template <int D, int P>
 class ExplicitScheme final : public Scheme<D, P> {
  public:

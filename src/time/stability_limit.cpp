@@ -18,6 +18,7 @@ StabilityLimit::StabilityLimit(int size, ConstArray free) : free_(std::move(free
 }
 
 void StabilityLimit::step(RungeKutta& scheme, Evolution& f, double t, double dt) {
+  ++steps_;
   const double length = norm(second_);
   valid_ = length > 0 && std::isfinite(length);
   if (!valid_) return;

@@ -22,6 +22,8 @@ class StabilityLimit {
   /// @return as `search`; 0: the state has changed too much
   double follow(RungeKutta&, Evolution& linear, double t);
 
+  int steps() const { return steps_; }  ///< of the scheme, in all searches so far
+
  private:
   /// What one step does to the vector that grows most.
   struct Growth {
@@ -52,6 +54,7 @@ class StabilityLimit {
   Array rates_, first_rates_;
   ConstArray free_;
   bool valid_ = true, known_ = false;
+  int steps_ = 0;
   double unstable_ = 0;  ///< the step at which that mode grew
   double exponent_ = 4;  ///< near the limit the growth is like this power of the step
 };
