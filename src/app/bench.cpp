@@ -125,9 +125,10 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   const Array r("r", scheme.size()), z("z", scheme.size());
   const Jacobian frozen = [&](const StencilValues& values) { scheme.jacobian(values); };
   Gmres gmres(scheme.size(), 200);
+  constexpr int largest_factorised = 20000;
   const double product = seconds_per_call([&] { scheme.product(z, r, Geometry::exact); });
   for (const std::string& name : preconditioner_names()) {
-    if (name != "schwarz" && name != c.solver.preconditioner && D == 3 && scheme.size() > small_in_3d) {
+    if (name != "schwarz" && name != c.solver.preconditioner && D == 3 && scheme.size() > largest_factorised) {
       sheet.out << "preconditioner " << name << ": left out, too large; name it in solver.krylov.preconditioner\n";
       continue;
     }

@@ -18,10 +18,10 @@ inline std::vector<std::string> preconditioner_names() {
 }
 
 /// Number of unknowns up to which `automatic` takes the block LU in 3D (docs/performance.md).
-constexpr int small_in_3d = 20000;
+constexpr int small_in_3d = 3000;
 
-/// automatic: block LU in 2D and for small scenes in 3D, otherwise multilevel Schwarz, as whole runs were measured to be
-/// fastest. umfpack: the matrix is factorised by that library, in double precision.
+/// automatic: block LU in 2D and for the smallest scenes in 3D, otherwise multilevel Schwarz, as whole runs were measured to
+/// be fastest. umfpack: the matrix is factorised by that library, in double precision.
 template <int D>
 std::unique_ptr<Preconditioner> choose_preconditioner(const std::string& name, const Layout<D>& layout,
                                                       const ConstArray& mask) {

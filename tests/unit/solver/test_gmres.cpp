@@ -115,6 +115,57 @@ TEST(Gmres, SinglePrecisionEndsAtItsRoundOffWithoutClaimingSuccess) {
   EXPECT_LT(r.reduction, 1e-5);
 }
 
+// Directions that are nearly parallel: the answer is a small difference of large multiples of them, and so is the residual
+// that follows from their products. It must not be believed where round-off is as large.
+TEST(Gmres, DoesNotBelieveAResidualThatRoundOffHides) {
+  const Dense m(60, 4, 0.6);
+  const ArrayOf<float> b("b", 60), x("x", 60);
+  convert(b, to_device<Array>(m.right));
+  const std::vector<double> common(60, 1.0);
+  for (const double share : {1e2, 1e3, 1e4, 1e5, 1e6}) {
+    const auto parallel = [&](const ArrayOf<float>& r, const ArrayOf<float>& z) {
+      convert(z, to_device<Array>(common));
+      combine(z, 1.0, r, share);
+    };
+    for (const double tolerance : {1e-1, 1e-2, 1e-3}) {
+      int products = 0;
+      const auto apply = [&](const ArrayOf<float>& z, const ArrayOf<float>& out) {
+        ++products;
+        m.apply_single()(z, out);
+      };
+      const KrylovResult r = GmresOf<float>(60, 60).solve(apply, parallel, b, x, tolerance, 120);
+      const Array wide("wide", 60);
+      convert(wide, x);
+      const double actual = m.reduction(to_host(wide));
+      EXPECT_NEAR(r.reduction, actual, 0.02 * actual) << share << " " << tolerance;
+      if (r.converged) EXPECT_LE(actual, 1.03 * tolerance) << share << " " << tolerance;
+    }
+  }
+}
+
+TEST(Gmres, OrdinaryConvergenceNeedsNoProductToBeSeen) {
+  const Dense m(60, 4, 0.6);
+  int products = 0;
+  const auto apply = [&](const Array& z, const Array& out) {
+    ++products;
+    m.apply()(z, out);
+  };
+  Array x("x", 60);
+  const KrylovResult r = Gmres(60, 60).solve(apply, identity, to_device<Array>(m.right), x, 1e-4, 100);
+  EXPECT_TRUE(r.converged);
+  EXPECT_EQ(products, r.iterations);
+}
+
+// Most of each product lies along the vectors before it: without a second pass they would not stay orthogonal.
+TEST(Gmres, StaysOrthogonalWhereProductsAreAlmostParallel) {
+  const Dense m(60, 1e-3, 1e-4);
+  Array x("x", 60);
+  const KrylovResult r = Gmres(60, 60).solve(m.apply(), identity, to_device<Array>(m.right), x, 1e-13, 60);
+  EXPECT_TRUE(r.converged);
+  EXPECT_LE(r.iterations, 6);
+  EXPECT_LT(m.reduction(to_host(x)), 1.01e-13);
+}
+
 TEST(Gmres, RestartsAndStillConverges) {
   const Dense m(60, 4, 0.6);
   const Array b = to_device<Array>(m.right);
