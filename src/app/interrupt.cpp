@@ -20,12 +20,14 @@ InterruptGuard::InterruptGuard() {
   std::signal(SIGTERM, request_stop);
   hangup_ = std::signal(SIGHUP, SIG_IGN) != SIG_IGN;
   if (hangup_) std::signal(SIGHUP, request_stop);
+  std::signal(SIGUSR1, request_stop);  // what a launcher of several processes passes on
   std::signal(SIGPIPE, SIG_IGN);
 }
 
 InterruptGuard::~InterruptGuard() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGUSR1, SIG_DFL);
   if (hangup_) std::signal(SIGHUP, SIG_DFL);
   std::signal(SIGPIPE, SIG_DFL);
 }

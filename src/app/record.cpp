@@ -6,6 +6,7 @@
 #include <softwet_version.hpp>
 
 #include "app/machine.hpp"
+#include "field/exchange.hpp"
 #include "model/groups.hpp"
 
 namespace softwet {
@@ -55,11 +56,13 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
   run["process"] = static_cast<std::int64_t>(::getpid());
   run["backend"] = backend_name();
   run["threads"] = thread_count();
+  run["ranks"] = ranks::count();
   run["instructions"] = instruction_set();
   run["precision"] = name_of(model.precision());
   run["dimension"] = D;
   run["degree"] = P;
-  add_unknowns(run["unknowns"], layout.velocity_size(), layout.scalar_size(), layout.solid_size());
+  const Layout<D> patch = layout.whole_patch();
+  add_unknowns(run["unknowns"], patch.velocity_size(), patch.scalar_size(), patch.solid_size());
   if (layout.has_fluid) {  // of the flat interface in equilibrium; droplets end half way between
     run["equilibrium"]["density_vapour"] = model.state().density_vapour;
     run["equilibrium"]["density_liquid"] = model.state().density_liquid;
@@ -79,6 +82,14 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
   counts["products"] = k.products;
   counts["preconditioner_builds"] = k.builds;
   counts["preconditioner_applications"] = k.applications;
+  if (ranks::count() > 1) {  // of the first process
+    RecordValue& traffic = run["traffic"];
+    traffic["messages"] = static_cast<std::int64_t>(ranks::traffic().messages);
+    traffic["bytes"] = ranks::traffic().bytes;
+    traffic["reductions"] = static_cast<std::int64_t>(ranks::traffic().reductions);
+    traffic["collections"] = static_cast<std::int64_t>(ranks::traffic().collections);
+    traffic["bytes_collected"] = ranks::traffic().collected;
+  }
   RecordValue& throughput = run["million_unknowns_per_second_and_core"];
   throughput["residual"] = rate(layout.size(), k.residuals, k.residual_seconds);
   throughput["product"] = rate(layout.size(), k.products, k.product_seconds);

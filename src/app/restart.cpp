@@ -1,9 +1,11 @@
 #include "app/restart.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "app/host/fingerprint.hpp"
 #include "app/host/saved_run.hpp"
+#include "field/exchange.hpp"
 #include "model/initial.hpp"
 #include "observe/host/checkpoint_file.hpp"
 
@@ -40,11 +42,18 @@ std::vector<double> costs(SolverCounts& k, RunSeconds& s) {
 template <int D, int P>
 void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, const HistoryMemory& history,
                       RunSeconds seconds) {
-  CheckpointWriter file(path);
+  auto arrays = arrays_of(stepper.state());
+  arrays.emplace_back("previous/unknown", stepper.previous());
+  std::optional<CheckpointWriter> on_root;
+  if (ranks::root()) on_root.emplace(path);
+  for (const auto& [name, array] : arrays) {
+    const std::vector<double> values = to_host_of_patch(stepper.model().layout(), array);
+    if (on_root) on_root->array(name, values);
+  }
+  if (!on_root) return;
+  CheckpointWriter& file = *on_root;
   file.value("case", fingerprint(c));
   file.value("time", stepper.state().time);
-  for (const auto& [name, array] : arrays_of(stepper.state())) file.array(name, to_host(array));
-  file.array("previous/unknown", to_host(stepper.previous()));
   file.value("previous/dt", stepper.previous_dt());
   file.value("step_control/proposed", stepper.control().proposed());
   file.value("steps/accepted", std::int64_t(stepper.counts().steps));
@@ -67,12 +76,14 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
 
 template <int D, int P>
 HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, RunSeconds& seconds) {
-  State state = empty_state(stepper.model().layout());
+  const Layout<D>& layout = stepper.model().layout();
+  State state = empty_state(layout);
   const Array previous("previous", state.unknown.extent(0));
   auto targets = arrays_of(state);
   targets.emplace_back("previous/unknown", previous);
   std::vector<ArraySize> sizes;
-  for (const auto& [name, array] : targets) sizes.emplace_back(name, array.extent(0));
+  for (const auto& [name, array] : targets)
+    sizes.emplace_back(name, static_cast<std::size_t>(entries_of_patch(layout, static_cast<double>(array.extent(0)))));
   SolverCounts& counts = stepper.scheme().counts();
   sizes.emplace_back("costs", costs(counts, seconds).size());
   const SavedRun saved = read_saved_run(path, c, sizes);
@@ -80,7 +91,7 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
   each_cost(counts, seconds, [&](auto& number) { number = static_cast<std::decay_t<decltype(number)>>(*cost++); });
   state.time = saved.time;
   for (std::size_t i = 0; i < targets.size(); ++i)
-    Kokkos::deep_copy(targets[i].second, to_device<Array>(saved.arrays[i]));
+    Kokkos::deep_copy(targets[i].second, from_patch(layout, saved.arrays[i]));
   stepper.restore(state, previous, saved.previous_dt, saved.proposed_dt);
   stepper.counts().steps = saved.steps;
   stepper.counts().rejected_newton = saved.rejected_newton;

@@ -16,7 +16,7 @@ struct RunSeconds {
 
 /// Writes all levels of the integrator, the step control, the memory of the history and what the run has cost, atomically. The lagged
 /// preconditioner is not part of it: a resumed run builds a new one, so it agrees with an uninterrupted run to the
-/// tolerance of the solver, not to the last bit.
+/// tolerance of the solver, not to the last bit. All processes of the run collect the arrays, and the first one writes.
 template <int D, int P>
 void write_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, const HistoryMemory&, RunSeconds);
 

@@ -9,6 +9,7 @@
 #include "app/memory_parts.hpp"
 #include "app/remedy.hpp"
 #include "case/error.hpp"
+#include "field/ranks.hpp"
 #include "model/initial.hpp"
 #include "observe/interface_table.hpp"
 #include "observe/output_fields.hpp"
@@ -30,6 +31,9 @@ std::vector<double> events(const Case& c) {
   for (double t : field_times(c)) times.push_back(zero + t);
   return times;
 }
+
+/// Whether any process has been asked to stop.
+bool asked_to_stop() { return ranks::largest(InterruptGuard::requested() ? 1 : 0) > 0; }
 
 std::string short_text(double value) {
   char text[32];
@@ -67,13 +71,14 @@ void Simulation<D, P>::begin() {
   stepper_.scheme().initialise(state);
   stepper_.start(state);
   if (options_.begin) options_.begin();
+  if (!ranks::root()) return;
   history_.emplace(TableFile::create(path("history.csv"), scalars_.columns()));
   interface_.emplace(TableFile::create(path("interface.csv"), interface_columns<D>()));
 }
 
 template <int D, int P>
 void Simulation<D, P>::come_to_rest(State& state) {
-  relaxation_ = relax<D, P>(model_, case_, state, state.time, InterruptGuard::requested);
+  relaxation_ = relax<D, P>(model_, case_, state, state.time, asked_to_stop);
   progress_->tell("at rest after " + std::to_string(relaxation_->steps) + " steps: the fields change by less than " +
                   short_text(std::max(1e-15, relaxation_->rate)) + " of their range in a unit of time");
 }
@@ -89,12 +94,8 @@ void Simulation<D, P>::restore() {
 template <int D, int P>
 void Simulation<D, P>::resume() {
   if (options_.begin) options_.begin();
-  // The row of a last step that is no multiple of output.history.every is dropped: the run goes on behind it.
-  history_.emplace(
-      TableFile::append_after(path("history.csv"), scalars_.columns(), static_cast<double>(scalars_.memory().step)));
+  if (ranks::root()) open_tables();
   const double t = output_time();
-  interface_.emplace(
-      TableFile::append_after(path("interface.csv"), interface_columns<D>(), t + 1e-9 * std::max(1.0, std::abs(t))));
   const std::string part = model_.layout().has_fluid ? "fluid" : "solid";
   for (double written : field_file_times(path("fields"), part))
     if (written <= t || same_time(written, t)) written_.push_back(written);
@@ -102,11 +103,22 @@ void Simulation<D, P>::resume() {
 }
 
 template <int D, int P>
+void Simulation<D, P>::open_tables() {
+  // The row of a last step that is no multiple of output.history.every is dropped: the run goes on behind it.
+  history_.emplace(
+      TableFile::append_after(path("history.csv"), scalars_.columns(), static_cast<double>(scalars_.memory().step)));
+  const double t = output_time();
+  interface_.emplace(
+      TableFile::append_after(path("interface.csv"), interface_columns<D>(), t + 1e-9 * std::max(1.0, std::abs(t))));
+}
+
+template <int D, int P>
 void Simulation<D, P>::run() {
   const InterruptGuard interrupts;
   // The factors of a preconditioner may be most of the memory; they are not there yet.
   require_bytes(case_, total_bytes(case_, model_.layout(), stepper_.scheme().preconditioner()));
-  progress_.emplace(Progress::voice(options_.quiet), case_.run_start() - case_.clock_zero(), case_.time.end);
+  progress_.emplace(Progress::voice(options_.quiet || !ranks::root()), case_.run_start() - case_.clock_zero(),
+                    case_.time.end);
   options_.resume ? restore() : begin();
   if (options_.resume) {
     const std::string place = stop_reason() + " at t = " + short_text(output_time());
@@ -132,8 +144,8 @@ void Simulation<D, P>::run() {
     const std::string advice = remedy(case_, stepper_.counts().last_rejection);
     throw Error(error.code(), std::string(error.what()) + "; " + advice + "; the last good state, that of t = " +
                                   short_text(output_time()) + ", is in " + path("checkpoint.h5"));
-  } catch (const std::exception& error) {  // memory or the device: the state is still the last good one
-    keep_after(error.what());
+  } catch (const std::exception& error) {               // memory or the device: the state is still the last good one
+    if (ranks::count() == 1) keep_after(error.what());  // of several processes, this one alone may have failed
     throw;
   }
 }
@@ -171,7 +183,7 @@ template <int D, int P>
 std::string Simulation<D, P>::stop_reason() {
   if (at_end()) return "end reached";
   if (stepper_.counts().steps >= case_.time.max_steps) return "time.max_steps reached";
-  if (InterruptGuard::requested()) return "stopped by user";
+  if (asked_to_stop()) return "stopped by user";
   return "";
 }
 
@@ -191,7 +203,7 @@ void Simulation<D, P>::write_row(const StepReport& report) {
   Stopwatch watch(seconds_.observers);
   last_row_ =
       scalars_.evaluate(stepper_.counts().steps, report, stepper_.state(), stage_at(model_.layout(), stepper_.state()));
-  history_->row(last_row_);
+  if (history_) history_->row(last_row_);
   tell_events();
 }
 
@@ -207,26 +219,33 @@ void Simulation<D, P>::write_fields_due() {
     Stopwatch watch(seconds_.output);
     written_.push_back(time);
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
-    write_field_files<D, P>(options_.out, origin_of(case_), case_.output.field_select, model_, snapshot, written_);
-    add_interface_rows<D, P>(*interface_, model_, stage_at(model_.layout(), stepper_.state()), snapshot, time);
+    if (ranks::root())
+      write_field_files<D, P>(options_.out, origin_of(case_), case_.output.field_select, model_, snapshot, written_);
+    add_interface_rows<D, P>(interface_ ? &*interface_ : nullptr, model_, stage_at(model_.layout(), stepper_.state()),
+                             snapshot, time);
   }
 }
 
 template <int D, int P>
 void Simulation<D, P>::keep_files_current() {
-  if (saves_.due(since_start())) {
-    save();
-  } else if (records_.due(since_start())) {
-    history_->flush();
-    record("running");
+  enum Due { nothing, of_record, of_save };
+  const Due due = saves_.due(since_start()) ? of_save : records_.due(since_start()) ? of_record : nothing;
+  switch (static_cast<Due>(ranks::of_root(due))) {  // whose clock counts
+    case of_save:
+      return save();
+    case of_record:
+      if (history_) history_->flush();
+      return record("running");
+    case nothing:
+      return;
   }
 }
 
 template <int D, int P>
 void Simulation<D, P>::save() {
   Stopwatch watch(seconds_.output);
-  history_->flush();
-  interface_->flush();
+  if (history_) history_->flush();
+  if (interface_) interface_->flush();
   seconds_.total = seconds_before_ + since_start();
   write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory(), seconds_);
   record("running");
@@ -235,6 +254,7 @@ void Simulation<D, P>::save() {
 template <int D, int P>
 void Simulation<D, P>::record(const std::string& reason) {
   seconds_.total = seconds_before_ + since_start();
+  if (!ranks::root()) return;
   RunRecord run = describe_run<D, P>(case_, model_, stepper_, seconds_, first_step_);
   add_status(run, {reason, output_time(), seconds_.started, time_left_.seconds(), scalars_.events()});
   const std::vector<std::string> names = scalars_.columns();

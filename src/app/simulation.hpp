@@ -18,7 +18,8 @@
 
 namespace softwet {
 
-/// Computes a case in a folder that exists. The output clock is the computation clock minus case.clock_zero().
+/// Computes a case in a folder that exists. Of several processes each computes its columns of the scene and all
+/// evaluate the observers, but the first one alone writes and speaks. The output clock is the computation clock minus case.clock_zero().
 template <int D, int P>
 class Simulation {
  public:
@@ -32,6 +33,7 @@ class Simulation {
   void come_to_rest(State&);
   void restore();
   void resume();
+  void open_tables();
   void advance();
   void observe(const StepReport& report);
   void write_row(const StepReport& report);

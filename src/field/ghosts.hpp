@@ -1,6 +1,8 @@
-// Ghost control points of periodic axes: the only place that moves data between parts of a vector.
+// Ghost control points, copies of others: of periodic axes, and of the columns of other processes. The only place that
+// moves data between parts of a vector.
 #pragma once
 
+#include "field/exchange.hpp"
 #include "field/stencil.hpp"
 
 namespace softwet {
@@ -19,7 +21,7 @@ std::vector<Box<D>> boxes(const Layout<D>& layout) {
   const auto push = [&](int offset, int rows) {
     Box<D> b;
     b.offset = offset;
-    for (int d = 0; d + 1 < D; ++d) b.extent[d] = layout.axis[d].functions();
+    for (int d = 0; d + 1 < D; ++d) b.extent[d] = layout.extent(d);
     b.extent[D - 1] = rows;
     result.push_back(b);
   };
@@ -74,17 +76,29 @@ struct MoveGhosts {
   }
 };
 
-/// update: ghosts take the value of the control point they repeat. add: its transpose; ghosts are left at zero.
+/// Whether the last stored functions of an axis are ghosts whose sums belong to its first ones: on a periodic axis. Of
+/// several processes the first has them (spline/columns.hpp).
+template <int D>
+bool closes(const Layout<D>& layout, int d) {
+  return layout.axis[d].periodic() && (d > 0 || layout.columns.rank == 0);
+}
+
+/// update: ghosts take the value of the control point they repeat. add: its transpose for the ghosts of periodic axes,
+/// which are left at zero; copies of the columns of other processes mean nothing then.
 template <int D, class Real>
 void move_ghosts(const Layout<D>& layout, const ArrayOf<Real>& vector, GhostAction action) {
   for (int d = 0; d < D; ++d) {
-    const Axis& axis = layout.axis[d];
-    if (!axis.periodic()) continue;
+    if (d == 0 && !layout.whole() && action == GhostAction::update) {
+      update_columns(layout.columns, *layout.exchange, vector);
+      continue;
+    }
+    if (!closes(layout, d)) continue;
+    const int ghosts = layout.axis[d].degree();
     for (const Box<D>& box : boxes(layout)) {
-      int items = axis.functions() - axis.owned();
+      int items = ghosts;
       for (int e = 0; e < D; ++e) items *= e == d ? 1 : box.extent[e];
       Kokkos::parallel_for("softwet::ghosts", Kokkos::RangePolicy<Exec>(0, items),
-                           MoveGhosts<D, Real>{{box, d, axis.owned()}, vector, action});
+                           MoveGhosts<D, Real>{{box, d, box.extent[d] - ghosts}, vector, action});
     }
   }
 }
@@ -108,16 +122,16 @@ template <int D>
 void fold_ghosts(const Layout<D>& layout, const Stencil<D>& stencil, const StencilValues& values) {
   using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
   for (int d = 0; d < D; ++d) {
-    const Axis& axis = layout.axis[d];
-    if (!axis.periodic()) continue;
+    if (!closes(layout, d)) continue;
     Box<D> box;
-    int ghosts = axis.functions() - axis.owned();
+    int ghosts = layout.axis[d].degree();
+    const int owned = stencil.extent[d] - ghosts;
     for (int e = 0; e < D; ++e) {
       box.extent[e] = stencil.extent[e];
       ghosts *= e == d ? 1 : stencil.extent[e];
     }
     Kokkos::parallel_for("softwet::fold_ghosts", Policy(0, stencil.size() / stencil.points * ghosts),
-                         FoldGhosts<D>{{box, d, axis.owned()}, values, ghosts, stencil.points});
+                         FoldGhosts<D>{{box, d, owned}, values, ghosts, stencil.points});
   }
 }
 

@@ -2,22 +2,46 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "field/array.hpp"
-#include "spline/axis.hpp"
+#include "spline/columns.hpp"
 
 namespace softwet {
 
+struct ColumnExchange;
+
 /// The patch: one axis per dimension, rows of control points along the last axis. Velocity lives on all rows, the
 /// displacement on the solid's rows, density and chemical potential on the fluid's; they share the wall's row.
-/// A component is a dense box [k][j][i], i fastest; a row is everything but the last axis.
+/// A component is a dense box [k][j][i], i fastest; a row is everything but the last axis. Where several processes compute
+/// a scene, each stores some of its columns, and sizes and offsets are those of what it stores.
 template <int D>
 struct Layout {
-  std::vector<Axis> axis;
-  int solid_elements = 0;  ///< element rows of the solid; 0: rigid wall
+  std::vector<Axis> axis;                          ///< of the whole patch
+  Columns columns;                                 ///< of the first axis that are stored
+  std::shared_ptr<const ColumnExchange> exchange;  ///< none where all are
+  int solid_elements = 0;                          ///< element rows of the solid; 0: rigid wall
   bool has_fluid = true, has_solid = true;
   int row_size = 0, rows = 0;
   int wall_row = 0;  ///< last row of the solid = first row of the fluid
+
+  /// Stored control points along an axis; for the last one those of the whole patch.
+  int extent(int d) const { return d == 0 && columns.stored() > 0 ? columns.stored() : axis[d].functions(); }
+  /// The axis function that column i of axis d belongs to.
+  int function(int i, int d) const { return d == 0 && columns.stored() > 0 ? columns.function[i] : i; }
+  /// Whether column i of axis d is no copy of one that another process has.
+  bool own(int i, int d) const { return d > 0 || columns.stored() == 0 || columns.own(i); }
+  /// Whether all columns are stored here.
+  bool whole() const { return columns.ranks == 1; }
+  /// The layout of all columns.
+  Layout whole_patch() const {
+    Layout all = *this;
+    all.columns = {};
+    all.exchange = nullptr;
+    all.row_size = 1;
+    for (int d = 0; d + 1 < D; ++d) all.row_size *= axis[d].functions();
+    return all;
+  }
 
   int solid_rows() const { return has_solid ? wall_row + 1 : 0; }
   int fluid_rows() const { return has_fluid ? rows - wall_row : 0; }

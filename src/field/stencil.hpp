@@ -29,7 +29,7 @@ struct Stencil {
 
   explicit Stencil(const Layout<D>& layout) : degree(layout.axis[0].degree()), components(layout.components()) {
     for (int d = 0; d < D; ++d) {
-      extent[d] = layout.axis[d].functions();
+      extent[d] = layout.extent(d);
       period[d] = layout.axis[d].periodic() ? layout.axis[d].owned() : 0;
       points *= extent[d];
       offsets *= 2 * degree + 1;

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "field/array.hpp"
+#include "field/ranks.hpp"
+#include "spline/columns.hpp"
 
 namespace softwet {
-
-/// Entries per partial sum; fixed, so the order of additions is fixed.
-inline constexpr int sum_block = 1024;
 
 /// The vector operations below, for vectors of any precision.
 namespace any_precision {
@@ -68,6 +67,48 @@ inline void convert(const Array& y, const ConstArray& x) { Kokkos::deep_copy(Exe
 inline void convert(const ArrayOf<float>& y, const ConstArray& x) { any_precision::convert<float, double>(y, x); }
 inline void convert(const Array& y, const ConstArrayOf<float>& x) { any_precision::convert<double, float>(y, x); }
 
+/// How the vectors of the scene that a process computes lie in lines of columns: what sums have to know of it. A model
+/// sets it. The columns [begin, end) are the process's own. A vector whose size is no multiple of `stored` is none of them.
+struct SumColumns {
+  int stored = 0, begin = 0, end = 0;
+  int first_strip = 0, last_strip = 0, strips = 0;
+  int first_function = 0, functions = 0;  ///< of the first stored column; in a line of the whole patch
+};
+inline SumColumns& sum_columns() {
+  static SumColumns columns;
+  return columns;
+}
+inline void set_sum_columns(const Columns& c) {
+  sum_columns() = {c.stored(),
+                   c.begin,
+                   c.end,
+                   c.elements.first_strip,
+                   c.elements.last_strip,
+                   c.elements.strips,
+                   c.function.front(),
+                   c.first_function.back()};
+}
+
+/// Sums by strip of columns. A strip has one order of its own, and the strips are added up in their order by all
+/// processes, after each has told the others its own. So the number of processes does not matter.
+class StripTotals {
+ public:
+  explicit StripTotals(int strips, int sums = 1) : strips_(strips), total_(static_cast<std::size_t>(strips) * sums) {}
+  void add(int strip, int sum, double part) { total_[sum * strips_ + strip] += part; }
+  double total(int sum) {
+    if (!told_) ranks::add(total_.data(), static_cast<int>(total_.size()));
+    told_ = true;
+    double all = 0;
+    for (int s = 0; s < strips_; ++s) all += total_[sum * strips_ + s];
+    return all;
+  }
+
+ private:
+  int strips_;
+  std::vector<double> total_;
+  bool told_ = false;
+};
+
 /// Scratch for partial sums: allocated once, grown when needed, released before Kokkos ends.
 struct SumSpace {
   Array device;
@@ -83,41 +124,84 @@ inline SumSpace& sum_space(std::size_t entries) {
   return space;
 }
 
-/// Sums of x(i) y(i), or of x(i), over one fixed block of entries. They are of double precision, whatever the vectors are.
+/// Sums over one strip of some lines, in double precision, whatever the vectors are: of x_k(i) y(i) for several vectors x_k
+/// that follow each other in memory, and of y(i)^2 behind them.
 template <class Real>
-struct BlockSum {
-  ConstArrayOf<Real> x, y;  ///< y empty: the sum of x
-  Array partial;
+struct StripSums {
+  static constexpr int lines_at_once = 64;
+  const Real *x, *y;  ///< y null: the sum of x
+  int stride, count;  ///< of the x_k
+  bool square;        ///< of y too
+  SumColumns columns;
   int size;
-  KOKKOS_FORCEINLINE_FUNCTION double entry(int i) const {
-    const double a = x(i);
-    return y.data() ? a * y(i) : a;
+  Array partial = {};  ///< [lines][own strip][sum]
+
+  int strips() const { return columns.last_strip - columns.first_strip; }
+  int sums() const { return count + (square ? 1 : 0); }
+  int items() const {
+    const int lines = (size + columns.stored - 1) / columns.stored;
+    return (lines + lines_at_once - 1) / lines_at_once * strips() * sums();
   }
-  KOKKOS_FUNCTION void operator()(int block) const {
-    const int first = block * sum_block, last = first + sum_block < size ? first + sum_block : size;
-    double sum[8] = {};
-    int i = first;
-    for (; i + 8 <= last; i += 8)
-      for (int l = 0; l < 8; ++l) sum[l] += entry(i + l);
-    for (; i < last; ++i) sum[0] += entry(i);
-    partial(block) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const int each = square ? count + 1 : count, k = item % each, block = item / each;
+    const int strips = columns.last_strip - columns.first_strip, strip = block % strips;
+    const int begin = columns.begin + strip * strip_width, end = strip + 1 < strips ? begin + strip_width : columns.end;
+    const int first = block / strips * lines_at_once, left = size / columns.stored - first;
+    const int start = first * columns.stored + begin, lines = left < lines_at_once ? left : lines_at_once;
+    const Real *a = k < count ? x + std::int64_t(k) * stride : y, *b = y;
+    double sum[strip_width] = {};
+    if (b) {
+      add(sum, start, lines, end - begin, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
+    } else {
+      add(sum, start, lines, end - begin, [=](int i) { return static_cast<double>(a[i]); });
+    }
+    partial(item) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+  }
+  template <class Entry>
+  KOKKOS_FORCEINLINE_FUNCTION void add(double (&sum)[strip_width], int start, int lines, int width,
+                                       const Entry& entry) const {
+    const int stored = columns.stored, whole = width < strip_width ? 0 : strip_width;
+    for (int l = 0, i = start; l < lines && whole > 0; ++l, i += stored)
+      for (int k = 0; k < strip_width; ++k) sum[k] += entry(i + k);
+    for (int l = 0, i = start; l < lines && whole < width; ++l, i += stored)
+      for (int k = whole; k < width; ++k) sum[k % strip_width] += entry(i + k);
+    if (lines < lines_at_once)  // what is no whole line, of a vector that is not the scene's
+      for (int i = start + lines * stored, k = 0; i < size; ++i, ++k) sum[k] += entry(i);
   }
 };
 
+/// The sums of vectors of `size` entries: one kernel, one copy to the host, and one reduction over all processes.
 template <class Real>
-double block_sum(const ConstArrayOf<Real>& x, const ConstArrayOf<Real>& y) {
-  const int n = static_cast<int>(x.extent(0)), blocks = (n + sum_block - 1) / sum_block;
-  const SumSpace& space = sum_space(blocks);
-  Kokkos::parallel_for("softwet::sum", Kokkos::RangePolicy<Exec>(0, blocks), BlockSum<Real>{x, y, space.device, n});
-  Kokkos::deep_copy(space.host, space.device);
-  double total = 0;
-  for (int b = 0; b < blocks; ++b) total += space.host(b);
-  return total;
+std::vector<double> strip_sums(const Real* x, int stride, int count, const Real* y, bool square, int size) {
+  const SumColumns& scene = sum_columns();
+  const bool of_scene = scene.stored > 0 && size % scene.stored == 0;
+  const SumColumns alone{strip_width, 0, strip_width, 0, 1, 1, 0, strip_width};
+  StripSums<Real> kernel{x, y, stride, count, square, of_scene ? scene : alone, size};
+  const int items = kernel.items(), strips = kernel.strips(), sums = kernel.sums();
+  const SumSpace& space = sum_space(items);
+  kernel.partial = space.device;
+  Kokkos::parallel_for("softwet::sums", Kokkos::RangePolicy<Exec>(0, items), kernel);
+  const auto range = Kokkos::make_pair(0, items);
+  Kokkos::deep_copy(Kokkos::subview(space.host, range), Kokkos::subview(space.device, range));
+  std::vector<double> all(sums);
+  if (!of_scene) {
+    for (int i = 0; i < items; ++i) all[i % sums] += space.host(i);
+    return all;
+  }
+  StripTotals totals(scene.strips, sums);
+  for (int i = 0; i < items; ++i) totals.add(scene.first_strip + i / sums % strips, i % sums, space.host(i));
+  for (int k = 0; k < sums; ++k) all[k] = totals.total(k);
+  return all;
 }
 
-inline double dot(const ConstArray& x, const ConstArray& y) { return block_sum<double>(x, y); }
-inline double dot(const ConstArrayOf<float>& x, const ConstArrayOf<float>& y) { return block_sum<float>(x, y); }
-inline double total(const ConstArray& x) { return block_sum<double>(x, {}); }
+template <class Real>
+double strip_sum(const ConstArrayOf<Real>& x, const ConstArrayOf<Real>& y) {
+  return strip_sums<Real>(x.data(), 0, 1, y.data(), false, static_cast<int>(x.extent(0)))[0];
+}
+
+inline double dot(const ConstArray& x, const ConstArray& y) { return strip_sum<double>(x, y); }
+inline double dot(const ConstArrayOf<float>& x, const ConstArrayOf<float>& y) { return strip_sum<float>(x, y); }
+inline double total(const ConstArray& x) { return strip_sum<double>(x, {}); }
 inline double norm(const ConstArray& x) { return std::sqrt(dot(x, x)); }
 inline double norm(const ConstArrayOf<float>& x) { return std::sqrt(dot(x, x)); }
 

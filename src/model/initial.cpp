@@ -113,8 +113,8 @@ void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& vi
     double x[D];
     int rest = i;
     for (int d = 0; d < D; ++d) {
-      const int n = d < D - 1 ? l.axis[d].functions() : rows;
-      x[d] = l.axis[d].greville(rest % n + (d == D - 1 ? first : 0));
+      const int n = d < D - 1 ? l.extent(d) : rows;
+      x[d] = l.axis[d].greville(l.function(rest % n, d) + (d == D - 1 ? first : 0));
       rest /= n;
     }
     visit(i, x);

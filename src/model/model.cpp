@@ -3,11 +3,26 @@
 #include <cmath>
 
 #include "case/error.hpp"
+#include "field/exchange.hpp"
 #include "field/vector.hpp"
 #include "kernels/solid/body_force.hpp"
 #include "model/equilibrium.hpp"
 
 namespace softwet {
+namespace {
+
+/// This process's columns of an axis.
+Columns own_columns(const Axis& axis) {
+  const int count = ranks::count(), most = most_ranks(axis);
+  if (count > most)
+    throw Error(Exit::invalid_input, std::to_string(count) + " processes: this scene has " + std::to_string(most) +
+                                         " strips of " + std::to_string(strip_width) +
+                                         " elements along x, and a process needs one; start " + std::to_string(most) +
+                                         " or fewer");
+  return cut_columns(axis, ranks::mine(), count);
+}
+
+}  // namespace
 
 template <int D, int P>
 Model<D, P>::Model(const Case& c) : precision_(precision_of(c)), points_(c.domain.points()) {
@@ -35,8 +50,11 @@ void Model<D, P>::build_axes(const Case& c) {
     const bool periodic = c.boundary.side[d][0] == Side::periodic;
     const int kink = d == D - 1 && layout_.has_solid && layout_.has_fluid ? layout_.solid_elements : 0;
     layout_.axis.emplace_back(c.domain.size[d], c.domain.elements[d], P, periodic, kink);
-    if (d < D - 1) layout_.row_size *= layout_.axis[d].functions();
+    if (d == 0) layout_.columns = own_columns(layout_.axis[0]);
+    if (d < D - 1) layout_.row_size *= layout_.extent(d);
   }
+  if (!layout_.whole()) layout_.exchange = plan_exchange(layout_.axis[0], layout_.columns);
+  set_sum_columns(layout_.columns);
   const Axis& vertical = layout_.axis[D - 1];
   layout_.rows = vertical.functions();
   if (layout_.has_solid)
@@ -65,10 +83,12 @@ Region<D> Model<D, P>::region(int first, int last, int points) const {
   int stride = 1;
   for (int d = 0; d < D; ++d) {
     const Axis& axis = layout_.axis[d];
-    r.axis[d] = d < D - 1 ? gauss_rule(axis, 0, axis.elements(), points) : gauss_rule(axis, first, last, points);
+    const int low = d < D - 1 ? 0 : first, high = d < D - 1 ? axis.elements() : last;
+    r.axis[d] = d == 0 ? gauss_rule(axis, layout_.columns.elements, points) : gauss_rule(axis, low, high, points);
     r.stride[d] = stride;
-    stride *= axis.functions();
+    stride *= layout_.extent(d);
   }
+  r.columns = layout_.columns.elements;
   r.test = r.axis[D - 1];
   return r;
 }
@@ -114,8 +134,8 @@ void Model<D, P>::build_solid(const Case& c) {
       const int last = d == D - 1 ? layout_.solid_elements : axis.elements();
       std::vector<double> factor = axis.integrals(load.lower[d], load.upper[d], 0, last);
       for (int g = axis.owned(); g < axis.functions(); ++g) factor[g - axis.owned()] += std::exchange(factor[g], 0.0);
-      const int n = d == D - 1 ? layout_.solid_rows() : axis.functions();
-      for (std::size_t i = 0; i < w.size(); ++i) w[i] *= factor[(i / stride) % n];
+      const int n = d == D - 1 ? layout_.solid_rows() : layout_.extent(d);
+      for (std::size_t i = 0; i < w.size(); ++i) w[i] *= factor[layout_.function((i / stride) % n, d)];
       stride *= n;
     }
     loads_.push_back({to_device<Array>(w, "load"), load.force, load.start, load.ramp});
@@ -132,14 +152,14 @@ void Model<D, P>::build_mask(const Case& c) {
     for (int i = 0; i < n; ++i) {
       int rest = i;
       for (int d = 0; d < D; ++d) {
-        const int index = rest % all[k].extent[d];
+        const int place = rest % all[k].extent[d], index = layout_.function(place, d);
         rest /= all[k].extent[d];
         const Axis& axis = layout_.axis[d];
-        if (axis.periodic() && index >= axis.owned()) mask[all[k].offset + i] = 0;
+        if (!layout_.own(place, d) || (axis.periodic() && index >= axis.owned())) mask[all[k].offset + i] = 0;
         if (k >= D) continue;  // density and potential have no prescribed values
         for (int end = 0; end < 2; ++end) {
           const Side side = c.boundary.side[d][end];
-          const bool here = index == (end == 0 ? 0 : all[k].extent[d] - 1);
+          const bool here = index == (end == 0 ? 0 : (d == D - 1 ? all[k].extent[d] : axis.functions()) - 1);
           const bool held =
               side == Side::no_slip || side == Side::clamped || (side == Side::slip && static_cast<int>(k) == d);
           if (here && held) mask[all[k].offset + i] = 0;

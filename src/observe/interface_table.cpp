@@ -1,5 +1,7 @@
 #include "observe/interface_table.hpp"
 
+#include "field/exchange.hpp"
+
 namespace softwet {
 namespace {
 
@@ -51,11 +53,11 @@ std::vector<double> on_wall(const Layout<D>& layout, const std::vector<double>& 
 
 template <int D, int P>
 std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage) {
-  const Layout<D>& layout = model.layout();
-  const Array residual("fluid_residual", layout.size());
+  const Layout<D> layout = model.layout().whole_patch();
+  const Array residual("fluid_residual", model.layout().size());
   model.fluid_residual(stage, residual);
-  move_ghosts(layout, residual, GhostAction::update);
-  const std::vector<double> weight = wall_weights(layout), r = to_host(residual);
+  move_ghosts(model.layout(), residual, GhostAction::update);
+  const std::vector<double> weight = wall_weights(layout), r = to_host_of_patch(model.layout(), residual);
   std::array<std::vector<double>, D> traction;
   for (int d = 0; d < D; ++d) {
     const int first = layout.velocity_offset(d) + layout.wall_shift();
@@ -66,7 +68,7 @@ std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const
 }
 
 template <int D, int P>
-void add_interface_rows(TableFile& table, const Model<D, P>& model, const Stage& stage, const Snapshot<D>& snapshot,
+void add_interface_rows(TableFile* table, const Model<D, P>& model, const Stage& stage, const Snapshot<D>& snapshot,
                         double time) {
   const Layout<D>& layout = snapshot.layout();
   typename Snapshot<D>::Grid wall;
@@ -81,6 +83,7 @@ void add_interface_rows(TableFile& table, const Model<D, P>& model, const Stage&
   const bool loaded = layout.has_fluid && model.has_wall();
   std::array<std::vector<double>, D> traction;
   if (loaded) traction = wall_traction(model, stage);
+  if (!table) return;
   for (int d = 0; loaded && d < D; ++d) traction[d] = on_wall<D>(layout, traction[d], wall);
   for (std::size_t i = 0; i < displacement[0].size(); ++i) {
     std::vector<std::optional<double>> row{time};
@@ -92,13 +95,13 @@ void add_interface_rows(TableFile& table, const Model<D, P>& model, const Stage&
     for (int d = 0; d < D; ++d) row.push_back(displacement[d][i]);
     row.push_back(layout.has_fluid ? std::optional<double>(density[i]) : std::nullopt);
     for (int d = 0; d < D; ++d) row.push_back(loaded ? std::optional<double>(traction[d][i]) : std::nullopt);
-    table.row(row);
+    table->row(row);
   }
 }
 
 using Chosen = Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 template std::array<std::vector<double>, SOFTWET_DIMENSION> wall_traction<SOFTWET_DIMENSION, SOFTWET_DEGREE>(
     const Chosen&, const Stage&);
-template void add_interface_rows(TableFile&, const Chosen&, const Stage&, const Snapshot<SOFTWET_DIMENSION>&, double);
+template void add_interface_rows(TableFile*, const Chosen&, const Stage&, const Snapshot<SOFTWET_DIMENSION>&, double);
 
 }  // namespace softwet

@@ -28,10 +28,11 @@ std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const
 
 /// One row for each point of the wall: two per element along each axis, and the ends. Without a fluid the wall is the
 /// top of the solid; density and traction are empty.
+/// @param table  null on processes that write no files; they take part in the sums
 /// @param stage  at the state of the snapshot
 /// @param time   on the clock of the output
 template <int D, int P>
-void add_interface_rows(TableFile& table, const Model<D, P>& model, const Stage& stage, const Snapshot<D>& snapshot,
+void add_interface_rows(TableFile* table, const Model<D, P>& model, const Stage& stage, const Snapshot<D>& snapshot,
                         double time);
 
 }  // namespace softwet

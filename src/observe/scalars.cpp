@@ -8,23 +8,6 @@
 #include "observe/phase_samples.hpp"
 
 namespace softwet {
-namespace {
-
-/// Largest |v| of a control point whose density is above `middle`.
-template <int D>
-double speed_of_liquid(const Layout<D>& layout, const State& state, double middle) {
-  const std::vector<double> x = to_host(state.unknown);
-  double largest = 0;
-  for (int i = 0; i < layout.scalar_size(); ++i) {
-    if (!(x[layout.density_offset() + i] > middle)) continue;
-    double square = 0;
-    for (int d = 0; d < D; ++d) square += std::pow(x[layout.velocity_offset(d) + layout.fluid_shift() + i], 2);
-    largest = std::max(largest, square);
-  }
-  return std::sqrt(largest);
-}
-
-}  // namespace
 
 template <int D, int P>
 Scalars<D, P>::Scalars(const Case& c, const Model<D, P>& model) : case_(c), model_(model) {
@@ -138,8 +121,7 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   follow_bodies(snapshot);
   row.insert(row.end(), {headline_.energy, headline_.mass_drift});
   if (model_.layout().has_fluid) {
-    row.insert(row.end(),
-               {speed_of_liquid(model_.layout(), state, middle()), headline_.wall_stretch, headline_.gravity});
+    row.insert(row.end(), {snapshot.speed_max_above(middle()), headline_.wall_stretch, headline_.gravity});
   } else {
     row.insert(row.end(), 3, std::nullopt);
   }

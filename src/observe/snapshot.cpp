@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/exchange.hpp"
 #include "kernels/point/geometry.hpp"
 
 namespace softwet {
 
 template <int D>
 Snapshot<D>::Snapshot(const Layout<D>& layout, const State& state)
-    : layout_(layout), unknown_(to_host(state.unknown)), displacement_(to_host(state.displacement)) {}
+    : layout_(layout.whole_patch()),
+      unknown_(to_host_of_patch(layout, state.unknown)),
+      displacement_(to_host_of_patch(layout, state.displacement)) {}
 
 template <int D>
 std::vector<double> Snapshot<D>::component(const double* box, int rows, const Grid& grid, int shift, int lowest,
@@ -81,6 +84,18 @@ double Snapshot<D>::speed_max(bool in_fluid) const {
   for (int i = first * layout_.row_size; i < last * layout_.row_size; ++i) {
     double square = 0;
     for (int d = 0; d < D; ++d) square += std::pow(unknown_[layout_.velocity_offset(d) + i], 2);
+    largest = std::max(largest, square);
+  }
+  return std::sqrt(largest);
+}
+
+template <int D>
+double Snapshot<D>::speed_max_above(double density) const {
+  double largest = 0;
+  for (int i = 0; i < layout_.scalar_size(); ++i) {
+    if (!(unknown_[layout_.density_offset() + i] > density)) continue;
+    double square = 0;
+    for (int d = 0; d < D; ++d) square += std::pow(unknown_[layout_.velocity_offset(d) + layout_.fluid_shift() + i], 2);
     largest = std::max(largest, square);
   }
   return std::sqrt(largest);

@@ -1,4 +1,4 @@
-// A host copy of the state that can be evaluated anywhere.
+// A host copy of the state of the whole patch that can be evaluated anywhere.
 #pragma once
 
 #include "field/stage.hpp"
@@ -11,6 +11,7 @@ namespace softwet {
 template <int D>
 class Snapshot {
  public:
+  /// Collects the state of all processes, on each of them.
   Snapshot(const Layout<D>& layout, const State& state);
 
   using Grid = std::array<std::vector<double>, D>;  ///< reference coordinates per axis
@@ -24,19 +25,21 @@ class Snapshot {
   /// du_d/dX_axis of the solid; at the wall the one from below.
   std::vector<double> displacement_gradient(const Grid&, int d, int axis) const;
 
-  const Layout<D>& layout() const { return layout_; }
+  const Layout<D>& layout() const { return layout_; }  ///< of the whole patch
   double wall_height() const { return layout_.axis[D - 1].lower(layout_.solid_elements); }
   double density_min() const { return extreme(layout_.density_offset(), layout_.scalar_size(), -1); }
   double density_max() const { return extreme(layout_.density_offset(), layout_.scalar_size(), 1); }
   /// Largest |control value| of the velocity on the rows of the fluid (wall included) or of the solid.
   double speed_max(bool in_fluid) const;
+  /// The same of control points whose density is above a level.
+  double speed_max_above(double density) const;
 
  private:
   std::vector<double> component(const double* box, int rows, const Grid&, int shift, int lowest, int highest,
                                 int derivative = -1) const;
   double extreme(int first, int count, int sign) const;
 
-  const Layout<D>& layout_;
+  Layout<D> layout_;
   std::vector<double> unknown_, displacement_;
 };
 

@@ -24,31 +24,31 @@ struct AssembleColumns {
   static constexpr int height = 8;  // at least the degree
   Task<D, Term, Motion, Real> task;
   int first_block, first_row, rows;  ///< of this colour; rows along the middle axis
+  ElementColumns columns;
 
   void operator()(int item) const {
     using S = Pack<Real>;
     constexpr int lanes = Lanes<S>::count;
     Batch<D> b{};
     if constexpr (D == 3) b.element[1] = first_row + (P + 1) * (item % rows);
-    const int bottom = (first_block + 2 * (item / rows)) * height, elements = task.region.axis[0].elements;
+    const int bottom = (first_block + 2 * (item / rows)) * height;
     const int top = std::min(bottom + height, task.region.axis[D - 1].elements);
-    for (int e = 0; e < elements; e += lanes) {
-      b.element[0] = e;
-      b.count = std::min(elements - e, lanes);
-      assemble_column<S, std::conditional_t<Tangent, Dual<S>, S>, D, P, Q, Term, Motion>(task, b, bottom, top);
-    }
+    for_batches<D, lanes>(columns, b, [&](const Batch<D>& batch) {
+      assemble_column<S, std::conditional_t<Tangent, Dual<S>, S>, D, P, Q, Term, Motion>(task, batch, bottom, top);
+    });
   }
 
   /// Runs one colour after another.
   static void run(const Task<D, Term, Motion, Real>& task) {
     const int all_rows = D == 3 ? task.region.axis[1].elements : 1, apart = D == 3 ? P + 1 : 1;
     const int blocks = (task.region.axis[D - 1].elements + height - 1) / height;
+    const ElementColumns columns = task.region.first_axis();
     for (int colour = 0; colour < 2 * apart; ++colour) {
       const int row = colour % apart, block = colour / apart;
       const int rows = (all_rows - row + apart - 1) / apart, items = rows * ((blocks - block + 1) / 2);
       if (items > 0)
         Kokkos::parallel_for("softwet::assemble", Kokkos::RangePolicy<Exec>(0, items),
-                             AssembleColumns{task, block, row, rows});
+                             AssembleColumns{task, block, row, rows, columns});
     }
   }
 };

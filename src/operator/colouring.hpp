@@ -10,17 +10,21 @@ namespace softwet {
 /// `stride` = degree + 1 apart, so they share no control point; with a shared test function a colour has one layer.
 template <int D>
 struct Colouring {
-  int extent[D], start[D], step[D], count[D];
+  int start[D], step[D], count[D];
+  ElementColumns first_axis;
 
+  /// @param run  of elements along the first axis, where its elements are coloured too, by their number on the axis
   template <class Real>
-  Colouring(const Region<D, Real>& region, int stride, int colour, bool include_first) {
+  Colouring(const Region<D, Real>& region, int stride, int colour, bool include_first, int run = 0)
+      : first_axis(region.first_axis()) {
     for (int d = 0; d < D; ++d) {
       const bool coloured = d > 0 || include_first;
-      extent[d] = region.axis[d].elements;
+      const ElementRun along = d > 0 ? ElementRun{0, region.axis[d].elements, 0} : first_axis.run[run];
       step[d] = colours_of(region, stride, d);
-      start[d] = coloured ? colour % step[d] : 0;
+      const int own = coloured ? colour % step[d] : 0;
       if (coloured) colour /= step[d];
-      count[d] = coloured ? (extent[d] - start[d] + step[d] - 1) / step[d] : 1;
+      start[d] = along.begin + ((own - along.begin - along.shift) % step[d] + step[d]) % step[d];
+      count[d] = coloured ? (along.end - start[d] + step[d] - 1) / step[d] : 1;
     }
   }
   template <class Real>
@@ -48,15 +52,19 @@ struct Colouring {
 template <class Real>
 using BatchNumber = std::conditional_t<on_host || std::is_same_v<Real, float>, Pack<Real>, Real>;
 
-/// Runs body(batch) for all elements of a row, `lanes` elements in a batch.
+/// Runs body(batch) for all elements of a row, `lanes` elements in a batch. The last element of a full batch is one
+/// before a multiple of `lanes` on the axis, whichever part of it is stored: so every sum has the same order.
 template <int D, int lanes, class Body>
-KOKKOS_FORCEINLINE_FUNCTION void for_row(const Colouring<D>& rows, int row, const Body& body) {
-  const int n = rows.extent[0];
-  Batch<D> b = rows.batch(row);
-  for (int e = 0; e < n; e += lanes) {
-    b.element[0] = e;
-    b.count = n - e < lanes ? n - e : lanes;
-    body(b);
+KOKKOS_FORCEINLINE_FUNCTION void for_batches(const ElementColumns& columns, Batch<D> b, const Body& body) {
+  for (int r = 0; r < columns.runs; ++r) {
+    const ElementRun& run = columns.run[r];
+    for (int e = run.begin; e < run.end;) {
+      const int whole = e + lanes - (e + run.shift) % lanes, stop = whole < run.end ? whole : run.end;
+      b.element[0] = e;
+      b.count = stop - e;
+      body(b);
+      e = stop;
+    }
   }
 }
 
@@ -68,7 +76,7 @@ struct ColourItem {
 
   KOKKOS_FUNCTION void operator()(int item) const {
     if constexpr (on_host) {
-      for_row<D, lanes>(colouring, item, body);
+      for_batches<D, lanes>(colouring.first_axis, colouring.batch(item), body);
     } else {
       body(colouring.batch(item));
     }
@@ -81,12 +89,14 @@ void for_colours(const char* name, const Region<D, Real>& region, int stride, co
   constexpr int lanes = Lanes<BatchNumber<Real>>::count;
   int colours = 1;
   for (int d = on_host ? 1 : 0; d < D; ++d) colours *= Colouring<D>::colours_of(region, stride, d);
-  for (int colour = 0; colour < colours; ++colour) {
-    const Colouring<D> colouring(region, stride, colour, !on_host);
-    if (colouring.items() == 0) continue;
-    Kokkos::parallel_for(name, Kokkos::RangePolicy<Exec>(0, colouring.items()),
-                         ColourItem<D, lanes, Body>{colouring, body});
-  }
+  const int runs = on_host ? 1 : region.first_axis().runs;
+  for (int colour = 0; colour < colours; ++colour)
+    for (int run = 0; run < runs; ++run) {
+      const Colouring<D> colouring(region, stride, colour, !on_host, run);
+      if (colouring.items() == 0) continue;
+      Kokkos::parallel_for(name, Kokkos::RangePolicy<Exec>(0, colouring.items()),
+                           ColourItem<D, lanes, Body>{colouring, body});
+    }
 }
 
 }  // namespace softwet

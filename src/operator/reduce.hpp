@@ -61,19 +61,27 @@ KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task,
   }
 }
 
-/// Partial sums of one row of elements.
+/// Partial sums of one strip of one row of elements, element by element.
 template <int D, int P, int Q, bool Rate, class Functional, class Motion>
 struct ReduceRow {
   ReduceTask<D, Functional, Motion> task;
   Colouring<D> rows;
-  Array partial;  ///< [row][functional]
+  Array partial;  ///< [row][own strip][functional]
 
   KOKKOS_FUNCTION void operator()(int item) const {
     using S = BatchNumber<double>;
     using N = std::conditional_t<Rate, Dual<S>, S>;
+    constexpr int lanes = Lanes<S>::count;
     double sum[Functional::count] = {};
-    for_row<D, Lanes<S>::count>(
-        rows, item, [&](const Batch<D>& b) { reduce_batch<S, N, D, P, Q, Functional, Motion>(task, b, sum); });
+    const ElementColumns& columns = rows.first_axis;
+    const int strips = columns.last_strip - columns.first_strip, strip = item % strips;
+    const int first = columns.own_begin + strip * strip_width;
+    const int last = strip + 1 < strips ? first + strip_width : columns.own_end;
+    Batch<D> b = rows.batch(item / strips);
+    for (b.element[0] = first; b.element[0] < last; b.element[0] += lanes) {
+      b.count = last - b.element[0] < lanes ? last - b.element[0] : lanes;
+      reduce_batch<S, N, D, P, Q, Functional, Motion>(task, b, sum);
+    }
     for (int f = 0; f < Functional::count; ++f) partial(item * Functional::count + f) = sum[f];
   }
 };
@@ -82,16 +90,21 @@ struct ReduceRow {
 /// velocity of the wall and `motion.scale` 1.
 template <int P, bool Rate = false, int D, class Functional, class Motion>
 std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Motion>& task) {
+  constexpr int count = Functional::count;
   const Colouring<D> rows(task.region, 1, 0, false);
-  const SumSpace& space = sum_space(static_cast<std::size_t>(rows.items()) * Functional::count);
+  const ElementColumns& columns = rows.first_axis;
+  const int strips = columns.last_strip - columns.first_strip, items = rows.items() * strips;
+  const SumSpace& space = sum_space(static_cast<std::size_t>(items) * count);
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
-    Kokkos::parallel_for("softwet::reduce", Kokkos::RangePolicy<Exec>(0, rows.items()),
+    Kokkos::parallel_for("softwet::reduce", Kokkos::RangePolicy<Exec>(0, items),
                          ReduceRow<D, P, Q, Rate, Functional, Motion>{task, rows, space.device});
   });
   Kokkos::deep_copy(space.host, space.device);
-  std::array<double, Functional::count> sum{};
-  for (int r = 0; r < rows.items(); ++r)
-    for (int f = 0; f < Functional::count; ++f) sum[f] += space.host(r * Functional::count + f);
+  StripTotals totals(columns.strips, count);
+  for (int i = 0; i < items; ++i)
+    for (int f = 0; f < count; ++f) totals.add(columns.first_strip + i % strips, f, space.host(i * count + f));
+  std::array<double, count> sum{};
+  for (int f = 0; f < count; ++f) sum[f] = totals.total(f);
   return sum;
 }
 

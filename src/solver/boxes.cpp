@@ -5,7 +5,6 @@
 
 #include "solver/bfloat16.hpp"
 #include "solver/large_pages.hpp"
-#include "solver/patches.hpp"
 
 namespace softwet {
 
@@ -163,8 +162,9 @@ struct Collect {
 }  // namespace
 
 template <int D>
-Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride) : width_(width) {
-  const PatchTables t = make_patches(layout, UnknownTable<D>(layout, to_host(mask)), width, stride);
+Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride, ColumnRange wanted)
+    : width_(width) {
+  const PatchTables t = make_patches(layout, UnknownTable<D>(layout, to_host(mask)), width, stride, wanted);
   count_ = t.count;
   unknowns_ = t.unknowns;
   sites_ = t.sites;
@@ -184,8 +184,7 @@ Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int 
   place_ = to_view(t.place);
   grouped_ = to_view(t.grouped);
   std::vector<float> weight(layout.size());
-  for (int i = 0; i < layout.size(); ++i)
-    weight[i] = t.grouped[i + 1] > t.grouped[i] ? 1 / std::sqrt(float(t.grouped[i + 1] - t.grouped[i])) : 0;
+  for (int i = 0; i < layout.size(); ++i) weight[i] = t.holders[i] > 0 ? 1 / std::sqrt(float(t.holders[i])) : 0;
   weight_ = to_device<Kokkos::View<float*, Exec>>(weight);
 }
 

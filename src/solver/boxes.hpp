@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/dense_inverse.hpp"
-#include "solver/stencil.hpp"
+#include "solver/patches.hpp"
 
 namespace softwet {
 
@@ -16,7 +16,7 @@ template <int D>
 class Boxes {
  public:
   /// Boxes `width` control points wide, `stride` apart; see make_patches.
-  Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride);
+  Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride, ColumnRange wanted = {});
 
   void build(const StencilMatrix<D>& matrix);
   void add(const ConstArray& r, const Array& z, float factor) const;

@@ -107,7 +107,7 @@ std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, 
 
 template <int D>
 CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int least)
-    : fine_(fine), layout_(fine), fine_mask_(mask) {
+    : fine_(fine), layout_(fine.whole_patch()), fine_mask_(mask) {
   std::vector<Refinement> refinement;
   layout_.axis.clear();
   layout_.row_size = 1;

@@ -59,8 +59,11 @@ struct SolveLine {
 }  // namespace
 
 template <int D>
-KroneckerMass<D>::KroneckerMass(const Layout<D>& l, int points, const ConstArray& device_mask) : boxes_(boxes(l)) {
-  const std::vector<double> mask = to_host(device_mask);
+KroneckerMass<D>::KroneckerMass(const Layout<D>& own, int points, const ConstArray& device_mask)
+    : layout_(own), boxes_(boxes(own.whole_patch())) {
+  const Layout<D> l = own.whole_patch();
+  if (!own.whole()) patch_ = Array("mass of the patch", l.size());
+  const std::vector<double> mask = to_host_of_patch(own, device_mask);
   std::vector<double> sums(l.size(), 1.0);
   for (const Axis& axis : l.axis) exact_ = exact_ && !axis.periodic();
   for (std::size_t c = 0; c < boxes_.size(); ++c) {
@@ -91,11 +94,19 @@ KroneckerMass<D>::KroneckerMass(const Layout<D>& l, int points, const ConstArray
       }
     }
   }
-  row_sums_ = to_device<Array>(sums, "row sums of the mass");
+  row_sums_ = from_patch(own, sums);
 }
 
 template <int D>
 void KroneckerMass<D>::solve(const Array& x, int first, int last) const {
+  if (layout_.whole()) return solve_lines(x, first, last);
+  gather_columns(layout_.columns, x, patch_);
+  solve_lines(patch_, first, last);
+  take_columns(layout_.columns, patch_, x);
+}
+
+template <int D>
+void KroneckerMass<D>::solve_lines(const Array& x, int first, int last) const {
   for (int c = first; c < last; ++c) {
     const Box<D>& box = boxes_[c];
     int size = 1, stride = 1;

@@ -26,7 +26,11 @@ class KroneckerMass {
   ConstArray row_sums() const { return row_sums_; }
 
  private:
-  std::vector<Box<D>> boxes_;
+  void solve_lines(const Array& x, int first, int last) const;
+
+  Layout<D> layout_;
+  Array patch_;                ///< a vector of the whole patch, where a process stores a part of it
+  std::vector<Box<D>> boxes_;  ///< of the whole patch
   std::vector<std::array<BandedFactors, D>> factors_;  ///< by component and axis
   Array row_sums_;
   bool exact_ = true;

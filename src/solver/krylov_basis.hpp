@@ -8,30 +8,6 @@
 
 namespace softwet {
 
-/// Partial sums of v_j(i) w(i) for one block of entries and one j; j = count stands for w itself.
-template <class Real>
-struct BasisDots {
-  static constexpr int lanes = 8;
-
-  ConstArrayOf<Real> all, w;
-  Array partial;  ///< [block][j]
-  int size, stride, count;
-
-  KOKKOS_FUNCTION void operator()(int item) const {
-    const int block = item / (count + 1), j = item % (count + 1);
-    const int first = block * sum_block, last = first + sum_block < size ? first + sum_block : size;
-    const Real* v = j < count ? all.data() + std::int64_t(j) * stride : w.data();
-    double sum[lanes] = {};
-    int i = first;
-    for (; i + lanes <= last; i += lanes)
-      for (int l = 0; l < lanes; ++l) sum[l] += double(v[i + l]) * w(i + l);
-    for (; i < last; ++i) sum[0] += double(v[i]) * w(i);
-    for (int half = lanes / 2; half > 0; half /= 2)
-      for (int l = 0; l < half; ++l) sum[l] += sum[l + half];
-    partial(item) = sum[0];
-  }
-};
-
 /// out = b out + sum_j a_j v_j for some entries. With b = 0 the old values are not read.
 template <class Real>
 struct BasisSum {
@@ -71,17 +47,9 @@ class KrylovBasis {
 
   const Vector& operator[](int j) const { return vector_[j]; }
 
-  /// (v_j, w) for j < count, and (w, w) behind them: one kernel, one copy to the host.
-  const std::vector<double>& dots(int count, const ConstArrayOf<Real>& w) {
-    const int blocks = (size_ + sum_block - 1) / sum_block, items = blocks * (count + 1);
-    const SumSpace& space = sum_space(items);
-    Kokkos::parallel_for("softwet::basis_dots", Kokkos::RangePolicy<Exec>(0, items),
-                         BasisDots<Real>{all_, w, space.device, size_, stride_, count});
-    const auto range = Kokkos::make_pair(0, items);
-    Kokkos::deep_copy(Kokkos::subview(space.host, range), Kokkos::subview(space.device, range));
-    dots_.assign(count + 1, 0.0);
-    for (int k = 0; k < items; ++k) dots_[k % (count + 1)] += space.host(k);
-    return dots_;
+  /// (v_j, w) for j < count, and (w, w) behind them.
+  std::vector<double> dots(int count, const ConstArrayOf<Real>& w) const {
+    return strip_sums<Real>(all_.data(), stride_, count, w.data(), true, size_);
   }
 
   /// out = b out + sum_j a_j v_j
@@ -100,7 +68,6 @@ class KrylovBasis {
   int size_, stride_;
   Vector all_;
   std::vector<Vector> vector_;
-  std::vector<double> dots_;
 };
 
 }  // namespace softwet

@@ -7,6 +7,11 @@
 
 namespace softwet {
 
+/// Control points along the first axis of which the answers of boxes are asked for; all others may be wrong.
+struct ColumnRange {
+  int first = 0, last = 1 << 30;
+};
+
 /// Index tables of the boxes.
 struct PatchTables {
   int count = 0;             ///< number of boxes
@@ -19,12 +24,13 @@ struct PatchTables {
   std::vector<int> start;    ///< [count][D] first control point of each box
   std::vector<int> place;    ///< where each unknown is found: box unknowns + number in the box, grouped by unknown
   std::vector<int> grouped;  ///< [unknowns of the layout + 1] the group of each unknown in `place`
+  std::vector<int> holders;  ///< [unknowns of the layout] how many boxes hold it, those of other columns included
 };
 
 /// Boxes `width` >= 3 control points wide, at most `stride` apart (evenly spread) along every axis. A box that has the
 /// row shared by solid and fluid as its first or last one leaves it out: fluid on the wall without the fluid above it
-/// makes a matrix close to singular.
+/// makes a matrix close to singular. The tables have the boxes that touch a range of columns.
 template <int D>
-PatchTables make_patches(const Layout<D>&, const UnknownTable<D>&, int width, int stride);
+PatchTables make_patches(const Layout<D>&, const UnknownTable<D>&, int width, int stride, ColumnRange wanted = {});
 
 }  // namespace softwet

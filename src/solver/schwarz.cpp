@@ -19,7 +19,7 @@ template <int D>
 class Schwarz final : public StencilSolver<D> {
  public:
   Schwarz(const Layout<D>& layout, const ConstArray& mask, SchwarzControl control)
-      : multiplicative_(control.multiplicative), boxes_(layout, mask, control.width, control.stride) {
+      : multiplicative_(control.multiplicative), boxes_(layout, mask, control.width, control.stride, control.wanted) {
     if (control.coarse) add_coarse(layout, mask, control);
   }
 
@@ -62,6 +62,7 @@ class Schwarz final : public StencilSolver<D> {
     coarse_matrix_.emplace(coarse, space_->mask(), direct ? Products::single : Products::sixteen_bits);
     SchwarzControl below = control;
     below.multiplicative = true;
+    below.wanted = {};
     coarse_ = direct ? make_block_lu<D>(coarse, space_->mask()) : make_schwarz<D>(coarse, space_->mask(), below);
     coarse_r_ = Array("schwarz.coarse_r", coarse.size());
     coarse_z_ = Array("schwarz.coarse_z", coarse.size());

@@ -1,6 +1,7 @@
 // Multilevel Schwarz: dense inverses of overlapping boxes of control points, over a coarse space.
 #pragma once
 
+#include "solver/patches.hpp"
 #include "solver/preconditioner.hpp"
 
 namespace softwet {
@@ -11,6 +12,7 @@ struct SchwarzControl {
   bool coarse = true;           ///< with coarse levels
   bool multiplicative = false;  ///< see below; always on coarse levels
   int direct_up_to = 60000;     ///< unknowns of a coarse space that is factorised (block LU); above, Schwarz again
+  ColumnRange wanted = {};      ///< where the answer is asked for; not with `multiplicative`
 
   /// Wider boxes need fewer iterations and more memory; these are a compromise. In three dimensions one more level is
   /// faster than factors of 25 000 unknowns.

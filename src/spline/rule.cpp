@@ -1,13 +1,15 @@
 #include "spline/rule.hpp"
 
+#include <numeric>
+
 namespace softwet {
 
 namespace {
 
 /// Points on each element as fractions of it, with weights per unit length (or 1 for a trace).
-AxisRule tabulate(const Axis& axis, int first, int last, const std::vector<double>& fraction,
+AxisRule tabulate(const Axis& axis, const std::vector<int>& elements, const std::vector<double>& fraction,
                   const std::vector<double>& weight) {
-  const int n = axis.degree() + 1, q = static_cast<int>(fraction.size()), count = last - first;
+  const int n = axis.degree() + 1, q = static_cast<int>(fraction.size()), count = static_cast<int>(elements.size());
   const int padded = count + lane_padding;
   Kokkos::View<double***, Kokkos::LayoutRight, Exec> value("value", q, n, padded), slope("slope", q, n, padded);
   Kokkos::View<double**, Kokkos::LayoutRight, Exec> weights("weight", q, padded), position("position", q, padded);
@@ -16,7 +18,7 @@ AxisRule tabulate(const Axis& axis, int first, int last, const std::vector<doubl
   auto w = Kokkos::create_mirror_view(weights), x = Kokkos::create_mirror_view(position);
   auto f = Kokkos::create_mirror_view(spans);
   for (int l = 0; l < padded; ++l) {
-    const int e = first + std::min(l, count - 1);
+    const int e = elements[std::min(l, count - 1)];
     f(l) = axis.span(e);
     for (int p = 0; p < q; ++p) {
       x(p, l) = axis.lower(e) + axis.spacing() * fraction[p];
@@ -36,21 +38,38 @@ AxisRule tabulate(const Axis& axis, int first, int last, const std::vector<doubl
   return {value, slope, weights, position, spans, count, q};
 }
 
-}  // namespace
+std::vector<int> range(int first, int last) {
+  std::vector<int> elements(last - first);
+  std::iota(elements.begin(), elements.end(), first);
+  return elements;
+}
 
-AxisRule gauss_rule(const Axis& axis, int first, int last, int points) {
+AxisRule gauss_rule(const Axis& axis, const std::vector<int>& elements, int points) {
   const Gauss rule(points);
   std::vector<double> weight = rule.weight;
   for (double& w : weight) w *= axis.spacing();
-  return tabulate(axis, first, last, rule.point, weight);
+  return tabulate(axis, elements, rule.point, weight);
 }
 
-AxisRule low_face_rule(const Axis& axis, int first) { return tabulate(axis, first, first + 1, {0.0}, {1.0}); }
+}  // namespace
+
+AxisRule gauss_rule(const Axis& axis, int first, int last, int points) {
+  return gauss_rule(axis, range(first, last), points);
+}
+
+AxisRule gauss_rule(const Axis& axis, const ElementColumns& columns, int points) {
+  std::vector<int> elements(columns.run[columns.runs - 1].end, 0);  // between two runs nothing is read
+  for (int r = 0; r < columns.runs; ++r)
+    for (int l = columns.run[r].begin; l < columns.run[r].end; ++l) elements[l] = l + columns.run[r].shift;
+  return gauss_rule(axis, elements, points);
+}
+
+AxisRule low_face_rule(const Axis& axis, int first) { return tabulate(axis, range(first, first + 1), {0.0}, {1.0}); }
 
 AxisRule sample_rule(const Axis& axis, int first, int last, int points) {
   std::vector<double> fraction(points), weight(points, 1.0 / points);
   for (int p = 0; p < points; ++p) fraction[p] = points > 1 ? static_cast<double>(p) / (points - 1) : 0.5;
-  return tabulate(axis, first, last, fraction, weight);
+  return tabulate(axis, range(first, last), fraction, weight);
 }
 
 AxisRuleOf<float> in_single(const AxisRule& rule) {

@@ -5,6 +5,7 @@
 
 #include "field/array.hpp"
 #include "spline/axis.hpp"
+#include "spline/columns.hpp"
 
 namespace softwet {
 
@@ -27,6 +28,9 @@ AxisRuleOf<float> in_single(const AxisRule&);
 
 /// Gauss points on the elements [first, last).
 AxisRule gauss_rule(const Axis&, int first, int last, int points);
+
+/// The same on the elements that a process stores.
+AxisRule gauss_rule(const Axis&, const ElementColumns&, int points);
 
 /// One point of weight 1 at the lower end of element `first`: the trace on a face.
 AxisRule low_face_rule(const Axis&, int first);

@@ -51,7 +51,8 @@ ImplicitScheme<D, P>::ImplicitScheme(const Model<D, P>& model, const Case& c, co
   double volume = 1;
   for (const Axis& axis : model.layout().axis) volume *= axis.spacing();
   if (model.precision() == Precision::single) round_off_ = Array("implicit.round_off", model.layout().size());
-  volume_norm_ = volume * std::sqrt(static_cast<double>(model.layout().rows) * model.layout().row_size);
+  volume_norm_ =
+      volume * std::sqrt(entries_of_patch(model.layout(), double(model.layout().rows) * model.layout().row_size));
 }
 
 template <int D, int P>

@@ -1,21 +1,27 @@
 #include "time/judge.hpp"
 
+#include "field/vector.hpp"
+
 namespace softwet {
 namespace {
 
-/// Smallest and largest value of an array; a value that is not finite becomes the largest, infinity.
+/// Smallest and largest value of an array over all processes, each in its own columns; a value that is not finite becomes
+/// the largest, infinity.
 std::pair<double, double> range(const ConstArray& x) {
   Kokkos::MinMaxScalar<double> r;
+  const SumColumns& c = sum_columns();
+  const bool all = c.stored == 0 || c.end - c.begin == c.stored;
+  const int stored = c.stored, begin = c.begin, width = c.end - c.begin;
   Kokkos::parallel_reduce(
-      "softwet::range", Kokkos::RangePolicy<Exec>(0, x.extent(0)),
+      "softwet::range", Kokkos::RangePolicy<Exec>(0, all ? x.extent(0) : x.extent(0) / stored * width),
       KOKKOS_LAMBDA(int i, Kokkos::MinMaxScalar<double>& best) {
-        const double v = x(i);
+        const double v = x(all ? i : i / width * stored + begin + i % width);
         const double high = Kokkos::isfinite(v) ? v : Kokkos::Experimental::infinity_v<double>;
         if (v < best.min_val) best.min_val = v;
         if (high > best.max_val) best.max_val = high;
       },
       Kokkos::MinMax<double>(r));
-  return {r.min_val, r.max_val};
+  return {ranks::least(r.min_val), ranks::largest(r.max_val)};
 }
 
 Refusal density_complaint(const ConstArray& density, double undershoot) {
@@ -58,11 +64,11 @@ double Judge<D, P>::indicator(const StepHistory& history, const Array& values, d
   add_scaled(difference_, 0, -1 - f, history.state.unknown);
   add_scaled(difference_, 0, f, history.previous);
   const int nv = l.velocity_size();
-  const double v = norm(part(difference_, 0, nv)) / std::sqrt(static_cast<double>(nv) / D) * dt / length_;
+  const double v = norm(part(difference_, 0, nv)) / std::sqrt(entries_of_patch(l, nv) / D) * dt / length_;
   if (!l.has_fluid) return v;
   const double jump = model_.state().density_liquid - model_.state().density_vapour;
   const double rho = norm(part(difference_, l.density_offset(), l.potential_offset()));
-  return std::max(v, rho / std::sqrt(static_cast<double>(l.scalar_size())) / jump);
+  return std::max(v, rho / std::sqrt(entries_of_patch(l, l.scalar_size())) / jump);
 }
 
 template class Judge<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

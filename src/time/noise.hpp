@@ -7,13 +7,16 @@
 
 namespace softwet {
 
-/// Adds numbers that look random to the entries of a vector where `free` is 1; empty: to all.
+/// Adds numbers that look random to the entries of a vector where `free` is 1; empty: to all. An entry's number follows
+/// from its place in the vector of the whole patch.
 struct AddNoise {
   Array a;
   ConstArray free;
   double scale;
+  int stored, first, functions;  ///< columns of a line; the first one's place in a line of the patch, and those of it
   KOKKOS_FUNCTION void operator()(int i) const {
-    const unsigned mixed = (static_cast<unsigned>(i) * 2654435761u) ^ (static_cast<unsigned>(i) >> 7);
+    const unsigned place = static_cast<unsigned>(i / stored) * functions + first + i % stored;
+    const unsigned mixed = (place * 2654435761u) ^ (place >> 7);
     a(i) += scale * (free.extent(0) > 0 ? free(i) : 1.0) * ((mixed % 20011u) / 10005.0 - 1.0);
   }
 };
@@ -22,9 +25,14 @@ struct AddNoise {
 /// vector that is zero, noise alone.
 inline void add_noise(const Array& a, const ConstArray& free) {
   constexpr double part = 0.1;
-  const double length = norm(a), size = a.extent(0) > 0 ? a.extent(0) : 1;
+  const SumColumns& scene = sum_columns();
+  const bool cut = scene.stored > 0 && scene.stored < scene.functions;
+  const int stored = cut ? scene.stored : 1, functions = cut ? scene.functions : 1;
+  const double all = static_cast<double>(a.extent(0)) / stored * functions;
+  const double length = norm(a), size = all > 0 ? all : 1;
   const double scale = length > 0 ? part * length / std::sqrt(size) : 1;
-  Kokkos::parallel_for("softwet::noise", Kokkos::RangePolicy<Exec>(0, a.extent(0)), AddNoise{a, free, scale});
+  Kokkos::parallel_for("softwet::noise", Kokkos::RangePolicy<Exec>(0, a.extent(0)),
+                       AddNoise{a, free, scale, stored, cut ? scene.first_function : 0, functions});
 }
 
 }  // namespace softwet

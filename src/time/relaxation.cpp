@@ -62,7 +62,7 @@ class Change {
     if (l.has_solid) {
       combine(displacement_, 1, now.displacement, -1);
       const double height = l.has_fluid ? model_.wall_height() : l.axis[D - 1].length();
-      const double root = std::sqrt(static_cast<double>(l.solid_size()) / D);
+      const double root = std::sqrt(entries_of_patch(l, l.solid_size()) / D);
       change.fields = std::max(change.fields, norm(displacement_) / root / height);
     }
     keep(now);
@@ -72,7 +72,7 @@ class Change {
  private:
   Changes of_density(const ConstArray& now) {
     const double vapour = model_.state().density_vapour, liquid = model_.state().density_liquid;
-    const double root = std::sqrt(static_cast<double>(model_.layout().scalar_size()));
+    const double root = std::sqrt(entries_of_patch(model_.layout(), model_.layout().scalar_size()));
     combine(density_, 1, now, -1);
     const double fields = norm(density_) / root / (liquid - vapour);
     // Four times: a small droplet has denser vapour around it than a large one (Kelvin).

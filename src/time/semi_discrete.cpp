@@ -74,7 +74,10 @@ void SemiDiscrete<D, P>::copy_stage(double t, const Array& y, const Array& rates
   Kokkos::deep_copy(s.unknown, stage_.unknown);
   Kokkos::deep_copy(s.displacement, stage_.displacement);
   Kokkos::deep_copy(s.moment, cut(y, velocity_ + solid_, size()));
-  Kokkos::deep_copy(s.velocity_rate, cut(rates, 0, velocity_));
+  Kokkos::deep_copy(Exec(), right_, 0.0);  // rates are zero at ghosts, those of a state are not
+  Kokkos::deep_copy(Exec(), cut(right_, 0, velocity_), cut(rates, 0, velocity_));
+  move_ghosts(model_.layout(), right_, GhostAction::update);
+  Kokkos::deep_copy(s.velocity_rate, part(right_, 0, velocity_));
   Kokkos::deep_copy(s.displacement_rate, cut(rates, velocity_, velocity_ + solid_));
   Kokkos::deep_copy(s.moment_rate, cut(rates, velocity_ + solid_, size()));
 }

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <softwet_version.hpp>
 #include <sstream>
 
@@ -24,6 +25,7 @@
 #include "app/host/units_command.hpp"
 #include "case/case.hpp"
 #include "case/error.hpp"
+#include "field/ranks.hpp"
 
 namespace softwet {
 namespace {
@@ -47,6 +49,7 @@ struct Request {
 void warn(const Case& c) {
   std::vector<std::string> all = warnings(c);
   for (const std::string& sentence : forecast_case(c)) all.push_back(sentence);
+  if (!ranks::root()) return;
   for (const std::string& warning : all) std::cerr << "softwet: warning: " << warning << "\n";
 }
 
@@ -59,6 +62,20 @@ Case examined(const Case& c) {
 
 Case load_case(const Request& request) { return examined(read_case(request.case_path, request.overrides)); }
 
+/// Of several processes the first one has the folder. What it is refused ends all.
+void open_on_root(std::optional<OutputFolder>& folder, const std::string& path, const Case& c, OldResult old) {
+  Exit code = Exit::done;
+  std::string refusal;
+  try {
+    if (ranks::root()) folder.emplace(path, c, old);
+  } catch (const Error& error) {
+    code = error.code();
+    refusal = error.what();
+  }
+  code = static_cast<Exit>(ranks::of_root(static_cast<int>(code)));
+  if (code != Exit::done) throw Error(code, refusal);
+}
+
 void run_command(Request& request) {
   if (request.options.resume && request.overwrite) {
     throw Error(Exit::invalid_input, "--resume continues a result, --overwrite removes it; give one of them");
@@ -68,12 +85,15 @@ void run_command(Request& request) {
   const OldResult old = request.options.resume ? OldResult::resume
                         : request.overwrite    ? OldResult::overwrite
                                                : OldResult::refuse;
-  OutputFolder folder(request.options.out, c, old);
-  request.options.begin = [&folder] { folder.begin(); };
+  std::optional<OutputFolder> folder;
+  open_on_root(folder, request.options.out, c, old);
+  request.options.begin = [&folder] {
+    if (folder) folder->begin();
+  };
   try {
     run_case(c, request.options);
   } catch (...) {
-    folder.discard();
+    if (folder) folder->discard();
     throw;
   }
 }
@@ -172,10 +192,15 @@ void add_commands(CLI::App& app, Request& request) {
   add_tool_commands(app, request.words);
 }
 
-int report(Exit code, const std::string& message) {
+/// Tells an error. Where all processes end with it the first one speaks for them. One that fails alone ends the others.
+int report(Exit code, const std::string& problem) {
   std::cout << std::flush;
+  const bool alone = !ranks::root() && !ranks::all_end();
+  if (!ranks::root() && !alone) return static_cast<int>(code);
+  const std::string message = alone ? fmt::format("process {}: {}", ranks::mine(), problem) : problem;
   std::istringstream lines(message);
   for (std::string line; std::getline(lines, line);) std::cerr << "softwet: error: " << line << "\n";
+  if (alone || !ranks::all_end()) ranks::abort(static_cast<int>(code));
   return static_cast<int>(code);
 }
 
@@ -267,6 +292,9 @@ int run_command_line(int argc, const char* const* argv) {
   add_commands(app, request);
   add_answers(app, request);
   try {
+    if (ranks::count() > 1 && (argc < 2 || std::string(argv[1]) != "run"))
+      throw Error(Exit::invalid_input,
+                  "several processes compute with 'softwet run' alone; start this command by itself");
     return parse(app, argc, argv);
   } catch (const Error& error) {
     return report(error.code(), error.what());

@@ -77,9 +77,11 @@ struct Patch {
       const Axis& axis = layout.axis[d];
       const bool along = d < D - 1;
       r.axis[d] = gauss_rule(axis, along ? 0 : first, along ? axis.elements() : last, points);
+      if (d == 0 && layout.columns.stored() > 0) r.axis[d] = gauss_rule(axis, layout.columns.elements, points);
       r.stride[d] = stride;
-      stride *= axis.functions();
+      stride *= layout.extent(d);
     }
+    r.columns = layout.columns.elements;
     r.test = r.axis[D - 1];
     return r;
   }

@@ -1,0 +1,25 @@
+#!/usr/bin/env python3
+"""Generalized-alpha gives the same bits on any number of processes: pulled on a soft solid, at a rigid wall, around a
+periodic side, in the solid alone. usage: implicit.py SOFTWET"""
+
+from _ranks import check_same, run
+
+SOFT = ["domain.elements=[44,16]", "fluid.capillarity=1/16", "load[0].start=2", "load[0].ramp=1"]
+SCENES = {
+    "pull": ("tensotaxis_pull_2d", [*SOFT, "time.end=4", "output.fields.times=[0,4]"], (2, 3, 4)),
+    "double": ("tensotaxis_pull_2d", [*SOFT, "time.max_steps=8", "solver.precision=double"], (3,)),
+    "rest": ("tensotaxis_pull_2d", [*SOFT, "time.start=equilibrium", "time.max_steps=4"], (2,)),
+    "periodic": ("tensotaxis_pull_2d", [*SOFT, "time.end=2", "output.fields.times=[2]", "boundary.left=periodic",
+                                        "boundary.right=periodic"], (2, 4)),
+    "rigid": ("static_droplet_rigid_2d", ["domain.elements=[44,16]", "fluid.capillarity=1/16", "time.max_steps=12"],
+              (2, 3)),
+    "solid": ("solid_layer_2d", ["time.max_steps=12"], (2,)),
+}
+
+for name, (case, settings, counts) in SCENES.items():
+    run(1, case, f"{name}_1", settings)
+    for count in counts:
+        run(count, case, f"{name}_{count}", settings)
+        check_same(f"{name}, {count} processes", f"{name}_{count}", f"{name}_1")
+run(2, "tensotaxis_pull_2d", "pull_2x2", SCENES["pull"][1], threads=2)
+check_same("pull, 2 processes with 2 threads", "pull_2x2", "pull_1")

@@ -1,0 +1,62 @@
+// Columns of an axis cut for several processes: each belongs to one of them, with all that its rows need.
+#include "spline/columns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace softwet {
+namespace {
+
+void check_cut(const Axis& axis, int ranks) {
+  std::multiset<int> functions, elements;
+  int strips = 0;
+  for (int rank = 0; rank < ranks; ++rank) {
+    const Columns c = cut_columns(axis, rank, ranks);
+    for (int i = c.begin; i < c.end; ++i) functions.insert(c.function[i]);
+    const ElementColumns& e = c.elements;
+    EXPECT_EQ(e.first_strip, strips);
+    strips = e.last_strip;
+    for (int l = e.own_begin; l < e.own_end; ++l) elements.insert(l + e.run[0].shift);
+    std::set<int> run;  // the functions of stored elements are stored, in order
+    for (int r = 0; r < e.runs; ++r)
+      for (int l = e.run[r].begin; l < e.run[r].end; ++l) {
+        const int element = l + e.run[r].shift;
+        EXPECT_TRUE(run.insert(element).second);
+        for (int a = 0; a <= axis.degree(); ++a) EXPECT_EQ(c.function[l + a], axis.span(element) + a);
+      }
+    for (int i = c.begin; i < c.end; ++i)  // every element on which an own control point lives
+      for (int e2 = c.function[i] - axis.degree(); e2 <= c.function[i]; ++e2) {
+        if (c.function[i] >= axis.owned()) continue;
+        const int n = axis.elements(), element = axis.periodic() ? (e2 + n) % n : e2;
+        if (element >= 0 && element < n) {
+          EXPECT_TRUE(run.count(element)) << "rank " << rank << " column " << c.function[i];
+        }
+      }
+  }
+  EXPECT_EQ(strips, most_ranks(axis));
+  ASSERT_EQ(functions.size(), static_cast<std::size_t>(axis.functions()));
+  ASSERT_EQ(elements.size(), static_cast<std::size_t>(axis.elements()));
+  for (int f = 0; f < axis.functions(); ++f) EXPECT_EQ(functions.count(f), 1u);
+  for (int e = 0; e < axis.elements(); ++e) EXPECT_EQ(elements.count(e), 1u);
+}
+
+TEST(Columns, EachBelongsToOneProcessThatHasWhatItNeeds) {
+  for (const bool periodic : {false, true})
+    for (const int degree : {2, 3})
+      for (const int elements : {5, 8, 16, 23, 44})
+        for (int ranks = 1; ranks <= std::max(1, elements / strip_width); ++ranks)
+          check_cut(Axis(1.0, elements, degree, periodic), ranks);
+}
+
+TEST(Columns, OneProcessStoresEachOnce) {
+  const Columns c = cut_columns(Axis(1.0, 23, 2, true), 0, 1);
+  EXPECT_EQ(c.stored(), 25);
+  EXPECT_EQ(c.begin, 0);
+  EXPECT_EQ(c.end, 25);
+  EXPECT_EQ(c.elements.runs, 1);
+  EXPECT_EQ(c.elements.run[0].end, 23);
+}
+
+}  // namespace
+}  // namespace softwet
