@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <cstdint>
 
 #include "solver/equilibration.hpp"
 #include "solver/front.hpp"
@@ -102,6 +104,7 @@ class BlockLu final : public StencilSolver<D> {
 
   std::string name() const override { return "lu"; }
   double build_cost() const override { return D == 2 ? 25 : 60; }  // chosen by the time of whole runs
+  const Equilibration& scale() const { return scale_; }
   double bytes() const override {
     double total = 0;
     for (const DissectionNode& node : tree_.nodes) total += sizeof(DissectionNode::PointPair) * node.pairs.size();
@@ -251,6 +254,64 @@ class BlockLu final : public StencilSolver<D> {
   std::vector<float> scaled_;  ///< the solution of the scaled matrix
 };
 
+/// Factors in half precision as long as they are good enough, and in single precision from then on.
+template <int D>
+class SufficientLu final : public StencilSolver<D> {
+ public:
+  SufficientLu(const Layout<D>& layout, const ConstArray& mask)
+      : layout_(layout), mask_(mask), half_(std::make_unique<BlockLu<D, FactorNumber>>(layout, mask)) {}
+
+  void build(const StencilMatrix<D>& matrix) override {
+    if (half_) {
+      half_->build(matrix);
+      if (defect(matrix) < most) return;
+      half_.reset();
+      single_ = std::make_unique<BlockLu<D, float>>(layout_, mask_);
+    }
+    single_->build(matrix);
+  }
+  void apply(const ConstArray& r, const Array& z) override { solver().apply(r, z); }
+  std::string name() const override { return solver().name(); }
+  double bytes() const override { return solver().bytes(); }
+  double build_cost() const override { return solver().build_cost(); }
+
+ private:
+  /// Matrices that are nearly singular lose the digits of half precision: a random vector shows it.
+  static constexpr double most = 0.2;
+
+  StencilSolver<D>& solver() const {
+    if (half_) return *half_;
+    return *single_;
+  }
+
+  /// || b - A M^-1 b || / || b || in rows of size one, M being the factors.
+  double defect(const StencilMatrix<D>& matrix) {
+    const std::vector<float>& row = half_->scale().row;
+    const std::vector<double> free = to_host(mask_);
+    std::vector<double> b(row.size());
+    std::uint32_t state = 1;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      state = state * 1664525u + 1013904223u;  // the same numbers in every build (Numerical Recipes, ranqd1)
+      b[i] = free[i] * (state / 2147483648.0 - 1) / row[i];
+    }
+    const Array right = to_device<Array>(b), solution("lu.probe", b.size()), product("lu.probe", b.size());
+    half_->apply(right, solution);
+    matrix.multiply(solution, product);
+    const std::vector<double> found = to_host(product);
+    double wrong = 0, all = 0;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      wrong += std::pow((found[i] - b[i]) * free[i] * row[i], 2);
+      all += std::pow(b[i] * row[i], 2);
+    }
+    return all > 0 ? std::sqrt(wrong / all) : 0;
+  }
+
+  Layout<D> layout_;
+  ConstArray mask_;
+  std::unique_ptr<BlockLu<D, FactorNumber>> half_;
+  std::unique_ptr<BlockLu<D, float>> single_;  ///< where half precision was not enough
+};
+
 }  // namespace
 
 double factor_entries(const Dissection& tree) {
@@ -265,8 +326,10 @@ double factor_entries(const Dissection& tree) {
 template <int D>
 std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask,
                                                 FactorPrecision precision) {
+  if constexpr (std::is_same_v<FactorNumber, float>) return std::make_unique<BlockLu<D, float>>(layout, mask);
   if (precision == FactorPrecision::single) return std::make_unique<BlockLu<D, float>>(layout, mask);
-  return std::make_unique<BlockLu<D, FactorNumber>>(layout, mask);
+  if (precision == FactorPrecision::half) return std::make_unique<BlockLu<D, FactorNumber>>(layout, mask);
+  return std::make_unique<SufficientLu<D>>(layout, mask);
 }
 
 template std::unique_ptr<StencilSolver<2>> make_block_lu<2>(const Layout<2>&, const ConstArray&, FactorPrecision);

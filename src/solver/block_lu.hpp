@@ -6,8 +6,9 @@
 
 namespace softwet {
 
-/// half: where the processor converts it, otherwise single.
-enum class FactorPrecision { half, single };
+/// half: where the processor converts it, otherwise single. sufficient: half, until a build shows that it is not enough,
+/// and single from then on.
+enum class FactorPrecision { half, single, sufficient };
 
 /// A multifrontal factorisation (Duff and Reid 1983) that knows the tensor structure: dense fronts from a geometric
 /// dissection, rows and columns scaled to one, pivoting inside each front, subtrees in parallel. It computes in single
@@ -15,7 +16,7 @@ enum class FactorPrecision { half, single };
 /// does not depend on the number of threads. A preconditioner, not a solver: GMRES mends what rounding leaves.
 template <int D>
 std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask,
-                                                FactorPrecision precision = FactorPrecision::half);
+                                                FactorPrecision precision = FactorPrecision::sufficient);
 
 /// Numbers in the LU factors of a matrix that is eliminated along this tree.
 double factor_entries(const Dissection&);

@@ -44,7 +44,7 @@ Refusal ExplicitScheme<D, P>::begin(const State& state) {
 
 template <int D, int P>
 void ExplicitScheme<D, P>::measure_limit(double t) {
-  constexpr int often = 2, seldom = 10;  // steps of the run for each step of a search
+  constexpr int shortest = 5, seldom = 10;  // of steps between searches, and for each step of a search
   constexpr double same = 0.03, rough = 1e-5;
   const double before = limit_;
   const int steps_before = stability_.steps();
@@ -57,7 +57,7 @@ void ExplicitScheme<D, P>::measure_limit(double t) {
   system_.set_stiff_tolerance(system_.velocity_tolerance);
   const bool steady = std::abs(limit_ - before) < same * before;
   const int cost = stability_.steps() - steps_before;
-  most_age_ = std::clamp(steady ? 2 * most_age_ : 0, often * cost, seldom * cost);
+  most_age_ = before == 0 ? shortest : std::max(shortest, steady ? std::min(2 * most_age_, seldom * cost) : cost);
   age_ = 0;
 }
 

@@ -12,7 +12,7 @@ namespace softwet {
 
 /// The largest stable step of the scheme for the linearised rates limits the step. It is searched for on differences of
 /// rates, kept for a number of steps, and searched for anew after a refused step. That number depends on the steps of the
-/// search, so searches take a third of a run at most, and a tenth where the limit stays the same.
+/// search, so searches take half of a run at most, and a tenth where the limit stays the same.
 template <int D, int P>
 class ExplicitScheme final : public Scheme<D, P> {
  public:
@@ -21,7 +21,12 @@ class ExplicitScheme final : public Scheme<D, P> {
   void initialise(State& state) override { system_.set_moments(state); }
   StepAttempt attempt(const StepHistory&, double dt) override;
   void accept(State& state) override;
-  void refuse() override { known_rates_ = false, age_ = age_ > 0 ? most_age_ : 0; }
+  void refuse() override {
+    known_rates_ = false;
+    if (age_ == 0) return;
+    age_ = most_age_;
+    stability_.forget();
+  }
   double largest_step(const State&) override;
   SolverCounts& counts() override { return counts_; }
 

@@ -22,6 +22,9 @@ class StabilityLimit {
   /// @return as `search`; 0: the state has changed too much
   double follow(RungeKutta&, Evolution& linear, double t);
 
+  /// The next search begins anew: the state has changed in a way that the modes so far do not tell of.
+  void forget() { known_ = false; }
+
   int steps() const { return steps_; }  ///< of the scheme, in all searches so far
 
  private:
