@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -263,6 +264,20 @@ void add_answers(CLI::App& app, Request& request) {
   completion.callback([&app] { std::cout << bash_completion(app); });
 }
 
+/// Refuses several processes where they would not compute together.
+void check_processes(int argc, const char* const* argv) {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    const char* count = std::getenv(name);
+    if (!ranks::has_mpi() && count && std::atoi(count) > 1)
+      throw Error(Exit::invalid_input,
+                  "started as one of several processes, but this program was built without MPI; build it with "
+                  "-DSOFTWET_MPI=ON (preset mpi)");
+  }
+  if (ranks::count() > 1 && (argc < 2 || std::string(argv[1]) != "run"))
+    throw Error(Exit::invalid_input,
+                "several processes compute with 'softwet run' alone; start this command by itself");
+}
+
 int parse(CLI::App& app, int argc, const char* const* argv) {
   if (argc >= 2 && argv[1][0] != '-') check_command_name(app, argv[1]);
   try {
@@ -292,9 +307,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_commands(app, request);
   add_answers(app, request);
   try {
-    if (ranks::count() > 1 && (argc < 2 || std::string(argv[1]) != "run"))
-      throw Error(Exit::invalid_input,
-                  "several processes compute with 'softwet run' alone; start this command by itself");
+    check_processes(argc, argv);
     return parse(app, argc, argv);
   } catch (const Error& error) {
     return report(error.code(), error.what());
