@@ -75,6 +75,46 @@ TEST(BlockLu, GmresReachesFullPrecisionInFewIterations) {
   EXPECT_LE(count(FactorPrecision::half, 1e-4), count(FactorPrecision::single, 1e-4) + 1);
 }
 
+/// At each point the two velocities are coupled by ((1, 1), (1, 1 + gap)): singular without a gap. Else the identity.
+Jacobian nearly_singular(const Layout<2>& layout, float gap) {
+  return [layout, gap](const StencilValues& values) {
+    const Stencil<2> stencil(layout);
+    const auto host = Kokkos::create_mirror_view(values);
+    Kokkos::deep_copy(host, 0.0f);
+    const int middle = stencil.offsets / 2;
+    for (int point = 0; point < stencil.points; ++point) {
+      for (int a = 0; a < stencil.components; ++a) host(stencil.index(a, a, middle, point)) = 1;
+      host(stencil.index(0, 1, middle, point)) = host(stencil.index(1, 0, middle, point)) = 1;
+      host(stencil.index(1, 1, middle, point)) = 1 + gap;
+    }
+    Kokkos::deep_copy(values, host);
+  };
+}
+
+/// || b - A M^-1 b || / || b || for the factors M of a matrix A.
+double defect_of(StencilSolver<2>& lu, const StencilMatrix<2>& matrix, const Array& b) {
+  const Array z("z", b.size()), product("product", b.size());
+  lu.build(matrix);
+  lu.apply(b, z);
+  matrix.multiply(z, product);
+  return distance(to_host(product), to_host(b));
+}
+
+TEST(BlockLu, StoresSinglePrecisionWhereHalfIsNotEnough) {
+  RandomScene s(longer(scene(Scene::coupled), 31, 18));
+  const auto make = [&](FactorPrecision p) { return make_block_lu<2>(s.layout(), s.model.mask(), p); };
+  const auto half = make(FactorPrecision::half), sufficient = make(FactorPrecision::sufficient);
+  StencilMatrix<2> matrix(s.layout(), s.model.mask());
+  const Array b = s.direction();
+  matrix.fill(nearly_singular(s.layout(), 1));
+  EXPECT_LT(defect_of(*sufficient, matrix, b), 0.01);
+  EXPECT_EQ(sufficient->bytes(), half->bytes());
+  matrix.fill(nearly_singular(s.layout(), 1e-5f));
+  if (half->bytes() < make(FactorPrecision::single)->bytes()) EXPECT_GT(defect_of(*half, matrix, b), 0.2);
+  EXPECT_LT(defect_of(*sufficient, matrix, b), 0.05);
+  EXPECT_EQ(sufficient->bytes(), make(FactorPrecision::single)->bytes());
+}
+
 TEST(Dissection, EveryUnknownIsEliminatedOnce) {
   RandomScene s(longer(scene(Scene::coupled), 31, 18));
   const std::vector<double> mask = to_host(s.model.mask());
