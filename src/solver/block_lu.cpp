@@ -326,10 +326,11 @@ double factor_entries(const Dissection& tree) {
 template <int D>
 std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask,
                                                 FactorPrecision precision) {
-  if constexpr (std::is_same_v<FactorNumber, float>) return std::make_unique<BlockLu<D, float>>(layout, mask);
-  if (precision == FactorPrecision::single) return std::make_unique<BlockLu<D, float>>(layout, mask);
-  if (precision == FactorPrecision::half) return std::make_unique<BlockLu<D, FactorNumber>>(layout, mask);
-  return std::make_unique<SufficientLu<D>>(layout, mask);
+  if constexpr (std::is_same_v<FactorNumber, Half>) {
+    if (precision == FactorPrecision::half) return std::make_unique<BlockLu<D, Half>>(layout, mask);
+    if (precision == FactorPrecision::sufficient) return std::make_unique<SufficientLu<D>>(layout, mask);
+  }
+  return std::make_unique<BlockLu<D, float>>(layout, mask);
 }
 
 template std::unique_ptr<StencilSolver<2>> make_block_lu<2>(const Layout<2>&, const ConstArray&, FactorPrecision);
