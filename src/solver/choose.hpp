@@ -22,23 +22,24 @@ inline std::vector<std::string> preconditioner_names() {
 constexpr int small_in_3d = 3000;
 
 /// automatic: block LU in 2D and for the smallest scenes in 3D, otherwise multilevel Schwarz, as whole runs were measured to
-/// be fastest. umfpack: the matrix is factorised by that library, in double precision. Each of several processes has one
-/// for the whole patch, with those boxes of Schwarz's finest level that touch its own columns.
-/// @param wanted  columns in which the answer is asked for
+/// be fastest. umfpack: the matrix is factorised by that library, in double precision.
 template <int D>
-std::unique_ptr<Preconditioner> choose_preconditioner(const std::string& name, const Layout<D>& layout,
-                                                      const ConstArray& mask, ColumnRange wanted = {}) {
+std::unique_ptr<Preconditioner> choose_preconditioner(
+    const std::string& name, const Layout<D>& layout, const ConstArray& mask,
+    const SchwarzControl& control = SchwarzControl::for_dimension(D)) {
   if (name == "none") return std::make_unique<NoPreconditioner>();
-  if (!layout.whole()) {
+  const Layout<D> all = layout.whole_patch();
+  const bool schwarz = name == "schwarz" || (name == "automatic" && D == 3 && all.size() > small_in_3d);
+  if (!layout.whole()) {  // the same on every process; of Schwarz's finest level what its own columns need
     const auto& first = layout.columns.first_function;
-    const ColumnRange own{first[layout.columns.rank], first[layout.columns.rank + 1]};
-    return std::make_unique<Replicated<D>>(
-        layout, choose_preconditioner<D>(name, layout.whole_patch(), of_patch(layout, mask), own));
+    SchwarzControl own = control;
+    own.wanted = {first[layout.columns.rank], first[layout.columns.rank + 1]};
+    own.part = layout.columns;
+    const int beside = schwarz ? std::max(own.width - 1, layout.axis[0].degree()) : -1;
+    return std::make_unique<Replicated<D>>(layout, choose_preconditioner<D>(name, all, of_patch(layout, mask), own),
+                                           beside);
   }
   const auto assembled = [&](auto solver) { return std::make_unique<Assembled<D>>(layout, mask, std::move(solver)); };
-  const bool schwarz = name == "schwarz" || (name == "automatic" && D == 3 && layout.size() > small_in_3d);
-  SchwarzControl control = SchwarzControl::for_dimension(D);
-  control.wanted = wanted;
   if (schwarz) return assembled(make_schwarz<D>(layout, mask, control));
   if (name == "umfpack") return assembled(make_sparse_lu<D>(layout, mask));
   return assembled(make_block_lu<D>(layout, mask));

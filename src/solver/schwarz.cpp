@@ -1,5 +1,6 @@
 #include "solver/schwarz.hpp"
 
+#include <numeric>
 #include <optional>
 
 #include "field/vector.hpp"
@@ -10,6 +11,21 @@
 namespace softwet {
 
 namespace {
+
+/// The columns of the first coarse level whose residual and matrix follow from a process's own columns.
+Columns coarse_part(const Columns& fine, const Axis& fine_axis, const Axis& coarse_axis) {
+  const int ratio = fine_axis.elements() / coarse_axis.elements();
+  Columns c;
+  c.rank = fine.rank;
+  c.ranks = fine.ranks;
+  c.function.resize(coarse_axis.functions());
+  std::iota(c.function.begin(), c.function.end(), 0);
+  for (int first : fine.first_function) c.first_function.push_back(first / ratio);
+  c.first_function.back() = coarse_axis.functions();
+  c.begin = c.first_function[c.rank];
+  c.end = c.first_function[c.rank + 1];
+  return c;
+}
 
 /// Part of the boxes' answer that is added when the residual has been computed anew after the coarse correction. All of it
 /// would be too much: where several boxes hold an unknown, their sum overshoots.
@@ -27,7 +43,10 @@ class Schwarz final : public StencilSolver<D> {
     matrix_ = &matrix;
     boxes_.build(matrix);
     if (!space_) return;
-    coarse_matrix_->fill([&](const StencilValues& values) { space_->galerkin(matrix, values); });
+    coarse_matrix_->fill([&](const StencilValues& values) {
+      space_->galerkin(matrix, values);
+      if (part_.ranks > 1) gather_columns(part_, values, values);
+    });
     coarse_->build(*coarse_matrix_);
   }
 
@@ -35,6 +54,7 @@ class Schwarz final : public StencilSolver<D> {
     Kokkos::deep_copy(Exec(), z, 0.0);
     if (space_) {
       space_->restrict_to(r, coarse_r_);
+      if (part_.ranks > 1) gather_columns(part_, coarse_r_, coarse_r_);
       coarse_->apply(coarse_r_, coarse_z_);
       space_->prolong(coarse_z_, z);
     }
@@ -63,6 +83,8 @@ class Schwarz final : public StencilSolver<D> {
     SchwarzControl below = control;
     below.multiplicative = true;
     below.wanted = {};
+    below.part = {};
+    if (control.part.ranks > 1) part_ = coarse_part(control.part, layout.axis[0], coarse.axis[0]);
     coarse_ = direct ? make_block_lu<D>(coarse, space_->mask()) : make_schwarz<D>(coarse, space_->mask(), below);
     coarse_r_ = Array("schwarz.coarse_r", coarse.size());
     coarse_z_ = Array("schwarz.coarse_z", coarse.size());
@@ -70,6 +92,7 @@ class Schwarz final : public StencilSolver<D> {
   }
 
   bool multiplicative_;
+  Columns part_;  ///< of the coarse level that this process knows
   Boxes<D> boxes_;
   const StencilMatrix<D>* matrix_ = nullptr;
   std::optional<CoarseSpace<D>> space_;

@@ -13,6 +13,9 @@ struct SchwarzControl {
   bool multiplicative = false;  ///< see below; always on coarse levels
   int direct_up_to = 60000;     ///< unknowns of a coarse space that is factorised (block LU); above, Schwarz again
   ColumnRange wanted = {};      ///< where the answer is asked for; not with `multiplicative`
+  /// Of one of several processes: it has the matrix and residuals of its own columns and of width - 1 beside them, and
+  /// collects those of the first coarse level. Empty: all are here.
+  Columns part = {};
 
   /// Wider boxes need fewer iterations and more memory; these are a compromise. In three dimensions one more level is
   /// faster than factors of 25 000 unknowns.

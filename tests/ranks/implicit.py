@@ -11,6 +11,8 @@ SCENES = {
     "rest": ("tensotaxis_pull_2d", [*SOFT, "time.start=equilibrium", "time.max_steps=4"], (2,)),
     "periodic": ("tensotaxis_pull_2d", [*SOFT, "time.end=2", "output.fields.times=[2]", "boundary.left=periodic",
                                         "boundary.right=periodic"], (2, 4)),
+    "schwarz": ("tensotaxis_pull_2d", [*SOFT, "time.max_steps=10", "solver.krylov.preconditioner=schwarz",
+                                       "boundary.left=periodic", "boundary.right=periodic"], (2, 4)),
     "rigid": ("static_droplet_rigid_2d", ["domain.elements=[44,16]", "fluid.capillarity=1/16", "time.max_steps=12"],
               (2, 3)),
     "solid": ("solid_layer_2d", ["time.max_steps=12"], (2,)),
