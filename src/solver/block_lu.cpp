@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <cstdint>
 
 #include "solver/equilibration.hpp"
+#include "solver/factor_defect.hpp"
 #include "solver/front.hpp"
 #include "solver/work_split.hpp"
 
@@ -259,12 +258,12 @@ template <int D>
 class SufficientLu final : public StencilSolver<D> {
  public:
   SufficientLu(const Layout<D>& layout, const ConstArray& mask)
-      : layout_(layout), mask_(mask), half_(std::make_unique<BlockLu<D, FactorNumber>>(layout, mask)) {}
+      : layout_(layout), mask_(mask), defect_(mask), half_(std::make_unique<BlockLu<D, FactorNumber>>(layout, mask)) {}
 
   void build(const StencilMatrix<D>& matrix) override {
     if (half_) {
       half_->build(matrix);
-      if (defect(matrix) < most) return;
+      if (defect_.measure(*half_, matrix, half_->scale().row) < most) return;
       half_.reset();
       single_ = std::make_unique<BlockLu<D, float>>(layout_, mask_);
     }
@@ -276,38 +275,16 @@ class SufficientLu final : public StencilSolver<D> {
   double build_cost() const override { return solver().build_cost(); }
 
  private:
-  /// Matrices that are nearly singular lose the digits of half precision: a random vector shows it.
-  static constexpr double most = 0.2;
+  static constexpr double most = 0.2;  ///< defect: matrices that are nearly singular lose the digits of half precision
 
   StencilSolver<D>& solver() const {
     if (half_) return *half_;
     return *single_;
   }
 
-  /// || b - A M^-1 b || / || b || in rows of size one, M being the factors.
-  double defect(const StencilMatrix<D>& matrix) {
-    const std::vector<float>& row = half_->scale().row;
-    const std::vector<double> free = to_host(mask_);
-    std::vector<double> b(row.size());
-    std::uint32_t state = 1;
-    for (std::size_t i = 0; i < b.size(); ++i) {
-      state = state * 1664525u + 1013904223u;  // the same numbers in every build (Numerical Recipes, ranqd1)
-      b[i] = free[i] * (state / 2147483648.0 - 1) / row[i];
-    }
-    const Array right = to_device<Array>(b), solution("lu.probe", b.size()), product("lu.probe", b.size());
-    half_->apply(right, solution);
-    matrix.multiply(solution, product);
-    const std::vector<double> found = to_host(product);
-    double wrong = 0, all = 0;
-    for (std::size_t i = 0; i < b.size(); ++i) {
-      wrong += std::pow((found[i] - b[i]) * free[i] * row[i], 2);
-      all += std::pow(b[i] * row[i], 2);
-    }
-    return all > 0 ? std::sqrt(wrong / all) : 0;
-  }
-
   Layout<D> layout_;
   ConstArray mask_;
+  FactorDefect<D> defect_;
   std::unique_ptr<BlockLu<D, FactorNumber>> half_;
   std::unique_ptr<BlockLu<D, float>> single_;  ///< where half precision was not enough
 };
