@@ -4,6 +4,8 @@
 #include <Kokkos_Core.hpp>
 #include <Kokkos_SIMD.hpp>
 
+#include "kernels/algebra/single.hpp"
+
 // Logarithms of glibc's libmvec: all lanes of a pack at once.
 #if defined(__GLIBC__) && defined(__AVX512F__) && !defined(__CUDACC__)
 #define SOFTWET_VECTOR_LOG
@@ -27,6 +29,11 @@ struct Lanes {
   static constexpr int count = 1;
   using Real = S;
 };
+template <>
+struct Lanes<Single> {
+  static constexpr int count = 1;
+  using Real = float;
+};
 template <class R, class Abi>
 struct Lanes<Kokkos::Experimental::basic_simd<R, Abi>> {
   static constexpr int count = static_cast<int>(Kokkos::Experimental::basic_simd<R, Abi>::size());
@@ -36,7 +43,8 @@ template <class S>
 using RealOf = typename Lanes<S>::Real;
 
 /// A pack in single precision beside a parameter: Kokkos would widen both to double, except for a parameter on the right
-/// of a pack of one lane, which it rounds itself. A number on the left of such a pack it multiplies on the host alone.
+/// of a pack of one lane, which it rounds itself. Packs are numbers of the host: some of their operators do nothing on a
+/// device.
 template <class Abi>
 using SinglePack = Kokkos::Experimental::basic_simd<float, Abi>;
 #define SOFTWET_ROUND_PARAMETER(operation)                                                              \
@@ -116,11 +124,15 @@ KOKKOS_FORCEINLINE_FUNCTION S half_logarithm_rest(const S& a, const S& b, const 
   return select(square < 0.25, S(z * square * square * series), whole);
 }
 
+/// A number that is no pack.
+template <class S>
+inline constexpr bool is_one_number = std::is_arithmetic_v<S> || std::is_same_v<S, Single>;
+
 /// Whether any lane is not zero.
 template <class S>
 KOKKOS_FORCEINLINE_FUNCTION bool any_nonzero(const S& x) {
-  if constexpr (std::is_arithmetic_v<S>) {
-    return x != 0;
+  if constexpr (is_one_number<S>) {
+    return plain(x) != 0;
   } else {
     return Kokkos::Experimental::any_of(x != S(0));
   }
@@ -129,8 +141,8 @@ KOKKOS_FORCEINLINE_FUNCTION bool any_nonzero(const S& x) {
 /// Reads lanes p[0], p[1], ... (consecutive elements).
 template <class S, class Real>
 KOKKOS_FORCEINLINE_FUNCTION S load(const Real* p) {
-  if constexpr (std::is_arithmetic_v<S>) {
-    return *p;
+  if constexpr (is_one_number<S>) {
+    return S(*p);
   } else {
     return Kokkos::Experimental::simd_unchecked_load<S>(p, Kokkos::Experimental::simd_flag_default);
   }
@@ -139,8 +151,8 @@ KOKKOS_FORCEINLINE_FUNCTION S load(const Real* p) {
 /// Adds lanes to p[0], p[1], ...
 template <class S, class Real>
 KOKKOS_FORCEINLINE_FUNCTION void add_to(Real* p, const S& x) {
-  if constexpr (std::is_arithmetic_v<S>) {
-    *p += x;
+  if constexpr (is_one_number<S>) {
+    *p += plain(x);
   } else {
     Kokkos::Experimental::simd_unchecked_store(load<S>(p) + x, p, Kokkos::Experimental::simd_flag_default);
   }

@@ -3,6 +3,13 @@
 
 #include "kernels/algebra/dual.hpp"
 
+/// Before a loop over components: device compilers unroll it, so that what it indexes stays in registers.
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define SOFTWET_UNROLL _Pragma("unroll")
+#else
+#define SOFTWET_UNROLL
+#endif
+
 namespace softwet {
 
 template <class N, int D>

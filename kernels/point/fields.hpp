@@ -51,8 +51,10 @@ struct MomentumTest {
 
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
+    SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
       Vector<N, D> row;
+      SOFTWET_UNROLL
       for (int j = 0; j < D; ++j) row[j] = momentum_flux(i, j);
       to.add(i, momentum[i], row);
     }

@@ -28,9 +28,11 @@ struct FluidTrial {
   template <class Reader>
   static KOKKOS_FORCEINLINE_FUNCTION FluidTrial read(const Reader& at) {
     FluidTrial t;
+    SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
       t.velocity[i] = at.value(i);
       const Vector<N, D> g = at.gradient(i);
+      SOFTWET_UNROLL
       for (int j = 0; j < D; ++j) t.velocity_gradient(i, j) = g[j];
       t.acceleration[i] = at.value(D + i);
     }
@@ -61,8 +63,10 @@ struct FluidTest {
 
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
+    SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
       Vector<N, D> row;
+      SOFTWET_UNROLL
       for (int j = 0; j < D; ++j) row[j] = momentum_flux(i, j);
       to.add(i, momentum[i], row);
     }
@@ -171,7 +175,9 @@ struct ForceTest {
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
     Vector<N, D> none;
+    SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) none[i] = N(0.0);
+    SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) to.add(i, momentum[i], none);
     to.add(D, N(0.0), mass_flux);
   }

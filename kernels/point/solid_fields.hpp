@@ -19,9 +19,11 @@ struct SolidTrial {
   template <class Reader>
   static KOKKOS_FORCEINLINE_FUNCTION SolidTrial read(const Reader& at) {
     SolidTrial t;
+    SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
       t.acceleration[i] = at.value(i);
       const Vector<N, D> g = at.gradient(D + i);
+      SOFTWET_UNROLL
       for (int j = 0; j < D; ++j) t.displacement_gradient(i, j) = g[j];
     }
     return t;

@@ -83,6 +83,14 @@ bool closes(const Layout<D>& layout, int d) {
   return layout.axis[d].periodic() && (d > 0 || layout.columns.rank == 0);
 }
 
+/// Whether anything is a copy of something else.
+template <int D>
+bool has_ghosts(const Layout<D>& layout) {
+  bool any = !layout.whole();
+  for (const Axis& axis : layout.axis) any = any || axis.periodic();
+  return any;
+}
+
 /// update: ghosts take the value of the control point they repeat. add: its transpose for the ghosts of periodic axes,
 /// which are left at zero; copies of the columns of other processes mean nothing then.
 template <int D, class Real>

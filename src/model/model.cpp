@@ -190,14 +190,12 @@ void Model<D, P>::finish_residual(double time, const Array& out) const {
 
 template <int D, int P>
 void Model<D, P>::residual(const Stage& stage, const Array& out) const {
-  Kokkos::deep_copy(Exec(), out, 0.0);
   pieces_.run({layout_, stage, {}, out});
   finish_residual(stage.time, out);
 }
 
 template <int D, int P>
 void Model<D, P>::residual(const StageOf<float>& stage, const ArrayOf<float>& work, const Array& out) const {
-  Kokkos::deep_copy(Exec(), work, 0.0f);
   single_.run({layout_, stage, {}, work});
   convert(out, work);
   finish_residual(stage.time, out);
@@ -217,7 +215,6 @@ void Model<D, P>::potential_moments(const Stage& stage, const Array& out) const 
 
 template <int D, int P>
 void Model<D, P>::fluid_residual(const Stage& stage, const Array& out) const {
-  Kokkos::deep_copy(Exec(), out, 0.0);
   const Evaluation<D> at{layout_, stage, {}, out};
   pieces_.run(at, pieces_.first_of_fluid);
   if (pieces_.rigid_traction) pieces_.rigid_traction->residual(at);
@@ -228,9 +225,10 @@ template <int D, int P>
 template <class Real>
 void Model<D, P>::run_product(const Pieces<D, Real>& pieces, const StageOf<Real>& stage, const ArrayOf<Real>& direction,
                               const ArrayOf<Real>& out, Geometry geometry) const {
-  Kokkos::deep_copy(Exec(), out, Real(0));
+  const Evaluation<D, Real> at{layout_, stage, direction, out, geometry};
+  if (!has_ghosts(layout_)) return pieces.run(at, 0, mask_);
   move_ghosts(layout_, direction, GhostAction::update);
-  pieces.run({layout_, stage, direction, out, geometry});
+  pieces.run(at);
   move_ghosts(layout_, out, GhostAction::add);
   multiply(out, mask_);
   multiply(direction, mask_);

@@ -16,7 +16,7 @@ namespace softwet {
 enum class Instant { stage, end };
 
 /// One evaluation of terms: where their fields lie, and where their result goes. `tangent` is a vector of unknowns, or
-/// empty. The end of the step has density and displacement alone.
+/// empty. The end of the step has density and displacement alone. With `sums` a device adds up several terms at once, later.
 template <int D, class Real = double>
 struct Evaluation {
   const Layout<D>& layout;
@@ -26,6 +26,7 @@ struct Evaluation {
   Geometry geometry = Geometry::exact;
   ConstArrayOf<Real> operand = {};
   Instant instant = Instant::stage;
+  TileSums<D, Real>* sums = nullptr;
 
   /// Control value (0, 0, 0) of a component on its own grid.
   const Real* field(Component c) const {
@@ -98,6 +99,15 @@ Task<D, Term, Motion, Real> task_of(const Term& term, const Region<D, Real>& reg
   return task;
 }
 
+/// Adds a term's residual, or (Tangent) its Jacobian-vector product, to the result of an evaluation.
+template <int P, bool Tangent, int D, class Term, class Motion, class Real>
+void assemble(const Task<D, Term, Motion, Real>& task, const Evaluation<D, Real>& at) {
+  if (at.sums) return assemble<P, Tangent>(task, *at.sums);
+  TileSums<D, Real> sums(at.layout);
+  assemble<P, Tangent>(task, sums);
+  sums.add_to(at.test);
+}
+
 /// A term on a region, type erased: the only virtual call of the computation, a handful per residual.
 template <int D, class Real>
 class PieceIn {
@@ -160,12 +170,12 @@ class PieceOf final : public Piece<D, Real> {
 // Outside of the class, so that a source which declares a piece `extern template` does not compile it again.
 template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::residual(const Evaluation<D, Real>& at) const {
-  if (!idle(at)) assemble<P, false>(task(at, region_));
+  if (!idle(at)) assemble<P, false>(task(at, region_), at);
 }
 
 template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::product(const Evaluation<D, Real>& at) const {
-  if (!idle(at)) assemble<P, true>(task(at, region_));
+  if (!idle(at)) assemble<P, true>(task(at, region_), at);
 }
 
 template <int D, int P, class Term, class Motion, class Real>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "case/case.hpp"
+#include "field/vector.hpp"
 #include "model/piece.hpp"
 
 namespace softwet {
@@ -23,12 +24,22 @@ struct Pieces {
   const Piece<D, Real>* wall_law = nullptr;                ///< one of the list, or none at 90 degrees
   std::unique_ptr<Piece<D, Real>> rigid_traction;          ///< of a rigid wall, for output alone
 
-  /// The pieces from number `first` on: their products where the evaluation has a tangent, else their residuals.
-  void run(const Evaluation<D, Real>& at, std::size_t first = 0) const {
+  /// Sets the result of an evaluation to the sum of the pieces from number `first` on: of their products where it has a
+  /// tangent, else of their residuals. With a mask, what is prescribed is zero.
+  void run(const Evaluation<D, Real>& at, std::size_t first = 0, const ConstArray& mask = {}) const {
+    if constexpr (on_host) Kokkos::deep_copy(Exec(), at.test, Real(0));
+    TileSums<D, Real> sums(at.layout);
+    Evaluation<D, Real> together = at;
+    together.sums = &sums;
     for (std::size_t i = first; i < list.size(); ++i) {
       const Entry& entry = list[i];
       const Piece<D, Real>& piece = entry.exact && at.geometry == Geometry::exact ? *entry.exact : *entry.piece;
-      at.tangent.data() ? piece.product(at) : piece.residual(at);
+      at.tangent.data() ? piece.product(together) : piece.residual(together);
+    }
+    if constexpr (!on_host) {
+      sums.store(at.test, mask);
+    } else if (mask.data()) {
+      multiply(at.test, mask);
     }
   }
 };

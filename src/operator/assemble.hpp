@@ -4,6 +4,7 @@
 #include "operator/batch.hpp"
 #include "operator/colouring.hpp"
 #include "operator/column.hpp"
+#include "operator/in_tiles.hpp"
 
 namespace softwet {
 
@@ -53,17 +54,27 @@ struct AssembleColumns {
   }
 };
 
-/// Adds the term's residual, or (Tangent) its Jacobian-vector product, to task.test[].
+/// On the host: adds the term's residual, or (Tangent) its Jacobian-vector product, to task.test[].
 template <int P, bool Tangent, int D, class Term, class Motion, class Real>
-void assemble(const Task<D, Term, Motion, Real>& task) {
-  constexpr bool in_columns = on_host && (Term::where == Where::solid || Term::where == Where::fluid);
+void assemble_at_once(const Task<D, Term, Motion, Real>& task) {
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
-    if constexpr (in_columns) {
+    if constexpr (Term::where == Where::solid || Term::where == Where::fluid) {
       AssembleColumns<D, P, Q, Tangent, Term, Motion, Real>::run(task);
     } else {
       for_colours("softwet::assemble", task.region, P + 1, AssembleBatch<D, P, Q, Tangent, Term, Motion, Real>{task});
     }
   });
+}
+
+/// The residual of a term, or (Tangent) its Jacobian-vector product: on the host added to task.test[], on a device kept in
+/// `sums` until they are added up.
+template <int P, bool Tangent, int D, class Term, class Motion, class Real>
+void assemble(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
+  if constexpr (on_host) {
+    assemble_at_once<P, Tangent>(task);
+  } else {
+    assemble_in_tiles<P, Tangent>(task, sums);
+  }
 }
 
 }  // namespace softwet

@@ -63,9 +63,10 @@ struct BatchFields {
   }
 };
 
-/// Residual (N = S) or Jacobian-vector product (N = Dual<S>) of one batch.
-template <class S, class N, int D, int P, int Q, class Term, class Motion>
-KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion, RealOf<S>>& task, const Batch<D>& b) {
+/// Residual (N = S) or Jacobian-vector product (N = Dual<S>) of one batch: add(channel, what its control values get).
+template <class S, class N, int D, int P, int Q, class Term, class Motion, class Add>
+KOKKOS_FORCEINLINE_FUNCTION void compute_batch(const Task<D, Term, Motion, RealOf<S>>& task, const Batch<D>& b,
+                                               const Add& add) {
   constexpr int QL = points_across<Term, Q>, points = power(Q, D - 1) * QL;
   using Trial = typename Term::template Trial<N, D>;
   using Test = typename Term::template Test<N, D>;
@@ -81,12 +82,20 @@ KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion, RealOf<S>>& task
     const S weight = task.factor * weight_at<S, D, Q>(task.region, b, q);
     test.write(Writer<S, N, D, points, Point>{out, point, weight, q});
   }
-  const int first = first_test(task.region, b);
   for (int c = 0; c < channels; ++c) {
     S nodal[power(P + 1, D)];
     basis.template backward<Test::has_flux>(out[c], nodal);
-    scatter<S, D, P>(task.test[c], task.region, first, b.count, nodal);
+    add(c, nodal);
   }
+}
+
+/// Adds that to task.test[].
+template <class S, class N, int D, int P, int Q, class Term, class Motion>
+KOKKOS_FUNCTION void assemble_batch(const Task<D, Term, Motion, RealOf<S>>& task, const Batch<D>& b) {
+  const int first = first_test(task.region, b);
+  compute_batch<S, N, D, P, Q, Term, Motion>(task, b, [&](int c, const S(&nodal)[power(P + 1, D)]) {
+    scatter<S, D, P>(task.test[c], task.region, first, b.count, nodal);
+  });
 }
 
 }  // namespace softwet

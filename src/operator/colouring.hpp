@@ -47,10 +47,9 @@ struct Colouring {
   }
 };
 
-/// Numbers of a batch: a lane for each element on the host. On a device single precision is a pack of one lane, because
-/// packs round parameters to their precision, and a plain float would be computed as a double beside them.
+/// Numbers of a batch: a lane for each element on the host, one element on a device.
 template <class Real>
-using BatchNumber = std::conditional_t<on_host || std::is_same_v<Real, float>, Pack<Real>, Real>;
+using BatchNumber = std::conditional_t<on_host, Pack<Real>, OneNumber<Real>>;
 
 /// Runs body(batch) for all elements of a row, `lanes` elements in a batch. The last element of a full batch is one
 /// before a multiple of `lanes` on the axis, whichever part of it is stored: so every sum has the same order.

@@ -127,21 +127,52 @@ struct WallMotion {
 /// No motion: the map is the identity and nothing is read.
 struct NoMotion {};
 
+/// Geometry at a point of a fixed mesh.
+template <class N, class S, int D>
+KOKKOS_FORCEINLINE_FUNCTION FixedPoint<N, D> fixed_point(const Vector<S, D>& reference) {
+  FixedPoint<N, D> point;
+  for (int i = 0; i < D; ++i) {
+    if constexpr (is_dual<N>) {
+      point.position[i] = N(reference[i], S(0.0));
+    } else {
+      point.position[i] = reference[i];
+    }
+  }
+  return point;
+}
+
+/// Geometry at a point of the moving mesh, from the motion of the wall below it: displacement(i, c) and tangent(i, c) with
+/// c = 0 for the value and 1.. for the slopes along the wall, and velocity(i). `scale` is d displacement / d velocity.
+template <class N, class S, int D, class Real, class Wall>
+KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> blended_point(const Blend& blend, Real scale,
+                                                            const Vector<S, D>& reference, double height,
+                                                            const Wall& wall, bool face) {
+  const Real beta = static_cast<Real>(blend.value(height)), slope = static_cast<Real>(blend.slope());
+  const auto number = [&](const S& value, int i, int c, Real factor) {
+    if constexpr (is_dual<N>) {
+      return N(value, factor * wall.tangent(i, c));
+    } else {
+      return value;
+    }
+  };
+  Matrix<N, D> f;
+  Vector<N, D> v, x;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j + 1 < D; ++j) f(i, j) = number(beta * wall.displacement(i, j + 1), i, j + 1, beta * scale);
+    f(i, D - 1) = number(slope * wall.displacement(i, 0), i, 0, slope * scale);
+    v[i] = number(beta * wall.velocity(i), i, 0, beta);
+    x[i] = number(reference[i] + beta * wall.displacement(i, 0), i, 0, beta * scale);
+  }
+  return MovingPoint<N, D>(f, v, x, face);
+}
+
 /// Geometry at the points of a batch on a fixed mesh.
 template <class S, class N, int D, int P, int Q, class Motion>
 struct BatchGeometry {
   KOKKOS_FORCEINLINE_FUNCTION BatchGeometry(const Region<D, RealOf<S>>&, const Batch<D>&, const AxisBasis<S, P, Q>&,
                                             const AxisBasis<RealOf<S>, P, Q>&, const Motion&) {}
   KOKKOS_FORCEINLINE_FUNCTION FixedPoint<N, D> at(int, const Vector<S, D>& reference, double, bool) const {
-    FixedPoint<N, D> point;
-    for (int i = 0; i < D; ++i) {
-      if constexpr (is_dual<N>) {
-        point.position[i] = N(reference[i], S(0.0));
-      } else {
-        point.position[i] = reference[i];
-      }
-    }
-    return point;
+    return fixed_point<N>(reference);
   }
 };
 
@@ -200,29 +231,18 @@ struct BatchGeometry<S, N, D, P, Q, WallMotion<D, Real>> {
     }
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION N number(const S& value, const S& t, Real factor) const {
-    if constexpr (is_dual<N>) {
-      return N(value, factor * t);
-    } else {
-      return value;
-    }
-  }
+  /// The motion of the wall below point q.
+  struct WallBelow {
+    const BatchGeometry& g;
+    int q;
+    KOKKOS_FORCEINLINE_FUNCTION const S& displacement(int i, int c) const { return g.displacement[i][c][q]; }
+    KOKKOS_FORCEINLINE_FUNCTION const S& velocity(int i) const { return g.velocity[i][q]; }
+    KOKKOS_FORCEINLINE_FUNCTION const S& tangent(int i, int c) const { return g.tangent[is_dual<N> ? i : 0][c][q]; }
+  };
 
   KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> at(int q, const Vector<S, D>& reference, double height,
                                                    bool face) const {
-    const int w = q % wall_points;
-    const Real beta = static_cast<Real>(blend.value(height)), slope = static_cast<Real>(blend.slope());
-    Matrix<N, D> f;
-    Vector<N, D> v, x;
-    for (int i = 0; i < D; ++i) {
-      const S* t[D];
-      for (int c = 0; c < D; ++c) t[c] = &tangent[is_dual<N> ? i : 0][c][w];
-      for (int j = 0; j + 1 < D; ++j) f(i, j) = number(beta * displacement[i][j + 1][w], *t[j + 1], beta * scale);
-      f(i, D - 1) = number(slope * displacement[i][0][w], *t[0], slope * scale);
-      v[i] = number(beta * velocity[i][w], *t[0], beta);
-      x[i] = number(reference[i] + beta * displacement[i][0][w], *t[0], beta * scale);
-    }
-    return MovingPoint<N, D>(f, v, x, face);
+    return blended_point<N>(blend, scale, reference, height, WallBelow{*this, q % wall_points}, face);
   }
 };
 

@@ -52,7 +52,7 @@ KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task,
     const S weight = weight_at<S, D, Q>(task.region, b, q);
     for (int f = 0; f < Functional::count; ++f) {
       const S part = weight * outcome(point.measured(value[f]));
-      if constexpr (std::is_arithmetic_v<S>) {
+      if constexpr (is_one_number<S>) {
         sum[f] += part;
       } else {
         for (int l = 0; l < b.count; ++l) sum[f] += part[l];

@@ -69,6 +69,7 @@ struct Reader {
   KOKKOS_FORCEINLINE_FUNCTION N value(int s) const { return fields.number(s, 0, q); }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> gradient(int s) const {
     Vector<N, D> g;
+    SOFTWET_UNROLL
     for (int d = 0; d < D; ++d) g[d] = fields.number(s, 1 + d, q);
     return point.physical(g);
   }

@@ -35,7 +35,7 @@ AxisRule tabulate(const Axis& axis, const std::vector<int>& elements, const std:
   Kokkos::deep_copy(weights, w);
   Kokkos::deep_copy(position, x);
   Kokkos::deep_copy(spans, f);
-  return {value, slope, weights, position, spans, count, q};
+  return {value, slope, weights, position, spans, count, q, axis.spacing()};
 }
 
 std::vector<int> range(int first, int last) {
@@ -85,7 +85,7 @@ AxisRuleOf<float> in_single(const AxisRule& rule) {
     return to;
   };
   return {cube(rule.value), cube(rule.slope), square(rule.weight), square(rule.position),
-          rule.first,       rule.elements,    rule.points};
+          rule.first,       rule.elements,    rule.points,         rule.spacing};
 }
 
 AxisRule restricted_to(const AxisRule& rule, int function) {

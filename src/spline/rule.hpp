@@ -20,6 +20,7 @@ struct AxisRuleOf {
   Kokkos::View<const int*, Exec> first;
   int elements = 0;
   int points = 0;
+  double spacing = 0;  ///< length of an element
 };
 using AxisRule = AxisRuleOf<double>;
 

@@ -3,32 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "compiled.hpp"
 #include "naive.hpp"
 #include "solver/stencil.hpp"
-
-// Compiled in src/model/pieces.cpp and pieces_single.cpp, which is what these tests are to test.
-#define SOFTWET_COMPILED(D, TERM, MOTION)                                                          \
-  extern template class softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, double>, double>; \
-  extern template class softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, float>, float>;
-#define SOFTWET_COMPILED_SOLID(D, MATERIAL) SOFTWET_COMPILED(D, Elastodynamics<softwet::MATERIAL>, Still)
-#define SOFTWET_COMPILED_ALL(D, MOTION)             \
-  SOFTWET_COMPILED(D, NavierStokesKorteweg, MOTION) \
-  SOFTWET_COMPILED(D, DensityMoment, MOTION)        \
-  SOFTWET_COMPILED(D, GradientWall, MOTION)         \
-  SOFTWET_COMPILED(D, EnergyWall, MOTION)           \
-  SOFTWET_COMPILED(D, CapillaryTraction, MOTION)    \
-  SOFTWET_COMPILED(D, Gravity, MOTION)              \
-  SOFTWET_COMPILED_SOLID(D, SaintVenantKirchhoff)   \
-  SOFTWET_COMPILED_SOLID(D, Hooke)                  \
-  SOFTWET_COMPILED_SOLID(D, NeoHookean)
-namespace softwet {
-template <int, class>
-using Still = NoMotion;
-}
-SOFTWET_COMPILED_ALL(2, WallMotion)
-SOFTWET_COMPILED_ALL(2, Still)
-SOFTWET_COMPILED_ALL(3, WallMotion)
-SOFTWET_COMPILED_ALL(3, Still)
 
 namespace softwet::testing_tools {
 

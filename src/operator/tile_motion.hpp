@@ -1,0 +1,92 @@
+// The motion of the wall at the points of a tile, and the geometry at them.
+#pragma once
+
+#include "operator/tile_plan.hpp"
+#include "operator/tile_team.hpp"
+
+namespace softwet {
+
+template <class Plan>
+struct TileMotion {
+  using Shape = typename Plan::Shape;
+  using Room = TileScratch<Plan>;
+  using Real = typename Plan::Real;
+  static constexpr int D = Shape::D, n = Shape::n, Q = Shape::Q;
+
+  static KOKKOS_FORCEINLINE_FUNCTION const Real* field(const typename Plan::Motion& wall, int f) {
+    return f < D ? wall.displacement[f] : f < 2 * D ? wall.velocity[f - D] : wall.tangent[f - 2 * D];
+  }
+
+  /// Values and slopes of all fields of the wall at the base points, to Room::wall. A tangent that is not there is zero.
+  /// column(i, j): place of a control point in the wall's row.
+  template <class Team, class Column>
+  static KOKKOS_FORCEINLINE_FUNCTION void trace(const Team& team, const typename Plan::Motion& wall,
+                                                const Collocation<D, Q, Real>& slope, Real* t, const Column& column) {
+    Real* const swept = D == 3 ? t + Room::first : t + Room::wall;
+    for (int f = 0; f < Plan::wall_fields; ++f) {
+      const Real* p = field(wall, f);
+      Real* const out = D == 3 ? swept + f * Shape::cy * Shape::qx : swept + Plan::wall_place(f) * Shape::base;
+      share(team, Shape::cy * Shape::qx, [&](int i) {
+        const int q = i % Shape::qx, j = i / Shape::qx;
+        Real sum = 0;
+        if (p)
+          for (int a = 0; a < n; ++a) sum = sum + t[Room::x + q * n + a] * p[column(q / Q + a, j)];
+        out[i] = sum;
+      });
+    }
+    team.barrier();
+    if constexpr (D == 3) {
+      for (int f = 0; f < Plan::wall_fields; ++f)
+        share(team, Shape::base, [&](int i) {
+          const int q = i % Shape::qx, y = i / Shape::qx;
+          const Real* from = swept + (f * Shape::cy + y / Q) * Shape::qx + q;
+          Real sum = 0;
+          for (int a = 0; a < n; ++a) sum = sum + t[Room::y + y * n + a] * from[a * Shape::qx];
+          t[Room::wall + Plan::wall_place(f) * Shape::base + i] = sum;
+        });
+      team.barrier();
+    }
+    for (int f = 0; f < Plan::wall_fields; ++f)
+      if (Plan::wall_slopes(f)) add_slopes(team, slope, t + Room::wall + Plan::wall_place(f) * Shape::base);
+    team.barrier();
+  }
+
+  /// The slopes along the wall of the values in v[0 .. base - 1], behind them.
+  template <class Team>
+  static KOKKOS_FORCEINLINE_FUNCTION void add_slopes(const Team& team, const Collocation<D, Q, Real>& slope, Real* v) {
+    share(team, Shape::base, [&](int i) {
+      const int q[2] = {i % Shape::qx % Q, i / Shape::qx % Q}, stride[2] = {1, Shape::qx};
+      for (int d = 0; d < D - 1; ++d) {
+        Real sum = 0;
+        for (int r = 0; r < Q; ++r) sum = sum + slope.forward[d][q[d]][r] * v[i + ((q[d] + r) % Q - q[d]) * stride[d]];
+        v[(1 + d) * Shape::base + i] = sum;
+      }
+    });
+  }
+};
+
+/// What is known of the wall below a point of a tile, as blended_point wants it.
+template <class Plan>
+struct WallBelow {
+  using S = typename Plan::S;
+  static constexpr int D = Plan::D, base = Plan::Shape::base;
+  const typename Plan::Real* at;
+
+  KOKKOS_FORCEINLINE_FUNCTION S displacement(int i, int c) const { return S(at[(i * D + c) * base]); }
+  KOKKOS_FORCEINLINE_FUNCTION S velocity(int i) const { return S(at[(D * D + i) * base]); }
+  KOKKOS_FORCEINLINE_FUNCTION S tangent(int i, int c) const { return S(at[(D * D + D + i * D + c) * base]); }
+};
+
+/// Geometry at a point; `wall` is its place in Room::wall.
+template <class Plan>
+KOKKOS_FORCEINLINE_FUNCTION auto point_of_tile(const typename Plan::Motion& motion, const typename Plan::Real* wall,
+                                               const Vector<typename Plan::S, Plan::D>& reference, double height) {
+  using N = typename Plan::N;
+  if constexpr (Plan::moves) {
+    return blended_point<N>(motion.blend, motion.scale, reference, height, WallBelow<Plan>{wall}, false);
+  } else {
+    return fixed_point<N>(reference);
+  }
+}
+
+}  // namespace softwet

@@ -1,0 +1,130 @@
+// What a term needs in a tile, counted when the program is compiled, and where a team keeps it.
+#pragma once
+
+#include "operator/task.hpp"
+#include "operator/tile_shape.hpp"
+
+namespace softwet {
+
+/// Calls body with 0, 1, ..., count - 1 as types.
+template <int count, class Body>
+KOKKOS_FORCEINLINE_FUNCTION void for_each_index(const Body& body) {
+  [&]<int... i>(std::integer_sequence<int, i...>) { (body(std::integral_constant<int, i>()), ...); }
+  (std::make_integer_sequence<int, count>());
+}
+
+/// The fields that a tile interpolates: the slots of the term and then, for a product, the tangents of the unknowns that it
+/// reads. Values of fields with gradients are stored for the whole team; other values stay with their point.
+template <class Shape_, class Term_, class Motion_, bool Tangent_, class Real_>
+struct TilePlan {
+  using Shape = Shape_;
+  using Term = Term_;
+  using Motion = Motion_;
+  using Real = Real_;
+  static constexpr bool Tangent = Tangent_;
+  static constexpr int D = Shape::D;
+  using S = OneNumber<Real>;
+  using N = std::conditional_t<Tangent, Dual<S>, S>;
+  using Trial = typename Term::template Trial<N, D>;
+  using Test = typename Term::template Test<N, D>;
+  static constexpr bool moves = !std::is_same_v<Motion, NoMotion>;
+  static constexpr int slots = Trial::slot_count, channels = Test::channel_count;
+
+  /// Place of the tangent of an unknown among the fields.
+  static constexpr int tangent_of(int unknown) {
+    int place = slots;
+    for (int u = 0; u < unknown; ++u) place += reads<Trial, D>(u) ? 1 : 0;
+    return place;
+  }
+  static constexpr int fields = Tangent ? tangent_of(D + 2) : slots;
+  /// The unknown whose tangent a field is.
+  static constexpr int unknown_of(int field) {
+    int u = 0;
+    while (!reads<Trial, D>(u) || tangent_of(u) != field) ++u;
+    return u;
+  }
+  static constexpr bool has_gradient(int field) {
+    return field < slots ? Trial::slot(field).gradient : reads<Trial, D>(unknown_of(field), &Slot::gradient);
+  }
+  /// Number of fields with gradients before one.
+  static constexpr int stored_before(int field) {
+    int count = 0;
+    for (int f = 0; f < field; ++f) count += has_gradient(f) ? 1 : 0;
+    return count;
+  }
+  static constexpr int stored = stored_before(fields);
+
+  // The motion of the wall at the base points: displacement [i][value, slopes], velocity [i], tangent [i][value, slopes].
+  static constexpr int wall_fields = moves ? (Tangent ? 3 : 2) * D : 0;
+  static constexpr int wall_numbers = moves ? D * D + D + (Tangent ? D * D : 0) : 0;
+  static constexpr bool wall_slopes(int field) { return field / D != 1; }
+  static constexpr int wall_place(int field) {
+    return field < D ? field * D : field < 2 * D ? D * D + field - D : D * D + D + (field - 2 * D) * D;
+  }
+};
+
+/// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 3D the first holds what was swept along
+/// x, then values, then what was folded at the points; the second what was swept along y, then fluxes, then later folds. In
+/// 2D there is one sweep less, and the second room begins.
+template <class Plan>
+struct TileScratch {
+  using Shape = typename Plan::Shape;
+  static constexpr bool three = Shape::D == 3;
+  static constexpr int max(int a, int b) { return a > b ? a : b; }
+  static constexpr int x_swept = Shape::cz * Shape::cy * Shape::qx, y_swept = Shape::cz * Shape::base;
+  static constexpr int sweep_x = Plan::fields * x_swept, sweep_y = Plan::fields * y_swept;
+  static constexpr int values = Plan::stored * Shape::points;
+  static constexpr int flux = Plan::Test::has_flux ? Plan::channels * Shape::D * Shape::points : 0;
+  static constexpr int folded = Plan::channels * Shape::points;
+  static constexpr int folded_z = Plan::channels * y_swept, folded_y = three ? Plan::channels * x_swept : 0;
+  static constexpr int wall_x = three ? Plan::wall_fields * Shape::cy * Shape::qx : 0;
+
+  static constexpr int first_room = max(max(three ? sweep_x : 0, values), max(folded, wall_x));
+  static constexpr int second_room = max(max(three ? sweep_y : sweep_x, flux), folded_z + folded_y);
+  static constexpr int first = 0, second = first_room, wall = second + second_room;
+  static constexpr int tables = wall + Plan::wall_numbers * Shape::base;
+
+  // Tables of the bases [point][function], of weights and of positions.
+  static constexpr int x = tables, y = x + Shape::qx * Shape::n, z = y + (three ? Shape::qy * Shape::n : 0);
+  static constexpr int zs = Shape::Q * Shape::NZ;  ///< points of the tile along the last axis
+  static constexpr int test = z + zs * Shape::n, x_weight = test + zs * Shape::n, y_weight = x_weight + Shape::qx;
+  static constexpr int z_weight = y_weight + (three ? Shape::qy : 0), x_place = z_weight + zs;
+  static constexpr int y_place = x_place + Shape::qx, z_place = y_place + (three ? Shape::qy : 0);
+  static constexpr int sums = z_place + zs, size = sums + Plan::channels * Shape::controls;
+};
+
+/// Derivatives at the points of an element of the Lagrange polynomials through them, which give the slopes of a spline from
+/// its values, since it is a polynomial of degree Q - 1 there. The rows are turned so that a point's own entry comes first:
+/// forward[d][q][r] = l'_{q+r}(x_q), transposed[d][q][r] = l'_q(x_{q+r}), indices modulo Q.
+template <int D, int Q, class Real>
+struct Collocation {
+  Real forward[D][Q][Q], transposed[D][Q][Q];
+
+  static Collocation of(const double (&spacing)[D]) {
+    const std::vector<double> x = Gauss(Q).point;
+    Collocation c;
+    for (int i = 0; i < Q; ++i)
+      for (int j = 0; j < Q; ++j) {
+        const double slope = lagrange_slope(x, j, i);
+        for (int d = 0; d < D; ++d) {
+          c.forward[d][i][(j - i + Q) % Q] = static_cast<Real>(slope / spacing[d]);
+          c.transposed[d][j][(i - j + Q) % Q] = static_cast<Real>(slope / spacing[d]);
+        }
+      }
+    return c;
+  }
+  /// l'_j(x_i)
+  static double lagrange_slope(const std::vector<double>& x, int j, int i) {
+    double sum = 0;
+    for (int k = 0; k < Q; ++k) {
+      if (k == j) continue;
+      double term = 1 / (x[j] - x[k]);
+      for (int l = 0; l < Q; ++l)
+        if (l != j && l != k) term *= (x[i] - x[l]) / (x[j] - x[l]);
+      sum += term;
+    }
+    return sum;
+  }
+};
+
+}  // namespace softwet

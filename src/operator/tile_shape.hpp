@@ -1,0 +1,79 @@
+// Tiles: how many elements a team of threads of a device takes at once.
+#pragma once
+
+#include "spline/region.hpp"
+
+namespace softwet {
+
+/// NX x NY elements across the wall, M times L layers of them. The team computes L layers in a pass, with one thread for
+/// each quadrature point. Along each axis a tile has as many control points as elements, and `degree` more.
+template <int D_, int P_, int NX_, int NY_, int L_, int M_>
+struct TileShape {
+  static constexpr int D = D_, P = P_, n = P + 1, Q = P + 1;
+  static constexpr int NX = NX_, NY = D == 3 ? NY_ : 1, L = L_, M = M_, NZ = L * M;
+  static constexpr int qx = Q * NX, qy = D == 3 ? Q * NY : 1, qz = Q * L;  ///< points of a pass along the axes
+  static constexpr int base = qx * qy, points = base * qz;
+  static constexpr int cx = NX + P, cy = D == 3 ? NY + P : 1, cz = L + P;  ///< control points of a pass
+  static constexpr int planes = NZ + P, controls = cx * cy * planes;       ///< of the tile
+
+  static constexpr int width(int d) { return d == 0 ? NX : d == D - 1 ? NZ : NY; }
+};
+
+/// The tile of a residual or, with Tangent, of a product; `teams` of them should fit on a multiprocessor. The scratch of a
+/// team stays below 48 kB, which every device gives. This is the one place that knows a machine.
+template <int D, int P, bool Tangent, class Real>
+struct ChosenTile;
+template <bool Tangent, class Real>
+struct ChosenTile<2, 2, Tangent, Real> : TileShape<2, 2, 7, 1, 4, 4> {
+  static constexpr int teams = Tangent && std::is_same_v<Real, double> ? 2 : 3;
+};
+template <bool Tangent, class Real>
+struct ChosenTile<2, 3, Tangent, Real> : TileShape<2, 3, 4, 1, 4, 2> {
+  static constexpr int teams = 2;
+};
+template <bool Tangent, class Real>
+struct ChosenTile<3, 2, Tangent, Real> : TileShape<3, 2, 3, 2, 1, 4> {
+  static constexpr int teams = Tangent && std::is_same_v<Real, double> ? 2 : 3;
+};
+template <bool Tangent, class Real>
+struct ChosenTile<3, 3, Tangent, Real> : TileShape<3, 3, 2, 1, 1, 4> {
+  static constexpr int teams = 2;
+};
+
+/// The same tile with one layer of elements: for terms beside the wall.
+template <class Tile>
+struct LayerOf : TileShape<Tile::D, Tile::P, Tile::NX, Tile::NY, 1, 1> {
+  static constexpr int teams = Tile::teams;
+};
+
+/// The elements of a region in tiles: where they begin, how many they are, and how many tiles there are along each axis.
+template <int D>
+struct TileGrid {
+  int first[D], elements[D], tiles[D];
+
+  template <class Shape, class Real>
+  static TileGrid of(const Region<D, Real>& region, const ElementRun& run) {
+    TileGrid g;
+    for (int d = 0; d < D; ++d) {
+      g.first[d] = d == 0 ? run.begin : 0;
+      g.elements[d] = d == 0 ? run.end - run.begin : region.axis[d].elements;
+      g.tiles[d] = (g.elements[d] + Shape::width(d) - 1) / Shape::width(d);
+    }
+    return g;
+  }
+  int count() const {
+    int n = 1;
+    for (int d = 0; d < D; ++d) n *= tiles[d];
+    return n;
+  }
+  /// First element of a tile along each axis, from the begin of the grid.
+  template <class Shape>
+  KOKKOS_FORCEINLINE_FUNCTION void corner(int tile, int (&element)[D]) const {
+    for (int d = 0; d < D; ++d) {
+      element[d] = tile % tiles[d] * Shape::width(d);
+      tile /= tiles[d];
+    }
+  }
+};
+
+}  // namespace softwet

@@ -1,0 +1,74 @@
+// The tiles of a device in 2D, computed on the host. Element counts are no multiples of a tile.
+#include "tile_cases.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+TEST(Tiles2D, Fluid) {
+  for (int along : {23, 7, 5}) {
+    const TileCases<2> c(std::array<int, 2>{along, 21});
+    c.check_fluid("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+    c.check<WallMotion<2>>("density_moment", DensityMoment{}, c.patch.fluid());
+  }
+}
+
+TEST(Tiles2D, Wall) {
+  const TileCases<2> c(std::array<int, 2>{23, 7});
+  c.check<WallMotion<2>>("energy_wall", c.terms.energy_wall, c.patch.face());
+  c.check<WallMotion<2>>("capillary_traction", c.terms.traction, c.patch.layer());
+}
+
+TEST(Tiles2D, Solid) {
+  const TileCases<2> c(std::array<int, 2>{9, 7});
+  c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
+}
+
+/// Test functions that all elements above each other share.
+TEST(Tiles2D, BlendedTraction) {
+  const TileCases<2> c(std::array<int, 2>{9, 7});
+  Region<2> r = c.patch.fluid();
+  r.test = linear_from(r.test, c.patch.layout.wall_row, c.patch.blend.low, c.patch.blend.height);
+  r.shared_test = true;
+  c.check<WallMotion<2>>("capillary_traction", c.terms.traction, r);
+}
+
+TEST(Tiles2D, ReducedQuadrature) {
+  TileCases<2> c(std::array<int, 2>{9, 7});
+  c.patch.points = 2;
+  c.check<WallMotion<2>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+}
+
+TEST(Tiles2D, DegreeThree) {
+  const TileCases<2, 3> c(std::array<int, 2>{11, 13});
+  c.check<WallMotion<2>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+}
+
+TEST(Tiles2D, SinglePrecision) {
+  const TileCases<2> c(std::array<int, 2>{9, 7});
+  c.check_single<WallMotion<2, float>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+}
+
+/// What one evaluation has summed does not come back in the next.
+TEST(Tiles2D, SeveralTermsAtOnce) {
+  const TileCases<2> c(std::array<int, 2>{9, 7});
+  const Array first("first", c.patch.layout.size()), again("again", c.patch.layout.size());
+  const Evaluation<2> at{c.patch.layout, c.patch.stage, c.direction, {}};
+  TileSums<2, double> sums(c.patch.layout);
+  assemble_in_tiles<2, true>(c.task<true, WallMotion<2>>(c.terms.fluid, at, c.patch.fluid()), sums);
+  assemble_in_tiles<2, true>(c.task<true, NoMotion>(c.terms.solid, at, c.patch.solid()), sums);
+  sums.add_to(first);
+  assemble_in_tiles<2, true>(c.task<true, NoMotion>(c.terms.solid, at, c.patch.solid()), sums);
+  sums.add_to(again);
+  assemble_in_tiles<2, true>(c.task<true, WallMotion<2>>(c.terms.fluid, at, c.patch.fluid()), sums);
+  sums.add_to(again);
+  EXPECT_LT(distance(to_host(again), to_host(first)), 1e-14);
+}
+
+TEST(Tiles2D, ThreadsOfATeam) {
+  const TileCases<2> c(std::array<int, 2>{9, 19});
+  c.check_threads<true, WallMotion<2>>(c.terms.fluid, c.patch.fluid());
+  c.check_threads<true, NoMotion>(c.terms.solid, c.patch.solid());
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools

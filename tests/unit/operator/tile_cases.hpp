@@ -1,0 +1,108 @@
+// The tiles of a device, computed on the host: against the columns and colours of the host, and with several threads.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <barrier>
+#include <cstring>
+#include <thread>
+
+#include "compiled.hpp"
+#include "patch.hpp"
+
+namespace softwet::testing_tools {
+
+/// A team of threads of the host that meet at each barrier.
+struct ThreadTeam {
+  static constexpr int size = 3;
+  int rank_, tile_;
+  std::barrier<>* all;
+  int rank() const { return rank_; }
+  int tile() const { return tile_; }
+  void barrier() const { all->arrive_and_wait(); }
+};
+
+template <int D, int P = 2>
+struct TileCases {
+  Patch<D> patch;
+  Terms terms;
+  Array direction;
+
+  explicit TileCases(const std::array<int, D>& elements) : TileCases(Patch<D>(elements, 2, P)) {}
+  explicit TileCases(const Patch<D>& p) : patch(p), direction(patch.draw(patch.layout.size(), -1, 1)) {}
+
+  template <bool Tangent, class Motion, class Real, class Term>
+  auto task(const Term& term, const Evaluation<D, Real>& at, const Region<D>& region) const {
+    return task_of<D, Term, Motion>(term, rounded<Real>(region), at, patch.blend);
+  }
+
+  /// One evaluation in tiles and as the host does it. @param limit  of the difference, relative to the largest value
+  template <bool Tangent, class Motion, class Real, class Term>
+  void compare(const char* name, const Term& term, const Region<D>& region, Evaluation<D, Real> at,
+               double limit) const {
+    const PieceOf<D, P, Term, Motion, Real> piece(name, region, term, patch.blend);
+    const ArrayOf<Real> want("want", patch.layout.size()), got("got", patch.layout.size());
+    at.test = want;
+    Tangent ? piece.product(at) : piece.residual(at);
+    at.test = got;
+    TileSums<D, Real> sums(patch.layout);
+    assemble_in_tiles<P, Tangent>(task<Tangent, Motion>(term, at, region), sums);
+    sums.add_to(got);
+    const auto wide = [](const ArrayOf<Real>& a) {
+      const Array copy("copy", a.extent(0));
+      Kokkos::deep_copy(copy, a);
+      return to_host(copy);
+    };
+    ASSERT_GT(largest(wide(want)), 1e-6) << name;
+    EXPECT_LT(distance(wide(got), wide(want)), limit) << name << (Tangent ? ", product" : ", residual");
+  }
+  template <class Motion, class Term>
+  void check(const char* name, const Term& term, const Region<D>& region) const {
+    compare<false, Motion, double>(name, term, region, {patch.layout, patch.stage, {}, {}}, 1e-12);
+    compare<true, Motion, double>(name, term, region, {patch.layout, patch.stage, direction, {}}, 1e-12);
+  }
+  template <class Motion, class Term>
+  void check_single(const char* name, const Term& term, const Region<D>& region) const {
+    const StageOf<float> stage = single_stage(patch.stage);
+    const ArrayOf<float> z("z", direction.extent(0));
+    convert(z, direction);
+    compare<false, Motion, float>(name, term, region, {patch.layout, stage, {}, {}}, 2e-6);
+    compare<true, Motion, float>(name, term, region, {patch.layout, stage, z, {}}, 2e-6);
+  }
+  template <class Term>
+  void check_fluid(const char* name, const Term& term, const Region<D>& region) const {
+    check<NoMotion>(name, term, region);
+    check<WallMotion<D>>(name, term, region);
+  }
+
+  /// The partial sums of a tile by three threads against those by one. A barrier that is missing shows here, but for luck.
+  template <bool Tangent, class Motion, class Term>
+  void check_threads(const Term& term, const Region<D>& region) const {
+    using Shape = ChosenTile<D, P, true, double>;
+    using Plan = TilePlan<Shape, Term, Motion, Tangent, double>;
+    static_assert(Shape::points % ThreadTeam::size == 0);
+    double spacing[D];
+    for (int d = 0; d < D; ++d) spacing[d] = region.axis[d].spacing;
+    const TileGrid<D> grid = TileGrid<D>::template of<Shape>(region, region.first_axis().run[0]);
+    const int size = Plan::channels * Shape::controls;
+    const Array one("one", std::size_t(grid.count()) * size), three("three", one.extent(0));
+    const Evaluation<D> at{patch.layout, patch.stage, Tangent ? direction : Array(), {}};
+    Tile<Plan> tile{task<Tangent, Motion>(term, at, region), Collocation<D, Shape::Q, double>::of(spacing), grid,
+                    one.data()};
+    TileSums<D, double> sums(patch.layout);
+    run_tiles<Shape, Tangent>(tile.task, sums);
+    std::memcpy(one.data(), tile_room<double>(0, one.extent(0)), one.extent(0) * sizeof(double));
+    tile.partial = three.data();
+    std::vector<double> scratch(TileScratch<Plan>::size, std::nan(""));
+    for (int t = 0; t < grid.count(); ++t) {
+      std::barrier<> all(ThreadTeam::size);
+      std::vector<std::thread> threads;
+      for (int r = 0; r < ThreadTeam::size; ++r)
+        threads.emplace_back([&, r] { tile.run(ThreadTeam{r, t, &all}, scratch.data()); });
+      for (std::thread& thread : threads) thread.join();
+    }
+    EXPECT_LT(distance(to_host(three), to_host(one)), 1e-13);
+  }
+};
+
+}  // namespace softwet::testing_tools
