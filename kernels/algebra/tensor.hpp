@@ -4,7 +4,7 @@
 #include "kernels/algebra/dual.hpp"
 
 /// Before a loop over components: device compilers unroll it, so that what it indexes stays in registers.
-#if defined(__CUDACC__) || defined(__HIPCC__)
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
 #define SOFTWET_UNROLL _Pragma("unroll")
 #else
 #define SOFTWET_UNROLL

@@ -10,7 +10,7 @@
 namespace softwet {
 namespace {
 
-std::string number(double value) {
+std::string short_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;
@@ -18,8 +18,8 @@ std::string number(double value) {
 
 std::string softer_than_its_loads(const Case& c) {
   const double length = elastocapillary_length(c);
-  const std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + number(length) + ", the layer is " +
-                                            number(c.substrate->thickness) + " thick; "
+  const std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + short_number(length) +
+                                            ", the layer is " + short_number(c.substrate->thickness) + " thick; "
                                       : "";
   if (c.loads.empty()) return soft + "raise substrate.young";
   const std::string gentler = "raise substrate.young, lower load[].force or lengthen load[].ramp";
@@ -37,7 +37,7 @@ std::string for_the_density(const Case& c) {
            "fluid.wall_law = \"energy\"";
   if (too_soft(c)) return softer_than_its_loads(c);
   if (c.fluid->capillarity < 2 * h)
-    return "the liquid-vapour interface is " + number(c.fluid->capillarity / h) +
+    return "the liquid-vapour interface is " + short_number(c.fluid->capillarity / h) +
            " elements wide: two resolve it, with more domain.elements or a larger fluid.capillarity";
   return "a softer load ramp, a larger fluid.viscosity or a tighter time.tolerance may help";
 }
@@ -46,7 +46,7 @@ std::string for_the_density(const Case& c) {
 
 std::string remedy(const Case& c, const Refusal& refusal) {
   if (c.time.scheme != implicit_scheme && c.time.safety > 1)
-    return "with time.safety = " + number(c.time.safety) +
+    return "with time.safety = " + short_number(c.time.safety) +
            " the steps may be longer than the largest stable one: write time.safety = 0.9";
   const auto cause = refusal.cause;
   if (cause == Refusal::solid_inverted || cause == Refusal::mesh_folded) return softer_than_its_loads(c);

@@ -12,7 +12,7 @@
 namespace softwet {
 namespace {
 
-std::string number(double value, const char* unit = "") {
+std::string with_unit(double value, const char* unit = "") {
   char text[40];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text + std::string(*unit ? " " : "") + unit;
@@ -27,14 +27,14 @@ std::string key(const std::string& name, double value) {
 
 void print_scales(const Scales& s, std::ostream& out) {
   print_section(out, "one unit of a case is",
-                {{"length L0", number(s.length, "m")},
-                 {"time L0/sqrt(ab)", number(s.time(), "s")},
-                 {"velocity sqrt(ab)", number(s.velocity(), "m/s")},
-                 {"density b", number(s.density, "kg/m^3")},
-                 {"stress a b^2", number(s.stress(), "Pa")},
-                 {"surface tension a b^2 L0", number(s.stress() * s.length, "N/m")},
-                 {"viscosity L0 b sqrt(ab)", number(s.viscosity(), "Pa s")},
-                 {"load[].force ab/L0", number(s.velocity() * s.velocity() / s.length, "m/s^2")}});
+                {{"length L0", with_unit(s.length, "m")},
+                 {"time L0/sqrt(ab)", with_unit(s.time(), "s")},
+                 {"velocity sqrt(ab)", with_unit(s.velocity(), "m/s")},
+                 {"density b", with_unit(s.density, "kg/m^3")},
+                 {"stress a b^2", with_unit(s.stress(), "Pa")},
+                 {"surface tension a b^2 L0", with_unit(s.stress() * s.length, "N/m")},
+                 {"viscosity L0 b sqrt(ab)", with_unit(s.viscosity(), "Pa s")},
+                 {"load[].force ab/L0", with_unit(s.velocity() * s.velocity() / s.length, "m/s^2")}});
 }
 
 /// A liquid in the numbers of the case against the same liquid in SI units: the groups agree.
@@ -42,9 +42,9 @@ void print_groups(const PhysicalScene& p, const Case& c, const Scales& s, std::o
   const Liquid real{p.density, p.viscosity, p.surface_tension, p.radius};
   std::vector<Line> lines{{"", "physical    in the case"}};
   const auto both = [&](const std::string& name, double physical, double scaled) {
-    std::string first = number(physical);
+    std::string first = with_unit(physical);
     first.resize(std::max<std::size_t>(first.size(), 11), ' ');
-    lines.push_back({name, first + " " + number(scaled)});
+    lines.push_back({name, first + " " + with_unit(scaled)});
   };
   const Liquid model = liquid_of(c);
   both("Ohnesorge number", real.ohnesorge(), model.ohnesorge());
@@ -62,12 +62,12 @@ void print_limits(const Case& c, const Scales& s, std::ostream& out) {
   const double sound = s.velocity() * std::sqrt(flat.density_liquid * curvature);
   print_section(
       out, "what the model cannot reach",
-      {{"width of the interface", number(2 * c.fluid->capillarity * s.length, "m") +
+      {{"width of the interface", with_unit(2 * c.fluid->capillarity * s.length, "m") +
                                       "; a real one is some nanometres wide, keep this far below the radius"},
        {"speed of sound in the liquid",
-        number(sound, "m/s") + "; of water 1480 m/s, keep all speeds far below the model's"},
-       {"density of the vapour", number(flat.density_vapour * s.density, "kg/m^3") + "; 1/" +
-                                     number(flat.density_liquid / flat.density_vapour) +
+        with_unit(sound, "m/s") + "; of water 1480 m/s, keep all speeds far below the model's"},
+       {"density of the vapour", with_unit(flat.density_vapour * s.density, "kg/m^3") + "; 1/" +
+                                     with_unit(flat.density_liquid / flat.density_vapour) +
                                      " of the liquid's, with the same viscosity"},
        {"evaporation", "the vapour condenses and evaporates: small droplets dissolve, softwet check tells where"}});
 }

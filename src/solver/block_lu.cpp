@@ -172,7 +172,7 @@ class BlockLu final : public StencilSolver<D> {
 
   /// Leaves the complement in the front at the begin of the memory.
   void eliminate_subtree(int n, float* memory, float* scratch) {
-    const Matrix front = fronts_[n].view(memory);
+    const FloatMatrix front = fronts_[n].view(memory);
     float* below = memory + fronts_[n].front_size();
     assemble(n, front);
     for (int child : tree_.nodes[n].children) {
@@ -182,7 +182,7 @@ class BlockLu final : public StencilSolver<D> {
     fronts_[n].eliminate(front, below, scratch);
   }
   void eliminate_top(int n, float* memory, float* scratch) {
-    const Matrix front = fronts_[n].view(memory);
+    const FloatMatrix front = fronts_[n].view(memory);
     assemble(n, front);
     for (const Front<Number>* child : below_[n]) child->add_complement(child->kept_complement(), front);
     fronts_[n].eliminate(front, memory + fronts_[n].front_size(), scratch);
@@ -190,7 +190,7 @@ class BlockLu final : public StencilSolver<D> {
   }
 
   /// The matrix entries of a node, scaled.
-  void assemble(int n, const Matrix& front) const {
+  void assemble(int n, const FloatMatrix& front) const {
     const DissectionNode& node = tree_.nodes[n];
     std::fill(front.data, front.data + std::ptrdiff_t(front.stride) * front.columns, 0.0f);
     const auto unknown = [&](int local) {

@@ -22,7 +22,7 @@ static_assert(part_columns % tile_columns == 0);
 constexpr int panel = 16;
 
 /// Tiles of rows, each with its columns one after another; rows that do not exist are zero.
-void copy_a(float sign, const ConstMatrix& a, float* to) {
+void copy_a(float sign, const ConstFloatMatrix& a, float* to) {
   for (int i = 0; i < a.rows; i += tile_rows) {
     const int rows = std::min(tile_rows, a.rows - i);
     for (int k = 0; k < a.columns; ++k, to += tile_rows) {
@@ -37,7 +37,7 @@ void copy_a(float sign, const ConstMatrix& a, float* to) {
 }
 
 /// Tiles of columns, each with its rows one after another; columns that do not exist are zero.
-void copy_b(const ConstMatrix& b, float* to) {
+void copy_b(const ConstFloatMatrix& b, float* to) {
   for (int j = 0; j < b.columns; j += tile_columns) {
     const int columns = std::min(tile_columns, b.columns - j);
     const float* from[tile_columns];
@@ -66,14 +66,14 @@ void add_tile(int n, const float* a, const float* b, float* c, int stride) {
 }
 
 /// The same where c ends inside the tile.
-void add_tile_at_border(int n, const float* a, const float* b, const Matrix& c) {
+void add_tile_at_border(int n, const float* a, const float* b, const FloatMatrix& c) {
   float tile[tile_columns * tile_rows] = {};
   add_tile(n, a, b, tile, tile_rows);
   for (int j = 0; j < c.columns; ++j)
     for (int i = 0; i < c.rows; ++i) c.column(j)[i] += tile[j * tile_rows + i];
 }
 
-void add_part(int n, const float* a, const float* b, const Matrix& c) {
+void add_part(int n, const float* a, const float* b, const FloatMatrix& c) {
   for (int j = 0; j < c.columns; j += tile_columns)
     for (int i = 0; i < c.rows; i += tile_rows) {
       const int rows = std::min(tile_rows, c.rows - i), columns = std::min(tile_columns, c.columns - j);
@@ -103,7 +103,7 @@ int find_pivot(const float* column, const float* free, int n) {
 }
 
 /// Eliminates the columns of a panel inside the panel. Rows are not exchanged: column j finds its pivot in row pivot[j].
-void eliminate_panel(const Matrix& a, float* free, int* pivot) {
+void eliminate_panel(const FloatMatrix& a, float* free, int* pivot) {
   const int n = a.rows;
   for (int j = 0; j < a.columns; ++j) {
     float* column = a.column(j);
@@ -124,9 +124,9 @@ void eliminate_panel(const Matrix& a, float* free, int* pivot) {
 }
 
 /// What the elimination of a panel does to other columns.
-void eliminate_others(const ConstMatrix& eliminated, const int* pivot, const Matrix& others, float* scratch) {
+void eliminate_others(const ConstFloatMatrix& eliminated, const int* pivot, const FloatMatrix& others, float* scratch) {
   const int n = eliminated.columns;
-  const Matrix rows{scratch, n, others.columns, panel};
+  const FloatMatrix rows{scratch, n, others.columns, panel};
   for (int j = 0; j < others.columns; ++j) {
     float *to = rows.column(j), *from = others.column(j);
     for (int k = 0; k < n; ++k) to[k] = from[pivot[k]];
@@ -139,7 +139,8 @@ void eliminate_others(const ConstMatrix& eliminated, const int* pivot, const Mat
 
 std::size_t product_scratch() { return std::size_t(depth) * (part_rows + part_columns); }
 
-void add_product(float sign, const ConstMatrix& a, const ConstMatrix& b, const Matrix& c, float* scratch) {
+void add_product(float sign, const ConstFloatMatrix& a, const ConstFloatMatrix& b, const FloatMatrix& c,
+                 float* scratch) {
   float *copy = scratch, *copy_of_b = scratch + depth * part_rows;
   for (int j = 0; j < c.columns; j += part_columns) {
     const int columns = std::min(part_columns, c.columns - j);
@@ -157,7 +158,7 @@ void add_product(float sign, const ConstMatrix& a, const ConstMatrix& b, const M
 
 std::size_t inversion_scratch(int size) { return std::size_t(size) * (panel + 2) + product_scratch(); }
 
-void invert(const Matrix& a, const Matrix& inverse, float* scratch) {
+void invert(const FloatMatrix& a, const FloatMatrix& inverse, float* scratch) {
   const int n = a.rows;
   float* free = scratch;
   int* pivot = reinterpret_cast<int*>(scratch + n);
@@ -165,7 +166,7 @@ void invert(const Matrix& a, const Matrix& inverse, float* scratch) {
   std::fill(free, free + n, 1.0f);
   for (int first = 0; first < n; first += panel) {
     const int columns = std::min(panel, n - first), next = first + columns;
-    const Matrix now = a.part(0, first, n, columns);
+    const FloatMatrix now = a.part(0, first, n, columns);
     eliminate_panel(now, free, pivot + first);
     eliminate_others(now, pivot + first, a.part(0, 0, n, first), rest);
     eliminate_others(now, pivot + first, a.part(0, next, n, n - next), rest);

@@ -16,21 +16,22 @@ struct DenseMatrix {
   }
   operator DenseMatrix<const Number>() const { return {data, rows, columns, stride}; }
 };
-using Matrix = DenseMatrix<float>;
-using ConstMatrix = DenseMatrix<const float>;
+using FloatMatrix = DenseMatrix<float>;
+using ConstFloatMatrix = DenseMatrix<const float>;
 
 /// Numbers of scratch memory that a product needs.
 std::size_t product_scratch();
 
 /// c += sign a b. The blocking is that of Goto and van de Geijn 2008: parts of a and b are copied in the order in which
 /// the innermost loop reads them.
-void add_product(float sign, const ConstMatrix& a, const ConstMatrix& b, const Matrix& c, float* scratch);
+void add_product(float sign, const ConstFloatMatrix& a, const ConstFloatMatrix& b, const FloatMatrix& c,
+                 float* scratch);
 
 /// Numbers of scratch memory that an inversion needs.
 std::size_t inversion_scratch(int size);
 
 /// inverse = a^-1 by Gauss-Jordan elimination with partial pivoting; a is overwritten. Panels of columns are eliminated one
 /// by one, the other columns by products. The inverse of a singular matrix has entries that are not finite.
-void invert(const Matrix& a, const Matrix& inverse, float* scratch);
+void invert(const FloatMatrix& a, const FloatMatrix& inverse, float* scratch);
 
 }  // namespace softwet

@@ -48,12 +48,12 @@ void Front<Number>::place_complement(float*& memory) {
 
 template <class Number>
 void Front<Number>::keep_complement(float* memory) {
-  const Matrix from = complement_in(memory), to = kept_complement();
+  const FloatMatrix from = complement_in(memory), to = kept_complement();
   for (int j = 0; j < border_; ++j) std::copy(from.column(j), from.column(j) + border_, to.column(j));
 }
 
 template <class Number>
-void Front<Number>::add_complement(const ConstMatrix& complement, const Matrix& parent) const {
+void Front<Number>::add_complement(const ConstFloatMatrix& complement, const FloatMatrix& parent) const {
   for (const Run& columns : runs)
     for (int j = 0; j < columns.count; ++j) {
       const float* from = complement.column(columns.from + j);
@@ -64,10 +64,10 @@ void Front<Number>::add_complement(const ConstMatrix& complement, const Matrix& 
 }
 
 template <class Number>
-void Front<Number>::eliminate(const Matrix& front, float* beside, float* scratch) {
+void Front<Number>::eliminate(const FloatMatrix& front, float* beside, float* scratch) {
   if (own_ == 0) return;
-  const Matrix b = front.part(0, own_, own_, border_), c = front.part(own_, 0, border_, own_);
-  const Matrix inverse{beside, own_, own_, own_}, upper{beside + std::ptrdiff_t(own_) * own_, own_, border_, own_};
+  const FloatMatrix b = front.part(0, own_, own_, border_), c = front.part(own_, 0, border_, own_);
+  const FloatMatrix inverse{beside, own_, own_, own_}, upper{beside + std::ptrdiff_t(own_) * own_, own_, border_, own_};
   invert(front.part(0, 0, own_, own_), inverse, scratch);
   inverse_.store(inverse);
   if (border_ == 0) return;

@@ -35,14 +35,14 @@ class Front {
   void place(float*& vectors, std::byte*& factors);
   void place_complement(float*& memory);
 
-  Matrix view(float* memory) const { return {memory, size(), size(), size()}; }
+  FloatMatrix view(float* memory) const { return {memory, size(), size(), size()}; }
   /// S, which is the complement S - C A^-1 B after the elimination.
-  Matrix complement_in(float* memory) const { return view(memory).part(own_, own_, border_, border_); }
-  Matrix kept_complement() const { return {complement_, border_, border_, border_}; }
+  FloatMatrix complement_in(float* memory) const { return view(memory).part(own_, own_, border_, border_); }
+  FloatMatrix kept_complement() const { return {complement_, border_, border_, border_}; }
   /// Copies the complement out of the front, for a parent that is eliminated when the front is gone.
   void keep_complement(float* memory);
-  void add_complement(const ConstMatrix& complement, const Matrix& parent) const;
-  void eliminate(const Matrix& front, float* beside, float* scratch);
+  void add_complement(const ConstFloatMatrix& complement, const FloatMatrix& parent) const;
+  void eliminate(const FloatMatrix& front, float* beside, float* scratch);
 
   /// Solves with L: `head` has the right-hand side of the own unknowns; `below` are the children.
   void forward(float* head, const std::vector<const Front*>& below, float* scratch);

@@ -116,7 +116,7 @@ void PackedBlock<Number>::place(std::byte* memory) {
 }
 
 template <class Number>
-void PackedBlock<Number>::store(const ConstMatrix& a) {
+void PackedBlock<Number>::store(const ConstFloatMatrix& a) {
   const int height = padded(rows_);
   if constexpr (scaled) scale_rows(a);
   for (int j = 0; j < columns_; ++j) {
@@ -148,7 +148,7 @@ void PackedBlock<Number>::store(const ConstMatrix& a) {
 
 /// Factors that bring the largest entry of each row below the top.
 template <class Number>
-void PackedBlock<Number>::scale_rows(const ConstMatrix& a) {
+void PackedBlock<Number>::scale_rows(const ConstFloatMatrix& a) {
   std::fill(row_scale_, row_scale_ + padded(rows_), 0.0f);
   for (int j = 0; j < columns_; ++j) {
     const float* from = a.column(j);

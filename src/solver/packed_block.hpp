@@ -38,7 +38,7 @@ class PackedBlock {
   std::size_t bytes() const;
   /// Takes bytes() of memory, on a multiple of 64.
   void place(std::byte* memory);
-  void store(const ConstMatrix& a);
+  void store(const ConstFloatMatrix& a);
   /// y = A x and y -= A x. Vectors y have padded(rows) numbers; scratch has `columns`.
   void multiply(const float* x, float* y, float* scratch) const;
   void subtract(const float* x, float* y, float* scratch) const;
@@ -48,7 +48,7 @@ class PackedBlock {
 
  private:
   static constexpr bool scaled = !std::is_same_v<Number, float>;
-  void scale_rows(const ConstMatrix& a);
+  void scale_rows(const ConstFloatMatrix& a);
   template <int Sign>
   void product(const float* x, float* y, float* scratch) const;
 

@@ -68,7 +68,7 @@ void check_range(const Key& key, const Value& value, const std::string& name, co
     const std::string nearest = nearest_name(word, key.choices);
     reject(place, name, text, (key.kind == Kind::choice ? "must be " : "must be a ") + allowed_text(key),
            nearest.empty() ? fmt::format("write for example {} = {}", key.leaf(), example_text(key))
-                           : fmt::format("did you mean {}?", quoted(nearest)));
+                           : fmt::format("did you mean {}?", in_quotes(nearest)));
   }
 }
 

@@ -129,7 +129,7 @@ std::string header_of(const Table& table) {
 std::string allowed_text(const Key& key) {
   if (key.kind == Kind::choice || key.kind == Kind::names) {
     std::string text = key.kind == Kind::choice ? "one of " : "list of names out of ";
-    for (const std::string& choice : key.choices) text += (&choice == &key.choices[0] ? "" : ", ") + quoted(choice);
+    for (const std::string& choice : key.choices) text += (&choice == &key.choices[0] ? "" : ", ") + in_quotes(choice);
     return text;
   }
   std::string text;

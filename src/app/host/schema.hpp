@@ -25,6 +25,8 @@ struct Range {
   bool contains(double number) const;
   std::string text() const;  ///< "(0, 180)", "[0.3, 1)"; empty when every number is allowed
 };
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr Range positive{0, infinity, true, true};
 
 /// One table of a case file. `present` and `count` see the resolved case; `open` makes room for entry number i.
 struct Table {

@@ -3,12 +3,7 @@
 #include "app/host/schema.hpp"
 
 namespace softwet {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range positive{0, infinity, true, true};
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<Key> initial_keys() {
   return {

@@ -6,8 +6,6 @@
 namespace softwet {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range positive{0, infinity, true, true};
 constexpr Range fraction{0, 1, true, true};
 
 /// Axis of a side: left/right, front/back (3D), bottom/top (the last axis).

@@ -6,9 +6,6 @@
 namespace softwet {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range positive{0, infinity, true, true};
-
 std::vector<Key> domain_keys() {
   return {
       {.name = "name",

@@ -64,7 +64,7 @@ std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& lea
   std::smatch found;
   if (value.find_first_of("\"'") == std::string::npos && std::regex_search(value, found, ratio))
     return SyntaxHint{key, value, "a ratio stands in quotes",
-                      fmt::format("write {} = {}{}{}", leaf, std::string(found.prefix()), quoted(found.str()),
+                      fmt::format("write {} = {}{}{}", leaf, std::string(found.prefix()), in_quotes(found.str()),
                                   std::string(found.suffix()))};
   if (std::regex_match(value, found, comma))
     return SyntaxHint{key, value, "a decimal number has a point, not a comma",
@@ -78,7 +78,7 @@ std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& lea
                       fmt::format("write {} = {} in the unit that 'softwet explain' tells; 'softwet units' converts",
                                   leaf, found.str(1))};
   if (std::regex_match(value, word))
-    return SyntaxHint{key, value, "text stands in quotes", fmt::format("write {} = {}", leaf, quoted(value))};
+    return SyntaxHint{key, value, "text stands in quotes", fmt::format("write {} = {}", leaf, in_quotes(value))};
   if (value.empty())
     return SyntaxHint{key, "", "has no value", fmt::format("write {} = VALUE, or remove the line", leaf)};
   return {};

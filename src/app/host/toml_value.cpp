@@ -107,7 +107,7 @@ std::optional<Value> value_of_node(const toml::node& node, Kind kind) {
 }
 
 std::string text_of_node(const toml::node& node) {
-  if (const auto* text = node.as_string()) return quoted(text->get());
+  if (const auto* text = node.as_string()) return in_quotes(text->get());
   if (const auto* number = node.as_floating_point()) return text_of_number(number->get());
   if (node.is_table()) return "{...}";
   if (const toml::array* list = node.as_array()) {

@@ -62,7 +62,7 @@ std::string text_of_number(double number) {
   return fmt::format("{}", number);
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -80,11 +80,11 @@ std::string quoted(std::string_view text) {
 
 std::string text_of_value(const Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return text_of_number(*number);
-  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+  if (const auto* text = std::get_if<std::string>(&value)) return in_quotes(*text);
   if (const auto* numbers = std::get_if<Numbers>(&value)) return text_of_numbers(*numbers);
   std::string text = "[";
   if (const auto* words = std::get_if<Words>(&value)) {
-    for (const std::string& word : *words) text += (text.size() > 1 ? ", " : "") + quoted(word);
+    for (const std::string& word : *words) text += (text.size() > 1 ? ", " : "") + in_quotes(word);
     return text + "]";
   }
   for (const Numbers& corner : std::get<std::vector<Numbers>>(value)) {

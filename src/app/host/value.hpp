@@ -29,6 +29,6 @@ std::string text_of_number(double number);
 std::string text_of_value(const Value& value);
 
 /// TOML string with quotes, backslashes and control characters escaped.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace softwet

@@ -9,10 +9,10 @@
 namespace softwet {
 namespace {
 
-struct Row {
+struct EquilibriumRow {
   double theta, vapour, liquid, pressure, potential, sound_liquid, sound_vapour, tension;
 };
-const Row table[] = {
+const EquilibriumRow table[] = {
     {0.39, 0.001352289801, 0.8666990997, 1.546475127e-4, -0.6501910901, 2.183979206, 0.3363987816, 0.2532027493},
     {0.5, 0.007248935716, 0.8194973335, 1.029210928e-3, -0.5941013404, 1.705299831, 0.3685399457, 0.1915416203},
     {0.7, 0.04267410056, 0.7134808495, 7.424387670e-3, -0.5138467876, 1.048582202, 0.3754494221, 0.09240093455},
@@ -20,7 +20,7 @@ const Row table[] = {
     {0.95, 0.1930049756, 0.4872424479, 3.006960161e-2, -0.4398957867, 0.3100182300, 0.2149727617, 0.006570685483}};
 
 TEST(Equilibrium, Table) {
-  for (const Row& r : table) {
+  for (const EquilibriumRow& r : table) {
     const Coexistence s = coexistence(r.theta);
     const VanDerWaals gas{r.theta, 0};
     const auto sound = [&](double rho) { return std::sqrt(rho * gas.curvature(rho)); };

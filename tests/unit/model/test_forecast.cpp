@@ -11,7 +11,7 @@ namespace softwet {
 namespace {
 
 /// A droplet of so many capillarities (1/32) on a rigid wall, two elements for a capillarity.
-Case droplet(double temperature, double angle, double capillarities, double length = 1) {
+Case forecast_droplet(double temperature, double angle, double capillarities, double length = 1) {
   Case c;
   c.domain = {{length, length / 2}, {static_cast<int>(64 * length), static_cast<int>(32 * length)}, 2};
   c.fluid.emplace();
@@ -24,7 +24,7 @@ Case droplet(double temperature, double angle, double capillarities, double leng
 }
 
 Case soft(double young) {
-  Case c = droplet(0.39, 75, 5);
+  Case c = forecast_droplet(0.39, 75, 5);
   c.substrate = Substrate{0.125, 1, young, 0.45};
   c.droplets[0].centre[1] = 0.125;
   return c;
@@ -38,21 +38,21 @@ bool tells(const Case& c, const std::string& part) {
 
 TEST(Forecast, DropletsThatDissolvedAndDropletsThatStayed) {
   const auto dissolves = [](const Case& c) { return tells(c, "dissolves"); };
-  EXPECT_TRUE(dissolves(droplet(0.39, 75, 1.5)));
-  EXPECT_FALSE(dissolves(droplet(0.39, 75, 2)));
-  EXPECT_TRUE(dissolves(droplet(0.39, 75, 0.03 * 32))) << "radius 0.03 at 1/32";
-  EXPECT_TRUE(dissolves(droplet(0.39, 120, 1.5)));
-  EXPECT_FALSE(dissolves(droplet(0.39, 120, 2)));
-  EXPECT_TRUE(dissolves(droplet(0.7, 75, 3)));
-  EXPECT_FALSE(dissolves(droplet(0.7, 75, 3.5)));
-  EXPECT_TRUE(dissolves(droplet(0.85, 75, 4.25)));
-  EXPECT_FALSE(dissolves(droplet(0.85, 75, 4.5)));
-  EXPECT_TRUE(dissolves(droplet(0.85, 75, 6, 2)));
-  EXPECT_FALSE(dissolves(droplet(0.85, 75, 7, 2)));
+  EXPECT_TRUE(dissolves(forecast_droplet(0.39, 75, 1.5)));
+  EXPECT_FALSE(dissolves(forecast_droplet(0.39, 75, 2)));
+  EXPECT_TRUE(dissolves(forecast_droplet(0.39, 75, 0.03 * 32))) << "radius 0.03 at 1/32";
+  EXPECT_TRUE(dissolves(forecast_droplet(0.39, 120, 1.5)));
+  EXPECT_FALSE(dissolves(forecast_droplet(0.39, 120, 2)));
+  EXPECT_TRUE(dissolves(forecast_droplet(0.7, 75, 3)));
+  EXPECT_FALSE(dissolves(forecast_droplet(0.7, 75, 3.5)));
+  EXPECT_TRUE(dissolves(forecast_droplet(0.85, 75, 4.25)));
+  EXPECT_FALSE(dissolves(forecast_droplet(0.85, 75, 4.5)));
+  EXPECT_TRUE(dissolves(forecast_droplet(0.85, 75, 6, 2)));
+  EXPECT_FALSE(dissolves(forecast_droplet(0.85, 75, 7, 2)));
 }
 
 TEST(Forecast, BubblesDissolveToo) {
-  Case c = droplet(0.7, 90, 3);
+  Case c = forecast_droplet(0.7, 90, 3);
   c.fluid->ambient = Phase::liquid;
   c.droplets[0].centre[1] = 0.25;
   EXPECT_TRUE(tells(c, "dissolves"));
@@ -62,7 +62,7 @@ TEST(Forecast, BubblesDissolveToo) {
 
 /// 2D, free droplet, by hand: R_c^3 = sigma V / (W'' jump^2 2 pi) with W'' = c_v^2 / rho_v.
 TEST(Forecast, LeastRadiusByHand) {
-  Case c = droplet(0.85, 90, 5, 2);
+  Case c = forecast_droplet(0.85, 90, 5, 2);
   c.droplets[0].centre[1] = 0.5;
   const double curvature = 0.3199521076 * 0.3199521076 / 0.1065766548, jump = 0.6023801091 - 0.1065766548;
   const double sharp = std::cbrt(0.03356246858 / 32 * 2 / (curvature * jump * jump * 2 * M_PI));
@@ -114,7 +114,7 @@ TEST(Forecast, LockingAsMeasured) {
 }
 
 TEST(Forecast, AFluidAlone) {
-  Case c = droplet(0.39, 75, 5);
+  Case c = forecast_droplet(0.39, 75, 5);
   c.droplets.clear();
   EXPECT_TRUE(tells(c, "the fluid holds vapour alone"));
   c.films.push_back({{0, 0}, {1, 0.2}});

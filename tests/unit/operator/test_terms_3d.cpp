@@ -4,25 +4,25 @@
 namespace softwet::testing_tools {
 namespace {
 
-TermCases<3> cases() { return TermCases<3>(std::array<int, 3>{9, 4, 4}); }
+TermCases<3> cases_3d() { return TermCases<3>(std::array<int, 3>{9, 4, 4}); }
 
-TEST(Terms3D, FluidOnMovingMesh) { cases().check_fluid<WallMotion>(); }
-TEST(Terms3D, FluidOnFixedMesh) { cases().check_fluid<Still>(); }
-TEST(Terms3D, WallOnMovingMesh) { cases().check_wall<WallMotion>(); }
-TEST(Terms3D, WallOnFixedMesh) { cases().check_wall<Still>(); }
-TEST(Terms3D, Solid) { cases().check_solid(); }
+TEST(Terms3D, FluidOnMovingMesh) { cases_3d().check_fluid<WallMotion>(); }
+TEST(Terms3D, FluidOnFixedMesh) { cases_3d().check_fluid<Still>(); }
+TEST(Terms3D, WallOnMovingMesh) { cases_3d().check_wall<WallMotion>(); }
+TEST(Terms3D, WallOnFixedMesh) { cases_3d().check_wall<Still>(); }
+TEST(Terms3D, Solid) { cases_3d().check_solid(); }
 
-TermCases<3> reduced() {
-  TermCases<3> c = cases();
+TermCases<3> reduced_3d() {
+  TermCases<3> c = cases_3d();
   c.patch.points = 2;
   return c;
 }
 
-TEST(Terms3D, ReducedFluidOnMovingMesh) { reduced().check_fluid<WallMotion>(); }
-TEST(Terms3D, ReducedFluidOnFixedMesh) { reduced().check_fluid<Still>(); }
-TEST(Terms3D, ReducedWallOnMovingMesh) { reduced().check_wall<WallMotion>(); }
-TEST(Terms3D, ReducedWallOnFixedMesh) { reduced().check_wall<Still>(); }
-TEST(Terms3D, ReducedSolid) { reduced().check_solid(); }
+TEST(Terms3D, ReducedFluidOnMovingMesh) { reduced_3d().check_fluid<WallMotion>(); }
+TEST(Terms3D, ReducedFluidOnFixedMesh) { reduced_3d().check_fluid<Still>(); }
+TEST(Terms3D, ReducedWallOnMovingMesh) { reduced_3d().check_wall<WallMotion>(); }
+TEST(Terms3D, ReducedWallOnFixedMesh) { reduced_3d().check_wall<Still>(); }
+TEST(Terms3D, ReducedSolid) { reduced_3d().check_solid(); }
 
 /// The host computes columns in blocks of 8 elements.
 TEST(Terms3D, ColumnsOfSeveralBlocks) { TermCases<3>(std::array<int, 3>{5, 3, 12}).check_fluid<WallMotion>(); }

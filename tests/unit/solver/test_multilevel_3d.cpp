@@ -9,11 +9,11 @@
 namespace softwet::testing_tools {
 namespace {
 
-using Random = RandomMatrix<3>;
+using RandomCase = RandomMatrix<3>;
 
 TEST(Multilevel3d, ProductOfTheMatrix) {
   for (const Shape& shape : shapes_3d()) {
-    Random r(shape);
+    RandomCase r(shape);
     const Vector x = r.direction();
     const Array y("y", r.layout.size());
     r.matrix.multiply(to_array(x), y);
@@ -23,7 +23,7 @@ TEST(Multilevel3d, ProductOfTheMatrix) {
 
 TEST(Multilevel3d, TransfersAndGalerkinProduct) {
   for (const Shape& shape : shapes_3d()) {
-    Random r(shape);
+    RandomCase r(shape);
     CoarseSpace<3> space(r.layout, r.mask, 2);
     const Sparse p = prolongation(r.layout, r.mask, space, 2);
     StencilMatrix<3> coarse(space.layout(), space.mask());
@@ -73,7 +73,7 @@ constexpr double of_sixteen_bits = 4e-3;
 TEST(Multilevel3d, Boxes) {
   for (const Shape& shape : shapes_3d())
     for (const auto& [width, stride] : {std::pair{4, 3}, {3, 2}}) {
-      Random r(shape);
+      RandomCase r(shape);
       Boxes<3> boxes(r.layout, r.mask, width, stride);
       for (int build = 0; build < 2; ++build) {
         const Vector x = r.direction(), start = r.direction();
@@ -110,7 +110,7 @@ Vector schwarz_by_definition(const Layout<3>& layout, const ConstArray& mask, co
 TEST(Multilevel3d, SchwarzOfThreeLevels) {
   const SchwarzControl control{.width = 4, .stride = 3, .direct_up_to = 1400};
   for (const Shape& shape : {Shape{{16, 4, 4}, 0}, {{16, 4, 6}, 6}, {{16, 4, 4}, 0, 2, true}, {{16, 4, 4}, 2}}) {
-    Random r(shape);
+    RandomCase r(shape);
     const auto schwarz = make_schwarz<3>(r.layout, r.mask, control);
     const Array z("z", r.layout.size());
     for (int build = 0; build < 2; ++build) {
@@ -125,7 +125,7 @@ TEST(Multilevel3d, SchwarzOfThreeLevels) {
 }
 
 TEST(Multilevel3d, GmresFindsTheAnswerOfBlockLu) {
-  Random r({{16, 8, 4}, 2});
+  RandomCase r({{16, 8, 4}, 2});
   const Array b = to_array(r.direction()), x("x", r.layout.size()), expected("expected", r.layout.size());
   const auto lu = make_block_lu<3>(r.layout, r.mask, FactorPrecision::single);
   lu->build(r.matrix);

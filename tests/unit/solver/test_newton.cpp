@@ -9,11 +9,11 @@ namespace {
 constexpr int n = 24;
 
 /// f_i = x_i^3 + 4 x_i + x_{i-1} x_{i+1} - b_i, root known.
-struct Cubic {
+struct CubicEquation {
   std::vector<double> root, right;
   int exact = 0;
 
-  Cubic() : root(n), right(n, 0.0) {
+  CubicEquation() : root(n), right(n, 0.0) {
     for (int i = 0; i < n; ++i) root[i] = std::sin(1.0 + i);
     right = value(root);
   }
@@ -41,7 +41,7 @@ struct Cubic {
 };
 
 /// The same system with a product whose vectors are in single precision.
-NonlinearSystem with_single_product(Cubic& cubic, const Array& x) {
+NonlinearSystem with_single_product(CubicEquation& cubic, const Array& x) {
   NonlinearSystem system = cubic.system(x);
   system.single_product = [product = std::exchange(system.product, nullptr)](const ArrayOf<float>& z,
                                                                              const ArrayOf<float>& out) {
@@ -72,7 +72,7 @@ double error(const Array& x, const std::vector<double>& root) {
 }
 
 TEST(Newton, ConvergesQuadratically) {
-  Cubic cubic;
+  CubicEquation cubic;
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
   const NewtonResult r = newton.solve(cubic.system(x), fields, tight(), x);
@@ -87,7 +87,7 @@ TEST(Newton, ConvergesQuadratically) {
 }
 
 TEST(Newton, InexactStepsConvergeToo) {
-  Cubic cubic;
+  CubicEquation cubic;
   NewtonControl control;
   control.rtol = 1e-8;
   Newton newton = make_newton();
@@ -98,7 +98,7 @@ TEST(Newton, InexactStepsConvergeToo) {
 }
 
 TEST(Newton, DifferenceProductsFindTheSameRoot) {
-  Cubic cubic;
+  CubicEquation cubic;
   NewtonControl control = tight();
   control.jacobian = JacobianKind::difference;
   control.krylov_rtol = 1e-6;
@@ -112,7 +112,7 @@ TEST(Newton, DifferenceProductsFindTheSameRoot) {
 
 // The residual is double, so its tolerance is met to the end, although each correction has seven digits only.
 TEST(Newton, LinearSolvesInSinglePrecisionFindTheSameRoot) {
-  Cubic cubic;
+  CubicEquation cubic;
   NewtonControl control = tight();
   control.krylov_rtol = 1e-4;
   Newton full(n, n, std::make_unique<NoPreconditioner>());
@@ -128,7 +128,7 @@ TEST(Newton, LinearSolvesInSinglePrecisionFindTheSameRoot) {
 }
 
 /// Residuals with a round-off of 1e-7 that looks random.
-NonlinearSystem with_round_off(Cubic& cubic, const Array& x) {
+NonlinearSystem with_round_off(CubicEquation& cubic, const Array& x) {
   NonlinearSystem system = cubic.system(x);
   system.residual = [&cubic](const Array& y, const Array& r) {
     std::vector<double> f = cubic.value(to_host(y));
@@ -139,7 +139,7 @@ NonlinearSystem with_round_off(Cubic& cubic, const Array& x) {
 }
 
 TEST(Newton, EndsAtTheRoundOffOfTheResidualWhereItIsTold) {
-  Cubic cubic;
+  CubicEquation cubic;
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
   Newton newton = make_newton();
   const NewtonResult untold = newton.solve(with_round_off(cubic, x), fields, tight(), x);
@@ -157,7 +157,7 @@ TEST(Newton, EndsAtTheRoundOffOfTheResidualWhereItIsTold) {
 }
 
 TEST(Newton, AtTheRootNothingIsDone) {
-  Cubic cubic;
+  CubicEquation cubic;
   Newton newton = make_newton();
   const Array x = to_device<Array>(cubic.root);
   const NewtonResult r = newton.solve(cubic.system(x), fields, tight(), x);
@@ -166,7 +166,7 @@ TEST(Newton, AtTheRootNothingIsDone) {
 }
 
 TEST(Newton, ResidualThatIsNotFinite) {
-  Cubic cubic;
+  CubicEquation cubic;
   NonlinearSystem system = cubic.system(Array());
   system.residual = [](const Array&, const Array& r) { Kokkos::deep_copy(r, std::nan("")); };
   Newton newton = make_newton();
@@ -177,7 +177,7 @@ TEST(Newton, ResidualThatIsNotFinite) {
 }
 
 TEST(Newton, InadmissibleStepsAreShortenedThenRefused) {
-  Cubic cubic;
+  CubicEquation cubic;
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
   NonlinearSystem system = cubic.system(x);
@@ -195,7 +195,7 @@ TEST(Newton, InadmissibleStepsAreShortenedThenRefused) {
 }
 
 TEST(Newton, TooFewIterations) {
-  Cubic cubic;
+  CubicEquation cubic;
   NewtonControl control = tight();
   control.max = 2;
   Newton newton = make_newton();
@@ -207,7 +207,7 @@ TEST(Newton, TooFewIterations) {
 }
 
 TEST(Newton, StalledLinearSolver) {
-  Cubic cubic;
+  CubicEquation cubic;
   Newton newton = make_newton();
   const Array x = to_device<Array>(std::vector<double>(n, 0.5));
   NonlinearSystem system = cubic.system(x);
@@ -233,7 +233,7 @@ class Counting final : public Preconditioner {
 };
 
 TEST(Newton, PreconditionerIsKeptUntilItHasCostABuild) {
-  Cubic cubic;
+  CubicEquation cubic;
   int builds = 0;
   const auto solve = [&](Newton& newton) {
     const Array x = to_device<Array>(std::vector<double>(n, 0.5));
@@ -250,7 +250,7 @@ TEST(Newton, PreconditionerIsKeptUntilItHasCostABuild) {
 }
 
 TEST(Newton, ALaggedPreconditionerThatFailsIsReplacedAtOnce) {
-  Cubic cubic;
+  CubicEquation cubic;
   int builds = 0;
   Newton newton(n, n, std::make_unique<Counting>(builds));
   NewtonControl control = tight();

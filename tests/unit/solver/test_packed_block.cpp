@@ -21,7 +21,7 @@ struct Sample {
     for (float& v : values) v = static_cast<float>(number(draw));
   }
   float& operator()(int i, int j) { return values[std::size_t(j) * stride + i]; }
-  Matrix view() { return {values.data(), rows, columns, stride}; }
+  FloatMatrix view() { return {values.data(), rows, columns, stride}; }
 };
 
 TEST(DenseProduct, AgreesWithSums) {

@@ -52,7 +52,7 @@ std::vector<double> integrate(RungeKutta& scheme, Toy& toy, int steps) {
   return to_host(y);
 }
 
-double error(const std::vector<double>& a, const std::vector<double>& b) {
+double error_of(const std::vector<double>& a, const std::vector<double>& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
@@ -60,7 +60,8 @@ void expect_order(RungeKutta& scheme, double stiffness, int coarse, double order
   Toy toy(stiffness);
   SspRk3 fine(2);
   const std::vector<double> exact = integrate(fine, toy, 4000);
-  const double a = error(integrate(scheme, toy, coarse), exact), b = error(integrate(scheme, toy, 2 * coarse), exact);
+  const double a = error_of(integrate(scheme, toy, coarse), exact),
+               b = error_of(integrate(scheme, toy, 2 * coarse), exact);
   std::printf("  %s: errors %.2e, %.2e, order %.2f\n", scheme.name(), a, b, std::log2(a / b));
   EXPECT_NEAR(std::log2(a / b), order, 0.25) << scheme.name();
 }

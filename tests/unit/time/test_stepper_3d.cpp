@@ -6,7 +6,7 @@
 namespace softwet::testing_tools {
 namespace {
 
-Case driven(Case c) {
+Case driven_3d(Case c) {
   c.loads[0].start = 0;
   c.loads[0].ramp = 1;
   c.time.dt_initial = c.time.dt_min = c.time.dt_max = 0.05;
@@ -53,7 +53,7 @@ double apart(const std::vector<double>& a, const std::vector<double>& b, int nx,
 }
 
 TEST(Stepper3D, ASceneThatDoesNotChangeAlongYIsTheOneInThePlane) {
-  const Case flat_case = driven(scene(Scene::coupled)), deep_case = driven(scene_in_space(Scene::coupled));
+  const Case flat_case = driven_3d(scene(Scene::coupled)), deep_case = driven_3d(scene_in_space(Scene::coupled));
   const Model<2, 2> flat(flat_case);
   const Model<3, 2> deep(deep_case);
   const State a = advance<3>(deep_case, deep), b = advance<2>(flat_case, flat);
