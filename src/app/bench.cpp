@@ -15,7 +15,7 @@
 namespace softwet {
 namespace {
 
-/// Shortest mean time of a call, over a few rounds of about 0.1 s.
+/// Shortest mean time of a call, over a few rounds of about 0.1 s; of several processes, that of the slowest.
 template <class Work>
 double seconds_per_call(const Work& work) {
   using Clock = std::chrono::steady_clock;
@@ -26,10 +26,10 @@ double seconds_per_call(const Work& work) {
     return std::chrono::duration<double>(Clock::now() - start).count() / calls;
   };
   round(1);
-  const int calls = std::max(1, static_cast<int>(0.1 / round(1)));
+  const int calls = std::max(1, static_cast<int>(0.1 / ranks::largest(round(1))));  // all processes make as many
   double best = std::numeric_limits<double>::max();
   for (int i = 0; i < 5; ++i) best = std::min(best, round(calls));
-  return best;
+  return ranks::largest(best);
 }
 
 /// Flops of one residual counted by hand for 3^D points per element and degree 2; second derivatives included.
@@ -39,10 +39,13 @@ double counted_flops(const Case& c, double fluid_elements, double solid_elements
   return fluid * fluid_elements + solid * solid_elements;
 }
 
+/// Threads of all processes.
+int core_count() { return thread_count() * ranks::count(); }
+
 /// Prints one line per measurement.
 struct Sheet {
   std::ostream& out;
-  int unknowns;
+  int unknowns;  ///< of the whole patch
 
   void line(const std::string& name, double seconds, const std::string& more = "") const {
     rate(name, seconds, unknowns, "M unknowns/s/core", more);
@@ -51,7 +54,7 @@ struct Sheet {
             const std::string& more = "") const {
     char text[200];
     std::snprintf(text, sizeof text, "%-46s %10.4f ms %9.2f %s", name.c_str(), 1e3 * seconds,
-                  1e-6 * items / seconds / thread_count(), unit);
+                  1e-6 * items / seconds / core_count(), unit);
     out << text << more << "\n";
   }
 };
@@ -63,10 +66,10 @@ void bench_terms(const Sheet& sheet, const Layout<D>& layout, const Pieces<D, Re
   for (const auto& entry : pieces.list) {
     const Piece<D, Real>& piece = *entry.piece;
     const std::string name = piece.name();
-    const double elements = piece.region().elements();
-    sheet.rate("  residual of " + name, seconds_per_call([&] { piece.residual(plain); }), elements,
+    const double elements = piece.region().elements();  // of one process
+    sheet.rate("  residual of " + name, seconds_per_call([&] { piece.residual(plain); }), elements * ranks::count(),
                "M elements/s/core");
-    sheet.rate("  product of " + name, seconds_per_call([&] { piece.product(tangent); }), elements,
+    sheet.rate("  product of " + name, seconds_per_call([&] { piece.product(tangent); }), elements * ranks::count(),
                "M elements/s/core");
   }
 }
@@ -87,6 +90,18 @@ void bench_single(const Sheet& sheet, Case c, const State& state) {
   sheet.line("dot, single precision", seconds_per_call([&] { dot(z, out); }));
 }
 
+/// What the first process has told the others between two moments, for each iteration.
+void print_traffic(const Sheet& sheet, const Traffic& before, const Traffic& now, int iterations) {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "  messages %.1f, of %.1f kB in all; reductions %.1f; collections %.1f, of %.1f kB\n",
+                double(now.messages - before.messages) / iterations, 1e-3 * (now.bytes - before.bytes) / iterations,
+                double(now.reductions - before.reductions) / iterations,
+                double(now.collections - before.collections) / iterations,
+                1e-3 * (now.collected - before.collected) / iterations);
+  sheet.out << text;
+}
+
 /// Time of a GMRES iteration with vectors of the precision Real, its product and the preconditioner included.
 template <class Real, int D, int P>
 void bench_gmres(const Sheet& sheet, const std::string& name, const GeneralizedAlpha<D, P>& scheme, const Array& right,
@@ -103,10 +118,12 @@ void bench_gmres(const Sheet& sheet, const std::string& name, const GeneralizedA
     preconditioner.apply(r, z);
     convert(out, z);
   };
-  int iterations = 0;
-  const double seconds =
-      seconds_per_call([&] { iterations = gmres.solve(product, precondition, b, x, 1e-4, 200).iterations; });
-  sheet.line(name, seconds / iterations, ", " + std::to_string(iterations) + " iterations to 1e-4");
+  const auto solve = [&] { return gmres.solve(product, precondition, b, x, 1e-4, 200).iterations; };
+  const Traffic before = ranks::traffic();
+  const int iterations = solve();
+  const Traffic after = ranks::traffic();
+  sheet.line(name, seconds_per_call(solve) / iterations, ", " + std::to_string(iterations) + " iterations to 1e-4");
+  if (ranks::count() > 1) print_traffic(sheet, before, after, iterations);
 }
 
 /// Build and apply of each preconditioner, and GMRES iterations to 1e-4 of the first linear system of a step from a
@@ -128,8 +145,13 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   constexpr int largest_factorised = 20000;
   const double product = seconds_per_call([&] { scheme.product(z, r, Geometry::exact); });
   for (const std::string& name : preconditioner_names()) {
-    if (name != "schwarz" && name != c.solver.preconditioner && D == 3 && scheme.size() > largest_factorised) {
+    if (name != "schwarz" && name != c.solver.preconditioner && D == 3 && sheet.unknowns > largest_factorised) {
       sheet.out << "preconditioner " << name << ": left out, too large; name it in solver.krylov.preconditioner\n";
+      continue;
+    }
+    if (name == "schwarz" && !model.layout().whole() && model.layout().columns.beside < box_width(D) - 1) {
+      sheet.out << "preconditioner " << name
+                << ": left out on several processes; name it in solver.krylov.preconditioner\n";
       continue;
     }
     const auto preconditioner = choose_preconditioner<D>(name, model.layout(), model.mask());
@@ -190,9 +212,10 @@ void bench_model(const Case& asked, std::ostream& out) {
   Kokkos::deep_copy(z, state.unknown);
   scheme.residual(state.unknown, r);
 
-  out << c.name << ": " << layout.size() << " unknowns, " << backend_name() << ", " << thread_count() << " threads, "
-      << lanes() << " elements per pack (" << instruction_set() << ")\n";
-  const Sheet sheet{out, layout.size()};
+  const Sheet sheet{out, layout.whole_patch().size()};
+  out << c.name << ": " << sheet.unknowns << " unknowns, " << backend_name() << ", ";
+  if (ranks::count() > 1) out << ranks::count() << " processes with ";
+  out << thread_count() << " threads, " << lanes() << " elements per pack (" << instruction_set() << ")\n";
   double wall_elements = 1;
   for (int d = 0; d < D - 1; ++d) wall_elements *= layout.axis[d].elements();
   const double solid = layout.has_solid ? wall_elements * layout.solid_elements : 0;
@@ -201,7 +224,7 @@ void bench_model(const Case& asked, std::ostream& out) {
   char flops[80] = "";
   if (model.points() == 3)
     std::snprintf(flops, sizeof flops, ", %.1f GFLOP/s/core of the counted work",
-                  1e-9 * counted_flops(c, fluid, solid) / residual / thread_count());
+                  1e-9 * counted_flops(c, fluid, solid) / residual / core_count());
   sheet.line("residual", residual, flops);
   sheet.line("product, exact", seconds_per_call([&] { scheme.product(z, r, Geometry::exact); }));
   const StencilValues values("jacobian", Stencil<D>(layout).size());
@@ -212,7 +235,9 @@ void bench_model(const Case& asked, std::ostream& out) {
 
   bench_rates(sheet, model, state);
   if (c.time.scheme == implicit_scheme) bench_preconditioners(sheet, c, model);
-  out << "peak memory " << peak_memory_mib() << " MiB\n";
+  out << "peak memory";
+  for (double memory : peak_memory_of_processes()) out << " " << memory << " MiB";
+  out << "\n";
 }
 
 template void bench_model<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);

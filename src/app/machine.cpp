@@ -7,6 +7,7 @@
 
 #include "case/error.hpp"
 #include "field/array.hpp"
+#include "field/ranks.hpp"
 #include "kernels/algebra/pack.hpp"
 
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -66,6 +67,13 @@ double peak_memory_mib() {
     return kib / 1024;
   }
   return 0;
+}
+
+std::vector<double> peak_memory_of_processes() {
+  std::vector<double> memory(ranks::count(), 0.0);
+  memory[ranks::mine()] = peak_memory_mib();
+  ranks::add(memory.data(), ranks::count());
+  return memory;
 }
 
 }  // namespace softwet

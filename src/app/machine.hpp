@@ -3,6 +3,7 @@
 
 #include <Kokkos_Core.hpp>
 #include <string>
+#include <vector>
 
 namespace softwet {
 
@@ -19,8 +20,9 @@ class ParallelRuntime {
 std::string backend_name();  ///< "OpenMP", "Cuda"
 int thread_count();          ///< of the running backend
 std::string host_name();
-std::string instruction_set();  ///< the widest vector instructions this build uses, "AVX-512"
-int lanes();                    ///< elements per SIMD pack, 1 on a device
-double peak_memory_mib();       ///< largest resident memory of this process so far
+std::string instruction_set();                   ///< the widest vector instructions this build uses, "AVX-512"
+int lanes();                                     ///< elements per SIMD pack, 1 on a device
+double peak_memory_mib();                        ///< largest resident memory of this process so far
+std::vector<double> peak_memory_of_processes();  ///< the same of each; all call it together
 
 }  // namespace softwet

@@ -6,6 +6,7 @@
 #include "app/host/field_times.hpp"
 #include "app/host/memory.hpp"
 #include "app/interrupt.hpp"
+#include "app/machine.hpp"
 #include "app/memory_parts.hpp"
 #include "app/remedy.hpp"
 #include "case/error.hpp"
@@ -254,8 +255,11 @@ void Simulation<D, P>::save() {
 template <int D, int P>
 void Simulation<D, P>::record(const std::string& reason) {
   seconds_.total = seconds_before_ + since_start();
+  const std::vector<double> memory = peak_memory_of_processes();
   if (!ranks::root()) return;
   RunRecord run = describe_run<D, P>(case_, model_, stepper_, seconds_, first_step_);
+  for (double of_process : memory)
+    if (memory.size() > 1) run["peak_memory_of_processes_mib"].append(of_process);
   add_status(run, {reason, output_time(), seconds_.started, time_left_.seconds(), scalars_.events()});
   const std::vector<std::string> names = scalars_.columns();
   for (std::size_t i = 0; i < last_row_.size(); ++i)

@@ -27,7 +27,7 @@ std::shared_ptr<const ColumnExchange> plan_exchange(const Axis& axis, const Colu
     each_copy(axis, mine, [&](int column, int repeated) {
       if (owner(mine, repeated) == rank) receive.push_back(column);
     });
-    each_copy(axis, cut_columns(axis, rank, mine.ranks), [&](int, int repeated) {
+    each_copy(axis, cut_before(axis, rank, mine.first_function, mine.beside), [&](int, int repeated) {
       if (owner(mine, repeated) == mine.rank) send.push_back(mine.begin + repeated - mine.first_function[mine.rank]);
     });
     if (send.empty() && receive.empty()) continue;

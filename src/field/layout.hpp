@@ -29,9 +29,16 @@ struct Layout {
   int extent(int d) const { return d == 0 && columns.stored() > 0 ? columns.stored() : axis[d].functions(); }
   /// The axis function that column i of axis d belongs to.
   int function(int i, int d) const { return d == 0 && columns.stored() > 0 ? columns.function[i] : i; }
+  /// The places along an axis before its values repeat; 0: never. Of a part of a periodic axis only the first process's
+  /// has both ends.
+  int period(int d) const {
+    if (!axis[d].periodic()) return 0;
+    if (d > 0 || whole()) return axis[d].owned();
+    return columns.rank == 0 ? extent(0) - axis[0].degree() : 0;
+  }
   /// Whether column i of axis d is no copy of one that another process has.
   bool own(int i, int d) const { return d > 0 || columns.stored() == 0 || columns.own(i); }
-  /// Whether all columns are stored here.
+  /// Whether all columns are stored here, once.
   bool whole() const { return columns.ranks == 1; }
   /// The layout of all columns.
   Layout whole_patch() const {

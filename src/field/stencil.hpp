@@ -10,6 +10,10 @@ namespace softwet {
 /// In single precision: such a matrix only serves preconditioners.
 using StencilValues = Kokkos::View<float*, Exec>;
 
+/// Control points along an axis of the boxes of `schwarz` (solver/schwarz.hpp). A process stores one column less beside its
+/// own ones.
+constexpr int box_width(int dimension) { return dimension == 2 ? 8 : 4; }
+
 /// Index i on an axis of `extent` places, wrapped where the axis has a period (0: none); -1 outside.
 KOKKOS_FORCEINLINE_FUNCTION int wrapped(int i, int extent, int period) {
   if (period > 0) {
@@ -24,13 +28,13 @@ KOKKOS_FORCEINLINE_FUNCTION int wrapped(int i, int extent, int period) {
 /// Periodic axes wrap.
 template <int D>
 struct Stencil {
-  int extent[D], period[D];  ///< control points along each axis, ghosts included; owned ones, or 0: not periodic
+  int extent[D], period[D];  ///< control points along each axis, ghosts included; as in Layout
   int degree, components, points = 1, offsets = 1;
 
   explicit Stencil(const Layout<D>& layout) : degree(layout.axis[0].degree()), components(layout.components()) {
     for (int d = 0; d < D; ++d) {
       extent[d] = layout.extent(d);
-      period[d] = layout.axis[d].periodic() ? layout.axis[d].owned() : 0;
+      period[d] = layout.period(d);
       points *= extent[d];
       offsets *= 2 * degree + 1;
     }

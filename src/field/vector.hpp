@@ -72,7 +72,7 @@ inline void convert(const Array& y, const ConstArrayOf<float>& x) { any_precisio
 struct SumColumns {
   int stored = 0, begin = 0, end = 0;
   int first_strip = 0, last_strip = 0, strips = 0;
-  int first_function = 0, functions = 0;  ///< of the first stored column; in a line of the whole patch
+  int first_function = 0, functions = 0;  ///< of the first own column less its place; in a line of the whole patch
 };
 inline SumColumns& sum_columns() {
   static SumColumns columns;
@@ -85,7 +85,7 @@ inline void set_sum_columns(const Columns& c) {
                    c.elements.first_strip,
                    c.elements.last_strip,
                    c.elements.strips,
-                   c.function.front(),
+                   c.first_function[c.rank] - c.begin,
                    c.first_function.back()};
 }
 
@@ -134,7 +134,7 @@ struct StripSums {
   bool square;        ///< of y too
   SumColumns columns;
   int size;
-  Array partial = {};  ///< [lines][own strip][sum]
+  Array partial = {};  ///< [lines][sum][own strip]
 
   int strips() const { return columns.last_strip - columns.first_strip; }
   int sums() const { return count + (square ? 1 : 0); }
@@ -143,13 +143,13 @@ struct StripSums {
     return (lines + lines_at_once - 1) / lines_at_once * strips() * sums();
   }
   KOKKOS_FUNCTION void operator()(int item) const {
-    const int each = square ? count + 1 : count, k = item % each, block = item / each;
-    const int strips = columns.last_strip - columns.first_strip, strip = block % strips;
+    const int strips = columns.last_strip - columns.first_strip, strip = item % strips;
+    const int each = square ? count + 1 : count, k = item / strips % each, block = item / strips / each;
     const int begin = columns.begin + strip * strip_width, end = strip + 1 < strips ? begin + strip_width : columns.end;
-    const int first = block / strips * lines_at_once, left = size / columns.stored - first;
+    const int first = block * lines_at_once, left = size / columns.stored - first;
     const int start = first * columns.stored + begin, lines = left < lines_at_once ? left : lines_at_once;
     const Real *a = k < count ? x + std::int64_t(k) * stride : y, *b = y;
-    double sum[strip_width] = {};
+    double sum[2 * strip_width] = {};
     if (b) {
       add(sum, start, lines, end - begin, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
     } else {
@@ -158,15 +158,22 @@ struct StripSums {
     partial(item) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
   }
   template <class Entry>
-  KOKKOS_FORCEINLINE_FUNCTION void add(double (&sum)[strip_width], int start, int lines, int width,
+  KOKKOS_FORCEINLINE_FUNCTION void add(double (&sum)[2 * strip_width], int start, int lines, int width,
                                        const Entry& entry) const {
     const int stored = columns.stored, whole = width < strip_width ? 0 : strip_width;
-    for (int l = 0, i = start; l < lines && whole > 0; ++l, i += stored)
+    int l = 0, i = start;
+    for (; l + 1 < lines && whole > 0; l += 2, i += 2 * stored)  // two lines at once: two sums for each column
+      for (int k = 0; k < strip_width; ++k) {
+        sum[k] += entry(i + k);
+        sum[strip_width + k] += entry(i + stored + k);
+      }
+    if (l < lines && whole > 0)
       for (int k = 0; k < strip_width; ++k) sum[k] += entry(i + k);
-    for (int l = 0, i = start; l < lines && whole < width; ++l, i += stored)
+    l = 0, i = start;
+    for (; l < lines && whole < width; ++l, i += stored)
       for (int k = whole; k < width; ++k) sum[k % strip_width] += entry(i + k);
     if (lines < lines_at_once)  // what is no whole line, of a vector that is not the scene's
-      for (int i = start + lines * stored, k = 0; i < size; ++i, ++k) sum[k] += entry(i);
+      for (int k = start + lines * stored; k < size; ++k) sum[k % strip_width] += entry(k);
   }
 };
 
@@ -185,11 +192,11 @@ std::vector<double> strip_sums(const Real* x, int stride, int count, const Real*
   Kokkos::deep_copy(Kokkos::subview(space.host, range), Kokkos::subview(space.device, range));
   std::vector<double> all(sums);
   if (!of_scene) {
-    for (int i = 0; i < items; ++i) all[i % sums] += space.host(i);
+    for (int i = 0; i < items; ++i) all[i / strips % sums] += space.host(i);
     return all;
   }
   StripTotals totals(scene.strips, sums);
-  for (int i = 0; i < items; ++i) totals.add(scene.first_strip + i / sums % strips, i % sums, space.host(i));
+  for (int i = 0; i < items; ++i) totals.add(scene.first_strip + i % strips, i / strips % sums, space.host(i));
   for (int k = 0; k < sums; ++k) all[k] = totals.total(k);
   return all;
 }

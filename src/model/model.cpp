@@ -11,15 +11,16 @@
 namespace softwet {
 namespace {
 
-/// This process's columns of an axis.
-Columns own_columns(const Axis& axis) {
+/// This process's columns of an axis, with those beside them that the boxes of `schwarz` reach where it may be chosen.
+Columns own_columns(const Axis& axis, const Case& c) {
+  const bool boxes = c.dimension() == 3 || c.solver.preconditioner == "schwarz";
   const int count = ranks::count(), most = most_ranks(axis);
   if (count > most)
     throw Error(Exit::invalid_input, std::to_string(count) + " processes: this scene has " + std::to_string(most) +
                                          " strips of " + std::to_string(strip_width) +
                                          " elements along x, and a process needs one; start " + std::to_string(most) +
                                          " or fewer");
-  return cut_columns(axis, ranks::mine(), count);
+  return cut_columns(axis, ranks::mine(), count, boxes ? box_width(c.dimension()) - 1 : 0);
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ void Model<D, P>::build_axes(const Case& c) {
     const bool periodic = c.boundary.side[d][0] == Side::periodic;
     const int kink = d == D - 1 && layout_.has_solid && layout_.has_fluid ? layout_.solid_elements : 0;
     layout_.axis.emplace_back(c.domain.size[d], c.domain.elements[d], P, periodic, kink);
-    if (d == 0) layout_.columns = own_columns(layout_.axis[0]);
+    if (d == 0) layout_.columns = own_columns(layout_.axis[0], c);
     if (d < D - 1) layout_.row_size *= layout_.extent(d);
   }
   if (!layout_.whole()) layout_.exchange = plan_exchange(layout_.axis[0], layout_.columns);

@@ -1,6 +1,7 @@
 #include "solver/axis_transfer.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "field/stencil.hpp"
 
@@ -30,11 +31,40 @@ AxisSums make_sums(const std::vector<std::vector<Term>>& terms) {
   return sums;
 }
 
+using Terms = std::vector<std::vector<Term>>;
+
+/// Sums of functions as sums at places. One at a copy is left out where not all that it needs is stored.
+AxisSums at_places(const Terms& terms, const AxisPlaces& to, const AxisPlaces& from, bool copies) {
+  Terms result(to.function.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!to.own[i] && (!copies || to.function[i] < 0)) continue;
+    bool stored = true;
+    for (const Term& t : terms[to.function[i]]) stored = stored && from.place[t.source] >= 0;
+    if (!stored && to.own[i]) throw std::logic_error("a coarse space needs more columns beside those of a process");
+    if (!stored) continue;
+    for (const Term& t : terms[to.function[i]]) result[i].push_back({from.place[t.source], t.weight});
+  }
+  return make_sums(result);
+}
+
 }  // namespace
 
-AxisTransfer make_axis_transfer(const Axis& fine, const Refinement& r) {
+AxisPlaces axis_places(const Axis& axis, const Columns& columns) {
+  AxisPlaces p;
+  p.place = places_of_functions(axis, columns);
+  const bool whole = columns.ranks == 1;
+  for (int i = 0; i < (whole ? axis.functions() : columns.stored()); ++i) {
+    const int f = whole ? i : columns.function[i];
+    p.function.push_back(f < axis.owned() ? f : whole ? -1 : f - axis.owned());
+    p.own.push_back(f < axis.owned() && (whole || columns.own(i)));
+  }
+  return p;
+}
+
+AxisTransfer make_axis_transfer(const Axis& fine, const Refinement& r, const AxisPlaces& fine_places,
+                                const AxisPlaces& coarse_places) {
   const int period = fine.periodic() ? fine.owned() : 0;
-  std::vector<std::vector<Term>> to_coarse(r.coarse.functions()), to_fine(fine.functions());
+  Terms to_coarse(r.coarse.functions()), to_fine(fine.functions());
   for (int j = 0; j < r.coarse.owned(); ++j)
     for (std::size_t k = 0; k < r.coefficient[j].size(); ++k) {
       const double weight = r.coefficient[j][k];
@@ -43,7 +73,8 @@ AxisTransfer make_axis_transfer(const Axis& fine, const Refinement& r) {
       to_coarse[j].push_back({i, weight});
       to_fine[i].push_back({j, weight});
     }
-  return {make_sums(to_coarse), make_sums(to_fine), fine.functions(), r.coarse.functions()};
+  return {at_places(to_coarse, coarse_places, fine_places, false), at_places(to_fine, fine_places, coarse_places, true),
+          static_cast<int>(fine_places.function.size()), static_cast<int>(coarse_places.function.size())};
 }
 
 }  // namespace softwet

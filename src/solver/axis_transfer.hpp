@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/array.hpp"
+#include "spline/columns.hpp"
 #include "spline/refinement.hpp"
 
 namespace softwet {
@@ -13,11 +14,21 @@ struct AxisSums {
   Kokkos::View<double**, Kokkos::LayoutRight, Exec> weight;
 };
 
+/// Which functions of an axis are stored where: all, or those of a process's columns.
+struct AxisPlaces {
+  std::vector<int> place;     ///< [function] -1: nowhere
+  std::vector<int> function;  ///< [place] -1: a ghost of the whole axis
+  std::vector<bool> own;      ///< [place] neither a ghost nor a copy
+};
+AxisPlaces axis_places(const Axis&, const Columns&);
+
 struct AxisTransfer {
-  AxisSums to_coarse, to_fine;  ///< transposes of each other; nothing is added to ghosts
-  int fine = 0, coarse = 0;     ///< functions, ghosts included
+  AxisSums to_coarse;        ///< for own places
+  AxisSums to_fine;          ///< its transpose; also for copies where what they need is stored
+  int fine = 0, coarse = 0;  ///< places, ghosts included
 };
 
-AxisTransfer make_axis_transfer(const Axis& fine, const Refinement&);
+AxisTransfer make_axis_transfer(const Axis& fine, const Refinement&, const AxisPlaces& fine_places,
+                                const AxisPlaces& coarse_places);
 
 }  // namespace softwet

@@ -30,9 +30,10 @@ template <int D>
 struct FillRows {
   Stencil<D> stencil;
   StencilValues values;
-  Indices size, local, start;
+  Indices size, local, start, column_of;
   DenseBlocks blocks;
   int first, sites, width, together;
+  int round;  ///< control points once around the first axis; 0: it is not periodic
 
   KOKKOS_FUNCTION int lines() const { return sites / stencil.components / width; }
   int items(int count) const { return count / together * lines() * stencil.components; }
@@ -84,9 +85,9 @@ struct FillRows {
   KOKKOS_FUNCTION void add(int block, int line, int a, int to, int u, int shift, const float* entry) const {
     const int begin = start((first + block) * D);
     for (int x = 0; x < width; ++x) {
-      const int there = wrapped(x + shift, width, stencil.period[0]);
+      const int there = wrapped(x + shift, width, round);
       const int row = unknown(block, line + x, a), column = there < 0 ? -1 : unknown(block, to + there, u);
-      if (row >= 0 && column >= 0) blocks(block, row, column) += entry[stencil.moved(begin, x, 0)];
+      if (row >= 0 && column >= 0) blocks(block, row, column) += entry[column_of(begin + x)];
     }
   }
 };
@@ -162,9 +163,9 @@ struct Collect {
 }  // namespace
 
 template <int D>
-Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride, ColumnRange wanted)
-    : width_(width) {
-  const PatchTables t = make_patches(layout, UnknownTable<D>(layout, to_host(mask)), width, stride, wanted);
+Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride)
+    : width_(width), round_(layout.axis[0].periodic() ? layout.axis[0].owned() : 0) {
+  const PatchTables t = make_patches(layout, UnknownTable<D>(layout, to_host(mask)), width, stride);
   count_ = t.count;
   unknowns_ = t.unknowns;
   sites_ = t.sites;
@@ -181,6 +182,7 @@ Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int 
   dof_ = to_view(t.dof);
   local_ = to_view(t.local);
   start_ = to_view(t.start);
+  column_ = to_view(t.column);
   place_ = to_view(t.place);
   grouped_ = to_view(t.grouped);
   std::vector<float> weight(layout.size());
@@ -206,8 +208,8 @@ void Boxes<D>::build(const StencilMatrix<D>& matrix) {
     const int now = std::min(batch(), count_ - first);
     const auto some = Kokkos::make_pair(first, first + now);
     const DenseBlocks part = Kokkos::subview(blocks_, Kokkos::make_pair(0, now), Kokkos::ALL, Kokkos::ALL);
-    const FillRows<D> fill{matrix.stencil(), matrix.values(),   size_, local_, start_, part, first, sites_,
-                           width_,           on_host ? row_ : 1};
+    const FillRows<D> fill{matrix.stencil(), matrix.values(),    size_, local_, start_, column_, part, first, sites_,
+                           width_,           on_host ? row_ : 1, round_};
     Kokkos::parallel_for("softwet::boxes", Kokkos::RangePolicy<Exec>(0, fill.items(now)), fill);
     invert(part, Kokkos::subview(size_, some));
     Kokkos::parallel_for("softwet::store", Kokkos::RangePolicy<Exec>(0, now * unknowns_),

@@ -16,7 +16,7 @@ template <int D>
 class Boxes {
  public:
   /// Boxes `width` control points wide, `stride` apart; see make_patches.
-  Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride, ColumnRange wanted = {});
+  Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride);
 
   void build(const StencilMatrix<D>& matrix);
   void add(const ConstArray& r, const Array& z, float factor) const;
@@ -32,7 +32,8 @@ class Boxes {
   int width_, count_, unknowns_, sites_, strip_;
   int row_;                   ///< boxes that follow each other along the first axis
   std::int64_t entries_ = 0;  ///< of all inverses
-  Indices size_, dof_, local_, start_, place_, grouped_;
+  int round_;                 ///< control points once around the first axis; 0: it is not periodic
+  Indices size_, dof_, local_, start_, column_, place_, grouped_;
   Kokkos::View<const std::int64_t*, Exec> begin_;  ///< first entry of each inverse
   Kokkos::View<const float*, Exec> weight_;
   Inverses inverse_;

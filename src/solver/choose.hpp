@@ -30,19 +30,19 @@ std::unique_ptr<Preconditioner> choose_preconditioner(
   if (name == "none") return std::make_unique<NoPreconditioner>();
   const Layout<D> all = layout.whole_patch();
   const bool schwarz = name == "schwarz" || (name == "automatic" && D == 3 && all.size() > small_in_3d);
-  if (!layout.whole()) {  // the same on every process; of Schwarz's finest level what its own columns need
-    const auto& first = layout.columns.first_function;
-    SchwarzControl own = control;
-    own.wanted = {first[layout.columns.rank], first[layout.columns.rank + 1]};
-    own.part = layout.columns;
-    const int beside = schwarz ? std::max(own.width - 1, layout.axis[0].degree()) : -1;
-    return std::make_unique<Replicated<D>>(layout, choose_preconditioner<D>(name, all, of_patch(layout, mask), own),
-                                           beside);
-  }
-  const auto assembled = [&](auto solver) { return std::make_unique<Assembled<D>>(layout, mask, std::move(solver)); };
-  if (schwarz) return assembled(make_schwarz<D>(layout, mask, control));
-  if (name == "umfpack") return assembled(make_sparse_lu<D>(layout, mask));
-  return assembled(make_block_lu<D>(layout, mask));
+  const auto factors = [&](const ConstArray& free) {
+    return name == "umfpack" ? make_sparse_lu<D>(all, free) : make_block_lu<D>(all, free);
+  };
+  const auto assembled = [&](const ConstArray& free, auto solver) {
+    return std::make_unique<Assembled<D>>(layout, free, std::move(solver));
+  };
+  if (layout.whole()) return assembled(mask, schwarz ? make_schwarz<D>(layout, mask, control) : factors(mask));
+  const Array free("mask", mask.extent(0));  // a model's mask is zero in the columns of other processes
+  Kokkos::deep_copy(free, mask);
+  update_columns<double>(layout.columns, *layout.exchange, free);
+  if (schwarz) return assembled(free, make_schwarz<D>(layout, free, control));
+  const Array of_all = mask_of_patch(layout, mask);
+  return assembled(free, std::make_unique<Replicated<D>>(layout, of_all, factors(of_all)));
 }
 
 }  // namespace softwet

@@ -22,7 +22,7 @@ Places<D> places_of(const Layout<D>& layout) {
   const ComponentPlaces<D> components(layout);
   Places<D> p;
   p.points = 1;
-  for (int d = 0; d < D; ++d) p.points *= p.extent[d] = layout.axis[d].functions();
+  for (int d = 0; d < D; ++d) p.points *= p.extent[d] = layout.extent(d);
   for (int c = 0; c < D + 2; ++c) {
     p.shift[c] = components.shift[c];
     p.first[c] = components.first[c];
@@ -85,22 +85,36 @@ template <int D>
 std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, const std::vector<double>& mask,
                                 const std::vector<Refinement>& refinement) {
   const Stencil<D> in(fine), out(coarse);
+  const std::vector<int> column = places_of_functions(fine.axis[0], fine.columns);
   std::vector<double> result(coarse.size(), 0.0);
   for (int c = 0; c < out.components; ++c)
     for (int p = coarse.component_first(c); p < out.points; ++p) {
       int partner = 0, stride = 1;
       bool owned = true;
       for (int d = 0; d < D; ++d) {
-        const int i = out.coordinate(p, d);
+        const Axis& axis = fine.axis[d];
+        const int place = out.coordinate(p, d), i = coarse.function(place, d);
         const auto& row = refinement[d].coefficient[i];
         const int k = static_cast<int>(std::max_element(row.begin(), row.end()) - row.begin());
-        owned = owned && i < coarse.axis[d].owned();
-        partner += stride * wrapped(refinement[d].first[i] + k, fine.axis[d].owned(), in.period[d]);
+        owned = owned && i < coarse.axis[d].owned() && coarse.own(place, d);
+        const int function = wrapped(refinement[d].first[i] + k, axis.owned(), axis.periodic() ? axis.owned() : 0);
+        partner += stride * (d == 0 ? column[function] : function);
         stride *= in.extent[d];
       }
       if (owned) result[coarse.component_shift(c) + p] = mask[fine.component_shift(c) + partner];
     }
   return result;
+}
+
+/// Cuts the columns of a coarse layout where those of the fine one are cut.
+template <int D>
+void cut_like(const Layout<D>& fine, Layout<D>& coarse) {
+  const int ratio = fine.axis[0].elements() / coarse.axis[0].elements();
+  std::vector<int> first;
+  for (int f : fine.columns.first_function) first.push_back(f / ratio);
+  first.back() = coarse.axis[0].functions();
+  coarse.columns = cut_before(coarse.axis[0], fine.columns.rank, first, fine.columns.beside);
+  coarse.exchange = plan_exchange(coarse.axis[0], coarse.columns);
 }
 
 }  // namespace
@@ -114,8 +128,11 @@ CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int l
   for (int d = 0; d < D; ++d) {
     refinement.push_back(refine_from_half(fine.axis[d], least));
     layout_.axis.push_back(refinement[d].coarse);
-    if (d < D - 1) layout_.row_size *= refinement[d].coarse.functions();
-    axis_[d] = make_axis_transfer(fine.axis[d], refinement[d]);
+    if (d == 0 && !fine.whole()) cut_like(fine, layout_);
+    if (d < D - 1) layout_.row_size *= layout_.extent(d);
+    axis_[d] =
+        make_axis_transfer(fine.axis[d], refinement[d], axis_places(fine.axis[d], d == 0 ? fine.columns : Columns()),
+                           axis_places(layout_.axis[d], d == 0 ? layout_.columns : Columns()));
     exists_ = exists_ || refinement[d].coarse.elements() < fine.axis[d].elements();
   }
   const Axis& vertical = layout_.axis[D - 1];
@@ -124,8 +141,10 @@ CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int l
   layout_.solid_elements = fine.solid_elements / (halved ? 2 : 1);
   if (layout_.has_solid)
     layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
-  mask_ = to_device<Array>(coarse_mask(fine, layout_, to_host(mask), refinement), "coarse.mask");
-  product_.emplace(fine, refinement);
+  const Array free = to_device<Array>(coarse_mask(fine, layout_, to_host(mask), refinement), "coarse.mask");
+  if (!layout_.whole()) update_columns<double>(layout_.columns, *layout_.exchange, free);
+  mask_ = free;
+  product_.emplace(fine, layout_, refinement);
   int points = Stencil<D>(fine).points;
   for (int step = 0; step + 1 < D; ++step) {
     points = points / axis_[D - 1 - step].fine * axis_[D - 1 - step].coarse;
@@ -145,7 +164,7 @@ void CoarseSpace<D>::transfer(bool to_coarse, const ConstArray& from, const Arra
     const bool last = step == D - 1;
     Places<D> to_place = last ? places_of(target) : from_place;
     if (!last) {
-      to_place.extent[d] = target.axis[d].functions();
+      to_place.extent[d] = target.extent(d);
       to_place.points = from_place.points / from_place.extent[d] * to_place.extent[d];
       const int row = to_place.points / to_place.extent[D - 1];
       for (int c = 0; c < D + 2; ++c) {

@@ -33,13 +33,13 @@ std::vector<Term> terms_of(const Axis& fine, const Refinement& r, int row, int s
   return list;
 }
 
-AxisProduct make_product(const Axis& fine, const Refinement& r) {
+AxisProduct make_product(const Axis& fine, const Refinement& r, const AxisPlaces& from, const AxisPlaces& to) {
   std::vector<std::vector<Term>> terms;
   std::vector<int> count;
   std::size_t width = 0;
-  for (int j = 0; j < r.coarse.functions(); ++j)
+  for (std::size_t j = 0; j < to.function.size(); ++j)
     for (int shift = -fine.degree(); shift <= fine.degree(); ++shift) {
-      terms.push_back(terms_of(fine, r, j, shift));
+      terms.push_back(to.own[j] ? terms_of(fine, r, to.function[j], shift) : std::vector<Term>());
       count.push_back(static_cast<int>(terms.back().size()));
       width = std::max(width, terms.back().size());
     }
@@ -51,7 +51,7 @@ AxisProduct make_product(const Axis& fine, const Refinement& r) {
   const auto weight = Kokkos::create_mirror_view(p.weight);
   for (std::size_t i = 0; i < terms.size(); ++i)
     for (std::size_t k = 0; k < terms[i].size(); ++k) {
-      row(i, k) = terms[i][k].row;
+      row(i, k) = from.place[terms[i][k].row];
       step(i, k) = terms[i][k].step;
       weight(i, k) = static_cast<float>(terms[i][k].weight);
     }
@@ -176,12 +176,15 @@ void coarsen(const Stencil<D>& in, const Stencil<D>& out, const AxisProduct& axi
 }  // namespace
 
 template <int D>
-GalerkinProduct<D>::GalerkinProduct(const Layout<D>& fine, const std::vector<Refinement>& refinement)
+GalerkinProduct<D>::GalerkinProduct(const Layout<D>& fine, const Layout<D>& coarse,
+                                    const std::vector<Refinement>& refinement)
     : stencil_{Stencil<D>(fine)} {
-  for (int d = 0; d < D; ++d) axis_[d] = make_product(fine.axis[d], refinement[d]);
+  for (int d = 0; d < D; ++d)
+    axis_[d] = make_product(fine.axis[d], refinement[d], axis_places(fine.axis[d], d == 0 ? fine.columns : Columns()),
+                            axis_places(coarse.axis[d], d == 0 ? coarse.columns : Columns()));
   for (int d = D - 1; d >= 0; --d) {  // the first axis last: rows of neighbouring points stay together meanwhile
     Stencil<D> next = stencil_.back();
-    next.extent[d] = refinement[d].coarse.functions();
+    next.extent[d] = coarse.extent(d);
     next.points = stencil_.back().points / stencil_.back().extent[d] * next.extent[d];
     stencil_.push_back(next);
   }

@@ -1,8 +1,8 @@
 // The Galerkin product of a matrix with the step to a coarse space.
 #pragma once
 
+#include "solver/axis_transfer.hpp"
 #include "solver/stencil.hpp"
-#include "spline/refinement.hpp"
 
 namespace softwet {
 
@@ -16,11 +16,12 @@ struct AxisProduct {
   Kokkos::View<float**, Kokkos::LayoutRight, Exec> weight;
 };
 
-/// A_c = P^T A P, axis by axis, for one pair of components after another, so that what lies between two axes is small.
+/// A_c = P^T A P, axis by axis, for one pair of components after another, so that what lies between two axes is small. Of
+/// several processes each makes the rows of its own columns.
 template <int D>
 class GalerkinProduct {
  public:
-  GalerkinProduct(const Layout<D>& fine, const std::vector<Refinement>& refinement);
+  GalerkinProduct(const Layout<D>& fine, const Layout<D>& coarse, const std::vector<Refinement>& refinement);
 
   void operator()(const StencilValues& fine, const StencilValues& coarse);
   double bytes() const;  ///< of the buffers, which the first product allocates

@@ -1,62 +1,53 @@
-// A preconditioner of the whole patch on every process.
+// A solver of the whole patch on every process.
 #pragma once
 
-#include "field/window.hpp"
 #include "solver/preconditioner.hpp"
 
 namespace softwet {
 
-/// A vector of the whole patch, on every process.
+/// A mask of the whole patch, on every process. Ghosts are not free, also where copies of them are.
 template <int D>
-Array of_patch(const Layout<D>& layout, const ConstArray& own) {
-  const Array all("patch", static_cast<std::size_t>(entries_of_patch(layout, static_cast<double>(own.extent(0)))));
-  gather_columns(layout.columns, own, all);
-  return all;
+Array mask_of_patch(const Layout<D>& layout, const ConstArray& own) {
+  std::vector<double> all = to_host_of_patch(layout, own);
+  const Axis& axis = layout.axis[0];
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (static_cast<int>(i % axis.functions()) >= axis.owned()) all[i] = 0;
+  return to_device<Array>(all, "mask");
 }
 
-/// Each process collects the matrix and the vector, or the window of them that its own columns depend on, and does with
-/// the same numbers what a single process does. So the number of processes does not change a bit of the result.
+/// All processes collect the matrix and the vector, and each does with the same numbers what a single process does. So the
+/// number of processes does not change a bit of the result.
 template <int D>
-class Replicated final : public Preconditioner {
+class Replicated final : public StencilSolver<D> {
  public:
-  /// @param whole   for the layout of the whole patch
-  /// @param beside  columns beside its own that a process needs; -1: all
-  Replicated(const Layout<D>& layout, std::unique_ptr<Preconditioner> whole, int beside)
+  /// @param layout    what this process stores; `mask` and `solver` are for the whole patch
+  /// @param products  what the solver's products with the matrix read
+  Replicated(const Layout<D>& layout, const ConstArray& mask, std::unique_ptr<StencilSolver<D>> solver,
+             Products products = Products::single)
       : layout_(layout),
-        whole_(std::move(whole)),
-        r_("replicated.r", layout.whole_patch().size()),
-        z_("replicated.z", layout.whole_patch().size()) {
-    if (beside >= 0) window_ = plan_window(layout.axis[0], layout.columns, beside);
-  }
+        matrix_(layout.whole_patch(), mask, products),
+        solver_(std::move(solver)),
+        r_("replicated.r", matrix_.layout().size()),
+        z_("replicated.z", matrix_.layout().size()) {}
 
-  void build(const Jacobian& jacobian) override {
-    if (own_.extent(0) == 0) own_ = StencilValues("replicated.own", Stencil<D>(layout_).size());
-    jacobian(own_);
-    whole_->build([&](const StencilValues& values) { collect<float>(own_, values); });
+  void build(const StencilMatrix<D>& matrix) override {
+    const auto own = Kokkos::subview(matrix.values(), Kokkos::make_pair(std::int64_t(0), matrix.stencil().size()));
+    matrix_.fill([&](const StencilValues& values) { gather_columns(layout_.columns, own, values); });
+    solver_->build(matrix_);
   }
   void apply(const ConstArray& r, const Array& z) override {
-    collect<double>(r, r_);
-    whole_->apply(r_, z_);
+    gather_columns(layout_.columns, r, r_);
+    solver_->apply(r_, z_);
     take_columns(layout_.columns, z_, z);
   }
-  std::string name() const override { return whole_->name(); }
-  double bytes() const override { return whole_->bytes() + 4.0 * Stencil<D>(layout_).size(); }
-  double build_cost() const override { return whole_->build_cost(); }
+  std::string name() const override { return solver_->name(); }
+  double bytes() const override { return matrix_.bytes() + solver_->bytes(); }
+  double build_cost() const override { return solver_->build_cost(); }
 
  private:
-  template <class Real>
-  void collect(const ConstArrayOf<Real>& own, const ArrayOf<Real>& all) const {
-    if (window_) {
-      fill_window<Real>(layout_.columns, *window_, own, all);
-    } else {
-      gather_columns(layout_.columns, own, all);
-    }
-  }
-
   Layout<D> layout_;
-  std::unique_ptr<Preconditioner> whole_;
-  std::shared_ptr<const ColumnExchange> window_;
-  StencilValues own_;
+  StencilMatrix<D> matrix_;
+  std::unique_ptr<StencilSolver<D>> solver_;
   Array r_, z_;
 };
 

@@ -1,30 +1,23 @@
 #include "solver/schwarz.hpp"
 
-#include <numeric>
 #include <optional>
 
 #include "field/vector.hpp"
 #include "solver/block_lu.hpp"
 #include "solver/boxes.hpp"
 #include "solver/coarse_space.hpp"
+#include "solver/replicated.hpp"
 
 namespace softwet {
 
 namespace {
 
-/// The columns of the first coarse level whose residual and matrix follow from a process's own columns.
-Columns coarse_part(const Columns& fine, const Axis& fine_axis, const Axis& coarse_axis) {
-  const int ratio = fine_axis.elements() / coarse_axis.elements();
-  Columns c;
-  c.rank = fine.rank;
-  c.ranks = fine.ranks;
-  c.function.resize(coarse_axis.functions());
-  std::iota(c.function.begin(), c.function.end(), 0);
-  for (int first : fine.first_function) c.first_function.push_back(first / ratio);
-  c.first_function.back() = coarse_axis.functions();
-  c.begin = c.first_function[c.rank];
-  c.end = c.first_function[c.rank + 1];
-  return c;
+/// Whether a coarse level is worth cutting among the processes: each has some columns.
+bool can_be_cut(const Columns& c) {
+  constexpr int least = 2;
+  for (int r = 0; r < c.ranks; ++r)
+    if (c.first_function[r + 1] - c.first_function[r] < least) return false;
+  return true;
 }
 
 /// Part of the boxes' answer that is added when the residual has been computed anew after the coarse correction. All of it
@@ -35,33 +28,34 @@ template <int D>
 class Schwarz final : public StencilSolver<D> {
  public:
   Schwarz(const Layout<D>& layout, const ConstArray& mask, SchwarzControl control)
-      : multiplicative_(control.multiplicative), boxes_(layout, mask, control.width, control.stride, control.wanted) {
+      : layout_(layout), multiplicative_(control.multiplicative), boxes_(layout, mask, control.width, control.stride) {
+    if (!layout.whole()) r_ = Array("schwarz.r", layout.size());
     if (control.coarse) add_coarse(layout, mask, control);
   }
 
   void build(const StencilMatrix<D>& matrix) override {
     matrix_ = &matrix;
+    matrix.update_copies();
     boxes_.build(matrix);
     if (!space_) return;
-    coarse_matrix_->fill([&](const StencilValues& values) {
-      space_->galerkin(matrix, values);
-      if (part_.ranks > 1) gather_columns(part_, values, values);
-    });
+    coarse_matrix_->fill([&](const StencilValues& values) { space_->galerkin(matrix, values); });
     coarse_->build(*coarse_matrix_);
   }
 
   void apply(const ConstArray& r, const Array& z) override {
+    const ConstArray here = with_copies(r);
     Kokkos::deep_copy(Exec(), z, 0.0);
     if (space_) {
-      space_->restrict_to(r, coarse_r_);
-      if (part_.ranks > 1) gather_columns(part_, coarse_r_, coarse_r_);
+      space_->restrict_to(here, coarse_r_);
       coarse_->apply(coarse_r_, coarse_z_);
+      update(space_->layout(), coarse_z_);
       space_->prolong(coarse_z_, z);
     }
-    if (!space_ || !multiplicative_) return boxes_.add(r, z, 1);
+    if (!space_ || !multiplicative_) return boxes_.add(here, z, 1);
     matrix_->multiply(z, rest_);
     combine(rest_, -1, rest_, 0);
     add_scaled(rest_, 0, 1, r);
+    update(layout_, rest_);
     boxes_.add(rest_, z, damping);
   }
 
@@ -74,31 +68,49 @@ class Schwarz final : public StencilSolver<D> {
   }
 
  private:
+  static void update(const Layout<D>& layout, const Array& x) {
+    if (!layout.whole()) update_columns<double>(layout.columns, *layout.exchange, x);
+  }
+  /// The residual with the copies of other processes' columns.
+  ConstArray with_copies(const ConstArray& r) const {
+    if (layout_.whole()) return r;
+    Kokkos::deep_copy(Exec(), r_, r);
+    update(layout_, r_);
+    return r_;
+  }
+
   void add_coarse(const Layout<D>& layout, const ConstArray& mask, const SchwarzControl& control) {
     space_.emplace(layout, mask, 4);
     if (!space_->exists()) return space_.reset();
-    const Layout<D>& coarse = space_->layout();
-    const bool direct = coarse.size() <= control.direct_up_to;
-    coarse_matrix_.emplace(coarse, space_->mask(), direct ? Products::single : Products::sixteen_bits);
+    const Layout<D>&coarse = space_->layout(), all = coarse.whole_patch();
+    const bool direct = all.size() <= control.direct_up_to;
+    const Products products = direct ? Products::single : Products::sixteen_bits;
     SchwarzControl below = control;
     below.multiplicative = true;
-    below.wanted = {};
-    below.part = {};
-    if (control.part.ranks > 1) part_ = coarse_part(control.part, layout.axis[0], coarse.axis[0]);
-    coarse_ = direct ? make_block_lu<D>(coarse, space_->mask()) : make_schwarz<D>(coarse, space_->mask(), below);
+    const auto solver = [&](const Layout<D>& l, const ConstArray& m) {
+      return direct ? make_block_lu<D>(l, m) : make_schwarz<D>(l, m, below);
+    };
+    if (coarse.whole() || (!direct && can_be_cut(coarse.columns))) {
+      coarse_matrix_.emplace(coarse, space_->mask(), products);
+      coarse_ = solver(coarse, space_->mask());
+    } else {
+      const Array free = mask_of_patch(coarse, space_->mask());
+      coarse_matrix_.emplace(coarse, space_->mask());
+      coarse_ = std::make_unique<Replicated<D>>(coarse, free, solver(all, free), products);
+    }
     coarse_r_ = Array("schwarz.coarse_r", coarse.size());
     coarse_z_ = Array("schwarz.coarse_z", coarse.size());
     if (multiplicative_) rest_ = Array("schwarz.rest", layout.size());
   }
 
+  Layout<D> layout_;
   bool multiplicative_;
-  Columns part_;  ///< of the coarse level that this process knows
   Boxes<D> boxes_;
   const StencilMatrix<D>* matrix_ = nullptr;
   std::optional<CoarseSpace<D>> space_;
   std::optional<StencilMatrix<D>> coarse_matrix_;
   std::unique_ptr<StencilSolver<D>> coarse_;
-  Array coarse_r_, coarse_z_, rest_;
+  Array r_, coarse_r_, coarse_z_, rest_;
 };
 
 }  // namespace

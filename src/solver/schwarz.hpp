@@ -12,16 +12,12 @@ struct SchwarzControl {
   bool coarse = true;           ///< with coarse levels
   bool multiplicative = false;  ///< see below; always on coarse levels
   int direct_up_to = 60000;     ///< unknowns of a coarse space that is factorised (block LU); above, Schwarz again
-  ColumnRange wanted = {};      ///< where the answer is asked for; not with `multiplicative`
-  /// Of one of several processes: it has the matrix and residuals of its own columns and of width - 1 beside them, and
-  /// collects those of the first coarse level. Empty: all are here.
-  Columns part = {};
 
   /// Wider boxes need fewer iterations and more memory; these are a compromise. In three dimensions one more level is
   /// faster than factors of 25 000 unknowns.
   static SchwarzControl for_dimension(int d) {
-    return d == 2 ? SchwarzControl{.width = 8, .stride = 6}
-                  : SchwarzControl{.width = 4, .stride = 3, .direct_up_to = 10000};
+    return d == 2 ? SchwarzControl{.width = box_width(2), .stride = 6}
+                  : SchwarzControl{.width = box_width(3), .stride = 3, .direct_up_to = 10000};
   }
 };
 
@@ -31,6 +27,9 @@ struct SchwarzControl {
 /// their answer is added. This takes fewer iterations and costs a product with the matrix, which is cheap on the coarse
 /// levels. The finest level is additive (docs/performance.md tells why).
 /// Applying is one dense product for each box, on the host or a device (solver/boxes.hpp); sums have a fixed order.
+/// Of several processes each has the boxes that touch its own columns, on every level whose columns can be cut as the
+/// finest one's are. The others are collected and done alike by all. The layout has width - 1 columns beside one's own, the
+/// mask is right in these too, and the answer is right in one's own columns.
 /// Source: Toselli and Widlund, Domain Decomposition Methods, Springer 2005.
 template <int D>
 std::unique_ptr<StencilSolver<D>> make_schwarz(const Layout<D>& layout, const ConstArray& mask, SchwarzControl control);

@@ -1,5 +1,6 @@
 #include "solver/stencil.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "solver/bfloat16.hpp"
@@ -185,7 +186,7 @@ StencilMatrix<D>::StencilMatrix(const Layout<D>& layout, const ConstArray& mask,
   bool periodic = false;
   int stride = 1, farthest = 0;
   for (int d = 0; d < D; ++d) {
-    periodic = periodic || stencil_.period[d] > 0;
+    periodic = periodic || layout.axis[d].periodic();
     farthest += stride * stencil_.degree;
     stride *= stencil_.extent[d];
   }
@@ -211,6 +212,18 @@ void StencilMatrix<D>::fill(const Jacobian& jacobian) {
     Kokkos::deep_copy(narrow_, std::uint16_t(0));
   }
   Kokkos::parallel_for("softwet::narrow", Policy(0, stencil_.size()), NarrowValues{values_, narrow_});
+}
+
+/// Some lines after the other, so that the memory for messages stays small.
+template <int D>
+void StencilMatrix<D>::update_copies() const {
+  if (layout_.whole()) return;
+  const std::int64_t lines = (std::int64_t(1) << 22) / layout_.axis[0].functions();  // the same for all processes
+  const std::int64_t at_once = lines * layout_.columns.stored();
+  for (std::int64_t first = 0; first < stencil_.size(); first += at_once) {
+    const std::int64_t last = std::min(stencil_.size(), first + at_once);
+    update_columns<float>(layout_.columns, *layout_.exchange, Kokkos::subview(values_, Kokkos::make_pair(first, last)));
+  }
 }
 
 template <int D>

@@ -42,6 +42,8 @@ class StencilMatrix {
   StencilMatrix(const Layout<D>& layout, const ConstArray& mask, Products products = Products::single);
 
   void fill(const Jacobian& jacobian);
+  /// Rows of the copies of other processes' columns: fill makes only a process's own rows.
+  void update_copies() const;
   /// y = A x; prescribed values and ghosts of x count as zero, those of y are zero.
   void multiply(const ConstArray& x, const Array& y) const;
 

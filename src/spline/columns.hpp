@@ -6,7 +6,7 @@
 namespace softwet {
 
 /// Elements of a strip. The last strip also has what is left over.
-inline constexpr int strip_width = 8;
+inline constexpr int strip_width = 4;
 
 /// Elements that follow each other: the stored element l is element l + shift of the axis.
 struct ElementRun {
@@ -25,17 +25,18 @@ struct ElementColumns {
 /// All of so many elements.
 ElementColumns whole_elements(int elements);
 
-/// The columns of an axis that a process stores: its own ones, [begin, end) in storage, and copies of others that the
-/// elements of its own rows read. A process owns whole strips. The copies behind the end of a periodic axis count as
-/// columns of their own and belong to the last process.
+/// The columns of an axis that a process stores: its own ones, [begin, end) in storage, and copies of `beside` others on
+/// both sides. A process owns whole strips. The copies behind the end of a periodic axis count as columns of their own and
+/// belong to the last process.
 ///
 /// The elements of a process are all those that its own control points live on, so that nothing has to be added up
-/// between processes. Around a periodic axis the first process keeps its last elements apart, with control points of
-/// their own, and then adds what these got beyond the end. A single process does the same, so the order is the same.
+/// between processes. Around a periodic axis the first process keeps the last columns apart, behind its others. Its last
+/// elements have control points of their own there, and what these get beyond the end is added to the first columns. A
+/// single process does the same, so the order is the same.
 struct Columns {
   int rank = 0, ranks = 1;
   std::vector<int> function;  ///< of each stored column; empty: nothing was cut
-  int begin = 0, end = 0;
+  int begin = 0, end = 0, beside = 0;
   std::vector<int> first_function;  ///< of each rank, and the end
   ElementColumns elements;
 
@@ -43,8 +44,15 @@ struct Columns {
   bool own(int column) const { return column >= begin && column < end; }
 };
 
-/// The part of one of `ranks` processes; at most `most_ranks` have one.
-Columns cut_columns(const Axis&, int rank, int ranks);
+/// The part of one of `ranks` processes; at most `most_ranks` have one. At least `degree` columns are stored beside it.
+Columns cut_columns(const Axis&, int rank, int ranks, int beside = 0);
 int most_ranks(const Axis&);
+
+/// The part of an axis that was cut before these functions. It has no strips.
+Columns cut_before(const Axis&, int rank, const std::vector<int>& first_function, int beside);
+
+/// Where each function of an axis is stored, an own column before a copy; -1: nowhere. A periodic axis repeats itself
+/// behind its own functions; these have the place of what they repeat.
+std::vector<int> places_of_functions(const Axis&, const Columns&);
 
 }  // namespace softwet

@@ -13,7 +13,7 @@ struct AddNoise {
   Array a;
   ConstArray free;
   double scale;
-  int stored, first, functions;  ///< columns of a line; the first one's place in a line of the patch, and those of it
+  int stored, first, functions;  ///< columns of a line; SumColumns::first_function, and those of it
   KOKKOS_FUNCTION void operator()(int i) const {
     const unsigned place = static_cast<unsigned>(i / stored) * functions + first + i % stored;
     const unsigned mixed = (place * 2654435761u) ^ (place >> 7);
@@ -26,7 +26,7 @@ struct AddNoise {
 inline void add_noise(const Array& a, const ConstArray& free) {
   constexpr double part = 0.1;
   const SumColumns& scene = sum_columns();
-  const bool cut = scene.stored > 0 && scene.stored < scene.functions;
+  const bool cut = scene.stored > 0;
   const int stored = cut ? scene.stored : 1, functions = cut ? scene.functions : 1;
   const double all = static_cast<double>(a.extent(0)) / stored * functions;
   const double length = norm(a), size = all > 0 ? all : 1;

@@ -8,9 +8,17 @@ import sys
 import h5py
 
 sys.path.insert(0, str(pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tests" / "regression"))
-from _scene import cases, check_true, command_of_file, environment  # noqa: E402, F401
+from _scene import cases, check_true, command_of_file, environment, softwet  # noqa: E402, F401
 
 launcher = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tools" / "_ranks"
+
+
+def has_configuration(name):
+    """Whether this build has one, "3D degree 2"; says so where it has not."""
+    has = name in subprocess.run([softwet, "info"], capture_output=True, text=True).stdout
+    if not has:
+        print(f"this build has no {name}")
+    return has
 
 
 def start(count, case, folder, settings, options=("--overwrite", "--quiet"), threads=1):

@@ -67,7 +67,7 @@ check_true("disk: exit code 3 and a message", code == 3 and "softwet: error:" in
 # A wrong case: one message.
 errors = run(3, "tensotaxis_pull_2d", "wrong", ["fluid.viscosity=-1"], code=1)
 check_true("wrong case: one message", errors.count("softwet: error:") == 1, errors)
-errors = run(4, "tensotaxis_pull_2d", "narrow", [*SCENE, "domain.elements=[16,16]"], code=1)
+errors = run(4, "tensotaxis_pull_2d", "narrow", [*SCENE, "domain.elements=[12,16]"], code=1)
 check_true("too many processes: one message", errors.count("softwet: error:") == 1, errors)
 result = subprocess.run([str(launcher), "2", softwet, "info"], capture_output=True, text=True, env=environment)
 check_true("another command: one message, code 1", result.returncode == 1 and result.stderr.count("error:") == 1,

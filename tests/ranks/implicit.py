@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Generalized-alpha gives the same bits on any number of processes: pulled on a soft solid, at a rigid wall, around a
-periodic side, in the solid alone. usage: implicit.py SOFTWET"""
+periodic side, in the solid alone, and with splines of degree 3 where the build has them. usage: implicit.py SOFTWET"""
 
-from _ranks import check_same, run
+from _ranks import check_same, has_configuration, run
 
 SOFT = ["domain.elements=[44,16]", "fluid.capillarity=1/16", "load[0].start=2", "load[0].ramp=1"]
 SCENES = {
@@ -17,6 +17,13 @@ SCENES = {
               (2, 3)),
     "solid": ("solid_layer_2d", ["time.max_steps=12"], (2,)),
 }
+
+if has_configuration("2D degree 3"):
+    CUBIC = ["domain.degree=3", *SOFT, "time.max_steps=6"]
+    SCENES["cubic"] = ("tensotaxis_pull_2d", [*CUBIC, "output.fields.times=[0]"], (2, 3))
+    SCENES["cubic schwarz"] = ("tensotaxis_pull_2d", [*CUBIC, "solver.krylov.preconditioner=schwarz",
+                                                      "output.fields.times=[]", "boundary.left=periodic",
+                                                      "boundary.right=periodic"], (3,))
 
 for name, (case, settings, counts) in SCENES.items():
     run(1, case, f"{name}_1", settings)

@@ -161,7 +161,8 @@ void add_bench(CLI::App& app, Request& request) {
     const Case c = given->count() > 0
                        ? load_case(request)
                        : examined(parse_case(initial_case("bench"), "the case of init", request.overrides));
-    bench_case(c, request.options, std::cout);
+    std::ostream nowhere(nullptr);
+    bench_case(c, request.options, ranks::root() ? std::cout : nowhere);
   });
 }
 
@@ -273,9 +274,9 @@ void check_processes(int argc, const char* const* argv) {
                   "started as one of several processes, but this program was built without MPI; build it with "
                   "-DSOFTWET_MPI=ON (preset mpi)");
   }
-  if (ranks::count() > 1 && (argc < 2 || std::string(argv[1]) != "run"))
+  if (ranks::count() > 1 && (argc < 2 || (std::string(argv[1]) != "run" && std::string(argv[1]) != "bench")))
     throw Error(Exit::invalid_input,
-                "several processes compute with 'softwet run' alone; start this command by itself");
+                "several processes compute with 'softwet run' and 'softwet bench' alone; start this command by itself");
 }
 
 int parse(CLI::App& app, int argc, const char* const* argv) {

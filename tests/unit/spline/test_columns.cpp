@@ -8,11 +8,25 @@
 namespace softwet {
 namespace {
 
-void check_cut(const Axis& axis, int ranks) {
+/// Whether all functions up to `beside` away from the own ones are stored, and each own function in its own column.
+void check_beside(const Axis& axis, const Columns& c, int beside) {
+  const std::vector<int> place = places_of_functions(axis, c);
+  const int own_end = std::min(c.first_function[c.rank + 1], axis.owned());
+  for (int f = c.first_function[c.rank] - beside; f < own_end + beside; ++f) {
+    const int n = axis.owned(), function = axis.periodic() ? (f + n) % n : f;
+    if (function < 0 || function >= n) continue;
+    ASSERT_GE(place[function], 0) << "function " << f << " of rank " << c.rank;
+    EXPECT_EQ(c.function[place[function]] % n, function);
+    if (f >= c.first_function[c.rank] && f < own_end) EXPECT_TRUE(c.own(place[function]));
+  }
+}
+
+void check_cut(const Axis& axis, int ranks, int beside) {
   std::multiset<int> functions, elements;
   int strips = 0;
   for (int rank = 0; rank < ranks; ++rank) {
-    const Columns c = cut_columns(axis, rank, ranks);
+    const Columns c = cut_columns(axis, rank, ranks, beside);
+    check_beside(axis, c, std::max(beside, axis.degree()));
     for (int i = c.begin; i < c.end; ++i) functions.insert(c.function[i]);
     const ElementColumns& e = c.elements;
     EXPECT_EQ(e.first_strip, strips);
@@ -46,7 +60,8 @@ TEST(Columns, EachBelongsToOneProcessThatHasWhatItNeeds) {
     for (const int degree : {2, 3})
       for (const int elements : {5, 8, 16, 23, 44})
         for (int ranks = 1; ranks <= std::max(1, elements / strip_width); ++ranks)
-          check_cut(Axis(1.0, elements, degree, periodic), ranks);
+          for (int beside : {0, 3, 7})
+            if (beside <= elements) check_cut(Axis(1.0, elements, degree, periodic), ranks, beside);
 }
 
 TEST(Columns, OneProcessStoresEachOnce) {
