@@ -110,7 +110,8 @@ TEST(BlockLu, StoresSinglePrecisionWhereHalfIsNotEnough) {
   EXPECT_LT(defect_of(*sufficient, matrix, b), 0.01);
   EXPECT_EQ(sufficient->bytes(), half->bytes());
   matrix.fill(nearly_singular(s.layout(), 1e-5f));
-  if (half->bytes() < make(FactorPrecision::single)->bytes()) EXPECT_GT(defect_of(*half, matrix, b), 0.2);
+  const bool narrow = half->bytes() < make(FactorPrecision::single)->bytes();
+  EXPECT_TRUE(!narrow || defect_of(*half, matrix, b) > 0.2);
   EXPECT_LT(defect_of(*sufficient, matrix, b), 0.05);
   EXPECT_EQ(sufficient->bytes(), make(FactorPrecision::single)->bytes());
 }

@@ -17,7 +17,8 @@ void check_beside(const Axis& axis, const Columns& c, int beside) {
     if (function < 0 || function >= n) continue;
     ASSERT_GE(place[function], 0) << "function " << f << " of rank " << c.rank;
     EXPECT_EQ(c.function[place[function]] % n, function);
-    if (f >= c.first_function[c.rank] && f < own_end) EXPECT_TRUE(c.own(place[function]));
+    const bool own = f >= c.first_function[c.rank] && f < own_end;
+    EXPECT_TRUE(!own || c.own(place[function]));
   }
 }
 
