@@ -15,7 +15,7 @@ using ConstArrayOf = Kokkos::View<const Real*, Exec>;
 using Array = ArrayOf<double>;
 using ConstArray = ConstArrayOf<double>;
 
-/// True where kernels run on the host, one SIMD pack of elements at a time; false on a device, one element per thread.
+/// True where kernels run on the host, one SIMD pack of elements at a time; false on a device, in tiles of elements.
 inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, Exec::memory_space>::accessible;
 
 template <class ViewType>
