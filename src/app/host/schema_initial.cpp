@@ -3,7 +3,6 @@
 #include "app/host/schema.hpp"
 
 namespace softwet {
-namespace {}  // namespace
 
 std::vector<Key> initial_keys() {
   return {

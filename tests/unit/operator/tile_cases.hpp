@@ -78,6 +78,7 @@ struct TileCases {
   /// The partial sums of a tile by three threads against those by one. A barrier that is missing shows here, but for luck.
   template <bool Tangent, class Motion, class Term>
   void check_threads(const Term& term, const Region<D>& region) const {
+    if (!on_host) GTEST_SKIP() << "the tiles of this program lie in the memory of a device";
     using Shape = ChosenTile<D, P, true, double>;
     using Plan = TilePlan<Shape, Term, Motion, Tangent, double>;
     static_assert(Shape::points % ThreadTeam::size == 0);
