@@ -11,7 +11,7 @@
 namespace softwet {
 namespace {
 
-std::string number(double value) {
+std::string short_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;
@@ -45,8 +45,8 @@ void add_droplets(const Case& c, std::vector<std::string>& found) {
   for (std::size_t i = 0; i < c.droplets.size(); ++i) {
     const double radius = c.droplets[i].radius, least = least_radius(c, c.droplets[i]);
     if (radius >= least) continue;
-    found.push_back("droplet[" + std::to_string(i) + "].radius = " + number(radius) + " is below " + number(least) +
-                    ", where a droplet of fluid.capillarity = " + number(c.fluid->capillarity) +
+    found.push_back("droplet[" + std::to_string(i) + "].radius = " + short_text(radius) + " is below " +
+                    short_text(least) + ", where a droplet of fluid.capillarity = " + short_text(c.fluid->capillarity) +
                     " dissolves in this domain: write a larger radius, or a smaller capillarity with more elements");
   }
 }
@@ -54,27 +54,27 @@ void add_droplets(const Case& c, std::vector<std::string>& found) {
 void add_softness(const Case& c, std::vector<std::string>& found) {
   if (!too_soft(c)) return;
   const double length = elastocapillary_length(c), bound = longest_elastocapillary_length(c);
-  found.push_back("substrate.young = " + number(c.substrate->young) + ": the elastocapillary length sigma/E is " +
-                  number(length) + " (thickness: " + number(c.substrate->thickness) +
-                  ", fluid.capillarity: " + number(c.fluid->capillarity) + "); above " + number(bound) +
+  found.push_back("substrate.young = " + short_text(c.substrate->young) + ": the elastocapillary length sigma/E is " +
+                  short_text(length) + " (thickness: " + short_text(c.substrate->thickness) +
+                  ", fluid.capillarity: " + short_text(c.fluid->capillarity) + "); above " + short_text(bound) +
                   " the droplet was measured to turn the solid inside out soon after the start: write young = " +
-                  number(1.05 * c.substrate->young * length / bound) + " or more");
+                  short_text(1.05 * c.substrate->young * length / bound) + " or more");
 }
 
 void add_locking(const Case& c, std::vector<std::string>& found) {
   const double error = locking_error(c);
   if (error < 0.01) return;
-  found.push_back("substrate.poisson = " + number(c.substrate->poisson) + " with domain.degree = 2 and " +
+  found.push_back("substrate.poisson = " + short_text(c.substrate->poisson) + " with domain.degree = 2 and " +
                   std::to_string(std::lround(c.rows_of_solid())) +
-                  " rows of elements in the solid: nearly incompressible, it is about " + number(100 * error) +
+                  " rows of elements in the solid: nearly incompressible, it is about " + short_text(100 * error) +
                   " % too stiff (softwet verify locking); write degree = 3 or take more elements");
 }
 
 void add_density(const Case& c, std::vector<std::string>& found) {
   const Substrate& s = *c.substrate;
   if (s.density == 1) return;
-  found.push_back("substrate.density = " + number(s.density) + " multiplies substrate.young = " + number(s.young) +
-                  ": the Young modulus is " + number(s.young_modulus()) +
+  found.push_back("substrate.density = " + short_text(s.density) + " multiplies substrate.young = " +
+                  short_text(s.young) + ": the Young modulus is " + short_text(s.young_modulus()) +
                   " a b^2; at a fixed young, another density is another stiffness (softwet explain substrate.young)");
 }
 

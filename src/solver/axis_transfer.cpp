@@ -9,12 +9,12 @@ namespace softwet {
 
 namespace {
 
-struct Term {
+struct TransferTerm {
   int source;
   double weight;
 };
 
-AxisSums make_sums(const std::vector<std::vector<Term>>& terms) {
+AxisSums make_sums(const std::vector<std::vector<TransferTerm>>& terms) {
   std::size_t width = 0;
   for (const auto& list : terms) width = std::max(width, list.size());
   const AxisSums sums{decltype(AxisSums::source)("transfer.source", terms.size(), width),
@@ -31,18 +31,18 @@ AxisSums make_sums(const std::vector<std::vector<Term>>& terms) {
   return sums;
 }
 
-using Terms = std::vector<std::vector<Term>>;
+using TransferTerms = std::vector<std::vector<TransferTerm>>;
 
 /// Sums of functions as sums at places. One at a copy is left out where not all that it needs is stored.
-AxisSums at_places(const Terms& terms, const AxisPlaces& to, const AxisPlaces& from, bool copies) {
-  Terms result(to.function.size());
+AxisSums at_places(const TransferTerms& terms, const AxisPlaces& to, const AxisPlaces& from, bool copies) {
+  TransferTerms result(to.function.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (!to.own[i] && (!copies || to.function[i] < 0)) continue;
     bool stored = true;
-    for (const Term& t : terms[to.function[i]]) stored = stored && from.place[t.source] >= 0;
+    for (const TransferTerm& t : terms[to.function[i]]) stored = stored && from.place[t.source] >= 0;
     if (!stored && to.own[i]) throw std::logic_error("a coarse space needs more columns beside those of a process");
     if (!stored) continue;
-    for (const Term& t : terms[to.function[i]]) result[i].push_back({from.place[t.source], t.weight});
+    for (const TransferTerm& t : terms[to.function[i]]) result[i].push_back({from.place[t.source], t.weight});
   }
   return make_sums(result);
 }
@@ -64,7 +64,7 @@ AxisPlaces axis_places(const Axis& axis, const Columns& columns) {
 AxisTransfer make_axis_transfer(const Axis& fine, const Refinement& r, const AxisPlaces& fine_places,
                                 const AxisPlaces& coarse_places) {
   const int period = fine.periodic() ? fine.owned() : 0;
-  Terms to_coarse(r.coarse.functions()), to_fine(fine.functions());
+  TransferTerms to_coarse(r.coarse.functions()), to_fine(fine.functions());
   for (int j = 0; j < r.coarse.owned(); ++j)
     for (std::size_t k = 0; k < r.coefficient[j].size(); ++k) {
       const double weight = r.coefficient[j][k];

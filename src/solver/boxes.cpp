@@ -12,7 +12,7 @@ namespace {
 
 using Indices = Kokkos::View<const int*, Exec>;
 using Inverses = Kokkos::View<std::uint16_t*, Exec>;
-using Places = Kokkos::View<const std::int64_t*, Exec>;
+using EntryPlaces = Kokkos::View<const std::int64_t*, Exec>;
 
 constexpr int rows_at_once = on_host ? 64 : 1;
 constexpr int prefetched = 24;  ///< columns ahead of the one that is read
@@ -95,7 +95,7 @@ struct FillRows {
 /// Inverses of blocks [block][column][row] into their strips.
 struct Store {
   Indices size;
-  Places begin;
+  EntryPlaces begin;
   DenseBlocks blocks;
   Inverses inverse;
   int first, unknowns, strip;
@@ -116,7 +116,7 @@ struct Store {
 /// columns together.
 struct ApplyBoxes {
   Indices size, dof;
-  Places begin;
+  EntryPlaces begin;
   Inverses inverse;
   Kokkos::View<const float*, Exec> weight;
   ConstArray r;

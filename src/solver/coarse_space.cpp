@@ -31,7 +31,7 @@ Places<D> places_of(const Layout<D>& layout) {
 }
 
 /// Entries of a line of control points along the first axis that are summed at once.
-constexpr int piece = on_host ? 64 : 1;
+constexpr int sum_piece = on_host ? 64 : 1;
 
 /// Sums along axis d of all components. An item is a piece of a line of the result.
 template <int D>
@@ -42,15 +42,15 @@ struct SumAxis {
   Array to;
   int d, components;
 
-  KOKKOS_FUNCTION int pieces() const { return (to_place.extent[0] + piece - 1) / piece; }
+  KOKKOS_FUNCTION int pieces() const { return (to_place.extent[0] + sum_piece - 1) / sum_piece; }
   std::int64_t items() const { return std::int64_t(components) * (to_place.points / to_place.extent[0]) * pieces(); }
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
     const int n = to_place.extent[0], lines = to_place.points / n;
-    const int begin = static_cast<int>(item % pieces()) * piece, line = static_cast<int>(item / pieces() % lines);
-    const int c = static_cast<int>(item / pieces() / lines), count = begin + piece < n ? piece : n - begin;
+    const int begin = static_cast<int>(item % pieces()) * sum_piece, line = static_cast<int>(item / pieces() % lines);
+    const int c = static_cast<int>(item / pieces() / lines), count = begin + sum_piece < n ? sum_piece : n - begin;
     if (line * n < to_place.first[c]) return;
-    double sum[piece] = {};
+    double sum[sum_piece] = {};
     if (d == 0) {
       along_line(c, line, begin, count, sum);
     } else {

@@ -9,11 +9,8 @@ namespace softwet {
 
 namespace {
 
-using Pack = HostPack;
-constexpr int lanes = host_lanes;
-
 /// The innermost loop computes a tile of c, which stays in registers: two packs high, and as wide as there are registers.
-constexpr int tile_rows = 2 * lanes, tile_columns = lanes >= 16 ? 12 : 6;
+constexpr int tile_rows = 2 * host_lanes, tile_columns = host_lanes >= 16 ? 12 : 6;
 /// Parts that stay in the caches: a part of a in the second one, a tile's part of b in the first one.
 constexpr int depth = 256, part_rows = 192 / tile_rows * tile_rows, part_columns = 85 * 12;
 static_assert(part_columns % tile_columns == 0);
@@ -49,19 +46,19 @@ void copy_b(const ConstFloatMatrix& b, float* to) {
 
 /// c += a b on one tile; c is whole.
 void add_tile(int n, const float* a, const float* b, float* c, int stride) {
-  Pack sum[tile_columns][2];
-  for (int j = 0; j < tile_columns; ++j) sum[j][0] = sum[j][1] = Pack(0.0f);
+  HostPack sum[tile_columns][2];
+  for (int j = 0; j < tile_columns; ++j) sum[j][0] = sum[j][1] = HostPack(0.0f);
   for (int k = 0; k < n; ++k, a += tile_rows, b += tile_columns) {
-    const Pack low = load(a), high = load(a + lanes);
+    const HostPack low = load(a), high = load(a + host_lanes);
     for (int j = 0; j < tile_columns; ++j) {
-      const Pack factor(b[j]);
+      const HostPack factor(b[j]);
       sum[j][0] = sum[j][0] + low * factor;
       sum[j][1] = sum[j][1] + high * factor;
     }
   }
   for (int j = 0; j < tile_columns; ++j, c += stride) {
     store(load(c) + sum[j][0], c);
-    store(load(c + lanes) + sum[j][1], c + lanes);
+    store(load(c + host_lanes) + sum[j][1], c + host_lanes);
   }
 }
 

@@ -9,19 +9,19 @@ namespace {
 
 using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
 
-struct Term {
+struct CoarsenTerm {
   int row, step;
   double weight;
 };
 
 /// Fine rows and shifts that make up a coarse row and shift.
-std::vector<Term> terms_of(const Axis& fine, const Refinement& r, int row, int shift) {
+std::vector<CoarsenTerm> terms_of(const Axis& fine, const Refinement& r, int row, int shift) {
   const int owned = r.coarse.owned(), fine_owned = fine.owned(), degree = fine.degree();
   const bool periodic = fine.periodic();
   const int column = row + shift, at = wrapped(column, owned, periodic ? owned : 0);
   if (row >= owned || at < 0) return {};
   const int first_column = r.first[at] + (column - at) / owned * fine_owned;
-  std::vector<Term> list;
+  std::vector<CoarsenTerm> list;
   for (int k = 0; k < static_cast<int>(r.coefficient[row].size()); ++k)
     for (int l = 0; l < static_cast<int>(r.coefficient[at].size()); ++l) {
       const int i = r.first[row] + k, step = first_column + l - i;
@@ -34,12 +34,12 @@ std::vector<Term> terms_of(const Axis& fine, const Refinement& r, int row, int s
 }
 
 AxisProduct make_product(const Axis& fine, const Refinement& r, const AxisPlaces& from, const AxisPlaces& to) {
-  std::vector<std::vector<Term>> terms;
+  std::vector<std::vector<CoarsenTerm>> terms;
   std::vector<int> count;
   std::size_t width = 0;
   for (std::size_t j = 0; j < to.function.size(); ++j)
     for (int shift = -fine.degree(); shift <= fine.degree(); ++shift) {
-      terms.push_back(to.own[j] ? terms_of(fine, r, to.function[j], shift) : std::vector<Term>());
+      terms.push_back(to.own[j] ? terms_of(fine, r, to.function[j], shift) : std::vector<CoarsenTerm>());
       count.push_back(static_cast<int>(terms.back().size()));
       width = std::max(width, terms.back().size());
     }
@@ -62,7 +62,7 @@ AxisProduct make_product(const Axis& fine, const Refinement& r, const AxisPlaces
 }
 
 /// Entries of neighbouring rows that are summed at once, and lines that are turned at once for the first axis.
-constexpr int piece = on_host ? 256 : 1, lanes = on_host ? 16 : 1;
+constexpr int coarsen_piece = on_host ? 256 : 1, lines_in_team = on_host ? 16 : 1;
 
 /// One axis but the first, or on a device any. An item is a piece of the rows that lie side by side.
 template <int D>
@@ -75,18 +75,19 @@ struct CoarsenAxis {
   int below, above;    ///< control points below and above axis d in the order of storage
   int before, behind;  ///< shifts along the axes before and behind axis d
 
-  KOKKOS_FUNCTION int pieces() const { return (below + piece - 1) / piece; }
+  KOKKOS_FUNCTION int pieces() const { return (below + coarsen_piece - 1) / coarsen_piece; }
   std::int64_t items() const { return std::int64_t(before) * behind * above * out.extent[d] * pieces(); }
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
-    const int begin = static_cast<int>(item % pieces()) * piece, count = begin + piece < below ? piece : below - begin;
+    const int begin = static_cast<int>(item % pieces()) * coarsen_piece,
+              count = begin + coarsen_piece < below ? coarsen_piece : below - begin;
     item /= pieces();
     const int row = static_cast<int>(item % out.extent[d]), high = static_cast<int>(item / out.extent[d] % above);
     const int other = static_cast<int>(item / out.extent[d] / above);  // shifts along the other axes
     const std::int64_t block = std::int64_t(other / before) * width * before + other % before;
     const std::int64_t line = std::int64_t(high) * out.extent[d] + row;
     for (int s = 0; s < width; ++s) {
-      float sum[piece] = {};
+      float sum[coarsen_piece] = {};
       const int list = row * width + s;
       for (int k = 0; k < axis.count(list); k += AxisProduct::terms_at_once) {
         const float *a = source(block, high, list, k) + begin, *b = source(block, high, list, k + 1) + begin;
@@ -118,22 +119,22 @@ struct CoarsenLines {
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int n = in.extent[0], lines = in.points / n, first = team.league_rank() % groups * lanes;
-    const int count = first + lanes < lines ? lanes : lines - first;
+    const int n = in.extent[0], lines = in.points / n, first = team.league_rank() % groups * lines_in_team;
+    const int count = first + lines_in_team < lines ? lines_in_team : lines - first;
     const std::int64_t block = std::int64_t(team.league_rank() / groups) * width;
-    const Scratch turned(team.team_scratch(1), width * n * lanes);
+    const Scratch turned(team.team_scratch(1), width * n * lines_in_team);
     for (int step = 0; step < width; ++step)
-      for (int lane = 0; lane < lanes; ++lane) {
+      for (int lane = 0; lane < lines_in_team; ++lane) {
         const float* source = from + (block + step) * in.points + std::int64_t(first + lane) * n;
-        for (int i = 0; i < n; ++i) turned((step * n + i) * lanes + lane) = lane < count ? source[i] : 0.0f;
+        for (int i = 0; i < n; ++i) turned((step * n + i) * lines_in_team + lane) = lane < count ? source[i] : 0.0f;
       }
     for (int s = 0; s < width; ++s)
       for (int row = 0; row < out.extent[0]; ++row) {
         const int list = row * width + s;
-        float sum[lanes] = {};
+        float sum[lines_in_team] = {};
         for (int k = 0; k < axis.count(list); ++k) {
-          const float* source = &turned((axis.step(list, k) * n + axis.row(list, k)) * lanes);
-          for (int lane = 0; lane < lanes; ++lane) sum[lane] += axis.weight(list, k) * source[lane];
+          const float* source = &turned((axis.step(list, k) * n + axis.row(list, k)) * lines_in_team);
+          for (int lane = 0; lane < lines_in_team; ++lane) sum[lane] += axis.weight(list, k) * source[lane];
         }
         float* result = to + (block + s) * out.points + std::int64_t(first) * out.extent[0] + row;
         for (int lane = 0; lane < count; ++lane) result[lane * out.extent[0]] = sum[lane];
@@ -146,8 +147,8 @@ void coarsen(const Stencil<D>& in, const Stencil<D>& out, const AxisProduct& axi
              float* to) {
   const int width = 2 * in.degree + 1;
   if (on_host && d == 0) {
-    const int lines = in.points / in.extent[0], groups = (lines + lanes - 1) / lanes;
-    const std::size_t scratch = CoarsenLines<D>::Scratch::shmem_size(width * in.extent[0] * lanes);
+    const int lines = in.points / in.extent[0], groups = (lines + lines_in_team - 1) / lines_in_team;
+    const std::size_t scratch = CoarsenLines<D>::Scratch::shmem_size(width * in.extent[0] * lines_in_team);
     Kokkos::parallel_for(
         "softwet::galerkin",
         Kokkos::TeamPolicy<Exec>(in.offsets / width * groups, 1).set_scratch_size(1, Kokkos::PerTeam(scratch)),

@@ -34,15 +34,13 @@ static void store(const HostPack& x, Half* to) {
 
 namespace {
 
-using Pack = HostPack;
-constexpr int lanes = host_lanes;
 constexpr int packs_in_strip = 4;  ///< the last strip of a block may have fewer
 constexpr float top = 32768;       ///< scaled entries lie below; the largest number of half precision is 65504
 
 /// The pack at the end of a column, of which `left` numbers exist; the others are zero.
-Pack load_some(const float* from, int left) {
-  if (left >= lanes) return load(from);
-  float part[lanes] = {};
+HostPack load_some(const float* from, int left) {
+  if (left >= host_lanes) return load(from);
+  float part[host_lanes] = {};
   for (int l = 0; l < left; ++l) part[l] = from[l];
   return load(part);
 }
@@ -57,20 +55,20 @@ float to_unit(float size) {
 /// Adds the products of a strip, `Packs` packs high, with x to `sum`. Several columns are summed side by side, so that one
 /// sum need not wait for the other.
 template <int Packs, class Number>
-void add_strip(const Number* a, int columns, const float* x, Pack* sum) {
-  constexpr int side = Packs == 1 ? 8 : Packs == 2 ? 4 : 2, step = Packs * lanes;
-  Pack part[side][Packs];
+void add_strip(const Number* a, int columns, const float* x, HostPack* sum) {
+  constexpr int side = Packs == 1 ? 8 : Packs == 2 ? 4 : 2, step = Packs * host_lanes;
+  HostPack part[side][Packs];
   for (int s = 0; s < side; ++s)
-    for (int p = 0; p < Packs; ++p) part[s][p] = Pack(0.0f);
+    for (int p = 0; p < Packs; ++p) part[s][p] = HostPack(0.0f);
   int j = 0;
   for (; j + side <= columns; j += side, a += side * step)
     for (int s = 0; s < side; ++s) {
-      const Pack factor(x[j + s]);
-      for (int p = 0; p < Packs; ++p) part[s][p] = part[s][p] + load(a + s * step + p * lanes) * factor;
+      const HostPack factor(x[j + s]);
+      for (int p = 0; p < Packs; ++p) part[s][p] = part[s][p] + load(a + s * step + p * host_lanes) * factor;
     }
   for (; j < columns; ++j, a += step) {
-    const Pack factor(x[j]);
-    for (int p = 0; p < Packs; ++p) part[0][p] = part[0][p] + load(a + p * lanes) * factor;
+    const HostPack factor(x[j]);
+    for (int p = 0; p < Packs; ++p) part[0][p] = part[0][p] + load(a + p * host_lanes) * factor;
   }
   for (int width = side / 2; width > 0; width /= 2)
     for (int s = 0; s < width; ++s)
@@ -79,7 +77,7 @@ void add_strip(const Number* a, int columns, const float* x, Pack* sum) {
 }
 
 template <class Number>
-void add_strip(int packs, const Number* a, int columns, const float* x, Pack* sum) {
+void add_strip(int packs, const Number* a, int columns, const float* x, HostPack* sum) {
   switch (packs) {
     case 1:
       return add_strip<1>(a, columns, x, sum);
@@ -98,7 +96,7 @@ constexpr std::size_t aligned(std::size_t bytes) { return (bytes + 63) / 64 * 64
 
 template <class Number>
 int PackedBlock<Number>::padded(int rows) {
-  return (rows + lanes - 1) / lanes * lanes;
+  return (rows + host_lanes - 1) / host_lanes * host_lanes;
 }
 
 template <class Number>
@@ -121,22 +119,22 @@ void PackedBlock<Number>::store(const ConstFloatMatrix& a) {
   if constexpr (scaled) scale_rows(a);
   for (int j = 0; j < columns_; ++j) {
     const float* from = a.column(j);
-    Pack factor(1.0f);
+    HostPack factor(1.0f);
     if constexpr (scaled) {
-      Pack largest(0.0f);
-      for (int i = 0; i < rows_; i += lanes)
+      HostPack largest(0.0f);
+      for (int i = 0; i < rows_; i += host_lanes)
         largest = Kokkos::max(largest, Kokkos::abs(load_some(from + i, rows_ - i)) * load(row_scale_ + i));
-      float each[lanes];
+      float each[host_lanes];
       softwet::store(largest, each);
-      const float unit = to_unit(*std::max_element(each, each + lanes) / top);
+      const float unit = to_unit(*std::max_element(each, each + host_lanes) / top);
       column_scale_[j] = 1 / unit;
-      factor = Pack(unit);
+      factor = HostPack(unit);
     }
-    for (int first = 0; first < height; first += packs_in_strip * lanes) {
-      const int strip = std::min(packs_in_strip * lanes, height - first);
+    for (int first = 0; first < height; first += packs_in_strip * host_lanes) {
+      const int strip = std::min(packs_in_strip * host_lanes, height - first);
       Number* to = numbers_ + std::size_t(first) * columns_ + std::size_t(j) * strip;
-      for (int i = first; i < first + strip; i += lanes, to += lanes) {
-        Pack x = load_some(from + i, rows_ - i);
+      for (int i = first; i < first + strip; i += host_lanes, to += host_lanes) {
+        HostPack x = load_some(from + i, rows_ - i);
         if constexpr (scaled) x = x * load(row_scale_ + i) * factor;
         softwet::store(x, to);
       }
@@ -152,7 +150,7 @@ void PackedBlock<Number>::scale_rows(const ConstFloatMatrix& a) {
   std::fill(row_scale_, row_scale_ + padded(rows_), 0.0f);
   for (int j = 0; j < columns_; ++j) {
     const float* from = a.column(j);
-    for (int i = 0; i < rows_; i += lanes)
+    for (int i = 0; i < rows_; i += host_lanes)
       softwet::store(Kokkos::max(load(row_scale_ + i), Kokkos::abs(load_some(from + i, rows_ - i))), row_scale_ + i);
   }
   for (int i = 0; i < padded(rows_); ++i) row_scale_[i] = top * to_unit(row_scale_[i]);
@@ -170,13 +168,13 @@ void PackedBlock<Number>::product(const float* x, float* y, float* scratch) cons
     x = scratch;
   }
   const int height = padded(rows_);
-  for (int first = 0; first < height; first += packs_in_strip * lanes) {
-    const int packs = std::min(packs_in_strip, (height - first) / lanes);
-    Pack sum[packs_in_strip];
+  for (int first = 0; first < height; first += packs_in_strip * host_lanes) {
+    const int packs = std::min(packs_in_strip, (height - first) / host_lanes);
+    HostPack sum[packs_in_strip];
     add_strip(packs, numbers_ + std::size_t(first) * columns_, columns_, x, sum);
     for (int p = 0; p < packs; ++p) {
-      float* to = y + first + p * lanes;
-      if constexpr (scaled) sum[p] = sum[p] * load(row_scale_ + first + p * lanes);
+      float* to = y + first + p * host_lanes;
+      if constexpr (scaled) sum[p] = sum[p] * load(row_scale_ + first + p * host_lanes);
       softwet::store(Sign > 0 ? sum[p] : load(to) - sum[p], to);
     }
   }

@@ -48,7 +48,7 @@ struct SpreadValues {
 
 /// Rows of a product at once: on the host pieces of neighbouring lines, so that each of the matrix' many streams is
 /// read some hundred entries at a time; on a device one row per thread.
-constexpr int piece = on_host ? 128 : 1, long_piece = on_host ? 1024 : 1, lines_at_once = on_host ? 8 : 1,
+constexpr int stencil_piece = on_host ? 128 : 1, long_piece = on_host ? 1024 : 1, lines_at_once = on_host ? 8 : 1,
               pack = on_host ? 16 : 1;
 
 /// y of one component on pieces of some lines of control points, offset by offset.
@@ -62,7 +62,7 @@ struct MultiplyPieces {
   ComponentPlaces<D> places;
   StencilLines stored_lines;
 
-  KOKKOS_FUNCTION int pieces() const { return (stencil.extent[0] + piece - 1) / piece; }
+  KOKKOS_FUNCTION int pieces() const { return (stencil.extent[0] + stencil_piece - 1) / stencil_piece; }
   KOKKOS_FUNCTION int groups() const { return (stencil.extent[1] + lines_at_once - 1) / lines_at_once; }
   std::int64_t items() const {
     const int planes = stencil.points / (stencil.extent[0] * stencil.extent[1]);
@@ -71,15 +71,15 @@ struct MultiplyPieces {
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
     const int n = stencil.extent[0], planes = stencil.points / (n * stencil.extent[1]);
-    const int begin = static_cast<int>(item % pieces()) * piece;
+    const int begin = static_cast<int>(item % pieces()) * stencil_piece;
     const int group = static_cast<int>(item / pieces() % groups()) * lines_at_once;
     const int plane = static_cast<int>(item / pieces() / groups() % planes);
     const int a = static_cast<int>(item / pieces() / groups() / planes);
     const int line = plane * stencil.extent[1] + group, first = line * n + begin;
     const int lines = group + lines_at_once < stencil.extent[1] ? lines_at_once : stencil.extent[1] - group;
-    const int count = begin + piece < n ? piece : n - begin;
+    const int count = begin + stencil_piece < n ? stencil_piece : n - begin;
     if (first + (lines - 1) * n < places.first[a]) return;
-    float sum[lines_at_once][piece] = {};
+    float sum[lines_at_once][stencil_piece] = {};
     const int width = 2 * stencil.degree + 1;
     for (int across = 0; across < stencil.offsets / width; ++across) {  // shifts along the other axes
       int to[lines_at_once];                                            // the neighbouring lines

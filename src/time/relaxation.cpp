@@ -24,7 +24,7 @@ Case loose(const Case& c) {
   return loose;
 }
 
-std::string number(double x) {
+std::string two_digits(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", x);
   return text;
@@ -111,8 +111,8 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
       throw Error(Exit::computation_failed,
                   "interrupted before the scene was at rest; nothing was written, give the same command again");
     if (done.steps == most_steps)
-      give_up("after " + std::to_string(most_steps) + " steps its fields still change by " + number(done.rate) +
-              " of their range in a unit of time, where " + number(rest) + " counts as rest");
+      give_up("after " + std::to_string(most_steps) + " steps its fields still change by " + two_digits(done.rate) +
+              " of their range in a unit of time, where " + two_digits(rest) + " counts as rest");
     state.time = time - dt;  // a step ends no later than the first load begins
     scheme.initialise(state);
     const StepAttempt tried = scheme.attempt({state, unused, 0}, dt);

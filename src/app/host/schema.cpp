@@ -34,7 +34,7 @@ On every side of the fluid no mass passes and the density has no normal derivati
 degrees. fluid.contact_angle holds on the wall alone: on top of the solid, or at boundary.bottom where there is none.
 )";
 
-std::string number_text(double number) { return fmt::format("{}", number); }
+std::string bound_text(double number) { return fmt::format("{}", number); }
 
 /// A case with one of everything, all members at their defaults.
 Case default_case() {
@@ -53,7 +53,7 @@ bool Range::contains(double number) const {
 
 std::string Range::text() const {
   if (std::isinf(low) && std::isinf(high)) return {};
-  return fmt::format("{}{}, {}{}", low_open ? '(' : '[', number_text(low), number_text(high), high_open ? ')' : ']');
+  return fmt::format("{}{}, {}{}", low_open ? '(' : '[', bound_text(low), bound_text(high), high_open ? ')' : ']');
 }
 
 const std::vector<Table>& tables() {

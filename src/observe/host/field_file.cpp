@@ -18,14 +18,14 @@ namespace {
 constexpr const char* time_value = "/VTKHDF/FieldData/TimeValue";
 constexpr const char *unit_length = "L0", *unit_time = "L0/sqrt(ab)";
 
-[[noreturn]] void fail_to_write(const std::string& path, const std::string& what) {
+[[noreturn]] void refuse_to_write(const std::string& path, const std::string& what) {
   throw Error(Exit::computation_failed, path + ": not written: " + what);
 }
 
 void require_size(const std::string& path, const std::string& name, std::size_t found, std::size_t expected) {
   if (found == expected) return;
-  fail_to_write(path, name + " has " + std::to_string(found) + " values where the grid needs " +
-                          std::to_string(expected) + "; this is an error in softwet, please report it");
+  refuse_to_write(path, name + " has " + std::to_string(found) + " values where the grid needs " +
+                            std::to_string(expected) + "; this is an error in softwet, please report it");
 }
 
 std::string position_text(const std::vector<double>& points, std::size_t point, int dimension) {
@@ -43,28 +43,28 @@ void require_finite(const std::string& path, const std::string& name, const std:
     if (std::isfinite(values[at])) continue;
     const std::size_t point = at / components;
     const std::string component = components == 1 ? "" : ", component " + std::to_string(at % components) + ",";
-    fail_to_write(path, "field '" + name + "'" + component + " is " + number_text(values[at]) + " at point " +
-                            std::to_string(point) + " " + position_text(points, point, dimension) +
-                            "; the computation has diverged: take shorter time steps or a finer mesh");
+    refuse_to_write(path, "field '" + name + "'" + component + " is " + number_text(values[at]) + " at point " +
+                              std::to_string(point) + " " + position_text(points, point, dimension) +
+                              "; the computation has diverged: take shorter time steps or a finer mesh");
   }
 }
 
 void check_fields(const std::string& path, const TensorGrid& grid, const std::vector<double>& points,
                   const std::vector<PointField>& fields, double time) {
-  if (grid.dimension != 2 && grid.dimension != 3) fail_to_write(path, "a grid has dimension 2 or 3");
+  if (grid.dimension != 2 && grid.dimension != 3) refuse_to_write(path, "a grid has dimension 2 or 3");
   for (int axis = 0; axis < grid.dimension; ++axis) {
-    if (grid.cells[axis] < 1) fail_to_write(path, "a grid has at least one cell along each axis");
+    if (grid.cells[axis] < 1) refuse_to_write(path, "a grid has at least one cell along each axis");
   }
-  if (!std::isfinite(time)) fail_to_write(path, "the time is " + number_text(time));
+  if (!std::isfinite(time)) refuse_to_write(path, "the time is " + number_text(time));
   const auto count = static_cast<std::size_t>(point_count(grid));
   require_size(path, "points", points.size(), count * grid.dimension);
   require_finite(path, "points", points, grid.dimension, points, grid.dimension);
   std::set<std::string> names;
   for (const PointField& field : fields) {
     if (field.name.empty() || field.name.find('/') != std::string::npos || !names.insert(field.name).second) {
-      fail_to_write(path, "'" + field.name + "' is no field name: it is empty, holds a '/' or is taken");
+      refuse_to_write(path, "'" + field.name + "' is no field name: it is empty, holds a '/' or is taken");
     }
-    if (field.components < 1) fail_to_write(path, "field '" + field.name + "' has no components");
+    if (field.components < 1) refuse_to_write(path, "field '" + field.name + "' has no components");
     require_size(path, "field '" + field.name + "'", field.values.size(), count * field.components);
     require_finite(path, field.name, field.values, field.components, points, grid.dimension);
   }
@@ -166,7 +166,7 @@ void write_series(const std::string& path, const std::vector<std::pair<std::stri
   std::string text = "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [";
   const char* separator = "\n";
   for (const auto& [file, time] : files_and_times) {
-    if (!std::isfinite(time)) fail_to_write(path, "the time of " + file + " is " + number_text(time));
+    if (!std::isfinite(time)) refuse_to_write(path, "the time of " + file + " is " + number_text(time));
     text += separator + ("    {\"name\": " + json_string(file) + ", \"time\": " + number_text(time) + "}");
     separator = ",\n";
   }

@@ -8,11 +8,12 @@
 #include "app/host/case_file.hpp"
 #include "app/host/problems.hpp"
 #include "case/error.hpp"
+#include "unit/app/pull.hpp"
 
 namespace softwet {
 namespace {
 
-const std::string pull = initial_case("tensotaxis_pull_2d");
+using testing_tools::pull_text;
 
 /// The pull scene with one text replaced, and what the message must contain.
 struct Bad {
@@ -42,7 +43,7 @@ std::string message_of(const std::string& text, const std::vector<std::string>& 
 class BadCase : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadCase, IsRefusedWithPlaceKeyAndRemedy) {
-  const std::string message = message_of(replaced(pull, GetParam().from, GetParam().to));
+  const std::string message = message_of(replaced(pull_text(), GetParam().from, GetParam().to));
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   EXPECT_EQ(message.rfind("case.toml", 0), 0u) << message;
   for (const std::string& part : GetParam().parts)
@@ -158,7 +159,7 @@ TEST(BadCases, NameTheLine) {
 
 TEST(BadCases, TextThatTheTomlLibraryOnlyAssertsOnIsASyntaxErrorOfItsLine) {
   EXPECT_EQ(message_of("name = 'x'\nb = [ }\nc = 1\n").rfind("case.toml:2: this is not TOML", 0), 0u);
-  EXPECT_NE(message_of(pull, {"load[0].force=[ }"}).find("load[0].force"), std::string::npos);
+  EXPECT_NE(message_of(pull_text(), {"load[0].force=[ }"}).find("load[0].force"), std::string::npos);
 }
 
 TEST(BadCases, LongTextIsRefusedSoonWithAShortMessage) {
@@ -166,8 +167,8 @@ TEST(BadCases, LongTextIsRefusedSoonWithAShortMessage) {
   for (int i = 0; i < 20000; ++i) lines += "a" + std::to_string(i) + " = 1\n";
   EXPECT_EQ(message_of(lines + "b = [ }\nc = 1\n").rfind("case.toml:20001: this is not TOML", 0), 0u);
   const std::string name(1000000, 'x');
-  for (const std::string& message : {message_of(name + " = 1"), message_of(pull, {name + "=1"}),
-                                     message_of(replaced(pull, "\"no_slip\"", "\"" + name + "\""))}) {
+  for (const std::string& message : {message_of(name + " = 1"), message_of(pull_text(), {name + "=1"}),
+                                     message_of(replaced(pull_text(), "\"no_slip\"", "\"" + name + "\""))}) {
     EXPECT_LT(message.size(), 2000u);
     EXPECT_EQ(message.find("did you mean"), std::string::npos);
   }
@@ -182,7 +183,7 @@ std::vector<std::string> lines_of(const std::string& message) {
 }
 
 TEST(BadCases, AllMistakesAreToldInTheOrderOfTheFile) {
-  std::string text = replaced(pull, "viscosity = \"1/256\"", "viscosity = 1/256");
+  std::string text = replaced(pull_text(), "viscosity = \"1/256\"", "viscosity = 1/256");
   text = replaced(text, "temperature = 0.39", "temprature = 0,39");
   text = replaced(text, "poisson = 0.45", "poisson = 0.5");
   text = replaced(text, "radius = 0.155", "");
@@ -204,7 +205,7 @@ TEST(BadCases, AllMistakesAreToldInTheOrderOfTheFile) {
 
 TEST(BadCases, NoMistakeIsToldTwiceNorOneThatFollowsFromAnother) {
   const auto count = [](const std::string& from, const std::string& to, const std::vector<std::string>& set = {}) {
-    return lines_of(message_of(replaced(pull, from, to), set)).size();
+    return lines_of(message_of(replaced(pull_text(), from, to), set)).size();
   };
   EXPECT_EQ(count("viscosity =", "viscosty ="), 1u) << "not also missing";
   EXPECT_EQ(count("[fluid]", "[fluids]"), 1u) << "nor a droplet without a fluid";
@@ -226,7 +227,7 @@ TEST(BadCases, TwentyMistakesAreEnough) {
 
 TEST(BadCases, ClearMistakesInTheSyntaxAreCalledByTheirName) {
   const auto told = [](const std::string& line, const std::vector<std::string>& parts) {
-    const std::string message = message_of(replaced(pull, "ramp = 5.0", line));
+    const std::string message = message_of(replaced(pull_text(), "ramp = 5.0", line));
     for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
     EXPECT_EQ(lines_of(message).size(), 1u) << message;
   };
@@ -236,38 +237,40 @@ TEST(BadCases, ClearMistakesInTheSyntaxAreCalledByTheirName) {
   told("ramp = 5 s", {"load[0].ramp = 5 s", "no units", "ramp = 5 ", "softwet units"});
   told("ramp =", {"load[0].ramp", "has no value"});
   told("ramp: 5", {"load[0].ramp", "joined by '='", "ramp = 5"});
-  EXPECT_NE(message_of(replaced(pull, "left = \"slip\"", "left = slip")).find("left = \"slip\""), std::string::npos);
-  EXPECT_NE(message_of(replaced(pull, "force = [0.16215, 0.0]", "force = [1/8, 0.0]")).find("[\"1/8\", 0.0]"),
+  EXPECT_NE(message_of(replaced(pull_text(), "left = \"slip\"", "left = slip")).find("left = \"slip\""),
             std::string::npos);
-  EXPECT_NE(message_of(pull, {"load.ramp=0,5"}).find("write ramp = 0.5"), std::string::npos);
-  EXPECT_NE(message_of(pull, {"droplet.centre=[0,5, 0,125]"}).find("a comma begins the next number"),
+  EXPECT_NE(message_of(replaced(pull_text(), "force = [0.16215, 0.0]", "force = [1/8, 0.0]")).find("[\"1/8\", 0.0]"),
+            std::string::npos);
+  EXPECT_NE(message_of(pull_text(), {"load.ramp=0,5"}).find("write ramp = 0.5"), std::string::npos);
+  EXPECT_NE(message_of(pull_text(), {"droplet.centre=[0,5, 0,125]"}).find("a comma begins the next number"),
             std::string::npos);
 }
 
 TEST(BadCases, OnlyWhatIsNearIsSuggested) {
   const auto in_fluid = [](const std::string& line) {
-    return message_of(replaced(pull, "[fluid]", "[fluid]\n" + line));
+    return message_of(replaced(pull_text(), "[fluid]", "[fluid]\n" + line));
   };
-  for (const std::string& message : {in_fluid("magnetism = 1"), message_of(pull, {"substrate.model=\"neo\""})}) {
+  for (const std::string& message : {in_fluid("magnetism = 1"), message_of(pull_text(), {"substrate.model=\"neo\""})}) {
     EXPECT_EQ(message.find("did you mean"), std::string::npos) << message;
     EXPECT_NE(message.find("has the keys"), std::string::npos) << message;
   }
   EXPECT_NE(in_fluid("density = 1").find("density is a key of [substrate]; [fluid] has the keys"), std::string::npos);
   EXPECT_NE(in_fluid("angle = 1").find("did you mean fluid.contact_angle"), std::string::npos);
-  EXPECT_NE(message_of(pull, {"magnetism=1"}).find("the tables are [domain], [fluid]"), std::string::npos);
-  const std::string load = message_of(replaced(pull, "[boundary]", "[boundary]\nload = { box = 1 }"));
+  EXPECT_NE(message_of(pull_text(), {"magnetism=1"}).find("the tables are [domain], [fluid]"), std::string::npos);
+  const std::string load = message_of(replaced(pull_text(), "[boundary]", "[boundary]\nload = { box = 1 }"));
   EXPECT_NE(load.find("boundary.load"), std::string::npos) << load;
 }
 
 TEST(BadCases, ATableInlineThatStandsOnceIsAskedForInDoubleBrackets) {
   const std::string message = message_of("load = { box = [[0,0],[1,1]], force = [1,0] }\n" +
-                                         pull.substr(0, pull.find("[[load]]")) + pull.substr(pull.find("[boundary]")));
+                                         pull_text().substr(0, pull_text().find("[[load]]")) +
+                                         pull_text().substr(pull_text().find("[boundary]")));
   EXPECT_NE(message.find("load = {...}: is a list of tables"), std::string::npos) << message;
   EXPECT_NE(message.find("[[load]]"), std::string::npos) << message;
 }
 
 TEST(BadCases, TheBeginningOfTheComputationIsNeverMinusZero) {
-  const std::string message = message_of(pull, {"load[0].start=0", "output.fields.times=[-1,0]"});
+  const std::string message = message_of(pull_text(), {"load[0].start=0", "output.fields.times=[-1,0]"});
   EXPECT_NE(message.find("must be at least 0,"), std::string::npos) << message;
 }
 
@@ -303,11 +306,11 @@ TEST(BadCases, FieldsNeedTheirMaterial) {
 TEST(BadCases, TooManyListedTimes) {
   std::string times = "output.fields.times=[";
   for (int i = 0; i < 10001; ++i) times += std::to_string(i) + ",";
-  EXPECT_NE(message_of(pull, {times + "]"}).find("10001 times, at most 10000"), std::string::npos);
+  EXPECT_NE(message_of(pull_text(), {times + "]"}).find("10001 times, at most 10000"), std::string::npos);
 }
 
 TEST(BadCases, WhatIsThereAtTheStartHasToFit) {
-  const auto complaint = [](const std::string& table) { return message_of(pull + std::string("\n") + table); };
+  const auto complaint = [](const std::string& table) { return message_of(pull_text() + std::string("\n") + table); };
   const auto tells = [](const std::string& message, const std::string& part) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
@@ -318,15 +321,16 @@ TEST(BadCases, WhatIsThereAtTheStartHasToFit) {
   tells(complaint("[[wave]]\nfield='velocity_z'\namplitude=1\nmode=[1,0]"), "3D only");
   tells(complaint("[[wave]]\nfield='velocity_x'\namplitude=1\nmode=[1]"), "2 numbers");
   tells(complaint("[[wave]]\nfield='velocity_x'\namplitude=1\nmode=[0.5,0]"), "whole number along axis 0");
-  tells(message_of(pull, {"droplet[0].stretch=[1]"}), "droplet[0].stretch");
-  tells(message_of(pull, {"fluid.initial=[0.6,0.1]"}), "fluid.initial");
-  tells(message_of(pull, {"fluid.initial=[0.1,1.0]"}), "(0, 0.999]");
-  EXPECT_NO_THROW(parse_case(pull, "case.toml", {"droplet[0].centre=[0,0.125]"})) << "half a droplet on a slip side";
-  EXPECT_NO_THROW(parse_case(pull, "case.toml", {"droplet[0].centre=[1,0.125]"}));
+  tells(message_of(pull_text(), {"droplet[0].stretch=[1]"}), "droplet[0].stretch");
+  tells(message_of(pull_text(), {"fluid.initial=[0.6,0.1]"}), "fluid.initial");
+  tells(message_of(pull_text(), {"fluid.initial=[0.1,1.0]"}), "(0, 0.999]");
+  EXPECT_NO_THROW(parse_case(pull_text(), "case.toml", {"droplet[0].centre=[0,0.125]"}))
+      << "half a droplet on a slip side";
+  EXPECT_NO_THROW(parse_case(pull_text(), "case.toml", {"droplet[0].centre=[1,0.125]"}));
   // A flat cap is narrower than its circle: R sin(30) = 0.4.
   const std::vector<std::string> flat{"fluid.contact_angle=30", "droplet[0].radius=0.8"};
-  EXPECT_NO_THROW(parse_case(pull, "case.toml", flat));
-  tells(message_of(pull, {"fluid.contact_angle=30", "droplet[0].radius=1.01"}), "crosses the left side");
+  EXPECT_NO_THROW(parse_case(pull_text(), "case.toml", flat));
+  tells(message_of(pull_text(), {"fluid.contact_angle=30", "droplet[0].radius=1.01"}), "crosses the left side");
 }
 
 TEST(BadCases, ATrackIsAHorizontalDirectionIn3D) {
@@ -338,16 +342,17 @@ TEST(BadCases, ATrackIsAHorizontalDirectionIn3D) {
     EXPECT_NE(message.find("output.history.track"), std::string::npos) << message;
     EXPECT_NE(message.find("track = [1, 1]"), std::string::npos) << message;
   }
-  EXPECT_NE(message_of(pull, {"output.history.track=[1, 1]"}).find("exists in 3D only"), std::string::npos);
+  EXPECT_NE(message_of(pull_text(), {"output.history.track=[1, 1]"}).find("exists in 3D only"), std::string::npos);
 }
 
 TEST(BadCases, OverridesAreNamedAsThePlace) {
-  EXPECT_EQ(message_of(pull, {"fluid.viscosity=-1"}).rfind("--set fluid.viscosity=-1: fluid.viscosity = -1", 0), 0u);
-  EXPECT_NE(message_of(pull, {"fluid.viscosty=1"}).find("did you mean fluid.viscosity"), std::string::npos);
-  EXPECT_NE(message_of(pull, {"time.end"}).find("key=value"), std::string::npos);
-  EXPECT_NE(message_of(pull, {"load[1].ramp=1"}).find("has 1 of these"), std::string::npos);
-  EXPECT_NE(message_of(pull, {"load[x].ramp=1"}).find("load[0].ramp"), std::string::npos);
-  EXPECT_NE(message_of(pull, {"solver=1"}).find("solver"), std::string::npos);
+  EXPECT_EQ(message_of(pull_text(), {"fluid.viscosity=-1"}).rfind("--set fluid.viscosity=-1: fluid.viscosity = -1", 0),
+            0u);
+  EXPECT_NE(message_of(pull_text(), {"fluid.viscosty=1"}).find("did you mean fluid.viscosity"), std::string::npos);
+  EXPECT_NE(message_of(pull_text(), {"time.end"}).find("key=value"), std::string::npos);
+  EXPECT_NE(message_of(pull_text(), {"load[1].ramp=1"}).find("has 1 of these"), std::string::npos);
+  EXPECT_NE(message_of(pull_text(), {"load[x].ramp=1"}).find("load[0].ramp"), std::string::npos);
+  EXPECT_NE(message_of(pull_text(), {"solver=1"}).find("solver"), std::string::npos);
 }
 
 TEST(BadCases, UnreadablePathsSayWhy) {
@@ -367,7 +372,7 @@ void expect_parts(const std::string& message, const std::vector<std::string>& pa
 }
 
 TEST(BadPrecision, UnknownWord) {
-  expect_parts(message_of(pull, {"solver.precision=half"}),
+  expect_parts(message_of(pull_text(), {"solver.precision=half"}),
                {"solver.precision = \"half\"", "\"double\"", "\"mixed\"", "\"single\""});
 }
 
@@ -375,14 +380,14 @@ TEST(BadPrecision, ExplicitSchemesAreDouble) {
   for (const char* precision : {"mixed", "single"})
     for (const char* scheme : {"ssp_rk3", "imex"})
       expect_parts(
-          message_of(pull, {std::string("solver.precision=") + precision, std::string("time.scheme=") + scheme}),
+          message_of(pull_text(), {std::string("solver.precision=") + precision, std::string("time.scheme=") + scheme}),
           {"solver.precision", precision, "generalized_alpha", scheme, "write \"automatic\""});
-  EXPECT_EQ(message_of(pull, {"solver.precision=mixed"}), "(accepted)");
-  EXPECT_EQ(message_of(pull, {"solver.precision=double", "time.scheme=imex"}), "(accepted)");
+  EXPECT_EQ(message_of(pull_text(), {"solver.precision=mixed"}), "(accepted)");
+  EXPECT_EQ(message_of(pull_text(), {"solver.precision=double", "time.scheme=imex"}), "(accepted)");
 }
 
 TEST(BadPrecision, DifferencesOfResidualsAreDouble) {
-  expect_parts(message_of(pull, {"solver.precision=mixed", "solver.krylov.jacobian=difference"}),
+  expect_parts(message_of(pull_text(), {"solver.precision=mixed", "solver.krylov.jacobian=difference"}),
                {"solver.precision", "solver.krylov.jacobian", "\"exact\"", "write \"automatic\""});
 }
 

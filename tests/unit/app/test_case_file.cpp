@@ -11,11 +11,12 @@
 #include "app/host/quality.hpp"
 #include "app/host/schema.hpp"
 #include "case/error.hpp"
+#include "unit/app/pull.hpp"
 
 namespace softwet {
 namespace {
 
-const std::string pull = initial_case("tensotaxis_pull_2d");
+using testing_tools::pull_text;
 
 const char* const periodic_box = R"(
 name = "box"
@@ -76,7 +77,7 @@ TEST(Schema, EveryKeyHasHelpATableAndAWorkingExample) {
 }
 
 TEST(CaseFile, InitialCaseIsThePullOfTheCasesFolder) {
-  const Case c = parse_case(pull, "init");
+  const Case c = parse_case(pull_text(), "init");
   EXPECT_EQ(write_case(c), write_case(read_case(SOFTWET_SOURCE_DIR "/cases/tensotaxis_pull_2d.toml")));
   EXPECT_EQ(c.fluid->viscosity, 1.0 / 256);
   EXPECT_EQ(c.loads.at(0).upper, (Numbers{0.8, 0.125}));
@@ -84,19 +85,19 @@ TEST(CaseFile, InitialCaseIsThePullOfTheCasesFolder) {
 }
 
 TEST(CaseFile, QualitySetsWhatTheFileLeavesOut) {
-  const Case standard = parse_case(pull, "init"), draft = parse_case(pull, "init", {"quality=\"draft\""});
+  const Case standard = parse_case(pull_text(), "init"), draft = parse_case(pull_text(), "init", {"quality=\"draft\""});
   EXPECT_GT(draft.time.tolerance, standard.time.tolerance);
   EXPECT_LT(draft.domain.points(), standard.domain.points());
-  EXPECT_EQ(parse_case(pull, "init", {"quality=\"draft\"", "time.tolerance=0.5"}).time.tolerance, 0.5);
-  EXPECT_LT(parse_case(pull, "init", {"quality=\"reference\""}).time.tolerance, standard.time.tolerance);
+  EXPECT_EQ(parse_case(pull_text(), "init", {"quality=\"draft\"", "time.tolerance=0.5"}).time.tolerance, 0.5);
+  EXPECT_LT(parse_case(pull_text(), "init", {"quality=\"reference\""}).time.tolerance, standard.time.tolerance);
 }
 
 /// With 1e-3 and rho_inf = 0.99 the swinging beam of tests/verification/studies/csm.py gains energy until it fails.
 TEST(CaseFile, SchemesThatHardlyDampAreSolvedFurther) {
-  const double usual = parse_case(pull, "init").solver.newton_rtol;
-  EXPECT_EQ(parse_case(pull, "init", {"time.rho_inf=0.9"}).solver.newton_rtol, usual);
-  EXPECT_LT(parse_case(pull, "init", {"time.rho_inf=0.95"}).solver.newton_rtol, usual);
-  EXPECT_EQ(parse_case(pull, "init", {"time.rho_inf=1", "solver.newton.rtol=1e-2"}).solver.newton_rtol, 1e-2);
+  const double usual = parse_case(pull_text(), "init").solver.newton_rtol;
+  EXPECT_EQ(parse_case(pull_text(), "init", {"time.rho_inf=0.9"}).solver.newton_rtol, usual);
+  EXPECT_LT(parse_case(pull_text(), "init", {"time.rho_inf=0.95"}).solver.newton_rtol, usual);
+  EXPECT_EQ(parse_case(pull_text(), "init", {"time.rho_inf=1", "solver.newton.rtol=1e-2"}).solver.newton_rtol, 1e-2);
 }
 
 TEST(CaseFile, QualitiesNameKeysAndValuesThatExist) {
@@ -108,9 +109,9 @@ TEST(CaseFile, QualitiesNameKeysAndValuesThatExist) {
 }
 
 TEST(CaseFile, AStartFromEquilibriumBeginsWithTheFirstLoad) {
-  const Case c = parse_case(pull, "init", {"time.start=\"equilibrium\""});
+  const Case c = parse_case(pull_text(), "init", {"time.start=\"equilibrium\""});
   EXPECT_EQ(c.run_start(), c.clock_zero());
-  EXPECT_EQ(parse_case(pull, "init").run_start(), 0);
+  EXPECT_EQ(parse_case(pull_text(), "init").run_start(), 0);
 }
 
 TEST(CaseFile, InitialCaseHasTheNameAskedFor) {
@@ -133,7 +134,7 @@ TEST(CaseFile, EveryCaseOfTheFolderSurvivesARoundTrip) {
 }
 
 TEST(CaseFile, RoundTripKeepsEveryKeyAwayFromItsDefault) {
-  const Case c = parse_case(pull, "pull",
+  const Case c = parse_case(pull_text(), "pull",
                             {"fluid.wall_law=energy",
                              "fluid.stabilisation=0.0017",
                              "fluid.smoothing=1/3000",
@@ -182,7 +183,7 @@ TEST(Value, ReadsRanges) {
 
 TEST(CaseFile, FieldTimesMayBeRanges) {
   const auto times = [](const std::string& value) {
-    const Case c = parse_case(pull, "pull", {"output.fields.times=" + value});
+    const Case c = parse_case(pull_text(), "pull", {"output.fields.times=" + value});
     EXPECT_EQ(write_case(parse_case(write_case(c), "again")), write_case(c));
     return c.output.field_times;
   };
@@ -194,7 +195,7 @@ TEST(CaseFile, FieldTimesMayBeRanges) {
 
 TEST(CaseFile, FieldTimesAreThoseListedAndTheMultiplesOfTheInterval) {
   const auto times = [](const std::vector<std::string>& settings) {
-    return field_times(parse_case(pull, "pull", settings));
+    return field_times(parse_case(pull_text(), "pull", settings));
   };
   EXPECT_EQ(times({"output.fields.times=[]"}), Numbers{});
   EXPECT_EQ(times({"time.end=1", "output.fields.every=0.25", "output.fields.times=[-30, 0.5, 0.6]"}),
@@ -237,14 +238,14 @@ TEST(CaseFile, TopOfASolidAloneIsFreeByDefault) {
 
 TEST(CaseFile, OverridesReachEntriesOfLists) {
   const Case c =
-      parse_case(pull, "pull", {"load[0].force=[\"1/8\", 0]", "droplet.radius=0.1", "time.end=1", "time.end=2"});
+      parse_case(pull_text(), "pull", {"load[0].force=[\"1/8\", 0]", "droplet.radius=0.1", "time.end=1", "time.end=2"});
   EXPECT_EQ(c.loads[0].force, (Numbers{0.125, 0}));
   EXPECT_EQ(c.droplets[0].radius, 0.1);
   EXPECT_EQ(c.time.end, 2);
 }
 
 TEST(CaseFile, WarnsOfAnUnresolvedInterfaceAndOfTimesNeverReached) {
-  const auto found = warnings(parse_case(pull, "pull", {"fluid.capillarity=1/512", "time.end=10"}));
+  const auto found = warnings(parse_case(pull_text(), "pull", {"fluid.capillarity=1/512", "time.end=10"}));
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NE(found[0].find("fluid.capillarity"), std::string::npos);
   EXPECT_NE(found[1].find("output.fields.times"), std::string::npos);
@@ -252,7 +253,7 @@ TEST(CaseFile, WarnsOfAnUnresolvedInterfaceAndOfTimesNeverReached) {
 
 TEST(CaseFile, WarnsOfContactAnglesTheGradientLawDoesNotBear) {
   const auto warns = [](const std::vector<std::string>& settings) {
-    const auto found = warnings(parse_case(pull, "pull", settings));
+    const auto found = warnings(parse_case(pull_text(), "pull", settings));
     return found.size() == 1 && found[0].find("fluid.contact_angle") != std::string::npos &&
            found[0].find("write fluid.wall_law = \"energy\"") != std::string::npos;
   };

@@ -10,18 +10,16 @@
 #include <thread>
 
 #include "app/host/case_file.hpp"
+#include "unit/app/pull.hpp"
 #include "unit/observe/expect_error.hpp"
 #include "unit/observe/scratch_folder.hpp"
 
 namespace softwet {
 namespace {
 
-namespace fs = std::filesystem;
+using testing_tools::pull;
 
-const Case& pull() {
-  static const Case c = parse_case(initial_case("tensotaxis_pull_2d"), "case.toml");
-  return c;
-}
+namespace fs = std::filesystem;
 
 /// A folder with the result of an earlier run and a file of the user.
 void write_old_result(const ScratchFolder& folder) {

@@ -12,16 +12,14 @@
 #include "app/host/fingerprint.hpp"
 #include "observe/host/checkpoint_file.hpp"
 #include "observe/host/hdf5_file.hpp"
+#include "unit/app/pull.hpp"
 #include "unit/observe/expect_error.hpp"
 #include "unit/observe/scratch_folder.hpp"
 
 namespace softwet {
 namespace {
 
-const Case& pull() {
-  static const Case c = parse_case(initial_case("tensotaxis_pull_2d"), "case.toml");
-  return c;
-}
+using testing_tools::pull;
 
 const std::vector<ArraySize> sizes{{"state/unknown", 4}, {"previous/unknown", 4}};
 

@@ -10,10 +10,10 @@ namespace {
 
 /// rho = 0.4 + 0.2 sin(a . x) cos(b . x) with its derivatives in closed form.
 template <int D>
-struct Field {
+struct ExactField {
   static constexpr double a[3] = {1.3, -0.7, 0.9}, b[3] = {0.4, 1.1, -0.8};
   double s = 0, t = 0;
-  explicit Field(const Vector<double, D>& x) {
+  explicit ExactField(const Vector<double, D>& x) {
     for (int d = 0; d < D; ++d) {
       s += a[d] * x[d];
       t += b[d] * x[d];
@@ -39,12 +39,12 @@ const VanDerWaals gas{0.85, 0};
 
 template <int D>
 double potential(const Vector<double, D>& x) {
-  const Field<D> f(x);
+  const ExactField<D> f(x);
   return gas.derivative(f.density()) - g * g * f.laplacian();
 }
 template <int D>
 Matrix<double, D> sigma(const Vector<double, D>& x) {
-  const Field<D> f(x);
+  const ExactField<D> f(x);
   return reversible_stress(g, gas.energy(f.density()), f.density(), f.gradient(), potential(x));
 }
 template <int D>
@@ -59,7 +59,7 @@ void divergence_is_the_potential_force() {
   for (int n = 0; n < 20; ++n) {
     Vector<double, D> x;
     for (int d = 0; d < D; ++d) x[d] = std::sin(3.1 * n + 1.7 * d);
-    const double rho = Field<D>(x).density();
+    const double rho = ExactField<D>(x).density();
     for (int i = 0; i < D; ++i) {
       double divergence = 0;
       const auto slope = [&](int d, const auto& f) {
@@ -82,7 +82,7 @@ void pressure_plus_capillary_stress() {
   for (int n = 0; n < 20; ++n) {
     Vector<double, D> x;
     for (int d = 0; d < D; ++d) x[d] = std::sin(3.1 * n + 1.7 * d);
-    const Field<D> f(x);
+    const ExactField<D> f(x);
     const auto expected =
         add_diagonal(korteweg_stress(g, f.density(), f.gradient(), f.laplacian()), -gas.pressure(f.density()));
     const auto found = sigma(x);

@@ -12,7 +12,7 @@
 namespace softwet::testing_tools {
 
 using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-using Vector = Eigen::VectorXd;
+using DenseVector = Eigen::VectorXd;
 
 struct Shape {
   std::vector<int> elements;
@@ -84,21 +84,23 @@ struct RandomMatrix {
       Kokkos::deep_copy(values, host);
     });
   }
-  Vector direction() {
+  DenseVector direction() {
     std::uniform_real_distribution<double> number(-1, 1);
     const std::vector<double> free = to_host(mask);
-    Vector x(layout.size());
+    DenseVector x(layout.size());
     for (int i = 0; i < layout.size(); ++i) x[i] = free[i] * number(draw);
     return x;
   }
 };
 
-inline Array to_array(const Vector& x) { return to_device<Array>(std::vector<double>(x.data(), x.data() + x.size())); }
-inline Vector to_vector(const ConstArray& x) {
-  const std::vector<double> v = to_host(x);
-  return Eigen::Map<const Vector>(v.data(), v.size());
+inline Array to_array(const DenseVector& x) {
+  return to_device<Array>(std::vector<double>(x.data(), x.data() + x.size()));
 }
-inline double relative(const Vector& found, const Vector& expected) {
+inline DenseVector to_vector(const ConstArray& x) {
+  const std::vector<double> v = to_host(x);
+  return Eigen::Map<const DenseVector>(v.data(), v.size());
+}
+inline double relative(const DenseVector& found, const DenseVector& expected) {
   return (found - expected).norm() / expected.norm();
 }
 

@@ -74,7 +74,7 @@ struct CutLevels {
     boxes.add(r, z, 1);
     space.restrict_to(r, coarse_r);
     coarse.fill([&](const StencilValues& values) { space.galerkin(all.matrix, values); });
-    const Vector x = Vector::Random(space.layout().size());
+    const DenseVector x = DenseVector::Random(space.layout().size());
     coarse_z = to_array(x);
     space.prolong(coarse_z, fine_z);
     for (int rank = 0; rank + 1 < static_cast<int>(first.size()); ++rank) check_part(rank, first, r);

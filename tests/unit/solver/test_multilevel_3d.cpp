@@ -14,7 +14,7 @@ using RandomCase = RandomMatrix<3>;
 TEST(Multilevel3d, ProductOfTheMatrix) {
   for (const Shape& shape : shapes_3d()) {
     RandomCase r(shape);
-    const Vector x = r.direction();
+    const DenseVector x = r.direction();
     const Array y("y", r.layout.size());
     r.matrix.multiply(to_array(x), y);
     EXPECT_LT(relative(to_vector(y), sparse(r.matrix) * x), 1e-6);
@@ -29,7 +29,7 @@ TEST(Multilevel3d, TransfersAndGalerkinProduct) {
     StencilMatrix<3> coarse(space.layout(), space.mask());
     const Array up("up", r.layout.size()), down("down", space.layout().size());
     for (int build = 0; build < 2; ++build) {
-      const Vector x = r.direction(), y = p.transpose() * r.direction();
+      const DenseVector x = r.direction(), y = p.transpose() * r.direction();
       space.restrict_to(to_array(x), down);
       EXPECT_LT(relative(to_vector(down), p.transpose() * x), 1e-14);
       space.prolong(to_array(y), up);
@@ -43,16 +43,16 @@ TEST(Multilevel3d, TransfersAndGalerkinProduct) {
 }
 
 /// Sum over boxes of W A_b^-1 W r.
-Vector boxes_by_definition(const Layout<3>& layout, const ConstArray& mask, const Sparse& a, int width, int stride,
-                           const Vector& r) {
+DenseVector boxes_by_definition(const Layout<3>& layout, const ConstArray& mask, const Sparse& a, int width, int stride,
+                                const DenseVector& r) {
   const PatchTables t = make_patches(layout, UnknownTable<3>(layout, to_host(mask)), width, stride);
-  Vector times = Vector::Zero(layout.size()), z = Vector::Zero(layout.size());
+  DenseVector times = DenseVector::Zero(layout.size()), z = DenseVector::Zero(layout.size());
   for (int i = 0; i < layout.size(); ++i) times[i] = t.grouped[i + 1] - t.grouped[i];
   for (int box = 0; box < t.count; ++box) {
     const int n = t.size[box];
     const int* dof = &t.dof[static_cast<std::size_t>(box) * t.unknowns];
     std::vector<int> local(layout.size(), -1);
-    Vector b(n);
+    DenseVector b(n);
     for (int i = 0; i < n; ++i) {
       local[dof[i]] = i;
       b[i] = r[dof[i]] / std::sqrt(times[dof[i]]);
@@ -61,7 +61,7 @@ Vector boxes_by_definition(const Layout<3>& layout, const ConstArray& mask, cons
     for (int i = 0; i < n; ++i)
       for (Sparse::InnerIterator e(a, dof[i]); e; ++e)
         if (local[e.col()] >= 0) block(i, local[e.col()]) = e.value();
-    const Vector x = block.partialPivLu().solve(b);
+    const DenseVector x = block.partialPivLu().solve(b);
     for (int i = 0; i < n; ++i) z[dof[i]] += x[i] / std::sqrt(times[dof[i]]);
   }
   return z;
@@ -76,11 +76,12 @@ TEST(Multilevel3d, Boxes) {
       RandomCase r(shape);
       Boxes<3> boxes(r.layout, r.mask, width, stride);
       for (int build = 0; build < 2; ++build) {
-        const Vector x = r.direction(), start = r.direction();
+        const DenseVector x = r.direction(), start = r.direction();
         const Array z = to_array(start);
         boxes.build(r.matrix);
         boxes.add(to_array(x), z, 0.5f);
-        const Vector expected = start + 0.5 * boxes_by_definition(r.layout, r.mask, sparse(r.matrix), width, stride, x);
+        const DenseVector expected =
+            start + 0.5 * boxes_by_definition(r.layout, r.mask, sparse(r.matrix), width, stride, x);
         EXPECT_LT(relative(to_vector(z), expected), of_sixteen_bits);
         r.fill();
       }
@@ -88,12 +89,12 @@ TEST(Multilevel3d, Boxes) {
 }
 
 /// The definition in solver/schwarz.hpp, level by level. The coarsest one is solved exactly.
-Vector schwarz_by_definition(const Layout<3>& layout, const ConstArray& mask, const Sparse& a, int levels, bool finest,
-                             const Vector& r) {
+DenseVector schwarz_by_definition(const Layout<3>& layout, const ConstArray& mask, const Sparse& a, int levels,
+                                  bool finest, const DenseVector& r) {
   const CoarseSpace<3> space(layout, mask, 4);
   const Sparse p = prolongation(layout, mask, space, 4), below = p.transpose() * a * p;
-  const Vector down = p.transpose() * r;
-  Vector correction;
+  const DenseVector down = p.transpose() * r;
+  DenseVector correction;
   if (levels > 2) {
     correction = schwarz_by_definition(space.layout(), space.mask(), below, levels - 1, false, down);
   } else {
@@ -102,7 +103,7 @@ Vector schwarz_by_definition(const Layout<3>& layout, const ConstArray& mask, co
       if (full.row(i).isZero()) full(i, i) = 1;  // prescribed
     correction = full.partialPivLu().solve(down);
   }
-  const Vector z = p * correction;
+  const DenseVector z = p * correction;
   if (finest) return z + boxes_by_definition(layout, mask, a, 4, 3, r);
   return z + 0.5 * boxes_by_definition(layout, mask, a, 4, 3, r - a * z);
 }
@@ -114,7 +115,7 @@ TEST(Multilevel3d, SchwarzOfThreeLevels) {
     const auto schwarz = make_schwarz<3>(r.layout, r.mask, control);
     const Array z("z", r.layout.size());
     for (int build = 0; build < 2; ++build) {
-      const Vector x = r.direction();
+      const DenseVector x = r.direction();
       schwarz->build(r.matrix);
       schwarz->apply(to_array(x), z);
       EXPECT_LT(relative(to_vector(z), schwarz_by_definition(r.layout, r.mask, sparse(r.matrix), 3, true, x)),

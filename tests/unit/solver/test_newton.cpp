@@ -6,26 +6,27 @@
 namespace softwet {
 namespace {
 
-constexpr int n = 24;
+constexpr int unknowns = 24;
 
 /// f_i = x_i^3 + 4 x_i + x_{i-1} x_{i+1} - b_i, root known.
 struct CubicEquation {
   std::vector<double> root, right;
   int exact = 0;
 
-  CubicEquation() : root(n), right(n, 0.0) {
-    for (int i = 0; i < n; ++i) root[i] = std::sin(1.0 + i);
+  CubicEquation() : root(unknowns), right(unknowns, 0.0) {
+    for (int i = 0; i < unknowns; ++i) root[i] = std::sin(1.0 + i);
     right = value(root);
   }
   std::vector<double> value(const std::vector<double>& x) const {
-    std::vector<double> f(n);
-    for (int i = 0; i < n; ++i) f[i] = x[i] * x[i] * x[i] + 4 * x[i] + x[(i + n - 1) % n] * x[(i + 1) % n] - right[i];
+    std::vector<double> f(unknowns);
+    for (int i = 0; i < unknowns; ++i)
+      f[i] = x[i] * x[i] * x[i] + 4 * x[i] + x[(i + unknowns - 1) % unknowns] * x[(i + 1) % unknowns] - right[i];
     return f;
   }
   std::vector<double> slope(const std::vector<double>& x, const std::vector<double>& z) const {
-    std::vector<double> d(n);
-    for (int i = 0; i < n; ++i) {
-      const int a = (i + n - 1) % n, b = (i + 1) % n;
+    std::vector<double> d(unknowns);
+    for (int i = 0; i < unknowns; ++i) {
+      const int a = (i + unknowns - 1) % unknowns, b = (i + 1) % unknowns;
       d[i] = (3 * x[i] * x[i] + 4) * z[i] + z[a] * x[b] + x[a] * z[b];
     }
     return d;
@@ -45,7 +46,7 @@ NonlinearSystem with_single_product(CubicEquation& cubic, const Array& x) {
   NonlinearSystem system = cubic.system(x);
   system.single_product = [product = std::exchange(system.product, nullptr)](const ArrayOf<float>& z,
                                                                              const ArrayOf<float>& out) {
-    const Array wide("wide", n), result("result", n);
+    const Array wide("wide", unknowns), result("result", unknowns);
     convert(wide, z);
     product(wide, result);
     convert(out, result);
@@ -53,8 +54,8 @@ NonlinearSystem with_single_product(CubicEquation& cubic, const Array& x) {
   return system;
 }
 
-Newton make_newton() { return Newton(n, n, std::make_unique<NoPreconditioner>()); }
-const std::vector<FieldRange> fields{{0, n / 2, 1e-14}, {n / 2, n, 1e-14}};
+Newton make_newton() { return Newton(unknowns, unknowns, std::make_unique<NoPreconditioner>()); }
+const std::vector<FieldRange> fields{{0, unknowns / 2, 1e-14}, {unknowns / 2, unknowns, 1e-14}};
 
 NewtonControl tight() {
   NewtonControl c;
@@ -67,14 +68,14 @@ NewtonControl tight() {
 double error(const Array& x, const std::vector<double>& root) {
   const std::vector<double> found = to_host(x);
   double e = 0;
-  for (int i = 0; i < n; ++i) e = std::max(e, std::abs(found[i] - root[i]));
+  for (int i = 0; i < unknowns; ++i) e = std::max(e, std::abs(found[i] - root[i]));
   return e;
 }
 
 TEST(Newton, ConvergesQuadratically) {
   CubicEquation cubic;
   Newton newton = make_newton();
-  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
   const NewtonResult r = newton.solve(cubic.system(x), fields, tight(), x);
   EXPECT_TRUE(r.converged) << r.refusal.text();
   EXPECT_TRUE(r.refusal.empty());
@@ -91,7 +92,7 @@ TEST(Newton, InexactStepsConvergeToo) {
   NewtonControl control;
   control.rtol = 1e-8;
   Newton newton = make_newton();
-  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
   const NewtonResult r = newton.solve(cubic.system(x), fields, control, x);
   EXPECT_TRUE(r.converged) << r.refusal.text();
   EXPECT_LT(error(x, cubic.root), 1e-7);
@@ -103,7 +104,7 @@ TEST(Newton, DifferenceProductsFindTheSameRoot) {
   control.jacobian = JacobianKind::difference;
   control.krylov_rtol = 1e-6;
   Newton newton = make_newton();
-  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
   const NewtonResult r = newton.solve(cubic.system(x), fields, control, x);
   EXPECT_TRUE(r.converged) << r.refusal.text();
   EXPECT_LT(error(x, cubic.root), 1e-11);
@@ -115,9 +116,10 @@ TEST(Newton, LinearSolvesInSinglePrecisionFindTheSameRoot) {
   CubicEquation cubic;
   NewtonControl control = tight();
   control.krylov_rtol = 1e-4;
-  Newton full(n, n, std::make_unique<NoPreconditioner>());
-  Newton single(n, n, std::make_unique<NoPreconditioner>(), LinearSolves::single);
-  const Array x = to_device<Array>(std::vector<double>(n, 0.5)), y = to_device<Array>(std::vector<double>(n, 0.5));
+  Newton full(unknowns, unknowns, std::make_unique<NoPreconditioner>());
+  Newton single(unknowns, unknowns, std::make_unique<NoPreconditioner>(), LinearSolves::single);
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5)),
+              y = to_device<Array>(std::vector<double>(unknowns, 0.5));
   const NewtonResult expected = full.solve(cubic.system(x), fields, control, x);
   const NewtonResult found = single.solve(with_single_product(cubic, y), fields, control, y);
   EXPECT_TRUE(found.converged) << found.refusal.text();
@@ -132,7 +134,7 @@ NonlinearSystem with_round_off(CubicEquation& cubic, const Array& x) {
   NonlinearSystem system = cubic.system(x);
   system.residual = [&cubic](const Array& y, const Array& r) {
     std::vector<double> f = cubic.value(to_host(y));
-    for (int i = 0; i < n; ++i) f[i] += 1e-7 * std::sin(1e9 * (f[i] + i));
+    for (int i = 0; i < unknowns; ++i) f[i] += 1e-7 * std::sin(1e9 * (f[i] + i));
     Kokkos::deep_copy(r, to_device<Array>(f));
   };
   return system;
@@ -140,7 +142,7 @@ NonlinearSystem with_round_off(CubicEquation& cubic, const Array& x) {
 
 TEST(Newton, EndsAtTheRoundOffOfTheResidualWhereItIsTold) {
   CubicEquation cubic;
-  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
   Newton newton = make_newton();
   const NewtonResult untold = newton.solve(with_round_off(cubic, x), fields, tight(), x);
   EXPECT_FALSE(untold.converged);
@@ -148,7 +150,7 @@ TEST(Newton, EndsAtTheRoundOffOfTheResidualWhereItIsTold) {
 
   Kokkos::deep_copy(x, 0.5);
   std::vector<FieldRange> told = fields;
-  for (FieldRange& f : told) f.round_off = 1e-7 * std::sqrt(0.5 * n / 2);
+  for (FieldRange& f : told) f.round_off = 1e-7 * std::sqrt(0.5 * unknowns / 2);
   const NewtonResult found = newton.solve(with_round_off(cubic, x), told, tight(), x);
   EXPECT_TRUE(found.converged) << found.refusal.text();
   EXPECT_LE(found.iterations, 7);
@@ -170,7 +172,7 @@ TEST(Newton, ResidualThatIsNotFinite) {
   NonlinearSystem system = cubic.system(Array());
   system.residual = [](const Array&, const Array& r) { Kokkos::deep_copy(r, std::nan("")); };
   Newton newton = make_newton();
-  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
   const NewtonResult r = newton.solve(system, fields, tight(), x);
   EXPECT_FALSE(r.converged);
   EXPECT_EQ(r.refusal.cause, Refusal::not_finite);
@@ -179,7 +181,7 @@ TEST(Newton, ResidualThatIsNotFinite) {
 TEST(Newton, InadmissibleStepsAreShortenedThenRefused) {
   CubicEquation cubic;
   Newton newton = make_newton();
-  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
   NonlinearSystem system = cubic.system(x);
   int complaints = 0;
   system.complaint = [&](const Array&) { return Refusal{++complaints == 1 ? Refusal::mesh_folded : Refusal::none}; };
@@ -191,7 +193,7 @@ TEST(Newton, InadmissibleStepsAreShortenedThenRefused) {
   const NewtonResult r = newton.solve(system, fields, tight(), x);
   EXPECT_FALSE(r.converged);
   EXPECT_EQ(r.refusal.cause, Refusal::negative_density);
-  EXPECT_LT(error(x, std::vector<double>(n, 0.5)), 1e-300) << "x is untouched by a refused step";
+  EXPECT_LT(error(x, std::vector<double>(unknowns, 0.5)), 1e-300) << "x is untouched by a refused step";
 }
 
 TEST(Newton, TooFewIterations) {
@@ -199,7 +201,7 @@ TEST(Newton, TooFewIterations) {
   NewtonControl control = tight();
   control.max = 2;
   Newton newton = make_newton();
-  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
   const NewtonResult r = newton.solve(cubic.system(x), fields, control, x);
   EXPECT_FALSE(r.converged);
   EXPECT_EQ(r.iterations, 2);
@@ -209,7 +211,7 @@ TEST(Newton, TooFewIterations) {
 TEST(Newton, StalledLinearSolver) {
   CubicEquation cubic;
   Newton newton = make_newton();
-  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
   NonlinearSystem system = cubic.system(x);
   system.product = [](const Array&, const Array& out) { Kokkos::deep_copy(out, 0.0); };
   const NewtonResult r = newton.solve(system, fields, tight(), x);
@@ -236,27 +238,27 @@ TEST(Newton, PreconditionerIsKeptUntilItHasCostABuild) {
   CubicEquation cubic;
   int builds = 0;
   const auto solve = [&](Newton& newton) {
-    const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+    const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
     EXPECT_TRUE(newton.solve(cubic.system(x), fields, tight(), x).converged);
     return builds;
   };
-  Newton dear(n, n, std::make_unique<Counting>(builds, 1e9));
+  Newton dear(unknowns, unknowns, std::make_unique<Counting>(builds, 1e9));
   EXPECT_EQ(solve(dear), 1);
   EXPECT_EQ(solve(dear), 1);
   dear.forget_preconditioner();
   EXPECT_EQ(solve(dear), 2);
-  Newton free(n, n, std::make_unique<Counting>(builds, 0));  // a new one for every linear solve
+  Newton free(unknowns, unknowns, std::make_unique<Counting>(builds, 0));  // a new one for every linear solve
   EXPECT_GT(solve(free), 4);
 }
 
 TEST(Newton, ALaggedPreconditionerThatFailsIsReplacedAtOnce) {
   CubicEquation cubic;
   int builds = 0;
-  Newton newton(n, n, std::make_unique<Counting>(builds));
+  Newton newton(unknowns, unknowns, std::make_unique<Counting>(builds));
   NewtonControl control = tight();
   control.krylov_rtol = 1e-2;
   control.rtol = 1e-6;
-  const Array x = to_device<Array>(std::vector<double>(n, 0.5));
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
   EXPECT_TRUE(newton.solve(cubic.system(x), fields, control, x).converged);
   control.krylov_max = 1;  // no linear solve gets anywhere
   Kokkos::deep_copy(x, 0.5);

@@ -39,7 +39,7 @@ struct RandomRates {
   }
 };
 
-double largest(const std::vector<double>& r, int first, int last) {
+double largest_between(const std::vector<double>& r, int first, int last) {
   double m = 0;
   for (int i = first; i < last; ++i) m = std::max(m, std::abs(r[i]));
   return m;
@@ -49,9 +49,9 @@ void expect_solved(const Case& c) {
   RandomRates s(c, MassKind::consistent);
   const Layout<2>& l = s.scene.layout();
   const std::vector<double> r = s.residual();
-  EXPECT_LT(largest(r, 0, l.velocity_size()), 1e-9) << "momentum";
+  EXPECT_LT(largest_between(r, 0, l.velocity_size()), 1e-9) << "momentum";
   if (!l.has_fluid) return;
-  EXPECT_LT(largest(r, l.potential_offset(), l.size()), 1e-10) << "chemical potential";
+  EXPECT_LT(largest_between(r, l.potential_offset(), l.size()), 1e-10) << "chemical potential";
   const std::vector<double> now = to_host(s.system.stage().unknown), given = to_host(s.state.unknown);
   for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(now[i], given[i], 1e-10) << "density";
   for (int i = l.density_offset(), k = l.velocity_size() + l.solid_size(); i < l.potential_offset(); ++i, ++k)
@@ -71,7 +71,7 @@ TEST(SemiDiscrete, StiffRatesAreThoseOfTheImplicitPartForNoStep) {
   s.system.stiff_rates(s.y, out);
   ASSERT_TRUE(s.system.implicit_part(1e-9, y, stiff).empty());
   const std::vector<double> a = to_host(out), b = to_host(stiff);
-  const double size = largest(b, 0, s.scene.layout().velocity_size());
+  const double size = largest_between(b, 0, s.scene.layout().velocity_size());
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-5 * size);
 }
 
@@ -81,7 +81,7 @@ TEST(SemiDiscrete, GentleAndStiffPartAddUp) {
   ASSERT_TRUE(s.system.gentle_rates(3.0, s.y, gentle).empty());
   ASSERT_TRUE(s.system.implicit_part(1e-9, y, stiff).empty());
   const std::vector<double> a = to_host(s.rates), b = to_host(gentle), c = to_host(stiff);
-  const double size = largest(c, 0, s.scene.layout().velocity_size());
+  const double size = largest_between(c, 0, s.scene.layout().velocity_size());
   EXPECT_GT(size, 1);
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i] + c[i], 1e-5 * size);
 }

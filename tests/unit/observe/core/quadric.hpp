@@ -7,16 +7,16 @@
 
 namespace softwet::testing_tools {
 
-using Vector = std::array<double, 3>;
+using Point = std::array<double, 3>;
 
 /// density = middle + (1 - (x - centre) . shape (x - centre)): the level set `middle` is an ellipsoid.
 struct Quadric {
-  Vector centre;
-  std::array<Vector, 3> shape;  ///< symmetric
+  Point centre;
+  std::array<Point, 3> shape;  ///< symmetric
 };
 constexpr double middle = 0.4;
 
-inline Quadric sphere(const Vector& centre, double radius) {
+inline Quadric sphere(const Point& centre, double radius) {
   const double s = 1 / (radius * radius);
   return {centre, {{{s, 0, 0}, {0, s, 0}, {0, 0, s}}}};
 }
@@ -54,14 +54,14 @@ class Drawing {
   template <class Function>
   Drawing& density_near(const Function& f) {
     return each(layout_.wall_row, layout_.fluid_rows(), [&](int i, const std::array<int, 3>& at) {
-      unknown_[layout_.density_offset() + i] = f(Vector{from(0, at[0], 0), from(1, at[1], 0), from(2, at[2], 0)});
+      unknown_[layout_.density_offset() + i] = f(Point{from(0, at[0], 0), from(1, at[1], 0), from(2, at[2], 0)});
     });
   }
   /// The displacement, linear in the place.
   template <class Function>
   Drawing& moved(const Function& u) {
     return each(0, layout_.solid_rows(), [&](int i, const std::array<int, 3>& at) {
-      const Vector value = u(Vector{from(0, at[0], 0), from(1, at[1], 0), from(2, at[2], 0)});
+      const Point value = u(Point{from(0, at[0], 0), from(1, at[1], 0), from(2, at[2], 0)});
       for (int d = 0; d < 3; ++d) displacement_[layout_.displacement_offset(d) + i] = value[d];
     });
   }

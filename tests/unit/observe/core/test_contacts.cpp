@@ -74,8 +74,8 @@ TEST(Contacts, StretchedWall) {
   Drawing drawing(16);
   drawing.density(cap(0.4, 0.4));
   const std::vector<double> flat = only(drawing, {1, 0});
-  const std::vector<double> c = only(drawing.moved([](const Vector& p) {
-    return Vector{0.1 * p[0] - 0.03, 0.02, 0};
+  const std::vector<double> c = only(drawing.moved([](const Point& p) {
+    return Point{0.1 * p[0] - 0.03, 0.02, 0};
   }),
                                      {1, 0});
   EXPECT_NEAR(c[area], 1.1 * flat[area], 1e-12);
@@ -91,8 +91,8 @@ TEST(Contacts, SphereOnALiftedWall) {
   Quadric q = cap(0.4, 0.4);
   q.centre[2] = wall - radius * std::cos(angle * rad) / squeeze;
   q.shape[2][2] *= squeeze * squeeze;
-  const std::vector<double> c = only(Drawing(32).density(q).moved([&](const Vector&) {
-    return Vector{0, 0, lift};
+  const std::vector<double> c = only(Drawing(32).density(q).moved([&](const Point&) {
+    return Point{0, 0, lift};
   }),
                                      {diagonal, diagonal});
   EXPECT_NEAR(c[angle_front], angle, 0.02);
@@ -116,7 +116,7 @@ TEST(Contacts, CutBySides) {
 // A droplet moved by whole elements of a periodic domain, over its corner, stays the same droplet.
 TEST(Contacts, OverAPeriodicCorner) {
   const auto droplet = [](double cx, double cy) {
-    return [cx, cy](const Vector& p) {
+    return [cx, cy](const Point& p) {
       const double dx = std::remainder(p[0] - cx, 0.8), dy = std::remainder(p[1] - cy, 0.8);
       return middle + 0.3 * std::tanh((0.25 - std::hypot(dx, dy, p[2] - wall + 0.05)) / 0.06);
     };
@@ -133,7 +133,7 @@ TEST(Contacts, OverAPeriodicCorner) {
 
 TEST(Contacts, TwoDropletsMerge) {
   const auto pair = [](double half_distance) {
-    return Drawing(32).density_near([=](const Vector& p) {
+    return Drawing(32).density_near([=](const Point& p) {
       double rho = middle - 0.3;
       for (double side : {-1, 1}) {
         const double c = 0.4 + side * half_distance * diagonal;
