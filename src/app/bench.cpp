@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/configurations.hpp"
+#include "app/kernel_counts.hpp"
 #include "app/machine.hpp"
 #include "model/initial.hpp"
 #include "solver/choose.hpp"
@@ -120,9 +121,16 @@ void bench_gmres(const Sheet& sheet, const std::string& name, const GeneralizedA
   };
   const auto solve = [&] { return gmres.solve(product, precondition, b, x, 1e-4, 200).iterations; };
   const Traffic before = ranks::traffic();
+  KernelCounter counter;
   const int iterations = solve();
+  const KernelCounts counts = counter.stop();
   const Traffic after = ranks::traffic();
   sheet.line(name, seconds_per_call(solve) / iterations, ", " + std::to_string(iterations) + " iterations to 1e-4");
+  char text[160];
+  std::snprintf(text, sizeof text, "  kernels %.1f, copies for which the host waits %.1f, other waits %.1f\n",
+                double(counts.kernels) / iterations, double(counts.blocking_copies) / iterations,
+                double(counts.waits) / iterations);
+  sheet.out << text;
   if (ranks::count() > 1) print_traffic(sheet, before, after, iterations);
 }
 

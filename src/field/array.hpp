@@ -15,8 +15,17 @@ using ConstArrayOf = Kokkos::View<const Real*, Exec>;
 using Array = ArrayOf<double>;
 using ConstArray = ConstArrayOf<double>;
 
-/// True where kernels run on the host, one SIMD pack of elements at a time; false on a device, in tiles of elements.
+/// True where kernels run on the host.
 inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, Exec::memory_space>::accessible;
+
+/// True where algorithms are those made for a processor: columns of elements in SIMD packs, factors, pieces of lines. Else
+/// they are those of a device, with one thread for each point or entry. These run on the host too, where a build asks for it
+/// (SOFTWET_DEVICE_ALGORITHMS), so that all of them can be tested without a device.
+#ifdef SOFTWET_DEVICE_ALGORITHMS
+inline constexpr bool host_algorithms = false;
+#else
+inline constexpr bool host_algorithms = on_host;
+#endif
 
 template <class ViewType>
 inline ViewType to_device(const std::vector<typename ViewType::non_const_value_type>& values,

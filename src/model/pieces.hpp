@@ -27,7 +27,7 @@ struct Pieces {
   /// Sets the result of an evaluation to the sum of the pieces from number `first` on: of their products where it has a
   /// tangent, else of their residuals. With a mask, what is prescribed is zero.
   void run(const Evaluation<D, Real>& at, std::size_t first = 0, const ConstArray& mask = {}) const {
-    if constexpr (on_host) Kokkos::deep_copy(Exec(), at.test, Real(0));
+    if constexpr (host_algorithms) Kokkos::deep_copy(Exec(), at.test, Real(0));
     TileSums<D, Real> sums(at.layout);
     Evaluation<D, Real> together = at;
     together.sums = &sums;
@@ -36,7 +36,7 @@ struct Pieces {
       const Piece<D, Real>& piece = entry.exact && at.geometry == Geometry::exact ? *entry.exact : *entry.piece;
       at.tangent.data() ? piece.product(together) : piece.residual(together);
     }
-    if constexpr (!on_host) {
+    if constexpr (!host_algorithms) {
       sums.store(at.test, mask);
     } else if (mask.data()) {
       multiply(at.test, mask);

@@ -70,7 +70,7 @@ void assemble_at_once(const Task<D, Term, Motion, Real>& task) {
 /// `sums` until they are added up.
 template <int P, bool Tangent, int D, class Term, class Motion, class Real>
 void assemble(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
-  if constexpr (on_host) {
+  if constexpr (host_algorithms) {
     assemble_at_once<P, Tangent>(task);
   } else {
     assemble_in_tiles<P, Tangent>(task, sums);

@@ -88,10 +88,11 @@ struct Tile {
   Real* partial;  ///< [tile][channel][plane][cy][cx]
 
   static KOKKOS_FORCEINLINE_FUNCTION int least(int a, int b) { return a < b ? a : b; }
+  static KOKKOS_FORCEINLINE_FUNCTION int within(int low, int i, int high) { return i < low ? low : least(i, high); }
 
-  /// Place in the wall's row of control (i, j) from the corner of a tile; beyond the region it repeats the last one.
+  /// Place in the wall's row of control (i, j) from the corner of a tile; outside of the region it repeats the nearest one.
   KOKKOS_FORCEINLINE_FUNCTION int column(const int (&corner)[D], int i, int j) const {
-    int at = grid.first[0] + least(corner[0] + i, grid.elements[0] + P - 1);
+    int at = grid.first[0] + within(grid.lead, corner[0] + i, grid.elements[0] + P - 1);
     if constexpr (D == 3) at += least(corner[1] + j, grid.elements[1] + P - 1) * task.region.stride[1];
     return at;
   }
@@ -100,15 +101,16 @@ struct Tile {
     return column(corner, i, j) + row * task.region.stride[D - 1];
   }
 
-  /// Tables of an axis for the elements of a tile; those beyond the region have no weight.
+  /// Tables of an axis for the elements of a tile; those outside of the region have no weight.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_axis(const Team& team, const AxisRuleOf<Real>& rule, int d, int corner,
                                              int count, Real* basis, Real* weight, Real* place) const {
     share(team, count * Q, [&](int i) {
-      const int e = corner + i / Q, q = i % Q, known = grid.first[d] + least(e, grid.elements[d] - 1);
+      const int e = corner + i / Q, q = i % Q, low = d == 0 ? grid.lead : 0;
+      const int known = grid.first[d] + within(low, e, grid.elements[d] - 1);
       for (int a = 0; a < n; ++a) basis[i * n + a] = rule.value(q, a, known);
       if (!weight) return;
-      weight[i] = e < grid.elements[d] ? rule.weight(q, known) : Real(0);
+      weight[i] = e >= low && e < grid.elements[d] ? rule.weight(q, known) : Real(0);
       place[i] = rule.position(q, known);
     });
   }

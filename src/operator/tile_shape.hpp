@@ -46,17 +46,20 @@ struct LayerOf : TileShape<Tile::D, Tile::P, Tile::NX, Tile::NY, 1, 1> {
   static constexpr int teams = Tile::teams;
 };
 
-/// The elements of a region in tiles: where they begin, how many they are, and how many tiles there are along each axis.
+/// The elements of a region in tiles: where these begin, how many elements they have, and how many tiles there are along each
+/// axis. Along the first axis tiles begin at multiples of their width of the whole axis, wherever it is cut among processes,
+/// so that all sums have the same order. The first `lead` elements of the first tile are then none of the region.
 template <int D>
 struct TileGrid {
-  int first[D], elements[D], tiles[D];
+  int first[D], elements[D], tiles[D], lead;
 
   template <class Shape, class Real>
   static TileGrid of(const Region<D, Real>& region, const ElementRun& run) {
     TileGrid g;
+    g.lead = (run.begin + run.shift) % Shape::width(0);
     for (int d = 0; d < D; ++d) {
-      g.first[d] = d == 0 ? run.begin : 0;
-      g.elements[d] = d == 0 ? run.end - run.begin : region.axis[d].elements;
+      g.first[d] = d == 0 ? run.begin - g.lead : 0;
+      g.elements[d] = d == 0 ? run.end - g.first[d] : region.axis[d].elements;
       g.tiles[d] = (g.elements[d] + Shape::width(d) - 1) / Shape::width(d);
     }
     return g;

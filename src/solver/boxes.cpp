@@ -14,11 +14,13 @@ using Indices = Kokkos::View<const int*, Exec>;
 using Inverses = Kokkos::View<std::uint16_t*, Exec>;
 using EntryPlaces = Kokkos::View<const std::int64_t*, Exec>;
 
-constexpr int rows_at_once = on_host ? 64 : 1;
+constexpr int rows_at_once = host_algorithms ? 64 : 1;
 constexpr int prefetched = 24;  ///< columns ahead of the one that is read
 
 /// Boxes whose matrices are held at once during a build: enough to keep all threads busy, and few for the caches.
-int batch_size() { return on_host ? std::max(32, 4 * Kokkos::DefaultHostExecutionSpace().concurrency()) : 4096; }
+int batch_size() {
+  return host_algorithms ? std::max(32, 4 * Kokkos::DefaultHostExecutionSpace().concurrency()) : 4096;
+}
 
 KOKKOS_FORCEINLINE_FUNCTION void prefetch([[maybe_unused]] const void* p) {
   KOKKOS_IF_ON_HOST((__builtin_prefetch(p);))
@@ -92,7 +94,7 @@ struct FillRows {
   }
 };
 
-/// Inverses of blocks [block][column][row] into their strips.
+/// Inverses of blocks into their strips. An item is a piece of a column.
 struct Store {
   Indices size;
   EntryPlaces begin;
@@ -100,15 +102,17 @@ struct Store {
   Inverses inverse;
   int first, unknowns, strip;
 
-  KOKKOS_FUNCTION void operator()(int item) const {
-    const int block = item / unknowns, column = item % unknowns, n = size(first + block);
-    if (column >= n) return;
-    std::uint16_t* to = inverse.data() + begin(first + block) + column * strip;
-    for (int row = 0; row < n; row += strip, to += n * strip) {
-      const int count = row + strip < n ? strip : n - row;
-      for (int i = 0; i < count; ++i) to[i] = narrow(blocks(block, column, row + i));
-      for (int i = count; i < strip; ++i) to[i] = 0;
-    }
+  KOKKOS_FUNCTION int pieces() const { return (unknowns + rows_at_once - 1) / rows_at_once; }
+  std::int64_t items(int count) const { return std::int64_t(count) * unknowns * pieces(); }
+
+  KOKKOS_FUNCTION void operator()(std::int64_t item) const {
+    const int row = static_cast<int>(item % pieces()) * rows_at_once,
+              column = static_cast<int>(item / pieces() % unknowns);
+    const int block = static_cast<int>(item / pieces() / unknowns), n = size(first + block);
+    if (column >= n || row >= n) return;
+    std::uint16_t* to = inverse.data() + begin(first + block) + (row / strip * n + column) * strip + row % strip;
+    for (int i = 0; i < rows_at_once; ++i)
+      to[i] = row + i < n ? narrow(entry_of_inverse(blocks, block, row + i, column)) : 0;
   }
 };
 
@@ -128,7 +132,7 @@ struct ApplyBoxes {
   KOKKOS_FUNCTION void operator()(const Team& team) const {
     const int box = team.league_rank(), n = size(box);
     const Scratch local(team.team_scratch(0), unknowns);
-    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, n), [&](int i) {
+    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, n), [&](int i) {
       const int unknown = dof(box * unknowns + i);
       local(i) = static_cast<float>(r(unknown)) * weight(unknown);
     });
@@ -170,7 +174,7 @@ Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int 
   unknowns_ = t.unknowns;
   sites_ = t.sites;
   row_ = t.row;
-  strip_ = on_host ? rows_at_once : unknowns_;
+  strip_ = host_algorithms ? rows_at_once : unknowns_;
   std::vector<std::int64_t> begin;
   for (int n : t.size) {
     begin.push_back(entries_);
@@ -203,17 +207,20 @@ void Boxes<D>::build(const StencilMatrix<D>& matrix) {
     inverse_ = large_array<Inverses>("boxes.inverse", entries_);
     out_ = Kokkos::View<float*, Exec>(fresh("boxes.out"), std::size_t(count_) * unknowns_);
     blocks_ = DenseBlocks(fresh("boxes.blocks"), batch(), unknowns_, unknowns_);
+    inverses_.emplace(batch(), unknowns_);
   }
   for (int first = 0; first < count_; first += batch()) {
     const int now = std::min(batch(), count_ - first);
     const auto some = Kokkos::make_pair(first, first + now);
     const DenseBlocks part = Kokkos::subview(blocks_, Kokkos::make_pair(0, now), Kokkos::ALL, Kokkos::ALL);
-    const FillRows<D> fill{matrix.stencil(), matrix.values(),    size_, local_, start_, column_, part, first, sites_,
-                           width_,           on_host ? row_ : 1, round_};
+    const FillRows<D> fill{
+        matrix.stencil(),           matrix.values(), size_, local_, start_, column_, part, first, sites_, width_,
+        host_algorithms ? row_ : 1, round_};
     Kokkos::parallel_for("softwet::boxes", Kokkos::RangePolicy<Exec>(0, fill.items(now)), fill);
-    invert(part, Kokkos::subview(size_, some));
-    Kokkos::parallel_for("softwet::store", Kokkos::RangePolicy<Exec>(0, now * unknowns_),
-                         Store{size_, begin_, part, inverse_, first, unknowns_, strip_});
+    inverses_->invert(part, Kokkos::subview(size_, some));
+    const Store store{size_, begin_, part, inverse_, first, unknowns_, strip_};
+    Kokkos::parallel_for("softwet::store",
+                         Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>(0, store.items(now)), store);
   }
 }
 
@@ -230,7 +237,8 @@ void Boxes<D>::add(const ConstArray& r, const Array& z, float factor) const {
 
 template <int D>
 double Boxes<D>::bytes() const {
-  return 2.0 * entries_ + 4.0 * unknowns_ * (count_ + double(batch()) * unknowns_);
+  return 2.0 * entries_ + 4.0 * unknowns_ * (count_ + double(batch()) * unknowns_) +
+         BatchInverse::bytes(batch(), unknowns_);
 }
 
 template class Boxes<2>;

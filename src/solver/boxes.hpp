@@ -1,6 +1,8 @@
 // Dense inverses of overlapping boxes of control points, stored in 16 bits, and their weighted sum.
 #pragma once
 
+#include <optional>
+
 #include "solver/dense_inverse.hpp"
 #include "solver/patches.hpp"
 
@@ -39,6 +41,7 @@ class Boxes {
   Inverses inverse_;
   Kokkos::View<float*, Exec> out_;
   DenseBlocks blocks_;  ///< matrices of some boxes during a build
+  std::optional<BatchInverse> inverses_;
 };
 
 }  // namespace softwet

@@ -22,14 +22,15 @@ inline std::vector<std::string> preconditioner_names() {
 constexpr int small_in_3d = 3000;
 
 /// automatic: block LU in 2D and for the smallest scenes in 3D, otherwise multilevel Schwarz, as whole runs were measured to
-/// be fastest. umfpack: the matrix is factorised by that library, in double precision.
+/// be fastest. On a device always Schwarz: the factors of block LU stay on the host. umfpack: the matrix is factorised by that library, in double precision.
 template <int D>
 std::unique_ptr<Preconditioner> choose_preconditioner(
     const std::string& name, const Layout<D>& layout, const ConstArray& mask,
     const SchwarzControl& control = SchwarzControl::for_dimension(D)) {
   if (name == "none") return std::make_unique<NoPreconditioner>();
   const Layout<D> all = layout.whole_patch();
-  const bool schwarz = name == "schwarz" || (name == "automatic" && D == 3 && all.size() > small_in_3d);
+  const bool schwarz =
+      name == "schwarz" || (name == "automatic" && (!host_algorithms || (D == 3 && all.size() > small_in_3d)));
   const auto factors = [&](const ConstArray& free) {
     return name == "umfpack" ? make_sparse_lu<D>(all, free) : make_block_lu<D>(all, free);
   };

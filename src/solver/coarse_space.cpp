@@ -31,7 +31,7 @@ Places<D> places_of(const Layout<D>& layout) {
 }
 
 /// Entries of a line of control points along the first axis that are summed at once.
-constexpr int sum_piece = on_host ? 64 : 1;
+constexpr int sum_piece = host_algorithms ? 64 : 1;
 
 /// Sums along axis d of all components. An item is a piece of a line of the result.
 template <int D>
@@ -80,6 +80,45 @@ struct SumAxis {
   }
 };
 
+/// Sums along all axes. An item is an entry of the result.
+template <int D>
+struct SumAllAxes {
+  AxisSums sums[D];
+  Places<D> from_place, to_place;
+  ConstArray from, mask;
+  Array to;
+  int components;
+
+  std::int64_t items() const { return std::int64_t(components) * to_place.points; }
+  KOKKOS_FUNCTION void operator()(std::int64_t item) const {
+    const int c = static_cast<int>(item / to_place.points), point = static_cast<int>(item % to_place.points);
+    if (point < to_place.first[c]) return;
+    int at[D], rest = point;
+    for (int d = 0; d < D; ++d) {
+      at[d] = rest % to_place.extent[d];
+      rest /= to_place.extent[d];
+    }
+    const int entry = to_place.shift[c] + point;
+    to(entry) = mask(entry) != 0 ? along<D - 1>(c, at, 0) : 0.0;
+  }
+  /// @param above  number of the line (plane) of source points along the axes behind d
+  template <int d>
+  KOKKOS_FUNCTION double along(int c, const int (&at)[D], int above) const {
+    double sum = 0;
+    for (int k = 0; k < static_cast<int>(sums[d].weight.extent(1)); ++k) {
+      const double weight = sums[d].weight(at[d], k);
+      const int next = above * from_place.extent[d] + sums[d].source(at[d], k);
+      if (weight == 0) continue;
+      if constexpr (d > 0) {
+        sum += weight * along<d - 1>(c, at, next);
+      } else if (next >= from_place.first[c]) {
+        sum += weight * from(from_place.shift[c] + next);
+      }
+    }
+    return sum;
+  }
+};
+
 /// Coarse unknowns are free where the fine one that follows them most closely is: ends map to ends, wall to wall.
 template <int D>
 std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, const std::vector<double>& mask,
@@ -120,8 +159,8 @@ void cut_like(const Layout<D>& fine, Layout<D>& coarse) {
 }  // namespace
 
 template <int D>
-CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int least)
-    : fine_(fine), layout_(fine.whole_patch()), fine_mask_(mask) {
+CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int least, bool at_once)
+    : fine_(fine), layout_(fine.whole_patch()), fine_mask_(mask), at_once_(at_once) {
   std::vector<Refinement> refinement;
   layout_.axis.clear();
   layout_.row_size = 1;
@@ -146,7 +185,7 @@ CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int l
   mask_ = free;
   product_.emplace(fine, layout_, refinement);
   int points = Stencil<D>(fine).points;
-  for (int step = 0; step + 1 < D; ++step) {
+  for (int step = 0; step + 1 < D && !at_once; ++step) {
     points = points / axis_[D - 1 - step].fine * axis_[D - 1 - step].coarse;
     between_[step] = Array("coarse.between", std::size_t(fine.components()) * points);
   }
@@ -158,6 +197,11 @@ void CoarseSpace<D>::transfer(bool to_coarse, const ConstArray& from, const Arra
   const Layout<D>& source = to_coarse ? fine_ : layout_;
   const Layout<D>& target = to_coarse ? layout_ : fine_;
   Places<D> from_place = places_of(source);
+  if (at_once_) {
+    SumAllAxes<D> all{{}, from_place, places_of(target), from, to_coarse ? mask_ : fine_mask_, to, source.components()};
+    for (int d = 0; d < D; ++d) all.sums[d] = to_coarse ? axis_[d].to_coarse : axis_[d].to_fine;
+    return Kokkos::parallel_for("softwet::transfer", Policy(0, all.items()), all);
+  }
   ConstArray values = from;
   for (int step = 0; step < D; ++step) {
     const int d = to_coarse ? D - 1 - step : step;

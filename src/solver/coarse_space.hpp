@@ -15,8 +15,9 @@ namespace softwet {
 template <int D>
 class CoarseSpace {
  public:
-  /// @param least  elements that an axis keeps at least
-  CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int least);
+  /// @param least    elements that an axis keeps at least
+  /// @param at_once  vectors are transferred along all axes by one kernel, not axis by axis
+  CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int least, bool at_once = !host_algorithms);
 
   bool exists() const { return exists_; }  ///< whether any axis could be halved
   const Layout<D>& layout() const { return layout_; }
@@ -36,7 +37,7 @@ class CoarseSpace {
   AxisTransfer axis_[D];
   Array between_[D - 1];  ///< vectors on their way, with one more coarse axis each
   std::optional<GalerkinProduct<D>> product_;
-  bool exists_ = false;
+  bool exists_ = false, at_once_;
 };
 
 }  // namespace softwet

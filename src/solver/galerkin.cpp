@@ -62,7 +62,7 @@ AxisProduct make_product(const Axis& fine, const Refinement& r, const AxisPlaces
 }
 
 /// Entries of neighbouring rows that are summed at once, and lines that are turned at once for the first axis.
-constexpr int coarsen_piece = on_host ? 256 : 1, lines_in_team = on_host ? 16 : 1;
+constexpr int coarsen_piece = host_algorithms ? 256 : 1, lines_in_team = host_algorithms ? 16 : 1;
 
 /// One axis but the first, or on a device any. An item is a piece of the rows that lie side by side.
 template <int D>

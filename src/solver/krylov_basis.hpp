@@ -11,8 +11,8 @@ namespace softwet {
 /// out = b out + sum_j a_j v_j for some entries. With b = 0 the old values are not read.
 template <class Real>
 struct BasisSum {
-  static constexpr int most = 32;                     ///< vectors at once
-  static constexpr int entries = on_host ? 1024 : 1;  ///< of one item: they stay in the nearest cache
+  static constexpr int most = 32;                             ///< vectors at once
+  static constexpr int entries = host_algorithms ? 1024 : 1;  ///< of one item: they stay in the nearest cache
 
   ConstArrayOf<Real> all;
   ArrayOf<Real> out;

@@ -6,6 +6,7 @@
 #include "solver/block_lu.hpp"
 #include "solver/boxes.hpp"
 #include "solver/coarse_space.hpp"
+#include "solver/dense_solver.hpp"
 #include "solver/replicated.hpp"
 
 namespace softwet {
@@ -44,7 +45,7 @@ class Schwarz final : public StencilSolver<D> {
 
   void apply(const ConstArray& r, const Array& z) override {
     const ConstArray here = with_copies(r);
-    Kokkos::deep_copy(Exec(), z, 0.0);
+    if (!space_) Kokkos::deep_copy(Exec(), z, 0.0);
     if (space_) {
       space_->restrict_to(here, coarse_r_);
       coarse_->apply(coarse_r_, coarse_z_);
@@ -52,9 +53,7 @@ class Schwarz final : public StencilSolver<D> {
       space_->prolong(coarse_z_, z);
     }
     if (!space_ || !multiplicative_) return boxes_.add(here, z, 1);
-    matrix_->multiply(z, rest_);
-    combine(rest_, -1, rest_, 0);
-    add_scaled(rest_, 0, 1, r);
+    matrix_->residual(r, z, rest_);
     update(layout_, rest_);
     boxes_.add(rest_, z, damping);
   }
@@ -88,7 +87,8 @@ class Schwarz final : public StencilSolver<D> {
     SchwarzControl below = control;
     below.multiplicative = true;
     const auto solver = [&](const Layout<D>& l, const ConstArray& m) {
-      return direct ? make_block_lu<D>(l, m) : make_schwarz<D>(l, m, below);
+      if (!direct) return make_schwarz<D>(l, m, below);
+      return control.dense_bottom ? make_dense_solver<D>(l, m) : make_block_lu<D>(l, m);
     };
     if (coarse.whole() || (!direct && can_be_cut(coarse.columns))) {
       coarse_matrix_.emplace(coarse, space_->mask(), products);

@@ -11,13 +11,16 @@ struct SchwarzControl {
   int stride;                   ///< of the boxes; neighbours share width - stride layers of control points, or more
   bool coarse = true;           ///< with coarse levels
   bool multiplicative = false;  ///< see below; always on coarse levels
-  int direct_up_to = 60000;     ///< unknowns of a coarse space that is factorised (block LU); above, Schwarz again
+  int direct_up_to = 60000;     ///< unknowns of a coarse space that is solved directly; above, Schwarz again
+  bool dense_bottom = false;    ///< directly: by a dense inverse on the device, or by factors on the host (block LU)
 
   /// Wider boxes need fewer iterations and more memory; these are a compromise. In three dimensions one more level is
-  /// faster than factors of 25 000 unknowns.
+  /// faster than factors of 25 000 unknowns. On a device nothing is done on the host.
   static SchwarzControl for_dimension(int d) {
-    return d == 2 ? SchwarzControl{.width = box_width(2), .stride = 6}
-                  : SchwarzControl{.width = box_width(3), .stride = 3, .direct_up_to = 10000};
+    SchwarzControl c = d == 2 ? SchwarzControl{.width = box_width(2), .stride = 6}
+                              : SchwarzControl{.width = box_width(3), .stride = 3, .direct_up_to = 10000};
+    if (!host_algorithms) c.direct_up_to = 2600, c.dense_bottom = true;
+    return c;
   }
 };
 

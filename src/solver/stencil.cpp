@@ -48,8 +48,13 @@ struct SpreadValues {
 
 /// Rows of a product at once: on the host pieces of neighbouring lines, so that each of the matrix' many streams is
 /// read some hundred entries at a time; on a device one row per thread.
-constexpr int stencil_piece = on_host ? 128 : 1, long_piece = on_host ? 1024 : 1, lines_at_once = on_host ? 8 : 1,
-              pack = on_host ? 16 : 1;
+constexpr int stencil_piece = host_algorithms ? 128 : 1, long_piece = host_algorithms ? 1024 : 1,
+              lines_at_once = host_algorithms ? 8 : 1, pack = host_algorithms ? 16 : 1;
+
+KOKKOS_FORCEINLINE_FUNCTION void store_product(const Array& y, const ConstArray& r, const ConstArray& mask, int i,
+                                               double sum) {
+  y(i) = (r.data() ? r(i) - sum : sum) * mask(i);
+}
 
 /// y of one component on pieces of some lines of control points, offset by offset.
 template <int D, class Value>
@@ -58,6 +63,7 @@ struct MultiplyPieces {
   Kokkos::View<const Value*, Exec> values;
   StencilValues x;
   ConstArray mask;
+  ConstArray r;  ///< empty: y = A x, else y = r - A x
   Array y;
   ComponentPlaces<D> places;
   StencilLines stored_lines;
@@ -95,7 +101,7 @@ struct MultiplyPieces {
     for (int l = 0; l < lines; ++l) {
       const int point = first + l * n, unknown = places.shift[a] + point;
       if (point < places.first[a]) continue;
-      for (int i = 0; i < count; ++i) y(unknown + i) = sum[l][i] * mask(unknown + i);
+      for (int i = 0; i < count; ++i) store_product(y, r, mask, unknown + i, sum[l][i]);
     }
   }
   KOKKOS_FUNCTION int neighbour_line(int point, int offset) const {
@@ -122,6 +128,7 @@ struct MultiplyLongPieces {
   Kokkos::View<const Value*, Exec> values;
   StencilValues x;
   ConstArray mask;
+  ConstArray r;  ///< empty: y = A x, else y = r - A x
   Array y;
   ComponentPlaces<D> places;
   StencilLines line;
@@ -151,7 +158,7 @@ struct MultiplyLongPieces {
       }
     for (int i = 0; i < count; ++i) {
       const int unknown = places.shift[a] + begin + i;
-      if (begin + i >= places.first[a]) y(unknown) = sum[i] * mask(unknown);
+      if (begin + i >= places.first[a]) store_product(y, r, mask, unknown, sum[i]);
     }
   }
   KOKKOS_FUNCTION int distance(int offset) const {
@@ -227,7 +234,7 @@ void StencilMatrix<D>::update_copies() const {
 }
 
 template <int D>
-void StencilMatrix<D>::multiply(const ConstArray& x, const Array& y) const {
+void StencilMatrix<D>::multiply_into(const ConstArray& r, const ConstArray& x, const Array& y) const {
   using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
   const ComponentPlaces<D> places(layout_);
   const SpreadValues<D> spread{stencil_, x, mask_, spread_, places, lines_};
@@ -238,9 +245,9 @@ void StencilMatrix<D>::multiply(const ConstArray& x, const Array& y) const {
   const auto with = [&](const auto& values) {
     using Value = typename std::decay_t<decltype(values)>::non_const_value_type;
     if (lines_.length == stencil_.points) {
-      run(MultiplyLongPieces<D, Value>{stencil_, values, spread_, mask_, y, places, lines_});
+      run(MultiplyLongPieces<D, Value>{stencil_, values, spread_, mask_, r, y, places, lines_});
     } else {
-      run(MultiplyPieces<D, Value>{stencil_, values, spread_, mask_, y, places, lines_});
+      run(MultiplyPieces<D, Value>{stencil_, values, spread_, mask_, r, y, places, lines_});
     }
   };
   products_ == Products::single ? with(values_) : with(narrow_);

@@ -45,7 +45,9 @@ class StencilMatrix {
   /// Rows of the copies of other processes' columns: fill makes only a process's own rows.
   void update_copies() const;
   /// y = A x; prescribed values and ghosts of x count as zero, those of y are zero.
-  void multiply(const ConstArray& x, const Array& y) const;
+  void multiply(const ConstArray& x, const Array& y) const { multiply_into({}, x, y); }
+  /// y = r - A x, likewise
+  void residual(const ConstArray& r, const ConstArray& x, const Array& y) const { multiply_into(r, x, y); }
 
   const Layout<D>& layout() const { return layout_; }
   const Stencil<D>& stencil() const { return stencil_; }
@@ -54,6 +56,8 @@ class StencilMatrix {
   double bytes() const { return (products_ == Products::single ? 4.0 : 6.0) * stencil_.size(); }
 
  private:
+  void multiply_into(const ConstArray& r, const ConstArray& x, const Array& y) const;
+
   Layout<D> layout_;
   Stencil<D> stencil_;
   ConstArray mask_;

@@ -9,6 +9,14 @@
 
 namespace softwet::testing_tools {
 
+/// Programs can be built without the kernels of reduced quadrature.
+class ReducedQuadrature : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
+  }
+};
+
 template <int D, int P = 2>
 struct TermCases {
   Patch<D> patch;

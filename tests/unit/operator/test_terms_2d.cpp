@@ -21,11 +21,12 @@ TermCases<2> reduced() {
   return c;
 }
 
-TEST(Terms2D, ReducedFluidOnMovingMesh) { reduced().check_fluid<WallMotion>(); }
-TEST(Terms2D, ReducedFluidOnFixedMesh) { reduced().check_fluid<Still>(); }
-TEST(Terms2D, ReducedWallOnMovingMesh) { reduced().check_wall<WallMotion>(); }
-TEST(Terms2D, ReducedWallOnFixedMesh) { reduced().check_wall<Still>(); }
-TEST(Terms2D, ReducedSolid) { reduced().check_solid(); }
+using Reduced2D = ReducedQuadrature;
+TEST_F(Reduced2D, FluidOnMovingMesh) { reduced().check_fluid<WallMotion>(); }
+TEST_F(Reduced2D, FluidOnFixedMesh) { reduced().check_fluid<Still>(); }
+TEST_F(Reduced2D, WallOnMovingMesh) { reduced().check_wall<WallMotion>(); }
+TEST_F(Reduced2D, WallOnFixedMesh) { reduced().check_wall<Still>(); }
+TEST_F(Reduced2D, Solid) { reduced().check_solid(); }
 
 }  // namespace
 }  // namespace softwet::testing_tools

@@ -18,11 +18,12 @@ TermCases<3> reduced_3d() {
   return c;
 }
 
-TEST(Terms3D, ReducedFluidOnMovingMesh) { reduced_3d().check_fluid<WallMotion>(); }
-TEST(Terms3D, ReducedFluidOnFixedMesh) { reduced_3d().check_fluid<Still>(); }
-TEST(Terms3D, ReducedWallOnMovingMesh) { reduced_3d().check_wall<WallMotion>(); }
-TEST(Terms3D, ReducedWallOnFixedMesh) { reduced_3d().check_wall<Still>(); }
-TEST(Terms3D, ReducedSolid) { reduced_3d().check_solid(); }
+using Reduced3D = ReducedQuadrature;
+TEST_F(Reduced3D, FluidOnMovingMesh) { reduced_3d().check_fluid<WallMotion>(); }
+TEST_F(Reduced3D, FluidOnFixedMesh) { reduced_3d().check_fluid<Still>(); }
+TEST_F(Reduced3D, WallOnMovingMesh) { reduced_3d().check_wall<WallMotion>(); }
+TEST_F(Reduced3D, WallOnFixedMesh) { reduced_3d().check_wall<Still>(); }
+TEST_F(Reduced3D, Solid) { reduced_3d().check_solid(); }
 
 /// The host computes columns in blocks of 8 elements.
 TEST(Terms3D, ColumnsOfSeveralBlocks) { TermCases<3>(std::array<int, 3>{5, 3, 12}).check_fluid<WallMotion>(); }

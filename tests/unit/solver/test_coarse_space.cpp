@@ -69,7 +69,14 @@ void check_galerkin(Case c, std::vector<int> elements) {
   coarse.multiply(coarse_x, found);
   EXPECT_LT(distance(to_host(found), to_host(expected)), 1e-5);
   const Array y = s.direction();
-  space.restrict_to(y, found);
+  const CoarseSpace<2> at_once(s.layout(), s.model.mask(), 2, true), by_axis(s.layout(), s.model.mask(), 2, false);
+  const Array again("again", s.layout().size());
+  by_axis.prolong(coarse_x, fine);
+  at_once.prolong(coarse_x, again);
+  EXPECT_LT(distance(to_host(again), to_host(fine)), 1e-14);
+  by_axis.restrict_to(y, expected);
+  at_once.restrict_to(y, found);
+  EXPECT_LT(distance(to_host(found), to_host(expected)), 1e-14);
   EXPECT_NEAR(dot(fine, y), dot(coarse_x, found), 1e-11 * norm(fine) * norm(y));
 }
 

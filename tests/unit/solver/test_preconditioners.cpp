@@ -1,7 +1,6 @@
-// Block LU and Schwarz against products, and the dense inverses under them.
+// Block LU and Schwarz against products.
 #include "model/initial.hpp"
 #include "solver/block_lu.hpp"
-#include "solver/dense_inverse.hpp"
 #include "solver/dissection.hpp"
 #include "solver/gmres.hpp"
 #include "solver/patches.hpp"
@@ -9,8 +8,6 @@
 #include "time/implicit_scheme.hpp"
 #include "time/stepper.hpp"
 #include "unit/model/scenes.hpp"
-
-#include <random>
 
 namespace softwet::testing_tools {
 namespace {
@@ -238,80 +235,6 @@ TEST(Schwarz, HelpsWhereTheMeshMoves) {
   const KrylovResult result = Gmres(scheme.size(), 60).solve(product, precondition, r, x, 1e-2, 60);
   std::printf("  %d iterations\n", result.iterations);
   EXPECT_LE(result.iterations, 14);
-}
-
-TEST(DenseInverse, BothWaysAgreeWithTheProduct) {
-  const int n = 37;
-  std::vector<int> size{n, n - 5};
-  DenseBlocks a("a", 2, n, 48), copy("copy", 2, n, 48);
-  const auto given = Kokkos::create_mirror(a);
-  std::mt19937 draw(7);
-  std::uniform_real_distribution<float> number(-1, 1);
-  for (int b = 0; b < 2; ++b)
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) given(b, i, j) = i == j ? 0.0f : number(draw);  // zero diagonal: pivoting is needed
-  Kokkos::deep_copy(a, given);
-  Kokkos::deep_copy(copy, given);
-  const auto sizes = to_device<Kokkos::View<int*, Exec>>(size);
-  invert(a, sizes);
-  invert_by_teams(copy, sizes);
-  for (const DenseBlocks& inverse : {a, copy}) {
-    const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), inverse);
-    for (int b = 0; b < 2; ++b)
-      for (int row = 0; row < size[b]; ++row)
-        for (int column = 0; column < size[b]; ++column) {
-          double sum = 0;
-          for (int k = 0; k < size[b]; ++k) sum += double(found(b, k, row)) * given(b, k, column);
-          EXPECT_NEAR(sum, row == column ? 1.0 : 0.0, 1e-3);
-        }
-  }
-}
-
-// Every number is the result of the same operations, whichever thread does them: a missing barrier shows.
-TEST(DenseInverse, TheThreadsOfATeamDoNotMatter) {
-  const int threads = on_host ? std::min(4, Exec().concurrency()) : 8, n = 61, count = 20;
-  if (threads < 2) GTEST_SKIP() << "one thread alone";
-  DenseBlocks one("one", count, n, n), several("several", count, n, n);
-  const auto given = Kokkos::create_mirror(one);
-  std::mt19937 draw(8);
-  std::uniform_real_distribution<float> number(-1, 1);
-  for (std::size_t i = 0; i < given.size(); ++i) given.data()[i] = number(draw);
-  Kokkos::deep_copy(one, given);
-  Kokkos::deep_copy(several, given);
-  std::vector<int> size;
-  for (int b = 0; b < count; ++b) size.push_back(n - b);
-  const auto sizes = to_device<Kokkos::View<int*, Exec>>(size);
-  invert_by_teams(one, sizes, 1);
-  invert_by_teams(several, sizes, threads);
-  const auto expected = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), one);
-  const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), several);
-  for (std::size_t i = 0; i < found.size(); ++i) ASSERT_EQ(found.data()[i], expected.data()[i]) << i;
-}
-
-TEST(DenseInverse, ASingularBlockIsNotFiniteAndItsNeighbourIsRight) {
-  const int n = 6;
-  DenseBlocks a("a", 3, n, n), copy("copy", 3, n, n);
-  const auto given = Kokkos::create_mirror(a);
-  // Two zero pivots in a row in the first block, nothing but zeros in the second one, 2 I in the third one.
-  for (int i = 0; i < n; ++i) {
-    given(0, i, i) = i == 2 || i == 3 ? 0.0f : 1.0f;
-    given(2, i, i) = 2;
-  }
-  Kokkos::deep_copy(a, given);
-  Kokkos::deep_copy(copy, given);
-  const auto sizes = to_device<Kokkos::View<int*, Exec>>(std::vector<int>(3, n));
-  invert(a, sizes);
-  invert_by_teams(copy, sizes);
-  for (const DenseBlocks& inverse : {a, copy}) {
-    const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), inverse);
-    double sum[3] = {0, 0, 0};
-    for (int b = 0; b < 3; ++b)
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) sum[b] += std::abs(found(b, i, j));
-    EXPECT_FALSE(std::isfinite(sum[0]));
-    EXPECT_FALSE(std::isfinite(sum[1]));
-    EXPECT_DOUBLE_EQ(sum[2], 0.5 * n);
-  }
 }
 
 }  // namespace
