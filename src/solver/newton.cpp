@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/scale_fields.hpp"
+
 namespace softwet {
 namespace {
 
@@ -56,18 +58,18 @@ void Newton::set_weights(const std::vector<FieldRange>& fields, const ConstArray
     weight_[f] = 1 / std::max({size[f], fields[f].floor, least, signal_over_round_off * fields[f].round_off});
 }
 
-template <class Real>
-void Newton::scale_rows(const std::vector<FieldRange>& fields, const ArrayOf<Real>& r, int exponent) const {
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    const ArrayOf<Real> field = Kokkos::subview(r, Kokkos::make_pair(fields[f].first, fields[f].last));
-    combine(field, exponent > 0 ? weight_[f] : 1 / weight_[f], field, 0);
-  }
+template <class To, class From>
+void Newton::scale_rows(const std::vector<FieldRange>& fields, int exponent, const From& from,
+                        const ArrayOf<To>& to) const {
+  ScaleFields<To, typename From::non_const_value_type> scale{to, from};
+  for (std::size_t f = 0; f < fields.size(); ++f)
+    scale.add(fields[f].first, fields[f].last, exponent > 0 ? weight_[f] : 1 / weight_[f]);
+  scale.run();
 }
 
 void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl& control, const Array& x,
                               const Array& z, const Array& out) {
-  Stopwatch watch(counts_.product_seconds);
-  ++counts_.products;
+  Stopwatch watch(counts_.product_seconds, counts_.products++);
   if (control.jacobian == JacobianKind::exact) return system.product(z, out);
   const double size = norm(z);
   const double epsilon = size > 0 ? 1e-7 * (1 + norm(x)) / size : 1.0;
@@ -80,8 +82,7 @@ void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl
 
 void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl&, const Array&,
                               const ArrayOf<float>& z, const ArrayOf<float>& out) {
-  Stopwatch watch(counts_.product_seconds);
-  ++counts_.products;
+  Stopwatch watch(counts_.product_seconds, counts_.products++);
   system.single_product(z, out);
 }
 
@@ -92,13 +93,11 @@ KrylovResult Newton::linear_solve_in(LinearSpace<Real>& space, const NonlinearSy
   using Vector = ArrayOf<Real>;
   const auto apply = [&](const Vector& z, const Vector& out) {
     jacobian_product(system, control, x, z, out);
-    scale_rows<Real>(fields, out, 1);
+    scale_rows(fields, 1, out, out);
   };
   const auto precondition = [&](const Vector& r, const Vector& z) {
-    Stopwatch inner(counts_.apply_seconds);
-    ++counts_.applications;
-    convert(probe_, r);
-    scale_rows<double>(fields, probe_, -1);
+    Stopwatch inner(counts_.apply_seconds, counts_.applications++);
+    scale_rows(fields, -1, r, probe_);
     if constexpr (std::is_same_v<Real, double>) {
       preconditioner_->apply(probe_, z);
     } else {
@@ -106,8 +105,7 @@ KrylovResult Newton::linear_solve_in(LinearSpace<Real>& space, const NonlinearSy
       convert(z, step_);
     }
   };
-  convert(space.right, residual_);
-  scale_rows<Real>(fields, space.right, 1);
+  scale_rows(fields, 1, residual_, space.right);
   const KrylovResult result = space.gmres.solve(apply, precondition, space.right, space.step, forcing, limit);
   if constexpr (!std::is_same_v<Real, double>) convert(step_, space.step);
   return result;
