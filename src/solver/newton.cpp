@@ -15,6 +15,9 @@ constexpr double weighted_margin = 2, field_margin = 8;
 /// A residual of fewer times its round-off is not worth the full weight of a field.
 constexpr double signal_over_round_off = 100;
 
+/// What the first linear solve of a step is solved to: about the part of the residual that its nonlinearity leaves.
+constexpr double first_forcing = 0.02;
+
 std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(int size, int restart, LinearSolves precision) {
   if (precision == LinearSolves::single) return LinearSpace<float>(size, restart);
   return LinearSpace<double>(size, restart);
@@ -153,7 +156,7 @@ Refusal Newton::update(const NonlinearSystem& system, const Array& x) {
 NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<FieldRange>& fields,
                            const NewtonControl& control, const Array& x) {
   NewtonResult result;
-  double start = 0, previous = 0, forcing = 0.1;
+  double start = 0, previous = 0, forcing = first_forcing;
   for (;; ++result.iterations) {
     {
       Stopwatch watch(counts_.residual_seconds);
