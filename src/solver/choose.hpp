@@ -22,7 +22,8 @@ inline std::vector<std::string> preconditioner_names() {
 constexpr int small_in_3d = 3000;
 
 /// automatic: block LU in 2D and for the smallest scenes in 3D, otherwise multilevel Schwarz, as whole runs were measured to
-/// be fastest. On a device always Schwarz: the factors of block LU stay on the host. umfpack: the matrix is factorised by that library, in double precision.
+/// be fastest. On a device always Schwarz: the factors of block LU stay on the host. umfpack: the matrix is factorised by that
+/// library, in double precision.
 template <int D>
 std::unique_ptr<Preconditioner> choose_preconditioner(
     const std::string& name, const Layout<D>& layout, const ConstArray& mask,

@@ -45,12 +45,13 @@ class Schwarz final : public StencilSolver<D> {
 
   void apply(const ConstArray& r, const Array& z) override {
     const ConstArray here = with_copies(r);
-    if (!space_) Kokkos::deep_copy(Exec(), z, 0.0);
     if (space_) {
       space_->restrict_to(here, coarse_r_);
       coarse_->apply(coarse_r_, coarse_z_);
       update(space_->layout(), coarse_z_);
       space_->prolong(coarse_z_, z);
+    } else {
+      Kokkos::deep_copy(Exec(), z, 0.0);
     }
     if (!space_ || !multiplicative_) return boxes_.add(here, z, 1);
     matrix_->residual(r, z, rest_);

@@ -60,8 +60,7 @@ TEST(DenseInverse, BothWaysAgreeWithTheProduct) {
         for (int column = 0; column < size[b]; ++column) {
           double sum = 0;
           for (int k = 0; k < size[b]; ++k) sum += double(found(b, row, k)) * given(b, k, column);
-          const double scale = std::pow(10.0, column % 9 - row % 9);
-          ASSERT_NEAR(sum, row == column ? 1.0 : 0.0, 1e-3 * std::max(1.0, 1 / scale)) << size[b] << " rows";
+          ASSERT_NEAR(sum, row == column ? 1.0 : 0.0, 1e-3) << size[b] << " rows";
         }
 }
 
