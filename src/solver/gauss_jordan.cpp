@@ -8,9 +8,9 @@ namespace {
 
 using Team = Kokkos::TeamPolicy<Exec>::member_type;
 using Items = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
-using Numbers = Kokkos::View<int**, Kokkos::LayoutRight, Exec>;
+using RowNumbers = Kokkos::View<int**, Kokkos::LayoutRight, Exec>;
 using Factors = Kokkos::View<float**, Kokkos::LayoutRight, Exec>;
-constexpr int panel = GaussJordan::panel;
+constexpr int depth_of_panel = GaussJordan::panel;
 
 /// Each row over its largest entry. An item is a row.
 struct ScaleGaussRows {
@@ -34,11 +34,11 @@ struct ScaleGaussRows {
 struct EliminatePanel {
   DenseBlocks a, w;
   BlockSizes size;
-  Numbers pivot;
+  RowNumbers pivot;
   int first;
 
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int b = team.league_rank(), n = size(b), count = n - first < panel ? n - first : panel;
+    const int b = team.league_rank(), n = size(b), count = n - first < depth_of_panel ? n - first : depth_of_panel;
     if (count <= 0) return;
     Kokkos::parallel_for(Kokkos::TeamVectorRange(team, n), [&](int i) {
       for (int s = 0; s < count; ++s) w(b, s, i) = a(b, i, first + s);
@@ -96,12 +96,12 @@ struct EliminatePanel {
 struct TakePivotRows {
   DenseBlocks a, taken;
   BlockSizes size;
-  Numbers pivot;
+  RowNumbers pivot;
   int first, rows;
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
     const int b = static_cast<int>(item / rows), j = static_cast<int>(item % rows), n = size(b);
-    const int count = n - first < panel ? n - first : panel;
+    const int count = n - first < depth_of_panel ? n - first : depth_of_panel;
     if (j >= n) return;
     for (int s = 0; s < count; ++s) {
       const int p = pivot(b, first + s);
@@ -127,18 +127,18 @@ struct AddPanel {
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
     const int j = static_cast<int>(item % rows), begin = static_cast<int>(item / rows % pieces()) * rows_at_once;
     const int b = static_cast<int>(item / rows / pieces()), n = size(b);
-    const int count = n - first < panel ? n - first : panel;
+    const int count = n - first < depth_of_panel ? n - first : depth_of_panel;
     if (j >= n || count <= 0) return;
     const int end = begin + rows_at_once < n ? begin + rows_at_once : n;
     if (j >= first && j < first + count) {
       for (int i = begin; i < end; ++i) a(b, i, j) = w(b, j - first, i);
       return;
     }
-    float upper[panel];
-    for (int s = 0; s < panel; ++s) upper[s] = s < count ? taken(b, s, j) : 0.0f;
+    float upper[depth_of_panel];
+    for (int s = 0; s < depth_of_panel; ++s) upper[s] = s < count ? taken(b, s, j) : 0.0f;
     for (int i = begin; i < end; ++i) {
       float sum = a(b, i, j);
-      for (int s = 0; s < panel; ++s)
+      for (int s = 0; s < depth_of_panel; ++s)
         if (s < count) sum += w(b, s, i) * upper[s];
       a(b, i, j) = sum;
     }
@@ -148,7 +148,7 @@ struct AddPanel {
 /// The order of the columns once all exchanges of rows are undone. An item is a block.
 struct UndoExchanges {
   BlockSizes size;
-  Numbers pivot, source;
+  RowNumbers pivot, source;
 
   KOKKOS_FUNCTION void operator()(int b) const {
     const int n = size(b);
@@ -165,7 +165,7 @@ struct UndoExchanges {
 struct OrderColumns {
   DenseBlocks a;
   BlockSizes size;
-  Numbers source;
+  RowNumbers source;
   Factors scale;
   int rows;
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
@@ -196,7 +196,7 @@ void GaussJordan::invert(const DenseBlocks& a, const BlockSizes& size, int threa
   if (threads == 0) threads = on_host ? 1 : std::min(16, (rows + lanes - 1) / lanes);
   Kokkos::parallel_for("softwet::scale_rows", Items(0, std::int64_t(count) * rows),
                        ScaleGaussRows{a, size, scale_, rows});
-  for (int first = 0; first < rows; first += panel) {
+  for (int first = 0; first < rows; first += depth_of_panel) {
     Kokkos::parallel_for("softwet::panel", Kokkos::TeamPolicy<Exec>(count, threads, lanes),
                          EliminatePanel{a, panels_, size, pivot_, first});
     Kokkos::parallel_for("softwet::pivot_rows", Items(0, std::int64_t(count) * rows),
