@@ -11,19 +11,18 @@ namespace softwet {
 namespace {
 
 using Indices = Kokkos::View<const int*, Exec>;
-using Inverses = Kokkos::View<std::uint16_t*, Exec>;
-using EntryPlaces = Kokkos::View<const std::int64_t*, Exec>;
-
-constexpr int rows_at_once = host_algorithms ? 64 : 1;
-constexpr int prefetched = 24;  ///< columns ahead of the one that is read
+/// Boxes that are multiplied together by the inverse that they share.
+constexpr int most_together = host_algorithms ? 8 : 1;
 
 /// Boxes whose matrices are held at once during a build: enough to keep all threads busy, and few for the caches.
 int batch_size() {
   return host_algorithms ? std::max(32, 4 * Kokkos::DefaultHostExecutionSpace().concurrency()) : 4096;
 }
 
-KOKKOS_FORCEINLINE_FUNCTION void prefetch([[maybe_unused]] const void* p) {
-  KOKKOS_IF_ON_HOST((__builtin_prefetch(p);))
+template <class View, class Number>
+void copy_in(const View& to, const Number* from, int count) {
+  const Kokkos::View<const Number*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(from, count);
+  Kokkos::deep_copy(Kokkos::subview(to, Kokkos::make_pair(0, count)), host);
 }
 
 /// Rows of the boxes' matrices out of the stencil: those of one component on one line of control points of a box. On the
@@ -32,9 +31,9 @@ template <int D>
 struct FillRows {
   Stencil<D> stencil;
   StencilValues values;
-  Indices size, local, start, column_of;
+  Indices size, local, start, column_of, box;
   DenseBlocks blocks;
-  int first, sites, width, together;
+  int sites, width, together;
   int round;  ///< control points once around the first axis; 0: it is not periodic
 
   KOKKOS_FUNCTION int lines() const { return sites / stencil.components / width; }
@@ -47,7 +46,7 @@ struct FillRows {
     for (int d = 1, rest = line; d < D; ++d) {
       at[d] = rest % width;
       rest /= width;
-      point += stride * stencil.moved(start((first + begin) * D + d), at[d], d);
+      point += stride * stencil.moved(start(box(begin) * D + d), at[d], d);
       stride *= stencil.extent[d];
     }
     for (int block = begin; block < begin + together; ++block) clear(block, line, a);
@@ -64,10 +63,10 @@ struct FillRows {
     }
   }
   KOKKOS_FUNCTION int unknown(int block, int point, int component) const {
-    return local((first + block) * sites + point * stencil.components + component);
+    return local(box(block) * sites + point * stencil.components + component);
   }
   KOKKOS_FUNCTION void clear(int block, int line, int a) const {
-    const int n = size(first + block);
+    const int n = size(box(block));
     for (int x = 0; x < width; ++x) {
       const int row = unknown(block, line * width + x, a);
       for (int j = 0; j < n && row >= 0; ++j) blocks(block, row, j) = 0;
@@ -85,7 +84,7 @@ struct FillRows {
     return to;
   }
   KOKKOS_FUNCTION void add(int block, int line, int a, int to, int u, int shift, const float* entry) const {
-    const int begin = start((first + block) * D);
+    const int begin = start(box(block) * D);
     for (int x = 0; x < width; ++x) {
       const int there = wrapped(x + shift, width, round);
       const int row = unknown(block, line + x, a), column = there < 0 ? -1 : unknown(block, to + there, u);
@@ -96,11 +95,10 @@ struct FillRows {
 
 /// Inverses of blocks into their strips. An item is a piece of a column.
 struct Store {
-  Indices size;
-  EntryPlaces begin;
+  Indices size, box;  ///< size 0: the box uses another one's inverse
   DenseBlocks blocks;
-  Inverses inverse;
-  int first, unknowns, strip;
+  BoxInverses inverses;
+  int unknowns;
 
   KOKKOS_FUNCTION int pieces() const { return (unknowns + rows_at_once - 1) / rows_at_once; }
   std::int64_t items(int count) const { return std::int64_t(count) * unknowns * pieces(); }
@@ -108,45 +106,51 @@ struct Store {
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
     const int row = static_cast<int>(item % pieces()) * rows_at_once,
               column = static_cast<int>(item / pieces() % unknowns);
-    const int block = static_cast<int>(item / pieces() / unknowns), n = size(first + block);
+    const int block = static_cast<int>(item / pieces() / unknowns), n = size(block);
     if (column >= n || row >= n) return;
-    std::uint16_t* to = inverse.data() + begin(first + block) + (row / strip * n + column) * strip + row % strip;
+    std::uint16_t* to = inverses.place(box(block), n, row, column);
     for (int i = 0; i < rows_at_once; ++i)
       to[i] = row + i < n ? narrow(entry_of_inverse(blocks, block, row + i, column)) : 0;
   }
 };
 
-/// out = W_b A_b^-1 W_b r on every box. Lanes (host) or threads (device) take neighbouring rows and walk along the
-/// columns together.
+/// out = W_b A_b^-1 W_b r on every box. A team takes some boxes with one inverse; its lanes (host) or threads (device) take
+/// neighbouring rows and walk along the columns together.
 struct ApplyBoxes {
-  Indices size, dof;
-  EntryPlaces begin;
-  Inverses inverse;
+  Indices size, dof, member, first_member;
+  BoxInverses inverses;
   Kokkos::View<const float*, Exec> weight;
   ConstArray r;
   Kokkos::View<float*, Exec> out;
-  int unknowns, strip;
+  int unknowns;
   using Team = Kokkos::TeamPolicy<Exec>::member_type;
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 
   KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int box = team.league_rank(), n = size(box);
-    const Scratch local(team.team_scratch(0), unknowns);
-    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, n), [&](int i) {
-      const int unknown = dof(box * unknowns + i);
+    const int begin = first_member(team.league_rank()), count = first_member(team.league_rank() + 1) - begin;
+    const int n = size(member(begin));
+    const Scratch local(team.team_scratch(0), most_together * unknowns);
+    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, count * n), [&](int i) {
+      const int unknown = dof(member(begin + i / n) * unknowns + i % n);
       local(i) = static_cast<float>(r(unknown)) * weight(unknown);
     });
     team.team_barrier();
     Kokkos::parallel_for(Kokkos::TeamVectorRange(team, (n + rows_at_once - 1) / rows_at_once), [&](int chunk) {
-      const int first = chunk * rows_at_once;
-      const std::uint16_t* column = inverse.data() + begin(box) + (first / strip) * n * strip + first % strip;
-      float sum[rows_at_once] = {};
-      for (int j = 0; j < n; ++j, column += strip) {
-        for (int i = 0; i < rows_at_once; i += 32) prefetch(column + prefetched * strip + i);
-        for (int i = 0; i < rows_at_once; ++i) sum[i] += widen(column[i]) * local(j);
-      }
-      for (int i = 0; i < rows_at_once && first + i < n; ++i) out(box * unknowns + first + i) = sum[i];
+      int k = 0;
+      if constexpr (most_together > 1)
+        for (; k + 1 < count; k += 2) multiply<2>(&member(begin + k), chunk * rows_at_once, n, &local(k * n));
+      for (; k < count; ++k) multiply<1>(&member(begin + k), chunk * rows_at_once, n, &local(k * n));
     });
+  }
+  /// Some rows of the answers of boxes that share an inverse.
+  template <int count>
+  KOKKOS_FORCEINLINE_FUNCTION void multiply(const int* box, int first, int n, const float* local) const {
+    const float* x[count];
+    for (int k = 0; k < count; ++k) x[k] = local + k * n;
+    float sum[count][rows_at_once];
+    inverses.multiply(*box, n, first, x, sum);
+    for (int k = 0; k < count; ++k)
+      for (int i = 0; i < rows_at_once && first + i < n; ++i) out(box[k] * unknowns + first + i) = sum[k][i];
   }
 };
 
@@ -167,21 +171,24 @@ struct Collect {
 }  // namespace
 
 template <int D>
-Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride)
-    : width_(width), round_(layout.axis[0].periodic() ? layout.axis[0].owned() : 0) {
-  const PatchTables t = make_patches(layout, UnknownTable<D>(layout, to_host(mask)), width, stride);
-  count_ = t.count;
-  unknowns_ = t.unknowns;
-  sites_ = t.sites;
-  row_ = t.row;
-  strip_ = host_algorithms ? rows_at_once : unknowns_;
-  std::vector<std::int64_t> begin;
-  for (int n : t.size) {
-    begin.push_back(entries_);
-    entries_ += std::int64_t((n + strip_ - 1) / strip_) * strip_ * n;
-  }
-  begin_ = to_device<Kokkos::View<std::int64_t*, Exec>>(begin);
-  const auto to_view = [](const std::vector<int>& v) { return to_device<Kokkos::View<int*, Exec>>(v); };
+Boxes<D>::Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride, float share)
+    : Boxes(layout, make_patches(layout, UnknownTable<D>(layout, to_host(mask)), width, stride), width, share) {}
+
+template <int D>
+Boxes<D>::Boxes(const Layout<D>& layout, const PatchTables& t, int width, float share)
+    : width_(width),
+      count_(t.count),
+      unknowns_(t.unknowns),
+      sites_(t.sites),
+      row_(t.row),
+      round_(layout.axis[0].periodic() ? layout.axis[0].owned() : 0),
+      sizes_(t.size),
+      shared_(t, layout.components(), share) {
+  if (!host_algorithms) inverses_.strip = unknowns_;
+  for (int n : t.size) most_ += inverses_.room(n);
+  used_ = most_;
+  begin_.resize(count_);
+  const auto to_view = [](const std::vector<int>& v) { return to_device<Table>(v); };
   size_ = to_view(t.size);
   dof_ = to_view(t.dof);
   local_ = to_view(t.local);
@@ -201,43 +208,96 @@ int Boxes<D>::batch() const {
 }
 
 template <int D>
-void Boxes<D>::build(const StencilMatrix<D>& matrix) {
+void Boxes<D>::allocate() {
   const auto fresh = [](const std::string& label) { return Kokkos::view_alloc(label, Kokkos::WithoutInitializing); };
-  if (inverse_.extent(0) == 0) {
-    inverse_ = large_array<Inverses>("boxes.inverse", entries_);
-    out_ = Kokkos::View<float*, Exec>(fresh("boxes.out"), std::size_t(count_) * unknowns_);
-    blocks_ = DenseBlocks(fresh("boxes.blocks"), batch(), unknowns_, unknowns_);
-    inverses_.emplace(batch(), unknowns_);
+  inverses_.entry = large_array<Kokkos::View<std::uint16_t*, Exec>>("boxes.inverse", most_);
+  inverses_.begin = Kokkos::View<std::int64_t*, Exec>("boxes.begin", count_);
+  member_ = Table("boxes.member", count_);
+  first_member_ = Table("boxes.first_member", count_ + 1);
+  out_ = Kokkos::View<float*, Exec>(fresh("boxes.out"), std::size_t(count_) * unknowns_);
+  blocks_ = DenseBlocks(fresh("boxes.blocks"), batch(), unknowns_, unknowns_);
+  block_box_ = Table("boxes.block_box", batch());
+  to_invert_ = Table("boxes.to_invert", batch());
+  invert_.emplace(batch(), unknowns_);
+}
+
+template <int D>
+void Boxes<D>::build(const StencilMatrix<D>& matrix) {
+  if (inverses_.entry.extent(0) == 0) allocate();
+  used_ = built_ = 0;
+  for (const std::vector<int>& wave : shared_.waves())
+    for (int first = 0; first < static_cast<int>(wave.size()); first += batch())
+      build_some(matrix, wave.data() + first, std::min(batch(), static_cast<int>(wave.size()) - first));
+  group();
+}
+
+/// Builds boxes of one wave, as many as a batch has room for.
+template <int D>
+void Boxes<D>::build_some(const StencilMatrix<D>& matrix, const int* boxes, int count) {
+  const auto some = Kokkos::make_pair(0, count);
+  const DenseBlocks blocks = Kokkos::subview(blocks_, some, Kokkos::ALL, Kokkos::ALL);
+  const auto size = Kokkos::subview(to_invert_, some), box = Kokkos::subview(block_box_, some);
+  copy_in(box, boxes, count);
+  const FillRows<D> fill{
+      matrix.stencil(),           matrix.values(), size_, local_, start_, column_, box, blocks, sites_, width_,
+      host_algorithms ? row_ : 1, round_};
+  Kokkos::parallel_for("softwet::boxes", Kokkos::RangePolicy<Exec>(0, fill.items(count)), fill);
+  if (shared_.any()) shared_.choose(boxes, count, blocks, inverses_);
+  place_inverses(boxes, count);
+  invert_->invert(blocks, size);
+  const Store store{size, box, blocks, inverses_, unknowns_};
+  Kokkos::parallel_for("softwet::store",
+                       Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>(0, store.items(count)), store);
+}
+
+/// Gives room to the inverses of a batch, one after another.
+template <int D>
+void Boxes<D>::place_inverses(const int* boxes, int count) {
+  std::vector<int> size(count, 0);
+  for (int b = 0; b < count; ++b) {
+    const int box = boxes[b], owner = shared_.owner(box);
+    begin_[box] = owner == box ? used_ : begin_[owner];
+    if (owner != box) continue;
+    size[b] = sizes_[box];
+    used_ += inverses_.room(size[b]);
+    ++built_;
   }
-  for (int first = 0; first < count_; first += batch()) {
-    const int now = std::min(batch(), count_ - first);
-    const auto some = Kokkos::make_pair(first, first + now);
-    const DenseBlocks part = Kokkos::subview(blocks_, Kokkos::make_pair(0, now), Kokkos::ALL, Kokkos::ALL);
-    const FillRows<D> fill{
-        matrix.stencil(),           matrix.values(), size_, local_, start_, column_, part, first, sites_, width_,
-        host_algorithms ? row_ : 1, round_};
-    Kokkos::parallel_for("softwet::boxes", Kokkos::RangePolicy<Exec>(0, fill.items(now)), fill);
-    inverses_->invert(part, Kokkos::subview(size_, some));
-    const Store store{size_, begin_, part, inverse_, first, unknowns_, strip_};
-    Kokkos::parallel_for("softwet::store",
-                         Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>(0, store.items(now)), store);
+  copy_in(to_invert_, size.data(), count);
+  copy_in(inverses_.begin, begin_.data(), count_);
+}
+
+/// Cuts the boxes into items that are multiplied together.
+template <int D>
+void Boxes<D>::group() {
+  const std::vector<int> boxes = shared_.by_owner();
+  std::vector<int> first;
+  for (int i = 0, begin = 0; i < count_; ++i) {
+    const bool together =
+        i > begin && i < begin + most_together && shared_.owner(boxes[i]) == shared_.owner(boxes[begin]);
+    if (together) continue;
+    begin = i;
+    first.push_back(i);
   }
+  items_ = static_cast<int>(first.size());
+  first.push_back(count_);
+  copy_in(member_, boxes.data(), count_);
+  copy_in(first_member_, first.data(), items_ + 1);
 }
 
 template <int D>
 void Boxes<D>::add(const ConstArray& r, const Array& z, float factor) const {
-  const std::size_t scratch = ApplyBoxes::Scratch::shmem_size(unknowns_);
+  const std::size_t scratch = ApplyBoxes::Scratch::shmem_size(most_together * unknowns_);
   Kokkos::parallel_for(
       "softwet::schwarz",
-      Kokkos::TeamPolicy<Exec>(count_, on_host ? 1 : 8, on_host ? 1 : 32).set_scratch_size(0, Kokkos::PerTeam(scratch)),
-      ApplyBoxes{size_, dof_, begin_, inverse_, weight_, r, out_, unknowns_, strip_});
+      Kokkos::TeamPolicy<Exec>(items_, on_host ? 1 : 8, on_host ? 1 : 32).set_scratch_size(0, Kokkos::PerTeam(scratch)),
+      ApplyBoxes{size_, dof_, member_, first_member_, inverses_, weight_, r, out_, unknowns_});
   Kokkos::parallel_for("softwet::collect", Kokkos::RangePolicy<Exec>(0, z.extent(0)),
                        Collect{grouped_, place_, weight_, out_, z, factor});
 }
 
 template <int D>
 double Boxes<D>::bytes() const {
-  return 2.0 * entries_ + 4.0 * unknowns_ * (count_ + double(batch()) * unknowns_) +
+  return 2.0 * used_ + 4.0 * unknowns_ * (count_ + double(batch()) * unknowns_) +
          BatchInverse::bytes(batch(), unknowns_);
 }
 

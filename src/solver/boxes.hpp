@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "solver/dense_inverse.hpp"
-#include "solver/patches.hpp"
+#include "solver/shared_inverses.hpp"
 
 namespace softwet {
 
@@ -13,35 +13,51 @@ namespace softwet {
 ///
 /// Applying reads every inverse once. To read less, they are stored as the upper half of single precision (bfloat16,
 /// 8 significant bits). This is a relative error of 2^-8 in each entry and was measured to cost no iterations. Sums are
-/// in single precision.
+/// in single precision. Boxes whose matrices are alike use one inverse (solver/shared_inverses.hpp).
 template <int D>
 class Boxes {
  public:
   /// Boxes `width` control points wide, `stride` apart; see make_patches.
-  Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride);
+  /// @param share  distance below which boxes share an inverse; 0: none does
+  Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride, float share = 0);
 
   void build(const StencilMatrix<D>& matrix);
   void add(const ConstArray& r, const Array& z, float factor) const;
+  /// Before the first build as if no inverse was shared.
   double bytes() const;
+  int count() const { return count_; }
+  /// Number of inverses of the last build.
+  int inverses() const { return built_; }
 
  private:
   using Indices = Kokkos::View<const int*, Exec>;
-  /// [box][strip of rows][column][row in the strip]: what one thread of the host reads lies in one piece.
-  using Inverses = Kokkos::View<std::uint16_t*, Exec>;
+  using Table = Kokkos::View<int*, Exec>;
 
+  Boxes(const Layout<D>&, const PatchTables&, int width, float share);
   int batch() const;
+  void allocate();
+  void build_some(const StencilMatrix<D>&, const int* boxes, int count);
+  void place_inverses(const int* boxes, int count);
+  void group();
 
-  int width_, count_, unknowns_, sites_, strip_;
-  int row_;                   ///< boxes that follow each other along the first axis
-  std::int64_t entries_ = 0;  ///< of all inverses
-  int round_;                 ///< control points once around the first axis; 0: it is not periodic
+  int width_, count_, unknowns_, sites_;
+  int row_;    ///< boxes that follow each other along the first axis
+  int round_;  ///< control points once around the first axis; 0: it is not periodic
+  std::vector<int> sizes_;
   Indices size_, dof_, local_, start_, column_, place_, grouped_;
-  Kokkos::View<const std::int64_t*, Exec> begin_;  ///< first entry of each inverse
   Kokkos::View<const float*, Exec> weight_;
-  Inverses inverse_;
+  SharedInverses shared_;
+  BoxInverses inverses_;
+  std::int64_t most_ = 0, used_ = 0;  ///< entries of all inverses: if none is shared, and as built
+  std::vector<std::int64_t> begin_;   ///< as inverses_.begin
+  int built_ = 0;
+  Table member_, first_member_;  ///< boxes in the order of their inverses, cut into items that are multiplied together
+  int items_ = 0;
   Kokkos::View<float*, Exec> out_;
   DenseBlocks blocks_;  ///< matrices of some boxes during a build
-  std::optional<BatchInverse> inverses_;
+  Table block_box_,
+      to_invert_;  ///< which boxes these are, and how many rows are inverted: 0 where an inverse is shared
+  std::optional<BatchInverse> invert_;
 };
 
 }  // namespace softwet

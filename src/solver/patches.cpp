@@ -136,6 +136,7 @@ PatchTables make_patches(const Layout<D>& layout, const UnknownTable<D>& table, 
   t.column = columns_of(layout, width);
   starts[0] = touching(layout, starts[0], t.column, width);
   t.row = static_cast<int>(starts[0].size());
+  t.rows = static_cast<int>(starts[1].size());
   std::vector<std::vector<int>> dof;
   for_origins<D>(starts, [&](const int* origin) {
     t.start.insert(t.start.end(), origin, origin + D);

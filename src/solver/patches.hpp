@@ -11,6 +11,7 @@ namespace softwet {
 struct PatchTables {
   int count = 0;             ///< number of boxes
   int row = 0;               ///< boxes that follow each other along the first axis
+  int rows = 0;              ///< rows of boxes that follow each other along the second axis
   int unknowns = 0;          ///< largest number of unknowns of a box
   int sites = 0;             ///< control points times components of a box
   std::vector<int> size;     ///< [count] unknowns of each box

@@ -29,7 +29,9 @@ template <int D>
 class Schwarz final : public StencilSolver<D> {
  public:
   Schwarz(const Layout<D>& layout, const ConstArray& mask, SchwarzControl control)
-      : layout_(layout), multiplicative_(control.multiplicative), boxes_(layout, mask, control.width, control.stride) {
+      : layout_(layout),
+        multiplicative_(control.multiplicative),
+        boxes_(layout, mask, control.width, control.stride, control.share) {
     if (!layout.whole()) r_ = Array("schwarz.r", layout.size());
     if (control.coarse) add_coarse(layout, mask, control);
   }

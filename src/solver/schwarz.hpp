@@ -12,14 +12,18 @@ struct SchwarzControl {
   bool coarse = true;           ///< with coarse levels
   bool multiplicative = false;  ///< see below; always on coarse levels
   int direct_up_to = 60000;     ///< unknowns of a coarse space that is solved directly; above, Schwarz again
+  float share = 0;              ///< distance below which boxes share an inverse; 0: none does
   bool dense_bottom = false;    ///< directly: by a dense inverse on the device, or by factors on the host (block LU)
 
   /// Wider boxes need fewer iterations and more memory; these are a compromise. In three dimensions one more level is
-  /// faster than factors of 25 000 unknowns. On a device nothing is done on the host.
+  /// faster than factors of 25 000 unknowns. Boxes share inverses as far as that costs no iterations
+  /// (docs/performance.md). On a device nothing is done on the host.
   static SchwarzControl for_dimension(int d) {
     SchwarzControl c = d == 2 ? SchwarzControl{.width = box_width(2), .stride = 6}
                               : SchwarzControl{.width = box_width(3), .stride = 3, .direct_up_to = 10000};
-    if (!host_algorithms) {
+    if (host_algorithms) {
+      c.share = 0.1f;
+    } else {
       c.direct_up_to = 2600;
       c.dense_bottom = true;
     }
