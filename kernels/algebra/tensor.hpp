@@ -51,6 +51,14 @@ KOKKOS_FORCEINLINE_FUNCTION N dot(const Vector<N, D>& a, const Vector<N, D>& b) 
   return r;
 }
 
+/// Dual numbers from values and their tangents.
+template <class S, int D>
+KOKKOS_FORCEINLINE_FUNCTION Vector<Dual<S>, D> join(const Vector<S, D>& value, const Vector<S, D>& tangent) {
+  Vector<Dual<S>, D> r;
+  for (int i = 0; i < D; ++i) r[i] = Dual<S>(value[i], tangent[i]);
+  return r;
+}
+
 template <class N, int D>
 KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> operator+(const Matrix<N, D>& a, const Matrix<N, D>& b) {
   Matrix<N, D> r;

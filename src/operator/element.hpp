@@ -166,12 +166,34 @@ KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> blended_point(const Blend& blend, 
   return MovingPoint<N, D>(f, v, x, face);
 }
 
+/// The same with its tangent in closed form, in a volume.
+template <class S, int D, class Real, class Wall>
+KOKKOS_FORCEINLINE_FUNCTION VariedPoint<S, D> varied_point(const Blend& blend, Real scale,
+                                                           const Vector<S, D>& reference, double height,
+                                                           const Wall& wall) {
+  const Real beta = static_cast<Real>(blend.value(height)), slope = static_cast<Real>(blend.slope());
+  Matrix<S, D> f, df;
+  Vector<Dual<S>, D> v, x;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j + 1 < D; ++j) {
+      f(i, j) = beta * wall.displacement(i, j + 1);
+      df(i, j) = (beta * scale) * wall.tangent(i, j + 1);
+    }
+    f(i, D - 1) = slope * wall.displacement(i, 0);
+    df(i, D - 1) = (slope * scale) * wall.tangent(i, 0);
+    v[i] = {beta * wall.velocity(i), beta * wall.tangent(i, 0)};
+    x[i] = {reference[i] + beta * wall.displacement(i, 0), (beta * scale) * wall.tangent(i, 0)};
+  }
+  return VariedPoint<S, D>(f, df, v, x);
+}
+
 /// Geometry at the points of a batch on a fixed mesh.
 template <class S, class N, int D, int P, int Q, class Motion>
 struct BatchGeometry {
   KOKKOS_FORCEINLINE_FUNCTION BatchGeometry(const Region<D, RealOf<S>>&, const Batch<D>&, const AxisBasis<S, P, Q>&,
                                             const AxisBasis<RealOf<S>, P, Q>&, const Motion&) {}
-  KOKKOS_FORCEINLINE_FUNCTION FixedPoint<N, D> at(int, const Vector<S, D>& reference, double, bool) const {
+  template <bool face>
+  KOKKOS_FORCEINLINE_FUNCTION FixedPoint<N, D> at(int, const Vector<S, D>& reference, double) const {
     return fixed_point<N>(reference);
   }
 };
@@ -240,9 +262,14 @@ struct BatchGeometry<S, N, D, P, Q, WallMotion<D, Real>> {
     KOKKOS_FORCEINLINE_FUNCTION const S& tangent(int i, int c) const { return g.tangent[is_dual<N> ? i : 0][c][q]; }
   };
 
-  KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> at(int q, const Vector<S, D>& reference, double height,
-                                                   bool face) const {
-    return blended_point<N>(blend, scale, reference, height, WallBelow{*this, q % wall_points}, face);
+  template <bool face>
+  KOKKOS_FORCEINLINE_FUNCTION auto at(int q, const Vector<S, D>& reference, double height) const {
+    const WallBelow wall{*this, q % wall_points};
+    if constexpr (is_dual<N> && !face) {
+      return varied_point(blend, scale, reference, height, wall);
+    } else {
+      return blended_point<N>(blend, scale, reference, height, wall, face);
+    }
   }
 };
 

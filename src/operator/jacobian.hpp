@@ -26,11 +26,6 @@ struct FrozenPoint {
       tangent[i] = g[i].tangent;
     }
   }
-  static KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> join(const Vector<S, D>& value, const Vector<S, D>& tangent) {
-    Vector<N, D> g;
-    for (int i = 0; i < D; ++i) g[i] = N(value[i], tangent[i]);
-    return g;
-  }
   static KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> fixed(const Vector<S, D>& value) {
     Vector<N, D> g;
     for (int i = 0; i < D; ++i) g[i] = N(value[i], S(0.0));

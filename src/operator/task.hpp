@@ -91,7 +91,7 @@ struct Writer {
   }
   KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& flux) const {
     add(channel, value);
-    const Vector<N, D> f = point.reference_flux(flux);
+    const auto f = point.reference_flux(flux);
     for (int d = 0; d < D; ++d) out[channel][1 + d][q] = weight * outcome(f[d]);
   }
 };
@@ -115,7 +115,7 @@ KOKKOS_FORCEINLINE_FUNCTION auto point_at(const BatchGeometryType& geometry, con
   reference[0] = load<S>(&region.axis[0].position(q % Q, b.element[0]));
   if constexpr (D == 3) reference[1] = S(region.axis[1].position((q % wall_points) / Q, b.element[1]));
   reference[D - 1] = S(height);
-  return geometry.at(q, reference, height, Term::where == Where::wall);
+  return geometry.template at<Term::where == Where::wall>(q, reference, height);
 }
 
 }  // namespace softwet

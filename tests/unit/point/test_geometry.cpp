@@ -46,5 +46,41 @@ TEST(Geometry, IdentityMapEqualsAMapThatDoesNotMove) {
   EXPECT_EQ(moving.measured(7.0), fixed.measured(7.0));
 }
 
+/// The closed form of the map's tangent against dual numbers.
+template <int D>
+void check_varied(const Matrix<double, D>& gradient, const Matrix<double, D>& tangent) {
+  using N = Dual<double>;
+  Matrix<N, D> f;
+  Vector<N, D> velocity, place, reference, flux;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) f(i, j) = {gradient(i, j), tangent(i, j)};
+    velocity[i] = {0.3 + i, -0.2 * i};
+    place[i] = {1.0 * i, 0.7};
+    reference[i] = {0.4 - i, 0.9 + 0.3 * i};
+    flux[i] = {1.1 * i - 0.5, 0.2 + i};
+  }
+  const MovingPoint<N, D> dual(f, velocity, place, false);
+  const VariedPoint<double, D> varied(gradient, tangent, velocity, place);
+  const Vector<N, D> g = dual.physical(reference), h = varied.physical(reference);
+  const Vector<N, D> expected = dual.reference_flux(flux);
+  const Vector<double, D> found = varied.reference_flux(flux);
+  for (int i = 0; i < D; ++i) {
+    EXPECT_NEAR(h[i].value, g[i].value, 1e-14);
+    EXPECT_NEAR(h[i].tangent, g[i].tangent, 1e-13);
+    EXPECT_NEAR(found[i], expected[i].tangent, 1e-13);
+    EXPECT_EQ(varied.mesh_velocity()[i].tangent, velocity[i].tangent);
+  }
+  const N x(0.8, -1.7);
+  EXPECT_NEAR(varied.measured(x), dual.measured(x).tangent, 1e-13);
+  EXPECT_NEAR(varied.volume_ratio().value, dual.volume_ratio().value, 1e-14);
+  EXPECT_NEAR(varied.volume_ratio().tangent, dual.volume_ratio().tangent, 1e-13);
+}
+
+TEST(Geometry, TangentOfTheMapInClosedForm) {
+  check_varied<2>({{{0.2, 0.7}, {-0.4, 0.1}}}, {{{1.2, -0.3}, {0.5, 0.8}}});
+  check_varied<3>({{{0.2, 0.1, 0.9}, {-0.4, 0.3, -0.2}, {0.5, -0.1, 0.4}}},
+                  {{{-0.6, 0.2, 0.3}, {0.1, 0.9, -0.7}, {0.4, 0.8, 0.5}}});
+}
+
 }  // namespace
 }  // namespace softwet
