@@ -68,26 +68,24 @@ struct MovingPoint {
 };
 
 /// The moving map in a volume together with its tangent dF, for products with the Jacobian: what dual numbers in a
-/// `MovingPoint` would compute, with fewer operations. With C = cof F, A = C / J, H = A dF^T and dJ = C : dF = J tr H,
-///   d(A Grad) = A d(Grad) - H (A Grad),    d(C^T f) = C^T (df + tr H f - H^T f)
+/// `MovingPoint` would compute, with fewer operations. With A = F^-T, H = A dF^T and dJ = J tr H,
+///   d(A Grad) = A d(Grad) - H (A Grad),    d(J A^T f) = J A^T (df + tr H f - H^T f)
 /// Fluxes and integrands are handed out as their tangents alone.   Tested: tests/unit/point/test_geometry.cpp
 template <class S, int D>
 struct VariedPoint {
   using N = Dual<S>;
-  Matrix<S, D> cofactors;  ///< C
-  Matrix<S, D> inverse;    ///< A
-  Matrix<S, D> change;     ///< H
-  N volume;                ///< J and dJ
-  S growth;                ///< tr H
-  Vector<N, D> velocity;   ///< mesh velocity
-  Vector<N, D> position;   ///< x
+  Matrix<S, D> inverse;   ///< A
+  Matrix<S, D> change;    ///< H
+  N volume;               ///< J and dJ
+  S growth;               ///< tr H
+  Vector<N, D> velocity;  ///< mesh velocity
+  Vector<N, D> position;  ///< x
 
   /// @param gradient, tangent  F - I and dF
   KOKKOS_FORCEINLINE_FUNCTION VariedPoint(const Matrix<S, D>& gradient, const Matrix<S, D>& tangent,
                                           const Vector<N, D>& mesh_velocity, const Vector<N, D>& place)
       : velocity(mesh_velocity), position(place) {
-    const Matrix<S, D> f = add_diagonal(gradient, 1.0);
-    cofactors = cofactor(f);
+    const Matrix<S, D> f = add_diagonal(gradient, 1.0), cofactors = cofactor(f);
     volume = N(determinant(f, cofactors), contract(cofactors, tangent));
     const S inverse_volume = 1.0 / volume.value;
     inverse = inverse_volume * cofactors;
@@ -109,7 +107,7 @@ struct VariedPoint {
       value[i] = f[i].value;
       tangent[i] = f[i].tangent + growth * f[i].value;
     }
-    return product(transpose(cofactors), tangent - product(transpose(change), value));
+    return volume.value * product(transpose(inverse), tangent - product(transpose(change), value));
   }
   KOKKOS_FORCEINLINE_FUNCTION S measured(const N& x) const {
     return volume.value * x.tangent + volume.tangent * x.value;
