@@ -3,10 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <new>
 #include <numeric>
 #include <random>
 
 namespace softwet {
+
+namespace {
+
+/// y = inverse of a box, times x.
+void multiply_inverse(const BoxInverses& inverses, int box, const std::vector<float>& x, std::vector<float>& y) {
+  const int n = static_cast<int>(x.size());
+  for (int first = 0; first < n; first += rows_at_once) {
+    float sum[1][rows_at_once];
+    inverses.multiply<1>(box, n, first, {x.data()}, sum);
+    std::copy_n(sum[0], std::min(rows_at_once, n - first), y.begin() + first);
+  }
+}
+
+}  // namespace
 
 SharedInverses::SharedInverses(const PatchTables& t, int components, float limit)
     : limit_(limit), row_(t.row), rows_(t.rows), components_(components), owner_(t.count) {
@@ -22,9 +37,10 @@ SharedInverses::SharedInverses(const PatchTables& t, int components, float limit
     for (int site = 0; site < t.sites; ++site)
       if (local[site] >= 0) component[local[site]] = site % components;
   }
-  std::mt19937 random(1);
-  for (std::vector<float>& x : probe_)
-    for (int i = 0; i < t.unknowns; ++i) x.push_back(random() % 2 ? 1.0f : -1.0f);
+  for (int k = 0; k < 2; ++k) {
+    std::mt19937 random(1 + k);  // the same signs wherever the largest box of a process has another size
+    for (int i = 0; i < t.unknowns; ++i) probe_[k].push_back(random() % 2 ? 1.0f : -1.0f);
+  }
   const int all_rows = t.row > 0 ? t.count / t.row : 0;
   for (int r = 0; r < all_rows; ++r) {
     const std::size_t wave = any() ? r % rows_ + r / rows_ : 0;
@@ -47,20 +63,6 @@ std::vector<int> SharedInverses::candidates(int box) const {
   return found;
 }
 
-namespace {
-
-/// y = inverse of a box, times x.
-void multiply(const BoxInverses& inverses, int box, const std::vector<float>& x, std::vector<float>& y) {
-  const int n = static_cast<int>(x.size());
-  for (int first = 0; first < n; first += rows_at_once) {
-    float sum[1][rows_at_once];
-    inverses.multiply<1>(box, n, first, {x.data()}, sum);
-    std::copy_n(sum[0], std::min(rows_at_once, n - first), y.begin() + first);
-  }
-}
-
-}  // namespace
-
 float SharedInverses::distance(const Matrix& a, int candidate, int kind, const BoxInverses& inverses) const {
   const std::vector<int>& component = component_[kind];
   const int n = static_cast<int>(component.size());
@@ -68,9 +70,9 @@ float SharedInverses::distance(const Matrix& a, int candidate, int kind, const B
   float largest = 0;
   for (const std::vector<float>& sign : probe_) {
     for (int i = 0; i < n; ++i) r[i] = sign[i] * a.size_of_row[i];
-    multiply(inverses, candidate, r, x);
+    multiply_inverse(inverses, candidate, r, x);
     for (int i = 0; i < n; ++i) r[i] = std::inner_product(a.row(i), a.row(i) + n, x.data(), 0.0f);
-    multiply(inverses, candidate, r, y);
+    multiply_inverse(inverses, candidate, r, y);
     std::vector<float> difference(components_), size(components_);
     for (int i = 0; i < n; ++i) {
       difference[component[i]] += (y[i] - x[i]) * (y[i] - x[i]);
@@ -85,22 +87,30 @@ float SharedInverses::distance(const Matrix& a, int candidate, int kind, const B
   return largest;
 }
 
+int SharedInverses::closest(int box, const Matrix& a, const BoxInverses& inverses) const {
+  float least = limit_;
+  int found = box;
+  for (const int other : candidates(box)) {
+    const float d = distance(a, other, kind_[box], inverses);
+    if (!(d < least)) continue;
+    least = d;
+    found = other;
+  }
+  return found;
+}
+
 void SharedInverses::choose(const int* boxes, int count, const DenseBlocks& matrices, const BoxInverses& inverses) {
   const auto choose_one = [&](int b) {
-    const int box = boxes[b];
-    const std::vector<int> others = candidates(box);
-    owner_[box] = box;
-    if (others.empty()) return;
-    const int n = static_cast<int>(component_[kind_[box]].size());
-    Matrix a{&matrices(b, 0, 0), matrices.extent(2), std::vector<float>(n)};
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) a.size_of_row[i] = std::max(a.size_of_row[i], std::abs(a.row(i)[j]));
-    float least = limit_;
-    for (const int other : others) {
-      const float d = distance(a, other, kind_[box], inverses);
-      if (!(d < least)) continue;
-      least = d;
-      owner_[box] = other;
+    int& owner = owner_[boxes[b]];
+    owner = boxes[b];
+    try {
+      const int n = static_cast<int>(component_[kind_[boxes[b]]].size());
+      Matrix a{&matrices(b, 0, 0), matrices.extent(2), std::vector<float>(n)};
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) a.size_of_row[i] = std::max(a.size_of_row[i], std::abs(a.row(i)[j]));
+      owner = closest(boxes[b], a, inverses);
+    } catch (const std::bad_alloc&) {
+      // No exception may leave a parallel region. The box keeps an inverse of its own.
     }
   };
   using Host = Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>;

@@ -12,6 +12,7 @@ namespace softwet {
 /// The vectors r are random, as large in each row as the largest entry of A_b there. A box is compared with the inverses
 /// that boxes nearby use, and takes the closest one. These lie before it along the second and the third axis alone, so
 /// that the choice is the same on any number of processes, which cut the first one.
+/// Tested: tests/unit/solver/test_shared_inverses.cpp
 class SharedInverses {
  public:
   /// @param limit  0: every box has an inverse of its own
@@ -39,6 +40,8 @@ class SharedInverses {
   };
 
   std::vector<int> candidates(int box) const;
+  /// The closest inverse below the limit, else the box itself.
+  int closest(int box, const Matrix&, const BoxInverses&) const;
   /// Largest |A_c^-1 A_b x - x|_f / |x|_f; not a number where the inverse has entries that are none.
   float distance(const Matrix&, int candidate, int kind, const BoxInverses&) const;
 

@@ -7,6 +7,13 @@
 namespace softwet::testing_tools {
 namespace {
 
+class SharedBoxes : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!host_algorithms) GTEST_SKIP() << "on a device every box has its own inverse";
+  }
+};
+
 constexpr int unknowns = 40, components = 2, row = 2, rows = 3, layers = 2, all = row * rows * layers;
 
 /// Boxes of `unknowns` unknowns each, but one of the last row lacks an unknown of its own.
@@ -60,7 +67,7 @@ Eigen::MatrixXf some_matrix() {
   return Eigen::MatrixXf::Random(unknowns, unknowns) / 8 + 3 * Eigen::MatrixXf::Identity(unknowns, unknowns);
 }
 
-TEST(SharedInverses, LikeBoxesShareUnlikeOnesDoNot) {
+TEST_F(SharedBoxes, LikeBoxesShareUnlikeOnesDoNot) {
   const Eigen::MatrixXf one = some_matrix(), two = -one;
   std::vector<Eigen::MatrixXf> matrix;
   for (int box = 0; box < all; ++box) matrix.push_back(box / (row * rows) == 0 ? one : two);
@@ -74,7 +81,7 @@ TEST(SharedInverses, LikeBoxesShareUnlikeOnesDoNot) {
 }
 
 /// Matrices that differ by more and more from that of the first row.
-TEST(SharedInverses, TheLimitIsOnTheRelativeDistance) {
+TEST_F(SharedBoxes, TheLimitIsOnTheRelativeDistance) {
   const Eigen::MatrixXf first = some_matrix(), change = some_matrix() / 3;
   std::vector<Eigen::MatrixXf> matrix;
   for (int box = 0; box < all; ++box) matrix.push_back(first + (box / row == 1 ? 0.08f : 0.0f) * change);
@@ -84,7 +91,7 @@ TEST(SharedInverses, TheLimitIsOnTheRelativeDistance) {
   EXPECT_EQ(Choice(matrix, 0).shared.owner(row), row);
 }
 
-TEST(SharedInverses, NotANumberIsSharedByNone) {
+TEST_F(SharedBoxes, NotANumberIsSharedByNone) {
   std::vector<Eigen::MatrixXf> matrix(all, some_matrix());
   matrix[0].setConstant(std::numeric_limits<float>::quiet_NaN());
   const Choice c(matrix, 0.5f);
@@ -136,8 +143,7 @@ void expect_same_answer(const Shape& shape, int width, int stride) {
   }
 }
 
-TEST(SharedInverses, BoxesWithTheSameMatrixGiveTheSameAnswer) {
-  if (!host_algorithms) GTEST_SKIP() << "on a device every box has its own inverse";
+TEST_F(SharedBoxes, BoxesWithTheSameMatrixGiveTheSameAnswer) {
   expect_same_answer<2>({{16, 24}, 6}, 5, 3);
   expect_same_answer<2>({{16, 24}, 0, 2, true}, 5, 3);
   expect_same_answer<3>({{8, 10, 10}, 2}, 4, 3);
