@@ -55,8 +55,8 @@ class Boxes {
   int items_ = 0;
   Kokkos::View<float*, Exec> out_;
   DenseBlocks blocks_;  ///< matrices of some boxes during a build
-  Table block_box_,
-      to_invert_;  ///< which boxes these are, and how many rows are inverted: 0 where an inverse is shared
+  Table block_box_;     ///< which boxes these are
+  Table to_invert_;     ///< how many rows of each are inverted: 0 where an inverse is shared
   std::optional<BatchInverse> invert_;
 };
 
