@@ -4,6 +4,7 @@
 
 #include <softwet_version.hpp>
 #include "app/bench.hpp"
+#include "app/bench_variants.hpp"
 #include "app/configurations.hpp"
 #include "app/describe.hpp"
 #include "app/machine.hpp"
@@ -59,7 +60,9 @@ void bench_case(const Case& c, const RunOptions& options, std::ostream& out) {
   on_machine(options.threads, [&] {
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
-      bench_model<Chosen::dimension, Chosen::degree>(c, out);
+      const auto measure = options.preconditioners ? compare_preconditioners<Chosen::dimension, Chosen::degree>
+                                                   : bench_model<Chosen::dimension, Chosen::degree>;
+      measure(c, out);
     });
   });
 }

@@ -12,11 +12,12 @@
 namespace softwet {
 
 struct RunOptions {
-  std::string out;              ///< output folder
-  bool resume = false;          ///< continue from out/checkpoint.h5
-  int threads = 0;              ///< 0: all cores
-  bool quiet = false;           ///< no progress line
-  std::function<void()> begin;  ///< called by a run from its start: all checks have passed, no file is written yet
+  std::string out;               ///< output folder
+  bool resume = false;           ///< continue from out/checkpoint.h5
+  int threads = 0;               ///< 0: all cores
+  bool quiet = false;            ///< no progress line
+  bool preconditioners = false;  ///< bench: compare forms of the preconditioner instead
+  std::function<void()> begin;   ///< called by a run from its start: all checks have passed, no file is written yet
 };
 
 /// Computes the case and writes the output folder. Throws Error.
@@ -32,7 +33,8 @@ std::vector<std::string> forecast_case(const Case&);
 /// Prints what physical numbers are in a case, and the other way round. Throws Error.
 void convert_units(const PhysicalScene&, std::ostream&);
 
-/// Measures residuals, products and preconditioner of a case and prints throughput. Throws Error.
+/// Measures residuals, products and preconditioner of a case and prints throughput, or compares preconditioners. Throws
+/// Error.
 void bench_case(const Case&, const RunOptions&, std::ostream&);
 
 /// Prints version, commit, backend, threads, instruction set and the compiled configurations.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/scale_fields.hpp"
-
 namespace softwet {
 namespace {
 
@@ -18,6 +16,12 @@ constexpr double signal_over_round_off = 100;
 /// What the first linear solve of a step is solved to. With 0.02 steps take a fifth fewer iterations, but end closer to
 /// `rtol`: a droplet at rest then differs 25 times more from its mirror image (docs/performance.md).
 constexpr double first_forcing = 0.1;
+
+std::vector<double> field_norms(const std::vector<FieldRange>& fields, const ConstArray& r) {
+  std::vector<double> sizes;
+  for (const FieldRange& f : fields) sizes.push_back(norm(part(r, f.first, f.last)));
+  return sizes;
+}
 
 std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(int size, int restart, LinearSolves precision) {
   if (precision == LinearSolves::single) return LinearSpace<float>(size, restart);
@@ -35,31 +39,26 @@ Newton::Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditi
   step_ = full ? full->step : Array("newton.step", size);
 }
 
-double Newton::weighted_norm(const std::vector<FieldRange>& fields, const ConstArray& r) const {
+double Newton::weighted_norm(const std::vector<double>& sizes) const {
   double sum = 0;
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    const ConstArray field = part(r, fields[f].first, fields[f].last);
-    sum += weight_[f] * weight_[f] * dot(field, field);
-  }
+  for (std::size_t f = 0; f < sizes.size(); ++f) sum += std::pow(weight_[f] * sizes[f], 2);
   return std::sqrt(sum);
 }
 
 double Newton::weighted_round_off(const std::vector<FieldRange>& fields) const {
-  double sum = 0;
-  for (std::size_t f = 0; f < fields.size(); ++f) sum += std::pow(weight_[f] * fields[f].round_off, 2);
-  return std::sqrt(sum);
+  std::vector<double> sizes;
+  for (const FieldRange& f : fields) sizes.push_back(f.round_off);
+  return weighted_norm(sizes);
 }
 
-void Newton::set_weights(const std::vector<FieldRange>& fields, const ConstArray& r) {
-  std::vector<double> size(fields.size());
-  for (std::size_t f = 0; f < fields.size(); ++f) size[f] = norm(part(r, fields[f].first, fields[f].last));
+void Newton::set_weights(const std::vector<FieldRange>& fields, const std::vector<double>& sizes) {
   // A field that happens to start without a residual is no measure: its round-off would outweigh the other fields.
   // Products in single precision bring more of it.
   const bool single = std::holds_alternative<LinearSpace<float>>(linear_);
-  const double least = (single ? 1e-4 : 1e-6) * *std::max_element(size.begin(), size.end());
+  const double least = (single ? 1e-4 : 1e-6) * *std::max_element(sizes.begin(), sizes.end());
   weight_.resize(fields.size());
   for (std::size_t f = 0; f < fields.size(); ++f)
-    weight_[f] = 1 / std::max({size[f], fields[f].floor, least, signal_over_round_off * fields[f].round_off});
+    weight_[f] = 1 / std::max({sizes[f], fields[f].floor, least, signal_over_round_off * fields[f].round_off});
 }
 
 template <class To, class From>
@@ -104,9 +103,10 @@ KrylovResult Newton::linear_solve_in(LinearSpace<Real>& space, const NonlinearSy
     scale_rows(fields, -1, r, probe_);
     if constexpr (std::is_same_v<Real, double>) {
       preconditioner_->apply(probe_, z);
+      system.solid.renew(built_for_, z, z);
     } else {
       preconditioner_->apply(probe_, step_);
-      convert(z, step_);
+      system.solid.renew(built_for_, step_, z);
     }
   };
   scale_rows(fields, 1, residual_, space.right);
@@ -136,6 +136,7 @@ void Newton::build(const NonlinearSystem& system) {
   Stopwatch watch(counts_.build_seconds);
   ++counts_.builds;
   preconditioner_->build(system.jacobian);
+  built_for_ = system.solid.size;
   wear_.renew();
 }
 
@@ -164,8 +165,9 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
       ++counts_.residuals;
       system.residual(x, residual_);
     }
-    if (result.iterations == 0) set_weights(fields, residual_);
-    const double size = weighted_norm(fields, residual_);
+    const std::vector<double> sizes = field_norms(fields, residual_);
+    if (result.iterations == 0) set_weights(fields, sizes);
+    const double size = weighted_norm(sizes);
     if (!std::isfinite(size)) {
       result.refusal = {Refusal::not_finite};
       return result;
@@ -175,10 +177,9 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     result.converged = size <= control.rtol * start;
     // When every field is at its floor it is as exact as asked for, whatever the relative reduction.
     bool at_floor = true;
-    for (const FieldRange& f : fields)
-      at_floor = at_floor && norm(part(residual_, f.first, f.last)) <= std::max(f.floor, field_margin * f.round_off);
-    at_floor = at_floor || size <= weighted_margin * weighted_round_off(fields);
-    result.converged = result.converged || at_floor;
+    for (std::size_t f = 0; f < fields.size(); ++f)
+      at_floor = at_floor && sizes[f] <= std::max(fields[f].floor, field_margin * fields[f].round_off);
+    result.converged = result.converged || at_floor || size <= weighted_margin * weighted_round_off(fields);
     if (result.converged) return result;
     if (result.iterations == control.max || (result.iterations > 2 && size > 2 * previous)) {
       result.refusal = {Refusal::newton};

@@ -12,6 +12,7 @@
 #include "model/geometry.hpp"
 #include "solver/gmres.hpp"
 #include "solver/preconditioner.hpp"
+#include "solver/solid_part.hpp"
 
 namespace softwet {
 
@@ -108,6 +109,7 @@ struct NonlinearSystem {
   std::function<Refusal(const Array& x)> complaint;
   /// The product in single precision, for a Newton that solves its linear systems in single precision.
   std::function<void(const ArrayOf<float>& z, const ArrayOf<float>& out)> single_product = {};
+  SolidPart solid = {};  ///< at this step
 };
 
 /// Fields are weighted so that each starts the step with the same share of the norm of the residual, or is at its floor.
@@ -135,9 +137,11 @@ class Newton {
   void forget_preconditioner() { rebuild_ = true; }
 
  private:
-  double weighted_norm(const std::vector<FieldRange>&, const ConstArray& r) const;
+  /// The norm of all fields from those of each, with their weights.
+  double weighted_norm(const std::vector<double>& sizes) const;
   double weighted_round_off(const std::vector<FieldRange>&) const;
-  void set_weights(const std::vector<FieldRange>&, const ConstArray& r);
+  /// @param sizes  the norm of each field of the residual at the start of a step
+  void set_weights(const std::vector<FieldRange>&, const std::vector<double>& sizes);
   /// to = from, each field times its weight to the power of 1 or -1.
   template <class To, class From>
   void scale_rows(const std::vector<FieldRange>&, int exponent, const From& from, const ArrayOf<To>& to) const;
@@ -159,6 +163,7 @@ class Newton {
   std::vector<double> weight_;
   Wear wear_;
   bool rebuild_ = true;
+  double built_for_ = 1;  ///< size of the solid's part at the last build
   SolverCounts counts_;
 };
 

@@ -38,6 +38,22 @@ struct ExtrapolateDensity {
 }  // namespace
 
 template <int D, int P>
+SolidPart solid_part(const Model<D, P>& model, const Stage& stage) {
+  const Layout<D>& l = model.layout();
+  SolidPart solid;
+  if (!l.has_solid) return solid;
+  for (int d = 0; d < D; ++d)
+    solid.ranges.push_back({l.velocity_offset(d), l.velocity_offset(d) + l.solid_rows() * l.row_size});
+  double h = l.axis[0].spacing();
+  for (const Axis& axis : l.axis) h = std::min(h, axis.spacing());
+  const LameParameters& stiffness = model.stiffness();
+  const double density = std::visit([](const auto& term) { return term.density; }, model.solid());
+  solid.size = density * stage.rate_scale +
+               (stiffness.lambda + 2 * stiffness.shear_modulus) * stage.displacement_scale * 4 / (h * h);
+  return solid;
+}
+
+template <int D, int P>
 ImplicitScheme<D, P>::ImplicitScheme(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge)
     : model_(model),
       judge_(judge),
@@ -96,10 +112,12 @@ NewtonResult ImplicitScheme<D, P>::solve(const StepHistory& history, double dt) 
   predict(history, dt);
   const auto product = [this](const Array& z, const Array& out) { integrator_.product(z, out, geometry_); };
   const NonlinearSystem system{
-      [this](const Array& x, const Array& r) { integrator_.residual(x, r); }, product,
+      [this](const Array& x, const Array& r) { integrator_.residual(x, r); },
+      product,
       [this](const StencilValues& values) { integrator_.jacobian(values); },
       [this](const Array& x) { return judge_.of_values(x); },
-      [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { integrator_.product(z, out, geometry_); }};
+      [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { integrator_.product(z, out, geometry_); },
+      solid_part(model_, integrator_.stage())};
   std::vector<FieldRange> ranges = fields();
   if (model_.precision() == Precision::single) measure_round_off(ranges);
   NewtonResult result = newton_.solve(system, ranges, newton_control_, x_);
@@ -117,6 +135,8 @@ StepAttempt ImplicitScheme<D, P>::attempt(const StepHistory& history, double dt)
   return attempt;
 }
 
+template SolidPart solid_part<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
+                                                                 const Stage&);
 template class ImplicitScheme<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 
 }  // namespace softwet

@@ -6,6 +6,12 @@
 
 namespace softwet {
 
+/// The solid at a stage. A velocity v with waves as short as two elements meets inertia rho a and stiffness
+/// (lambda + 2 mu) k^2 u, where a = rate_scale v, u = displacement_scale v and k = 2 / h. So its part of the Jacobian falls with
+/// the time step while that is short, and grows with it later.
+template <int D, int P>
+SolidPart solid_part(const Model<D, P>&, const Stage&);
+
 /// Predicts, solves the nonlinear system of the step, and judges what it found.
 template <int D, int P>
 class ImplicitScheme final : public Scheme<D, P> {

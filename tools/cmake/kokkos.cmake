@@ -68,6 +68,9 @@ if(NOT kokkos_POPULATED)
   FetchContent_Populate(kokkos)
 endif()
 add_subdirectory(${kokkos_SOURCE_DIR} ${kokkos_BINARY_DIR} EXCLUDE_FROM_ALL SYSTEM)
+if(SOFTWET_UNITY GREATER 1)  # its sources are short: most of the time goes to its headers
+  set_target_properties(kokkoscore PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${SOFTWET_UNITY})
+endif()
 
 get_directory_property(softwet_enabled_devices DIRECTORY ${kokkos_SOURCE_DIR} DEFINITION KOKKOS_ENABLED_DEVICES)
 get_directory_property(softwet_enabled_arch DIRECTORY ${kokkos_SOURCE_DIR} DEFINITION KOKKOS_ENABLED_ARCH_LIST)

@@ -157,6 +157,8 @@ void add_bench(CLI::App& app, Request& request) {
   CLI::App& command = *app.add_subcommand("bench", "measure residuals and products of a case; default: that of 'init'");
   CLI::Option* given = add_case(command, request)->required(false);
   add_threads(command, request);
+  command.add_flag("--preconditioners", request.options.preconditioners,
+                   "compare forms of the preconditioner instead: times, and iterations for several time steps");
   command.callback([&request, given] {
     const Case c = given->count() > 0
                        ? load_case(request)

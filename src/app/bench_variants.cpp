@@ -1,0 +1,176 @@
+#include "app/bench_variants.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+
+#include "app/machine.hpp"
+#include "model/initial.hpp"
+#include "solver/choose.hpp"
+#include "time/implicit_scheme.hpp"
+#include "time/stepper.hpp"
+
+namespace softwet {
+namespace {
+
+/// A form of a preconditioner.
+struct Variant {
+  std::string name, kind;
+  SchwarzControl control;
+};
+
+/// All forms worth a comparison. Direct solvers in space are left to small scenes.
+template <int D>
+std::vector<Variant> variants(int unknowns) {
+  constexpr int largest_factorised = 30000;
+  const SchwarzControl usual = SchwarzControl::for_dimension(D);
+  std::vector<Variant> all;
+  for (const std::string& name : preconditioner_names())
+    if (name != "schwarz" && (D == 2 || unknowns < largest_factorised)) all.push_back({name, name, usual});
+  const auto form = [&](const char* name, auto&& change) {
+    SchwarzControl control = usual;
+    change(control);
+    all.push_back({std::string("schwarz") + name, "schwarz", control});
+  };
+  form("", [](SchwarzControl&) {});
+  form(", without coarse levels", [](SchwarzControl& c) { c.coarse = false; });
+  form(", coarse levels first", [](SchwarzControl& c) { c.multiplicative = true; });
+  form(", fewer levels", [](SchwarzControl& c) { c.direct_up_to *= 4; });
+  form(", less overlap", [](SchwarzControl& c) { ++c.stride; });
+  form(", wider boxes", [](SchwarzControl& c) { ++c.width, ++c.stride; });
+  form(", no shared inverses", [](SchwarzControl& c) { c.share = 0; });
+  return all;
+}
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  Kokkos::fence();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Whether the answer of a preconditioner that was built for another step is fitted to the present one.
+enum class Answer { as_it_is, renewed };
+
+/// The linear system at the start of a step, with its fields weighted as Newton's method weights them.
+template <int D, int P>
+class StartOfStep {
+ public:
+  StartOfStep(const Model<D, P>& model, const Case& c)
+      : layout_(model.layout()),
+        scheme_(model, c.time.rho_inf),
+        gmres_(scheme_.size(), 60),
+        right_("right", scheme_.size()),
+        step_("step", scheme_.size()),
+        r_("r", scheme_.size()),
+        z_("z", scheme_.size()) {}
+
+  void begin(const State& state, double dt) {
+    scheme_.begin(state, dt);
+    scheme_.residual(state.unknown, r_);
+    const int ends[] = {0, layout_.velocity_size(), layout_.has_fluid ? layout_.potential_offset() : 0, layout_.size()};
+    fields_.clear();
+    for (int f = 0; f < 3; ++f) {
+      if (ends[f + 1] <= ends[f]) continue;
+      const double size = norm(part(r_, ends[f], ends[f + 1]));
+      fields_.push_back({ends[f], ends[f + 1], size > 0 ? 1 / size : 1});
+    }
+    scale(1, r_, right_);
+  }
+  void build(Preconditioner& preconditioner) {
+    preconditioner.build([this](const StencilValues& values) { scheme_.jacobian(values); });
+    built_for_ = solid_part(scheme_.model(), scheme_.stage()).size;
+  }
+  int iterations(Preconditioner& preconditioner, double tolerance, Answer answer = Answer::renewed) {
+    const SolidPart solid = solid_part(scheme_.model(), scheme_.stage());
+    const double built_for = answer == Answer::renewed ? built_for_ : solid.size;
+    const auto product = [this](const ArrayOf<float>& in, const ArrayOf<float>& out) {
+      scheme_.product(in, out, Geometry::exact);
+      scale(1, out, out);
+    };
+    const auto precondition = [&](const ArrayOf<float>& in, const ArrayOf<float>& out) {
+      scale(-1, in, r_);
+      preconditioner.apply(r_, z_);
+      solid.renew(built_for, z_, out);
+    };
+    return gmres_.solve(product, precondition, right_, step_, tolerance, 300).iterations;
+  }
+
+ private:
+  struct Weight {
+    int first, last;
+    double value;
+  };
+  template <class To, class From>
+  void scale(int exponent, const ArrayOf<From>& from, const ArrayOf<To>& to) {
+    ScaleFields<To, From> scaled{to, from};
+    for (const Weight& w : fields_) scaled.add(w.first, w.last, exponent > 0 ? w.value : 1 / w.value);
+    scaled.run();
+  }
+
+  const Layout<D>& layout_;
+  GeneralizedAlpha<D, P> scheme_;
+  GmresOf<float> gmres_;
+  ArrayOf<float> right_, step_;
+  Array r_, z_;
+  std::vector<Weight> fields_;
+  double built_for_ = 1;
+};
+
+}  // namespace
+
+template <int D, int P>
+void compare_preconditioners(const Case& asked, std::ostream& out) {
+  constexpr int most_steps = 40;
+  Case c = asked;
+  c.solver.precision = "mixed";
+  const Model<D, P> model(c);
+  Stepper<D, P> stepper(model, c, {});
+  State start = initial_state<D, P>(c, model);
+  stepper.scheme().initialise(start);
+  stepper.start(start);
+  const int steps = std::min<long>(most_steps, c.time.max_steps);
+  for (int i = 0; i < steps; ++i) stepper.step();
+  const int unknowns = model.layout().whole_patch().size();
+  out << c.name << ": " << unknowns << " unknowns, " << thread_count() << " threads, after " << steps
+      << " steps, t = " << stepper.state().time << "\n"
+      << "iterations to 1e-2, to 1e-4, and to 1e-4 where the preconditioner was built for half of dt, without and "
+         "with\n"
+      << "what is done for the solid then\n"
+      << "                                     build     MiB   iteration          dt = 0.1           dt = 1            "
+         "dt = 10\n";
+  StartOfStep<D, P> system(model, c);
+  for (const Variant& variant : variants<D>(unknowns)) {
+    const auto preconditioner = choose_preconditioner<D>(variant.kind, model.layout(), model.mask(), variant.control);
+    std::string counts;
+    double build = 0, solve = 0;
+    int all = 0;
+    for (const double dt : {0.1, 1.0, 10.0}) {
+      int fresh[2], lagged[2];
+      system.begin(stepper.state(), 0.5 * dt);
+      system.build(*preconditioner);
+      system.begin(stepper.state(), dt);
+      solve += seconds_of([&] {
+        lagged[0] = system.iterations(*preconditioner, 1e-4, Answer::as_it_is);
+        lagged[1] = system.iterations(*preconditioner, 1e-4);
+      });
+      build = seconds_of([&] { system.build(*preconditioner); });
+      solve += seconds_of([&] {
+        fresh[0] = system.iterations(*preconditioner, 1e-2);
+        fresh[1] = system.iterations(*preconditioner, 1e-4);
+      });
+      all += fresh[0] + fresh[1] + lagged[0] + lagged[1];
+      char text[60];
+      std::snprintf(text, sizeof text, "   %3d %3d %3d %3d", fresh[0], fresh[1], lagged[0], lagged[1]);
+      counts += text;
+    }
+    char text[120];
+    std::snprintf(text, sizeof text, "%-32s %7.2f s %7.0f %8.2f ms", variant.name.c_str(), build,
+                  preconditioner->bytes() / 1048576, 1e3 * solve / all);
+    out << text << counts << std::endl;
+  }
+}
+
+template void compare_preconditioners<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);
+
+}  // namespace softwet
