@@ -67,7 +67,8 @@ class StartOfStep {
   void begin(const State& state, double dt) {
     scheme_.begin(state, dt);
     scheme_.residual(state.unknown, r_);
-    const int ends[] = {0, layout_.velocity_size(), layout_.has_fluid ? layout_.potential_offset() : 0, layout_.size()};
+    const int ends[] = {0, layout_.velocity_size(), layout_.has_fluid ? layout_.potential_offset() : layout_.size(),
+                        layout_.size()};
     fields_.clear();
     for (int f = 0; f < 3; ++f) {
       if (ends[f + 1] <= ends[f]) continue;
@@ -116,12 +117,44 @@ class StartOfStep {
   double built_for_ = 1;
 };
 
+/// A line of the table: what a form takes, and its numbers of iterations.
+template <int D, int P>
+std::string table_row(const std::string& name, Preconditioner& preconditioner, StartOfStep<D, P>& system,
+                      const State& state) {
+  std::string counts;
+  double build = 0, seconds = 0;
+  int all = 0;
+  const auto count = [&](double tolerance, Answer answer = Answer::renewed) {
+    KrylovResult result;
+    seconds += seconds_of([&] { result = system.solve(preconditioner, tolerance, answer); });
+    all += result.iterations;
+    const std::string text = result.converged ? std::to_string(result.iterations) : "-";
+    return std::string(text.size() < 4 ? 4 - text.size() : 0, ' ') + text;
+  };
+  for (const double dt : {0.1, 1.0, 10.0}) {
+    system.begin(state, 0.5 * dt);
+    system.build(preconditioner);
+    system.begin(state, dt);
+    const std::string plain = count(1e-4, Answer::as_it_is), renewed = count(1e-4);
+    build = seconds_of([&] { system.build(preconditioner); });
+    const std::string loose = count(1e-2), tight = count(1e-4);
+    counts += "  " + loose + tight + plain + renewed;
+  }
+  char text[120];
+  std::snprintf(text, sizeof text, "%-32s %7.2f s %7.0f %8.2f ms", name.c_str(), build,
+                preconditioner.bytes() / 1048576, 1e3 * seconds / all);
+  return text + counts;
+}
+
 }  // namespace
 
 template <int D, int P>
 void compare_preconditioners(const Case& asked, std::ostream& out) {
   constexpr int most_steps = 40;
+  if (ranks::count() > 1)
+    throw Error(Exit::invalid_input, "softwet bench --preconditioners: several processes; start one");
   Case c = asked;
+  c.time.scheme = implicit_scheme;
   c.solver.precision = "mixed";
   const Model<D, P> model(c);
   Stepper<D, P> stepper(model, c, {});
@@ -141,29 +174,7 @@ void compare_preconditioners(const Case& asked, std::ostream& out) {
   StartOfStep<D, P> system(model, c);
   for (const Variant& variant : variants<D>(unknowns)) {
     const auto preconditioner = choose_preconditioner<D>(variant.kind, model.layout(), model.mask(), variant.control);
-    std::string counts;
-    double build = 0, seconds = 0;
-    int all = 0;
-    const auto count = [&](double tolerance, Answer answer = Answer::renewed) {
-      KrylovResult result;
-      seconds += seconds_of([&] { result = system.solve(*preconditioner, tolerance, answer); });
-      all += result.iterations;
-      const std::string text = result.converged ? std::to_string(result.iterations) : "-";
-      return std::string(text.size() < 4 ? 4 - text.size() : 0, ' ') + text;
-    };
-    for (const double dt : {0.1, 1.0, 10.0}) {
-      system.begin(stepper.state(), 0.5 * dt);
-      system.build(*preconditioner);
-      system.begin(stepper.state(), dt);
-      const std::string lagged = count(1e-4, Answer::as_it_is) + count(1e-4);
-      build = seconds_of([&] { system.build(*preconditioner); });
-      counts += "  " + count(1e-2);
-      counts += count(1e-4) + lagged;
-    }
-    char text[120];
-    std::snprintf(text, sizeof text, "%-32s %7.2f s %7.0f %8.2f ms", variant.name.c_str(), build,
-                  preconditioner->bytes() / 1048576, 1e3 * seconds / all);
-    out << text << counts << std::endl;
+    out << table_row(variant.name, *preconditioner, system, stepper.state()) << std::endl;
   }
 }
 
