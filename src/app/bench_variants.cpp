@@ -69,13 +69,13 @@ class StartOfStep {
     scheme_.residual(state.unknown, r_);
     const int ends[] = {0, layout_.velocity_size(), layout_.has_fluid ? layout_.potential_offset() : layout_.size(),
                         layout_.size()};
-    fields_.clear();
+    weights_ = {};
     for (int f = 0; f < 3; ++f) {
       if (ends[f + 1] <= ends[f]) continue;
       const double size = norm(part(r_, ends[f], ends[f + 1]));
-      fields_.push_back({ends[f], ends[f + 1], size > 0 ? 1 / size : 1});
+      weights_.add(ends[f], ends[f + 1], size > 0 ? 1 / (size * size) : 1);
     }
-    scale(1, r_, right_);
+    convert(right_, r_);
   }
   void build(Preconditioner& preconditioner) {
     preconditioner.build([this](const StencilValues& values) { scheme_.jacobian(values); });
@@ -86,34 +86,22 @@ class StartOfStep {
     const double built_for = answer == Answer::renewed ? built_for_ : solid.size;
     const auto product = [this](const ArrayOf<float>& in, const ArrayOf<float>& out) {
       scheme_.product(in, out, Geometry::exact);
-      scale(1, out, out);
     };
     const auto precondition = [&](const ArrayOf<float>& in, const ArrayOf<float>& out) {
-      scale(-1, in, r_);
+      convert(r_, in);
       preconditioner.apply(r_, z_);
       solid.renew(built_for, z_, out);
     };
-    return gmres_.solve(product, precondition, right_, step_, tolerance, 300);
+    return gmres_.solve(product, precondition, right_, step_, tolerance, 300, weights_);
   }
 
  private:
-  struct Weight {
-    int first, last;
-    double value;
-  };
-  template <class To, class From>
-  void scale(int exponent, const ArrayOf<From>& from, const ArrayOf<To>& to) {
-    ScaleFields<To, From> scaled{to, from};
-    for (const Weight& w : fields_) scaled.add(w.first, w.last, exponent > 0 ? w.value : 1 / w.value);
-    scaled.run();
-  }
-
   const Layout<D>& layout_;
   GeneralizedAlpha<D, P> scheme_;
   GmresOf<float> gmres_;
   ArrayOf<float> right_, step_;
   Array r_, z_;
-  std::vector<Weight> fields_;
+  RangeFactors weights_;
   double built_for_ = 1;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "field/array.hpp"
+#include "field/range_factors.hpp"
 #include "field/ranks.hpp"
 #include "spline/columns.hpp"
 
@@ -125,85 +126,132 @@ inline SumSpace& sum_space(std::size_t entries) {
 }
 
 /// Sums over one strip of some lines, in double precision, whatever the vectors are: of x_k(i) y(i) for several vectors x_k
-/// that follow each other in memory, and of y(i)^2 behind them.
+/// that follow each other in memory and for each y, and of y(i)^2 of the first y behind them; each entry times its weight.
 template <class Real>
 struct StripSums {
-  static constexpr int lines_at_once = 64;
-  const Real *x, *y;  ///< y null: the sum of x
-  int stride, count;  ///< of the x_k
-  bool square;        ///< of y too
-  SumColumns columns;
-  int size;
-  Array partial = {};  ///< [lines][sum][own strip]
+  static constexpr int lines_at_once = 64, most_others = 2;
+  const Real* x;
+  int stride, count;           ///< of the x_k
+  const Real* y[most_others];  ///< null: the sum of x
+  int others;                  ///< number of the y
+  bool square;                 ///< of the first y too
+  int size;                    ///< of each vector
+  RangeFactors weights = {};
+  SumColumns columns = {};  ///< set by the constructor, as all below
+  bool of_scene = false;    ///< else each process has all of these vectors
+  bool whole_lines = true;  ///< all entries of a line have one weight
+  int place = 0;            ///< of its partial sums
+  Array partial = {};       ///< [lines][sum][own strip]
 
-  int strips() const { return columns.last_strip - columns.first_strip; }
-  int sums() const { return count + (square ? 1 : 0); }
+  StripSums(const Real* x_, int stride_, int count_, const std::vector<const Real*>& y_, bool square_, int size_,
+            const RangeFactors& weights_ = {})
+      : x(x_),
+        stride(stride_),
+        count(count_),
+        y{},
+        others(static_cast<int>(y_.size())),
+        square(square_),
+        size(size_),
+        weights(weights_) {
+    for (int m = 0; m < others; ++m) y[m] = y_[m];
+    const SumColumns& scene = sum_columns();
+    of_scene = scene.stored > 0 && size % scene.stored == 0;
+    columns = of_scene ? scene : SumColumns{strip_width, 0, strip_width, 0, 1, 1, 0, strip_width};
+    whole_lines = weights.multiples_of(columns.stored);
+  }
+
+  KOKKOS_FUNCTION int strips() const { return columns.last_strip - columns.first_strip; }
+  KOKKOS_FUNCTION int sums() const { return count * others + (square ? 1 : 0); }
   int items() const {
     const int lines = (size + columns.stored - 1) / columns.stored;
     return (lines + lines_at_once - 1) / lines_at_once * strips() * sums();
   }
   KOKKOS_FUNCTION void operator()(int item) const {
-    const int strips = columns.last_strip - columns.first_strip, strip = item % strips;
-    const int each = square ? count + 1 : count, k = item / strips % each, block = item / strips / each;
-    const int begin = columns.begin + strip * strip_width, end = strip + 1 < strips ? begin + strip_width : columns.end;
+    const int strip = item % strips(), k = item / strips() % sums(), block = item / strips() / sums();
+    const int begin = columns.begin + strip * strip_width;
+    const int end = strip + 1 < strips() ? begin + strip_width : columns.end;
     const int first = block * lines_at_once, left = size / columns.stored - first;
     const int start = first * columns.stored + begin, lines = left < lines_at_once ? left : lines_at_once;
-    const Real *a = k < count ? x + std::int64_t(k) * stride : y, *b = y;
+    const bool pair = k < count * others;
+    const Real *a = pair ? x + std::int64_t(k / others) * stride : y[0], *b = y[pair ? k % others : 0];
+    const RangeFactors& w = weights;
+    const auto one = [](int) { return 1.0; };
     double sum[2 * strip_width] = {};
-    if (b) {
-      add(sum, start, lines, end - begin, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
+    if (!b) {
+      add(sum, start, lines, end - begin, one, [=](int i) { return static_cast<double>(a[i]); });
+    } else if (w.count == 0) {
+      add(sum, start, lines, end - begin, one, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
+    } else if (whole_lines) {
+      add(
+          sum, start, lines, end - begin, [&](int i) { return w.at(i); },
+          [=](int i) { return static_cast<double>(a[i]) * b[i]; });
     } else {
-      add(sum, start, lines, end - begin, [=](int i) { return static_cast<double>(a[i]); });
+      add(sum, start, lines, end - begin, one, [&](int i) { return w.at(i) * (static_cast<double>(a[i]) * b[i]); });
     }
-    partial(item) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+    partial(place + item) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
   }
-  template <class Entry>
+  /// @param weight  of a line, given one of its entries
+  template <class Weight, class Entry>
   KOKKOS_FORCEINLINE_FUNCTION void add(double (&sum)[2 * strip_width], int start, int lines, int width,
-                                       const Entry& entry) const {
+                                       const Weight& weight, const Entry& entry) const {
     const int stored = columns.stored, whole = width < strip_width ? 0 : strip_width;
     int l = 0, i = start;
-    for (; l + 1 < lines && whole > 0; l += 2, i += 2 * stored)  // two lines at once: two sums for each column
+    for (; l + 1 < lines && whole > 0; l += 2, i += 2 * stored) {  // two lines at once: two sums for each column
+      const double w = weight(i), next = weight(i + stored);
       for (int k = 0; k < strip_width; ++k) {
-        sum[k] += entry(i + k);
-        sum[strip_width + k] += entry(i + stored + k);
+        sum[k] += w * entry(i + k);
+        sum[strip_width + k] += next * entry(i + stored + k);
       }
+    }
     if (l < lines && whole > 0)
-      for (int k = 0; k < strip_width; ++k) sum[k] += entry(i + k);
+      for (int k = 0; k < strip_width; ++k) sum[k] += weight(i) * entry(i + k);
     l = 0, i = start;
     for (; l < lines && whole < width; ++l, i += stored)
-      for (int k = whole; k < width; ++k) sum[k % strip_width] += entry(i + k);
+      for (int k = whole; k < width; ++k) sum[k % strip_width] += weight(i) * entry(i + k);
     if (lines < lines_at_once)  // what is no whole line, of a vector that is not the scene's
-      for (int k = start + lines * stored; k < size; ++k) sum[k % strip_width] += entry(k);
+      for (int k = start + lines * stored; k < size; ++k) sum[k % strip_width] += weight(k) * entry(k);
   }
 };
 
-/// The sums of vectors of `size` entries: one kernel, one copy to the host, and one reduction over all processes.
+/// The sums of some kernels, one after another: a kernel each, one copy to the host, and one reduction over all processes.
 template <class Real>
-std::vector<double> strip_sums(const Real* x, int stride, int count, const Real* y, bool square, int size) {
-  const SumColumns& scene = sum_columns();
-  const bool of_scene = scene.stored > 0 && size % scene.stored == 0;
-  const SumColumns alone{strip_width, 0, strip_width, 0, 1, 1, 0, strip_width};
-  StripSums<Real> kernel{x, y, stride, count, square, of_scene ? scene : alone, size};
-  const int items = kernel.items(), strips = kernel.strips(), sums = kernel.sums();
+std::vector<double> strip_sums(std::vector<StripSums<Real>> kernels) {
+  int items = 0, sums = 0;
+  for (StripSums<Real>& k : kernels) {
+    k.place = items;
+    items += k.items();
+    sums += k.sums();
+  }
   const SumSpace& space = sum_space(items);
-  kernel.partial = space.device;
-  Kokkos::parallel_for("softwet::sums", Kokkos::RangePolicy<Exec>(0, items), kernel);
+  for (StripSums<Real>& k : kernels) {
+    k.partial = space.device;
+    Kokkos::parallel_for("softwet::sums", Kokkos::RangePolicy<Exec>(0, k.items()), k);
+  }
   const auto range = Kokkos::make_pair(0, items);
   Kokkos::deep_copy(Kokkos::subview(space.host, range), Kokkos::subview(space.device, range));
-  std::vector<double> all(sums);
-  if (!of_scene) {
-    for (int i = 0; i < items; ++i) all[i / strips % sums] += space.host(i);
-    return all;
-  }
+  const SumColumns& scene = sum_columns();
   StripTotals totals(scene.strips, sums);
-  for (int i = 0; i < items; ++i) totals.add(scene.first_strip + i % strips, i / strips % sums, space.host(i));
-  for (int k = 0; k < sums; ++k) all[k] = totals.total(k);
+  std::vector<double> all(sums, 0.0);
+  int first = 0;
+  for (const StripSums<Real>& k : kernels) {
+    for (int i = 0; i < k.items(); ++i) {
+      const int sum = first + i / k.strips() % k.sums();
+      if (k.of_scene) totals.add(scene.first_strip + i % k.strips(), sum, space.host(k.place + i));
+      if (!k.of_scene) all[sum] += space.host(k.place + i);
+    }
+    first += k.sums();
+  }
+  first = 0;
+  for (const StripSums<Real>& k : kernels) {
+    for (int sum = first; sum < first + k.sums() && k.of_scene; ++sum) all[sum] = totals.total(sum);
+    first += k.sums();
+  }
   return all;
 }
 
 template <class Real>
 double strip_sum(const ConstArrayOf<Real>& x, const ConstArrayOf<Real>& y) {
-  return strip_sums<Real>(x.data(), 0, 1, y.data(), false, static_cast<int>(x.extent(0)))[0];
+  return strip_sums<Real>({{x.data(), 0, 1, {y.data()}, false, static_cast<int>(x.extent(0))}})[0];
 }
 
 inline double dot(const ConstArray& x, const ConstArray& y) { return strip_sum<double>(x, y); }
@@ -212,9 +260,28 @@ inline double total(const ConstArray& x) { return strip_sum<double>(x, {}); }
 inline double norm(const ConstArray& x) { return std::sqrt(dot(x, x)); }
 inline double norm(const ConstArrayOf<float>& x) { return std::sqrt(dot(x, x)); }
 
+/// sqrt(sum_i w_i x_i^2)
+template <class Real>
+double weighted_norm(const ArrayOf<Real>& x, const RangeFactors& w) {
+  return std::sqrt(strip_sums<Real>({{x.data(), 0, 1, {x.data()}, false, static_cast<int>(x.extent(0)), w}})[0]);
+}
+
 /// Part [first, last) of a vector.
 inline ConstArray part(const ConstArray& x, int first, int last) {
   return Kokkos::subview(x, Kokkos::make_pair(first, last));
+}
+
+/// norm(part(x, p.first, p.last)) of several parts p, with the same bits, and one copy to the host.
+template <class Part>
+std::vector<double> norms(const ConstArray& x, const std::vector<Part>& parts) {
+  std::vector<StripSums<double>> kernels;
+  for (const Part& p : parts) {
+    const double* start = x.data() + p.first;
+    kernels.push_back({start, 0, 1, {start}, false, p.last - p.first});
+  }
+  std::vector<double> sums = strip_sums(kernels);
+  for (double& sum : sums) sum = std::sqrt(sum);
+  return sums;
 }
 
 }  // namespace softwet

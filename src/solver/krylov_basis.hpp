@@ -2,32 +2,44 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "field/vector.hpp"
 
 namespace softwet {
 
-/// out = b out + sum_j a_j v_j for some entries. With b = 0 the old values are not read.
+/// For some entries of one result, or of two: out_m = b_m out_m + sum_j a_mj v_j, and then out_1 += link out_0. With b_m = 0
+/// the old values are not read.
 template <class Real>
 struct BasisSum {
   static constexpr int most = 32;                             ///< vectors at once
   static constexpr int entries = host_algorithms ? 1024 : 1;  ///< of one item: they stay in the nearest cache
 
   ConstArrayOf<Real> all;
-  ArrayOf<Real> out;
-  Real b;
   int size, stride, first, count;
-  Real a[most];
+  int results;
+  ArrayOf<Real> out[2];
+  Real b[2], a[2][most], link;
 
   KOKKOS_FUNCTION void operator()(int item) const {
     const int begin = item * entries, end = begin + entries < size ? begin + entries : size;
-    for (int i = begin; i < end; ++i) out(i) = b == 0 ? Real(0) : b * out(i);
+    for (int m = 0; m < results; ++m)
+      for (int i = begin; i < end; ++i) out[m](i) = b[m] == 0 ? Real(0) : b[m] * out[m](i);
     for (int j = 0; j < count; ++j) {
       const Real* v = all.data() + std::int64_t(first + j) * stride;
-      for (int i = begin; i < end; ++i) out(i) += a[j] * v[i];
+      for (int m = 0; m < results; ++m)
+        for (int i = begin; i < end; ++i) out[m](i) += a[m][j] * v[i];
     }
+    if (link != 0)
+      for (int i = begin; i < end; ++i) out[1](i) += link * out[0](i);
   }
+};
+
+/// b x + sum_j a_j v_j, where x is what the result was.
+struct Combination {
+  double b;
+  std::vector<double> a;
 };
 
 /// Vectors of one size behind each other in memory. Sums are of double precision and have one fixed order, whatever the
@@ -47,24 +59,52 @@ class KrylovBasis {
 
   const Vector& operator[](int j) const { return vector_[j]; }
 
-  /// (v_j, w) for j < count, and (w, w) behind them.
-  std::vector<double> dots(int count, const ConstArrayOf<Real>& w) const {
-    return strip_sums<Real>(all_.data(), stride_, count, w.data(), true, size_);
+  /// (v_j, w) for j < count, and (w, w) behind them, in a weighted inner product (x, y) = sum_i weight_i x_i y_i.
+  std::vector<double> dots(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
+    return strip_sums<Real>({{all_.data(), stride_, count, {w.data()}, true, size_, weights}});
   }
 
-  /// out = b out + sum_j a_j v_j
-  void sum(const Vector& out, double b, const std::vector<double>& a) const {
+  struct TwoDots {
+    std::vector<double> of_w;     ///< as dots(count, w)
+    std::vector<double> of_last;  ///< (v_j, u) for j < count, where u is the last of these v_j
+  };
+  /// Both in one pass over the vectors.
+  TwoDots dots_with_last(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
+    const std::vector<double> sums =
+        strip_sums<Real>({{all_.data(), stride_, count, {w.data(), vector_[count - 1].data()}, true, size_, weights}});
+    TwoDots d;
+    for (int j = 0; j < count; ++j) {
+      d.of_w.push_back(sums[2 * j]);
+      d.of_last.push_back(sums[2 * j + 1]);
+    }
+    d.of_w.push_back(sums.back());
+    return d;
+  }
+
+  /// out becomes a combination.
+  void sum(const Vector& out, const Combination& c) const { run({out, {}}, {&c, &c}, 1, 0); }
+  /// u becomes a combination, and then w one of as many vectors, plus link u.
+  void sum_two(const Vector& u, const Combination& of_u, const Vector& w, const Combination& of_w, double link) const {
+    run({u, w}, {&of_u, &of_w}, 2, link);
+  }
+
+ private:
+  void run(const std::array<Vector, 2>& out, const std::array<const Combination*, 2>& c, int results,
+           double link) const {
     constexpr int most = BasisSum<Real>::most, entries = BasisSum<Real>::entries;
-    const int count = static_cast<int>(a.size());
-    for (int first = 0; first < count; first += most) {
-      BasisSum<Real> part{all_, out, static_cast<Real>(first == 0 ? b : 1), size_, stride_, first, 0, {}};
-      part.count = std::min(most, count - first);
-      for (int j = 0; j < part.count; ++j) part.a[j] = static_cast<Real>(a[first + j]);
+    const int count = static_cast<int>(c[0]->a.size());
+    for (int first = 0; first < count || first == 0; first += most) {
+      const int some = std::min(most, count - first);
+      BasisSum<Real> part{all_, size_, stride_, first, some, results, {out[0], out[1]}, {}, {}, 0};
+      for (int m = 0; m < results; ++m) {
+        part.b[m] = static_cast<Real>(first == 0 ? c[m]->b : 1);
+        for (int j = 0; j < some; ++j) part.a[m][j] = static_cast<Real>(c[m]->a[first + j]);
+      }
+      if (first + some == count) part.link = static_cast<Real>(link);
       Kokkos::parallel_for("softwet::basis_sum", Kokkos::RangePolicy<Exec>(0, (size_ + entries - 1) / entries), part);
     }
   }
 
- private:
   int size_, stride_;
   Vector all_;
   std::vector<Vector> vector_;

@@ -17,12 +17,6 @@ constexpr double signal_over_round_off = 100;
 /// `rtol`: a droplet at rest then differs 25 times more from its mirror image (docs/performance.md).
 constexpr double first_forcing = 0.1;
 
-std::vector<double> field_norms(const std::vector<FieldRange>& fields, const ConstArray& r) {
-  std::vector<double> sizes;
-  for (const FieldRange& f : fields) sizes.push_back(norm(part(r, f.first, f.last)));
-  return sizes;
-}
-
 std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(int size, int restart, LinearSolves precision) {
   if (precision == LinearSolves::single) return LinearSpace<float>(size, restart);
   return LinearSpace<double>(size, restart);
@@ -61,15 +55,6 @@ void Newton::set_weights(const std::vector<FieldRange>& fields, const std::vecto
     weight_[f] = 1 / std::max({sizes[f], fields[f].floor, least, signal_over_round_off * fields[f].round_off});
 }
 
-template <class To, class From>
-void Newton::scale_rows(const std::vector<FieldRange>& fields, int exponent, const From& from,
-                        const ArrayOf<To>& to) const {
-  ScaleFields<To, typename From::non_const_value_type> scale{to, from};
-  for (std::size_t f = 0; f < fields.size(); ++f)
-    scale.add(fields[f].first, fields[f].last, exponent > 0 ? weight_[f] : 1 / weight_[f]);
-  scale.run();
-}
-
 void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl& control, const Array& x,
                               const Array& z, const Array& out) {
   Stopwatch watch(counts_.product_seconds, counts_.products++);
@@ -94,24 +79,30 @@ KrylovResult Newton::linear_solve_in(LinearSpace<Real>& space, const NonlinearSy
                                      const std::vector<FieldRange>& fields, const NewtonControl& control,
                                      double forcing, int limit, const Array& x) {
   using Vector = ArrayOf<Real>;
-  const auto apply = [&](const Vector& z, const Vector& out) {
-    jacobian_product(system, control, x, z, out);
-    scale_rows(fields, 1, out, out);
-  };
+  constexpr bool full = std::is_same_v<Real, double>;
+  const auto apply = [&](const Vector& z, const Vector& out) { jacobian_product(system, control, x, z, out); };
   const auto precondition = [&](const Vector& r, const Vector& z) {
     Stopwatch inner(counts_.apply_seconds, counts_.applications++);
-    scale_rows(fields, -1, r, probe_);
-    if constexpr (std::is_same_v<Real, double>) {
-      preconditioner_->apply(probe_, z);
+    if constexpr (full) {
+      preconditioner_->apply(r, z);
       system.solid.renew(built_for_, z, z);
     } else {
+      convert(probe_, r);
       preconditioner_->apply(probe_, step_);
       system.solid.renew(built_for_, step_, z);
     }
   };
-  scale_rows(fields, 1, residual_, space.right);
-  const KrylovResult result = space.gmres.solve(apply, precondition, space.right, space.step, forcing, limit);
-  if constexpr (!std::is_same_v<Real, double>) convert(step_, space.step);
+  RangeFactors weights;
+  for (std::size_t f = 0; f < fields.size(); ++f) weights.add(fields[f].first, fields[f].last, weight_[f] * weight_[f]);
+  if constexpr (!full) convert(space.right, residual_);
+  const KrylovResult result = [&] {
+    if constexpr (full) {
+      return space.gmres.solve(apply, precondition, residual_, space.step, forcing, limit, weights);
+    } else {
+      return space.gmres.solve(apply, precondition, space.right, space.step, forcing, limit, weights);
+    }
+  }();
+  if constexpr (!full) convert(step_, space.step);
   return result;
 }
 
@@ -165,7 +156,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
       ++counts_.residuals;
       system.residual(x, residual_);
     }
-    const std::vector<double> sizes = field_norms(fields, residual_);
+    const std::vector<double> sizes = norms(residual_, fields);
     if (result.iterations == 0) set_weights(fields, sizes);
     const double size = weighted_norm(sizes);
     if (!std::isfinite(size)) {

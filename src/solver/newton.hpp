@@ -59,9 +59,11 @@ class Wear {
 /// GMRES and the vectors of a linear solve, in one precision.
 template <class Real>
 struct LinearSpace {
-  LinearSpace(int size, int restart) : gmres(size, restart), right("newton.scaled", size), step("newton.step", size) {}
+  LinearSpace(int size, int restart) : gmres(size, restart), step("newton.step", size) {
+    if (!std::is_same_v<Real, double>) right = ArrayOf<Real>("newton.right", size);
+  }
   GmresOf<Real> gmres;
-  ArrayOf<Real> right, step;
+  ArrayOf<Real> right, step;  ///< the residual, where it is of another precision; and the solution
 };
 
 /// Adds the time of its scope to a counter.
@@ -142,9 +144,6 @@ class Newton {
   double weighted_round_off(const std::vector<FieldRange>&) const;
   /// @param sizes  the norm of each field of the residual at the start of a step
   void set_weights(const std::vector<FieldRange>&, const std::vector<double>& sizes);
-  /// to = from, each field times its weight to the power of 1 or -1.
-  template <class To, class From>
-  void scale_rows(const std::vector<FieldRange>&, int exponent, const From& from, const ArrayOf<To>& to) const;
   /// Solves A step = residual.
   KrylovResult linear_solve(const NonlinearSystem&, const std::vector<FieldRange>&, const NewtonControl&,
                             double forcing, int limit, const Array& x);
@@ -160,7 +159,7 @@ class Newton {
   std::variant<LinearSpace<double>, LinearSpace<float>> linear_;
   std::unique_ptr<Preconditioner> preconditioner_;
   Array residual_, step_, probe_;
-  std::vector<double> weight_;
+  std::vector<double> weight_;  ///< of the norm of each field
   Wear wear_;
   bool rebuild_ = true;
   double built_for_ = 1;  ///< size of the solid's part at the last build

@@ -1,36 +1,20 @@
-// The weights of Newton's fields on a vector, in one kernel.
+// Fields of a vector times factors of their own, in one kernel.
 #pragma once
 
-#include <stdexcept>
-#include <vector>
-
 #include "field/array.hpp"
+#include "field/range_factors.hpp"
 
 namespace softwet {
 
-/// to(i) = factor from(i), with a factor for each range of entries; where none holds i, it is 1.
+/// to(i) = factor(i) from(i)
 template <class To, class From>
 struct ScaleFields {
-  static constexpr int most = 4;
   ArrayOf<To> to;
   ConstArrayOf<From> from;
-  int count = 0, first[most] = {}, last[most] = {};
-  To factor[most] = {};
+  RangeFactors factors = {};
 
-  void add(int begin, int end, double value) {
-    if (count == most) throw std::logic_error("more fields than a vector has");
-    first[count] = begin;
-    last[count] = end;
-    factor[count++] = static_cast<To>(value);
-  }
   void run() const { Kokkos::parallel_for("softwet::scale", Kokkos::RangePolicy<Exec>(0, to.extent(0)), *this); }
-
-  KOKKOS_FUNCTION void operator()(int i) const {
-    To scale = 1;
-    for (int f = 0; f < count; ++f)
-      if (i >= first[f] && i < last[f]) scale = factor[f];
-    to(i) = scale * static_cast<To>(from(i));
-  }
+  KOKKOS_FUNCTION void operator()(int i) const { to(i) = static_cast<To>(factors.at(i)) * static_cast<To>(from(i)); }
 };
 
 }  // namespace softwet

@@ -21,7 +21,7 @@ struct SolidPart {
     const double ratio = built / size;
     if (std::is_same_v<To, double> && ratio == 1 && from.data() == static_cast<const void*>(to.data())) return;
     ScaleFields<To, double> scale{to, from};
-    for (const Range& r : ranges) scale.add(r.first, r.last, ratio);
+    for (const Range& r : ranges) scale.factors.add(r.first, r.last, ratio);
     scale.run();
   }
 };

@@ -88,7 +88,8 @@ std::vector<FieldRange> ImplicitScheme<D, P>::fields() const {
 template <int D, int P>
 void ImplicitScheme<D, P>::measure_round_off(std::vector<FieldRange>& fields) {
   integrator_.round_off(x_, round_off_);
-  for (FieldRange& f : fields) f.round_off = norm(part(round_off_, f.first, f.last));
+  const std::vector<double> sizes = norms(round_off_, fields);
+  for (std::size_t f = 0; f < fields.size(); ++f) fields[f].round_off = sizes[f];
 }
 
 template <int D, int P>

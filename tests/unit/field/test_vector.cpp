@@ -53,6 +53,40 @@ TEST(Vector, CombineAddMultiply) {
   EXPECT_EQ(to_host(part(b, 95, 97))[0], 0.5 * r[95]);
 }
 
+// Sums of vectors of the scene go by strips of columns; other vectors are summed as a whole. Both at once here: the first
+// two parts are whole lines of 24 columns, the third one is not.
+TEST(Vector, NormsOfSeveralParts) {
+  const Array x = to_device<Array>(ramp(24 * 150 + 7, 1.1));
+  struct Part {
+    int first, last;
+  };
+  const std::vector<Part> parts{{0, 24 * 70}, {24 * 70, 24 * 150}, {24 * 150, 24 * 150 + 7}};
+  const SumColumns before = sum_columns();
+  for (const SumColumns& columns : {SumColumns{}, SumColumns{24, 0, 20, 0, 3, 3, 0, 20}}) {
+    sum_columns() = columns;
+    const std::vector<double> found = norms(x, parts);
+    for (int p = 0; p < 3; ++p) EXPECT_EQ(found[p], norm(part(x, parts[p].first, parts[p].last))) << p;
+  }
+  sum_columns() = before;
+}
+
+TEST(Vector, WeightedNorm) {
+  const int lines = 150, stored = 24, size = stored * lines;
+  const std::vector<double> v = ramp(size, 1.1);
+  const SumColumns before = sum_columns();
+  for (const SumColumns& columns : {SumColumns{}, SumColumns{stored, 0, stored, 0, 3, 3, 0, stored}})
+    for (const int shift : {0, 5}) {  // whole lines of one weight, and lines of two
+      sum_columns() = columns;
+      RangeFactors weights;
+      weights.add(stored * 10 + shift, stored * 77, 9);
+      weights.add(stored * 77, stored * 140 - shift, 0.01);
+      long double sum = 0;
+      for (int i = 0; i < size; ++i) sum += weights.at(i) * v[i] * v[i];
+      EXPECT_NEAR(weighted_norm<double>(to_device<Array>(v), weights), std::sqrt(static_cast<double>(sum)), 1e-11);
+    }
+  sum_columns() = before;
+}
+
 // Vectors of single precision: what is added up is double, so that a sum of many small parts keeps them.
 TEST(Vector, SumsOfSinglePrecisionAreDouble) {
   const int n = 1 << 20;

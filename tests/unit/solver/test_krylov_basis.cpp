@@ -60,13 +60,49 @@ TYPED_TEST(KrylovBasisTest, Sum) {
     const std::vector<double> a = random_vector<TypeParam>(this->count, 3);
     const ArrayOf<TypeParam> out("out", this->size);
     Kokkos::deep_copy(out, old == 0 ? std::numeric_limits<TypeParam>::quiet_NaN() : TypeParam(2));
-    this->basis.sum(out, old, a);
+    this->basis.sum(out, {old, a});
     const std::vector<double> found = this->values(out);
     for (int i = 0; i < this->size; i += 11) {
       double sum = 2 * old;
       for (int j = 0; j < this->count; ++j) sum += a[j] * this->host[j][i];
       ASSERT_NEAR(found[i], sum, eps) << i;
     }
+  }
+}
+
+TYPED_TEST(KrylovBasisTest, DotsOfTwoVectorsAtOnce) {
+  RangeFactors weights;
+  weights.add(3, 700, 4);
+  weights.add(701, 2000, 0.25);
+  for (const int used : {1, 9, 35}) {
+    const auto [of_w, of_last] = this->basis.dots_with_last(used, this->w, weights);
+    ASSERT_EQ(of_w.size(), used + 1u);
+    ASSERT_EQ(of_last.size(), std::size_t(used));
+    EXPECT_EQ(of_w, this->basis.dots(used, this->w, weights));
+    for (int j = 0; j < used; ++j) {
+      long double sum = 0;
+      for (int i = 0; i < this->size; ++i) {
+        const double weight = i >= 3 && i < 700 ? 4 : i >= 701 && i < 2000 ? 0.25 : 1;
+        sum += weight * this->host[j][i] * this->host[used - 1][i];
+      }
+      EXPECT_NEAR(of_last[j], static_cast<double>(sum), 1e-12) << j;
+    }
+  }
+}
+
+TYPED_TEST(KrylovBasisTest, TwoSumsAtOnce) {
+  const double eps = std::is_same_v<TypeParam, double> ? 1e-14 : 1e-5;
+  const std::vector<double> a = random_vector<TypeParam>(34, 3), b = random_vector<TypeParam>(34, 4);
+  this->basis.sum_two(this->basis[34], {0.5, a}, this->w, {-0.25, b}, 0.75);
+  const std::vector<double> first = this->values(this->basis[34]), second = this->values(this->w);
+  for (int i = 0; i < this->size; i += 11) {
+    double u = 0.5 * this->host[34][i], v = -0.25 * this->wide[i];
+    for (int j = 0; j < 34; ++j) {
+      u += a[j] * this->host[j][i];
+      v += b[j] * this->host[j][i];
+    }
+    ASSERT_NEAR(first[i], u, eps) << i;
+    ASSERT_NEAR(second[i], v + 0.75 * u, eps) << i;
   }
 }
 
