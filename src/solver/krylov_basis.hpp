@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "field/vector.hpp"
@@ -59,26 +60,31 @@ class KrylovBasis {
 
   const Vector& operator[](int j) const { return vector_[j]; }
 
-  /// (v_j, w) for j < count, and (w, w) behind them, in a weighted inner product (x, y) = sum_i weight_i x_i y_i.
-  std::vector<double> dots(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
-    return strip_sums<Real>({{all_.data(), stride_, count, {w.data()}, true, size_, weights}});
-  }
-
-  struct TwoDots {
-    std::vector<double> of_w;     ///< as dots(count, w)
-    std::vector<double> of_last;  ///< (v_j, u) for j < count, where u is the last of these v_j
+  /// Products of a vector w in a weighted inner product (x, y) = sum_i weight_i x_i y_i.
+  struct Dots {
+    std::vector<double> along;  ///< (v_j, w)
+    double square = 0;          ///< (w, w)
   };
-  /// Both in one pass over the vectors.
-  TwoDots dots_with_last(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
+  /// With v_0 .. v_{count - 1}.
+  Dots dots(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
+    std::vector<double> sums = strip_sums<Real>({{all_.data(), stride_, count, {w.data()}, true, size_, weights}});
+    const double square = sums.back();
+    sums.pop_back();
+    return {std::move(sums), square};
+  }
+  /// Those of w, and those of v_{count - 1} with the vectors before it, in one pass over the vectors.
+  std::pair<Dots, Dots> dots_with_last(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
     const std::vector<double> sums =
         strip_sums<Real>({{all_.data(), stride_, count, {w.data(), vector_[count - 1].data()}, true, size_, weights}});
-    TwoDots d;
+    Dots of_w, of_last;
     for (int j = 0; j < count; ++j) {
-      d.of_w.push_back(sums[2 * j]);
-      d.of_last.push_back(sums[2 * j + 1]);
+      of_w.along.push_back(sums[2 * j]);
+      of_last.along.push_back(sums[2 * j + 1]);
     }
-    d.of_w.push_back(sums.back());
-    return d;
+    of_w.square = sums.back();
+    of_last.square = of_last.along.back();
+    of_last.along.pop_back();
+    return {std::move(of_w), std::move(of_last)};
   }
 
   /// out becomes a combination.
