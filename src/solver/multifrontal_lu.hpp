@@ -32,7 +32,7 @@ class BlockLu final : public StencilSolver<D> {
   BlockLu(const Layout<D>& layout, const ConstArray& mask)
       : stencil_(layout),
         table_(layout, to_host(mask)),
-        tree_(dissect(layout, table_, D == 2 ? 10 : 64)),
+        tree_(dissect(layout, table_, D == 2 ? 24 : 64)),
         equilibrator_(layout, table_),
         scale_{std::vector<float>(layout.size()), std::vector<float>(layout.size())},
         fronts_(tree_.nodes.size()),
