@@ -1,36 +1,18 @@
 // Block LU: scaling, what builds allocate, and how the work is shared.
 #include "solver/block_lu.hpp"
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <random>
 
+#include "allocations.hpp"
 #include "solver/equilibration.hpp"
 #include "solver/work_split.hpp"
 #include "unit/model/scenes.hpp"
 
-namespace {
-/// Allocations of more than a few words, by `new` and by Kokkos.
-std::atomic<long> large_allocations = 0;
-void count_array(Kokkos::Tools::SpaceHandle, const char*, const void*, std::uint64_t) { ++large_allocations; }
-}  // namespace
-
-void* operator new(std::size_t size) {
-  if (size > 256) ++large_allocations;
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  if (size > 256) ++large_allocations;
-  return std::malloc(size > 0 ? size : 1);
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-
 namespace softwet::testing_tools {
 namespace {
+
+void count_array(Kokkos::Tools::SpaceHandle, const char*, const void*, std::uint64_t) { ++large_allocations; }
 
 Case larger(Case c, int nx, int ny) {
   c.domain.elements = {nx, ny};
