@@ -23,9 +23,9 @@ KOKKOS_FORCEINLINE_FUNCTION int wrapped(int i, int extent, int period) {
   return i >= 0 && i < extent ? i : -1;
 }
 
-/// values[((a C + u) offsets + o) points + i]: row of component a at control point i, column of component u at point
+/// values[(pair(a, u) offsets + o) points + i]: row of component a at control point i, column of component u at point
 /// i + shift(o). C components (velocity, density, potential) on all points of the patch; what does not exist is zero.
-/// Periodic axes wrap.
+/// Components that never couple have no values. Periodic axes wrap.
 template <int D>
 struct Stencil {
   int extent[D], period[D];  ///< control points along each axis, ghosts included; as in Layout
@@ -39,9 +39,18 @@ struct Stencil {
       offsets *= 2 * degree + 1;
     }
   }
-  std::int64_t size() const { return std::int64_t(components) * components * offsets * points; }
+  /// Whether values are stored for a pair of components. While the mesh does not move, the equation of the chemical
+  /// potential does not know the velocity.
+  static KOKKOS_FORCEINLINE_FUNCTION bool couples(int row, int column) { return row <= D || column >= D; }
+  /// Number of a pair that couples, from 0 on.
+  KOKKOS_FORCEINLINE_FUNCTION int pair(int row, int column) const {
+    return row * components + column - (row > D ? D : 0);
+  }
+  int pairs() const { return pair(components - 1, components - 1) + 1; }
+  std::int64_t size() const { return std::int64_t(pairs()) * offsets * points; }
+  /// Place of a value of a pair that couples.
   KOKKOS_FORCEINLINE_FUNCTION std::int64_t index(int row, int column, int offset, int point) const {
-    return (std::int64_t(row * components + column) * offsets + offset) * points + point;
+    return (std::int64_t(pair(row, column)) * offsets + offset) * points + point;
   }
   /// Distance along axis d from row to column.
   KOKKOS_FORCEINLINE_FUNCTION int shift(int offset, int d) const {

@@ -172,6 +172,7 @@ KOKKOS_FUNCTION void jacobian_batch(const Task<D, Term, Motion, float>& task, co
       }
     }
     for (int c = 0; c < channels; ++c) {
+      if (!Stencil<D>::couples(Test::channel(c).unknown(D), u)) continue;
       const Blocks<1 + D> blocks = matrices.blocks(c);
       const auto in = [&](int k, int l, int, int q) { return matrices.at[l][c][k][q]; };
       S x[D][D][n2][wall_points / Q * QL], matrix[1][1][power(n2, D)][1];

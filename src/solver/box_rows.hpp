@@ -37,7 +37,7 @@ struct FillRows {
       const int to = neighbour_line(at, across);
       if (to < 0) continue;
       for (int u = 0; u < stencil.components; ++u)
-        for (int o = 0; o < shifts; ++o) {
+        for (int o = 0; o < shifts && stencil.couples(a, u); ++o) {
           const float* entry = values.data() + stencil.index(a, u, across + o, point);
           for (int block = begin; block < begin + together; ++block)
             add(block, line * width, a, to * width, u, o - stencil.degree, entry);

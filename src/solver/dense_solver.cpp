@@ -27,7 +27,7 @@ struct FillDenseRows {
       if (to < 0) continue;
       for (int u = 0; u < stencil.components; ++u) {
         const int column = row_of(u * stencil.points + to);
-        if (column >= 0) a(0, row, column) += values(stencil.index(c, u, o, p));
+        if (column >= 0 && stencil.couples(c, u)) a(0, row, column) += values(stencil.index(c, u, o, p));
       }
     }
   }

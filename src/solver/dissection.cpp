@@ -106,8 +106,9 @@ void find_border(Dissection& tree, int index, const std::vector<int>& position, 
     for (int unknown : tree.nodes[child].own) last = std::max(last, position[unknown]);
   std::vector<int>& border = node.border;
   for (int unknown : node.own)
-    for_column(stencil, table, unknown, [&](int row, std::int64_t) {
-      if (position[row] > last) border.push_back(row);
+    for_column_point(stencil, table.point(unknown), [&](int from, std::int64_t) {  // rows and columns alike
+      for (int a = 0; a < stencil.components; ++a)
+        if (const int row = table.unknown(a, from); row >= 0 && position[row] > last) border.push_back(row);
     });
   for (int child : node.children)
     for (int unknown : tree.nodes[child].border)

@@ -26,9 +26,12 @@ struct LargestOnLine {
       const int other = other_line(first, across * width);
       if (other < 0) continue;
       for (int c = 0; c < stencil.components; ++c)
-        if (other >= places.first[c])
+        if (other >= places.first[c] && couples(component, c))
           for (int o = 0; o < width; ++o) add(component, c, across * width + o, first, other);
     }
+  }
+  bool couples(int component, int c) const {
+    return Columns ? stencil.couples(c, component) : stencil.couples(component, c);
   }
   /// First point of the line of columns (or rows) at an offset; -1 outside.
   int other_line(int point, int offset) const {

@@ -198,7 +198,7 @@ void GalerkinProduct<D>::operator()(const StencilValues& fine, const StencilValu
     if (between_[step].extent(0) == 0)
       between_[step] = StencilValues(Kokkos::view_alloc("galerkin.between", Kokkos::WithoutInitializing),
                                      offsets * stencil_[step + 1].points);
-  for (int pair = 0; pair < stencil_[0].components * stencil_[0].components; ++pair) {
+  for (int pair = 0; pair < stencil_[0].pairs(); ++pair) {
     const float* from = fine.data() + pair * offsets * stencil_[0].points;
     for (int step = 0; step < D; ++step) {
       const int d = D - 1 - step;

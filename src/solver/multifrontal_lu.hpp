@@ -211,7 +211,8 @@ class BlockLu final : public StencilSolver<D> {
         for (int a = 0; a < fields; ++a) {
           if (!(pair.row_fields >> a & 1)) continue;
           // += : around a short periodic axis offsets coincide
-          front.column(column)[row] += entries[(a * fields + u) * block] * scale_.row[unknown(row)] * column_scale;
+          if (stencil_.couples(a, u))
+            front.column(column)[row] += entries[stencil_.pair(a, u) * block] * scale_.row[unknown(row)] * column_scale;
           ++row;
         }
         ++column;

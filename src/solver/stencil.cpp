@@ -91,7 +91,7 @@ struct MultiplyPieces {
       int to[lines_at_once];                                            // the neighbouring lines
       for (int l = 0; l < lines; ++l) to[l] = neighbour_line(first + l * n, across * width);
       for (int u = 0; u < stencil.components; ++u)
-        for (int o = 0; o < width; ++o)
+        for (int o = 0; o < width && stencil.couples(a, u); ++o)
           for (int l = 0; l < lines; ++l) {
             if (to[l] * n < places.first[u]) continue;  // also -1, none
             const Value* entry = values.data() + stencil.index(a, u, across * width + o, first + l * n);
@@ -146,7 +146,7 @@ struct MultiplyLongPieces {
     for (int u = 0; u < stencil.components; ++u)
       for (int across = 0; across < stencil.offsets; across += width) {
         const int to = begin + distance(across);
-        if (to + width + count <= places.first[u]) continue;
+        if (to + width + count <= places.first[u] || !stencil.couples(a, u)) continue;
         const Value* entry = values.data() + stencil.index(a, u, across, begin);
         const float* from = x.data() + std::int64_t(u) * line.stored + line.margin + to;
         if (width == 5) {

@@ -69,7 +69,7 @@ class StencilMatrix {
 };
 
 /// Calls visit(row point, place) for every control point whose rows have entries in the columns of another. The entry of the
-/// components a and u is the value place + (a components + u) offsets points. Around a short periodic axis a row may come
+/// components a and u is the value place + pair(a, u) offsets points. Around a short periodic axis a row may come
 /// more than once; its entry is the sum.
 template <int D, class Visit>
 void for_column_point(const Stencil<D>& stencil, int column, const Visit& visit) {
@@ -85,6 +85,7 @@ void for_column(const Stencil<D>& stencil, const UnknownTable<D>& table, int col
   const int u = table.component(column);
   for_column_point(stencil, table.point(column), [&](int from, std::int64_t place) {
     for (int a = 0; a < stencil.components; ++a) {
+      if (!stencil.couples(a, u)) continue;
       const int row = table.unknown(a, from);
       if (row >= 0) visit(row, place + stencil.index(a, u, 0, 0));
     }

@@ -77,9 +77,11 @@ struct RandomMatrix {
           float size = 0.5f;
           for (int d = 0; d < D; ++d) size /= 1 + 3 * std::abs(s.shift(o, d));
           for (int a = 0; a < s.components && to >= 0; ++a)
-            for (int u = 0; u < s.components; ++u)
-              if (table.unknown(a, p) >= 0 && table.unknown(u, to) >= 0)
-                host(s.index(a, u, o, p)) = size * number(draw) + (a == u && o == s.offsets / 2 ? 3 : 0);
+            for (int u = 0; u < s.components; ++u) {
+              if (table.unknown(a, p) < 0 || table.unknown(u, to) < 0) continue;
+              const float entry = size * number(draw) + (a == u && o == s.offsets / 2 ? 3 : 0);
+              if (s.couples(a, u)) host(s.index(a, u, o, p)) = entry;
+            }
         }
       Kokkos::deep_copy(values, host);
     });
@@ -116,7 +118,8 @@ Sparse sparse(const StencilMatrix<D>& matrix) {
       for (int a = 0; a < s.components; ++a)
         for (int u = 0; u < s.components; ++u) {
           const int to = s.neighbour(p, o), row = table.unknown(a, p), column = to < 0 ? -1 : table.unknown(u, to);
-          if (row >= 0 && column >= 0) entries.emplace_back(row, column, values(s.index(a, u, o, p)));
+          if (row >= 0 && column >= 0 && s.couples(a, u))
+            entries.emplace_back(row, column, values(s.index(a, u, o, p)));
         }
   Sparse a(matrix.layout().size(), matrix.layout().size());
   a.setFromTriplets(entries.begin(), entries.end());

@@ -116,7 +116,7 @@ void fill_alike(RandomMatrix<D>& r) {
         for (int a = 0; a < s.components; ++a)
           for (int u = 0; u < s.components; ++u) {
             const int to = s.neighbour(p, o);
-            if (to >= 0 && table.unknown(a, p) >= 0 && table.unknown(u, to) >= 0)
+            if (s.couples(a, u) && to >= 0 && table.unknown(a, p) >= 0 && table.unknown(u, to) >= 0)
               host(s.index(a, u, o, p)) = entry[(a * s.components + u) * s.offsets + o];
           }
     Kokkos::deep_copy(values, host);
