@@ -80,7 +80,7 @@ class PieceMaker {
     add<Motion>("capillary_traction", traction());
     if (case_.fluid->traction == Traction::blended)
       pieces_.list.back().exact = std::make_unique<PieceOf<D, P, CapillaryTraction, Motion, Real>>(
-          "capillary_traction (blended)", blended(), traction(), model_.blend());
+          "capillary_traction (blended)", blended(), blended(), traction(), model_.blend());
   }
 
   const Model<D, P>& model_;

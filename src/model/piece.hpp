@@ -132,15 +132,12 @@ class Piece<D, float> : public PieceIn<D, float> {
 template <int D, int P, class Term, class Motion, class Real = double>
 class PieceOf final : public Piece<D, Real> {
  public:
-  /// @param matrix_region  the same box with the quadrature of the matrix
+  /// @param matrix_region  the same box with the quadrature of the matrix; `region` where none is assembled
   PieceOf(const char* name, const Region<D>& region, const Region<D>& matrix_region, const Term& term, Blend blend = {},
           Instant instant = Instant::stage)
       : name_(name), region_(rounded<Real>(region)), term_(term), blend_(blend), instant_(instant) {
     if constexpr (std::is_same_v<Real, float>) matrix_region_ = rounded<Real>(matrix_region);
   }
-  PieceOf(const char* name, const Region<D>& region, const Term& term, Blend blend = {},
-          Instant instant = Instant::stage)
-      : PieceOf(name, region, region, term, blend, instant) {}
 
   void residual(const Evaluation<D, Real>&) const override;
   void product(const Evaluation<D, Real>&) const override;

@@ -103,8 +103,8 @@ struct TermCases {
   void check_piece(const char* name, const Term& term, const Region<D>& region, Instant instant,
                    const std::vector<double>& expected) const {
     constexpr bool moves = std::is_same_v<Motion<D, double>, WallMotion<D>>;
-    const PieceOf<D, P, Term, Motion<D, double>, double> piece(name, region, term, patch.blend, instant);
-    const PieceOf<D, P, Term, Motion<D, float>, float> single(name, region, term, patch.blend, instant);
+    const PieceOf<D, P, Term, Motion<D, double>, double> piece(name, region, region, term, patch.blend, instant);
+    const PieceOf<D, P, Term, Motion<D, float>, float> single(name, region, region, term, patch.blend, instant);
     const std::vector<double> found = patch.residual(piece, patch.stage);
     ASSERT_GT(largest(expected), 1e-6) << name;
     EXPECT_LT(distance(found, expected), 1e-13) << name << (moves ? ", moving" : ", fixed");

@@ -47,10 +47,10 @@ struct Results {
 };
 Results evaluate(const Patch<2>& p, const Array& z) {
   const Terms t;
-  const PieceOf<2, 2, NavierStokesKorteweg, WallMotion<2>> fluid("fluid", p.fluid(), t.fluid, p.blend);
-  const PieceOf<2, 2, CapillaryTraction, WallMotion<2>> traction("traction", p.layer(), t.traction, p.blend);
-  const PieceOf<2, 2, EnergyWall, WallMotion<2>> wall("wall", p.face(), t.energy_wall, p.blend);
-  const PieceOf<2, 2, Elastodynamics<SaintVenantKirchhoff>, NoMotion> solid("solid", p.solid(), t.solid);
+  const PieceOf<2, 2, NavierStokesKorteweg, WallMotion<2>> fluid("fluid", p.fluid(), p.fluid(), t.fluid, p.blend);
+  const PieceOf<2, 2, CapillaryTraction, WallMotion<2>> traction("traction", p.layer(), p.layer(), t.traction, p.blend);
+  const PieceOf<2, 2, EnergyWall, WallMotion<2>> wall("wall", p.face(), p.face(), t.energy_wall, p.blend);
+  const PieceOf<2, 2, Elastodynamics<SaintVenantKirchhoff>, NoMotion> solid("solid", p.solid(), p.solid(), t.solid);
   const Array residual("residual", p.layout.size()), product("product", p.layout.size());
   for (const Piece<2>* piece : {static_cast<const Piece<2>*>(&fluid), static_cast<const Piece<2>*>(&traction),
                                 static_cast<const Piece<2>*>(&wall), static_cast<const Piece<2>*>(&solid)}) {
@@ -59,7 +59,8 @@ Results evaluate(const Patch<2>& p, const Array& z) {
   }
   move_ghosts(p.layout, residual, GhostAction::add);
   move_ghosts(p.layout, product, GhostAction::add);
-  const PieceOf<2, 2, NavierStokesKorteweg, WallMotion<2, float>, float> single("fluid", p.fluid(), t.fluid, p.blend);
+  const PieceOf<2, 2, NavierStokesKorteweg, WallMotion<2, float>, float> single("fluid", p.fluid(), p.fluid(), t.fluid,
+                                                                                p.blend);
   const StageOf<float> rounded = single_stage(p.stage);
   const Stencil<2> stencil(p.layout);
   const StencilValues values("matrix", stencil.size());

@@ -40,7 +40,7 @@ struct TileCases {
   template <bool Tangent, class Motion, class Real, class Term>
   void compare(const char* name, const Term& term, const Region<D>& region, Evaluation<D, Real> at,
                double limit) const {
-    const PieceOf<D, P, Term, Motion, Real> piece(name, region, term, patch.blend);
+    const PieceOf<D, P, Term, Motion, Real> piece(name, region, region, term, patch.blend);
     const ArrayOf<Real> want("want", patch.layout.size()), got("got", patch.layout.size());
     at.test = want;
     Tangent ? piece.product(at) : piece.residual(at);
