@@ -150,6 +150,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
                            const NewtonControl& control, const Array& x) {
   NewtonResult result;
   double start = 0, previous = 0, forcing = first_forcing;
+  bool grown = false;
   for (;; ++result.iterations) {
     {
       Stopwatch watch(counts_.residual_seconds);
@@ -172,10 +173,13 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
       at_floor = at_floor && sizes[f] <= std::max(fields[f].floor, field_margin * fields[f].round_off);
     result.converged = result.converged || at_floor || size <= weighted_margin * weighted_round_off(fields);
     if (result.converged) return result;
-    if (result.iterations == control.max || (result.iterations > 2 && size > 2 * previous)) {
+    // One rise is a long step along a soft direction, as the translation of a droplet; from there Newton's method converges.
+    const bool grows = result.iterations > 2 && size > 2 * previous;
+    if (result.iterations == control.max || (grows && (grown || size > start))) {
       result.refusal = {Refusal::newton};
       return result;
     }
+    grown = grown || grows;
     const double ratio = result.iterations > 0 ? size / previous : 1.0;
     previous = size;
     const bool fresh = rebuild_;
