@@ -171,11 +171,13 @@ def course(lab, measurement):
 
 
 # scheme, mass, order, elements per axis, steps, step of the computation that takes the place of the exact solution
+# Below dt = 0.0005 the mass solves of the consistent masses, to 1e-12, show in the potential of ssp_rk3 (about 1e-10). The
+# orders of imex with lumped masses still rise towards 3: 2.7 between 0.004 and 0.002, 2.9 between 0.001 and 0.0005.
 EXPLICIT_COURSES = [
     ("ssp_rk3", "lumped", 3, 8, (0.002, 0.001, 0.0005), 0.000125),
-    ("ssp_rk3", "consistent", 3, 8, (0.001, 0.0005, 0.00025), 0.0000625),
+    ("ssp_rk3", "consistent", 3, 8, (0.002, 0.001, 0.0005), 0.0000625),
     ("rkl2", "lumped", 2, 8, (0.004, 0.002, 0.001), 0.000125),
-    ("imex", "lumped", 3, 8, (0.004, 0.002, 0.001), 0.000125),
+    ("imex", "lumped", 3, 8, (0.002, 0.001, 0.0005), 0.0000625),
     ("imex", "consistent", 3, 8, (0.002, 0.001, 0.0005), 0.000125),
 ]
 

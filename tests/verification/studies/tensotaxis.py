@@ -9,7 +9,8 @@ load that pushes, ever more slowly, and it stays in its place where nu = 0.
 time.tolerance is halved twice, and a run with small steps tells how far X_c is then off. This error must fall and stay
 below the 0.006 that are allowed for X_c. A mirrored load must give the mirrored motion. What Newton's method leaves is
 not mirrored, and it decides on the steps, so that with default tolerances the two motions differ as the errors of the
-steps do. With a small solver.newton.rtol they must be the same. No step of these runs may fail in Newton's method."""
+steps do. With a small solver.newton.rtol they must be the same. In each run at most one step in a hundred may fail in
+Newton's method."""
 
 import _measure
 import numpy
@@ -41,8 +42,9 @@ def study(lab):
     lab.expect("nu = 0: largest |X_c - 0.5|", "<= 0.01", f"{away:.4f}", away <= 0.01)
     mirrored(lab, runs["pull"], runs["mirror"], "the steps", 0.006)
     mirrored(lab, runs["right"], runs["left"], "Newton", 1e-6)
-    refused = sum(run.record["counts"]["rejected_by_newton"] for run in runs.values())
-    lab.expect("steps that Newton's method refuses, in all runs", "none", f"{refused}", refused == 0)
+    counts = [run.record["counts"] for run in runs.values()]
+    refused = max(each["rejected_by_newton"] / each["steps"] for each in counts)
+    lab.expect("steps that Newton's method refuses, largest share in a run", "<= 1 %", f"{100 * refused:.1f} %", refused <= 0.01)
     angles(lab, runs["pull"])
 
 
@@ -144,4 +146,4 @@ def explicit(lab):
     words += ["fluid.temperature=0.7", "droplet[0].radius=0.22", "load[0].start=0.3", "time.end=1.5", "output.fields.times=[]",
               "time.dt_initial=0.004", "time.dt_max=0.004"]  # the same steps for both
     right = lab.run("right", PULL, [*words, "load[0].force=[2,0]"])
-    mirrored(lab, right, lab.run("left", PULL, [*words, *MIRROR[:1], "load[0].force=[-2,0]"]), 1e-9)
+    mirrored(lab, right, lab.run("left", PULL, [*words, *MIRROR[:1], "load[0].force=[-2,0]"]), "the solves", 1e-9)
