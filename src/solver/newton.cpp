@@ -22,6 +22,23 @@ std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(int size, int
   return LinearSpace<double>(size, restart);
 }
 
+/// Tells when a step is given up, from its third iteration on.
+class Trend {
+ public:
+  /// @param ratio  of the residual to that of the iteration before
+  /// @param left   of the residual to that at the start of the step
+  /// One rise may be a long step along a soft direction, as the translation of a droplet; Newton's method converges from
+  /// there. It does not where the residual rises twice, or stays above that of the start.
+  bool diverges(double ratio, double left) {
+    const bool again = risen_ && ratio > 2;
+    risen_ = risen_ || ratio > 2;
+    return again || (left > 1 && ratio > 0.5);
+  }
+
+ private:
+  bool risen_ = false;
+};
+
 }  // namespace
 
 Newton::Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditioner, LinearSolves linear)
@@ -150,7 +167,8 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
                            const NewtonControl& control, const Array& x) {
   NewtonResult result;
   double start = 0, previous = 0, forcing = first_forcing;
-  bool grown = false;
+  Trend trend;
+  bool moved = false;
   for (;; ++result.iterations) {
     {
       Stopwatch watch(counts_.residual_seconds);
@@ -173,13 +191,11 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
       at_floor = at_floor && sizes[f] <= std::max(fields[f].floor, field_margin * fields[f].round_off);
     result.converged = result.converged || at_floor || size <= weighted_margin * weighted_round_off(fields);
     if (result.converged) return result;
-    // One rise is a long step along a soft direction, as the translation of a droplet; from there Newton's method converges.
-    const bool grows = result.iterations > 2 && size > 2 * previous;
-    if (result.iterations == control.max || (grows && (grown || size > start))) {
+    const bool diverges = moved && result.iterations > 2 && trend.diverges(size / previous, size / start);
+    if (result.iterations == control.max || diverges) {
       result.refusal = {Refusal::newton};
       return result;
     }
-    grown = grown || grows;
     const double ratio = result.iterations > 0 ? size / previous : 1.0;
     previous = size;
     const bool fresh = rebuild_;
@@ -196,7 +212,8 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     ++counts_.newton;
     wear_.add(linear);
     rebuild_ = wear_.excess() >= cost || !linear.converged;
-    if (!fresh && linear.reduction > 0.5) continue;  // once more with a new preconditioner
+    moved = fresh || linear.reduction <= 0.5;
+    if (!moved) continue;  // once more with a new preconditioner
     if (linear.reduction > 0.9) {
       result.refusal = {Refusal::linear_solver};
       return result;

@@ -232,6 +232,14 @@ TEST(Newton, AResidualMayGrowOnceButNotTwice) {
   EXPECT_EQ(beyond.iterations, 3);
 }
 
+// Long before the last iteration that is allowed.
+TEST(Newton, AResidualMayNotStayAboveThatOfTheStart) {
+  EXPECT_TRUE(with_residuals({1, 0.8, 23, 2, 8e-3, 1e-4}).converged) << "it falls fast";
+  const NewtonResult slow = with_residuals({1, 0.1, 6, 5.8, 3, 4.7});
+  EXPECT_EQ(slow.refusal.cause, Refusal::newton);
+  EXPECT_EQ(slow.iterations, 3);
+}
+
 TEST(Newton, StalledLinearSolver) {
   CubicEquation cubic;
   Newton newton = make_newton();
