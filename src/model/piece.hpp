@@ -4,9 +4,8 @@
 #include <memory>
 
 #include "field/stage.hpp"
-#include "kernels/fluid/navier_stokes_korteweg.hpp"
-#include "kernels/solid/elastodynamics.hpp"
 #include "model/geometry.hpp"
+#include "model/scene_terms.hpp"
 #include "operator/assemble.hpp"
 #include "operator/jacobian.hpp"
 
@@ -100,11 +99,11 @@ Task<D, Term, Motion, Real> task_of(const Term& term, const Region<D, Real>& reg
 }
 
 /// Adds a term's residual, or (Tangent) its Jacobian-vector product, to the result of an evaluation.
-template <int P, bool Tangent, int D, class Term, class Motion, class Real>
+template <int P, bool Tangent, class List, int D, class Term, class Motion, class Real>
 void assemble(const Task<D, Term, Motion, Real>& task, const Evaluation<D, Real>& at) {
-  if (at.sums) return assemble<P, Tangent>(task, *at.sums);
-  TileSums<D, Real> sums(at.layout);
-  assemble<P, Tangent>(task, sums);
+  if (at.sums) return assemble<P, Tangent, List>(task, *at.sums);
+  TileSums<D, Real> sums(at.layout, at.tangent);
+  assemble<P, Tangent, List>(task, sums);
   sums.add_to(at.test);
 }
 
@@ -157,6 +156,8 @@ class PieceOf final : public Piece<D, Real> {
     return task;
   }
 
+  using List = ListOf<D, Real, TermOnMesh<Term, Motion>>;
+
   const char* name_;
   Region<D, Real> region_, matrix_region_;
   Term term_;
@@ -167,12 +168,12 @@ class PieceOf final : public Piece<D, Real> {
 // Outside of the class, so that a source which declares a piece `extern template` does not compile it again.
 template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::residual(const Evaluation<D, Real>& at) const {
-  if (!idle(at)) assemble<P, false>(task(at, region_), at);
+  if (!idle(at)) assemble<P, false, List>(task(at, region_), at);
 }
 
 template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::product(const Evaluation<D, Real>& at) const {
-  if (!idle(at)) assemble<P, true>(task(at, region_), at);
+  if (!idle(at)) assemble<P, true, List>(task(at, region_), at);
 }
 
 template <int D, int P, class Term, class Motion, class Real>

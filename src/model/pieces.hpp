@@ -28,7 +28,7 @@ struct Pieces {
   /// tangent, else of their residuals. With a mask, what is prescribed is zero.
   void run(const Evaluation<D, Real>& at, std::size_t first = 0, const ConstArray& mask = {}) const {
     if constexpr (host_algorithms) Kokkos::deep_copy(Exec(), at.test, Real(0));
-    TileSums<D, Real> sums(at.layout);
+    TileSums<D, Real> sums(at.layout, at.tangent);
     Evaluation<D, Real> together = at;
     together.sums = &sums;
     for (std::size_t i = first; i < list.size(); ++i) {

@@ -66,14 +66,14 @@ void assemble_at_once(const Task<D, Term, Motion, Real>& task) {
   });
 }
 
-/// The residual of a term, or (Tangent) its Jacobian-vector product: on the host added to task.test[], on a device kept in
-/// `sums` until they are added up.
-template <int P, bool Tangent, int D, class Term, class Motion, class Real>
+/// The residual of a term, or (Tangent) its Jacobian-vector product: on the host added to task.test[], on a device put among
+/// the terms of an evaluation, which are launched together as far as they have the same List.
+template <int P, bool Tangent, class List, int D, class Term, class Motion, class Real>
 void assemble(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
   if constexpr (host_algorithms) {
     assemble_at_once<P, Tangent>(task);
   } else {
-    assemble_in_tiles<P, Tangent>(task, sums);
+    assemble_in_tiles<P, Tangent, List>(task, sums);
   }
 }
 

@@ -1,12 +1,12 @@
-// What tiles have summed, as control values: in one launch for all terms of an evaluation.
+// The tiles of an evaluation, and what they have summed as control values: one launch for each, for all terms together.
 #pragma once
 
+#include <cstring>
+
 #include "field/layout.hpp"
-#include "operator/tile_shape.hpp"
+#include "operator/tile_launch.hpp"
 
 namespace softwet {
-
-inline constexpr int most_sources = 12;
 
 /// The tiles of one term: partial[tile][channel][control of the tile].
 template <int D, class Real>
@@ -27,6 +27,7 @@ struct TileSource {
       width[d] = Shape::width(d);
       across[d] = width[d] + Shape::P;
     }
+    across[D - 1] = Shape::planes;
   }
 
   /// Sum over the tiles that hold control point `at`, of a component with channel c; in the order of the tiles.
@@ -98,11 +99,13 @@ Real* tile_room(int term, std::size_t size) {
   return rooms[term].data();
 }
 
-/// The terms of one evaluation that were computed in tiles. On the host there are none.
+/// The terms of one evaluation that are computed in tiles. On the host there are none. Their tables have to be there until
+/// the sums are asked for.
 template <int D, class Real>
 class TileSums {
  public:
-  explicit TileSums(const Layout<D>& layout) {
+  /// @param direction  that a product multiplies
+  explicit TileSums(const Layout<D>& layout, const ConstArrayOf<Real>& direction = {}) : direction_(direction) {
     collect_.sources = 0;
     for (int d = 0; d < D - 1; ++d) collect_.extent[d] = layout.extent(d);
     collect_.row_size = layout.row_size;
@@ -127,6 +130,21 @@ class TileSums {
     return s;
   }
 
+  static constexpr int room_for_term = 2048;  ///< bytes
+
+  /// Puts a term with so many tiles into the next launch of its kernel; returns where the term is to be written.
+  std::byte* add_tiles(TileLaunch<Real>* kernel, int code, int tiles) {
+    if (kernel != kernel_) launch();
+    kernel_ = kernel;
+    TileSchedule& s = schedule_;
+    if (s.count == most_sources) throw std::logic_error("more terms than a launch has room for");
+    s.code[s.count] = code;
+    s.place[s.count] = s.count * room_for_term;
+    s.first[s.count + 1] = s.first[s.count] + tiles;
+    return terms_ + s.place[s.count++];
+  }
+  const Real* direction() const { return direction_.data(); }
+
   /// Adds what the tiles have to a vector of unknowns.
   void add_to(const ArrayOf<Real>& out) {
     if (collect_.sources > 0) collect(out, {}, true);
@@ -135,7 +153,14 @@ class TileSums {
   void store(const ArrayOf<Real>& out, const ConstArray& mask) { collect(out, mask, false); }
 
  private:
+  void launch() {
+    if (schedule_.count > 0)
+      kernel_(schedule_, stored_bytes(terms_, schedule_.place[schedule_.count - 1] + room_for_term), direction());
+    schedule_ = {};
+    std::memset(terms_, 0, sizeof terms_);
+  }
   void collect(const ArrayOf<Real>& out, const ConstArray& mask, bool add) {
+    launch();
     collect_.out = out;
     collect_.mask = mask;
     collect_.add = add;
@@ -143,6 +168,10 @@ class TileSums {
     collect_.sources = 0;
   }
 
+  ConstArrayOf<Real> direction_;
+  TileLaunch<Real>* kernel_ = nullptr;
+  TileSchedule schedule_;
+  alignas(std::max_align_t) std::byte terms_[most_sources * room_for_term] = {};
   CollectTiles<D, Real> collect_;
 };
 

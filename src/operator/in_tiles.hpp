@@ -1,28 +1,10 @@
-// A term on a device: in tiles, or, where its points are not those of a tile, with one thread for each element.
+// A term on a device: in tiles, or, with reduced quadrature, with one thread for each element.
 #pragma once
 
 #include "operator/batch.hpp"
 #include "operator/collect.hpp"
-#include "operator/tile.hpp"
 
 namespace softwet {
-
-/// Terms with degree + 1 points along every axis, whose test functions are those of the element.
-template <class Term, int P, int Q>
-inline constexpr bool fits_tiles = Q == P + 1 && Term::where != Where::wall;
-
-/// @param threads  of a team: the points of a pass, or a divisor of their number
-template <int threads, class Plan>
-struct TileKernel {
-  Tile<Plan> tile;
-
-  template <class Member>
-  KOKKOS_FUNCTION void operator()(const Member& member) const {
-    using Real = typename Plan::Real;
-    auto* scratch = static_cast<Real*>(member.team_shmem().get_shmem(TileScratch<Plan>::size * sizeof(Real)));
-    tile.run(TileTeam<threads, Member>{member}, scratch);
-  }
-};
 
 /// One thread takes one element; what it adds to control values is kept for the element alone.
 template <int P, int Q, bool Tangent, int D, class Term, class Motion, class Real>
@@ -50,12 +32,12 @@ struct ElementKernel {
   }
 };
 
-template <class Shape, bool Tangent, int D, class Term, class Motion, class Real>
-void run_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
-  using Plan = TilePlan<Shape, Term, Motion, Tangent, Real>;
-  constexpr int threads = on_host ? 1 : Shape::points, bytes = TileScratch<Plan>::size * sizeof(Real);
-  static_assert(bytes + (Shape::points + 4) * sizeof(double) <= 48 * 1024,
-                "a device may give a team 48 kB and no more");
+/// Puts the tiles of a term among those of the evaluation.
+template <class Kernel, bool shared_test, int D, class Term, class Motion, class Real>
+void add_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
+  using Entry = TermOnMesh<Term, Motion>;
+  using Plan = typename Kernel::template PlanOf<Entry, shared_test>;
+  using Shape = typename Plan::Shape;
   double spacing[D];
   for (int d = 0; d < D; ++d) spacing[d] = task.region.axis[d].spacing;
   const ElementColumns columns = task.region.first_axis();
@@ -64,10 +46,14 @@ void run_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums)
     auto& source = sums.template add<typename Plan::Test>(std::size_t(grid.count()) * Plan::channels * Shape::controls);
     source.template shape<Shape>(grid);
     source.first_row = task.region.test.first;
-    const Tile<Plan> tile{task, Collocation<D, Shape::Q, Real>::of(spacing), grid, const_cast<Real*>(source.partial)};
-    Kokkos::TeamPolicy<Exec, Kokkos::LaunchBounds<Shape::points, Shape::teams>> policy(grid.count(), threads);
-    Kokkos::parallel_for("softwet::tiles", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
-                         TileKernel<threads, Plan>{tile});
+    source.shared_test = Shape::Shared;
+    std::byte* room = sums.add_tiles(&Kernel::launch, Kernel::template code<Entry>(shared_test), grid.count());
+    static_assert(sizeof(Tile<Plan>) <= TileSums<D, Real>::room_for_term && std::is_trivially_copyable_v<Tile<Plan>>);
+    auto* tile = new (room) Tile<Plan>;
+    tile->task.set(task, sums.direction());
+    tile->slope = Collocation<D, Shape::Q, Real>::of(spacing);
+    tile->grid = grid;
+    tile->partial = const_cast<Real*>(source.partial);
   }
 }
 
@@ -88,20 +74,21 @@ void run_elements(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& su
   }
 }
 
-/// The term's residual, or (Tangent) its Jacobian-vector product, as partial sums.
+/// The term's residual, or (Tangent) its Jacobian-vector product, as partial sums. Terms of one list are launched together.
+/// With reduced quadrature slopes do not follow from values at points, so that a thread takes an element.
+template <int P, bool Tangent, class List, int D, class Term, class Motion, class Real>
+void assemble_in_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
+  using Kernel = TileKernel<ChosenTile<D, P, Tangent, Real>, Tangent, Real, List>;
+  with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
+    if constexpr (Q != P + 1) return run_elements<P, Q, Tangent>(task, sums);
+    if constexpr (Q == P + 1 && Term::where == Where::beside_wall)
+      if (task.region.shared_test) return add_tiles<Kernel, true>(task, sums);
+    if constexpr (Q == P + 1) add_tiles<Kernel, false>(task, sums);
+  });
+}
 template <int P, bool Tangent, int D, class Term, class Motion, class Real>
 void assemble_in_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
-  using Shape = ChosenTile<D, P, Tangent, Real>;
-  with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
-    if constexpr (fits_tiles<Term, P, Q>) {
-      constexpr bool layer = Term::where == Where::beside_wall;
-      if constexpr (layer)
-        if (task.region.shared_test) return run_elements<P, Q, Tangent>(task, sums);
-      run_tiles<std::conditional_t<layer, LayerOf<Shape>, Shape>, Tangent>(task, sums);
-    } else {
-      run_elements<P, Q, Tangent>(task, sums);
-    }
-  });
+  assemble_in_tiles<P, Tangent, TermList<TermOnMesh<Term, Motion>>>(task, sums);
 }
 
 }  // namespace softwet

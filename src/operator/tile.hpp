@@ -8,6 +8,7 @@
 
 #include "operator/tile_motion.hpp"
 #include "operator/tile_sweeps.hpp"
+#include "operator/tile_task.hpp"
 
 namespace softwet {
 
@@ -15,7 +16,8 @@ namespace softwet {
 template <class Plan>
 struct PointState {
   using Real = typename Plan::Real;
-  Real value[Plan::fields];  ///< of fields without gradients
+  Real value[Plan::fields];                       ///< of fields without gradients
+  Real across[Plan::on_wall ? Plan::fields : 1];  ///< slopes across a wall
   Real integrand[Plan::channels];
 };
 
@@ -36,7 +38,9 @@ struct TileFields {
     if (!Plan::has_gradient(field)) return S(own.value[field]);
     const Real* v = values + Plan::stored_before(field) * Shape::points;
     if (c == 0) return S(v[0]);
+    if (c > Plan::collocated) return S(own.across[field]);
     Real sum = row[c - 1][0] * v[0];
+    SOFTWET_UNROLL
     for (int r = 1; r < Q; ++r) sum = sum + row[c - 1][r] * v[step[c - 1][r]];
     return S(sum);
   }
@@ -72,6 +76,7 @@ struct TileWriter {
   }
 };
 
+/// A term on the tiles of a region.
 template <class Plan>
 struct Tile {
   using Shape = typename Plan::Shape;
@@ -82,7 +87,7 @@ struct Tile {
   using N = typename Plan::N;
   static constexpr int D = Shape::D, P = Shape::P, n = Shape::n, Q = Shape::Q;
 
-  Task<D, typename Plan::Term, typename Plan::Motion, Real> task;
+  TileTask<Plan> task;
   Collocation<D, Q, Real> slope;
   TileGrid<D> grid;
   Real* partial;  ///< [tile][channel][plane][cy][cx]
@@ -93,20 +98,21 @@ struct Tile {
   /// Place in the wall's row of control (i, j) from the corner of a tile; outside of the region it repeats the nearest one.
   KOKKOS_FORCEINLINE_FUNCTION int column(const int (&corner)[D], int i, int j) const {
     int at = grid.first[0] + within(grid.lead, corner[0] + i, grid.elements[0] + P - 1);
-    if constexpr (D == 3) at += least(corner[1] + j, grid.elements[1] + P - 1) * task.region.stride[1];
+    if constexpr (D == 3) at += least(corner[1] + j, grid.elements[1] + P - 1) * task.stride[1];
     return at;
   }
   KOKKOS_FORCEINLINE_FUNCTION int control(const int (&corner)[D], int i, int j, int k) const {
-    const int row = task.region.axis[D - 1].first(0) + least(corner[D - 1] + k, grid.elements[D - 1] + P - 1);
-    return column(corner, i, j) + row * task.region.stride[D - 1];
+    const int row = task.axis[D - 1].first_functions[0] + least(corner[D - 1] + k, grid.elements[D - 1] + P - 1);
+    return column(corner, i, j) + row * task.stride[D - 1];
   }
 
   /// Tables of an axis for the elements of a tile; those outside of the region have no weight.
   template <class Team>
-  KOKKOS_FORCEINLINE_FUNCTION void load_axis(const Team& team, const AxisRuleOf<Real>& rule, int d, int corner,
+  KOKKOS_FORCEINLINE_FUNCTION void load_axis(const Team& team, const AxisTables<Real>& rule, int d, int corner,
                                              int count, Real* basis, Real* weight, Real* place) const {
-    share(team, count * Q, [&](int i) {
-      const int e = corner + i / Q, q = i % Q, low = d == 0 ? grid.lead : 0;
+    const int each = d == D - 1 ? Shape::QL : Q;
+    share(team, count * each, [&](int i) {
+      const int e = corner + i / each, q = i % each, low = d == 0 ? grid.lead : 0;
       const int known = grid.first[d] + within(low, e, grid.elements[d] - 1);
       for (int a = 0; a < n; ++a) basis[i * n + a] = rule.value(q, a, known);
       if (!weight) return;
@@ -116,13 +122,13 @@ struct Tile {
   }
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_tables(const Team& team, const int (&corner)[D], Real* t) const {
-    const Region<D, Real>& r = task.region;
-    load_axis(team, r.axis[0], 0, corner[0], Shape::NX, t + Room::x, t + Room::x_weight, t + Room::x_place);
+    load_axis(team, task.axis[0], 0, corner[0], Shape::NX, t + Room::x, t + Room::x_weight, t + Room::x_place);
     if constexpr (D == 3)
-      load_axis(team, r.axis[1], 1, corner[1], Shape::NY, t + Room::y, t + Room::y_weight, t + Room::y_place);
+      load_axis(team, task.axis[1], 1, corner[1], Shape::NY, t + Room::y, t + Room::y_weight, t + Room::y_place);
     constexpr int last = D - 1;
-    load_axis(team, r.axis[last], last, corner[last], Shape::NZ, t + Room::z, t + Room::z_weight, t + Room::z_place);
-    load_axis(team, r.test, last, corner[last], Shape::NZ, t + Room::test, nullptr, nullptr);
+    load_axis(team, task.axis[last], last, corner[last], Shape::NZ, t + Room::z, t + Room::z_weight, t + Room::z_place);
+    load_axis(team, task.test, last, corner[last], Shape::NZ, t + Room::test, nullptr, nullptr);
+    if constexpr (Plan::on_wall) share(team, n, [&](int a) { t[Room::z_slope + a] = task.axis[last].slope(0, a, 0); });
   }
 
   /// The term at point p of a pass.
@@ -131,8 +137,9 @@ struct Tile {
     int q[D], step[D][Q];
     Real row[D][Q];
     Sweeps::neighbours(p, q, step);
-    for (int d = 0; d < D; ++d)
-      for (int r = 0; r < Q; ++r) row[d][r] = slope.forward[d][q[d]][r];
+    SOFTWET_UNROLL
+    for (int d = 0; d < D; ++d) SOFTWET_UNROLL
+    for (int r = 0; r < Q; ++r) row[d][r] = slope.forward[d][q[d]][r];
     const int x = p % Shape::qx, y = p / Shape::qx % Shape::qy, z = pass * Shape::qz + p / Shape::base;
     Vector<S, D> reference;
     reference[0] = S(t[Room::x_place + x]);
@@ -153,8 +160,8 @@ struct Tile {
 
   /// One pass: L layers of elements, added to the sums of the tile.
   template <class Team>
-  KOKKOS_FORCEINLINE_FUNCTION void run_pass(const Team& team, int pass, Real* t) const {
-    constexpr int each = Shape::points / Team::size;  // points of a thread: one on a device
+  KOKKOS_FORCEINLINE_FUNCTION void run_pass(const Team& team, int pass, const Real* direction, Real* t) const {
+    PointState<Plan> own[(Shape::points + Team::size - 1) / Team::size];  // points of a thread: one on a device
     Real *const first = t + Room::first, *const second = t + Room::second;
     int corner[D];
     grid.template corner<Shape>(team.tile(), corner);
@@ -165,7 +172,7 @@ struct Tile {
           if constexpr (f() < Plan::slots) {
             return task.slot[f()];
           } else {
-            return task.tangent[Plan::unknown_of(f())];
+            return direction + task.tangents.of_unknown[Plan::unknown_of(f())];
           }
         });
     team.barrier();
@@ -173,13 +180,12 @@ struct Tile {
       Sweeps::along_y(team, t, first, second);
       team.barrier();
     }
-    PointState<Plan> own[each];
-    for (int l = 0; l < each; ++l) Sweeps::along_z(team.rank() + l * Team::size, pass, t, second, first, own[l]);
+    share_points<Shape::points>(team, [&](int p, int l) { Sweeps::along_z(p, pass, t, second, first, own[l]); });
     team.barrier();
-    for (int l = 0; l < each; ++l) evaluate(team.rank() + l * Team::size, pass, t, first, second, own[l]);
+    share_points<Shape::points>(team, [&](int p, int l) { evaluate(p, pass, t, first, second, own[l]); });
     team.barrier();
-    for (int l = 0; l < each; ++l)
-      Sweeps::fold_fluxes(slope, team.rank() + l * Team::size, second, own[l].integrand, first);
+    share_points<Shape::points>(team,
+                                [&](int p, int l) { Sweeps::fold_fluxes(slope, p, second, own[l].integrand, first); });
     team.barrier();
     Sweeps::fold_z(team, pass, t, first, second);
     team.barrier();
@@ -191,9 +197,16 @@ struct Tile {
     team.barrier();
   }
 
+  /// Field f of the wall's motion; null where it is zero.
+  KOKKOS_FORCEINLINE_FUNCTION const Real* of_wall(int f, const Real* direction) const {
+    if (f < D) return task.motion.displacement[f];
+    if (f < 2 * D) return task.motion.velocity[f - D];
+    return task.tangents.moves ? direction + task.tangents.of_wall[f - 2 * D] : nullptr;
+  }
+
+  /// @param direction  of a product
   template <class Team>
-  KOKKOS_FORCEINLINE_FUNCTION void run(const Team& team, Real* t) const {
-    static_assert(Shape::points % Team::size == 0);
+  KOKKOS_FORCEINLINE_FUNCTION void run(const Team& team, const Real* direction, Real* t) const {
     int corner[D];
     grid.template corner<Shape>(team.tile(), corner);
     load_tables(team, corner, t);
@@ -201,9 +214,11 @@ struct Tile {
     share(team, sums, [&](int i) { t[Room::sums + i] = 0; });
     team.barrier();
     if constexpr (Plan::moves)
-      TileMotion<Plan>::trace(team, task.motion, slope, t, [&](int i, int j) { return column(corner, i, j); });
+      TileMotion<Plan>::trace(
+          team, slope, t, [&](int i, int j) { return column(corner, i, j); },
+          [&](int f) { return of_wall(f, direction); });
     const int passes = least(Shape::M, (grid.elements[D - 1] - corner[D - 1] + Shape::L - 1) / Shape::L);
-    for (int pass = 0; pass < passes; ++pass) run_pass(team, pass, t);
+    for (int pass = 0; pass < passes; ++pass) run_pass(team, pass, direction, t);
     share(team, sums, [&](int i) { partial[std::int64_t(team.tile()) * sums + i] = t[Room::sums + i]; });
   }
 };

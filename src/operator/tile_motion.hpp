@@ -13,18 +13,14 @@ struct TileMotion {
   using Real = typename Plan::Real;
   static constexpr int D = Shape::D, n = Shape::n, Q = Shape::Q;
 
-  static KOKKOS_FORCEINLINE_FUNCTION const Real* field(const typename Plan::Motion& wall, int f) {
-    return f < D ? wall.displacement[f] : f < 2 * D ? wall.velocity[f - D] : wall.tangent[f - 2 * D];
-  }
-
   /// Values and slopes of all fields of the wall at the base points, to Room::wall. A tangent that is not there is zero.
-  /// column(i, j): place of a control point in the wall's row.
-  template <class Team, class Column>
-  static KOKKOS_FORCEINLINE_FUNCTION void trace(const Team& team, const typename Plan::Motion& wall,
-                                                const Collocation<D, Q, Real>& slope, Real* t, const Column& column) {
+  /// column(i, j): place of a control point in the wall's row; field(f): its control values, or null.
+  template <class Team, class Column, class Field>
+  static KOKKOS_FORCEINLINE_FUNCTION void trace(const Team& team, const Collocation<D, Q, Real>& slope, Real* t,
+                                                const Column& column, const Field& field) {
     Real* const swept = D == 3 ? t + Room::first : t + Room::wall;
     for (int f = 0; f < Plan::wall_fields; ++f) {
-      const Real* p = field(wall, f);
+      const Real* p = field(f);
       Real* const out = D == 3 ? swept + f * Shape::cy * Shape::qx : swept + Plan::wall_place(f) * Shape::base;
       share(team, Shape::cy * Shape::qx, [&](int i) {
         const int q = i % Shape::qx, j = i / Shape::qx;
@@ -83,7 +79,7 @@ KOKKOS_FORCEINLINE_FUNCTION auto point_of_tile(const typename Plan::Motion& moti
                                                const Vector<typename Plan::S, Plan::D>& reference, double height) {
   using N = typename Plan::N;
   if constexpr (Plan::moves) {
-    return blended_point<N>(motion.blend, motion.scale, reference, height, WallBelow<Plan>{wall}, false);
+    return blended_point<N>(motion.blend, motion.scale, reference, height, WallBelow<Plan>{wall}, Plan::on_wall);
   } else {
     return fixed_point<N>(reference);
   }

@@ -28,6 +28,9 @@ struct TilePlan {
   using Trial = typename Term::template Trial<N, D>;
   using Test = typename Term::template Test<N, D>;
   static constexpr bool moves = !std::is_same_v<Motion, NoMotion>;
+  static constexpr bool on_wall = Shape::QL == 1;
+  /// Axes along which slopes follow from the values at the points of an element: not across a wall.
+  static constexpr int collocated = on_wall ? D - 1 : D;
   static constexpr int slots = Trial::slot_count, channels = Test::channel_count;
 
   /// Place of the tangent of an unknown among the fields.
@@ -86,11 +89,13 @@ struct TileScratch {
 
   // Tables of the bases [point][function], of weights and of positions.
   static constexpr int x = tables, y = x + Shape::qx * Shape::n, z = y + (three ? Shape::qy * Shape::n : 0);
-  static constexpr int zs = Shape::Q * Shape::NZ;  ///< points of the tile along the last axis
+  static constexpr int zs = Shape::QL * Shape::NZ;  ///< points of the tile along the last axis
   static constexpr int test = z + zs * Shape::n, x_weight = test + zs * Shape::n, y_weight = x_weight + Shape::qx;
   static constexpr int z_weight = y_weight + (three ? Shape::qy : 0), x_place = z_weight + zs;
   static constexpr int y_place = x_place + Shape::qx, z_place = y_place + (three ? Shape::qy : 0);
-  static constexpr int sums = z_place + zs, size = sums + Plan::channels * Shape::controls;
+  static constexpr int z_slope = z_place + zs;  ///< on a wall alone
+  static constexpr int sums = z_slope + (Plan::on_wall ? zs * Shape::n : 0);
+  static constexpr int size = sums + Plan::channels * Shape::controls;
 };
 
 /// Derivatives at the points of an element of the Lagrange polynomials through them, which give the slopes of a spline from

@@ -6,21 +6,26 @@
 namespace softwet {
 
 /// NX x NY elements across the wall, M times L layers of them. The team computes L layers in a pass, with one thread for
-/// each quadrature point. Along each axis a tile has as many control points as elements, and `degree` more.
-template <int D_, int P_, int NX_, int NY_, int L_, int M_>
+/// each quadrature point. Along each axis a tile has as many control points as elements, and `degree` more. An element has QL
+/// points along the last axis: one on a wall. With `Shared` all layers, which are passed one by one, have the same test
+/// functions along the last axis.
+template <int D_, int P_, int NX_, int NY_, int L_, int M_, int QL_ = P_ + 1, bool Shared_ = false>
 struct TileShape {
-  static constexpr int D = D_, P = P_, n = P + 1, Q = P + 1;
+  static constexpr int D = D_, P = P_, n = P + 1, Q = P + 1, QL = QL_;
+  static constexpr bool Shared = Shared_;
   static constexpr int NX = NX_, NY = D == 3 ? NY_ : 1, L = L_, M = M_, NZ = L * M;
-  static constexpr int qx = Q * NX, qy = D == 3 ? Q * NY : 1, qz = Q * L;  ///< points of a pass along the axes
+  static constexpr int qx = Q * NX, qy = D == 3 ? Q * NY : 1, qz = QL * L;  ///< points of a pass along the axes
   static constexpr int base = qx * qy, points = base * qz;
-  static constexpr int cx = NX + P, cy = D == 3 ? NY + P : 1, cz = L + P;  ///< control points of a pass
-  static constexpr int planes = NZ + P, controls = cx * cy * planes;       ///< of the tile
+  static constexpr int cx = NX + P, cy = D == 3 ? NY + P : 1, cz = L + P;          ///< control points of a pass
+  static constexpr int planes = Shared ? n : NZ + P, controls = cx * cy * planes;  ///< of the tile
+  static_assert(QL == Q || NZ == 1, "a wall has one layer of elements");
+  static_assert(!Shared || L == 1, "layers with the same test functions are passed one by one");
 
   static constexpr int width(int d) { return d == 0 ? NX : d == D - 1 ? NZ : NY; }
 };
 
-/// The tile of a residual or, with Tangent, of a product; `teams` of them should fit on a multiprocessor. The scratch of a
-/// team stays below 48 kB, which every device gives. This is the one place that knows a machine.
+/// The tile of a residual or, with Tangent, of a product, in a volume; `teams` of them should fit on a multiprocessor. The
+/// scratch of a team stays below 48 kB, which every device gives. This is the one place that knows a machine.
 template <int D, int P, bool Tangent, class Real>
 struct ChosenTile;
 template <bool Tangent, class Real>
@@ -40,11 +45,16 @@ struct ChosenTile<3, 3, Tangent, Real> : TileShape<3, 3, 2, 1, 1, 4> {
   static constexpr int teams = 2;
 };
 
-/// The same tile with one layer of elements: for terms beside the wall.
+// Tiles of other terms, for teams of the same size, so that one launch computes them all.
+/// One layer of elements, for terms beside the wall.
 template <class Tile>
-struct LayerOf : TileShape<Tile::D, Tile::P, Tile::NX, Tile::NY, 1, 1> {
-  static constexpr int teams = Tile::teams;
-};
+using LayerOf = TileShape<Tile::D, Tile::P, Tile::NX * Tile::L, Tile::NY, 1, 1>;
+/// Elements on the wall; most threads of a team have no point there.
+template <class Tile>
+using WallOf = TileShape<Tile::D, Tile::P, Tile::NX * Tile::L, Tile::NY, 1, 1, 1>;
+/// Layers above each other with the same test functions.
+template <class Tile>
+using SharedOf = TileShape<Tile::D, Tile::P, Tile::NX * Tile::L, Tile::NY, 1, Tile::NZ, Tile::Q, true>;
 
 /// The elements of a region in tiles: where these begin, how many elements they have, and how many tiles there are along each
 /// axis. Along the first axis tiles begin at multiples of their width of the whole axis, wherever it is cut among processes,

@@ -7,17 +7,19 @@
 
 namespace softwet {
 
-/// Control `place` of a line takes from the elements place - P .. place, as far as there are `elements`; their points follow
+/// Control `place` of a line takes from the elements place - P .. place, as far as there are `elements`; their Q points follow
 /// each other. sum[c] = sum over points of basis times from(c, point).
-template <int P, int elements, int sums, class Real, class From>
+template <int P, int Q, int elements, int sums, class Real, class From>
 KOKKOS_FORCEINLINE_FUNCTION void fold_line(const Real* table, int place, Real (&sum)[sums], const From& from) {
-  constexpr int n = P + 1, Q = P + 1;
+  constexpr int n = P + 1;
+  SOFTWET_UNROLL
   for (int c = 0; c < sums; ++c) sum[c] = 0;
   for (int a = elements == 1 ? place : P; a >= (elements == 1 ? place : 0); --a) {
     const int e = place - a;
     if (e < 0 || e >= elements) continue;
     for (int q = 0; q < Q; ++q) {
       const Real basis = table[(e * Q + q) * n + a];
+      SOFTWET_UNROLL
       for (int c = 0; c < sums; ++c) sum[c] = sum[c] + basis * from(c, e * Q + q);
     }
   }
@@ -33,6 +35,7 @@ struct TileSweeps {
   /// sum_a basis[a] value[a stride]
   static KOKKOS_FORCEINLINE_FUNCTION Real combination(const Real (&basis)[n], const Real* value, int stride) {
     Real sum = basis[0] * value[0];
+    SOFTWET_UNROLL
     for (int a = 1; a < n; ++a) sum = sum + basis[a] * value[a * stride];
     return sum;
   }
@@ -45,6 +48,7 @@ struct TileSweeps {
       const int q = i % Shape::qx, j = i / Shape::qx % Shape::cy, k = i / Shape::qx / Shape::cy;
       Real basis[n];
       int at[n];
+      SOFTWET_UNROLL
       for (int a = 0; a < n; ++a) {
         basis[a] = tables[Room::x + q * n + a];
         at[a] = control(q / Q + a, j, k);
@@ -52,6 +56,7 @@ struct TileSweeps {
       for_each_index<Plan::fields>([&](auto f) {
         const Real* p = field(f);
         Real sum = basis[0] * p[at[0]];
+        SOFTWET_UNROLL
         for (int a = 1; a < n; ++a) sum = sum + basis[a] * p[at[a]];
         out[f() * Room::x_swept + i] = sum;
       });
@@ -65,8 +70,9 @@ struct TileSweeps {
     constexpr bool one_element = Team::size % line == 0;
     Real basis[Q][n];
     const auto load = [&](int i) {
-      for (int q = 0; q < Q; ++q)
-        for (int a = 0; a < n; ++a) basis[q][a] = tables[Room::y + (i / Shape::qx % Shape::NY * Q + q) * n + a];
+      SOFTWET_UNROLL
+      for (int q = 0; q < Q; ++q) SOFTWET_UNROLL
+      for (int a = 0; a < n; ++a) basis[q][a] = tables[Room::y + (i / Shape::qx % Shape::NY * Q + q) * n + a];
     };
     load(team.rank());
     share(team, count, [&](int i) {
@@ -74,18 +80,20 @@ struct TileSweeps {
       const int x = i % Shape::qx, e = i / Shape::qx % Shape::NY, plane = i / line;  // planes of all fields
       const Real* from = in + (plane * Shape::cy + e) * Shape::qx + x;
       Real* to = out + plane * Shape::base + e * Q * Shape::qx + x;
+      SOFTWET_UNROLL
       for (int q = 0; q < Q; ++q) to[q * Shape::qx] = combination(basis[q], from, Shape::qx);
     });
   }
 
-  /// Point p of a pass: values of fields with gradients to `values`, others to own[field].
+  /// Point p of a pass: values of fields with gradients to `values`, others to own.value; on a wall slopes across it too.
   template <class Own>
   static KOKKOS_FORCEINLINE_FUNCTION void along_z(int p, int pass, const Real* tables, const Real* in, Real* values,
                                                   Own& own) {
     const int z = p / Shape::base;
     Real basis[n];
+    SOFTWET_UNROLL
     for (int a = 0; a < n; ++a) basis[a] = tables[Room::z + (pass * Shape::qz + z) * n + a];
-    const Real* from = in + z / Q * Shape::base + p % Shape::base;
+    const Real* from = in + z / Shape::QL * Shape::base + p % Shape::base;
     for_each_index<Plan::fields>([&](auto f) {
       const Real sum = combination(basis, from + f() * Room::y_swept, Shape::base);
       if constexpr (Plan::has_gradient(f())) {
@@ -94,6 +102,12 @@ struct TileSweeps {
         own.value[f()] = sum;
       }
     });
+    if constexpr (Plan::on_wall) {
+      SOFTWET_UNROLL
+      for (int a = 0; a < n; ++a) basis[a] = tables[Room::z_slope + z * n + a];
+      for_each_index<Plan::fields>(
+          [&](auto f) { own.across[f()] = combination(basis, from + f() * Room::y_swept, Shape::base); });
+    }
   }
 
   /// Point p of a pass in its element, and how far the points of the element are from it along each axis, itself first.
@@ -102,8 +116,9 @@ struct TileSweeps {
     q[0] = p % Shape::qx % Q;
     if constexpr (D == 3) q[1] = p / Shape::qx % Shape::qy % Q;
     q[D - 1] = p / Shape::base % Q;
-    for (int d = 0; d < D; ++d)
-      for (int r = 0; r < Q; ++r) step[d][r] = ((q[d] + r) % Q - q[d]) * stride[d];
+    SOFTWET_UNROLL
+    for (int d = 0; d < D; ++d) SOFTWET_UNROLL
+    for (int r = 0; r < Q; ++r) step[d][r] = ((q[d] + r) % Q - q[d]) * stride[d];
   }
 
   /// The integrand at point p and the fluxes at the points of its element, as an integrand against values alone.
@@ -112,14 +127,16 @@ struct TileSweeps {
     int q[D], step[D][Q];
     Real row[D][Q];
     neighbours(p, q, step);
-    for (int d = 0; d < D; ++d)
-      for (int r = 0; r < Q; ++r) row[d][r] = slope.transposed[d][q[d]][r];
+    SOFTWET_UNROLL
+    for (int d = 0; d < D; ++d) SOFTWET_UNROLL
+    for (int r = 0; r < Q; ++r) row[d][r] = slope.transposed[d][q[d]][r];
     SOFTWET_UNROLL
     for (int c = 0; c < Plan::channels; ++c) {
       Real sum = integrand[c];
-      if constexpr (Plan::Test::has_flux)
-        for (int d = 0; d < D; ++d)
-          for (int r = 0; r < Q; ++r) sum = sum + row[d][r] * flux[(c * D + d) * Shape::points + p + step[d][r]];
+      static_assert(!(Plan::Test::has_flux && Plan::on_wall));
+      if constexpr (Plan::Test::has_flux) SOFTWET_UNROLL
+      for (int d = 0; d < D; ++d) SOFTWET_UNROLL
+      for (int r = 0; r < Q; ++r) sum = sum + row[d][r] * flux[(c * D + d) * Shape::points + p + step[d][r]];
       out[c * Shape::points + p] = sum;
     }
   }
@@ -130,8 +147,9 @@ struct TileSweeps {
     share(team, Room::y_swept, [&](int i) {
       const int at = i % Shape::base;
       Real sum[Plan::channels];
-      fold_line<P, Shape::L>(tables + Room::test + pass * Shape::qz * n, i / Shape::base, sum,
-                             [&](int c, int q) { return in[c * Shape::points + q * Shape::base + at]; });
+      fold_line<P, Shape::QL, Shape::L>(tables + Room::test + pass * Shape::qz * n, i / Shape::base, sum,
+                                        [&](int c, int q) { return in[c * Shape::points + q * Shape::base + at]; });
+      SOFTWET_UNROLL
       for (int c = 0; c < Plan::channels; ++c) out[c * Room::y_swept + i] = sum[c];
     });
   }
@@ -140,9 +158,10 @@ struct TileSweeps {
     share(team, Room::x_swept, [&](int i) {
       const int q = i % Shape::qx, j = i / Shape::qx % Shape::cy, k = i / Shape::qx / Shape::cy;
       Real sum[Plan::channels];
-      fold_line<P, Shape::NY>(tables + Room::y, j, sum, [&](int c, int y) {
+      fold_line<P, Q, Shape::NY>(tables + Room::y, j, sum, [&](int c, int y) {
         return in[c * Room::y_swept + k * Shape::base + y * Shape::qx + q];
       });
+      SOFTWET_UNROLL
       for (int c = 0; c < Plan::channels; ++c) out[c * Room::x_swept + i] = sum[c];
     });
   }
@@ -154,9 +173,10 @@ struct TileSweeps {
     share(team, Shape::cx * lines * Plan::channels, [&](int i) {
       const int x = i % Shape::cx, line = i / Shape::cx % lines, c = i / Shape::cx / lines;
       Real sum[1];
-      fold_line<P, Shape::NX>(tables + Room::x, x, sum,
-                              [&](int, int q) { return in[c * Room::x_swept + line * Shape::qx + q]; });
-      sums[c * Shape::controls + (pass * Shape::L * Shape::cy + line) * Shape::cx + x] += sum[0];
+      fold_line<P, Q, Shape::NX>(tables + Room::x, x, sum,
+                                 [&](int, int q) { return in[c * Room::x_swept + line * Shape::qx + q]; });
+      const int below = Shape::Shared ? 0 : pass * Shape::L * Shape::cy;
+      sums[c * Shape::controls + (below + line) * Shape::cx + x] += sum[0];
     });
   }
 };

@@ -21,8 +21,9 @@ template <int threads, class Member>
 struct TileTeam {
   static constexpr int size = threads;
   const Member& member;
+  int tile_;  ///< among those of its term
 
-  KOKKOS_FORCEINLINE_FUNCTION int tile() const { return anew(member.league_rank()); }
+  KOKKOS_FORCEINLINE_FUNCTION int tile() const { return anew(tile_); }
   KOKKOS_FORCEINLINE_FUNCTION int rank() const { return anew(member.team_rank()); }
   KOKKOS_FORCEINLINE_FUNCTION void barrier() const { member.team_barrier(); }
 };
@@ -31,6 +32,16 @@ struct TileTeam {
 template <class Team, class Body>
 KOKKOS_FORCEINLINE_FUNCTION void share(const Team& team, int count, const Body& body) {
   for (int i = team.rank(); i < count; i += Team::size) body(i);
+}
+
+/// body(point, how many points of this thread came before): the points 0 .. count - 1, shared likewise.
+template <int count, class Team, class Body>
+KOKKOS_FORCEINLINE_FUNCTION void share_points(const Team& team, const Body& body) {
+  constexpr int each = (count + Team::size - 1) / Team::size;
+  for (int l = 0; l < each; ++l) {
+    const int point = team.rank() + l * Team::size;
+    if (count == each * Team::size || point < count) body(point, l);
+  }
 }
 
 }  // namespace softwet

@@ -1,4 +1,5 @@
 // The tiles of a device in 2D, computed on the host. Element counts are no multiples of a tile.
+#include "app/kernel_counts.hpp"
 #include "tile_cases.hpp"
 
 namespace softwet::testing_tools {
@@ -15,6 +16,7 @@ TEST(Tiles2D, Fluid) {
 TEST(Tiles2D, Wall) {
   const TileCases<2> c(std::array<int, 2>{23, 7});
   c.check<WallMotion<2>>("energy_wall", c.terms.energy_wall, c.patch.face());
+  c.check_fluid("gradient_wall", c.terms.gradient_wall, c.patch.face());
   c.check<WallMotion<2>>("capillary_traction", c.terms.traction, c.patch.layer());
 }
 
@@ -48,20 +50,51 @@ TEST(Tiles2D, SinglePrecision) {
   c.check_single<WallMotion<2, float>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
 }
 
-/// What one evaluation has summed does not come back in the next.
+/// Terms of one list share a launch. What one evaluation has summed does not come back in the next.
 TEST(Tiles2D, SeveralTermsAtOnce) {
   const TileCases<2> c(std::array<int, 2>{9, 7});
   const Array first("first", c.patch.layout.size()), again("again", c.patch.layout.size());
   const Evaluation<2> at{c.patch.layout, c.patch.stage, c.direction, {}};
-  TileSums<2, double> sums(c.patch.layout);
-  assemble_in_tiles<2, true>(c.task<true, WallMotion<2>>(c.terms.fluid, at, c.patch.fluid()), sums);
-  assemble_in_tiles<2, true>(c.task<true, NoMotion>(c.terms.solid, at, c.patch.solid()), sums);
+  const auto fluid = c.task<true, WallMotion<2>>(c.terms.fluid, at, c.patch.fluid());
+  const auto wall = c.task<true, WallMotion<2>>(c.terms.energy_wall, at, c.patch.face());
+  const auto traction = c.task<true, WallMotion<2>>(c.terms.traction, at, c.patch.layer());
+  const auto solid = c.task<true, NoMotion>(c.terms.solid, at, c.patch.solid());
+  TileSums<2, double> sums(c.patch.layout, c.direction);
+  KernelCounter counter;
+  assemble_in_tiles<2, true, SoftTerms<2, double>>(solid, sums);
+  assemble_in_tiles<2, true, SoftTerms<2, double>>(fluid, sums);
+  assemble_in_tiles<2, true, SoftTerms<2, double>>(wall, sums);
+  assemble_in_tiles<2, true, SoftTerms<2, double>>(traction, sums);
   sums.add_to(first);
-  assemble_in_tiles<2, true>(c.task<true, NoMotion>(c.terms.solid, at, c.patch.solid()), sums);
+  EXPECT_EQ(counter.stop().kernels, 2);
+  assemble_in_tiles<2, true>(solid, sums);  // each with a kernel of its own
   sums.add_to(again);
-  assemble_in_tiles<2, true>(c.task<true, WallMotion<2>>(c.terms.fluid, at, c.patch.fluid()), sums);
+  assemble_in_tiles<2, true>(fluid, sums);
+  assemble_in_tiles<2, true>(traction, sums);
+  assemble_in_tiles<2, true>(wall, sums);
   sums.add_to(again);
   EXPECT_LT(distance(to_host(again), to_host(first)), 1e-14);
+}
+
+/// A product with another vector copies nothing to the device but its numbers.
+TEST(Tiles2D, TermsAreCopiedOnce) {
+  const TileCases<2> c(std::array<int, 2>{9, 7});
+  const Array twice("twice", c.direction.extent(0)), out("out", c.patch.layout.size());
+  const Array of_twice("of_twice", out.extent(0));
+  combine(twice, 2, c.direction, 0);
+  const Region<2> region = c.patch.fluid();
+  const auto product = [&](const Array& z, const Array& to) {
+    const Evaluation<2> at{c.patch.layout, c.patch.stage, z, {}};
+    TileSums<2, double> sums(c.patch.layout, z);
+    assemble_in_tiles<2, true>(c.task<true, WallMotion<2>>(c.terms.fluid, at, region), sums);
+    sums.store(to, {});
+  };
+  product(c.direction, out);
+  const long copies = copies_of_bytes();
+  product(twice, of_twice);
+  EXPECT_EQ(copies_of_bytes(), copies);
+  add_scaled(of_twice, 0, -2, out);
+  EXPECT_LT(largest(to_host(of_twice)), 1e-12 * largest(to_host(out)));
 }
 
 TEST(Tiles2D, ThreadsOfATeam) {

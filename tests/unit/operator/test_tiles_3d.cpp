@@ -12,6 +12,7 @@ TEST(Tiles3D, Fluid) {
 TEST(Tiles3D, Wall) {
   const TileCases<3> c(std::array<int, 3>{5, 6, 4});
   c.check<WallMotion<3>>("energy_wall", c.terms.energy_wall, c.patch.face());
+  c.check<WallMotion<3>>("gradient_wall", c.terms.gradient_wall, c.patch.face());
   c.check<WallMotion<3>>("capillary_traction", c.terms.traction, c.patch.layer());
 }
 

@@ -45,8 +45,9 @@ struct TileCases {
     at.test = want;
     Tangent ? piece.product(at) : piece.residual(at);
     at.test = got;
-    TileSums<D, Real> sums(patch.layout);
-    assemble_in_tiles<P, Tangent>(task<Tangent, Motion>(term, at, region), sums);
+    TileSums<D, Real> sums(patch.layout, at.tangent);
+    const auto whole = task<Tangent, Motion>(term, at, region);
+    assemble_in_tiles<P, Tangent>(whole, sums);
     sums.add_to(got);
     const auto wide = [](const ArrayOf<Real>& a) {
       const Array copy("copy", a.extent(0));
@@ -81,25 +82,28 @@ struct TileCases {
     if (!on_host) GTEST_SKIP() << "the tiles of this program lie in the memory of a device";
     using Shape = ChosenTile<D, P, true, double>;
     using Plan = TilePlan<Shape, Term, Motion, Tangent, double>;
-    static_assert(Shape::points % ThreadTeam::size == 0);
     double spacing[D];
     for (int d = 0; d < D; ++d) spacing[d] = region.axis[d].spacing;
     const TileGrid<D> grid = TileGrid<D>::template of<Shape>(region, region.first_axis().run[0]);
     const int size = Plan::channels * Shape::controls;
     const Array one("one", std::size_t(grid.count()) * size), three("three", one.extent(0));
     const Evaluation<D> at{patch.layout, patch.stage, Tangent ? direction : Array(), {}};
-    Tile<Plan> tile{task<Tangent, Motion>(term, at, region), Collocation<D, Shape::Q, double>::of(spacing), grid,
-                    one.data()};
-    TileSums<D, double> sums(patch.layout);
-    run_tiles<Shape, Tangent>(tile.task, sums);
-    std::memcpy(one.data(), tile_room<double>(0, one.extent(0)), one.extent(0) * sizeof(double));
+    const auto whole = task<Tangent, Motion>(term, at, region);
+    Tile<Plan> tile;
+    tile.task.set(whole, at.tangent.data());
+    tile.slope = Collocation<D, Shape::Q, double>::of(spacing);
+    tile.grid = grid;
     tile.partial = three.data();
+    TileSums<D, double> sums(patch.layout, at.tangent);
+    assemble_in_tiles<P, Tangent>(whole, sums);
+    sums.add_to(Array("sum", patch.layout.size()));
+    std::memcpy(one.data(), tile_room<double>(0, one.extent(0)), one.extent(0) * sizeof(double));
     std::vector<double> scratch(TileScratch<Plan>::size, std::nan(""));
     for (int t = 0; t < grid.count(); ++t) {
       std::barrier<> all(ThreadTeam::size);
       std::vector<std::thread> threads;
       for (int r = 0; r < ThreadTeam::size; ++r)
-        threads.emplace_back([&, r] { tile.run(ThreadTeam{r, t, &all}, scratch.data()); });
+        threads.emplace_back([&, r] { tile.run(ThreadTeam{r, t, &all}, at.tangent.data(), scratch.data()); });
       for (std::thread& thread : threads) thread.join();
     }
     EXPECT_LT(distance(to_host(three), to_host(one)), 1e-13);
