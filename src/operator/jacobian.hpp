@@ -3,62 +3,15 @@
 //
 // At a point the tangent of a term is a small matrix: test channel and its derivatives against unknown and its
 // derivatives. Dual numbers seeded one by one give its columns; folding the axes one after another turns it into the
-// element's matrix. Most of the small matrix is zero, and what is zero at all points of a batch is not folded.
+// element's matrix. Most of the small matrix is zero, and what is zero at all points of a batch is not folded. A thread of the
+// host does this for a batch of elements, a team of a device for one element (team_jacobian.hpp).
 #pragma once
 
 #include <stdexcept>
 
-#include "field/stencil.hpp"
-#include "operator/batch.hpp"
-#include "operator/colouring.hpp"
+#include "operator/team_jacobian.hpp"
 
 namespace softwet {
-
-/// Geometry at a point that does not depend on the unknowns, for numbers with a tangent: it acts on value and tangent.
-template <class N, int D, class Point>
-struct FrozenPoint {
-  using S = typename Plain<N>::type;
-  const Point& point;
-
-  static KOKKOS_FORCEINLINE_FUNCTION void split(const Vector<N, D>& g, Vector<S, D>& value, Vector<S, D>& tangent) {
-    for (int i = 0; i < D; ++i) {
-      value[i] = g[i].value;
-      tangent[i] = g[i].tangent;
-    }
-  }
-  static KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> fixed(const Vector<S, D>& value) {
-    Vector<N, D> g;
-    for (int i = 0; i < D; ++i) g[i] = N(value[i], S(0.0));
-    return g;
-  }
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> physical(const Vector<N, D>& g) const {
-    Vector<S, D> value, tangent;
-    split(g, value, tangent);
-    return join(point.physical(value), point.physical(tangent));
-  }
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> reference_flux(const Vector<N, D>& f) const {
-    Vector<S, D> value, tangent;
-    split(f, value, tangent);
-    return join(point.reference_flux(value), point.reference_flux(tangent));
-  }
-  KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const {
-    return N(point.measured(x.value), point.measured(x.tangent));
-  }
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return fixed(point.mesh_velocity()); }
-};
-
-/// Slots of a batch whose tangent is that of one reference derivative (0: value) of one unknown.
-template <class Fields, class N, class Trial, int D>
-struct SeededFields {
-  const Fields& fields;
-  int unknown, derivative;
-
-  KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
-    const bool here = Trial::slot(s).from.unknown(D) == unknown && c == derivative;
-    using S = std::remove_cvref_t<decltype(fields.value[0][0][0])>;
-    return N(fields.value[s][c][q], S(here ? fields.scale[s] : 0.0));
-  }
-};
 
 /// Which blocks of a small matrix are not zero: [derivative of the test function][of the trial function].
 template <int Size>
@@ -105,24 +58,12 @@ KOKKOS_FORCEINLINE_FUNCTION void fold_axis(const Row& row, const Column& column,
     }
 }
 
-/// Adds an element matrix; pairs of functions with the first axis' pair slowest.
+/// Adds an element matrix.
 template <class S, int D, int P>
 KOKKOS_FORCEINLINE_FUNCTION void add_element_matrix(const Stencil<D>& stencil, float* values, int row, int column,
                                                     int first, int count, const S* matrix) {
-  constexpr int n = P + 1;
-  for (int e = 0; e < power(n, 2 * D); ++e) {
-    int rest = e, point = first, offset = 0;
-    for (int d = D - 1, pair = 0; d >= 0; --d) {
-      pair = rest % (n * n);
-      rest /= n * n;
-      const int i = pair / n, j = pair % n;
-      int stride = 1;
-      for (int below = 0; below < d; ++below) stride *= stencil.extent[below];
-      point += i * stride;
-      offset = offset * (2 * P + 1) + j - i + P;
-    }
-    add_lanes<S>(values + stencil.index(row, column, offset, point), matrix[e], count);
-  }
+  for (int e = 0; e < power(P + 1, 2 * D); ++e)
+    add_lanes<S>(values + place_of_entry<D, P>(stencil, row, column, first, e), matrix[e], count);
 }
 
 /// The small matrices of one unknown at the points of a batch: [derivative of the trial function][channel]
@@ -221,7 +162,11 @@ template <int P, int D, class Term, class Motion>
 void assemble_jacobian(const Task<D, Term, Motion, float>& task, const Stencil<D>& stencil,
                        const StencilValues& values) {
   const auto run = [&]<int Q>(PointsPerAxis<Q>) {
-    for_colours("softwet::jacobian", task.region, P + 1, JacobianBatch<D, P, Q, Term, Motion>{task, stencil, values});
+    if constexpr (host_algorithms) {
+      for_colours("softwet::jacobian", task.region, P + 1, JacobianBatch<D, P, Q, Term, Motion>{task, stencil, values});
+    } else {
+      TeamJacobian<D, P, Q, Term, Motion>::launch(task, stencil, values);
+    }
   };
   if constexpr (D == 3) {
     if (task.region.axis[0].points != P) throw std::logic_error("a matrix needs a region with reduced quadrature");

@@ -1,0 +1,61 @@
+// The matrices of a device, made by teams, against those of the host.
+#include "compiled.hpp"
+#include "patch.hpp"
+
+#include <gtest/gtest.h>
+
+namespace softwet::testing_tools {
+namespace {
+
+template <int D, int P>
+struct MatrixCases {
+  Patch<D> patch;
+  Terms terms;
+  StageOf<float> stage;
+
+  explicit MatrixCases(const std::array<int, D>& elements) : patch(elements, 2, P) {
+    patch.points = matrix_points<D, P>(P + 1);
+    stage = single_stage(patch.stage);
+  }
+
+  template <class Motion, class Term>
+  void check(const char* name, const Term& term, const Region<D>& region) const {
+    const Evaluation<D, float> at{patch.layout, stage, {}, stage.unknown, Geometry::frozen};
+    const Stencil<D> stencil(patch.layout);
+    const StencilValues batches("batches", stencil.size()), teams("teams", stencil.size());
+    const Region<D, float> rounded_region = rounded<float>(region);
+    const auto task = task_of<D, Term, Motion>(term, rounded_region, at, patch.blend);
+    constexpr int Q = matrix_points<D, P>(P + 1);
+    for_colours("batches", task.region, P + 1, JacobianBatch<D, P, Q, Term, Motion>{task, stencil, batches});
+    TeamJacobian<D, P, Q, Term, Motion>::launch(task, stencil, teams);
+    const auto wide = [](const StencilValues& v) {
+      const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), v);
+      return std::vector<double>(host.data(), host.data() + host.extent(0));
+    };
+    ASSERT_GT(largest(wide(batches)), 1e-6) << name;
+    EXPECT_LT(distance(wide(teams), wide(batches)), 3e-6) << name;
+  }
+  void check_all() const {
+    using Moving = WallMotion<D, float>;
+    check<Moving>("navier_stokes_korteweg", terms.fluid, patch.fluid());
+    check<NoMotion>("navier_stokes_korteweg, fixed", terms.fluid, patch.fluid());
+    check<Moving>("density_moment", DensityMoment{}, patch.fluid());
+    check<Moving>("gradient_wall", terms.gradient_wall, patch.face());
+    check<Moving>("energy_wall", terms.energy_wall, patch.face());
+    check<Moving>("capillary_traction", terms.traction, patch.layer());
+    check<NoMotion>("neo_hookean", terms.neo_hookean, patch.solid());
+  }
+};
+
+TEST(TeamJacobian, PlaneDegreeTwo) { MatrixCases<2, 2>({5, 6}).check_all(); }
+TEST(TeamJacobian, PlaneDegreeThree) {
+  const MatrixCases<2, 3> c({5, 6});
+  c.check<WallMotion<2, float>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+}
+TEST(TeamJacobian, SpaceDegreeTwo) {
+  if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
+  MatrixCases<3, 2>({4, 3, 5}).check_all();
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools
