@@ -49,11 +49,16 @@ struct StripProduct {
 
  private:
   KOKKOS_FUNCTION void add(const float* matrix, int stride, int count, int part, int lane, bool fresh) const {
+    constexpr int together = 8;  // columns that are fetched at once
     float total[lane_rows] = {};
-    for (int j = part; j < count; j += parts) {
+    const auto add_column = [&](int j) {
       const float factor = head(j), *column = matrix + std::int64_t(j) * stride;
       for (int r = 0; r < lane_rows; ++r) total[r] += column[r] * factor;
-    }
+    };
+    int j = part;
+    for (; j + (together - 1) * parts < count; j += together * parts)
+      for (int k = 0; k < together; ++k) add_column(j + k * parts);
+    for (; j < count; j += parts) add_column(j);
     float* to = &sum(part * LevelStrip::rows + lane * lane_rows);
     for (int r = 0; r < lane_rows; ++r) to[r] = fresh ? total[r] : to[r] + total[r];
   }
