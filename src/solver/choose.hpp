@@ -3,6 +3,7 @@
 
 #include "case/error.hpp"
 #include "solver/block_lu.hpp"
+#include "solver/level_lu.hpp"
 #include "solver/replicated.hpp"
 #include "solver/schwarz.hpp"
 #include "solver/sparse_lu.hpp"
@@ -18,22 +19,26 @@ inline std::vector<std::string> preconditioner_names() {
 #endif
 }
 
-/// Number of unknowns up to which `automatic` takes the block LU in 3D (docs/performance.md).
+/// Number of unknowns up to which `automatic` takes LU in 3D (docs/performance.md).
 constexpr int small_in_3d = 3000;
 
-/// automatic: block LU in 2D and for the smallest scenes in 3D, otherwise multilevel Schwarz, as whole runs were measured to
-/// be fastest. On a device always Schwarz: the factors of block LU stay on the host. umfpack: the matrix is factorised by that
-/// library, in double precision.
+/// lu: by fronts one after the other, or on a device by those of a level together.
+template <int D>
+std::unique_ptr<StencilSolver<D>> make_lu(const Layout<D>& layout, const ConstArray& mask) {
+  return host_algorithms ? make_block_lu<D>(layout, mask) : make_level_lu<D>(layout, mask);
+}
+
+/// automatic: lu in 2D and for the smallest scenes in 3D, otherwise multilevel Schwarz, as whole runs were measured to be
+/// fastest on a processor. umfpack: the matrix is factorised by that library, on the host and in double precision.
 template <int D>
 std::unique_ptr<Preconditioner> choose_preconditioner(
     const std::string& name, const Layout<D>& layout, const ConstArray& mask,
     const SchwarzControl& control = SchwarzControl::for_dimension(D)) {
   if (name == "none") return std::make_unique<NoPreconditioner>();
   const Layout<D> all = layout.whole_patch();
-  const bool schwarz =
-      name == "schwarz" || (name == "automatic" && (!host_algorithms || (D == 3 && all.size() > small_in_3d)));
+  const bool schwarz = name == "schwarz" || (name == "automatic" && D == 3 && all.size() > small_in_3d);
   const auto factors = [&](const ConstArray& free) {
-    return name == "umfpack" ? make_sparse_lu<D>(all, free) : make_block_lu<D>(all, free);
+    return name == "umfpack" ? make_sparse_lu<D>(all, free) : make_lu<D>(all, free);
   };
   const auto assembled = [&](const ConstArray& free, auto solver) {
     return std::make_unique<Assembled<D>>(layout, free, std::move(solver));

@@ -174,9 +174,8 @@ std::vector<Key> solver_keys() {
       {.name = "solver.krylov.preconditioner",
        .kind = Kind::choice,
        .choices = {"automatic", "lu", "umfpack", "schwarz", "none"},
-       .help =
-           "Lagged LU by nested dissection (lu), the library UMFPACK in double precision, "
-           "multilevel Schwarz, none, or automatic: lu in 2D and to 3000 unknowns in 3D, else schwarz, as on any GPU.",
+       .help = "Lagged LU by nested dissection (lu), the library UMFPACK in double precision, "
+               "multilevel Schwarz, none, or automatic: lu in 2D and to 3000 unknowns in 3D, else schwarz.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.preconditioner; })},
       {.name = "solver.precision",
        .kind = Kind::choice,

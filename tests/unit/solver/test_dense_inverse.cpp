@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <random>
 
@@ -62,6 +63,35 @@ TEST(DenseInverse, BothWaysAgreeWithTheProduct) {
           for (int k = 0; k < size[b]; ++k) sum += double(found(b, row, k)) * given(b, k, column);
           ASSERT_NEAR(sum, row == column ? 1.0 : 0.0, 1e-3) << size[b] << " rows";
         }
+}
+
+/// Blocks of different sizes, with gaps between their rows, of which none, some or all unknowns are eliminated.
+TEST(DenseInverse, SomeUnknownsAreEliminatedAlone) {
+  const std::vector<int> size{40, 37, 5, 16, 21}, pivots{17, 37, 0, 16, 3}, stride{43, 40, 5, 24, 21};
+  std::vector<std::int64_t> begin;
+  std::vector<float> given;
+  std::mt19937 draw(9);
+  std::uniform_real_distribution<float> number(-1, 1);
+  for (std::size_t b = 0; b < size.size(); ++b) {
+    begin.push_back(static_cast<std::int64_t>(given.size()));
+    for (int i = 0; i < size[b] * stride[b]; ++i) given.push_back(number(draw));
+  }
+  const auto data = to_device<Kokkos::View<float*, Exec>>(given);
+  const ScatteredBlocks blocks{data.data(), to_device<Kokkos::View<std::int64_t*, Exec>>(begin), to_sizes(stride)};
+  GaussJordan(size.size(), 40).eliminate(blocks, to_sizes(pivots), to_sizes(size), 40, 37);
+  const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), data);
+  using Strided = Eigen::Map<const Eigen::Matrix<float, -1, -1, Eigen::RowMajor>, 0, Eigen::OuterStride<>>;
+  for (std::size_t b = 0; b < size.size(); ++b) {
+    const int m = pivots[b], n = size[b] - m;
+    const Eigen::OuterStride<> step(stride[b]);
+    const Eigen::MatrixXd a = Strided(given.data() + begin[b], size[b], size[b], step).cast<double>();
+    const Eigen::MatrixXd inverse = a.topLeftCorner(m, m).inverse(), upper = inverse * a.topRightCorner(m, n);
+    Eigen::MatrixXd expected(size[b], size[b]);
+    expected << inverse, upper, -a.bottomLeftCorner(n, m) * inverse,
+        a.bottomRightCorner(n, n) - a.bottomLeftCorner(n, m) * upper;
+    const Eigen::MatrixXd result = Strided(found.data() + begin[b], size[b], size[b], step).cast<double>();
+    EXPECT_LT((result - expected).norm(), 1e-4 * expected.norm()) << "block " << b;
+  }
 }
 
 // Every number is the result of the same operations, whichever thread does them: a missing barrier shows.
