@@ -6,8 +6,9 @@
 
 namespace softwet {
 
-/// Boxes that are multiplied together by the inverse that they share.
-inline constexpr int most_together = host_algorithms ? 8 : 1;
+/// Boxes that are multiplied together by the inverse that they share. On a device two: each entry that is read serves both,
+/// and there are still enough teams. What the next pair reads of the same inverse is in the cache, for it is at work then.
+inline constexpr int most_together = host_algorithms ? 8 : 2;
 
 /// Threads of a team on a device, and their lanes.
 inline constexpr int box_team = on_host ? 1 : 8, box_lanes = on_host ? 1 : 32;
@@ -61,8 +62,7 @@ struct ApplyBoxes {
     team.team_barrier();
     Kokkos::parallel_for(Kokkos::TeamVectorRange(team, (n + rows_at_once - 1) / rows_at_once), [&](int chunk) {
       int k = 0;
-      if constexpr (most_together > 1)
-        for (; k + 1 < count; k += 2) multiply<2>(&member(begin + k), chunk * rows_at_once, n, &local(k * n));
+      for (; k + 1 < count; k += 2) multiply<2>(&member(begin + k), chunk * rows_at_once, n, &local(k * n));
       for (; k < count; ++k) multiply<1>(&member(begin + k), chunk * rows_at_once, n, &local(k * n));
     });
   }

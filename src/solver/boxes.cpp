@@ -76,10 +76,10 @@ Boxes<D>::Boxes(const Layout<D>& layout, const PatchTables& t, int width, float 
   weight_ = to_device<Kokkos::View<float*, Exec>>(weight);
 }
 
-/// Whole rows of boxes, as many as make a batch.
+/// Whole rows of boxes, as many as make a batch, or as a wave has.
 template <int D>
 int Boxes<D>::batch() const {
-  return std::min(count_, (batch_size() + row_ - 1) / row_ * row_);
+  return std::min(shared_.largest_wave(), (batch_size() + row_ - 1) / row_ * row_);
 }
 
 template <int D>
@@ -117,7 +117,7 @@ void Boxes<D>::build_some(const StencilMatrix<D>& matrix, const int* boxes, int 
       matrix.stencil(),           matrix.values(), size_, local_, start_, column_, box, blocks, sites_, width_,
       host_algorithms ? row_ : 1, round_};
   Kokkos::parallel_for("softwet::boxes", Kokkos::RangePolicy<Exec>(0, fill.items(count)), fill);
-  if (shared_.any()) shared_.choose(boxes, count, blocks, inverses_);
+  shared_.choose(boxes, count, blocks, inverses_);
   place_inverses(boxes, count);
   invert_->invert(blocks, size);
   const Store store{size, box, blocks, inverses_, unknowns_};

@@ -8,7 +8,7 @@
 namespace softwet::testing_tools {
 namespace {
 
-constexpr SchwarzControl usual{.width = 5, .stride = 3, .dense_bottom = true};
+constexpr SchwarzControl usual{.width = 5, .stride = 3, .share = 0.1f, .dense_bottom = true};
 
 SchwarzControl changed(const std::function<void(SchwarzControl&)>& change) {
   SchwarzControl control = usual;
