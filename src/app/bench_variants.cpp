@@ -61,8 +61,7 @@ class StartOfStep {
         gmres_(scheme_.size(), 60),
         right_("right", scheme_.size()),
         step_("step", scheme_.size()),
-        r_("r", scheme_.size()),
-        z_("z", scheme_.size()) {}
+        r_("r", scheme_.size()) {}
 
   void begin(const State& state, double dt) {
     scheme_.begin(state, dt);
@@ -83,14 +82,12 @@ class StartOfStep {
   }
   KrylovResult solve(Preconditioner& preconditioner, double tolerance, Answer answer = Answer::renewed) {
     const SolidPart solid = solid_part(scheme_.model(), scheme_.stage());
-    const double built_for = answer == Answer::renewed ? built_for_ : solid.size;
+    const RangeFactors renewed = solid.factors(answer == Answer::renewed ? built_for_ : solid.size);
     const auto product = [this](const ArrayOf<float>& in, const ArrayOf<float>& out) {
       scheme_.product(in, out, Geometry::exact);
     };
     const auto precondition = [&](const ArrayOf<float>& in, const ArrayOf<float>& out) {
-      convert(r_, in);
-      preconditioner.apply(r_, z_);
-      solid.renew(built_for, z_, out);
+      preconditioner.answer(in, out, renewed);
     };
     return gmres_.solve(product, precondition, right_, step_, tolerance, 300, weights_);
   }
@@ -100,7 +97,7 @@ class StartOfStep {
   GeneralizedAlpha<D, P> scheme_;
   GmresOf<float> gmres_;
   ArrayOf<float> right_, step_;
-  Array r_, z_;
+  Array r_;
   RangeFactors weights_;
   double built_for_ = 1;
 };

@@ -28,7 +28,7 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
     const bool mixed = precision_of(c) != Precision::full;
     const double rounded = stage + (precision_of(c) == Precision::single ? n : 0);
     parts.insert(parts.end(), {{"stage", 8 * stage + 4 * rounded},
-                               {"Newton", 8 * 5 * n},
+                               {"Newton", 8 * (mixed ? 6 : 5) * n},
                                {"Krylov basis", (mixed ? 4 : 8) * n * (2.0 * c.solver.krylov_restart + 2)},
                                {"preconditioner " + preconditioner->name(), preconditioner->bytes()}});
   } else {

@@ -19,8 +19,12 @@ struct BoxInverses {
   /// Entries of an inverse of n unknowns.
   std::int64_t room(int n) const { return std::int64_t((n + strip - 1) / strip) * strip * n; }
 
+  /// Where an entry of an inverse of n unknowns lies in it.
+  KOKKOS_FORCEINLINE_FUNCTION int place(int n, int row, int column) const {
+    return (row / strip * n + column) * strip + row % strip;
+  }
   KOKKOS_FORCEINLINE_FUNCTION std::uint16_t* place(int box, int n, int row, int column) const {
-    return entry.data() + begin(box) + (row / strip * n + column) * strip + row % strip;
+    return entry.data() + begin(box) + place(n, row, column);
   }
 
   /// sum[k] = rows first, first + 1, ... of the inverse of a box of n unknowns, times x[k]. Each row that is read serves

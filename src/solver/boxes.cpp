@@ -11,9 +11,6 @@ namespace softwet {
 namespace {
 
 using Indices = Kokkos::View<const int*, Exec>;
-/// Boxes that are multiplied together by the inverse that they share.
-constexpr int most_together = host_algorithms ? 8 : 1;
-
 /// Boxes whose matrices are held at once during a build: enough to keep all threads busy, and few for the caches.
 int batch_size() {
   return host_algorithms ? std::max(32, 4 * Kokkos::DefaultHostExecutionSpace().concurrency()) : 4096;
@@ -43,60 +40,6 @@ struct Store {
     std::uint16_t* to = inverses.place(box(block), n, row, column);
     for (int i = 0; i < rows_at_once; ++i)
       to[i] = row + i < n ? narrow(entry_of_inverse(blocks, block, row + i, column)) : 0;
-  }
-};
-
-/// out = W_b A_b^-1 W_b r on every box. A team takes some boxes with one inverse; its lanes (host) or threads (device) take
-/// neighbouring rows and walk along the columns together.
-struct ApplyBoxes {
-  Indices size, dof, member, first_member;
-  BoxInverses inverses;
-  Kokkos::View<const float*, Exec> weight;
-  ConstArray r;
-  Kokkos::View<float*, Exec> out;
-  int unknowns;
-  using Team = Kokkos::TeamPolicy<Exec>::member_type;
-  using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
-
-  KOKKOS_FUNCTION void operator()(const Team& team) const {
-    const int begin = first_member(team.league_rank()), count = first_member(team.league_rank() + 1) - begin;
-    const int n = size(member(begin));
-    const Scratch local(team.team_scratch(0), most_together * unknowns);
-    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, count * n), [&](int i) {
-      const int unknown = dof(member(begin + i / n) * unknowns + i % n);
-      local(i) = static_cast<float>(r(unknown)) * weight(unknown);
-    });
-    team.team_barrier();
-    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, (n + rows_at_once - 1) / rows_at_once), [&](int chunk) {
-      int k = 0;
-      if constexpr (most_together > 1)
-        for (; k + 1 < count; k += 2) multiply<2>(&member(begin + k), chunk * rows_at_once, n, &local(k * n));
-      for (; k < count; ++k) multiply<1>(&member(begin + k), chunk * rows_at_once, n, &local(k * n));
-    });
-  }
-  /// Some rows of the answers of boxes that share an inverse.
-  template <int count>
-  KOKKOS_FORCEINLINE_FUNCTION void multiply(const int* box, int first, int n, const float* local) const {
-    const float* x[count];
-    for (int k = 0; k < count; ++k) x[k] = local + k * n;
-    float sum[count][rows_at_once];
-    inverses.multiply(*box, n, first, x, sum);
-    for (int k = 0; k < count; ++k)
-      for (int i = 0; i < rows_at_once && first + i < n; ++i) out(box[k] * unknowns + first + i) = sum[k][i];
-  }
-};
-
-/// z += factor times what the boxes say of each unknown.
-struct Collect {
-  Indices grouped, place;
-  Kokkos::View<const float*, Exec> weight;
-  Kokkos::View<const float*, Exec> out;
-  Array z;
-  float factor;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    float sum = 0;
-    for (int k = grouped(i); k < grouped(i + 1); ++k) sum += out(place(k));
-    z(i) += factor * weight(i) * sum;
   }
 };
 
@@ -133,10 +76,10 @@ Boxes<D>::Boxes(const Layout<D>& layout, const PatchTables& t, int width, float 
   weight_ = to_device<Kokkos::View<float*, Exec>>(weight);
 }
 
-/// Whole rows of boxes, as many as make a batch.
+/// Whole rows of boxes, as many as make a batch, or as a wave has.
 template <int D>
 int Boxes<D>::batch() const {
-  return std::min(count_, (batch_size() + row_ - 1) / row_ * row_);
+  return std::min(shared_.largest_wave(), (batch_size() + row_ - 1) / row_ * row_);
 }
 
 template <int D>
@@ -174,7 +117,7 @@ void Boxes<D>::build_some(const StencilMatrix<D>& matrix, const int* boxes, int 
       matrix.stencil(),           matrix.values(), size_, local_, start_, column_, box, blocks, sites_, width_,
       host_algorithms ? row_ : 1, round_};
   Kokkos::parallel_for("softwet::boxes", Kokkos::RangePolicy<Exec>(0, fill.items(count)), fill);
-  if (shared_.any()) shared_.choose(boxes, count, blocks, inverses_);
+  shared_.choose(boxes, count, blocks, inverses_);
   place_inverses(boxes, count);
   invert_->invert(blocks, size);
   const Store store{size, box, blocks, inverses_, unknowns_};
@@ -214,17 +157,6 @@ void Boxes<D>::group() {
   first.push_back(count_);
   copy_in(member_, boxes.data(), count_);
   copy_in(first_member_, first.data(), items_ + 1);
-}
-
-template <int D>
-void Boxes<D>::add(const ConstArray& r, const Array& z, float factor) const {
-  const std::size_t scratch = ApplyBoxes::Scratch::shmem_size(most_together * unknowns_);
-  Kokkos::parallel_for(
-      "softwet::schwarz",
-      Kokkos::TeamPolicy<Exec>(items_, on_host ? 1 : 8, on_host ? 1 : 32).set_scratch_size(0, Kokkos::PerTeam(scratch)),
-      ApplyBoxes{size_, dof_, member_, first_member_, inverses_, weight_, r, out_, unknowns_});
-  Kokkos::parallel_for("softwet::collect", Kokkos::RangePolicy<Exec>(0, z.extent(0)),
-                       Collect{grouped_, place_, weight_, out_, z, factor});
 }
 
 template <int D>

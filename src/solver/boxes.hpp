@@ -3,12 +3,13 @@
 
 #include <optional>
 
+#include "solver/box_products.hpp"
 #include "solver/dense_inverse.hpp"
 #include "solver/shared_inverses.hpp"
 
 namespace softwet {
 
-/// z += factor sum over boxes of W_b A_b^-1 W_b r_b. A_b: all fields of the box; W_b: one over the square root of the
+/// z += damping sum over boxes of W_b A_b^-1 W_b r_b. A_b: all fields of the box; W_b: one over the square root of the
 /// number of boxes that hold the unknown. Sums have a fixed order.
 ///
 /// Applying reads every inverse once. To read less, they are stored as the upper half of single precision (bfloat16,
@@ -22,7 +23,22 @@ class Boxes {
   Boxes(const Layout<D>& layout, const ConstArray& mask, int width, int stride, float share = 0);
 
   void build(const StencilMatrix<D>& matrix);
-  void add(const ConstArray& r, const Array& z, float factor) const;
+  void add(const ConstArray& r, const Array& z, float damping) const {
+    multiply(r, NothingBeside());
+    collect(ConstArray(z), damping, {}, z);
+  }
+  /// The two kernels of this, for vectors of any precision. The first one does the items of something else too:
+  /// beside(i) for i < beside.items(), and the second one begins with start(i): z = factors (start + sum over boxes).
+  template <class Real, class Beside>
+  void multiply(const ConstArrayOf<Real>& r, const Beside& beside) const {
+    ApplyBoxes<Real, Beside>{size_, dof_, member_,   first_member_, inverses_, weight_,
+                             r,     out_, unknowns_, items_,        beside,    0}
+        .run();
+  }
+  template <class Start, class Real>
+  void collect(const Start& start, float damping, const RangeFactors& factors, const ArrayOf<Real>& z) const {
+    CollectBoxes<Start, Real>{grouped_, place_, weight_, out_, start, damping, factors, z}.run();
+  }
   /// Before the first build as if no inverse was shared.
   double bytes() const;
   int count() const { return count_; }

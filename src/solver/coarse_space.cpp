@@ -8,28 +8,6 @@ namespace {
 
 using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
 
-/// Where the components of a vector lie on its way from one space to the other.
-template <int D>
-struct Places {
-  int extent[D];                   ///< control points along each axis
-  int points;                      ///< of all axes
-  int shift[D + 2], first[D + 2];  ///< as in ComponentPlaces
-};
-
-/// The places of a vector of unknowns.
-template <int D>
-Places<D> places_of(const Layout<D>& layout) {
-  const ComponentPlaces<D> components(layout);
-  Places<D> p;
-  p.points = 1;
-  for (int d = 0; d < D; ++d) p.points *= p.extent[d] = layout.extent(d);
-  for (int c = 0; c < D + 2; ++c) {
-    p.shift[c] = components.shift[c];
-    p.first[c] = components.first[c];
-  }
-  return p;
-}
-
 /// Entries of a line of control points along the first axis that are summed at once.
 constexpr int sum_piece = host_algorithms ? 64 : 1;
 
@@ -77,45 +55,6 @@ struct SumAxis {
       const double* source = from.data() + from_place.shift[c] + start + begin;
       for (int i = 0; i < count; ++i) sum[i] += weight * source[i];
     }
-  }
-};
-
-/// Sums along all axes. An item is an entry of the result.
-template <int D>
-struct SumAllAxes {
-  AxisSums sums[D];
-  Places<D> from_place, to_place;
-  ConstArray from, mask;
-  Array to;
-  int components;
-
-  std::int64_t items() const { return std::int64_t(components) * to_place.points; }
-  KOKKOS_FUNCTION void operator()(std::int64_t item) const {
-    const int c = static_cast<int>(item / to_place.points), point = static_cast<int>(item % to_place.points);
-    if (point < to_place.first[c]) return;
-    int at[D], rest = point;
-    for (int d = 0; d < D; ++d) {
-      at[d] = rest % to_place.extent[d];
-      rest /= to_place.extent[d];
-    }
-    const int entry = to_place.shift[c] + point;
-    to(entry) = mask(entry) != 0 ? along<D - 1>(c, at, 0) : 0.0;
-  }
-  /// @param above  number of the line (plane) of source points along the axes behind d
-  template <int d>
-  KOKKOS_FUNCTION double along(int c, const int (&at)[D], int above) const {
-    double sum = 0;
-    for (int k = 0; k < static_cast<int>(sums[d].weight.extent(1)); ++k) {
-      const double weight = sums[d].weight(at[d], k);
-      const int next = above * from_place.extent[d] + sums[d].source(at[d], k);
-      if (weight == 0) continue;
-      if constexpr (d > 0) {
-        sum += weight * along<d - 1>(c, at, next);
-      } else if (next >= from_place.first[c]) {
-        sum += weight * from(from_place.shift[c] + next);
-      }
-    }
-    return sum;
   }
 };
 
@@ -194,14 +133,13 @@ CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int l
 /// Axis by axis: those in between have the rows of the coarse space, so that the fewest sums have the longest lines.
 template <int D>
 void CoarseSpace<D>::transfer(bool to_coarse, const ConstArray& from, const Array& to) const {
+  if (at_once_) {
+    const WriteEntries<SumAllAxes<D, double>> all{to_coarse ? restriction(from) : prolongation(from), to};
+    return Kokkos::parallel_for("softwet::transfer", Policy(0, all.items()), all);
+  }
   const Layout<D>& source = to_coarse ? fine_ : layout_;
   const Layout<D>& target = to_coarse ? layout_ : fine_;
   Places<D> from_place = places_of(source);
-  if (at_once_) {
-    SumAllAxes<D> all{{}, from_place, places_of(target), from, to_coarse ? mask_ : fine_mask_, to, source.components()};
-    for (int d = 0; d < D; ++d) all.sums[d] = to_coarse ? axis_[d].to_coarse : axis_[d].to_fine;
-    return Kokkos::parallel_for("softwet::transfer", Policy(0, all.items()), all);
-  }
   ConstArray values = from;
   for (int step = 0; step < D; ++step) {
     const int d = to_coarse ? D - 1 - step : step;

@@ -5,6 +5,7 @@
 
 #include "solver/axis_transfer.hpp"
 #include "solver/galerkin.hpp"
+#include "solver/transfer_sums.hpp"
 
 namespace softwet {
 
@@ -25,6 +26,19 @@ class CoarseSpace {
 
   void restrict_to(const ConstArray& fine, const Array& coarse) const;  ///< coarse = P^T fine
   void prolong(const ConstArray& coarse, const Array& fine) const;      ///< fine = P coarse, zero where prescribed
+  /// Entries of P^T fine, for a kernel that does something else too.
+  template <class Real>
+  SumAllAxes<D, Real> restriction(const ConstArrayOf<Real>& fine) const {
+    SumAllAxes<D, Real> all{{}, places_of(fine_), places_of(layout_), fine, mask_, layout_.components()};
+    for (int d = 0; d < D; ++d) all.sums[d] = axis_[d].to_coarse;
+    return all;
+  }
+  /// Entries of P coarse, likewise.
+  SumAllAxes<D, double> prolongation(const ConstArray& coarse) const {
+    SumAllAxes<D, double> all{{}, places_of(layout_), places_of(fine_), coarse, fine_mask_, fine_.components()};
+    for (int d = 0; d < D; ++d) all.sums[d] = axis_[d].to_fine;
+    return all;
+  }
   /// The values of P^T A P. Buffers are allocated by the first call and kept.
   void galerkin(const StencilMatrix<D>& fine, const StencilValues& coarse) { (*product_)(fine.values(), coarse); }
   double galerkin_bytes() const { return product_->bytes(); }  ///< of these buffers

@@ -39,14 +39,15 @@ class GmresOf {
     KrylovResult result;
     basis_.set_weights(weights);
     const double start = basis_.length_of(b), target = tolerance * start;
-    Kokkos::deep_copy(Exec(), x, Real(0));
-    Kokkos::deep_copy(Exec(), basis_[0], b);
+    if (start == 0 || limit <= 0) Kokkos::deep_copy(Exec(), x, Real(0));
     if (start == 0) return {0, 0, true};
     double beta = start;
     while (result.iterations < limit) {
-      const int used = cycle(apply, precondition, beta, target, std::min(restart_, limit - result.iterations));
+      const bool first = result.iterations == 0;
+      const Vector& from = first ? b : residual_;
+      const int used = cycle(apply, precondition, from, beta, target, std::min(restart_, limit - result.iterations));
       result.iterations += used;
-      direction_.sum(x, {1, y_});
+      direction_.sum(x, {first ? 0.0 : 1.0, y_});
       const double previous = beta;
       beta = residual_of_basis(beta);
       const bool reached = beta <= target_margin * target;
@@ -59,14 +60,15 @@ class GmresOf {
   }
 
  private:
-  /// One cycle of Arnoldi from basis_[0] (norm beta): fills direction_ and the coefficients y_; returns their number.
+  /// One cycle of Arnoldi from a residual of the norm beta: fills direction_ and the coefficients y_; returns their number.
   template <class Apply, class Precondition>
-  int cycle(const Apply& apply, const Precondition& precondition, double beta, double target, int steps) {
+  int cycle(const Apply& apply, const Precondition& precondition, const Vector& from, double beta, double target,
+            int steps) {
     rotated_.assign(steps, {});
     for (std::vector<double>* v : {&c_, &s_, &g_}) v->assign(steps, 0.0);
     left_.assign(steps + 1, 0.0);
     left_[0] = beta;
-    basis_.begin(beta);
+    basis_.begin(from, beta);
     int used = 0;
     for (int j = 0; j < steps; ++j) {
       precondition(basis_[j], direction_[j]);
@@ -130,13 +132,12 @@ class GmresOf {
     return basis_.length_of(residual_);
   }
 
-  /// Norm of b - A x, which becomes basis_[0].
+  /// Norm of b - A x, which becomes residual_.
   template <class Apply>
   double true_residual(const Apply& apply, const Vector& b, const Vector& x) {
     apply(x, residual_);
-    Kokkos::deep_copy(Exec(), basis_[0], b);
-    add_scaled(basis_[0], 0, -1, residual_);
-    return basis_.length_of(basis_[0]);
+    combine(residual_, 1, b, -1);
+    return basis_.length_of(residual_);
   }
 
   /// Relative size of a vector that is nothing but round-off.

@@ -29,9 +29,9 @@ class GramSchmidt {
   void sum(const Vector& out, const Combination& c) const { basis_.sum(out, c); }
   double length_of(const Vector& x) const { return weighted_norm<Real>(x, weights_); }
 
-  /// Begins with v_0, which has this length.
-  void begin(double length) {
-    combine(basis_[0], 1 / length, basis_[0], 0);
+  /// Begins with a vector of this length, over its length.
+  void begin(const Vector& first, double length) {
+    combine(basis_[0], 1 / length, first, 0);
     column_.clear();
     length_.clear();
     skew_ = 0;

@@ -1,6 +1,7 @@
 // Kernels that apply the factors of a level of fronts to a vector.
 #pragma once
 
+#include "field/range_factors.hpp"
 #include "solver/level_build.hpp"
 
 namespace softwet {
@@ -64,26 +65,29 @@ struct StripProduct {
   }
 };
 
-/// What both ways through the tree know.
+/// What both ways through the tree know. Vectors of GMRES are of the precision Real.
+template <class Real>
 struct LevelVectors {
   LevelFronts fronts;
   LevelInts unknown, inherited;
   LevelNumbers factors, row_scale, column_scale;
   LevelNumbers results;   ///< [first + i] A^-1 times the right side for own unknowns, and what is left for the border
   LevelNumbers solution;  ///< [unknown] of the scaled matrix
-  ConstArray r;
-  Array z;
+  ConstArrayOf<Real> r;
+  ArrayOf<Real> z;
+  RangeFactors factor;  ///< of the answer
 
   KOKKOS_FORCEINLINE_FUNCTION void solve(int i, float value) const {
     solution(i) = value;
-    z(i) = double(value) * column_scale(i);
+    z(i) = static_cast<Real>(factor.at(i) * value * column_scale(i));
   }
 };
 
 /// Towards the root: the right side of a front is that of its own unknowns and what its children leave. Fronts without a
 /// border are solved by that. A team is a strip of rows.
+template <class Real>
 struct ForwardStrips {
-  LevelVectors v;
+  LevelVectors<Real> v;
   Kokkos::View<const LevelStrip*, Exec> strips;
   int parts;
 
@@ -113,13 +117,23 @@ struct ForwardStrips {
   }
 };
 
-/// Towards the leaves: own unknowns from those of the border. A team is a strip of own rows.
+/// Towards the leaves: own unknowns from those of the border. A team is a strip of own rows. The teams behind those of the
+/// strips copy prescribed values and ghosts, one for each piece of their list.
+template <class Real>
 struct BackwardStrips {
-  LevelVectors v;
+  static constexpr int piece = 256;
+  LevelVectors<Real> v;
   Kokkos::View<const LevelStrip*, Exec> strips;
   int parts;
+  LevelInts held;  ///< on the last level
+
+  int teams() const {
+    return static_cast<int>(strips.extent(0)) + (static_cast<int>(held.extent(0)) + piece - 1) / piece;
+  }
 
   KOKKOS_FUNCTION void operator()(const LevelTeam& team) const {
+    const int behind = team.league_rank() - static_cast<int>(strips.extent(0));
+    if (behind >= 0) return copy_held(team, behind * piece);
     const LevelStrip strip = strips(team.league_rank());
     const LevelFront f = v.fronts(strip.front);
     const StripProduct product(team, parts);
@@ -131,14 +145,13 @@ struct BackwardStrips {
       v.solve(v.unknown(at), v.results(at) + product.row(i));
     });
   }
-};
-
-/// Prescribed values and ghosts.
-struct CopyHeld {
-  LevelInts held;
-  ConstArray r;
-  Array z;
-  KOKKOS_FUNCTION void operator()(int i) const { z(held(i)) = r(held(i)); }
+  KOKKOS_FUNCTION void copy_held(const LevelTeam& team, int first) const {
+    const int left = static_cast<int>(held.extent(0)) - first, count = left < piece ? left : piece;
+    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, count), [&](int i) {
+      const int at = held(first + i);
+      v.z(at) = static_cast<Real>(v.factor.at(at) * v.r(at));
+    });
+  }
 };
 
 }  // namespace softwet

@@ -45,19 +45,12 @@ class LevelLu final : public StencilSolver<D> {
     }
   }
 
-  void apply(const ConstArray& r, const Array& z) override {
-    const LevelVectors v{fronts_,         unknown_, inherited_, factors_, scale_.row(),
-                         scale_.column(), results_, solution_,  r,        z};
-    for (auto level = levels_.rbegin(); level != levels_.rend(); ++level)
-      run("softwet::lu_forward", level->pivots, level->last_forward - level->first_forward, [&](int parts) {
-        return ForwardStrips{v, part_of(forward_, level->first_forward, level->last_forward), parts};
-      });
-    for (const TreeLevel& level : levels_)
-      run("softwet::lu_backward", level.border, level.last_backward - level.first_backward, [&](int parts) {
-        return BackwardStrips{v, part_of(backward_, level.first_backward, level.last_backward), parts};
-      });
-    if (held_.extent(0) > 0)
-      Kokkos::parallel_for("softwet::lu_held", Kokkos::RangePolicy<Exec>(0, held_.extent(0)), CopyHeld{held_, r, z});
+  void apply(const ConstArray& r, const Array& z) override { multiply<double>(r, z, {}); }
+  void answer(const ConstArray& r, const Array& z, const RangeFactors& factors) override {
+    multiply<double>(r, z, factors);
+  }
+  void answer(const ConstArrayOf<float>& r, const ArrayOf<float>& z, const RangeFactors& factors) override {
+    multiply<float>(r, z, factors);
   }
 
   std::string name() const override { return "lu"; }
@@ -122,17 +115,35 @@ class LevelLu final : public StencilSolver<D> {
     elimination_.emplace(rows_of_level_);
   }
 
+  template <class Real>
+  void multiply(const ConstArrayOf<Real>& r, const ArrayOf<Real>& z, const RangeFactors& factors) const {
+    const LevelVectors<Real> v{fronts_,  unknown_,  inherited_, factors_, scale_.row(), scale_.column(),
+                               results_, solution_, r,          z,        factors};
+    for (auto level = levels_.rbegin(); level != levels_.rend(); ++level)
+      run("softwet::lu_forward", level->pivots, level->last_forward - level->first_forward, [&](int parts) {
+        return ForwardStrips<Real>{v, part_of(forward_, level->first_forward, level->last_forward), parts};
+      });
+    for (const TreeLevel& level : levels_) {
+      BackwardStrips<Real> back{v, part_of(backward_, level.first_backward, level.last_backward), 0, {}};
+      if (&level == &levels_.back()) back.held = held_;
+      run("softwet::lu_backward", level.border, back.teams(), [&](int parts) {
+        back.parts = parts;
+        return back;
+      });
+    }
+  }
+
   static Strips part_of(const Strips& strips, int first, int last) {
     return Kokkos::subview(strips, Kokkos::make_pair(first, last));
   }
 
-  /// One team for each strip. Columns are dealt out to so many sums as keep the memory busy and leave each one some.
+  /// One team for each strip or piece. Columns are dealt out to so many sums as keep the memory busy and leave each one some.
   template <class Kernel>
-  void run(const char* label, int columns, int strips, const Kernel& kernel) const {
-    if (strips == 0) return;
+  void run(const char* label, int columns, int teams, const Kernel& kernel) const {
+    if (teams == 0) return;
     const int parts = columns > 256 ? 16 : 8, threads = threads_ > 0 ? threads_ : on_host ? 1 : parts;
     Kokkos::parallel_for(label,
-                         Kokkos::TeamPolicy<Exec>(strips, threads, StripProduct::lanes)
+                         Kokkos::TeamPolicy<Exec>(teams, threads, StripProduct::lanes)
                              .set_scratch_size(0, Kokkos::PerTeam(StripProduct::scratch_bytes(parts))),
                          kernel(parts));
   }

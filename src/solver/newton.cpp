@@ -98,16 +98,10 @@ KrylovResult Newton::linear_solve_in(LinearSpace<Real>& space, const NonlinearSy
   using Vector = ArrayOf<Real>;
   constexpr bool full = std::is_same_v<Real, double>;
   const auto apply = [&](const Vector& z, const Vector& out) { jacobian_product(system, control, x, z, out); };
+  const RangeFactors renewed = system.solid.factors(built_for_);
   const auto precondition = [&](const Vector& r, const Vector& z) {
     Stopwatch inner(counts_.apply_seconds, counts_.applications++);
-    if constexpr (full) {
-      preconditioner_->apply(r, z);
-      system.solid.renew(built_for_, z, z);
-    } else {
-      convert(probe_, r);
-      preconditioner_->apply(probe_, step_);
-      system.solid.renew(built_for_, step_, z);
-    }
+    preconditioner_->answer(r, z, renewed);
   };
   RangeFactors weights;
   for (std::size_t f = 0; f < fields.size(); ++f) weights.add(fields[f].first, fields[f].last, weight_[f] * weight_[f]);

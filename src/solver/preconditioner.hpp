@@ -5,22 +5,48 @@
 #include <memory>
 #include <string>
 
+#include "field/vector.hpp"
+#include "solver/scale_fields.hpp"
 #include "solver/stencil.hpp"
 
 namespace softwet {
 
-class Preconditioner {
+/// What preconditioners and the solvers behind them have in common.
+class RoughInverse {
  public:
-  virtual ~Preconditioner() = default;
-  /// Rebuilds from the Jacobian at the current point.
-  virtual void build(const Jacobian& jacobian) = 0;
-  /// z = approximately J^-1 r.
+  virtual ~RoughInverse() = default;
+  /// z = approximately A^-1 r.
   virtual void apply(const ConstArray& r, const Array& z) = 0;
+  /// Factors times that, for vectors of either precision. Where nothing better is known, what is beside `apply` takes kernels
+  /// and vectors of its own.
+  virtual void answer(const ConstArray& r, const Array& z, const RangeFactors& factors) {
+    apply(r, z);
+    if (factors.count > 0) ScaleFields<double, double>{z, z, factors}.run();
+  }
+  virtual void answer(const ConstArrayOf<float>& r, const ArrayOf<float>& z, const RangeFactors& factors) {
+    if (r_.extent(0) != r.extent(0)) {
+      r_ = Array("answer.r", r.extent(0));
+      z_ = Array("answer.z", r.extent(0));
+    }
+    convert(r_, r);
+    apply(r_, z_);
+    ScaleFields<float, double>{z, z_, factors}.run();
+  }
   virtual std::string name() const = 0;
+  /// Without the matrix that a solver is given.
   virtual double bytes() const = 0;
   /// The measured cost of a build, in Krylov iterations (a product and an application each). Newton keeps a lagged
   /// preconditioner until it has wasted as many.
   virtual double build_cost() const = 0;
+
+ private:
+  Array r_, z_;  ///< in double precision
+};
+
+class Preconditioner : public RoughInverse {
+ public:
+  /// Rebuilds from the Jacobian at the current point.
+  virtual void build(const Jacobian& jacobian) = 0;
 };
 
 /// z = r. Only for tests and comparisons.
@@ -35,16 +61,10 @@ class NoPreconditioner final : public Preconditioner {
 
 /// A rough inverse of a given matrix: of the Jacobian, or of a coarse one under it.
 template <int D>
-class StencilSolver {
+class StencilSolver : public RoughInverse {
  public:
-  virtual ~StencilSolver() = default;
   /// Keeps a reference to the matrix.
   virtual void build(const StencilMatrix<D>& matrix) = 0;
-  virtual void apply(const ConstArray& r, const Array& z) = 0;
-  virtual std::string name() const = 0;
-  /// Without the matrix itself.
-  virtual double bytes() const = 0;
-  virtual double build_cost() const = 0;
 };
 
 /// The assembled Jacobian and a solver for it.
@@ -58,6 +78,12 @@ class Assembled final : public Preconditioner {
     solver_->build(matrix_);
   }
   void apply(const ConstArray& r, const Array& z) override { solver_->apply(r, z); }
+  void answer(const ConstArray& r, const Array& z, const RangeFactors& factors) override {
+    solver_->answer(r, z, factors);
+  }
+  void answer(const ConstArrayOf<float>& r, const ArrayOf<float>& z, const RangeFactors& factors) override {
+    solver_->answer(r, z, factors);
+  }
   std::string name() const override { return solver_->name(); }
   double bytes() const override { return matrix_.bytes() + solver_->bytes(); }
   double build_cost() const override { return solver_->build_cost(); }

@@ -46,19 +46,25 @@ class Schwarz final : public StencilSolver<D> {
   }
 
   void apply(const ConstArray& r, const Array& z) override {
-    const ConstArray here = with_copies(r);
+    if (in_few_kernels()) return answer(r, z, {});
+    const ConstArray all = layout_.whole() ? r : with_copies(r);
     if (space_) {
-      space_->restrict_to(here, coarse_r_);
-      coarse_->apply(coarse_r_, coarse_z_);
-      update(space_->layout(), coarse_z_);
+      space_->restrict_to(all, coarse_r_);
+      solve_below();
       space_->prolong(coarse_z_, z);
     } else {
       Kokkos::deep_copy(Exec(), z, 0.0);
     }
-    if (!space_ || !multiplicative_) return boxes_.add(here, z, 1);
+    if (!space_ || !multiplicative_) return boxes_.add(all, z, 1);
     matrix_->residual(r, z, rest_);
     update(layout_, rest_);
     boxes_.add(rest_, z, damping);
+  }
+  void answer(const ConstArray& r, const Array& z, const RangeFactors& factors) override {
+    in_few_kernels() ? add_up(r, z, factors) : RoughInverse::answer(r, z, factors);
+  }
+  void answer(const ConstArrayOf<float>& r, const ArrayOf<float>& z, const RangeFactors& factors) override {
+    in_few_kernels() ? add_up(r, z, factors) : RoughInverse::answer(r, z, factors);
   }
 
   std::string name() const override { return "schwarz"; }
@@ -74,11 +80,33 @@ class Schwarz final : public StencilSolver<D> {
     if (!layout.whole()) update_columns<double>(layout.columns, *layout.exchange, x);
   }
   /// The residual with the copies of other processes' columns.
-  ConstArray with_copies(const ConstArray& r) const {
-    if (layout_.whole()) return r;
-    Kokkos::deep_copy(Exec(), r_, r);
+  template <class Real>
+  ConstArray with_copies(const ConstArrayOf<Real>& r) const {
+    convert(r_, r);
     update(layout_, r_);
     return r_;
+  }
+
+  void solve_below() {
+    coarse_->apply(coarse_r_, coarse_z_);
+    update(space_->layout(), coarse_z_);
+  }
+
+  /// An additive level on a device takes one kernel before the solver below, which restricts the residual and multiplies with
+  /// the boxes' inverses, and one after it. On the host transfers along one axis after another are faster.
+  bool in_few_kernels() const { return !host_algorithms && space_ && !multiplicative_; }
+  template <class Real>
+  void add_up([[maybe_unused]] const ConstArrayOf<Real>& r, [[maybe_unused]] const ArrayOf<Real>& z,
+              [[maybe_unused]] const RangeFactors& factors) {
+    if constexpr (!host_algorithms) {
+      layout_.whole() ? restrict_and_multiply(r) : restrict_and_multiply<double>(with_copies(r));
+      solve_below();
+      boxes_.collect(space_->prolongation(coarse_z_), 1, factors, z);
+    }
+  }
+  template <class Real>
+  void restrict_and_multiply(const ConstArrayOf<Real>& r) const {
+    boxes_.multiply(r, WriteEntries<SumAllAxes<D, Real>>{space_->restriction(r), coarse_r_});
   }
 
   void add_coarse(const Layout<D>& layout, const ConstArray& mask, const SchwarzControl& control) {

@@ -21,9 +21,8 @@ struct SchwarzControl {
   static SchwarzControl for_dimension(int d) {
     SchwarzControl c = d == 2 ? SchwarzControl{.width = box_width(2), .stride = 6}
                               : SchwarzControl{.width = box_width(3), .stride = 3, .direct_up_to = 10000};
-    if (host_algorithms) {
-      c.share = 0.1f;
-    } else {
+    c.share = 0.1f;
+    if (!host_algorithms) {
       c.direct_up_to = 2600;
       c.dense_bottom = true;
     }

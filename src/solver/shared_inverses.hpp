@@ -1,8 +1,9 @@
 // Which boxes of a level of Schwarz's method use the inverse of another box.
 #pragma once
 
-#include "solver/box_inverses.hpp"
-#include "solver/gauss_jordan.hpp"
+#include <vector>
+
+#include "solver/choose_inverse.hpp"
 #include "solver/patches.hpp"
 
 namespace softwet {
@@ -22,36 +23,34 @@ class SharedInverses {
   /// Boxes in the order in which they are built: those of one wave are compared with those of earlier ones, never with each
   /// other. A wave consists of whole rows of boxes along the first axis.
   const std::vector<std::vector<int>>& waves() const { return waves_; }
-  /// Finds the owners of boxes of a wave, given their matrices and the inverses of earlier waves. For the host.
-  void choose(const int* boxes, int count, const DenseBlocks& matrices, const BoxInverses&);
+  int largest_wave() const;
+  /// Finds the owners of boxes of a wave, given their matrices and the inverses of earlier waves: one kernel, and a copy of
+  /// the answers for which the host waits.
+  /// @param threads  that compare a box; 0: as many as suit the machine
+  void choose(const int* boxes, int count, const DenseBlocks& matrices, const BoxInverses&, int threads = 0);
   /// The box whose inverse a box uses.
   int owner(int box) const { return owner_[box]; }
   /// All boxes, those with the same inverse one after another.
   std::vector<int> by_owner() const;
 
  private:
-  /// The matrix of a box, and the largest entry of each row.
-  struct Matrix {
-    const float* entry;
-    std::size_t stride;
-    std::vector<float> size_of_row;
-
-    const float* row(int i) const { return entry + i * stride; }
-  };
+  using Numbers = ChooseInverse::Rows<int>;
 
   std::vector<int> candidates(int box) const;
-  /// The closest inverse below the limit, else the box itself.
-  int closest(int box, const Matrix&, const BoxInverses&) const;
-  /// Largest |A_c^-1 A_b x - x|_f / |x|_f; not a number where the inverse has entries that are none.
-  float distance(const Matrix&, int candidate, int kind, const BoxInverses&) const;
+  /// Tables for the kernel. Boxes of one kind have the fields of the first one.
+  void allocate(const PatchTables&, const std::vector<int>& first_of_kind);
 
   float limit_;
   int row_, rows_, components_;
-  std::vector<int> kind_;                    ///< [box] equal where unknowns lie alike
-  std::vector<std::vector<int>> component_;  ///< [kind][unknown of the box]
-  std::vector<float> probe_[2];              ///< random signs
+  std::vector<int> kind_;  ///< [box] equal where unknowns lie alike
   std::vector<std::vector<int>> waves_;
   std::vector<int> owner_;
+  BlockSizes size_;  ///< as in ChooseInverse, as all below
+  Numbers field_, question_;
+  Numbers::host_mirror_type question_on_host_;
+  ChooseInverse::Rows<float> probe_;
+  Kokkos::View<int*, Exec> answer_;
+  Kokkos::View<int*, Exec>::host_mirror_type answer_on_host_;
 };
 
 }  // namespace softwet

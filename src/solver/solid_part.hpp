@@ -1,7 +1,9 @@
 // A preconditioner that was built for another time step, in a solid.
 #pragma once
 
-#include "solver/scale_fields.hpp"
+#include <vector>
+
+#include "field/range_factors.hpp"
 
 namespace softwet {
 
@@ -15,14 +17,13 @@ struct SolidPart {
   std::vector<Range> ranges;
   double size = 1;  ///< of this part of the Jacobian, up to a factor that stays the same
 
-  /// to = the answer `from` of a preconditioner that was built when the size was `built`. Both may be one vector.
-  template <class To>
-  void renew(double built, const Array& from, const ArrayOf<To>& to) const {
+  /// What the answer of a preconditioner is multiplied with that was built when the size was `built`.
+  RangeFactors factors(double built) const {
+    RangeFactors all;
     const double ratio = built / size;
-    if (std::is_same_v<To, double> && ratio == 1 && from.data() == static_cast<const void*>(to.data())) return;
-    ScaleFields<To, double> scale{to, from};
-    for (const Range& r : ranges) scale.factors.add(r.first, r.last, ratio);
-    scale.run();
+    for (const Range& r : ranges)
+      if (ratio != 1) all.add(r.first, r.last, ratio);
+    return all;
   }
 };
 
