@@ -40,8 +40,8 @@ double counted_flops(const Case& c, double fluid_elements, double solid_elements
   return fluid * fluid_elements + solid * solid_elements;
 }
 
-/// Threads of all processes.
-int core_count() { return thread_count() * ranks::count(); }
+/// Cores or devices of all processes.
+int workers() { return worker_count() * ranks::count(); }
 
 /// Prints one line per measurement.
 struct Sheet {
@@ -49,13 +49,13 @@ struct Sheet {
   int unknowns;  ///< of the whole patch
 
   void line(const std::string& name, double seconds, const std::string& more = "") const {
-    rate(name, seconds, unknowns, "M unknowns/s/core", more);
+    rate(name, seconds, unknowns, "M unknowns", more);
   }
   void rate(const std::string& name, double seconds, double items, const char* unit,
             const std::string& more = "") const {
     char text[200];
-    std::snprintf(text, sizeof text, "%-46s %10.4f ms %9.2f %s", name.c_str(), 1e3 * seconds,
-                  1e-6 * items / seconds / core_count(), unit);
+    std::snprintf(text, sizeof text, "%-46s %10.4f ms %9.2f %s/s/%s", name.c_str(), 1e3 * seconds,
+                  1e-6 * items / seconds / workers(), unit, worker_name());
     out << text << more << "\n";
   }
 };
@@ -69,9 +69,9 @@ void bench_terms(const Sheet& sheet, const Layout<D>& layout, const Pieces<D, Re
     const std::string name = piece.name();
     const double elements = piece.region().elements();  // of one process
     sheet.rate("  residual of " + name, seconds_per_call([&] { piece.residual(plain); }), elements * ranks::count(),
-               "M elements/s/core");
+               "M elements");
     sheet.rate("  product of " + name, seconds_per_call([&] { piece.product(tangent); }), elements * ranks::count(),
-               "M elements/s/core");
+               "M elements");
   }
 }
 
@@ -228,8 +228,8 @@ void bench_model(const Case& asked, std::ostream& out) {
   const double residual = seconds_per_call([&] { scheme.residual(state.unknown, r); });
   char flops[80] = "";
   if (model.points() == 3)
-    std::snprintf(flops, sizeof flops, ", %.1f GFLOP/s/core of the counted work",
-                  1e-9 * counted_flops(c, fluid, solid) / residual / core_count());
+    std::snprintf(flops, sizeof flops, ", %.1f GFLOP/s/%s of the counted work",
+                  1e-9 * counted_flops(c, fluid, solid) / residual / workers(), worker_name());
   sheet.line("residual", residual, flops);
   sheet.line("product, exact", seconds_per_call([&] { scheme.product(z, r, Geometry::exact); }));
   const StencilValues values("jacobian", Stencil<D>(layout).size());

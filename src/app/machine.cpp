@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "case/error.hpp"
@@ -31,7 +32,21 @@ ParallelRuntime::~ParallelRuntime() { Kokkos::finalize(); }
 
 std::string backend_name() { return Exec::name(); }
 
-int thread_count() { return Exec().concurrency(); }
+int thread_count() { return Kokkos::DefaultHostExecutionSpace().concurrency(); }
+
+int worker_count() { return on_host ? thread_count() : 1; }
+const char* worker_name() { return on_host ? "core" : "device"; }
+
+double device_bytes_to_be_had() {
+#if defined(KOKKOS_ENABLE_CUDA)
+  std::size_t left = 0, all = 0;
+  if (cudaMemGetInfo(&left, &all) == cudaSuccess) return static_cast<double>(left);
+#elif defined(KOKKOS_ENABLE_HIP)
+  std::size_t left = 0, all = 0;
+  if (hipMemGetInfo(&left, &all) == hipSuccess) return static_cast<double>(left);
+#endif
+  return std::numeric_limits<double>::infinity();
+}
 
 std::string host_name() {
   char name[256] = {};

@@ -18,10 +18,13 @@ class ParallelRuntime {
 };
 
 std::string backend_name();  ///< "OpenMP", "Cuda"
-int thread_count();          ///< of the running backend
+int thread_count();          ///< of this process, on the processor
+int worker_count();          ///< that rates are told for: threads on a processor, one for a device
+const char* worker_name();   ///< "core", "device"
 std::string host_name();
 std::string instruction_set();                   ///< the widest vector instructions this build uses, "AVX-512"
 int lanes();                                     ///< elements per SIMD pack, 1 on a device
+double device_bytes_to_be_had();                 ///< what is free on the device; infinity on a processor
 double peak_memory_mib();                        ///< largest resident memory of this process so far
 std::vector<double> peak_memory_of_processes();  ///< the same of each; all call it together
 

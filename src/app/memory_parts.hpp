@@ -7,12 +7,20 @@
 
 #include "case/case.hpp"
 #include "case/precision.hpp"
+#include "operator/tile_shape.hpp"
 #include "solver/preconditioner.hpp"
 
 namespace softwet {
 
 /// The part that does not grow with the case.
 constexpr const char* program_part = "program and libraries";
+
+/// Partial sums of the tiles of a device, for each control value of an evaluation: tiles overlap in their control points.
+template <int D>
+double sums_of_tiles(int degree) {
+  const auto of = []<class Tile>(Tile) { return double(Tile::controls) / (Tile::NX * Tile::NY * Tile::NZ); };
+  return degree == 2 ? of(ChosenTile<D, 2, false, double>()) : of(ChosenTile<D, 3, false, double>());
+}
 
 /// Name and bytes of each part. The preconditioner counts what it will hold once it is built; the factors of "umfpack"
 /// are then an estimate, mostly too low. Explicit schemes have none.
@@ -24,8 +32,10 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
   const double stage = 2 * n + rate + 2 * solid + scalar;
   std::vector<std::pair<std::string, double>> parts{{program_part, 34.0 * 1048576},
                                                     {"state and history", 8 * (state + 3 * n)}};
+  const bool mixed = precision_of(c) != Precision::full;
+  if (!host_algorithms)
+    parts.push_back({"sums of tiles", (mixed ? 12 : 8) * sums_of_tiles<D>(l.axis[0].degree()) * (n + scalar)});
   if (preconditioner) {
-    const bool mixed = precision_of(c) != Precision::full;
     const double rounded = stage + (precision_of(c) == Precision::single ? n : 0);
     parts.insert(parts.end(), {{"stage", 8 * stage + 4 * rounded},
                                {"Newton", 8 * (mixed ? 6 : 5) * n},

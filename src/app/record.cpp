@@ -36,9 +36,9 @@ void add_timings(RecordValue& timings, const SolverCounts& k, const RunSeconds& 
   timings["total"] = s.total;
 }
 
-/// Million unknowns per second and core.
+/// Million unknowns per second and core, or device.
 double rate(int unknowns, long calls, double seconds) {
-  return seconds > 0 ? 1e-6 * unknowns * static_cast<double>(calls) / seconds / thread_count() : 0;
+  return seconds > 0 ? 1e-6 * unknowns * static_cast<double>(calls) / seconds / worker_count() : 0;
 }
 
 }  // namespace

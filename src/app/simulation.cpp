@@ -117,7 +117,8 @@ template <int D, int P>
 void Simulation<D, P>::run() {
   const InterruptGuard interrupts;
   // The factors of a preconditioner may be most of the memory; they are not there yet.
-  require_bytes(case_, total_bytes(case_, model_.layout(), stepper_.scheme().preconditioner()));
+  const double needed = total_bytes(case_, model_.layout(), stepper_.scheme().preconditioner());
+  on_host ? require_bytes(case_, needed) : require_device_bytes(case_, needed, device_bytes_to_be_had());
   progress_.emplace(Progress::voice(options_.quiet || !ranks::root()), case_.run_start() - case_.clock_zero(),
                     case_.time.end);
   options_.resume ? restore() : begin();

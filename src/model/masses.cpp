@@ -7,7 +7,8 @@ namespace softwet {
 template <int D, int P>
 template <class Motion, class Term>
 void Masses<D, P>::add(const Term& term, const Region<D>& region, const Evaluation<D>& at) const {
-  assemble<P, false, TermList<TermOnMesh<Term, Motion>>>(task_of<D, Term, Motion, double>(term, region, at, model_.blend()), at);
+  assemble<P, false, TermList<TermOnMesh<Term, Motion>>>(
+      task_of<D, Term, Motion, double>(term, region, at, model_.blend()), at);
 }
 
 template <int D, int P>

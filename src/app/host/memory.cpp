@@ -69,6 +69,19 @@ double left_by_process_limit() {
   return std::max(0.0, static_cast<double>(limit.rlim_cur) - 1024 * number_after("VmSize:", "/proc/self/status", 0));
 }
 
+/// @param memory  what is asked for, in words
+void refuse_above(const Case& c, double needed, double available, const char* memory) {
+  if (needed <= available) return;
+  std::string mesh;
+  for (int elements : c.domain.elements) mesh += (mesh.empty() ? "" : ", ") + std::to_string(elements);
+  throw Error(Exit::machine_failed,
+              fmt::format("the case needs {} of {} or more, and {} can be had here (domain.elements = [{}], "
+                          "solver.krylov.restart = {}, solver.krylov.preconditioner = \"{}\"); take fewer elements, a "
+                          "smaller restart, the preconditioner \"schwarz\", or a machine with more memory",
+                          bytes_text(needed), memory, bytes_text(available), mesh, c.solver.krylov_restart,
+                          c.solver.preconditioner));
+}
+
 }  // namespace
 
 double most_unknowns(const Case& c) {
@@ -109,17 +122,10 @@ double bytes_to_be_had() {
   return held + std::min({system, left_by_control_groups(), left_by_process_limit()});
 }
 
-void require_bytes(const Case& c, double needed) {
-  const double available = bytes_to_be_had();
-  if (needed <= available) return;
-  std::string mesh;
-  for (int elements : c.domain.elements) mesh += (mesh.empty() ? "" : ", ") + std::to_string(elements);
-  throw Error(
-      Exit::machine_failed,
-      fmt::format("the case needs {} of memory or more, and {} can be had here (domain.elements = [{}], "
-                  "solver.krylov.restart = {}, solver.krylov.preconditioner = \"{}\"); take fewer elements, a "
-                  "smaller restart, the preconditioner \"schwarz\", or a machine with more memory",
-                  bytes_text(needed), bytes_text(available), mesh, c.solver.krylov_restart, c.solver.preconditioner));
+void require_bytes(const Case& c, double needed) { refuse_above(c, needed, bytes_to_be_had(), "memory"); }
+
+void require_device_bytes(const Case& c, double needed, double available) {
+  refuse_above(c, needed, available, "memory of the device");
 }
 
 std::string bytes_text(double bytes) {

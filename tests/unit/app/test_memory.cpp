@@ -118,6 +118,9 @@ TEST(Memory, WhatCanBeHadIsPositiveAndMoreIsRefusedWithBothAmounts) {
   require_bytes(c, 1024);
   expect_error(Exit::machine_failed, {"needs 9.313e+08 GiB", "can be had", "[128, 64]", "schwarz"},
                [&] { require_bytes(c, 1e18); });
+  require_device_bytes(c, 1024, 2048);
+  expect_error(Exit::machine_failed, {"needs 2 GiB of memory of the device", "1 GiB can be had", "schwarz"},
+               [&] { require_device_bytes(c, 2.0 * (1 << 30), 1 << 30); });
 }
 
 }  // namespace
