@@ -33,10 +33,10 @@ struct ElementKernel {
 };
 
 /// Puts the tiles of a term among those of the evaluation.
-template <class Kernel, bool shared_test, int D, class Term, class Motion, class Real>
+template <class Kernel, class Entry, class List, int D, class Term, class Motion, class Real>
 void add_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
-  using Entry = TermOnMesh<Term, Motion>;
-  using Plan = typename Kernel::template PlanOf<Entry, shared_test>;
+  static_assert(List::template has<Entry>, "the kernel of a list runs the terms of the list");
+  using Plan = typename Kernel::template PlanOf<Entry>;
   using Shape = typename Plan::Shape;
   double spacing[D];
   for (int d = 0; d < D; ++d) spacing[d] = task.region.axis[d].spacing;
@@ -47,7 +47,7 @@ void add_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums)
     source.template shape<Shape>(grid);
     source.first_row = task.region.test.first;
     source.shared_test = Shape::Shared;
-    std::byte* room = sums.add_tiles(&Kernel::launch, Kernel::template code<Entry>(shared_test), grid.count());
+    std::byte* room = sums.add_tiles(&Kernel::launch, List::template place<Entry>(), grid.count());
     static_assert(sizeof(Tile<Plan>) <= TileSums<D, Real>::room_for_term && std::is_trivially_copyable_v<Tile<Plan>>);
     auto* tile = new (room) Tile<Plan>;
     tile->task.set(task, sums.direction());
@@ -74,16 +74,21 @@ void run_elements(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& su
   }
 }
 
-/// The term's residual, or (Tangent) its Jacobian-vector product, as partial sums. Terms of one list are launched together.
-/// With reduced quadrature slopes do not follow from values at points, so that a thread takes an element.
+/// The term's residual, or (Tangent) its Jacobian-vector product, as partial sums. Terms of one list are launched together,
+/// but not those whose test functions are shared. With reduced quadrature slopes do not follow from values at points, so that
+/// a thread takes an element.
 template <int P, bool Tangent, class List, int D, class Term, class Motion, class Real>
 void assemble_in_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
-  using Kernel = TileKernel<ChosenTile<D, P, Tangent, Real>, Tangent, Real, List>;
+  const auto add = [&]<class Entry, class Of>(Entry, Of) {
+    add_tiles<TileKernel<ChosenTile<D, P, Tangent, Real>, Tangent, Real, Of>, Entry, Of>(task, sums);
+  };
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
     if constexpr (Q != P + 1) return run_elements<P, Q, Tangent>(task, sums);
-    if constexpr (Q == P + 1 && Term::where == Where::beside_wall)
-      if (task.region.shared_test) return add_tiles<Kernel, true>(task, sums);
-    if constexpr (Q == P + 1) add_tiles<Kernel, false>(task, sums);
+    if constexpr (Q == P + 1 && Term::where == Where::beside_wall) {
+      using Shared = TermOnMesh<Term, Motion, true>;
+      if (task.region.shared_test) return add(Shared(), TermList<Shared>());
+    }
+    if constexpr (Q == P + 1) add(TermOnMesh<Term, Motion>(), List());
   });
 }
 template <int P, bool Tangent, int D, class Term, class Motion, class Real>

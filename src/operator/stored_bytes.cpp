@@ -9,19 +9,19 @@ namespace {
 
 using Bytes = Kokkos::View<std::byte*, Exec>;
 
-struct Stored {
+struct StoredTable {
   std::vector<std::byte> bytes;
   Bytes copy;
   long last_use = 0;
 };
 
-struct Store {
-  Stored entry[16];
+struct TableStore {
+  StoredTable entry[16];
   long uses = 0, copies = 0;
 };
 
-Store& store() {
-  static Store kept;
+TableStore& table_store() {
+  static TableStore kept;
   static const bool released_in_time = [] {
     Kokkos::push_finalize_hook([] { kept = {}; });
     return true;
@@ -30,7 +30,7 @@ Store& store() {
   return kept;
 }
 
-void copy(Stored& to, const std::byte* bytes, std::size_t count) {
+void copy_table(StoredTable& to, const std::byte* bytes, std::size_t count) {
   to.bytes.assign(bytes, bytes + count);
   if (to.copy.extent(0) < count) to.copy = Bytes(Kokkos::view_alloc("tables", Kokkos::WithoutInitializing), count);
   const Kokkos::View<const std::byte*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> from(bytes, count);
@@ -40,22 +40,22 @@ void copy(Stored& to, const std::byte* bytes, std::size_t count) {
 }  // namespace
 
 const std::byte* stored_bytes(const std::byte* bytes, std::size_t count) {
-  Store& s = store();
+  TableStore& s = table_store();
   ++s.uses;
-  Stored* oldest = s.entry;
-  for (Stored& entry : s.entry) {
+  StoredTable* oldest = s.entry;
+  for (StoredTable& entry : s.entry) {
     if (entry.bytes.size() == count && std::memcmp(entry.bytes.data(), bytes, count) == 0) {
       entry.last_use = s.uses;
       return entry.copy.data();
     }
     if (entry.last_use < oldest->last_use) oldest = &entry;
   }
-  copy(*oldest, bytes, count);
+  copy_table(*oldest, bytes, count);
   oldest->last_use = s.uses;
   ++s.copies;
   return oldest->copy.data();
 }
 
-long copies_of_bytes() { return store().copies; }
+long copies_of_bytes() { return table_store().copies; }
 
 }  // namespace softwet

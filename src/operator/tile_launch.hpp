@@ -13,11 +13,13 @@
 
 namespace softwet {
 
-/// A term on a mesh with or without motion, as a type.
-template <class Term_, class Motion_>
+/// A term on a mesh with or without motion, as a type; with `shared_test` the elements above each other have the same test
+/// functions.
+template <class Term_, class Motion_, bool shared_test_ = false>
 struct TermOnMesh {
   using Term = Term_;
   using Motion = Motion_;
+  static constexpr bool shared_test = shared_test_;
 };
 template <class... Entries>
 struct TermList {
@@ -32,23 +34,16 @@ struct TermList {
   }
 };
 
-/// How the elements of a term make tiles. Terms beside the wall have two ways.
-enum class TileForm { volume, layer, wall, shared };
-template <class Term>
-constexpr TileForm form_of(bool shared_test) {
-  if (Term::where == Where::wall) return TileForm::wall;
-  if (Term::where != Where::beside_wall) return TileForm::volume;
-  return shared_test ? TileForm::shared : TileForm::layer;
-}
-template <TileForm form, class Tile>
-using ShapeOf =
-    std::conditional_t<form == TileForm::volume, Tile,
-                       std::conditional_t<form == TileForm::wall, WallOf<Tile>,
-                                          std::conditional_t<form == TileForm::layer, LayerOf<Tile>, SharedOf<Tile>>>>;
+/// The shape of the tiles of a term, given that of a volume.
+template <class Entry, class Tile>
+using ShapeOf = std::conditional_t<
+    Entry::shared_test, SharedOf<Tile>,
+    std::conditional_t<Entry::Term::where == Where::wall, WallOf<Tile>,
+                       std::conditional_t<Entry::Term::where == Where::beside_wall, LayerOf<Tile>, Tile>>>;
 
 inline constexpr int most_sources = 12;
 
-/// The terms of a launch: which code each runs, where it lies, and its first team.
+/// The terms of a launch: the place of each in the list of its kernel, where it lies, and its first team.
 struct TileSchedule {
   int count = 0;
   int code[most_sources] = {}, place[most_sources] = {};
@@ -58,29 +53,17 @@ struct TileSchedule {
 template <class Real>
 using TileLaunch = void(const TileSchedule&, const std::byte* terms, const Real* direction);
 
-/// Kernels for the terms of a list, each in the form that it has.
+/// The kernel for the terms of a list.
 template <class Tile_, bool Tangent, class Real, class List>
 struct TileKernel;
 template <class Tile_, bool Tangent, class Real, class... Entries>
 struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
-  template <class Entry, bool shared_test>
-  using PlanOf = TilePlan<ShapeOf<form_of<typename Entry::Term>(shared_test), Tile_>, typename Entry::Term,
-                          typename Entry::Motion, Tangent, Real>;
   template <class Entry>
-  static constexpr int scratch_of = TileScratch<PlanOf<Entry, false>>::size > TileScratch<PlanOf<Entry, true>>::size
-                                        ? TileScratch<PlanOf<Entry, false>>::size
-                                        : TileScratch<PlanOf<Entry, true>>::size;
-  static constexpr int size = std::max({scratch_of<Entries>...}), bytes = size * sizeof(Real);
+  using PlanOf = TilePlan<ShapeOf<Entry, Tile_>, typename Entry::Term, typename Entry::Motion, Tangent, Real>;
+  static constexpr int size = std::max({TileScratch<PlanOf<Entries>>::size...}), bytes = size * sizeof(Real);
   static constexpr int threads = on_host ? 1 : Tile_::points;
   static_assert(bytes + (Tile_::points + 4) * sizeof(double) <= 48 * 1024,
                 "a device may give a team 48 kB and no more");
-
-  /// Number of the code of a term.
-  template <class Entry>
-  static constexpr int code(bool shared_test) {
-    return 2 * TermList<Entries...>::template place<Entry>() +
-           (shared_test && Entry::Term::where == Where::beside_wall ? 1 : 0);
-  }
 
   TileSchedule schedule;
   const std::byte* terms;
@@ -106,13 +89,8 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
  private:
   template <class Entry, class Team>
   KOKKOS_FORCEINLINE_FUNCTION void run_if(const Team& team, int s, Real* scratch) const {
-    if (schedule.code[s] == code<Entry>(false)) return run<PlanOf<Entry, false>>(team, s, scratch);
-    if constexpr (Entry::Term::where == Where::beside_wall)
-      if (schedule.code[s] == code<Entry>(true)) run<PlanOf<Entry, true>>(team, s, scratch);
-  }
-  template <class Plan, class Team>
-  KOKKOS_FORCEINLINE_FUNCTION void run(const Team& team, int s, Real* scratch) const {
-    reinterpret_cast<const Tile<Plan>*>(terms + schedule.place[s])->run(team, direction, scratch);
+    if (schedule.code[s] != TermList<Entries...>::template place<Entry>()) return;
+    reinterpret_cast<const Tile<PlanOf<Entry>>*>(terms + schedule.place[s])->run(team, direction, scratch);
   }
 };
 

@@ -56,7 +56,7 @@ TEST(Tiles2D, SeveralTermsAtOnce) {
   const Array first("first", c.patch.layout.size()), again("again", c.patch.layout.size());
   const Evaluation<2> at{c.patch.layout, c.patch.stage, c.direction, {}};
   const auto fluid = c.task<true, WallMotion<2>>(c.terms.fluid, at, c.patch.fluid());
-  const auto wall = c.task<true, WallMotion<2>>(c.terms.energy_wall, at, c.patch.face());
+  const auto wall = c.task<true, WallMotion<2>>(c.terms.gradient_wall, at, c.patch.face());
   const auto traction = c.task<true, WallMotion<2>>(c.terms.traction, at, c.patch.layer());
   const auto solid = c.task<true, NoMotion>(c.terms.solid, at, c.patch.solid());
   TileSums<2, double> sums(c.patch.layout, c.direction);
