@@ -1,4 +1,4 @@
-// The tiles of an evaluation, and what they have summed as control values: one launch for each, for all terms together.
+// The tiles of an evaluation, one launch for each list of terms, and what they have summed as control values, one launch in all.
 #pragma once
 
 #include <cstring>

@@ -74,21 +74,27 @@ void run_elements(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& su
   }
 }
 
-/// The term's residual, or (Tangent) its Jacobian-vector product, as partial sums. Terms of one list are launched together,
-/// but not those whose test functions are shared. With reduced quadrature slopes do not follow from values at points, so that
-/// a thread takes an element.
+/// The same with the list whose terms share its launch. Terms whose test functions are shared have their own.
+template <class Tile, bool Tangent, class List, int D, class Term, class Motion, class Real>
+void add_with_list(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
+  if constexpr (Term::where == Where::beside_wall) {
+    using Shared = TermOnMesh<Term, Motion, true>;
+    using Alone = TermList<Shared>;
+    if (task.region.shared_test) return add_tiles<TileKernel<Tile, Tangent, Real, Alone>, Shared, Alone>(task, sums);
+  }
+  add_tiles<TileKernel<Tile, Tangent, Real, List>, TermOnMesh<Term, Motion>, List>(task, sums);
+}
+
+/// The term's residual, or (Tangent) its Jacobian-vector product, as partial sums. With reduced quadrature slopes do not
+/// follow from values at points, so that a thread takes an element.
 template <int P, bool Tangent, class List, int D, class Term, class Motion, class Real>
 void assemble_in_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
-  const auto add = [&]<class Entry, class Of>(Entry, Of) {
-    add_tiles<TileKernel<ChosenTile<D, P, Tangent, Real>, Tangent, Real, Of>, Entry, Of>(task, sums);
-  };
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
-    if constexpr (Q != P + 1) return run_elements<P, Q, Tangent>(task, sums);
-    if constexpr (Q == P + 1 && Term::where == Where::beside_wall) {
-      using Shared = TermOnMesh<Term, Motion, true>;
-      if (task.region.shared_test) return add(Shared(), TermList<Shared>());
+    if constexpr (Q == P + 1) {
+      add_with_list<ChosenTile<D, P, Tangent, Real>, Tangent, List>(task, sums);
+    } else {
+      run_elements<P, Q, Tangent>(task, sums);
     }
-    if constexpr (Q == P + 1) add(TermOnMesh<Term, Motion>(), List());
   });
 }
 template <int P, bool Tangent, int D, class Term, class Motion, class Real>

@@ -1,4 +1,4 @@
-// All tiles of an evaluation in one launch, whichever terms they belong to.
+// The tiles of several terms in one launch.
 //
 // The kernel is made for a list of terms. The terms of an evaluation lie behind each other in memory of the device. A team
 // finds its own by its number, and runs the code of that term. The terms are copied to the device when they have changed: not
