@@ -23,7 +23,7 @@ struct SchwarzControl {
                               : SchwarzControl{.width = box_width(3), .stride = 3, .direct_up_to = 10000};
     c.share = 0.1f;
     if (!host_algorithms) {
-      c.direct_up_to = 2600;
+      c.direct_up_to = 3000;
       c.dense_bottom = true;
     }
     return c;
