@@ -172,6 +172,7 @@ class TileSums {
   TileLaunch<Real>* kernel_ = nullptr;
   TileSchedule schedule_;
   alignas(std::max_align_t) std::byte terms_[most_sources * room_for_term] = {};
+  static_assert(sizeof(terms_) <= most_stored_bytes);
   CollectTiles<D, Real> collect_;
 };
 
