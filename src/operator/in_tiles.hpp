@@ -74,7 +74,7 @@ void run_elements(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& su
   }
 }
 
-/// The same with the list whose terms share its launch. Terms whose test functions are shared have their own.
+/// Puts the tiles of a term among those of its list, which share a launch. With shared test functions it has its own launch.
 template <class Tile, bool Tangent, class List, int D, class Term, class Motion, class Real>
 void add_with_list(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
   if constexpr (Term::where == Where::beside_wall) {

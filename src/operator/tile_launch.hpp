@@ -23,7 +23,6 @@ struct TermOnMesh {
 };
 template <class... Entries>
 struct TermList {
-  static constexpr int count = sizeof...(Entries);
   template <class Entry>
   static constexpr bool has = (std::is_same_v<Entry, Entries> || ...);
   template <class Entry>
