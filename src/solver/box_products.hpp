@@ -78,6 +78,11 @@ struct ApplyBoxes {
   }
 };
 
+/// What the boxes' answers are added to: nothing.
+struct NoStart {
+  KOKKOS_FUNCTION double operator()(int) const { return 0; }
+};
+
 /// z = factors (start + damping times what the boxes say of each unknown). Both vectors may be one.
 template <class Start, class Real>
 struct CollectBoxes {

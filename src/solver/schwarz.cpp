@@ -48,14 +48,14 @@ class Schwarz final : public StencilSolver<D> {
   void apply(const ConstArray& r, const Array& z) override {
     if (in_few_kernels()) return answer(r, z, {});
     const ConstArray all = layout_.whole() ? r : with_copies(r);
-    if (space_) {
-      space_->restrict_to(all, coarse_r_);
-      solve_below();
-      space_->prolong(coarse_z_, z);
-    } else {
-      Kokkos::deep_copy(Exec(), z, 0.0);
+    if (!space_) {
+      boxes_.multiply(all, NothingBeside());
+      return boxes_.collect(NoStart(), 1, {}, z);
     }
-    if (!space_ || !multiplicative_) return boxes_.add(all, z, 1);
+    space_->restrict_to(all, coarse_r_);
+    solve_below();
+    space_->prolong(coarse_z_, z);
+    if (!multiplicative_) return boxes_.add(all, z, 1);
     matrix_->residual(r, z, rest_);
     update(layout_, rest_);
     boxes_.add(rest_, z, damping);
@@ -64,7 +64,7 @@ class Schwarz final : public StencilSolver<D> {
     in_few_kernels() ? add_up(r, z, factors) : RoughInverse::answer(r, z, factors);
   }
   void answer(const ConstArrayOf<float>& r, const ArrayOf<float>& z, const RangeFactors& factors) override {
-    in_few_kernels() ? add_up(r, z, factors) : RoughInverse::answer(r, z, factors);
+    in_few_kernels() && !multiplicative_ ? add_up(r, z, factors) : RoughInverse::answer(r, z, factors);
   }
 
   std::string name() const override { return "schwarz"; }
@@ -92,21 +92,31 @@ class Schwarz final : public StencilSolver<D> {
     update(space_->layout(), coarse_z_);
   }
 
-  /// An additive level on a device takes one kernel before the solver below, which restricts the residual and multiplies with
-  /// the boxes' inverses, and one after it. On the host transfers along one axis after another are faster.
-  bool in_few_kernels() const { return !host_algorithms && space_ && !multiplicative_; }
+  /// On a device a kernel computes the entries of the coarse correction that it needs, so that no other one writes them. On
+  /// the host transfers along one axis after another are faster.
+  bool in_few_kernels() const { return !host_algorithms && space_; }
   template <class Real>
   void add_up([[maybe_unused]] const ConstArrayOf<Real>& r, [[maybe_unused]] const ArrayOf<Real>& z,
               [[maybe_unused]] const RangeFactors& factors) {
     if constexpr (!host_algorithms) {
-      layout_.whole() ? restrict_and_multiply(r) : restrict_and_multiply<double>(with_copies(r));
-      solve_below();
-      boxes_.collect(space_->prolongation(coarse_z_), 1, factors, z);
+      layout_.whole() ? below_and_boxes(r) : below_and_boxes<double>(with_copies(r));
+      boxes_.collect(space_->prolongation(coarse_z_), multiplicative_ ? damping : 1, factors, z);
     }
   }
+  /// One kernel restricts the residual and multiplies with the boxes' inverses, unless these wait for the level below.
   template <class Real>
-  void restrict_and_multiply(const ConstArrayOf<Real>& r) const {
+  void below_and_boxes(const ConstArrayOf<Real>& r) {
+    if constexpr (std::is_same_v<Real, double>)
+      if (multiplicative_) return below_then_boxes(r);
     boxes_.multiply(r, WriteEntries<SumAllAxes<D, Real>>{space_->restriction(r), coarse_r_});
+    solve_below();
+  }
+  void below_then_boxes(const ConstArray& r) {
+    space_->restrict_to(r, coarse_r_);
+    solve_below();
+    matrix_->residual(r, space_->prolongation(coarse_z_), rest_);
+    update(layout_, rest_);
+    boxes_.multiply(ConstArray(rest_), NothingBeside());
   }
 
   void add_coarse(const Layout<D>& layout, const ConstArray& mask, const SchwarzControl& control) {

@@ -27,10 +27,11 @@ namespace {
 /// Free values of a vector, in single precision, by component and line. Lines carry `margin` values in front and more
 /// behind, so that a product reads whole chunks: zeros, or what a periodic axis repeats. Values that do not exist are
 /// zero.
-template <int D>
+template <int D, class Vector>
 struct SpreadValues {
   Stencil<D> stencil;
-  ConstArray x, mask;
+  Vector x;
+  ConstArray mask;
   StencilValues out;
   ComponentPlaces<D> places;
   StencilLines lines;
@@ -234,10 +235,11 @@ void StencilMatrix<D>::update_copies() const {
 }
 
 template <int D>
-void StencilMatrix<D>::multiply_into(const ConstArray& r, const ConstArray& x, const Array& y) const {
+template <class Vector>
+void StencilMatrix<D>::multiply_into(const ConstArray& r, const Vector& x, const Array& y) const {
   using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
   const ComponentPlaces<D> places(layout_);
-  const SpreadValues<D> spread{stencil_, x, mask_, spread_, places, lines_};
+  const SpreadValues<D, Vector> spread{stencil_, x, mask_, spread_, places, lines_};
   Kokkos::parallel_for("softwet::spread", Policy(0, spread_.extent(0)), spread);
   const auto run = [&](const auto& product) {
     Kokkos::parallel_for("softwet::stencil_multiply", Policy(0, product.items()), product);
@@ -251,6 +253,19 @@ void StencilMatrix<D>::multiply_into(const ConstArray& r, const ConstArray& x, c
     }
   };
   products_ == Products::single ? with(values_) : with(narrow_);
+}
+
+template <int D>
+void StencilMatrix<D>::multiply(const ConstArray& x, const Array& y) const {
+  multiply_into({}, x, y);
+}
+template <int D>
+void StencilMatrix<D>::residual(const ConstArray& r, const ConstArray& x, const Array& y) const {
+  multiply_into(r, x, y);
+}
+template <int D>
+void StencilMatrix<D>::residual(const ConstArray& r, const SumAllAxes<D, double>& x, const Array& y) const {
+  multiply_into(r, x, y);
 }
 
 template class UnknownTable<2>;

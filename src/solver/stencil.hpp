@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "field/ghosts.hpp"
+#include "solver/transfer_sums.hpp"
 
 namespace softwet {
 
@@ -45,9 +46,11 @@ class StencilMatrix {
   /// Rows of the copies of other processes' columns: fill makes only a process's own rows.
   void update_copies() const;
   /// y = A x; prescribed values and ghosts of x count as zero, those of y are zero.
-  void multiply(const ConstArray& x, const Array& y) const { multiply_into({}, x, y); }
+  void multiply(const ConstArray& x, const Array& y) const;
   /// y = r - A x, likewise
-  void residual(const ConstArray& r, const ConstArray& x, const Array& y) const { multiply_into(r, x, y); }
+  void residual(const ConstArray& r, const ConstArray& x, const Array& y) const;
+  /// The same, for a vector whose entries the kernel computes that needs them.
+  void residual(const ConstArray& r, const SumAllAxes<D, double>& x, const Array& y) const;
 
   const Layout<D>& layout() const { return layout_; }
   const Stencil<D>& stencil() const { return stencil_; }
@@ -56,7 +59,8 @@ class StencilMatrix {
   double bytes() const { return (products_ == Products::single ? 4.0 : 6.0) * stencil_.size(); }
 
  private:
-  void multiply_into(const ConstArray& r, const ConstArray& x, const Array& y) const;
+  template <class Vector>
+  void multiply_into(const ConstArray& r, const Vector& x, const Array& y) const;
 
   Layout<D> layout_;
   Stencil<D> stencil_;

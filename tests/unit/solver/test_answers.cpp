@@ -54,7 +54,7 @@ void expect_answers_of_all(const Shape& shape) {
   schwarz(usual);
   schwarz(changed([](SchwarzControl& c) { c.coarse = false; }));
   schwarz(changed([](SchwarzControl& c) { c.multiplicative = true; }));
-  schwarz(changed([](SchwarzControl& c) { c.direct_up_to = 300; }));
+  schwarz(changed([](SchwarzControl& c) { c.direct_up_to = 100; }));
   expect_answers<D>(*make_block_lu<D>(m.layout, m.mask), m);
   expect_answers<D>(*make_level_lu<D>(m.layout, m.mask), m);
 }
@@ -78,9 +78,9 @@ TEST(Answers, WithoutFactorsTheyAreThoseOfApply) {
 
 /// On a small scene a launch takes as long as the work of a kernel.
 template <class Real>
-long kernels_of_an_answer() {
-  RandomMatrix<2> m({{16, 12}, 4});
-  const auto solver = make_schwarz<2>(m.layout, m.mask, usual);
+long kernels_of_an_answer(const SchwarzControl& control) {
+  RandomMatrix<2> m({{32, 24}, 8});
+  const auto solver = make_schwarz<2>(m.layout, m.mask, control);
   solver->build(m.matrix);
   const ArrayOf<Real> r("r", m.layout.size()), z("z", m.layout.size());
   KernelCounter counter;
@@ -90,8 +90,29 @@ long kernels_of_an_answer() {
 
 TEST(Answers, OfTwoLevelsTakeThreeKernelsOnADevice) {
   if (host_algorithms) GTEST_SKIP() << "on the host vectors go between levels axis by axis";
-  EXPECT_EQ(kernels_of_an_answer<double>(), 3);
-  EXPECT_EQ(kernels_of_an_answer<float>(), 3);
+  EXPECT_EQ(kernels_of_an_answer<double>(usual), 3);
+  EXPECT_EQ(kernels_of_an_answer<float>(usual), 3);
+}
+
+/// A level between the finest and the coarsest one restricts, multiplies with the matrix (two kernels) and with the boxes'
+/// inverses, and adds up.
+TEST(Answers, OfAFurtherLevelTakeFiveKernelsMoreOnADevice) {
+  if (host_algorithms) GTEST_SKIP() << "on the host vectors go between levels axis by axis";
+  const SchwarzControl three_levels = changed([](SchwarzControl& c) { c.direct_up_to = 300; });
+  EXPECT_EQ(kernels_of_an_answer<double>(three_levels), 3 + 5);
+  EXPECT_EQ(kernels_of_an_answer<float>(three_levels), 3 + 5);
+}
+
+/// Boxes without a level below take two.
+TEST(Answers, OfBoxesAloneTakeTwoKernels) {
+  const SchwarzControl boxes = changed([](SchwarzControl& c) { c.coarse = false; });
+  RandomMatrix<2> m({{16, 12}, 4});
+  const auto solver = make_schwarz<2>(m.layout, m.mask, boxes);
+  solver->build(m.matrix);
+  const Array r("r", m.layout.size()), z("z", m.layout.size());
+  KernelCounter counter;
+  solver->apply(r, z);
+  EXPECT_EQ(counter.stop().kernels, 2);
 }
 
 }  // namespace
