@@ -1,36 +1,10 @@
-// A term on a device: in tiles, or, with reduced quadrature, with one thread for each element.
+// A term on a device: in tiles, or, with reduced quadrature, in rows of elements.
 #pragma once
 
-#include "operator/batch.hpp"
 #include "operator/collect.hpp"
+#include "operator/element_kernel.hpp"
 
 namespace softwet {
-
-/// One thread takes one element; what it adds to control values is kept for the element alone.
-template <int P, int Q, bool Tangent, int D, class Term, class Motion, class Real>
-struct ElementKernel {
-  static constexpr int controls = power(P + 1, D);
-  Task<D, Term, Motion, Real> task;
-  TileGrid<D> grid;
-  Real* partial;  ///< [element][channel][control]
-
-  KOKKOS_FUNCTION void operator()(int item) const {
-    using S = OneNumber<Real>;
-    Batch<D> b{};
-    b.count = 1;
-    int rest = item;
-    for (int d = 0; d < D; ++d) {
-      b.element[d] = rest % grid.tiles[d] + grid.first[d];
-      rest /= grid.tiles[d];
-    }
-    constexpr int channels = Term::template Test<Real, D>::channel_count;
-    compute_batch<S, std::conditional_t<Tangent, Dual<S>, S>, D, P, Q, Term, Motion>(
-        task, b, [&](int c, const S(&nodal)[controls]) {
-          Real* out = partial + (std::int64_t(item) * channels + c) * controls;
-          for (int a = 0; a < controls; ++a) out[a] = plain(nodal[a]);
-        });
-  }
-};
 
 /// Puts the tiles of a term among those of the evaluation.
 template <class Kernel, class Entry, class List, int D, class Term, class Motion, class Real>
@@ -59,18 +33,17 @@ void add_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums)
 
 template <int P, int Q, bool Tangent, int D, class Term, class Motion, class Real>
 void run_elements(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
-  using Shape = TileShape<D, P, 1, 1, 1, 1>;
   using Kernel = ElementKernel<P, Q, Tangent, D, Term, Motion, Real>;
+  using Tile = typename Kernel::Tile;
   using Test = typename Task<D, Term, Motion, Real>::Test;
   const ElementColumns columns = task.region.first_axis();
   for (int r = 0; r < columns.runs; ++r) {
-    const TileGrid<D> grid = TileGrid<D>::template of<Shape>(task.region, columns.run[r]);
-    auto& source = sums.template add<Test>(std::size_t(grid.count()) * Test::channel_count * Kernel::controls);
-    source.template shape<Shape>(grid);
+    const TileGrid<D> grid = TileGrid<D>::template of<Tile>(task.region, columns.run[r]);
+    auto& source = sums.template add<Test>(std::size_t(grid.count()) * Test::channel_count * Tile::controls);
+    source.template shape<Tile>(grid);
     source.first_row = task.region.test.first;
     source.shared_test = task.region.shared_test;
-    Kokkos::parallel_for("softwet::elements", Kokkos::RangePolicy<Exec>(0, grid.count()),
-                         Kernel{task, grid, const_cast<Real*>(source.partial)});
+    Kernel::launch(task, grid, const_cast<Real*>(source.partial));
   }
 }
 
@@ -85,8 +58,7 @@ void add_with_list(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& s
   add_tiles<TileKernel<Tile, Tangent, Real, List>, TermOnMesh<Term, Motion>, List>(task, sums);
 }
 
-/// The term's residual, or (Tangent) its Jacobian-vector product, as partial sums. With reduced quadrature slopes do not
-/// follow from values at points, so that a thread takes an element.
+/// The term's residual, or (Tangent) its Jacobian-vector product, as partial sums.
 template <int P, bool Tangent, class List, int D, class Term, class Motion, class Real>
 void assemble_in_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {

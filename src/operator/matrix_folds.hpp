@@ -2,35 +2,15 @@
 #pragma once
 
 #include "operator/jacobian_point.hpp"
-#include "operator/tile_team.hpp"
+#include "operator/team_element.hpp"
 
 namespace softwet {
 
-/// Bases of one element in the scratch of a team: of each axis, and behind them of the test functions along the last one.
-template <int D, int P, int Q, int QL>
-struct ElementTables {
-  static constexpr int n = P + 1, most = Q > QL ? Q : QL, each = 2 * most * n, size = (D + 1) * each;
-  float* at;
-
-  KOKKOS_FORCEINLINE_FUNCTION float basis(int axis, bool slope, int q, int a) const {
-    return at[axis * each + ((slope ? most : 0) + q) * n + a];
-  }
-  template <class Team>
-  KOKKOS_FORCEINLINE_FUNCTION void load(const Team& team, const Region<D, float>& region, const Batch<D>& b) const {
-    share(team, size, [&](int i) {
-      const int a = i % n, q = i / n % most, slope = i / n / most % 2, axis = i / each;
-      const int d = axis < D ? axis : D - 1;
-      if (q >= (d < D - 1 ? Q : QL)) return;
-      const AxisRuleOf<float>& rule = axis < D ? region.axis[d] : region.test;
-      at[i] = slope ? rule.slope(q, a, b.element[d]) : rule.value(q, a, b.element[d]);
-    });
-  }
-};
-
 /// As fold_axis, for a team. In space three folds follow each other, in the plane two.
-template <int D, int P, int Q, int QL>
+template <class Shape>
 struct MatrixFolds {
-  using Tables = ElementTables<D, P, Q, QL>;
+  using Tables = RowTables<Shape>;
+  static constexpr int D = Shape::D, P = Shape::P, Q = Shape::Q, QL = Shape::QL;
   static constexpr int n2 = (P + 1) * (P + 1), wall_points = power(Q, D - 1);
   static constexpr int after_x = D * D * n2 * (wall_points / Q * QL), after_y = D == 3 ? 4 * n2 * n2 * QL : 0;
   static constexpr int size = after_x + after_y;

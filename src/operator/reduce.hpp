@@ -4,35 +4,10 @@
 #include <array>
 
 #include "field/vector.hpp"
-#include "operator/batch.hpp"
 #include "operator/colouring.hpp"
+#include "operator/team_reduce.hpp"
 
 namespace softwet {
-
-/// Like Task, for a functional: no tangent, no test functions.
-template <int D, class Functional, class Motion>
-struct ReduceTask {
-  using Trial = typename Functional::template Trial<double, D>;
-
-  Region<D> region;
-  Functional functional;
-  Motion motion;
-  const double* slot[Trial::slot_count];
-  double scale[Trial::slot_count] = {};
-};
-
-/// Values of fields that do not move, as numbers whose tangent is zero.
-template <class Fields, class N>
-struct LiftedFields {
-  const Fields& fields;
-  KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
-    if constexpr (is_dual<N>) {
-      return N(fields.number(s, c, q), 0.0);
-    } else {
-      return fields.number(s, c, q);
-    }
-  }
-};
 
 /// N = S: the integral. N = Dual<S>: its rate of change by the motion of the domain alone, at fixed fields.
 template <class S, class N, int D, int P, int Q, class Functional, class Motion>
@@ -96,8 +71,12 @@ std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Mot
   const int strips = columns.last_strip - columns.first_strip, items = rows.items() * strips;
   const SumSpace& space = sum_space(static_cast<std::size_t>(items) * count);
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
-    Kokkos::parallel_for("softwet::reduce", Kokkos::RangePolicy<Exec>(0, items),
-                         ReduceRow<D, P, Q, Rate, Functional, Motion>{task, rows, space.device});
+    if constexpr (host_algorithms) {
+      Kokkos::parallel_for("softwet::reduce", Kokkos::RangePolicy<Exec>(0, items),
+                           ReduceRow<D, P, Q, Rate, Functional, Motion>{task, rows, space.device});
+    } else {
+      TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(task, rows, space.device, items);
+    }
   });
   Kokkos::deep_copy(space.host, space.device);
   StripTotals totals(columns.strips, count);

@@ -59,6 +59,32 @@ constexpr bool reads(int unknown) {
   return reads<Trial, D>(unknown, &Slot::value) || reads<Trial, D>(unknown, &Slot::gradient);
 }
 
+/// The fields that a device interpolates: the slots of a term and then, for a product, the tangents of the unknowns that it
+/// reads.
+template <class Trial, int D, bool Tangent>
+struct TrialFields {
+  static constexpr int slots = Trial::slot_count;
+
+  /// Place of the tangent of an unknown among the fields.
+  static constexpr int tangent_of(int unknown) {
+    int place = slots;
+    for (int u = 0; u < unknown; ++u) place += reads<Trial, D>(u) ? 1 : 0;
+    return place;
+  }
+  static constexpr int fields = Tangent ? tangent_of(D + 2) : slots;
+  /// The unknown whose tangent a field is.
+  static constexpr int unknown_of(int field) {
+    int u = 0;
+    while (!reads<Trial, D>(u) || tangent_of(u) != field) ++u;
+    return u;
+  }
+  static constexpr bool needs(int field, bool Slot::*what) {
+    return field < slots ? Trial::slot(field).*what : reads<Trial, D>(unknown_of(field), what);
+  }
+  static constexpr bool has_value(int field) { return needs(field, &Slot::value); }
+  static constexpr bool has_gradient(int field) { return needs(field, &Slot::gradient); }
+};
+
 /// What Trial::read sees: values and physical gradients of slots at point q.
 template <class N, int D, class Fields, class Point>
 struct Reader {

@@ -1,4 +1,4 @@
-// The motion of the wall at the points of a tile, and the geometry at them.
+// The motion of the wall at the points of a tile.
 #pragma once
 
 #include "operator/tile_plan.hpp"
@@ -60,29 +60,5 @@ struct TileMotion {
     });
   }
 };
-
-/// What is known of the wall below a point of a tile, as blended_point wants it.
-template <class Plan>
-struct WallBelow {
-  using S = typename Plan::S;
-  static constexpr int D = Plan::D, base = Plan::Shape::base;
-  const typename Plan::Real* at;
-
-  KOKKOS_FORCEINLINE_FUNCTION S displacement(int i, int c) const { return S(at[(i * D + c) * base]); }
-  KOKKOS_FORCEINLINE_FUNCTION S velocity(int i) const { return S(at[(D * D + i) * base]); }
-  KOKKOS_FORCEINLINE_FUNCTION S tangent(int i, int c) const { return S(at[(D * D + D + i * D + c) * base]); }
-};
-
-/// Geometry at a point; `wall` is its place in Room::wall.
-template <class Plan>
-KOKKOS_FORCEINLINE_FUNCTION auto point_of_tile(const typename Plan::Motion& motion, const typename Plan::Real* wall,
-                                               const Vector<typename Plan::S, Plan::D>& reference, double height) {
-  using N = typename Plan::N;
-  if constexpr (Plan::moves) {
-    return blended_point<N>(motion.blend, motion.scale, reference, height, WallBelow<Plan>{wall}, Plan::on_wall);
-  } else {
-    return fixed_point<N>(reference);
-  }
-}
 
 }  // namespace softwet

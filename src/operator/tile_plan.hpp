@@ -3,52 +3,31 @@
 
 #include "operator/task.hpp"
 #include "operator/tile_shape.hpp"
+#include "operator/wall_below.hpp"
 
 namespace softwet {
 
-/// Calls body with 0, 1, ..., count - 1 as types.
-template <int count, class Body>
-KOKKOS_FORCEINLINE_FUNCTION void for_each_index(const Body& body) {
-  [&]<int... i>(std::integer_sequence<int, i...>) { (body(std::integral_constant<int, i>()), ...); }
-  (std::make_integer_sequence<int, count>());
-}
-
-/// The fields that a tile interpolates: the slots of the term and then, for a product, the tangents of the unknowns that it
-/// reads. Values of fields with gradients are stored for the whole team; other values stay with their point.
+/// A term in a tile. Values of fields with gradients are stored for the whole team; other values stay with their point.
 template <class Shape_, class Term_, class Motion_, bool Tangent_, class Real_>
-struct TilePlan {
+struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>, Shape_::D, Tangent_>,
+                  WallFields<Shape_::D, Motion_, Tangent_> {
   using Shape = Shape_;
   using Term = Term_;
   using Motion = Motion_;
   using Real = Real_;
   static constexpr bool Tangent = Tangent_;
   static constexpr int D = Shape::D;
+  using Fields = TrialFields<typename Term::template Trial<double, D>, D, Tangent>;
+  using Fields::fields, Fields::has_gradient;
   using S = OneNumber<Real>;
   using N = std::conditional_t<Tangent, Dual<S>, S>;
   using Trial = typename Term::template Trial<N, D>;
   using Test = typename Term::template Test<N, D>;
-  static constexpr bool moves = !std::is_same_v<Motion, NoMotion>;
   static constexpr bool on_wall = Shape::QL == 1;
   /// Axes along which slopes follow from the values at the points of an element: not across a wall.
   static constexpr int collocated = on_wall ? D - 1 : D;
-  static constexpr int slots = Trial::slot_count, channels = Test::channel_count;
+  static constexpr int channels = Test::channel_count;
 
-  /// Place of the tangent of an unknown among the fields.
-  static constexpr int tangent_of(int unknown) {
-    int place = slots;
-    for (int u = 0; u < unknown; ++u) place += reads<Trial, D>(u) ? 1 : 0;
-    return place;
-  }
-  static constexpr int fields = Tangent ? tangent_of(D + 2) : slots;
-  /// The unknown whose tangent a field is.
-  static constexpr int unknown_of(int field) {
-    int u = 0;
-    while (!reads<Trial, D>(u) || tangent_of(u) != field) ++u;
-    return u;
-  }
-  static constexpr bool has_gradient(int field) {
-    return field < slots ? Trial::slot(field).gradient : reads<Trial, D>(unknown_of(field), &Slot::gradient);
-  }
   /// Number of fields with gradients before one.
   static constexpr int stored_before(int field) {
     int count = 0;
@@ -56,14 +35,6 @@ struct TilePlan {
     return count;
   }
   static constexpr int stored = stored_before(fields);
-
-  // The motion of the wall at the base points: displacement [i][value, slopes], velocity [i], tangent [i][value, slopes].
-  static constexpr int wall_fields = moves ? (Tangent ? 3 : 2) * D : 0;
-  static constexpr int wall_numbers = moves ? D * D + D + (Tangent ? D * D : 0) : 0;
-  static constexpr bool wall_slopes(int field) { return field / D != 1; }
-  static constexpr int wall_place(int field) {
-    return field < D ? field * D : field < 2 * D ? D * D + field - D : D * D + D + (field - 2 * D) * D;
-  }
 };
 
 /// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 3D the first holds what was swept along

@@ -35,9 +35,14 @@ TEST(Tiles2D, BlendedTraction) {
 }
 
 TEST(Tiles2D, ReducedQuadrature) {
-  TileCases<2> c(std::array<int, 2>{9, 7});
+  if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
+  TileCases<2> c(std::array<int, 2>{19, 7});
   c.patch.points = 2;
-  c.check<WallMotion<2>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+  c.check_fluid("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+  c.check<WallMotion<2>>("energy_wall", c.terms.energy_wall, c.patch.face());
+  c.check<WallMotion<2>>("capillary_traction", c.terms.traction, c.patch.layer());
+  c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
+  c.check_single<WallMotion<2, float>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
 }
 
 TEST(Tiles2D, DegreeThree) {
@@ -101,6 +106,14 @@ TEST(Tiles2D, ThreadsOfATeam) {
   const TileCases<2> c(std::array<int, 2>{9, 19});
   c.check_threads<true, WallMotion<2>>(c.terms.fluid, c.patch.fluid());
   c.check_threads<true, NoMotion>(c.terms.solid, c.patch.solid());
+}
+
+TEST(Tiles2D, ReducedQuadratureByThreadsOfATeam) {
+  if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
+  TileCases<2> c(std::array<int, 2>{19, 7});
+  c.patch.points = 2;
+  c.check_threads_of_rows<true, WallMotion<2>>(c.terms.fluid, c.patch.fluid());
+  c.check_threads_of_rows<false, WallMotion<2>>(c.terms.energy_wall, c.patch.face());
 }
 
 }  // namespace

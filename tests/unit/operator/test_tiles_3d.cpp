@@ -21,6 +21,15 @@ TEST(Tiles3D, Solid) {
   c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
 }
 
+TEST(Tiles3D, ReducedQuadrature) {
+  if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
+  TileCases<3> c(std::array<int, 3>{6, 3, 5});
+  c.patch.points = 2;
+  c.check<WallMotion<3>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+  c.check<WallMotion<3>>("gradient_wall", c.terms.gradient_wall, c.patch.face());
+  c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
+}
+
 TEST(Tiles3D, ThreadsOfATeam) {
   const TileCases<3> c(std::array<int, 3>{4, 3, 9});
   c.check_threads<true, WallMotion<3>>(c.terms.fluid, c.patch.fluid());

@@ -3,24 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <barrier>
+#include <cmath>
 #include <cstring>
-#include <thread>
 
 #include "compiled.hpp"
 #include "patch.hpp"
+#include "thread_team.hpp"
 
 namespace softwet::testing_tools {
-
-/// A team of threads of the host that meet at each barrier.
-struct ThreadTeam {
-  static constexpr int size = 3;
-  int rank_, tile_;
-  std::barrier<>* all;
-  int rank() const { return rank_; }
-  int tile() const { return tile_; }
-  void barrier() const { all->arrive_and_wait(); }
-};
 
 template <int D, int P = 2>
 struct TileCases {
@@ -76,7 +66,7 @@ struct TileCases {
     check<WallMotion<D>>(name, term, region);
   }
 
-  /// The partial sums of a tile by three threads against those by one. A barrier that is missing shows here, but for luck.
+  /// The partial sums of a tile by three threads against those by one.
   template <bool Tangent, class Motion, class Term>
   void check_threads(const Term& term, const Region<D>& region) const {
     if (!on_host) GTEST_SKIP() << "the tiles of this program lie in the memory of a device";
@@ -99,14 +89,25 @@ struct TileCases {
     sums.add_to(Array("sum", patch.layout.size()));
     std::memcpy(one.data(), tile_room<double>(0, one.extent(0)), one.extent(0) * sizeof(double));
     std::vector<double> scratch(TileScratch<Plan>::size, std::nan(""));
-    for (int t = 0; t < grid.count(); ++t) {
-      std::barrier<> all(ThreadTeam::size);
-      std::vector<std::thread> threads;
-      for (int r = 0; r < ThreadTeam::size; ++r)
-        threads.emplace_back([&, r] { tile.run(ThreadTeam{r, t, &all}, at.tangent.data(), scratch.data()); });
-      for (std::thread& thread : threads) thread.join();
-    }
+    run_thread_teams(grid.count(), [&](const ThreadTeam& team) { tile.run(team, at.tangent.data(), scratch.data()); });
     EXPECT_LT(distance(to_host(three), to_host(one)), 1e-13);
+  }
+
+  /// The same for rows of elements, with reduced quadrature.
+  template <bool Tangent, class Motion, class Term>
+  void check_threads_of_rows(const Term& term, const Region<D>& region) const {
+    if (!on_host) GTEST_SKIP() << "the tiles of this program lie in the memory of a device";
+    using Kernel = ElementKernel<P, P, Tangent, D, Term, Motion, double>;
+    const TileGrid<D> grid = TileGrid<D>::template of<typename Kernel::Tile>(region, region.first_axis().run[0]);
+    const Array one("one", std::size_t(grid.count()) * Kernel::channels * Kernel::Tile::controls);
+    const Array three("three", one.extent(0));
+    const auto whole = task<Tangent, Motion>(
+        term, Evaluation<D>{patch.layout, patch.stage, Tangent ? direction : Array(), {}}, region);
+    Kernel::launch(whole, grid, one.data());
+    const Kernel kernel{whole, grid, three.data()};
+    std::vector<double> scratch(Kernel::size, std::nan(""));
+    run_thread_teams(grid.count(), [&](const ThreadTeam& team) { kernel.run(team, scratch.data()); });
+    EXPECT_EQ(to_host(three), to_host(one));
   }
 };
 

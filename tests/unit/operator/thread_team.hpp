@@ -1,0 +1,32 @@
+// A team of threads of the host in place of one of a device. A barrier that is missing shows here, but for luck, and to the
+// thread sanitizer always.
+#pragma once
+
+#include <barrier>
+#include <thread>
+#include <vector>
+
+namespace softwet::testing_tools {
+
+/// Threads that meet at each barrier.
+struct ThreadTeam {
+  static constexpr int size = 3;
+  int rank_, tile_;
+  std::barrier<>* all;
+  int rank() const { return rank_; }
+  int tile() const { return tile_; }
+  void barrier() const { all->arrive_and_wait(); }
+};
+
+/// Runs body(team) in all threads of a team for each of the tiles 0 .. count - 1, one tile after another.
+template <class Body>
+void run_thread_teams(int count, const Body& body) {
+  for (int tile = 0; tile < count; ++tile) {
+    std::barrier<> all(ThreadTeam::size);
+    std::vector<std::thread> threads;
+    for (int r = 0; r < ThreadTeam::size; ++r) threads.emplace_back([&, r] { body(ThreadTeam{r, tile, &all}); });
+    for (std::thread& thread : threads) thread.join();
+  }
+}
+
+}  // namespace softwet::testing_tools
