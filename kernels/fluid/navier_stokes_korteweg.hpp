@@ -1,8 +1,10 @@
 // Isothermal Navier-Stokes-Korteweg equations in potential form, on a moving mesh (Bueno et al. 2017, eq. 7).
 //
-//   mass       d/dt (q, rho) - (grad q, rho (v - vh)) + (grad q, eps grad mu) = 0      q moves with the mesh
+//   mass       d/dt (q, rho) - (grad q, rho (v - vh)) + (grad q, eps (grad mu - f)) = 0      q moves with the mesh
 //   potential  (q, mu - W'(rho)) - (grad q, g^2 grad rho) = 0
-//   momentum   (w, rho [v_t + (v - vh).grad v]) + (grad w, tau) + (w, rho grad mu) = 0
+//   momentum   (w, rho [v_t + (v - vh).grad v]) + (grad w, tau) + (w, rho (grad mu - f)) = 0
+//
+// f is a uniform force per unit mass, such as gravity. At rest grad mu = f, so that the stabilisation moves no mass then.
 //
 // `NavierStokesKorteweg` holds all of this but the moment (q, rho), which is `DensityMoment`.
 // Next to the wall the momentum force (w, rho grad mu) is replaced by its variational form (grad w, Sigma) for the
@@ -53,10 +55,11 @@ struct NavierStokesKorteweg {
   static constexpr Where where = Where::fluid;
 
   VanDerWaals gas;
-  double viscosity = 0;      ///< m = mu_hat, eq. (9)
-  double capillarity = 0;    ///< g = gamma_hat, eq. (8)
-  double stabilisation = 0;  ///< C h^2 / m: eps = (C h^2 / m) rho^2, checkerboard control
-  double inertia_floor = 0;  ///< smallest density in the inertia term
+  double viscosity = 0;         ///< m = mu_hat, eq. (9)
+  double capillarity = 0;       ///< g = gamma_hat, eq. (8)
+  double stabilisation = 0;     ///< C h^2 / m: eps = (C h^2 / m) rho^2, checkerboard control
+  double inertia_floor = 0;     ///< smallest density in the inertia term
+  double force[3] = {0, 0, 0};  ///< f, scale a b/L0
 
   template <class N, int D>
   using Trial = FluidTrial<N, D>;
@@ -69,11 +72,13 @@ struct NavierStokesKorteweg {
     const Vector<N, D> slip = t.velocity - t.mesh_velocity;
     const N inertia = select(rho < inertia_floor, N(inertia_floor), rho);
     const N eps = stabilisation * (rho * rho);
+    Vector<N, D> drive;
+    for (int i = 0; i < D; ++i) drive[i] = t.chemical_potential_gradient[i] - force[i];
 
     FluidTest<N, D> r;
-    r.momentum = inertia * (t.acceleration + product(t.velocity_gradient, slip)) + rho * t.chemical_potential_gradient;
+    r.momentum = inertia * (t.acceleration + product(t.velocity_gradient, slip)) + rho * drive;
     r.momentum_flux = newtonian_stress(viscosity, t.velocity_gradient);
-    r.mass_flux = eps * t.chemical_potential_gradient - rho * slip;
+    r.mass_flux = eps * drive - rho * slip;
     const PotentialTest<N, D> w =
         VariationalDerivative{gas, capillarity}.residual(DensityTrial<N, D>{rho, t.density_gradient});
     r.potential = t.chemical_potential + w.potential;

@@ -1,7 +1,6 @@
 // Integrals over the fluid: mass, momentum, energies, and the rates at which energy is dissipated.
 #pragma once
 
-#include "kernels/fluid/gravity.hpp"
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
 #include "kernels/fluid/wall_energy.hpp"
 
@@ -20,7 +19,7 @@ struct FluidState : FluidTrial<N, D> {
 
 /// Integrands over the current fluid domain, in this order:
 ///   mass rho, kinetic rho |v|^2/2, bulk W(rho), gradient g^2 |grad rho|^2/2,
-///   viscous dissipation tau : grad v, stabilisation eps |grad mu - f|^2 (f: gravity), folded -1 where J < 0, volume 1,
+///   viscous dissipation tau : grad v, stabilisation eps |grad mu - f|^2, folded -1 where J < 0, volume 1,
 ///   momentum rho v_i (3)
 /// The integral of `folded` is the volume of the mesh that is turned inside out: it must be 0.
 /// Tested: tests/unit/functional/test_integrals.cpp
@@ -28,7 +27,6 @@ struct FluidIntegrals {
   static constexpr Where where = Where::fluid;
 
   NavierStokesKorteweg model;
-  Gravity gravity = {};
 
   enum { mass, kinetic, bulk, gradient, viscous, stabilisation, folded, volume, momentum };
   static constexpr int count = 11;
@@ -46,7 +44,7 @@ struct FluidIntegrals {
     r[gradient] = 0.5 * lambda * dot(t.density_gradient, t.density_gradient);
     r[viscous] = contract(newtonian_stress(model.viscosity, t.velocity_gradient), t.velocity_gradient);
     Vector<N, D> drive;
-    for (int i = 0; i < D; ++i) drive[i] = t.chemical_potential_gradient[i] - gravity.force[i];
+    for (int i = 0; i < D; ++i) drive[i] = t.chemical_potential_gradient[i] - model.force[i];
     r[stabilisation] = model.stabilisation * t.density * t.density * dot(drive, drive);
     r[folded] = select(t.volume_ratio < 0.0, N(-1.0), N(0.0));
     r[volume] = N(1.0);

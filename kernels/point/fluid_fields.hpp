@@ -160,27 +160,4 @@ struct MassTest {
   }
 };
 
-/// Integrand against w of momentum and grad q of mass.
-template <class N, int D>
-struct ForceTest {
-  Vector<N, D> momentum;
-  Vector<N, D> mass_flux;
-
-  static constexpr int channel_count = D + 1;
-  static constexpr bool has_flux = true;
-  static constexpr Component channel(int c) {
-    return c < D ? Component{Field::velocity, c} : Component{Field::density};
-  }
-
-  template <class Writer>
-  KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
-    Vector<N, D> none;
-    SOFTWET_UNROLL
-    for (int i = 0; i < D; ++i) none[i] = N(0.0);
-    SOFTWET_UNROLL
-    for (int i = 0; i < D; ++i) to.add(i, momentum[i], none);
-    to.add(D, N(0.0), mass_flux);
-  }
-};
-
 }  // namespace softwet

@@ -1,5 +1,6 @@
 // Integrals of the state: the part of Model that history.csv is made of.
 #include "field/vector.hpp"
+#include "kernels/fluid/gravity.hpp"
 #include "kernels/solid/body_force.hpp"
 #include "model/model.hpp"
 #include "operator/reduce.hpp"
@@ -10,7 +11,7 @@ template <int D, int P>
 template <class Motion>
 void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) const {
   using Volume = ReduceTask<D, FluidIntegrals, Motion>;
-  Volume volume{fluid_region_, {fluid_, gravity_}, {}, {}, {}};
+  Volume volume{fluid_region_, {fluid_}, {}, {}, {}};
   bind_fields(at, blend_, volume);
   const auto sum = reduce<P>(volume);
   result.mass = sum[FluidIntegrals::mass];
@@ -23,7 +24,9 @@ void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) co
   result.volume = sum[FluidIntegrals::volume];
   for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
   if (has_gravity_) {
-    ReduceTask<D, GravityEnergy, Motion> task{fluid_region_, {gravity_}, {}, {}, {}};
+    GravityEnergy gravity;
+    for (int d = 0; d < D; ++d) gravity.force[d] = fluid_.force[d];
+    ReduceTask<D, GravityEnergy, Motion> task{fluid_region_, gravity, {}, {}, {}};
     bind_fields(at, blend_, task);
     result.energy_gravity = reduce<P>(task)[0];
   }

@@ -51,7 +51,6 @@ class PieceMaker {
       const VariationalDerivative term{model_.fluid().gas, model_.fluid().capillarity};
       pieces_.variational_derivative = piece<Motion>("variational_derivative", term);
     }
-    if (model_.has_gravity()) add<Motion>("gravity", model_.gravity());
     if (case_.fluid->form == CapillaryForm::divergence)
       add<Motion>("capillary stress (divergence form)", traction(), Where::fluid);
     if (!model_.has_wall()) return;

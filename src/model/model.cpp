@@ -104,10 +104,9 @@ void Model<D, P>::build_fluid(const Case& c) {
   fluid_.capillarity = c.fluid->capillarity;
   fluid_.stabilisation = c.fluid->stabilisation * h * h / c.fluid->viscosity;
   fluid_.inertia_floor = 0.1 * coexistence_.density_vapour;
-  gravity_.stabilisation = fluid_.stabilisation;
   for (std::size_t d = 0; d < c.fluid->gravity.size(); ++d) {
-    gravity_.force[d] = c.fluid->gravity[d];
-    has_gravity_ = has_gravity_ || gravity_.force[d] != 0;
+    fluid_.force[d] = c.fluid->gravity[d];
+    has_gravity_ = has_gravity_ || fluid_.force[d] != 0;
   }
   has_wall_ = c.boundary.side[D - 1][0] != Side::periodic;
   const double angle = c.fluid->contact_angle;

@@ -8,7 +8,6 @@
 #include "case/case.hpp"
 #include "case/precision.hpp"
 #include "field/ghosts.hpp"
-#include "kernels/fluid/gravity.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
 #include "kernels/solid/hooke.hpp"
@@ -49,7 +48,6 @@ class Model {
   const NavierStokesKorteweg& fluid() const { return fluid_; }
   const Solid& solid() const { return solid_; }
   const LameParameters& stiffness() const { return stiffness_; }
-  const Gravity& gravity() const { return gravity_; }
   bool has_gravity() const { return has_gravity_; }
   const EnergyWall& wall() const { return wall_.law; }  ///< also of the gradient law: its capillarity and cosine
   const Pieces<D, double>& pieces() const { return pieces_; }
@@ -118,7 +116,6 @@ class Model {
   Coexistence coexistence_;
   NavierStokesKorteweg fluid_;
   WallEnergy wall_;
-  Gravity gravity_;
   Solid solid_;
   LameParameters stiffness_;
   bool has_wall_ = false, has_gravity_ = false;

@@ -42,7 +42,6 @@ std::vector<double> expected_residual(RandomScene& s) {
     const NavierStokesKorteweg& fluid = s.model.fluid();
     add(sum, t.naive(fluid, low, high, l.has_solid));
     add(sum, t.naive_moments(low, high, l.has_solid));
-    if (s.model.has_gravity()) add(sum, t.naive(s.model.gravity(), low, high, l.has_solid));
     const double g = s.data.fluid->capillarity;
     if (s.data.fluid->wall_law == WallLaw::gradient) {
       add(sum, t.naive(GradientWall{g, 0.5, 1e-2}, low, low + 1, l.has_solid));

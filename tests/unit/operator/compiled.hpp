@@ -13,7 +13,6 @@
   SOFTWET_COMPILED(D, GradientWall, MOTION)         \
   SOFTWET_COMPILED(D, EnergyWall, MOTION)           \
   SOFTWET_COMPILED(D, CapillaryTraction, MOTION)    \
-  SOFTWET_COMPILED(D, Gravity, MOTION)              \
   SOFTWET_COMPILED_SOLID(D, SaintVenantKirchhoff)   \
   SOFTWET_COMPILED_SOLID(D, Hooke)                  \
   SOFTWET_COMPILED_SOLID(D, NeoHookean)

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "field/ghosts.hpp"
-#include "kernels/fluid/gravity.hpp"
+#include "kernels/fluid/navier_stokes_korteweg.hpp"
 #include "kernels/solid/hooke.hpp"
 #include "kernels/solid/neo_hookean.hpp"
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
@@ -176,11 +176,10 @@ inline double distance(const std::vector<double>& a, const std::vector<double>& 
 struct Terms {
   VanDerWaals gas{0.85, 0.02};
   Coexistence state{0.1065766548, 0.6023801091, 1.868487592e-2, -0.4667444110};
-  NavierStokesKorteweg fluid{gas, 0.3, 0.4, 0.2, 0.05};
+  NavierStokesKorteweg fluid{gas, 0.3, 0.4, 0.2, 0.05, {0.3, -0.7, 0.4}};
   GradientWall gradient_wall{0.4, 0.6, 1e-2};
   EnergyWall energy_wall{0.4, 0.6, 1e-2, gas, state};
   CapillaryTraction traction{gas, 0.4};
-  Gravity gravity{{0.3, -0.7, 0.4}, 0.2};
   Elastodynamics<SaintVenantKirchhoff> solid{{{0.8, 0.5}}, 1.3};
   Elastodynamics<Hooke> hooke{{{0.8, 0.5}}, 1.3};
   Elastodynamics<NeoHookean> neo_hookean{{{0.8, 0.5}}, 1.3};

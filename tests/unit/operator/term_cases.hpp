@@ -51,7 +51,6 @@ struct TermCases {
   std::vector<Grid> slots(const GradientWall&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const EnergyWall&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const CapillaryTraction&) const { return {unknown(D), unknown(D + 1)}; }
-  std::vector<Grid> slots(const Gravity&) const { return {unknown(D)}; }
   template <class Material>
   std::vector<Grid> slots(const Elastodynamics<Material>&) const {
     std::vector<Grid> s = each(patch.stage.acceleration, false);
@@ -62,7 +61,6 @@ struct TermCases {
   static std::vector<int> equations(const GradientWall&) { return {D + 1}; }
   static std::vector<int> equations(const EnergyWall&) { return {D + 1}; }
   static std::vector<int> equations(const CapillaryTraction&) { return from(0, D); }
-  static std::vector<int> equations(const Gravity&) { return from(0, D + 1); }
   template <class Material>
   static std::vector<int> equations(const Elastodynamics<Material>&) {
     return from(0, D);
@@ -149,7 +147,6 @@ struct TermCases {
     constexpr bool moves = std::is_same_v<Motion<D, double>, WallMotion<D>>;
     check_piece<Motion>("density_moment", DensityMoment{}, patch.fluid(), Instant::end,
                         naive_moments(low, high, moves));
-    check<Motion>("gravity", terms.gravity, patch.fluid(), low, high);
   }
   template <template <int, class> class Motion>
   void check_wall() const {

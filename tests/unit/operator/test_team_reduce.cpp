@@ -49,7 +49,7 @@ struct IntegralCases {
 
   void check_all() const {
     using Moving = WallMotion<D>;
-    const FluidIntegrals fluid{terms.fluid, terms.gravity};
+    const FluidIntegrals fluid{terms.fluid};
     const WallIntegrals wall{WallEnergy::of(terms.energy_wall)};
     const SolidIntegrals<SaintVenantKirchhoff> solid{terms.solid};
     compare<false, P + 1>("fluid", task<Moving>(fluid, patch.fluid()));
@@ -71,7 +71,7 @@ TEST(TeamReduce, ReducedQuadrature) {
   if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
   IntegralCases<2, 2> c({9, 7});
   c.patch.points = 2;
-  c.compare<false, 2>("fluid", c.task<WallMotion<2>>(FluidIntegrals{c.terms.fluid, {}}, c.patch.fluid()));
+  c.compare<false, 2>("fluid", c.task<WallMotion<2>>(FluidIntegrals{c.terms.fluid}, c.patch.fluid()));
 }
 
 }  // namespace
