@@ -82,10 +82,51 @@ struct ColourItem {
   }
 };
 
+/// Layers with the same test functions, on the host. An item is a block of elements along the first axis with all layers above
+/// each other. Blocks begin at multiples of their width on the whole axis. Those of a colour share no control value: they are
+/// two blocks apart, and `stride` elements along the middle axis of three.
+template <int D, int lanes, class Body>
+struct BlockOfColumns {
+  static constexpr int width = 16;  // at least the degree
+  ElementRun along;
+  int first_block, first_row, rows, stride, layers;  ///< of this colour; rows along the middle axis
+  Body body;
+
+  void operator()(int item) const {
+    const int begin = (first_block + 2 * (item / rows)) * width - along.shift;
+    ElementColumns block;
+    block.runs = 1;
+    block.run[0] = {begin > along.begin ? begin : along.begin, begin + width < along.end ? begin + width : along.end,
+                    along.shift};
+    Batch<D> b{};
+    if constexpr (D == 3) b.element[1] = first_row + stride * (item % rows);
+    for (b.element[D - 1] = 0; b.element[D - 1] < layers; ++b.element[D - 1]) for_batches<D, lanes>(block, b, body);
+  }
+
+  template <class Real>
+  static void run(const char* name, const Region<D, Real>& region, int stride, const Body& body) {
+    const int all_rows = D == 3 ? region.axis[1].elements : 1, apart = D == 3 ? stride : 1;
+    const ElementColumns columns = region.first_axis();
+    for (int r = 0; r < columns.runs; ++r) {
+      const ElementRun& along = columns.run[r];
+      const int first = (along.begin + along.shift) / width, end = (along.end + along.shift + width - 1) / width;
+      for (int colour = 0; colour < 2 * apart; ++colour) {
+        const int block = first + (first + colour / apart) % 2, row = colour % apart;
+        const int rows = (all_rows - row + apart - 1) / apart, items = rows * ((end - block + 1) / 2);
+        if (items > 0)
+          Kokkos::parallel_for(name, Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>(0, items),
+                               BlockOfColumns{along, block, row, rows, apart, region.axis[D - 1].elements, body});
+      }
+    }
+  }
+};
+
 /// Runs body(batch) for all elements of a region, one colour after another.
 template <int D, class Real, class Body>
 void for_colours(const char* name, const Region<D, Real>& region, int stride, const Body& body) {
   constexpr int lanes = Lanes<BatchNumber<Real>>::count;
+  if constexpr (on_host)
+    if (region.shared_test) return BlockOfColumns<D, lanes, Body>::run(name, region, stride, body);
   int colours = 1;
   for (int d = on_host ? 1 : 0; d < D; ++d) colours *= Colouring<D>::colours_of(region, stride, d);
   const int runs = on_host ? 1 : region.first_axis().runs;

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Generalized-alpha gives the same bits on any number of processes: pulled on a soft solid, at a rigid wall, around a
-periodic side, in the solid alone, and with splines of degree 3 where the build has them. usage: implicit.py SOFTWET"""
+periodic side, with blended traction, in the solid alone, and with splines of degree 3 where the build has them.
+usage: implicit.py SOFTWET"""
 
 from _ranks import check_same, has_configuration, run
 
@@ -11,6 +12,8 @@ SCENES = {
     "rest": ("tensotaxis_pull_2d", [*SOFT, "time.start=equilibrium", "time.max_steps=4"], (2,)),
     "periodic": ("tensotaxis_pull_2d", [*SOFT, "time.end=2", "output.fields.times=[2]", "boundary.left=periodic",
                                         "boundary.right=periodic"], (2, 4)),
+    "blended": ("tensotaxis_pull_2d", [*SOFT, "time.max_steps=8", "fluid.traction=blended", "boundary.left=periodic",
+                                       "boundary.right=periodic"], (2, 3)),
     "schwarz": ("tensotaxis_pull_2d", [*SOFT, "time.max_steps=10", "solver.krylov.preconditioner=schwarz",
                                        "boundary.left=periodic", "boundary.right=periodic"], (2, 4)),
     "rigid": ("static_droplet_rigid_2d", ["domain.elements=[44,16]", "fluid.capillarity=1/16", "time.max_steps=12"],
