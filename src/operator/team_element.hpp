@@ -101,16 +101,19 @@ struct RowFields : TrialFields<Trial_, Shape::D, Tangent> {
   template <class Team, class TaskType>
   KOKKOS_FORCEINLINE_FUNCTION void load(const Team& team, const TaskType& task, const ElementRow<D>& row,
                                         const RowTables<Shape>& table) const {
-    for_each_index<Names::fields>([&](auto f) {
-      if constexpr (f() < Names::slots) {
-        load_field<f()>(team, task.slot[f()], task.region, row, table);
-      } else {
-        load_field<f()>(team, task.tangent[Names::unknown_of(f())], task.region, row, table);
-      }
-    });
+    for_each_index<Names::fields>(
+        [&](auto f) { load_field<f()>(team, control_values<f()>(task), task.region, row, table); });
   }
 
  private:
+  template <int f, class TaskType>
+  static KOKKOS_FORCEINLINE_FUNCTION const Real* control_values(const TaskType& task) {
+    if constexpr (f < Names::slots) {
+      return task.slot[f];
+    } else {
+      return task.tangent[Names::unknown_of(f)];
+    }
+  }
   template <int f, class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_field(const Team& team, const Real* from, const Region<D, Real>& region,
                                               const ElementRow<D>& row, const RowTables<Shape>& table) const {
