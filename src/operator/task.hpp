@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernels/point/fields.hpp"
-#include "operator/element.hpp"
+#include "operator/motion.hpp"
 
 namespace softwet {
 

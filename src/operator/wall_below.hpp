@@ -1,7 +1,7 @@
 // The motion of the wall as a team of a device keeps it, and the geometry above it.
 #pragma once
 
-#include "operator/element.hpp"
+#include "operator/motion.hpp"
 
 namespace softwet {
 
