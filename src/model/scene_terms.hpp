@@ -8,18 +8,15 @@
 
 namespace softwet {
 
-/// The terms that most scenes have. With more of them the kernel would be so large that its code was called as a function, and
-/// numbers would spill; in three dimensions one solid is too much. A term that is not here is launched by itself.
+/// The terms that most scenes have. A kernel has the registers and the scratch of its largest term, and its code grows with each
+/// of them. A term that is not here is launched by itself.
 template <class Motion, class... Others>
 using FluidTerms = TermList<TermOnMesh<NavierStokesKorteweg, Motion>, TermOnMesh<DensityMoment, Motion>,
                             TermOnMesh<CapillaryTraction, Motion>, TermOnMesh<GradientWall, Motion>, Others...>;
 
 using RigidTerms = FluidTerms<NoMotion>;
 template <int D, class Real>
-using SoftTerms =
-    std::conditional_t<D == 2,
-                       FluidTerms<WallMotion<D, Real>, TermOnMesh<Elastodynamics<SaintVenantKirchhoff>, NoMotion>>,
-                       FluidTerms<WallMotion<D, Real>>>;
+using SoftTerms = FluidTerms<WallMotion<D, Real>, TermOnMesh<Elastodynamics<SaintVenantKirchhoff>, NoMotion>>;
 
 /// The list that a term belongs to.
 template <int D, class Real, class Entry>

@@ -69,7 +69,7 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   const Real* direction;  ///< that a product multiplies
 
   template <class Member>
-  KOKKOS_FUNCTION void operator()(const Member& member) const {
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(const Member& member) const {
     constexpr std::size_t room = bytes;
     auto* scratch = static_cast<Real*>(member.team_shmem().get_shmem(room));
     int s = 0;

@@ -1,4 +1,5 @@
 // The tiles of a device in 3D, computed on the host.
+#include "app/kernel_counts.hpp"
 #include "tile_cases.hpp"
 
 namespace softwet::testing_tools {
@@ -28,6 +29,28 @@ TEST(Tiles3D, ReducedQuadrature) {
   c.check<WallMotion<3>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
   c.check<WallMotion<3>>("gradient_wall", c.terms.gradient_wall, c.patch.face());
   c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
+}
+
+/// A product has two launches, as in the plane: the tiles of all terms, and what collects them.
+TEST(Tiles3D, SeveralTermsAtOnce) {
+  const TileCases<3> c(std::array<int, 3>{4, 3, 5});
+  const Evaluation<3> at{c.patch.layout, c.patch.stage, c.direction, {}};
+  const auto fluid = c.task<true, WallMotion<3>>(c.terms.fluid, at, c.patch.fluid());
+  const auto wall = c.task<true, WallMotion<3>>(c.terms.gradient_wall, at, c.patch.face());
+  const auto solid = c.task<true, NoMotion>(c.terms.solid, at, c.patch.solid());
+  const Array together("together", c.patch.layout.size()), alone("alone", c.patch.layout.size());
+  TileSums<3, double> sums(c.patch.layout, c.direction);
+  KernelCounter counter;
+  assemble_in_tiles<2, true, SoftTerms<3, double>>(solid, sums);
+  assemble_in_tiles<2, true, SoftTerms<3, double>>(fluid, sums);
+  assemble_in_tiles<2, true, SoftTerms<3, double>>(wall, sums);
+  sums.add_to(together);
+  EXPECT_EQ(counter.stop().kernels, 2);
+  assemble_in_tiles<2, true>(solid, sums);
+  assemble_in_tiles<2, true>(fluid, sums);
+  assemble_in_tiles<2, true>(wall, sums);
+  sums.add_to(alone);
+  EXPECT_LT(distance(to_host(together), to_host(alone)), 1e-14);
 }
 
 TEST(Tiles3D, ThreadsOfATeam) {
