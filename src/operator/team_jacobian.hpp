@@ -38,9 +38,14 @@ struct TeamJacobian {
   template <class Member>
   KOKKOS_FUNCTION void operator()(const Member& member) const {
     constexpr std::size_t bytes = size * sizeof(float);
-    const TileTeam<threads, Member> team{member, 0};
-    auto* room = static_cast<float*>(member.team_shmem().get_shmem(bytes));
-    const Batch<D> b = colouring.batch(member.league_rank());
+    run(TileTeam<threads, Member>{member, member.league_rank()},
+        static_cast<float*>(member.team_shmem().get_shmem(bytes)));
+  }
+
+  /// The element of a team is its tile.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void run(const Team& team, float* room) const {
+    const Batch<D> b = colouring.batch(team.tile());
     const Tables table{room};
     const Fields fields(room + Tables::size, task.scale);
     const Wall wall{{}, room + Tables::size + Fields::size};

@@ -18,6 +18,15 @@ struct ThreadTeam {
   void barrier() const { all->arrive_and_wait(); }
 };
 
+/// A team of one thread.
+struct OneThread {
+  static constexpr int size = 1;
+  int tile_;
+  int rank() const { return 0; }
+  int tile() const { return tile_; }
+  void barrier() const {}
+};
+
 /// Runs body(team) in all threads of a team for each of the tiles 0 .. count - 1, one tile after another.
 template <class Body>
 void run_thread_teams(int count, const Body& body) {
