@@ -48,6 +48,7 @@ struct TermCases {
     s.push_back(unknown(D + 1));
     return s;
   }
+  std::vector<Grid> slots(const VariationalDerivative&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const GradientWall&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const EnergyWall&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const CapillaryTraction&) const { return {unknown(D), unknown(D + 1)}; }
@@ -58,6 +59,7 @@ struct TermCases {
     return s;
   }
   static std::vector<int> equations(const NavierStokesKorteweg&) { return D == 2 ? from(0, 4) : from(0, 5); }
+  static std::vector<int> equations(const VariationalDerivative&) { return {D + 1}; }
   static std::vector<int> equations(const GradientWall&) { return {D + 1}; }
   static std::vector<int> equations(const EnergyWall&) { return {D + 1}; }
   static std::vector<int> equations(const CapillaryTraction&) { return from(0, D); }

@@ -7,7 +7,11 @@ namespace {
 using Cubic = TermCases<2, 3>;
 Cubic cubic() { return Cubic(std::array<int, 2>{11, 7}); }
 
-TEST(TermsOfDegree3, VolumeOnMovingMesh) { const Cubic c = cubic(); }
+TEST(TermsOfDegree3, VolumeOnMovingMesh) {
+  const Cubic c = cubic();
+  const VariationalDerivative term{c.terms.gas, 0.4};
+  c.check<WallMotion>("variational_derivative", term, c.patch.fluid(), 2, 7);
+}
 TEST(TermsOfDegree3, WallOnMovingMesh) {
   const Cubic c = cubic();
   c.check<WallMotion>("gradient_wall", c.terms.gradient_wall, c.patch.face(), 2, 3);
