@@ -13,6 +13,5 @@ KOKKOS_INLINE_FUNCTION std::uint16_t narrow(float x) {
   return static_cast<std::uint16_t>((bits + 0x7fffu + ((bits >> 16) & 1u)) >> 16);
 }
 KOKKOS_INLINE_FUNCTION float widen(std::uint16_t x) { return Kokkos::bit_cast<float>(std::uint32_t(x) << 16); }
-KOKKOS_INLINE_FUNCTION float widen(float x) { return x; }
 
 }  // namespace softwet

@@ -23,6 +23,7 @@ class CoarseSpace {
   bool exists() const { return exists_; }  ///< whether any axis could be halved
   const Layout<D>& layout() const { return layout_; }
   ConstArray mask() const { return mask_; }
+  const AxisTransfer& axis(int d) const { return axis_[d]; }
 
   void restrict_to(const ConstArray& fine, const Array& coarse) const;  ///< coarse = P^T fine
   void prolong(const ConstArray& coarse, const Array& fine) const;      ///< fine = P coarse, zero where prescribed

@@ -20,12 +20,10 @@ Array mask_of_patch(const Layout<D>& layout, const ConstArray& own) {
 template <int D>
 class Replicated final : public StencilSolver<D> {
  public:
-  /// @param layout    what this process stores; `mask` and `solver` are for the whole patch
-  /// @param products  what the solver's products with the matrix read
-  Replicated(const Layout<D>& layout, const ConstArray& mask, std::unique_ptr<StencilSolver<D>> solver,
-             Products products = Products::single)
+  /// @param layout  what this process stores; `mask` and `solver` are for the whole patch
+  Replicated(const Layout<D>& layout, const ConstArray& mask, std::unique_ptr<StencilSolver<D>> solver)
       : layout_(layout),
-        matrix_(layout.whole_patch(), mask, products),
+        matrix_(layout.whole_patch(), mask),
         solver_(std::move(solver)),
         r_("replicated.r", matrix_.layout().size()),
         z_("replicated.z", matrix_.layout().size()) {}

@@ -5,7 +5,7 @@
 #include "field/vector.hpp"
 #include "solver/block_lu.hpp"
 #include "solver/boxes.hpp"
-#include "solver/coarse_space.hpp"
+#include "solver/coarse_image.hpp"
 #include "solver/dense_solver.hpp"
 #include "solver/replicated.hpp"
 
@@ -37,10 +37,10 @@ class Schwarz final : public StencilSolver<D> {
   }
 
   void build(const StencilMatrix<D>& matrix) override {
-    matrix_ = &matrix;
     matrix.update_copies();
     boxes_.build(matrix);
     if (!space_) return;
+    if (image_) image_->build(matrix);
     coarse_matrix_->fill([&](const StencilValues& values) { space_->galerkin(matrix, values); });
     coarse_->build(*coarse_matrix_);
   }
@@ -56,9 +56,7 @@ class Schwarz final : public StencilSolver<D> {
     solve_below();
     space_->prolong(coarse_z_, z);
     if (!multiplicative_) return boxes_.add(all, z, 1);
-    matrix_->residual(r, z, rest_);
-    update(layout_, rest_);
-    boxes_.add(rest_, z, damping);
+    boxes_.add(what_is_left(r), z, damping);
   }
   void answer(const ConstArray& r, const Array& z, const RangeFactors& factors) override {
     in_few_kernels() ? add_up(r, z, factors) : RoughInverse::answer(r, z, factors);
@@ -72,6 +70,7 @@ class Schwarz final : public StencilSolver<D> {
   double bytes() const override {
     double total = boxes_.bytes();
     if (space_) total += coarse_matrix_->bytes() + coarse_->bytes() + space_->galerkin_bytes();
+    if (image_) total += image_->bytes();
     return total;
   }
 
@@ -90,6 +89,12 @@ class Schwarz final : public StencilSolver<D> {
   void solve_below() {
     coarse_->apply(coarse_r_, coarse_z_);
     update(space_->layout(), coarse_z_);
+  }
+  /// The residual that the coarse correction leaves.
+  ConstArray what_is_left(const ConstArray& r) const {
+    image_->residual(r, coarse_z_, rest_);
+    update(layout_, rest_);
+    return rest_;
   }
 
   /// On a device a kernel computes the entries of the coarse correction that it needs, so that no other one writes them. On
@@ -114,9 +119,7 @@ class Schwarz final : public StencilSolver<D> {
   void below_then_boxes(const ConstArray& r) {
     space_->restrict_to(r, coarse_r_);
     solve_below();
-    matrix_->residual(r, space_->prolongation(coarse_z_), rest_);
-    update(layout_, rest_);
-    boxes_.multiply(ConstArray(rest_), NothingBeside());
+    boxes_.multiply(what_is_left(r), NothingBeside());
   }
 
   void add_coarse(const Layout<D>& layout, const ConstArray& mask, const SchwarzControl& control) {
@@ -124,7 +127,6 @@ class Schwarz final : public StencilSolver<D> {
     if (!space_->exists()) return space_.reset();
     const Layout<D>&coarse = space_->layout(), all = coarse.whole_patch();
     const bool direct = all.size() <= control.direct_up_to;
-    const Products products = direct ? Products::single : Products::sixteen_bits;
     SchwarzControl below = control;
     below.multiplicative = true;
     const auto solver = [&](const Layout<D>& l, const ConstArray& m) {
@@ -132,23 +134,25 @@ class Schwarz final : public StencilSolver<D> {
       return control.dense_bottom ? make_dense_solver<D>(l, m) : make_block_lu<D>(l, m);
     };
     if (coarse.whole() || (!direct && can_be_cut(coarse.columns))) {
-      coarse_matrix_.emplace(coarse, space_->mask(), products);
+      coarse_matrix_.emplace(coarse, space_->mask());
       coarse_ = solver(coarse, space_->mask());
     } else {
       const Array free = mask_of_patch(coarse, space_->mask());
       coarse_matrix_.emplace(coarse, space_->mask());
-      coarse_ = std::make_unique<Replicated<D>>(coarse, free, solver(all, free), products);
+      coarse_ = std::make_unique<Replicated<D>>(coarse, free, solver(all, free));
     }
     coarse_r_ = Array("schwarz.coarse_r", coarse.size());
     coarse_z_ = Array("schwarz.coarse_z", coarse.size());
-    if (multiplicative_) rest_ = Array("schwarz.rest", layout.size());
+    if (!multiplicative_) return;
+    image_.emplace(layout, mask, *space_);
+    rest_ = Array("schwarz.rest", layout.size());
   }
 
   Layout<D> layout_;
   bool multiplicative_;
   Boxes<D> boxes_;
-  const StencilMatrix<D>* matrix_ = nullptr;
   std::optional<CoarseSpace<D>> space_;
+  std::optional<CoarseImage<D>> image_;  ///< of the correction, where it is multiplicative
   std::optional<StencilMatrix<D>> coarse_matrix_;
   std::unique_ptr<StencilSolver<D>> coarse_;
   Array r_, coarse_r_, coarse_z_, rest_;

@@ -21,49 +21,21 @@ UnknownTable<D>::UnknownTable(const Layout<D>& layout, const std::vector<double>
     }
 }
 
-namespace {
-
-/// Rounds the values to 16 bits.
-struct NarrowValues {
-  StencilValues values;
-  Kokkos::View<std::uint16_t*, Exec> out;
-  KOKKOS_FUNCTION void operator()(std::int64_t i) const { out(i) = narrow(values(i)); }
-};
-
-}  // namespace
-
 template <int D>
-StencilMatrix<D>::StencilMatrix(const Layout<D>& layout, const ConstArray& mask, Products products)
-    : layout_(layout), stencil_(layout), mask_(mask), products_(products) {
-  bool periodic = false;
-  int stride = 1, farthest = 0;
-  for (int d = 0; d < D; ++d) {
-    periodic = periodic || layout.axis[d].periodic();
-    farthest += stride * stencil_.degree;
-    stride *= stencil_.extent[d];
-  }
-  lines_.length = periodic ? stencil_.extent[0] : stencil_.points;
-  lines_.margin = periodic ? stencil_.degree : farthest;
-  lines_.stored = (lines_.length + pack - 1) / pack * pack + 2 * lines_.margin;
-  spread_ =
-      StencilValues("stencil.x", std::int64_t(stencil_.components) * (stencil_.points / lines_.length) * lines_.stored);
+StencilMatrix<D>::StencilMatrix(const Layout<D>& layout, const ConstArray& mask)
+    : layout_(layout), stencil_(layout), mask_(mask) {
+  const int n = stencil_.extent[0];
+  stored_ = (n + stencil_pack - 1) / stencil_pack * stencil_pack + 2 * stencil_.degree;
+  spread_ = StencilValues("stencil.x", std::int64_t(stencil_.components) * (stencil_.points / n) * stored_);
 }
 
 template <int D>
 void StencilMatrix<D>::fill(const Jacobian& jacobian) {
-  using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
-  const auto all = Kokkos::make_pair(std::int64_t(0), stencil_.size());
   if (values_.extent(0) == 0) {
-    values_ = large_array<StencilValues>("stencil", stencil_.size() + pack);  // a product reads beyond
+    values_ = large_array<StencilValues>("stencil", stencil_.size() + stencil_pack);  // a product reads beyond
     Kokkos::deep_copy(values_, 0.0f);
   }
-  jacobian(Kokkos::subview(values_, all));
-  if (products_ == Products::single) return;
-  if (narrow_.extent(0) == 0) {
-    narrow_ = large_array<Kokkos::View<std::uint16_t*, Exec>>("stencil.narrow", values_.extent(0));
-    Kokkos::deep_copy(narrow_, std::uint16_t(0));
-  }
-  Kokkos::parallel_for("softwet::narrow", Policy(0, stencil_.size()), NarrowValues{values_, narrow_});
+  jacobian(Kokkos::subview(values_, Kokkos::make_pair(std::int64_t(0), stencil_.size())));
 }
 
 /// Some lines after the other, so that the memory for messages stays small.
@@ -79,37 +51,13 @@ void StencilMatrix<D>::update_copies() const {
 }
 
 template <int D>
-template <class Vector>
-void StencilMatrix<D>::multiply_into(const ConstArray& r, const Vector& x, const Array& y) const {
+void StencilMatrix<D>::multiply(const ConstArray& x, const Array& y) const {
   using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
   const ComponentPlaces<D> places(layout_);
-  const SpreadValues<D, Vector> spread{stencil_, x, mask_, spread_, places, lines_};
+  const SpreadValues<D> spread{stencil_, x, mask_, spread_, places, stored_};
   Kokkos::parallel_for("softwet::spread", Policy(0, spread_.extent(0)), spread);
-  const auto run = [&](const auto& product) {
-    Kokkos::parallel_for("softwet::stencil_multiply", Policy(0, product.items()), product);
-  };
-  const auto with = [&](const auto& values) {
-    using Value = typename std::decay_t<decltype(values)>::non_const_value_type;
-    if (lines_.length == stencil_.points) {
-      run(MultiplyLongPieces<D, Value>{stencil_, values, spread_, mask_, r, y, places, lines_});
-    } else {
-      run(MultiplyPieces<D, Value>{stencil_, values, spread_, mask_, r, y, places, lines_});
-    }
-  };
-  products_ == Products::single ? with(values_) : with(narrow_);
-}
-
-template <int D>
-void StencilMatrix<D>::multiply(const ConstArray& x, const Array& y) const {
-  multiply_into({}, x, y);
-}
-template <int D>
-void StencilMatrix<D>::residual(const ConstArray& r, const ConstArray& x, const Array& y) const {
-  multiply_into(r, x, y);
-}
-template <int D>
-void StencilMatrix<D>::residual(const ConstArray& r, const SumAllAxes<D, double>& x, const Array& y) const {
-  multiply_into(r, x, y);
+  const MultiplyPieces<D> product{stencil_, values_, spread_, mask_, y, places, stored_};
+  Kokkos::parallel_for("softwet::stencil_multiply", Policy(0, product.items()), product);
 }
 
 template class UnknownTable<2>;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "field/ghosts.hpp"
-#include "solver/transfer_sums.hpp"
+#include "field/stencil.hpp"
 
 namespace softwet {
 
@@ -27,49 +27,31 @@ class UnknownTable {
   std::vector<int> unknown_, component_, point_;
 };
 
-/// What products with a matrix read: its values, or a copy of them in 16 bits, which costs half of the memory traffic.
-enum class Products { single, sixteen_bits };
-
-/// How a vector is stored for a product: lines with a margin at both ends. A line is one along the first axis, or all
-/// control points where no axis is periodic.
-struct StencilLines {
-  int length = 0, margin = 0, stored = 0;
-};
-
 /// The matrix. Values are allocated by the first fill, so that its size can be counted before.
 template <int D>
 class StencilMatrix {
  public:
-  StencilMatrix(const Layout<D>& layout, const ConstArray& mask, Products products = Products::single);
+  StencilMatrix(const Layout<D>& layout, const ConstArray& mask);
 
   void fill(const Jacobian& jacobian);
   /// Rows of the copies of other processes' columns: fill makes only a process's own rows.
   void update_copies() const;
   /// y = A x; prescribed values and ghosts of x count as zero, those of y are zero.
   void multiply(const ConstArray& x, const Array& y) const;
-  /// y = r - A x, likewise
-  void residual(const ConstArray& r, const ConstArray& x, const Array& y) const;
-  /// The same, for a vector whose entries the kernel computes that needs them.
-  void residual(const ConstArray& r, const SumAllAxes<D, double>& x, const Array& y) const;
 
   const Layout<D>& layout() const { return layout_; }
   const Stencil<D>& stencil() const { return stencil_; }
   const StencilValues& values() const { return values_; }
   ConstArray mask() const { return mask_; }
-  double bytes() const { return (products_ == Products::single ? 4.0 : 6.0) * stencil_.size(); }
+  double bytes() const { return 4.0 * stencil_.size(); }
 
  private:
-  template <class Vector>
-  void multiply_into(const ConstArray& r, const Vector& x, const Array& y) const;
-
   Layout<D> layout_;
   Stencil<D> stencil_;
   ConstArray mask_;
   StencilValues values_;
-  Products products_;
-  Kokkos::View<std::uint16_t*, Exec> narrow_;  ///< the copy in 16 bits
-  StencilValues spread_;                       ///< the vector of a product, line by line
-  StencilLines lines_;
+  StencilValues spread_;  ///< the vector of a product, line by line
+  int stored_;            ///< of a line
 };
 
 /// Calls visit(row point, place) for every control point whose rows have entries in the columns of another. The entry of the

@@ -1,5 +1,6 @@
 // Parts of a level of Schwarz's method, as several processes store them, have the bits of the whole in their own columns.
 #include "solver/boxes.hpp"
+#include "solver/coarse_image.hpp"
 #include "unit/solver/random_matrix.hpp"
 
 namespace softwet::testing_tools {
@@ -55,7 +56,7 @@ struct CutLevels {
   int width, stride, shared = 0;
   static constexpr float share = 0.7f;  ///< so far that some of these random boxes share
   CoarseSpace<D> space;
-  Array z, coarse_r, coarse_z, fine_z;
+  Array z, coarse_r, coarse_z, fine_z, left;
   StencilMatrix<D> coarse;
 
   CutLevels(const Shape& shape, int width, int stride)
@@ -66,6 +67,7 @@ struct CutLevels {
         z("z", all.layout.size()),
         coarse_r("coarse_r", space.layout().size()),
         fine_z("fine_z", all.layout.size()),
+        left("left", all.layout.size()),
         coarse(space.layout(), space.mask()) {}
 
   void check(const std::vector<int>& first) {
@@ -79,6 +81,9 @@ struct CutLevels {
     const DenseVector x = DenseVector::Random(space.layout().size());
     coarse_z = to_array(x);
     space.prolong(coarse_z, fine_z);
+    CoarseImage<D> image(all.layout, all.mask, space);
+    image.build(all.matrix);
+    image.residual(r, coarse_z, left);
     for (int rank = 0; rank + 1 < static_cast<int>(first.size()); ++rank) check_part(rank, first, r);
     Kokkos::deep_copy(z, 0.0);
   }
@@ -103,6 +108,10 @@ struct CutLevels {
         << "matrix, rank " << rank;
     below.prolong(stored_part(below.layout(), coarse_z), found);
     EXPECT_EQ(differences(part, found, fine_z, &compared), 0) << "correction, rank " << rank;
+    CoarseImage<D> image(part, mask, below);
+    image.build(matrix);
+    image.residual(here, stored_part(below.layout(), coarse_z), found);
+    EXPECT_EQ(differences(part, found, left, &compared), 0) << "what the correction leaves, rank " << rank;
     EXPECT_GT(compared, part.size());
   }
 };
