@@ -7,7 +7,7 @@ namespace softwet::testing_tools {
 namespace {
 
 /// Values in 16 bits leave 2^-9 of each.
-constexpr double of_sixteen_bits = 2e-3;
+constexpr double of_rounded_values = 2e-3;
 
 /// r - A P z, in two builds. The error is that of A P z.
 template <int D>
@@ -23,7 +23,7 @@ void check_image(const Shape& shape) {
     const DenseVector expected = sparse(random.matrix) * (p * z);
     image.build(random.matrix);
     image.residual(to_array(r), to_array(z), y);
-    EXPECT_LT(relative(r - to_vector(y), expected), of_sixteen_bits);
+    EXPECT_LT(relative(r - to_vector(y), expected), of_rounded_values);
     random.fill();
   }
 }
