@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Kokkos_Core.hpp>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,15 @@ inline constexpr bool host_algorithms = false;
 #else
 inline constexpr bool host_algorithms = on_host;
 #endif
+
+/// How kernels are started: by these policies, whose hint makes a kernel's numbers travel with its launch. Without it Kokkos 5
+/// puts those of more than 512 bytes into constant memory on AMD's GPUs, and at the next such launch the host waits until
+/// the kernel before has ended. On NVIDIA's they travel so in any case.
+using WithLaunch = Kokkos::Experimental::WorkItemProperty::HintLightWeight_t;
+using Items = Kokkos::RangePolicy<Exec, WithLaunch>;
+using LongItems = Kokkos::RangePolicy<Exec, WithLaunch, Kokkos::IndexType<std::int64_t>>;
+template <class... Options>
+using Teams = Kokkos::TeamPolicy<Exec, WithLaunch, Options...>;
 
 template <class ViewType>
 inline ViewType to_device(const std::vector<typename ViewType::non_const_value_type>& values,

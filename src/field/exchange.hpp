@@ -84,7 +84,7 @@ void update_columns(const Columns& columns, const ColumnExchange& exchange, cons
   out.hold(sent);
   in.hold(received);
   const auto move = [&](const ColumnList& list, const ArrayOf<Real>& message, int first, bool pack) {
-    Kokkos::parallel_for("softwet::columns", Kokkos::RangePolicy<Exec>(0, lines * static_cast<int>(list.extent(0))),
+    Kokkos::parallel_for("softwet::columns", Items(0, lines * static_cast<int>(list.extent(0))),
                          MoveColumns<Real>{vector, message, list, stored, first, pack});
   };
   std::vector<ranks::Message> messages;

@@ -105,7 +105,7 @@ void move_ghosts(const Layout<D>& layout, const ArrayOf<Real>& vector, GhostActi
     for (const Box<D>& box : boxes(layout)) {
       int items = ghosts;
       for (int e = 0; e < D; ++e) items *= e == d ? 1 : box.extent[e];
-      Kokkos::parallel_for("softwet::ghosts", Kokkos::RangePolicy<Exec>(0, items),
+      Kokkos::parallel_for("softwet::ghosts", Items(0, items),
                            MoveGhosts<D, Real>{{box, d, box.extent[d] - ghosts}, vector, action});
     }
   }
@@ -128,7 +128,6 @@ struct FoldGhosts {
 /// Adds the rows of ghosts to those of the control points they repeat.
 template <int D>
 void fold_ghosts(const Layout<D>& layout, const Stencil<D>& stencil, const StencilValues& values) {
-  using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
   for (int d = 0; d < D; ++d) {
     if (!closes(layout, d)) continue;
     Box<D> box;
@@ -138,7 +137,7 @@ void fold_ghosts(const Layout<D>& layout, const Stencil<D>& stencil, const Stenc
       box.extent[e] = stencil.extent[e];
       ghosts *= e == d ? 1 : stencil.extent[e];
     }
-    Kokkos::parallel_for("softwet::fold_ghosts", Policy(0, stencil.size() / stencil.points * ghosts),
+    Kokkos::parallel_for("softwet::fold_ghosts", LongItems(0, stencil.size() / stencil.points * ghosts),
                          FoldGhosts<D>{{box, d, owned}, values, ghosts, stencil.points});
   }
 }

@@ -165,7 +165,7 @@ std::vector<double> strip_sums(std::vector<StripSums<Real>> kernels) {
   const SumSpace& space = sum_space(items);
   for (StripSums<Real>& k : kernels) {
     k.partial = space.device;
-    Kokkos::parallel_for("softwet::sums", Kokkos::RangePolicy<Exec>(0, k.items()), k);
+    Kokkos::parallel_for("softwet::sums", Items(0, k.items()), k);
   }
   const auto range = Kokkos::make_pair(0, items);
   Kokkos::deep_copy(Kokkos::subview(space.host, range), Kokkos::subview(space.device, range));

@@ -13,29 +13,26 @@ namespace any_precision {
 template <class Real>
 void combine(const ArrayOf<Real>& y, Real a, const ConstArrayOf<Real>& x, Real b) {
   Kokkos::parallel_for(
-      "softwet::combine", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
+      "softwet::combine", Items(0, y.extent(0)),
       KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + (b == 0 ? Real(0) : b * y(i)); });
 }
 
 template <class Real>
 void add_scaled(const ArrayOf<Real>& y, int offset, Real a, const ConstArrayOf<Real>& x) {
   Kokkos::parallel_for(
-      "softwet::add_scaled", Kokkos::RangePolicy<Exec>(0, x.extent(0)),
-      KOKKOS_LAMBDA(int i) { y(offset + i) += a * x(i); });
+      "softwet::add_scaled", Items(0, x.extent(0)), KOKKOS_LAMBDA(int i) { y(offset + i) += a * x(i); });
 }
 
 template <class Real>
 void multiply(const ArrayOf<Real>& y, const ConstArray& x) {
   Kokkos::parallel_for(
-      "softwet::multiply", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
-      KOKKOS_LAMBDA(int i) { y(i) *= static_cast<Real>(x(i)); });
+      "softwet::multiply", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) *= static_cast<Real>(x(i)); });
 }
 
 template <class To, class From>
 void convert(const ArrayOf<To>& y, const ConstArrayOf<From>& x) {
   Kokkos::parallel_for(
-      "softwet::convert", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
-      KOKKOS_LAMBDA(int i) { y(i) = static_cast<To>(x(i)); });
+      "softwet::convert", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) = static_cast<To>(x(i)); });
 }
 
 }  // namespace any_precision

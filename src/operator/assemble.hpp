@@ -48,8 +48,7 @@ struct AssembleColumns {
       const int row = colour % apart, block = colour / apart;
       const int rows = (all_rows - row + apart - 1) / apart, items = rows * ((blocks - block + 1) / 2);
       if (items > 0)
-        Kokkos::parallel_for("softwet::assemble", Kokkos::RangePolicy<Exec>(0, items),
-                             AssembleColumns{task, block, row, rows, columns});
+        Kokkos::parallel_for("softwet::assemble", Items(0, items), AssembleColumns{task, block, row, rows, columns});
     }
   }
 };

@@ -164,7 +164,7 @@ class TileSums {
     collect_.out = out;
     collect_.mask = mask;
     collect_.add = add;
-    Kokkos::parallel_for("softwet::collect", Kokkos::RangePolicy<Exec>(0, static_cast<int>(out.extent(0))), collect_);
+    Kokkos::parallel_for("softwet::collect", Items(0, static_cast<int>(out.extent(0))), collect_);
     collect_.sources = 0;
   }
 

@@ -134,8 +134,7 @@ void for_colours(const char* name, const Region<D, Real>& region, int stride, co
     for (int run = 0; run < runs; ++run) {
       const Colouring<D> colouring(region, stride, colour, !on_host, run);
       if (colouring.items() == 0) continue;
-      Kokkos::parallel_for(name, Kokkos::RangePolicy<Exec>(0, colouring.items()),
-                           ColourItem<D, lanes, Body>{colouring, body});
+      Kokkos::parallel_for(name, Items(0, colouring.items()), ColourItem<D, lanes, Body>{colouring, body});
     }
 }
 

@@ -31,7 +31,7 @@ struct ElementKernel {
   Real* partial;  ///< [tile][channel][control]
 
   static void launch(const Task<D, Term, Motion, Real>& task, const TileGrid<D>& grid, Real* partial) {
-    Kokkos::TeamPolicy<Exec, Kokkos::LaunchBounds<32, 12>> policy(grid.count(), threads);
+    Teams<Kokkos::LaunchBounds<32, 12>> policy(grid.count(), threads);
     Kokkos::parallel_for("softwet::elements", policy.set_scratch_size(0, Kokkos::PerTeam(size * sizeof(Real))),
                          ElementKernel{task, grid, partial});
   }

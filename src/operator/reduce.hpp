@@ -72,7 +72,7 @@ std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Mot
   const SumSpace& space = sum_space(static_cast<std::size_t>(items) * count);
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
     if constexpr (host_algorithms) {
-      Kokkos::parallel_for("softwet::reduce", Kokkos::RangePolicy<Exec>(0, items),
+      Kokkos::parallel_for("softwet::reduce", Items(0, items),
                            ReduceRow<D, P, Q, Rate, Functional, Motion>{task, rows, space.device});
     } else {
       TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(task, rows, space.device, items);

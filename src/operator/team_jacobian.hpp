@@ -70,7 +70,7 @@ struct TeamJacobian {
       for (int run = 0; run < task.region.first_axis().runs; ++run) {
         const Colouring<D> colouring(task.region, P + 1, colour, true, run);
         if (colouring.items() == 0) continue;
-        Kokkos::TeamPolicy<Exec, Kokkos::LaunchBounds<64, 6>> policy(colouring.items(), threads);
+        Teams<Kokkos::LaunchBounds<64, 6>> policy(colouring.items(), threads);
         Kokkos::parallel_for("softwet::jacobian", policy.set_scratch_size(0, Kokkos::PerTeam(size * sizeof(float))),
                              TeamJacobian{task, stencil, values, colouring});
       }

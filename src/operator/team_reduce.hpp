@@ -28,7 +28,7 @@ struct TeamReduce {
 
   static void launch(const ReduceTask<D, Functional, Motion>& task, const Colouring<D>& rows, const Array& partial,
                      int items) {
-    Kokkos::TeamPolicy<Exec> policy(items, threads);
+    Teams<> policy(items, threads);
     Kokkos::parallel_for("softwet::reduce", policy.set_scratch_size(0, Kokkos::PerTeam(size * sizeof(double))),
                          TeamReduce{task, rows, partial});
   }

@@ -79,8 +79,7 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   }
 
   static void launch(const TileSchedule& schedule, const std::byte* terms, const Real* direction) {
-    Kokkos::TeamPolicy<Exec, Kokkos::LaunchBounds<Tile_::points, Tile_::teams>> policy(schedule.first[schedule.count],
-                                                                                       threads);
+    Teams<Kokkos::LaunchBounds<Tile_::points, Tile_::teams>> policy(schedule.first[schedule.count], threads);
     Kokkos::parallel_for("softwet::tiles", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
                          TileKernel{schedule, terms, direction});
   }

@@ -40,9 +40,8 @@ struct ApplyBoxes {
     items = beside.items();
     const std::size_t scratch = Scratch::shmem_size(most_together * unknowns);
     const int league = teams + (items + items_of_team - 1) / items_of_team;
-    Kokkos::parallel_for(
-        "softwet::schwarz",
-        Kokkos::TeamPolicy<Exec>(league, box_team, box_lanes).set_scratch_size(0, Kokkos::PerTeam(scratch)), *this);
+    Kokkos::parallel_for("softwet::schwarz",
+                         Teams<>(league, box_team, box_lanes).set_scratch_size(0, Kokkos::PerTeam(scratch)), *this);
   }
 
   KOKKOS_FUNCTION void operator()(const Team& team) const {
@@ -93,7 +92,7 @@ struct CollectBoxes {
   RangeFactors factors;
   ArrayOf<Real> z;
 
-  void run() const { Kokkos::parallel_for("softwet::collect", Kokkos::RangePolicy<Exec>(0, z.extent(0)), *this); }
+  void run() const { Kokkos::parallel_for("softwet::collect", Items(0, z.extent(0)), *this); }
   KOKKOS_FUNCTION void operator()(int i) const {
     float sum = 0;
     for (int k = grouped(i); k < grouped(i + 1); ++k) sum += out(place(k));

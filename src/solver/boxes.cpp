@@ -116,13 +116,12 @@ void Boxes<D>::build_some(const StencilMatrix<D>& matrix, const int* boxes, int 
   const FillRows<D> fill{
       matrix.stencil(),           matrix.values(), size_, local_, start_, column_, box, blocks, sites_, width_,
       host_algorithms ? row_ : 1, round_};
-  Kokkos::parallel_for("softwet::boxes", Kokkos::RangePolicy<Exec>(0, fill.items(count)), fill);
+  Kokkos::parallel_for("softwet::boxes", Items(0, fill.items(count)), fill);
   shared_.choose(boxes, count, blocks, inverses_);
   place_inverses(boxes, count);
   invert_->invert(blocks, size);
   const Store store{size, box, blocks, inverses_, unknowns_};
-  Kokkos::parallel_for("softwet::store",
-                       Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>(0, store.items(count)), store);
+  Kokkos::parallel_for("softwet::store", LongItems(0, store.items(count)), store);
 }
 
 /// Gives room to the inverses of a batch, one after another.

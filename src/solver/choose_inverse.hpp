@@ -23,7 +23,7 @@ struct ChooseInverse {
   float limit;
   int fields;
 
-  using Policy = Kokkos::TeamPolicy<Exec, Kokkos::Schedule<Kokkos::Dynamic>>;
+  using Policy = Teams<Kokkos::Schedule<Kokkos::Dynamic>>;
   using Team = Policy::member_type;
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 

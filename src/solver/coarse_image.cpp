@@ -10,8 +10,6 @@ namespace softwet {
 
 namespace {
 
-using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
-
 /// Neighbouring control points at once: of a line where the values are made, of a row where they are used, and those that
 /// the registers of a processor hold.
 constexpr int line_piece = host_algorithms ? 64 : 1, row_piece = host_algorithms ? 512 : 1,
@@ -234,17 +232,17 @@ void CoarseImage<D>::build(const StencilMatrix<D>& matrix) {
     Kokkos::deep_copy(values_.entry, std::uint16_t(0));
   }
   const FillImage<D> fill{values_, matrix.values()};
-  Kokkos::parallel_for("softwet::fill_image", Policy(0, fill.items()), fill);
+  Kokkos::parallel_for("softwet::fill_image", LongItems(0, fill.items()), fill);
 }
 
 template <int D>
 void CoarseImage<D>::residual(const ConstArray& r, const ConstArray& z, const Array& y) const {
   const CoarseValues<D> from{z, coarse_places_, coarse_rows_, coarse_row_points_, source_};
   if (host_algorithms)
-    Kokkos::parallel_for("softwet::spread", Policy(0, spread_.extent(0) / values_.length),
+    Kokkos::parallel_for("softwet::spread", LongItems(0, spread_.extent(0) / values_.length),
                          SpreadCoarse<D>{from, values_.length, spread_});
   const SubtractImage<D> subtract{values_, places_, from, spread_, r, mask_, y};
-  Kokkos::parallel_for("softwet::image", Policy(0, subtract.items()), subtract);
+  Kokkos::parallel_for("softwet::image", LongItems(0, subtract.items()), subtract);
 }
 
 template class CoarseImage<2>;

@@ -6,8 +6,6 @@ namespace softwet {
 
 namespace {
 
-using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
-
 /// Entries of a line of control points along the first axis that are summed at once.
 constexpr int sum_piece = host_algorithms ? 64 : 1;
 
@@ -135,7 +133,7 @@ template <int D>
 void CoarseSpace<D>::transfer(bool to_coarse, const ConstArray& from, const Array& to) const {
   if (at_once_) {
     const WriteEntries<SumAllAxes<D, double>> all{to_coarse ? restriction(from) : prolongation(from), to};
-    return Kokkos::parallel_for("softwet::transfer", Policy(0, all.items()), all);
+    return Kokkos::parallel_for("softwet::transfer", LongItems(0, all.items()), all);
   }
   const Layout<D>& source = to_coarse ? fine_ : layout_;
   const Layout<D>& target = to_coarse ? layout_ : fine_;
@@ -158,7 +156,7 @@ void CoarseSpace<D>::transfer(bool to_coarse, const ConstArray& from, const Arra
     const ConstArray mask = !last ? ConstArray() : to_coarse ? mask_ : fine_mask_;
     const AxisSums& sums = to_coarse ? axis_[d].to_coarse : axis_[d].to_fine;
     const SumAxis<D> body{sums, from_place, to_place, values, mask, result, d, source.components()};
-    Kokkos::parallel_for("softwet::transfer", Policy(0, body.items()), body);
+    Kokkos::parallel_for("softwet::transfer", LongItems(0, body.items()), body);
     from_place = to_place;
     values = result;
   }

@@ -82,13 +82,13 @@ class DenseSolver final : public StencilSolver<D> {
       inverse_ = DenseBlocks(Kokkos::view_alloc("dense.inverse", Kokkos::WithoutInitializing), 1, rows_, rows_);
       invert_.emplace(1, rows_);
     }
-    Kokkos::parallel_for("softwet::dense_rows", Kokkos::RangePolicy<Exec>(0, rows_),
+    Kokkos::parallel_for("softwet::dense_rows", Items(0, rows_),
                          FillDenseRows<D>{matrix.stencil(), matrix.values(), component_, point_, row_of_, inverse_});
     invert_->invert(inverse_, size_);
   }
   void apply(const ConstArray& r, const Array& z) override {
     const int entries = static_cast<int>(z.extent(0));
-    Kokkos::parallel_for("softwet::dense_multiply", Kokkos::TeamPolicy<Exec>(entries, 1, on_host ? 1 : 32),
+    Kokkos::parallel_for("softwet::dense_multiply", Teams<>(entries, 1, on_host ? 1 : 32),
                          MultiplyDense{inverse_, row_at_, unknown_, r, z});
   }
   std::string name() const override { return "dense"; }

@@ -7,8 +7,6 @@ namespace softwet {
 
 namespace {
 
-using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
-
 struct CoarsenTerm {
   int row, step;
   double weight;
@@ -149,10 +147,9 @@ void coarsen(const Stencil<D>& in, const Stencil<D>& out, const AxisProduct& axi
   if (on_host && d == 0) {
     const int lines = in.points / in.extent[0], groups = (lines + lines_in_team - 1) / lines_in_team;
     const std::size_t scratch = CoarsenLines<D>::Scratch::shmem_size(width * in.extent[0] * lines_in_team);
-    Kokkos::parallel_for(
-        "softwet::galerkin",
-        Kokkos::TeamPolicy<Exec>(in.offsets / width * groups, 1).set_scratch_size(1, Kokkos::PerTeam(scratch)),
-        CoarsenLines<D>{in, out, from, to, axis, width, groups});
+    Kokkos::parallel_for("softwet::galerkin",
+                         Teams<>(in.offsets / width * groups, 1).set_scratch_size(1, Kokkos::PerTeam(scratch)),
+                         CoarsenLines<D>{in, out, from, to, axis, width, groups});
     return;
   }
   int below = 1, before = 1;
@@ -171,7 +168,7 @@ void coarsen(const Stencil<D>& in, const Stencil<D>& out, const AxisProduct& axi
                             out.points / below / out.extent[d],
                             before,
                             out.offsets / width / before};
-  Kokkos::parallel_for("softwet::galerkin", Policy(0, body.items()), body);
+  Kokkos::parallel_for("softwet::galerkin", LongItems(0, body.items()), body);
 }
 
 }  // namespace

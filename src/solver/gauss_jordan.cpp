@@ -7,7 +7,6 @@ namespace softwet {
 namespace {
 
 using Team = Kokkos::TeamPolicy<Exec>::member_type;
-using Items = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
 using RowNumbers = Kokkos::View<int**, Kokkos::LayoutRight, Exec>;
 using Factors = Kokkos::View<float**, Kokkos::LayoutRight, Exec>;
 constexpr int depth_of_panel = GaussJordan::panel;
@@ -239,19 +238,19 @@ void GaussJordan::run(const Blocks& a, const BlockSizes& pivots, const BlockSize
   const Factors scale(scale_.data(), count, rows);
   const int lanes = on_host ? 1 : 32;
   if (threads == 0) threads = on_host ? 1 : std::min(16, (rows + lanes - 1) / lanes);
-  const Items each_row(0, std::int64_t(count) * rows);
-  const Kokkos::TeamPolicy<Exec> team_for_row(count * rows, 1, lanes);
-  const auto with_scratch = [](Kokkos::TeamPolicy<Exec> policy, std::size_t bytes) {
+  const LongItems each_row(0, std::int64_t(count) * rows);
+  const Teams<> team_for_row(count * rows, 1, lanes);
+  const auto with_scratch = [](Teams<> policy, std::size_t bytes) {
     return policy.set_scratch_size(0, Kokkos::PerTeam(bytes));
   };
   Kokkos::parallel_for("softwet::scale_rows", team_for_row, ScaleGaussRows<Blocks>{a, pivots, size, scale, rows});
   for (int first = 0; first < most; first += depth_of_panel) {
-    Kokkos::parallel_for("softwet::panel", Kokkos::TeamPolicy<Exec>(count, threads, lanes),
+    Kokkos::parallel_for("softwet::panel", Teams<>(count, threads, lanes),
                          EliminatePanel<Blocks>{a, panels, pivots, size, pivot, first});
     Kokkos::parallel_for("softwet::pivot_rows", each_row,
                          TakePivotRows<Blocks>{a, pivot_rows, pivots, size, pivot, first, rows});
     const AddPanel<Blocks> add{a, panels, pivot_rows, pivots, size, first, rows};
-    Kokkos::parallel_for("softwet::add_panel", Items(0, std::int64_t(count) * add.pieces() * add.groups()), add);
+    Kokkos::parallel_for("softwet::add_panel", LongItems(0, std::int64_t(count) * add.pieces() * add.groups()), add);
   }
   Kokkos::parallel_for("softwet::exchanges", with_scratch({count, 1, lanes}, UndoExchanges::Scratch::shmem_size(most)),
                        UndoExchanges{pivots, pivot, source, most});

@@ -113,7 +113,7 @@ void KroneckerMass<D>::solve_lines(const Array& x, int first, int last) const {
     for (int d = 0; d < D; ++d) size *= box.extent[d];
     for (int d = 0; d < D; ++d) {
       const int n = box.extent[d];
-      Kokkos::parallel_for("softwet::mass_lines", Kokkos::RangePolicy<Exec>(0, size / n),
+      Kokkos::parallel_for("softwet::mass_lines", Items(0, size / n),
                            SolveLine{x, factors_[c][d], box.offset, n, stride});
       stride *= n;
     }

@@ -107,7 +107,7 @@ class KrylovBasis {
         for (int j = 0; j < some; ++j) part.a[m][j] = static_cast<Real>(c[m]->a[first + j]);
       }
       if (first + some == count) part.link = static_cast<Real>(link);
-      Kokkos::parallel_for("softwet::basis_sum", Kokkos::RangePolicy<Exec>(0, (size_ + entries - 1) / entries), part);
+      Kokkos::parallel_for("softwet::basis_sum", Items(0, (size_ + entries - 1) / entries), part);
     }
   }
 

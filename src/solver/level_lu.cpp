@@ -32,7 +32,7 @@ class LevelLu final : public StencilSolver<D> {
     for (int depth = static_cast<int>(levels_.size()) - 1; depth >= 0; --depth) {
       const TreeLevel& level = levels_[depth];
       const LevelNumbers here = memory_[depth % 2], below = memory_[1 - depth % 2];
-      const Kokkos::TeamPolicy<Exec> columns((level.last - level.first) * level.rows, on_host ? 1 : 4, lanes);
+      const Teams<> columns((level.last - level.first) * level.rows, on_host ? 1 : 4, lanes);
       Kokkos::parallel_for(
           "softwet::assemble_fronts", columns,
           AssembleFronts<D>{entries, fronts_, unknown_, inherited_, here, below, level.first, level.rows});
@@ -143,7 +143,7 @@ class LevelLu final : public StencilSolver<D> {
     if (teams == 0) return;
     const int parts = columns > 256 ? 16 : 8, threads = threads_ > 0 ? threads_ : on_host ? 1 : parts;
     Kokkos::parallel_for(label,
-                         Kokkos::TeamPolicy<Exec>(teams, threads, StripProduct::lanes)
+                         Teams<>(teams, threads, StripProduct::lanes)
                              .set_scratch_size(0, Kokkos::PerTeam(StripProduct::scratch_bytes(parts))),
                          kernel(parts));
   }

@@ -48,7 +48,7 @@ LevelScale<D>::LevelScale(const Layout<D>& layout, const UnknownTable<D>& table)
 
 template <int D>
 void LevelScale<D>::compute(const StencilValues& values) const {
-  const Kokkos::RangePolicy<Exec> unknowns(0, static_cast<int>(row_.extent(0)));
+  const Items unknowns(0, static_cast<int>(row_.extent(0)));
   Kokkos::parallel_for("softwet::row_scale", unknowns,
                        InvertLargest<D, false>{stencil_, places_, values, component_, row_, row_});
   Kokkos::parallel_for("softwet::column_scale", unknowns,

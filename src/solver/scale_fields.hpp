@@ -13,7 +13,7 @@ struct ScaleFields {
   ConstArrayOf<From> from;
   RangeFactors factors = {};
 
-  void run() const { Kokkos::parallel_for("softwet::scale", Kokkos::RangePolicy<Exec>(0, to.extent(0)), *this); }
+  void run() const { Kokkos::parallel_for("softwet::scale", Items(0, to.extent(0)), *this); }
   KOKKOS_FUNCTION void operator()(int i) const { to(i) = static_cast<To>(factors.at(i)) * static_cast<To>(from(i)); }
 };
 

@@ -52,12 +52,11 @@ void StencilMatrix<D>::update_copies() const {
 
 template <int D>
 void StencilMatrix<D>::multiply(const ConstArray& x, const Array& y) const {
-  using Policy = Kokkos::RangePolicy<Exec, Kokkos::IndexType<std::int64_t>>;
   const ComponentPlaces<D> places(layout_);
   const SpreadValues<D> spread{stencil_, x, mask_, spread_, places, stored_};
-  Kokkos::parallel_for("softwet::spread", Policy(0, spread_.extent(0)), spread);
+  Kokkos::parallel_for("softwet::spread", LongItems(0, spread_.extent(0)), spread);
   const MultiplyPieces<D> product{stencil_, values_, spread_, mask_, y, places, stored_};
-  Kokkos::parallel_for("softwet::stencil_multiply", Policy(0, product.items()), product);
+  Kokkos::parallel_for("softwet::stencil_multiply", LongItems(0, product.items()), product);
 }
 
 template class UnknownTable<2>;

@@ -8,7 +8,7 @@ namespace {
 
 void add_constant(const Array& y, double a) {
   Kokkos::parallel_for(
-      "softwet::add_constant", Kokkos::RangePolicy<Exec>(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) += a; });
+      "softwet::add_constant", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) += a; });
 }
 
 /// The solid's rows of velocity component d inside a vector of unknowns, for d = 0.

@@ -100,7 +100,7 @@ void ImplicitScheme<D, P>::predict(const StepHistory& history, double dt) {
   if (history.previous_dt > 0) {  // extrapolation of the last two states
     const double factor = dt / integrator_.stage().end_scale / history.previous_dt;
     combine(x_, -factor, history.previous, 1 + factor);
-    Kokkos::parallel_for("softwet::extrapolate", Kokkos::RangePolicy<Exec>(0, l.scalar_size()),
+    Kokkos::parallel_for("softwet::extrapolate", Items(0, l.scalar_size()),
                          ExtrapolateDensity{x_, now, history.previous, l.density_offset(), factor});
   }
   multiply(Kokkos::subview(x_, Kokkos::make_pair(0, l.velocity_size())), part(model_.mask(), 0, l.velocity_size()));

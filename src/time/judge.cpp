@@ -13,7 +13,7 @@ std::pair<double, double> range(const ConstArray& x) {
   const bool all = c.stored == 0 || c.end - c.begin == c.stored;
   const int stored = c.stored, begin = c.begin, width = c.end - c.begin;
   Kokkos::parallel_reduce(
-      "softwet::range", Kokkos::RangePolicy<Exec>(0, all ? x.extent(0) : x.extent(0) / stored * width),
+      "softwet::range", Items(0, all ? x.extent(0) : x.extent(0) / stored * width),
       KOKKOS_LAMBDA(int i, Kokkos::MinMaxScalar<double>& best) {
         const double v = x(all ? i : i / width * stored + begin + i % width);
         const double high = Kokkos::isfinite(v) ? v : Kokkos::Experimental::infinity_v<double>;

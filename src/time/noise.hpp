@@ -31,7 +31,7 @@ inline void add_noise(const Array& a, const ConstArray& free) {
   const double all = static_cast<double>(a.extent(0)) / stored * functions;
   const double length = norm(a), size = all > 0 ? all : 1;
   const double scale = length > 0 ? part * length / std::sqrt(size) : 1;
-  Kokkos::parallel_for("softwet::noise", Kokkos::RangePolicy<Exec>(0, a.extent(0)),
+  Kokkos::parallel_for("softwet::noise", Items(0, a.extent(0)),
                        AddNoise{a, free, scale, stored, cut ? scene.first_function : 0, functions});
 }
 

@@ -33,7 +33,7 @@ std::string two_digits(double x) {
 /// x(i) /= density(i) where the density is below `most`, that is in the vapour, and 0 elsewhere.
 void relative_in_vapour(const Array& x, const ConstArray& density, double least, double most) {
   Kokkos::parallel_for(
-      "softwet::relative_in_vapour", Kokkos::RangePolicy<Exec>(0, x.extent(0)), KOKKOS_LAMBDA(int i) {
+      "softwet::relative_in_vapour", Items(0, x.extent(0)), KOKKOS_LAMBDA(int i) {
         const double rho = density(i) < least ? least : density(i);
         x(i) = rho < most ? x(i) / rho : 0.0;
       });

@@ -11,14 +11,13 @@ Array cut(const Array& a, int first, int last) { return Kokkos::subview(a, Kokko
 /// x(i) /= w(i) where w is not 0: on held values and ghosts it is.
 void divide(const Array& x, const ConstArray& w) {
   Kokkos::parallel_for(
-      "softwet::divide", Kokkos::RangePolicy<Exec>(0, x.extent(0)),
-      KOKKOS_LAMBDA(int i) { x(i) = w(i) != 0 ? x(i) / w(i) : 0.0; });
+      "softwet::divide", Items(0, x.extent(0)), KOKKOS_LAMBDA(int i) { x(i) = w(i) != 0 ? x(i) / w(i) : 0.0; });
 }
 
 /// x(i) *= sqrt(a(i) / b(i)), 0 where b is.
 void scale_by_root(const Array& x, const ConstArray& a, const ConstArray& b) {
   Kokkos::parallel_for(
-      "softwet::scale_by_root", Kokkos::RangePolicy<Exec>(0, x.extent(0)),
+      "softwet::scale_by_root", Items(0, x.extent(0)),
       KOKKOS_LAMBDA(int i) { x(i) = b(i) > 0 ? x(i) * Kokkos::sqrt(a(i) / b(i)) : 0.0; });
 }
 

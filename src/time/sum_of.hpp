@@ -9,8 +9,7 @@ namespace softwet {
 inline void sum_of(const Array& y, double a, const ConstArray& x, double b, const ConstArray& z, double c,
                    const ConstArray& w) {
   Kokkos::parallel_for(
-      "softwet::sum_of", Kokkos::RangePolicy<Exec>(0, y.extent(0)),
-      KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + b * z(i) + c * w(i); });
+      "softwet::sum_of", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + b * z(i) + c * w(i); });
 }
 
 }  // namespace softwet

@@ -35,8 +35,7 @@ struct IntegralCases {
     const Colouring<D> rows(t.region, 1, 0, false);
     const int items = rows.items() * rows.first_axis.strips, size = items * Functional::count;
     const Array host("host", size), team("team", size), three("three", size);
-    Kokkos::parallel_for("rows", Kokkos::RangePolicy<Exec>(0, items),
-                         ReduceRow<D, P, Q, Rate, Functional, Motion>{t, rows, host});
+    Kokkos::parallel_for("rows", Items(0, items), ReduceRow<D, P, Q, Rate, Functional, Motion>{t, rows, host});
     TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(t, rows, team, items);
     ASSERT_GT(largest(to_host(host)), 1e-6) << name;
     EXPECT_LT(distance(to_host(team), to_host(host)), 1e-13) << name;

@@ -93,7 +93,7 @@ template <class Real>
 void multiply_band(const ArrayOf<Real>& x, const ArrayOf<Real>& y) {
   const int n = static_cast<int>(x.extent(0));
   Kokkos::parallel_for(
-      "band", Kokkos::RangePolicy<Exec>(0, n), KOKKOS_LAMBDA(int i) {
+      "band", Items(0, n), KOKKOS_LAMBDA(int i) {
         y(i) = (1 + Real(i) / n) * x(i) + Real(0.8) * x((i + 1) % n) - Real(0.3) * x((i + n - 7) % n);
       });
 }
