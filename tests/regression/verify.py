@@ -83,4 +83,9 @@ for within, code, told in ((True, 0, "**no**: why; known: 2 at most"), (False, 1
     check_true("the document tells", told in text, text)
 broken = verify("layer", "--out", "result", tools=copy_with(2, setting="time.max_stepz=2"))
 check_true("a run that fails: exit code 2", broken.returncode == 2 and "max_stepz" in broken.stderr, broken.stderr)
+two = '"""Two programs"""\nMINUTES = {"quick": 1, "full": 1}\n\n\ndef study(lab):\n    lab.tools("first_one", "softwet", "second_one")\n'
+pathlib.Path("copy/tests/verification/studies/layer.py").write_text(two)
+needs = verify("layer", "--out", "result", tools=pathlib.Path("copy/tools").resolve())
+check_true("programs that are missing are named at once", "tools/setup softwet first_one second_one" in needs.stderr, needs.stderr)
+check_true("and the exit code is 2", needs.returncode == 2, f"{needs.returncode}")
 sys.exit(0)

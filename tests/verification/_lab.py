@@ -207,13 +207,14 @@ class Lab:
         self.seconds[label] = time.monotonic() - start
         return done.stdout
 
-    def tool(self, name):
-        """Path of another program of the build."""
-        path = self.program.parent / name
-        if not path.exists():
-            raise StudyError(f"{path} is not there; this study needs the sources of softwet: tools/setup softwet {name} builds "
-                             f"it there, then tools/verify {self.name}")
-        return path
+    def tools(self, *names):
+        """Other programs of the build that a study needs. @return {name: path}"""
+        paths = {name: self.program.parent / name for name in names}
+        missing = [name for name, path in paths.items() if not path.exists()]
+        if missing:
+            raise StudyError(f"{' and '.join(missing)} not found in {self.program.parent}; this study needs the sources of softwet: "
+                             f"tools/setup softwet {' '.join(missing)} builds what is missing, then tools/verify {self.name}")
+        return paths
 
     # --- what is written
 
