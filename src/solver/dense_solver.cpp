@@ -93,7 +93,7 @@ class DenseSolver final : public StencilSolver<D> {
   }
   std::string name() const override { return "dense"; }
   double bytes() const override { return 4.0 * rows_ * rows_ + GaussJordan::bytes(1, rows_); }
-  double build_cost() const override { return 60; }
+  double build_cost() const override { return 120; }
 
  private:
   int rows_ = 0;

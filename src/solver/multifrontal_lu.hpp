@@ -95,7 +95,7 @@ class BlockLu final : public StencilSolver<D> {
   }
 
   std::string name() const override { return "lu"; }
-  double build_cost() const override { return D == 2 ? 25 : 60; }  // chosen by the time of whole runs
+  double build_cost() const override { return D == 2 ? 35 : 120; }
   const Equilibration& scale() const { return scale_; }
   double bytes() const override {
     double total = 0;

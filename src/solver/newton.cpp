@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace softwet {
 namespace {
@@ -12,6 +13,9 @@ namespace {
 constexpr double weighted_margin = 2, field_margin = 8;
 /// A residual of fewer times its round-off is not worth the full weight of a field.
 constexpr double signal_over_round_off = 100;
+
+/// Iterations of a lagged preconditioner, over those at its best, that are no waste: they vary from step to step.
+constexpr double worn = 1.3;
 
 /// What the first linear solve of a step is solved to. With 0.02 steps take a fifth fewer iterations, but end closer to
 /// `rtol`: a droplet at rest then differs 25 times more from its mirror image (docs/performance.md).
@@ -124,14 +128,29 @@ KrylovResult Newton::linear_solve(const NonlinearSystem& system, const std::vect
                     linear_);
 }
 
+void Wear::renew() {
+  const double end = digits_ > 0 ? std::max(last_, iterations_ / digits_) : last_;
+  const int times = times_;
+  *this = {};
+  before_ = end;
+  times_ = times;
+}
+
 void Wear::add(const KrylovResult& linear) {
-  const double digits = -std::log10(std::clamp(linear.reduction, 1e-16, 0.8));
-  if (first_ == 0) first_ = linear.iterations / digits;
-  excess_ += std::max(0.0, linear.iterations - first_ * digits);
+  constexpr double window = 4, no_better = 0.8;
+  iterations_ += linear.iterations;
+  digits_ -= std::log10(std::clamp(linear.reduction, 1e-16, 0.8));
+  if (digits_ < window) return;
+  last_ = iterations_ / digits_;
+  if (best_ == 0 && before_ > 0) times_ = last_ > no_better * before_ ? std::min(4, 2 * times_) : 1;
+  if (best_ == 0 || last_ < best_) best_ = last_;
+  waste_ += std::max(0.0, iterations_ - worn * best_ * digits_);
+  iterations_ = digits_ = 0;
 }
 
 int Wear::patience(double tolerance, double cost) const {
-  return static_cast<int>(std::ceil(first_ * -std::log10(tolerance) + std::max(0.0, cost - excess_))) + 1;
+  if (best_ == 0) return std::numeric_limits<int>::max();
+  return static_cast<int>(std::ceil(worn * best_ * -std::log10(tolerance) + std::max(0.0, allowed(cost) - waste_))) + 1;
 }
 
 void Newton::build(const NonlinearSystem& system) {
@@ -205,7 +224,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
     counts_.krylov += linear.iterations;
     ++counts_.newton;
     wear_.add(linear);
-    rebuild_ = wear_.excess() >= cost || !linear.converged;
+    rebuild_ = wear_.due(cost) || !linear.converged;
     moved = fresh || linear.reduction <= 0.5;
     if (!moved) continue;  // once more with a new preconditioner
     if (linear.reduction > 0.9) {

@@ -40,20 +40,27 @@ struct NewtonResult {
   Refusal refusal;  ///< why it failed
 };
 
-/// How much a lagged preconditioner has cost beyond a fresh one: the iterations above those that its first linear solve
-/// took for each digit. When this excess has cost as much as a build, a new preconditioner is due, and a solve that gets
-/// there is given up.
+/// How much a lagged preconditioner has wasted. Linear solves that together gain four digits, about those of a step, make a
+/// window; one solve would be no measure, because those of a step differ. Waste are the iterations of a window above those of
+/// the best one so far and a third more. When it reaches a quarter of the cost of a build a new preconditioner is due: they
+/// age faster and faster. Where a new one is not better than the old one was, it is kept twice as long, up to four times.
 class Wear {
  public:
-  void renew() { *this = {}; }
+  void renew();
   void add(const KrylovResult& linear);
-  double excess() const { return excess_; }
-  /// Iterations of a solve to `tolerance` at which the excess reaches `cost`.
+  /// Whether a new preconditioner is due, where a build costs as much as so many iterations.
+  bool due(double cost) const { return waste_ >= allowed(cost); }
+  /// Iterations of a solve to `tolerance` at which one becomes due; the solve is given up then.
   int patience(double tolerance, double cost) const;
 
  private:
-  double first_ = 0;  ///< iterations per digit
-  double excess_ = 0;
+  double allowed(double cost) const { return 0.25 * times_ * cost; }
+
+  double best_ = 0, last_ = 0;          ///< iterations per digit of windows; 0: none is complete
+  double iterations_ = 0, digits_ = 0;  ///< of the window that is not
+  double waste_ = 0;
+  double before_ = 0;  ///< iterations per digit at the end of the preconditioner before; 0: there was none
+  int times_ = 1;      ///< how long a preconditioner is kept, see above
 };
 
 /// GMRES and the vectors of a linear solve, in one precision.

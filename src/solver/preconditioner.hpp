@@ -35,8 +35,8 @@ class RoughInverse {
   virtual std::string name() const = 0;
   /// Without the matrix that a solver is given.
   virtual double bytes() const = 0;
-  /// The measured cost of a build, in Krylov iterations (a product and an application each). Newton keeps a lagged
-  /// preconditioner until it has wasted as many.
+  /// The measured cost of a build, in Krylov iterations (a product and an application each). It decides how long Newton keeps
+  /// a lagged preconditioner (Wear).
   virtual double build_cost() const = 0;
 
  private:

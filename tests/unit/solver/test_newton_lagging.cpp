@@ -126,19 +126,45 @@ TEST(Newton, AnswersOfALaggedPreconditionerAreFittedToTheSolid) {
   }
 }
 
-TEST(Wear, CountsIterationsAboveTheFirstRatePerDigit) {
+/// Windows of four digits that take so many iterations each.
+void add_windows(Wear& wear, std::initializer_list<int> iterations) {
+  for (int n : iterations) wear.add({n, 1e-4, true});
+}
+
+TEST(Wear, CountsIterationsAboveAThirdMoreThanTheBestWindow) {
   Wear wear;
-  wear.add({4, 1e-2, true});  // two iterations per digit
-  EXPECT_DOUBLE_EQ(wear.excess(), 0);
-  wear.add({8, 1e-4, true});
-  EXPECT_NEAR(wear.excess(), 0, 1e-12);
-  wear.add({7, 1e-2, true});
-  EXPECT_NEAR(wear.excess(), 3, 1e-12);
-  wear.add({1, 1e-2, true});  // a good day earns nothing back
-  EXPECT_NEAR(wear.excess(), 3, 1e-12);
-  EXPECT_EQ(wear.patience(1e-3, 10), 6 + 7 + 1);  // three digits, what is left of the cost, and the one too many
+  EXPECT_FALSE(wear.due(4));
+  EXPECT_GT(wear.patience(1e-2, 40), 1000000);  // nothing is known yet
+  wear.add({20, 1e-1, true});                   // a dear solve and a cheap one make one window
+  wear.add({20, 1e-3, true});
+  EXPECT_EQ(wear.patience(1e-3, 40), 39 + 10 + 1);  // 13 for each digit, a quarter of the cost, and the one too many
+  add_windows(wear, {52});
+  EXPECT_FALSE(wear.due(4));
+  add_windows(wear, {55});  // 3 too many
+  EXPECT_TRUE(wear.due(12));
+  EXPECT_FALSE(wear.due(13));
+  add_windows(wear, {4});  // a good day earns nothing back; from now on it is the measure
+  EXPECT_TRUE(wear.due(12));
+  add_windows(wear, {10});  // 4.8 too many
+  EXPECT_TRUE(wear.due(31));
+  EXPECT_FALSE(wear.due(32));
   wear.renew();
-  EXPECT_DOUBLE_EQ(wear.excess(), 0);
+  EXPECT_FALSE(wear.due(4));
+}
+
+TEST(Wear, KeepsPreconditionersLongerWhereNewOnesAreNoBetter) {
+  Wear wear;
+  add_windows(wear, {40, 50});
+  for (int times : {2, 4, 4}) {
+    wear.renew();
+    add_windows(wear, {50, 75});  // 10 too many
+    EXPECT_TRUE(wear.due(40.0 / times));
+    EXPECT_FALSE(wear.due(41.0 / times));
+  }
+  wear.renew();
+  add_windows(wear, {30, 49});  // this one is better than those before: 10 too many
+  EXPECT_TRUE(wear.due(40));
+  EXPECT_FALSE(wear.due(41));
 }
 
 }  // namespace
