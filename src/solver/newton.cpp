@@ -18,7 +18,7 @@ constexpr double signal_over_round_off = 100;
 constexpr double worn = 1.3;
 
 /// What the first linear solve of a step is solved to. With 0.02 steps take a fifth fewer iterations, but end closer to
-/// `rtol`: a droplet at rest then differs 25 times more from its mirror image (docs/performance.md).
+/// `rtol`: a droplet at rest then differs 25 times more from its mirror image (docs/solver_choices.md).
 constexpr double first_forcing = 0.1;
 
 std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(int size, int restart, LinearSolves precision) {

@@ -17,7 +17,7 @@ struct SchwarzControl {
 
   /// Wider boxes need fewer iterations and more memory; these are a compromise. In three dimensions one more level is
   /// faster than factors of 25 000 unknowns. Boxes share inverses as far as that costs no iterations
-  /// (docs/performance.md). On a device nothing is done on the host.
+  /// (docs/solver_choices.md). On a device nothing is done on the host.
   static SchwarzControl for_dimension(int d) {
     SchwarzControl c = d == 2 ? SchwarzControl{.width = box_width(2), .stride = 6}
                               : SchwarzControl{.width = box_width(3), .stride = 3, .direct_up_to = 10000};
