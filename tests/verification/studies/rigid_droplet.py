@@ -4,7 +4,10 @@ Both wall laws at 75 degrees. Sharp values: pressure jump sigma/R, vertical line
 force -sigma cos(alpha), with sigma of the plane interface (tests/oracle/equilibrium.py). Values of an interface of
 finite width: the exact radial solution of the same chemical potential (tests/oracle/radial_droplet.py), whose pressure
 jump times the radius of the middle density is 0.5 % above sigma at gamma_hat = 1/64, with the measured angle. What
-misses the sharp values falls with gamma_hat (1/64, 1/128) and does not with the mesh."""
+misses the sharp values falls with gamma_hat (1/64, 1/128) and does not with the mesh.
+
+Runs have solver.newton.rtol = 1e-6. With the default of 1e-3 the angles on both sides of the droplet differ by what Newton's
+method happens to leave: 3e-7 to 8e-6 degrees, depending on when a preconditioner was replaced."""
 
 import _measure
 import numpy
@@ -19,10 +22,11 @@ MISSED = {"jump": 0.006, "vertical": 0.007, "tangential": 0.015}  # at gamma_hat
 
 
 def study(lab):
-    wanted = {f"{law} 1/64": ["fluid.wall_law=" + law] for law in ("gradient", "energy")}
+    laws = {law: ["solver.newton.rtol=1e-6", "fluid.wall_law=" + law] for law in ("gradient", "energy")}
+    wanted = {f"{law} 1/64": laws[law] for law in ("gradient", "energy")}
     if not lab.quick:
-        wanted["gradient 1/64, fine mesh"] = ["fluid.wall_law=gradient", *FINE]
-        wanted |= {f"{law} 1/128": ["fluid.wall_law=" + law, *FINE, *THIN] for law in ("gradient", "energy")}
+        wanted["gradient 1/64, fine mesh"] = [*laws["gradient"], *FINE]
+        wanted |= {f"{law} 1/128": [*laws[law], *FINE, *THIN] for law in ("gradient", "energy")}
     runs = lab.runs({label: ("static_droplet_rigid_2d", settings) for label, settings in wanted.items()}, limit=3000)
     for label, run in runs.items():
         g = 1 / 128 if "1/128" in label else 1 / 64
@@ -39,7 +43,7 @@ def rest(lab, label, last, cap, sigma):
     read = abs(last["angle_left"] - cap["angle"])
     lab.expect(f"{label}: angle_left of history.csv", "the same +- 0.05", f"off by {read:.2g}", read <= 0.05)
     skew = abs(last["angle_right"] - last["angle_left"])
-    lab.expect(f"{label}: angle right - left", "<= 1e-6", f"{skew:.2g}", skew <= 1e-6)
+    lab.expect(f"{label}: angle right - left", "<= 1e-7", f"{skew:.2g}", skew <= 1e-7)
     laplace = last["laplace"] * (_measure.LIQUID - _measure.VAPOUR) * cap["radius"] / sigma - 1
     lab.expect(f"{label}: (mu - mu_sat)(rho_l - rho_v) R = sigma", "1 %", f"{100 * laplace:+.2f} %", abs(laplace) <= 0.01)
 
