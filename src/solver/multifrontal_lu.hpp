@@ -95,7 +95,7 @@ class BlockLu final : public StencilSolver<D> {
   }
 
   std::string name() const override { return "lu"; }
-  double build_cost() const override { return D == 2 ? 35 : 120; }
+  double build_cost() const override { return D == 2 ? 35 : 90; }
   const Equilibration& scale() const { return scale_; }
   double bytes() const override {
     double total = 0;

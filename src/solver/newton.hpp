@@ -42,8 +42,9 @@ struct NewtonResult {
 
 /// How much a lagged preconditioner has wasted. Linear solves that together gain four digits, about those of a step, make a
 /// window; one solve would be no measure, because those of a step differ. Waste are the iterations of a window above those of
-/// the best one so far and a third more. When it reaches a quarter of the cost of a build a new preconditioner is due: they
-/// age faster and faster. Where a new one is not better than the old one was, it is kept twice as long, up to four times.
+/// the best one so far and a third more. When it reaches a quarter of the cost of a build a new preconditioner is due
+/// (docs/solver_choices.md tells why). Where a new one is no better than the old one was at its end, it is kept twice as long,
+/// up to four times.
 class Wear {
  public:
   void renew();

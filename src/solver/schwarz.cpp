@@ -66,7 +66,7 @@ class Schwarz final : public StencilSolver<D> {
   }
 
   std::string name() const override { return "schwarz"; }
-  double build_cost() const override { return D == 2 ? 35 : 100; }
+  double build_cost() const override { return 100; }
   double bytes() const override {
     double total = boxes_.bytes();
     if (space_) total += coarse_matrix_->bytes() + coarse_->bytes() + space_->galerkin_bytes();

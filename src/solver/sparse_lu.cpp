@@ -86,7 +86,7 @@ class SparseLu final : public StencilSolver<D> {
   }
 
   std::string name() const override { return "umfpack"; }
-  double build_cost() const override { return D == 2 ? 35 : 120; }
+  double build_cost() const override { return D == 2 ? 25 : 55; }
   /// Before the first build the factors are those of block LU in double precision. UMFPACK orders and pivots by itself:
   /// while it factorises it was measured to hold 1.0 to 1.6 times as much in 2D.
   double bytes() const override { return factor_bytes_ + 12.0 * values_.size() + sizeof(Place) * places_.size(); }
