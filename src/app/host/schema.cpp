@@ -90,6 +90,7 @@ const std::vector<Key>& schema() {
   static const std::vector<Key> all = [] {
     std::vector<Key> keys = scene_keys();
     for (Key& key : numerics_keys()) keys.push_back(std::move(key));
+    for (Key& key : output_keys()) keys.push_back(std::move(key));
     return keys;
   }();
   return all;

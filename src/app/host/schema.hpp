@@ -90,5 +90,6 @@ std::string example_text(const Key& key);
 std::vector<Key> scene_keys();
 std::vector<Key> initial_keys();
 std::vector<Key> numerics_keys();
+std::vector<Key> output_keys();
 
 }  // namespace softwet
