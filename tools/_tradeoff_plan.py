@@ -15,7 +15,8 @@ REFERENCE = {"tolerance": 10, "newton": 1e-8, "elements": 2}  # finer by, at mos
 ORDER = 2  # of the error in element size and time step: what Richardson's extrapolation of the reference assumes
 REFINED = {"domain.elements", "time.tolerance"}  # keys whose refinement has that order
 ALGEBRAIC = {"solver.newton.rtol", "solver.newton.atol", "solver.newton.max", "solver.krylov.rtol", "solver.krylov.max",
-             "solver.krylov.restart", "solver.krylov.jacobian", "solver.krylov.preconditioner"}  # with no order of their own
+             "solver.krylov.restart", "solver.krylov.jacobian", "solver.krylov.preconditioner",
+             "solver.krylov.launch"}  # with no order of their own
 
 
 def resolved_case(program, path, settings):

@@ -38,6 +38,8 @@ void count_wait(const char* name, std::uint32_t, std::uint64_t* id) {
   if (!copying && std::strncmp(name, "Kokkos::Tools", 13) != 0) ++counts.waits;
 }
 
+void count_allocation(Kokkos_Profiling_SpaceHandle, const char*, const void*, std::uint64_t) { ++counts.allocations; }
+
 }  // namespace
 
 KernelCounter::KernelCounter() {
@@ -51,6 +53,7 @@ KernelCounter::KernelCounter() {
   tools::set_begin_deep_copy_callback(count_copy);
   tools::set_end_deep_copy_callback(end_copy);
   tools::set_begin_fence_callback(count_wait);
+  tools::set_allocate_data_callback(count_allocation);
 }
 
 KernelCounts KernelCounter::stop() {

@@ -7,6 +7,7 @@ struct KernelCounts {
   long kernels = 0;          ///< started
   long blocking_copies = 0;  ///< copies for which the host waits
   long waits = 0;            ///< other moments at which the host waits until a device has finished
+  long allocations = 0;      ///< of arrays
 };
 
 /// Counts, by the callbacks of Kokkos for tools, from its construction on until `stop`. A tool that is loaded for the run

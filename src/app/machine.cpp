@@ -9,6 +9,7 @@
 #include "case/error.hpp"
 #include "field/array.hpp"
 #include "field/ranks.hpp"
+#include "field/team_scratch.hpp"
 #include "kernels/algebra/pack.hpp"
 
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -25,6 +26,7 @@ ParallelRuntime::ParallelRuntime(int threads) {
     throw Error(Exit::machine_failed, std::string("the backend ") + Exec::name() + " does not start: " + error.what() +
                                           "; 'softwet info' tells what this build needs");
   }
+  reserve_team_scratch();
   if (openblas_set_num_threads) openblas_set_num_threads(1);
 }
 

@@ -116,6 +116,7 @@ struct SolverControl {
   int krylov_max = 200;
   std::string jacobian = "exact";            ///< exact | frozen | difference
   std::string preconditioner = "automatic";  ///< automatic | lu | umfpack | schwarz | none
+  std::string launch = "kernels";            ///< kernels | graph: how a device starts the preconditioner
   std::string precision = "automatic";       ///< automatic | double | mixed | single
 };
 

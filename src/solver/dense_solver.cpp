@@ -94,6 +94,7 @@ class DenseSolver final : public StencilSolver<D> {
   std::string name() const override { return "dense"; }
   double bytes() const override { return 4.0 * rows_ * rows_ + GaussJordan::bytes(1, rows_); }
   double build_cost() const override { return 120; }
+  bool recordable() const override { return true; }
 
  private:
   int rows_ = 0;

@@ -55,6 +55,7 @@ class LevelLu final : public StencilSolver<D> {
 
   std::string name() const override { return "lu"; }
   double build_cost() const override { return D == 2 ? 35 : 90; }
+  bool recordable() const override { return true; }
   double bytes() const override {
     const double lists = sizeof(LevelFront) * fronts_.extent(0) + 4.0 * (unknown_.extent(0) + inherited_.extent(0)) +
                          sizeof(LevelStrip) * (forward_.extent(0) + backward_.extent(0)) +

@@ -38,6 +38,9 @@ class RoughInverse {
   /// The measured cost of a build, in Krylov iterations (a product and an application each). It decides how long Newton keeps
   /// a lagged preconditioner (Wear).
   virtual double build_cost() const = 0;
+  /// Whether between two builds `answer` starts the same kernels each time, does nothing on the host, and waits for nothing
+  /// (solver/record.hpp). Its first call may allocate vectors.
+  virtual bool recordable() const { return false; }
 
  private:
   Array r_, z_;  ///< in double precision
@@ -87,6 +90,7 @@ class Assembled final : public Preconditioner {
   std::string name() const override { return solver_->name(); }
   double bytes() const override { return matrix_.bytes() + solver_->bytes(); }
   double build_cost() const override { return solver_->build_cost(); }
+  bool recordable() const override { return solver_->recordable(); }
 
  private:
   StencilMatrix<D> matrix_;

@@ -1,6 +1,7 @@
 #include "time/implicit_scheme.hpp"
 
 #include "solver/choose.hpp"
+#include "solver/recorded_answers.hpp"
 
 namespace softwet {
 namespace {
@@ -14,6 +15,12 @@ NewtonControl newton_control(const Case& c) {
   n.krylov_max = c.solver.krylov_max;
   n.jacobian = c.solver.jacobian == "difference" ? JacobianKind::difference : JacobianKind::exact;
   return n;
+}
+
+template <int D, int P>
+std::unique_ptr<Preconditioner> preconditioner_of(const Case& c, const Model<D, P>& model) {
+  auto chosen = choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask());
+  return c.solver.launch == "graph" ? record_answers(std::move(chosen)) : std::move(chosen);
 }
 
 /// rho_n + f (rho_n - rho_{n-1}) in the variable ln(rho/(1-rho)): exact for the tail of a travelling interface, and it
@@ -58,8 +65,7 @@ ImplicitScheme<D, P>::ImplicitScheme(const Model<D, P>& model, const Case& c, co
     : model_(model),
       judge_(judge),
       integrator_(model, c.time.rho_inf),
-      newton_(model.layout().size(), c.solver.krylov_restart,
-              choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask()),
+      newton_(model.layout().size(), c.solver.krylov_restart, preconditioner_of(c, model),
               model.precision() == Precision::full ? LinearSolves::full : LinearSolves::single),
       newton_control_(newton_control(c)),
       geometry_(c.solver.jacobian == "frozen" ? Geometry::frozen : Geometry::exact),

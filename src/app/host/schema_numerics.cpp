@@ -176,6 +176,13 @@ std::vector<Key> solver_keys() {
        .help = "Lagged LU by nested dissection (lu), the library UMFPACK in double precision, "
                "multilevel Schwarz, none, or automatic: lu in 2D and to 3000 unknowns in 3D, else schwarz.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.preconditioner; })},
+      {.name = "solver.krylov.launch",
+       .kind = Kind::choice,
+       .choices = {"kernels", "graph"},
+       .help =
+           "How a GPU starts the preconditioner: kernel by kernel (kernels), or recorded and started as one (graph), "
+           "which has not run on a GPU yet. Processors, and several processes, know only kernels.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.launch; })},
       {.name = "solver.precision",
        .kind = Kind::choice,
        .choices = {"automatic", "double", "mixed", "single"},

@@ -153,6 +153,7 @@ TEST(CaseFile, RoundTripKeepsEveryKeyAwayFromItsDefault) {
                              "solver.krylov.max=99",
                              "solver.krylov.jacobian=difference",
                              "solver.krylov.preconditioner=schwarz",
+                             "solver.krylov.launch=graph",
                              "output.history.every=3",
                              "output.fields.times=[-30, 0.5]",
                              "output.fields.every=471",

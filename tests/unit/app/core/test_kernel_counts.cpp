@@ -16,11 +16,13 @@ TEST(KernelCounter, CountsKernelsAndCopiesUntilItStops) {
   dot(x, y);  // a kernel, and a copy for which the host waits
   to_host(y);
   Kokkos::fence();
+  const Array another(Kokkos::view_alloc("another", Kokkos::WithoutInitializing), 100);
   const KernelCounts counts = counter.stop();
   combine(y, 1, x, 0);
   EXPECT_EQ(counts.kernels, 4);
   EXPECT_EQ(counts.blocking_copies, 2);
   EXPECT_GE(counts.waits, 1);
+  EXPECT_GE(counts.allocations, 1);
   EXPECT_EQ(counter.stop().kernels, 4) << "it has stopped";
 }
 
@@ -29,7 +31,9 @@ TEST(KernelCounter, BeginsAnew) {
   KernelCounter().stop();
   KernelCounter counter;
   combine(x, 2, x, 0);
-  EXPECT_EQ(counter.stop().kernels, 1);
+  const KernelCounts counts = counter.stop();
+  EXPECT_EQ(counts.kernels, 1);
+  EXPECT_EQ(counts.allocations, 0);
 }
 
 }  // namespace

@@ -1,0 +1,63 @@
+// A preconditioner whose kernels are recorded as graphs of a device.
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "solver/preconditioner.hpp"
+#include "solver/record.hpp"
+
+namespace softwet {
+
+/// Answers are those of another preconditioner. For each pair of vectors its kernels start one by one the first time, and are
+/// recorded the second time. From then on they start as one (solver/record.hpp), until the next build. GMRES comes back to the
+/// same pairs of vectors in each solve. Factors of an answer change with the time step, so that they are not recorded: they
+/// take a kernel of their own.   Tested: tests/unit/solver/test_recorded_answers.cpp
+class RecordedAnswers final : public Preconditioner {
+ public:
+  /// @param of  one that can be recorded
+  explicit RecordedAnswers(std::unique_ptr<Preconditioner> of) : of_(std::move(of)) {}
+
+  void build(const Jacobian& jacobian) override {
+    for (auto& [vectors, start] : known_) start = nullptr;
+    of_->build(jacobian);
+  }
+  void apply(const ConstArray& r, const Array& z) override { of_->apply(r, z); }
+  void answer(const ConstArray& r, const Array& z, const RangeFactors& factors) override { replay(r, z, factors); }
+  void answer(const ConstArrayOf<float>& r, const ArrayOf<float>& z, const RangeFactors& factors) override {
+    replay(r, z, factors);
+  }
+  std::string name() const override { return of_->name(); }
+  double bytes() const override { return of_->bytes(); }
+  double build_cost() const override { return of_->build_cost(); }
+  bool recordable() const override { return true; }
+
+  /// Pairs of vectors whose kernels are recorded now.
+  int recordings() const {
+    int count = 0;
+    for (const auto& [vectors, start] : known_) count += start ? 1 : 0;
+    return count;
+  }
+
+ private:
+  template <class Real>
+  void replay(const ConstArrayOf<Real>& r, const ArrayOf<Real>& z, const RangeFactors& factors) {
+    const auto [known, first] = known_.try_emplace({r.data(), z.data()});
+    if (first || Kokkos::Tools::profileLibraryLoaded()) return of_->answer(r, z, factors);
+    std::function<void()>& start = known->second;
+    if (!start) start = record([of = of_.get(), r, z] { of->answer(r, z, {}); });
+    start();
+    if (factors.count > 0) ScaleFields<Real, Real>{z, z, factors}.run();
+  }
+
+  std::unique_ptr<Preconditioner> of_;
+  std::map<std::pair<const void*, void*>, std::function<void()>> known_;  ///< what starts the kernels of a pair
+};
+
+/// A preconditioner whose answers are recorded, or the same one where they cannot be.
+inline std::unique_ptr<Preconditioner> record_answers(std::unique_ptr<Preconditioner> of) {
+  if (!of->recordable()) return of;
+  return std::make_unique<RecordedAnswers>(std::move(of));
+}
+
+}  // namespace softwet
