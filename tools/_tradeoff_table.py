@@ -13,6 +13,7 @@ from softwet import open as open_output
 COSTS = {"seconds": ("seconds", "total"), "processor": (), "steps": ("counts", "steps"),
          "residuals": ("counts", "residuals"), "products": ("counts", "products"), "krylov": ("counts", "krylov"),
          "memory_mib": ("peak_memory_mib",)}
+DISTURBED = ("seconds", "processor", "memory_mib")  # costs that differ from one run to the next; the others are exact
 SHOWN = ("krylov", "products", "residuals", "memory_mib")
 NEAR = 1.15  # a member is near the front where none is better by this factor in cost and error
 
@@ -67,11 +68,25 @@ def error_of(entry, name, floor):
     return None if value is None else max(value, floor.get(name, 0))
 
 
+def computed(entry):
+    """What a member did: two with the same exact costs and errors differ by nothing but disturbances of their time."""
+    return (*(value for name, value in entry.costs.items() if name not in DISTURBED), *entry.errors.values())
+
+
 def rated(entries, name, floor, cost):
-    """[(entry, cost, error)] of the members that a reader may choose from: all but the reference and its companion."""
-    return [(entry, entry.costs[cost], error_of(entry, name, floor)) for entry in entries
-            if entry.kind not in ("reference", "companion") and entry.state == "done" and entry.costs[cost]
-            and error_of(entry, name, floor) is not None]
+    """[(entry, cost, error)] of the members that a reader may choose from: all but the reference and its companion.
+    Members that computed the same have the smallest cost of any of them."""
+    chosen = [entry for entry in entries if entry.kind not in ("reference", "companion") and entry.state == "done"
+              and entry.costs[cost] and error_of(entry, name, floor) is not None]
+    least = {}
+    for entry in chosen:
+        least[computed(entry)] = min(entry.costs[cost], least.get(computed(entry), math.inf))
+    return [(entry, least[computed(entry)], error_of(entry, name, floor)) for entry in chosen]
+
+
+def like_base(entries):
+    """The members that computed the same as the base."""
+    return [entry for entry in entries[1:] if entry.state == "done" and computed(entry) == computed(entries[0])]
 
 
 def beaten(seconds, error, others, factor=1.0):

@@ -132,6 +132,13 @@ points = table.mark_front(entries, "path", {"path": 0.5}, "seconds")
 check_true("front", [e.setting.name for e in entries if e.front] == ["base", "a=1", "b=1", "e=1"])
 check_true("an error below that of the reference counts as that", points[-1][2] == 0.5)
 check_true("and is shown so", table.error_cell(entries[5], "path", {"path": 0.5}) == "<= 0.5")
+again = entry("f", 9, 4)  # what the base computed, in less time
+table.mark_front([*entries, again], "path", {"path": 0.5}, "seconds")
+check_true("what computes the same is on the front together", again.front and base.front)
+check_true("and is told of", table.like_base([*entries, again]) == [again])
+slower = entry("f", 11, 4)
+table.mark_front([*entries, slower], "path", {"path": 0.5}, "seconds")
+check_true("however long it took", slower.front and base.front)
 combined = combinations(points, points[0], 0.5, 6)
 check_true("combinations of what did well", {"a=1__b=1"} <= {s.name for s in combined} and
            not any("c" in s.dials or "d" in s.dials for s in combined), str([s.name for s in combined]))
