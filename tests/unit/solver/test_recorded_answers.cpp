@@ -104,7 +104,7 @@ TEST(RecordAnswers, LeavesOutWhatWorksOnTheHost) {
   EXPECT_EQ(recorded("schwarz"), !host_algorithms);
 }
 
-/// On a device this records and starts graphs.
+/// The second and third answer of the first build, and all of the second one, are recorded: on a device as graphs.
 template <class Real>
 void expect_same_bits(const char* name, RandomMatrix<2>& m) {
   const Jacobian jacobian = [&](const StencilValues& values) {
@@ -130,6 +130,7 @@ void expect_same_bits(const char* name, RandomMatrix<2>& m) {
 }
 
 TEST(RecordAnswers, KeepTheirBits) {
+  if (host_algorithms) GTEST_SKIP() << "on the host nothing is recorded";
   RandomMatrix<2> m({{32, 24}, 8});
   for (const char* name : {"lu", "schwarz"}) {
     expect_same_bits<double>(name, m);
@@ -153,22 +154,18 @@ void expect_recordable(StencilSolver<2>& solver, RandomMatrix<2>& m) {
   EXPECT_EQ(counts.blocking_copies, 0);
   EXPECT_EQ(counts.waits, 0);
   EXPECT_EQ(counts.allocations, 0);
-  RangeFactors factors;
-  factors.add(0, n / 3, 0.5);
-  solver.answer(r, z, factors);
-  ScaleFields<Real, Real>{again, again, factors}.run();
-  const Array expected("expected", n), found("found", n);
-  convert(expected, z);
-  convert(found, again);
-  EXPECT_LT(relative(to_vector(found), to_vector(expected)), sizeof(Real) == sizeof(double) ? 1e-15 : 1e-7);
 }
 
-TEST(RecordAnswers, PreconditionersOfADeviceOnlyStartKernels) {
+TEST(RecordAnswers, LuOfADeviceOnlyStartsKernels) {
   RandomMatrix<2> m({{32, 24}, 8});
   const auto lu = make_level_lu<2>(m.layout, m.mask);
   expect_recordable<double>(*lu, m);
   expect_recordable<float>(*lu, m);
-  if (host_algorithms) GTEST_SKIP() << "on the host schwarz moves vectors between levels axis by axis";
+}
+
+TEST(RecordAnswers, SchwarzOfADeviceOnlyStartsKernels) {
+  if (host_algorithms) GTEST_SKIP() << "on the host vectors go between levels axis by axis";
+  RandomMatrix<2> m({{32, 24}, 8});
   SchwarzControl control = SchwarzControl::for_dimension(2);
   for (const bool multiplicative : {false, true})
     for (const int direct : {300, 100000}) {
