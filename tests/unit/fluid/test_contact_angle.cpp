@@ -16,7 +16,7 @@ TEST(ContactAngle, GradientLawByHand) {
   const auto r = law.residual(DensityTrial<double, 3>{0.3, {{2, -6, 9}}});  // |grad rho| = 11
   EXPECT_NEAR(r.potential, 0.04 * 0.5 * 11, 1e-15);
   const auto s = GradientWall{0.2, -0.5, 0.0}.residual(DensityTrial<double, 3>{0.3, {{2, -6, 9}}});
-  EXPECT_EQ(s.potential, -r.potential);
+  EXPECT_DOUBLE_EQ(s.potential, -r.potential);
 }
 
 // |grad rho| << d: the smoothed slope is d; |grad rho| >> d: it is |grad rho| to d^2 / (2 |grad rho|).
