@@ -12,13 +12,23 @@
 
 namespace softwet {
 
+// Behind each enumeration its words in a case file, in the order of the enumerators.
+
 enum class Side { slip, no_slip, clamped, free, periodic };
+inline std::vector<std::string> words_of(Side) { return {"slip", "no_slip", "clamped", "free", "periodic"}; }
 /// Capillary force in the momentum equation: (w, rho grad mu), or its divergence form (grad w, Sigma) for cross-checks.
 enum class CapillaryForm { potential, divergence };
+inline std::vector<std::string> words_of(CapillaryForm) { return {"potential", "divergence"}; }
 /// Test functions of the wall in the capillary force: next to the wall only, or blended over the fluid like the mesh.
 enum class Traction { layer, blended };
+inline std::vector<std::string> words_of(Traction) { return {"layer", "blended"}; }
+
 enum class Phase { vapour, liquid };
-enum class WallLaw { gradient, energy };  ///< g^2 |grad rho| cos(alpha) of the paper, or the variational wall energy
+inline std::vector<std::string> words_of(Phase) { return {"vapour", "liquid"}; }
+
+/// g^2 |grad rho| cos(alpha) of the paper, or the variational wall energy.
+enum class WallLaw { gradient, energy };
+inline std::vector<std::string> words_of(WallLaw) { return {"gradient", "energy"}; }
 
 struct Domain {
   std::vector<double> size;         ///< extents, 2 or 3 numbers; the last axis is vertical (solid below, fluid above)

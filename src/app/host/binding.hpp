@@ -1,42 +1,14 @@
 // From a place in Case (a reference to one of its members) to the Binding of a key: conversions to and from Value.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "app/host/schema.hpp"
 
 namespace softwet {
-
-/// Words of the case file for each enumerator, in the order of the enumerators.
-inline const std::vector<std::string>& side_words() {
-  static const std::vector<std::string> words{"slip", "no_slip", "clamped", "free", "periodic"};
-  return words;
-}
-inline const std::vector<std::string>& wall_law_words() {
-  static const std::vector<std::string> words{"gradient", "energy"};
-  return words;
-}
-inline const std::vector<std::string>& form_words() {
-  static const std::vector<std::string> words = {"potential", "divergence"};
-  return words;
-}
-
-inline const std::vector<std::string>& phase_words() {
-  static const std::vector<std::string> words = {"vapour", "liquid"};
-  return words;
-}
-
-inline const std::vector<std::string>& traction_words() {
-  static const std::vector<std::string> words = {"layer", "blended"};
-  return words;
-}
-
-inline std::size_t position_of(const std::vector<std::string>& words, const std::string& word) {
-  std::size_t position = 0;
-  while (position + 1 < words.size() && words[position] != word) ++position;
-  return position;
-}
 
 // Member <- value. The reader has checked kind and range before.
 inline void store(double& member, const Value& value) { member = std::get<double>(value); }
@@ -49,20 +21,12 @@ inline void store(std::vector<int>& member, const Value& value) {
   const Numbers& numbers = std::get<Numbers>(value);
   member.assign(numbers.begin(), numbers.end());
 }
-inline void store(Side& member, const Value& value) {
-  member = static_cast<Side>(position_of(side_words(), std::get<std::string>(value)));
-}
-inline void store(CapillaryForm& member, const Value& value) {
-  member = static_cast<CapillaryForm>(position_of(form_words(), std::get<std::string>(value)));
-}
-inline void store(Traction& member, const Value& value) {
-  member = static_cast<Traction>(position_of(traction_words(), std::get<std::string>(value)));
-}
-inline void store(Phase& member, const Value& value) {
-  member = static_cast<Phase>(position_of(phase_words(), std::get<std::string>(value)));
-}
-inline void store(WallLaw& member, const Value& value) {
-  member = static_cast<WallLaw>(position_of(wall_law_words(), std::get<std::string>(value)));
+template <class Enumeration>
+  requires std::is_enum_v<Enumeration>
+void store(Enumeration& member, const Value& value) {
+  const std::vector<std::string> words = words_of(Enumeration{});
+  member =
+      static_cast<Enumeration>(std::find(words.begin(), words.end(), std::get<std::string>(value)) - words.begin());
 }
 
 // Value <- member.
@@ -73,11 +37,10 @@ inline Value load(const std::string& member) { return member; }
 inline Value load(const Numbers& member) { return member; }
 inline Value load(const Words& member) { return member; }
 inline Value load(const std::vector<int>& member) { return Numbers(member.begin(), member.end()); }
-inline Value load(Side member) { return side_words()[static_cast<std::size_t>(member)]; }
-inline Value load(CapillaryForm member) { return form_words()[static_cast<std::size_t>(member)]; }
-inline Value load(Traction member) { return traction_words()[static_cast<std::size_t>(member)]; }
-inline Value load(Phase member) { return phase_words()[static_cast<std::size_t>(member)]; }
-inline Value load(WallLaw member) { return wall_law_words()[static_cast<std::size_t>(member)]; }
+template <class Enumeration>
+  requires std::is_enum_v<Enumeration> Value load(Enumeration member) {
+    return words_of(member)[static_cast<std::size_t>(member)];
+  }
 
 /// Binding of the member that `place(case, index)` refers to.
 template <class Place>

@@ -18,7 +18,7 @@ Key side_key(const char* name, Pair pair, std::size_t end, const char* help, con
   };
   return {.name = name,
           .kind = Kind::choice,
-          .choices = side_words(),
+          .choices = words_of(Side{}),
           .example = example,
           .help = help,
           .bind = at(place),

@@ -93,7 +93,7 @@ std::vector<Key> fluid_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->contact_angle; })},
       {.name = "fluid.wall_law",
        .kind = Kind::choice,
-       .choices = wall_law_words(),
+       .choices = words_of(WallLaw{}),
        .help = "Law that gives the contact angle. \"gradient\" is the paper's |grad rho| cos(alpha). \"energy\" is the "
                "variational wall energy: it has an exact energy law, bears angles near 0 and 180 degrees, and moves "
                "droplets 23 to 40 % more slowly.",
@@ -107,13 +107,13 @@ std::vector<Key> fluid_keys() {
        .default_note = "[], none"},
       {.name = "fluid.form",
        .kind = Kind::choice,
-       .choices = form_words(),
+       .choices = words_of(CapillaryForm{}),
        .help = "Capillary force in the momentum equation: \"potential\" (rho grad mu, comes to rest to round-off), or "
                "\"divergence\" of the reversible stress, kept for cross-checks (leaves a weak vortex).",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->form; })},
       {.name = "fluid.traction",
        .kind = Kind::choice,
-       .choices = traction_words(),
+       .choices = words_of(Traction{}),
        .help =
            "How the capillary force reaches the solid. \"layer\": through the test functions of the elements next to "
            "the wall. \"blended\": through test functions that reach into the fluid as its mesh motion does; the "
@@ -131,7 +131,7 @@ std::vector<Key> fluid_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->smoothing; })},
       {.name = "fluid.ambient",
        .kind = Kind::choice,
-       .choices = phase_words(),
+       .choices = words_of(Phase{}),
        .help = "Phase around the droplets at the start; \"liquid\" makes them bubbles of vapour.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->ambient; })},
       {.name = "fluid.initial",
