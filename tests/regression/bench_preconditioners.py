@@ -25,7 +25,8 @@ check_true("a tighter solve takes no fewer iterations",
            all(0 < loose <= tight for steps in rows.values() for loose, tight, *_ in steps), str(rows))
 for k in range(3):
     check_true("factors take the fewest iterations", rows["lu"][k][1] <= rows["schwarz"][k][1])
-check_true("coarse levels help at a long step", rows["schwarz"][2][1] < rows["schwarz, without coarse levels"][2][1])
+# Not at dt = 10: there boxes take 50 to 160 iterations, depending on round-off.
+check_true("coarse levels help at dt = 1", rows["schwarz"][1][1] < 0.8 * rows["schwarz, without coarse levels"][1][1])
 lagged = [step[2:] for steps in rows.values() for step in steps]
 check_true("a preconditioner of another step is better when it is fitted to the solid",
            sum(fitted < plain for plain, fitted in lagged) > 2 * sum(fitted > plain for plain, fitted in lagged),
