@@ -1,4 +1,4 @@
-// Capillary stresses of Korteweg type.
+// Pressure and capillary stress of Korteweg type.
 #pragma once
 
 #include "kernels/algebra/tensor.hpp"
@@ -16,17 +16,6 @@ KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> reversible_stress(double capillarity, c
                                                            const Vector<N, D>& density_gradient, const N& potential) {
   const double lambda = capillarity * capillarity;
   const N isotropic = energy - density * potential + (0.5 * lambda) * dot(density_gradient, density_gradient);
-  return add_diagonal((-lambda) * outer(density_gradient, density_gradient), isotropic);
-}
-
-/// Korteweg stress with an explicit Laplacian
-///   varsigma = lambda (rho Lap rho + |grad rho|^2 / 2) I - lambda grad rho (x) grad rho,   lambda = g^2
-/// Source: Bueno et al. 2017, eq. (5). Used for cross-checks; production runs use the potential form.
-template <class N, int D>
-KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> korteweg_stress(double capillarity, const N& density,
-                                                         const Vector<N, D>& density_gradient, const N& laplacian) {
-  const double lambda = capillarity * capillarity;
-  const N isotropic = lambda * (density * laplacian) + (0.5 * lambda) * dot(density_gradient, density_gradient);
   return add_diagonal((-lambda) * outer(density_gradient, density_gradient), isotropic);
 }
 

@@ -6,36 +6,23 @@
 
 namespace softwet {
 
-/// Fluid and mesh at a point.
-template <class N, int D>
-struct FluidState : FluidTrial<N, D> {
-  N volume_ratio;  ///< J of the mesh map
-
-  template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION FluidState read(const Reader& at) {
-    return {FluidTrial<N, D>::read(at), at.volume_ratio()};
-  }
-};
-
 /// Integrands over the current fluid domain, in this order:
 ///   mass rho, kinetic rho |v|^2/2, bulk W(rho), gradient g^2 |grad rho|^2/2,
-///   viscous dissipation tau : grad v, stabilisation eps |grad mu - f|^2, folded -1 where J < 0, volume 1,
-///   momentum rho v_i (3)
-/// The integral of `folded` is the volume of the mesh that is turned inside out: it must be 0.
+///   viscous dissipation tau : grad v, stabilisation eps |grad mu - f|^2, momentum rho v_i (3)
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct FluidIntegrals {
   static constexpr Where where = Where::fluid;
 
   NavierStokesKorteweg model;
 
-  enum { mass, kinetic, bulk, gradient, viscous, stabilisation, folded, volume, momentum };
-  static constexpr int count = 11;
+  enum { mass, kinetic, bulk, gradient, viscous, stabilisation, momentum };
+  static constexpr int count = 9;
 
   template <class N, int D>
-  using Trial = FluidState<N, D>;
+  using Trial = FluidTrial<N, D>;
 
   template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const FluidState<N, D>& t) const {
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const FluidTrial<N, D>& t) const {
     const double lambda = model.capillarity * model.capillarity;
     Vector<N, count> r;
     r[mass] = t.density;
@@ -46,33 +33,55 @@ struct FluidIntegrals {
     Vector<N, D> drive;
     for (int i = 0; i < D; ++i) drive[i] = t.chemical_potential_gradient[i] - model.force[i];
     r[stabilisation] = model.stabilisation * t.density * t.density * dot(drive, drive);
-    r[folded] = select(t.volume_ratio < 0.0, N(-1.0), N(0.0));
-    r[volume] = N(1.0);
     for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? t.density * t.velocity[i < D ? i : 0] : N(0.0);
     return r;
   }
 };
 
-/// Integrands over the wall Gamma: its area, the area wetted by liquid, and the wall energy f_w(rho).
+/// Density and mesh at a point.
+template <class N, int D>
+struct FilledMesh : DensityValueTrial<N, D> {
+  N volume_ratio;  ///< J of the mesh map
+
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION FilledMesh read(const Reader& at) {
+    return {DensityValueTrial<N, D>::read(at), at.volume_ratio()};
+  }
+};
+
+/// Integrands over the current fluid domain that each step asks for: mass rho, volume 1, folded -1 where J < 0.
+/// The integral of `folded` is the volume of the mesh that is turned inside out: it must be 0.
 /// Tested: tests/unit/functional/test_integrals.cpp
+struct FluidContents {
+  static constexpr Where where = Where::fluid;
+
+  enum { mass, volume, folded };
+  static constexpr int count = 3;
+
+  template <class N, int D>
+  using Trial = FilledMesh<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const FilledMesh<N, D>& t) const {
+    return {{t.density, N(1.0), select(t.volume_ratio < 0.0, N(-1.0), N(0.0))}};
+  }
+};
+
+/// Integrand over the wall Gamma: its energy f_w(rho).
+/// Tested: tests/unit/model/test_energy.cpp
 struct WallIntegrals {
   static constexpr Where where = Where::wall;
 
   WallEnergy wall;
 
-  enum { area, wetted, energy };
-  static constexpr int count = 3;
+  static constexpr int count = 1;
 
   template <class N, int D>
   using Trial = DensityTrial<N, D>;
 
   template <class N, int D>
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const DensityTrial<N, D>& t) const {
-    Vector<N, count> r;
-    r[area] = N(1.0);
-    r[wetted] = select(t.density < wall.law.state.middle(), N(0.0), N(1.0));
-    r[energy] = wall.value(t.density);
-    return r;
+    return {{wall.value(t.density)}};
   }
 };
 

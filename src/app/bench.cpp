@@ -89,7 +89,7 @@ void bench_single(const Sheet& sheet, Case c, const State& state) {
   sheet.line("residual, single precision", seconds_per_call([&] { scheme.residual(state.unknown, r); }));
   sheet.line("product, exact, single precision", seconds_per_call([&] { scheme.product(z, out, Geometry::exact); }));
   bench_terms(sheet, model.layout(), model.single_pieces(), scheme.single_stage(), z, out);
-  sheet.line("dot, single precision", seconds_per_call([&] { dot(z, out); }));
+  sheet.line("dot, single precision", seconds_per_call([&] { dot(model.layout().space(), z, out); }));
 }
 
 /// What the first process has told the others between two moments, for each iteration.
@@ -109,7 +109,7 @@ void print_traffic(const Sheet& sheet, const Traffic& before, const Traffic& now
 template <class Real, int D, int P>
 void bench_gmres(const Sheet& sheet, const std::string& name, const GeneralizedAlpha<D, P>& scheme, const Array& right,
                  Preconditioner& preconditioner, bool counted = true) {
-  GmresOf<Real> gmres(scheme.size(), 30);
+  GmresOf<Real> gmres(scheme.model().layout().space(), scheme.size(), 30);
   const ArrayOf<Real> b("b", scheme.size()), x("x", scheme.size());
   convert(b, right);
   const auto product = [&](const ArrayOf<Real>& in, const ArrayOf<Real>& out) {
@@ -149,7 +149,7 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   GeneralizedAlpha<D, P> scheme(both, c.time.rho_inf);
   const Array r("r", scheme.size()), z("z", scheme.size());
   const Jacobian frozen = [&](const StencilValues& values) { scheme.jacobian(values); };
-  Gmres gmres(scheme.size(), 200);
+  Gmres gmres(scheme.model().layout().space(), scheme.size(), 200);
   constexpr int largest_factorised = 20000;
   const double product = seconds_per_call([&] { scheme.product(z, r, Geometry::exact); });
   for (const std::string& name : preconditioner_names()) {
@@ -242,7 +242,7 @@ void bench_model(const Case& asked, std::ostream& out) {
   const StencilValues values("jacobian", Stencil<D>(layout).size());
   sheet.line("Jacobian as a matrix", seconds_per_call([&] { scheme.jacobian(values); }));
   bench_terms(sheet, layout, model.pieces(), scheme.stage(), z, r);
-  sheet.line("dot", seconds_per_call([&] { dot(z, r); }));
+  sheet.line("dot", seconds_per_call([&] { dot(layout.space(), z, r); }));
   bench_single<D, P>(sheet, c, state);
 
   bench_rates(sheet, model, state);

@@ -58,7 +58,7 @@ class StartOfStep {
   StartOfStep(const Model<D, P>& model, const Case& c)
       : layout_(model.layout()),
         scheme_(model, c.time.rho_inf),
-        gmres_(scheme_.size(), 60),
+        gmres_(layout_.space(), scheme_.size(), 60),
         right_("right", scheme_.size()),
         step_("step", scheme_.size()),
         r_("r", scheme_.size()) {}
@@ -71,7 +71,7 @@ class StartOfStep {
     weights_ = {};
     for (int f = 0; f < 3; ++f) {
       if (ends[f + 1] <= ends[f]) continue;
-      const double size = norm(part(r_, ends[f], ends[f + 1]));
+      const double size = norm(layout_.space(), part(r_, ends[f], ends[f + 1]));
       weights_.add(ends[f], ends[f + 1], size > 0 ? 1 / (size * size) : 1);
     }
     convert(right_, r_);

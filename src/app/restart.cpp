@@ -5,9 +5,12 @@
 
 #include "app/host/fingerprint.hpp"
 #include "app/host/saved_run.hpp"
+#include "app/together.hpp"
+#include "case/error.hpp"
 #include "field/exchange.hpp"
 #include "model/initial.hpp"
 #include "observe/host/checkpoint_file.hpp"
+#include "observe/host/number_text.hpp"
 
 namespace softwet {
 namespace {
@@ -37,21 +40,9 @@ std::vector<double> costs(SolverCounts& k, RunSeconds& s) {
   return numbers;
 }
 
-}  // namespace
-
 template <int D, int P>
-void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, const HistoryMemory& history,
-                      RunSeconds seconds) {
-  auto arrays = arrays_of(stepper.state());
-  arrays.emplace_back("previous/unknown", stepper.previous());
-  std::optional<CheckpointWriter> on_root;
-  if (ranks::root()) on_root.emplace(path);
-  for (const auto& [name, array] : arrays) {
-    const std::vector<double> values = to_host_of_patch(stepper.model().layout(), array);
-    if (on_root) on_root->array(name, values);
-  }
-  if (!on_root) return;
-  CheckpointWriter& file = *on_root;
+void write_values(CheckpointWriter& file, const Case& c, Stepper<D, P>& stepper, const HistoryMemory& history,
+                  RunSeconds seconds) {
   file.value("case", fingerprint(c));
   file.value("time", stepper.state().time);
   file.value("previous/dt", stepper.previous_dt());
@@ -74,6 +65,36 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
   file.commit();
 }
 
+/// All processes read the file, and have to find the same state in it.
+SavedRun read_together(const std::string& path, const Case& c, const std::vector<ArraySize>& sizes) {
+  SavedRun saved;
+  together([&] { saved = read_saved_run(path, c, sizes); });
+  const double time = ranks::of_root(saved.time);
+  together([&] {
+    if (saved.time != time)
+      throw Error(Exit::machine_failed, path + ": this process reads the state of time " + number_text(saved.time) +
+                                            ", the first one that of " + number_text(time) +
+                                            "; put the output folder where all machines see the same files");
+  });
+  return saved;
+}
+
+}  // namespace
+
+template <int D, int P>
+void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, const HistoryMemory& history,
+                      RunSeconds seconds) {
+  auto arrays = arrays_of(stepper.state());
+  arrays.emplace_back("previous/unknown", stepper.previous());
+  std::optional<CheckpointWriter> file;
+  on_root([&] { file.emplace(path); });
+  for (const auto& entry : arrays) {
+    const std::vector<double> values = to_host_on_root(stepper.model().layout(), entry.second);
+    on_root([&] { file->array(entry.first, values); });
+  }
+  on_root([&] { write_values(*file, c, stepper, history, seconds); });
+}
+
 template <int D, int P>
 HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, RunSeconds& seconds) {
   const Layout<D>& layout = stepper.model().layout();
@@ -86,7 +107,7 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
     sizes.emplace_back(name, static_cast<std::size_t>(entries_of_patch(layout, static_cast<double>(array.extent(0)))));
   SolverCounts& counts = stepper.scheme().counts();
   sizes.emplace_back("costs", costs(counts, seconds).size());
-  const SavedRun saved = read_saved_run(path, c, sizes);
+  const SavedRun saved = read_together(path, c, sizes);
   auto cost = saved.arrays.back().begin();
   each_cost(counts, seconds, [&](auto& number) { number = static_cast<std::decay_t<decltype(number)>>(*cost++); });
   state.time = saved.time;

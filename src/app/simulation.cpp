@@ -9,6 +9,7 @@
 #include "app/machine.hpp"
 #include "app/memory_parts.hpp"
 #include "app/remedy.hpp"
+#include "app/together.hpp"
 #include "case/error.hpp"
 #include "field/ranks.hpp"
 #include "model/initial.hpp"
@@ -71,10 +72,11 @@ void Simulation<D, P>::begin() {
   if (case_.time.start == "equilibrium") come_to_rest(state);
   stepper_.scheme().initialise(state);
   stepper_.start(state);
-  if (options_.begin) options_.begin();
-  if (!ranks::root()) return;
-  history_.emplace(TableFile::create(path("history.csv"), scalars_.columns()));
-  interface_.emplace(TableFile::create(path("interface.csv"), interface_columns<D>()));
+  on_root([this] {
+    if (options_.begin) options_.begin();
+    history_.emplace(TableFile::create(path("history.csv"), scalars_.columns()));
+    interface_.emplace(TableFile::create(path("interface.csv"), interface_columns<D>()));
+  });
 }
 
 template <int D, int P>
@@ -94,11 +96,14 @@ void Simulation<D, P>::restore() {
 
 template <int D, int P>
 void Simulation<D, P>::resume() {
-  if (options_.begin) options_.begin();
-  if (ranks::root()) open_tables();
   const double t = output_time();
-  const std::string part = model_.layout().has_fluid ? "fluid" : "solid";
-  for (double written : field_file_times(path("fields"), part))
+  std::vector<double> found;
+  on_root([&] {
+    if (options_.begin) options_.begin();
+    open_tables();
+    found = field_file_times(path("fields"), model_.layout().has_fluid ? "fluid" : "solid");
+  });
+  for (double written : ranks::shared(found))
     if (written <= t || same_time(written, t)) written_.push_back(written);
   write_fields_due();  // of a time that is new in the case
 }
@@ -118,7 +123,8 @@ void Simulation<D, P>::run() {
   const InterruptGuard interrupts;
   // The factors of a preconditioner may be most of the memory; they are not there yet.
   const double needed = total_bytes(case_, model_.layout(), stepper_.scheme().preconditioner());
-  on_host ? require_bytes(case_, needed) : require_device_bytes(case_, needed, device_bytes_to_be_had());
+  together(
+      [&] { on_host ? require_bytes(case_, needed) : require_device_bytes(case_, needed, device_bytes_to_be_had()); });
   progress_.emplace(Progress::voice(options_.quiet || !ranks::root()), case_.run_start() - case_.clock_zero(),
                     case_.time.end);
   options_.resume ? restore() : begin();
@@ -141,23 +147,23 @@ void Simulation<D, P>::run() {
     advance();
   } catch (const Error& error) {
     if (error.code() != Exit::computation_failed) throw;
-    save();
-    record(std::string("failed: ") + error.what());
-    const std::string advice = remedy(case_, stepper_.counts().last_rejection);
-    throw Error(error.code(), std::string(error.what()) + "; " + advice + "; the last good state, that of t = " +
-                                  short_text(output_time()) + ", is in " + path("checkpoint.h5"));
+    const std::string advice = remedy(case_, stepper_.counts().last_rejection), failure = error.what();
+    throw Error(error.code(), failure + "; " + advice + "; the last good state, that of t = " +
+                                  short_text(output_time()) + ", " + keep_after(failure));
   } catch (const std::exception& error) {               // memory or the device: the state is still the last good one
-    if (ranks::count() == 1) keep_after(error.what());  // of several processes, this one alone may have failed
+    if (ranks::count() == 1) keep_after(error.what());  // of several processes, this one alone has failed
     throw;
   }
 }
 
 template <int D, int P>
-void Simulation<D, P>::keep_after(const std::string& failure) {
+std::string Simulation<D, P>::keep_after(const std::string& failure) {
   try {
     save();
     record("failed: " + failure);
-  } catch (const std::exception&) {  // the failure itself is what the user has to hear of
+    return "is in " + path("checkpoint.h5");
+  } catch (const std::exception& error) {
+    return std::string("could not be kept: ") + error.what();
   }
 }
 
@@ -205,7 +211,7 @@ void Simulation<D, P>::write_row(const StepReport& report) {
   Stopwatch watch(seconds_.observers);
   last_row_ =
       scalars_.evaluate(stepper_.counts().steps, report, stepper_.state(), stage_at(model_.layout(), stepper_.state()));
-  if (history_) history_->row(last_row_);
+  on_root([this] { history_->row(last_row_); });
   tell_events();
 }
 
@@ -221,10 +227,11 @@ void Simulation<D, P>::write_fields_due() {
     Stopwatch watch(seconds_.output);
     written_.push_back(time);
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
-    if (ranks::root())
+    const auto traction = wall_traction(model_, stage_at(model_.layout(), stepper_.state()));
+    on_root([&] {
       write_field_files<D, P>(options_.out, origin_of(case_), case_.output.field_select, model_, snapshot, written_);
-    add_interface_rows<D, P>(interface_ ? &*interface_ : nullptr, model_, stage_at(model_.layout(), stepper_.state()),
-                             snapshot, time);
+      add_interface_rows<D>(*interface_, snapshot, traction, time);
+    });
   }
 }
 
@@ -236,7 +243,7 @@ void Simulation<D, P>::keep_files_current() {
     case of_save:
       return save();
     case of_record:
-      if (history_) history_->flush();
+      on_root([this] { history_->flush(); });
       return record("running");
     case nothing:
       return;
@@ -246,8 +253,10 @@ void Simulation<D, P>::keep_files_current() {
 template <int D, int P>
 void Simulation<D, P>::save() {
   Stopwatch watch(seconds_.output);
-  if (history_) history_->flush();
-  if (interface_) interface_->flush();
+  on_root([this] {
+    history_->flush();
+    interface_->flush();
+  });
   seconds_.total = seconds_before_ + since_start();
   write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory(), seconds_);
   record("running");
@@ -257,7 +266,11 @@ template <int D, int P>
 void Simulation<D, P>::record(const std::string& reason) {
   seconds_.total = seconds_before_ + since_start();
   const std::vector<double> memory = peak_memory_of_processes();
-  if (!ranks::root()) return;
+  on_root([&] { write_record(reason, memory); });
+}
+
+template <int D, int P>
+void Simulation<D, P>::write_record(const std::string& reason, const std::vector<double>& memory) {
   RunRecord run = describe_run<D, P>(case_, model_, stepper_, seconds_, first_step_);
   for (double of_process : memory)
     if (memory.size() > 1) run["peak_memory_of_processes_mib"].append(of_process);

@@ -18,8 +18,8 @@
 
 namespace softwet {
 
-/// Computes a case in a folder that exists. Of several processes each computes its columns of the scene and all
-/// evaluate the observers, but the first one alone writes and speaks. The output clock is the computation clock minus case.clock_zero().
+/// Computes a case in a folder that exists. Of several processes each computes its columns of the scene. The first one alone
+/// evaluates the observers, writes and speaks; where it fails, all fail (app/together.hpp). The output clock is the computation clock minus case.clock_zero().
 template <int D, int P>
 class Simulation {
  public:
@@ -42,9 +42,11 @@ class Simulation {
   /// Brings checkpoint, history.csv and run.json up to date when their time has come.
   void keep_files_current();
   void save();
-  /// Tries to save after a failure that is not of the computation.
-  void keep_after(const std::string& failure);
+  /// Tries to save after a failure. @return what became of the last good state: "is in out/checkpoint.h5"
+  std::string keep_after(const std::string& failure);
   void record(const std::string& reason);
+  /// @param memory  peak of each process, MiB
+  void write_record(const std::string& reason, const std::vector<double>& memory);
   std::string stop_reason();
 
   bool at_end() const;

@@ -124,24 +124,30 @@ void for_lines_on_host(std::int64_t lines, const Body& body) {
   Kokkos::DefaultHostExecutionSpace().fence();
 }
 
-/// Lines of all columns of the patch, collected by every process from what each stores. `own` and `all` are in the memory
-/// of the host. A few lines after the other, so that the memory for messages stays small.
+/// Who gets what is collected.
+enum class Collects { every_process, first_process };
+
+/// Lines of all columns of the patch, collected from what each process stores. `own` and `all` are in the memory of the host;
+/// `all` means nothing where nothing is collected. A few lines after the other, so that the memory for messages stays small.
 template <class Real>
-void gather_lines(const Columns& c, std::int64_t lines, const Real* own, Real* all) {
+void gather_lines(const Columns& c, std::int64_t lines, const Real* own, Real* all,
+                  Collects who = Collects::every_process) {
+  const bool every = who == Collects::every_process, here = every || c.rank == 0;
   const int functions = c.first_function.back(), stored = c.stored(), mine = c.end - c.begin;
   const std::int64_t at_once = std::max<std::int64_t>(1, (std::int64_t(1) << 22) / functions);
   std::vector<Real> part, parts;
   for (std::int64_t first = 0; first < lines; first += at_once) {
     const std::int64_t count = std::min(at_once, lines - first);
     part.resize(count * mine);
-    parts.resize(count * functions);
+    if (here) parts.resize(count * functions);
     for_lines_on_host(count, [=, from = own + first * stored + c.begin, to = part.data()](std::int64_t l) {
       std::copy_n(from + l * stored, mine, to + l * mine);
     });
     std::vector<int> bytes(c.ranks);
     for (int r = 0; r < c.ranks; ++r)
       bytes[r] = static_cast<int>(count * (c.first_function[r + 1] - c.first_function[r]) * sizeof(Real));
-    ranks::gather(part.data(), bytes, parts.data());
+    every ? ranks::gather(part.data(), bytes, parts.data()) : ranks::gather_on_root(part.data(), bytes, parts.data());
+    if (!here) continue;
     const int* ends = c.first_function.data();
     const int ranks = c.ranks;
     for_lines_on_host(count, [=, from = parts.data(), to = all + first * functions](std::int64_t l) {
@@ -186,6 +192,18 @@ std::vector<double> to_host_of_patch(const Layout<D>& layout, const ConstArray& 
   const std::int64_t lines = static_cast<std::int64_t>(values.size()) / layout.columns.stored();
   std::vector<double> all(lines * layout.columns.first_function.back());
   gather_lines(layout.columns, lines, values.data(), all.data());
+  return all;
+}
+
+/// The same on the first process alone; empty on the others.
+template <int D>
+std::vector<double> to_host_on_root(const Layout<D>& layout, const ConstArray& own) {
+  std::vector<double> values = to_host(own);
+  if (layout.whole()) return values;
+  const Columns& c = layout.columns;
+  const std::int64_t lines = static_cast<std::int64_t>(values.size()) / c.stored();
+  std::vector<double> all(c.rank == 0 ? lines * c.first_function.back() : 0);
+  gather_lines(c, lines, values.data(), all.data(), Collects::first_process);
   return all;
 }
 

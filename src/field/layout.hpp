@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "field/array.hpp"
-#include "spline/columns.hpp"
+#include "field/vector_space.hpp"
 
 namespace softwet {
 
@@ -40,6 +40,8 @@ struct Layout {
   bool own(int i, int d) const { return d > 0 || columns.stored() == 0 || columns.own(i); }
   /// Whether all columns are stored here, once.
   bool whole() const { return columns.ranks == 1; }
+  /// Of the vectors on these columns: of the unknowns, and of any number of rows.
+  VectorSpace space() const { return VectorSpace(columns); }
   /// The layout of all columns.
   Layout whole_patch() const {
     Layout all = *this;

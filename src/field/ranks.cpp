@@ -48,6 +48,13 @@ double reduced(double number, MPI_Op operation) {
   return number;
 }
 
+/// Where the part of each process begins among all.
+std::vector<int> begins(const std::vector<int>& bytes) {
+  std::vector<int> begin(bytes.size(), 0);
+  for (std::size_t r = 1; r < bytes.size(); ++r) begin[r] = begin[r - 1] + bytes[r - 1];
+  return begin;
+}
+
 }  // namespace
 
 Job::Job(int& argc, char**& argv) {
@@ -77,9 +84,17 @@ void add(double* numbers, int count) {
 }
 double largest(double number) { return reduced(number, MPI_MAX); }
 double least(double number) { return reduced(number, MPI_MIN); }
+void largest(double* numbers, int count) {
+  if (all_ranks == 1) return;
+  ++told.reductions;
+  MPI_Allreduce(MPI_IN_PLACE, numbers, count, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+}
 double of_root(double number) {
-  if (all_ranks > 1) MPI_Bcast(&number, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  share(&number, sizeof number, 0);
   return number;
+}
+void share(void* data, std::size_t bytes, int from) {
+  if (all_ranks > 1) MPI_Bcast(data, static_cast<int>(bytes), MPI_BYTE, from, MPI_COMM_WORLD);
 }
 
 void exchange(const std::vector<Message>& messages) {
@@ -97,11 +112,17 @@ void exchange(const std::vector<Message>& messages) {
 }
 
 void gather(const void* part, const std::vector<int>& bytes, void* all) {
-  std::vector<int> begin(bytes.size(), 0);
-  for (std::size_t r = 1; r < bytes.size(); ++r) begin[r] = begin[r - 1] + bytes[r - 1];
+  const std::vector<int> begin = begins(bytes);
   ++told.collections;
   told.collected += static_cast<double>(begin.back()) + bytes.back();
   MPI_Allgatherv(part, bytes[my_rank], MPI_BYTE, all, bytes.data(), begin.data(), MPI_BYTE, MPI_COMM_WORLD);
+}
+
+void gather_on_root(const void* part, const std::vector<int>& bytes, void* all) {
+  const std::vector<int> begin = begins(bytes);
+  ++told.collections;
+  if (root()) told.collected += static_cast<double>(begin.back()) + bytes.back();
+  MPI_Gatherv(part, bytes[my_rank], MPI_BYTE, all, bytes.data(), begin.data(), MPI_BYTE, 0, MPI_COMM_WORLD);
 }
 
 bool all_end() {
@@ -136,9 +157,12 @@ bool has_mpi() { return false; }
 void add(double*, int) {}
 double largest(double number) { return number; }
 double least(double number) { return number; }
+void largest(double*, int) {}
 double of_root(double number) { return number; }
+void share(void*, std::size_t, int) {}
 void exchange(const std::vector<Message>&) {}
 void gather(const void* part, const std::vector<int>& bytes, void* all) { std::memcpy(all, part, bytes[0]); }
+void gather_on_root(const void* part, const std::vector<int>& bytes, void* all) { gather(part, bytes, all); }
 bool all_end() { return true; }
 void abort(int code) { std::_Exit(code); }
 

@@ -19,7 +19,7 @@ class Job {
 struct Traffic {
   long messages = 0, reductions = 0, collections = 0;
   double bytes = 0;      ///< sent to neighbours
-  double collected = 0;  ///< bytes of what all processes have collected
+  double collected = 0;  ///< bytes of what all processes have collected, or this one alone
 };
 
 namespace ranks {
@@ -34,8 +34,21 @@ const Traffic& traffic();
 void add(double* numbers, int count);
 double largest(double);
 double least(double);
+/// Each number becomes the largest that any process has in its place.
+void largest(double* numbers, int count);
 /// The number that the first process has.
 double of_root(double);
+/// What the process `from` has in these bytes becomes what all have.
+void share(void* data, std::size_t bytes, int from);
+/// The text or the list that the process `from` has, however long.
+template <class List>
+List shared(List list, int from = 0) {
+  double length = static_cast<double>(list.size());
+  share(&length, sizeof length, from);
+  list.resize(static_cast<std::size_t>(length));
+  share(list.data(), list.size() * sizeof(list[0]), from);
+  return list;
+}
 
 /// What is sent to a process and received from it.
 struct Message {
@@ -49,6 +62,8 @@ void exchange(const std::vector<Message>&);
 
 /// Collects the parts of all processes, one after the other; `bytes` of each.
 void gather(const void* part, const std::vector<int>& bytes, void* all);
+/// The same on the first process alone; `all` means nothing on the others.
+void gather_on_root(const void* part, const std::vector<int>& bytes, void* all);
 
 /// Waits a little while until all processes are at their end. False: some are not, for they have not heard of a failure.
 bool all_end();

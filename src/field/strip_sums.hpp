@@ -1,40 +1,22 @@
 // Sums over vectors in one fixed order, so that results depend neither on the number of threads nor on that of processes.
 #pragma once
 
+#include <stdexcept>
+
 #include "field/array.hpp"
 #include "field/range_factors.hpp"
 #include "field/ranks.hpp"
-#include "spline/columns.hpp"
+#include "field/vector_space.hpp"
 
 namespace softwet {
-
-/// How the vectors of the scene that a process computes lie in lines of columns: what sums have to know of it. A model
-/// sets it. The columns [begin, end) are the process's own. A vector whose size is no multiple of `stored` is none of them.
-struct SumColumns {
-  int stored = 0, begin = 0, end = 0;
-  int first_strip = 0, last_strip = 0, strips = 0;
-  int first_function = 0, functions = 0;  ///< of the first own column less its place; in a line of the whole patch
-};
-inline SumColumns& sum_columns() {
-  static SumColumns columns;
-  return columns;
-}
-inline void set_sum_columns(const Columns& c) {
-  sum_columns() = {c.stored(),
-                   c.begin,
-                   c.end,
-                   c.elements.first_strip,
-                   c.elements.last_strip,
-                   c.elements.strips,
-                   c.first_function[c.rank] - c.begin,
-                   c.first_function.back()};
-}
 
 /// Sums by strip of columns. A strip has one order of its own, and the strips are added up in their order by all
 /// processes, after each has told the others its own. So the number of processes does not matter.
 class StripTotals {
  public:
-  explicit StripTotals(int strips, int sums = 1) : strips_(strips), total_(static_cast<std::size_t>(strips) * sums) {}
+  /// @param shared  by all processes; else each one has all of the strips
+  StripTotals(int strips, int sums, bool shared)
+      : strips_(strips), told_(!shared), total_(static_cast<std::size_t>(strips) * sums) {}
   void add(int strip, int sum, double part) { total_[sum * strips_ + strip] += part; }
   double total(int sum) {
     if (!told_) ranks::add(total_.data(), static_cast<int>(total_.size()));
@@ -46,23 +28,23 @@ class StripTotals {
 
  private:
   int strips_;
+  bool told_;
   std::vector<double> total_;
-  bool told_ = false;
 };
 
 /// Scratch for partial sums: allocated once, grown when needed, released before Kokkos ends.
-struct SumSpace {
+struct SumScratch {
   Array device;
   Array::host_mirror_type host;
 };
-inline SumSpace& sum_space(std::size_t entries) {
-  static SumSpace space;
-  if (space.device.extent(0) < entries) {
-    if (!space.device.data()) Kokkos::push_finalize_hook([] { space = {}; });
-    space.device = Array(Kokkos::view_alloc("partial sums", Kokkos::WithoutInitializing), entries);
-    space.host = Kokkos::create_mirror_view(space.device);
+inline SumScratch& sum_scratch(std::size_t entries) {
+  static SumScratch scratch;
+  if (scratch.device.extent(0) < entries) {
+    if (!scratch.device.data()) Kokkos::push_finalize_hook([] { scratch = {}; });
+    scratch.device = Array(Kokkos::view_alloc("partial sums", Kokkos::WithoutInitializing), entries);
+    scratch.host = Kokkos::create_mirror_view(scratch.device);
   }
-  return space;
+  return scratch;
 }
 
 /// Sums over one strip of some lines, in double precision, whatever the vectors are: of x_k(i) y(i) for several vectors x_k
@@ -77,14 +59,14 @@ struct StripSums {
   bool square;                 ///< of the first y too
   int size;                    ///< of each vector
   RangeFactors weights = {};
-  SumColumns columns = {};  ///< set by the constructor, as all below
-  bool of_scene = false;    ///< else each process has all of these vectors
+  VectorSpace space;        ///< of the vectors
   bool whole_lines = true;  ///< all entries of a line have one weight
   int place = 0;            ///< of its partial sums
   Array partial = {};       ///< [lines][sum][own strip]
 
-  StripSums(const Real* x_, int stride_, int count_, const std::vector<const Real*>& y_, bool square_, int size_,
-            const RangeFactors& weights_ = {})
+  /// @throws std::logic_error  where a vector of a shared space is not made of whole lines
+  StripSums(const VectorSpace& space_, const Real* x_, int stride_, int count_, const std::vector<const Real*>& y_,
+            bool square_, int size_, const RangeFactors& weights_ = {})
       : x(x_),
         stride(stride_),
         count(count_),
@@ -92,26 +74,25 @@ struct StripSums {
         others(static_cast<int>(y_.size())),
         square(square_),
         size(size_),
-        weights(weights_) {
+        weights(weights_),
+        space(space_) {
+    if (space.shared && size % space.stored != 0) throw std::logic_error("a vector that is not made of whole lines");
     for (int m = 0; m < others; ++m) y[m] = y_[m];
-    const SumColumns& scene = sum_columns();
-    of_scene = scene.stored > 0 && size % scene.stored == 0;
-    columns = of_scene ? scene : SumColumns{strip_width, 0, strip_width, 0, 1, 1, 0, strip_width};
-    whole_lines = weights.multiples_of(columns.stored);
+    whole_lines = weights.multiples_of(space.stored);
   }
 
-  KOKKOS_FUNCTION int strips() const { return columns.last_strip - columns.first_strip; }
+  KOKKOS_FUNCTION int strips() const { return space.last_strip - space.first_strip; }
   KOKKOS_FUNCTION int sums() const { return count * others + (square ? 1 : 0); }
   int items() const {
-    const int lines = (size + columns.stored - 1) / columns.stored;
+    const int lines = (size + space.stored - 1) / space.stored;
     return (lines + lines_at_once - 1) / lines_at_once * strips() * sums();
   }
   KOKKOS_FUNCTION void operator()(int item) const {
     const int strip = item % strips(), k = item / strips() % sums(), block = item / strips() / sums();
-    const int begin = columns.begin + strip * strip_width;
-    const int end = strip + 1 < strips() ? begin + strip_width : columns.end;
-    const int first = block * lines_at_once, left = size / columns.stored - first;
-    const int start = first * columns.stored + begin, lines = left < lines_at_once ? left : lines_at_once;
+    const int begin = space.begin + strip * strip_width;
+    const int end = strip + 1 < strips() ? begin + strip_width : space.end;
+    const int first = block * lines_at_once, left = size / space.stored - first;
+    const int start = first * space.stored + begin, lines = left < lines_at_once ? left : lines_at_once;
     const bool pair = k < count * others;
     const Real *a = pair ? x + std::int64_t(k / others) * stride : y[0], *b = y[pair ? k % others : 0];
     const RangeFactors& w = weights;
@@ -134,7 +115,7 @@ struct StripSums {
   template <class Weight, class Entry>
   KOKKOS_FORCEINLINE_FUNCTION void add(double (&sum)[2 * strip_width], int start, int lines, int width,
                                        const Weight& weight, const Entry& entry) const {
-    const int stored = columns.stored, whole = width < strip_width ? 0 : strip_width;
+    const int stored = space.stored, whole = width < strip_width ? 0 : strip_width;
     int l = 0, i = start;
     for (; l + 1 < lines && whole > 0; l += 2, i += 2 * stored) {  // two lines at once: two sums for each column
       const double w = weight(i), next = weight(i + stored);
@@ -153,7 +134,8 @@ struct StripSums {
   }
 };
 
-/// The sums of some kernels, one after another: a kernel each, one copy to the host, and one reduction over all processes.
+/// The sums of some kernels on vectors of one space, one after another: a kernel each, one copy to the host, and one
+/// reduction over all processes.
 template <class Real>
 std::vector<double> strip_sums(std::vector<StripSums<Real>> kernels) {
   int items = 0, sums = 0;
@@ -162,30 +144,25 @@ std::vector<double> strip_sums(std::vector<StripSums<Real>> kernels) {
     items += k.items();
     sums += k.sums();
   }
-  const SumSpace& space = sum_space(items);
+  const SumScratch& scratch = sum_scratch(items);
   for (StripSums<Real>& k : kernels) {
-    k.partial = space.device;
+    k.partial = scratch.device;
     Kokkos::parallel_for("softwet::sums", Items(0, k.items()), k);
   }
   const auto range = Kokkos::make_pair(0, items);
-  Kokkos::deep_copy(Kokkos::subview(space.host, range), Kokkos::subview(space.device, range));
-  const SumColumns& scene = sum_columns();
-  StripTotals totals(scene.strips, sums);
-  std::vector<double> all(sums, 0.0);
+  Kokkos::deep_copy(Kokkos::subview(scratch.host, range), Kokkos::subview(scratch.device, range));
+  const VectorSpace space = kernels.empty() ? alone : kernels.front().space;
+  StripTotals totals(space.strips, sums, space.shared);
   int first = 0;
   for (const StripSums<Real>& k : kernels) {
     for (int i = 0; i < k.items(); ++i) {
       const int sum = first + i / k.strips() % k.sums();
-      if (k.of_scene) totals.add(scene.first_strip + i % k.strips(), sum, space.host(k.place + i));
-      if (!k.of_scene) all[sum] += space.host(k.place + i);
+      totals.add(space.first_strip + i % k.strips(), sum, scratch.host(k.place + i));
     }
     first += k.sums();
   }
-  first = 0;
-  for (const StripSums<Real>& k : kernels) {
-    for (int sum = first; sum < first + k.sums() && k.of_scene; ++sum) all[sum] = totals.total(sum);
-    first += k.sums();
-  }
+  std::vector<double> all(sums);
+  for (int sum = 0; sum < sums; ++sum) all[sum] = totals.total(sum);
   return all;
 }
 

@@ -63,20 +63,26 @@ inline void convert(const ArrayOf<float>& y, const ConstArray& x) { any_precisio
 inline void convert(const Array& y, const ConstArrayOf<float>& x) { any_precision::convert<double, float>(y, x); }
 
 template <class Real>
-double strip_sum(const ConstArrayOf<Real>& x, const ConstArrayOf<Real>& y) {
-  return strip_sums<Real>({{x.data(), 0, 1, {y.data()}, false, static_cast<int>(x.extent(0))}})[0];
+double strip_sum(const VectorSpace& space, const ConstArrayOf<Real>& x, const ConstArrayOf<Real>& y) {
+  return strip_sums<Real>({{space, x.data(), 0, 1, {y.data()}, false, static_cast<int>(x.extent(0))}})[0];
 }
 
-inline double dot(const ConstArray& x, const ConstArray& y) { return strip_sum<double>(x, y); }
-inline double dot(const ConstArrayOf<float>& x, const ConstArrayOf<float>& y) { return strip_sum<float>(x, y); }
-inline double total(const ConstArray& x) { return strip_sum<double>(x, {}); }
-inline double norm(const ConstArray& x) { return std::sqrt(dot(x, x)); }
-inline double norm(const ConstArrayOf<float>& x) { return std::sqrt(dot(x, x)); }
+// Sums over vectors of a space, over all processes where these share them.
+
+inline double dot(const VectorSpace& space, const ConstArray& x, const ConstArray& y) {
+  return strip_sum<double>(space, x, y);
+}
+inline double dot(const VectorSpace& space, const ConstArrayOf<float>& x, const ConstArrayOf<float>& y) {
+  return strip_sum<float>(space, x, y);
+}
+inline double total(const VectorSpace& space, const ConstArray& x) { return strip_sum<double>(space, x, {}); }
+inline double norm(const VectorSpace& space, const ConstArray& x) { return std::sqrt(dot(space, x, x)); }
+inline double norm(const VectorSpace& space, const ConstArrayOf<float>& x) { return std::sqrt(dot(space, x, x)); }
 
 /// sqrt(sum_i w_i x_i^2)
 template <class Real>
-double weighted_norm(const ArrayOf<Real>& x, const RangeFactors& w) {
-  return std::sqrt(strip_sums<Real>({{x.data(), 0, 1, {x.data()}, false, static_cast<int>(x.extent(0)), w}})[0]);
+double weighted_norm(const VectorSpace& space, const ArrayOf<Real>& x, const RangeFactors& w) {
+  return std::sqrt(strip_sums<Real>({{space, x.data(), 0, 1, {x.data()}, false, static_cast<int>(x.extent(0)), w}})[0]);
 }
 
 /// Part [first, last) of a vector.
@@ -84,13 +90,13 @@ inline ConstArray part(const ConstArray& x, int first, int last) {
   return Kokkos::subview(x, Kokkos::make_pair(first, last));
 }
 
-/// norm(part(x, p.first, p.last)) of several parts p, with the same bits, and one copy to the host.
+/// norm(space, part(x, p.first, p.last)) of several parts p, with the same bits, and one copy to the host.
 template <class Part>
-std::vector<double> norms(const ConstArray& x, const std::vector<Part>& parts) {
+std::vector<double> norms(const VectorSpace& space, const ConstArray& x, const std::vector<Part>& parts) {
   std::vector<StripSums<double>> kernels;
   for (const Part& p : parts) {
     const double* start = x.data() + p.first;
-    kernels.push_back({start, 0, 1, {start}, false, p.last - p.first});
+    kernels.push_back({space, start, 0, 1, {start}, false, p.last - p.first});
   }
   std::vector<double> sums = strip_sums(kernels);
   for (double& sum : sums) sum = std::sqrt(sum);

@@ -20,8 +20,6 @@ void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) co
   result.energy_gradient = sum[FluidIntegrals::gradient];
   result.viscous = sum[FluidIntegrals::viscous];
   result.stabilisation = sum[FluidIntegrals::stabilisation];
-  result.folded = sum[FluidIntegrals::folded];
-  result.volume = sum[FluidIntegrals::volume];
   for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
   if (has_gravity_) {
     GravityEnergy gravity;
@@ -33,13 +31,11 @@ void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) co
   if (!has_wall_) return;
   ReduceTask<D, WallIntegrals, Motion> face{wall_region_, {wall_}, {}, {}, {}};
   bind_fields(at, blend_, face);
-  const auto wall = reduce<P>(face);
-  result.wetted = wall[WallIntegrals::wetted];
-  result.energy_wall = wall[WallIntegrals::energy];
+  result.energy_wall = reduce<P>(face)[0];
   if constexpr (std::is_same_v<Motion, WallMotion<D>>) {
     for (int d = 0; d < D; ++d) face.motion.tangent[d] = face.motion.velocity[d];
     face.motion.scale = 1;
-    result.wall_stretch = reduce<P, true>(face)[WallIntegrals::energy];
+    result.wall_stretch = reduce<P, true>(face)[0];
   }
 }
 
@@ -53,7 +49,6 @@ void Model<D, P>::solid_integrals(const Elastodynamics<Material>& solid, const E
   const auto sum = reduce<P>(task);
   result.energy_kinetic += sum[Sums::kinetic];
   result.energy_elastic = sum[Sums::elastic];
-  result.inverted = sum[Sums::inverted];
   for (int d = 0; d < 3; ++d) result.momentum[d] += sum[Sums::momentum + d];
 }
 
@@ -72,6 +67,34 @@ Integrals Model<D, P>::integrals(const Stage& stage) const {
 }
 
 template <int D, int P>
+std::array<double, FluidContents::count> Model<D, P>::fluid_contents(const Stage& stage) const {
+  const Evaluation<D> at{layout_, stage, {}, {}};
+  const auto over = [&](auto motion) {
+    ReduceTask<D, FluidContents, decltype(motion)> task{fluid_region_, {}, motion, {}, {}};
+    bind_fields(at, blend_, task);
+    return reduce<P>(task);
+  };
+  return layout_.has_solid ? over(WallMotion<D>{}) : over(NoMotion{});
+}
+
+template <int D, int P>
+Filling Model<D, P>::filling(const Stage& stage) const {
+  const auto sum = fluid_contents(stage);
+  return {sum[FluidContents::mass], sum[FluidContents::volume]};
+}
+
+template <int D, int P>
+MeshFaults Model<D, P>::faults(const Stage& stage) const {
+  MeshFaults faults;
+  if (layout_.has_fluid) faults.folded = fluid_contents(stage)[FluidContents::folded];
+  if (!layout_.has_solid) return faults;
+  ReduceTask<D, InvertedSolid, NoMotion> task{solid_region_, {}, {}, {}, {}};
+  bind_fields(Evaluation<D>{layout_, stage, {}, {}}, blend_, task);
+  faults.inverted = reduce<P>(task)[0];
+  return faults;
+}
+
+template <int D, int P>
 double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
   double power = 0;
   for (const LoadVector& load : loads_) {
@@ -80,13 +103,15 @@ double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
     for (int d = 0; d < D; ++d) {
       const int first = layout_.velocity_offset(d);
       if (fraction * load.force[d] != 0)
-        power += fraction * load.force[d] * dot(load.weight, part(unknown, first, first + count));
+        power += fraction * load.force[d] * dot(layout_.space(), load.weight, part(unknown, first, first + count));
     }
   }
   return power;
 }
 
 template Integrals Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::integrals(const Stage&) const;
+template Filling Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::filling(const Stage&) const;
+template MeshFaults Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::faults(const Stage&) const;
 template double Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::load_power(double, const ConstArray&) const;
 
 }  // namespace softwet

@@ -55,7 +55,6 @@ void Model<D, P>::build_axes(const Case& c) {
     if (d < D - 1) layout_.row_size *= layout_.extent(d);
   }
   if (!layout_.whole()) layout_.exchange = plan_exchange(layout_.axis[0], layout_.columns);
-  set_sum_columns(layout_.columns);
   const Axis& vertical = layout_.axis[D - 1];
   layout_.rows = vertical.functions();
   if (layout_.has_solid)

@@ -2,6 +2,7 @@
 // discretisation meet.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <variant>
 
@@ -24,9 +25,15 @@ struct Integrals {
   double momentum[3] = {0, 0, 0};
   double viscous = 0, stabilisation = 0;  ///< dissipation rates
   double wall_stretch = 0;                ///< int_Gamma f_w div_Gamma vh: power of the wall energy on a stretching wall
-  double wetted = 0;                      ///< area of Gamma above the middle density
-  double volume = 0;                      ///< of the fluid
-  double folded = 0, inverted = 0;        ///< volume of the fluid's mesh and of the solid that is turned inside out
+};
+
+/// Mass and volume of the fluid.
+struct Filling {
+  double mass = 0, volume = 0;
+};
+/// Volumes of the fluid's mesh and of the solid that are turned inside out.
+struct MeshFaults {
+  double folded = 0, inverted = 0;
 };
 
 /// A body force per unit mass on a box of the solid: exact integrals of the basis, ready to scale.
@@ -48,7 +55,6 @@ class Model {
   const NavierStokesKorteweg& fluid() const { return fluid_; }
   const Solid& solid() const { return solid_; }
   const LameParameters& stiffness() const { return stiffness_; }
-  bool has_gravity() const { return has_gravity_; }
   const EnergyWall& wall() const { return wall_.law; }  ///< also of the gradient law: its capillarity and cosine
   const Pieces<D, double>& pieces() const { return pieces_; }
   const Pieces<D, float>& single_pieces() const { return single_; }
@@ -60,7 +66,6 @@ class Model {
   bool has_wall() const { return has_wall_; }
   const Region<D>& fluid_region() const { return fluid_region_; }
   const Region<D>& solid_region() const { return solid_region_; }
-  const Region<D>& wall_region() const { return wall_region_; }
   /// Rows of elements [first, last) over the whole width, with Gauss points per element and axis.
   Region<D> region(int first, int last, int points) const;
   /// Where a term is integrated, with those of the scene or others.
@@ -91,6 +96,8 @@ class Model {
   void jacobian(const StageOf<float>&, const StencilValues& values) const;
 
   Integrals integrals(const Stage&) const;
+  Filling filling(const Stage&) const;
+  MeshFaults faults(const Stage&) const;
   /// Power of the loads on a velocity field at a time.
   double load_power(double time, const ConstArray& unknown) const;
 
@@ -108,6 +115,7 @@ class Model {
   void fluid_integrals(const Evaluation<D>&, Integrals&) const;
   template <class Material>
   void solid_integrals(const Elastodynamics<Material>&, const Evaluation<D>&, Integrals&) const;
+  std::array<double, FluidContents::count> fluid_contents(const Stage&) const;
   void add_loads(double time, const Array& out) const;
 
   Layout<D> layout_;

@@ -1,6 +1,8 @@
 #include "observe/interface_table.hpp"
 
 #include "field/exchange.hpp"
+#include "field/ranks.hpp"
+#include "field/vector.hpp"
 
 namespace softwet {
 namespace {
@@ -53,23 +55,29 @@ std::vector<double> on_wall(const Layout<D>& layout, const std::vector<double>& 
 
 template <int D, int P>
 std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage) {
-  const Layout<D> layout = model.layout().whole_patch();
-  const Array residual("fluid_residual", model.layout().size());
-  model.fluid_residual(stage, residual);
-  move_ghosts(model.layout(), residual, GhostAction::update);
-  const std::vector<double> weight = wall_weights(layout), r = to_host_of_patch(model.layout(), residual);
+  const Layout<D>& own = model.layout();
   std::array<std::vector<double>, D> traction;
+  if (!own.has_fluid || !model.has_wall()) return traction;
+  const Array residual("fluid_residual", own.size());
+  model.fluid_residual(stage, residual);
+  move_ghosts(own, residual, GhostAction::update);
   for (int d = 0; d < D; ++d) {
-    const int first = layout.velocity_offset(d) + layout.wall_shift();
-    for (int i = 0; i < layout.row_size; ++i) traction[d].push_back(-r[first + i] / weight[i]);
+    const int first = own.velocity_offset(d) + own.wall_shift();
+    traction[d] = to_host_on_root(own, part(residual, first, first + own.row_size));
+  }
+  if (!ranks::root()) return traction;
+  const Layout<D> layout = own.whole_patch();
+  const std::vector<double> weight = wall_weights(layout);
+  for (int d = 0; d < D; ++d) {
+    for (int i = 0; i < layout.row_size; ++i) traction[d][i] = -traction[d][i] / weight[i];
     clear_ends(layout, d, traction[d]);
   }
   return traction;
 }
 
-template <int D, int P>
-void add_interface_rows(TableFile* table, const Model<D, P>& model, const Stage& stage, const Snapshot<D>& snapshot,
-                        double time) {
+template <int D>
+void add_interface_rows(TableFile& table, const Snapshot<D>& snapshot,
+                        const std::array<std::vector<double>, D>& traction, double time) {
   const Layout<D>& layout = snapshot.layout();
   typename Snapshot<D>::Grid wall;
   for (int d = 0; d < D - 1; ++d)
@@ -80,11 +88,9 @@ void add_interface_rows(TableFile* table, const Model<D, P>& model, const Stage&
   for (int d = 0; d < D; ++d) displacement[d] = snapshot.displacement(wall, d, false);
   std::vector<double> density;
   if (layout.has_fluid) density = snapshot.density(wall);
-  const bool loaded = layout.has_fluid && model.has_wall();
-  std::array<std::vector<double>, D> traction;
-  if (loaded) traction = wall_traction(model, stage);
-  if (!table) return;
-  for (int d = 0; loaded && d < D; ++d) traction[d] = on_wall<D>(layout, traction[d], wall);
+  const bool loaded = !traction[0].empty();
+  std::array<std::vector<double>, D> force;
+  for (int d = 0; loaded && d < D; ++d) force[d] = on_wall<D>(layout, traction[d], wall);
   for (std::size_t i = 0; i < displacement[0].size(); ++i) {
     std::vector<std::optional<double>> row{time};
     std::size_t rest = i;
@@ -94,14 +100,15 @@ void add_interface_rows(TableFile* table, const Model<D, P>& model, const Stage&
     }
     for (int d = 0; d < D; ++d) row.push_back(displacement[d][i]);
     row.push_back(layout.has_fluid ? std::optional<double>(density[i]) : std::nullopt);
-    for (int d = 0; d < D; ++d) row.push_back(loaded ? std::optional<double>(traction[d][i]) : std::nullopt);
-    table->row(row);
+    for (int d = 0; d < D; ++d) row.push_back(loaded ? std::optional<double>(force[d][i]) : std::nullopt);
+    table.row(row);
   }
 }
 
 using Chosen = Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 template std::array<std::vector<double>, SOFTWET_DIMENSION> wall_traction<SOFTWET_DIMENSION, SOFTWET_DEGREE>(
     const Chosen&, const Stage&);
-template void add_interface_rows(TableFile*, const Chosen&, const Stage&, const Snapshot<SOFTWET_DIMENSION>&, double);
+template void add_interface_rows<SOFTWET_DIMENSION>(TableFile&, const Snapshot<SOFTWET_DIMENSION>&,
+                                                    const std::array<std::vector<double>, SOFTWET_DIMENSION>&, double);
 
 }  // namespace softwet

@@ -22,17 +22,17 @@ std::vector<std::string> interface_columns() {
 /// fluid's residual of a control point over the integral of its function. So the integral of the traction is the sum of
 /// the forces, and a line force is spread over the width of the interface and an element. On a solid these are the very
 /// forces that load it in the equations. It is 0 along the normal of a side that the wall meets: that force belongs to
-/// the side.
+/// the side. All processes have to call it; the first one gets the traction, the others nothing. Empty without a fluid or
+/// a wall.
 template <int D, int P>
 std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage);
 
 /// One row for each point of the wall: two per element along each axis, and the ends. Without a fluid the wall is the
 /// top of the solid; density and traction are empty.
-/// @param table  null on processes that write no files; they take part in the sums
-/// @param stage  at the state of the snapshot
-/// @param time   on the clock of the output
-template <int D, int P>
-void add_interface_rows(TableFile* table, const Model<D, P>& model, const Stage& stage, const Snapshot<D>& snapshot,
-                        double time);
+/// @param traction  wall_traction() at the state of the snapshot
+/// @param time      on the clock of the output
+template <int D>
+void add_interface_rows(TableFile& table, const Snapshot<D>& snapshot,
+                        const std::array<std::vector<double>, D>& traction, double time);
 
 }  // namespace softwet

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/cap.hpp"
+#include "field/ranks.hpp"
 #include "observe/host/columns.hpp"
 #include "observe/phase_samples.hpp"
 
@@ -35,8 +36,7 @@ std::vector<std::string> Scalars<D, P>::columns() const {
 }
 
 template <int D, int P>
-void Scalars<D, P>::add_integrals(long step, const State& state, const Stage& end, Row& row) {
-  const Integrals sum = model_.integrals(end);
+void Scalars<D, P>::add_integrals(long step, const Integrals& sum, double load_power, Row& row) {
   const double free_energy = sum.energy_bulk + sum.energy_gradient;
   const bool fluid = model_.layout().has_fluid;
   const auto of_fluid = [fluid](double x) { return fluid ? std::optional<double>(x) : std::nullopt; };
@@ -45,20 +45,19 @@ void Scalars<D, P>::add_integrals(long step, const State& state, const Stage& en
   headline_.wall_stretch = sum.wall_stretch;
   headline_.gravity = sum.energy_gravity;
   headline_.mass_drift = of_fluid(sum.mass / latest_.mass_start - 1);
-  row.insert(row.end(),
-             {of_fluid(sum.mass), sum.momentum[0], sum.energy_kinetic, of_fluid(free_energy), of_fluid(sum.energy_wall),
-              sum.energy_elastic, model_.load_power(state.time, state.unknown), sum.viscous + sum.stabilisation});
+  row.insert(row.end(), {of_fluid(sum.mass), sum.momentum[0], sum.energy_kinetic, of_fluid(free_energy),
+                         of_fluid(sum.energy_wall), sum.energy_elastic, load_power, sum.viscous + sum.stabilisation});
 }
 
 template <int D, int P>
-void Scalars<D, P>::add_extremes(const Snapshot<D>& snapshot, Row& row) const {
+void Scalars<D, P>::add_extremes(const Extremes& found, Row& row) const {
   const Layout<D>& layout = model_.layout();
   if (layout.has_fluid) {
-    row.insert(row.end(), {snapshot.density_min(), snapshot.density_max(), snapshot.speed_max(true)});
+    row.insert(row.end(), {found.density_min, found.density_max, found.speed_fluid});
   } else {
     row.insert(row.end(), 3, std::nullopt);
   }
-  row.push_back(layout.has_solid ? std::optional<double>(snapshot.speed_max(false)) : std::nullopt);
+  row.push_back(layout.has_solid ? std::optional<double>(found.speed_solid) : std::nullopt);
 }
 
 template <int D, int P>
@@ -109,19 +108,24 @@ double Scalars<D, P>::laplace_pressure(const Snapshot<D>& snapshot) const {
 
 template <int D, int P>
 auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& state, const Stage& end) -> Row {
+  const Layout<D>& layout = model_.layout();
+  const Integrals sum = model_.integrals(end);
+  const double load_power = model_.load_power(state.time, state.unknown);
+  const Extremes extremes = find_extremes(layout, state, middle());
+  const Snapshot<D> snapshot(layout, state, SnapshotOf::all_but_velocity);
+  if (!ranks::root()) return {};
   latest_ = memory_;
   latest_.step = step;
   latest_.time = state.time;
   Row row{static_cast<double>(step), state.time - case_.clock_zero(), report.dt, static_cast<double>(report.newton),
           static_cast<double>(report.krylov)};
-  const Snapshot<D> snapshot(model_.layout(), state);
-  add_integrals(step, state, end, row);
-  add_extremes(snapshot, row);
+  add_integrals(step, sum, load_power, row);
+  add_extremes(extremes, row);
   add_droplets(snapshot, step, row);
   follow_bodies(snapshot);
   row.insert(row.end(), {headline_.energy, headline_.mass_drift});
-  if (model_.layout().has_fluid) {
-    row.insert(row.end(), {snapshot.speed_max_above(middle()), headline_.wall_stretch, headline_.gravity});
+  if (layout.has_fluid) {
+    row.insert(row.end(), {extremes.speed_liquid, headline_.wall_stretch, headline_.gravity});
   } else {
     row.insert(row.end(), 3, std::nullopt);
   }

@@ -8,6 +8,7 @@
 #include "case/case.hpp"
 #include "model/model.hpp"
 #include "observe/contacts.hpp"
+#include "observe/extremes.hpp"
 #include "observe/host/bodies.hpp"
 #include "time/stepper.hpp"
 
@@ -41,7 +42,8 @@ class Scalars {
   /// the contact line of a droplet that is not on the wall.
   std::vector<std::string> columns() const;
 
-  /// One row. `end` is the stage at the state itself.
+  /// One row. `end` is the stage at the state itself. All processes have to call it; the first one gets the row, and it alone
+  /// follows the droplets from row to row. The others get an empty row.
   Row evaluate(long step, const StepReport& report, const State& state, const Stage& end);
 
   /// Makes the row last evaluated the one that the next velocities refer to.
@@ -55,8 +57,8 @@ class Scalars {
   const Headline& headline() const { return headline_; }
 
  private:
-  void add_integrals(long step, const State&, const Stage&, Row&);
-  void add_extremes(const Snapshot<D>&, Row&) const;
+  void add_integrals(long step, const Integrals&, double load_power, Row&);
+  void add_extremes(const Extremes&, Row&) const;
   void add_droplets(const Snapshot<D>&, long step, Row&);
   void follow_bodies(const Snapshot<D>&);
   double middle() const;  ///< density of the level set that is the surface of a droplet

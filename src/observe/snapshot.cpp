@@ -1,22 +1,26 @@
 #include "observe/snapshot.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
 #include "field/exchange.hpp"
+#include "field/vector.hpp"
 #include "kernels/point/geometry.hpp"
 
 namespace softwet {
 
 template <int D>
-Snapshot<D>::Snapshot(const Layout<D>& layout, const State& state)
+Snapshot<D>::Snapshot(const Layout<D>& layout, const State& state, SnapshotOf parts)
     : layout_(layout.whole_patch()),
-      unknown_(to_host_of_patch(layout, state.unknown)),
-      displacement_(to_host_of_patch(layout, state.displacement)) {}
+      scalars_(to_host_on_root(layout, part(state.unknown, layout.density_offset(), layout.size()))),
+      displacement_(to_host_on_root(layout, state.displacement)) {
+  if (parts == SnapshotOf::all_fields)
+    velocity_ = to_host_on_root(layout, part(state.unknown, 0, layout.velocity_size()));
+}
 
 template <int D>
-std::vector<double> Snapshot<D>::component(const double* box, int rows, const Grid& grid, int shift, int lowest,
-                                           int highest, int derivative) const {
+std::vector<double> Snapshot<D>::component(const std::vector<double>& values, int first, int rows, const Grid& grid,
+                                           int shift, int lowest, int highest, int derivative) const {
+  if (values.empty()) throw std::logic_error("this snapshot does not hold the field that is asked for");
   std::array<int, D> extent;
   std::array<AxisSamples, D> at;
   for (int d = 0; d < D; ++d) {
@@ -25,25 +29,25 @@ std::vector<double> Snapshot<D>::component(const double* box, int rows, const Gr
     at[d] =
         last ? sample_axis(layout_.axis[d], grid[d], shift, lowest, highest) : sample_axis(layout_.axis[d], grid[d]);
   }
-  return evaluate_grid<D>(box, extent, at, derivative);
+  return evaluate_grid<D>(values.data() + first, extent, at, derivative);
 }
 
 template <int D>
 std::vector<double> Snapshot<D>::velocity(const Grid& grid, int d, bool in_fluid) const {
   const int all = layout_.axis[D - 1].elements();
-  return component(unknown_.data() + layout_.velocity_offset(d), layout_.rows, grid, 0,
-                   in_fluid ? layout_.solid_elements : 0, in_fluid ? all : layout_.solid_elements);
+  return component(velocity_, layout_.velocity_offset(d), layout_.rows, grid, 0, in_fluid ? layout_.solid_elements : 0,
+                   in_fluid ? all : layout_.solid_elements);
 }
 
 template <int D>
 std::vector<double> Snapshot<D>::density(const Grid& grid, int derivative) const {
-  return component(unknown_.data() + layout_.density_offset(), layout_.fluid_rows(), grid, layout_.wall_row,
-                   layout_.solid_elements, layout_.axis[D - 1].elements(), derivative);
+  return component(scalars_, 0, layout_.fluid_rows(), grid, layout_.wall_row, layout_.solid_elements,
+                   layout_.axis[D - 1].elements(), derivative);
 }
 
 template <int D>
 std::vector<double> Snapshot<D>::chemical_potential(const Grid& grid) const {
-  return component(unknown_.data() + layout_.potential_offset(), layout_.fluid_rows(), grid, layout_.wall_row,
+  return component(scalars_, layout_.scalar_size(), layout_.fluid_rows(), grid, layout_.wall_row,
                    layout_.solid_elements, layout_.axis[D - 1].elements());
 }
 
@@ -52,11 +56,12 @@ std::vector<double> Snapshot<D>::displacement(const Grid& grid, int d, bool in_f
   std::size_t wall_points = 1;
   for (int a = 0; a < D - 1; ++a) wall_points *= grid[a].size();
   if (!layout_.has_solid) return std::vector<double>(wall_points * grid[D - 1].size(), 0.0);
-  const double* box = displacement_.data() + layout_.displacement_offset(d);
-  if (!in_fluid) return component(box, layout_.solid_rows(), grid, 0, 0, layout_.solid_elements);
+  const int first = layout_.displacement_offset(d);
+  if (!in_fluid) return component(displacement_, first, layout_.solid_rows(), grid, 0, 0, layout_.solid_elements);
   Grid wall = grid;
   wall[D - 1] = {wall_height()};
-  const std::vector<double> trace = component(box, layout_.solid_rows(), wall, 0, 0, layout_.solid_elements);
+  const std::vector<double> trace =
+      component(displacement_, first, layout_.solid_rows(), wall, 0, 0, layout_.solid_elements);
   const Blend blend{wall_height(), layout_.axis[D - 1].length() - wall_height()};
   std::vector<double> result;
   for (double y : grid[D - 1])
@@ -66,39 +71,8 @@ std::vector<double> Snapshot<D>::displacement(const Grid& grid, int d, bool in_f
 
 template <int D>
 std::vector<double> Snapshot<D>::displacement_gradient(const Grid& grid, int d, int axis) const {
-  return component(displacement_.data() + layout_.displacement_offset(d), layout_.solid_rows(), grid, 0, 0,
+  return component(displacement_, layout_.displacement_offset(d), layout_.solid_rows(), grid, 0, 0,
                    layout_.solid_elements, axis);
-}
-
-template <int D>
-double Snapshot<D>::extreme(int first, int count, int sign) const {
-  const auto begin = unknown_.begin() + first, end = begin + count;
-  if (count == 0) return 0;
-  return sign > 0 ? *std::max_element(begin, end) : *std::min_element(begin, end);
-}
-
-template <int D>
-double Snapshot<D>::speed_max(bool in_fluid) const {
-  const int first = in_fluid ? layout_.wall_row : 0, last = in_fluid ? layout_.rows : layout_.solid_rows();
-  double largest = 0;
-  for (int i = first * layout_.row_size; i < last * layout_.row_size; ++i) {
-    double square = 0;
-    for (int d = 0; d < D; ++d) square += std::pow(unknown_[layout_.velocity_offset(d) + i], 2);
-    largest = std::max(largest, square);
-  }
-  return std::sqrt(largest);
-}
-
-template <int D>
-double Snapshot<D>::speed_max_above(double density) const {
-  double largest = 0;
-  for (int i = 0; i < layout_.scalar_size(); ++i) {
-    if (!(unknown_[layout_.density_offset() + i] > density)) continue;
-    double square = 0;
-    for (int d = 0; d < D; ++d) square += std::pow(unknown_[layout_.velocity_offset(d) + layout_.fluid_shift() + i], 2);
-    largest = std::max(largest, square);
-  }
-  return std::sqrt(largest);
 }
 
 template class Snapshot<2>;

@@ -1,4 +1,4 @@
-// A host copy of the state of the whole patch that can be evaluated anywhere.
+// A host copy of the state of the whole patch that can be evaluated at any point.
 #pragma once
 
 #include "field/stage.hpp"
@@ -7,12 +7,16 @@
 
 namespace softwet {
 
-/// Fields of a state on tensor grids of reference points. 2D: plane strain.
+/// What a snapshot holds of a state.
+enum class SnapshotOf { all_fields, all_but_velocity };
+
+/// Fields of a state on tensor grids of reference points. 2D: plane strain. Of several processes the first one has the
+/// fields, so that it alone can evaluate them.
 template <int D>
 class Snapshot {
  public:
-  /// Collects the state of all processes, on each of them.
-  Snapshot(const Layout<D>& layout, const State& state);
+  /// Collects the state of all processes on the first one: all have to call it.
+  Snapshot(const Layout<D>& layout, const State& state, SnapshotOf parts = SnapshotOf::all_fields);
 
   using Grid = std::array<std::vector<double>, D>;  ///< reference coordinates per axis
 
@@ -27,20 +31,15 @@ class Snapshot {
 
   const Layout<D>& layout() const { return layout_; }  ///< of the whole patch
   double wall_height() const { return layout_.axis[D - 1].lower(layout_.solid_elements); }
-  double density_min() const { return extreme(layout_.density_offset(), layout_.scalar_size(), -1); }
-  double density_max() const { return extreme(layout_.density_offset(), layout_.scalar_size(), 1); }
-  /// Largest |control value| of the velocity on the rows of the fluid (wall included) or of the solid.
-  double speed_max(bool in_fluid) const;
-  /// The same of control points whose density is above a level.
-  double speed_max_above(double density) const;
 
  private:
-  std::vector<double> component(const double* box, int rows, const Grid&, int shift, int lowest, int highest,
-                                int derivative = -1) const;
-  double extreme(int first, int count, int sign) const;
+  /// @param first  of the component's control values among `values`
+  /// @throws std::logic_error  where these are not here
+  std::vector<double> component(const std::vector<double>& values, int first, int rows, const Grid&, int shift,
+                                int lowest, int highest, int derivative = -1) const;
 
   Layout<D> layout_;
-  std::vector<double> unknown_, displacement_;
+  std::vector<double> velocity_, scalars_, displacement_;  ///< scalars: density and chemical potential
 };
 
 }  // namespace softwet

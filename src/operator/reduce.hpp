@@ -69,19 +69,19 @@ std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Mot
   const Colouring<D> rows(task.region, 1, 0, false);
   const ElementColumns& columns = rows.first_axis;
   const int strips = columns.last_strip - columns.first_strip, items = rows.items() * strips;
-  const SumSpace& space = sum_space(static_cast<std::size_t>(items) * count);
+  const SumScratch& scratch = sum_scratch(static_cast<std::size_t>(items) * count);
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
     if constexpr (host_algorithms) {
       Kokkos::parallel_for("softwet::reduce", Items(0, items),
-                           ReduceRow<D, P, Q, Rate, Functional, Motion>{task, rows, space.device});
+                           ReduceRow<D, P, Q, Rate, Functional, Motion>{task, rows, scratch.device});
     } else {
-      TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(task, rows, space.device, items);
+      TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(task, rows, scratch.device, items);
     }
   });
-  Kokkos::deep_copy(space.host, space.device);
-  StripTotals totals(columns.strips, count);
+  Kokkos::deep_copy(scratch.host, scratch.device);
+  StripTotals totals(columns.strips, count, task.region.columns.strips > 0);
   for (int i = 0; i < items; ++i)
-    for (int f = 0; f < count; ++f) totals.add(columns.first_strip + i % strips, f, space.host(i * count + f));
+    for (int f = 0; f < count; ++f) totals.add(columns.first_strip + i % strips, f, scratch.host(i * count + f));
   std::array<double, count> sum{};
   for (int f = 0; f < count; ++f) sum[f] = totals.total(f);
   return sum;

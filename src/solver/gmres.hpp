@@ -25,11 +25,11 @@ class GmresOf {
  public:
   using Vector = ArrayOf<Real>;
 
-  GmresOf(int size, int restart)
+  GmresOf(const VectorSpace& space, int size, int restart)
       : restart_(restart),
         residual_("gmres.residual", size),
-        basis_("gmres.basis", size, restart + 1),
-        direction_("gmres.direction", size, restart) {}
+        basis_("gmres.basis", space, size, restart + 1),
+        direction_("gmres.direction", space, size, restart) {}
 
   /// Solves A x = b from x = 0 to ||b - A x|| <= tolerance ||b||, in at most `limit` iterations.
   /// @param weights  of the squares in norms

@@ -20,14 +20,15 @@ class GramSchmidt {
   using Vector = ArrayOf<Real>;
   using Dots = typename KrylovBasis<Real>::Dots;
 
-  GramSchmidt(const char* name, int size, int count) : basis_(name, size, count) {}
+  GramSchmidt(const char* name, const VectorSpace& space, int size, int count)
+      : space_(space), basis_(name, space, size, count) {}
 
   const Vector& operator[](int j) const { return basis_[j]; }
   const std::vector<double>& column(int j) const { return column_[j]; }
   double length(int j) const { return length_[j]; }  ///< of A z_j
   bool waits() const { return waits_; }              ///< the second pass of the last vector
   void sum(const Vector& out, const Combination& c) const { basis_.sum(out, c); }
-  double length_of(const Vector& x) const { return weighted_norm<Real>(x, weights_); }
+  double length_of(const Vector& x) const { return weighted_norm<Real>(space_, x, weights_); }
 
   /// Begins with a vector of this length, over its length.
   void begin(const Vector& first, double length) {
@@ -129,6 +130,7 @@ class GramSchmidt {
 
   static constexpr double unit = std::is_same_v<Real, double> ? 1e-16 : 6e-8, most_skew = 1e-3;
 
+  VectorSpace space_;
   KrylovBasis<Real> basis_;
   RangeFactors weights_;
   std::vector<std::vector<double>> column_;

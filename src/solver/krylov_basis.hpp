@@ -50,8 +50,8 @@ class KrylovBasis {
  public:
   using Vector = ArrayOf<Real>;
 
-  KrylovBasis(const char* name, int size, int count)
-      : size_(size), stride_((size + 15) / 16 * 16), all_(name, std::size_t(stride_) * count) {
+  KrylovBasis(const char* name, const VectorSpace& space, int size, int count)
+      : space_(space), size_(size), stride_((size + 15) / 16 * 16), all_(name, std::size_t(stride_) * count) {
     for (int j = 0; j < count; ++j) {
       const std::size_t first = std::size_t(j) * stride_;
       vector_.push_back(Kokkos::subview(all_, Kokkos::make_pair(first, first + size)));
@@ -67,15 +67,16 @@ class KrylovBasis {
   };
   /// With v_0 .. v_{count - 1}.
   Dots dots(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
-    std::vector<double> sums = strip_sums<Real>({{all_.data(), stride_, count, {w.data()}, true, size_, weights}});
+    std::vector<double> sums =
+        strip_sums<Real>({{space_, all_.data(), stride_, count, {w.data()}, true, size_, weights}});
     const double square = sums.back();
     sums.pop_back();
     return {std::move(sums), square};
   }
   /// Those of w, and those of v_{count - 1} with the vectors before it, in one pass over the vectors.
   std::pair<Dots, Dots> dots_with_last(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
-    const std::vector<double> sums =
-        strip_sums<Real>({{all_.data(), stride_, count, {w.data(), vector_[count - 1].data()}, true, size_, weights}});
+    const std::vector<double> sums = strip_sums<Real>(
+        {{space_, all_.data(), stride_, count, {w.data(), vector_[count - 1].data()}, true, size_, weights}});
     Dots of_w, of_last;
     for (int j = 0; j < count; ++j) {
       of_w.along.push_back(sums[2 * j]);
@@ -111,6 +112,7 @@ class KrylovBasis {
     }
   }
 
+  VectorSpace space_;
   int size_, stride_;
   Vector all_;
   std::vector<Vector> vector_;

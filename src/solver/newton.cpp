@@ -21,9 +21,10 @@ constexpr double worn = 1.3;
 /// `rtol`: a droplet at rest then differs 25 times more from its mirror image (docs/solver_choices.md).
 constexpr double first_forcing = 0.1;
 
-std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(int size, int restart, LinearSolves precision) {
-  if (precision == LinearSolves::single) return LinearSpace<float>(size, restart);
-  return LinearSpace<double>(size, restart);
+std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(const VectorSpace& space, int size, int restart,
+                                                                   LinearSolves precision) {
+  if (precision == LinearSolves::single) return LinearSpace<float>(space, size, restart);
+  return LinearSpace<double>(space, size, restart);
 }
 
 /// Tells when a step is given up, from its third iteration on.
@@ -45,8 +46,10 @@ class Trend {
 
 }  // namespace
 
-Newton::Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditioner, LinearSolves linear)
-    : linear_(linear_space(size, restart, linear)),
+Newton::Newton(const VectorSpace& space, int size, int restart, std::unique_ptr<Preconditioner> preconditioner,
+               LinearSolves linear)
+    : space_(space),
+      linear_(linear_space(space, size, restart, linear)),
       preconditioner_(std::move(preconditioner)),
       residual_("newton.residual", size),
       probe_("newton.probe", size) {
@@ -80,8 +83,8 @@ void Newton::jacobian_product(const NonlinearSystem& system, const NewtonControl
                               const Array& z, const Array& out) {
   Stopwatch watch(counts_.product_seconds, counts_.products++);
   if (control.jacobian == JacobianKind::exact) return system.product(z, out);
-  const double size = norm(z);
-  const double epsilon = size > 0 ? 1e-7 * (1 + norm(x)) / size : 1.0;
+  const double size = norm(space_, z);
+  const double epsilon = size > 0 ? 1e-7 * (1 + norm(space_, x)) / size : 1.0;
   Kokkos::deep_copy(Exec(), probe_, x);
   add_scaled(probe_, 0, epsilon, z);
   system.residual(probe_, out);
@@ -188,7 +191,7 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
       ++counts_.residuals;
       system.residual(x, residual_);
     }
-    const std::vector<double> sizes = norms(residual_, fields);
+    const std::vector<double> sizes = norms(space_, residual_, fields);
     if (result.iterations == 0) set_weights(fields, sizes);
     const double size = weighted_norm(sizes);
     if (!std::isfinite(size)) {

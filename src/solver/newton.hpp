@@ -67,7 +67,8 @@ class Wear {
 /// GMRES and the vectors of a linear solve, in one precision.
 template <class Real>
 struct LinearSpace {
-  LinearSpace(int size, int restart) : gmres(size, restart), step("newton.step", size) {
+  LinearSpace(const VectorSpace& space, int size, int restart)
+      : gmres(space, size, restart), step("newton.step", size) {
     if (!std::is_same_v<Real, double>) right = ArrayOf<Real>("newton.right", size);
   }
   GmresOf<Real> gmres;
@@ -135,7 +136,7 @@ enum class LinearSolves { full, single };
 class Newton {
  public:
   /// @param linear  precision of the linear solves; `single` needs the product in single precision
-  Newton(int size, int restart, std::unique_ptr<Preconditioner> preconditioner,
+  Newton(const VectorSpace&, int size, int restart, std::unique_ptr<Preconditioner> preconditioner,
          LinearSolves linear = LinearSolves::full);
 
   /// Improves x until the weighted residual has fallen by rtol.
@@ -164,6 +165,7 @@ class Newton {
   void build(const NonlinearSystem&);
   Refusal update(const NonlinearSystem&, const Array& x);
 
+  VectorSpace space_;
   std::variant<LinearSpace<double>, LinearSpace<float>> linear_;
   std::unique_ptr<Preconditioner> preconditioner_;
   Array residual_, step_, probe_;

@@ -66,12 +66,6 @@ AxisRule gauss_rule(const Axis& axis, const ElementColumns& columns, int points)
 
 AxisRule low_face_rule(const Axis& axis, int first) { return tabulate(axis, range(first, first + 1), {0.0}, {1.0}); }
 
-AxisRule sample_rule(const Axis& axis, int first, int last, int points) {
-  std::vector<double> fraction(points), weight(points, 1.0 / points);
-  for (int p = 0; p < points; ++p) fraction[p] = points > 1 ? static_cast<double>(p) / (points - 1) : 0.5;
-  return tabulate(axis, range(first, last), fraction, weight);
-}
-
 AxisRuleOf<float> in_single(const AxisRule& rule) {
   const auto cube = [](const auto& table) {
     const Kokkos::View<float***, Kokkos::LayoutRight, Exec> to("rounded", table.extent(0), table.extent(1),

@@ -42,7 +42,4 @@ AxisRule restricted_to(const AxisRule& rule, int function);
 /// The same points as `rule` with one test function for all elements, 1 - (x - low) / height, at control value `row`.
 AxisRule linear_from(const AxisRule& rule, int row, double low, double height);
 
-/// `points` equidistant points of weight 1/points per element, ends included, for output.
-AxisRule sample_rule(const Axis&, int first, int last, int points);
-
 }  // namespace softwet

@@ -20,10 +20,11 @@ ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, co
     : judge_(judge),
       system_(model, c.time.mass == "lumped" ? MassKind::lumped : MassKind::consistent),
       scheme_(runge_kutta(c.time.scheme, system_.size())),
-      linear_(system_),
-      spectrum_(system_.size(), system_.free_values()),
-      stiff_spectrum_(scheme_->needs_stiff_radius() ? system_.size() : 0, system_.free_values()),
-      stability_(system_.size(), system_.free_values()),
+      linear_(system_, model.layout().space()),
+      spectrum_(model.layout().space(), system_.size(), system_.free_values()),
+      stiff_spectrum_(model.layout().space(), scheme_->needs_stiff_radius() ? system_.size() : 0,
+                      system_.free_values()),
+      stability_(model.layout().space(), system_.size(), system_.free_values()),
       safety_(c.time.safety) {
   for (Array* a : {&y_, &rates_, &next_, &next_rates_}) *a = Array("explicit.vector", system_.size());
 }

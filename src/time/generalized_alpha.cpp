@@ -160,8 +160,8 @@ void GeneralizedAlpha<D, P>::finish(const Array& x, State& state) {
 template <int D, int P>
 void GeneralizedAlpha<D, P>::match_mass(const State& state) const {
   const Layout<D>& l = model_.layout();
-  const Integrals sum = model_.integrals(stage_at(l, state));
-  const double shift = (total(state.moment) - sum.mass) / sum.volume;
+  const Filling sum = model_.filling(stage_at(l, state));
+  const double shift = (total(l.space(), state.moment) - sum.mass) / sum.volume;
   add_constant(piece_of(state.unknown, l.density_offset(), l.scalar_size()), shift);
 }
 

@@ -65,7 +65,7 @@ ImplicitScheme<D, P>::ImplicitScheme(const Model<D, P>& model, const Case& c, co
     : model_(model),
       judge_(judge),
       integrator_(model, c.time.rho_inf),
-      newton_(model.layout().size(), c.solver.krylov_restart, preconditioner_of(c, model),
+      newton_(model.layout().space(), model.layout().size(), c.solver.krylov_restart, preconditioner_of(c, model),
               model.precision() == Precision::full ? LinearSolves::full : LinearSolves::single),
       newton_control_(newton_control(c)),
       geometry_(c.solver.jacobian == "frozen" ? Geometry::frozen : Geometry::exact),
@@ -94,7 +94,7 @@ std::vector<FieldRange> ImplicitScheme<D, P>::fields() const {
 template <int D, int P>
 void ImplicitScheme<D, P>::measure_round_off(std::vector<FieldRange>& fields) {
   integrator_.round_off(x_, round_off_);
-  const std::vector<double> sizes = norms(round_off_, fields);
+  const std::vector<double> sizes = norms(model_.layout().space(), round_off_, fields);
   for (std::size_t f = 0; f < fields.size(); ++f) fields[f].round_off = sizes[f];
 }
 

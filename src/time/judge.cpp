@@ -7,11 +7,10 @@ namespace {
 
 /// Smallest and largest value of an array over all processes, each in its own columns; a value that is not finite becomes
 /// the largest, infinity.
-std::pair<double, double> range(const ConstArray& x) {
+std::pair<double, double> range(const VectorSpace& space, const ConstArray& x) {
   Kokkos::MinMaxScalar<double> r;
-  const SumColumns& c = sum_columns();
-  const bool all = c.stored == 0 || c.end - c.begin == c.stored;
-  const int stored = c.stored, begin = c.begin, width = c.end - c.begin;
+  const int stored = space.stored, begin = space.begin, width = space.end - space.begin;
+  const bool all = width == stored;
   Kokkos::parallel_reduce(
       "softwet::range", Items(0, all ? x.extent(0) : x.extent(0) / stored * width),
       KOKKOS_LAMBDA(int i, Kokkos::MinMaxScalar<double>& best) {
@@ -24,8 +23,8 @@ std::pair<double, double> range(const ConstArray& x) {
   return {ranks::least(r.min_val), ranks::largest(r.max_val)};
 }
 
-Refusal density_complaint(const ConstArray& density, double undershoot) {
-  const auto [least, largest] = range(density);
+Refusal density_complaint(const VectorSpace& space, const ConstArray& density, double undershoot) {
+  const auto [least, largest] = range(space, density);
   if (!(largest < 0.999)) return {Refusal::close_packed};
   // Undershoots of the vapour's small density are admissible: W is continued below it.
   if (least <= -undershoot) return {Refusal::negative_density};
@@ -44,16 +43,18 @@ Judge<D, P>::Judge(const Model<D, P>& model, const Case& c)
 template <int D, int P>
 Refusal Judge<D, P>::of_values(const ConstArray& x) const {
   const Layout<D>& l = model_.layout();
-  if (!std::isfinite(range(x).second)) return {Refusal::not_finite};
-  return l.has_fluid ? density_complaint(part(x, l.density_offset(), l.potential_offset()), undershoot_) : Refusal{};
+  if (!std::isfinite(range(l.space(), x).second)) return {Refusal::not_finite};
+  return l.has_fluid ? density_complaint(l.space(), part(x, l.density_offset(), l.potential_offset()), undershoot_)
+                     : Refusal{};
 }
 
 template <int D, int P>
 Refusal Judge<D, P>::of_end(const Stage& stage) const {
-  const Integrals sum = model_.integrals(stage);
-  if (sum.inverted > 0) return {Refusal::solid_inverted};
-  if (sum.folded > 0) return {Refusal::mesh_folded};
-  return model_.layout().has_fluid ? density_complaint(stage.density_end, undershoot_) : Refusal{};
+  const MeshFaults faults = model_.faults(stage);
+  if (faults.inverted > 0) return {Refusal::solid_inverted};
+  if (faults.folded > 0) return {Refusal::mesh_folded};
+  const Layout<D>& l = model_.layout();
+  return l.has_fluid ? density_complaint(l.space(), stage.density_end, undershoot_) : Refusal{};
 }
 
 template <int D, int P>
@@ -64,10 +65,10 @@ double Judge<D, P>::indicator(const StepHistory& history, const Array& values, d
   add_scaled(difference_, 0, -1 - f, history.state.unknown);
   add_scaled(difference_, 0, f, history.previous);
   const int nv = l.velocity_size();
-  const double v = norm(part(difference_, 0, nv)) / std::sqrt(entries_of_patch(l, nv) / D) * dt / length_;
+  const double v = norm(l.space(), part(difference_, 0, nv)) / std::sqrt(entries_of_patch(l, nv) / D) * dt / length_;
   if (!l.has_fluid) return v;
   const double jump = model_.state().density_liquid - model_.state().density_vapour;
-  const double rho = norm(part(difference_, l.density_offset(), l.potential_offset()));
+  const double rho = norm(l.space(), part(difference_, l.density_offset(), l.potential_offset()));
   return std::max(v, rho / std::sqrt(entries_of_patch(l, l.scalar_size())) / jump);
 }
 

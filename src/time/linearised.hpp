@@ -9,7 +9,9 @@ namespace softwet {
 /// z' = J z with J z = (f(y + s z) - f(y)) / s, s small. What the stiff part depends on is kept as it was held last.
 class Linearised final : public Evolution {
  public:
-  explicit Linearised(Evolution& whole) : whole_(whole), probe_("linearised.probe", whole.size()) {}
+  /// @param space  of its vectors
+  Linearised(Evolution& whole, const VectorSpace& space)
+      : whole_(whole), space_(space), probe_("linearised.probe", whole.size()) {}
 
   /// @param rates  f(t, y), or the gentle rates where `gentle`: then the stiff part is added to them where f is asked for
   void set_base(double t, const Array& y, const Array& rates, bool gentle) {
@@ -34,9 +36,9 @@ class Linearised final : public Evolution {
  private:
   Refusal difference(const Array& z, const Array& out) {
     Kokkos::deep_copy(Exec(), out, 0.0);
-    const double length = norm(z);
+    const double length = norm(space_, z);
     if (!(length > 0)) return {};
-    const double step = 1e-7 * (1 + norm(y_)) / length;
+    const double step = 1e-7 * (1 + norm(space_, y_)) / length;
     Kokkos::deep_copy(Exec(), probe_, y_);
     add_scaled(probe_, 0, step, z);
     const Refusal problem = gentle_ ? whole_.gentle_rates(t_, probe_, out) : whole_.rates(t_, probe_, out);
@@ -46,6 +48,7 @@ class Linearised final : public Evolution {
   }
 
   Evolution& whole_;
+  VectorSpace space_;
   Array probe_, stiff_, y_, rates_;
   double t_ = 0;
   bool gentle_ = false;

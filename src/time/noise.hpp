@@ -13,7 +13,7 @@ struct AddNoise {
   Array a;
   ConstArray free;
   double scale;
-  int stored, first, functions;  ///< columns of a line; SumColumns::first_function, and those of it
+  int stored, first, functions;  ///< columns of a line; VectorSpace::first_function, and those of it
   KOKKOS_FUNCTION void operator()(int i) const {
     const unsigned place = static_cast<unsigned>(i / stored) * functions + first + i % stored;
     const unsigned mixed = (place * 2654435761u) ^ (place >> 7);
@@ -23,16 +23,13 @@ struct AddNoise {
 
 /// Adds a tenth of a vector's length in noise, so that modes grow that have become the largest since the last search; to a
 /// vector that is zero, noise alone.
-inline void add_noise(const Array& a, const ConstArray& free) {
+inline void add_noise(const VectorSpace& space, const Array& a, const ConstArray& free) {
   constexpr double part = 0.1;
-  const SumColumns& scene = sum_columns();
-  const bool cut = scene.stored > 0;
-  const int stored = cut ? scene.stored : 1, functions = cut ? scene.functions : 1;
-  const double all = static_cast<double>(a.extent(0)) / stored * functions;
-  const double length = norm(a), size = all > 0 ? all : 1;
+  const double all = static_cast<double>(a.extent(0)) / space.stored * space.functions;
+  const double length = norm(space, a), size = all > 0 ? all : 1;
   const double scale = length > 0 ? part * length / std::sqrt(size) : 1;
   Kokkos::parallel_for("softwet::noise", Items(0, a.extent(0)),
-                       AddNoise{a, free, scale, stored, cut ? scene.first_function : 0, functions});
+                       AddNoise{a, free, scale, space.stored, space.first_function, space.functions});
 }
 
 }  // namespace softwet

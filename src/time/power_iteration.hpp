@@ -12,8 +12,8 @@ namespace softwet {
 class PowerIteration {
  public:
   /// @param free  1 where the operator's vectors may be anything, else 0; empty: everywhere
-  explicit PowerIteration(int size, ConstArray free = {})
-      : direction_("power.direction", size), product_("power.product", size), free_(std::move(free)) {}
+  explicit PowerIteration(const VectorSpace& space, int size, ConstArray free = {})
+      : space_(space), direction_("power.direction", size), product_("power.product", size), free_(std::move(free)) {}
 
   /// @param apply  apply(z, out) writes the product with z and tells whether there is one
   template <class Apply>
@@ -23,15 +23,15 @@ class PowerIteration {
     constexpr int window = 8, most = 80;
     constexpr double settled = 0.01;
     double growth[most + 1] = {}, cosine[most + 1] = {};  // growth: logarithm of that since the beginning
-    add_noise(direction_, free_);
+    add_noise(space_, direction_, free_);
     radius_ = 0;
     for (int k = 1; k <= most; ++k) {
-      const double length = norm(direction_);
+      const double length = norm(space_, direction_);
       if (!(length > 0) || !apply(direction_, product_)) break;
-      const double size = norm(product_);
+      const double size = norm(space_, product_);
       if (!(size > 0) || !std::isfinite(size)) break;
       growth[k] = growth[k - 1] + std::log(size / length);
-      cosine[k] = dot(product_, direction_) / (size * length);
+      cosine[k] = dot(space_, product_, direction_) / (size * length);
       combine(direction_, 1 / size, product_, 0);
       const int first = std::max(0, k - window);
       const double now = std::exp((growth[k] - growth[first]) / (k - first));
@@ -47,6 +47,7 @@ class PowerIteration {
   bool imaginary() const { return imaginary_; }
 
  private:
+  VectorSpace space_;
   Array direction_, product_;
   ConstArray free_;
   double radius_ = 0;

@@ -63,7 +63,7 @@ class Change {
       combine(displacement_, 1, now.displacement, -1);
       const double height = l.has_fluid ? model_.wall_height() : l.axis[D - 1].length();
       const double root = std::sqrt(entries_of_patch(l, l.solid_size()) / D);
-      change.fields = std::max(change.fields, norm(displacement_) / root / height);
+      change.fields = std::max(change.fields, norm(l.space(), displacement_) / root / height);
     }
     keep(now);
     return change;
@@ -72,12 +72,13 @@ class Change {
  private:
   Changes of_density(const ConstArray& now) {
     const double vapour = model_.state().density_vapour, liquid = model_.state().density_liquid;
+    const VectorSpace space = model_.layout().space();
     const double root = std::sqrt(entries_of_patch(model_.layout(), model_.layout().scalar_size()));
     combine(density_, 1, now, -1);
-    const double fields = norm(density_) / root / (liquid - vapour);
+    const double fields = norm(space, density_) / root / (liquid - vapour);
     // Four times: a small droplet has denser vapour around it than a large one (Kelvin).
     relative_in_vapour(density_, now, vapour, std::min(4 * vapour, 0.5 * (vapour + liquid)));
-    return {fields, norm(density_) / root};
+    return {fields, norm(space, density_) / root};
   }
   void keep(const State& now) {
     const Layout<D>& l = model_.layout();

@@ -29,7 +29,7 @@ SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
       masses_(model),
       kind_(kind),
       kronecker_(model.layout(), model.points(), model.mask()),
-      solver_(model.layout().size()),
+      solver_(model.layout().space(), model.layout().size()),
       velocity_(model.layout().velocity_size()),
       solid_(model.layout().solid_size()),
       scalar_(model.layout().scalar_size()),
@@ -253,7 +253,8 @@ void SemiDiscrete<D, P>::stiff_rates(const Array& y, const Array& out) {
 template <int D, int P>
 double SemiDiscrete<D, P>::stiff_quotient(const Array& y) {
   if (!model_.layout().has_fluid) return 0;
-  const auto square = [&](const Array& a) { return dot(part(solution_, 0, velocity_), part(a, 0, velocity_)); };
+  const VectorSpace space = model_.layout().space();
+  const auto square = [&](const Array& a) { return dot(space, part(solution_, 0, velocity_), part(a, 0, velocity_)); };
   Kokkos::deep_copy(Exec(), solution_, 0.0);
   Kokkos::deep_copy(Exec(), cut(solution_, 0, velocity_), part(y, 0, velocity_));
   masses_.velocity(stage_, 0, model_.fluid().viscosity, solution_, right_);

@@ -13,25 +13,28 @@ constexpr double margin = 0.98;  ///< growth of a per cent in a step counts as n
 
 }  // namespace
 
-StabilityLimit::StabilityLimit(int size, ConstArray free) : free_(std::move(free)) {
+StabilityLimit::StabilityLimit(const VectorSpace& space, int size, ConstArray free)
+    : space_(space), free_(std::move(free)) {
   for (Array* a : {&first_, &second_, &third_, &mode_, &rates_, &first_rates_}) *a = Array("stability.vector", size);
 }
 
 void StabilityLimit::step(RungeKutta& scheme, Evolution& f, double t, double dt) {
   ++steps_;
-  const double length = norm(second_);
+  const double length = norm(space_, second_);
   valid_ = length > 0 && std::isfinite(length);
   if (!valid_) return;
   combine(first_, 1 / length, second_, 0);
   combine(second_, 1 / length, third_, 0);
   Kokkos::deep_copy(Exec(), third_, second_);
   const Refusal problem = scheme.treats_stiff_part() ? f.gentle_rates(t, third_, rates_) : f.rates(t, third_, rates_);
-  valid_ = problem.empty() && scheme.advance(f, t, dt, third_, rates_).empty() && std::isfinite(norm(third_));
+  valid_ = problem.empty() && scheme.advance(f, t, dt, third_, rates_).empty() && std::isfinite(norm(space_, third_));
 }
 
-StabilityLimit::Eigenvalue StabilityLimit::pair(const ConstArray& a, const ConstArray& b, const ConstArray& c) {
+StabilityLimit::Eigenvalue StabilityLimit::pair(const ConstArray& a, const ConstArray& b, const ConstArray& c) const {
   // c = sum b - product a, by least squares; sum and product are those of a pair of eigenvalues.
-  const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), ac = dot(a, c), bc = dot(b, c), det = aa * bb - ab * ab;
+  const auto product_of = [this](const ConstArray& x, const ConstArray& y) { return dot(space_, x, y); };
+  const double aa = product_of(a, a), ab = product_of(a, b), bb = product_of(b, b), ac = product_of(a, c);
+  const double bc = product_of(b, c), det = aa * bb - ab * ab;
   if (!(det > 1e-8 * aa * bb)) return {std::abs(bc) / bb, bc / bb};  // one real eigenvalue
   const double half = 0.5 * (aa * bc - ab * ac) / det, product = (ab * bc - bb * ac) / det;
   const double square = half * half - product;
@@ -63,7 +66,7 @@ StabilityLimit::Growth StabilityLimit::growth(RungeKutta& scheme, Evolution& f, 
 
 void StabilityLimit::begin() {
   if (!known_) Kokkos::deep_copy(Exec(), mode_, 0.0);
-  add_noise(mode_, free_);
+  add_noise(space_, mode_, free_);
   Kokkos::deep_copy(Exec(), second_, mode_);
   Kokkos::deep_copy(Exec(), third_, mode_);
 }

@@ -12,7 +12,7 @@ namespace softwet {
 class StabilityLimit {
  public:
   /// @param free  1 where vectors of the evolution may be anything, else 0; empty: everywhere
-  explicit StabilityLimit(int size, ConstArray free = {});
+  explicit StabilityLimit(const VectorSpace&, int size, ConstArray free = {});
 
   /// @param near  a step of the size of the limit. A search goes on from the mode that the last one has found.
   /// @return at most the limit, and at most some per cent less; 0: not found
@@ -50,8 +50,9 @@ class StabilityLimit {
   /// Lengthens dt until the growth is clear. @return that growth, or none
   Growth climb(RungeKutta&, Evolution&, double t, double& dt);
   /// Of the map that takes a to b and b to c, where these vectors are made of one pair of modes.
-  static Eigenvalue pair(const ConstArray& a, const ConstArray& b, const ConstArray& c);
+  Eigenvalue pair(const ConstArray& a, const ConstArray& b, const ConstArray& c) const;
 
+  VectorSpace space_;
   Array first_, second_, third_;  ///< vectors of three steps in a row
   Array mode_;                    ///< that grew at the shortest unstable step
   Array rates_, first_rates_;

@@ -15,7 +15,8 @@ namespace softwet {
 class StiffRadius {
  public:
   /// @param free  1 where the operator's vectors may be anything, else 0; empty: everywhere
-  explicit StiffRadius(int size, ConstArray free = {}) : free_(std::move(free)) {
+  explicit StiffRadius(const VectorSpace& space, int size, ConstArray free = {})
+      : space_(space), free_(std::move(free)) {
     for (Array* a : {&direction_, &before_, &product_}) *a = Array("stiff.vector", size);
   }
 
@@ -25,7 +26,7 @@ class StiffRadius {
   void measure(const Apply& apply, const Quotient& quotient) {
     constexpr int products = 6, least = 2, most = 12;
     constexpr double same = 1.005;
-    add_noise(direction_, free_);
+    add_noise(space_, direction_, free_);
     for (int k = 0; k < products; ++k) {
       apply(direction_, product_);
       if (!take(product_)) return;
@@ -54,7 +55,7 @@ class StiffRadius {
  private:
   /// direction = z / |z|. @return false where z is zero or not finite; the radius is 0 then
   bool take(const Array& z) {
-    const double length = norm(z);
+    const double length = norm(space_, z);
     const bool some = length > 0 && std::isfinite(length);
     radius_ = some ? radius_ : 0;
     combine(direction_, some ? 1 / length : 0, z, 0);
@@ -78,6 +79,7 @@ class StiffRadius {
     }
   }
 
+  VectorSpace space_;
   Array direction_, before_, product_;
   ConstArray free_;
   double radius_ = 0, measured_ = 0;

@@ -12,6 +12,7 @@
 #include "app/host/case_file.hpp"
 #include "app/host/memory.hpp"
 #include "app/host/output_folder.hpp"
+#include "app/together.hpp"
 #include "case/case.hpp"
 #include "case/error.hpp"
 #include "field/ranks.hpp"
@@ -21,9 +22,9 @@ namespace {
 
 /// Tells what deserves a look.
 void warn(const Case& c) {
+  if (!ranks::root()) return;
   std::vector<std::string> all = warnings(c);
   for (const std::string& sentence : forecast_case(c)) all.push_back(sentence);
-  if (!ranks::root()) return;
   for (const std::string& warning : all) std::cerr << "softwet: warning: " << warning << "\n";
 }
 
@@ -34,20 +35,18 @@ Case examined(const Case& c) {
   return c;
 }
 
-Case load_case(const CaseRequest& request) { return examined(read_case(request.case_path, request.overrides)); }
-
-/// Of several processes the first one has the folder. What it is refused ends all.
-void open_on_root(std::optional<OutputFolder>& folder, const std::string& path, const Case& c, OldResult old) {
-  Exit code = Exit::done;
-  std::string refusal;
-  try {
-    if (ranks::root()) folder.emplace(path, c, old);
-  } catch (const Error& error) {
-    code = error.code();
-    refusal = error.what();
-  }
-  code = static_cast<Exit>(ranks::of_root(static_cast<int>(code)));
-  if (code != Exit::done) throw Error(code, refusal);
+/// All processes read the case, and have to find the same one.
+Case load_case(const CaseRequest& request) {
+  Case c;
+  together([&] { c = examined(read_case(request.case_path, request.overrides)); });
+  const std::string of_first = ranks::shared(write_case(c));
+  together([&] {
+    if (write_case(c) != of_first)
+      throw Error(Exit::invalid_input, fmt::format("'{}': this process reads another case than the first one; put the "
+                                                   "file where all machines see the same one",
+                                                   request.case_path));
+  });
+  return c;
 }
 
 void run_command(CaseRequest& request) {
@@ -60,7 +59,7 @@ void run_command(CaseRequest& request) {
                         : request.overwrite    ? OldResult::overwrite
                                                : OldResult::refuse;
   std::optional<OutputFolder> folder;
-  open_on_root(folder, request.options.out, c, old);
+  on_root([&] { folder.emplace(request.options.out, c, old); });  // of several processes the first one has it
   request.options.begin = [&folder] {
     if (folder) folder->begin();
   };

@@ -22,11 +22,11 @@ TEST(Vector, Dot) {
     const std::vector<double> x = ramp(n, 1.1), y = ramp(n, 0.7);
     long double sum = 0;
     for (int i = 0; i < n; ++i) sum += static_cast<long double>(x[i]) * y[i];
-    EXPECT_NEAR(dot(to_device<Array>(x), to_device<Array>(y)), static_cast<double>(sum), 1e-12) << n;
+    EXPECT_NEAR(dot(alone, to_device<Array>(x), to_device<Array>(y)), static_cast<double>(sum), 1e-12) << n;
   }
   const Array x = to_device<Array>(ramp(5000, 1.1));
-  EXPECT_DOUBLE_EQ(norm(x) * norm(x), dot(x, x));
-  EXPECT_EQ(dot(x, x), dot(x, x)) << "same bits every time";
+  EXPECT_DOUBLE_EQ(norm(alone, x) * norm(alone, x), dot(alone, x, x));
+  EXPECT_EQ(dot(alone, x, x), dot(alone, x, x)) << "same bits every time";
 }
 
 TEST(Vector, CombineAddMultiply) {
@@ -53,38 +53,81 @@ TEST(Vector, CombineAddMultiply) {
   EXPECT_EQ(to_host(part(b, 95, 97))[0], 0.5 * r[95]);
 }
 
-// Sums of vectors of the scene go by strips of columns; other vectors are summed as a whole. Both at once here: the first
-// two parts are whole lines of 24 columns, the third one is not.
+/// Vectors on lines of so many columns that one process has.
+VectorSpace lines_of(int columns) { return VectorSpace(cut_columns(Axis(1.0, columns - 2, 2), 0, 1)); }
+
+// Vectors of the columns of a mesh are summed by strips; others as a whole. Those of columns are whole lines of them.
 TEST(Vector, NormsOfSeveralParts) {
   const Array x = to_device<Array>(ramp(24 * 150 + 7, 1.1));
   struct Part {
     int first, last;
   };
-  const std::vector<Part> parts{{0, 24 * 70}, {24 * 70, 24 * 150}, {24 * 150, 24 * 150 + 7}};
-  const SumColumns before = sum_columns();
-  for (const SumColumns& columns : {SumColumns{}, SumColumns{24, 0, 20, 0, 3, 3, 0, 20}}) {
-    sum_columns() = columns;
-    const std::vector<double> found = norms(x, parts);
-    for (int p = 0; p < 3; ++p) EXPECT_EQ(found[p], norm(part(x, parts[p].first, parts[p].last))) << p;
+  const std::vector<Part> whole_lines{{0, 24 * 70}, {24 * 70, 24 * 150}},
+      some{{0, 24 * 70 + 1}, {24 * 150, 24 * 150 + 7}};
+  const auto check = [&x](const VectorSpace& space, const std::vector<Part>& parts) {
+    const std::vector<double> found = norms(space, x, parts);
+    for (int p = 0; p < 2; ++p) EXPECT_EQ(found[p], norm(space, part(x, parts[p].first, parts[p].last))) << p;
+  };
+  check(alone, whole_lines);
+  check(alone, some);
+  check(lines_of(24), whole_lines);
+  EXPECT_THROW(check(lines_of(24), some), std::logic_error);
+}
+
+/// A vector of the whole patch, and what each of some processes stores of it: copies of its neighbours' columns hold numbers
+/// that would spoil any sum.
+struct Shared {
+  std::vector<VectorSpace> space;
+  std::vector<Array> part;
+  std::vector<double> whole;
+
+  Shared(const Axis& axis, int ranks, int lines) : whole(ramp(axis.functions() * lines, 1.1)) {
+    for (int rank = 0; rank < ranks; ++rank) {
+      const Columns c = cut_columns(axis, rank, ranks);
+      std::vector<double> stored(c.stored() * lines, 1e9);
+      for (int l = 0; l < lines; ++l)
+        for (int i = c.begin; i < c.end; ++i) stored[l * c.stored() + i] = whole[l * axis.functions() + c.function[i]];
+      space.emplace_back(c);
+      part.push_back(to_device<Array>(stored));
+    }
   }
-  sum_columns() = before;
+  /// The sum over all parts of what `sum(space, part)` finds in each.
+  template <class Sum>
+  double over_parts(const Sum& sum) const {
+    double all = 0;
+    for (std::size_t r = 0; r < part.size(); ++r) all += sum(space[r], part[r]);
+    return all;
+  }
+};
+
+// Parts of two meshes, for three and for two processes. Each vector has the sums of its own mesh, although the length of a
+// part of the second one is a multiple of the lines of the first one, too.
+TEST(Vector, TwoMeshesAtOnceHaveTheirOwnSums) {
+  const Shared first(Axis(1.0, 30, 2), 3, 130), second(Axis(1.0, 52, 2), 2, 70);
+  ASSERT_EQ(second.part[0].extent(0) % first.space[0].stored, 0u);
+  for (const Shared* mesh : {&first, &second, &first}) {
+    long double sum = 0, square = 0;
+    for (double x : mesh->whole) sum += x, square += static_cast<long double>(x) * x;
+    const auto add = [](const VectorSpace& s, const Array& x) { return total(s, x); };
+    const auto add_squares = [](const VectorSpace& s, const Array& x) { return dot(s, x, x); };
+    EXPECT_NEAR(mesh->over_parts(add), static_cast<double>(sum), 1e-9);
+    EXPECT_NEAR(mesh->over_parts(add_squares), static_cast<double>(square), 1e-9);
+  }
 }
 
 TEST(Vector, WeightedNorm) {
   const int lines = 150, stored = 24, size = stored * lines;
   const std::vector<double> v = ramp(size, 1.1);
-  const SumColumns before = sum_columns();
-  for (const SumColumns& columns : {SumColumns{}, SumColumns{stored, 0, stored, 0, 3, 3, 0, stored}})
+  for (const VectorSpace& space : {alone, lines_of(stored)})
     for (const int shift : {0, 5}) {  // whole lines of one weight, and lines of two
-      sum_columns() = columns;
       RangeFactors weights;
       weights.add(stored * 10 + shift, stored * 77, 9);
       weights.add(stored * 77, stored * 140 - shift, 0.01);
       long double sum = 0;
       for (int i = 0; i < size; ++i) sum += weights.at(i) * v[i] * v[i];
-      EXPECT_NEAR(weighted_norm<double>(to_device<Array>(v), weights), std::sqrt(static_cast<double>(sum)), 1e-11);
+      EXPECT_NEAR(weighted_norm<double>(space, to_device<Array>(v), weights), std::sqrt(static_cast<double>(sum)),
+                  1e-11);
     }
-  sum_columns() = before;
 }
 
 // Vectors of single precision: what is added up is double, so that a sum of many small parts keeps them.
@@ -93,8 +136,8 @@ TEST(Vector, SumsOfSinglePrecisionAreDouble) {
   const ArrayOf<float> x("x", n);
   Kokkos::deep_copy(x, 1e-4f);
   const double each = static_cast<double>(1e-4f);
-  EXPECT_NEAR(dot(x, x) / (n * each * each), 1, 1e-12);
-  EXPECT_NEAR(norm(x) / (std::sqrt(n) * each), 1, 1e-12);
+  EXPECT_NEAR(dot(alone, x, x) / (n * each * each), 1, 1e-12);
+  EXPECT_NEAR(norm(alone, x) / (std::sqrt(n) * each), 1, 1e-12);
 }
 
 TEST(Vector, SinglePrecisionRoundsOnce) {

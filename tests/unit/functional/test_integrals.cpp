@@ -10,8 +10,7 @@ namespace {
 
 TEST(FluidIntegrals, ByHand) {
   const FluidIntegrals f{{{0.81, 0}, 3.0, 0.5, 0.1, 0.01}};
-  FluidState<double, 2> t{};
-  t.volume_ratio = 1;
+  FluidTrial<double, 2> t{};
   t.velocity = {{2, 3}};
   t.velocity_gradient = {{{1, 2}, {3, 5}}};
   t.density = 0.5;
@@ -28,18 +27,15 @@ TEST(FluidIntegrals, ByHand) {
   EXPECT_DOUBLE_EQ(v[FluidIntegrals::momentum], 1);
   EXPECT_DOUBLE_EQ(v[FluidIntegrals::momentum + 1], 1.5);
   EXPECT_EQ(v[FluidIntegrals::momentum + 2], 0);
-  EXPECT_EQ(v[FluidIntegrals::folded], 0);
-  EXPECT_EQ(v[FluidIntegrals::volume], 1);
-  t.volume_ratio = -0.1;
-  EXPECT_EQ(f.value(t)[FluidIntegrals::folded], -1) << "times J: a positive volume";
 }
 
-TEST(WallIntegrals, WettedWhereDenserThanTheMiddle) {
-  const Coexistence s{0.1065766548, 0.6023801091, 1.868487592e-2, -0.4667444110};
-  const WallIntegrals w{WallEnergy::of({0.1, 0.5, 1e-5, {0.85, 0.02}, s})};
-  EXPECT_EQ(w.value(DensityTrial<double, 2>{0.36, {}})[WallIntegrals::wetted], 1);
-  EXPECT_EQ(w.value(DensityTrial<double, 2>{0.35, {}})[WallIntegrals::wetted], 0);
-  EXPECT_EQ(w.value(DensityTrial<double, 2>{0.35, {}})[WallIntegrals::area], 1);
+TEST(FluidContents, ByHand) {
+  const FluidContents f;
+  const auto v = f.value(FilledMesh<double, 2>{{0.5}, 1});
+  EXPECT_EQ(v[FluidContents::mass], 0.5);
+  EXPECT_EQ(v[FluidContents::volume], 1);
+  EXPECT_EQ(v[FluidContents::folded], 0);
+  EXPECT_EQ(f.value(FilledMesh<double, 2>{{0.5}, -0.1})[FluidContents::folded], -1) << "times J: a positive volume";
 }
 
 TEST(SolidIntegrals, ByHand) {
@@ -49,9 +45,12 @@ TEST(SolidIntegrals, ByHand) {
   EXPECT_EQ(v[Sums::kinetic], 9);
   EXPECT_NEAR(v[Sums::elastic], (0.75 + 0.7) * 0.22 * 0.22, 1e-16);
   EXPECT_EQ(v[Sums::momentum + 2], -4);
-  EXPECT_EQ(v[Sums::inverted], 0);
-  const auto mirrored = f.value(SolidState<double, 3>{{}, {{{-2, 0, 0}, {0, 0, 0}, {0, 0, 0}}}});
-  EXPECT_EQ(mirrored[Sums::inverted], 1) << "det F = -1";
+}
+
+TEST(InvertedSolid, WhereTheDeterminantIsNotPositive) {
+  const InvertedSolid f;
+  EXPECT_EQ(f.value(SolidStrain<double, 3>{{{{0.2, 0, 0}, {0, 0, 0}, {0, 0, 0}}}})[0], 0);
+  EXPECT_EQ(f.value(SolidStrain<double, 3>{{{{-2, 0, 0}, {0, 0, 0}, {0, 0, 0}}}})[0], 1) << "det F = -1";
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST(Integrals, UniformFluidOnAMovedMesh) {
   EXPECT_NEAR(i.mass, rho * fluid, 1e-14);
   EXPECT_NEAR(i.energy_bulk, s.model.fluid().gas.energy(rho) * fluid, 1e-14);
   EXPECT_NEAR(i.energy_gradient, 0, 1e-25);
-  EXPECT_NEAR(i.wetted, 0.9 * (1 + stretch), 1e-14);
+  EXPECT_NEAR(i.energy_wall, WallEnergy::of(s.model.wall()).value(rho) * 0.9 * (1 + stretch), 1e-14);
   const double solid = 1.3 * 0.9 * s.model.wall_height();
   EXPECT_NEAR(i.energy_kinetic, 0.5 * v * v * (rho * fluid + solid), 1e-14);
   EXPECT_NEAR(i.momentum[0], v * (rho * fluid + solid), 1e-14);

@@ -131,6 +131,22 @@ TEST(Model, SceneHasOnlyWhatItAsksFor) {
   EXPECT_EQ(coupled.layout().size(), 2 * 11 * 9 + 2 * 11 * 6);
 }
 
+// A second model of another mesh changes no bit of what the first one sums up.
+TEST(Model, TwoAtOnceHaveTheirOwnSums) {
+  Case first = scene(Scene::coupled), second = scene(Scene::coupled);
+  first.domain.elements = {45, 6};
+  second.domain.elements = {21, 9};
+  RandomScene s(first);
+  const auto sums = [&s] {
+    const VectorSpace space = s.layout().space();
+    return std::vector<double>{norm(space, s.stage().unknown), total(space, s.stage().density_end),
+                               s.model.load_power(3.0, s.stage().unknown)};
+  };
+  const std::vector<double> before = sums();
+  const Model<2, 2> other(second);
+  EXPECT_EQ(sums(), before);
+}
+
 TEST(Model, Sides) {
   Case c = scene(Scene::rigid);
   c.boundary.side[0] = {Side::slip, Side::free};

@@ -63,6 +63,7 @@ struct IntegralCases {
     const WallIntegrals wall{WallEnergy::of(terms.energy_wall)};
     const SolidIntegrals<SaintVenantKirchhoff> solid{terms.solid};
     compare<false, P + 1>("fluid", task<Moving>(fluid, patch.fluid()));
+    compare<false, P + 1>("contents", task<Moving>(FluidContents{}, patch.fluid()));
     compare<false, P + 1>("fluid, fixed", task<NoMotion>(fluid, patch.fluid()));
     compare<false, P + 1>("wall", task<Moving>(wall, patch.face()));
     compare<true, P + 1>("wall, its rate", task<Moving>(wall, patch.face()));

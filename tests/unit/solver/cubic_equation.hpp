@@ -55,7 +55,7 @@ inline NonlinearSystem with_single_product(CubicEquation& cubic, const Array& x)
   return system;
 }
 
-inline Newton make_newton() { return Newton(unknowns, unknowns, std::make_unique<NoPreconditioner>()); }
+inline Newton make_newton() { return Newton(alone, unknowns, unknowns, std::make_unique<NoPreconditioner>()); }
 inline const std::vector<FieldRange> fields{{0, unknowns / 2, 1e-14}, {unknowns / 2, unknowns, 1e-14}};
 
 inline NewtonControl tight() {

@@ -12,12 +12,12 @@ TEST(Gmres, ReachesTheSameToleranceInSinglePrecision) {
   const Dense m(60, 4, 0.6);
   for (const double tolerance : {1e-1, 1e-2, 1e-4}) {
     const Array b = to_device<Array>(m.right), x("x", 60);
-    const KrylovResult full = Gmres(60, 30).solve(m.apply(), identity, b, x, tolerance, 200);
+    const KrylovResult full = Gmres(alone, 60, 30).solve(m.apply(), identity, b, x, tolerance, 200);
     const ArrayOf<float> single_b("b", 60), single_x("x", 60);
     convert(single_b, b);
     const auto copy = [](const ArrayOf<float>& r, const ArrayOf<float>& z) { Kokkos::deep_copy(z, r); };
     const KrylovResult single =
-        GmresOf<float>(60, 30).solve(m.apply_single(), copy, single_b, single_x, tolerance, 200);
+        GmresOf<float>(alone, 60, 30).solve(m.apply_single(), copy, single_b, single_x, tolerance, 200);
     EXPECT_TRUE(single.converged);
     EXPECT_EQ(single.iterations, full.iterations);
     convert(x, single_x);
@@ -31,7 +31,7 @@ TEST(Gmres, SinglePrecisionEndsAtItsRoundOffWithoutClaimingSuccess) {
   const ArrayOf<float> b("b", 60), x("x", 60);
   convert(b, to_device<Array>(m.right));
   const auto copy = [](const ArrayOf<float>& r, const ArrayOf<float>& z) { Kokkos::deep_copy(z, r); };
-  const KrylovResult r = GmresOf<float>(60, 60).solve(m.apply_single(), copy, b, x, 1e-12, 10000);
+  const KrylovResult r = GmresOf<float>(alone, 60, 60).solve(m.apply_single(), copy, b, x, 1e-12, 10000);
   EXPECT_FALSE(r.converged);
   EXPECT_LT(r.iterations, 1000);
   EXPECT_LT(r.reduction, 1e-5);
@@ -55,7 +55,7 @@ TEST(Gmres, DoesNotBelieveAResidualThatRoundOffHides) {
         ++products;
         m.apply_single()(z, out);
       };
-      const KrylovResult r = GmresOf<float>(60, 60).solve(apply, parallel, b, x, tolerance, 120);
+      const KrylovResult r = GmresOf<float>(alone, 60, 60).solve(apply, parallel, b, x, tolerance, 120);
       const Array wide("wide", 60);
       convert(wide, x);
       const double actual = m.reduction(to_host(wide));
@@ -73,7 +73,7 @@ TEST(Gmres, OrdinaryConvergenceNeedsNoProductToBeSeen) {
     m.apply()(z, out);
   };
   Array x("x", 60);
-  const KrylovResult r = Gmres(60, 60).solve(apply, identity, to_device<Array>(m.right), x, 1e-4, 100);
+  const KrylovResult r = Gmres(alone, 60, 60).solve(apply, identity, to_device<Array>(m.right), x, 1e-4, 100);
   EXPECT_TRUE(r.converged);
   EXPECT_EQ(products, r.iterations);
 }
@@ -82,7 +82,7 @@ TEST(Gmres, OrdinaryConvergenceNeedsNoProductToBeSeen) {
 TEST(Gmres, StaysOrthogonalWhereProductsAreAlmostParallel) {
   const Dense m(60, 1e-3, 1e-4);
   Array x("x", 60);
-  const KrylovResult r = Gmres(60, 60).solve(m.apply(), identity, to_device<Array>(m.right), x, 1e-13, 60);
+  const KrylovResult r = Gmres(alone, 60, 60).solve(m.apply(), identity, to_device<Array>(m.right), x, 1e-13, 60);
   EXPECT_TRUE(r.converged);
   EXPECT_LE(r.iterations, 6);
   EXPECT_LT(m.reduction(to_host(x)), 1.01e-13);
@@ -107,8 +107,8 @@ TEST(Gmres, BringsOneSetOfSumsToTheHostInEachIteration) {
   const ArrayOf<float> single_b("b", n), single_x("x", n);
   convert(single_b, b);
   const auto copy = [](const auto& r, const auto& z) { Kokkos::deep_copy(Exec(), z, r); };
-  const KrylovResult full = Gmres(n, 60).solve(multiply_band<double>, copy, b, y, 1e-5, 60);
-  GmresOf<float> gmres(n, 60);
+  const KrylovResult full = Gmres(alone, n, 60).solve(multiply_band<double>, copy, b, y, 1e-5, 60);
+  GmresOf<float> gmres(alone, n, 60);
   KernelCounter counter;
   const KrylovResult single = gmres.solve(multiply_band<float>, copy, single_b, single_x, 1e-5, 60);
   const KernelCounts counts = counter.stop();
@@ -121,7 +121,7 @@ TEST(Gmres, BringsOneSetOfSumsToTheHostInEachIteration) {
   convert(x, single_x);
   multiply_band<double>(x, y);
   add_scaled(y, 0, -1, b);
-  EXPECT_NEAR(norm(y) / norm(b), single.reduction, 0.02 * single.reduction);
+  EXPECT_NEAR(norm(alone, y) / norm(alone, b), single.reduction, 0.02 * single.reduction);
 }
 
 // Weights of the norm do what the same weights of the rows do.
@@ -144,9 +144,9 @@ TEST(Gmres, WeightsAreThoseOfRows) {
   for (const double tolerance : {1e-1, 1e-3, 1e-6}) {
     Array x("x", 60), y("y", 60);
     const KrylovResult one =
-        Gmres(60, 60).solve(m.apply(), identity, to_device<Array>(m.right), x, tolerance, 60, weights);
+        Gmres(alone, 60, 60).solve(m.apply(), identity, to_device<Array>(m.right), x, tolerance, 60, weights);
     const KrylovResult other =
-        Gmres(60, 60).solve(scaled.apply(), unscaled, to_device<Array>(scaled.right), y, tolerance, 60);
+        Gmres(alone, 60, 60).solve(scaled.apply(), unscaled, to_device<Array>(scaled.right), y, tolerance, 60);
     EXPECT_EQ(one.iterations, other.iterations);
     EXPECT_NEAR(one.reduction, other.reduction, 1e-6 * one.reduction);
     const std::vector<double> a = to_host(x), b = to_host(y);

@@ -22,7 +22,7 @@ class KrylovBasisTest : public testing::Test {
  protected:
   /// More vectors than one kernel takes, and no whole number of blocks.
   static constexpr int size = 2085, count = 35;
-  KrylovBasisTest() : basis("basis", size, count), w("w", size) {
+  KrylovBasisTest() : basis("basis", alone, size, count), w("w", size) {
     for (int j = 0; j < count; ++j) host.push_back(random_vector<Real>(size, 100 + j));
     for (int j = 0; j < count; ++j) convert(basis[j], to_device<Array>(host[j]));
     wide = random_vector<Real>(size, 7);

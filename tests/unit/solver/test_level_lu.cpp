@@ -96,7 +96,7 @@ TEST(LevelLu, GmresReachesFullPrecisionInFewIterations) {
     p.build(s.jacobian());
     const Array b = to_device<Array>(s.product(s.direction(), Geometry::frozen)), x("x", s.layout().size());
     const KrylovResult result =
-        Gmres(s.layout().size(), 30)
+        Gmres(s.layout().space(), s.layout().size(), 30)
             .solve([&](const Array& z, const Array& out) { s.model.product(s.stage(), z, out, Geometry::frozen); },
                    [&](const Array& r, const Array& z) { p.apply(r, z); }, b, x, 1e-12, 30);
     EXPECT_TRUE(result.converged);

@@ -134,7 +134,7 @@ TEST(Multilevel3d, GmresFindsTheAnswerOfBlockLu) {
   const auto schwarz = make_schwarz<3>(r.layout, r.mask, {.width = 4, .stride = 3, .direct_up_to = 2000});
   schwarz->build(r.matrix);
   const KrylovResult result =
-      Gmres(r.layout.size(), 60)
+      Gmres(r.layout.space(), r.layout.size(), 60)
           .solve([&](const Array& in, const Array& out) { r.matrix.multiply(in, out); },
                  [&](const Array& in, const Array& out) { schwarz->apply(in, out); }, b, x, 1e-5, 60);
   std::printf("  %d iterations\n", result.iterations);

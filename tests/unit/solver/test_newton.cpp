@@ -50,8 +50,8 @@ TEST(Newton, LinearSolvesInSinglePrecisionFindTheSameRoot) {
   CubicEquation cubic;
   NewtonControl control = tight();
   control.krylov_rtol = 1e-4;
-  Newton full(unknowns, unknowns, std::make_unique<NoPreconditioner>());
-  Newton single(unknowns, unknowns, std::make_unique<NoPreconditioner>(), LinearSolves::single);
+  Newton full(alone, unknowns, unknowns, std::make_unique<NoPreconditioner>());
+  Newton single(alone, unknowns, unknowns, std::make_unique<NoPreconditioner>(), LinearSolves::single);
   const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5)),
               y = to_device<Array>(std::vector<double>(unknowns, 0.5));
   const NewtonResult expected = full.solve(cubic.system(x), fields, control, x);

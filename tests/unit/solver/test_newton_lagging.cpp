@@ -29,19 +29,19 @@ TEST(Newton, PreconditionerIsKeptUntilItHasCostABuild) {
     EXPECT_TRUE(newton.solve(cubic.system(x), fields, tight(), x).converged);
     return builds;
   };
-  Newton dear(unknowns, unknowns, std::make_unique<Counting>(builds, 1e9));
+  Newton dear(alone, unknowns, unknowns, std::make_unique<Counting>(builds, 1e9));
   EXPECT_EQ(solve(dear), 1);
   EXPECT_EQ(solve(dear), 1);
   dear.forget_preconditioner();
   EXPECT_EQ(solve(dear), 2);
-  Newton free(unknowns, unknowns, std::make_unique<Counting>(builds, 0));  // a new one for every linear solve
+  Newton free(alone, unknowns, unknowns, std::make_unique<Counting>(builds, 0));  // a new one for every linear solve
   EXPECT_GT(solve(free), 4);
 }
 
 TEST(Newton, ALaggedPreconditionerThatFailsIsReplacedAtOnce) {
   CubicEquation cubic;
   int builds = 0;
-  Newton newton(unknowns, unknowns, std::make_unique<Counting>(builds));
+  Newton newton(alone, unknowns, unknowns, std::make_unique<Counting>(builds));
   NewtonControl control = tight();
   control.krylov_rtol = 1e-2;
   control.rtol = 1e-6;
@@ -76,7 +76,7 @@ class DiagonalInverse final : public Preconditioner {
 /// third quarter. Returns the number of iterations of GMRES of the second solve.
 int iterations_of_second_solve(LinearSolves precision, const SolidPart& first, const SolidPart& second) {
   const Array diagonal("diagonal", unknowns), x("x", unknowns);
-  Newton newton(unknowns, unknowns, std::make_unique<DiagonalInverse>(diagonal), precision);
+  Newton newton(alone, unknowns, unknowns, std::make_unique<DiagonalInverse>(diagonal), precision);
   NonlinearSystem system{[&](const Array& y, const Array& r) {
                            const auto at = to_host(y), d = to_host(diagonal);
                            std::vector<double> value(unknowns);

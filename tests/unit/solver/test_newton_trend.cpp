@@ -15,7 +15,7 @@ NewtonResult with_residuals(const std::vector<double>& sizes) {
   NewtonControl control;
   control.rtol = 1e-3;
   const int size = 2;
-  return Newton(size, size, std::make_unique<NoPreconditioner>())
+  return Newton(alone, size, size, std::make_unique<NoPreconditioner>())
       .solve(system, {{0, size, 0}}, control, Array("x", size));
 }
 

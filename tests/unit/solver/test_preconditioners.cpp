@@ -20,7 +20,7 @@ int iterations(RandomScene& s, Make solver, double tolerance) {
   p.build(s.jacobian());
   const Array b = to_device<Array>(s.product(s.direction(), Geometry::frozen));
   const Array x("x", s.layout().size());
-  Gmres gmres(s.layout().size(), 150);
+  Gmres gmres(s.layout().space(), s.layout().size(), 150);
   const auto product = [&](const Array& z, const Array& out) { s.model.product(s.stage(), z, out, Geometry::frozen); };
   const auto r = gmres.solve(
       product, [&](const Array& a, const Array& z) { p.apply(a, z); }, b, x, tolerance, 150);
@@ -212,7 +212,7 @@ TEST(Schwarz, HelpsWhereTheMeshMoves) {
   const Layout<2>& l = model.layout();
   const int end[] = {0, l.density_offset(), l.potential_offset(), l.size()};
   double weight[3];
-  for (int f = 0; f < 3; ++f) weight[f] = 1 / norm(part(r, end[f], end[f + 1]));
+  for (int f = 0; f < 3; ++f) weight[f] = 1 / norm(l.space(), part(r, end[f], end[f + 1]));
   const auto scale = [&](const Array& a, int exponent) {
     for (int f = 0; f < 3; ++f) {
       const Array field = Kokkos::subview(a, Kokkos::make_pair(end[f], end[f + 1]));
@@ -232,7 +232,7 @@ TEST(Schwarz, HelpsWhereTheMeshMoves) {
     p.apply(unscaled, z);
   };
   scale(r, 1);
-  const KrylovResult result = Gmres(scheme.size(), 60).solve(product, precondition, r, x, 1e-2, 60);
+  const KrylovResult result = Gmres(l.space(), scheme.size(), 60).solve(product, precondition, r, x, 1e-2, 60);
   std::printf("  %d iterations\n", result.iterations);
   EXPECT_LE(result.iterations, 14);
 }

@@ -78,13 +78,5 @@ TEST(AxisRule, RestrictionKeepsOneFunction) {
     }
 }
 
-TEST(AxisRule, SamplesIncludeTheEnds) {
-  const Axis axis(0.9, 3, 2);
-  const auto x = host(sample_rule(axis, 0, 3, 3).position);
-  EXPECT_DOUBLE_EQ(x(0, 1), 0.3);
-  EXPECT_DOUBLE_EQ(x(1, 1), 0.45);
-  EXPECT_DOUBLE_EQ(x(2, 1), 0.6);
-}
-
 }  // namespace
 }  // namespace softwet

@@ -22,7 +22,7 @@ struct Matrix3 {
 };
 
 TEST(PowerIteration, ARealNegativeEigenvalue) {
-  PowerIteration power(3);
+  PowerIteration power(alone, 3);
   power.measure(Matrix3{{-5, 1, 0, 0, -2, 0, 0, 0, -1}});
   EXPECT_NEAR(power.radius(), 5, 0.05);
   EXPECT_FALSE(power.imaginary());
@@ -31,7 +31,7 @@ TEST(PowerIteration, ARealNegativeEigenvalue) {
 // u' = v, v' = -w^2 u with w = 100: the parts of the vector differ in size by w, and the eigenvalues are +- i w.
 TEST(PowerIteration, AnOscillationInVariablesOfDifferentSize) {
   for (const double w : {1.5, 100.0}) {
-    PowerIteration power(3);
+    PowerIteration power(alone, 3);
     power.measure(Matrix3{{0, 1, 0, -w * w, 0, 0, 0, 0, -0.1 * w}});
     EXPECT_NEAR(power.radius(), w, 0.02 * w);
     EXPECT_TRUE(power.imaginary()) << w;
@@ -39,7 +39,7 @@ TEST(PowerIteration, AnOscillationInVariablesOfDifferentSize) {
 }
 
 TEST(PowerIteration, NoProductLeavesNoRadius) {
-  PowerIteration power(3);
+  PowerIteration power(alone, 3);
   power.measure([](const Array&, const Array&) { return false; });
   EXPECT_EQ(power.radius(), 0);
 }

@@ -18,10 +18,10 @@ TEST(Relaxation, ASolidLayerUnderNoLoadReturnsToItsReference) {
   c.waves = {{"displacement_x", 1e-3, {1, 1}}};
   const Model<2, 2> model(c);
   State s = initial_state<2, 2>(c, model);
-  const double before = norm(s.displacement);
+  const double before = norm(alone, s.displacement);
   ASSERT_GT(before, 1e-3);
   const Relaxation done = relax<2, 2>(model, c, s, 7.0);
-  EXPECT_LT(norm(s.displacement), 0.05 * before);
+  EXPECT_LT(norm(alone, s.displacement), 0.05 * before);
   EXPECT_LT(done.rate, 1e-6);
   EXPECT_EQ(s.time, 7.0);
 }

@@ -125,7 +125,7 @@ double growth(RungeKutta& scheme, double dt) {
     oscillator.rates(0, y, k);
     scheme.advance(oscillator, 0, dt, y, k);
   }
-  return norm(y);
+  return norm(alone, y);
 }
 
 TEST(RungeKutta, LimitsForOscillationsAreThoseStated) {

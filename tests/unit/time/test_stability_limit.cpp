@@ -55,7 +55,7 @@ struct Modes final : Evolution {
 
 double found(RungeKutta& scheme, std::vector<Mode> modes, double near) {
   Modes f(std::move(modes));
-  return StabilityLimit(f.size()).search(scheme, f, 0, near);
+  return StabilityLimit(alone, f.size()).search(scheme, f, 0, near);
 }
 
 /// At most the limit, and at most 5 % less.
@@ -125,7 +125,7 @@ TEST(StabilityLimit, FollowsEquationsThatChangeALittle) {
   for (const double factor : {0.97, 1.0, 1.05}) {
     SspRk3 rk3(4);
     Modes f({{1, 0.3, 0}, {0.3, 0.1, 0}});
-    StabilityLimit stability(f.size());
+    StabilityLimit stability(alone, f.size());
     ASSERT_GT(stability.search(rk3, f, 0, 1.7), 0);
     for (Mode& m : f.modes) m = {factor * m.w, factor * m.gentle, 0};
     const double limit = limit_of(eigenvalue(f.modes[0]), 3), found = stability.follow(rk3, f, 0);

@@ -60,11 +60,11 @@ double measured(const Chain& chain, StiffRadius& stiff) {
 TEST(StiffRadius, IsNotTooSmallWhereEigenvaluesLieCloseTogether) {
   for (const double least : {1.0, 0.5, 0.01}) {
     const Chain chain(2000, least);
-    StiffRadius stiff(2000);
+    StiffRadius stiff(alone, 2000);
     const double radius = measured(chain, stiff), exact = chain.largest();
     EXPECT_LE(radius, (1 + 1e-9) * exact) << least;
     EXPECT_GE(radius, 0.99 * exact) << least;
-    PowerIteration power(2000);
+    PowerIteration power(alone, 2000);
     power.measure(chain);
     std::printf("  least mass %g: %.4f of the radius, power iteration %.4f\n", least, radius / exact,
                 power.radius() / exact);
@@ -74,7 +74,7 @@ TEST(StiffRadius, IsNotTooSmallWhereEigenvaluesLieCloseTogether) {
 // What is lighter than when the radius was measured is noticed without a new measurement.
 TEST(StiffRadius, FollowsAnOperatorThatBecomesStiffer) {
   Chain chain(100, 0.1);
-  StiffRadius stiff(100);
+  StiffRadius stiff(alone, 100);
   const double before = measured(chain, stiff);
   for (double& m : chain.mass) m *= 0.8;
   stiff.follow([&](const Array& z) { return chain.quotient(z); });
@@ -85,7 +85,7 @@ TEST(StiffRadius, FollowsAnOperatorThatBecomesStiffer) {
 }
 
 TEST(StiffRadius, NothingStiffHasNoRadius) {
-  StiffRadius stiff(10);
+  StiffRadius stiff(alone, 10);
   stiff.measure([](const Array&, const Array& out) { Kokkos::deep_copy(out, 0.0); }, [](const Array&) { return 0.0; });
   EXPECT_EQ(stiff.radius(), 0);
 }

@@ -107,7 +107,7 @@ class Problem {
     const auto rms = [](const ConstArray& x, const ConstArray& y, int first, int last) {
       const Array d = to_device<Array>(to_host(part(x, first, last)));
       combine(d, -1, part(y, first, last), 1);
-      return norm(d) / std::sqrt(static_cast<double>(last - first));
+      return norm(alone, d) / std::sqrt(static_cast<double>(last - first));
     };
     Errors e;
     e.velocity = rms(a.unknown, b.unknown, 0, l.velocity_size());

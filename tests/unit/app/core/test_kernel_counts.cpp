@@ -13,7 +13,7 @@ TEST(KernelCounter, CountsKernelsAndCopiesUntilItStops) {
   combine(y, 1, x, 0);
   KernelCounter counter;
   for (int i = 0; i < 3; ++i) combine(y, 2, x, 1);
-  dot(x, y);  // a kernel, and a copy for which the host waits
+  dot(alone, x, y);  // a kernel, and a copy for which the host waits
   to_host(y);
   Kokkos::fence();
   const Array another(Kokkos::view_alloc("another", Kokkos::WithoutInitializing), 100);
