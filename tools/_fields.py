@@ -24,6 +24,11 @@ class Scene:
         self.fluid, self.solid = (Block(run.fields(time, part), magnify) if part in run.parts else None
                                   for part in ("fluid", "solid"))
 
+    @property
+    def has_density(self):
+        """Not where output.fields.select leaves it out."""
+        return self.fluid is not None and "density" in self.fluid.field
+
     def outline(self, axes, **style):
         """The droplet: density halfway between its extremes."""
         density = self.fluid.field["density"]

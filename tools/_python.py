@@ -6,24 +6,27 @@ the same way."""
 
 import atexit
 import importlib.util
+import logging
 import os
 import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 
 STARTED = "SOFTWET_PYTHON_STARTED"  # in the environment of a tool that was started again
 
 
 def need(*modules):
     """Goes on in a python3 that has the modules; ends with exit code 1 or 3 and a sentence where there is none."""
-    sys.dont_write_bytecode = True
     atexit.register(flush)
     sys.excepthook = tell
     chosen = os.environ.get("SOFTWET_PYTHON", "")
     started = os.environ.pop(STARTED, None) is not None
     missing = [module for module in modules if importlib.util.find_spec(module) is None]
     if not missing and (started or not chosen or shutil.which(chosen) == sys.executable):
+        if "matplotlib" in modules:
+            give_folder_to_matplotlib()
         return
     for python in [chosen] if chosen else ["python3", "/usr/bin/python3"]:
         if not started and serves(python, modules):
@@ -43,6 +46,27 @@ def serves(python, modules):
         return subprocess.run([python, "-c", imports], capture_output=True).returncode == 0
     except OSError:
         return False
+
+
+def give_folder_to_matplotlib():
+    """Where matplotlib has no folder to write to, as without a home, it says so at every start, in several lines: it gets
+    one that lasts as long as the tool."""
+    logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # it tells that its new folder has no fonts yet
+    config = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
+    cache = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
+    if not os.environ.get("MPLCONFIGDIR") and not all(map(takes_files, (config, cache))):
+        os.environ["MPLCONFIGDIR"] = tempfile.mkdtemp(prefix="softwet_matplotlib_")
+        atexit.register(shutil.rmtree, os.environ["MPLCONFIGDIR"], ignore_errors=True)
+
+
+def takes_files(base):
+    """Whether there is a folder matplotlib in `base`, or can be, that takes files."""
+    folder = os.path.join(base, "matplotlib")
+    try:
+        os.path.isabs(folder) and os.makedirs(folder, exist_ok=True)
+    except OSError:
+        return False
+    return os.path.isabs(folder) and os.access(folder, os.W_OK)
 
 
 def start_again(python):

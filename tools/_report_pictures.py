@@ -7,6 +7,9 @@ from _fields import Scene
 from _outputs import BLUE, GREY, RED
 
 
+NO_DENSITY = "the field files hold no density\n(output.fields.select)"
+
+
 def sketch(axes, case):
     """The scene as the case tells it, in the plane of the first axis and the vertical: substrate, droplets, loads, and
     the kinds of the sides."""
@@ -57,9 +60,11 @@ def flat(figure, run, times):
     limit = max((np.abs(s.vertical_displacement()).max() for s in scenes if s.solid), default=0) or 1.0
     panels, images = figure.subplots(1, len(scenes), squeeze=False, sharey=True)[0], {}
     for scene, axes in zip(scenes, panels):
-        if scene.fluid:
+        if scene.has_density:
             images[r"$\rho / b$"] = scene.draw_fluid(axes)
             scene.outline(axes, colors="black", linewidths=0.9)
+        elif scene.fluid:
+            axes.text(0.5, 0.95, NO_DENSITY, transform=axes.transAxes, ha="center", va="top", color=GREY, fontsize=6)
         if scene.solid:
             images[r"$u_y / 10^{-3} L_0$"] = scene.draw_solid(axes, limit)
             scene.draw_loads(axes)
@@ -106,6 +111,9 @@ def fields(figure, run):
         figure.text(0.5, 0.5, "no field files: the case gives no output.fields.times", ha="center", color=GREY)
         return []
     draw = flat if run.dimension == 2 else deep if "solid" in run.parts else section
+    if run.dimension == 3 and "fluid" in run.parts and "density" not in run.fields(times[0]):
+        figure.text(0.5, 0.5, NO_DENSITY, ha="center", color=GREY)
+        return []
     panels = draw(figure, run, times)
     for time, axes in zip(times, panels):
         axes.set_title(f"$t = {time:g}$", loc="left")

@@ -17,6 +17,7 @@ import sys
 
 from _messages import WARNING
 
+STOPPED = "stopped by user"  # the reason of run.json
 COLUMNS = ["x_centre", "velocity", "angle_left", "angle_right", "mass_drift"]  # the default ones: a droplet's
 
 
@@ -71,8 +72,9 @@ class Member:
             return False
 
     def status(self):
-        """@return the state, and the note on how it ended: exit, reason, seconds. A note without exit is that of a run
-        that did not come to its end; there is none before the first start."""
+        """@return the state, and the note on how it ended: exit, reason, seconds, and `again` where the machine ended it
+        (a full disk) and it can go on. A note without exit is that of a run that did not come to its end; there is none
+        before the first start."""
         running = self.is_locked()  # before the note, which is final once the lock is gone
         note = read_json(self.note_path)
         return "running" if running else self.outcome(note), note
@@ -81,7 +83,7 @@ class Member:
     def outcome(note):
         if not note:
             return "waiting"
-        if note.get("exit") is None or note["reason"] == "stopped by user":
+        if note.get("exit") is None or note["reason"] == STOPPED or note.get("again"):
             return "interrupted"
         return "done" if note["exit"] == 0 else "failed"
 

@@ -3,13 +3,22 @@
 import fcntl
 import json
 import os
+import re
 import resource
 import signal
 import subprocess
 import time
 
 from _messages import ERROR, last_line, say
-from _sweep import lock, read_json, write_atomic
+from _sweep import STOPPED, lock, read_json, write_atomic
+
+
+MACHINE = 3  # exit code
+TOO_LARGE = ("can be had here", "out of memory")  # in what the machine refuses however often it is asked
+# Several processes of a job step may compute members side by side; the members know nothing of that.
+OF_LAUNCHERS = {f"{launcher}_{word}" for launcher in ("OMPI_COMM_WORLD", "MV2_COMM_WORLD", "PMI") for word in
+                ("SIZE", "RANK")} | {"PMIX_RANK", "PALS_RANKID", "MPI_LOCALNRANKS", "MPI_LOCALRANKID", "FLUX_JOB_SIZE",
+                                     "FLUX_TASK_RANK", "SLURM_STEP_NUM_TASKS", "SLURM_PROCID"}
 
 
 def processor_seconds():
@@ -35,10 +44,10 @@ class Job:
         if code < 0:
             note["exit"] = None if self.signals else 128 - code
             note["reason"] = f"ended by signal {-code} ({signal.strsignal(-code)})"
-        else:  # run.json tells it without the remedies that the log has
-            told = member.record().get("stop", {}).get("reason", "")
-            said = last_line(member.log_path.read_text(errors="replace"), ERROR) if code else ""
-            note["reason"] = told.removeprefix("failed: ") if code == 0 or (code == 2 and "failed: " in told) else said
+        else:
+            note["reason"] = self.reason(code)
+        if code == MACHINE and not any(words in note["reason"] for words in TOO_LARGE):
+            note["again"] = True
         if self.overdue and note["reason"] != "end reached":
             note["exit"] = 2
             note["reason"] = f"slower than its limit: ended at t = {member.record().get('stop', {}).get('t', 0):.4g}"
@@ -47,6 +56,36 @@ class Job:
         state, counts = member.outcome(note), member.record().get("counts", {})
         say(f"{member.name}: {state}, " + (note["reason"] if state == "failed" else
                                            f"{counts.get('steps', 0)} steps, {note['seconds']:.1f} s"))
+
+
+    def reason(self, code):
+        """Why the run ended: run.json tells it without the remedies that the log has, but that of an earlier run may be
+        there where this one was stopped before its first row."""
+        told = self.member.record().get("stop", {}).get("reason", "")
+        if code == 0:
+            return told if told and told != "running" and not told.startswith("failed: ") else STOPPED
+        if code == 2 and "failed: " in told:
+            return told.removeprefix("failed: ")
+        said = last_line(self.member.log_path.read_text(errors="replace"), ERROR)
+        return said or f"ended with exit code {code}, and the log does not tell why"
+
+
+def cores(program):
+    """Cores that this process may use, as softwet counts them: a container may grant less than there are."""
+    environment = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    told = subprocess.run([program, "info"], capture_output=True, text=True, env=environment).stdout
+    found = re.search(r"(\d+) threads", told)
+    return int(found[1]) if found else len(os.sched_getaffinity(0))
+
+
+def end_when_asked():
+    """Until members run, SIGTERM and SIGHUP end the tool as Ctrl-C does."""
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, stop)
 
 
 class Computation:
@@ -60,8 +99,9 @@ class Computation:
         self.program, self.case, self.jobs, self.changed = str(program), str(case), jobs, changed
         self.wanted = ("waiting", "interrupted", "failed") if retry else ("waiting", "interrupted")
         self.running, self.signals = [], 0
-        self.environment = dict(os.environ)
-        self.environment.setdefault("OMP_NUM_THREADS", str(max(1, len(os.sched_getaffinity(0)) // jobs)))
+        self.environment = {name: value for name, value in os.environ.items() if name not in OF_LAUNCHERS}
+        if not self.environment.get("OMP_NUM_THREADS"):
+            self.environment["OMP_NUM_THREADS"] = str(max(1, cores(self.program) // jobs))
         if jobs > 1:
             self.environment["OMP_PROC_BIND"] = "false"  # else all of them bind to the same cores
 

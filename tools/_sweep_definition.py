@@ -10,6 +10,7 @@ from _messages import fail
 from _sweep import read_json, write_atomic
 
 LARGEST = 10000  # members
+LONGEST_CASE = 16 << 20  # bytes, as in softwet
 NUMBER = r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d\d?)?)(?:/(\d+))?"
 
 
@@ -123,7 +124,11 @@ def difference(old, new, part):
 def read_case(path):
     """The text of a case; refuses a path that has none."""
     try:
-        return path.read_bytes().decode(errors="surrogateescape")
+        with open(path, "rb") as file:
+            text = file.read(LONGEST_CASE + 1)
+        if len(text) > LONGEST_CASE:
+            fail(f"cannot read the case file '{path}': it is longer than 16 MiB, which no case is")
+        return text.decode(errors="surrogateescape")
     except OSError as error:
         fail(f"cannot read the case file '{path}': {error.strerror}; give the path of a case, for example "
              "cases/tensotaxis_pull_2d.toml")

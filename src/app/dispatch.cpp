@@ -1,5 +1,8 @@
 #include "app/dispatch.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <iostream>
 #include <new>
 
 #include <softwet_version.hpp>
@@ -7,9 +10,11 @@
 #include "app/bench_variants.hpp"
 #include "app/configurations.hpp"
 #include "app/describe.hpp"
+#include "app/host/threads.hpp"
 #include "app/machine.hpp"
 #include "app/simulation.hpp"
 #include "app/units.hpp"
+#include "field/ranks.hpp"
 #include "model/forecast.hpp"
 #include "solver/choose.hpp"
 
@@ -31,10 +36,20 @@ void on_machine(int threads, const Work& work) {
   }
 }
 
+/// Threads that have to share cores wait for each other most of the time.
+void warn_of_threads() {
+  const double granted = std::min<double>(core_count(), std::ceil(cores_by_control_groups()));
+  if (!ranks::root() || thread_count() <= granted) return;
+  std::cerr << "softwet: warning: " << thread_count() << " threads share " << granted
+            << (granted == 1 ? " core" : " cores") << " and wait for each other most of the time: write --threads "
+            << granted << "\n";
+}
+
 }  // namespace
 
 void run_case(const Case& c, const RunOptions& options) {
   on_machine(options.threads, [&] {
+    warn_of_threads();
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
       Simulation<Chosen::dimension, Chosen::degree>(c, options).run();
@@ -58,6 +73,7 @@ void convert_units(const PhysicalScene& scene, std::ostream& out) { describe_uni
 
 void bench_case(const Case& c, const RunOptions& options, std::ostream& out) {
   on_machine(options.threads, [&] {
+    warn_of_threads();
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
       const auto measure = options.preconditioners ? compare_preconditioners<Chosen::dimension, Chosen::degree>

@@ -5,7 +5,13 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <thread>
 
+#ifdef KOKKOS_ENABLE_OPENMP
+#include <omp.h>
+#endif
+
+#include "app/host/threads.hpp"
 #include "case/error.hpp"
 #include "field/array.hpp"
 #include "field/ranks.hpp"
@@ -15,11 +21,36 @@
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 
 namespace softwet {
+namespace {
+
+/// Whether there is a device where the build needs one: Kokkos ends the program where there is none.
+bool has_device() {
+  [[maybe_unused]] int count = 0;
+#if defined(KOKKOS_ENABLE_CUDA)
+  return cudaGetDeviceCount(&count) == cudaSuccess && count > 0;
+#elif defined(KOKKOS_ENABLE_HIP)
+  return hipGetDeviceCount(&count) == hipSuccess && count > 0;
+#else
+  return true;
+#endif
+}
+
+}  // namespace
 
 ParallelRuntime::ParallelRuntime(int threads) {
+  check_environment_of_kokkos();
+  if (!has_device())
+    throw Error(Exit::machine_failed, std::string("the backend ") + Exec::name() +
+                                          " finds no device; run softwet where there is one, or build it for the "
+                                          "processor (preset release)");
+  const int count = number_of_threads(threads, core_count());
   Kokkos::InitializationSettings settings;
   settings.set_disable_warnings(true);
-  if (threads > 0) settings.set_num_threads(threads);
+  settings.set_num_threads(count);
+#ifdef KOKKOS_ENABLE_OPENMP
+  static_assert(most_threads == Kokkos::Impl::OpenMPTraits::MAX_THREAD_COUNT);
+  omp_set_num_threads(count);  // else Kokkos begins with as many as OpenMP would start by itself
+#endif
   try {
     Kokkos::initialize(settings);
   } catch (const std::exception& error) {
@@ -33,6 +64,14 @@ ParallelRuntime::ParallelRuntime(int threads) {
 ParallelRuntime::~ParallelRuntime() { Kokkos::finalize(); }
 
 std::string backend_name() { return Exec::name(); }
+
+int core_count() {
+#ifdef KOKKOS_ENABLE_OPENMP
+  return omp_get_num_procs();  // also where OpenMP has already bound this thread to one of them
+#else
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+#endif
+}
 
 int thread_count() { return Kokkos::DefaultHostExecutionSpace().concurrency(); }
 

@@ -7,8 +7,9 @@
 
 namespace softwet {
 
-/// Starts Kokkos with a number of threads (0: all cores) and keeps the BLAS on one, so that no sum depends on it.
-/// Ends Kokkos with its scope. Throws Error (machine_failed).
+/// Starts Kokkos with a number of threads (0: `number_of_threads`) and keeps the BLAS on one, so that no sum depends on
+/// it. Ends Kokkos with its scope. Throws Error: invalid_input where the option or the environment asks for what cannot
+/// be, machine_failed.
 class ParallelRuntime {
  public:
   explicit ParallelRuntime(int threads);
@@ -18,6 +19,7 @@ class ParallelRuntime {
 };
 
 std::string backend_name();  ///< "OpenMP", "Cuda"
+int core_count();            ///< that this process may use; a control group may grant less of their time
 int thread_count();          ///< of this process, on the processor
 int worker_count();          ///< that rates are told for: threads on a processor, one for a device
 const char* worker_name();   ///< "core", "device"

@@ -16,6 +16,31 @@ std::string short_number(double value) {
   return text;
 }
 
+/// Settings so far from their defaults that a computation may stop because of them alone: they are looked at before
+/// the scene is blamed. Empty where there are none.
+std::string unusual_settings(const Case& c) {
+  const SolverControl solver;
+  const TimeControl time;
+  std::string found;
+  const auto tell = [&](bool unusual, const std::string& key, double value, double usual) {
+    if (!unusual) return;
+    found += (found.empty() ? "" : ", ") + key + " = " + short_number(value) + " (default " + short_number(usual) + ")";
+  };
+  if (c.time.scheme == implicit_scheme) {
+    tell(c.solver.newton_rtol > 10 * solver.newton_rtol, "solver.newton.rtol", c.solver.newton_rtol,
+         solver.newton_rtol);
+    tell(c.solver.newton_atol > 1e4 * solver.newton_atol, "solver.newton.atol", c.solver.newton_atol,
+         solver.newton_atol);
+    tell(2 * c.solver.newton_max < solver.newton_max, "solver.newton.max", c.solver.newton_max, solver.newton_max);
+    tell(c.solver.krylov_rtol > 10 * solver.krylov_rtol, "solver.krylov.rtol", c.solver.krylov_rtol,
+         solver.krylov_rtol);
+    tell(4 * c.solver.krylov_max < solver.krylov_max, "solver.krylov.max", c.solver.krylov_max, solver.krylov_max);
+  }
+  tell(c.time.dt_min > 1e4 * time.dt_min, "time.dt_min", c.time.dt_min, time.dt_min);
+  tell(c.time.tolerance > 25 * time.tolerance, "time.tolerance", c.time.tolerance, time.tolerance);
+  return found;
+}
+
 std::string softer_than_its_loads(const Case& c) {
   const double length = elastocapillary_length(c);
   const std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + short_number(length) +
@@ -48,6 +73,8 @@ std::string remedy(const Case& c, const Refusal& refusal) {
   if (c.time.scheme != implicit_scheme && c.time.safety > 1)
     return "with time.safety = " + short_number(c.time.safety) +
            " the steps may be longer than the largest stable one: write time.safety = 0.9";
+  if (const std::string settings = unusual_settings(c); !settings.empty())
+    return "try the defaults first, for these settings are far from them: " + settings;
   const auto cause = refusal.cause;
   if (cause == Refusal::solid_inverted || cause == Refusal::mesh_folded) return softer_than_its_loads(c);
   if (cause == Refusal::close_packed || cause == Refusal::negative_density || cause == Refusal::density_of_moments)

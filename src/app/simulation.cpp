@@ -35,7 +35,7 @@ std::vector<double> events(const Case& c) {
 }
 
 /// Whether any process has been asked to stop.
-bool asked_to_stop() { return ranks::largest(InterruptGuard::requested() ? 1 : 0) > 0; }
+bool asked_to_stop() { return ranks::largest(stop_requested() ? 1 : 0) > 0; }
 
 std::string short_text(double value) {
   char text[32];
@@ -66,10 +66,10 @@ bool Simulation<D, P>::at_end() const {
 }
 
 template <int D, int P>
-void Simulation<D, P>::begin() {
+bool Simulation<D, P>::begin() {
   State state = initial_state<D, P>(case_, model_);
   state.time = case_.run_start();
-  if (case_.time.start == "equilibrium") come_to_rest(state);
+  if (case_.time.start == "equilibrium" && !come_to_rest(state)) return false;
   stepper_.scheme().initialise(state);
   stepper_.start(state);
   on_root([this] {
@@ -77,13 +77,21 @@ void Simulation<D, P>::begin() {
     history_.emplace(TableFile::create(path("history.csv"), scalars_.columns()));
     interface_.emplace(TableFile::create(path("interface.csv"), interface_columns<D>()));
   });
+  return true;
 }
 
 template <int D, int P>
-void Simulation<D, P>::come_to_rest(State& state) {
+bool Simulation<D, P>::come_to_rest(State& state) {
   relaxation_ = relax<D, P>(model_, case_, state, state.time, asked_to_stop);
+  if (relaxation_->interrupted) {
+    progress_->tell(
+        "stopped by user before the scene was at rest (time.start); nothing was written, give the same "
+        "command again");
+    return false;
+  }
   progress_->tell("at rest after " + std::to_string(relaxation_->steps) + " steps: the fields change by less than " +
                   short_text(std::max(1e-15, relaxation_->rate)) + " of their range in a unit of time");
+  return true;
 }
 
 template <int D, int P>
@@ -120,15 +128,15 @@ void Simulation<D, P>::open_tables() {
 
 template <int D, int P>
 void Simulation<D, P>::run() {
-  const InterruptGuard interrupts;
   // The factors of a preconditioner may be most of the memory; they are not there yet.
   const double needed = total_bytes(case_, model_.layout(), stepper_.scheme().preconditioner());
   together(
       [&] { on_host ? require_bytes(case_, needed) : require_device_bytes(case_, needed, device_bytes_to_be_had()); });
   progress_.emplace(Progress::voice(options_.quiet || !ranks::root()), case_.run_start() - case_.clock_zero(),
                     case_.time.end);
-  options_.resume ? restore() : begin();
+  if (!options_.resume && !begin()) return;
   if (options_.resume) {
+    restore();
     const std::string place = stop_reason() + " at t = " + short_text(output_time());
     if (!stop_reason().empty())
       return progress_->tell("nothing is left to compute: " + place + "; to go on, raise " +
@@ -146,6 +154,8 @@ void Simulation<D, P>::run() {
     }
     advance();
   } catch (const Error& error) {
+    if (error.code() == Exit::machine_failed && ranks::count() == 1)
+      require_folder();  // somebody may have moved it while a file was being written
     if (error.code() != Exit::computation_failed) throw;
     const std::string advice = remedy(case_, stepper_.counts().last_rejection), failure = error.what();
     throw Error(error.code(), failure + "; " + advice + "; the last good state, that of t = " +
@@ -181,6 +191,7 @@ void Simulation<D, P>::advance() {
   save();
   const std::string reason = stop_reason();
   record(reason);
+  require_folder();  // what was written in this moment may be somewhere else
   const std::string more = reason == "end reached" ? "" : "; to go on, run the same command with --resume";
   progress_->tell(reason + " at t = " + short_text(output_time()) + " after " + std::to_string(steps) + " steps and " +
                   short_text(seconds_.total) + " s" + more + "; the result is in " + options_.out +
@@ -224,6 +235,7 @@ template <int D, int P>
 void Simulation<D, P>::write_fields_due() {
   for (double time : field_times_) {
     if (!same_time(output_time(), time) || (!written_.empty() && same_time(written_.back(), time))) continue;
+    require_folder();
     Stopwatch watch(seconds_.output);
     written_.push_back(time);
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
@@ -243,6 +255,7 @@ void Simulation<D, P>::keep_files_current() {
     case of_save:
       return save();
     case of_record:
+      require_folder();
       on_root([this] { history_->flush(); });
       return record("running");
     case nothing:
@@ -252,6 +265,12 @@ void Simulation<D, P>::keep_files_current() {
 
 template <int D, int P>
 void Simulation<D, P>::save() {
+  require_folder();
+  write_state();
+}
+
+template <int D, int P>
+void Simulation<D, P>::write_state() {
   Stopwatch watch(seconds_.output);
   on_root([this] {
     history_->flush();

@@ -11,6 +11,7 @@
 #include "app/progress.hpp"
 #include "app/record.hpp"
 #include "app/restart.hpp"
+#include "observe/host/output_time.hpp"
 #include "observe/host/table_file.hpp"
 #include "observe/scalars.hpp"
 #include "time/relaxation.hpp"
@@ -29,8 +30,9 @@ class Simulation {
   void run();
 
  private:
-  void begin();
-  void come_to_rest(State&);
+  /// False: it was asked to stop before the first state was there.
+  bool begin();
+  bool come_to_rest(State&);
   void restore();
   void resume();
   void open_tables();
@@ -42,6 +44,11 @@ class Simulation {
   /// Brings checkpoint, history.csv and run.json up to date when their time has come.
   void keep_files_current();
   void save();
+  void write_state();
+  /// Ends the run where somebody has moved or removed its folder, or a table: what there still is gets the last state.
+  /// Throws Error (machine_failed).
+  void require_folder();
+  void require_tables();
   /// Tries to save after a failure. @return what became of the last good state: "is in out/checkpoint.h5"
   std::string keep_after(const std::string& failure);
   void record(const std::string& reason);
@@ -51,7 +58,7 @@ class Simulation {
 
   bool at_end() const;
   double since_start() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  double output_time() const { return stepper_.state().time - case_.clock_zero(); }
+  double output_time() const { return softwet::output_time(stepper_.state().time, case_.clock_zero()); }
   std::string path(const std::string& name) const { return options_.out + "/" + name; }
 
   using Clock = std::chrono::steady_clock;

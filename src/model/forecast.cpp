@@ -37,18 +37,45 @@ double volume_of_fluid(const Case& c) {
   return volume;
 }
 
+/// What the least radius of all droplets of a case depends on; it takes a while to find.
+struct PhasesOfCase {
+  double half_width, tension;
+  Coexistence flat;
+};
+
+PhasesOfCase phases_of(const Case& c) {
+  return {interface_half_width(*c.fluid), surface_tension(*c.fluid), coexistence(c.fluid->temperature)};
+}
+
+double least_radius_between(const PhasesOfCase& phases, const Case& c, const Droplet& droplet) {
+  const Coexistence& flat = phases.flat;
+  const double around = c.fluid->ambient == Phase::liquid ? flat.density_liquid : flat.density_vapour;
+  const double jump = flat.density_liquid - flat.density_vapour, D = c.dimension();
+  const double stiffness = VanDerWaals{c.fluid->temperature, 0}.curvature(around);
+  const double sharp = std::pow(
+      (D - 1) * phases.tension * volume_of_fluid(c) / (stiffness * jump * jump * growth(c, droplet)), 1 / (D + 1));
+  return std::max(1.75 * phases.half_width, sharp + 0.5 * phases.half_width);
+}
+
+constexpr std::size_t most_told = 5;  ///< droplets that dissolve
+
 void add_droplets(const Case& c, std::vector<std::string>& found) {
   if (c.droplets.empty() && c.films.empty() && c.waves.empty())
     found.push_back(std::string("the fluid holds ") + (c.fluid->ambient == Phase::liquid ? "liquid" : "vapour") +
                     " alone, at rest: add a [[droplet]] or a [[film]] (softwet explain droplet)");
   if (!c.fluid->initial.empty()) return;  // not the equilibrium the bound is about
+  const PhasesOfCase phases = phases_of(c);
+  std::size_t small = 0;
   for (std::size_t i = 0; i < c.droplets.size(); ++i) {
-    const double radius = c.droplets[i].radius, least = least_radius(c, c.droplets[i]);
-    if (radius >= least) continue;
+    const double radius = c.droplets[i].radius, least = least_radius_between(phases, c, c.droplets[i]);
+    if (radius >= least || ++small > most_told) continue;
     found.push_back("droplet[" + std::to_string(i) + "].radius = " + short_text(radius) + " is below " +
                     short_text(least) + ", where a droplet of fluid.capillarity = " + short_text(c.fluid->capillarity) +
                     " dissolves in this domain: write a larger radius, or a smaller capillarity with more elements");
   }
+  if (small > most_told)
+    found.push_back(std::to_string(small - most_told) + " more of the " + std::to_string(c.droplets.size()) +
+                    " droplets dissolve likewise");
 }
 
 void add_softness(const Case& c, std::vector<std::string>& found) {
@@ -80,16 +107,7 @@ void add_density(const Case& c, std::vector<std::string>& found) {
 
 }  // namespace
 
-double least_radius(const Case& c, const Droplet& droplet) {
-  const double width = interface_half_width(*c.fluid), tension = surface_tension(*c.fluid);
-  const Coexistence flat = coexistence(c.fluid->temperature);
-  const double around = c.fluid->ambient == Phase::liquid ? flat.density_liquid : flat.density_vapour;
-  const double jump = flat.density_liquid - flat.density_vapour, D = c.dimension();
-  const double stiffness = VanDerWaals{c.fluid->temperature, 0}.curvature(around);
-  const double sharp =
-      std::pow((D - 1) * tension * volume_of_fluid(c) / (stiffness * jump * jump * growth(c, droplet)), 1 / (D + 1));
-  return std::max(1.75 * width, sharp + 0.5 * width);
-}
+double least_radius(const Case& c, const Droplet& droplet) { return least_radius_between(phases_of(c), c, droplet); }
 
 double longest_elastocapillary_length(const Case& c) {
   return std::max(0.85 * c.fluid->capillarity, 0.17 * largest_radius(c));

@@ -6,6 +6,7 @@
 #include "case/cap.hpp"
 #include "field/ranks.hpp"
 #include "observe/host/columns.hpp"
+#include "observe/host/output_time.hpp"
 #include "observe/phase_samples.hpp"
 
 namespace softwet {
@@ -92,7 +93,7 @@ void Scalars<D, P>::follow_bodies(const Snapshot<D>& snapshot) {
   if (latest_.bodies.empty()) return;
   const PhaseSamples samples = sample_phase(snapshot, middle(), case_.fluid->ambient);
   for (const std::string& what : follow(latest_.bodies, samples, body_names(case_)))
-    latest_.events.push_back({latest_.time - case_.clock_zero(), what});
+    latest_.events.push_back({output_time(latest_.time, case_.clock_zero()), what});
 }
 
 template <int D, int P>
@@ -117,8 +118,8 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   latest_ = memory_;
   latest_.step = step;
   latest_.time = state.time;
-  Row row{static_cast<double>(step), state.time - case_.clock_zero(), report.dt, static_cast<double>(report.newton),
-          static_cast<double>(report.krylov)};
+  Row row{static_cast<double>(step), output_time(state.time, case_.clock_zero()), report.dt,
+          static_cast<double>(report.newton), static_cast<double>(report.krylov)};
   add_integrals(step, sum, load_power, row);
   add_extremes(extremes, row);
   add_droplets(snapshot, step, row);

@@ -108,9 +108,10 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
   Relaxation done;
   const Array unused;
   for (double dt = c.time.dt_initial;;) {
-    if (interrupted())
-      throw Error(Exit::computation_failed,
-                  "interrupted before the scene was at rest; nothing was written, give the same command again");
+    if (interrupted()) {
+      done.interrupted = true;
+      break;
+    }
     if (done.steps == most_steps)
       give_up("after " + std::to_string(most_steps) + " steps its fields still change by " + two_digits(done.rate) +
               " of their range in a unit of time, where " + two_digits(rest) + " counts as rest");

@@ -37,7 +37,7 @@ def end_of(process, within, name):
     return process.returncode, errors
 
 
-for folder in ("killed", "stopped", "disk"):
+for folder in ("killed", "stopped", "disk", "moved", "there"):
     shutil.rmtree(folder, ignore_errors=True)
 
 # A process is killed.
@@ -64,6 +64,16 @@ pathlib.Path("disk/checkpoint.h5.partial").mkdir()
 code, errors = end_of(process, 15, "disk")
 check_true("disk: exit code 3 and a message", code == 3 and "softwet: error:" in errors, f"{code} {errors}")
 
+# Somebody moves the folder, which the first process alone has open.
+process = start(2, "tensotaxis_pull_2d", "moved", [*LONG, "output.checkpoint.minutes=0.05"])
+processes("moved")
+os.rename("moved", "there")
+code, errors = end_of(process, 15, "moved")
+check_true("moved: exit code 3 and one message", code == 3 and errors.count("was moved") == 1, f"{code} {errors}")
+steps = record("there")["counts"]["steps"]
+run(2, "tensotaxis_pull_2d", "there", [*SCENE, f"time.max_steps={steps + 3}"], ("--resume", "--quiet"))
+check_true("moved: it goes on where it is now", record("there")["counts"]["steps"] == steps + 3)
+
 # A wrong case: one message.
 errors = run(3, "tensotaxis_pull_2d", "wrong", ["fluid.viscosity=-1"], code=1)
 check_true("wrong case: one message", errors.count("softwet: error:") == 1, errors)
@@ -72,3 +82,9 @@ check_true("too many processes: one message", errors.count("softwet: error:") ==
 result = subprocess.run([str(launcher), "2", softwet, "info"], capture_output=True, text=True, env=environment)
 check_true("another command: one message, code 1", result.returncode == 1 and result.stderr.count("error:") == 1,
            f"{result.returncode} {result.stderr}")
+
+# Processes of which MPI knows nothing, as with srun without its --mpi, would each compute all of it.
+result = subprocess.run([softwet, "run", "case.toml"], capture_output=True, text=True,
+                        env={**environment, "SLURM_STEP_NUM_TASKS": "2", "SLURM_PROCID": "0"})
+check_true("MPI knows of one process alone: refused", result.returncode == 1 and "MPI knows of this one alone" in
+           result.stderr, f"{result.returncode} {result.stderr}")

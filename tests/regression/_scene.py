@@ -70,6 +70,14 @@ def record(folder):
     return open_output(folder).record
 
 
+def hears(pid, number):
+    """Whether a process has a handler for a signal, and so hears it."""
+    for line in pathlib.Path(f"/proc/{pid}/status").read_text().splitlines():
+        if line.startswith("SigCgt:"):
+            return bool(int(line.split()[1], 16) >> (number - 1) & 1)
+    return False
+
+
 def check(name, value, bound):
     """Prints a figure and its bound; ends the test where the bound is broken."""
     print(f"{'ok' if value <= bound else 'FAIL':4}  {name}: {value:.3g} (allowed {bound:.3g})")

@@ -64,6 +64,14 @@ fields = { times = [0.0] }
 """)
 run_file("box.toml", "box")
 page("box")
+run("tensotaxis_pull_2d", "velocity", [*PULL, "time.max_steps=2", 'output.fields.select=["velocity"]',
+                                      "output.fields.times=[-2]"])
+page("velocity")  # the files hold no density: the rest is drawn
+run("static_droplet_rigid_2d", "still", [*RIGID, "time.end=1", 'output.fields.select=["velocity"]',
+                                         "output.fields.times=[0]"])
+page("still")
+run_file("box.toml", "thin", ['output.fields.select=["velocity"]'])
+page("thin")
 check_true("no output folder", "nowhere is not an output folder" in report("nowhere", code=1))
 pathlib.Path("solid/history.csv").write_text("step,t\n")
 check_true("a run without rows", "has no rows yet" in report("solid", code=1))

@@ -12,6 +12,7 @@
 #include "app/host/case_file.hpp"
 #include "app/host/memory.hpp"
 #include "app/host/output_folder.hpp"
+#include "app/host/threads.hpp"
 #include "app/together.hpp"
 #include "case/case.hpp"
 #include "case/error.hpp"
@@ -63,12 +64,14 @@ void run_command(CaseRequest& request) {
   request.options.begin = [&folder] {
     if (folder) folder->begin();
   };
+  request.options.place = [&] { return folder ? folder->place() : request.options.out; };
   try {
     run_case(c, request.options);
   } catch (...) {
     if (folder) folder->discard();
     throw;
   }
+  if (folder) folder->discard();  // of a run that was stopped before its first row
 }
 
 void check_command(const CaseRequest& request) {
@@ -109,9 +112,11 @@ CLI::Option* add_case(CLI::App& command, CaseRequest& request) {
 }
 
 void add_threads(CLI::App& command, CaseRequest& request) {
-  command.add_option("--threads", request.options.threads, "number of threads; default: all cores")
+  command
+      .add_option("--threads", request.options.threads,
+                  "number of threads; default: OMP_NUM_THREADS, else all cores that the system grants")
       ->type_name("N")
-      ->check(CLI::Range(1, 65536));
+      ->check(CLI::Range(1, most_threads));
 }
 
 void add_run(CLI::App& app, CaseRequest& request) {

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "app/host/case_checks.hpp"
@@ -92,6 +91,8 @@ std::pair<double, double> gradient_law_angles(double h_over_capillarity) {
   return {8 + 22 * h_over_capillarity, 180 - std::max(0.0, 50 * h_over_capillarity - 25)};
 }
 
+constexpr std::size_t largest_file = 16 << 20;  ///< bytes; of a case with a hundred thousand droplets
+
 [[noreturn]] void reject_path(const std::string& path, const std::string& reason) {
   throw Error(Exit::invalid_input,
               fmt::format("cannot read the case file '{}': {}; give the path of a case, for example "
@@ -116,10 +117,12 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   if (std::filesystem::is_directory(path, unknown)) reject_path(path, "it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) reject_path(path, std::strerror(errno));
-  std::ostringstream text;
-  text << file.rdbuf();
+  std::string text(largest_file + 1, '\0');  // what comes from a pipe or a device tells no size before
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) reject_path(path, std::strerror(errno));
-  return parse_case(text.str(), path, overrides);
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > largest_file) reject_path(path, "it is longer than 16 MiB, which no case is");
+  return parse_case(text, path, overrides);
 }
 
 std::vector<std::string> warnings(const Case& c) {

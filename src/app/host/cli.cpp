@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -17,6 +17,7 @@
 #include "app/host/case_file.hpp"
 #include "app/host/column_text.hpp"
 #include "app/host/completion.hpp"
+#include "app/host/launcher.hpp"
 #include "app/host/manual.hpp"
 #include "app/host/nearest.hpp"
 #include "app/host/tool_commands.hpp"
@@ -119,27 +120,46 @@ void add_answers(CLI::App& app, Request& request) {
   completion.callback([&app] { std::cout << bash_completion(app); });
 }
 
-/// Refuses several processes where they would not compute together.
+/// Refuses several processes where they would not compute together: each would compute the whole, alone.
 void check_processes(int argc, const char* const* argv) {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-    const char* count = std::getenv(name);
-    if (!ranks::has_mpi() && count && std::atoi(count) > 1)
-      throw Error(Exit::invalid_input,
-                  "started as one of several processes, but this program was built without MPI; build it with "
-                  "-DSOFTWET_MPI=ON (preset mpi)");
-  }
-  if (ranks::count() > 1 && (argc < 2 || (std::string(argv[1]) != "run" && std::string(argv[1]) != "bench")))
+  const std::string command = argc < 2 ? "" : argv[1];
+  const bool computes = command == "run" || command == "bench";
+  if (ranks::count() > 1 && !computes)
     throw Error(Exit::invalid_input,
                 "several processes compute with 'softwet run' and 'softwet bench' alone; start this command by itself");
+  if (ranks::count() > 1 || !computes) return;
+  const LaunchSign found = sign_of_several_processes();
+  if (found.sign.empty()) return;
+  const char* remedy = ranks::has_mpi()
+                           ? "but MPI knows of this one alone: start softwet with the launcher of the MPI it was built "
+                             "with (with srun: --mpi, see 'srun --mpi=list')"
+                           : "but this program was built without MPI: start one process with more --threads, or build "
+                             "softwet with -DSOFTWET_MPI=ON (preset mpi)";
+  throw Error(
+      Exit::invalid_input,
+      fmt::format("started as one of several processes ({}), {}; where each process computes a case of its own, "
+                  "start it with 'env {} softwet {} ...'",
+                  found.sign, remedy, found.unset, command));
+}
+
+/// What a command prints may go to a file, on a disk that is full.
+void require_printed() {
+  if (std::cout.flush() && std::fflush(stdout) == 0) return;
+  throw Error(Exit::machine_failed,
+              "what was to be printed cannot be written; free space on that disk, or print to "
+              "another place");
 }
 
 int parse(CLI::App& app, int argc, const char* const* argv) {
   if (argc >= 2 && argv[1][0] != '-') check_command_name(app, argv[1]);
   try {
     app.parse(argc, argv);
+    require_printed();
     return static_cast<int>(Exit::done);
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    const int code = app.exit(help);
+    require_printed();
+    return code;
   } catch (const CLI::ParseError& error) {
     std::string message = error.what();
     for (char& c : message) c = c == '\n' ? ' ' : c;

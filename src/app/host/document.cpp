@@ -224,6 +224,22 @@ toml::table parse_file(std::string text, const std::string& place, Problems& pro
   }
 }
 
+/// Some editors save in UTF-16: a mark of two bytes at the beginning, or a zero in every second byte.
+void refuse_other_encodings(std::string_view text, const std::string& place) {
+  const std::string_view mark = text.substr(0, 2), zeros = text.substr(0, 200);
+  const bool marked = mark == "\xff\xfe" || mark == "\xfe\xff";
+  if (marked || (zeros.find('\0') < 2 && zeros.size() > 3 && zeros[0] != zeros[1]))
+    throw Error(Exit::invalid_input,
+                fmt::format("{}: the file is in UTF-16; save it in UTF-8, for example with 'iconv -f "
+                            "UTF-16 -t UTF-8 {} > new.toml'",
+                            place, place));
+  if (text.find('\0') != std::string_view::npos)
+    throw Error(Exit::invalid_input,
+                fmt::format("{}: the file is no text, it holds bytes that are zero; give the path of "
+                            "a case, for example cases/tensotaxis_pull_2d.toml",
+                            place));
+}
+
 /// A TOML table { value = ... } from one value; text that is no TOML value (1/256, slip) is taken as a string.
 toml::table parse_value(const std::string& text) {
   try {
@@ -238,6 +254,7 @@ toml::table parse_value(const std::string& text) {
 }  // namespace
 
 Document read_document(std::string_view text, const std::string& place, Problems& problems) {
+  refuse_other_encodings(text, place);
   Document document;
   document.place = place;
   const toml::table table = parse_file(std::string(text), place, problems);

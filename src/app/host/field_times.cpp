@@ -1,5 +1,7 @@
 #include "app/host/field_times.hpp"
 
+#include "observe/host/output_time.hpp"
+
 namespace softwet {
 
 double count_of_multiples(const Case& c) {
@@ -11,7 +13,7 @@ double count_of_multiples(const Case& c) {
 std::vector<double> field_times(const Case& c) {
   std::vector<double> times = c.output.field_times;
   const double count = count_of_multiples(c);
-  for (double k = 0; k < count; ++k) times.push_back(k * c.output.field_every);
+  for (double k = 0; k < count; ++k) times.push_back(short_decimal(k * c.output.field_every));
   std::stable_sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end(), same_time), times.end());
   return times;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "app/host/control_groups.hpp"
 #include "case/error.hpp"
 #include "case/precision.hpp"
 
@@ -35,32 +36,15 @@ double number_in(const std::string& path) {
   return file >> number ? number : unlimited;
 }
 
-/// Where a control group tells its memory, by version: two files, and two words in memory.stat for cached files.
-struct GroupFiles {
-  const char *limit, *used, *inactive, *active;
-};
-constexpr GroupFiles version_1{"/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_inactive_file",
-                               "total_active_file"};
-constexpr GroupFiles version_2{"/memory.max", "/memory.current", "inactive_file", "active_file"};
-
 /// Cached files count as used by the group, but the system drops them where memory is asked for.
-double left_in_group(const std::string& folder, const GroupFiles& files) {
-  const double limit = number_in(folder + files.limit), used = number_in(folder + files.used);
+double left_in_group(const std::string& folder, GroupVersion version) {
+  const bool old = version == GroupVersion::one;
+  const double limit = number_in(folder + (old ? "/memory.limit_in_bytes" : "/memory.max"));
+  const double used = number_in(folder + (old ? "/memory.usage_in_bytes" : "/memory.current"));
   if (limit == unlimited || used == unlimited) return unlimited;
-  const std::string stat = folder + "/memory.stat";
-  const double cached = number_after(files.inactive, stat, 0) + number_after(files.active, stat, 0);
+  const std::string stat = folder + "/memory.stat", all = old ? "total_" : "";
+  const double cached = number_after(all + "inactive_file", stat, 0) + number_after(all + "active_file", stat, 0);
   return std::clamp(limit - used + cached, 0.0, limit);
-}
-
-/// The least of a group and all groups above it. A container may see its own group at `mount` only.
-double left_along(const std::string& mount, std::string path, const GroupFiles& files) {
-  double left = unlimited;
-  for (;;) {
-    left = std::min(left, left_in_group(mount + path, files));
-    const std::size_t slash = path.rfind('/');
-    if (slash == std::string::npos) return left;
-    path.resize(slash);
-  }
 }
 
 double left_by_process_limit() {
@@ -100,21 +84,7 @@ double least_bytes(const Case& c) {
   return 8 * (vectors * unknowns + 2 * velocity);
 }
 
-double left_by_control_groups(const std::string& root) {
-  const std::string mount = root + "/sys/fs/cgroup";
-  std::ifstream file(root + "/proc/self/cgroup");
-  double left = unlimited;
-  for (std::string line; std::getline(file, line);) {  // number:controllers:path
-    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
-    if (first == std::string::npos || second == std::string::npos) continue;
-    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
-    const std::string path = line.substr(second + 1);
-    if (controllers == ",,") left = std::min(left, left_along(mount, path, version_2));
-    if (controllers.find(",memory,") != std::string::npos)
-      left = std::min(left, left_along(mount + "/memory", path, version_1));
-  }
-  return left;
-}
+double left_by_control_groups(const std::string& root) { return least_of_groups(root, "memory", left_in_group); }
 
 double bytes_to_be_had() {
   const double system = 1024 * number_after("MemAvailable:", "/proc/meminfo", unlimited);

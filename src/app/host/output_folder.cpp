@@ -18,6 +18,8 @@
 
 #include "app/host/case_file.hpp"
 #include "case/error.hpp"
+#include "observe/host/atomic_file.hpp"
+#include "observe/host/path_state.hpp"
 
 namespace softwet {
 namespace {
@@ -26,7 +28,9 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail_to_write(const std::string& path, const std::string& reason) {
   throw Error(Exit::machine_failed,
-              fmt::format("cannot write to '{}': {}; choose another folder with --out", path, reason));
+              fmt::format("cannot write to '{}': {}; make it writable, or give another folder with --out (to resume: a "
+                          "copy of this one)",
+                          path, reason));
 }
 
 /// The files softwet writes, and nothing else a user may keep there.
@@ -39,11 +43,8 @@ void remove_old_result(const fs::path& folder) {
 }
 
 void write_resolved(const fs::path& folder, const Case& c) {
-  const fs::path path = folder / "case.toml";
-  std::ofstream file(path);
-  file << "# Resolved case: every key with the value of this run.\n" << write_case(c);
-  file.close();
-  if (!file) fail_to_write(path.string(), "the disk is full or the folder is not yours");
+  write_text_atomically((folder / "case.toml").string(),
+                        "# Resolved case: every key with the value of this run.\n" + write_case(c));
 }
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(Exit::invalid_input, message); }
@@ -113,8 +114,8 @@ OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old
     made_ = first_missing(folder).string();
     fs::create_directories(folder, error);
     if (error) fail_to_write(path, error.message());
-    if (::access(path.c_str(), W_OK | X_OK) != 0) fail_to_write(path, std::strerror(errno));
   }
+  if (::access(path.c_str(), W_OK | X_OK) != 0) fail_to_write(path, std::strerror(errno));
   if (lock_.descriptor < 0) lock();
 }
 
@@ -143,7 +144,15 @@ void OutputFolder::begin() {
   write_resolved(path_, case_);
 }
 
+std::string OutputFolder::place() const {
+  if (lock_.descriptor < 0 || leads_to(path_, lock_.descriptor)) return path_;
+  std::error_code error;
+  const fs::path now = fs::read_symlink(fmt::format("/proc/self/fd/{}", lock_.descriptor), error);
+  return !error && leads_to(now.string(), lock_.descriptor) ? now.string() : "";
+}
+
 void OutputFolder::discard() {
+  if (place() != path_) return;  // what is there now belongs to somebody else
   std::error_code error;
   if (begun_ && fs::exists(fs::path(path_) / "history.csv", error)) return;
   if (begun_) fs::remove(fs::path(path_) / "case.toml", error);

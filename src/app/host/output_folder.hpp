@@ -21,6 +21,10 @@ class OutputFolder {
   /// have changed. For a run that nothing can refuse any more.
   void begin();
 
+  /// Where the folder is now, for a run that is under way: its path; another one where somebody has moved it; empty
+  /// where it was removed.
+  std::string place() const;
+
   /// Takes back what this object made, for a run that ended before its first row. An old result stays until begin().
   void discard();
 

@@ -13,6 +13,7 @@ std::optional<double> number_of(const toml::node& node, bool whole) {
   if (const auto* floating = node.as_floating_point()) number = floating->get();
   if (const auto* text = node.as_string()) number = number_from_text(text->get());
   if (number && whole && *number != std::floor(*number)) return std::nullopt;
+  if (number && *number == 0) number = 0.0;  // without its sign
   return number;
 }
 

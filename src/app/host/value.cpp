@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "observe/host/output_time.hpp"
+
 namespace softwet {
 namespace {
 
@@ -15,13 +17,15 @@ std::string_view without_spaces(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+double without_sign_of_zero(double number) { return number == 0 ? 0 : number; }
+
 std::optional<double> plain_number(std::string_view text) {
   text = without_spaces(text);
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   double number = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (status != std::errc{} || end != text.data() + text.size() || text.empty()) return std::nullopt;
-  return number;
+  return without_sign_of_zero(number);
 }
 
 std::string text_of_numbers(const Numbers& numbers) {
@@ -38,7 +42,7 @@ std::optional<double> number_from_text(std::string_view text) {
   const auto above = plain_number(text.substr(0, slash));
   const auto below = plain_number(text.substr(slash + 1));
   if (!above || !below || *below == 0.0) return std::nullopt;
-  return *above / *below;
+  return without_sign_of_zero(*above / *below);
 }
 
 std::optional<Numbers> range_from_text(std::string_view text) {
@@ -52,15 +56,12 @@ std::optional<Numbers> range_from_text(std::string_view text) {
   if (!first || !last || !count || !(*count >= 2 && *count <= 10000) || *count != std::floor(*count))
     return std::nullopt;
   Numbers numbers;
-  for (double i = 0; i < *count; ++i) numbers.push_back(*first + (*last - *first) * (i / (*count - 1)));
+  for (double i = 0; i < *count; ++i) numbers.push_back(short_decimal(*first + (*last - *first) * (i / (*count - 1))));
   numbers.back() = *last;
   return numbers;
 }
 
-std::string text_of_number(double number) {
-  if (number == 0.0 && std::signbit(number)) return "-0.0";  // TOML reads -0 as the integer 0
-  return fmt::format("{}", number);
-}
+std::string text_of_number(double number) { return fmt::format("{}", without_sign_of_zero(number)); }
 
 std::string in_quotes(std::string_view text) {
   std::string out = "\"";

@@ -17,16 +17,20 @@ std::string remedy_of(int error_number) {
   switch (error_number) {
     case ENOSPC:
     case EDQUOT:
+      return "free space on that disk, or raise the quota";
     case EFBIG:
-      return "free space on that disk (or raise the quota) or choose another folder with --out";
+      return "raise the limit of the size of a file (ulimit -f)";
     case EACCES:
     case EPERM:
     case EROFS:
-      return "make the folder writable or choose another folder with --out";
+      return "make the folder writable";
     default:
-      return "check the disk and its folder or choose another folder with --out";
+      return "check the disk and its folder";
   }
 }
+
+/// What holds for a run that begins and for one that goes on.
+const char* const elsewhere = ", or give a folder on another disk with --out (to resume: a copy of this one)";
 
 /// fsync of a file or folder by name.
 void make_durable(const std::string& path, int open_flags) {
@@ -47,13 +51,14 @@ std::string folder_of(const std::string& path) {
 
 void throw_disk_error(const std::string& path, const std::string& what, int error_number) {
   throw Error(Exit::machine_failed,
-              path + ": " + what + ": " + std::strerror(error_number) + "; " + remedy_of(error_number));
+              path + ": " + what + ": " + std::strerror(error_number) + "; " + remedy_of(error_number) + elsewhere);
 }
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path), partial_path_(path + ".partial") {
   std::error_code error;
   std::filesystem::create_directories(folder_of(path), error);
   if (error) throw_disk_error(folder_of(path), "the folder cannot be made", error.value());
+  ::unlink(partial_path_.c_str());  // left by a run that was killed, or a pipe that would be waited for
 }
 
 AtomicFile::~AtomicFile() {

@@ -7,6 +7,7 @@
 
 #include "case/error.hpp"
 #include "observe/host/atomic_file.hpp"
+#include "observe/host/path_state.hpp"
 
 namespace softwet {
 namespace {
@@ -63,6 +64,13 @@ Library& library() {
   return instance;
 }
 
+/// A list of creation properties without times: the same content has the same bytes, whenever it is written.
+Hdf5Handle without_times(hid_t kind) {
+  Hdf5Handle properties(H5Pcreate(kind), H5Pclose);
+  H5Pset_obj_track_times(properties.get(), false);
+  return properties;
+}
+
 Hdf5Handle file_access(Hdf5Format format) {
   library();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are told by our own Errors
@@ -92,13 +100,15 @@ Hdf5File::Hdf5File(Hdf5Handle file, std::string path, std::string remedy)
     : file_(std::move(file)), path_(std::move(path)), remedy_(std::move(remedy)) {}
 
 Hdf5File Hdf5File::create(const std::string& path, Hdf5Format format) {
-  const Hdf5Handle access = file_access(format);
-  Hdf5File result({H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose}, path, "");
+  const Hdf5Handle access = file_access(format), creation = without_times(H5P_FILE_CREATE);
+  Hdf5File result({H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose}, path, "");
   result.require(result.file_.valid(), "cannot be created");
   return result;
 }
 
 Hdf5File Hdf5File::open(const std::string& path, const std::string& remedy) {
+  if (const std::string kind = no_regular_file(path); !kind.empty())
+    throw Error(Exit::invalid_input, path + ": is " + kind + " and no file; " + remedy);
   if (::access(path.c_str(), R_OK) != 0) {
     if (errno != ENOENT && errno != ENOTDIR) throw_disk_error(path, "cannot be read", errno);
     throw Error(Exit::invalid_input, path + ": there is no such file; " + remedy);
@@ -114,7 +124,10 @@ void Hdf5File::fail(const std::string& what) const {
   const std::string told = path_ + ": " + what + (reason.empty() ? "" : " (HDF5: " + reason + ")") + "; ";
   if (!remedy_.empty()) throw Error(Exit::invalid_input, told + remedy_);
   library().write_failed = true;
-  throw Error(Exit::machine_failed, told + "check free space and write permission or choose another folder with --out");
+  throw Error(Exit::machine_failed, told +
+                                        "check free space, the limit of the size of a file (ulimit -f) and write "
+                                        "permission, or give a folder on another disk with --out (to resume: a copy "
+                                        "of this one)");
 }
 
 void Hdf5File::require(bool succeeded, const std::string& what) const {
@@ -126,10 +139,17 @@ Hdf5Handle Hdf5File::checked(hid_t id, Hdf5Handle::Close closer, const std::stri
   return Hdf5Handle(id, closer);
 }
 
+void Hdf5File::make_groups_above(const std::string& name) {
+  for (std::size_t end = name.find('/', 1); end != std::string::npos; end = name.find('/', end + 1)) {
+    const std::string group = name.substr(0, end);
+    if (H5Lexists(file_.get(), group.c_str(), H5P_DEFAULT) <= 0) make_group(group);
+  }
+}
+
 void Hdf5File::make_group(const std::string& name) {
-  const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(links.get(), 1);
-  checked(H5Gcreate2(file_.get(), name.c_str(), links.get(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+  make_groups_above(name);
+  const Hdf5Handle creation = without_times(H5P_GROUP_CREATE);
+  checked(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT), H5Gclose,
           "group '" + name + "' cannot be written");
 }
 
@@ -146,9 +166,8 @@ void Hdf5File::write(const std::string& name, const std::vector<T>& values, cons
                                               "; this is an error in softwet, please report it");
   }
   const auto space = checked(H5Screate_simple(int(extents.size()), extents.data(), nullptr), H5Sclose, failure);
-  const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(links.get(), 1);
-  const Hdf5Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  make_groups_above(name);
+  const Hdf5Handle layout = without_times(H5P_DATASET_CREATE);
   if (storage == Hdf5Storage::checksummed && !values.empty()) {
     std::vector<hsize_t> chunk(extents.size(), 1);
     const hsize_t pieces = (extents.back() + chunk_length - 1) / chunk_length;
@@ -157,7 +176,7 @@ void Hdf5File::write(const std::string& name, const std::vector<T>& values, cons
     H5Pset_fletcher32(layout.get());
   }
   Hdf5Handle dataset = checked(
-      H5Dcreate2(file_.get(), name.c_str(), native_type<T>(), space.get(), links.get(), layout.get(), H5P_DEFAULT),
+      H5Dcreate2(file_.get(), name.c_str(), native_type<T>(), space.get(), H5P_DEFAULT, layout.get(), H5P_DEFAULT),
       H5Dclose, failure);
   if (!values.empty()) {
     require(H5Dwrite(dataset.get(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, failure);

@@ -37,7 +37,7 @@ enum class Hdf5Storage { contiguous, checksummed };
 enum class Hdf5Format { compatible, checksummed };
 
 /// An HDF5 file open for writing or for reading. Names are paths ("/VTKHDF/Points"); missing groups on the way are
-/// made. Failures are Errors naming the path of the file: machine_failed when writing, invalid_input when reading.
+/// made. Nothing in a file tells when it was written: the same content has the same bytes. Failures are Errors naming the path of the file: machine_failed when writing, invalid_input when reading.
 class Hdf5File {
  public:
   /// Creates or truncates.
@@ -78,6 +78,7 @@ class Hdf5File {
 
  private:
   Hdf5File(Hdf5Handle file, std::string path, std::string remedy);
+  void make_groups_above(const std::string& name);
   Hdf5Handle checked(hid_t id, Hdf5Handle::Close closer, const std::string& what) const;
   void require(bool succeeded, const std::string& what) const;
   void write_attribute(const std::string& object, const std::string& name, hid_t type, hid_t space, const void* data);

@@ -1,5 +1,7 @@
 #include "observe/host/table_file.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -11,6 +13,7 @@
 #include "case/error.hpp"
 #include "observe/host/atomic_file.hpp"
 #include "observe/host/number_text.hpp"
+#include "observe/host/path_state.hpp"
 
 namespace softwet {
 namespace {
@@ -23,6 +26,10 @@ std::string header_line(const std::vector<std::string>& columns) {
 
 /// The whole file; empty where there is none.
 std::string existing_text(const std::string& path) {
+  if (const std::string kind = no_regular_file(path); !kind.empty())
+    throw Error(Exit::invalid_input, path + ": is " + kind +
+                                         " and no table; put back the file that the run wrote, or "
+                                         "start anew with --overwrite in place of --resume");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) {
@@ -85,7 +92,8 @@ TableFile::TableFile(const std::string& path, const std::vector<std::string>& co
 }
 
 TableFile TableFile::create(const std::string& path, const std::vector<std::string>& columns) {
-  TableFile table(path, columns, "wb");
+  ::unlink(path.c_str());  // a pipe of that name would be waited for
+  TableFile table(path, columns, "w+b");
   table.pending_ = header_line(columns);
   table.flush();
   return table;
@@ -96,7 +104,7 @@ TableFile TableFile::append_after(const std::string& path, const std::vector<std
   if (text.empty()) return create(path, columns);
   const std::string kept = rows_until(path, text, header_line(columns), step);
   if (kept != text) write_text_atomically(path, kept);
-  return TableFile(path, columns, "ab");
+  return TableFile(path, columns, "a+b");
 }
 
 TableFile::~TableFile() {
@@ -137,6 +145,19 @@ void TableFile::flush() {
       std::fwrite(pending_.data(), 1, pending_.size(), file_.get()) == pending_.size() && std::fflush(file_.get()) == 0;
   pending_.clear();
   if (!written) throw_disk_error(path_, "rows cannot be written", errno);
+}
+
+bool TableFile::in_place() const { return leads_to(path_, ::fileno(file_.get())); }
+
+void TableFile::put_back() {
+  flush();
+  std::rewind(file_.get());
+  std::string text, part(1 << 16, '\0');
+  while (const std::size_t length = std::fread(part.data(), 1, part.size(), file_.get())) text.append(part, 0, length);
+  if (std::ferror(file_.get())) throw_disk_error(path_, "was removed or replaced, and cannot be read again", errno);
+  if (std::rename(path_.c_str(), (path_ + ".replaced").c_str()) != 0 && errno != ENOENT)
+    throw_disk_error(path_, "was replaced, and what has its name cannot be moved away", errno);
+  write_text_atomically(path_, text);
 }
 
 }  // namespace softwet

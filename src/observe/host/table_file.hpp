@@ -35,6 +35,15 @@ class TableFile {
   /// Hands the rows so far to the system; to be called before a checkpoint is committed. Throws Error (machine_failed).
   void flush();
 
+  /// Whether its path still leads to the file that is written: not where somebody has removed or replaced it.
+  bool in_place() const;
+
+  /// Where it does not: writes all rows there, atomically. What stood there is kept as PATH.replaced. Rows that are added
+  /// afterwards are lost. Throws Error (machine_failed).
+  void put_back();
+
+  const std::string& path() const { return path_; }
+
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }

@@ -246,5 +246,30 @@ TEST(BadPrecision, DifferencesOfResidualsAreDouble) {
                {"solver.precision", "solver.krylov.jacobian", "\"exact\"", "write \"automatic\""});
 }
 
+TEST(BadCases, AFileWithoutEndIsNotReadToItsEnd) {
+  for (const std::string& path : {std::string("/dev/zero"), std::string("/dev/urandom")}) {
+    try {
+      read_case(path);
+      ADD_FAILURE() << path;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Exit::invalid_input);
+      expect_parts(error.what(), {path, "longer than 16 MiB"});
+    }
+  }
+}
+
+TEST(BadCases, OtherEncodingsAreNamed) {
+  std::string little = "\xff\xfe", big, plain_little;
+  for (const char letter : std::string("name = \"x\"\n")) {
+    little += {letter, '\0'};
+    big += {'\0', letter};
+    plain_little += {letter, '\0'};
+  }
+  for (const std::string& text : {little, big, plain_little})
+    expect_parts(message_of(text), {"case.toml: the file is in UTF-16", "UTF-8"});
+  expect_parts(message_of(pull_text() + std::string(3, '\0')), {"case.toml: the file is no text"});
+  EXPECT_EQ(message_of("\xef\xbb\xbf" + pull_text()), "(accepted)");
+}
+
 }  // namespace
 }  // namespace softwet::testing_tools

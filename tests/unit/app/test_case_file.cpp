@@ -49,7 +49,7 @@ TEST(Value, WritesTextThatReadsBackToTheSameBits) {
   for (double number : {0.1, 1.0 / 3, 1e-300, 123456789.125, 5e-324, 1e22}) {
     EXPECT_EQ(number_from_text(text_of_number(number)), number);
   }
-  EXPECT_EQ(text_of_number(-0.0), "-0.0");
+  EXPECT_EQ(text_of_number(-0.0), "0");
   EXPECT_EQ(text_of_value(std::string("a\"b\\c\n")), "\"a\\\"b\\\\c\\u000A\"");
 }
 
@@ -280,6 +280,17 @@ TEST(Explain, TellsUnitRangeDefaultAndHelp) {
   EXPECT_NE(explain("solver.newton").find("solver.newton.atol"), std::string::npos);
   EXPECT_NE(explain("load.ramp").find("load[].ramp"), std::string::npos);
   EXPECT_THROW(explain("fluid.viscosty"), Error);
+}
+
+TEST(CaseFile, ZeroHasNoSign) {
+  const Case zero = parse_case(pull_text(), "case.toml", {"substrate.poisson=0"});
+  for (const char* value : {"-0.0", "-0", "\"-0/3\"", "-0e5"}) {
+    const Case c = parse_case(pull_text(), "case.toml", {std::string("substrate.poisson=") + value});
+    EXPECT_FALSE(std::signbit(c.substrate->poisson)) << value;
+    EXPECT_EQ(write_case(c), write_case(zero));
+  }
+  const Case list = parse_case(pull_text(), "case.toml", {"load[0].force=[-0.0, 0.1]"});
+  EXPECT_FALSE(std::signbit(list.loads[0].force[0]));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -128,6 +129,45 @@ TEST(OutputFolder, ARefusalGivesTheFolderBack) {
   write_old_result(folder);
   EXPECT_THROW(OutputFolder(folder / "", pull(), OldResult::refuse), Error);
   OutputFolder(folder / "", pull(), OldResult::resume);
+}
+
+TEST(OutputFolder, KnowsWhereItIsWhenItIsMoved) {
+  const ScratchFolder folder;
+  const OutputFolder output(folder / "a", pull(), OldResult::refuse);
+  EXPECT_EQ(output.place(), folder / "a");
+  fs::rename(folder / "a", folder / "b");
+  EXPECT_EQ(output.place(), fs::canonical(folder / "b").string());
+  fs::create_directory(folder / "a");  // that of somebody else
+  EXPECT_EQ(output.place(), fs::canonical(folder / "b").string());
+}
+
+TEST(OutputFolder, KnowsThatItIsRemoved) {
+  const ScratchFolder folder;
+  const OutputFolder output(folder / "a", pull(), OldResult::refuse);
+  fs::remove_all(folder / "a");
+  EXPECT_EQ(output.place(), "");
+  fs::create_directory(folder / "a");
+  EXPECT_EQ(output.place(), "");
+}
+
+TEST(OutputFolder, TakesNothingBackFromAFolderOfSomebodyElse) {
+  const ScratchFolder folder;
+  OutputFolder output(folder / "a", pull(), OldResult::refuse);
+  output.begin();
+  fs::rename(folder / "a", folder / "b");
+  fs::create_directory(folder / "a");
+  overwrite(folder / "a/case.toml", "another\n");
+  output.discard();
+  EXPECT_EQ(content_of(folder / "a/case.toml"), "another\n");
+  EXPECT_TRUE(fs::exists(folder / "b/case.toml"));
+}
+
+TEST(OutputFolder, APipeInThePlaceOfTheCaseIsNotWaitedFor) {
+  const ScratchFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "case.toml").c_str(), 0600), 0);
+  OutputFolder output(folder / "", pull(), OldResult::refuse);
+  output.begin();
+  EXPECT_TRUE(fs::is_regular_file(folder / "case.toml"));
 }
 
 }  // namespace

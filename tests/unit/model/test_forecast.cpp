@@ -121,5 +121,15 @@ TEST(Forecast, AFluidAlone) {
   EXPECT_TRUE(forecast(c).empty());
 }
 
+TEST(Forecast, ThousandsOfDropletsAreToldInAFewSentences) {
+  Case c = forecast_droplet(0.39, 75, 5);
+  c.droplets.assign(20000, c.droplets.front());
+  const std::size_t as_usual = forecast(c).size();
+  for (Droplet& droplet : c.droplets) droplet.radius = 0.1 * c.fluid->capillarity;
+  EXPECT_TRUE(tells(c, "droplet[4].radius"));
+  EXPECT_TRUE(tells(c, "19995 more of the 20000 droplets dissolve"));
+  EXPECT_EQ(forecast(c).size(), as_usual + 6);
+}
+
 }  // namespace
 }  // namespace softwet

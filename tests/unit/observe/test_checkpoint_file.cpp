@@ -1,5 +1,6 @@
 // The checkpoint: exact round trip, whole or absent, and every kind of damage is told instead of read.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <filesystem>
@@ -176,6 +177,19 @@ TEST(CheckpointFile, ATruncatedFileIsRefused) {
     expect_error(Exit::invalid_input, {path, "not an HDF5 file, or its beginning or end is damaged"},
                  [&] { CheckpointReader reader(path); });
   }
+}
+
+TEST(CheckpointFile, APipeOrADeviceIsNotReadFor) {
+  const ScratchFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  expect_error(Exit::invalid_input, {path, "a pipe"}, [&] { CheckpointReader reader(path); });
+  expect_error(Exit::invalid_input, {"/dev/zero", "a device"}, [] { CheckpointReader reader("/dev/zero"); });
+  ASSERT_EQ(::mkfifo((path + ".partial").c_str(), 0600), 0);
+  CheckpointWriter writer(path);
+  writer.value("time", 1.0);
+  writer.commit();
+  EXPECT_EQ(CheckpointReader(path).number("time"), 1.0);
 }
 
 }  // namespace

@@ -174,5 +174,30 @@ TEST(FieldSeries, ListsFilesAndTimes) {
             "    {\"name\": \"fluid_000123.hdf\", \"time\": 235.5}\n  ]\n}\n");
 }
 
+/// Whether an object of a file tells when it was written.
+bool tells_time(const Hdf5File& file, const std::string& name) {
+#if H5_VERSION_GE(1, 12, 0)
+  H5O_info1_t info;
+#else
+  H5O_info_t info;
+#endif
+  EXPECT_GE(H5Oget_info_by_name2(file.id(), name.c_str(), &info, H5O_INFO_TIME, H5P_DEFAULT), 0) << name;
+  return info.atime != 0 || info.mtime != 0 || info.ctime != 0 || info.btime != 0;
+}
+
+TEST(FieldFile, NothingTellsWhenAFileWasWritten) {
+  const ScratchFolder folder;
+  for (const Hdf5Format format : {Hdf5Format::compatible, Hdf5Format::checksummed}) {
+    Hdf5File file = Hdf5File::create(folder / "file", format);
+    file.make_group("/one/two");
+    file.write("/one/values", std::vector<double>{1, 2}, {2}, Hdf5Storage::checksummed);
+    file.write("/three/four/values", std::vector<double>{1, 2}, {2});
+    file.write_attribute("/one", "text", std::string("t"));
+    for (const char* name : {"/", "/one", "/one/two", "/one/values", "/three", "/three/four", "/three/four/values"})
+      EXPECT_FALSE(tells_time(file, name)) << name;
+    file.close();
+  }
+}
+
 }  // namespace
 }  // namespace softwet

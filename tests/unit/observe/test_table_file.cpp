@@ -1,8 +1,10 @@
 // Tables: exact numbers, empty cells, and resuming after a checkpoint.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 
 #include "expect_error.hpp"
@@ -107,6 +109,43 @@ TEST(TableFile, ResumeRefusesARowThatIsNotOne) {
     expect_error(Exit::invalid_input, {path + ":3", "row"}, [&] { TableFile::append_after(path, columns, 5); });
     EXPECT_EQ(content_of(path), text);
   }
+}
+
+TEST(TableFile, ARemovedTableIsPutBackWithAllItsRows) {
+  const ScratchFolder folder;
+  const std::string path = folder / "history.csv";
+  TableFile table = TableFile::create(path, {"step", "t"});
+  table.row({0.0, 0.0});
+  EXPECT_TRUE(table.in_place());
+  std::filesystem::remove(path);
+  EXPECT_FALSE(table.in_place());
+  table.row({1.0, 0.5});
+  table.put_back();
+  EXPECT_EQ(content_of(path), "step,t\n0,0\n1,0.5\n");
+  EXPECT_FALSE(std::filesystem::exists(path + ".replaced"));
+}
+
+TEST(TableFile, AReplacedTableIsPutBackAndWhatStoodThereIsKept) {
+  const ScratchFolder folder;
+  const std::string path = folder / "history.csv", other = folder / "edited";
+  TableFile::create(path, {"step", "t"}).row({0.0, 0.0});
+  TableFile table = TableFile::append_after(path, {"step", "t"}, 0);
+  table.row({1.0, 0.5});
+  overwrite(other, "edited\n");
+  std::filesystem::rename(other, path);
+  EXPECT_FALSE(table.in_place());
+  table.put_back();
+  EXPECT_EQ(content_of(path), "step,t\n0,0\n1,0.5\n");
+  EXPECT_EQ(content_of(path + ".replaced"), "edited\n");
+}
+
+TEST(TableFile, APipeIsNotWaitedFor) {
+  const ScratchFolder folder;
+  const std::string path = folder / "history.csv";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  expect_error(Exit::invalid_input, {path, "a pipe"}, [&] { TableFile::append_after(path, {"step", "t"}, 0); });
+  TableFile::create(path, {"step", "t"});
+  EXPECT_EQ(content_of(path), "step,t\n");
 }
 
 }  // namespace

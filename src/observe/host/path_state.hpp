@@ -1,0 +1,16 @@
+// What a path leads to: the file or folder that is open already, or something that is no file.
+#pragma once
+
+#include <string>
+
+namespace softwet {
+
+/// Whether the path leads to what is open as `descriptor`: not where that was moved, removed, or replaced by another.
+/// True where the system cannot tell.
+bool leads_to(const std::string& path, int descriptor);
+
+/// "a folder", "a pipe", "a device", "a socket": what the path leads to where that is no regular file, which a program
+/// may wait for without end or read without end. Empty for a regular file, and where there is nothing.
+std::string no_regular_file(const std::string& path);
+
+}  // namespace softwet
