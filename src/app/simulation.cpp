@@ -82,15 +82,19 @@ bool Simulation<D, P>::begin() {
 
 template <int D, int P>
 bool Simulation<D, P>::come_to_rest(State& state) {
-  relaxation_ = relax<D, P>(model_, case_, state, state.time, asked_to_stop);
+  scalars_.watch(state, "");
+  relaxation_ = relax<D, P>(model_, case_, state, state.time, asked_to_stop,
+                            [&](const State& now) { scalars_.watch(now, " (while the scene came to rest)"); });
   if (relaxation_->interrupted) {
     progress_->tell(
         "stopped by user before the scene was at rest (time.start); nothing was written, give the same "
         "command again");
     return false;
   }
+  moved_ = scalars_.moved();
   progress_->tell("at rest after " + std::to_string(relaxation_->steps) + " steps: the fields change by less than " +
-                  short_text(std::max(1e-15, relaxation_->rate)) + " of their range in a unit of time");
+                  short_text(std::max(1e-15, relaxation_->rate)) + " of their range in a unit of time" +
+                  moves_text(body_names(case_), moved_));
   return true;
 }
 
@@ -305,6 +309,7 @@ void Simulation<D, P>::write_record(const std::string& reason, const std::vector
     start["krylov"] = relaxation_->krylov;
     start["time"] = relaxation_->time;
     start["rate_of_change"] = relaxation_->rate;
+    for (const std::optional<double>& moved : moved_) start["moved"].append(moved.value_or(NAN));  // null: it is gone
   }
   run.write(path("run.json"));
 }

@@ -72,6 +72,7 @@ class Simulation {
   std::optional<TableFile> history_, interface_;
   std::optional<Progress> progress_;
   std::optional<Relaxation> relaxation_;
+  std::vector<std::optional<double>> moved_;  ///< how far each body went on the way to rest
   TimeLeft time_left_;
   std::size_t told_ = 0;  ///< events the user has heard of
   typename Scalars<D, P>::Row last_row_;

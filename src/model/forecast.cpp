@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "case/cap.hpp"
+#include "model/distances.hpp"
 #include "model/equilibrium.hpp"
 #include "model/groups.hpp"
 
@@ -61,8 +62,10 @@ constexpr std::size_t most_told = 5;  ///< droplets that dissolve
 
 void add_droplets(const Case& c, std::vector<std::string>& found) {
   if (c.droplets.empty() && c.films.empty() && c.waves.empty())
-    found.push_back(std::string("the fluid holds ") + (c.fluid->ambient == Phase::liquid ? "liquid" : "vapour") +
-                    " alone, at rest: add a [[droplet]] or a [[film]] (softwet explain droplet)");
+    found.emplace_back(c.fluid->ambient == Phase::liquid
+                           ? "the fluid holds liquid alone, at rest: add a [[droplet]] (softwet explain droplet)"
+                           : "the fluid holds vapour alone, at rest: add a [[droplet]] or a [[film]] (softwet explain "
+                             "droplet)");
   if (!c.fluid->initial.empty()) return;  // not the equilibrium the bound is about
   const PhasesOfCase phases = phases_of(c);
   std::size_t small = 0;
@@ -78,6 +81,21 @@ void add_droplets(const Case& c, std::vector<std::string>& found) {
                     " droplets dissolve likewise");
 }
 
+void add_gaps(const Case& c, std::vector<std::string>& found) {
+  const double bound = least_gap(*c.fluid);
+  const std::vector<Gap> gaps = narrow_gaps(c, bound);
+  if (gaps.empty()) return;
+  const Gap& nearest = gaps.front();
+  const std::string more = gaps.size() > 1 ? " (and " + std::to_string(gaps.size() - 1) + " more)" : "";
+  found.push_back(
+      nearest.one + " and " + nearest.other +
+      (nearest.width > 0 ? " are " + short_text(nearest.width) + " apart" : std::string(" overlap")) + more +
+      ": with less than " + short_text(bound) +
+      " between them, four half widths of the interface, they may be one from the start or soon after; move "
+      "them apart, or write a smaller fluid.capillarity than " +
+      short_text(c.fluid->capillarity) + " with more elements");
+}
+
 void add_softness(const Case& c, std::vector<std::string>& found) {
   if (!too_soft(c)) return;
   const double length = elastocapillary_length(c), bound = longest_elastocapillary_length(c);
@@ -89,7 +107,20 @@ void add_softness(const Case& c, std::vector<std::string>& found) {
 }
 
 void add_locking(const Case& c, std::vector<std::string>& found) {
-  const double error = locking_error(c);
+  const double error = locking_error(c), of_ridge = ridge_error(c);
+  if (of_ridge >= std::max(0.01, error)) {
+    Case finer = c;
+    finer.domain.degree = 3;
+    const std::string at_degree_3 =
+        c.domain.degree == 2 ? "degree = 3 (" + short_text(100 * ridge_error(finer)) + " %), " : "";
+    found.push_back("substrate.poisson = " + short_text(c.substrate->poisson) + " with domain.degree = " +
+                    std::to_string(c.domain.degree) + " and " + short_text(c.fluid->capillarity / c.spacing()) +
+                    " elements to fluid.capillarity: nearly incompressible, the solid locks at the contact line, where "
+                    "its ridge is about " +
+                    short_text(100 * of_ridge) + " % too low; write " + at_degree_3 +
+                    "more elements, or poisson = 0.49, whose ridge is within 1.3 % of that of 0.4999");
+    return;
+  }
   if (error < 0.01) return;
   found.push_back("substrate.poisson = " + short_text(c.substrate->poisson) + " with domain.degree = 2 and " +
                   std::to_string(std::lround(c.rows_of_solid())) +
@@ -122,9 +153,20 @@ double locking_error(const Case& c) {
   return 0.0094 * std::pow(0.1 / (1 - 2 * c.substrate->poisson), 0.37) * std::pow(2 / c.rows_of_solid(), 2);
 }
 
+double ridge_error(const Case& c) {
+  if (!c.fluid || !c.substrate || (c.droplets.empty() && c.films.empty())) return 0;
+  const double across = c.fluid->capillarity / c.spacing(), free = 1 - 2 * c.substrate->poisson;
+  const double of_rows = std::sqrt(8 / c.rows_of_solid());
+  return of_rows * (c.domain.degree == 2 ? 1.7 * std::exp(-6 * std::sqrt(across * std::pow(free, 0.3)))
+                                         : 0.52 * std::exp(-5 * across * std::pow(free, 0.15)));
+}
+
+double least_gap(const Fluid& fluid) { return 4 * interface_half_width(fluid); }
+
 std::vector<std::string> forecast(const Case& c) {
   std::vector<std::string> found;
   if (c.fluid) add_droplets(c, found);
+  if (c.fluid) add_gaps(c, found);
   if (!c.substrate) return found;
   if (c.fluid) add_softness(c, found);
   add_locking(c, found);

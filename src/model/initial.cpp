@@ -4,14 +4,13 @@
 
 #include "case/cap.hpp"
 #include "field/vector.hpp"
+#include "kernels/fluid/interface_profile.hpp"
+#include "model/admissible.hpp"
 #include "model/equilibrium.hpp"
 
 namespace softwet {
 
 namespace {
-
-/// 1 below zero, 0 above, over the width of the interface.
-double step_down(double distance, double half_width) { return 0.5 * (1 - std::tanh(distance / half_width)); }
 
 /// An ellipse or a box as a smooth indicator: 1 inside, 0 outside.
 struct Shape {
@@ -21,13 +20,17 @@ struct Shape {
   double density_around;
   std::vector<double> velocity;  ///< inside; empty: at rest
 
-  double indicator(const Case& c, const double* x, double half_width) const {
-    return centre.empty() ? in_box(c, x, half_width) : in_ellipse(c, x, half_width);
+  double indicator(const Case& c, const double* x, const InterfaceProfile& profile) const {
+    return centre.empty() ? in_box(c, x, profile) : in_ellipse(c, x, profile);
   }
 
  private:
+  /// 1 inside, 0 outside: the profile of the interface, whose sides differ, seen from the phase that is inside.
+  double step_down(double outwards, const InterfaceProfile& profile) const {
+    return density < density_around ? profile.vapour(-outwards) : profile.liquid(outwards);
+  }
   /// Distance from the ellipse r = 1 to first order, (r - 1) / |grad r|, r^2 = sum (x_d / s_d)^2; exact for a circle.
-  double in_ellipse(const Case& c, const double* x, double half_width) const {
+  double in_ellipse(const Case& c, const double* x, const InterfaceProfile& profile) const {
     double square = 0, slope = 0;
     for (std::size_t d = 0; d < centre.size(); ++d) {
       double distance = x[d] - centre[d];
@@ -37,15 +40,20 @@ struct Shape {
     }
     if (square == 0) return 1;
     const double r = std::sqrt(square);
-    return step_down((r - 1) * r / std::sqrt(slope), half_width);
+    return step_down((r - 1) * r / std::sqrt(slope), profile);
   }
-  /// A face on a side of the fluid, or beyond it, is no interface.
-  double in_box(const Case& c, const double* x, double half_width) const {
+  /// A face on a side of the fluid, or beyond it, is no interface; round a periodic axis there is no side.
+  double in_box(const Case& c, const double* x, const InterfaceProfile& profile) const {
     double inside = 1;
     for (std::size_t d = 0; d < lower.size(); ++d) {
       const double low = d + 1 == lower.size() && c.substrate ? c.substrate->thickness : 0, high = c.domain.size[d];
-      if (lower[d] > low + 1e-9) inside *= step_down(lower[d] - x[d], half_width);
-      if (upper[d] < high - 1e-9) inside *= step_down(x[d] - upper[d], half_width);
+      const double middle = 0.5 * (lower[d] + upper[d]), half = 0.5 * (upper[d] - lower[d]);
+      if (c.boundary.side[d][0] == Side::periodic) {
+        if (2 * half < high - 1e-9) inside *= step_down(std::abs(std::remainder(x[d] - middle, high)) - half, profile);
+        continue;
+      }
+      if (lower[d] > low + 1e-9) inside *= step_down(lower[d] - x[d], profile);
+      if (upper[d] < high - 1e-9) inside *= step_down(x[d] - upper[d], profile);
     }
     return inside;
   }
@@ -123,10 +131,11 @@ void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& vi
 
 /// The part of each shape at a point, shape by shape as visit(shape, part). Together they are at most 1.
 template <class Visit>
-void at_parts(const Case& c, const std::vector<Shape>& all, double half_width, const double* x, const Visit& visit) {
+void at_parts(const Case& c, const std::vector<Shape>& all, const InterfaceProfile& profile, const double* x,
+              const Visit& visit) {
   double cover = 0;
   for (const Shape& shape : all) {
-    const double part = std::min(shape.indicator(c, x, half_width), 1 - cover);
+    const double part = std::min(shape.indicator(c, x, profile), 1 - cover);
     visit(shape, part);
     cover += part;
   }
@@ -134,11 +143,11 @@ void at_parts(const Case& c, const std::vector<Shape>& all, double half_width, c
 
 /// Moving droplets: the sum of velocity times part. The solid, which has the wall in common with the fluid, stays at rest.
 template <int D>
-void fill_velocity(const Case& c, const Layout<D>& l, const std::vector<Shape>& all, double half_width,
+void fill_velocity(const Case& c, const Layout<D>& l, const std::vector<Shape>& all, const InterfaceProfile& profile,
                    std::vector<double>& unknown) {
   const int first = c.substrate ? l.wall_row + 1 : l.wall_row;
   at_greville_points(l, first, l.rows - first, [&](int i, const double* x) {
-    at_parts(c, all, half_width, x, [&](const Shape& shape, double part) {
+    at_parts(c, all, profile, x, [&](const Shape& shape, double part) {
       for (std::size_t d = 0; d < shape.velocity.size(); ++d)
         unknown[l.velocity_offset(d) + first * l.row_size + i] += part * shape.velocity[d];
     });
@@ -150,10 +159,10 @@ void fill_fluid(const Case& c, const Model<D, P>& model, std::vector<double>& un
   const Layout<D>& l = model.layout();
   const std::vector<Shape> all = shapes(c, model);
   const Shape around = surroundings(c, model.state(), all);
-  const double half_width = interface_half_width(*c.fluid);
+  const InterfaceProfile profile(VanDerWaals{c.fluid->temperature, 0}, model.state(), c.fluid->capillarity);
   at_greville_points(l, l.wall_row, l.fluid_rows(), [&](int i, const double* x) {
     double rho = around.density_around;
-    at_parts(c, all, half_width, x, [&](const Shape& shape, double part) {
+    at_parts(c, all, profile, x, [&](const Shape& shape, double part) {
       const bool liquid = shape.density > shape.density_around;
       const double inside = c.fluid->initial.empty() ? shape.density : c.fluid->initial[liquid ? 1 : 0];
       rho += (inside - around.density_around) * part;
@@ -161,7 +170,7 @@ void fill_fluid(const Case& c, const Model<D, P>& model, std::vector<double>& un
     unknown[l.density_offset() + i] = rho;
     unknown[l.potential_offset() + i] = around.potential;
   });
-  fill_velocity(c, l, all, half_width, unknown);
+  fill_velocity(c, l, all, profile, unknown);
 }
 
 /// Adds the wave to a component; `own` is the direction of a vector's component, -1 for the density.
@@ -191,6 +200,11 @@ void add_waves(const Case& c, const Layout<D>& l, std::vector<double>& unknown, 
   }
 }
 
+template <int D>
+std::vector<double> density_of(const Layout<D>& l, const std::vector<double>& unknown) {
+  return {unknown.begin() + l.density_offset(), unknown.begin() + l.potential_offset()};
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -199,11 +213,14 @@ State initial_state(const Case& c, const Model<D, P>& model) {
   State state = empty_state(l);
   std::vector<double> unknown(l.size(), 0.0), displacement(l.solid_size(), 0.0);
   if (l.has_fluid) fill_fluid(c, model, unknown);
+  const std::vector<double> without_waves = density_of(l, unknown);
   add_waves(c, l, unknown, displacement);
+  if (l.has_fluid) require_density(c, model, without_waves, density_of(l, unknown));
   state.unknown = to_device<Array>(unknown, "state.unknown");
   state.displacement = to_device<Array>(displacement, "state.displacement");
   multiply(Kokkos::subview(state.unknown, Kokkos::make_pair(0, l.velocity_size())),
            part(model.mask(), 0, l.velocity_size()));
+  require_upright(c, model, state);
   return state;
 }
 

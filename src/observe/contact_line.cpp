@@ -10,15 +10,15 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// Places where samples cross `level`, with the direction: +1 rising.
+/// Places where samples cross 0, with the direction: +1 into the droplet.
 struct Crossing {
   double x;
   int direction;
 };
-std::vector<Crossing> crossings(const std::vector<double>& x, const double* value, double level) {
+std::vector<Crossing> crossings(const std::vector<double>& x, const double* depth) {
   std::vector<Crossing> result;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-    const double a = value[i] - level, b = value[i + 1] - level;
+    const double a = depth[i], b = depth[i + 1];
     if ((a < 0) == (b < 0)) continue;
     result.push_back({x[i] + (x[i + 1] - x[i]) * a / (a - b), a < 0 ? 1 : -1});
   }
@@ -27,30 +27,30 @@ std::vector<Crossing> crossings(const std::vector<double>& x, const double* valu
 
 /// The crossing on the wall, sharpened by bisection on the spline itself.
 template <int D>
-double sharpen(const Section<D>& section, const Crossing& c, double spacing, double level) {
+double sharpen(const Section<D>& section, const Crossing& c, double spacing, const Surface& surface) {
   const std::vector<double> wall{section.snapshot().wall_height()};
   double lo = c.x - spacing, hi = c.x + spacing;
   for (int i = 0; i < 60; ++i) {
     const double m = 0.5 * (lo + hi);
-    const double excess = c.direction * (section.density({m}, wall)[0] - level);
+    const double excess = c.direction * surface.depth(section.density({m}, wall)[0]);
     (excess < 0 ? lo : hi) = m;
   }
   return 0.5 * (lo + hi);
 }
 
-/// Level-set points of the left and right half of the droplet whose wall crossings are given (reference coordinates).
+/// Points on the surface of the left and right half of the droplet whose wall crossings are given (reference coordinates).
 struct Sides {
   std::vector<Point> left, right;
 };
 template <int D>
-Sides trace_level(const Section<D>& section, double left, double right, double middle, double start) {
+Sides trace_surface(const Section<D>& section, double left, double right, const Surface& surface, double start) {
   const Axis& vertical = section.snapshot().layout().axis[D - 1];
   const double low = section.snapshot().wall_height(), middle_x = 0.5 * (left + right);
   // Height of the droplet above its middle.
   const std::vector<double> column = equidistant(low, vertical.length(), 4 * vertical.elements());
-  const std::vector<double> along = section.density({middle_x}, column);
+  const std::vector<double> along = surface.depth(section.density({middle_x}, column));
   double top = low;
-  for (const Crossing& c : crossings(column, along.data(), middle))
+  for (const Crossing& c : crossings(column, along.data()))
     if (c.direction < 0) {
       top = c.x;
       break;
@@ -59,9 +59,9 @@ Sides trace_level(const Section<D>& section, double left, double right, double m
   if (top - low < 1.5 * start) return sides;
   const std::vector<double> x = section.abscissas(4);
   const std::vector<double> y = equidistant(low + start, low + start + 0.85 * (top - low - start), 24);
-  const std::vector<double> value = section.density(x, y);
+  const std::vector<double> depth = surface.depth(section.density(x, y));
   for (std::size_t j = 0; j < y.size(); ++j) {
-    const std::vector<Crossing> found = crossings(x, value.data() + j * x.size(), middle);
+    const std::vector<Crossing> found = crossings(x, depth.data() + j * x.size());
     double best_left = -1e300, best_right = 1e300;
     for (const Crossing& c : found) {
       if (c.direction > 0 && c.x < middle_x) best_left = std::max(best_left, c.x);
@@ -75,18 +75,18 @@ Sides trace_level(const Section<D>& section, double left, double right, double m
 
 /// A droplet cut by a side of the domain, its plane of symmetry, begins or ends there.
 std::vector<Crossing> with_cut_droplets(std::vector<Crossing> found, const Reach& reach,
-                                        const std::vector<double>& trace, double middle) {
-  if (reach.low_is_side && trace.front() >= middle) found.insert(found.begin(), {reach.low, 1});
-  if (reach.high_is_side && trace.back() >= middle) found.push_back({reach.high, -1});
+                                        const std::vector<double>& trace) {
+  if (reach.low_is_side && trace.front() >= 0) found.insert(found.begin(), {reach.low, 1});
+  if (reach.high_is_side && trace.back() >= 0) found.push_back({reach.high, -1});
   return found;
 }
 
-/// Angle at which a circle meets a height, in the liquid inside the circle, degrees.
-std::optional<double> angle_at(const std::optional<Circle>& circle, double height) {
+/// Angle at which a circle meets a height, in the liquid, degrees.
+std::optional<double> angle_at(const std::optional<Circle>& circle, double height, const Surface& surface) {
   if (!circle) return std::nullopt;
   const double cosine = (height - circle->y) / circle->radius;
   if (!(std::abs(cosine) < 1)) return std::nullopt;
-  return std::acos(cosine) * 180 / M_PI;
+  return surface.angle_in_liquid(std::acos(cosine) * 180 / M_PI);
 }
 
 }  // namespace
@@ -107,14 +107,14 @@ std::optional<Circle> fit_circle(const std::vector<Point>& points) {
 }
 
 template <int D>
-std::vector<Footprint> find_footprints(const Section<D>& section, double middle, double capillarity) {
+std::vector<Footprint> find_footprints(const Section<D>& section, const Surface& surface, double capillarity) {
   const Reach& reach = section.reach();
   const std::vector<double> x = section.abscissas(4);
   const double low = section.snapshot().wall_height(), spacing = x[1] - x[0];
-  const std::vector<double> trace = section.density(x, {low});
-  const std::vector<Crossing> found = with_cut_droplets(crossings(x, trace.data(), middle), reach, trace, middle);
+  const std::vector<double> trace = surface.depth(section.density(x, {low}));
+  const std::vector<Crossing> found = with_cut_droplets(crossings(x, trace.data()), reach, trace);
   const auto sharp = [&](const Crossing& c) {
-    return c.x == reach.low || c.x == reach.high ? c.x : sharpen(section, c, spacing, middle);
+    return c.x == reach.low || c.x == reach.high ? c.x : sharpen(section, c, spacing, surface);
   };
   std::vector<Footprint> result;
   for (std::size_t i = 0; i + 1 < found.size(); ++i) {
@@ -125,15 +125,15 @@ std::vector<Footprint> find_footprints(const Section<D>& section, double middle,
     // A cut droplet has its middle on the side: as wide beyond it as before.
     const double mirrored_left = left == reach.low ? 2 * reach.low - right : left,
                  mirrored_right = right == reach.high ? 2 * reach.high - left : right;
-    const Sides sides = trace_level(section, mirrored_left, mirrored_right, middle, 2 * capillarity);
-    f.angle_left = angle_at(fit_circle(sides.left), line_left[1]);
-    f.angle_right = angle_at(fit_circle(sides.right), line_right[1]);
+    const Sides sides = trace_surface(section, mirrored_left, mirrored_right, surface, 2 * capillarity);
+    f.angle_left = angle_at(fit_circle(sides.left), line_left[1], surface);
+    f.angle_right = angle_at(fit_circle(sides.right), line_right[1], surface);
     result.push_back(f);
   }
   return result;
 }
 
-template std::vector<Footprint> find_footprints(const Section<2>&, double, double);
-template std::vector<Footprint> find_footprints(const Section<3>&, double, double);
+template std::vector<Footprint> find_footprints(const Section<2>&, const Surface&, double);
+template std::vector<Footprint> find_footprints(const Section<3>&, const Surface&, double);
 
 }  // namespace softwet

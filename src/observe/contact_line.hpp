@@ -1,4 +1,4 @@
-// Contact lines and apparent angles of droplets on the wall, in a vertical plane.
+// Contact lines and apparent angles of droplets or bubbles on the wall, in a vertical plane.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace softwet {
 
-/// One droplet's footprint in a section (2D: the domain, x = s), in current coordinates.
+/// The footprint of a droplet, bubble or film in a section (2D: the domain, x = s), in current coordinates.
 struct Footprint {
   double x_left, x_right;  ///< where rho = (rho_l + rho_v)/2 on the wall, or the side that cuts it
   std::optional<double> angle_left, angle_right;  ///< apparent angles, degrees, in the liquid
@@ -21,14 +21,13 @@ struct Circle {
 };
 std::optional<Circle> fit_circle(const std::vector<std::array<double, 2>>& points);
 
-/// Footprints from left to right. A droplet that reaches a side of the domain ends there, without an angle. The
+/// Footprints of the phase that is inside, from left to right. A droplet that reaches a side of the domain ends there, without an angle. The
 /// apparent angle of a side is that of a circle fitted to the level set of its half of the droplet, from 2 g above the
 /// wall, where it meets the height of that side's contact line. Where the fit begins (g .. 3 g) and ends moves the
 /// angle by 0.05 degrees. The height matters: a contact line on a ridge of 5e-3 reads 2 degrees less than the same
 /// circle at the undeformed wall (docs/verification/tensotaxis.md).
-/// @param middle       density of the level set
 /// @param capillarity  g, sets where the fit begins
 template <int D>
-std::vector<Footprint> find_footprints(const Section<D>&, double middle, double capillarity);
+std::vector<Footprint> find_footprints(const Section<D>&, const Surface&, double capillarity);
 
 }  // namespace softwet

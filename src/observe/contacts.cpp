@@ -9,7 +9,7 @@ namespace softwet {
 namespace {
 
 /// The wall, four samples per element and axis as along a contact line in 2D.
-WallSamples sample_wall(const Snapshot<3>& snapshot) {
+WallSamples sample_wall(const Snapshot<3>& snapshot, const Surface& surface) {
   const std::vector<Axis>& axis = snapshot.layout().axis;
   WallSamples wall{};
   Snapshot<3>::Grid grid;
@@ -21,20 +21,20 @@ WallSamples sample_wall(const Snapshot<3>& snapshot) {
     grid[d].resize(wall.points(d));
   }
   grid[2] = {snapshot.wall_height()};
-  wall.density = snapshot.density(grid);
+  wall.depth = surface.depth(snapshot.density(grid));
   for (int d : {0, 1, 2}) wall.displacement[d] = snapshot.displacement(grid, d, true);
   return wall;
 }
 
 /// The footprint of a region in the section along the track.
-std::optional<Footprint> along(const Snapshot<3>& snapshot, const WettedRegion& region, double middle,
+std::optional<Footprint> along(const Snapshot<3>& snapshot, const WettedRegion& region, const Surface& surface,
                                double capillarity, const Place& track) {
   Place through = region.reference_centre;
   for (int d : {0, 1})
     if (region.cut[d] != 0) through[d] = region.cut[d] < 0 ? 0 : snapshot.layout().axis[d].length();
   const Section<3> section = side_view(snapshot, through, track);
   const double inside = section.current(along_track(snapshot.layout(), through, track), snapshot.wall_height())[0];
-  for (const Footprint& f : find_footprints(section, middle, capillarity))
+  for (const Footprint& f : find_footprints(section, surface, capillarity))
     if (f.holds(inside)) return f;
   return std::nullopt;
 }
@@ -42,10 +42,11 @@ std::optional<Footprint> along(const Snapshot<3>& snapshot, const WettedRegion& 
 }  // namespace
 
 template <>
-std::vector<Contact> find_contacts(const Snapshot<2>& snapshot, double middle, double capillarity, const Place&) {
+std::vector<Contact> find_contacts(const Snapshot<2>& snapshot, const Surface& surface, double capillarity,
+                                   const Place&) {
   const Axis& axis = snapshot.layout().axis[0];
   std::vector<Contact> found;
-  for (Footprint f : find_footprints(side_view(snapshot, middle), middle, capillarity)) {
+  for (Footprint f : find_footprints(side_view(snapshot, surface), surface, capillarity)) {
     const double turn = axis.periodic() ? axis.length() * std::floor(f.centre() / axis.length()) : 0;
     f.x_left -= turn, f.x_right -= turn;
     found.push_back({{f.centre(), 0},
@@ -59,8 +60,9 @@ std::vector<Contact> find_contacts(const Snapshot<2>& snapshot, double middle, d
 }
 
 template <>
-std::vector<Contact> find_contacts(const Snapshot<3>& snapshot, double middle, double capillarity, const Place& track) {
-  const auto wall = std::make_shared<const WettedWall>(sample_wall(snapshot), middle);
+std::vector<Contact> find_contacts(const Snapshot<3>& snapshot, const Surface& surface, double capillarity,
+                                   const Place& track) {
+  const auto wall = std::make_shared<const WettedWall>(sample_wall(snapshot, surface));
   std::vector<Contact> found;
   for (int r = 0; r < static_cast<int>(wall->regions().size()); ++r) {
     const WettedRegion& region = wall->regions()[r];
@@ -68,7 +70,7 @@ std::vector<Contact> find_contacts(const Snapshot<3>& snapshot, double middle, d
                     {region.area, region.centre[0], region.centre[1], std::nullopt},
                     [wall, r](const Place& place) { return wall->region_at(place) == r; }};
     contact.cells.resize(contact_names(3).size());
-    if (const auto f = along(snapshot, region, middle, capillarity, track)) {
+    if (const auto f = along(snapshot, region, surface, capillarity, track)) {
       const std::optional<double> seen[4] = {f->x_left, f->x_right, f->angle_left, f->angle_right};
       std::copy(std::begin(seen), std::end(seen), contact.cells.begin() + velocity_column + 1);
     }

@@ -1,4 +1,4 @@
-// Where the droplets of a case meet the wall, from row to row of history.csv.
+// Where the droplets, bubbles and films of a case meet the wall, from row to row of history.csv.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,9 @@
 
 namespace softwet {
 
-/// One droplet of the case, from row to row.
+/// One droplet, bubble or film of the case, from row to row.
 struct DropletTrack {
-  Place centre{};        ///< of the footprint when last seen; before that, of the droplet in the case
+  Place centre{};        ///< of the footprint when last seen; before that, of the droplet or film in the case
   bool on_wall = false;  ///< it had a footprint in the last row
   bool merged = false;   ///< taken over by another droplet of the case; stays so
 };
@@ -26,14 +26,14 @@ struct Contact {
 /// Place of the velocity among the columns of a droplet (observe/host/columns.hpp), in 2D and in 3D.
 constexpr int velocity_column = 3;
 
-/// All footprints. 3D: area and centroid are those of the wetted part of the deformed wall, inside the domain. Contact
+/// All footprints. 3D: area and centroid are those of the wetted part of the deformed wall, inside the domain (of the dry
+/// part under a bubble). Contact
 /// points and angles are those of the vertical section through the centroid along the track, as in 2D; positions count
 /// along the track from the middle of the domain. A droplet cut by a side, beside its centroid, is half of one with the
 /// side as its plane of symmetry, so its section goes along that side.
-/// @param middle  density of the level set
-/// @param track   unit vector
+/// @param track  unit vector
 template <int D>
-std::vector<Contact> find_contacts(const Snapshot<D>&, double middle, double capillarity, const Place& track);
+std::vector<Contact> find_contacts(const Snapshot<D>&, const Surface&, double capillarity, const Place& track);
 
 /// Which contact belongs to which droplet (-1: none). Of droplets under one footprint the first goes on with it, as one
 /// that was not there before; the others are merged.

@@ -5,10 +5,10 @@
 namespace softwet {
 
 template <int D>
-PhaseSamples sample_phase(const Snapshot<D>& snapshot, double middle, Phase ambient) {
+PhaseSamples sample_phase(const Snapshot<D>& snapshot, const Surface& surface) {
   PhaseSamples samples;
   samples.dimension = D;
-  samples.bubbles = ambient == Phase::liquid;
+  samples.bubbles = surface.inside == Phase::vapour;
   typename Snapshot<D>::Grid grid;
   for (int d = 0; d < D; ++d) {
     const Axis& axis = snapshot.layout().axis[d];
@@ -20,11 +20,11 @@ PhaseSamples sample_phase(const Snapshot<D>& snapshot, double middle, Phase ambi
     samples.origin[d] = axis.lower(first);
     samples.step[d] = axis.spacing();
   }
-  for (double density : snapshot.density(grid)) samples.inside.push_back((density >= middle) != samples.bubbles);
+  samples.depth = surface.depth(snapshot.density(grid));
   return samples;
 }
 
-template PhaseSamples sample_phase(const Snapshot<2>&, double, Phase);
-template PhaseSamples sample_phase(const Snapshot<3>&, double, Phase);
+template PhaseSamples sample_phase(const Snapshot<2>&, const Surface&);
+template PhaseSamples sample_phase(const Snapshot<3>&, const Surface&);
 
 }  // namespace softwet

@@ -3,12 +3,12 @@
 
 #include "observe/host/droplet_watch.hpp"
 #include "observe/snapshot.hpp"
+#include "observe/surface.hpp"
 
 namespace softwet {
 
-/// The corners of the elements of the fluid. @param middle  (rho_l + rho_v)/2: a droplet is where the density is at
-/// least that, a bubble where it is less.
+/// The corners of the elements of the fluid.
 template <int D>
-PhaseSamples sample_phase(const Snapshot<D>&, double middle, Phase ambient);
+PhaseSamples sample_phase(const Snapshot<D>&, const Surface&);
 
 }  // namespace softwet

@@ -7,15 +7,27 @@
 #include "field/ranks.hpp"
 #include "observe/host/columns.hpp"
 #include "observe/host/output_time.hpp"
-#include "observe/phase_samples.hpp"
 
 namespace softwet {
 
+namespace {
+
+/// Of a droplet or, behind these, a film.
+bool begins_on_wall(const Case& c, std::size_t body) {
+  if (body < c.droplets.size()) return sits_on_wall(c, c.droplets[body]);
+  const double wall = c.substrate ? c.substrate->thickness : 0;
+  return c.films[body - c.droplets.size()].lower.back() <= wall + 1e-9 * c.domain.size.back();
+}
+
+}  // namespace
+
 template <int D, int P>
 Scalars<D, P>::Scalars(const Case& c, const Model<D, P>& model) : case_(c), model_(model) {
-  for (const Droplet& droplet : c.droplets)
-    memory_.droplets.push_back({{droplet.centre[0], D == 3 ? droplet.centre[1] : 0}, sits_on_wall(c, droplet), false});
   memory_.bodies = bodies_of(c);
+  for (std::size_t k = 0; k < memory_.bodies.size(); ++k) {
+    const std::array<double, 3>& place = memory_.bodies[k].place;
+    memory_.droplets.push_back({{place[0], D == 3 ? place[1] : 0}, begins_on_wall(c, k), false});
+  }
   latest_ = memory_;
 }
 
@@ -27,13 +39,14 @@ void Scalars<D, P>::restore(const HistoryMemory& memory) {
 }
 
 template <int D, int P>
-double Scalars<D, P>::middle() const {
-  return 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
+Surface Scalars<D, P>::surface() const {
+  const double middle = 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
+  return {middle, case_.fluid->ambient == Phase::liquid ? Phase::vapour : Phase::liquid};
 }
 
 template <int D, int P>
 std::vector<std::string> Scalars<D, P>::columns() const {
-  return history_names(D, case_.droplets.size());
+  return history_names(D, case_.droplets.size(), memory_.bodies.size() - case_.droplets.size());
 }
 
 template <int D, int P>
@@ -64,8 +77,8 @@ void Scalars<D, P>::add_extremes(const Extremes& found, Row& row) const {
 template <int D, int P>
 void Scalars<D, P>::add_droplets(const Snapshot<D>& snapshot, long step, Row& row) {
   std::vector<Contact> found;
-  if (model_.layout().has_fluid && model_.has_wall())
-    found = find_contacts(snapshot, middle(), model_.fluid().capillarity, case_.track());
+  if (!latest_.droplets.empty() && model_.has_wall())
+    found = find_contacts(snapshot, surface(), model_.fluid().capillarity, case_.track());
   const std::vector<int> of_droplet = assign_contacts(found, latest_.droplets);
   const double interval = latest_.time - memory_.time;
   for (std::size_t k = 0; k < of_droplet.size(); ++k) {
@@ -89,11 +102,31 @@ void Scalars<D, P>::add_droplets(const Snapshot<D>& snapshot, long step, Row& ro
 }
 
 template <int D, int P>
-void Scalars<D, P>::follow_bodies(const Snapshot<D>& snapshot) {
-  if (latest_.bodies.empty()) return;
-  const PhaseSamples samples = sample_phase(snapshot, middle(), case_.fluid->ambient);
+PhaseSamples Scalars<D, P>::follow_bodies(const Snapshot<D>& snapshot, const std::string& told) {
+  if (latest_.bodies.empty()) return {};
+  PhaseSamples samples = sample_phase(snapshot, surface());
   for (const std::string& what : follow(latest_.bodies, samples, body_names(case_)))
-    latest_.events.push_back({output_time(latest_.time, case_.clock_zero()), what});
+    latest_.events.push_back({output_time(latest_.time, case_.clock_zero()), what + told});
+  return samples;
+}
+
+template <int D, int P>
+void Scalars<D, P>::watch(const State& state, const std::string& told) {
+  const Snapshot<D> snapshot(model_.layout(), state, SnapshotOf::all_but_velocity);
+  if (!ranks::root()) return;
+  latest_ = memory_;
+  latest_.time = state.time;
+  Row unused;
+  add_droplets(snapshot, 0, unused);
+  watched_ = follow_bodies(snapshot, told);
+  if (!latest_.bodies.empty()) last_seen_ = centres_of(latest_.bodies, watched_);
+  if (first_seen_.empty()) first_seen_ = last_seen_;
+  keep();
+}
+
+template <int D, int P>
+std::vector<std::optional<double>> Scalars<D, P>::moved() const {
+  return distances(first_seen_, last_seen_, watched_);
 }
 
 template <int D, int P>
@@ -112,7 +145,7 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   const Layout<D>& layout = model_.layout();
   const Integrals sum = model_.integrals(end);
   const double load_power = model_.load_power(state.time, state.unknown);
-  const Extremes extremes = find_extremes(layout, state, middle());
+  const Extremes extremes = find_extremes(layout, state, layout.has_fluid ? surface().level : 0);
   const Snapshot<D> snapshot(layout, state, SnapshotOf::all_but_velocity);
   if (!ranks::root()) return {};
   latest_ = memory_;

@@ -1,4 +1,4 @@
-// The columns of history.csv: integrals of the state, extremes, and the contact lines of each droplet.
+// The columns of history.csv: integrals of the state, extremes, and the contact lines of each droplet, bubble and film.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,17 @@
 #include "observe/contacts.hpp"
 #include "observe/extremes.hpp"
 #include "observe/host/bodies.hpp"
+#include "observe/phase_samples.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
 
 /// What the next row needs to know of the rows before; part of the checkpoint.
 struct HistoryMemory {
-  long step = 0;          ///< of the last row that follows output.history.every
-  double time = 0;        ///< of that row, on the clock of the computation
-  double mass_start = 0;  ///< at step 0
-  std::vector<DropletTrack> droplets;
+  long step = 0;                       ///< of the last row that follows output.history.every
+  double time = 0;                     ///< of that row, on the clock of the computation
+  double mass_start = 0;               ///< at step 0
+  std::vector<DropletTrack> droplets;  ///< of each body
   std::vector<Body> bodies;
   std::vector<Event> events;  ///< of the whole run
 };
@@ -46,6 +47,12 @@ class Scalars {
   /// follows the droplets from row to row. The others get an empty row.
   Row evaluate(long step, const StepReport& report, const State& state, const Stage& end);
 
+  /// Follows the droplets to a state for which there is no row, before the first row: `told` stands behind the sentence of
+  /// each event. All processes have to call it.
+  void watch(const State& state, const std::string& told);
+  /// How far each body has moved between the first and the last state that was watched; empty where it is gone.
+  std::vector<std::optional<double>> moved() const;
+
   /// Makes the row last evaluated the one that the next velocities refer to.
   void keep() { memory_ = latest_; }
 
@@ -60,14 +67,16 @@ class Scalars {
   void add_integrals(long step, const Integrals&, double load_power, Row&);
   void add_extremes(const Extremes&, Row&) const;
   void add_droplets(const Snapshot<D>&, long step, Row&);
-  void follow_bodies(const Snapshot<D>&);
-  double middle() const;  ///< density of the level set that is the surface of a droplet
+  PhaseSamples follow_bodies(const Snapshot<D>&, const std::string& told = "");
+  Surface surface() const;
   double laplace_pressure(const Snapshot<D>&) const;
 
   const Case& case_;
   const Model<D, P>& model_;
   HistoryMemory memory_, latest_;
   Headline headline_;
+  std::vector<Centre> first_seen_, last_seen_;  ///< by `watch`
+  PhaseSamples watched_;                        ///< the last of its samples
 };
 
 }  // namespace softwet

@@ -7,13 +7,14 @@ namespace softwet {
 
 namespace {
 
-/// Largest density above each place of the wall.
-std::vector<double> largest_of_columns(const Snapshot<2>& snapshot, const std::vector<double>& x) {
+/// Largest depth above each place of the wall.
+std::vector<double> largest_of_columns(const Snapshot<2>& snapshot, const Surface& surface,
+                                       const std::vector<double>& x) {
   const Axis& vertical = snapshot.layout().axis[1];
   const std::vector<double> height = equidistant(snapshot.wall_height(), vertical.length(), vertical.elements());
-  const std::vector<double> density = snapshot.density({x, height});
-  std::vector<double> largest(density.begin(), density.begin() + x.size());
-  for (std::size_t i = 0; i < density.size(); ++i) largest[i % x.size()] = std::max(largest[i % x.size()], density[i]);
+  const std::vector<double> depth = surface.depth(snapshot.density({x, height}));
+  std::vector<double> largest(depth.begin(), depth.begin() + x.size());
+  for (std::size_t i = 0; i < depth.size(); ++i) largest[i % x.size()] = std::max(largest[i % x.size()], depth[i]);
   return largest;
 }
 
@@ -72,13 +73,13 @@ std::array<double, 2> Section<D>::current(double s, double height) const {
   return {s + along, height + snapshot_.displacement(at, D - 1, true)[0]};
 }
 
-Section<2> side_view(const Snapshot<2>& snapshot, double middle) {
+Section<2> side_view(const Snapshot<2>& snapshot, const Surface& surface) {
   const Axis& axis = snapshot.layout().axis[0];
   if (!axis.periodic()) return {snapshot, {0, 0}, {1, 0}, {0, axis.length(), true, true}};
   double low = 0;
-  if (largest_of_columns(snapshot, {0})[0] >= middle) {
+  if (largest_of_columns(snapshot, surface, {0})[0] >= 0) {
     const std::vector<double> x = equidistant(0, axis.length(), 4 * axis.elements());
-    const std::vector<double> largest = largest_of_columns(snapshot, x);
+    const std::vector<double> largest = largest_of_columns(snapshot, surface, x);
     low = x[std::min_element(largest.begin(), largest.end()) - largest.begin()] - axis.length();
   }
   return {snapshot, {0, 0}, {1, 0}, {low, low + axis.length(), false, false}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "observe/snapshot.hpp"
+#include "observe/surface.hpp"
 #include "observe/wetted_wall.hpp"
 
 namespace softwet {
@@ -36,9 +37,9 @@ class Section {
   Reach reach_;
 };
 
-/// The whole of a 2D domain: s = x. A periodic axis is cut open at 0 or, with a density of `middle` or more there, a
-/// turn before the column whose largest density is the smallest.
-Section<2> side_view(const Snapshot<2>&, double middle);
+/// The whole of a 2D domain: s = x. A periodic axis is cut open at 0 or, where that lies inside a droplet or bubble, a turn
+/// before the column whose largest depth is the smallest.
+Section<2> side_view(const Snapshot<2>&, const Surface&);
 
 /// The plane through a point of the wall along a direction (a unit vector), from side to side. s counts from the foot
 /// of the perpendicular from the middle of the domain. A periodic axis is cut half a period before and after the point.

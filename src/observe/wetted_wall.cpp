@@ -13,17 +13,14 @@ struct WettedWall::Step {
   std::array<int, 2> turn{0, 0};
 };
 
-/// A corner of a triangle: where it is now (x, y, z), where it was (x, y), its density.
+/// A corner of a triangle: where it is now (x, y, z), where it was (x, y), its depth.
 struct WettedWall::Vertex {
   std::array<double, 6> value;
-  double density() const { return value[5]; }
+  double depth() const { return value[5]; }
 };
 
-WettedWall::WettedWall(const WallSamples& samples, double level)
-    : samples_(samples),
-      level_(level),
-      region_(samples.density.size(), -1),
-      turn_(samples.density.size(), std::array<int, 2>{0, 0}) {
+WettedWall::WettedWall(const WallSamples& samples)
+    : samples_(samples), region_(samples.depth.size(), -1), turn_(samples.depth.size(), std::array<int, 2>{0, 0}) {
   for (int p = 0; p < static_cast<int>(region_.size()); ++p)
     if (wet(p) && region_[p] < 0) flood(p);
   for (int j = 0; j < samples_.cells[1]; ++j)
@@ -37,8 +34,8 @@ int WettedWall::corner(int i, int j) const {
 
 bool WettedWall::wet_middle(int i, int j) const {
   double sum = 0;
-  for (const auto& [di, dj] : around) sum += samples_.density[corner(i + di, j + dj)];
-  return 0.25 * sum >= level_;
+  for (const auto& [di, dj] : around) sum += samples_.depth[corner(i + di, j + dj)];
+  return 0.25 * sum >= 0;
 }
 
 auto WettedWall::step(int point, int di, int dj) const -> Step {
@@ -88,7 +85,7 @@ auto WettedWall::vertex(int i, int j, const std::array<int, 2>& turn) const -> V
     v.value[d] = v.value[3 + d] + samples_.displacement[d][point];
   }
   v.value[2] = samples_.displacement[2][point];
-  v.value[5] = samples_.density[point];
+  v.value[5] = samples_.depth[point];
   return v;
 }
 
@@ -121,12 +118,12 @@ void WettedWall::add_cell(int i, int j) {
   }
 }
 
-/// Adds the part of a triangle above the level: area, and area times places.
+/// Adds the part of a triangle that is wet: area, and area times places.
 void WettedWall::add_triangle(const std::array<Vertex, 3>& triangle, WettedRegion& region) const {
   std::vector<Vertex> above;
   for (int k = 0; k < 3; ++k) {
     const Vertex &a = triangle[k], &b = triangle[(k + 1) % 3];
-    const double da = a.density() - level_, db = b.density() - level_;
+    const double da = a.depth(), db = b.depth();
     if (da >= 0) above.push_back(a);
     if ((da >= 0) == (db >= 0)) continue;
     Vertex cut;

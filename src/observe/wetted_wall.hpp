@@ -8,19 +8,19 @@ namespace softwet {
 
 using Place = std::array<double, 2>;  ///< a point or direction in the plane of the wall, (x, y); 2D: y = 0
 
-/// Density and displacement on an equidistant grid of the undeformed wall, first axis fastest. An axis of n cells has
-/// n + 1 points, a periodic one n.
+/// Depth (Surface::depth) and displacement on an equidistant grid of the undeformed wall, first axis fastest. An axis of n
+/// cells has n + 1 points, a periodic one n.
 struct WallSamples {
   std::array<double, 2> length;
   std::array<int, 2> cells;
   std::array<bool, 2> periodic;
-  std::vector<double> density;
+  std::vector<double> depth;
   std::array<std::vector<double>, 3> displacement;
 
   int points(int axis) const { return cells[axis] + (periodic[axis] ? 0 : 1); }
 };
 
-/// A connected part of the wall under liquid.
+/// A connected part of the wall under liquid, or under a bubble.
 struct WettedRegion {
   double area = 0;           ///< of the deformed wall
   Place centre{};            ///< of that area, now; inside a periodic domain
@@ -29,12 +29,12 @@ struct WettedRegion {
   std::array<int, 2> cut{0, 0};
 };
 
-/// Where the density is above a level. Each cell is four triangles around its middle, whose value is the mean of the
-/// corners; a triangle is cut along the line where its linear interpolant has the level. Areas and centroids are of
+/// Where the depth is 0 or more. Each cell is four triangles around its middle, whose value is the mean of the
+/// corners; a triangle is cut along the line where its linear interpolant is 0. Areas and centroids are of
 /// second order in the size of a cell, and keep the symmetries of the grid.
 class WettedWall {
  public:
-  WettedWall(const WallSamples& samples, double level);
+  explicit WettedWall(const WallSamples& samples);
 
   /// In the order of their first points.
   const std::vector<WettedRegion>& regions() const { return regions_; }
@@ -45,7 +45,7 @@ class WettedWall {
   struct Step;
   struct Vertex;
   Step step(int point, int di, int dj) const;
-  bool wet(int point) const { return samples_.density[point] >= level_; }
+  bool wet(int point) const { return samples_.depth[point] >= 0; }
   bool wet_middle(int i, int j) const;
   int corner(int i, int j) const;
   Vertex vertex(int i, int j, const std::array<int, 2>& turn) const;
@@ -56,7 +56,6 @@ class WettedWall {
   bool beside(int region, int axis, int end) const;
 
   WallSamples samples_;
-  double level_;
   std::vector<int> region_;               ///< of each point; -1: dry
   std::vector<std::array<int, 2>> turn_;  ///< how often a region has gone round a periodic axis when it gets there
   std::vector<WettedRegion> regions_;

@@ -100,7 +100,7 @@ class Change {
 
 template <int D, int P>
 Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double time,
-                 const std::function<bool()>& interrupted) {
+                 const std::function<bool()>& interrupted, const std::function<void(const State&)>& watch) {
   const Case control = loose(c);
   const Judge<D, P> judge(model, control);
   ImplicitScheme<D, P> scheme(model, control, judge);
@@ -127,6 +127,7 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
       continue;
     }
     scheme.accept(state);
+    watch(state);
     const Changes size = change.from_last(state);
     ++done.steps;
     done.newton += tried.newton;
@@ -141,6 +142,6 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
 }
 
 template Relaxation relax(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, State&, double,
-                          const std::function<bool()>&);
+                          const std::function<bool()>&, const std::function<void(const State&)>&);
 
 }  // namespace softwet

@@ -22,10 +22,12 @@ struct Relaxation {
 /// is below 1e-6. The second one sees a thin vapour that fills slowly. A droplet that creeps more slowly than that counts
 /// as at rest. The state gets the time `time` and is as one that `Scheme::initialise` has not seen.
 /// Throws Error (computation_failed) where this does not happen, with the reason. Ends earlier when interrupted.
+/// @param watch  called with the state after each step
 /// Source: Kelley and Keyes 1998.   Tested: tests/unit/time/test_relaxation.cpp
 template <int D, int P>
 Relaxation relax(
     const Model<D, P>&, const Case&, State&, double time,
-    const std::function<bool()>& interrupted = [] { return false; });
+    const std::function<bool()>& interrupted = [] { return false; },
+    const std::function<void(const State&)>& watch = [](const State&) {});
 
 }  // namespace softwet

@@ -51,12 +51,13 @@ def tanh_sinh(f, a, b):
     return total * h * (b - a) / 2
 
 
-for scene in SCENES[::2]:
-    fluid = Fluid(*scene)
-    constants = (fluid.theta, fluid.vapour, fluid.liquid, fluid.pressure, fluid.potential)
-    print("theta, densities, pressure, potential: " + ", ".join(f"{float(x):.17g}" for x in constants))
-    v, l = fluid.vapour, fluid.liquid
-    for part in ("-0.1", "-0.0001", "0.0001", "0.1", "0.4999", "0.5001", "0.9", "0.9999", "1.0001", "1.02", "1.1"):
-        rho = N(float(v + N(part) * (l - v)))
-        row = (rho, fluid.excess(rho), fluid.slope(rho), fluid.integral(rho, N("1e-5")), fluid.integral(rho, N("1e-3")))
-        print("{" + ", ".join(f"{float(x):.17g}" for x in row) + "},")
+if __name__ == "__main__":
+    for scene in SCENES[::2]:
+        fluid = Fluid(*scene)
+        constants = (fluid.theta, fluid.vapour, fluid.liquid, fluid.pressure, fluid.potential)
+        print("theta, densities, pressure, potential: " + ", ".join(f"{float(x):.17g}" for x in constants))
+        v, l = fluid.vapour, fluid.liquid
+        for part in ("-0.1", "-0.0001", "0.0001", "0.1", "0.4999", "0.5001", "0.9", "0.9999", "1.0001", "1.02", "1.1"):
+            rho = N(float(v + N(part) * (l - v)))
+            row = (rho, fluid.excess(rho), fluid.slope(rho), fluid.integral(rho, N("1e-5")), fluid.integral(rho, N("1e-3")))
+            print("{" + ", ".join(f"{float(x):.17g}" for x in row) + "},")

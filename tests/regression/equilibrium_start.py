@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 """A scene that starts from its equilibrium: it begins with the load, at rest, and then moves as one that has relaxed by
-itself; a scene that cannot come to rest is refused with a sentence; models that leave something out agree with the full
+itself; a scene that cannot come to rest is refused with a sentence; how far droplets moved on the way is told, and what merged there is
+not called one from the start; models that leave something out agree with the full
 one where they should.
 usage: equilibrium_start.py SOFTWET"""
 
-from _scene import check, check_true, history, record, run
+import pathlib
+
+from _scene import check, check_true, history, record, run, run_file
 
 SCENE = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "load[0].ramp=2", "load[0].force=[0.5,0]", "time.end=20",
          "output.fields.times=[]"]
@@ -38,3 +41,29 @@ check("path with small strain", abs(small / quick - 1), 0.3)
 check_true("small strain is another model", abs(small / quick - 1) > 1e-4)
 message = run("tensotaxis_pull_2d", "too_soft", [*SCENE, "load[0].start=1", AT_REST, "substrate.young=0.005"], code=2)
 check_true("what does not come to rest says so", "does not come to rest" in message and "time.start" in message, message)
+
+# Two caps side by side, too steep for their contact angle: they spread, and meet while they come to rest.
+pathlib.Path("pair.toml").write_text("""
+name = "pair"
+domain = { size = [0.5, 0.25], elements = [32, 16] }
+fluid = { viscosity = "1/256", capillarity = "1/32", temperature = 0.39, contact_angle = 60 }
+time = { end = 0.1, start = "equilibrium" }
+[[droplet]]
+centre = [0.15, 0]
+radius = 0.08
+stretch = [1, 1.4]
+[[droplet]]
+centre = [0.34, 0]
+radius = 0.08
+stretch = [1, 1.4]
+""")
+message = run_file("pair.toml", "pair", [], ["--overwrite", "--threads", "1"])
+events = record("pair")["events"]
+check_true("a merger on the way", events[0] == {"t": 0, "what": "droplet 1 and droplet 2 merged (while the scene came to rest)"},
+           str(events))
+check_true("is told", message.count("merged (while the scene came to rest)") == 2, message)
+check_true("and how far the droplet moved", "; on the way droplet 1 moved by 0." in message, message)
+moved = record("pair")["start"]["moved"]
+check_true("run.json has the way of each droplet", 0.05 < moved[0] < 0.2 and moved[1] is None, str(moved))
+message = run_file("pair.toml", "overlap", ["droplet[1].centre=[0.25,0]"], ["--overwrite", "--threads", "1"])
+check_true("droplets that overlap are one from the start", "are one from the start" in message, message)

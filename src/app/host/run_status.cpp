@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -59,6 +60,24 @@ std::string summary(const std::vector<Event>& events) {
   for (std::size_t i = 0; i < events.size() && i < shown; ++i) text += "; " + sentence(events[i]);
   if (events.size() > shown) text += fmt::format("; and {} more events, listed in run.json", events.size() - shown);
   return text;
+}
+
+std::string moves_text(const std::vector<std::string>& names, const std::vector<std::optional<double>>& moved) {
+  constexpr std::size_t shown = 4;
+  std::vector<std::size_t> there;
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    if (moved[k]) there.push_back(k);
+  if (there.empty()) return "";
+  if (there.size() > shown) {
+    const std::size_t k = *std::max_element(there.begin(), there.end(),
+                                            [&](std::size_t a, std::size_t b) { return *moved[a] < *moved[b]; });
+    return fmt::format("; on the way {} moved farthest, by {:.2g} (run.json has all: start.moved)", names[k],
+                       *moved[k]);
+  }
+  std::string text;
+  for (std::size_t k : there)
+    text += fmt::format("{}{} moved by {:.2g}", text.empty() ? "" : ", ", names[k], *moved[k]);
+  return "; on the way " + text;
 }
 
 }  // namespace softwet

@@ -110,7 +110,7 @@ SavedRun read_saved_run(const std::string& path, const Case& c, const std::vecto
   run.history_time = file.not_negative("history/time");
   run.mass_start = file.number("history/mass_start");
   const std::size_t numbers = static_cast<std::size_t>(c.dimension()) + 1;
-  const std::vector<double> droplets = file.array("history/droplets", numbers * c.droplets.size());
+  const std::vector<double> droplets = file.array("history/droplets", numbers * bodies_of(c).size());
   for (auto first = droplets.begin(); first != droplets.end(); first += numbers)
     run.droplets.emplace_back(first, first + numbers);
   if (file.has(body_array)) read_bodies(file, c, run);

@@ -21,7 +21,8 @@ std::vector<Body> bodies_of(const Case& c) {
     std::copy(c.droplets[k].centre.begin(), c.droplets[k].centre.end(), bodies[k].place.begin());
   for (std::size_t k = 0; k < films_of(c); ++k)
     for (std::size_t d = 0; d < c.domain.size.size(); ++d)
-      bodies[c.droplets.size() + k].place[d] = 0.5 * (c.films[k].lower[d] + c.films[k].upper[d]);
+      bodies[c.droplets.size() + k].place[d] =
+          std::clamp(0.5 * (c.films[k].lower[d] + c.films[k].upper[d]), 0.0, c.domain.size[d]);
   return bodies;
 }
 

@@ -42,12 +42,15 @@ const std::vector<Column> of_step{
     {"speed_max_solid", speed_unit, "Largest |v| of a control point of the solid, the wall included."},
 };
 
-/// The columns of a droplet.
+/// The columns of a droplet, bubble or film.
 const std::vector<Column> of_droplet{
-    {"contact_area", "L0^2", "Area of the deformed wall that is wetted, which means rho > (rho_l + rho_v)/2.", 3},
+    {"contact_area", "L0^2",
+     "Area of the deformed wall that is wetted, which means rho > (rho_l + rho_v)/2; of a bubble, the area that is "
+     "dry.",
+     3},
     {"x_left", "L0",
-     "Left contact point: where rho = (rho_l + rho_v)/2 on the deformed wall. A droplet that is cut by a side of the "
-     "domain ends at the side.",
+     "Left contact point of a droplet, bubble or film: where rho = (rho_l + rho_v)/2 on the deformed wall. One that is "
+     "cut by a side of the domain ends at the side.",
      2},
     {"x_right", "L0", "Right contact point.", 2},
     {"x_centre", "L0", "In 2D the midpoint of x_left and x_right; in 3D x of the centroid of the wetted wall."},
@@ -56,8 +59,10 @@ const std::vector<Column> of_droplet{
      "Velocity of the droplet since the row before: in 2D that of x_centre, in 3D that of the centroid along "
      "output.history.track."},
     {"angle_left", "degrees",
-     "Left apparent contact angle, measured in the liquid. A circle is fitted to the left half of the outline of the "
-     "droplet, from 2 capillarities above the wall upwards. The angle is the one at which this circle meets the height "
+     "Left apparent contact angle, measured in the liquid, also of a bubble. A circle is fitted to the left half of "
+     "the "
+     "outline of the droplet, from 2 capillarities above the wall upwards. The angle is the one at which this circle "
+     "meets the height "
      "of the left contact point.",
      2},
     {"angle_right", "degrees", "Right apparent contact angle, measured in the same way.", 2},
@@ -136,9 +141,9 @@ std::vector<std::string> names_of(const std::vector<Column>& columns, int dimens
 
 std::vector<std::string> contact_names(int dimension) { return names_of(of_droplet, dimension); }
 
-std::vector<std::string> history_names(int dimension, std::size_t droplets) {
+std::vector<std::string> history_names(int dimension, std::size_t droplets, std::size_t films) {
   std::vector<std::string> names = names_of(of_step, dimension);
-  for (std::size_t k = 0; k < droplets; ++k)
+  for (std::size_t k = 0; k < droplets + films; ++k)
     for (const std::string& name : contact_names(dimension))
       names.push_back(k == 0 ? name : name + "_" + std::to_string(k + 1));
   for (const std::string& name : names_of(of_balance, dimension))
@@ -153,8 +158,10 @@ const std::vector<ColumnTable>& column_tables() {
       {"history", "history.csv",
        "A row for every output.history.every steps, and one for the last step. An empty cell means that the quantity "
        "does not exist there: no fluid, no solid, no contact line. d is the dimension of the domain; in 2D integrals "
-       "are per depth. The columns of the second droplet end in _2, of the third in _3, and so on. When droplets "
-       "merge, the first one goes on and the others stay empty.",
+       "are per depth. The columns of the second droplet or bubble end in _2, of the third in _3, and so on; films are "
+       "numbered on behind the droplets (around bubbles they have none). When droplets merge, the first one goes on "
+       "and "
+       "the others stay empty.",
        joined(of_step, of_droplet, of_balance)},
       {"interface", "interface.csv",
        "The wall at the field times: two points for each element along each axis, and the ends. Without a fluid it is "

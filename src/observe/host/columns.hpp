@@ -15,11 +15,11 @@ struct Column {
   int dimension = 0;  ///< 2 or 3: only domains of this dimension have the column
 };
 
-/// Names of the columns that each droplet has in history.csv.
+/// Names of the columns that each droplet, bubble or film has in history.csv.
 std::vector<std::string> contact_names(int dimension);
 
-/// Header of history.csv. The columns of droplet number k = 2, 3, ... end in _k.
-std::vector<std::string> history_names(int dimension, std::size_t droplets);
+/// Header of history.csv. The columns of droplet number k = 2, 3, ... end in _k; the films are numbered on behind them.
+std::vector<std::string> history_names(int dimension, std::size_t droplets, std::size_t films = 0);
 
 /// Header of interface.csv.
 std::vector<std::string> interface_names(int dimension);

@@ -15,9 +15,9 @@ struct Region {
 /// The connected regions of a grid: points are neighbours along the axes, also across a periodic end.
 class Regions {
  public:
-  explicit Regions(const PhaseSamples& samples) : samples_(samples), label_(samples.inside.size(), -1) {
+  explicit Regions(const PhaseSamples& samples) : samples_(samples), label_(samples.depth.size(), -1) {
     for (std::size_t p = 0; p < label_.size(); ++p)
-      if (samples_.inside[p] && label_[p] < 0) flood(static_cast<int>(p));
+      if (samples_.inside(p) && label_[p] < 0) flood(static_cast<int>(p));
     find_deepest();
   }
 
@@ -42,6 +42,34 @@ class Regions {
     return label_[point];
   }
 
+  /// The centres of all regions, as `centres_of` has them.
+  std::vector<std::array<double, 3>> centres() const {
+    struct Sums {
+      double weight = 0;
+      std::array<double, 3> first{}, sine{};
+    };
+    std::vector<Sums> sums(regions_.size());
+    for (std::size_t p = 0; p < label_.size(); ++p) {
+      if (label_[p] < 0) continue;
+      Sums& of = sums[label_[p]];
+      const std::array<double, 3> x = place(static_cast<int>(p));
+      const double w = samples_.depth[p];
+      of.weight += w;
+      for (int d = 0; d < samples_.dimension; ++d) {
+        of.first[d] += w * (samples_.periodic[d] ? std::cos(x[d] / radian(d)) : x[d]);
+        of.sine[d] += samples_.periodic[d] ? w * std::sin(x[d] / radian(d)) : 0;
+      }
+    }
+    std::vector<std::array<double, 3>> middles(sums.size());
+    for (std::size_t r = 0; r < sums.size(); ++r)
+      for (int d = 0; d < samples_.dimension && sums[r].weight > 0; ++d) {
+        const double first = sums[r].first[d], sine = sums[r].sine[d], weight = sums[r].weight;
+        const bool all_round = samples_.periodic[d] && std::hypot(first, sine) < 1e-6 * weight;
+        if (!all_round) middles[r][d] = samples_.periodic[d] ? radian(d) * std::atan2(sine, first) : first / weight;
+      }
+    return middles;
+  }
+
   /// The nearest region to a place that is not taken; -1: none.
   int nearest(const std::array<double, 3>& x, const std::vector<bool>& taken) const {
     double least = std::numeric_limits<double>::infinity();
@@ -61,6 +89,8 @@ class Regions {
 
  private:
   int vertical() const { return samples_.dimension - 1; }
+  /// Length of a periodic axis that is one radian.
+  double radian(int axis) const { return samples_.step[axis] * samples_.points[axis] / 6.283185307179586; }
 
   std::array<int, 3> index_of(int point) const {
     const auto& n = samples_.points;
@@ -91,7 +121,7 @@ class Regions {
       each_neighbour(point, [&](int axis, int end, int next) {
         if (next < 0) {
           regions_[label].touched |= 1U << (2 * axis + end);
-        } else if (samples_.inside[next] && label_[next] < 0) {
+        } else if (samples_.inside(next) && label_[next] < 0) {
           label_[next] = label;
           open.push_back(next);
         }
@@ -197,6 +227,32 @@ std::vector<std::string> follow(std::vector<Body>& bodies, const PhaseSamples& s
     bodies[k].seen = true;
   }
   return said;
+}
+
+std::vector<Centre> centres_of(const std::vector<Body>& bodies, const PhaseSamples& samples) {
+  const Regions regions(samples);
+  const std::vector<std::array<double, 3>> of_regions = regions.centres();
+  std::vector<Centre> centres;
+  for (const Body& body : bodies) {
+    const int region = body.gone ? -1 : regions.at(body.place);
+    centres.push_back(region < 0 ? Centre() : of_regions[region]);
+  }
+  return centres;
+}
+
+std::vector<std::optional<double>> distances(const std::vector<Centre>& from, const std::vector<Centre>& to,
+                                             const PhaseSamples& samples) {
+  std::vector<std::optional<double>> moved(to.size());
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    if (!from[k] || !to[k]) continue;
+    double square = 0;
+    for (int d = 0; d < samples.dimension; ++d) {
+      const double away = (*to[k])[d] - (*from[k])[d], length = samples.step[d] * samples.points[d];
+      square += std::pow(samples.periodic[d] ? std::remainder(away, length) : away, 2);
+    }
+    moved[k] = std::sqrt(square);
+  }
+  return moved;
 }
 
 }  // namespace softwet

@@ -1,19 +1,24 @@
-// What becomes of the droplets of a run as wholes: which vanish, merge, reach a side, leave the wall. Plain numbers.
+// What becomes of the droplets of a run as wholes: which vanish, merge, reach a side, leave the wall, and how far they move.
+// Plain numbers.
 #pragma once
+
+#include <optional>
 
 #include "observe/host/bodies.hpp"
 
 namespace softwet {
 
-/// Which points of a regular grid lie in a droplet (in a bubble where the ambient is liquid), first axis fastest. The
-/// grid of a periodic axis has no point at its upper end.
+/// How deep the points of a regular grid lie in a droplet (in a bubble where the ambient is liquid), first axis fastest.
+/// The grid of a periodic axis has no point at its upper end.
 struct PhaseSamples {
   int dimension = 2;                       ///< 2 or 3; the last axis is vertical
   std::array<int, 3> points{1, 1, 1};      ///< per axis
   std::array<bool, 3> periodic{};          ///< per axis
   std::array<double, 3> origin{}, step{};  ///< of the grid; the lower end of the vertical axis is the wall
-  std::vector<bool> inside;
-  bool bubbles = false;  ///< inside is vapour
+  std::vector<double> depth;               ///< any measure that is 0 on the surface and grows inwards
+  bool bubbles = false;                    ///< inside is vapour
+
+  bool inside(std::size_t point) const { return depth[point] >= 0; }
 };
 
 /// Follows the bodies to a new state and returns a sentence for each thing that happened since the last one. A body is
@@ -22,5 +27,14 @@ struct PhaseSamples {
 /// overlaps another; nothing is told twice.
 std::vector<std::string> follow(std::vector<Body>& bodies, const PhaseSamples& samples,
                                 const std::vector<std::string>& names);
+
+/// The centres of bodies that `follow` has seen in these samples: means of the places inside, weighted by their depth. Along
+/// a periodic axis the mean is one of angles, and 0 where a body reaches all round. Empty for a body that is gone.
+using Centre = std::optional<std::array<double, 3>>;
+std::vector<Centre> centres_of(const std::vector<Body>& bodies, const PhaseSamples& samples);
+
+/// How far each body has moved, the shorter way round periodic axes of these samples; empty where it is gone.
+std::vector<std::optional<double>> distances(const std::vector<Centre>& from, const std::vector<Centre>& to,
+                                             const PhaseSamples& samples);
 
 }  // namespace softwet

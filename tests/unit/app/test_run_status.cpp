@@ -50,5 +50,16 @@ TEST(RunStatus, EventsAreListedAndSummedUp) {
       has(summary(std::vector<Event>(5, {1, "the droplet vanished"})), "; and 2 more events, listed in run.json"));
 }
 
+TEST(RunStatus, TellsHowFarAStartAtRestMovedThings) {
+  EXPECT_EQ(moves_text({}, {}), "");
+  EXPECT_EQ(moves_text({"the droplet"}, {std::nullopt}), "");
+  EXPECT_EQ(moves_text({"the droplet", "the film"}, {0.01234, 0.5}),
+            "; on the way the droplet moved by 0.012, the film moved by 0.5");
+  std::vector<std::string> names;
+  for (int k = 1; k <= 6; ++k) names.push_back("droplet " + std::to_string(k));
+  EXPECT_EQ(moves_text(names, {0.1, std::nullopt, 0.3, 0.2, 0, 0}),
+            "; on the way droplet 3 moved farthest, by 0.3 (run.json has all: start.moved)");
+}
+
 }  // namespace
 }  // namespace softwet

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "model/distances.hpp"
 #include "model/equilibrium.hpp"
 
 namespace softwet {
@@ -111,6 +112,100 @@ TEST(Forecast, LockingAsMeasured) {
     c.domain.degree = 3;
     EXPECT_EQ(locking_error(c), 0);
   }
+}
+
+/// tests/oracle/ridge_locking.py: how much too low the ridge is, in percent.
+TEST(Forecast, RidgeThatLocks) {
+  const struct {
+    int rows;
+    double elements;  ///< to the capillarity
+    double poisson, degree_2, degree_3;
+  } table[] = {{8, 1.5, 0.499, 9.284, 2.367}, {8, 1.5, 0.4999, 21.798, 6.329},  {8, 2, 0.49, 1.601, 0.054},
+               {8, 2, 0.499, 5.648, 0.713},   {8, 2, 0.4999, 15.962, 2.866},    {8, 3, 0.499, 2.413, 0.112},
+               {8, 3, 0.4999, 9.208, 0.659},  {8, 4, 0.499, 1.264, 0.032},      {8, 4, 0.4999, 5.869, 0.199},
+               {16, 1.5, 0.49, 2.029, 0.681}, {16, 1.5, 0.4999, 15.718, 4.808}, {16, 2, 0.45, 0.218, 0.071},
+               {16, 2, 0.499, 3.837, 0.600},  {16, 2, 0.4999, 11.068, 2.116},   {16, 3, 0.4999, 5.966, 0.425},
+               {16, 4, 0.4999, 3.554, 0.114}, {4, 2, 0.499, 9.284, 1.329},      {32, 2, 0.4999, 8.539, 1.623}};
+  for (const auto& row : table) {
+    Case c = soft(0.7554);
+    c.domain.elements = {8 * row.rows, 4 * row.rows};
+    c.fluid->capillarity = row.elements / (8 * row.rows);
+    c.substrate->poisson = row.poisson;
+    for (int degree : {2, 3}) {
+      const double measured = degree == 2 ? row.degree_2 : row.degree_3;
+      c.domain.degree = degree;
+      const double told = 100 * ridge_error(c);
+      if (measured > 1) {
+        EXPECT_NEAR(told, measured, 0.4 * measured) << row.rows << " " << row.elements << " " << row.poisson;
+      }
+      if (measured < 0.7) {
+        EXPECT_LT(told, 1) << row.rows << " " << row.elements << " " << row.poisson;
+      }
+      EXPECT_EQ(tells(c, "locks at the contact line"), told >= 1);
+    }
+  }
+  Case c = soft(0.7554);
+  c.substrate->poisson = 0.4999;
+  EXPECT_TRUE(tells(c, "about 16 % too low; write degree = 3 (3.2 %)"));
+  c.droplets.clear();
+  EXPECT_EQ(ridge_error(c), 0) << "no contact line";
+}
+
+TEST(Forecast, DropletsNearEachOtherAndNearSides) {
+  const auto near = [](const Case& c) {
+    for (const std::string& sentence : forecast(c))
+      if (sentence.find("between them") != std::string::npos) return sentence;
+    return std::string();
+  };
+  Case c = forecast_droplet(0.39, 75, 4.8);  // on the wall, in the middle of [0, 1] x [0, 0.5]
+  EXPECT_EQ(near(c), "") << "a cap touches the wall";
+  c.droplets[0].centre = {0, 0};
+  EXPECT_EQ(near(c), "") << "half a droplet touches its plane of symmetry";
+  c.droplets = {{{0.3, 0.25}, 0.1}, {{0.6, 0.25}, 0.1}};
+  EXPECT_NE(near(c).find("droplet[0] and droplet[1] are 0.1 apart"), std::string::npos) << near(c);
+  c.droplets[0].centre[0] = 0.2;
+  EXPECT_NE(near(c).find("droplet[0] and the left side are 0.1 apart"), std::string::npos) << near(c);
+  c.droplets[0].centre[0] = 0.24;
+  EXPECT_EQ(near(c), "");
+  c.droplets[1].centre[1] = 0.36;
+  EXPECT_NE(near(c).find("droplet[1] and the top are 0.04 apart"), std::string::npos) << near(c);
+  c.droplets[1].centre = {0.3, 0.25};
+  EXPECT_NE(near(c).find("droplet[0] and droplet[1] overlap"), std::string::npos) << near(c);
+  c.droplets[1] = {{0.54, 0.25}, 0.1, {0.4, 1}};
+  EXPECT_EQ(near(c), "") << "thinner towards the other";
+  c.boundary.side[0] = {Side::periodic, Side::periodic};
+  c.droplets = {{{0.08, 0.25}, 0.1}, {{0.8, 0.25}, 0.1}};
+  EXPECT_NE(near(c).find("are 0.08 apart"), std::string::npos) << "round the periodic axis: " << near(c);
+  c.droplets.pop_back();
+  EXPECT_EQ(near(c), "") << "a periodic axis has no side";
+}
+
+TEST(Forecast, CapsAndFilmsAreNearWhereTheyMeetTheWall) {
+  const auto near = [](const Case& c) { return tells(c, "between them"); };
+  Case c = forecast_droplet(0.39, 30, 8);  // wetted over 0.25, of circles with the diameter 0.5
+  c.droplets = {{{0.3, 0.0}, 0.25}, {{0.73, 0.0}, 0.25}};
+  EXPECT_FALSE(near(c));
+  c.droplets[1].centre[0] = 0.65;
+  EXPECT_TRUE(near(c));
+  c = forecast_droplet(0.39, 75, 3.2);
+  c.domain.size = {1, 1};
+  c.droplets[0].centre = {0.5, 0.5};
+  c.films = {{{-1, -1}, {2, 0.05}}};
+  EXPECT_FALSE(near(c));
+  c.films[0].upper[1] = 0.3;
+  EXPECT_TRUE(tells(c, "film[0] and droplet[0] are 0.1 apart"));
+  c.films.push_back({{0.9, 0.35}, {1, 0.6}});
+  EXPECT_TRUE(tells(c, "film[0] and film[1] are 0.05 apart (and 1 more)"));
+}
+
+/// As many as a field of droplets has; each looks at those beside it alone.
+TEST(Forecast, ManyDroplets) {
+  Case c = forecast_droplet(0.39, 90, 4);
+  c.domain = {{100, 100}, {6400, 6400}, 2};
+  c.droplets.clear();
+  for (int i = 0; i < 20000; ++i) c.droplets.push_back({{0.5 + 0.7 * (i % 142), 0.5 + 0.7 * (i / 142)}, 0.2});
+  c.droplets[19999].radius = 0.4;
+  EXPECT_EQ(narrow_gaps(c, least_gap(*c.fluid)).size(), 2U) << "the last one is near those on its left and below";
 }
 
 TEST(Forecast, AFluidAlone) {

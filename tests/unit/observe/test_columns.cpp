@@ -44,6 +44,15 @@ TEST(Columns, OfHistoryGrowWithTheDroplets) {
   EXPECT_EQ(two.size(), none.size() + 2 * contact_names(2).size() + 1);
 }
 
+TEST(Columns, OfFilmsFollowThoseOfDroplets) {
+  const std::vector<std::string> film = history_names(2, 0, 1), both = history_names(2, 1, 2);
+  EXPECT_TRUE(has(film, "x_left"));
+  EXPECT_FALSE(has(film, "laplace"));
+  EXPECT_TRUE(has(both, "x_left"));
+  EXPECT_TRUE(has(both, "x_left_3"));
+  EXPECT_TRUE(has(both, "laplace"));
+}
+
 TEST(Columns, OfTheInterfaceHaveTheAxesOfTheDomain) {
   const std::vector<std::string> plane{"time",    "x_reference", "displacement_x", "displacement_y",
                                        "density", "traction_x",  "traction_y"};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/host/case_file.hpp"
 
 namespace softwet {
@@ -17,7 +19,7 @@ PhaseSamples plane(const std::vector<std::string>& rows, bool periodic_x = false
   samples.periodic[0] = periodic_x;
   samples.step = {1, 1, 1};
   for (auto row = rows.rbegin(); row != rows.rend(); ++row)
-    for (char c : *row) samples.inside.push_back(c == '#');
+    for (char c : *row) samples.depth.push_back(c == '#' ? 1 : -1);
   return samples;
 }
 
@@ -56,7 +58,7 @@ TEST(DropletWatch, ABubbleLeavesLiquidBehind) {
   PhaseSamples samples = plane({".......", "...#...", "......."});
   samples.bubbles = true;
   follow(bodies, samples, {"the bubble"});
-  samples.inside.assign(samples.inside.size(), false);
+  samples.depth.assign(samples.depth.size(), -1);
   EXPECT_EQ(follow(bodies, samples, {"the bubble"}),
             Said{"the bubble vanished: no vapour is left, and the run goes on with liquid alone"});
 }
@@ -110,14 +112,42 @@ TEST(DropletWatch, InSpaceAllSidesHaveNames) {
   box.dimension = 3;
   box.points = {5, 5, 5};
   box.step = {1, 1, 1};
-  box.inside.assign(125, false);
-  box.inside[2 + 5 * 2 + 25 * 2] = true;
+  box.depth.assign(125, -1);
+  box.depth[2 + 5 * 2 + 25 * 2] = 1;
   std::vector<Body> bodies = bodies_at({{2, 2, 2}});
   EXPECT_EQ(follow(bodies, box, one), Said{});
-  box.inside.assign(125, true);
+  box.depth.assign(125, 1);
   EXPECT_EQ(follow(bodies, box, one), (Said{"the droplet reached the left side", "the droplet reached the right side",
                                             "the droplet reached the front side", "the droplet reached the back side",
                                             "the droplet reached the wall", "the droplet reached the top"}));
+}
+
+TEST(DropletWatch, TellsHowFarDropletsMove) {
+  std::vector<Body> bodies = bodies_at({{1, 0, 0}, {7, 0, 0}, {11, 0, 0}});
+  const Said three{"droplet 1", "droplet 2", "droplet 3"};
+  PhaseSamples before = plane({"............", ".##...##...#"}), after = plane({".##.........", ".##....##..."});
+  before.depth[1] = 3;  // deeper: the centre is at 1.25
+  follow(bodies, before, three);
+  const std::vector<Centre> from = centres_of(bodies, before);
+  EXPECT_NEAR((*from[0])[0], 1.25, 1e-12);
+  follow(bodies, after, three);
+  const auto moved = distances(from, centres_of(bodies, after), after);
+  EXPECT_NEAR(*moved[0], std::hypot(0.25, 0.5), 1e-12) << "from (1.25, 0) to (1.5, 0.5)";
+  EXPECT_NEAR(*moved[1], 1, 1e-12);
+  EXPECT_FALSE(moved[2]) << "it is gone";
+}
+
+TEST(DropletWatch, MovesTheShorterWayRound) {
+  std::vector<Body> bodies = bodies_at({{0, 0, 0}});
+  const PhaseSamples before = plane({"..........", "##.......#"}, true),
+                     after = plane({"..........", "#.......##"}, true);
+  follow(bodies, before, one);
+  const std::vector<Centre> from = centres_of(bodies, before);
+  follow(bodies, after, one);
+  EXPECT_NEAR(*distances(from, centres_of(bodies, after), after)[0], 1, 1e-12);
+  const PhaseSamples film = plane({"..........", "##########"}, true);
+  follow(bodies, film, one);
+  EXPECT_NEAR(*distances(centres_of(bodies, film), centres_of(bodies, film), film)[0], 0, 1e-12);
 }
 
 Case scene(const std::string& more) {

@@ -57,6 +57,11 @@ class Drawing {
       unknown_[layout_.density_offset() + i] = f(Point{from(0, at[0], 0), from(1, at[1], 0), from(2, at[2], 0)});
     });
   }
+  /// Liquid and vapour changed: the density mirrored at the middle.
+  Drawing& mirrored() {
+    for (int i = layout_.density_offset(); i < layout_.potential_offset(); ++i) unknown_[i] = 2 * middle - unknown_[i];
+    return *this;
+  }
   /// The displacement, linear in the place.
   template <class Function>
   Drawing& moved(const Function& u) {

@@ -23,7 +23,7 @@ double area_bound(double area, double trace, int n) {
 
 /// The cells of the only contact.
 std::vector<double> only(const Drawing& drawing, const Place& track) {
-  const std::vector<Contact> found = find_contacts(drawing.snapshot(), middle, capillarity, track);
+  const std::vector<Contact> found = find_contacts(drawing.snapshot(), Surface{middle}, capillarity, track);
   EXPECT_EQ(found.size(), 1U);
   std::vector<double> cells;
   for (const auto& cell : found.at(0).cells) cells.push_back(cell.value_or(std::nan("")));
@@ -131,6 +131,22 @@ TEST(Contacts, OverAPeriodicCorner) {
   EXPECT_NEAR(advance(Drawing(16, true).layout(), {0.79, 0.4}, {0.01, 0.4}, {1, 0}), 0.02, 1e-12);
 }
 
+/// A bubble is the same with liquid and vapour changed: its dry foot, and the angle in the liquid, 180 degrees less that of
+/// the cap inside.
+TEST(Contacts, BubblesHaveADryFootAndAnAngleInTheLiquid) {
+  for (const Place& at : {Place{0.4, 0.4}, Place{0.4, 0.0}}) {
+    const std::vector<double> wet = only(Drawing(16).density(cap(at[0], at[1])), {1, 0});
+    const Drawing drawing = Drawing(16).density(cap(at[0], at[1])).mirrored();
+    const auto found = find_contacts(drawing.snapshot(), Surface{middle, Phase::vapour}, capillarity, {1, 0});
+    ASSERT_EQ(found.size(), 1U);
+    for (Column column : {area, x, y, rear, front})
+      EXPECT_NEAR(*found[0].cells[column], wet[column], 1e-12) << "column " << column;
+    for (Column column : {angle_rear, angle_front})
+      EXPECT_NEAR(*found[0].cells[column], 180 - wet[column], 1e-9) << "column " << column;
+    EXPECT_TRUE(found[0].holds({0.4, 0.1 + at[1]}));
+  }
+}
+
 TEST(Contacts, TwoDropletsMerge) {
   const auto pair = [](double half_distance) {
     return Drawing(32).density_near([=](const Point& p) {
@@ -143,7 +159,7 @@ TEST(Contacts, TwoDropletsMerge) {
     });
   };
   const auto contacts = [&](double half_distance) {
-    return find_contacts(pair(half_distance).snapshot(), middle, capillarity, {diagonal, diagonal});
+    return find_contacts(pair(half_distance).snapshot(), Surface{middle}, capillarity, {diagonal, diagonal});
   };
   const double a = 0.4 - 0.16 * diagonal, b = 0.4 + 0.16 * diagonal;
   std::vector<DropletTrack> tracks{{{a, a}, true, false}, {{b, b}, true, false}};
@@ -169,7 +185,7 @@ TEST(Contacts, TwoDropletsMerge) {
 
 TEST(Contacts, ADryPlaceIsUnderNoDroplet) {
   const std::vector<Contact> found =
-      find_contacts(Drawing(16).density(cap(0.4, 0.4)).snapshot(), middle, capillarity, {1, 0});
+      find_contacts(Drawing(16).density(cap(0.4, 0.4)).snapshot(), Surface{middle}, capillarity, {1, 0});
   EXPECT_TRUE(found[0].holds({0.4, 0.62}));
   EXPECT_FALSE(found[0].holds({0.4, 0.66}));
 }

@@ -15,7 +15,7 @@ WallSamples wall(int n, bool periodic, const Level& level, const Lift& lift) {
   for (int j = 0; j < s.points(1); ++j)
     for (int i = 0; i < s.points(0); ++i) {
       const double x = static_cast<double>(i) / n, y = static_cast<double>(j) / n;
-      s.density.push_back(level(x, y));
+      s.depth.push_back(level(x, y));
       s.displacement[0].push_back(0);
       s.displacement[1].push_back(0);
       s.displacement[2].push_back(lift(x, y));
@@ -34,7 +34,7 @@ TEST(WettedWall, AreaOfACurvedWallIsOfSecondOrder) {
   const auto lift = [](double x, double y) { return 0.5 * (std::pow(x - 0.5, 2) + std::pow(y - 0.5, 2)); };
   double before = 0;
   for (int n : {20, 40, 80}) {
-    const WettedWall wetted(wall(n, false, disc(0.5, 0.5, a), lift), 0);
+    const WettedWall wetted(wall(n, false, disc(0.5, 0.5, a), lift));
     ASSERT_EQ(wetted.regions().size(), 1U);
     const double error = std::abs(wetted.regions()[0].area - exact);
     if (n > 20) {
@@ -47,10 +47,8 @@ TEST(WettedWall, AreaOfACurvedWallIsOfSecondOrder) {
 }
 
 TEST(WettedWall, PlaneLevelsAreExact) {
-  const WettedWall wetted(
-      wall(
-          7, false, [](double x, double y) { return 0.9 - x - 0.5 * y; }, [](double x, double) { return 0.75 * x; }),
-      0);
+  const WettedWall wetted(wall(
+      7, false, [](double x, double y) { return 0.9 - x - 0.5 * y; }, [](double x, double) { return 0.75 * x; }));
   ASSERT_EQ(wetted.regions().size(), 1U);  // a trapezium with the corners (0, 0), (0.9, 0), (0.4, 1), (0, 1)
   const WettedRegion& region = wetted.regions()[0];
   EXPECT_NEAR(region.area, 1.25 * 0.65, 1e-14) << "the slope 3/4 stretches the wall by 5/4";
@@ -60,7 +58,7 @@ TEST(WettedWall, PlaneLevelsAreExact) {
 }
 
 TEST(WettedWall, CutIsWhatASideHalvesNotWhatTouchesIt) {
-  const auto cut = [](const auto& level) { return WettedWall(wall(40, false, level, flat), 0).regions().at(0).cut; };
+  const auto cut = [](const auto& level) { return WettedWall(wall(40, false, level, flat)).regions().at(0).cut; };
   EXPECT_EQ(cut([](double x, double y) { return 0.3 - std::hypot(x - 0.5, y); }), (std::array<int, 2>{0, -1}));
   EXPECT_EQ(cut([](double x, double y) { return 0.3 - std::hypot(1 - x, y); }), (std::array<int, 2>{1, -1}));
   const auto bow = [](double x, double y) { return 0.1 - std::abs(std::hypot(x, y) - 0.7); };  // from side to side
@@ -71,13 +69,13 @@ TEST(WettedWall, RegionsTouchThroughAWetMiddle) {
   const auto corners = [](double on) {
     return [on](double x, double y) { return x == y ? on : -1.0; };  // two opposite corners of the only cell
   };
-  EXPECT_EQ(WettedWall(wall(1, false, corners(1.1), flat), 0).regions().size(), 1U);
-  EXPECT_EQ(WettedWall(wall(1, false, corners(0.9), flat), 0).regions().size(), 2U);
+  EXPECT_EQ(WettedWall(wall(1, false, corners(1.1), flat)).regions().size(), 1U);
+  EXPECT_EQ(WettedWall(wall(1, false, corners(0.9), flat)).regions().size(), 2U);
 }
 
 TEST(WettedWall, OneDiscOverAPeriodicCorner) {
-  const WettedWall inside(wall(50, true, disc(0.52, 0.5, 0.2), flat), 0);
-  const WettedWall corner(wall(50, true, disc(0.98, 0.02, 0.2), flat), 0);
+  const WettedWall inside(wall(50, true, disc(0.52, 0.5, 0.2), flat));
+  const WettedWall corner(wall(50, true, disc(0.98, 0.02, 0.2), flat));
   ASSERT_EQ(corner.regions().size(), 1U);
   EXPECT_NEAR(corner.regions()[0].area, inside.regions()[0].area, 1e-12);
   EXPECT_NEAR(corner.regions()[0].centre[0], 0.98, 1e-12);
@@ -85,7 +83,7 @@ TEST(WettedWall, OneDiscOverAPeriodicCorner) {
   EXPECT_EQ(corner.regions()[0].cut, (std::array<int, 2>{0, 0}));
   EXPECT_EQ(corner.region_at({0.05, 0.95}), 0);
   EXPECT_EQ(corner.region_at({0.5, 0.5}), -1);
-  EXPECT_EQ(WettedWall(wall(50, false, disc(0.98, 0.02, 0.2), flat), 0).regions().size(), 4U) << "sides part it";
+  EXPECT_EQ(WettedWall(wall(50, false, disc(0.98, 0.02, 0.2), flat)).regions().size(), 4U) << "sides part it";
 }
 
 }  // namespace

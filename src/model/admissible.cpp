@@ -1,0 +1,104 @@
+#include "model/admissible.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "case/error.hpp"
+#include "field/ranks.hpp"
+
+namespace softwet {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::string brief(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// Greville point of control value i of the density.
+template <int D>
+std::array<double, D> place_of(const Layout<D>& l, int i) {
+  std::array<double, D> x;
+  for (int d = 0; d < D; ++d) {
+    const int n = d < D - 1 ? l.extent(d) : l.fluid_rows();
+    x[d] = l.axis[d].greville(l.function(i % n, d) + (d == D - 1 ? l.wall_row : 0));
+    i /= n;
+  }
+  return x;
+}
+
+/// What one process knows, on all of them.
+double told_by(int speaker, double value) { return ranks::largest(ranks::mine() == speaker ? value : -infinite); }
+
+/// Names and amplitudes of the waves on a field: "wave[0].amplitude = 0.3, wave[2].amplitude = 0.1".
+std::string waves_on(const Case& c, const std::string& field) {
+  std::string names;
+  for (std::size_t k = 0; k < c.waves.size(); ++k)
+    if (c.waves[k].field.rfind(field, 0) == 0)
+      names +=
+          (names.empty() ? "wave[" : ", wave[") + std::to_string(k) + "].amplitude = " + brief(c.waves[k].amplitude);
+  return names;
+}
+
+/// Factor by which the waves would have to be multiplied so that no control value leaves [0, close_packed).
+double factor_that_fits(const std::vector<double>& without_waves, const std::vector<double>& density) {
+  double factor = 1;
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    const double wave = density[i] - without_waves[i];
+    const double room = wave > 0 ? close_packed - without_waves[i] : without_waves[i];
+    if (wave != 0) factor = std::min(factor, room / std::abs(wave));
+  }
+  return ranks::least(factor);
+}
+
+}  // namespace
+
+template <int D, int P>
+void require_density(const Case& c, const Model<D, P>& model, const std::vector<double>& without_waves,
+                     const std::vector<double>& density) {
+  const std::string waves = waves_on(c, "density");
+  if (waves.empty()) return;  // droplets and films have densities of the two phases, or between them
+  std::size_t worst = 0;
+  double outside = -1;  // of [0, close_packed), by this much
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    if (density[i] >= 0 && density[i] < close_packed) continue;
+    const double here = std::isfinite(density[i]) ? std::max(-density[i], density[i] - close_packed) : infinite;
+    if (here > outside) outside = here, worst = i;
+  }
+  const double most = ranks::largest(outside);
+  if (most < 0) return;
+  const int speaker = static_cast<int>(ranks::least(outside == most ? ranks::mine() : infinite));
+  std::string place;
+  for (double x : place_of(model.layout(), static_cast<int>(worst)))
+    place += (place.empty() ? "" : ", ") + brief(told_by(speaker, x));
+  const std::string bare = brief(told_by(speaker, without_waves[worst])),
+                    value = brief(told_by(speaker, density[worst]));
+  const double factor = 0.99 * factor_that_fits(without_waves, density);
+  throw Error(Exit::invalid_input,
+              "the density at the start is " + value + " at (" + place + "), where it must lie in [0, " +
+                  brief(close_packed) + "): it is " + bare + " there without the waves on the density, which are " +
+                  waves + "; multiply these amplitudes by at most " + brief(factor) + ", or choose other modes");
+}
+
+template <int D, int P>
+void require_upright(const Case& c, const Model<D, P>& model, const State& state) {
+  const std::string waves = waves_on(c, "displacement");
+  if (waves.empty()) return;
+  const Integrals sum = model.integrals(stage_at(model.layout(), state));
+  if (sum.inverted == 0 && sum.folded == 0) return;
+  const std::string what = sum.inverted != 0 ? "turn the solid inside out somewhere (det F <= 0)"
+                                             : "fold the mesh of the fluid above the solid (J < 0)";
+  throw Error(Exit::invalid_input, "the waves on the displacement (" + waves + ") " + what +
+                                       " at the start; amplitude x mode x pi / size must stay well below 1 along each "
+                                       "axis: write smaller amplitudes or modes");
+}
+
+template void require_density(const Case&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const std::vector<double>&,
+                              const std::vector<double>&);
+template void require_upright(const Case&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const State&);
+
+}  // namespace softwet
