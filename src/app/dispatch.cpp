@@ -10,6 +10,7 @@
 #include "app/machine.hpp"
 #include "app/simulation.hpp"
 #include "app/units.hpp"
+#include "field/ranks.hpp"
 #include "model/forecast.hpp"
 #include "solver/choose.hpp"
 
@@ -73,6 +74,7 @@ void describe_build(std::ostream& out) {
       << "\n"
       << "configurations  " << compiled_configurations() << "\n"
       << "backend         " << backend_name() << ", " << thread_count() << " threads\n"
+      << "MPI             " << (ranks::has_mpi() ? "yes" : "no") << "\n"
       << "instructions    " << instruction_set() << ", " << lanes() << " elements per pack\n"
       << "preconditioners ";
   for (const std::string& name : preconditioner_names()) out << name << ", ";

@@ -8,9 +8,73 @@
 #include "field/exchange.hpp"
 #include "model/initial.hpp"
 #include "observe/host/checkpoint_file.hpp"
+#include "solver/packed_block.hpp"
 
 namespace softwet {
 namespace {
+
+/// What the memory of a scheme fits to: the settings of the solver, and how this program builds preconditioners. The
+/// number at the beginning is raised when the schemes visit something else.
+std::string memory_settings(const Case& c) {
+  return "memory 1, algorithms of a " + std::string(host_algorithms ? "processor" : "device") + ", factors of " +
+         std::to_string(sizeof(FactorNumber)) + " bytes\n" + solver_settings(c);
+}
+
+/// Writes what a scheme remembers.
+template <int D>
+class MemoryToFile final : public StepMemory {
+ public:
+  /// @param file  null: another process writes
+  MemoryToFile(const Layout<D>& layout, CheckpointWriter* file) : layout_(layout), file_(file) {}
+
+  bool restores() const override { return false; }
+  void number(const std::string& name, double& value) override {
+    if (file_) file_->value(SavedMemory::name(name), value);
+  }
+  void count(const std::string& name, int& value) override {
+    if (file_) file_->value(SavedMemory::name(name), value);
+  }
+  void vector(const std::string& name, const Array& values) override {
+    const std::vector<double> all = to_host_of_patch(layout_, values);
+    if (file_) file_->array(SavedMemory::name(name), all);
+  }
+  void vector(const std::string& name, const ArrayOf<float>& values) override {
+    const Array wide("checkpoint.wide", values.extent(0));
+    convert(wide, values);
+    const std::vector<double> all = to_host_of_patch(layout_, wide);
+    if (file_) file_->single_array(SavedMemory::name(name), std::vector<float>(all.begin(), all.end()));
+  }
+
+ private:
+  const Layout<D>& layout_;
+  CheckpointWriter* file_;
+};
+
+/// Puts it back.
+template <int D>
+class MemoryFromFile final : public StepMemory {
+ public:
+  MemoryFromFile(const Layout<D>& layout, const SavedMemory& file) : layout_(layout), file_(file) {}
+
+  bool restores() const override { return true; }
+  void number(const std::string& name, double& value) override { value = file_.number(name); }
+  void count(const std::string& name, int& value) override { value = file_.count(name); }
+  void vector(const std::string& name, const Array& values) override {
+    Kokkos::deep_copy(values, read(name, values.extent(0)));
+  }
+  void vector(const std::string& name, const ArrayOf<float>& values) override {
+    convert(values, read(name, values.extent(0)));
+  }
+
+ private:
+  Array read(const std::string& name, std::size_t stored) const {
+    const double entries = entries_of_patch(layout_, static_cast<double>(stored));
+    return from_patch(layout_, file_.array(name, static_cast<std::size_t>(entries)));
+  }
+
+  const Layout<D>& layout_;
+  const SavedMemory& file_;
+};
 
 /// The arrays of a state under the names they have in the file.
 std::vector<std::pair<std::string, Array>> arrays_of(const State& s) {
@@ -41,7 +105,7 @@ std::vector<double> costs(SolverCounts& k, RunSeconds& s) {
 
 template <int D, int P>
 void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, const HistoryMemory& history,
-                      RunSeconds seconds) {
+                      const WrittenFiles& files, RunSeconds seconds) {
   auto arrays = arrays_of(stepper.state());
   arrays.emplace_back("previous/unknown", stepper.previous());
   std::optional<CheckpointWriter> on_root;
@@ -50,6 +114,8 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
     const std::vector<double> values = to_host_of_patch(stepper.model().layout(), array);
     if (on_root) on_root->array(name, values);
   }
+  MemoryToFile<D> memory(stepper.model().layout(), on_root ? &*on_root : nullptr);
+  stepper.scheme().visit_memory(memory, stepper.state());
   if (!on_root) return;
   CheckpointWriter& file = *on_root;
   file.value("case", fingerprint(c));
@@ -69,13 +135,16 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
   }
   file.array("history/droplets", droplets);
   write_watch(history.bodies, history.events, file);
+  write_files(files, file);
+  file.value(SavedMemory::settings, memory_settings(c));
   file.value("run/started", seconds.started);
   file.array("costs", costs(stepper.scheme().counts(), seconds));
   file.commit();
 }
 
 template <int D, int P>
-HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, RunSeconds& seconds) {
+HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, WrittenFiles& files,
+                              RunSeconds& seconds) {
   const Layout<D>& layout = stepper.model().layout();
   State state = empty_state(layout);
   const Array previous("previous", state.unknown.extent(0));
@@ -96,7 +165,12 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
   stepper.counts().steps = saved.steps;
   stepper.counts().rejected_newton = saved.rejected_newton;
   stepper.counts().rejected_error = saved.rejected_error;
-  if (saved.started > 0) seconds.started = saved.started;
+  if (saved.started) seconds.started = *saved.started;
+  files = saved.files;
+  if (const SavedMemory memory(path); memory.fits(memory_settings(c))) {
+    MemoryFromFile<D> visit(layout, memory);
+    stepper.scheme().visit_memory(visit, stepper.state());
+  }
   HistoryMemory history{saved.history_step, saved.history_time, saved.mass_start, {}, saved.bodies, saved.events};
   for (const std::vector<double>& saved_track : saved.droplets) {
     DropletTrack track{{}, saved_track[D - 1] != 0, saved_track[D] != 0};
@@ -107,7 +181,8 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
 }
 
 using Steps = Stepper<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
-template void write_checkpoint(const std::string&, const Case&, Steps&, const HistoryMemory&, RunSeconds);
-template HistoryMemory read_checkpoint(const std::string&, const Case&, Steps&, RunSeconds&);
+template void write_checkpoint(const std::string&, const Case&, Steps&, const HistoryMemory&, const WrittenFiles&,
+                               RunSeconds);
+template HistoryMemory read_checkpoint(const std::string&, const Case&, Steps&, WrittenFiles&, RunSeconds&);
 
 }  // namespace softwet
