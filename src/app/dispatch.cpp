@@ -89,6 +89,7 @@ void describe_build(std::ostream& out) {
       << "\n"
       << "configurations  " << compiled_configurations() << "\n"
       << "backend         " << backend_name() << ", " << thread_count() << " threads\n"
+      << "MPI             " << (ranks::has_mpi() ? "yes" : "no") << "\n"
       << "instructions    " << instruction_set() << ", " << lanes() << " elements per pack\n"
       << "preconditioners ";
   for (const std::string& name : preconditioner_names()) out << name << ", ";

@@ -29,15 +29,17 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
                                                          const Preconditioner* preconditioner) {
   const double n = l.size(), rate = l.velocity_size(), solid = l.solid_size(), scalar = l.scalar_size();
   const double state = n + rate + 2 * solid + 2 * scalar;
-  const double stage = 2 * n + rate + 2 * solid + scalar;
+  const double stage = n + rate + 2 * solid + scalar;
   std::vector<std::pair<std::string, double>> parts{{program_part, 34.0 * 1048576},
                                                     {"state and history", 8 * (state + 3 * n)}};
   const bool mixed = precision_of(c) != Precision::full;
   if (!host_algorithms)
     parts.push_back({"sums of tiles", (mixed ? 12 : 8) * sums_of_tiles<D>(l.axis[0].degree()) * (n + scalar)});
   if (preconditioner) {
-    const double rounded = stage + (precision_of(c) == Precision::single ? n : 0);
-    parts.insert(parts.end(), {{"stage", 8 * stage + 4 * rounded},
+    // Rounded stages: that of products in single precision, and that of the last build, for a checkpoint.
+    const int rounded = (mixed ? 1 : 0) + (preconditioner->name() == "none" ? 0 : 1);
+    const double work = precision_of(c) == Precision::single ? 12 * n : 8 * n;
+    parts.insert(parts.end(), {{"stage", (8 + 4 * rounded) * stage + work},
                                {"Newton", 8 * (mixed ? 6 : 5) * n},
                                {"Krylov basis", (mixed ? 4 : 8) * n * (2.0 * c.solver.krylov_restart + 2)},
                                {"preconditioner " + preconditioner->name(), preconditioner->bytes()}});

@@ -11,9 +11,72 @@
 #include "model/initial.hpp"
 #include "observe/host/checkpoint_file.hpp"
 #include "observe/host/number_text.hpp"
+#include "solver/packed_block.hpp"
 
 namespace softwet {
 namespace {
+
+/// What the memory of a scheme fits to: the settings of the solver, and how this program builds preconditioners. The
+/// number at the beginning is raised when the schemes visit something else.
+std::string memory_settings(const Case& c) {
+  return "memory 1, algorithms of a " + std::string(host_algorithms ? "processor" : "device") + ", factors of " +
+         std::to_string(sizeof(FactorNumber)) + " bytes\n" + solver_settings(c);
+}
+
+/// Writes what a scheme remembers. All processes collect it, and the first one has the file.
+template <int D>
+class MemoryToFile final : public StepMemory {
+ public:
+  MemoryToFile(const Layout<D>& layout, std::optional<CheckpointWriter>& file) : layout_(layout), file_(file) {}
+
+  bool restores() const override { return false; }
+  void number(const std::string& name, double& value) override {
+    on_root([&] { file_->value(SavedMemory::name(name), value); });
+  }
+  void count(const std::string& name, int& value) override {
+    on_root([&] { file_->value(SavedMemory::name(name), value); });
+  }
+  void vector(const std::string& name, const Array& values) override {
+    const std::vector<double> all = to_host_on_root(layout_, values);
+    on_root([&] { file_->array(SavedMemory::name(name), all); });
+  }
+  void vector(const std::string& name, const ArrayOf<float>& values) override {
+    const Array wide("checkpoint.wide", values.extent(0));
+    convert(wide, values);
+    const std::vector<double> all = to_host_on_root(layout_, wide);
+    on_root([&] { file_->single_array(SavedMemory::name(name), std::vector<float>(all.begin(), all.end())); });
+  }
+
+ private:
+  const Layout<D>& layout_;
+  std::optional<CheckpointWriter>& file_;
+};
+
+/// Puts it back.
+template <int D>
+class MemoryFromFile final : public StepMemory {
+ public:
+  MemoryFromFile(const Layout<D>& layout, const SavedMemory& file) : layout_(layout), file_(file) {}
+
+  bool restores() const override { return true; }
+  void number(const std::string& name, double& value) override { value = file_.number(name); }
+  void count(const std::string& name, int& value) override { value = file_.count(name); }
+  void vector(const std::string& name, const Array& values) override {
+    Kokkos::deep_copy(values, read(name, values.extent(0)));
+  }
+  void vector(const std::string& name, const ArrayOf<float>& values) override {
+    convert(values, read(name, values.extent(0)));
+  }
+
+ private:
+  Array read(const std::string& name, std::size_t stored) const {
+    const double entries = entries_of_patch(layout_, static_cast<double>(stored));
+    return from_patch(layout_, file_.array(name, static_cast<std::size_t>(entries)));
+  }
+
+  const Layout<D>& layout_;
+  const SavedMemory& file_;
+};
 
 /// The arrays of a state under the names they have in the file.
 std::vector<std::pair<std::string, Array>> arrays_of(const State& s) {
@@ -42,7 +105,7 @@ std::vector<double> costs(SolverCounts& k, RunSeconds& s) {
 
 template <int D, int P>
 void write_values(CheckpointWriter& file, const Case& c, Stepper<D, P>& stepper, const HistoryMemory& history,
-                  RunSeconds seconds) {
+                  const WrittenFiles& files, RunSeconds seconds) {
   file.value("case", fingerprint(c));
   file.value("time", stepper.state().time);
   file.value("previous/dt", stepper.previous_dt());
@@ -60,6 +123,8 @@ void write_values(CheckpointWriter& file, const Case& c, Stepper<D, P>& stepper,
   }
   file.array("history/droplets", droplets);
   write_watch(history.bodies, history.events, file);
+  write_files(files, file);
+  file.value(SavedMemory::settings, memory_settings(c));
   file.value("run/started", seconds.started);
   file.array("costs", costs(stepper.scheme().counts(), seconds));
   file.commit();
@@ -83,7 +148,7 @@ SavedRun read_together(const std::string& path, const Case& c, const std::vector
 
 template <int D, int P>
 void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, const HistoryMemory& history,
-                      RunSeconds seconds) {
+                      const WrittenFiles& files, RunSeconds seconds) {
   auto arrays = arrays_of(stepper.state());
   arrays.emplace_back("previous/unknown", stepper.previous());
   std::optional<CheckpointWriter> file;
@@ -92,11 +157,14 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
     const std::vector<double> values = to_host_on_root(stepper.model().layout(), entry.second);
     on_root([&] { file->array(entry.first, values); });
   }
-  on_root([&] { write_values(*file, c, stepper, history, seconds); });
+  MemoryToFile<D> memory(stepper.model().layout(), file);
+  stepper.scheme().visit_memory(memory, stepper.state());
+  on_root([&] { write_values(*file, c, stepper, history, files, seconds); });
 }
 
 template <int D, int P>
-HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, RunSeconds& seconds) {
+HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, WrittenFiles& files,
+                              RunSeconds& seconds) {
   const Layout<D>& layout = stepper.model().layout();
   State state = empty_state(layout);
   const Array previous("previous", state.unknown.extent(0));
@@ -117,7 +185,12 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
   stepper.counts().steps = saved.steps;
   stepper.counts().rejected_newton = saved.rejected_newton;
   stepper.counts().rejected_error = saved.rejected_error;
-  if (saved.started > 0) seconds.started = saved.started;
+  if (saved.started) seconds.started = *saved.started;
+  files = saved.files;
+  if (const SavedMemory memory(path); memory.fits(memory_settings(c))) {
+    MemoryFromFile<D> visit(layout, memory);
+    stepper.scheme().visit_memory(visit, stepper.state());
+  }
   HistoryMemory history{saved.history_step, saved.history_time, saved.mass_start, {}, saved.bodies, saved.events};
   for (const std::vector<double>& saved_track : saved.droplets) {
     DropletTrack track{{}, saved_track[D - 1] != 0, saved_track[D] != 0};
@@ -128,7 +201,8 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
 }
 
 using Steps = Stepper<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
-template void write_checkpoint(const std::string&, const Case&, Steps&, const HistoryMemory&, RunSeconds);
-template HistoryMemory read_checkpoint(const std::string&, const Case&, Steps&, RunSeconds&);
+template void write_checkpoint(const std::string&, const Case&, Steps&, const HistoryMemory&, const WrittenFiles&,
+                               RunSeconds);
+template HistoryMemory read_checkpoint(const std::string&, const Case&, Steps&, WrittenFiles&, RunSeconds&);
 
 }  // namespace softwet

@@ -100,7 +100,7 @@ bool Simulation<D, P>::come_to_rest(State& state) {
 
 template <int D, int P>
 void Simulation<D, P>::restore() {
-  scalars_.restore(read_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, seconds_));
+  scalars_.restore(read_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, found_, seconds_));
   seconds_before_ = seconds_.total;
   first_step_ = stepper_.counts().steps;
   told_ = scalars_.events().size();
@@ -108,26 +108,37 @@ void Simulation<D, P>::restore() {
 
 template <int D, int P>
 void Simulation<D, P>::resume() {
-  const double t = output_time();
-  std::vector<double> found;
+  std::vector<double> written;
   on_root([&] {
+    open_tables();  // may be refused: before anything changes
     if (options_.begin) options_.begin();
-    open_tables();
-    found = field_file_times(path("fields"), model_.layout().has_fluid ? "fluid" : "solid");
+    written = found_.field_times ? *found_.field_times : times_of_field_files();
   });
-  for (double written : ranks::shared(found))
-    if (written <= t || same_time(written, t)) written_.push_back(written);
+  written_ = ranks::shared(written);
   write_fields_due();  // of a time that is new in the case
+}
+
+/// Of a checkpoint that does not tell them.
+template <int D, int P>
+std::vector<double> Simulation<D, P>::times_of_field_files() const {
+  const double t = output_time();
+  std::vector<double> times;
+  for (double written : field_file_times(path("fields"), model_.layout().has_fluid ? "fluid" : "solid"))
+    if (written <= t || same_time(written, t)) times.push_back(written);
+  return times;
 }
 
 template <int D, int P>
 void Simulation<D, P>::open_tables() {
   // The row of a last step that is no multiple of output.history.every is dropped: the run goes on behind it.
-  history_.emplace(
-      TableFile::append_after(path("history.csv"), scalars_.columns(), static_cast<double>(scalars_.memory().step)));
-  const double t = output_time();
+  const auto open = [](const std::string& path, const std::vector<std::string>& columns,
+                       const std::optional<TableMark>& mark, double last) {
+    return mark ? TableFile::append_after(path, columns, *mark) : TableFile::append_after(path, columns, last);
+  };
+  const double t = output_time(), step = static_cast<double>(scalars_.memory().step);
+  history_.emplace(open(path("history.csv"), scalars_.columns(), found_.history, step));
   interface_.emplace(
-      TableFile::append_after(path("interface.csv"), interface_columns<D>(), t + 1e-9 * std::max(1.0, std::abs(t))));
+      open(path("interface.csv"), interface_columns<D>(), found_.interface, t + 1e-9 * std::max(1.0, std::abs(t))));
 }
 
 template <int D, int P>
@@ -172,13 +183,17 @@ void Simulation<D, P>::run() {
 
 template <int D, int P>
 std::string Simulation<D, P>::keep_after(const std::string& failure) {
+  std::string state = "is in " + path("checkpoint.h5");
   try {
     save();
-    record("failed: " + failure);
-    return "is in " + path("checkpoint.h5");
   } catch (const std::exception& error) {
-    return std::string("could not be kept: ") + error.what();
+    state = std::string("could not be kept: ") + error.what();
   }
+  try {
+    record("failed: " + failure);
+  } catch (const std::exception&) {  // the failure itself is what the user has to hear of
+  }
+  return state;
 }
 
 template <int D, int P>
@@ -216,6 +231,7 @@ void Simulation<D, P>::observe(const StepReport& report) {
   if (step % case_.output.history_every == 0) {
     write_row(report);
     scalars_.keep();
+    if (history_) history_->keep();
   }
   write_fields_due();
   if (step > 0) progress_->step(output_time(), step, report.dt, scalars_.headline(), time_left_.seconds());
@@ -241,13 +257,16 @@ void Simulation<D, P>::write_fields_due() {
     if (!same_time(output_time(), time) || (!written_.empty() && same_time(written_.back(), time))) continue;
     require_folder();
     Stopwatch watch(seconds_.output);
-    written_.push_back(time);
+    std::vector<double> all = written_;
+    all.push_back(time);
     const Snapshot<D> snapshot(model_.layout(), stepper_.state());
     const auto traction = wall_traction(model_, stage_at(model_.layout(), stepper_.state()));
     on_root([&] {
-      write_field_files<D, P>(options_.out, origin_of(case_), case_.output.field_select, model_, snapshot, written_);
+      write_field_files<D, P>(options_.out, origin_of(case_), case_.output.field_select, model_, snapshot, all);
       add_interface_rows<D>(*interface_, snapshot, traction, time);
+      interface_->keep();
     });
+    written_ = all;  // with all that belongs to it: a run that is resumed does not write it again
   }
 }
 
@@ -276,12 +295,15 @@ void Simulation<D, P>::save() {
 template <int D, int P>
 void Simulation<D, P>::write_state() {
   Stopwatch watch(seconds_.output);
-  on_root([this] {
-    history_->flush();
-    interface_->flush();
+  WrittenFiles files{{}, {}, written_};
+  on_root([&] {
+    history_->bring_to_disk();
+    interface_->bring_to_disk();
+    files.history = history_->kept();
+    files.interface = interface_->kept();
   });
   seconds_.total = seconds_before_ + since_start();
-  write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory(), seconds_);
+  write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory(), files, seconds_);
   record("running");
 }
 

@@ -36,6 +36,7 @@ class Simulation {
   void restore();
   void resume();
   void open_tables();
+  std::vector<double> times_of_field_files() const;
   void advance();
   void observe(const StepReport& report);
   void write_row(const StepReport& report);
@@ -81,6 +82,7 @@ class Simulation {
   long first_step_ = 0;
   std::vector<double> field_times_;  ///< at which field files are due
   std::vector<double> written_;      ///< times of the field files there are
+  WrittenFiles found_;               ///< of the run that this one goes on
 };
 
 }  // namespace softwet

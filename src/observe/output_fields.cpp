@@ -1,6 +1,7 @@
 #include "observe/output_fields.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "observe/host/field_table.hpp"
 
@@ -148,7 +149,10 @@ void add_solid_fields(Selection& selection, const Model<D, P>& model, const Snap
 
 void write_list(const std::string& folder, const std::string& part, const std::vector<double>& times) {
   std::vector<std::pair<std::string, double>> list;
-  for (std::size_t i = 0; i < times.size(); ++i) list.emplace_back(field_file_name(part, i), times[i]);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (const std::string name = field_file_name(part, i);
+        std::filesystem::exists(folder + name))  // a user may remove some
+      list.emplace_back(name, times[i]);
   write_series(folder + part + ".hdf.series", list);
 }
 

@@ -18,8 +18,7 @@ class SufficientLu final : public StencilSolver<D> {
     if (half_) {
       half_->build(matrix);
       if (defect_.measure(*half_, matrix, half_->scale().row) < most) return;
-      half_.reset();
-      single_ = std::make_unique<BlockLu<D, float>>(layout_, mask_);
+      go_on_in_single();
     }
     single_->build(matrix);
   }
@@ -27,6 +26,11 @@ class SufficientLu final : public StencilSolver<D> {
   std::string name() const override { return solver().name(); }
   double bytes() const override { return solver().bytes(); }
   double build_cost() const override { return solver().build_cost(); }
+  void visit_memory(StepMemory& memory) override {
+    bool single = single_ != nullptr;
+    memory.flag("lu/single", single);
+    if (single && half_) go_on_in_single();
+  }
 
  private:
   static constexpr double most = 0.2;  ///< defect: matrices that are nearly singular lose the digits of half precision
@@ -34,6 +38,11 @@ class SufficientLu final : public StencilSolver<D> {
   StencilSolver<D>& solver() const {
     if (half_) return *half_;
     return *single_;
+  }
+
+  void go_on_in_single() {
+    half_.reset();
+    single_ = std::make_unique<BlockLu<D, float>>(layout_, mask_);
   }
 
   Layout<D> layout_;

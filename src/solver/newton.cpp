@@ -156,6 +156,23 @@ int Wear::patience(double tolerance, double cost) const {
   return static_cast<int>(std::ceil(worn * best_ * -std::log10(tolerance) + std::max(0.0, allowed(cost) - waste_))) + 1;
 }
 
+void Wear::visit_memory(StepMemory& memory) {
+  memory.number("wear/best", best_);
+  memory.number("wear/last", last_);
+  memory.number("wear/iterations", iterations_);
+  memory.number("wear/digits", digits_);
+  memory.number("wear/waste", waste_);
+  memory.number("wear/before", before_);
+  memory.count("wear/times", times_);
+}
+
+void Newton::visit_memory(StepMemory& memory) {
+  memory.flag("newton/rebuild", rebuild_);
+  memory.number("newton/built_for", built_for_);
+  wear_.visit_memory(memory);
+  preconditioner_->visit_memory(memory);
+}
+
 void Newton::build(const NonlinearSystem& system) {
   Stopwatch watch(counts_.build_seconds);
   ++counts_.builds;

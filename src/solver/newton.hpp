@@ -53,6 +53,7 @@ class Wear {
   bool due(double cost) const { return waste_ >= allowed(cost); }
   /// Iterations of a solve to `tolerance` at which one becomes due; the solve is given up then.
   int patience(double tolerance, double cost) const;
+  void visit_memory(StepMemory&);
 
  private:
   double allowed(double cost) const { return 0.25 * times_ * cost; }
@@ -146,6 +147,13 @@ class Newton {
   SolverCounts& counts() { return counts_; }
   const Preconditioner& preconditioner() const { return *preconditioner_; }
   void forget_preconditioner() { rebuild_ = true; }
+
+  /// All but the factors of the preconditioner.
+  void visit_memory(StepMemory&);
+  /// Whether the next solve begins with the preconditioner that is there.
+  bool keeps_preconditioner() const { return !rebuild_; }
+  /// Makes the preconditioner that the memory tells of. @param jacobian  that of its build
+  void build_again(const Jacobian& jacobian) { preconditioner_->build(jacobian); }
 
  private:
   /// The norm of all fields from those of each, with their weights.

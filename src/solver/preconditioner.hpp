@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "field/step_memory.hpp"
 #include "field/vector.hpp"
 #include "solver/scale_fields.hpp"
 #include "solver/stencil.hpp"
@@ -41,6 +42,8 @@ class RoughInverse {
   /// Whether between two builds `answer` starts the same kernels each time, does nothing on the host, and waits for nothing
   /// (solver/record.hpp). Its first call may allocate vectors.
   virtual bool recordable() const { return false; }
+  /// What the next builds need of the last ones. Where nothing is visited a build follows from its matrix alone.
+  virtual void visit_memory(StepMemory&) {}
 
  private:
   Array r_, z_;  ///< in double precision
@@ -91,6 +94,7 @@ class Assembled final : public Preconditioner {
   double bytes() const override { return matrix_.bytes() + solver_->bytes(); }
   double build_cost() const override { return solver_->build_cost(); }
   bool recordable() const override { return solver_->recordable(); }
+  void visit_memory(StepMemory& memory) override { solver_->visit_memory(memory); }
 
  private:
   StencilMatrix<D> matrix_;

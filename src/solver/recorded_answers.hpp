@@ -31,6 +31,7 @@ class RecordedAnswers final : public Preconditioner {
   double bytes() const override { return of_->bytes(); }
   double build_cost() const override { return of_->build_cost(); }
   bool recordable() const override { return true; }
+  void visit_memory(StepMemory& memory) override { of_->visit_memory(memory); }
 
   /// Pairs of vectors whose kernels are recorded now.
   int recordings() const {

@@ -41,6 +41,7 @@ class Replicated final : public StencilSolver<D> {
   std::string name() const override { return solver_->name(); }
   double bytes() const override { return matrix_.bytes() + solver_->bytes(); }
   double build_cost() const override { return solver_->build_cost(); }
+  void visit_memory(StepMemory& memory) override { solver_->visit_memory(memory); }
 
  private:
   Layout<D> layout_;

@@ -68,6 +68,9 @@ class Schwarz final : public StencilSolver<D> {
   std::string name() const override { return "schwarz"; }
   double build_cost() const override { return 100; }
   bool recordable() const override { return in_few_kernels() && layout_.whole() && coarse_->recordable(); }
+  void visit_memory(StepMemory& memory) override {
+    if (coarse_) coarse_->visit_memory(memory);
+  }
   double bytes() const override {
     double total = boxes_.bytes();
     if (space_) total += coarse_matrix_->bytes() + coarse_->bytes() + space_->galerkin_bytes();

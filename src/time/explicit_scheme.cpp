@@ -126,6 +126,24 @@ void ExplicitScheme<D, P>::accept(State& state) {
   ++age_;
 }
 
+template <int D, int P>
+void ExplicitScheme<D, P>::visit_memory(StepMemory& memory, const State& state) {
+  memory.number("limit/step", limit_);
+  memory.count("limit/age", age_);
+  memory.count("limit/most_age", most_age_);
+  memory.flag("rates/known", known_rates_);
+  if (known_rates_) {
+    memory.vector("rates/at", y_);
+    memory.vector("rates/values", rates_);
+  }
+  system_.visit_memory(memory, state);
+  spectrum_.visit_memory(memory);
+  stability_.visit_memory(memory);
+  if (!scheme_->needs_stiff_radius()) return;
+  stiff_spectrum_.visit_memory(memory);
+  scheme_->set_stiff_radius(stiff_spectrum_.radius());
+}
+
 template class ExplicitScheme<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 
 }  // namespace softwet

@@ -28,6 +28,7 @@ class ExplicitScheme final : public Scheme<D, P> {
     stability_.forget();
   }
   double largest_step(const State&) override;
+  void visit_memory(StepMemory&, const State&) override;
   SolverCounts& counts() override { return counts_; }
 
  private:

@@ -29,7 +29,7 @@ GeneralizedAlpha<D, P>::GeneralizedAlpha(const Model<D, P>& model, double rho_in
     : model_(model), scheme_(rho_inf), alpha_(rho_inf), work_("work", model.layout().size()) {
   const Layout<D>& l = model.layout();
   stage_ = make_stage<double>(l);
-  single_stage_ = make_stage<float>(l);
+  if (model.precision() != Precision::full) single_stage_ = make_stage<float>(l);
   if (model.precision() == Precision::single) single_work_ = ArrayOf<float>("stage.work", l.size());
 }
 
@@ -106,8 +106,28 @@ void GeneralizedAlpha<D, P>::product(const ArrayOf<float>& z, const ArrayOf<floa
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::jacobian(const StencilValues& values) {
-  if (model_.precision() == Precision::full) round_stage(single_stage_, stage_);
-  model_.jacobian(single_stage_, values);
+  if (jacobian_stage_.unknown.extent(0) == 0) jacobian_stage_ = make_stage<float>(model_.layout());
+  round_stage(jacobian_stage_, stage_);
+  last_jacobian(values);
+}
+
+template <int D, int P>
+void GeneralizedAlpha<D, P>::visit_memory(StepMemory& memory) {
+  StageOf<float>& s = jacobian_stage_;
+  bool known = s.unknown.extent(0) > 0;
+  memory.flag("jacobian/known", known);
+  if (!known) return;
+  if (s.unknown.extent(0) == 0) s = make_stage<float>(model_.layout());
+  memory.number("jacobian/time", s.time);
+  memory.number("jacobian/rate_scale", s.rate_scale);
+  memory.number("jacobian/displacement_scale", s.displacement_scale);
+  memory.number("jacobian/end_scale", s.end_scale);
+  memory.number("jacobian/moment_rate", s.moment_rate);
+  memory.vector("jacobian/unknown", s.unknown);
+  memory.vector("jacobian/acceleration", s.acceleration);
+  memory.vector("jacobian/displacement", s.displacement);
+  memory.vector("jacobian/displacement_end", s.displacement_end);
+  memory.vector("jacobian/density_end", s.density_end);
 }
 
 template <int D, int P>

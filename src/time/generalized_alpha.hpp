@@ -1,6 +1,7 @@
 // Generalized-alpha for first-order systems (Jansen, Whiting, Hulbert 2000), with the mass moments carried along.
 #pragma once
 
+#include "field/step_memory.hpp"
 #include "field/vector.hpp"
 #include "model/model.hpp"
 
@@ -47,8 +48,12 @@ class GeneralizedAlpha {
   void product(const Array& z, const Array& out, Geometry geometry) const;
   /// The same in single precision. Only for models that have it.
   void product(const ArrayOf<float>& z, const ArrayOf<float>& out, Geometry geometry) const;
-  /// The same with frozen geometry as a matrix.
+  /// The same with frozen geometry as a matrix. It follows from the rounded stage, which is kept.
   void jacobian(const StencilValues& values);
+  /// The matrix of the last `jacobian` once more.
+  void last_jacobian(const StencilValues& values) const { model_.jacobian(jacobian_stage_, values); }
+  /// What `last_jacobian` needs.
+  void visit_memory(StepMemory&);
 
   /// Ends the step: writes the state at t + dt from the solution x. Conserves the sum of the moments exactly, and the
   /// integral of the density with it.
@@ -69,7 +74,8 @@ class GeneralizedAlpha {
   const Model<D, P>& model_;
   AlphaParameters scheme_, alpha_;  ///< of rho_inf, and of the current step
   Stage stage_;
-  StageOf<float> single_stage_;  ///< the stage, rounded; in double precision for the Jacobian alone
+  StageOf<float> single_stage_;    ///< the stage, rounded; not in double precision
+  StageOf<float> jacobian_stage_;  ///< that of the last Jacobian as a matrix; allocated by the first one
   ArrayOf<float> single_work_;
   State start_;
   Array work_;

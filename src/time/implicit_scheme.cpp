@@ -142,6 +142,15 @@ StepAttempt ImplicitScheme<D, P>::attempt(const StepHistory& history, double dt)
   return attempt;
 }
 
+template <int D, int P>
+void ImplicitScheme<D, P>::visit_memory(StepMemory& memory, const State&) {
+  newton_.visit_memory(memory);
+  if (!newton_.keeps_preconditioner()) return;
+  integrator_.visit_memory(memory);
+  if (memory.restores())
+    newton_.build_again([this](const StencilValues& values) { integrator_.last_jacobian(values); });
+}
+
 template SolidPart solid_part<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
                                                                  const Stage&);
 template class ImplicitScheme<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

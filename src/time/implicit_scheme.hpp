@@ -22,6 +22,7 @@ class ImplicitScheme final : public Scheme<D, P> {
   StepAttempt attempt(const StepHistory&, double dt) override;
   void accept(State& state) override { integrator_.finish(x_, state); }
   void refuse() override { newton_.forget_preconditioner(); }
+  void visit_memory(StepMemory&, const State&) override;
   SolverCounts& counts() override { return newton_.counts(); }
   const Preconditioner* preconditioner() const override { return &newton_.preconditioner(); }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/step_memory.hpp"
 #include "time/noise.hpp"
 
 namespace softwet {
@@ -41,6 +42,9 @@ class PowerIteration {
       if (still) break;
     }
   }
+
+  /// Where the next measurement begins.
+  void visit_memory(StepMemory& memory) { memory.vector("spectrum/direction", direction_); }
 
   double radius() const { return radius_; }
   /// Whether the vector turns instead of changing its sign: the eigenvalue is not real and negative.

@@ -40,6 +40,10 @@ class Scheme {
   /// Largest step that is stable from a state.
   virtual double largest_step(const State&) { return std::numeric_limits<double>::infinity(); }
 
+  /// All that the next steps need of the last ones beside the states. @param state  the last one, also where the memory
+  /// is put back
+  virtual void visit_memory(StepMemory&, const State& state) = 0;
+
   virtual SolverCounts& counts() = 0;
   /// Null where nothing is preconditioned.
   virtual const Preconditioner* preconditioner() const { return nullptr; }

@@ -282,9 +282,21 @@ Refusal SemiDiscrete<D, P>::implicit_part(double c, const Array& y, const Array&
   if (iterations < 0) return {Refusal::implicit_viscosity};
   counts_.viscous += iterations;
   Kokkos::deep_copy(Exec(), stiff_, part(solution_, 0, velocity_));
+  solved_ = true;
   Kokkos::deep_copy(Exec(), cut(out, 0, velocity_), part(solution_, 0, velocity_));
   add_scaled(cut(y, 0, velocity_), 0, c, part(solution_, 0, velocity_));
   return {};
+}
+
+template <int D, int P>
+void SemiDiscrete<D, P>::visit_memory(StepMemory& memory, const State& state) {
+  memory.flag("viscous/solved", solved_);
+  if (solved_) memory.vector("viscous/rates", stiff_);
+  if (!memory.restores()) return;
+  stage_.time = state.time;
+  Kokkos::deep_copy(stage_.unknown, state.unknown);
+  Kokkos::deep_copy(stage_.displacement, state.displacement);
+  weigh_velocities();
 }
 
 template class SemiDiscrete<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

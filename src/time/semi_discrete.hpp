@@ -1,6 +1,7 @@
 // The equations of a scene as an evolution y' = f(t, y): discrete in space, continuous in time.
 #pragma once
 
+#include "field/step_memory.hpp"
 #include "model/masses.hpp"
 #include "solver/conjugate_gradient.hpp"
 #include "solver/kronecker_mass.hpp"
@@ -46,6 +47,8 @@ class SemiDiscrete final : public Evolution {
   /// Moments of a state that is given by its unknowns and displacements: those that give its density back.
   void set_moments(State&);
   void pack(const State&, const Array& y) const;
+  /// Where solves begin. @param state  whose rates were evaluated last, at a step that was accepted
+  void visit_memory(StepMemory&, const State& state);
   /// Writes y, whose rates were evaluated last, with its density, chemical potential and rates to a state.
   void copy_stage(double t, const Array& y, const Array& rates, State&) const;
 
@@ -74,7 +77,8 @@ class SemiDiscrete final : public Evolution {
   int velocity_, solid_, scalar_;  ///< parts of y
   Stage stage_;
   double stiff_tolerance_ = velocity_tolerance;
-  Array stiff_;  ///< the last result of implicit_part, velocities
+  Array stiff_;          ///< the last result of implicit_part, velocities
+  bool solved_ = false;  ///< there is one
   Array zero_, force_, right_, solution_, ones_, scalar_weight_, velocity_weight_;
   MassCounts counts_;
 };

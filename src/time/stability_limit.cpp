@@ -82,6 +82,13 @@ StabilityLimit::Growth StabilityLimit::climb(RungeKutta& scheme, Evolution& f, d
   return {};
 }
 
+void StabilityLimit::visit_memory(StepMemory& memory) {
+  memory.number("stability/unstable", unstable_);
+  memory.number("stability/exponent", exponent_);
+  memory.flag("stability/known", known_);
+  if (known_) memory.vector("stability/mode", mode_);
+}
+
 double StabilityLimit::follow(RungeKutta& scheme, Evolution& f, double t) {
   constexpr int most = 5, few = 6;
   constexpr double above = 1.04, fast = 1.4, steep = 2, longer = 1.06;

@@ -1,6 +1,7 @@
 // The largest stable step of a Runge-Kutta scheme on a linear evolution, found from its steps alone.
 #pragma once
 
+#include "field/step_memory.hpp"
 #include "time/runge_kutta.hpp"
 
 namespace softwet {
@@ -24,6 +25,9 @@ class StabilityLimit {
 
   /// The next search begins anew: the state has changed in a way that the modes so far do not tell of.
   void forget() { known_ = false; }
+
+  /// What the next search goes on from.
+  void visit_memory(StepMemory&);
 
   int steps() const { return steps_; }  ///< of the scheme, in all searches so far
 

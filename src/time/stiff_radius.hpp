@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "field/step_memory.hpp"
 #include "time/noise.hpp"
 
 namespace softwet {
@@ -50,16 +51,26 @@ class StiffRadius {
     if (now > measured_) radius_ *= now / measured_, measured_ = now;
   }
 
+  /// What `follow` and the next measurement go on from.
+  void visit_memory(StepMemory& memory) {
+    memory.number("stiff/radius", radius_);
+    memory.number("stiff/measured", measured_);
+    memory.vector("stiff/direction", direction_);
+  }
+
   double radius() const { return radius_; }
 
  private:
-  /// direction = z / |z|. @return false where z is zero or not finite; the radius is 0 then
+  /// direction = z / |z|. @return false where z is zero or not finite; the direction and the radius are 0 then
   bool take(const Array& z) {
     const double length = norm(space_, z);
-    const bool some = length > 0 && std::isfinite(length);
-    radius_ = some ? radius_ : 0;
-    combine(direction_, some ? 1 / length : 0, z, 0);
-    return some;
+    if (length > 0 && std::isfinite(length)) {
+      combine(direction_, 1 / length, z, 0);
+      return true;
+    }
+    Kokkos::deep_copy(Exec(), direction_, 0.0);
+    radius_ = 0;
+    return false;
   }
 
   /// direction = T_n(2 B / radius - 1) direction, B = -g.

@@ -29,7 +29,8 @@ const std::vector<ArraySize> arrays{{"state/unknown", 24},
                                     {"previous/unknown", 24}};
 const char* const reals[] = {"time",         "previous/dt",        "step_control/proposed",
                              "history/time", "history/mass_start", "run/started"};
-const char* const counts[] = {"steps/accepted", "steps/rejected_newton", "steps/rejected_error", "history/step"};
+const char* const counts[] = {"steps/accepted",      "steps/rejected_newton", "steps/rejected_error",   "history/step",
+                              "files/history/bytes", "files/history/rows",    "files/history/checksum", "files/fields"};
 
 double any_number(FuzzedDataProvider& input) {
   const double special[] = {0.0,
@@ -125,6 +126,7 @@ void write_file(const std::string& path, FuzzedDataProvider& input) {
   write_array(file, id, "history/droplets", 3 * small_case().droplets.size(), input);
   write_array(file, id, "history/bodies", 8 * small_case().droplets.size(), input);
   write_array(file, id, "history/event_times", 1, input);
+  write_array(file, id, "files/field_times", 3, input);
   if (any_fate(input) == Fate::usual) {
     const std::string events = "the droplet vanished\n";
     file.write("/texts/history/events", std::vector<std::uint8_t>(events.begin(), events.end()), {events.size()});
@@ -153,7 +155,9 @@ void check_accepted(const SavedRun& run) {
   for (const Body& body : run.bodies)
     require_property(std::isfinite(body.place[0]) && body.touched < 64, "a body has a place", "");
   for (const Event& event : run.events) require_property(std::isfinite(event.time), "an event has a time", event.what);
-  require_property(run.started >= 0 && std::isfinite(run.started), "the start is a time", "");
+  require_property(std::isfinite(run.started.value_or(0)), "the start is a time", "");
+  for (double t : run.files.field_times.value_or(std::vector<double>()))
+    require_property(std::isfinite(t), "a time is one", "");
 }
 
 }  // namespace

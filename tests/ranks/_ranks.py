@@ -1,14 +1,13 @@
-"""Runs with several processes, and whether two runs gave the same bits."""
+"""Runs with several processes."""
 
 import os
 import pathlib
 import subprocess
 import sys
 
-import h5py
-
 sys.path.insert(0, str(pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tests" / "regression"))
-from _scene import cases, check_true, command_of_file, environment, softwet  # noqa: E402, F401
+from _same import arrays, check_same  # noqa: E402, F401
+from _scene import cases, check_true, command_of_file, environment, record, softwet  # noqa: E402, F401
 
 launcher = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tools" / "_ranks"
 
@@ -37,23 +36,3 @@ def run(count, case, folder, settings, options=("--overwrite", "--quiet"), threa
     if process.returncode != code:
         sys.exit(f"exit code {process.returncode}, not {code}: {process.args}\n{errors}")
     return errors
-
-
-def arrays(path):
-    """The bytes of all arrays of a file, but for those that tell of the clock."""
-    found = {}
-    with h5py.File(path) as file:
-        file.visititems(lambda name, item: found.update({name: item[()].tobytes()} if hasattr(item, "shape") else {}))
-    found.pop("arrays/costs", None)
-    return found
-
-
-def check_same(name, folder, other):
-    """Ends the test where two runs differ in a bit of a table, a field or the checkpoint."""
-    for table in ("history.csv", "interface.csv"):
-        same = pathlib.Path(folder, table).read_bytes() == pathlib.Path(other, table).read_bytes()
-        check_true(f"{name}: {table}", same)
-    fields = sorted(path.name for path in pathlib.Path(other, "fields").glob("*.hdf"))
-    check_true(f"{name}: fields are there", sorted(p.name for p in pathlib.Path(folder, "fields").glob("*.hdf")) == fields)
-    for file in ["checkpoint.h5", *(f"fields/{field}" for field in fields)]:
-        check_true(f"{name}: {file}", arrays(f"{folder}/{file}") == arrays(f"{other}/{file}"))

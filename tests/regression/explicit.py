@@ -3,6 +3,7 @@
 on the moving mesh, and goes on after a stop.
 usage: explicit.py SOFTWET"""
 
+from _same import check_same
 from _scene import check, check_true, history, record, run
 
 SCENE = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "fluid.temperature=0.7", "load[0].start=0.3",
@@ -38,9 +39,8 @@ whole = compute("whole", "time.scheme=ssp_rk3", "time.mass=lumped")
 compute("parts", "time.scheme=ssp_rk3", "time.mass=lumped", "time.max_steps=20")
 parts = compute("parts", "time.scheme=ssp_rk3", "time.mass=lumped",
                 options=("--resume", "--quiet", "--threads", "1"))
-# The limit of stability is measured anew at the resume, so the steps differ a little.
-check_true("a resumed run comes to the end", parts["t"][-1] == whole["t"][-1] and len(parts["t"]) > 50)
-check("energy at the end of a resumed run", abs(parts["energy_elastic"][-1] / whole["energy_elastic"][-1] - 1), 1e-5)
+check_true("a resumed run takes more than 50 steps", len(parts["t"]) > 50)
+check_same("a resumed run", "parts", "whole")
 check_true("steps follow the limit of stability", max(whole["dt"]) < 0.02, f"largest dt {max(whole['dt']):.3g}")
 
 # With periodic sides, whose copies of unknowns are not free, the limit is measured too, for either kind of mass.

@@ -2,6 +2,7 @@
 """Field files keep their times when a run is resumed with others. usage: resume_fields.py SOFTWET"""
 
 import json
+import pathlib
 
 import h5py
 from _scene import RIGID, check_true, run
@@ -37,7 +38,18 @@ check_true("interface.csv has them all", rows("out") == [0, 2, 4, 6, 8], str(row
 check_true("times of an interval that are over are left alone", resumed(9, "[]", "output.fields.every=3") == [0, 2, 4, 6, 8, 9],
            str(times("out")))
 check_true("case.toml is that of the last run", "end = 9" in open("out/case.toml").read())
+
+# Files that a user has removed are neither written again, nor does their number go to another one.
+removed = pathlib.Path("out/fields/fluid_0001.hdf")
+removed.unlink()
+others = {path.name: path.read_bytes() for path in pathlib.Path("out/fields").glob("*.hdf")}
+run("static_droplet_rigid_2d", "out", RIGID + ["time.end=10", "output.fields.times=[10]"], ["--resume", "--quiet", "--threads", "1"])
+listed = json.load(open("out/fields/fluid.hdf.series"))["files"]
+check_true("the series lists the files that are there", [entry["time"] for entry in listed] == [0, 4, 6, 8, 9, 10]
+           and all(pathlib.Path("out/fields", entry["name"]).exists() for entry in listed), str(listed))
+check_true("no other file has changed", not removed.exists() and all(
+    pathlib.Path("out/fields", name).read_bytes() == content for name, content in others.items()))
 message = run("static_droplet_rigid_2d", "out", RIGID + ["time.end=3", "output.fields.times=[]"],
               ["--resume", "--threads", "1"])
 check_true("nothing left to do: tells what to raise", "raise time.end" in message, message.strip())
-check_true("and leaves case.toml alone", "end = 9" in open("out/case.toml").read())
+check_true("and leaves case.toml alone", "end = 10" in open("out/case.toml").read())

@@ -21,11 +21,37 @@ def refused(name, settings, parts):
     check_true(f"{name}: the folder stays as it was", before == after)
 
 
-run("tensotaxis_pull_2d", "run", SHORT)
+run("tensotaxis_pull_2d", "run", [*SHORT, "output.fields.times=[-2]"])
 refused("viscosity", SHORT + ["fluid.viscosity=1/128"], ["checkpoint.h5", "fluid.viscosity was", "0.0078125"])
 refused("mesh", SHORT + ["domain.elements=[64,32]"], ["domain.elements was [32, 16] and is [64, 32] now"])
 refused("load", SHORT + ["load[0].ramp=2"], ["load[0].ramp was 1 and is 2 now"])
 refused("scheme", SHORT + ["time.rho_inf=0.8"], ["time.rho_inf was"])
+refused("mass", SHORT + ["time.mass=lumped"], ["time.mass was", "lumped", "may change"])
+refused("safety", SHORT + ["time.safety=0.5"], ["time.safety was 0.9 and is 0.5 now"])
+refused("start", SHORT + ["time.start=equilibrium"], ["time.start was", "equilibrium"])
+
+# Tables that are not what the run has written.
+MORE = PULL + ["time.max_steps=5"]
+for table in ("history.csv", "interface.csv"):
+    path = pathlib.Path("run", table)
+    written = path.read_text()
+    head, *rows = written.splitlines(keepends=True)
+    edited = {
+        "a missing row": [*rows[:1], *rows[2:]],
+        "a repeated row": [*rows[:1], *rows],
+        "rows in reverse": rows[::-1],
+        "a cut row": [*rows[:1], rows[1].rsplit(",", 1)[0] + "\n", *rows[2:]],
+        "4.5 as the first number": [rows[0], "4.5" + rows[1][rows[1].index(","):], *rows[2:]],
+        "a word": [rows[0], "abc" + rows[1][rows[1].index(","):], *rows[2:]],
+        "another number": [rows[0].replace("0", "1"), *rows[1:]],
+        "no rows": [],
+    }
+    for name, changed in edited.items():
+        path.write_text(head + "".join(changed))
+        refused(f"{table} with {name}", MORE, [f"run/{table}", "put back the file", "--resume"])
+    path.unlink()
+    refused(f"no {table}", MORE, [f"run/{table}", "is missing"])
+    path.write_text(written)
 
 checkpoint = pathlib.Path("run/checkpoint.h5")
 good = checkpoint.read_bytes()

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "app/host/fingerprint.hpp"
@@ -10,12 +11,11 @@
 #include "observe/host/checkpoint_file.hpp"
 
 namespace softwet {
-namespace {
 
 /// Reads by name and refuses what no run of softwet writes.
-class Judge {
+class SavedEntries {
  public:
-  explicit Judge(const std::string& path) : path_(path), file_(path) {}
+  explicit SavedEntries(const std::string& path) : path_(path), file_(path) {}
 
   bool has(const std::string& name) const { return file_.has(name); }
   std::string text(const std::string& name) const { return file_.text(name); }
@@ -59,10 +59,12 @@ class Judge {
   CheckpointReader file_;
 };
 
+namespace {
+
 constexpr std::size_t body_numbers = 8;
 const std::string body_array = "history/bodies", event_times = "history/event_times", event_texts = "history/events";
 
-void read_bodies(const Judge& file, const Case& c, SavedRun& run) {
+void read_bodies(const SavedEntries& file, const Case& c, SavedRun& run) {
   const std::vector<double> numbers = file.array(body_array, body_numbers * bodies_of(c).size());
   for (auto n = numbers.begin(); n != numbers.end(); n += body_numbers) {
     if (n[3] < 0 || n[3] > 63) file.refuse(body_array, fmt::format("has the sides {}", n[3]), "a number in [0, 63]");
@@ -70,14 +72,43 @@ void read_bodies(const Judge& file, const Case& c, SavedRun& run) {
   }
 }
 
-void read_events(const Judge& file, SavedRun& run) {
+void read_events(const SavedEntries& file, SavedRun& run) {
   std::istringstream lines(file.text(event_texts));
   for (std::string what; std::getline(lines, what);) run.events.push_back({0, what});
   const std::vector<double> times = file.array(event_times, run.events.size());
   for (std::size_t i = 0; i < times.size(); ++i) run.events[i].time = times[i];
 }
 
+const std::string history_table = "files/history", interface_table = "files/interface";
+const std::string field_count = "files/fields", field_times = "files/field_times";
+
+void write_mark(const std::string& name, const TableMark& mark, CheckpointWriter& file) {
+  file.value(name + "/bytes", mark.bytes);
+  file.value(name + "/rows", mark.rows);
+  file.value(name + "/checksum", std::int64_t{mark.checksum});
+}
+
+std::optional<TableMark> read_mark(const SavedEntries& file, const std::string& name) {
+  if (!file.has(name + "/bytes")) return std::nullopt;
+  return TableMark{file.count(name + "/bytes"), file.count(name + "/rows"),
+                   static_cast<std::uint32_t>(file.count(name + "/checksum"))};
+}
+
+WrittenFiles read_files(const SavedEntries& file) {
+  WrittenFiles files{read_mark(file, history_table), read_mark(file, interface_table), {}};
+  if (file.has(field_count))
+    files.field_times = file.array(field_times, static_cast<std::size_t>(file.count(field_count)));
+  return files;
+}
+
 }  // namespace
+
+void write_files(const WrittenFiles& files, CheckpointWriter& file) {
+  write_mark(history_table, files.history.value(), file);
+  write_mark(interface_table, files.interface.value(), file);
+  file.value(field_count, static_cast<std::int64_t>(files.field_times.value().size()));
+  file.array(field_times, files.field_times.value());
+}
 
 void write_watch(const std::vector<Body>& bodies, const std::vector<Event>& events, CheckpointWriter& file) {
   std::vector<double> numbers, times;
@@ -96,7 +127,7 @@ void write_watch(const std::vector<Body>& bodies, const std::vector<Event>& even
 }
 
 SavedRun read_saved_run(const std::string& path, const Case& c, const std::vector<ArraySize>& arrays) {
-  const Judge file(path);
+  const SavedEntries file(path);
   check_fingerprint(path, file.text("case"), c);
   SavedRun run;
   run.time = file.not_negative("time");
@@ -115,8 +146,29 @@ SavedRun read_saved_run(const std::string& path, const Case& c, const std::vecto
     run.droplets.emplace_back(first, first + numbers);
   if (file.has(body_array)) read_bodies(file, c, run);
   if (file.has(event_texts)) read_events(file, run);
-  if (file.has("run/started")) run.started = file.positive("run/started");
+  if (file.has("run/started")) run.started = file.number("run/started");
+  run.files = read_files(file);
   return run;
+}
+
+SavedMemory::SavedMemory(const std::string& path) : file_(std::make_unique<SavedEntries>(path)) {}
+SavedMemory::~SavedMemory() = default;
+
+bool SavedMemory::fits(const std::string& settings_now) const {
+  return file_->has(settings) && file_->text(settings) == settings_now;
+}
+
+double SavedMemory::number(const std::string& entry) const { return file_->number(name(entry)); }
+
+int SavedMemory::count(const std::string& entry) const {
+  const std::int64_t value = file_->count(name(entry));
+  if (value > std::numeric_limits<int>::max())
+    file_->refuse(name(entry), fmt::format("is {}", value), "a smaller count");
+  return static_cast<int>(value);
+}
+
+std::vector<double> SavedMemory::array(const std::string& entry, std::size_t size) const {
+  return file_->array(name(entry), size);
 }
 
 }  // namespace softwet

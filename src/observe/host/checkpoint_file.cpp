@@ -47,6 +47,10 @@ void CheckpointWriter::array(const std::string& name, const std::vector<double>&
   file_->write(arrays_group + name, values, {values.size()}, Hdf5Storage::checksummed);
 }
 
+void CheckpointWriter::single_array(const std::string& name, const std::vector<float>& values) {
+  file_->write(arrays_group + name, values, {values.size()}, Hdf5Storage::checksummed);
+}
+
 void CheckpointWriter::commit() {
   file_->close();
   target_.commit();

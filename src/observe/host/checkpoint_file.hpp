@@ -26,6 +26,7 @@ class CheckpointWriter {
   void value(const std::string& name, int number) { value(name, std::int64_t(number)); }
   void value(const std::string& name, const std::string& text);
   void array(const std::string& name, const std::vector<double>& values);
+  void single_array(const std::string& name, const std::vector<float>& values);  ///< read by `array` too
 
   /// Flushes, closes, brings the file to the disk and renames it. Nothing can be added afterwards.
   void commit();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -14,18 +13,13 @@
 #include "observe/host/atomic_file.hpp"
 #include "observe/host/number_text.hpp"
 #include "observe/host/path_state.hpp"
+#include "observe/host/table_rows.hpp"
 
 namespace softwet {
 namespace {
 
-std::string header_line(const std::vector<std::string>& columns) {
-  std::string line;
-  for (const std::string& column : columns) line += (line.empty() ? "" : ",") + column;
-  return line + "\n";
-}
-
-/// The whole file; empty where there is none.
-std::string existing_text(const std::string& path) {
+/// The whole file, if there is one.
+std::optional<std::string> existing_text(const std::string& path) {
   if (const std::string kind = no_regular_file(path); !kind.empty())
     throw Error(Exit::invalid_input, path + ": is " + kind +
                                          " and no table; put back the file that the run wrote, or "
@@ -33,7 +27,7 @@ std::string existing_text(const std::string& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    if (errno == ENOENT || errno == ENOTDIR) return "";
+    if (errno == ENOENT || errno == ENOTDIR) return std::nullopt;
     throw_disk_error(path, "cannot be read", errno);
   }
   std::ostringstream text;
@@ -42,44 +36,13 @@ std::string existing_text(const std::string& path) {
   return text.str();
 }
 
-/// The step number of a row that has a cell for each column.
-double step_of(const std::string& path, const std::string& line, std::size_t line_number, std::size_t columns) {
-  const auto refuse = [&](const std::string& problem) {
-    throw Error(Exit::invalid_input, path + ":" + std::to_string(line_number) + ": " + problem +
-                                         "; remove the row or the file, or start anew without --resume");
-  };
-  const std::size_t cells = 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
-  double step = 0;
-  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), step);
-  const bool whole_cell = end == line.data() + line.size() || *end == ',' || *end == '\n';
-  if (error != std::errc() || !whole_cell || !std::isfinite(step)) refuse("the row does not start with a step number");
-  if (cells != columns)
-    refuse("the row has " + std::to_string(cells) + " cells for " + std::to_string(columns) + " columns");
-  return step;
-}
-
-/// The rows up to `step`, header included; the last line only when it is whole.
-std::string rows_until(const std::string& path, const std::string& text, const std::string& header, double step) {
-  if (text.compare(0, header.size(), header) != 0) {
-    throw Error(Exit::invalid_input, path + ":1: the header is '" + text.substr(0, text.find('\n')) +
-                                         "' where this run writes '" + header.substr(0, header.size() - 1) +
-                                         "'; resume with the case that wrote it, move the file away, or start anew "
-                                         "without --resume");
-  }
-  const std::size_t columns = 1 + static_cast<std::size_t>(std::count(header.begin(), header.end(), ','));
-  std::string kept = header;
-  std::size_t line_number = 2;
-  for (std::size_t begin = header.size(); begin < text.size(); ++line_number) {
-    const std::size_t end = text.find('\n', begin);
-    if (end == std::string::npos) break;
-    const std::string line = text.substr(begin, end + 1 - begin);
-    if (step_of(path, line, line_number, columns) <= step) kept += line;
-    begin = end + 1;
-  }
-  return kept;
-}
-
 }  // namespace
+
+void TableMark::add(const std::string& lines) {
+  bytes += static_cast<std::int64_t>(lines.size());
+  rows += std::count(lines.begin(), lines.end(), '\n');
+  for (const char c : lines) checksum = (checksum ^ static_cast<unsigned char>(c)) * 16777619u;
+}
 
 TableFile::TableFile(const std::string& path, const std::vector<std::string>& columns, const char* mode)
     : path_(path), columns_(columns), last_flush_(std::chrono::steady_clock::now()) {
@@ -95,16 +58,37 @@ TableFile TableFile::create(const std::string& path, const std::vector<std::stri
   ::unlink(path.c_str());  // a pipe of that name would be waited for
   TableFile table(path, columns, "w+b");
   table.pending_ = header_line(columns);
+  table.begin_after(table.pending_);
   table.flush();
   return table;
 }
 
-TableFile TableFile::append_after(const std::string& path, const std::vector<std::string>& columns, double step) {
-  const std::string text = existing_text(path);
-  if (text.empty()) return create(path, columns);
-  const std::string kept = rows_until(path, text, header_line(columns), step);
+void TableFile::begin_after(const std::string& lines) {
+  all_.add(lines);
+  all_.rows -= 1;  // the header
+  keep();
+}
+
+TableFile TableFile::go_on(const std::string& path, const std::vector<std::string>& columns, const std::string& text,
+                           const std::string& kept) {
   if (kept != text) write_text_atomically(path, kept);
-  return TableFile(path, columns, "a+b");
+  TableFile table(path, columns, "a+b");
+  table.begin_after(kept);
+  return table;
+}
+
+TableFile TableFile::append_after(const std::string& path, const std::vector<std::string>& columns,
+                                  const TableMark& mark) {
+  const std::optional<std::string> text = existing_text(path);
+  if (!text) refuse_table(path, "is missing, with " + std::to_string(mark.rows) + " rows that the run had written");
+  if (text->empty()) return create(path, columns);
+  return go_on(path, columns, *text, rows_up_to_mark(path, *text, columns, mark));
+}
+
+TableFile TableFile::append_after(const std::string& path, const std::vector<std::string>& columns, double last) {
+  const std::string text = existing_text(path).value_or("");
+  if (text.empty()) return create(path, columns);
+  return go_on(path, columns, text, rows_up_to(path, text, columns, last));
 }
 
 TableFile::~TableFile() {
@@ -133,18 +117,30 @@ void TableFile::row(const std::vector<std::optional<double>>& values) {
     }
     line += number_text(*values[column]);
   }
-  pending_ += line + "\n";
+  line += "\n";
+  pending_ += line;
+  all_.add(line);
   if (std::chrono::steady_clock::now() - last_flush_ >= std::chrono::seconds(1)) flush();
 }
 
 void TableFile::flush() {
   last_flush_ = std::chrono::steady_clock::now();
-  if (pending_.empty()) return;
-  errno = 0;
-  const bool written =
-      std::fwrite(pending_.data(), 1, pending_.size(), file_.get()) == pending_.size() && std::fflush(file_.get()) == 0;
-  pending_.clear();
-  if (!written) throw_disk_error(path_, "rows cannot be written", errno);
+  if (failed_ == 0 && !pending_.empty()) {
+    errno = 0;
+    const bool written = std::fwrite(pending_.data(), 1, pending_.size(), file_.get()) == pending_.size() &&
+                         std::fflush(file_.get()) == 0;
+    pending_.clear();
+    if (!written) failed_ = errno != 0 ? errno : EIO;
+  }
+  if (failed_ != 0) throw_disk_error(path_, "rows cannot be written", failed_);
+}
+
+void TableFile::bring_to_disk() {
+  flush();
+  const int failed = ::fsync(::fileno(file_.get())) != 0 ? errno : 0;
+  // Some network and in-memory file systems do not know fsync: nothing more can be done there.
+  if (failed != 0 && failed != EINVAL && failed != ENOTSUP)
+    throw_disk_error(path_, "rows did not reach the disk", failed);
 }
 
 bool TableFile::in_place() const { return leads_to(path_, ::fileno(file_.get())); }

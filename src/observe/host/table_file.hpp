@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -10,18 +11,34 @@
 
 namespace softwet {
 
+/// The beginning of a table, so that it is known again: its bytes, its rows below the header, and a checksum of the
+/// bytes (FNV-1a, Fowler, Noll and Vo).
+struct TableMark {
+  std::int64_t bytes = 0, rows = 0;
+  std::uint32_t checksum = 2166136261u;
+
+  void add(const std::string& lines);
+  bool operator==(const TableMark&) const = default;
+};
+
 /// Appends rows of numbers. Numbers are written in the shortest form that reads back equal, whole numbers as integers.
-/// The first column is the step and does not decrease.
+/// A first column with the name "step" holds whole numbers that rise; another one does not fall.
 class TableFile {
  public:
-  /// Starts a new table; an existing file is replaced. @param columns  names, the first is the step
+  /// Starts a new table; an existing file is replaced. @param columns  names
   /// Throws Error (machine_failed).
   static TableFile create(const std::string& path, const std::vector<std::string>& columns);
 
-  /// Continues the table of a run resumed from a checkpoint: rows with a step greater than `step` and a last row cut
-  /// short are dropped (the file is replaced atomically). A missing or empty file is started anew.
-  /// Throws Error: invalid_input when the header differs or a row does not start with a number, machine_failed.
-  static TableFile append_after(const std::string& path, const std::vector<std::string>& columns, double step);
+  /// Continues the table of a run resumed from a checkpoint. What lies behind the mark is dropped (the file is replaced
+  /// atomically). An empty file begins a new table here.
+  /// Throws Error: invalid_input when the file is missing or is not up to the mark what was written, with the first
+  /// line that cannot be from a run; machine_failed.
+  static TableFile append_after(const std::string& path, const std::vector<std::string>& columns, const TableMark&);
+
+  /// The same for a checkpoint without a mark, of an older program: rows whose first number is greater than `last` and
+  /// a last row cut short are dropped. A missing or empty file begins a new table.
+  /// Throws Error: invalid_input when the header differs or a row cannot be from a run, machine_failed.
+  static TableFile append_after(const std::string& path, const std::vector<std::string>& columns, double last);
 
   TableFile(TableFile&&) = default;
   TableFile& operator=(TableFile&&) = delete;
@@ -32,8 +49,16 @@ class TableFile {
   /// Throws Error: computation_failed for a number that is not finite or a wrong count, machine_failed.
   void row(const std::vector<std::optional<double>>& values);
 
-  /// Hands the rows so far to the system; to be called before a checkpoint is committed. Throws Error (machine_failed).
+  /// Makes all rows so far those that a resumed run goes on behind.
+  void keep() { kept_ = all_; }
+  const TableMark& kept() const { return kept_; }
+
+  /// Hands the rows so far to the system. Throws Error (machine_failed), from the first failure on each time: rows are
+  /// missing then, and no checkpoint may tell of them.
   void flush();
+  /// Brings the rows so far to the disk; to be called before a checkpoint that holds their mark is committed.
+  /// Throws Error (machine_failed).
+  void bring_to_disk();
 
   /// Whether its path still leads to the file that is written: not where somebody has removed or replaced it.
   bool in_place() const;
@@ -49,11 +74,17 @@ class TableFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
   TableFile(const std::string& path, const std::vector<std::string>& columns, const char* mode);
+  static TableFile go_on(const std::string& path, const std::vector<std::string>& columns, const std::string& text,
+                         const std::string& kept);
+  /// The header and the rows that are there already.
+  void begin_after(const std::string& lines);
 
   std::string path_;
   std::vector<std::string> columns_;
   std::unique_ptr<std::FILE, Close> file_;
   std::string pending_;
+  TableMark all_, kept_;
+  int failed_ = 0;  ///< errno of the first failure
   std::chrono::steady_clock::time_point last_flush_;
 };
 

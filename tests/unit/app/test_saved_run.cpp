@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <sstream>
 
 #include "app/host/case_file.hpp"
 #include "app/host/fingerprint.hpp"
@@ -20,6 +21,7 @@ namespace softwet {
 namespace {
 
 using testing_tools::pull;
+using testing_tools::pull_text;
 
 const std::vector<ArraySize> sizes{{"state/unknown", 4}, {"previous/unknown", 4}};
 
@@ -86,7 +88,7 @@ TEST(SavedRun, ACheckpointOfAnOlderProgramHasNoEvents) {
   Content().write(path);
   const SavedRun run = read_saved_run(path, pull(), sizes);
   EXPECT_TRUE(run.bodies.empty() && run.events.empty());
-  EXPECT_EQ(run.started, 0);
+  EXPECT_FALSE(run.started);
 }
 
 TEST(SavedRun, RefusesDropletsAndEventsThatNoRunWrites) {
@@ -107,7 +109,79 @@ TEST(SavedRun, RefusesDropletsAndEventsThatNoRunWrites) {
     file.array("history/event_times", {1, 2});
     file.value("history/events", std::string("the droplet vanished\n"));
   });
-  refuses("run/started", [](CheckpointWriter& file) { file.value("run/started", -1.0); });
+  refuses("run/started", [](CheckpointWriter& file) { file.value("run/started", NAN); });
+}
+
+TEST(SavedRun, ARunMayHaveBegunBefore1970) {
+  const ScratchFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  Content().write(path, pull(), [](CheckpointWriter& file) { file.value("run/started", -86400.0); });
+  EXPECT_EQ(read_saved_run(path, pull(), sizes).started, -86400);
+}
+
+TEST(SavedRun, KnowsTheFilesBesideTheCheckpoint) {
+  const ScratchFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  const TableMark history{1234, 56, 0xfedcba98u}, interface { 20, 0, 1 };
+  Content().write(path, pull(), [&](CheckpointWriter& file) {
+    write_files({history, interface, std::vector<double>{-2, 0.5}}, file);
+  });
+  const WrittenFiles files = read_saved_run(path, pull(), sizes).files;
+  EXPECT_EQ(files.history, history);
+  EXPECT_EQ(files.interface, interface);
+  EXPECT_EQ(files.field_times, (std::vector<double>{-2, 0.5}));
+  Content().write(path);
+  const WrittenFiles none = read_saved_run(path, pull(), sizes).files;
+  EXPECT_FALSE(none.history || none.interface || none.field_times);
+}
+
+TEST(SavedRun, HandsBackWhatASchemeRemembers) {
+  const ScratchFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  Content().write(path, pull(), [](CheckpointWriter& file) {
+    file.value(SavedMemory::settings, std::string("these"));
+    file.value(SavedMemory::name("limit"), 0.25);
+    file.value(SavedMemory::name("age"), 3);
+    file.value(SavedMemory::name("many"), std::int64_t{1} << 40);
+    file.single_array(SavedMemory::name("mode"), {0.1f, 2});
+    file.array(SavedMemory::name("bad"), {1, NAN});
+  });
+  const SavedMemory memory(path);
+  EXPECT_TRUE(memory.fits("these"));
+  EXPECT_FALSE(memory.fits("others"));
+  EXPECT_EQ(memory.number("limit"), 0.25);
+  EXPECT_EQ(memory.count("age"), 3);
+  EXPECT_EQ(memory.array("mode", 2), (std::vector<double>{0.1f, 2}));
+  expect_error(Exit::invalid_input, {path, "memory/many"}, [&] { memory.count("many"); });
+  expect_error(Exit::invalid_input, {path, "memory/bad"}, [&] { memory.array("bad", 2); });
+  expect_error(Exit::invalid_input, {path, "memory/mode"}, [&] { memory.array("mode", 3); });
+  expect_error(Exit::invalid_input, {path, "memory/missing"}, [&] { memory.number("missing"); });
+  Content().write(path);
+  EXPECT_FALSE(SavedMemory(path).fits("these"));
+}
+
+TEST(Fingerprint, TellsWhatAResumedRunMayNotChange) {
+  const auto with = [](const std::string& setting) { return parse_case(pull_text(), "case.toml", {setting}); };
+  const std::string stored = fingerprint(pull());
+  for (const char* may : {"name=other", "time.end=5", "time.max_steps=7", "time.dt_initial=1e-3", "time.dt_min=1e-9",
+                          "time.dt_max=3", "time.tolerance=1e-3", "solver.newton.rtol=1e-5", "output.history.every=3"})
+    EXPECT_NO_THROW(check_fingerprint("checkpoint.h5", stored, with(may))) << may;
+  for (const std::string key : {"time.mass=lumped", "time.safety=0.5", "time.start=equilibrium", "time.rho_inf=0.8",
+                                "time.scheme=imex", "fluid.viscosity=1", "domain.degree=3"})
+    expect_error(Exit::invalid_input, {"checkpoint.h5", key.substr(0, key.find('=')) + " was", "may change"},
+                 [&] { check_fingerprint("checkpoint.h5", stored, with(key)); });
+  EXPECT_EQ(solver_settings(pull()), solver_settings(with("time.end=5")));
+  EXPECT_NE(solver_settings(pull()), solver_settings(with("solver.newton.rtol=1e-5")));
+}
+
+TEST(Fingerprint, ThatOfAnOlderProgramLacksSomeKeys) {
+  std::string stored;
+  std::istringstream lines(fingerprint(pull()));
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("time.mass", 0) != 0 && line.rfind("time.safety", 0) != 0 && line.rfind("time.start", 0) != 0)
+      stored += line + "\n";
+  ASSERT_NE(stored, fingerprint(pull()));
+  EXPECT_NO_THROW(check_fingerprint("checkpoint.h5", stored, pull()));
 }
 
 TEST(SavedRun, ADropletOn3DHasTwoCoordinates) {

@@ -7,6 +7,7 @@
 #include "solver/schwarz.hpp"
 #include "time/implicit_scheme.hpp"
 #include "time/stepper.hpp"
+#include "unit/field/kept_memory.hpp"
 #include "unit/model/scenes.hpp"
 
 namespace softwet::testing_tools {
@@ -111,6 +112,15 @@ TEST(BlockLu, StoresSinglePrecisionWhereHalfIsNotEnough) {
   EXPECT_TRUE(!narrow || defect_of(*half, matrix, b) > 0.2);
   EXPECT_LT(defect_of(*sufficient, matrix, b), 0.05);
   EXPECT_EQ(sufficient->bytes(), make(FactorPrecision::single)->bytes());
+  // From then on it stays so, also behind a checkpoint.
+  KeptMemory memory;
+  sufficient->visit_memory(memory);
+  const auto resumed = make(FactorPrecision::sufficient);
+  memory.put_back();
+  resumed->visit_memory(memory);
+  matrix.fill(nearly_singular(s.layout(), 1));
+  EXPECT_EQ(defect_of(*sufficient, matrix, b), defect_of(*resumed, matrix, b));
+  EXPECT_EQ(sufficient->bytes(), resumed->bytes());
 }
 
 TEST(Dissection, EveryUnknownIsEliminatedOnce) {

@@ -1,0 +1,127 @@
+// A run that is put together anew before each step gives the bits of one that goes on.
+#include "model/initial.hpp"
+#include "time/stepper.hpp"
+#include "unit/field/kept_memory.hpp"
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+using Steps = Stepper<2, 2>;
+
+/// A droplet that begins to move.
+Case restless_droplet(Scene kind, bool periodic = false) {
+  Case c = scene(kind, WallLaw::energy, periodic);
+  c.domain.elements = {18, 12};
+  for (Load& load : c.loads) load.start = 0;
+  if (c.fluid) {
+    c.fluid->capillarity = 0.1;
+    c.fluid->stabilisation = 0.002;
+    c.droplets = {{{0.45, kind == Scene::coupled ? 0.8 / 3 : 0.0}, 0.3}};
+  }
+  return c;
+}
+
+std::unique_ptr<Steps> stepper_at_start(const Case& c, const Model<2, 2>& model) {
+  auto stepper = std::make_unique<Steps>(model, c, std::vector<double>{});
+  State state = initial_state(c, model);
+  stepper->scheme().initialise(state);
+  stepper->start(state);
+  return stepper;
+}
+
+/// A new stepper from what a checkpoint holds of another one.
+std::unique_ptr<Steps> resumed(const Case& c, const Model<2, 2>& model, Steps& from) {
+  KeptMemory memory;
+  from.scheme().visit_memory(memory, from.state());
+  auto stepper = std::make_unique<Steps>(model, c, std::vector<double>{});
+  stepper->restore(from.state(), from.previous(), from.previous_dt(), from.control().proposed());
+  memory.put_back();
+  stepper->scheme().visit_memory(memory, stepper->state());
+  return stepper;
+}
+
+/// All numbers of a step and of the state behind it.
+std::vector<double> step_of(Steps& stepper) {
+  const StepReport r = stepper.step();
+  const State& s = stepper.state();
+  std::vector<double> all{r.dt, double(r.newton), double(r.krylov), r.indicator, s.time};
+  for (const Array& a : {s.unknown, s.velocity_rate, s.displacement, s.displacement_rate, s.moment, s.moment_rate}) {
+    const std::vector<double> values = to_host(a);
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  return all;
+}
+
+/// @return builds of preconditioners in the run that goes on
+long expect_same_bits(const Case& c, int steps) {
+  const Model<2, 2> model(c);
+  const auto whole = stepper_at_start(c, model);
+  auto parts = stepper_at_start(c, model);
+  for (int n = 0; n < steps; ++n) {
+    parts = resumed(c, model, *parts);
+    EXPECT_EQ(step_of(*whole), step_of(*parts)) << "step " << n;
+    if (testing::Test::HasFailure()) break;
+  }
+  return whole->scheme().counts().builds;
+}
+
+TEST(StepMemory, ImplicitRunsGoOnWithTheirPreconditioner) {
+  constexpr int steps = 12;
+  for (const char* preconditioner : {"lu", "schwarz"})
+    for (const char* precision : {"double", "mixed", "single"}) {
+      SCOPED_TRACE(std::string(preconditioner) + ", " + precision);
+      Case c = restless_droplet(Scene::coupled);
+      c.solver.preconditioner = preconditioner;
+      c.solver.precision = precision;
+      if (c.solver.precision == "single") c.solver.newton_rtol = 1e-2;
+      EXPECT_LT(expect_same_bits(c, steps), steps) << "no preconditioner was kept";
+    }
+}
+
+TEST(StepMemory, ImplicitRunsGoOnInAllScenes) {
+  for (const Case& c : {restless_droplet(Scene::rigid), restless_droplet(Scene::solid),
+                        restless_droplet(Scene::rigid, true), restless_droplet(Scene::coupled, true)})
+    expect_same_bits(c, 8);
+}
+
+TEST(StepMemory, WithoutAPreconditionerThereIsNothingToBuild) {
+  Case c = restless_droplet(Scene::rigid);
+  c.solver.preconditioner = "none";
+  c.time.dt_initial = c.time.dt_max = 1e-3;
+  EXPECT_EQ(expect_same_bits(c, 3), 1);
+}
+
+TEST(StepMemory, WhatIsForgottenIsBuiltAnew) {
+  const Case c = restless_droplet(Scene::coupled);
+  const Model<2, 2> model(c);
+  const auto whole = stepper_at_start(c, model), parts = stepper_at_start(c, model);
+  for (int n = 0; n < 3; ++n) EXPECT_EQ(step_of(*whole), step_of(*parts));
+  whole->scheme().refuse();
+  parts->scheme().refuse();
+  const auto after = resumed(c, model, *parts);
+  for (int n = 0; n < 3; ++n) EXPECT_EQ(step_of(*whole), step_of(*after)) << n;
+}
+
+/// Steps follow the limit of stability, so that any change of it shows.
+void expect_same_explicit_bits(const std::string& scheme, Scene kind, bool periodic) {
+  for (const char* mass : {"lumped", "consistent"}) {
+    SCOPED_TRACE(scheme + ", " + mass);
+    Case c = restless_droplet(kind, periodic);
+    c.domain.elements = {12, 9};
+    c.time.scheme = scheme;
+    c.time.mass = mass;
+    c.time.tolerance = 1e30;
+    c.time.dt_initial = 1;
+    expect_same_bits(c, 13);
+  }
+}
+
+TEST(StepMemory, SspRk3GoesOnWithItsLimit) { expect_same_explicit_bits("ssp_rk3", Scene::coupled, false); }
+TEST(StepMemory, Rkl2GoesOnWithItsStages) { expect_same_explicit_bits("rkl2", Scene::coupled, false); }
+TEST(StepMemory, ImexGoesOnWithItsGuesses) { expect_same_explicit_bits("imex", Scene::coupled, false); }
+TEST(StepMemory, ExplicitRunsGoOnAroundAPeriodicAxis) { expect_same_explicit_bits("imex", Scene::rigid, true); }
+TEST(StepMemory, ExplicitRunsOfASolidGoOn) { expect_same_explicit_bits("ssp_rk3", Scene::solid, false); }
+
+}  // namespace
+}  // namespace softwet::testing_tools
