@@ -88,9 +88,9 @@ template <int D, int P>
 void require_upright(const Case& c, const Model<D, P>& model, const State& state) {
   const std::string waves = waves_on(c, "displacement");
   if (waves.empty()) return;
-  const Integrals sum = model.integrals(stage_at(model.layout(), state));
-  if (sum.inverted == 0 && sum.folded == 0) return;
-  const std::string what = sum.inverted != 0 ? "turn the solid inside out somewhere (det F <= 0)"
+  const MeshFaults faults = model.faults(stage_at(model.layout(), state));
+  if (faults.inverted == 0 && faults.folded == 0) return;
+  const std::string what = faults.inverted != 0 ? "turn the solid inside out somewhere (det F <= 0)"
                                              : "fold the mesh of the fluid above the solid (J < 0)";
   throw Error(Exit::invalid_input, "the waves on the displacement (" + waves + ") " + what +
                                        " at the start; amplitude x mode x pi / size must stay well below 1 along each "
