@@ -39,7 +39,6 @@ class ImplicitScheme final : public Scheme<D, P> {
   GeneralizedAlpha<D, P> integrator_;
   Newton newton_;
   NewtonControl newton_control_;
-  Geometry geometry_;   ///< in products with the Jacobian
   double volume_norm_;  ///< the norm of a vector of residuals that are 1 per volume
   Array x_;
   Array round_off_;  ///< empty but in single precision

@@ -17,10 +17,6 @@ inline const std::vector<std::string>& wall_law_words() {
   static const std::vector<std::string> words{"gradient", "energy"};
   return words;
 }
-inline const std::vector<std::string>& form_words() {
-  static const std::vector<std::string> words = {"potential", "divergence"};
-  return words;
-}
 
 inline const std::vector<std::string>& phase_words() {
   static const std::vector<std::string> words = {"vapour", "liquid"};
@@ -52,9 +48,6 @@ inline void store(std::vector<int>& member, const Value& value) {
 inline void store(Side& member, const Value& value) {
   member = static_cast<Side>(position_of(side_words(), std::get<std::string>(value)));
 }
-inline void store(CapillaryForm& member, const Value& value) {
-  member = static_cast<CapillaryForm>(position_of(form_words(), std::get<std::string>(value)));
-}
 inline void store(Traction& member, const Value& value) {
   member = static_cast<Traction>(position_of(traction_words(), std::get<std::string>(value)));
 }
@@ -74,7 +67,6 @@ inline Value load(const Numbers& member) { return member; }
 inline Value load(const Words& member) { return member; }
 inline Value load(const std::vector<int>& member) { return Numbers(member.begin(), member.end()); }
 inline Value load(Side member) { return side_words()[static_cast<std::size_t>(member)]; }
-inline Value load(CapillaryForm member) { return form_words()[static_cast<std::size_t>(member)]; }
 inline Value load(Traction member) { return traction_words()[static_cast<std::size_t>(member)]; }
 inline Value load(Phase member) { return phase_words()[static_cast<std::size_t>(member)]; }
 inline Value load(WallLaw member) { return wall_law_words()[static_cast<std::size_t>(member)]; }
