@@ -29,7 +29,8 @@ bool too_soft(const Case&);
 double locking_error(const Case&);
 
 /// Sentences for the user, each with key, value, bound and remedy: droplets that dissolve, a fluid without any, a solid
-/// too soft for its droplet, one that locks, a density that changes its stiffness. Empty when nothing is known.
+/// too soft for its droplet, one that locks, a density that changes its stiffness, a tolerance that costs steps. Empty when
+/// nothing is known.
 std::vector<std::string> forecast(const Case&);
 
 }  // namespace softwet
