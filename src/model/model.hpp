@@ -27,6 +27,11 @@ struct Integrals {
   double wetted = 0;                      ///< area of Gamma above the middle density
   double volume = 0;                      ///< of the fluid
   double folded = 0, inverted = 0;        ///< volume of the fluid's mesh and of the solid that is turned inside out
+
+  double energy() const {
+    return energy_kinetic + energy_bulk + energy_gradient + energy_wall + energy_elastic + energy_gravity;
+  }
+  double dissipation() const { return viscous + stabilisation; }
 };
 
 /// A body force per unit mass on a box of the solid: exact integrals of the basis, ready to scale.

@@ -9,6 +9,7 @@
 #include "model/model.hpp"
 #include "observe/contacts.hpp"
 #include "observe/host/bodies.hpp"
+#include "time/energy_balance.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
@@ -21,6 +22,7 @@ struct HistoryMemory {
   std::vector<DropletTrack> droplets;
   std::vector<Body> bodies;
   std::vector<Event> events;  ///< of the whole run
+  EnergyBalance energy;
 };
 
 /// The figures of a row that the progress line shows.
@@ -59,6 +61,8 @@ class Scalars {
   void add_extremes(const Snapshot<D>&, Row&) const;
   void add_droplets(const Snapshot<D>&, long step, Row&);
   void follow_bodies(const Snapshot<D>&);
+  /// Tells when the energy rises though nothing feeds it.
+  void follow_energy(const EnergyState&);
   double middle() const;  ///< density of the level set that is the surface of a droplet
   double laplace_pressure(const Snapshot<D>&) const;
 

@@ -127,7 +127,7 @@ NewtonResult ImplicitScheme<D, P>::solve(const StepHistory& history, double dt) 
   std::vector<FieldRange> ranges = fields();
   if (model_.precision() == Precision::single) measure_round_off(ranges);
   NewtonResult result = newton_.solve(system, ranges, newton_control_, x_);
-  if (result.converged) result.refusal = judge_.of_end(integrator_.stage());
+  if (result.converged) result.refusal = judge_.of_end(integrator_.stage(), model_.integrals(integrator_.stage()));
   return result;
 }
 

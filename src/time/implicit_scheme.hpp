@@ -21,7 +21,9 @@ class ImplicitScheme final : public Scheme<D, P> {
   void initialise(State& state) override { integrator_.initialise(state); }
   StepAttempt attempt(const StepHistory&, double dt) override;
   void accept(State& state) override { integrator_.finish(x_, state); }
-  void refuse() override { newton_.forget_preconditioner(); }
+  void refuse(const Refusal& why) override {
+    if (!why.empty()) newton_.forget_preconditioner();
+  }
   SolverCounts& counts() override { return newton_.counts(); }
   const Preconditioner* preconditioner() const override { return &newton_.preconditioner(); }
 

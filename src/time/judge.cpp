@@ -49,8 +49,7 @@ Refusal Judge<D, P>::of_values(const ConstArray& x) const {
 }
 
 template <int D, int P>
-Refusal Judge<D, P>::of_end(const Stage& stage) const {
-  const Integrals sum = model_.integrals(stage);
+Refusal Judge<D, P>::of_end(const Stage& stage, const Integrals& sum) const {
   if (sum.inverted > 0) return {Refusal::solid_inverted};
   if (sum.folded > 0) return {Refusal::mesh_folded};
   return model_.layout().has_fluid ? density_complaint(stage.density_end, undershoot_) : Refusal{};

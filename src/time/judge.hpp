@@ -13,8 +13,8 @@ class Judge {
 
   /// Why values of the unknowns are not admissible; empty when they are.
   Refusal of_values(const ConstArray& unknown) const;
-  /// The same for the mesh of a stage and the density at the end of the step.
-  Refusal of_end(const Stage&) const;
+  /// The same for the mesh of a stage, of which the integrals tell, and the density at the end of the step.
+  Refusal of_end(const Stage&, const Integrals&) const;
 
   /// Compares values with the extrapolation of the two states before, f = (time from the last state) / previous_dt:
   ///   max( rms(rho - rho_f) / (rho_l - rho_v),  dt rms(v - v_f) / H )  ~ dt^2,   H the thinner layer

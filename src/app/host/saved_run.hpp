@@ -26,8 +26,12 @@ struct SavedRun {
   /// What checkpoints of older programs have not: empty and 0 there.
   std::vector<Body> bodies;
   std::vector<Event> events;
-  double started = 0;  ///< when the run began, seconds since 1970
+  double started = 0;          ///< when the run began, seconds since 1970
+  std::vector<double> energy;  ///< energy_numbers of them
 };
+
+/// Numbers that the balance of the energy remembers.
+inline constexpr std::size_t energy_numbers = 11;
 
 /// Name and length of an array of the file.
 using ArraySize = std::pair<std::string, std::size_t>;
