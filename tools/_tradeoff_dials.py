@@ -30,7 +30,6 @@ DIALS = [
     {"name": "preconditioner", "key": "solver.krylov.preconditioner", "values": ["lu", "umfpack", "schwarz"]},
     {"name": "stabilisation", "key": "fluid.stabilisation", "values": ["0", "0.002", "0.02"]},
     {"name": "traction", "key": "fluid.traction", "choices": True},
-    {"name": "form", "key": "fluid.form", "choices": True},
     {"name": "precision", "key": "solver.precision", "choices": True},
     {"name": "quadrature", "key": "domain.quadrature", "choices": True},
     {"name": "inertia", "key": "substrate.inertia", "choices": True},

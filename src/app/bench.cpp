@@ -87,7 +87,7 @@ void bench_single(const Sheet& sheet, Case c, const State& state) {
   const ArrayOf<float> z("z", scheme.size()), out("out", scheme.size());
   convert(z, state.unknown);
   sheet.line("residual, single precision", seconds_per_call([&] { scheme.residual(state.unknown, r); }));
-  sheet.line("product, exact, single precision", seconds_per_call([&] { scheme.product(z, out, Geometry::exact); }));
+  sheet.line("product, exact, single precision", seconds_per_call([&] { scheme.product(z, out); }));
   bench_terms(sheet, model.layout(), model.single_pieces(), scheme.single_stage(), z, out);
   sheet.line("dot, single precision", seconds_per_call([&] { dot(model.layout().space(), z, out); }));
 }
@@ -112,9 +112,7 @@ void bench_gmres(const Sheet& sheet, const std::string& name, const GeneralizedA
   GmresOf<Real> gmres(scheme.model().layout().space(), scheme.size(), 30);
   const ArrayOf<Real> b("b", scheme.size()), x("x", scheme.size());
   convert(b, right);
-  const auto product = [&](const ArrayOf<Real>& in, const ArrayOf<Real>& out) {
-    scheme.product(in, out, Geometry::exact);
-  };
+  const auto product = [&](const ArrayOf<Real>& in, const ArrayOf<Real>& out) { scheme.product(in, out); };
   const auto precondition = [&](const ArrayOf<Real>& in, const ArrayOf<Real>& out) {
     preconditioner.answer(in, out, {});
   };
@@ -151,7 +149,7 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   const Jacobian frozen = [&](const StencilValues& values) { scheme.jacobian(values); };
   Gmres gmres(scheme.model().layout().space(), scheme.size(), 200);
   constexpr int largest_factorised = 20000;
-  const double product = seconds_per_call([&] { scheme.product(z, r, Geometry::exact); });
+  const double product = seconds_per_call([&] { scheme.product(z, r); });
   for (const std::string& name : preconditioner_names()) {
     if (name != "schwarz" && name != c.solver.preconditioner && D == 3 && sheet.unknowns > largest_factorised) {
       sheet.out << "preconditioner " << name << ": left out, too large; name it in solver.krylov.preconditioner\n";
@@ -169,7 +167,7 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
       scheme.residual(stepper.state().unknown, r);
       preconditioner->build(frozen);
       const KrylovResult result =
-          gmres.solve([&](const Array& x, const Array& y) { scheme.product(x, y, Geometry::exact); },
+          gmres.solve([&](const Array& x, const Array& y) { scheme.product(x, y); },
                       [&](const Array& x, const Array& y) { preconditioner->apply(x, y); }, r, z, 1e-4, 200);
       counts += (counts.empty() ? "" : " / ") + std::to_string(result.iterations);
     }
@@ -238,7 +236,7 @@ void bench_model(const Case& asked, std::ostream& out) {
     std::snprintf(flops, sizeof flops, ", %.1f GFLOP/s/%s of the counted work",
                   1e-9 * counted_flops(c, fluid, solid) / residual / workers(), worker_name());
   sheet.line("residual", residual, flops);
-  sheet.line("product, exact", seconds_per_call([&] { scheme.product(z, r, Geometry::exact); }));
+  sheet.line("product, exact", seconds_per_call([&] { scheme.product(z, r); }));
   const StencilValues values("jacobian", Stencil<D>(layout).size());
   sheet.line("Jacobian as a matrix", seconds_per_call([&] { scheme.jacobian(values); }));
   bench_terms(sheet, layout, model.pieces(), scheme.stage(), z, r);

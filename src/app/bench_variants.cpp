@@ -83,9 +83,7 @@ class StartOfStep {
   KrylovResult solve(Preconditioner& preconditioner, double tolerance, Answer answer = Answer::renewed) {
     const SolidPart solid = solid_part(scheme_.model(), scheme_.stage());
     const RangeFactors renewed = solid.factors(answer == Answer::renewed ? built_for_ : solid.size);
-    const auto product = [this](const ArrayOf<float>& in, const ArrayOf<float>& out) {
-      scheme_.product(in, out, Geometry::exact);
-    };
+    const auto product = [this](const ArrayOf<float>& in, const ArrayOf<float>& out) { scheme_.product(in, out); };
     const auto precondition = [&](const ArrayOf<float>& in, const ArrayOf<float>& out) {
       preconditioner.answer(in, out, renewed);
     };

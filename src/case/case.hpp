@@ -16,9 +16,7 @@ namespace softwet {
 
 enum class Side { slip, no_slip, clamped, free, periodic };
 inline std::vector<std::string> words_of(Side) { return {"slip", "no_slip", "clamped", "free", "periodic"}; }
-/// Capillary force in the momentum equation: (w, rho grad mu), or its divergence form (grad w, Sigma) for cross-checks.
-enum class CapillaryForm { potential, divergence };
-inline std::vector<std::string> words_of(CapillaryForm) { return {"potential", "divergence"}; }
+
 /// Test functions of the wall in the capillary force: next to the wall only, or blended over the fluid like the mesh.
 enum class Traction { layer, blended };
 inline std::vector<std::string> words_of(Traction) { return {"layer", "blended"}; }
@@ -46,7 +44,6 @@ struct Fluid {
   double temperature = 0;     ///< theta_hat, eq. (10)
   double contact_angle = 90;  ///< degrees, measured in the liquid
   WallLaw wall_law = WallLaw::gradient;
-  CapillaryForm form = CapillaryForm::potential;
   Traction traction = Traction::layer;
   std::vector<double> gravity;    ///< force per unit mass on the fluid, scale a b/L0; empty: none
   double stabilisation = 0.002;   ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
@@ -124,7 +121,7 @@ struct SolverControl {
   double krylov_rtol = 1e-2;
   int krylov_restart = 30;
   int krylov_max = 200;
-  std::string jacobian = "exact";            ///< exact | frozen | difference
+  std::string jacobian = "exact";            ///< exact | difference
   std::string preconditioner = "automatic";  ///< automatic | lu | umfpack | schwarz | none
   std::string launch = "kernels";            ///< kernels | graph: how a device starts the preconditioner
   std::string precision = "automatic";       ///< automatic | double | mixed | single
@@ -163,6 +160,11 @@ struct Case {
   }
   /// Rows of elements in the solid. Only with a solid.
   double rows_of_solid() const { return substrate->thickness * domain.elements.back() / domain.size.back(); }
+  /// Whether nothing but loads and a wall that stretches can feed the energy. The wall law "gradient" can, except at 90 degrees.
+  bool has_energy_law() const {
+    return !fluid || fluid->wall_law == WallLaw::energy || fluid->contact_angle == 90 ||
+           boundary.side[domain.size.size() - 1][0] == Side::periodic;
+  }
   int dimension() const { return static_cast<int>(domain.size.size()); }
   /// Unit vector of the track in the plane of the wall, (x, y); in 2D along x.
   std::array<double, 2> track() const {

@@ -9,15 +9,29 @@ namespace softwet {
 /// Jacobian and their vectors. single: its residuals too. States, sums, integrals and the mass are always double.
 enum class Precision { full, mixed, single };
 
-/// Automatic is mixed where that changes nothing but the cost: not for explicit schemes, which have no linear solves; not
-/// where differences of residuals stand for products; and not where linear solves are to go on to the round-off of
-/// single precision.
+/// Least reduction that a linear solve in single precision is asked for.
+inline constexpr double least_single_rtol = 1e-5;
+
+/// What keeps a case in double precision.
+enum class Hindrance {
+  none,
+  scheme,      ///< explicit schemes have no linear solves
+  difference,  ///< differences of residuals, in place of products, have no digits left
+  tolerance    ///< linear solves are to go on to the round-off of single precision
+};
+
+inline Hindrance hindrance_of_single(const Case& c) {
+  if (c.time.scheme != implicit_scheme) return Hindrance::scheme;
+  if (c.solver.jacobian == "difference") return Hindrance::difference;
+  return c.solver.krylov_rtol < least_single_rtol ? Hindrance::tolerance : Hindrance::none;
+}
+
+/// Automatic is mixed where nothing hinders it: it changes nothing but the cost. A case file that asks for single precision
+/// in spite of a hindrance is refused.
 inline Precision precision_of(const Case& c) {
-  const SolverControl& s = c.solver;
-  if (s.precision == "single") return Precision::single;
-  if (s.precision != "automatic") return s.precision == "mixed" ? Precision::mixed : Precision::full;
-  const bool serves = c.time.scheme == implicit_scheme && s.jacobian != "difference" && s.krylov_rtol >= 1e-5;
-  return serves ? Precision::mixed : Precision::full;
+  const std::string& asked = c.solver.precision;
+  if (asked == "automatic") return hindrance_of_single(c) == Hindrance::none ? Precision::mixed : Precision::full;
+  return asked == "single" ? Precision::single : asked == "mixed" ? Precision::mixed : Precision::full;
 }
 
 inline const char* name_of(Precision p) {

@@ -17,6 +17,8 @@ struct Refusal {
     density_of_moments,
     potential,
     acceleration,
+    viscous_rate,
+    growth,
     implicit_viscosity
   };
   Cause cause = none;
@@ -48,6 +50,10 @@ struct Refusal {
         return "the chemical potential could not be found";
       case acceleration:
         return "the acceleration could not be found";
+      case viscous_rate:
+        return "the acceleration by viscosity could not be found";
+      case growth:
+        return "energy or dissipation grow as they do in steps that are not stable";
       case implicit_viscosity:
         return "the implicit viscosity could not be solved";
     }

@@ -91,7 +91,7 @@ void require_upright(const Case& c, const Model<D, P>& model, const State& state
   const MeshFaults faults = model.faults(stage_at(model.layout(), state));
   if (faults.inverted == 0 && faults.folded == 0) return;
   const std::string what = faults.inverted != 0 ? "turn the solid inside out somewhere (det F <= 0)"
-                                             : "fold the mesh of the fluid above the solid (J < 0)";
+                                                : "fold the mesh of the fluid above the solid (J < 0)";
   throw Error(Exit::invalid_input, "the waves on the displacement (" + waves + ") " + what +
                                        " at the start; amplitude x mode x pi / size must stay well below 1 along each "
                                        "axis: write smaller amplitudes or modes");

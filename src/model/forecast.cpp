@@ -136,6 +136,16 @@ void add_density(const Case& c, std::vector<std::string>& found) {
                   " a b^2; at a fixed young, another density is another stiffness (softwet explain substrate.young)");
 }
 
+void add_tolerance(const Case& c, std::vector<std::string>& found) {
+  constexpr double loose = 1e-5;
+  if (c.time.scheme != implicit_scheme || c.solver.newton_atol <= loose) return;
+  found.push_back(
+      "solver.newton.atol = " + short_text(c.solver.newton_atol) + ": above " + short_text(loose) +
+      " the errors that Newton's method leaves make the steps shorter, and a run takes more of them (six times as "
+      "many at 1e-3): write " +
+      short_text(SolverControl{}.newton_atol));
+}
+
 }  // namespace
 
 double least_radius(const Case& c, const Droplet& droplet) { return least_radius_between(phases_of(c), c, droplet); }
@@ -165,6 +175,7 @@ double least_gap(const Fluid& fluid) { return 4 * interface_half_width(fluid); }
 
 std::vector<std::string> forecast(const Case& c) {
   std::vector<std::string> found;
+  add_tolerance(c, found);
   if (c.fluid) add_droplets(c, found);
   if (c.fluid) add_gaps(c, found);
   if (!c.substrate) return found;

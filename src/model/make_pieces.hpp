@@ -51,11 +51,9 @@ class PieceMaker {
       const VariationalDerivative term{model_.fluid().gas, model_.fluid().capillarity};
       pieces_.variational_derivative = piece<Motion>("variational_derivative", term);
     }
-    if (case_.fluid->form == CapillaryForm::divergence)
-      add<Motion>("capillary stress (divergence form)", traction(), Where::fluid);
     if (!model_.has_wall()) return;
-    if (std::abs(model_.wall().cosine) > 1e-14) add_wall<Motion>();             // 90 degrees: nothing to integrate
-    if (case_.fluid->form == CapillaryForm::potential) add_traction<Motion>();  // else it is in the stress already
+    if (std::abs(model_.wall().cosine) > 1e-14) add_wall<Motion>();  // 90 degrees: nothing to integrate
+    add_traction<Motion>();
   }
 
   template <class Motion>

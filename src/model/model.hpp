@@ -25,6 +25,11 @@ struct Integrals {
   double momentum[3] = {0, 0, 0};
   double viscous = 0, stabilisation = 0;  ///< dissipation rates
   double wall_stretch = 0;                ///< int_Gamma f_w div_Gamma vh: power of the wall energy on a stretching wall
+
+  double energy() const {
+    return energy_kinetic + energy_bulk + energy_gradient + energy_wall + energy_elastic + energy_gravity;
+  }
+  double dissipation() const { return viscous + stabilisation; }
 };
 
 /// Mass and volume of the fluid.

@@ -2,15 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "case/cap.hpp"
 #include "field/ranks.hpp"
 #include "observe/host/columns.hpp"
 #include "observe/host/output_time.hpp"
+#include "time/energy_of.hpp"
 
 namespace softwet {
-
 namespace {
+
+std::string energy_sentence(double rise, bool law, bool implicit) {
+  char size[32];
+  std::snprintf(size, sizeof size, "%.2g", rise);
+  return std::string("the energy rose by ") + size + " though nothing fed it" +
+         (law ? "" : ", by more than the wall law \"gradient\" does") + ": the steps may be too long; a smaller " +
+         (implicit ? "time.tolerance" : "time.safety") + " makes them shorter";
+}
 
 /// Of a droplet or, behind these, a film.
 bool begins_on_wall(const Case& c, std::size_t body) {
@@ -55,12 +64,21 @@ void Scalars<D, P>::add_integrals(long step, const Integrals& sum, double load_p
   const bool fluid = model_.layout().has_fluid;
   const auto of_fluid = [fluid](double x) { return fluid ? std::optional<double>(x) : std::nullopt; };
   if (step == 0) latest_.mass_start = sum.mass;
-  headline_.energy = sum.energy_kinetic + free_energy + sum.energy_wall + sum.energy_elastic + sum.energy_gravity;
+  headline_.energy = sum.energy();
   headline_.wall_stretch = sum.wall_stretch;
   headline_.gravity = sum.energy_gravity;
   headline_.mass_drift = of_fluid(sum.mass / latest_.mass_start - 1);
   row.insert(row.end(), {of_fluid(sum.mass), sum.momentum[0], sum.energy_kinetic, of_fluid(free_energy),
-                         of_fluid(sum.energy_wall), sum.energy_elastic, load_power, sum.viscous + sum.stabilisation});
+                         of_fluid(sum.energy_wall), sum.energy_elastic, load_power, sum.dissipation()});
+  follow_energy(energy_of(latest_.time, load_power, sum));
+}
+
+template <int D, int P>
+void Scalars<D, P>::follow_energy(const EnergyState& state) {
+  const bool law = case_.has_energy_law(), implicit = case_.time.scheme == implicit_scheme;
+  const double rise = latest_.energy.follow(state, law ? share_with_energy_law : share_without_energy_law);
+  if (rise > 0)
+    latest_.events.push_back({output_time(state.time, case_.clock_zero()), energy_sentence(rise, law, implicit)});
 }
 
 template <int D, int P>

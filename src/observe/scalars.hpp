@@ -11,6 +11,7 @@
 #include "observe/extremes.hpp"
 #include "observe/host/bodies.hpp"
 #include "observe/phase_samples.hpp"
+#include "time/energy_balance.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
@@ -23,6 +24,7 @@ struct HistoryMemory {
   std::vector<DropletTrack> droplets;  ///< of each body
   std::vector<Body> bodies;
   std::vector<Event> events;  ///< of the whole run
+  EnergyBalance energy;
 };
 
 /// The figures of a row that the progress line shows.
@@ -68,6 +70,8 @@ class Scalars {
   void add_extremes(const Extremes&, Row&) const;
   void add_droplets(const Snapshot<D>&, long step, Row&);
   PhaseSamples follow_bodies(const Snapshot<D>&, const std::string& told = "");
+  /// Tells when the energy rises though nothing feeds it.
+  void follow_energy(const EnergyState&);
   Surface surface() const;
   double laplace_pressure(const Snapshot<D>&) const;
 

@@ -19,7 +19,8 @@ class Evolution {
   virtual Refusal gentle_rates(double t, const Array& y, const Array& out) = 0;
 
   /// out = g(y), where g takes what it depends on beside its own part of y from the last `hold`, or from the last rates.
-  virtual void stiff_rates(const Array& y, const Array& out) = 0;
+  /// @return empty, or why g has no value there
+  virtual Refusal stiff_rates(const Array& y, const Array& out) = 0;
   virtual Refusal hold(const Array& y) = 0;
 
   /// Replaces y by the solution of y - c g(y) = y_given and returns g(y) in `out`, with what is held as in `stiff_rates`.

@@ -95,13 +95,13 @@ void GeneralizedAlpha<D, P>::round_off(const Array& x, const Array& out) {
 }
 
 template <int D, int P>
-void GeneralizedAlpha<D, P>::product(const Array& z, const Array& out, Geometry geometry) const {
-  model_.product(stage_, z, out, geometry);
+void GeneralizedAlpha<D, P>::product(const Array& z, const Array& out) const {
+  model_.product(stage_, z, out, Geometry::exact);
 }
 
 template <int D, int P>
-void GeneralizedAlpha<D, P>::product(const ArrayOf<float>& z, const ArrayOf<float>& out, Geometry geometry) const {
-  model_.product(single_stage_, z, out, geometry);
+void GeneralizedAlpha<D, P>::product(const ArrayOf<float>& z, const ArrayOf<float>& out) const {
+  model_.product(single_stage_, z, out, Geometry::exact);
 }
 
 template <int D, int P>

@@ -45,10 +45,10 @@ class GeneralizedAlpha {
   /// What single precision makes of the residual at x: the residual in single precision minus that in double precision.
   void round_off(const Array& x, const Array& out);
   /// dR/dx z at the point of the last residual.
-  void product(const Array& z, const Array& out, Geometry geometry) const;
+  void product(const Array& z, const Array& out) const;
   /// The same in single precision. Only for models that have it.
-  void product(const ArrayOf<float>& z, const ArrayOf<float>& out, Geometry geometry) const;
-  /// The same with frozen geometry as a matrix. It follows from the rounded stage, which is kept.
+  void product(const ArrayOf<float>& z, const ArrayOf<float>& out) const;
+  /// The same as a matrix, with frozen geometry, for preconditioners. It follows from the rounded stage, which is kept.
   void jacobian(const StencilValues& values);
   /// The matrix of the last `jacobian` once more.
   void last_jacobian(const StencilValues& values) const { model_.jacobian(jacobian_stage_, values); }

@@ -68,7 +68,6 @@ ImplicitScheme<D, P>::ImplicitScheme(const Model<D, P>& model, const Case& c, co
       newton_(model.layout().space(), model.layout().size(), c.solver.krylov_restart, preconditioner_of(c, model),
               model.precision() == Precision::full ? LinearSolves::full : LinearSolves::single),
       newton_control_(newton_control(c)),
-      geometry_(c.solver.jacobian == "frozen" ? Geometry::frozen : Geometry::exact),
       x_("implicit.x", model.layout().size()) {
   double volume = 1;
   for (const Axis& axis : model.layout().axis) volume *= axis.spacing();
@@ -117,13 +116,13 @@ template <int D, int P>
 NewtonResult ImplicitScheme<D, P>::solve(const StepHistory& history, double dt) {
   integrator_.begin(history.state, dt, history.previous_dt > 0 ? Rates::known : Rates::unknown);
   predict(history, dt);
-  const auto product = [this](const Array& z, const Array& out) { integrator_.product(z, out, geometry_); };
+  const auto product = [this](const Array& z, const Array& out) { integrator_.product(z, out); };
   const NonlinearSystem system{
       [this](const Array& x, const Array& r) { integrator_.residual(x, r); },
       product,
       [this](const StencilValues& values) { integrator_.jacobian(values); },
       [this](const Array& x) { return judge_.of_values(x); },
-      [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { integrator_.product(z, out, geometry_); },
+      [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { integrator_.product(z, out); },
       solid_part(model_, integrator_.stage())};
   std::vector<FieldRange> ranges = fields();
   if (model_.precision() == Precision::single) measure_round_off(ranges);

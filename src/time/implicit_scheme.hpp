@@ -21,7 +21,9 @@ class ImplicitScheme final : public Scheme<D, P> {
   void initialise(State& state) override { integrator_.initialise(state); }
   StepAttempt attempt(const StepHistory&, double dt) override;
   void accept(State& state) override { integrator_.finish(x_, state); }
-  void refuse() override { newton_.forget_preconditioner(); }
+  void refuse(const Refusal& why) override {
+    if (!why.empty()) newton_.forget_preconditioner();
+  }
   void visit_memory(StepMemory&, const State&) override;
   SolverCounts& counts() override { return newton_.counts(); }
   const Preconditioner* preconditioner() const override { return &newton_.preconditioner(); }
@@ -40,7 +42,6 @@ class ImplicitScheme final : public Scheme<D, P> {
   GeneralizedAlpha<D, P> integrator_;
   Newton newton_;
   NewtonControl newton_control_;
-  Geometry geometry_;   ///< in products with the Jacobian
   double volume_norm_;  ///< the norm of a vector of residuals that are 1 per volume
   Array x_;
   Array round_off_;  ///< empty but in single precision

@@ -13,7 +13,7 @@ class Judge {
 
   /// Why values of the unknowns are not admissible; empty when they are.
   Refusal of_values(const ConstArray& unknown) const;
-  /// The same for the mesh of a stage and the density at the end of the step.
+  /// The same for the mesh of a stage, of which the integrals tell, and the density at the end of the step.
   Refusal of_end(const Stage&) const;
 
   /// Compares values with the extrapolation of the two states before, f = (time from the last state) / previous_dt:

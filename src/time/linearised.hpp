@@ -21,15 +21,15 @@ class Linearised final : public Evolution {
 
   int size() const override { return whole_.size(); }
   Refusal rates(double, const Array& z, const Array& out) override {
-    const Refusal problem = difference(z, out);
-    if (!gentle_) return problem;
-    whole_.stiff_rates(z, stiff_);
+    Refusal problem = difference(z, out);
+    if (!gentle_ || !problem.empty()) return problem;
+    problem = whole_.stiff_rates(z, stiff_);
     add_scaled(out, 0, 1, stiff_);
     return problem;
   }
   /// Those that `set_base` was given, without their stiff part where they were gentle.
   Refusal gentle_rates(double, const Array& z, const Array& out) override { return difference(z, out); }
-  void stiff_rates(const Array& z, const Array& out) override { whole_.stiff_rates(z, out); }
+  Refusal stiff_rates(const Array& z, const Array& out) override { return whole_.stiff_rates(z, out); }
   Refusal hold(const Array&) override { return {}; }
   Refusal implicit_part(double c, const Array& z, const Array& out) override { return whole_.implicit_part(c, z, out); }
 

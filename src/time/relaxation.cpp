@@ -120,7 +120,7 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
     const StepAttempt tried = scheme.attempt({state, unused, 0}, dt);
     if (!tried.refusal.empty()) {
       ++done.rejected;
-      scheme.refuse();
+      scheme.refuse(tried.refusal);
       dt *= 0.25;
       if (dt < c.time.dt_min)
         give_up(std::string(tried.refusal.text()) + ", even with the smallest step (time.dt_min)");

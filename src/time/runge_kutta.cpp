@@ -26,7 +26,10 @@ class Gentle final : public Evolution {
   int size() const override { return whole_.size(); }
   Refusal rates(double t, const Array& y, const Array& out) override { return whole_.gentle_rates(t, y, out); }
   Refusal gentle_rates(double t, const Array& y, const Array& out) override { return rates(t, y, out); }
-  void stiff_rates(const Array&, const Array& out) override { Kokkos::deep_copy(Exec(), out, 0.0); }
+  Refusal stiff_rates(const Array&, const Array& out) override {
+    Kokkos::deep_copy(Exec(), out, 0.0);
+    return {};
+  }
   Refusal hold(const Array&) override { return {}; }
   Refusal implicit_part(double, const Array&, const Array& out) override {
     Kokkos::deep_copy(Exec(), out, 0.0);
@@ -50,17 +53,18 @@ int StrangRkl2::stages(double step, double radius) {
 }
 
 Refusal StrangRkl2::stiff_step(Evolution& f, double dt, const Array& y) {
-  const Refusal problem = f.hold(y);
+  Refusal problem = f.hold(y);
+  if (problem.empty()) problem = f.stiff_rates(y, first_rate_);
   if (!problem.empty()) return problem;
   const auto b = [](int j) { return j < 2 ? 1.0 / 3 : (j * j + j - 2.0) / (2.0 * j * (j + 1)); };
   const int s = stages(dt, stiff_radius_);
   const double w = 4.0 / (s * s + s - 2);
-  f.stiff_rates(y, first_rate_);
   Kokkos::deep_copy(Exec(), before_, y);
   sum_of(now_, 1, y, b(1) * w * dt, first_rate_, 0, y);
   for (int j = 2; j <= s; ++j) {
     const double mu = (2.0 * j - 1) / j * b(j) / b(j - 1), nu = -(j - 1.0) / j * b(j) / b(j - 2);
-    f.stiff_rates(now_, rate_);
+    problem = f.stiff_rates(now_, rate_);
+    if (!problem.empty()) return problem;
     sum_of(next_, mu, now_, nu, before_, 1 - mu - nu, y);
     add_scaled(next_, 0, mu * w * dt, rate_);
     add_scaled(next_, 0, -(1 - b(j - 1)) * mu * w * dt, first_rate_);

@@ -34,8 +34,8 @@ class Scheme {
   virtual StepAttempt attempt(const StepHistory&, double dt) = 0;
   /// Writes the result of the last attempt to the state that it started from.
   virtual void accept(State&) = 0;
-  /// The last attempt was refused; a smaller step follows.
-  virtual void refuse() {}
+  /// The last attempt was refused; a smaller step follows. @param why  empty: for its error
+  virtual void refuse(const Refusal& why) = 0;
 
   /// Largest step that is stable from a state.
   virtual double largest_step(const State&) { return std::numeric_limits<double>::infinity(); }

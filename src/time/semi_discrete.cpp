@@ -239,15 +239,18 @@ Refusal SemiDiscrete<D, P>::hold(const Array& y) {
 }
 
 template <int D, int P>
-void SemiDiscrete<D, P>::stiff_rates(const Array& y, const Array& out) {
+Refusal SemiDiscrete<D, P>::stiff_rates(const Array& y, const Array& out) {
   Kokkos::deep_copy(Exec(), out, 0.0);
-  if (!model_.layout().has_fluid) return;
+  if (!model_.layout().has_fluid) return {};
   Kokkos::deep_copy(Exec(), solution_, 0.0);
   Kokkos::deep_copy(Exec(), cut(solution_, 0, velocity_), part(y, 0, velocity_));
   masses_.velocity(stage_, 0, -model_.fluid().viscosity, solution_, right_);
   Kokkos::deep_copy(Exec(), solution_, 0.0);
-  counts_.viscous += std::max(1, solve_velocity(0, right_, solution_, stiff_tolerance_));
+  const int iterations = solve_velocity(0, right_, solution_, stiff_tolerance_);
+  if (iterations < 0) return {Refusal::viscous_rate};
+  counts_.viscous += iterations;
   Kokkos::deep_copy(Exec(), cut(out, 0, velocity_), part(solution_, 0, velocity_));
+  return {};
 }
 
 template <int D, int P>

@@ -30,7 +30,7 @@ class SemiDiscrete final : public Evolution {
   int size() const override { return velocity_ + solid_ + scalar_; }
   Refusal rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, true); }
   Refusal gentle_rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, false); }
-  void stiff_rates(const Array& y, const Array& out) override;
+  Refusal stiff_rates(const Array& y, const Array& out) override;
   /// 1 at the velocities and moments of a vector that are free, 0 where they are held or copies across a periodic side,
   /// and at displacements.
   Array free_values() const;

@@ -48,8 +48,9 @@ bool StabilityLimit::grows_by_itself(Evolution& f, double t, double dt, double s
   return std::log(size) < 2 * dt * pair(third_, first_rates_, rates_).real;
 }
 
-StabilityLimit::Growth StabilityLimit::growth(RungeKutta& scheme, Evolution& f, double t, double dt, int sure) {
-  constexpr int least = 4, most = 24;
+StabilityLimit::Growth StabilityLimit::growth(RungeKutta& scheme, Evolution& f, double t, double dt, int sure,
+                                              int least) {
+  constexpr int most = 24;
   constexpr double settled = 0.005;
   Growth now;
   for (int k = 0; k < most; ++k) {
@@ -89,14 +90,19 @@ void StabilityLimit::visit_memory(StepMemory& memory) {
   if (known_) memory.vector("stability/mode", mode_);
 }
 
-double StabilityLimit::follow(RungeKutta& scheme, Evolution& f, double t) {
+double StabilityLimit::follow(RungeKutta& scheme, Evolution& f, double t, Sight sight) {
   constexpr int most = 5, few = 6;
-  constexpr double above = 1.04, fast = 1.4, steep = 2, longer = 1.06;
+  constexpr double above = 1.04, fast = 1.4, other = 2, steep = 2, longer = 1.06;
   double dt = above * unstable_;
   begin();
   for (int k = 0; k < most && known_; ++k) {
-    const Growth now = growth(scheme, f, t, dt, few);
+    const bool look = sight == Sight::far && k == 0;
+    const Growth now = growth(scheme, f, t, dt, look ? 2 * few : few, look ? 2 * few : 4);
     if (!valid_) break;
+    if (now.unstable() && now.size > other) {  // the search begins with this mode
+      Kokkos::deep_copy(Exec(), mode_, third_);
+      break;
+    }
     if (now.unstable() && now.size < fast) {
       Kokkos::deep_copy(Exec(), mode_, third_);
       unstable_ = dt / above;

@@ -19,9 +19,12 @@ class StabilityLimit {
   /// @return at most the limit, and at most some per cent less; 0: not found
   double search(RungeKutta&, Evolution& linear, double t, double near);
 
+  /// far: looks long enough for a mode that has become the fastest since the last search, which costs twice as many steps.
+  enum class Sight { near, far };
+
   /// The limit at a state near that of the last search, from the growth of the mode that was found: costs some steps.
   /// @return as `search`; 0: the state has changed too much
-  double follow(RungeKutta&, Evolution& linear, double t);
+  double follow(RungeKutta&, Evolution& linear, double t, Sight sight = Sight::near);
 
   /// The next search begins anew: the state has changed in a way that the modes so far do not tell of.
   void forget() { known_ = false; }
@@ -44,8 +47,9 @@ class StabilityLimit {
   };
 
   /// Repeats steps of the size dt until the growth has settled. `valid_` becomes false where a step fails.
-  /// @param sure  steps before nothing counts as growing: a mode that is about to grow shows late among those that decay
-  Growth growth(RungeKutta&, Evolution&, double t, double dt, int sure = 14);
+  /// @param sure   steps before nothing counts as growing: a mode that is about to grow shows late among those that decay
+  /// @param least  steps before a growth counts as that of the fastest mode
+  Growth growth(RungeKutta&, Evolution&, double t, double dt, int sure = 14, int least = 4);
   void step(RungeKutta&, Evolution&, double t, double dt);
   /// Whether z' = J z lets the last vector grow as much by itself, as where a film breaks.
   bool grows_by_itself(Evolution&, double t, double dt, double size);

@@ -17,7 +17,7 @@ double StepControl::next(double t, double largest) const {
   const auto event = std::upper_bound(events_.begin(), events_.end(), t + tiny);
   if (event == events_.end()) return wish;
   const double left = *event - t;
-  if (left <= stretch * wish) return left;
+  if (left <= std::min(stretch * wish, limits_.largest)) return left;
   return left < 2 * wish ? 0.5 * left : wish;
 }
 

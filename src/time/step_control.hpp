@@ -19,7 +19,8 @@ class StepControl {
  public:
   StepControl(const StepLimits& limits, std::vector<double> events);
 
-  /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly.
+  /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly. It may be shorter
+  /// than the smallest one for that, and is never longer than the largest one.
   /// @param largest  that the scheme can take from there; it is not exceeded
   double next(double t, double largest = std::numeric_limits<double>::infinity()) const;
 

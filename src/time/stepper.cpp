@@ -50,13 +50,14 @@ StepReport Stepper<D, P>::step() {
     if (!tried.refusal.empty()) {
       ++counts_.rejected_newton;
       counts_.last_rejection = tried.refusal;
-      scheme_->refuse();
+      scheme_->refuse(tried.refusal);
       if (control_.reject(dt)) continue;
       throw Error(Exit::computation_failed, std::string("the computation stopped: ") + tried.refusal.text() +
                                                 ", even with the smallest step (time.dt_min)");
     }
     if (tried.indicator > control_.rejection_level() && control_.reject(dt)) {
       ++counts_.rejected_error;
+      scheme_->refuse({});
       continue;
     }
     Kokkos::deep_copy(Exec(), previous_, state_.unknown);

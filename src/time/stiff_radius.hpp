@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "case/refusal.hpp"
 #include "field/step_memory.hpp"
 #include "time/noise.hpp"
 
@@ -21,26 +22,30 @@ class StiffRadius {
     for (Array* a : {&direction_, &before_, &product_}) *a = Array("stiff.vector", size);
   }
 
-  /// @param apply     apply(z, out) writes g(z); its eigenvalues are real and not positive
+  /// @param apply     apply(z, out) writes g(z) and tells why there is none, if so; its eigenvalues are real and not positive
   /// @param quotient  quotient(z) is -(z, g(z)) / (z, z) in the inner product in which g is symmetric
+  /// @return empty, or why there is no radius
   template <class Apply, class Quotient>
-  void measure(const Apply& apply, const Quotient& quotient) {
+  Refusal measure(const Apply& apply, const Quotient& quotient) {
     constexpr int products = 6, least = 2, most = 12;
     constexpr double same = 1.005;
     add_noise(space_, direction_, free_);
     for (int k = 0; k < products; ++k) {
-      apply(direction_, product_);
-      if (!take(product_)) return;
+      const Refusal problem = apply(direction_, product_);
+      if (!problem.empty()) return problem;
+      if (!take(product_)) return {};
     }
     radius_ = quotient(direction_);
     for (int k = 0; k < most; ++k) {
-      filter(apply);
-      if (!take(direction_)) return;
+      const Refusal problem = filter(apply);
+      if (!problem.empty()) return problem;
+      if (!take(direction_)) return {};
       const double before = radius_;
       radius_ = std::max(radius_, quotient(direction_));
       if (k + 1 >= least && radius_ < same * before) break;
     }
     measured_ = quotient(direction_);
+    return {};
   }
 
   /// Follows a radius that grows as the operator changes.
@@ -75,19 +80,20 @@ class StiffRadius {
 
   /// direction = T_n(2 B / radius - 1) direction, B = -g.
   template <class Apply>
-  void filter(const Apply& apply) {
+  Refusal filter(const Apply& apply) {
     constexpr int degree = 24;
     const double scale = -2 / radius_;
-    apply(direction_, product_);
+    Refusal problem = apply(direction_, product_);
     Kokkos::deep_copy(Exec(), before_, direction_);
     combine(direction_, scale, product_, -1);
-    for (int j = 2; j <= degree; ++j) {
-      apply(direction_, product_);
+    for (int j = 2; j <= degree && problem.empty(); ++j) {
+      problem = apply(direction_, product_);
       combine(product_, -2, direction_, 2 * scale);
       add_scaled(product_, 0, -1, before_);
       std::swap(before_, direction_);
       std::swap(direction_, product_);
     }
+    return problem;
   }
 
   VectorSpace space_;

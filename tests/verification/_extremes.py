@@ -93,7 +93,6 @@ RUNS = {
     "Schwarz": soft("solver.krylov.preconditioner=schwarz"),
     "no preconditioner": soft("solver.krylov.preconditioner=none", "time.end=1", "load[0].start=0.5",
                               "output.fields.times=[]"),
-    "divergence form": soft("fluid.form=divergence"),
     "no checkerboard control": soft("fluid.stabilisation=0"),
     "checkerboard control 1": soft("fluid.stabilisation=1"),
     "tight tolerances, gamma h, rigid": rigid("fluid.capillarity=1/64", "solver.newton.rtol=1e-10",

@@ -12,6 +12,7 @@
 #include "app/host/checker.hpp"
 #include "app/host/field_times.hpp"
 #include "app/host/memory.hpp"
+#include "case/precision.hpp"
 #include "observe/host/field_table.hpp"
 
 namespace softwet {
@@ -223,17 +224,24 @@ void check_material(const Checker& check) {
                "write strain = \"finite\", or remove the material");
 }
 
-/// Explicit schemes, and differences of residuals, have no use for or no digits left in single precision.
 void check_precision(const Checker& check) {
   const SolverControl& solver = check.c.solver;
   if (solver.precision == "double" || solver.precision == "automatic") return;
-  if (check.c.time.scheme != implicit_scheme)
-    check.refuse("solver.precision",
-                 fmt::format("needs time.scheme = \"{}\", not \"{}\"", implicit_scheme, check.c.time.scheme),
-                 "write \"automatic\": explicit schemes are always in double precision");
-  if (solver.jacobian != "exact")
-    check.refuse("solver.precision", "needs solver.krylov.jacobian = \"exact\"",
-                 "write \"automatic\": differences of residuals have no digits left in single precision");
+  const std::string key = "solver.precision";
+  switch (hindrance_of_single(check.c)) {
+    case Hindrance::none:
+      return;
+    case Hindrance::scheme:
+      check.refuse(key, fmt::format("needs time.scheme = \"{}\", not \"{}\"", implicit_scheme, check.c.time.scheme),
+                   "write \"automatic\": explicit schemes are always in double precision");
+    case Hindrance::difference:
+      check.refuse(key, "needs solver.krylov.jacobian = \"exact\"",
+                   "write \"automatic\": differences of residuals have no digits left in single precision");
+    case Hindrance::tolerance:
+      check.refuse(key,
+                   fmt::format("needs solver.krylov.rtol = {} or more, not {}", least_single_rtol, solver.krylov_rtol),
+                   "write \"automatic\": linear solves in single precision end at its round-off");
+  }
 }
 
 }  // namespace
@@ -261,7 +269,8 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check_initial(check);
   check.with({"output.fields.select", "fluid", "substrate"}, [&] { check_field_names(check); });
   check.with({"output.history.track"}, [&] { check_track(check); });
-  check.with({"solver.precision", "time.scheme", "solver.krylov.jacobian"}, [&] { check_precision(check); });
+  check.with({"solver.precision", "time.scheme", "solver.krylov.jacobian", "solver.krylov.rtol"},
+             [&] { check_precision(check); });
 }
 
 }  // namespace softwet

@@ -146,6 +146,7 @@ SavedRun read_saved_run(const std::string& path, const Case& c, const std::vecto
     run.droplets.emplace_back(first, first + numbers);
   if (file.has(body_array)) read_bodies(file, c, run);
   if (file.has(event_texts)) read_events(file, run);
+  if (file.has("history/energy")) run.energy = file.array("history/energy", energy_numbers);
   if (file.has("run/started")) run.started = file.number("run/started");
   run.files = read_files(file);
   return run;

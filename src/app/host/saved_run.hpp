@@ -36,8 +36,12 @@ struct SavedRun {
   std::vector<Body> bodies;
   std::vector<Event> events;
   std::optional<double> started;  ///< when the run began, seconds since 1970
+  std::vector<double> energy;     ///< energy_numbers of them
   WrittenFiles files;
 };
+
+/// Numbers that the balance of the energy remembers.
+inline constexpr std::size_t energy_numbers = 11;
 
 /// Name and length of an array of the file.
 using ArraySize = std::pair<std::string, std::size_t>;

@@ -106,12 +106,14 @@ std::vector<Key> time_keys() {
       {.name = "time.dt_min",
        .unit = "L0/sqrt(ab)",
        .range = positive,
-       .help = "Smallest time step; a step that fails at this size ends the computation.",
+       .help = "Smallest time step; a step that fails at this size ends the computation. A step may be shorter than "
+               "this in "
+               "order to end at a field time, at time.end, or at the start or end of a ramp.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.dt_min; })},
       {.name = "time.dt_max",
        .unit = "L0/sqrt(ab)",
        .range = positive,
-       .help = "Largest time step.",
+       .help = "Largest time step. No step is longer.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.dt_max; })},
       {.name = "time.tolerance",
        .range = positive,
@@ -136,8 +138,10 @@ std::vector<Key> solver_keys() {
       {.name = "solver.newton.atol",
        .range = positive,
        .help =
-           "Newton also stops at this residual per volume, however large the first residual was. With a solid whose "
-           "lambda + 2 G is above 1, the bound is multiplied by it.",
+           "Newton also stops at this residual per volume, however large the first residual was, but not before the "
+           "first "
+           "iteration, unless the residual is below 1e-10. With a solid whose lambda + 2 G is above 1, both bounds are "
+           "multiplied by it.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.newton_atol; })},
       {.name = "solver.newton.max",
        .kind = Kind::integer,
@@ -166,9 +170,8 @@ std::vector<Key> solver_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.krylov_max; })},
       {.name = "solver.krylov.jacobian",
        .kind = Kind::choice,
-       .choices = {"exact", "frozen", "difference"},
-       .help = "Jacobian-vector product: exact (dual numbers), frozen (without the motion of the fluid's mesh; it was "
-               "slower wherever the mesh moved), or a finite difference of residuals.",
+       .choices = {"exact", "difference"},
+       .help = "Jacobian-vector product: exact (dual numbers), or a finite difference of residuals.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.jacobian; })},
       {.name = "solver.krylov.preconditioner",
        .kind = Kind::choice,
@@ -189,7 +192,9 @@ std::vector<Key> solver_keys() {
        .choices = {"automatic", "double", "mixed", "single"},
        .help =
            "Precision of the numbers in the computation with generalized_alpha. automatic: mixed, except for explicit "
-           "schemes, for solver.krylov.jacobian = \"difference\" and for solver.krylov.rtol below 1e-5. mixed: the "
+           "schemes, for solver.krylov.jacobian = \"difference\" and for solver.krylov.rtol below 1e-5, which need "
+           "double "
+           "precision. mixed: the "
            "linear solves of Newton's "
            "method, with their products of the Jacobian and their vectors, are in single precision. The results have "
            "the accuracy of double. single: the residuals are in single precision too, which limits how far Newton's "

@@ -105,12 +105,6 @@ std::vector<Key> fluid_keys() {
                "does not feel it. Periodic sides allow none along their axis.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->gravity; }),
        .default_note = "[], none"},
-      {.name = "fluid.form",
-       .kind = Kind::choice,
-       .choices = words_of(CapillaryForm{}),
-       .help = "Capillary force in the momentum equation: \"potential\" (rho grad mu, comes to rest to round-off), or "
-               "\"divergence\" of the reversible stress, kept for cross-checks (leaves a weak vortex).",
-       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->form; })},
       {.name = "fluid.traction",
        .kind = Kind::choice,
        .choices = words_of(Traction{}),

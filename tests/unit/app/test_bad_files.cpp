@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "app/host/problems.hpp"
+#include "case/precision.hpp"
 #include "unit/app/bad_case.hpp"
 
 namespace softwet::testing_tools {
@@ -269,6 +270,34 @@ TEST(BadCases, OtherEncodingsAreNamed) {
     expect_parts(message_of(text), {"case.toml: the file is in UTF-16", "UTF-8"});
   expect_parts(message_of(pull_text() + std::string(3, '\0')), {"case.toml: the file is no text"});
   EXPECT_EQ(message_of("\xef\xbb\xbf" + pull_text()), "(accepted)");
+}
+
+TEST(BadPrecision, LinearSolvesToTheRoundOffAreDouble) {
+  expect_parts(message_of(pull_text(), {"solver.precision=single", "solver.krylov.rtol=1e-6"}),
+               {"solver.precision", "solver.krylov.rtol = 1e-05 or more, not 1e-06", "write \"automatic\""});
+}
+
+// What "automatic" takes may be written, and where it does not take single precision neither may be written.
+TEST(BadPrecision, AutomaticTakesWhatMayBeWritten) {
+  for (const char* scheme : {"generalized_alpha", "ssp_rk3", "rkl2", "imex"})
+    for (const char* jacobian : {"exact", "difference"})
+      for (const char* rtol : {"1e-2", "1e-5", "9e-6"}) {
+        const std::vector<std::string> words{std::string("time.scheme=") + scheme,
+                                             std::string("solver.krylov.jacobian=") + jacobian,
+                                             std::string("solver.krylov.rtol=") + rtol};
+        const bool mixed = precision_of(parse_case(pull_text(), "case.toml", words)) == Precision::mixed;
+        for (const char* precision : {"mixed", "single", "double"}) {
+          std::vector<std::string> written = words;
+          written.push_back(std::string("solver.precision=") + precision);
+          const bool accepted = message_of(pull_text(), written) == "(accepted)";
+          EXPECT_EQ(accepted, mixed || precision == std::string("double")) << scheme << jacobian << rtol << precision;
+        }
+      }
+}
+
+TEST(BadPrecision, ProductsWithoutTheMotionOfTheMeshAreGone) {
+  expect_parts(message_of(pull_text(), {"solver.krylov.jacobian=frozen"}),
+               {"solver.krylov.jacobian", "\"exact\"", "\"difference\""});
 }
 
 }  // namespace

@@ -226,5 +226,17 @@ TEST(Forecast, ThousandsOfDropletsAreToldInAFewSentences) {
   EXPECT_EQ(forecast(c).size(), as_usual + 6);
 }
 
+// The pull on 32 x 16 elements took 194 steps with 1e-5 and less, 320 with 1e-4 and 1210 with 1e-3.
+TEST(Forecast, ToleranceOfNewtonThatCostsSteps) {
+  Case c = forecast_droplet(0.39, 75, 5);
+  EXPECT_FALSE(tells(c, "solver.newton.atol"));
+  c.solver.newton_atol = 1e-5;
+  EXPECT_FALSE(tells(c, "solver.newton.atol"));
+  c.solver.newton_atol = 1e-4;
+  EXPECT_TRUE(tells(c, "solver.newton.atol = 0.0001"));
+  c.time.scheme = "ssp_rk3";
+  EXPECT_FALSE(tells(c, "solver.newton.atol"));
+}
+
 }  // namespace
 }  // namespace softwet

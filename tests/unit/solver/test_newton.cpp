@@ -101,6 +101,24 @@ TEST(Newton, AtTheRootNothingIsDone) {
   EXPECT_EQ(r.iterations, 0);
 }
 
+// A tolerance that lets any prediction pass still asks for one iteration, but for none at the root.
+TEST(Newton, ALooseToleranceDoesNotSaveTheFirstIteration) {
+  CubicEquation cubic;
+  NewtonControl control = tight();
+  control.atol = 1e-3;
+  const std::vector<FieldRange> loose{{0, unknowns / 2, 1e3}, {unknowns / 2, unknowns, 1e3}};
+  Newton newton = make_newton();
+  const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
+  const double before = error(x, cubic.root);
+  const NewtonResult r = newton.solve(cubic.system(x), loose, control, x);
+  EXPECT_TRUE(r.converged) << r.refusal.text();
+  EXPECT_EQ(r.iterations, 1);
+  EXPECT_LT(error(x, cubic.root), 0.9 * before);
+
+  Kokkos::deep_copy(x, to_device<Array>(cubic.root));
+  EXPECT_EQ(newton.solve(cubic.system(x), loose, control, x).iterations, 0);
+}
+
 TEST(Newton, ResidualThatIsNotFinite) {
   CubicEquation cubic;
   NonlinearSystem system = cubic.system(Array());

@@ -13,6 +13,7 @@ namespace {
 /// y1' = -y1 y2, y2' = y1 y1 - cos(t) y2 - s y2: nonlinear, with time in it; -s y2 is its stiff part.
 struct Toy final : Evolution {
   double stiffness;
+  int calls = 0, fails_at = 0;  ///< evaluations of the stiff rates, and which of them fails
   explicit Toy(double s) : stiffness(s) {}
   int size() const override { return 2; }
   std::vector<double> gentle(double t, const std::vector<double>& y) const {
@@ -29,8 +30,9 @@ struct Toy final : Evolution {
     Kokkos::deep_copy(out, to_device<Array>(gentle(t, to_host(y))));
     return {};
   }
-  void stiff_rates(const Array& y, const Array& out) override {
+  Refusal stiff_rates(const Array& y, const Array& out) override {
     Kokkos::deep_copy(out, to_device<Array>(std::vector<double>{0, -stiffness * to_host(y)[1]}));
+    return ++calls == fails_at ? Refusal{Refusal::viscous_rate} : Refusal{};
   }
   Refusal hold(const Array&) override { return {}; }
   Refusal implicit_part(double c, const Array& y, const Array& out) override {
@@ -94,6 +96,26 @@ TEST(RungeKutta, StagesOfRkl2BearTheStiffPart) {
   EXPECT_FALSE(std::abs(integrate(rkl2, toy, 20)[1]) < 1e3);
 }
 
+// In any stage of either half step: a rate that could not be found is not stepped with.
+TEST(RungeKutta, AFailedStageOfTheStiffPartRefusesTheStep) {
+  const auto step = [](Toy& toy) {
+    StrangRkl2 rkl2(2);
+    rkl2.set_stiff_radius(1);
+    const Array y = to_device<Array>(std::vector<double>{1.0, 0.3}), k("k", 2);
+    toy.gentle_rates(0, y, k);
+    return rkl2.advance(toy, 0, 0.1, y, k);
+  };
+  Toy whole(1);
+  EXPECT_TRUE(step(whole).empty());
+  EXPECT_EQ(whole.calls, 2 * StrangRkl2::stages(0.05, 1));
+  for (int stage = 1; stage <= whole.calls; ++stage) {
+    Toy toy(1);
+    toy.fails_at = stage;
+    EXPECT_EQ(step(toy).cause, Refusal::viscous_rate) << stage;
+    EXPECT_EQ(toy.calls, stage) << "nothing is computed behind it";
+  }
+}
+
 TEST(RungeKutta, ImplicitPartDampsAnyStiffness) {
   ImexArs343 imex(2);
   Toy toy(1e8);
@@ -109,7 +131,10 @@ struct Oscillator final : Evolution {
     return {};
   }
   Refusal gentle_rates(double t, const Array& y, const Array& out) override { return rates(t, y, out); }
-  void stiff_rates(const Array&, const Array& out) override { Kokkos::deep_copy(out, 0.0); }
+  Refusal stiff_rates(const Array&, const Array& out) override {
+    Kokkos::deep_copy(out, 0.0);
+    return {};
+  }
   Refusal hold(const Array&) override { return {}; }
   Refusal implicit_part(double, const Array&, const Array& out) override {
     Kokkos::deep_copy(out, 0.0);

@@ -68,11 +68,24 @@ TEST(SemiDiscrete, StiffRatesAreThoseOfTheImplicitPartForNoStep) {
   RandomRates s(scene(Scene::coupled), MassKind::consistent);
   const Array out("out", s.system.size()), stiff("stiff", s.system.size()), y = to_device<Array>(to_host(s.y));
   ASSERT_TRUE(s.system.hold(s.y).empty());
-  s.system.stiff_rates(s.y, out);
+  ASSERT_TRUE(s.system.stiff_rates(s.y, out).empty());
   ASSERT_TRUE(s.system.implicit_part(1e-9, y, stiff).empty());
   const std::vector<double> a = to_host(out), b = to_host(stiff);
   const double size = largest_between(b, 0, s.scene.layout().velocity_size());
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-5 * size);
+}
+
+// Velocities without a viscous acceleration: the solve fails, and its iterations are none that count.
+TEST(SemiDiscrete, StiffRatesThatCannotBeFoundAreRefused) {
+  RandomRates s(scene(Scene::coupled), MassKind::consistent);
+  const Array out("out", s.system.size());
+  ASSERT_TRUE(s.system.hold(s.y).empty());
+  ASSERT_TRUE(s.system.stiff_rates(s.y, out).empty());
+  const long before = s.system.counts().viscous;
+  EXPECT_GT(before, 0);
+  const Array broken = to_device<Array>(std::vector<double>(s.system.size(), std::numeric_limits<double>::infinity()));
+  EXPECT_EQ(s.system.stiff_rates(broken, out).cause, Refusal::viscous_rate);
+  EXPECT_EQ(s.system.counts().viscous, before);
 }
 
 TEST(SemiDiscrete, GentleAndStiffPartAddUp) {

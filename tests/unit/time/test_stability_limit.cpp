@@ -41,15 +41,15 @@ struct Modes final : Evolution {
     write(y, out, [](const Mode& m, double p, double v) { return Two{m.w * v, -m.w * p - m.gentle * v}; });
     return {};
   }
-  void stiff_rates(const Array& y, const Array& out) override {
+  Refusal stiff_rates(const Array& y, const Array& out) override {
     write(y, out, [](const Mode& m, double, double v) { return Two{0, -m.stiff * v}; });
+    return {};
   }
   Refusal hold(const Array&) override { return {}; }
   Refusal implicit_part(double c, const Array& y, const Array& out) override {
     const Array given = to_device<Array>(to_host(y));
     write(given, y, [c](const Mode& m, double p, double v) { return Two{p, v / (1 + c * m.stiff)}; });
-    stiff_rates(y, out);
-    return {};
+    return stiff_rates(y, out);
   }
 };
 

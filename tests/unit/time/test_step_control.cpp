@@ -38,6 +38,26 @@ TEST(StepControl, NoSliverBeforeAnEvent) {
   EXPECT_DOUBLE_EQ(control.next(1.0), 0.1) << "an event that has been met is past";
 }
 
+// A step may stretch to an event, but not beyond the largest one; it is halved then.
+TEST(StepControl, TheLargestStepIsNotExceededBeforeAnEvent) {
+  StepControl control(limits, {10.0});
+  control.set_proposed(limits.largest);
+  EXPECT_DOUBLE_EQ(control.next(0.0), 2.0);
+  EXPECT_DOUBLE_EQ(control.next(8.0), 2.0) << "just as far away";
+  EXPECT_DOUBLE_EQ(control.next(7.9), 1.05) << "two equal steps";
+  for (double t = 0; t < 10;) {
+    const double dt = control.next(t);
+    ASSERT_LE(dt, limits.largest);
+    t += dt;
+    if (std::abs(t - 10) < 1e-9) break;
+  }
+}
+
+TEST(StepControl, AnEventIsMetByAStepBelowTheSmallest) {
+  StepControl control(limits, {1.0, 1.0 + 0.1 * limits.smallest});
+  EXPECT_NEAR(control.next(1.0), 0.1 * limits.smallest, 1e-15);
+}
+
 TEST(StepControl, GrowthFollowsTheIndicator) {
   StepControl control(limits, {});
   control.accept(0.1, 1e-3);  // as large as wanted: factor 0.9

@@ -23,11 +23,11 @@ struct Chain {
       k[i] = 2 * z[i] - (i > 0 ? z[i - 1] : 0) - (i + 1 < z.size() ? z[i + 1] : 0);
     return k;
   }
-  bool operator()(const Array& z, const Array& out) const {
+  Refusal operator()(const Array& z, const Array& out) const {
     std::vector<double> r = stiffness(to_host(z));
     for (std::size_t i = 0; i < r.size(); ++i) r[i] /= -mass[i];
     Kokkos::deep_copy(out, to_device<Array>(r));
-    return true;
+    return {};
   }
   double quotient(const Array& a) const {
     const std::vector<double> z = to_host(a), k = stiffness(z);
@@ -53,7 +53,7 @@ struct Chain {
 };
 
 double measured(const Chain& chain, StiffRadius& stiff) {
-  stiff.measure(chain, [&](const Array& z) { return chain.quotient(z); });
+  EXPECT_TRUE(stiff.measure(chain, [&](const Array& z) { return chain.quotient(z); }).empty());
   return stiff.radius();
 }
 
@@ -65,7 +65,7 @@ TEST(StiffRadius, IsNotTooSmallWhereEigenvaluesLieCloseTogether) {
     EXPECT_LE(radius, (1 + 1e-9) * exact) << least;
     EXPECT_GE(radius, 0.99 * exact) << least;
     PowerIteration power(alone, 2000);
-    power.measure(chain);
+    power.measure([&](const Array& z, const Array& out) { return chain(z, out).empty(); });
     std::printf("  least mass %g: %.4f of the radius, power iteration %.4f\n", least, radius / exact,
                 power.radius() / exact);
   }
@@ -86,8 +86,26 @@ TEST(StiffRadius, FollowsAnOperatorThatBecomesStiffer) {
 
 TEST(StiffRadius, NothingStiffHasNoRadius) {
   StiffRadius stiff(alone, 10);
-  stiff.measure([](const Array&, const Array& out) { Kokkos::deep_copy(out, 0.0); }, [](const Array&) { return 0.0; });
+  const auto none = [](const Array&, const Array& out) {
+    Kokkos::deep_copy(out, 0.0);
+    return Refusal{};
+  };
+  EXPECT_TRUE(stiff.measure(none, [](const Array&) { return 0.0; }).empty());
   EXPECT_EQ(stiff.radius(), 0);
+}
+
+// A product that could not be found ends the measurement, in the first products and in the filters behind them.
+TEST(StiffRadius, AFailedProductIsTold) {
+  const Chain chain(100, 0.1);
+  for (const int fails_at : {1, 6, 7, 20, 40}) {
+    StiffRadius stiff(100);
+    int calls = 0;
+    const auto apply = [&](const Array& z, const Array& out) {
+      return ++calls == fails_at ? Refusal{Refusal::viscous_rate} : chain(z, out);
+    };
+    EXPECT_EQ(stiff.measure(apply, [&](const Array& z) { return chain.quotient(z); }).cause, Refusal::viscous_rate);
+    EXPECT_EQ(calls, fails_at);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+// The balance of a scene's energy: what feeds it, what it loses, and when it rises though nothing fed it. Plain numbers.
+#pragma once
+
+namespace softwet {
+
+/// The energy of a state, and the powers that change it.
+struct EnergyState {
+  double time = 0;
+  double energy = 0;   ///< sum of all parts, a b^2 L0^D
+  double size = 0;     ///< sum of the sizes of the parts, of which the round-off of the energy is a part
+  double kinetic = 0;  ///< one of the parts
+  double fed = 0;      ///< power of the loads and of the stretching wall
+  double lost = 0;     ///< dissipation
+};
+
+/// How far the energy rises from one state to another above what was fed in meanwhile, by the trapezoidal rule:
+///   E_1 - E_0 - dt/2 (fed_0 + fed_1)
+/// Where the equations have an energy law this is minus what was lost, up to the error of the discretisation.
+inline double unfed_rise(const EnergyState& a, const EnergyState& b) {
+  return b.energy - a.energy - 0.5 * (b.time - a.time) * (a.fed + b.fed);
+}
+
+/// Round-off that an energy of this size may rise by.
+inline double round_off_of(const EnergyState& a) { return 1e-11 * a.size; }
+
+/// Follows a run and tells when its energy has risen though nothing fed it. The energy less what was fed in can only fall. It
+/// has risen where it stands above its lowest value so far by more than
+///   share (kinetic energy + all that was lost so far) + 1/4 (all that was fed in so far, in size)
+/// The last part is there because power is known at the states alone.
+/// All members are numbers of a checkpoint.   Tested: tests/unit/time/test_energy_balance.cpp
+struct EnergyBalance {
+  bool begun = false;
+  bool told = false;         ///< that it rises, in the episode that lasts
+  EnergyState last;          ///< state
+  double rise = 0;           ///< above the lowest value
+  double lost = 0, fed = 0;  ///< so far
+
+  /// Goes on to the next state. @return by how much the energy has risen, once in an episode, which ends when it falls; else 0
+  double follow(const EnergyState& next, double share);
+};
+
+/// Part of the energy in play by which steps may let the energy rise: with the default tolerances those of generalized_alpha
+/// did by up to 0.0003, and explicit ones beyond their limit by 0.01 and more before error control damped them.
+inline constexpr double share_with_energy_law = 0.005;
+/// The wall law "gradient" feeds the droplet: up to a quarter of the energy in play, near contact angles of 30 and 150 degrees.
+inline constexpr double share_without_energy_law = 0.5;
+
+}  // namespace softwet
