@@ -32,6 +32,8 @@ void Simulation<D, P>::require_folder() {
                                             "; its results and its last state are gone with it: start the run again");
     case moved:
       const std::string before = std::exchange(options_.out, place);
+      if (history_) history_->moved_to(path("history.csv"));
+      if (interface_) interface_->moved_to(path("interface.csv"));
       write_state();
       record("stopped: its folder was moved");
       throw Error(Exit::machine_failed, before + ": the output folder was moved" + when +

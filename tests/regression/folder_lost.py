@@ -37,7 +37,11 @@ def disturbed(name, disturb, stop=False):
     if stop:
         process.send_signal(signal.SIGTERM)
     process.send_signal(signal.SIGCONT)
-    message = process.communicate(timeout=60)[1]
+    try:
+        message = process.communicate(timeout=60)[1]
+    except subprocess.TimeoutExpired:
+        process.kill()
+        message = "it did not end"
     check_true(f"{name}: exit code 3", process.returncode == 3, f"{process.returncode} {message}")
     check_true(f"{name}: one error", message.count("softwet: error: ") == 1, message)
     check_true(f"{name}: not told as a success", "the result is in" not in message, message)

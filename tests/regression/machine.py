@@ -2,6 +2,7 @@
 """What the machine, the environment and launchers get wrong is told in one sentence, with the right exit code.
 usage: machine.py SOFTWET"""
 
+import json
 import os
 import pathlib
 import resource
@@ -13,6 +14,7 @@ from _scene import check_true, cases, command, environment, record, run, softwet
 CASE, NAME = str(cases / "solid_layer_2d.toml"), "solid_layer_2d"
 SCENE = ["domain.elements=[16,4]", "time.max_steps=2", "output.fields.times=[0]"]
 RUN = command(NAME, "run", SCENE, ["--overwrite", "--quiet"])
+TABLES = ("history.csv", "interface.csv")
 CORES = len(os.sched_getaffinity(0))
 # What this test itself was started with is of no concern.
 PLAIN = {name: value for name, value in environment.items()
@@ -93,6 +95,21 @@ if os.path.exists("/dev/full"):
         done = subprocess.run([softwet, "explain"], stdout=full, stderr=subprocess.PIPE, text=True, env=PLAIN)
     check_true("a full disk for what is printed", done.returncode == 3 and "cannot be written" in done.stderr,
                f"{done.returncode} {done.stderr}")
+
+# --- closed streams --------------------------------------------------------------------------------------------------
+line = " ".join(f"'{word}'" for word in command(NAME, "closed", SCENE, ["--overwrite", "--threads", "1"]))
+answer(["bash", "-c", f"{line} <&- >&- 2>&-"])
+check_true("what is told goes into no table", [(pathlib.Path("closed") / table).read_text() for table in TABLES] ==
+           [(pathlib.Path("run") / table).read_text() for table in TABLES])
+
+# --- times as people write them --------------------------------------------------------------------------------------
+run(NAME, "times", [SCENE[0], "load[0].start=30", "time.end=1.2", "time.dt_initial=0.05", "time.dt_max=2",
+                    "output.fields.times=[]", "output.fields.every=0.1"])
+decimals = [number / 10 for number in range(13)]
+rows = [float(row.split(",")[1]) for row in pathlib.Path("times/history.csv").read_text().splitlines()[1:]]
+check_true("t of history.csv", rows[-13:] == decimals, str(rows))
+series = [entry["time"] for entry in json.loads(pathlib.Path("times/fields/solid.hdf.series").read_text())["files"]]
+check_true("times of the field files", series == decimals, str(series))
 
 # --- the same bytes --------------------------------------------------------------------------------------------------
 run(NAME, "again", SCENE)

@@ -68,6 +68,8 @@ class TableFile {
   void put_back();
 
   const std::string& path() const { return path_; }
+  /// Its folder has another path now.
+  void moved_to(const std::string& path) { path_ = path; }
 
  private:
   struct Close {
