@@ -26,7 +26,8 @@ NEEDLE = ["domain.elements=[16,16,8]", "fluid.capillarity=1/8", "time.dt_max=0.2
 
 # Name: case, settings of the full and of the quick form, interruptions in them, processes.
 RUNS = {
-    "2D, generalized_alpha": ("tensotaxis_pull_2d", [*PULL, "time.dt_max=0.006"], [*PULL, "time.dt_max=0.1"], 400, 4, 1),
+    "2D, generalized_alpha": ("tensotaxis_pull_2d", [*PULL, "time.dt_initial=0.006", "time.dt_max=0.006"],
+                              [*PULL, "time.dt_max=0.1"], 400, 4, 1),
     "2D, a row for every 7 steps": ("tensotaxis_pull_2d", [*PULL, "time.dt_max=0.03", "output.history.every=7"], None, 100, 0, 1),
     "2D, schwarz, around a periodic axis":
         ("tensotaxis_pull_2d", [*PULL, "time.dt_max=0.03", "solver.krylov.preconditioner=schwarz", "boundary.left=periodic",
