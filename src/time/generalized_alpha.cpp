@@ -114,9 +114,6 @@ void GeneralizedAlpha<D, P>::jacobian(const StencilValues& values) {
 template <int D, int P>
 void GeneralizedAlpha<D, P>::visit_memory(StepMemory& memory) {
   StageOf<float>& s = jacobian_stage_;
-  bool known = s.unknown.extent(0) > 0;
-  memory.flag("jacobian/known", known);
-  if (!known) return;
   if (s.unknown.extent(0) == 0) s = make_stage<float>(model_.layout());
   memory.number("jacobian/time", s.time);
   memory.number("jacobian/rate_scale", s.rate_scale);

@@ -85,13 +85,6 @@ TEST(StepMemory, ImplicitRunsGoOnInAllScenes) {
     expect_same_bits(c, 8);
 }
 
-TEST(StepMemory, WithoutAPreconditionerThereIsNothingToBuild) {
-  Case c = restless_droplet(Scene::rigid);
-  c.solver.preconditioner = "none";
-  c.time.dt_initial = c.time.dt_max = 1e-3;
-  EXPECT_EQ(expect_same_bits(c, 3), 1);
-}
-
 TEST(StepMemory, WhatIsForgottenIsBuiltAnew) {
   const Case c = restless_droplet(Scene::coupled);
   const Model<2, 2> model(c);
@@ -108,19 +101,19 @@ void expect_same_explicit_bits(const std::string& scheme, Scene kind, bool perio
   for (const char* mass : {"lumped", "consistent"}) {
     SCOPED_TRACE(scheme + ", " + mass);
     Case c = restless_droplet(kind, periodic);
-    c.domain.elements = {12, 9};
+    c.domain.elements = {6, 6};
     c.time.scheme = scheme;
     c.time.mass = mass;
     c.time.tolerance = 1e30;
     c.time.dt_initial = 1;
-    expect_same_bits(c, 13);
+    expect_same_bits(c, 8);  // the limit is measured before the first and the sixth
   }
 }
 
 TEST(StepMemory, SspRk3GoesOnWithItsLimit) { expect_same_explicit_bits("ssp_rk3", Scene::coupled, false); }
 TEST(StepMemory, Rkl2GoesOnWithItsStages) { expect_same_explicit_bits("rkl2", Scene::coupled, false); }
 TEST(StepMemory, ImexGoesOnWithItsGuesses) { expect_same_explicit_bits("imex", Scene::coupled, false); }
-TEST(StepMemory, ExplicitRunsGoOnAroundAPeriodicAxis) { expect_same_explicit_bits("imex", Scene::rigid, true); }
+TEST(StepMemory, ExplicitRunsGoOnAroundAPeriodicAxis) { expect_same_explicit_bits("ssp_rk3", Scene::rigid, true); }
 TEST(StepMemory, ExplicitRunsOfASolidGoOn) { expect_same_explicit_bits("ssp_rk3", Scene::solid, false); }
 
 }  // namespace
