@@ -20,8 +20,8 @@ class InterfaceProfile {
  public:
   InterfaceProfile(const VanDerWaals& gas, const Coexistence& state, double capillarity) {
     const double vapour = state.density_vapour, liquid = state.density_liquid, jump = liquid - vapour;
-    // Where the distance from a phase is 1e-6 of the distance to the end of its branch, D is a parabola.
-    const double beyond = 14;
+    // Where the distance from a phase is 1e-8 of the distance to the end of its branch, D is a parabola.
+    const double beyond = 18;
     low_ = -beyond - std::log(std::max(1.0, jump / (1 - liquid)));
     const double high = beyond + std::log(std::max(1.0, jump / vapour));
     const int count = static_cast<int>(std::ceil((high - low_) / step)) + 1;

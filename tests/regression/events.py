@@ -43,7 +43,7 @@ check_true("quiet is silent", run("static_droplet_rigid_2d", "quiet", TINY).coun
 
 # A round droplet over a wall that it wets, in a box it fills when it spreads; and half a droplet, which stays.
 SPREADS = SMALL + ["domain.size=[0.25,0.25]", "domain.elements=[16,16]", "fluid.contact_angle=30",
-                   "droplet[0].radius=0.09", "droplet[0].centre=[0.125,0.1]", "time.end=20"]
+                   "fluid.temperature=0.6", "droplet[0].radius=0.09", "droplet[0].centre=[0.125,0.1]", "time.end=20"]
 message = run("static_droplet_rigid_2d", "spreads", SPREADS, ALOUD)
 told("spreads", message, "spreads", ["the droplet reached the wall", "the droplet reached the left side", "the droplet reached the right side"])
 run("static_droplet_rigid_2d", "half", SMALL + ["droplet[0].radius=0.155", "droplet[0].centre=[0,0]", "time.end=5"])
