@@ -1,7 +1,7 @@
 #include "observe/extremes.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "field/ranks.hpp"
 #include "field/vector.hpp"
@@ -23,7 +23,7 @@ struct OwnPoints {
   KOKKOS_FORCEINLINE_FUNCTION int place(int point) const { return point / width * stored + begin + point % width; }
 };
 
-/// Largest square of the velocity at points, where the density is above a level; without a density: anywhere.
+/// Largest square of the velocity at points where the density is above a level; without a density: anywhere. 0: nowhere
 template <int D>
 struct LargestSquare {
   OwnPoints points;
@@ -42,7 +42,7 @@ struct LargestSquare {
   double find() const {
     double largest = 0;
     Kokkos::parallel_reduce("softwet::largest_square", Items(0, points.count), *this, Kokkos::Max<double>(largest));
-    return points.count > 0 ? largest : 0;
+    return std::max(0.0, largest);  // no point may count
   }
 };
 

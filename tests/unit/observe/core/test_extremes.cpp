@@ -60,6 +60,13 @@ TEST(Extremes, AreThoseOfAllControlPoints) {
   }
 }
 
+TEST(Extremes, NoSpeedWhereNothingIsDenseEnough) {
+  const RandomScene s(scene(Scene::coupled));
+  const Extremes found = find_extremes(s.layout(), random_state(s), 2.0);
+  EXPECT_EQ(found.speed_liquid, 0);
+  EXPECT_GT(found.speed_fluid, 0);
+}
+
 // Each process looks at its own columns: the largest of all parts is that of the whole.
 TEST(Extremes, OfThePartsAreThoseOfTheWhole) {
   for (const bool periodic : {false, true}) {
