@@ -45,8 +45,9 @@ void StepWatch::visit_memory(StepMemory& memory) {
   memory.number("watch/fed", e.fed);
   memory.number("watch/lost", e.lost);
   for (std::size_t place = 0; place < memory_.searched.size(); ++place) {
-    memory.number("watch/density_" + std::to_string(place), memory_.last.density[place]);
-    memory.number("watch/searched_" + std::to_string(place), memory_.searched[place]);
+    const std::string end = std::string("_") + char('0' + place);
+    memory.number("watch/density" + end, memory_.last.density[place]);
+    memory.number("watch/searched" + end, memory_.searched[place]);
   }
 }
 
