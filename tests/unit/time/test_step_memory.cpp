@@ -90,8 +90,8 @@ TEST(StepMemory, WhatIsForgottenIsBuiltAnew) {
   const Model<2, 2> model(c);
   const auto whole = stepper_at_start(c, model), parts = stepper_at_start(c, model);
   for (int n = 0; n < 3; ++n) EXPECT_EQ(step_of(*whole), step_of(*parts));
-  whole->scheme().refuse();
-  parts->scheme().refuse();
+  whole->scheme().refuse({Refusal::newton});
+  parts->scheme().refuse({Refusal::newton});
   const auto after = resumed(c, model, *parts);
   for (int n = 0; n < 3; ++n) EXPECT_EQ(step_of(*whole), step_of(*after)) << n;
 }

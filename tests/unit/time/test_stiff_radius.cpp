@@ -98,7 +98,7 @@ TEST(StiffRadius, NothingStiffHasNoRadius) {
 TEST(StiffRadius, AFailedProductIsTold) {
   const Chain chain(100, 0.1);
   for (const int fails_at : {1, 6, 7, 20, 40}) {
-    StiffRadius stiff(100);
+    StiffRadius stiff(alone, 100);
     int calls = 0;
     const auto apply = [&](const Array& z, const Array& out) {
       return ++calls == fails_at ? Refusal{Refusal::viscous_rate} : chain(z, out);
