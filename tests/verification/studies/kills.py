@@ -7,6 +7,7 @@ field file is written, and while the checkpoint of the process before is read. T
 files and of the last checkpoint, and how often the solvers have iterated and built."""
 
 import re
+import resource
 import subprocess
 import sys
 
@@ -43,6 +44,12 @@ RUNS = {
 }
 
 
+def processor_seconds():
+    """Of all processes so far that this one has started and that have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def disturbed(lab, name, case, settings, interruptions, processes):
     """@return the row of the table"""
     whole = lab.run(name, case, settings)
@@ -57,7 +64,9 @@ def disturbed(lab, name, case, settings, interruptions, processes):
         launcher = [str(_lab.ROOT / "tools" / "_ranks"), str(processes)] if processes > 1 else []
         return subprocess.Popen([*launcher, *words], stderr=subprocess.PIPE, text=True, env=_lab.ENVIRONMENT)
 
+    before = processor_seconds()
     killed = with_kills(begin, folder, steps, interruptions, (lambda: first_process(folder)) if processes > 1 else None)
+    lab.seconds[f"{name}, killed"] = processor_seconds() - before
     different = differences(folder, whole.folder)
     lab.expect(f"{name}: {steps} steps, killed {killed} times: results that differ in a bit", "none",
                ", ".join(different) or "none", not different)
