@@ -17,7 +17,7 @@ sys.path.insert(0, str(_lab.ROOT / "tests" / "regression"))
 from _bits import differences  # noqa: E402
 from _kills import first_process, with_kills  # noqa: E402
 
-MINUTES = {"quick": 0.2, "full": 10}
+MINUTES = {"quick": 0.3, "full": 10}
 EXPLICIT = "The explicit schemes are among its runs."
 PULL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "load[0].start=2", "load[0].ramp=1",
         "output.fields.times=[-1,0,1,3]", "time.end=3"]
