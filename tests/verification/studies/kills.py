@@ -7,6 +7,7 @@ field file is written, and while the checkpoint of the process before is read. T
 files and of the last checkpoint, and how often the solvers have iterated and built."""
 
 import re
+import resource
 import subprocess
 import sys
 
@@ -16,7 +17,7 @@ sys.path.insert(0, str(_lab.ROOT / "tests" / "regression"))
 from _bits import differences  # noqa: E402
 from _kills import first_process, with_kills  # noqa: E402
 
-MINUTES = {"quick": 0.2, "full": 10}
+MINUTES = {"quick": 0.3, "full": 10}
 EXPLICIT = "The explicit schemes are among its runs."
 PULL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "load[0].start=2", "load[0].ramp=1",
         "output.fields.times=[-1,0,1,3]", "time.end=3"]
@@ -43,6 +44,12 @@ RUNS = {
 }
 
 
+def processor_seconds():
+    """Of all processes so far that this one has started and that have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def disturbed(lab, name, case, settings, interruptions, processes):
     """@return the row of the table"""
     whole = lab.run(name, case, settings)
@@ -57,7 +64,9 @@ def disturbed(lab, name, case, settings, interruptions, processes):
         launcher = [str(_lab.ROOT / "tools" / "_ranks"), str(processes)] if processes > 1 else []
         return subprocess.Popen([*launcher, *words], stderr=subprocess.PIPE, text=True, env=_lab.ENVIRONMENT)
 
+    before = processor_seconds()
     killed = with_kills(begin, folder, steps, interruptions, (lambda: first_process(folder)) if processes > 1 else None)
+    lab.seconds[f"{name}, killed"] = processor_seconds() - before
     different = differences(folder, whole.folder)
     lab.expect(f"{name}: {steps} steps, killed {killed} times: results that differ in a bit", "none",
                ", ".join(different) or "none", not different)
