@@ -45,8 +45,8 @@ class Scalars {
   /// One row. `end` is the stage at the state itself.
   Row evaluate(long step, const StepReport& report, const State& state, const Stage& end);
 
-  /// Follows the droplets to a state for which there is no row, before the first row: `told` stands behind the sentence of
-  /// each event.
+  /// Follows the droplets to a state for which there is no row, before the first row: `told` stands behind the sentence
+  /// of each event.
   void watch(const State& state, const std::string& told);
   /// How far each body has moved between the first and the last state that was watched; empty where it is gone.
   std::vector<std::optional<double>> moved() const;
