@@ -9,10 +9,11 @@
 
 namespace softwet {
 
-/// The planar interface in equilibrium: along the distance s from the middle density (rho_l + rho_v)/2 towards the vapour
+/// The planar interface in equilibrium: along the distance s from the middle density (rho_l + rho_v)/2 towards the
+/// vapour
 ///   g d rho/ds = -sqrt(2 D(rho)),   f = (rho - rho_v)/(rho_l - rho_v): 1 in the liquid, 1/2 at s = 0, 0 in the vapour.
-/// On either side f tends to its end exponentially, and faster in the phase with the larger W''. It is tabulated once, on
-/// the host, by t = ln((1 - f)/f), in which
+/// On either side f tends to its end exponentially, and faster in the phase with the larger W''. It is tabulated once,
+/// on the host, by t = ln((1 - f)/f), in which
 ///   ds/dt = g (rho_l - rho_v) f (1 - f) / sqrt(2 D)
 /// is smooth and tends to g/sqrt(W'') at both ends; beyond the table t is linear in s. The error of f is below 1e-8.
 /// Tested: tests/unit/fluid/test_interface_profile.cpp

@@ -14,11 +14,12 @@ struct Gap {
   double width;            ///< scale L0; 0 or less: they overlap
 };
 
-/// All gaps below a width: between droplets, between a droplet and a film, and between these and a side that they do not
-/// touch. The narrowest comes first. A cap on the wall touches the wall, half a droplet its plane of symmetry, and a film
-/// the sides that its box reaches. Gaps between caps are those at the wall. Ellipses are taken along the line between the
-/// centres.
-/// Bodies are sorted along the first axis, so that the work grows like their number times those that lie above each other.
+/// All gaps below a width: between droplets, between a droplet and a film, and between these and a side that they do
+/// not touch. The narrowest comes first. A cap on the wall touches the wall, half a droplet its plane of symmetry, and
+/// a film the sides that its box reaches. Gaps between caps are those at the wall. Ellipses are taken along the line
+/// between the centres.
+/// Bodies are sorted along the first axis, so that the work grows like their number times those that lie above each
+/// other.
 /// Tested: tests/unit/model/test_forecast.cpp
 std::vector<Gap> narrow_gaps(const Case&, double width);
 

@@ -12,9 +12,9 @@
 namespace softwet {
 namespace {
 
-std::string short_text(double value) {
+std::string short_text(double value, int digits = 3) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
 }
 
@@ -113,7 +113,7 @@ void add_locking(const Case& c, std::vector<std::string>& found) {
     finer.domain.degree = 3;
     const std::string at_degree_3 =
         c.domain.degree == 2 ? "degree = 3 (" + short_text(100 * ridge_error(finer)) + " %), " : "";
-    found.push_back("substrate.poisson = " + short_text(c.substrate->poisson) + " with domain.degree = " +
+    found.push_back("substrate.poisson = " + short_text(c.substrate->poisson, 6) + " with domain.degree = " +
                     std::to_string(c.domain.degree) + " and " + short_text(c.fluid->capillarity / c.spacing()) +
                     " elements to fluid.capillarity: nearly incompressible, the solid locks at the contact line, where "
                     "its ridge is about " +
@@ -122,7 +122,7 @@ void add_locking(const Case& c, std::vector<std::string>& found) {
     return;
   }
   if (error < 0.01) return;
-  found.push_back("substrate.poisson = " + short_text(c.substrate->poisson) + " with domain.degree = 2 and " +
+  found.push_back("substrate.poisson = " + short_text(c.substrate->poisson, 6) + " with domain.degree = 2 and " +
                   std::to_string(std::lround(c.rows_of_solid())) +
                   " rows of elements in the solid: nearly incompressible, it is about " + short_text(100 * error) +
                   " % too stiff (softwet verify locking); write degree = 3 or take more elements");

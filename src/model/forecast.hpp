@@ -28,21 +28,22 @@ bool too_soft(const Case&);
 ///   0.94 % (0.1 / (1 - 2 nu))^0.37 (2 / rows)^2, a fit to docs/verification/locking.md.
 double locking_error(const Case&);
 
-/// How much too low, relative, the ridge under a contact line is in a nearly incompressible layer: its load is as narrow as
-/// the interface, and the layer locks there long before it does under smooth loads. With m = capillarity / element,
-///   degree 2: 1.7  exp(-6 sqrt(m (1 - 2 nu)^0.3)) sqrt(8 / rows),   degree 3: 0.52 exp(-5 m (1 - 2 nu)^0.15) sqrt(8 / rows)
-/// fits tests/oracle/ridge_locking.py (4 to 32 rows, m from 1.5 to 4) within a third where it is above 1 %. 0 without a
-/// droplet or film on a solid.
+/// How much too low, relative, the ridge under a contact line is in a nearly incompressible layer: its load is as
+/// narrow as the interface, and the layer locks there long before it does under smooth loads. With m = capillarity /
+/// element,
+///   degree 2: 1.7 exp(-6 sqrt(m (1 - 2 nu)^0.3)) sqrt(8 / rows)
+///   degree 3: 0.52 exp(-5 m (1 - 2 nu)^0.15) sqrt(8 / rows)
+/// fit tests/oracle/ridge_locking.py (4 to 32 rows, m from 1.5 to 4) within 40 % where it is above 1 %. 0 without a
+/// droplet or film on a solid. Tested: tests/unit/model/test_forecast.cpp
 double ridge_error(const Case&);
 
-/// Width of fluid between two droplets, or a droplet and a side, below which they are told to be near; scale L0: four half
-/// widths of the interface, which are four capillarities at temperature 0.39.
+/// Width of fluid between two droplets, or a droplet and a side, below which they are told to be near; scale L0: four
+/// half widths of the interface, 4.3 capillarities at temperature 0.39. Measured: docs/limits.md.
 double least_gap(const Fluid&);
 
-/// Sentences for the user, each with key, value, bound and remedy: droplets that dissolve or are near each other or a side, a
-/// fluid without any, a solid too soft for its droplet, one that locks, a density that changes its stiffness, a tolerance that
-/// costs steps. Empty when
-/// nothing is known.
+/// Sentences for the user, each with key, value, bound and remedy: droplets that dissolve or are near each other or a
+/// side, a fluid without any, a solid too soft for its droplet, one that locks, a density that changes its stiffness, a
+/// tolerance that costs steps. Empty when nothing is known.
 std::vector<std::string> forecast(const Case&);
 
 }  // namespace softwet

@@ -19,9 +19,9 @@ State empty_state(const Layout<D>& l) {
   return s;
 }
 
-/// Fluid: the profile of the planar interface (kernels/fluid/interface_profile.hpp) around each droplet and film, its middle
-/// density on the circle or the face, with curvature-corrected densities (Kelvin, Laplace), so that the vapour need not
-/// equilibrate: mu = mu_sat + (D - 1) sigma / (R (rho_l - rho_v)). A droplet centred on the
+/// Fluid: the profile of the planar interface (kernels/fluid/interface_profile.hpp) around each droplet and film, its
+/// middle density on the circle or the face, with curvature-corrected densities (Kelvin, Laplace), so that the vapour
+/// need not equilibrate: mu = mu_sat + (D - 1) sigma / (R (rho_l - rho_v)). A droplet centred on the
 /// wall is lowered to R cos(alpha) below it, so that its circle meets the wall at the contact angle. An ellipse (`stretch`)
 /// meets it at another angle. A droplet with a velocity carries it times the same profile; all else is at rest. The
 /// solid is undeformed. Then the waves are added, and what the sides prescribe is kept.

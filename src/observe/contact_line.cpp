@@ -38,7 +38,8 @@ double sharpen(const Section<D>& section, const Crossing& c, double spacing, con
   return 0.5 * (lo + hi);
 }
 
-/// Points on the surface of the left and right half of the droplet whose wall crossings are given (reference coordinates).
+/// Points on the surface of the left and right half of the droplet whose wall crossings are given (reference
+/// coordinates).
 struct Sides {
   std::vector<Point> left, right;
 };

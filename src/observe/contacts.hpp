@@ -26,8 +26,8 @@ struct Contact {
 /// Place of the velocity among the columns of a droplet (observe/host/columns.hpp), in 2D and in 3D.
 constexpr int velocity_column = 3;
 
-/// All footprints. 3D: area and centroid are those of the wetted part of the deformed wall, inside the domain (of the dry
-/// part under a bubble). Contact
+/// All footprints. 3D: area and centroid are those of the wetted part of the deformed wall, inside the domain (of the
+/// dry part under a bubble). Contact
 /// points and angles are those of the vertical section through the centroid along the track, as in 2D; positions count
 /// along the track from the middle of the domain. A droplet cut by a side, beside its centroid, is half of one with the
 /// side as its plane of symmetry, so its section goes along that side.

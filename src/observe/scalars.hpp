@@ -49,8 +49,8 @@ class Scalars {
   /// follows the droplets from row to row. The others get an empty row.
   Row evaluate(long step, const StepReport& report, const State& state, const Stage& end);
 
-  /// Follows the droplets to a state for which there is no row, before the first row: `told` stands behind the sentence of
-  /// each event. All processes have to call it.
+  /// Follows the droplets to a state for which there is no row, before the first row: `told` stands behind the sentence
+  /// of each event. All processes have to call it.
   void watch(const State& state, const std::string& told);
   /// How far each body has moved between the first and the last state that was watched; empty where it is gone.
   std::vector<std::optional<double>> moved() const;

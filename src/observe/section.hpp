@@ -37,8 +37,8 @@ class Section {
   Reach reach_;
 };
 
-/// The whole of a 2D domain: s = x. A periodic axis is cut open at 0 or, where that lies inside a droplet or bubble, a turn
-/// before the column whose largest depth is the smallest.
+/// The whole of a 2D domain: s = x. A periodic axis is cut open at 0 or, where that lies inside a droplet or bubble, a
+/// turn before the column whose largest depth is the smallest.
 Section<2> side_view(const Snapshot<2>&, const Surface&);
 
 /// The plane through a point of the wall along a direction (a unit vector), from side to side. s counts from the foot

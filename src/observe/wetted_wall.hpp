@@ -8,8 +8,8 @@ namespace softwet {
 
 using Place = std::array<double, 2>;  ///< a point or direction in the plane of the wall, (x, y); 2D: y = 0
 
-/// Depth (Surface::depth) and displacement on an equidistant grid of the undeformed wall, first axis fastest. An axis of n
-/// cells has n + 1 points, a periodic one n.
+/// Depth (Surface::depth) and displacement on an equidistant grid of the undeformed wall, first axis fastest. An axis
+/// of n cells has n + 1 points, a periodic one n.
 struct WallSamples {
   std::array<double, 2> length;
   std::array<int, 2> cells;

@@ -31,6 +31,9 @@ BAD_CASES = {
     "unsafe name": ('"first"', '"../escape"', ["name", "letters"]),
 }
 
+WAVE = '[[wave]]\nfield = "density"\namplitude = 0.3\nmode = [0, 0]\n'
+FOLD = '[[wave]]\nfield = "displacement_y"\namplitude = 0.5\nmode = [0, 4]\n'
+
 failures = []
 
 
@@ -77,7 +80,13 @@ def bad_cases(softwet, root, good):
 
 def bad_files(softwet, root, good):
     for command in ("check", "run"):
-        scene = Scene(softwet, root, {"empty.toml": "", "binary.toml": "\x01\x02\n", "good.toml": good})
+        scene = Scene(softwet, root, {"empty.toml": "", "binary.toml": "\x01\x02\n", "good.toml": good,
+                                      "wave.toml": good + WAVE, "fold.toml": good + FOLD})
+        # What only the state at the start shows.
+        scene.fails(f"{command}, density wave", [command, "wave.toml"], 1,
+                    ["the density at the start is 1.17", "at (0.", "[0, 0.999)", "wave[0].amplitude = 0.3", "at most 0.4"])
+        scene.fails(f"{command}, displacement wave", [command, "fold.toml"], 1,
+                    ["wave[0].amplitude = 0.5", "turn the solid inside out", "smaller amplitudes"])
         scene.fails(f"{command}, empty file", [command, "empty.toml"], 1, ["empty.toml", "softwet init"])
         scene.fails(f"{command}, no TOML", [command, "binary.toml"], 1, ["binary.toml"])
         scene.fails(f"{command}, no file", [command, "missing.toml"], 1, ["missing.toml"])

@@ -36,8 +36,8 @@ std::string sentence(const Event&);
 /// The events for the closing line, "; at t = ..." each, the first three of many; empty without events.
 std::string summary(const std::vector<Event>&);
 
-/// How far a start at rest has moved what is there: "; on the way the droplet moved by 0.012", of many the farthest alone.
-/// Empty where nothing is left.
+/// How far a start at rest has moved what is there: "; on the way the droplet moved by 0.012", of many the farthest
+/// alone. Empty where nothing is left.
 std::string moves_text(const std::vector<std::string>& names, const std::vector<std::optional<double>>& moved);
 
 }  // namespace softwet

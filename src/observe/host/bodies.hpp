@@ -25,8 +25,8 @@ struct Body {
   bool gone = false;              ///< vanished, or merged into another body
 };
 
-/// The bodies of a case before its first row: droplets (bubbles), then films. Films among bubbles are ambient. The place of a
-/// film is the middle of its box, moved into the domain.
+/// The bodies of a case before its first row: droplets (bubbles), then films. Films among bubbles are ambient. The
+/// place of a film is the middle of its box, moved into the domain.
 std::vector<Body> bodies_of(const Case&);
 
 /// Names of the bodies: "the droplet", "droplet 2", "the film".

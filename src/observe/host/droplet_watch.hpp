@@ -1,5 +1,5 @@
-// What becomes of the droplets of a run as wholes: which vanish, merge, reach a side, leave the wall, and how far they move.
-// Plain numbers.
+// What becomes of the droplets of a run as wholes: which vanish, merge, reach a side, leave the wall, and how far they
+// move. Plain numbers.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace softwet {
 
-/// How deep the points of a regular grid lie in a droplet (in a bubble where the ambient is liquid), first axis fastest.
-/// The grid of a periodic axis has no point at its upper end.
+/// How deep the points of a regular grid lie in a droplet (in a bubble where the ambient is liquid), first axis
+/// fastest. The grid of a periodic axis has no point at its upper end.
 struct PhaseSamples {
   int dimension = 2;                       ///< 2 or 3; the last axis is vertical
   std::array<int, 3> points{1, 1, 1};      ///< per axis
@@ -28,8 +28,9 @@ struct PhaseSamples {
 std::vector<std::string> follow(std::vector<Body>& bodies, const PhaseSamples& samples,
                                 const std::vector<std::string>& names);
 
-/// The centres of bodies that `follow` has seen in these samples: means of the places inside, weighted by their depth. Along
-/// a periodic axis the mean is one of angles, and 0 where a body reaches all round. Empty for a body that is gone.
+/// The centres of bodies that `follow` has seen in these samples: means of the places inside, weighted by their depth.
+/// Along a periodic axis the mean is one of angles, and 0 where a body reaches all round. Empty for a body that is
+/// gone.
 using Centre = std::optional<std::array<double, 3>>;
 std::vector<Centre> centres_of(const std::vector<Body>& bodies, const PhaseSamples& samples);
 

@@ -147,6 +147,7 @@ TEST(Forecast, RidgeThatLocks) {
   Case c = soft(0.7554);
   c.substrate->poisson = 0.4999;
   EXPECT_TRUE(tells(c, "about 16 % too low; write degree = 3 (3.2 %)"));
+  EXPECT_TRUE(tells(c, "substrate.poisson = 0.4999 "));
   c.droplets.clear();
   EXPECT_EQ(ridge_error(c), 0) << "no contact line";
 }

@@ -92,8 +92,9 @@ TEST(InitialState, DropletBelowTheSizeOfAnyEquilibriumStaysBetweenThePhases) {
   for (const double x : {0.0, 0.5}) EXPECT_LT(density_at(c, x, 0.25), end);
 }
 
-/// int f^n over a plane with the disc of radius R whose profile f is, from the moments of f^n less a sharp step over the
-/// capillarity g: R^2 pi + 2 pi (R g m_0 + g^2 m_1). Those of f and f^2 at 0.85 are from tests/oracle/interface_profile.py.
+/// int f^n over a plane with the disc of radius R whose profile f is, from the moments of f^n less a sharp step over
+/// the capillarity g: R^2 pi + 2 pi (R g m_0 + g^2 m_1). Those of f and f^2 at 0.85 are from
+/// tests/oracle/interface_profile.py.
 double integral_of_part(int power, double radius, double g) {
   const double moment[2][2] = {{-0.0622741518429, 2.38339086207}, {-1.27076446611, 2.58342770968}};
   const auto& m = moment[power - 1];
