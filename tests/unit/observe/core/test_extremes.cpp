@@ -2,6 +2,7 @@
 #include "observe/extremes.hpp"
 
 #include "field/exchange.hpp"
+#include "model/initial.hpp"
 #include "unit/model/scenes.hpp"
 
 namespace softwet::testing_tools {
