@@ -19,8 +19,9 @@
 
 namespace softwet {
 
-/// Computes a case in a folder that exists. Of several processes each computes its columns of the scene. The first one alone
-/// evaluates the observers, writes and speaks; where it fails, all fail (app/together.hpp). The output clock is the computation clock minus case.clock_zero().
+/// Computes a case in a folder that exists. Of several processes each computes its columns of the scene. The first one
+/// alone evaluates the observers, writes and speaks; where it fails, all fail (app/together.hpp). The output clock is
+/// the computation clock minus case.clock_zero().
 template <int D, int P>
 class Simulation {
  public:

@@ -127,8 +127,9 @@ void for_lines_on_host(std::int64_t lines, const Body& body) {
 /// Who gets what is collected.
 enum class Collects { every_process, first_process };
 
-/// Lines of all columns of the patch, collected from what each process stores. `own` and `all` are in the memory of the host;
-/// `all` means nothing where nothing is collected. A few lines after the other, so that the memory for messages stays small.
+/// Lines of all columns of the patch, collected from what each process stores. `own` and `all` are in the memory of the
+/// host; `all` means nothing where nothing is collected. A few lines after the other, so that the memory for messages
+/// stays small.
 template <class Real>
 void gather_lines(const Columns& c, std::int64_t lines, const Real* own, Real* all,
                   Collects who = Collects::every_process) {

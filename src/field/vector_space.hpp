@@ -7,8 +7,9 @@
 
 namespace softwet {
 
-/// Vectors of one kind, and their parts: made of lines of columns that several processes share, each with some of them, or
-/// numbers that each process has all of. A layout has the space of its vectors (`Layout::space`); solvers are given theirs.
+/// Vectors of one kind, and their parts: made of lines of columns that several processes share, each with some of them,
+/// or numbers that each process has all of. A layout has the space of its vectors (`Layout::space`); solvers are given
+/// theirs.
 struct VectorSpace {
   int stored = strip_width, begin = 0, end = strip_width;  ///< columns of a line; the process's own are [begin, end)
   int first_strip = 0, last_strip = 1, strips = 1;

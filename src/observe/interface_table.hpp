@@ -22,8 +22,8 @@ std::vector<std::string> interface_columns() {
 /// fluid's residual of a control point over the integral of its function. So the integral of the traction is the sum of
 /// the forces, and a line force is spread over the width of the interface and an element. On a solid these are the very
 /// forces that load it in the equations. It is 0 along the normal of a side that the wall meets: that force belongs to
-/// the side. All processes have to call it; the first one gets the traction, the others nothing. Empty without a fluid or
-/// a wall.
+/// the side. All processes have to call it; the first one gets the traction, the others nothing. Empty without a fluid
+/// or a wall.
 template <int D, int P>
 std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage);
 

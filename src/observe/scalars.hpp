@@ -45,8 +45,8 @@ class Scalars {
   /// the contact line of a droplet that is not on the wall.
   std::vector<std::string> columns() const;
 
-  /// One row. `end` is the stage at the state itself. All processes have to call it; the first one gets the row, and it alone
-  /// follows the droplets from row to row. The others get an empty row.
+  /// One row. `end` is the stage at the state itself. All processes have to call it; the first one gets the row, and it
+  /// alone follows the droplets from row to row. The others get an empty row.
   Row evaluate(long step, const StepReport& report, const State& state, const Stage& end);
 
   /// Follows the droplets to a state for which there is no row, before the first row: `told` stands behind the sentence

@@ -74,8 +74,8 @@ TEST(Vector, NormsOfSeveralParts) {
   EXPECT_THROW(check(lines_of(24), some), std::logic_error);
 }
 
-/// A vector of the whole patch, and what each of some processes stores of it: copies of its neighbours' columns hold numbers
-/// that would spoil any sum.
+/// A vector of the whole patch, and what each of some processes stores of it: copies of its neighbours' columns hold
+/// numbers that would spoil any sum.
 struct Shared {
   std::vector<VectorSpace> space;
   std::vector<Array> part;
@@ -100,8 +100,8 @@ struct Shared {
   }
 };
 
-// Parts of two meshes, for three and for two processes. Each vector has the sums of its own mesh, although the length of a
-// part of the second one is a multiple of the lines of the first one, too.
+// Parts of two meshes, for three and for two processes. Each vector has the sums of its own mesh, although the length
+// of a part of the second one is a multiple of the lines of the first one, too.
 TEST(Vector, TwoMeshesAtOnceHaveTheirOwnSums) {
   const Shared first(Axis(1.0, 30, 2), 3, 130), second(Axis(1.0, 52, 2), 2, 70);
   ASSERT_EQ(second.part[0].extent(0) % first.space[0].stored, 0u);
