@@ -86,7 +86,8 @@ void ExplicitScheme<D, P>::plan_search(double before, int cost) {
   constexpr int shortest = 5, seldom = 10;  // of steps between searches, and for each step of a search
   constexpr double same = 0.03, lower = 0.9;
   const bool steady = std::abs(limit_ - before) < same * before;
-  most_age_ = before == 0 ? shortest : std::max(shortest, steady ? std::min(2 * most_age_, seldom * cost) : cost);
+  const int kept = contact_ ? cost / 4 : steady ? std::min(2 * most_age_, seldom * cost) : cost;  // contact goes on
+  most_age_ = before == 0 ? shortest : std::max(shortest, kept);
   deaf_ = alarm_ && limit_ > lower * before ? cost : 0;  // what grew was not the scheme
   age_ = 0;
   contact_ = alarm_ = false;

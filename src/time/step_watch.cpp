@@ -13,7 +13,7 @@ void StepWatch::begin(const StepSigns& first) {
 }
 
 bool StepWatch::grows(const StepSigns& next) const {
-  constexpr double part = 0.1, part_of_kinetic = 1e-4, jump = 1.6, faster = 1.2;
+  constexpr double part = 0.1, part_of_kinetic = 1e-4, jump = 2, faster = 1.2;
   const EnergyState &a = memory_.last.energy, &b = next.energy;
   const double dt = b.time - a.time;
   const double error = part * dt * (a.lost + std::abs(a.fed)) + part_of_kinetic * a.kinetic + round_off_of(b);

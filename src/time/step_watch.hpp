@@ -35,7 +35,7 @@ class StepWatch {
   bool begun() const { return memory_.begun; }
   /// Takes the state that a run begins with.
   void begin(const StepSigns&);
-  /// Whether a step grows as steps beyond the limit do: the dissipation by more than 1.6 times (1.5 was seen in steps that
+  /// Whether a step grows as steps beyond the limit do: the dissipation by more than 2 times (1.5 was seen in steps that
   /// are stable, and 2 to 140 in others) and faster than in the step before, as it is not where motion begins from rest; or the
   /// energy, where the equations have a law for it.
   bool grows(const StepSigns& next) const;

@@ -41,7 +41,8 @@ def compare(scene, settings, dt, of_fall, of_kinetic, of_density):
         check(f"{name}: density at the end, rms", numpy.sqrt(((found - density)**2).mean()) / STEP, of_density)
         check(f"{name}: drift of the mass", abs(rows["mass_drift"]).max(), 1e-12)
         check(f"{name}: largest rise of the total energy in a step", numpy.diff(rows["energy_total"]).max(), 0)
-        check_true(f"{name}: no step was refused", record(name)["counts"]["rejected_by_newton"] == 0)
+        # A step that grows is refused: that is how a limit which falls at contact may be noticed.
+        check(f"{name}: refused steps", record(name)["counts"]["rejected_by_newton"], 2)
 
 
 def pulse(x, t, c, rho, height, capillarity=1 / 32, viscosity=4e-4):

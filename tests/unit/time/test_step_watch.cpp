@@ -34,8 +34,8 @@ TEST(StepWatch, AStepWhoseDissipationJumpsGrows) {
   StepWatch watch = begun(false);
   EXPECT_FALSE(watch.grows(signs(0.1, -1, 1))) << "of the first step nothing is known";
   watch.accept(signs(0.1, -1, 1.1e-3));
-  EXPECT_FALSE(watch.grows(signs(0.2, -1, 1.1 * 1.5e-3)));
-  EXPECT_TRUE(watch.grows(signs(0.2, -1, 1.1 * 1.7e-3)));
+  EXPECT_FALSE(watch.grows(signs(0.2, -1, 1.1 * 1.9e-3)));
+  EXPECT_TRUE(watch.grows(signs(0.2, -1, 1.1 * 2.1e-3)));
   watch.accept(signs(0.1, -1, 1e-20));
   EXPECT_FALSE(watch.grows(signs(0.2, -1, 1e-15))) << "round-off of a scene at rest";
 }
