@@ -4,8 +4,8 @@
 #include <array>
 #include <memory>
 
-#include "field/array.hpp"
 #include "field/vector_space.hpp"
+#include "memory/array.hpp"
 
 namespace softwet {
 

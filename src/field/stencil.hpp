@@ -10,7 +10,7 @@ namespace softwet {
 /// In single precision: such a matrix only serves preconditioners.
 using StencilValues = Kokkos::View<float*, Exec>;
 
-/// Control points along an axis of the boxes of `schwarz` (solver/schwarz.hpp). A process stores one column less beside its
+/// Control points along an axis of the boxes of `schwarz` (solver/schwarz/schwarz.hpp). A process stores one column less beside its
 /// own ones.
 constexpr int box_width(int dimension) { return dimension == 2 ? 8 : 4; }
 

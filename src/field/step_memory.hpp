@@ -1,7 +1,7 @@
 // What a program remembers from one time step to the next beside its state, as a checkpoint sees it.
 #pragma once
 
-#include "field/array.hpp"
+#include "memory/array.hpp"
 
 namespace softwet {
 

@@ -3,10 +3,10 @@
 
 #include <stdexcept>
 
-#include "field/array.hpp"
 #include "field/range_factors.hpp"
 #include "field/ranks.hpp"
 #include "field/vector_space.hpp"
+#include "memory/array.hpp"
 
 namespace softwet {
 

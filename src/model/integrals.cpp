@@ -3,7 +3,7 @@
 #include "kernels/fluid/gravity.hpp"
 #include "kernels/solid/body_force.hpp"
 #include "model/model.hpp"
-#include "operator/reduce.hpp"
+#include "operator/integrate.hpp"
 
 namespace softwet {
 

@@ -4,12 +4,15 @@
 #include <memory>
 
 #include "field/stage.hpp"
-#include "model/geometry.hpp"
 #include "model/scene_terms.hpp"
 #include "operator/assemble.hpp"
-#include "operator/jacobian.hpp"
+#include "operator/matrix.hpp"
 
 namespace softwet {
+
+/// How a Jacobian-vector product treats the map. exact: it differentiates the mesh (shape derivatives); frozen: the
+/// geometry is held (preconditioners).
+enum class Geometry { exact, frozen };
 
 /// Which values of the fields a term takes: those of the stage, or those at the end of the step.
 enum class Instant { stage, end };

@@ -4,7 +4,7 @@
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
 #include "kernels/solid/elastodynamics.hpp"
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
-#include "operator/tile_launch.hpp"
+#include "operator/device/tile_launch.hpp"
 
 namespace softwet {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "observe/host/columns.hpp"
+#include "observe/host/table_columns.hpp"
 
 namespace softwet {
 namespace {

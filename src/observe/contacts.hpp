@@ -23,7 +23,7 @@ struct Contact {
   std::function<bool(const Place&)> holds;   ///< whether a place of the wall is under it
 };
 
-/// Place of the velocity among the columns of a droplet (observe/host/columns.hpp), in 2D and in 3D.
+/// Place of the velocity among the columns of a droplet (observe/host/table_columns.hpp), in 2D and in 3D.
 constexpr int velocity_column = 3;
 
 /// All footprints. 3D: area and centroid are those of the wetted part of the deformed wall, inside the domain (of the

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "io/table_file.hpp"
 #include "model/model.hpp"
-#include "observe/host/columns.hpp"
-#include "observe/host/table_file.hpp"
+#include "observe/host/table_columns.hpp"
 #include "observe/snapshot.hpp"
 
 namespace softwet {

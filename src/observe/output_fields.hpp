@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "io/field_file.hpp"
 #include "model/model.hpp"
-#include "observe/host/field_file.hpp"
 #include "observe/snapshot.hpp"
 
 namespace softwet {

@@ -6,8 +6,8 @@
 
 #include "case/cap.hpp"
 #include "field/ranks.hpp"
-#include "observe/host/columns.hpp"
-#include "observe/host/output_time.hpp"
+#include "io/output_time.hpp"
+#include "observe/host/table_columns.hpp"
 #include "time/energy_of.hpp"
 
 namespace softwet {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "operator/batch.hpp"
-#include "operator/colouring.hpp"
-#include "operator/column.hpp"
-#include "operator/in_tiles.hpp"
+#include "operator/device/in_tiles.hpp"
+#include "operator/host/column.hpp"
+#include "operator/rows.hpp"
 
 namespace softwet {
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "case/error.hpp"
-#include "solver/block_lu.hpp"
-#include "solver/level_lu.hpp"
+#include "solver/direct/device/level_lu.hpp"
+#include "solver/direct/host/block_lu.hpp"
+#include "solver/direct/host/sparse_lu.hpp"
 #include "solver/replicated.hpp"
-#include "solver/schwarz.hpp"
-#include "solver/sparse_lu.hpp"
+#include "solver/schwarz/schwarz.hpp"
 
 namespace softwet {
 

@@ -7,8 +7,8 @@
 
 #include "field/step_memory.hpp"
 #include "field/vector.hpp"
+#include "solver/matrix/stencil_matrix.hpp"
 #include "solver/scale_fields.hpp"
-#include "solver/stencil.hpp"
 
 namespace softwet {
 
@@ -40,7 +40,7 @@ class RoughInverse {
   /// a lagged preconditioner (Wear).
   virtual double build_cost() const = 0;
   /// Whether between two builds `answer` starts the same kernels each time, does nothing on the host, and waits for nothing
-  /// (solver/record.hpp). Its first call may allocate vectors.
+  /// (solver/recording.hpp). Its first call may allocate vectors.
   virtual bool recordable() const { return false; }
   /// What the next builds need of the last ones. Where nothing is visited a build follows from its matrix alone.
   virtual void visit_memory(StepMemory&) {}

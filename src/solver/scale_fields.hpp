@@ -1,8 +1,8 @@
 // Fields of a vector times factors of their own, in one kernel.
 #pragma once
 
-#include "field/array.hpp"
 #include "field/range_factors.hpp"
+#include "memory/array.hpp"
 
 namespace softwet {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "field/array.hpp"
+#include "memory/array.hpp"
 #include "spline/axis.hpp"
 #include "spline/columns.hpp"
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "field/stage.hpp"
-#include "solver/newton.hpp"
+#include "time/newton.hpp"
 
 namespace softwet {
 

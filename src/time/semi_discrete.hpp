@@ -2,9 +2,9 @@
 #pragma once
 
 #include "field/step_memory.hpp"
-#include "model/masses.hpp"
-#include "solver/conjugate_gradient.hpp"
-#include "solver/kronecker_mass.hpp"
+#include "model/mass_products.hpp"
+#include "solver/krylov/conjugate_gradient.hpp"
+#include "solver/krylov/kronecker_mass.hpp"
 #include "time/evolution.hpp"
 
 namespace softwet {

@@ -1,7 +1,7 @@
 // The sum of vectors that time schemes are made of.
 #pragma once
 
-#include "field/array.hpp"
+#include "memory/array.hpp"
 
 namespace softwet {
 

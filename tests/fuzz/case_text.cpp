@@ -4,10 +4,10 @@
 // case is written and read back to the same text, has the same fingerprint, and its warnings can be told.
 #include <sstream>
 
-#include "app/host/case_file.hpp"
-#include "app/host/fingerprint.hpp"
-#include "app/host/problems.hpp"
+#include "casefile/case_file.hpp"
+#include "casefile/problems.hpp"
 #include "property.hpp"
+#include "run/host/fingerprint.hpp"
 
 namespace softwet {
 namespace {

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <limits>
 
-#include "app/host/case_file.hpp"
-#include "app/host/fingerprint.hpp"
-#include "app/host/saved_run.hpp"
-#include "observe/host/hdf5_file.hpp"
+#include "casefile/case_file.hpp"
+#include "io/hdf5_file.hpp"
 #include "property.hpp"
+#include "run/host/fingerprint.hpp"
+#include "run/host/saved_run.hpp"
 
 namespace softwet {
 namespace {

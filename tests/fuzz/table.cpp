@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "observe/host/table_file.hpp"
+#include "io/table_file.hpp"
 #include "property.hpp"
 
 namespace softwet {

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 
-SOURCE = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "src/app/processor.c"
+SOURCE = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "src/cli/processor.c"
 PROGRAM = """#include <iostream>
 extern "C" const char* const softwet_processor_needs[];
 extern "C" const char* const softwet_processor_needs[] = {"sse3", "%s", nullptr};

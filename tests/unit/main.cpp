@@ -1,7 +1,7 @@
 // Entry of softwet_unit: Kokkos lives around all tests. A listing of the tests needs no device.
 #include <gtest/gtest.h>
 
-#include "field/team_scratch.hpp"
+#include "memory/team_scratch.hpp"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "app/host/case_file.hpp"
+#include "casefile/case_file.hpp"
 
 namespace softwet {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "compiled.hpp"
 #include "naive.hpp"
-#include "solver/stencil.hpp"
+#include "solver/matrix/stencil_matrix.hpp"
 
 namespace softwet::testing_tools {
 

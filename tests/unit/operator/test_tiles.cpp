@@ -1,5 +1,5 @@
 // The tiles of a device in 2D, computed on the host. Element counts are no multiples of a tile.
-#include "app/kernel_counts.hpp"
+#include "cli/core/kernel_counts.hpp"
 #include "tile_cases.hpp"
 
 namespace softwet::testing_tools {

@@ -1,5 +1,5 @@
 // The tiles of a device in 3D, computed on the host.
-#include "app/kernel_counts.hpp"
+#include "cli/core/kernel_counts.hpp"
 #include "tile_cases.hpp"
 
 namespace softwet::testing_tools {

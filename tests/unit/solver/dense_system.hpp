@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "solver/gmres.hpp"
+#include "solver/krylov/gmres.hpp"
 
 namespace softwet::testing_tools {
 

@@ -7,7 +7,7 @@
 #include <Eigen/Sparse>
 #include <random>
 
-#include "solver/coarse_space.hpp"
+#include "solver/schwarz/coarse_space.hpp"
 
 namespace softwet::testing_tools {
 

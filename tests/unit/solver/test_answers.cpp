@@ -1,9 +1,9 @@
 // Answers of preconditioners in either precision, times factors, and the kernels that they take.
-#include "app/kernel_counts.hpp"
+#include "cli/core/kernel_counts.hpp"
 #include "field/vector.hpp"
-#include "solver/block_lu.hpp"
-#include "solver/level_lu.hpp"
-#include "solver/schwarz.hpp"
+#include "solver/direct/device/level_lu.hpp"
+#include "solver/direct/host/block_lu.hpp"
+#include "solver/schwarz/schwarz.hpp"
 #include "unit/solver/random_matrix.hpp"
 
 namespace softwet::testing_tools {

@@ -1,6 +1,6 @@
 // Preconditioners whose kernels are recorded. Without a device the recorded kernels start one by one: then these tests tell
 // what is recorded when, and whether a recording may stand for an answer.
-#include "app/kernel_counts.hpp"
+#include "cli/core/kernel_counts.hpp"
 #include "field/vector.hpp"
 #include "solver/choose.hpp"
 #include "solver/recorded_answers.hpp"

@@ -6,9 +6,9 @@
 #include <cstring>
 #include <map>
 
-#include "app/machine.hpp"
 #include "case/error.hpp"
 #include "problem.hpp"
+#include "run/machine.hpp"
 #include "solver/choose.hpp"
 
 namespace softwet::mms {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "observe/host/hdf5_file.hpp"
+#include "io/hdf5_file.hpp"
+#include "unit/io/scratch_folder.hpp"
 #include "unit/observe/core/homogeneous.hpp"
-#include "unit/observe/scratch_folder.hpp"
 
 namespace softwet::testing_tools {
 namespace {

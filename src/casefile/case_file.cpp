@@ -1,0 +1,152 @@
+// Document to Case: required keys, defaults, checks.
+#include "casefile/case_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "case/error.hpp"
+#include "casefile/case_checks.hpp"
+#include "casefile/document.hpp"
+#include "casefile/quality.hpp"
+
+namespace softwet {
+namespace {
+
+std::size_t entries_of(const Document& document, const std::string& table) {
+  const Table* known = find_table(table);
+  if (known && known->count(Case{}) > 0) return 1;  // top of the file, domain, time, ... are always there
+  const auto found = document.table_count.find(table);
+  return found == document.table_count.end() ? 0 : found->second;
+}
+
+[[noreturn]] void reject_missing(const Document& document, const Key& key, std::size_t index) {
+  const std::string name = indexed_name(key.name, index);
+  const auto table = document.table_place.find(name.substr(0, name.find('.')));
+  const std::string& place = table == document.table_place.end() ? document.place : table->second;
+  throw CaseError(name, fmt::format("{}: {} is missing (a {}: {}); write for example {} = {}", place, name,
+                                    allowed_text(key), key.help, key.leaf(), example_text(key)));
+}
+
+/// The line along which the loads act: the sum of their horizontal forces, each with the sign that adds to the sum.
+Numbers line_of_loads(const Case& c) {
+  Numbers sum{0, 0};
+  for (const Load& load : c.loads) {
+    if (load.force.size() != 3) continue;  // refused by the checks
+    const double sign = sum[0] * load.force[0] + sum[1] * load.force[1] < 0 ? -1 : 1;
+    for (int d : {0, 1}) sum[d] += sign * load.force[d];
+  }
+  return sum[0] == 0 && sum[1] == 0 ? Numbers{1, 0} : sum;
+}
+
+/// The values that the case's quality sets; those of the file come after them.
+void apply_quality(const Document& document, Case& c) {
+  const auto chosen = document.entries.find("quality");
+  const std::string name = chosen == document.entries.end() ? c.quality : std::get<std::string>(chosen->second.value);
+  for (const Quality& quality : qualities())
+    if (quality.name == name)
+      for (const QualityValue& value : quality.values) {
+        const Key& key = *find_key(value.key);
+        key.bind.set(c, 0, value_from_text(key, value.text));
+      }
+}
+
+/// Keys that are missing go to the problems, unless it is known already that they are wrong.
+Case resolve(const Document& document, Problems& problems) {
+  Case c;
+  for (const Table& table : tables()) {
+    for (std::size_t i = 0; i < entries_of(document, table.name); ++i) table.open(c, i);
+  }
+  apply_quality(document, c);
+  for (const Key& key : schema()) {  // in schema order: the domain decides the dimension before the sides need it
+    for (std::size_t i = 0; i < entries_of(document, key.table()); ++i) {
+      const std::string name = indexed_name(key.name, i);
+      const auto found = document.entries.find(name);
+      if (found != document.entries.end()) key.bind.set(c, i, found->second.value);
+      if (found == document.entries.end() && key.required && !problems.about(name))
+        problems.keep([&] { reject_missing(document, key, i); });
+    }
+  }
+  if (!document.entries.count("boundary.top")) {
+    find_key("boundary.top")->bind.set(c, 0, std::string(c.fluid ? "no_slip" : "free"));
+  }
+  // Where the scheme hardly damps, what Newton's method leaves in the shortest waves adds up from step to step.
+  if (c.time.rho_inf > 0.9 && !document.entries.count("solver.newton.rtol"))
+    c.solver.newton_rtol = std::min(c.solver.newton_rtol, 1e-6);
+  if (c.dimension() == 3 && !document.entries.count("output.history.track")) c.output.track = line_of_loads(c);
+  return c;
+}
+
+/// Contact angles between which the wall law "gradient" works, in degrees: a line above the angles at which runs stop.
+/// No closed criterion is known (docs/verification/wetting.md). Measured at temperature 0.39, fewer stop when warmer:
+///   capillarity / h         1     2    3    4
+///   stop at                28  15.5   13   12
+///   stop at               157  none measured (172 works)
+std::pair<double, double> gradient_law_angles(double h_over_capillarity) {
+  return {8 + 22 * h_over_capillarity, 180 - std::max(0.0, 50 * h_over_capillarity - 25)};
+}
+
+constexpr std::size_t largest_file = 16 << 20;  ///< bytes; of a case with a hundred thousand droplets
+
+[[noreturn]] void reject_path(const std::string& path, const std::string& reason) {
+  throw Error(Exit::invalid_input,
+              fmt::format("cannot read the case file '{}': {}; give the path of a case, for example "
+                          "cases/tensotaxis_pull_2d.toml",
+                          path, reason));
+}
+
+}  // namespace
+
+Case parse_case(std::string_view text, const std::string& place, const std::vector<std::string>& overrides) {
+  Problems problems;
+  Document document = read_document(text, place, problems);
+  for (const std::string& assignment : overrides) problems.keep([&] { apply_override(document, assignment); });
+  const Case c = resolve(document, problems);
+  check_case(c, document, problems);
+  problems.throw_if_any();
+  return c;
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown)) reject_path(path, "it is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) reject_path(path, std::strerror(errno));
+  std::string text(largest_file + 1, '\0');  // what comes from a pipe or a device tells no size before
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad()) reject_path(path, std::strerror(errno));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > largest_file) reject_path(path, "it is longer than 16 MiB, which no case is");
+  return parse_case(text, path, overrides);
+}
+
+std::vector<std::string> warnings(const Case& c) {
+  std::vector<std::string> found;
+  const double largest = c.spacing();
+  if (c.fluid && c.fluid->capillarity < largest) {
+    found.push_back(
+        fmt::format("fluid.capillarity = {:.6g} is less than an element ({:.6g}): the liquid-vapour "
+                    "interface is not resolved; use more elements or a capillarity of {:.6g} or more",
+                    c.fluid->capillarity, largest, 2 * largest));
+  }
+  if (c.fluid && c.fluid->capillarity >= largest && c.fluid->wall_law == WallLaw::gradient) {
+    const auto [least, most] = gradient_law_angles(largest / c.fluid->capillarity);
+    if (c.fluid->contact_angle < least || c.fluid->contact_angle > most)
+      found.push_back(fmt::format(
+          "fluid.contact_angle = {:.6g} is outside [{:.3g}, {:.3g}], where fluid.wall_law = \"gradient\" was "
+          "measured to work at temperature 0.39 with {:.3g} elements for a capillarity (softwet verify wetting): the "
+          "density may leave its range at the contact line; write fluid.wall_law = \"energy\"",
+          c.fluid->contact_angle, least, most, c.fluid->capillarity / largest));
+  }
+  if (!c.output.field_times.empty() && c.output.field_times.back() > c.time.end) {
+    found.push_back(fmt::format("output.fields.times beyond time.end = {} will not be written", c.time.end));
+  }
+  return found;
+}
+
+}  // namespace softwet

@@ -1,0 +1,53 @@
+// Schema, fourth part: output.
+#include "casefile/binding.hpp"
+#include "casefile/schema.hpp"
+#include "observe/host/field_table.hpp"
+
+namespace softwet {
+
+std::vector<Key> output_keys() {
+  return {
+      {.name = "output.history.every",
+       .kind = Kind::integer,
+       .range = {1, 1e9, false, false},
+       .help = "A row of history.csv after every so many accepted steps.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.history_every; })},
+      {.name = "output.history.track",
+       .kind = Kind::numbers,
+       .range = {-1e30, 1e30, false, false},
+       .help =
+           "Horizontal direction [x, y] along which droplets are followed in 3D: their velocity, contact points and "
+           "angles. Only the direction counts, not the length.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.track; }),
+       .three_dimensional = true,
+       .default_note =
+           "the horizontal line along which the loads act: the sum of their forces, where a force that "
+           "points against the sum of those before it counts with the opposite sign; [1, 0] without a load"},
+      {.name = "output.fields.times",
+       .kind = Kind::times,
+       .unit = "L0/sqrt(ab)",
+       .example = "[0.0, 235.0, 471.0, 1884.0]",
+       .help = "Times t, in increasing order, at which the fields and the rows of interface.csv are written. Negative "
+               "times lie "
+               "before the first load. An entry may be a range: \"0:5:11\" means 11 times from 0 to 5.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.field_times; })},
+      {.name = "output.fields.every",
+       .unit = "L0/sqrt(ab)",
+       .range = {0, infinity, false, true},
+       .help = "Interval of time t between field files, counted from t = 0 up to time.end, beside those of "
+               "output.fields.times. 0 means none.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.field_every; })},
+      {.name = "output.fields.select",
+       .kind = Kind::names,
+       .choices = field_names(),
+       .help = "Names of the fields that the field files hold. Without names they hold all fields.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.field_select; })},
+      {.name = "output.checkpoint.minutes",
+       .unit = "minutes of wall time",
+       .range = positive,
+       .help = "Time between two checkpoints, on the clock on the wall.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.output.checkpoint_minutes; })},
+  };
+}
+
+}  // namespace softwet

@@ -1,0 +1,250 @@
+// Schema, first part: what is simulated. Equation numbers are those of Bueno et al. 2017.
+#include "casefile/binding.hpp"
+#include "casefile/quality.hpp"
+#include "casefile/schema.hpp"
+
+namespace softwet {
+namespace {
+
+std::vector<Key> domain_keys() {
+  return {
+      {.name = "name",
+       .kind = Kind::text,
+       .required = true,
+       .example = "\"tensotaxis_pull_2d\"",
+       .source = "Bueno et al. 2017, Fig. 2, left column; [?] = not stated in the paper",
+       .help = "Name of the case, and of its output folder: letters, digits, '_', '-' and '.'.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.name; })},
+      {.name = "quality",
+       .kind = Kind::choice,
+       .choices = {"draft", "standard", "reference"},
+       .help = "Accuracy for speed, measured in docs/tradeoff.md: the values of some keys where the case does not give "
+               "them. " +
+               describe_qualities(),
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.quality; })},
+      {.name = "domain.size",
+       .kind = Kind::numbers,
+       .unit = "L0",
+       .range = positive,
+       .required = true,
+       .example = "[1.0, 0.5]",
+       .source = "solid and fluid together; the last axis is vertical",
+       .help = "Extents of the box of solid and fluid: 2 numbers (plane strain) or 3. The last axis is vertical.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.size; })},
+      {.name = "domain.elements",
+       .kind = Kind::integers,
+       .range = {1, 100000, false, false},
+       .required = true,
+       .example = "[128, 64]",
+       .help = "Elements along each axis; as many numbers as domain.size.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.elements; })},
+      {.name = "domain.degree",
+       .kind = Kind::integer,
+       .range = {2, 3, false, false},
+       .example = "2",
+       .help = "Degree p of the B-splines. The fields have p - 1 continuous derivatives inside each material.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.degree; })},
+      {.name = "domain.quadrature",
+       .kind = Kind::choice,
+       .choices = {"full", "reduced"},
+       .example = "\"full\"",
+       .help = "Gauss points of an element along each axis: full has degree + 1, reduced has as many as the degree, "
+               "which computes less at each evaluation of the equations.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.quadrature; })},
+  };
+}
+
+std::vector<Key> fluid_keys() {
+  return {
+      {.name = "fluid.viscosity",
+       .unit = "L0 b sqrt(ab)",
+       .range = positive,
+       .required = true,
+       .example = "\"1/256\"",
+       .source = "mu-hat, eq. (9)",
+       .help = "Viscosity mu-hat, eq. (9).",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->viscosity; })},
+      {.name = "fluid.capillarity",
+       .unit = "L0",
+       .range = positive,
+       .required = true,
+       .example = "\"1/64\"",
+       .source = "gamma-hat, eq. (8)",
+       .help = "Capillarity gamma-hat = sqrt(lambda/a)/L0, eq. (8): half the width of the liquid-vapour interface. "
+               "Two elements or more resolve it well.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->capillarity; })},
+      {.name = "fluid.temperature",
+       .unit = "theta_c",
+       .range = {0.3, 1, false, true},
+       .required = true,
+       .example = "0.39",
+       .source = "theta-hat, eq. (10)",
+       .help = "Temperature theta-hat, eq. (10).",
+       .reason = "there are no two phases above the critical temperature, choose below 1; below 0.3 the vapour is too "
+                 "thin to compute",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->temperature; })},
+      {.name = "fluid.contact_angle",
+       .unit = "degrees",
+       .range = {0, 180, true, true},
+       .example = "75.0",
+       .source = "measured in the liquid",
+       .help = "Static contact angle alpha with the wall, measured in the liquid.",
+       .reason = "the liquid wets for angles below 90 and is repelled above",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->contact_angle; })},
+      {.name = "fluid.wall_law",
+       .kind = Kind::choice,
+       .choices = words_of(WallLaw{}),
+       .help = "Law that gives the contact angle. \"gradient\" is the paper's |grad rho| cos(alpha). \"energy\" is the "
+               "variational wall energy: it has an exact energy law, bears angles near 0 and 180 degrees, and moves "
+               "droplets 23 to 40 % more slowly.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_law; })},
+      {.name = "fluid.gravity",
+       .kind = Kind::numbers,
+       .unit = "ab/L0",
+       .help = "Uniform force per unit mass on the fluid, one component for each axis; the last is vertical. The solid "
+               "does not feel it. Periodic sides allow none along their axis.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->gravity; }),
+       .default_note = "[], none"},
+      {.name = "fluid.traction",
+       .kind = Kind::choice,
+       .choices = words_of(Traction{}),
+       .help =
+           "How the capillary force reaches the solid. \"layer\": through the test functions of the elements next to "
+           "the wall. \"blended\": through test functions that reach into the fluid as its mesh motion does; the "
+           "energy law is then exact in space, and the run is slower.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->traction; })},
+      {.name = "fluid.stabilisation",
+       .range = {0, 1, false, false},
+       .help = "Constant C of the term eps = C h^2 rho^2 / mu-hat, which damps oscillations of the density from one "
+               "element to the next and keeps the mass; 0 switches it off.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->stabilisation; })},
+      {.name = "fluid.smoothing",
+       .unit = "b/L0",
+       .range = positive,
+       .help = "The wall law \"gradient\" uses sqrt(|grad rho|^2 + d^2) in place of |grad rho|; this is d.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->smoothing; })},
+      {.name = "fluid.ambient",
+       .kind = Kind::choice,
+       .choices = words_of(Phase{}),
+       .help = "Phase around the droplets at the start; \"liquid\" makes them bubbles of vapour.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->ambient; })},
+      {.name = "fluid.initial",
+       .kind = Kind::numbers,
+       .unit = "b",
+       .range = {0, 0.999, true, false},
+       .help = "Densities of vapour and liquid at the start, two numbers in this order.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->initial; }),
+       .default_note = "[], those of the equilibrium with the curved interface (Kelvin, Laplace)"},
+  };
+}
+
+std::vector<Key> substrate_keys() {
+  return {
+      {.name = "substrate.thickness",
+       .unit = "L0",
+       .range = positive,
+       .required = true,
+       .example = "0.125",
+       .source = "[?]",
+       .help =
+           "Height of the solid layer. It is a whole number of rows of elements: less than the height of the domain "
+           "with a fluid, equal to it without.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->thickness; })},
+      {.name = "substrate.density",
+       .unit = "b",
+       .range = positive,
+       .example = "1.0",
+       .source = "[?] rho_0^s / b",
+       .help = "Density rho_0^s of the undeformed solid. It also multiplies substrate.young and load[].force.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->density; })},
+      {.name = "substrate.young",
+       .unit = "rho_0^s ab",
+       .range = positive,
+       .required = true,
+       .example = "0.7554",
+       .source = "E-hat, eq. (12): Young modulus / (rho_0^s ab)",
+       .help =
+           "Young modulus divided by rho_0^s ab, the E-hat of eq. (12). The Young modulus in units of ab^2 is "
+           "substrate.density times this number, so another density is another stiffness; 'softwet check' prints it.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->young; })},
+      {.name = "substrate.poisson",
+       .range = {-1, 0.5, true, true},
+       .required = true,
+       .example = "0.45",
+       .source = "eq. (11)",
+       .help = "Poisson ratio nu, eq. (11).",
+       .reason = "0.5 would be incompressible, choose 0.49 at most for a nearly incompressible solid",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->poisson; })},
+      {.name = "substrate.material",
+       .kind = Kind::choice,
+       .choices = {"saint_venant_kirchhoff", "neo_hookean"},
+       .help = "Law of the solid. saint_venant_kirchhoff is that of the paper; it softens when it is squeezed hard. "
+               "neo_hookean is compressible and stays stiff under any compression. For small strains both are Hooke's "
+               "law, with the same young and poisson.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->material; })},
+      {.name = "substrate.strain",
+       .kind = Kind::choice,
+       .choices = {"finite", "small"},
+       .help = "Strain of the solid. finite is what substrate.material says. small is the limit of linear elasticity, "
+               "Hooke's law, in place of the material: for deformations of a few per cent.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->strain; })},
+      {.name = "substrate.inertia",
+       .kind = Kind::choice,
+       .choices = {"full", "none"},
+       .help =
+           "Inertia of the solid. none leaves the solid in equilibrium with the fluid and the loads at every time: for "
+           "motion that is slow against elastic waves. Explicit schemes need full.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->inertia; })},
+  };
+}
+
+std::vector<Key> load_keys() {
+  constexpr Range not_negative{0, infinity, false, true};
+  return {
+      {.name = "load[].box",
+       .kind = Kind::box,
+       .unit = "L0",
+       .required = true,
+       .example = "[[0.7, 0.0], [0.8, 0.125]]",
+       .source = "[?]",
+       .help = "Lower and upper corner of the loaded part of the solid, in the undeformed state.",
+       .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.loads[i]; })},
+      {.name = "load[].force",
+       .kind = Kind::numbers,
+       .unit = "ab/L0",
+       .required = true,
+       .example = "[0.16215, 0.0]",
+       .source = "f-hat, eq. (13)",
+       .help = "Force per unit mass f-hat, eq. (13), at its full strength: one component for each axis, the last is "
+               "vertical.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].force; })},
+      {.name = "load[].start",
+       .unit = "L0/sqrt(ab)",
+       .range = not_negative,
+       .example = "30.0",
+       .source = "[?] after relaxation; time zero of the output is the start of the load",
+       .help =
+           "Run time at which the load begins. Run time is 0 at the beginning of the computation; the time t of all "
+           "results is 0 when the first load begins. 'softwet check' prints both.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].start; })},
+      {.name = "load[].ramp",
+       .unit = "L0/sqrt(ab)",
+       .range = not_negative,
+       .example = "5.0",
+       .source = "[?]",
+       .help = "Duration over which the force grows linearly from 0 to its full strength.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].ramp; })},
+  };
+}
+
+}  // namespace
+
+std::vector<Key> scene_keys() {
+  std::vector<Key> keys;
+  for (auto part : {domain_keys, fluid_keys, substrate_keys, initial_keys, load_keys}) {
+    for (Key& key : part()) keys.push_back(std::move(key));
+  }
+  return keys;
+}
+
+}  // namespace softwet

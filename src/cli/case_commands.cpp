@@ -1,0 +1,170 @@
+#include "cli/case_commands.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+
+#include "case/case.hpp"
+#include "case/error.hpp"
+#include "casefile/case_file.hpp"
+#include "cli/core/dispatch.hpp"
+#include "field/ranks.hpp"
+#include "field/together.hpp"
+#include "machine/memory.hpp"
+#include "machine/threads.hpp"
+#include "run/host/output_folder.hpp"
+
+namespace softwet {
+namespace {
+
+/// Tells what deserves a look.
+void warn(const Case& c) {
+  if (!ranks::root()) return;
+  std::vector<std::string> all = warnings(c);
+  for (const std::string& sentence : forecast_case(c)) all.push_back(sentence);
+  for (const std::string& warning : all) std::cerr << "softwet: warning: " << warning << "\n";
+}
+
+/// Refuses what cannot fit, and tells what deserves a look.
+Case examined(const Case& c) {
+  require_bytes(c, least_bytes(c));
+  warn(c);
+  return c;
+}
+
+/// All processes read the case, and have to find the same one.
+Case load_case(const CaseRequest& request) {
+  Case c;
+  together([&] { c = examined(read_case(request.case_path, request.overrides)); });
+  const std::string of_first = ranks::shared(write_case(c));
+  together([&] {
+    if (write_case(c) != of_first)
+      throw Error(Exit::invalid_input, fmt::format("'{}': this process reads another case than the first one; put the "
+                                                   "file where all machines see the same one",
+                                                   request.case_path));
+  });
+  return c;
+}
+
+void run_command(CaseRequest& request) {
+  if (request.options.resume && request.overwrite) {
+    throw Error(Exit::invalid_input, "--resume continues a result, --overwrite removes it; give one of them");
+  }
+  const Case c = load_case(request);
+  if (request.options.out.empty()) request.options.out = "out/" + c.name;
+  const OldResult old = request.options.resume ? OldResult::resume
+                        : request.overwrite    ? OldResult::overwrite
+                                               : OldResult::refuse;
+  std::optional<OutputFolder> folder;
+  on_root([&] { folder.emplace(request.options.out, c, old); });  // of several processes the first one has it
+  request.options.begin = [&folder] {
+    if (folder) folder->begin();
+  };
+  request.options.place = [&] { return folder ? folder->place() : request.options.out; };
+  try {
+    run_case(c, request.options);
+  } catch (...) {
+    if (folder) folder->discard();
+    throw;
+  }
+  if (folder) folder->discard();  // of a run that was stopped before its first row
+}
+
+void check_command(const CaseRequest& request) {
+  const Case c = read_case(request.case_path, request.overrides);  // larger than this machine, too
+  warn(c);
+  std::cout << write_case(c) << "\n" << std::flush;
+  describe_case(c, std::cout);
+}
+
+void init_command(const CaseRequest& request) {
+  if (std::filesystem::exists(request.file)) {
+    throw Error(Exit::invalid_input, fmt::format("init: '{}' exists and stays as it is; give another name, for example "
+                                                 "'softwet init my_case.toml'",
+                                                 request.file));
+  }
+  const std::string text = initial_case(std::filesystem::path(request.file).stem().string());
+  std::ofstream file(request.file);
+  file << text;
+  file.close();
+  if (!file) {
+    throw Error(Exit::machine_failed, fmt::format("init: cannot write '{}'; give a file in a folder that exists and is "
+                                                  "yours",
+                                                  request.file));
+  }
+  fmt::print("wrote {}; next: softwet check {}\n", request.file, request.file);
+}
+
+CLI::Option* add_case(CLI::App& command, CaseRequest& request) {
+  CLI::Option* option =
+      command.add_option("CASE", request.case_path, "case file, for example cases/tensotaxis_pull_2d.toml");
+  command
+      .add_option_function<std::string>(
+          "--set", [&request](const std::string& assignment) { request.overrides.push_back(assignment); },
+          "set a key of the case, for example --set time.end=10 or --set load[0].ramp=2; repeatable")
+      ->type_name("KEY=VALUE")
+      ->trigger_on_parse();
+  return option->required();
+}
+
+void add_threads(CLI::App& command, CaseRequest& request) {
+  command
+      .add_option("--threads", request.options.threads,
+                  "number of threads; default: OMP_NUM_THREADS, else all cores that the system grants")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads));
+}
+
+void add_run(CLI::App& app, CaseRequest& request) {
+  CLI::App& command = *app.add_subcommand("run", "compute a case and write its output folder");
+  add_case(command, request);
+  command.add_option("--out", request.options.out, "output folder; default: out/<name of the case>")->type_name("DIR");
+  command.add_flag("--resume", request.options.resume, "continue from the checkpoint in the output folder");
+  command.add_flag("--overwrite", request.overwrite, "replace the result in the output folder");
+  add_threads(command, request);
+  command.add_flag("--quiet", request.options.quiet, "no progress line");
+  command.callback([&request] { run_command(request); });
+}
+
+void add_bench(CLI::App& app, CaseRequest& request) {
+  CLI::App& command = *app.add_subcommand("bench", "measure residuals and products of a case; default: that of 'init'");
+  CLI::Option* given = add_case(command, request)->required(false);
+  add_threads(command, request);
+  command.add_flag("--preconditioners", request.options.preconditioners,
+                   "compare forms of the preconditioner instead: times, and iterations for several time steps");
+  command.callback([&request, given] {
+    const Case c = given->count() > 0
+                       ? load_case(request)
+                       : examined(parse_case(initial_case("bench"), "the case of init", request.overrides));
+    std::ostream nowhere(nullptr);
+    bench_case(c, request.options, ranks::root() ? std::cout : nowhere);
+  });
+}
+
+void add_check(CLI::App& app, CaseRequest& request) {
+  CLI::App& command =
+      *app.add_subcommand("check", "print the resolved case, its terms, unknowns, memory and step limits");
+  add_case(command, request);
+  command.callback([&request] { check_command(request); });
+}
+
+void add_init(CLI::App& app, CaseRequest& request) {
+  CLI::App& command = *app.add_subcommand("init", "write a commented case to start from");
+  command.add_option("FILE", request.file, "file to write; default: softwet.toml")->type_name("");
+  command.callback([&request] { init_command(request); });
+}
+
+}  // namespace
+
+void add_case_commands(CLI::App& app, CaseRequest& request) {
+  add_run(app, request);
+  add_check(app, request);
+  add_init(app, request);
+  add_bench(app, request);
+}
+
+}  // namespace softwet

@@ -1,0 +1,27 @@
+// The commands that take or make a case: run, check, init and bench.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/core/dispatch.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace softwet {
+
+/// What the command line says of a case and of what is done with it.
+struct CaseRequest {
+  std::string case_path;
+  std::vector<std::string> overrides;
+  RunOptions options;
+  bool overwrite = false;
+  std::string file = "softwet.toml";  ///< that `init` writes
+};
+
+/// Adds the commands; the request lives as long as they are parsed.
+void add_case_commands(CLI::App& app, CaseRequest& request);
+
+}  // namespace softwet

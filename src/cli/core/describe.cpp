@@ -1,0 +1,168 @@
+#include "cli/core/describe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "machine/memory.hpp"
+#include "model/initial.hpp"
+#include "model/model.hpp"
+#include "run/machine.hpp"
+#include "run/memory_parts.hpp"
+#include "solver/choose.hpp"
+#include "time/explicit_scheme.hpp"
+
+namespace softwet {
+namespace {
+
+std::string number(double value, const char* format = "%.3g") {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// A part of a case that is small enough to be set up here, and how many times it fits into the whole.
+struct Part {
+  Case part;
+  double times = 1;
+};
+
+/// The whole case where this machine surely holds it, else a strip of the same height: a run needs less than
+/// `most_over_least` times the least memory, and what it keeps grows like the number of elements.
+Part part_of(const Case& c) {
+  constexpr double most_over_least = 30;
+  Part p{c};
+  const auto largest = [&] {
+    return std::max_element(p.part.domain.elements.begin(), p.part.domain.elements.end() - 1);
+  };
+  while (most_over_least * least_bytes(p.part) > bytes_to_be_had() && *largest() >= 4 * c.domain.degree + 2) {
+    const auto axis = static_cast<std::size_t>(largest() - p.part.domain.elements.begin());
+    int& elements = p.part.domain.elements[axis];
+    const double before = elements;
+    elements /= 2;
+    p.part.domain.size[axis] *= elements / before;
+    p.times *= before / elements;
+    p.part.loads.clear();
+  }
+  return p;
+}
+
+std::string count(double number) { return std::to_string(std::lround(number)); }
+
+template <int D, int P>
+std::vector<Line> terms(const Case& c, const Model<D, P>& model, double times) {
+  std::vector<Line> lines;
+  for (const auto& entry : model.pieces().list)
+    lines.push_back({entry.piece->name(), count(times * entry.piece->region().elements()) + " elements"});
+  if (!c.loads.empty())
+    lines.push_back({"body_force", std::to_string(c.loads.size()) + (c.loads.size() == 1 ? " box" : " boxes")});
+  return lines;
+}
+
+template <int D>
+std::vector<Line> unknowns(const Layout<D>& l, double times) {
+  std::vector<Line> lines{{"velocity", count(times * l.velocity_size())}};
+  if (l.has_fluid) {
+    lines.push_back({"density", count(times * l.scalar_size())});
+    lines.push_back({"chemical_potential", count(times * l.scalar_size())});
+  }
+  if (l.has_solid) lines.push_back({"displacement (eliminated)", count(times * l.solid_size())});
+  lines.push_back({"solved", count(times * l.size())});
+  return lines;
+}
+
+template <int D, int P>
+void print_memory(const Case& c, const Model<D, P>& model, double times, std::ostream& out) {
+  const bool large = D == 3 && times * model.layout().size() > small_in_3d;
+  const std::string& asked = c.solver.preconditioner;
+  std::unique_ptr<Preconditioner> preconditioner;
+  if (c.time.scheme == implicit_scheme)
+    preconditioner =
+        choose_preconditioner<D>(large && asked == "automatic" ? "schwarz" : asked, model.layout(), model.mask());
+  const double here = bytes_to_be_had();
+  double total = 0;
+  std::vector<Line> lines;
+  for (const auto& [name, bytes] : memory_parts(c, model.layout(), preconditioner.get())) {
+    const double whole = (name == program_part ? 1 : times) * bytes;
+    lines.push_back({name, bytes_text(whole)});
+    total += whole;
+  }
+  lines.push_back({"total", bytes_text(total)});
+  lines.push_back({"to be had here", bytes_text(here)});
+  print_section(out, "memory", lines);
+  if (total > here)
+    out << "  This is more than this machine has: 'softwet run' would refuse the case here, and needs a larger "
+           "machine.\n";
+}
+
+/// Largest steps of SSP-RK3 with row-sum lumped mass on uniform quadratics, away from the ends (frozen coefficients).
+template <int D, int P>
+std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
+  constexpr double oscillating = 1.73, decaying = 2.51;  // of the stability region: omega dt and s dt
+  double h = model.layout().axis[0].spacing();
+  for (const Axis& axis : model.layout().axis) h = std::min(h, axis.spacing());
+  std::vector<Line> lines;
+  const auto limit = [&](const std::string& name, double dt) {
+    lines.push_back({name, "dt <= " + number(dt, "%.2g")});
+  };
+  if (c.fluid) {
+    const double liquid = model.state().density_liquid, vapour = model.state().density_vapour;
+    const double sound = std::sqrt(liquid * model.fluid().gas.curvature(liquid));
+    limit("acoustic (liquid)", oscillating * h / (0.70 * sound));
+    limit("capillary (liquid)", oscillating * h * h / (0.97 * c.fluid->capillarity * std::sqrt(liquid)));
+    limit("viscous (vapour)", decaying * h * h / (4.0 / 3 * c.fluid->viscosity / vapour * 1.5));
+  }
+  if (c.substrate) {
+    const double nu = c.substrate->poisson;
+    const double speed = std::sqrt(c.substrate->young * (1 - nu) / ((1 + nu) * (1 - 2 * nu)));
+    limit("elastic", oscillating * h / (speed * std::sqrt(1.5)));
+  }
+  return lines;
+}
+
+/// Largest stable steps of the explicit schemes from the first state, measured as a run does.
+template <int D, int P>
+std::vector<Line> measured_limits(const Case& c, const Model<D, P>& model) {
+  std::vector<Line> lines;
+  for (const char* scheme : {"ssp_rk3", "rkl2", "imex"}) {
+    Case probe = c;
+    probe.time.scheme = scheme;
+    probe.time.safety = 1;
+    const Judge<D, P> judge(model, probe);
+    ExplicitScheme<D, P> explicit_scheme(model, probe, judge);
+    State state = initial_state<D, P>(probe, model);
+    explicit_scheme.initialise(state);
+    lines.push_back({scheme, "dt <= " + number(explicit_scheme.largest_step(state), "%.3g")});
+  }
+  return lines;
+}
+
+}  // namespace
+
+template <int D, int P>
+void describe_model(const Case& c, std::ostream& out) {
+  const Part p = part_of(c);
+  const Model<D, P> model(p.part);
+  if (!c.waves.empty() && p.times == 1) initial_state<D, P>(c, model);  // refuses what a run would refuse
+  if (p.times > 1)
+    out << "The numbers of elements, unknowns and bytes below are estimates from a part of this large mesh.\n";
+  print_section(out, "terms", terms(c, model, p.times));
+  print_section(out, "unknowns", unknowns(model.layout(), p.times));
+  print_memory<D, P>(c, model, p.times, out);
+  print_section(
+      out, "explicit steps, estimated away from the sides (ssp_rk3 with lumped masses; a run measures its own limit)",
+      step_limits(c, model));
+  if (c.time.scheme != implicit_scheme && p.times == 1)
+    print_section(out, "explicit steps, measured at the first state (time.mass = \"" + c.time.mass + "\")",
+                  measured_limits(c, model));
+  print_section(
+      out, "kernel",
+      {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", " + name_of(model.precision())},
+       {"backend",
+        backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
+}
+
+template void describe_model<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);
+
+}  // namespace softwet

@@ -1,0 +1,82 @@
+#include <cstdio>
+#include <iomanip>
+
+#include "casefile/field_times.hpp"
+#include "cli/core/describe.hpp"
+#include "kernels/solid/isotropic.hpp"
+#include "model/equilibrium.hpp"
+#include "model/groups.hpp"
+
+namespace softwet {
+namespace {
+
+std::string quantity(double value, const char* format = "%.4g") {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::vector<Line> stiffness(const Substrate& s) {
+  const auto solid = LameParameters::from(s.young_modulus(), s.poisson);
+  return {{"Young modulus", quantity(s.young_modulus()) + " a b^2 (density x young)"},
+          {"shear modulus", quantity(solid.shear_modulus) + " a b^2"},
+          {"first Lame parameter lambda", quantity(solid.lambda) + " a b^2"}};
+}
+
+std::vector<Line> equilibrium(const Fluid& fluid) {
+  const Coexistence flat = coexistence(fluid.temperature);
+  return {{"density of the vapour", quantity(flat.density_vapour, "%.10g") + " b"},
+          {"density of the liquid", quantity(flat.density_liquid, "%.10g") + " b"},
+          {"surface tension", quantity(surface_tension(fluid), "%.10g") + " a b^2 L0"}};
+}
+
+void print_groups(const Case& c, std::ostream& out) {
+  std::vector<Line> numbers, times;
+  for (const Group& group : groups(c)) {
+    const bool is_time = group.name.rfind("time_", 0) == 0;
+    std::string value = quantity(group.value);
+    value.resize(std::max<std::size_t>(value.size(), 11), ' ');
+    (is_time ? times : numbers).push_back({group.name, value + " " + group.meaning});
+  }
+  if (!numbers.empty()) print_section(out, "dimensionless groups (R: largest droplet, Hs: thickness)", numbers);
+  if (!times.empty()) print_section(out, "time scales, in L0/sqrt(ab)", times);
+}
+
+/// One line of the clock: an event, its run time and its t.
+Line event(const Case& c, const std::string& name, double run_time) {
+  std::string first = quantity(run_time, "%.10g");
+  first.resize(std::max<std::size_t>(first.size(), 16), ' ');
+  return {name, first + quantity(run_time - c.clock_zero() + 0.0, "%.10g")};
+}
+
+std::vector<Line> clock(const Case& c) {
+  const double zero = c.clock_zero();
+  std::vector<Line> lines{{"", "run time        t"}, event(c, "beginning", c.run_start())};
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    const std::string name = "load[" + std::to_string(i) + "]";
+    lines.push_back(event(c, name + " starts", c.loads[i].start));
+    lines.push_back(event(c, name + " has its full force", c.loads[i].start + c.loads[i].ramp));
+  }
+  if (const auto times = field_times(c); !times.empty()) {
+    lines.push_back(event(c, "first of " + std::to_string(times.size()) + " field times", zero + times.front()));
+    if (times.size() > 1) lines.push_back(event(c, "last field time", zero + times.back()));
+  }
+  lines.push_back(event(c, "end", zero + c.time.end));
+  return lines;
+}
+
+}  // namespace
+
+void print_section(std::ostream& out, const std::string& title, const std::vector<Line>& lines) {
+  out << title << "\n";
+  for (const Line& line : lines) out << "  " << std::left << std::setw(31) << line.name << " " << line.value << "\n";
+}
+
+void describe_scene(const Case& c, std::ostream& out) {
+  if (c.substrate) print_section(out, "stiffness of the solid", stiffness(*c.substrate));
+  if (c.fluid) print_section(out, "equilibrium", equilibrium(*c.fluid));
+  print_groups(c, out);
+  print_section(out, "clock (t is the time in all results, 0 at the start of the first load)", clock(c));
+}
+
+}  // namespace softwet

@@ -1,0 +1,101 @@
+#include "cli/core/dispatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <new>
+
+#include <softwet_version.hpp>
+#include "cli/core/bench.hpp"
+#include "cli/core/bench_variants.hpp"
+#include "cli/core/configurations.hpp"
+#include "cli/core/describe.hpp"
+#include "cli/core/units.hpp"
+#include "field/ranks.hpp"
+#include "machine/threads.hpp"
+#include "model/forecast.hpp"
+#include "run/machine.hpp"
+#include "run/simulation.hpp"
+#include "solver/choose.hpp"
+
+namespace softwet {
+namespace {
+
+/// Runs `work` with the backend up; what the backend throws becomes an Error of the machine.
+template <class Work>
+void on_machine(int threads, const Work& work) {
+  const ParallelRuntime runtime(threads);
+  try {
+    work();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw Error(Exit::machine_failed, "out of memory; 'softwet check CASE' tells how much a case needs");
+  } catch (const std::runtime_error& error) {  // Kokkos: out of memory, a kernel that does not start, a lost device
+    throw Error(Exit::machine_failed, std::string(error.what()) + "; 'softwet check CASE' tells how much a case needs");
+  }
+}
+
+/// Threads that have to share cores wait for each other most of the time.
+void warn_of_threads() {
+  const double granted = std::min<double>(core_count(), std::ceil(cores_by_control_groups()));
+  if (!ranks::root() || thread_count() <= granted) return;
+  std::cerr << "softwet: warning: " << thread_count() << " threads share " << granted
+            << (granted == 1 ? " core" : " cores") << " and wait for each other most of the time: write --threads "
+            << granted << "\n";
+}
+
+}  // namespace
+
+void run_case(const Case& c, const RunOptions& options) {
+  on_machine(options.threads, [&] {
+    warn_of_threads();
+    with_configuration(c, [&](auto configuration) {
+      using Chosen = decltype(configuration);
+      Simulation<Chosen::dimension, Chosen::degree>(c, options).run();
+    });
+  });
+}
+
+void describe_case(const Case& c, std::ostream& out) {
+  describe_scene(c, out);
+  on_machine(0, [&] {  // what a preconditioner holds depends on the number of threads
+    with_configuration(c, [&](auto configuration) {
+      using Chosen = decltype(configuration);
+      describe_model<Chosen::dimension, Chosen::degree>(c, out);
+    });
+  });
+}
+
+std::vector<std::string> forecast_case(const Case& c) { return forecast(c); }
+
+void convert_units(const PhysicalScene& scene, std::ostream& out) { describe_units(scene, out); }
+
+void bench_case(const Case& c, const RunOptions& options, std::ostream& out) {
+  on_machine(options.threads, [&] {
+    warn_of_threads();
+    with_configuration(c, [&](auto configuration) {
+      using Chosen = decltype(configuration);
+      const auto measure = options.preconditioners ? compare_preconditioners<Chosen::dimension, Chosen::degree>
+                                                   : bench_model<Chosen::dimension, Chosen::degree>;
+      measure(c, out);
+    });
+  });
+}
+
+void describe_build(std::ostream& out) {
+  const ParallelRuntime runtime(0);
+  out << "softwet         " << version << " (" << commit << ")"
+      << "\n"
+      << "configurations  " << compiled_configurations() << "\n"
+      << "backend         " << backend_name() << ", " << thread_count() << " threads\n"
+      << "MPI             " << (ranks::has_mpi() ? "yes" : "no") << "\n"
+      << "instructions    " << instruction_set() << ", " << lanes() << " elements per pack\n"
+      << "preconditioners ";
+  for (const std::string& name : preconditioner_names()) out << name << ", ";
+  out << "none\n"
+      << "Kokkos          " << KOKKOS_VERSION / 10000 << "." << KOKKOS_VERSION / 100 % 100 << "."
+      << KOKKOS_VERSION % 100 << "\n";
+}
+
+}  // namespace softwet

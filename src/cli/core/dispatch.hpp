@@ -1,0 +1,34 @@
+// From a validated case (run time) to a compiled configuration (compile time), once.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "case/physical.hpp"
+#include "run/host/options.hpp"
+
+namespace softwet {
+
+/// Computes the case and writes the output folder. Throws Error.
+void run_case(const Case&, const RunOptions&);
+
+/// Prints what a case means (stiffness, groups, clock) and what it takes (terms, unknowns, memory, step limits, kernel).
+/// A case too large for this machine is described too. Throws Error.
+void describe_case(const Case&, std::ostream&);
+
+/// What is likely to go wrong with a case, a sentence each.
+std::vector<std::string> forecast_case(const Case&);
+
+/// Prints what physical numbers are in a case, and the other way round. Throws Error.
+void convert_units(const PhysicalScene&, std::ostream&);
+
+/// Measures residuals, products and preconditioner of a case and prints throughput, or compares preconditioners. Throws
+/// Error.
+void bench_case(const Case&, const RunOptions&, std::ostream&);
+
+/// Prints version, commit, backend, threads, instruction set and the compiled configurations.
+void describe_build(std::ostream&);
+
+}  // namespace softwet

@@ -1,0 +1,98 @@
+#include "cli/core/units.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "casefile/value.hpp"
+#include "cli/core/describe.hpp"
+#include "cli/core/scales.hpp"
+#include "model/equilibrium.hpp"
+#include "model/groups.hpp"
+
+namespace softwet {
+namespace {
+
+std::string with_unit(double value, const char* unit = "") {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text + std::string(*unit ? " " : "") + unit;
+}
+
+/// Seven digits, more than anybody measures.
+std::string key(const std::string& name, double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.7g", value);
+  return name + " = " + text_of_number(*number_from_text(text)) + "\n";
+}
+
+void print_scales(const Scales& s, std::ostream& out) {
+  print_section(out, "one unit of a case is",
+                {{"length L0", with_unit(s.length, "m")},
+                 {"time L0/sqrt(ab)", with_unit(s.time(), "s")},
+                 {"velocity sqrt(ab)", with_unit(s.velocity(), "m/s")},
+                 {"density b", with_unit(s.density, "kg/m^3")},
+                 {"stress a b^2", with_unit(s.stress(), "Pa")},
+                 {"surface tension a b^2 L0", with_unit(s.stress() * s.length, "N/m")},
+                 {"viscosity L0 b sqrt(ab)", with_unit(s.viscosity(), "Pa s")},
+                 {"load[].force ab/L0", with_unit(s.velocity() * s.velocity() / s.length, "m/s^2")}});
+}
+
+/// A liquid in the numbers of the case against the same liquid in SI units: the groups agree.
+void print_groups(const PhysicalScene& p, const Case& c, const Scales& s, std::ostream& out) {
+  const Liquid real{p.density, p.viscosity, p.surface_tension, p.radius};
+  std::vector<Line> lines{{"", "physical    in the case"}};
+  const auto both = [&](const std::string& name, double physical, double scaled) {
+    std::string first = with_unit(physical);
+    first.resize(std::max<std::size_t>(first.size(), 11), ' ');
+    lines.push_back({name, first + " " + with_unit(scaled)});
+  };
+  const Liquid model = liquid_of(c);
+  both("Ohnesorge number", real.ohnesorge(), model.ohnesorge());
+  if (c.substrate) {
+    const double length = p.surface_tension / p.young, thickness = c.substrate->thickness * s.length;
+    both("sigma / (E R)", length / p.radius, elastocapillary_length(c) / model.radius);
+    both("sigma / (E Hs)", length / thickness, elastocapillary_length(c) / c.substrate->thickness);
+  }
+  print_section(out, "groups", lines);
+}
+
+void print_limits(const Case& c, const Scales& s, std::ostream& out) {
+  const Coexistence flat = coexistence(c.fluid->temperature);
+  const double curvature = VanDerWaals{c.fluid->temperature, 0}.curvature(flat.density_liquid);
+  const double sound = s.velocity() * std::sqrt(flat.density_liquid * curvature);
+  print_section(
+      out, "what the model cannot reach",
+      {{"width of the interface", with_unit(2 * c.fluid->capillarity * s.length, "m") +
+                                      "; a real one is some nanometres wide, keep this far below the radius"},
+       {"speed of sound in the liquid",
+        with_unit(sound, "m/s") + "; of water 1480 m/s, keep all speeds far below the model's"},
+       {"density of the vapour", with_unit(flat.density_vapour * s.density, "kg/m^3") + "; 1/" +
+                                     with_unit(flat.density_liquid / flat.density_vapour) +
+                                     " of the liquid's, with the same viscosity"},
+       {"evaporation", "the vapour condenses and evaporates: small droplets dissolve, softwet check tells where"}});
+}
+
+void print_keys(const Case& c, std::ostream& out) {
+  out << "\n# lines for a case file; two elements or more for a capillarity: domain.elements of "
+      << std::ceil(2 / c.fluid->capillarity) << " along a length of 1\n[fluid]\n"
+      << key("viscosity", c.fluid->viscosity) << key("capillarity", c.fluid->capillarity)
+      << key("temperature", c.fluid->temperature);
+  if (c.substrate)
+    out << "\n[substrate]\n"
+        << key("thickness", c.substrate->thickness) << key("density", c.substrate->density)
+        << key("young", c.substrate->young) << key("poisson", c.substrate->poisson);
+  out << "\n[[droplet]]\n" << key("radius", c.droplets.front().radius);
+}
+
+}  // namespace
+
+void describe_units(const PhysicalScene& p, std::ostream& out) {
+  const Scales scales = scales_of(p);
+  const Case c = case_of(p, scales);
+  print_scales(scales, out);
+  print_groups(p, c, scales, out);
+  print_limits(c, scales, out);
+  print_keys(c, out);
+}
+
+}  // namespace softwet

@@ -1,0 +1,15 @@
+// The command `softwet units` on the command line.
+#pragma once
+
+#include "case/physical.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace softwet {
+
+/// Adds the command; `scene` outlives `app`.
+void add_units_command(CLI::App& app, PhysicalScene& scene);
+
+}  // namespace softwet

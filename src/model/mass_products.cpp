@@ -1,0 +1,53 @@
+#include "model/mass_products.hpp"
+
+#include "field/vector.hpp"
+
+namespace softwet {
+
+template <int D, int P>
+template <class Motion, class Term>
+void Masses<D, P>::add(const Term& term, const Region<D>& region, const Evaluation<D>& at) const {
+  assemble<P, false, TermList<TermOnMesh<Term, Motion>>>(
+      task_of<D, Term, Motion, double>(term, region, at, model_.blend()), at);
+}
+
+template <int D, int P>
+template <class Term>
+void Masses<D, P>::add_fluid(const Term& term, const Evaluation<D>& at) const {
+  const Region<D>& region = model_.fluid_region();
+  model_.layout().has_solid ? add<WallMotion<D>>(term, region, at) : add<NoMotion>(term, region, at);
+}
+
+template <int D, int P>
+void Masses<D, P>::collect(const Array& out) const {
+  move_ghosts(model_.layout(), out, GhostAction::add);
+  multiply(out, model_.mask());
+}
+
+template <int D, int P>
+void Masses<D, P>::scalar(const Stage& stage, const Array& z, const Array& out) const {
+  const Layout<D>& l = model_.layout();
+  Kokkos::deep_copy(Exec(), out, 0.0);
+  move_ghosts(l, z, GhostAction::update);
+  Stage with_z = stage;
+  with_z.unknown = z;
+  add_fluid(DensityMoment{}, {l, with_z, {}, out});
+  collect(out);
+}
+
+template <int D, int P>
+void Masses<D, P>::velocity(const Stage& stage, double inertia, double viscosity, const Array& z,
+                            const Array& out) const {
+  const Layout<D>& l = model_.layout();
+  Kokkos::deep_copy(Exec(), out, 0.0);
+  move_ghosts(l, z, GhostAction::update);
+  const Evaluation<D> at{l, stage, {}, out, Geometry::exact, z};
+  const double density = std::visit([](const auto& solid) { return solid.density; }, model_.solid());
+  if (l.has_solid && inertia != 0) add<NoMotion>(SolidMass{density}, model_.solid_region(), at);
+  if (l.has_fluid) add_fluid(WeightedViscosity{inertia, viscosity, model_.fluid().inertia_floor}, at);
+  collect(out);
+}
+
+template class Masses<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
+
+}  // namespace softwet

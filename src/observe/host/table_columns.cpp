@@ -1,0 +1,177 @@
+#include "observe/host/table_columns.hpp"
+
+#include <cctype>
+
+#include "observe/host/field_table.hpp"
+
+namespace softwet {
+namespace {
+
+const char* const time_unit = "L0/sqrt(ab)";
+const char* const speed_unit = "sqrt(ab)";
+const char* const energy_unit = "a b^2 L0^d";
+const char* const power_unit = "a b^2 sqrt(ab) L0^(d-1)";
+const char* const laplace = "laplace";  // exists only with droplets
+
+/// The first columns of history.csv, which every run has.
+const std::vector<Column> of_step{
+    {"step", "", "Number of the time step. Step 0 is the initial state."},
+    {"t", time_unit,
+     "Time at the end of the step. It is 0 at the start of the first load and negative during the relaxation before."},
+    {"dt", time_unit, "Length of the step that ends at t."},
+    {"newton", "", "Newton iterations of the step, without those of attempts that were rejected."},
+    {"krylov", "", "GMRES iterations of the step, without those of attempts that were rejected."},
+    {"mass", "b L0^d", "Mass of the fluid, liquid and vapour: the integral of the density rho."},
+    {"momentum_x", "b sqrt(ab) L0^d",
+     "Momentum along x: the integral of rho v_x over the fluid and of rho_0^s v_x over the solid."},
+    {"energy_kinetic", energy_unit,
+     "Kinetic energy: the integral of rho |v|^2/2 over the fluid and of rho_0^s |v|^2/2 over the solid."},
+    {"energy_free", energy_unit, "Free energy of the fluid: the integral of W(rho) + g^2 |grad rho|^2/2."},
+    {"energy_wall", energy_unit,
+     "Wall energy: the integral of f_w(rho) over the wall, where f_w(rho) = -cos(alpha) g times the integral of sqrt(2 "
+     "D) from rho_v to rho. It is the same formula under both wall laws."},
+    {"energy_elastic", energy_unit,
+     "Elastic energy of the solid. With saint_venant_kirchhoff it is the integral of lambda tr(E)^2/2 + G E:E."},
+    {"power_load", power_unit, "Power of the loads: the integral of rho_0^s f.v over their boxes, at time t."},
+    {"dissipation", power_unit,
+     "Energy dissipated per time: the integral of tau : grad v + eps |grad mu|^2. The first part is viscous, the "
+     "second belongs to fluid.stabilisation."},
+    {"rho_min", "b", "Smallest control value of the density. The density itself is nowhere smaller."},
+    {"rho_max", "b", "Largest control value of the density. The density itself is nowhere larger."},
+    {"speed_max_fluid", speed_unit, "Largest |v| of a control point of the fluid, the wall included."},
+    {"speed_max_solid", speed_unit, "Largest |v| of a control point of the solid, the wall included."},
+};
+
+/// The columns of a droplet, bubble or film.
+const std::vector<Column> of_droplet{
+    {"contact_area", "L0^2",
+     "Area of the deformed wall that is wetted, which means rho > (rho_l + rho_v)/2; of a bubble, the area that is "
+     "dry.",
+     3},
+    {"x_left", "L0",
+     "Left contact point of a droplet, bubble or film: where rho = (rho_l + rho_v)/2 on the deformed wall. One that is "
+     "cut by a side of the domain ends at the side.",
+     2},
+    {"x_right", "L0", "Right contact point.", 2},
+    {"x_centre", "L0", "In 2D the midpoint of x_left and x_right; in 3D x of the centroid of the wetted wall."},
+    {"y_centre", "L0", "y of the centroid of the wetted wall.", 3},
+    {"velocity", speed_unit,
+     "Velocity of the droplet since the row before: in 2D that of x_centre, in 3D that of the centroid along "
+     "output.history.track."},
+    {"angle_left", "degrees",
+     "Left apparent contact angle, measured in the liquid, also of a bubble. A circle is fitted to the left half of "
+     "the "
+     "outline of the droplet, from 2 capillarities above the wall upwards. The angle is the one at which this circle "
+     "meets the height "
+     "of the left contact point.",
+     2},
+    {"angle_right", "degrees", "Right apparent contact angle, measured in the same way.", 2},
+    {"track_rear", "L0",
+     "Rear contact point in the vertical section through the centroid along output.history.track. It is a position "
+     "along the track, counted from the middle of the domain.",
+     3},
+    {"track_front", "L0", "Front contact point in the same section.", 3},
+    {"angle_rear", "degrees",
+     "Apparent contact angle at track_rear, measured in the liquid by a circle fitted to the rear half of the outline "
+     "in that section, as angle_left is in 2D.",
+     3},
+    {"angle_front", "degrees", "Apparent contact angle at track_front.", 3},
+};
+
+/// The columns of history.csv behind those of the droplets; the last one exists only with droplets.
+const std::vector<Column> of_balance{
+    {"energy_total", energy_unit,
+     "Sum of energy_kinetic, energy_free, energy_wall, energy_elastic and energy_gravity."},
+    {"mass_drift", "", "mass divided by the mass of step 0, minus 1."},
+    {"speed_max_liquid", speed_unit, "Largest |v| of a control point whose density is above (rho_l + rho_v)/2."},
+    {"wall_stretch", power_unit,
+     "Power that the wall energy gains because the wall stretches: the integral of f_w div_Gamma v over the wall. With "
+     "fluid.wall_law = \"energy\" energy_total changes at the rate power_load + wall_stretch - dissipation, up to the "
+     "error of the discretisation."},
+    {"energy_gravity", energy_unit,
+     "Potential energy of the fluid in fluid.gravity: minus the integral of rho gravity . x. 0 without gravity."},
+    {laplace, "ab",
+     "Excess of the chemical potential inside the first droplet, mu - mu_sat. At rest it is sigma/(R (rho_l - rho_v)) "
+     "in 2D and twice that in 3D."},
+};
+
+const std::vector<Column> of_interface{
+    {"time", time_unit, "Time of the row, when field files are written too; the same clock as t in history.csv."},
+    {"x_reference", "L0", "Position of the point of the wall along x before any deformation."},
+    {"y_reference", "L0", "The same along y.", 3},
+    {"displacement_x", "L0", "Displacement of that point along x."},
+    {"displacement_y", "L0", "Displacement along y; in 2D this is the vertical one."},
+    {"displacement_z", "L0", "Vertical displacement.", 3},
+    {"density", "b", "Density of the fluid at that point. Empty without a fluid."},
+    {"traction_x", "a b^2",
+     "Force of the fluid on the wall along x, per area of the undeformed wall. A line force is spread over the width "
+     "of the interface and an element. Empty without a fluid."},
+    {"traction_y", "a b^2", "The same along y; in 2D this is the vertical one."},
+    {"traction_z", "a b^2", "The same along z, the vertical.", 3},
+};
+
+std::vector<Column> joined(std::vector<Column> all, const std::vector<Column>& droplet,
+                           const std::vector<Column>& balance) {
+  all.insert(all.end(), droplet.begin(), droplet.end());
+  all.insert(all.end(), balance.begin(), balance.end());
+  return all;
+}
+
+/// The fields as columns of a table.
+std::vector<Column> of_fields() {
+  std::vector<Column> columns;
+  for (const FieldInfo& field : field_table()) {
+    std::string meaning = field.meaning;
+    if (meaning.find('=') == std::string::npos)  // a symbol keeps its letter
+      meaning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning[0])));
+    const std::string where = !field.in_solid ? "the fluid" : field.in_fluid ? "fluid and solid" : "the solid";
+    columns.push_back({field.name, field.unit == "1" ? "" : field.unit, meaning + ". In " + where + "."});
+  }
+  return columns;
+}
+
+std::vector<std::string> names_of(const std::vector<Column>& columns, int dimension) {
+  std::vector<std::string> names;
+  for (const Column& column : columns)
+    if (column.dimension == 0 || column.dimension == dimension) names.push_back(column.name);
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> contact_names(int dimension) { return names_of(of_droplet, dimension); }
+
+std::vector<std::string> history_names(int dimension, std::size_t droplets, std::size_t films) {
+  std::vector<std::string> names = names_of(of_step, dimension);
+  for (std::size_t k = 0; k < droplets + films; ++k)
+    for (const std::string& name : contact_names(dimension))
+      names.push_back(k == 0 ? name : name + "_" + std::to_string(k + 1));
+  for (const std::string& name : names_of(of_balance, dimension))
+    if (name != laplace || droplets > 0) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> interface_names(int dimension) { return names_of(of_interface, dimension); }
+
+const std::vector<ColumnTable>& column_tables() {
+  static const std::vector<ColumnTable> tables{
+      {"history", "history.csv",
+       "A row for every output.history.every steps, and one for the last step. An empty cell means that the quantity "
+       "does not exist there: no fluid, no solid, no contact line. d is the dimension of the domain; in 2D integrals "
+       "are per depth. The columns of the second droplet or bubble end in _2, of the third in _3, and so on; films are "
+       "numbered on behind the droplets (around bubbles they have none). When droplets merge, the first one goes on "
+       "and "
+       "the others stay empty.",
+       joined(of_step, of_droplet, of_balance)},
+      {"interface", "interface.csv",
+       "The wall at the field times: two points for each element along each axis, and the ends. Without a fluid it is "
+       "the top of the solid.",
+       of_interface},
+      {"fields", "fields/*.hdf",
+       "The fields at the field times, on the deformed mesh. output.fields.select chooses among them. A tensor has "
+       "nine components, row by row.",
+       of_fields()}};
+  return tables;
+}
+
+}  // namespace softwet

@@ -1,0 +1,227 @@
+// The kernel of a device: a team of threads takes a tile of elements through a term, one thread for each point of a pass.
+//
+// Elements of a tile share the sweeps of values along the axes. Slopes follow from the values at the points of an element, and
+// on the way back fluxes turn into integrands against values in the same way. A tile writes the control values that it sums,
+// with those it shares with other tiles; `collect.hpp` adds them up. So no point is computed twice, nothing is written by
+// two threads, and results are the same bits for any team and any order of tiles.
+#pragma once
+
+#include "operator/device/tile_motion.hpp"
+#include "operator/device/tile_sweeps.hpp"
+#include "operator/device/tile_task.hpp"
+
+namespace softwet {
+
+/// What a point keeps between two barriers: registers on a device.
+template <class Plan>
+struct PointState {
+  using Real = typename Plan::Real;
+  Real value[Plan::fields];                       ///< of fields without gradients
+  Real across[Plan::on_wall ? Plan::fields : 1];  ///< slopes across a wall
+  Real integrand[Plan::channels];
+};
+
+/// Fields at one point, as Reader wants them.
+template <class Plan>
+struct TileFields {
+  using Shape = typename Plan::Shape;
+  using Real = typename Plan::Real;
+  using S = typename Plan::S;
+  static constexpr int D = Shape::D, Q = Shape::Q;
+  const PointState<Plan>& own;
+  const Real* values;  ///< of fields with gradients, at this point
+  const Real (&row)[D][Q];
+  const int (&step)[D][Q];
+  const Real* scale;
+
+  KOKKOS_FORCEINLINE_FUNCTION S part(int field, int c) const {
+    if (!Plan::has_gradient(field)) return S(own.value[field]);
+    const Real* v = values + Plan::stored_before(field) * Shape::points;
+    if (c == 0) return S(v[0]);
+    if (c > Plan::collocated) return S(own.across[field]);
+    Real sum = row[c - 1][0] * v[0];
+    SOFTWET_UNROLL
+    for (int r = 1; r < Q; ++r) sum = sum + row[c - 1][r] * v[step[c - 1][r]];
+    return S(sum);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION typename Plan::N number(int s, int c, int) const {
+    if constexpr (Plan::Tangent) {
+      const int tangent = Plan::tangent_of(Plan::Trial::slot(s).from.unknown(D));
+      return {part(s, c), S(scale[s]) * part(tangent, c)};
+    } else {
+      return part(s, c);
+    }
+  }
+};
+
+/// What Test::write sees.
+template <class Plan, class Point>
+struct TileWriter {
+  using N = typename Plan::N;
+  using S = typename Plan::S;
+  static constexpr int D = Plan::D;
+  PointState<Plan>& own;
+  typename Plan::Real* flux;  ///< [channel][d][point], at this point
+  const Point& point;
+  S weight;
+
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value) const {
+    own.integrand[channel] = plain(weight * outcome(point.measured(value)));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& f) const {
+    add(channel, value);
+    const Vector<N, D> r = point.reference_flux(f);
+    SOFTWET_UNROLL
+    for (int d = 0; d < D; ++d) flux[(channel * D + d) * Plan::Shape::points] = plain(weight * outcome(r[d]));
+  }
+};
+
+/// A term on the tiles of a region.
+template <class Plan>
+struct Tile {
+  using Shape = typename Plan::Shape;
+  using Room = TileScratch<Plan>;
+  using Sweeps = TileSweeps<Plan>;
+  using Real = typename Plan::Real;
+  using S = typename Plan::S;
+  using N = typename Plan::N;
+  static constexpr int D = Shape::D, P = Shape::P, n = Shape::n, Q = Shape::Q;
+
+  TileTask<Plan> task;
+  Collocation<D, Q, Real> slope;
+  TileGrid<D> grid;
+  Real* partial;  ///< [tile][channel][plane][cy][cx]
+
+  static KOKKOS_FORCEINLINE_FUNCTION int least(int a, int b) { return a < b ? a : b; }
+  static KOKKOS_FORCEINLINE_FUNCTION int within(int low, int i, int high) { return i < low ? low : least(i, high); }
+
+  /// Place in the wall's row of control (i, j) from the corner of a tile; outside of the region it repeats the nearest one.
+  KOKKOS_FORCEINLINE_FUNCTION int column(const int (&corner)[D], int i, int j) const {
+    int at = grid.first[0] + within(grid.lead, corner[0] + i, grid.elements[0] + P - 1);
+    if constexpr (D == 3) at += least(corner[1] + j, grid.elements[1] + P - 1) * task.stride[1];
+    return at;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION int control(const int (&corner)[D], int i, int j, int k) const {
+    const int row = task.axis[D - 1].first_functions[0] + least(corner[D - 1] + k, grid.elements[D - 1] + P - 1);
+    return column(corner, i, j) + row * task.stride[D - 1];
+  }
+
+  /// Tables of an axis for the elements of a tile; those outside of the region have no weight.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_axis(const Team& team, const AxisTables<Real>& rule, int d, int corner,
+                                             int count, Real* basis, Real* weight, Real* place) const {
+    const int each = d == D - 1 ? Shape::QL : Q;
+    share(team, count * each, [&](int i) {
+      const int e = corner + i / each, q = i % each, low = d == 0 ? grid.lead : 0;
+      const int known = grid.first[d] + within(low, e, grid.elements[d] - 1);
+      for (int a = 0; a < n; ++a) basis[i * n + a] = rule.value(q, a, known);
+      if (!weight) return;
+      weight[i] = e >= low && e < grid.elements[d] ? rule.weight(q, known) : Real(0);
+      place[i] = rule.position(q, known);
+    });
+  }
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_tables(const Team& team, const int (&corner)[D], Real* t) const {
+    load_axis(team, task.axis[0], 0, corner[0], Shape::NX, t + Room::x, t + Room::x_weight, t + Room::x_place);
+    if constexpr (D == 3)
+      load_axis(team, task.axis[1], 1, corner[1], Shape::NY, t + Room::y, t + Room::y_weight, t + Room::y_place);
+    constexpr int last = D - 1;
+    load_axis(team, task.axis[last], last, corner[last], Shape::NZ, t + Room::z, t + Room::z_weight, t + Room::z_place);
+    load_axis(team, task.test, last, corner[last], Shape::NZ, t + Room::test, nullptr, nullptr);
+    if constexpr (Plan::on_wall) share(team, n, [&](int a) { t[Room::z_slope + a] = task.axis[last].slope(0, a, 0); });
+  }
+
+  /// The term at point p of a pass.
+  KOKKOS_FORCEINLINE_FUNCTION void evaluate(int p, int pass, const Real* t, Real* values, Real* flux,
+                                            PointState<Plan>& own) const {
+    int q[D], step[D][Q];
+    Real row[D][Q];
+    Sweeps::neighbours(p, q, step);
+    SOFTWET_UNROLL
+    for (int d = 0; d < D; ++d) SOFTWET_UNROLL
+    for (int r = 0; r < Q; ++r) row[d][r] = slope.forward[d][q[d]][r];
+    const int x = p % Shape::qx, y = p / Shape::qx % Shape::qy, z = pass * Shape::qz + p / Shape::base;
+    Vector<S, D> reference;
+    reference[0] = S(t[Room::x_place + x]);
+    if constexpr (D == 3) reference[1] = S(t[Room::y_place + y]);
+    const Real height = t[Room::z_place + z];
+    reference[D - 1] = S(height);
+    const auto point = point_above_wall<N, Shape::base, Plan::on_wall>(task.motion, t + Room::wall + p % Shape::base,
+                                                                       reference, height);
+    using Point = std::remove_const_t<decltype(point)>;
+    const TileFields<Plan> from{own, values + p, row, step, task.scale};
+    using From = Reader<N, D, TileFields<Plan>, Point>;
+    const auto test = task.term.residual(Plan::Trial::read(From{from, point, 0}));
+    const int again = anew(p);  // what was derived from p has been given up
+    Real weight = task.factor * t[Room::x_weight + again % Shape::qx] *
+                  t[Room::z_weight + pass * Shape::qz + again / Shape::base];
+    if constexpr (D == 3) weight = weight * t[Room::y_weight + again / Shape::qx % Shape::qy];
+    test.write(TileWriter<Plan, Point>{own, flux + again, point, S(weight)});
+  }
+
+  /// One pass: L layers of elements, added to the sums of the tile.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void run_pass(const Team& team, int pass, const Real* direction, Real* t) const {
+    PointState<Plan> own[(Shape::points + Team::size - 1) / Team::size];  // points of a thread: one on a device
+    Real *const first = t + Room::first, *const second = t + Room::second;
+    int corner[D];
+    grid.template corner<Shape>(team.tile(), corner);
+    corner[D - 1] += pass * Shape::L;
+    Sweeps::along_x(
+        team, t, D == 3 ? first : second, [&](int i, int j, int k) { return control(corner, i, j, k); },
+        [&](auto f) {
+          if constexpr (f() < Plan::slots) {
+            return task.slot[f()];
+          } else {
+            return direction + task.tangents.of_unknown[Plan::unknown_of(f())];
+          }
+        });
+    team.barrier();
+    if constexpr (D == 3) {
+      Sweeps::along_y(team, t, first, second);
+      team.barrier();
+    }
+    share_points<Shape::points>(team, [&](int p, int l) { Sweeps::along_z(p, pass, t, second, first, own[l]); });
+    team.barrier();
+    share_points<Shape::points>(team, [&](int p, int l) { evaluate(p, pass, t, first, second, own[l]); });
+    team.barrier();
+    share_points<Shape::points>(team,
+                                [&](int p, int l) { Sweeps::fold_fluxes(slope, p, second, own[l].integrand, first); });
+    team.barrier();
+    Sweeps::fold_z(team, pass, t, first, second);
+    team.barrier();
+    if constexpr (D == 3) {
+      Sweeps::fold_y(team, t, second, second + Room::folded_z);
+      team.barrier();
+    }
+    Sweeps::fold_x(team, pass, t, D == 3 ? second + Room::folded_z : second, t + Room::sums);
+    team.barrier();
+  }
+
+  /// Field f of the wall's motion; null where it is zero.
+  KOKKOS_FORCEINLINE_FUNCTION const Real* of_wall(int f, const Real* direction) const {
+    if (f < D) return task.motion.displacement[f];
+    if (f < 2 * D) return task.motion.velocity[f - D];
+    return task.tangents.moves ? direction + task.tangents.of_wall[f - 2 * D] : nullptr;
+  }
+
+  /// @param direction  of a product
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void run(const Team& team, const Real* direction, Real* t) const {
+    int corner[D];
+    grid.template corner<Shape>(team.tile(), corner);
+    load_tables(team, corner, t);
+    constexpr int sums = Plan::channels * Shape::controls;
+    share(team, sums, [&](int i) { t[Room::sums + i] = 0; });
+    team.barrier();
+    if constexpr (Plan::moves)
+      TileMotion<Plan>::trace(
+          team, slope, t, [&](int i, int j) { return column(corner, i, j); },
+          [&](int f) { return of_wall(f, direction); });
+    const int passes = least(Shape::M, (grid.elements[D - 1] - corner[D - 1] + Shape::L - 1) / Shape::L);
+    for (int pass = 0; pass < passes; ++pass) run_pass(team, pass, direction, t);
+    share(team, sums, [&](int i) { partial[std::int64_t(team.tile()) * sums + i] = t[Room::sums + i]; });
+  }
+};
+
+}  // namespace softwet

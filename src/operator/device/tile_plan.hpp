@@ -1,0 +1,106 @@
+// What a term needs in a tile, counted when the program is compiled, and where a team keeps it.
+#pragma once
+
+#include "operator/device/tile_shape.hpp"
+#include "operator/device/wall_below.hpp"
+#include "operator/task.hpp"
+
+namespace softwet {
+
+/// A term in a tile. Values of fields with gradients are stored for the whole team; other values stay with their point.
+template <class Shape_, class Term_, class Motion_, bool Tangent_, class Real_>
+struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>, Shape_::D, Tangent_>,
+                  WallFields<Shape_::D, Motion_, Tangent_> {
+  using Shape = Shape_;
+  using Term = Term_;
+  using Motion = Motion_;
+  using Real = Real_;
+  static constexpr bool Tangent = Tangent_;
+  static constexpr int D = Shape::D;
+  using Fields = TrialFields<typename Term::template Trial<double, D>, D, Tangent>;
+  using Fields::fields, Fields::has_gradient;
+  using S = OneNumber<Real>;
+  using N = std::conditional_t<Tangent, Dual<S>, S>;
+  using Trial = typename Term::template Trial<N, D>;
+  using Test = typename Term::template Test<N, D>;
+  static constexpr bool on_wall = Shape::QL == 1;
+  /// Axes along which slopes follow from the values at the points of an element: not across a wall.
+  static constexpr int collocated = on_wall ? D - 1 : D;
+  static constexpr int channels = Test::channel_count;
+
+  /// Number of fields with gradients before one.
+  static constexpr int stored_before(int field) {
+    int count = 0;
+    for (int f = 0; f < field; ++f) count += has_gradient(f) ? 1 : 0;
+    return count;
+  }
+  static constexpr int stored = stored_before(fields);
+};
+
+/// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 3D the first holds what was swept along
+/// x, then values, then what was folded at the points; the second what was swept along y, then fluxes, then later folds. In
+/// 2D there is one sweep less, and the second room begins.
+template <class Plan>
+struct TileScratch {
+  using Shape = typename Plan::Shape;
+  static constexpr bool three = Shape::D == 3;
+  static constexpr int max(int a, int b) { return a > b ? a : b; }
+  static constexpr int x_swept = Shape::cz * Shape::cy * Shape::qx, y_swept = Shape::cz * Shape::base;
+  static constexpr int sweep_x = Plan::fields * x_swept, sweep_y = Plan::fields * y_swept;
+  static constexpr int values = Plan::stored * Shape::points;
+  static constexpr int flux = Plan::Test::has_flux ? Plan::channels * Shape::D * Shape::points : 0;
+  static constexpr int folded = Plan::channels * Shape::points;
+  static constexpr int folded_z = Plan::channels * y_swept, folded_y = three ? Plan::channels * x_swept : 0;
+  static constexpr int wall_x = three ? Plan::wall_fields * Shape::cy * Shape::qx : 0;
+
+  static constexpr int first_room = max(max(three ? sweep_x : 0, values), max(folded, wall_x));
+  static constexpr int second_room = max(max(three ? sweep_y : sweep_x, flux), folded_z + folded_y);
+  static constexpr int first = 0, second = first_room, wall = second + second_room;
+  static constexpr int tables = wall + Plan::wall_numbers * Shape::base;
+
+  // Tables of the bases [point][function], of weights and of positions.
+  static constexpr int x = tables, y = x + Shape::qx * Shape::n, z = y + (three ? Shape::qy * Shape::n : 0);
+  static constexpr int zs = Shape::QL * Shape::NZ;  ///< points of the tile along the last axis
+  static constexpr int test = z + zs * Shape::n, x_weight = test + zs * Shape::n, y_weight = x_weight + Shape::qx;
+  static constexpr int z_weight = y_weight + (three ? Shape::qy : 0), x_place = z_weight + zs;
+  static constexpr int y_place = x_place + Shape::qx, z_place = y_place + (three ? Shape::qy : 0);
+  static constexpr int z_slope = z_place + zs;  ///< on a wall alone
+  static constexpr int sums = z_slope + (Plan::on_wall ? zs * Shape::n : 0);
+  static constexpr int size = sums + Plan::channels * Shape::controls;
+};
+
+/// Derivatives at the points of an element of the Lagrange polynomials through them, which give the slopes of a spline from
+/// its values, since it is a polynomial of degree Q - 1 there. The rows are turned so that a point's own entry comes first:
+/// forward[d][q][r] = l'_{q+r}(x_q), transposed[d][q][r] = l'_q(x_{q+r}), indices modulo Q.
+template <int D, int Q, class Real>
+struct Collocation {
+  Real forward[D][Q][Q], transposed[D][Q][Q];
+
+  static Collocation of(const double (&spacing)[D]) {
+    const std::vector<double> x = Gauss(Q).point;
+    Collocation c;
+    for (int i = 0; i < Q; ++i)
+      for (int j = 0; j < Q; ++j) {
+        const double slope = lagrange_slope(x, j, i);
+        for (int d = 0; d < D; ++d) {
+          c.forward[d][i][(j - i + Q) % Q] = static_cast<Real>(slope / spacing[d]);
+          c.transposed[d][j][(i - j + Q) % Q] = static_cast<Real>(slope / spacing[d]);
+        }
+      }
+    return c;
+  }
+  /// l'_j(x_i)
+  static double lagrange_slope(const std::vector<double>& x, int j, int i) {
+    double sum = 0;
+    for (int k = 0; k < Q; ++k) {
+      if (k == j) continue;
+      double term = 1 / (x[j] - x[k]);
+      for (int l = 0; l < Q; ++l)
+        if (l != j && l != k) term *= (x[i] - x[l]) / (x[j] - x[l]);
+      sum += term;
+    }
+    return sum;
+  }
+};
+
+}  // namespace softwet

@@ -1,0 +1,21 @@
+// What the command line says of a run.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace softwet {
+
+struct RunOptions {
+  std::string out;               ///< output folder
+  bool resume = false;           ///< continue from out/checkpoint.h5
+  int threads = 0;               ///< 0: as the environment says, else all cores
+  bool quiet = false;            ///< no progress line
+  bool preconditioners = false;  ///< bench: compare forms of the preconditioner instead
+  std::function<void()> begin;   ///< called by a run from its start: all checks have passed, no file is written yet
+  /// Where the output folder is now: `out`, another path where somebody has moved it, empty where it was removed. Asked
+  /// of the first process.
+  std::function<std::string()> place;
+};
+
+}  // namespace softwet

@@ -1,0 +1,88 @@
+#include "run/remedy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/forecast.hpp"
+#include "model/groups.hpp"
+
+namespace softwet {
+namespace {
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/// Settings so far from their defaults that a computation may stop because of them alone: they are looked at before
+/// the scene is blamed. Empty where there are none.
+std::string unusual_settings(const Case& c) {
+  const SolverControl solver;
+  const TimeControl time;
+  std::string found;
+  const auto tell = [&](bool unusual, const std::string& key, double value, double usual) {
+    if (!unusual) return;
+    found += (found.empty() ? "" : ", ") + key + " = " + short_number(value) + " (default " + short_number(usual) + ")";
+  };
+  if (c.time.scheme == implicit_scheme) {
+    tell(c.solver.newton_rtol > 10 * solver.newton_rtol, "solver.newton.rtol", c.solver.newton_rtol,
+         solver.newton_rtol);
+    tell(c.solver.newton_atol > 1e4 * solver.newton_atol, "solver.newton.atol", c.solver.newton_atol,
+         solver.newton_atol);
+    tell(2 * c.solver.newton_max < solver.newton_max, "solver.newton.max", c.solver.newton_max, solver.newton_max);
+    tell(c.solver.krylov_rtol > 10 * solver.krylov_rtol, "solver.krylov.rtol", c.solver.krylov_rtol,
+         solver.krylov_rtol);
+    tell(4 * c.solver.krylov_max < solver.krylov_max, "solver.krylov.max", c.solver.krylov_max, solver.krylov_max);
+  }
+  tell(c.time.dt_min > 1e4 * time.dt_min, "time.dt_min", c.time.dt_min, time.dt_min);
+  tell(c.time.tolerance > 25 * time.tolerance, "time.tolerance", c.time.tolerance, time.tolerance);
+  return found;
+}
+
+std::string softer_than_its_loads(const Case& c) {
+  const double length = elastocapillary_length(c);
+  const std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + short_number(length) +
+                                            ", the layer is " + short_number(c.substrate->thickness) + " thick; "
+                                      : "";
+  if (c.loads.empty()) return soft + "raise substrate.young";
+  const std::string gentler = "raise substrate.young, lower load[].force or lengthen load[].ramp";
+  if (c.substrate->material != "saint_venant_kirchhoff") return soft + gentler;
+  return soft +
+         "a Saint Venant-Kirchhoff solid loses its stiffness under strong compression, \"neo_hookean\" "
+         "(substrate.material) does not: " +
+         gentler;
+}
+
+std::string for_the_density(const Case& c) {
+  const double h = c.spacing();
+  if (c.fluid->wall_law == WallLaw::gradient && std::abs(c.fluid->contact_angle - 90) > 60)
+    return "near complete wetting or drying the wall law \"gradient\" drives the density out of its range: write "
+           "fluid.wall_law = \"energy\"";
+  if (too_soft(c)) return softer_than_its_loads(c);
+  if (c.fluid->capillarity < 2 * h)
+    return "the liquid-vapour interface is " + short_number(c.fluid->capillarity / h) +
+           " elements wide: two resolve it, with more domain.elements or a larger fluid.capillarity";
+  return "a softer load ramp, a larger fluid.viscosity or a tighter time.tolerance may help";
+}
+
+}  // namespace
+
+std::string remedy(const Case& c, const Refusal& refusal) {
+  if (c.time.scheme != implicit_scheme && c.time.safety > 1)
+    return "with time.safety = " + short_number(c.time.safety) +
+           " the steps may be longer than the largest stable one: write time.safety = 0.9";
+  if (const std::string settings = unusual_settings(c); !settings.empty())
+    return "try the defaults first, for these settings are far from them: " + settings;
+  const auto cause = refusal.cause;
+  if (cause == Refusal::solid_inverted || cause == Refusal::mesh_folded) return softer_than_its_loads(c);
+  if (cause == Refusal::close_packed || cause == Refusal::negative_density || cause == Refusal::density_of_moments)
+    return for_the_density(c);
+  if (too_soft(c)) return softer_than_its_loads(c);
+  if (cause == Refusal::linear_solver)
+    return "solver.krylov.preconditioner = \"automatic\", or more iterations with solver.krylov.max";
+  return "a finer mesh, a larger fluid.capillarity, a softer load ramp or a tighter time.tolerance may help";
+}
+
+}  // namespace softwet

@@ -1,0 +1,37 @@
+// The checkpoint of a run: everything that a resumed run needs to go on as if it had not stopped.
+#pragma once
+
+#include <string>
+
+#include "observe/scalars.hpp"
+#include "run/host/saved_run.hpp"
+#include "time/stepper.hpp"
+
+namespace softwet {
+
+/// Seconds of a run beside those that Newton's method counts.
+struct RunSeconds {
+  double setup = 0, observers = 0, output = 0, total = 0;
+  double started = 0;  ///< when the first process of the run began, seconds since 1970
+};
+
+/// Writes, atomically, all levels of the integrator, the step control, what the time scheme remembers, the memory of
+/// the history, what was written beside it, and what the run has cost. All processes of the run collect the arrays, and
+/// the first one writes; it alone needs `files`.
+///
+/// Nothing of the run changes by it, and a run that is resumed from it goes on with the bits of one that never stopped:
+/// on any number of threads and processes, whenever and how often it was stopped. An explicit scheme keeps its limit,
+/// its age and the modes of its search. An implicit one keeps the stage from which its preconditioner was built; to
+/// build it from there is deterministic.
+template <int D, int P>
+void write_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, const HistoryMemory&,
+                      const WrittenFiles& files, RunSeconds);
+
+/// Puts a stepper, the seconds and the list of files where the checkpoint was written. What the scheme remembered is
+/// left out where a key of the solver has changed since, where this program computes the preconditioner in another way,
+/// and where an older program wrote the checkpoint: a new preconditioner is built then, a new limit searched for, and
+/// the run agrees with an undisturbed one up to the tolerance of the solver. Throws Error (invalid_input).
+template <int D, int P>
+HistoryMemory read_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, WrittenFiles& files, RunSeconds&);
+
+}  // namespace softwet

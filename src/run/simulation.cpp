@@ -1,0 +1,341 @@
+#include "run/simulation.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "case/error.hpp"
+#include "casefile/field_times.hpp"
+#include "field/ranks.hpp"
+#include "field/together.hpp"
+#include "machine/memory.hpp"
+#include "model/initial.hpp"
+#include "observe/interface_table.hpp"
+#include "observe/output_fields.hpp"
+#include "run/interrupt.hpp"
+#include "run/machine.hpp"
+#include "run/memory_parts.hpp"
+#include "run/remedy.hpp"
+
+namespace softwet {
+namespace {
+
+// Seconds.
+constexpr double first_save = 60, record_pause = 15;
+
+/// Times on the clock of the computation that a step has to end at.
+std::vector<double> events(const Case& c) {
+  const double zero = c.clock_zero();
+  std::vector<double> times{zero, zero + c.time.end};
+  for (const Load& load : c.loads) {
+    times.push_back(load.start);
+    times.push_back(load.start + load.ramp);
+  }
+  for (double t : field_times(c)) times.push_back(zero + t);
+  return times;
+}
+
+/// Whether any process has been asked to stop.
+bool asked_to_stop() { return ranks::largest(stop_requested() ? 1 : 0) > 0; }
+
+std::string short_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+}  // namespace
+
+template <int D, int P>
+Simulation<D, P>::Simulation(const Case& c, const RunOptions& options)
+    : saves_(std::min(first_save, 60 * c.output.checkpoint_minutes), 60 * c.output.checkpoint_minutes),
+      records_(record_pause, record_pause),
+      case_(c),
+      options_(options),
+      model_(c),
+      stepper_(model_, c, events(c)),
+      scalars_(c, model_),
+      time_left_(c.clock_zero() + c.time.end, c.time.dt_max, c.time.max_steps),
+      field_times_(field_times(c)) {
+  seconds_.started = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+template <int D, int P>
+bool Simulation<D, P>::at_end() const {
+  const double t = output_time();
+  return t >= case_.time.end || same_time(t, case_.time.end);
+}
+
+template <int D, int P>
+bool Simulation<D, P>::begin() {
+  State state = initial_state<D, P>(case_, model_);
+  state.time = case_.run_start();
+  if (case_.time.start == "equilibrium" && !come_to_rest(state)) return false;
+  stepper_.scheme().initialise(state);
+  stepper_.start(state);
+  on_root([this] {
+    if (options_.begin) options_.begin();
+    history_.emplace(TableFile::create(path("history.csv"), scalars_.columns()));
+    interface_.emplace(TableFile::create(path("interface.csv"), interface_columns<D>()));
+  });
+  return true;
+}
+
+template <int D, int P>
+bool Simulation<D, P>::come_to_rest(State& state) {
+  scalars_.watch(state, "");
+  relaxation_ = relax<D, P>(model_, case_, state, state.time, asked_to_stop,
+                            [&](const State& now) { scalars_.watch(now, " (while the scene came to rest)"); });
+  if (relaxation_->interrupted) {
+    progress_->tell(
+        "stopped by user before the scene was at rest (time.start); nothing was written, give the same "
+        "command again");
+    return false;
+  }
+  moved_ = scalars_.moved();
+  progress_->tell("at rest after " + std::to_string(relaxation_->steps) + " steps: the fields change by less than " +
+                  short_text(std::max(1e-15, relaxation_->rate)) + " of their range in a unit of time" +
+                  moves_text(body_names(case_), moved_));
+  return true;
+}
+
+template <int D, int P>
+void Simulation<D, P>::restore() {
+  scalars_.restore(read_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, found_, seconds_));
+  seconds_before_ = seconds_.total;
+  first_step_ = stepper_.counts().steps;
+  told_ = scalars_.events().size();
+}
+
+template <int D, int P>
+void Simulation<D, P>::resume() {
+  std::vector<double> written;
+  on_root([&] {
+    open_tables();  // may be refused: before anything changes
+    if (options_.begin) options_.begin();
+    written = found_.field_times ? *found_.field_times : times_of_field_files();
+  });
+  written_ = ranks::shared(written);
+  write_fields_due();  // of a time that is new in the case
+}
+
+/// Of a checkpoint that does not tell them.
+template <int D, int P>
+std::vector<double> Simulation<D, P>::times_of_field_files() const {
+  const double t = output_time();
+  std::vector<double> times;
+  for (double written : field_file_times(path("fields"), model_.layout().has_fluid ? "fluid" : "solid"))
+    if (written <= t || same_time(written, t)) times.push_back(written);
+  return times;
+}
+
+template <int D, int P>
+void Simulation<D, P>::open_tables() {
+  // The row of a last step that is no multiple of output.history.every is dropped: the run goes on behind it.
+  const auto open = [](const std::string& path, const std::vector<std::string>& columns,
+                       const std::optional<TableMark>& mark, double last) {
+    return mark ? TableFile::append_after(path, columns, *mark) : TableFile::append_after(path, columns, last);
+  };
+  const double t = output_time(), step = static_cast<double>(scalars_.memory().step);
+  history_.emplace(open(path("history.csv"), scalars_.columns(), found_.history, step));
+  interface_.emplace(
+      open(path("interface.csv"), interface_columns<D>(), found_.interface, t + 1e-9 * std::max(1.0, std::abs(t))));
+}
+
+template <int D, int P>
+void Simulation<D, P>::run() {
+  // The factors of a preconditioner may be most of the memory; they are not there yet.
+  const double needed = total_bytes(case_, model_.layout(), stepper_.scheme().preconditioner());
+  together(
+      [&] { on_host ? require_bytes(case_, needed) : require_device_bytes(case_, needed, device_bytes_to_be_had()); });
+  progress_.emplace(Progress::voice(options_.quiet || !ranks::root()), case_.run_start() - case_.clock_zero(),
+                    case_.time.end);
+  if (!options_.resume && !begin()) return;
+  if (options_.resume) {
+    restore();
+    const std::string place = stop_reason() + " at t = " + short_text(output_time());
+    if (!stop_reason().empty())
+      return progress_->tell("nothing is left to compute: " + place + "; to go on, raise " +
+                             (at_end() ? "time.end" : "time.max_steps"));
+    progress_->tell("resumed at t = " + short_text(output_time()));
+    resume();
+  }
+  seconds_.setup += since_start();
+  try {
+    if (options_.resume) {
+      record("running");
+    } else {
+      observe({});
+      save();
+    }
+    advance();
+  } catch (const Error& error) {
+    if (error.code() == Exit::machine_failed && ranks::count() == 1)
+      require_folder();  // somebody may have moved it while a file was being written
+    if (error.code() != Exit::computation_failed) throw;
+    const std::string advice = remedy(case_, stepper_.counts().last_rejection), failure = error.what();
+    throw Error(error.code(), failure + "; " + advice + "; the last good state, that of t = " +
+                                  short_text(output_time()) + ", " + keep_after(failure));
+  } catch (const std::exception& error) {               // memory or the device: the state is still the last good one
+    if (ranks::count() == 1) keep_after(error.what());  // of several processes, this one alone has failed
+    throw;
+  }
+}
+
+template <int D, int P>
+std::string Simulation<D, P>::keep_after(const std::string& failure) {
+  std::string state = "is in " + path("checkpoint.h5");
+  try {
+    save();
+  } catch (const std::exception& error) {
+    state = std::string("could not be kept: ") + error.what();
+  }
+  try {
+    record("failed: " + failure);
+  } catch (const std::exception&) {  // the failure itself is what the user has to hear of
+  }
+  return state;
+}
+
+template <int D, int P>
+void Simulation<D, P>::advance() {
+  StepReport report;
+  while (stop_reason().empty()) {
+    report = stepper_.step();
+    time_left_.step(stepper_.counts().steps, stepper_.state().time, since_start());
+    observe(report);
+    keep_files_current();
+  }
+  const long steps = stepper_.counts().steps;
+  if (steps > first_step_ && steps % case_.output.history_every != 0) write_row(report);
+  save();
+  const std::string reason = stop_reason();
+  record(reason);
+  require_folder();  // what was written in this moment may be somewhere else
+  const std::string more = reason == "end reached" ? "" : "; to go on, run the same command with --resume";
+  progress_->tell(reason + " at t = " + short_text(output_time()) + " after " + std::to_string(steps) + " steps and " +
+                  short_text(seconds_.total) + " s" + more + "; the result is in " + options_.out +
+                  summary(scalars_.events()));
+}
+
+template <int D, int P>
+std::string Simulation<D, P>::stop_reason() {
+  if (at_end()) return "end reached";
+  if (stepper_.counts().steps >= case_.time.max_steps) return "time.max_steps reached";
+  if (asked_to_stop()) return "stopped by user";
+  return "";
+}
+
+template <int D, int P>
+void Simulation<D, P>::observe(const StepReport& report) {
+  const long step = stepper_.counts().steps;
+  if (step % case_.output.history_every == 0) {
+    write_row(report);
+    scalars_.keep();
+    if (history_) history_->keep();
+  }
+  write_fields_due();
+  if (step > 0) progress_->step(output_time(), step, report.dt, scalars_.headline(), time_left_.seconds());
+}
+
+template <int D, int P>
+void Simulation<D, P>::write_row(const StepReport& report) {
+  Stopwatch watch(seconds_.observers);
+  last_row_ =
+      scalars_.evaluate(stepper_.counts().steps, report, stepper_.state(), stage_at(model_.layout(), stepper_.state()));
+  on_root([this] { history_->row(last_row_); });
+  tell_events();
+}
+
+template <int D, int P>
+void Simulation<D, P>::tell_events() {
+  for (; told_ < scalars_.events().size(); ++told_) progress_->tell(sentence(scalars_.events()[told_]));
+}
+
+template <int D, int P>
+void Simulation<D, P>::write_fields_due() {
+  for (double time : field_times_) {
+    if (!same_time(output_time(), time) || (!written_.empty() && same_time(written_.back(), time))) continue;
+    require_folder();
+    Stopwatch watch(seconds_.output);
+    std::vector<double> all = written_;
+    all.push_back(time);
+    const Snapshot<D> snapshot(model_.layout(), stepper_.state());
+    const auto traction = wall_traction(model_, stage_at(model_.layout(), stepper_.state()));
+    on_root([&] {
+      write_field_files<D, P>(options_.out, origin_of(case_), case_.output.field_select, model_, snapshot, all);
+      add_interface_rows<D>(*interface_, snapshot, traction, time);
+      interface_->keep();
+    });
+    written_ = all;  // with all that belongs to it: a run that is resumed does not write it again
+  }
+}
+
+template <int D, int P>
+void Simulation<D, P>::keep_files_current() {
+  enum Due { nothing, of_record, of_save };
+  const Due due = saves_.due(since_start()) ? of_save : records_.due(since_start()) ? of_record : nothing;
+  switch (static_cast<Due>(ranks::of_root(due))) {  // whose clock counts
+    case of_save:
+      return save();
+    case of_record:
+      require_folder();
+      on_root([this] { history_->flush(); });
+      return record("running");
+    case nothing:
+      return;
+  }
+}
+
+template <int D, int P>
+void Simulation<D, P>::save() {
+  require_folder();
+  write_state();
+}
+
+template <int D, int P>
+void Simulation<D, P>::write_state() {
+  Stopwatch watch(seconds_.output);
+  WrittenFiles files{{}, {}, written_};
+  on_root([&] {
+    history_->bring_to_disk();
+    interface_->bring_to_disk();
+    files.history = history_->kept();
+    files.interface = interface_->kept();
+  });
+  seconds_.total = seconds_before_ + since_start();
+  write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory(), files, seconds_);
+  record("running");
+}
+
+template <int D, int P>
+void Simulation<D, P>::record(const std::string& reason) {
+  seconds_.total = seconds_before_ + since_start();
+  const std::vector<double> memory = peak_memory_of_processes();
+  on_root([&] { write_record(reason, memory); });
+}
+
+template <int D, int P>
+void Simulation<D, P>::write_record(const std::string& reason, const std::vector<double>& memory) {
+  RunRecord run = describe_run<D, P>(case_, model_, stepper_, seconds_, first_step_);
+  for (double of_process : memory)
+    if (memory.size() > 1) run["peak_memory_of_processes_mib"].append(of_process);
+  add_status(run, {reason, output_time(), seconds_.started, time_left_.seconds(), scalars_.events()});
+  const std::vector<std::string> names = scalars_.columns();
+  for (std::size_t i = 0; i < last_row_.size(); ++i)
+    if (last_row_[i]) run["last_row"][names[i]] = *last_row_[i];
+  if (relaxation_) {
+    RecordValue& start = run["start"];
+    start["steps"] = relaxation_->steps;
+    start["rejected"] = relaxation_->rejected;
+    start["newton"] = relaxation_->newton;
+    start["krylov"] = relaxation_->krylov;
+    start["time"] = relaxation_->time;
+    start["rate_of_change"] = relaxation_->rate;
+    for (const std::optional<double>& moved : moved_) start["moved"].append(moved.value_or(NAN));  // null: it is gone
+  }
+  run.write(path("run.json"));
+}
+
+template class Simulation<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
+
+}  // namespace softwet

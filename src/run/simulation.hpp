@@ -1,0 +1,89 @@
+// A run from its first state to its last: steps, observers, checkpoints.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "io/output_time.hpp"
+#include "io/table_file.hpp"
+#include "observe/scalars.hpp"
+#include "run/host/options.hpp"
+#include "run/host/rhythm.hpp"
+#include "run/host/time_left.hpp"
+#include "run/progress.hpp"
+#include "run/record.hpp"
+#include "run/restart.hpp"
+#include "time/relaxation.hpp"
+#include "time/stepper.hpp"
+
+namespace softwet {
+
+/// Computes a case in a folder that exists. Of several processes each computes its columns of the scene. The first one
+/// alone evaluates the observers, writes and speaks; where it fails, all fail (field/together.hpp). The output clock is
+/// the computation clock minus case.clock_zero().
+template <int D, int P>
+class Simulation {
+ public:
+  Simulation(const Case& c, const RunOptions& options);
+
+  /// To time.end, time.max_steps, Ctrl-C. Throws Error (computation_failed) after a checkpoint of the last good state.
+  void run();
+
+ private:
+  /// False: it was asked to stop before the first state was there.
+  bool begin();
+  bool come_to_rest(State&);
+  void restore();
+  void resume();
+  void open_tables();
+  std::vector<double> times_of_field_files() const;
+  void advance();
+  void observe(const StepReport& report);
+  void write_row(const StepReport& report);
+  void write_fields_due();
+  void tell_events();
+  /// Brings checkpoint, history.csv and run.json up to date when their time has come.
+  void keep_files_current();
+  void save();
+  void write_state();
+  /// Ends the run where somebody has moved or removed its folder, or a table: what there still is gets the last state.
+  /// Throws Error (machine_failed).
+  void require_folder();
+  void require_tables();
+  /// Tries to save after a failure. @return what became of the last good state: "is in out/checkpoint.h5"
+  std::string keep_after(const std::string& failure);
+  void record(const std::string& reason);
+  /// @param memory  peak of each process, MiB
+  void write_record(const std::string& reason, const std::vector<double>& memory);
+  std::string stop_reason();
+
+  bool at_end() const;
+  double since_start() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double output_time() const { return softwet::output_time(stepper_.state().time, case_.clock_zero()); }
+  std::string path(const std::string& name) const { return options_.out + "/" + name; }
+
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+  Rhythm saves_, records_;
+  const Case& case_;
+  RunOptions options_;
+  Model<D, P> model_;
+  Stepper<D, P> stepper_;
+  Scalars<D, P> scalars_;
+  std::optional<TableFile> history_, interface_;
+  std::optional<Progress> progress_;
+  std::optional<Relaxation> relaxation_;
+  std::vector<std::optional<double>> moved_;  ///< how far each body went on the way to rest
+  TimeLeft time_left_;
+  std::size_t told_ = 0;  ///< events the user has heard of
+  typename Scalars<D, P>::Row last_row_;
+  RunSeconds seconds_;         ///< of the whole run
+  double seconds_before_ = 0;  ///< the total at the resume
+  long first_step_ = 0;
+  std::vector<double> field_times_;  ///< at which field files are due
+  std::vector<double> written_;      ///< times of the field files there are
+  WrittenFiles found_;               ///< of the run that this one goes on
+};
+
+}  // namespace softwet

@@ -1,0 +1,39 @@
+// Nested dissection of the box of control points: which unknowns are eliminated together, and in which order.
+#pragma once
+
+#include <vector>
+
+#include "field/layout.hpp"
+#include "solver/matrix/stencil_matrix.hpp"
+
+namespace softwet {
+
+/// A separator (or a leaf box): its own unknowns are eliminated after those of its children; `border` are unknowns of
+/// ancestors that the elimination touches. Local numbering: own first, then border.
+struct DissectionNode {
+  int depth = 0;
+  int first = 0;                 ///< nodes first .. this one are its subtree
+  std::vector<int> own, border;  ///< indices into the vector of unknowns
+  std::vector<int> children;
+  std::vector<int> border_in_parent;  ///< local number of each border unknown in the parent
+  /// The block of matrix entries between two control points. Unknowns of a point follow each other.
+  struct PointPair {
+    std::int64_t place;                      ///< of the entry (0, 0), see for_column_point
+    int row, column;                         ///< local numbers of the points' first unknowns
+    std::uint8_t row_fields, column_fields;  ///< bit c: the point has component c as an unknown
+  };
+  std::vector<PointPair> pairs;  ///< with a row or column among `own`, and none eliminated
+};
+
+/// The tree. Nodes of one depth are independent of each other: levels[d] lists them.
+struct Dissection {
+  std::vector<DissectionNode> nodes;     ///< children before parents
+  std::vector<std::vector<int>> levels;  ///< by depth, root first
+};
+
+/// Cuts the box of control points recursively by slabs of `degree` points, which no matrix entry crosses, until boxes
+/// hold at most `leaf` control points. All fields of a control point stay together. George 1973.
+template <int D>
+Dissection dissect(const Layout<D>&, const UnknownTable<D>&, int leaf);
+
+}  // namespace softwet

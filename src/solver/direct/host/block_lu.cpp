@@ -1,0 +1,79 @@
+#include "solver/direct/host/block_lu.hpp"
+
+#include "solver/direct/host/multifrontal_lu.hpp"
+#include "solver/matrix/factor_defect.hpp"
+
+namespace softwet {
+
+namespace {
+
+/// Factors in half precision as long as they are good enough, and in single precision from then on.
+template <int D>
+class SufficientLu final : public StencilSolver<D> {
+ public:
+  SufficientLu(const Layout<D>& layout, const ConstArray& mask)
+      : layout_(layout), mask_(mask), defect_(mask), half_(std::make_unique<BlockLu<D, FactorNumber>>(layout, mask)) {}
+
+  void build(const StencilMatrix<D>& matrix) override {
+    if (half_) {
+      half_->build(matrix);
+      if (defect_.measure(*half_, matrix, half_->scale().row) < most) return;
+      go_on_in_single();
+    }
+    single_->build(matrix);
+  }
+  void apply(const ConstArray& r, const Array& z) override { solver().apply(r, z); }
+  std::string name() const override { return solver().name(); }
+  double bytes() const override { return solver().bytes(); }
+  double build_cost() const override { return solver().build_cost(); }
+  void visit_memory(StepMemory& memory) override {
+    bool single = single_ != nullptr;
+    memory.flag("lu/single", single);
+    if (single && half_) go_on_in_single();
+  }
+
+ private:
+  static constexpr double most = 0.2;  ///< defect: matrices that are nearly singular lose the digits of half precision
+
+  StencilSolver<D>& solver() const {
+    if (half_) return *half_;
+    return *single_;
+  }
+
+  void go_on_in_single() {
+    half_.reset();
+    single_ = std::make_unique<BlockLu<D, float>>(layout_, mask_);
+  }
+
+  Layout<D> layout_;
+  ConstArray mask_;
+  FactorDefect<D> defect_;
+  std::unique_ptr<BlockLu<D, FactorNumber>> half_;
+  std::unique_ptr<BlockLu<D, float>> single_;  ///< where half precision was not enough
+};
+
+}  // namespace
+
+double factor_entries(const Dissection& tree) {
+  double entries = 0;
+  for (const DissectionNode& node : tree.nodes) {
+    const double own = node.own.size(), border = node.border.size();
+    entries += own * (own + 2 * border);
+  }
+  return entries;
+}
+
+template <int D>
+std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask,
+                                                FactorPrecision precision) {
+  if constexpr (std::is_same_v<FactorNumber, Half>) {
+    if (precision == FactorPrecision::half) return std::make_unique<BlockLu<D, Half>>(layout, mask);
+    if (precision == FactorPrecision::sufficient) return std::make_unique<SufficientLu<D>>(layout, mask);
+  }
+  return std::make_unique<BlockLu<D, float>>(layout, mask);
+}
+
+template std::unique_ptr<StencilSolver<2>> make_block_lu<2>(const Layout<2>&, const ConstArray&, FactorPrecision);
+template std::unique_ptr<StencilSolver<3>> make_block_lu<3>(const Layout<3>&, const ConstArray&, FactorPrecision);
+
+}  // namespace softwet

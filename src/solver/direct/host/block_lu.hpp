@@ -1,0 +1,24 @@
+// Lagged LU factors of the Jacobian with frozen geometry by nested dissection, in half or single precision, on the host.
+#pragma once
+
+#include "solver/direct/dissection.hpp"
+#include "solver/preconditioner.hpp"
+
+namespace softwet {
+
+/// half: where the processor converts it, otherwise single. sufficient: half, until a build shows that it is not enough,
+/// and single from then on.
+enum class FactorPrecision { half, single, sufficient };
+
+/// A multifrontal factorisation (Duff and Reid 1983) that knows the tensor structure: dense fronts from a geometric
+/// dissection, rows and columns scaled to one, pivoting inside each front, subtrees in parallel. It computes in single
+/// precision and stores the factors in `precision`, because applying them takes as long as reading them. The arithmetic
+/// does not depend on the number of threads. A preconditioner, not a solver: GMRES mends what rounding leaves.
+template <int D>
+std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask,
+                                                FactorPrecision precision = FactorPrecision::sufficient);
+
+/// Numbers in the LU factors of a matrix that is eliminated along this tree.
+double factor_entries(const Dissection&);
+
+}  // namespace softwet

@@ -1,0 +1,52 @@
+// Inverses of boxes in 16 bits, as they lie in memory, and products with them.
+#pragma once
+
+#include "memory/array.hpp"
+#include "solver/schwarz/bfloat16.hpp"
+
+namespace softwet {
+
+/// Rows of an inverse that one thread multiplies at once.
+inline constexpr int rows_at_once = host_algorithms ? 32 : 1;
+
+/// Several boxes may use the same inverse.
+struct BoxInverses {
+  /// [inverse][strip of rows][column][row in the strip]: what one thread of the host reads lies in one piece.
+  Kokkos::View<std::uint16_t*, Exec> entry;
+  Kokkos::View<std::int64_t*, Exec> begin;  ///< [box] first entry of its inverse
+  int strip = rows_at_once;                 ///< rows of a strip
+
+  /// Entries of an inverse of n unknowns.
+  std::int64_t room(int n) const { return std::int64_t((n + strip - 1) / strip) * strip * n; }
+
+  /// Where an entry of an inverse of n unknowns lies in it.
+  KOKKOS_FORCEINLINE_FUNCTION int place(int n, int row, int column) const {
+    return (row / strip * n + column) * strip + row % strip;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION std::uint16_t* place(int box, int n, int row, int column) const {
+    return entry.data() + begin(box) + place(n, row, column);
+  }
+
+  /// sum[k] = rows first, first + 1, ... of the inverse of a box of n unknowns, times x[k]. Each row that is read serves
+  /// all vectors.
+  template <int vectors>
+  KOKKOS_FORCEINLINE_FUNCTION void multiply(int box, int n, int first, const float* const (&x)[vectors],
+                                            float (&sum)[vectors][rows_at_once]) const {
+    constexpr int ahead = 48;  // columns
+    const std::uint16_t* column = place(box, n, first, 0);
+    for (int k = 0; k < vectors; ++k)
+      for (int i = 0; i < rows_at_once; ++i) sum[k][i] = 0;
+    for (int j = 0; j < n; ++j, column += strip) {
+      prefetch(column + ahead * strip);
+      for (int k = 0; k < vectors; ++k)
+        for (int i = 0; i < rows_at_once; ++i) sum[k][i] += widen(column[i]) * x[k][j];
+    }
+  }
+
+ private:
+  static KOKKOS_FORCEINLINE_FUNCTION void prefetch([[maybe_unused]] const void* p) {
+    KOKKOS_IF_ON_HOST((__builtin_prefetch(p);))
+  }
+};
+
+}  // namespace softwet

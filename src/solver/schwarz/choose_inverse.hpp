@@ -1,0 +1,135 @@
+// The kernel that compares the matrices of boxes with inverses of other boxes.
+#pragma once
+
+#include "solver/direct/device/gauss_jordan.hpp"
+#include "solver/schwarz/box_inverses.hpp"
+
+namespace softwet {
+
+/// For each box the closest inverse of its candidates, see SharedInverses. A team takes a box and its candidates one after
+/// another; a row of its matrix is the work of one thread's lanes, which are as many for any number of threads.
+struct ChooseInverse {
+  static constexpr int most_candidates = 8, probes = 2;
+  template <class Number>
+  using Rows = Kokkos::View<Number**, Kokkos::LayoutRight, Exec>;
+
+  DenseBlocks matrices;
+  BoxInverses inverses;
+  BlockSizes size;                  ///< [kind] unknowns of a box
+  Rows<const int> field;            ///< [kind][unknown of the box]
+  Rows<const float> probe;          ///< [probe][unknown] random signs
+  Rows<const int> question;         ///< [block] the kind, and the candidates; -1 behind them
+  Kokkos::View<int*, Exec> answer;  ///< [block] number of the candidate; -1: none
+  float limit;
+  int fields;
+
+  using Policy = Teams<Kokkos::Schedule<Kokkos::Dynamic>>;
+  using Team = Policy::member_type;
+  using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+
+  /// What the threads of a team share.
+  struct Room {
+    Scratch size_of_row, r, x, y, distance;
+    KOKKOS_FUNCTION Room(const Team& team, int rows, int fields)
+        : size_of_row(team.team_scratch(0), rows),
+          r(team.team_scratch(0), rows),
+          x(team.team_scratch(0), rows),
+          y(team.team_scratch(0), rows),
+          distance(team.team_scratch(0), fields) {}
+    static std::size_t bytes(int rows, int fields) {
+      return 4 * Scratch::shmem_size(rows) + Scratch::shmem_size(fields);
+    }
+  };
+
+  /// @param threads  of a team; 0: as many as suit the machine
+  void run(int count, int threads) const {
+    const int lanes = on_host ? 1 : 32;
+    if (threads == 0) threads = on_host ? 1 : 8;
+    const std::size_t bytes = Room::bytes(static_cast<int>(probe.extent(1)), fields);
+    Kokkos::parallel_for("softwet::share",
+                         Policy(count, threads, lanes).set_chunk_size(1).set_scratch_size(0, Kokkos::PerTeam(bytes)),
+                         *this);
+  }
+
+  KOKKOS_FUNCTION void operator()(const Team& team) const {
+    const int block = team.league_rank(), n = size(question(block, 0));
+    const Room room(team, static_cast<int>(probe.extent(1)), fields);
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, n), [&](int i) {
+      float largest = 0;
+      Kokkos::parallel_reduce(
+          Kokkos::ThreadVectorRange(team, n),
+          [&](int j, float& most) { most = Kokkos::max(most, Kokkos::abs(matrices(block, i, j))); },
+          Kokkos::Max<float>(largest));
+      Kokkos::single(Kokkos::PerThread(team), [&] { room.size_of_row(i) = largest; });
+    });
+    team.team_barrier();
+    float least = limit;
+    int found = -1;
+    for (int k = 0; k < most_candidates && question(block, 1 + k) >= 0; ++k) {
+      const float d = distance(team, room, n, question(block, 1 + k));
+      if (!(d < least)) continue;
+      least = d;
+      found = k;
+    }
+    Kokkos::single(Kokkos::PerTeam(team), [&] { answer(block) = found; });
+  }
+  /// Largest |A_c^-1 A_b x - x|_f / |x|_f of the probes; not a number where the inverse has entries that are none.
+  KOKKOS_FUNCTION float distance(const Team& team, const Room& room, int n, int candidate) const {
+    const int block = team.league_rank();
+    float largest = 0;
+    for (int p = 0; p < probes; ++p) {
+      Kokkos::parallel_for(Kokkos::TeamVectorRange(team, n),
+                           [&](int i) { room.r(i) = probe(p, i) * room.size_of_row(i); });
+      multiply_inverse(team, candidate, n, room.r, room.x);
+      Kokkos::parallel_for(Kokkos::TeamThreadRange(team, n), [&](int i) {
+        float product = 0;
+        Kokkos::parallel_reduce(
+            Kokkos::ThreadVectorRange(team, n), [&](int j, float& sum) { sum += matrices(block, i, j) * room.x(j); },
+            product);
+        Kokkos::single(Kokkos::PerThread(team), [&] { room.r(i) = product; });
+      });
+      multiply_inverse(team, candidate, n, room.r, room.y);
+      compare_fields(team, room, n);
+      for (int f = 0; f < fields; ++f) {
+        if (Kokkos::isnan(room.distance(f))) return room.distance(f);
+        largest = Kokkos::max(largest, room.distance(f));
+      }
+    }
+    return largest;
+  }
+  /// to = inverse times x. All threads have written x, and may read the result.
+  KOKKOS_FUNCTION void multiply_inverse(const Team& team, int box, int n, const Scratch& x, const Scratch& to) const {
+    team.team_barrier();
+    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, (n + rows_at_once - 1) / rows_at_once), [&](int chunk) {
+      const int first = chunk * rows_at_once;
+      float sum[1][rows_at_once];
+      inverses.multiply<1>(box, n, first, {x.data()}, sum);
+      for (int i = 0; i < rows_at_once && first + i < n; ++i) to(first + i) = sum[0][i];
+    });
+    team.team_barrier();
+  }
+  /// |y - x|_f / |x|_f
+  KOKKOS_FUNCTION void compare_fields(const Team& team, const Room& room, int n) const {
+    const int kind = question(team.league_rank(), 0);
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, fields), [&](int f) {
+      float difference = 0, length = 0;
+      Kokkos::parallel_reduce(
+          Kokkos::ThreadVectorRange(team, n),
+          [&](int i, float& sum) {
+            if (field(kind, i) == f) sum += (room.y(i) - room.x(i)) * (room.y(i) - room.x(i));
+          },
+          difference);
+      Kokkos::parallel_reduce(
+          Kokkos::ThreadVectorRange(team, n),
+          [&](int i, float& sum) {
+            if (field(kind, i) == f) sum += room.x(i) * room.x(i);
+          },
+          length);
+      Kokkos::single(Kokkos::PerThread(team),
+                     [&] { room.distance(f) = difference == 0 ? 0.0f : Kokkos::sqrt(difference / length); });
+    });
+    team.team_barrier();
+  }
+};
+
+}  // namespace softwet

@@ -1,0 +1,65 @@
+// The headers of history.csv and interface.csv.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "observe/host/table_columns.hpp"
+
+namespace softwet {
+namespace {
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+TEST(Columns, AreNamedOnceAndExplained) {
+  for (const ColumnTable& table : column_tables()) {
+    std::set<std::string> names;
+    for (const Column& column : table.columns) {
+      EXPECT_TRUE(names.insert(column.name).second) << table.name << ": " << column.name << " stands there twice";
+      EXPECT_GT(column.meaning.size(), 10u) << column.name;
+      EXPECT_EQ(column.meaning.back(), '.') << column.name;
+    }
+  }
+}
+
+TEST(Columns, OfADropletDependOnTheDimension) {
+  const std::vector<std::string> plane{"x_left", "x_right", "x_centre", "velocity", "angle_left", "angle_right"};
+  const std::vector<std::string> space{"contact_area", "x_centre",    "y_centre",   "velocity",
+                                       "track_rear",   "track_front", "angle_rear", "angle_front"};
+  EXPECT_EQ(contact_names(2), plane);
+  EXPECT_EQ(contact_names(3), space);
+}
+
+TEST(Columns, OfHistoryGrowWithTheDroplets) {
+  const std::vector<std::string> none = history_names(2, 0), two = history_names(2, 2);
+  EXPECT_EQ(none.front(), "step");
+  EXPECT_EQ(none[1], "t");
+  EXPECT_FALSE(has(none, "laplace"));
+  EXPECT_FALSE(has(none, "velocity"));
+  EXPECT_TRUE(has(two, "velocity"));
+  EXPECT_TRUE(has(two, "angle_right_2"));
+  EXPECT_EQ(two.back(), "laplace");
+  EXPECT_EQ(two.size(), none.size() + 2 * contact_names(2).size() + 1);
+}
+
+TEST(Columns, OfFilmsFollowThoseOfDroplets) {
+  const std::vector<std::string> film = history_names(2, 0, 1), both = history_names(2, 1, 2);
+  EXPECT_TRUE(has(film, "x_left"));
+  EXPECT_FALSE(has(film, "laplace"));
+  EXPECT_TRUE(has(both, "x_left"));
+  EXPECT_TRUE(has(both, "x_left_3"));
+  EXPECT_TRUE(has(both, "laplace"));
+}
+
+TEST(Columns, OfTheInterfaceHaveTheAxesOfTheDomain) {
+  const std::vector<std::string> plane{"time",    "x_reference", "displacement_x", "displacement_y",
+                                       "density", "traction_x",  "traction_y"};
+  EXPECT_EQ(interface_names(2), plane);
+  EXPECT_TRUE(has(interface_names(3), "y_reference"));
+  EXPECT_TRUE(has(interface_names(3), "traction_z"));
+}
+
+}  // namespace
+}  // namespace softwet

@@ -1,0 +1,89 @@
+// Integrals by teams of a device against those of the host, strip by strip.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kernels/functional/fluid_integrals.hpp"
+#include "kernels/functional/solid_integrals.hpp"
+#include "operator/integrate.hpp"
+#include "unit/operator/patch.hpp"
+#include "unit/operator/thread_team.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+template <int D, int P>
+struct IntegralCases {
+  Patch<D> patch;
+  Terms terms;
+
+  explicit IntegralCases(const std::array<int, D>& elements) : patch(elements, 2, P) {}
+
+  template <class Motion, class Functional>
+  auto task(const Functional& functional, const Region<D>& region) const {
+    ReduceTask<D, Functional, Motion> t{region, functional, {}, {}, {}};
+    bind_fields(Evaluation<D>{patch.layout, patch.stage, {}, {}}, patch.blend, t);
+    if constexpr (!std::is_same_v<Motion, NoMotion>) {
+      for (int d = 0; d < D; ++d) t.motion.tangent[d] = t.motion.velocity[d];
+      t.motion.scale = 1;
+    }
+    return t;
+  }
+
+  template <bool Rate, int Q, class Motion, class Functional>
+  void compare(const char* name, const ReduceTask<D, Functional, Motion>& t) const {
+    const Colouring<D> rows(t.region, 1, 0, false);
+    const int items = rows.items() * rows.first_axis.strips, size = items * Functional::count;
+    const Array host("host", size), team("team", size), three("three", size);
+    Kokkos::parallel_for("rows", Items(0, items), ReduceRow<D, P, Q, Rate, Functional, Motion>{t, rows, host});
+    TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(t, rows, team, items);
+    ASSERT_GT(largest(to_host(host)), 1e-6) << name;
+    EXPECT_LT(distance(to_host(team), to_host(host)), 1e-13) << name;
+    if (!on_host) return;
+    // Teams of different sizes are compiled apart, and a compiler may contract their sums in different ways.
+    const TeamReduce<D, P, Q, Rate, Functional, Motion> kernel{t, rows, three};
+    const int few = std::min(items, 5);
+    const auto by_three = [&] {
+      std::vector<double> scratch(kernel.size, std::nan(""));
+      run_thread_teams(few, [&](const ThreadTeam& threads) { kernel.run(threads, scratch.data()); });
+      std::vector<double> found = to_host(three);
+      found.resize(few * Functional::count);
+      return found;
+    };
+    const std::vector<double> found = by_three();
+    std::vector<double> expected = to_host(team);
+    expected.resize(found.size());
+    EXPECT_EQ(found, by_three()) << name;
+    EXPECT_LT(distance(found, expected), 1e-13) << name;
+  }
+
+  void check_all() const {
+    using Moving = WallMotion<D>;
+    const FluidIntegrals fluid{terms.fluid};
+    const WallIntegrals wall{WallEnergy::of(terms.energy_wall)};
+    const SolidIntegrals<SaintVenantKirchhoff> solid{terms.solid};
+    compare<false, P + 1>("fluid", task<Moving>(fluid, patch.fluid()));
+    compare<false, P + 1>("contents", task<Moving>(FluidContents{}, patch.fluid()));
+    compare<false, P + 1>("fluid, fixed", task<NoMotion>(fluid, patch.fluid()));
+    compare<false, P + 1>("wall", task<Moving>(wall, patch.face()));
+    compare<true, P + 1>("wall, its rate", task<Moving>(wall, patch.face()));
+    compare<false, P + 1>("solid", task<NoMotion>(solid, patch.solid()));
+  }
+};
+
+/// The last strip is longer than the others: 9 and 7 elements in strips of 4.
+TEST(TeamReduce, PlaneByThreadsOfATeam) {
+  IntegralCases<2, 2>({9, 7}).check_all();
+  IntegralCases<2, 2>({7, 5}).check_all();
+}
+TEST(TeamReduce, PlaneDegreeThree) { IntegralCases<2, 3>({5, 6}).check_all(); }
+TEST(TeamReduce, SpaceByThreadsOfATeam) { IntegralCases<3, 2>({6, 3, 5}).check_all(); }
+TEST(TeamReduce, ReducedQuadrature) {
+  if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
+  IntegralCases<2, 2> c({9, 7});
+  c.patch.points = 2;
+  c.compare<false, 2>("fluid", c.task<WallMotion<2>>(FluidIntegrals{c.terms.fluid}, c.patch.fluid()));
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools

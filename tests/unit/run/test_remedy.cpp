@@ -1,0 +1,48 @@
+// What a user is advised after a computation that stopped: unusual settings come before the scene.
+#include "run/remedy.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+/// A solid so soft that it is what is blamed where the settings are usual.
+Case soft() {
+  Case c = scene(Scene::coupled);
+  c.substrate->young = 1e-3;
+  c.droplets = {{{0.45, c.substrate->thickness}, 0.2}};
+  return c;
+}
+
+bool blames(const std::string& advice, const std::string& what) { return advice.find(what) != std::string::npos; }
+
+TEST(Remedy, BlamesASoftSolidWhereTheSettingsAreUsual) {
+  for (auto cause : {Refusal::newton, Refusal::solid_inverted}) EXPECT_TRUE(blames(remedy(soft(), {cause}), "young"));
+}
+
+TEST(Remedy, UnusualSettingsComeFirst) {
+  for (auto cause : {Refusal::newton, Refusal::solid_inverted, Refusal::negative_density, Refusal::linear_solver}) {
+    Case loose = soft(), few = soft(), long_steps = soft(), linear = soft();
+    loose.solver.newton_rtol = 0.5;
+    few.solver.newton_max = 2;
+    long_steps.time.dt_min = 0.6;
+    linear.solver.krylov_max = 3;
+    EXPECT_TRUE(blames(remedy(loose, {cause}), "solver.newton.rtol = 0.5 (default 0.001)"));
+    EXPECT_TRUE(blames(remedy(few, {cause}), "solver.newton.max = 2 (default 10)"));
+    EXPECT_TRUE(blames(remedy(long_steps, {cause}), "time.dt_min = 0.6 (default 1e-08)"));
+    EXPECT_TRUE(blames(remedy(linear, {cause}), "solver.krylov.max = 3 (default 200)"));
+    for (const Case& c : {loose, few, long_steps, linear}) EXPECT_FALSE(blames(remedy(c, {cause}), "young"));
+  }
+}
+
+TEST(Remedy, SettingsOfNewtonsMethodDoNotConcernExplicitSchemes) {
+  Case c = soft();
+  c.time.scheme = "ssp_rk3";
+  c.solver.newton_max = 2;
+  EXPECT_FALSE(blames(remedy(c, {Refusal::negative_density}), "newton"));
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools
