@@ -6,7 +6,7 @@ install(TARGETS softwet RUNTIME DESTINATION bin)
 
 # Tools that need the sources stay with them.
 install(DIRECTORY tools/ DESTINATION ${softwet_share}/tools USE_SOURCE_PERMISSIONS
-  PATTERN setup EXCLUDE PATTERN run EXCLUDE PATTERN test EXCLUDE PATTERN bench EXCLUDE PATTERN fuzz EXCLUDE
+  PATTERN setup EXCLUDE PATTERN run EXCLUDE PATTERN rooms EXCLUDE PATTERN test EXCLUDE PATTERN bench EXCLUDE PATTERN fuzz EXCLUDE
   PATTERN cmake EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY cases/ DESTINATION ${softwet_share}/cases)
 
