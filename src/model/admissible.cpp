@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "case/error.hpp"
+#include "case/text.hpp"
 #include "field/ranks.hpp"
 
 namespace softwet {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-std::string brief(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 /// Greville point of control value i of the density.
 template <int D>
@@ -39,8 +33,8 @@ std::string waves_on(const Case& c, const std::string& field) {
   std::string names;
   for (std::size_t k = 0; k < c.waves.size(); ++k)
     if (c.waves[k].field.rfind(field, 0) == 0)
-      names +=
-          (names.empty() ? "wave[" : ", wave[") + std::to_string(k) + "].amplitude = " + brief(c.waves[k].amplitude);
+      names += (names.empty() ? "wave[" : ", wave[") + std::to_string(k) +
+               "].amplitude = " + short_text(c.waves[k].amplitude, 4);
   return names;
 }
 
@@ -74,14 +68,15 @@ void require_density(const Case& c, const Model<D, P>& model, const std::vector<
   const int speaker = static_cast<int>(ranks::least(outside == most ? ranks::mine() : infinite));
   std::string place;
   for (double x : place_of(model.layout(), static_cast<int>(worst)))
-    place += (place.empty() ? "" : ", ") + brief(told_by(speaker, x));
-  const std::string bare = brief(told_by(speaker, without_waves[worst])),
-                    value = brief(told_by(speaker, density[worst]));
+    place += (place.empty() ? "" : ", ") + short_text(told_by(speaker, x), 4);
+  const std::string bare = short_text(told_by(speaker, without_waves[worst]), 4),
+                    value = short_text(told_by(speaker, density[worst]), 4);
   const double factor = 0.99 * factor_that_fits(without_waves, density);
-  throw Error(Exit::invalid_input,
-              "the density at the start is " + value + " at (" + place + "), where it must lie in [0, " +
-                  brief(close_packed) + "): it is " + bare + " there without the waves on the density, which are " +
-                  waves + "; multiply these amplitudes by at most " + brief(factor) + ", or choose other modes");
+  throw Error(Exit::invalid_input, "the density at the start is " + value + " at (" + place +
+                                       "), where it must lie in [0, " + short_text(close_packed, 4) + "): it is " +
+                                       bare + " there without the waves on the density, which are " + waves +
+                                       "; multiply these amplitudes by at most " + short_text(factor, 4) +
+                                       ", or choose other modes");
 }
 
 template <int D, int P>

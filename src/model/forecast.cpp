@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "case/cap.hpp"
+#include "case/text.hpp"
 #include "model/distances.hpp"
 #include "model/equilibrium.hpp"
 #include "model/groups.hpp"
 
 namespace softwet {
 namespace {
-
-std::string short_text(double value, int digits = 3) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
-}
 
 /// (dV/dR) / R^(D-1) of a droplet: of a disc 2 pi, of a ball 4 pi, less for a cap and for a half on a slip side.
 double growth(const Case& c, const Droplet& droplet) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "case/cap.hpp"
+#include "case/text.hpp"
 #include "field/ranks.hpp"
 #include "io/output_time.hpp"
 #include "observe/host/table_columns.hpp"
@@ -14,9 +14,7 @@ namespace softwet {
 namespace {
 
 std::string energy_sentence(double rise, bool law, bool implicit) {
-  char size[32];
-  std::snprintf(size, sizeof size, "%.2g", rise);
-  return std::string("the energy rose by ") + size + " though nothing fed it" +
+  return "the energy rose by " + short_text(rise, 2) + " though nothing fed it" +
          (law ? "" : ", by more than the wall law \"gradient\" does") + ": the steps may be too long; a smaller " +
          (implicit ? "time.tolerance" : "time.safety") + " makes them shorter";
 }

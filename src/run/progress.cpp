@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "case/text.hpp"
 #include "run/host/time_left.hpp"
 
 namespace softwet {
 namespace {
-
-std::string text(const char* format, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, format, value);
-  return buffer;
-}
 
 /// Characters in a row of the terminal; a longer line would not be rewritten but pile up.
 std::size_t terminal_width() {
@@ -37,13 +32,13 @@ void Progress::step(double t, long step, double dt, const Headline& headline,
   if (Clock::now() - last_ < pause) return;
   last_ = Clock::now();
   const double share = std::clamp((t - start_) / std::max(end_ - start_, 1e-300), 0.0, 1.0);
-  std::string line = text("t = %.6g", t) + text(" of %.6g", end_) + text(" (%.0f %%)", 100 * share);
+  std::string line = formatted(t, "t = %.6g") + formatted(end_, " of %.6g") + formatted(100 * share, " (%.0f %%)");
   if (seconds_left) line += ", " + rough_duration(*seconds_left) + " left";
-  line += ", step " + std::to_string(step) + text(", dt = %.3g", dt);
+  line += ", step " + std::to_string(step) + formatted(dt, ", dt = %.3g");
   for (std::size_t d = 0; d < headline.centre.size(); ++d)
-    line += text(d == 0 ? ", x = %.4f" : ", y = %.4f", headline.centre[d]);
-  if (headline.velocity) line += text(", V = %.2e", *headline.velocity);
-  if (headline.mass_drift) line += text(", mass drift %+.0e", *headline.mass_drift);
+    line += formatted(headline.centre[d], d == 0 ? ", x = %.4f" : ", y = %.4f");
+  if (headline.velocity) line += formatted(*headline.velocity, ", V = %.2e");
+  if (headline.mass_drift) line += formatted(*headline.mass_drift, ", mass drift %+.0e");
   if (voice_ == Voice::terminal) {
     std::fprintf(stderr, "\r%s\033[K", line.substr(0, terminal_width() - 1).c_str());
     open_line_ = true;

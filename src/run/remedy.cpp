@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "case/text.hpp"
 #include "model/forecast.hpp"
 #include "model/groups.hpp"
 
 namespace softwet {
 namespace {
-
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
 
 /// Settings so far from their defaults that a computation may stop because of them alone: they are looked at before
 /// the scene is blamed. Empty where there are none.
@@ -24,7 +18,7 @@ std::string unusual_settings(const Case& c) {
   std::string found;
   const auto tell = [&](bool unusual, const std::string& key, double value, double usual) {
     if (!unusual) return;
-    found += (found.empty() ? "" : ", ") + key + " = " + short_number(value) + " (default " + short_number(usual) + ")";
+    found += (found.empty() ? "" : ", ") + key + " = " + short_text(value) + " (default " + short_text(usual) + ")";
   };
   if (c.time.scheme == implicit_scheme) {
     tell(c.solver.newton_rtol > 10 * solver.newton_rtol, "solver.newton.rtol", c.solver.newton_rtol,
@@ -43,8 +37,8 @@ std::string unusual_settings(const Case& c) {
 
 std::string softer_than_its_loads(const Case& c) {
   const double length = elastocapillary_length(c);
-  const std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + short_number(length) +
-                                            ", the layer is " + short_number(c.substrate->thickness) + " thick; "
+  const std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + short_text(length) +
+                                            ", the layer is " + short_text(c.substrate->thickness) + " thick; "
                                       : "";
   if (c.loads.empty()) return soft + "raise substrate.young";
   const std::string gentler = "raise substrate.young, lower load[].force or lengthen load[].ramp";
@@ -62,7 +56,7 @@ std::string for_the_density(const Case& c) {
            "fluid.wall_law = \"energy\"";
   if (too_soft(c)) return softer_than_its_loads(c);
   if (c.fluid->capillarity < 2 * h)
-    return "the liquid-vapour interface is " + short_number(c.fluid->capillarity / h) +
+    return "the liquid-vapour interface is " + short_text(c.fluid->capillarity / h) +
            " elements wide: two resolve it, with more domain.elements or a larger fluid.capillarity";
   return "a softer load ramp, a larger fluid.viscosity or a tighter time.tolerance may help";
 }
@@ -71,7 +65,7 @@ std::string for_the_density(const Case& c) {
 
 std::string remedy(const Case& c, const Refusal& refusal) {
   if (c.time.scheme != implicit_scheme && c.time.safety > 1)
-    return "with time.safety = " + short_number(c.time.safety) +
+    return "with time.safety = " + short_text(c.time.safety) +
            " the steps may be longer than the largest stable one: write time.safety = 0.9";
   if (const std::string settings = unusual_settings(c); !settings.empty())
     return "try the defaults first, for these settings are far from them: " + settings;

@@ -1,9 +1,9 @@
 #include "run/simulation.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "case/error.hpp"
+#include "case/text.hpp"
 #include "casefile/field_times.hpp"
 #include "field/ranks.hpp"
 #include "field/together.hpp"
@@ -36,12 +36,6 @@ std::vector<double> events(const Case& c) {
 
 /// Whether any process has been asked to stop.
 bool asked_to_stop() { return ranks::largest(stop_requested() ? 1 : 0) > 0; }
-
-std::string short_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 }  // namespace
 
@@ -93,7 +87,7 @@ bool Simulation<D, P>::come_to_rest(State& state) {
   }
   moved_ = scalars_.moved();
   progress_->tell("at rest after " + std::to_string(relaxation_->steps) + " steps: the fields change by less than " +
-                  short_text(std::max(1e-15, relaxation_->rate)) + " of their range in a unit of time" +
+                  short_text(std::max(1e-15, relaxation_->rate), 6) + " of their range in a unit of time" +
                   moves_text(body_names(case_), moved_));
   return true;
 }
@@ -152,11 +146,11 @@ void Simulation<D, P>::run() {
   if (!options_.resume && !begin()) return;
   if (options_.resume) {
     restore();
-    const std::string place = stop_reason() + " at t = " + short_text(output_time());
+    const std::string place = stop_reason() + " at t = " + short_text(output_time(), 6);
     if (!stop_reason().empty())
       return progress_->tell("nothing is left to compute: " + place + "; to go on, raise " +
                              (at_end() ? "time.end" : "time.max_steps"));
-    progress_->tell("resumed at t = " + short_text(output_time()));
+    progress_->tell("resumed at t = " + short_text(output_time(), 6));
     resume();
   }
   seconds_.setup += since_start();
@@ -174,7 +168,7 @@ void Simulation<D, P>::run() {
     if (error.code() != Exit::computation_failed) throw;
     const std::string advice = remedy(case_, stepper_.counts().last_rejection), failure = error.what();
     throw Error(error.code(), failure + "; " + advice + "; the last good state, that of t = " +
-                                  short_text(output_time()) + ", " + keep_after(failure));
+                                  short_text(output_time(), 6) + ", " + keep_after(failure));
   } catch (const std::exception& error) {               // memory or the device: the state is still the last good one
     if (ranks::count() == 1) keep_after(error.what());  // of several processes, this one alone has failed
     throw;
@@ -212,8 +206,8 @@ void Simulation<D, P>::advance() {
   record(reason);
   require_folder();  // what was written in this moment may be somewhere else
   const std::string more = reason == "end reached" ? "" : "; to go on, run the same command with --resume";
-  progress_->tell(reason + " at t = " + short_text(output_time()) + " after " + std::to_string(steps) + " steps and " +
-                  short_text(seconds_.total) + " s" + more + "; the result is in " + options_.out +
+  progress_->tell(reason + " at t = " + short_text(output_time(), 6) + " after " + std::to_string(steps) +
+                  " steps and " + short_text(seconds_.total, 6) + " s" + more + "; the result is in " + options_.out +
                   summary(scalars_.events()));
 }
 

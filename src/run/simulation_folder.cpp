@@ -1,29 +1,19 @@
 // What a run does where somebody moves or removes its folder or a table.
-#include <cstdio>
 #include <utility>
 
 #include "case/error.hpp"
+#include "case/text.hpp"
 #include "field/ranks.hpp"
 #include "field/together.hpp"
 #include "run/simulation.hpp"
 
 namespace softwet {
-namespace {
-
-std::string time_text(double time) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", time);
-  return text;
-}
-
-}  // namespace
-
 template <int D, int P>
 void Simulation<D, P>::require_folder() {
   const std::string place = options_.place ? options_.place() : options_.out;
   enum Found { in_place, moved, removed };
   const Found found = place == options_.out ? in_place : place.empty() ? removed : moved;
-  const std::string when = " during the run, which has stopped at t = " + time_text(output_time());
+  const std::string when = " during the run, which has stopped at t = " + short_text(output_time(), 6);
   switch (static_cast<Found>(ranks::of_root(found))) {  // which has the folder
     case in_place:
       return require_tables();
@@ -56,7 +46,8 @@ void Simulation<D, P>::require_tables() {
   write_state();
   record("stopped: a table was removed");
   throw Error(Exit::machine_failed,
-              lost + " was removed or replaced during the run, which has stopped at t = " + time_text(output_time()) +
+              lost +
+                  " was removed or replaced during the run, which has stopped at t = " + short_text(output_time(), 6) +
                   "; its rows have been written again (what stood in their place has the ending .replaced), and the "
                   "last state is in " +
                   path("checkpoint.h5") + "; to go on, give the same command with --resume");

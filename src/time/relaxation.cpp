@@ -1,9 +1,9 @@
 #include "time/relaxation.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "case/error.hpp"
+#include "case/text.hpp"
 #include "field/vector.hpp"
 #include "time/implicit_scheme.hpp"
 
@@ -22,12 +22,6 @@ Case loose(const Case& c) {
   loose.solver.jacobian = "exact";
   loose.solver.newton_rtol = std::max(c.solver.newton_rtol, 1e-4);
   return loose;
-}
-
-std::string two_digits(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", x);
-  return text;
 }
 
 /// x(i) /= density(i) where the density is below `most`, that is in the vapour, and 0 elsewhere.
@@ -113,8 +107,8 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double t
       break;
     }
     if (done.steps == most_steps)
-      give_up("after " + std::to_string(most_steps) + " steps its fields still change by " + two_digits(done.rate) +
-              " of their range in a unit of time, where " + two_digits(rest) + " counts as rest");
+      give_up("after " + std::to_string(most_steps) + " steps its fields still change by " + short_text(done.rate, 2) +
+              " of their range in a unit of time, where " + short_text(rest, 2) + " counts as rest");
     state.time = time - dt;  // a step ends no later than the first load begins
     scheme.initialise(state);
     const StepAttempt tried = scheme.attempt({state, unused, 0}, dt);

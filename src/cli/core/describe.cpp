@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "case/text.hpp"
 #include "machine/memory.hpp"
 #include "model/initial.hpp"
 #include "model/model.hpp"
@@ -15,12 +16,6 @@
 
 namespace softwet {
 namespace {
-
-std::string number(double value, const char* format = "%.3g") {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 /// A part of a case that is small enough to be set up here, and how many times it fits into the whole.
 struct Part {
@@ -104,7 +99,7 @@ std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
   for (const Axis& axis : model.layout().axis) h = std::min(h, axis.spacing());
   std::vector<Line> lines;
   const auto limit = [&](const std::string& name, double dt) {
-    lines.push_back({name, "dt <= " + number(dt, "%.2g")});
+    lines.push_back({name, "dt <= " + formatted(dt, "%.2g")});
   };
   if (c.fluid) {
     const double liquid = model.state().density_liquid, vapour = model.state().density_vapour;
@@ -133,7 +128,7 @@ std::vector<Line> measured_limits(const Case& c, const Model<D, P>& model) {
     ExplicitScheme<D, P> explicit_scheme(model, probe, judge);
     State state = initial_state<D, P>(probe, model);
     explicit_scheme.initialise(state);
-    lines.push_back({scheme, "dt <= " + number(explicit_scheme.largest_step(state), "%.3g")});
+    lines.push_back({scheme, "dt <= " + formatted(explicit_scheme.largest_step(state), "%.3g")});
   }
   return lines;
 }

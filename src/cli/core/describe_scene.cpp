@@ -1,6 +1,6 @@
-#include <cstdio>
 #include <iomanip>
 
+#include "case/text.hpp"
 #include "casefile/field_times.hpp"
 #include "cli/core/describe.hpp"
 #include "kernels/solid/isotropic.hpp"
@@ -10,31 +10,25 @@
 namespace softwet {
 namespace {
 
-std::string quantity(double value, const char* format = "%.4g") {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 std::vector<Line> stiffness(const Substrate& s) {
   const auto solid = LameParameters::from(s.young_modulus(), s.poisson);
-  return {{"Young modulus", quantity(s.young_modulus()) + " a b^2 (density x young)"},
-          {"shear modulus", quantity(solid.shear_modulus) + " a b^2"},
-          {"first Lame parameter lambda", quantity(solid.lambda) + " a b^2"}};
+  return {{"Young modulus", formatted(s.young_modulus(), "%.4g") + " a b^2 (density x young)"},
+          {"shear modulus", formatted(solid.shear_modulus, "%.4g") + " a b^2"},
+          {"first Lame parameter lambda", formatted(solid.lambda, "%.4g") + " a b^2"}};
 }
 
 std::vector<Line> equilibrium(const Fluid& fluid) {
   const Coexistence flat = coexistence(fluid.temperature);
-  return {{"density of the vapour", quantity(flat.density_vapour, "%.10g") + " b"},
-          {"density of the liquid", quantity(flat.density_liquid, "%.10g") + " b"},
-          {"surface tension", quantity(surface_tension(fluid), "%.10g") + " a b^2 L0"}};
+  return {{"density of the vapour", formatted(flat.density_vapour, "%.10g") + " b"},
+          {"density of the liquid", formatted(flat.density_liquid, "%.10g") + " b"},
+          {"surface tension", formatted(surface_tension(fluid), "%.10g") + " a b^2 L0"}};
 }
 
 void print_groups(const Case& c, std::ostream& out) {
   std::vector<Line> numbers, times;
   for (const Group& group : groups(c)) {
     const bool is_time = group.name.rfind("time_", 0) == 0;
-    std::string value = quantity(group.value);
+    std::string value = formatted(group.value, "%.4g");
     value.resize(std::max<std::size_t>(value.size(), 11), ' ');
     (is_time ? times : numbers).push_back({group.name, value + " " + group.meaning});
   }
@@ -44,9 +38,9 @@ void print_groups(const Case& c, std::ostream& out) {
 
 /// One line of the clock: an event, its run time and its t.
 Line event(const Case& c, const std::string& name, double run_time) {
-  std::string first = quantity(run_time, "%.10g");
+  std::string first = formatted(run_time, "%.10g");
   first.resize(std::max<std::size_t>(first.size(), 16), ' ');
-  return {name, first + quantity(run_time - c.clock_zero() + 0.0, "%.10g")};
+  return {name, first + formatted(run_time - c.clock_zero() + 0.0, "%.10g")};
 }
 
 std::vector<Line> clock(const Case& c) {

@@ -1,8 +1,8 @@
 #include "cli/core/units.hpp"
 
 #include <cmath>
-#include <cstdio>
 
+#include "case/text.hpp"
 #include "casefile/value.hpp"
 #include "cli/core/describe.hpp"
 #include "cli/core/scales.hpp"
@@ -12,17 +12,11 @@
 namespace softwet {
 namespace {
 
-std::string with_unit(double value, const char* unit = "") {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text + std::string(*unit ? " " : "") + unit;
-}
+std::string with_unit(double value, const char* unit = "") { return short_text(value, 4) + (*unit ? " " : "") + unit; }
 
 /// Seven digits, more than anybody measures.
 std::string key(const std::string& name, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.7g", value);
-  return name + " = " + text_of_number(*number_from_text(text)) + "\n";
+  return name + " = " + text_of_number(*number_from_text(short_text(value, 7))) + "\n";
 }
 
 void print_scales(const Scales& s, std::ostream& out) {
