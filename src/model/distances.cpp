@@ -114,6 +114,7 @@ std::vector<Gap> narrow_gaps(const Case& c, double width) {
       if (round && all[i].lower[0] <= all[j].upper[0] + width) continue;  // found the other way
       const double gap = between(c, all[i], all[j]);
       if (gap < width) gaps.push_back({all[i].name, all[j].name, gap});
+      if (gaps.size() >= most_gaps) return gaps;
     }
   std::stable_sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.width < b.width; });
   return gaps;

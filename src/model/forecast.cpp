@@ -80,7 +80,9 @@ void add_gaps(const Case& c, std::vector<std::string>& found) {
   const std::vector<Gap> gaps = narrow_gaps(c, bound);
   if (gaps.empty()) return;
   const Gap& nearest = gaps.front();
-  const std::string more = gaps.size() > 1 ? " (and " + std::to_string(gaps.size() - 1) + " more)" : "";
+  const std::string more =
+      gaps.size() > 1 ? " (and " + std::to_string(gaps.size() - 1) + (gaps.size() < most_gaps ? " more)" : " or more)")
+                      : "";
   found.push_back(
       nearest.one + " and " + nearest.other +
       (nearest.width > 0 ? " are " + short_text(nearest.width) + " apart" : std::string(" overlap")) + more +

@@ -44,6 +44,7 @@ TEST(StepControl, TheLargestStepIsNotExceededBeforeAnEvent) {
   control.set_proposed(limits.largest);
   EXPECT_DOUBLE_EQ(control.next(0.0), 2.0);
   EXPECT_DOUBLE_EQ(control.next(8.0), 2.0) << "just as far away";
+  EXPECT_NEAR(control.next(8.0 - 1e-13), 2.0, 1e-12) << "just as far away but for the rounding of a sum of steps";
   EXPECT_DOUBLE_EQ(control.next(7.9), 1.05) << "two equal steps";
   for (double t = 0; t < 10;) {
     const double dt = control.next(t);
