@@ -16,7 +16,6 @@ import os
 import pathlib
 import re
 import shlex
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -83,25 +82,20 @@ class Store:
         for process in list(self.running):
             process.kill()
 
-    def get(self, case, shown, settings, options, limit, begin=None):
+    def get(self, case, shown, settings, options, limit):
         """@param case   path of the case; @param shown  how the command names it
-        @param begin  a run that this one goes on from, on a copy of its folder
         @return the run, whatever its exit code"""
         self.go_on()
         words = [word for setting in settings for word in ("--set", setting)] + list(options)
-        words += ["--resume"] if begin else []
         if "--threads" not in words:
             words += ["--threads", "1"]
-        told = [self.content, case.read_text(), *words, *([begin.folder.name] if begin else [])]
+        told = [self.content, case.read_text(), *words]
         key = hashlib.sha1("\0".join(told).encode()).hexdigest()[:12]
         folder = self.folder / f"{case.stem}_{key}"
         file = self.folder / f"{case.stem}_{key}.json"
         if not file.exists():
-            if begin:
-                shutil.rmtree(folder, ignore_errors=True)
-                shutil.copytree(begin.folder, folder)
-            note = self.compute([str(self.program), "run", str(case), *words, "--out", str(folder), "--quiet",
-                                 *([] if begin else ["--overwrite"])], limit)
+            note = self.compute(
+                [str(self.program), "run", str(case), *words, "--out", str(folder), "--quiet", "--overwrite"], limit)
             self.go_on()
             note["command"] = shlex.join(["softwet", "run", shown, *words])
             if note["code"] not in (0, 1, 2):
@@ -158,13 +152,13 @@ class Lab:
         """One run; parameters as in get."""
         return self.runs({label: (case, settings, options)}, **keywords)[label]
 
-    def get(self, label, case, settings=(), options=(), expect=0, limit=600, begin=None):
+    def get(self, label, case, settings=(), options=(), expect=0, limit=600):
         """Runs `softwet run`, unless an equal run is kept. @param label  names the run in this study
         @param case      a name in cases/, or the text of a case
         @param settings  values of --set;  @param options  further options, default "--threads 1"
-        @param expect    exit code, None: any;  @param limit  seconds;  @param begin  a run that this one goes on from"""
+        @param expect    exit code, None: any;  @param limit  seconds"""
         path, shown = self.case_file(case)
-        run = self.store.get(path, shown, settings, options, limit, begin)
+        run = self.store.get(path, shown, settings, options, limit)
         self.commands[label], self.seconds[label] = run.commandline, run.processor_seconds
         if expect is not None and run.code != expect:
             raise StudyError(f"{label}: exit code {run.code}, not {expect}: {run.commandline}\n{run.message.strip()}")
