@@ -14,9 +14,12 @@ void StepWatch::begin(const StepSigns& first) {
 
 bool StepWatch::grows(const StepSigns& next) const {
   constexpr double part = 0.1, part_of_kinetic = 1e-4, jump = 2, faster = 1.2;
+  constexpr double part_of_change =
+      0.5;  // of the kinetic energy: steps have lumped masses, the energy has consistent ones
   const EnergyState &a = memory_.last.energy, &b = next.energy;
   const double dt = b.time - a.time;
-  const double error = part * dt * (a.lost + std::abs(a.fed)) + part_of_kinetic * a.kinetic + round_off_of(b);
+  const double error = part * dt * (a.lost + std::abs(a.fed)) + part_of_kinetic * a.kinetic +
+                       part_of_change * std::abs(b.kinetic - a.kinetic) + round_off_of(b);
   const bool rises = energy_law_ && unfed_rise(a, b) > error;
   const bool dissipates =
       a.lost > 0 && b.lost > a.lost * std::max(jump, faster * memory_.jump) && dt * b.lost > round_off_of(b);
