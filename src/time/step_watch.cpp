@@ -14,8 +14,7 @@ void StepWatch::begin(const StepSigns& first) {
 
 bool StepWatch::grows(const StepSigns& next) const {
   constexpr double part = 0.1, part_of_kinetic = 1e-4, jump = 2, faster = 1.2;
-  constexpr double part_of_change =
-      0.5;  // of the kinetic energy: steps have lumped masses, the energy has consistent ones
+  constexpr double part_of_change = 0.5;  // of the kinetic energy: that of consistent masses; steps have lumped ones
   const EnergyState &a = memory_.last.energy, &b = next.energy;
   const double dt = b.time - a.time;
   const double error = part * dt * (a.lost + std::abs(a.fed)) + part_of_kinetic * a.kinetic +
