@@ -73,6 +73,7 @@ void Scalars<D, P>::add_integrals(long step, const Integrals& sum, double load_p
 
 template <int D, int P>
 void Scalars<D, P>::follow_energy(const EnergyState& state) {
+  if (!case_.keeps_shown_energy()) return;
   const bool law = case_.has_energy_law(), implicit = case_.time.scheme == implicit_scheme;
   const double rise = latest_.energy.follow(state, law ? share_with_energy_law : share_without_energy_law);
   if (rise > 0)

@@ -35,7 +35,7 @@ ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, co
                       system_.free_values()),
       stability_(model.layout().space(), system_.size(), system_.free_values()),
       side_density_(model.layout()),
-      watch_(wet_part * model.state().density_liquid, c.has_energy_law()),
+      watch_(wet_part * model.state().density_liquid, c.has_energy_law() && c.keeps_shown_energy()),
       safety_(c.time.safety) {
   for (Array* a : {&y_, &rates_, &next_, &next_rates_}) *a = Array("explicit.vector", system_.size());
 }

@@ -45,7 +45,6 @@ class StepWatch {
   /// The limit was found at the last state.
   void searched() { memory_.searched = memory_.last.density; }
 
-  Memory& memory() { return memory_; }
   /// What the judgement of the next steps goes on from.
   void visit_memory(StepMemory&);
 
