@@ -39,6 +39,17 @@ struct Slot {
 /// the wall's basis functions alone.
 enum class Where { solid, fluid, wall, beside_wall };
 
+/// Whether a channel of a test bundle has a flux. A bundle in which some have none tells by `flux_of`; they then write zeros,
+/// which a processor does not integrate.
+template <class Test>
+constexpr bool channel_has_flux(int c) {
+  if constexpr (requires { Test::flux_of(c); }) {
+    return Test::flux_of(c);
+  } else {
+    return Test::has_flux;
+  }
+}
+
 /// Integrand against (w, grad w) of momentum alone; of the fluid and of the solid.
 template <class N, int D>
 struct MomentumTest {

@@ -100,8 +100,8 @@ struct Boundary {
 inline constexpr const char* implicit_scheme = "generalized_alpha";
 
 struct TimeControl {
-  std::string scheme = implicit_scheme;  ///< generalized_alpha | ssp_rk3 | rkl2 | imex
-  std::string mass = "consistent";       ///< of explicit schemes: consistent | lumped
+  std::string scheme = implicit_scheme;  ///< generalized_alpha | kick_drift | rkl2 | ssp_rk3
+  std::string mass = "corrected";        ///< of explicit schemes: corrected | lumped | consistent
   double safety = 0.9;                   ///< of explicit schemes: step over the largest stable one
   std::string start = "initial";         ///< initial | equilibrium: brought to rest before the first step
   double rho_inf = 0.5;

@@ -18,8 +18,7 @@ struct Refusal {
     potential,
     acceleration,
     viscous_rate,
-    growth,
-    implicit_viscosity
+    beyond_bound
   };
   Cause cause = none;
 
@@ -52,10 +51,8 @@ struct Refusal {
         return "the acceleration could not be found";
       case viscous_rate:
         return "the acceleration by viscosity could not be found";
-      case growth:
-        return "energy or dissipation grow as they do in steps that are not stable";
-      case implicit_viscosity:
-        return "the implicit viscosity could not be solved";
+      case beyond_bound:
+        return "at the end of the step the largest stable step is shorter than it";
     }
     return "";
   }

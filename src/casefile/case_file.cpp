@@ -56,6 +56,13 @@ void apply_quality(const Document& document, Case& c) {
       }
 }
 
+#ifdef SOFTWET_NO_REDUCED_QUADRATURE
+constexpr bool has_reduced_points = false;
+#else
+constexpr bool has_reduced_points = true;
+#endif
+constexpr int explicit_history_every = 10;
+
 /// Keys that are missing go to the problems, unless it is known already that they are wrong.
 Case resolve(const Document& document, Problems& problems) {
   Case c;
@@ -78,6 +85,10 @@ Case resolve(const Document& document, Problems& problems) {
   // Where the scheme hardly damps, what Newton's method leaves in the shortest waves adds up from step to step.
   if (c.time.rho_inf > 0.9 && !document.entries.count("solver.newton.rtol"))
     c.solver.newton_rtol = std::min(c.solver.newton_rtol, 1e-6);
+  if (c.time.scheme != implicit_scheme) {  // what an explicit step costs, and what may be added to it
+    if (!document.entries.count("domain.quadrature") && has_reduced_points) c.domain.quadrature = "reduced";
+    if (!document.entries.count("output.history.every")) c.output.history_every = explicit_history_every;
+  }
   if (c.dimension() == 3 && !document.entries.count("output.history.track")) c.output.track = line_of_loads(c);
   return c;
 }

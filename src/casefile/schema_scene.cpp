@@ -50,7 +50,8 @@ std::vector<Key> domain_keys() {
        .example = "\"full\"",
        .help = "Gauss points of an element along each axis: full has degree + 1, reduced has as many as the degree, "
                "which computes less at each evaluation of the equations.",
-       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.quadrature; })},
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.quadrature; }),
+       .default_note = "\"full\"; \"reduced\" with an explicit time.scheme"},
   };
 }
 

@@ -74,6 +74,7 @@ class PieceMaker {
       pieces_.rigid_traction = piece<Motion>("capillary_traction", traction());
       return;
     }
+    pieces_.traction = pieces_.list.size();
     add<Motion>("capillary_traction", traction());
     if (case_.fluid->traction == Traction::blended)
       pieces_.list.back().exact = std::make_unique<PieceOf<D, P, CapillaryTraction, Motion, Real>>(

@@ -188,6 +188,18 @@ void Model<D, P>::finish_residual(double time, const Array& out) const {
 }
 
 template <int D, int P>
+void Model<D, P>::add_forces_of_solid(const Stage& stage, const Array& out) const {
+  const Evaluation<D> at{layout_, stage, {}, out};
+  for (std::size_t i = 0; i < pieces_.first_of_fluid; ++i) pieces_.list[i].piece->residual(at);
+  if (pieces_.traction != pieces_.none) {
+    const auto& entry = pieces_.list[pieces_.traction];
+    (entry.exact ? entry.exact : entry.piece)->residual(at);
+  }
+  add_loads(stage.time, out);
+  if (source_) source_(stage.time, out);
+}
+
+template <int D, int P>
 void Model<D, P>::residual(const Stage& stage, const Array& out) const {
   pieces_.run({layout_, stage, {}, out});
   finish_residual(stage.time, out);

@@ -88,6 +88,9 @@ class Model {
   void fluid_residual(const Stage&, const Array& out) const;
   /// The rows of the potential equation without (q, mu), with the other sign, so that M mu = out. Other rows mean nothing.
   void potential_moments(const Stage&, const Array& out) const;
+  /// Adds to a residual what the solid, the traction of the fluid on the wall, loads and the source contribute, before ghosts
+  /// are summed. The acceleration of the stage counts as it is.
+  void add_forces_of_solid(const Stage&, const Array& out) const;
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen. The direction is zero where
   /// values are prescribed. Its ghosts, where there are some, are filled for the product and then set to zero again.
   void product(const Stage&, const Array& direction, const Array& out, Geometry) const;

@@ -44,7 +44,7 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
                                {"Krylov basis", (mixed ? 4 : 8) * n * (2.0 * c.solver.krylov_restart + 2)},
                                {"preconditioner " + preconditioner->name(), preconditioner->bytes()}});
   } else {
-    constexpr double stages = 13, masses = 11;  // vectors, as many as the scheme imex has
+    constexpr double stages = 7, masses = 9;  // vectors, as many as the scheme kick_drift has
     parts.push_back({"stages and masses", 8 * (stages * (rate + solid + scalar) + masses * n)});
   }
   return parts;

@@ -1,17 +1,12 @@
-// The equations of a scene as an evolution y' = f(t, y): discrete in space, continuous in time.
+// The equations of a scene as an evolution: discrete in space, continuous in time, in the parts that explicit schemes need.
 #pragma once
 
 #include "field/step_memory.hpp"
-#include "model/mass_products.hpp"
-#include "solver/krylov/conjugate_gradient.hpp"
-#include "solver/krylov/kronecker_mass.hpp"
+#include "model/explicit_terms.hpp"
 #include "time/evolution.hpp"
+#include "time/mass_inverse.hpp"
 
 namespace softwet {
-
-/// How the masses of velocity, density and chemical potential are inverted: as they are, by conjugate gradients, or
-/// replaced by their row sums, which costs nothing and is of second order in space.
-enum class MassKind { consistent, lumped };
 
 /// Evaluations of rates, and iterations of conjugate gradients for what they need.
 struct MassCounts {
@@ -22,64 +17,70 @@ struct MassCounts {
 /// y = (v, u, p): velocities, displacements of the solid, and the moments p_i = (q_i, rho J) of the density. Stepping
 /// moments keeps the mass exactly, on a moving mesh too. From y follow the density, M[x] rho = p, and the chemical
 /// potential; then  u' = v,  p' = -F,  A[rho, x] v' = forces.
+/// `rates` is all of that. What it is made of works on the stage, which holds the last values of everything.
 template <int D, int P>
 class SemiDiscrete final : public Evolution {
  public:
   SemiDiscrete(const Model<D, P>&, MassKind);
 
-  int size() const override { return velocity_ + solid_ + scalar_; }
-  Refusal rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, true); }
-  Refusal gentle_rates(double t, const Array& y, const Array& out) override { return all_rates(t, y, out, false); }
-  Refusal stiff_rates(const Array& y, const Array& out) override;
-  /// 1 at the velocities and moments of a vector that are free, 0 where they are held or copies across a periodic side,
-  /// and at displacements.
-  Array free_values() const;
+  int size() const override { return velocities() + displacements() + moments(); }
+  int velocities() const { return model_.layout().velocity_size(); }
+  int displacements() const { return model_.layout().solid_size(); }
+  int moments() const { return model_.layout().scalar_size(); }
+  // Parts of y.
+  Array velocities_of(const Array& y) const { return range(y, 0, velocities()); }
+  Array displacements_of(const Array& y) const { return range(y, velocities(), velocities() + displacements()); }
+  Array moments_of(const Array& y) const { return range(y, velocities() + displacements(), size()); }
 
-  Refusal hold(const Array& y) override;
-  Refusal implicit_part(double c, const Array& y, const Array& out) override;
+  Refusal rates(double t, const Array& y, const Array& out) override;
 
-  /// -(y, g(y)) / (y, y) with the stiff part g and the mass of the velocities as the inner product.
-  double stiff_quotient(const Array& y);
-  /// How accurate the solves for the stiff part are: less where its size alone is asked for.
-  void set_stiff_tolerance(double tolerance) { stiff_tolerance_ = tolerance; }
-  static constexpr double velocity_tolerance = 1e-10;
+  /// Moves the mesh of the stage, with the row sums of scalars.
+  void place_mesh(double t, const Array& displacement);
+  /// Velocities of the stage, with their ghosts.
+  void place_velocity(const Array& v);
+  void place_density(const ConstArray& density);
+  /// Density and chemical potential of the stage. `find_density` also weights velocities with the moments.
+  Refusal find_density(const ConstArray& moments);
+  Refusal find_potential();
+  void weigh_velocities(const ConstArray& moments) { masses_.set_weights(moments, stage_.unknown); }
+  /// Displacements by dt times the velocities of the stage.
+  void add_motion(double dt, const Array& displacement) const;
+  /// Rates of the moments by the flux of mass.
+  void mass_flux(const Array& out);
+  /// Acceleration by pressure, capillarity, elasticity and loads, and rates of the moments by the stabilisation.
+  Refusal pressure(const Array& acceleration, const Array& moment_rates);
+  /// Acceleration by convection, and viscosity unless it is treated apart.
+  Refusal convection(bool viscous, const Array& acceleration);
+  /// Acceleration of velocities by viscosity alone, with the density and mesh of the stage.
+  Refusal viscosity(const Array& v, const Array& acceleration);
 
+  /// Rates are zero at ghosts, those of a state are not.
+  void fill_rate_ghosts(State&);
   /// Moments of a state that is given by its unknowns and displacements: those that give its density back.
   void set_moments(State&);
-  void pack(const State&, const Array& y) const;
-  /// Where solves begin. @param state  whose rates were evaluated last, at a step that was accepted
+  /// Where solves begin. @param state  the one that was accepted last
   void visit_memory(StepMemory&, const State& state);
-  /// Writes y, whose rates were evaluated last, with its density, chemical potential and rates to a state.
-  void copy_stage(double t, const Array& y, const Array& rates, State&) const;
 
   const Model<D, P>& model() const { return model_; }
   const Stage& stage() const { return stage_; }  ///< of the last evaluation
+  const MassInverse<D, P>& masses() const { return masses_; }
   const MassCounts& counts() const { return counts_; }
 
  private:
-  Refusal all_rates(double t, const Array& y, const Array& out, bool viscous);
-  /// Fills the stage from y: velocities, displacements, density, chemical potential.
-  Refusal place(double t, const Array& y);
-  void place_motion(const Array& y);
-  Refusal find_density(const ConstArray& moments);
-  Refusal find_potential();
-  /// z = M^{-1} b for a scalar, from the part of the density of b to that of z.
-  int solve_scalar(const Array& b, const Array& z, double tolerance);
-  /// z = (A + c K)^{-1} b for velocities; K the viscous force.
-  int solve_velocity(double c, const Array& b, const Array& z, double tolerance);
-  void weigh_velocities();
+  static Array range(const Array& y, int first, int last) {
+    return Kokkos::subview(y, Kokkos::make_pair(first, last));
+  }
+  /// out = the acceleration of minus the force that the terms have collected, where `why` tells that there is none.
+  Refusal accelerate(const Array& out, Refusal::Cause why, long& count);
+
+  static constexpr double velocity_tolerance = 1e-10, scalar_tolerance = 1e-12;  ///< of conjugate gradients
 
   const Model<D, P>& model_;
-  Masses<D, P> masses_;
-  MassKind kind_;
-  KroneckerMass<D> kronecker_;
-  ConjugateGradient solver_;
-  int velocity_, solid_, scalar_;  ///< parts of y
+  ExplicitTerms<D, P> terms_;
+  Masses<D, P> viscous_;
+  MassInverse<D, P> masses_;
   Stage stage_;
-  double stiff_tolerance_ = velocity_tolerance;
-  Array stiff_;          ///< the last result of implicit_part, velocities
-  bool solved_ = false;  ///< there is one
-  Array zero_, force_, right_, solution_, ones_, scalar_weight_, velocity_weight_;
+  Array force_, solution_;
   MassCounts counts_;
 };
 

@@ -12,6 +12,7 @@
 #include "solver/choose.hpp"
 #include "solver/recorded_answers.hpp"
 #include "time/choose_scheme.hpp"
+#include "time/kick_drift.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
@@ -193,16 +194,34 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   }
 }
 
-/// One evaluation of the rates of the explicit schemes, with both kinds of mass.
+/// Whole steps of kick_drift with each kind of mass, and what they are made of.
 template <int D, int P>
-void bench_rates(const Sheet& sheet, const Model<D, P>& model, State state) {
-  for (const MassKind kind : {MassKind::consistent, MassKind::lumped}) {
+void bench_explicit(const Sheet& sheet, const Model<D, P>& model, State state) {
+  for (const auto& [kind, name] : {std::pair{MassKind::consistent, "consistent"},
+                                   {MassKind::lumped, "lumped"},
+                                   {MassKind::corrected, "corrected"}}) {
     SemiDiscrete<D, P> system(model, kind);
     system.set_moments(state);
-    const Array y("y", system.size()), rates("rates", system.size());
-    system.pack(state, y);
-    sheet.line(kind == MassKind::lumped ? "explicit rates, lumped" : "explicit rates, consistent",
-               seconds_per_call([&] { system.rates(state.time, y, rates); }));
+    KickDrift<D, P> step(system, false);
+    step.begin(state);
+    const StepBound<D, P> bound(model, kind, step.formula());
+    const auto rates = [&] {
+      return bound.rates(system.stage().unknown, system.stage().displacement, step.moments(),
+                         system.masses().scalar_sums());
+    };
+    const StepRates now = rates();
+    const double dt = 0.9 / now.combined;
+    sheet.line(std::string("step of kick_drift, ") + name,
+               seconds_per_call([&] { step.advance(state.time, dt, now); }));
+    if (kind != MassKind::corrected) continue;
+    const Array a("a", system.velocities()), m("m", system.moments());
+    sheet.line("  density from moments", seconds_per_call([&] { system.find_density(step.moments()); }));
+    sheet.line("  chemical potential", seconds_per_call([&] { system.find_potential(); }));
+    sheet.line("  flux of mass", seconds_per_call([&] { system.mass_flux(m); }));
+    sheet.line("  pressure and its acceleration", seconds_per_call([&] { system.pressure(a, m); }));
+    sheet.line("  convection, viscosity, acceleration", seconds_per_call([&] { system.convection(true, a); }));
+    sheet.line("  weights of velocities", seconds_per_call([&] { system.weigh_velocities(step.moments()); }));
+    sheet.line("  bound of the step", seconds_per_call([&] { rates(); }));
   }
 }
 
@@ -243,7 +262,7 @@ void bench_model(const Case& asked, std::ostream& out) {
   sheet.line("dot", seconds_per_call([&] { dot(layout.space(), z, r); }));
   bench_single<D, P>(sheet, c, state);
 
-  bench_rates(sheet, model, state);
+  bench_explicit(sheet, model, state);
   if (c.time.scheme == implicit_scheme) bench_preconditioners(sheet, c, model);
   out << "peak memory";
   for (double memory : peak_memory_of_processes()) out << " " << memory << " MiB";

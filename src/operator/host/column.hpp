@@ -231,15 +231,26 @@ struct ColumnIntegrals {
   }
   KOKKOS_FORCEINLINE_FUNCTION void add(const ElementLayers<RealOf<S>, P, Q>& last, int w,
                                        const S (&in)[channels][1 + D][Q]) {
-    for (int c = 0; c < channels; ++c) ring[c].template integrate_line<Test::has_flux>(last, w, in[c]);
+    for_each_channel([&]<int c>(std::integral_constant<int, c>) {
+      ring[c].template integrate_line<channel_has_flux<Test>(c)>(last, w, in[c]);
+    });
   }
   /// Sweeps a layer that is complete back to control values.
   template <class TaskType>
   KOKKOS_FORCEINLINE_FUNCTION void store(const TaskType& task, const PlaneBasis<S, D, P, Q>& basis, int layer,
                                          int first, int count) {
     S nodal[channels][power(P + 1, D - 1)];
-    for (int c = 0; c < channels; ++c) basis.template backward<Test::has_flux>(ring[c].of(layer), nodal[c]);
+    for_each_channel([&]<int c>(std::integral_constant<int, c>) {
+      basis.template backward<channel_has_flux<Test>(c)>(ring[c].of(layer), nodal[c]);
+    });
     scatter_layer<S, D, P, channels>(task.test, task.region, first, count, nodal);
+  }
+
+ private:
+  template <class Body>
+  static KOKKOS_FORCEINLINE_FUNCTION void for_each_channel(const Body& body) {
+    [&]<int... c>(std::integer_sequence<int, c...>) { (body(std::integral_constant<int, c>()), ...); }
+    (std::make_integer_sequence<int, channels>());
   }
 };
 

@@ -234,12 +234,12 @@ TEST(BadPrecision, UnknownWord) {
 
 TEST(BadPrecision, ExplicitSchemesAreDouble) {
   for (const char* precision : {"mixed", "single"})
-    for (const char* scheme : {"ssp_rk3", "imex"})
+    for (const char* scheme : {"ssp_rk3", "kick_drift"})
       expect_parts(
           message_of(pull_text(), {std::string("solver.precision=") + precision, std::string("time.scheme=") + scheme}),
           {"solver.precision", precision, "generalized_alpha", scheme, "write \"automatic\""});
   EXPECT_EQ(message_of(pull_text(), {"solver.precision=mixed"}), "(accepted)");
-  EXPECT_EQ(message_of(pull_text(), {"solver.precision=double", "time.scheme=imex"}), "(accepted)");
+  EXPECT_EQ(message_of(pull_text(), {"solver.precision=double", "time.scheme=kick_drift"}), "(accepted)");
 }
 
 TEST(BadPrecision, DifferencesOfResidualsAreDouble) {
@@ -279,7 +279,7 @@ TEST(BadPrecision, LinearSolvesToTheRoundOffAreDouble) {
 
 // What "automatic" takes may be written, and where it does not take single precision neither may be written.
 TEST(BadPrecision, AutomaticTakesWhatMayBeWritten) {
-  for (const char* scheme : {"generalized_alpha", "ssp_rk3", "rkl2", "imex"})
+  for (const char* scheme : {"generalized_alpha", "ssp_rk3", "rkl2", "kick_drift"})
     for (const char* jacobian : {"exact", "difference"})
       for (const char* rtol : {"1e-2", "1e-5", "9e-6"}) {
         const std::vector<std::string> words{std::string("time.scheme=") + scheme,

@@ -45,7 +45,7 @@ Forces forces(const Case& c) {
   State state = initial_state(c, model);
   system.set_moments(state);
   const Array y("y", system.size()), rates("rates", system.size());
-  system.pack(state, y);
+  Kokkos::deep_copy(system.moments_of(y), state.moment);
   EXPECT_TRUE(system.rates(0, y, rates).empty());
 
   const CapillaryTraction term{model.fluid().gas, model.fluid().capillarity};

@@ -1,14 +1,14 @@
-// The equations as y' = f(t, y): against the residual they come from, with both kinds of mass.
+// The equations as y' = f(t, y): against the residual they come from, with all kinds of mass.
 #include "time/semi_discrete.hpp"
 
 #include "model/initial.hpp"
-#include "time/runge_kutta.hpp"
 #include "unit/model/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {
 
 using System = SemiDiscrete<2, 2>;
+constexpr MassKind kinds[] = {MassKind::consistent, MassKind::lumped, MassKind::corrected};
 
 /// A random state of a scene, and f of it.
 struct RandomRates {
@@ -23,18 +23,19 @@ struct RandomRates {
     system.set_moments(state);
     y = Array("y", system.size());
     rates = Array("rates", system.size());
-    system.pack(state, y);
+    Kokkos::deep_copy(system.velocities_of(y), part(state.unknown, 0, system.velocities()));
+    Kokkos::deep_copy(system.displacements_of(y), state.displacement);
+    Kokkos::deep_copy(system.moments_of(y), state.moment);
     EXPECT_TRUE(system.rates(3.0, y, rates).empty());
   }
   /// The residual of the equations with these rates.
   std::vector<double> residual() {
     Stage s = system.stage();
-    s.acceleration = Array("acceleration", scene.layout().velocity_size());
-    Kokkos::deep_copy(s.acceleration, part(rates, 0, scene.layout().velocity_size()));
+    s.acceleration = Array("acceleration", system.velocities());
     Array full("full", scene.layout().size());
-    Kokkos::deep_copy(Kokkos::subview(full, Kokkos::make_pair(0, scene.layout().velocity_size())), s.acceleration);
+    Kokkos::deep_copy(system.velocities_of(full), system.velocities_of(rates));
     move_ghosts(scene.layout(), full, GhostAction::update);
-    Kokkos::deep_copy(s.acceleration, part(full, 0, scene.layout().velocity_size()));
+    Kokkos::deep_copy(s.acceleration, part(full, 0, system.velocities()));
     return scene.residual(s);
   }
 };
@@ -64,69 +65,69 @@ TEST(SemiDiscrete, RatesSolveTheEquationsOfAPeriodicScene) {
 }
 TEST(SemiDiscrete, RatesSolveTheEquationsOfASolid) { expect_solved(scene(Scene::solid)); }
 
-TEST(SemiDiscrete, StiffRatesAreThoseOfTheImplicitPartForNoStep) {
-  RandomRates s(scene(Scene::coupled), MassKind::consistent);
-  const Array out("out", s.system.size()), stiff("stiff", s.system.size()), y = to_device<Array>(to_host(s.y));
-  ASSERT_TRUE(s.system.hold(s.y).empty());
-  ASSERT_TRUE(s.system.stiff_rates(s.y, out).empty());
-  ASSERT_TRUE(s.system.implicit_part(1e-9, y, stiff).empty());
-  const std::vector<double> a = to_host(out), b = to_host(stiff);
-  const double size = largest_between(b, 0, s.scene.layout().velocity_size());
-  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-5 * size);
-}
-
-// Velocities without a viscous acceleration: the solve fails, and its iterations are none that count.
-TEST(SemiDiscrete, StiffRatesThatCannotBeFoundAreRefused) {
-  RandomRates s(scene(Scene::coupled), MassKind::consistent);
-  const Array out("out", s.system.size());
-  ASSERT_TRUE(s.system.hold(s.y).empty());
-  ASSERT_TRUE(s.system.stiff_rates(s.y, out).empty());
-  const long before = s.system.counts().viscous;
-  EXPECT_GT(before, 0);
-  const Array broken = to_device<Array>(std::vector<double>(s.system.size(), std::numeric_limits<double>::infinity()));
-  EXPECT_EQ(s.system.stiff_rates(broken, out).cause, Refusal::viscous_rate);
-  EXPECT_EQ(s.system.counts().viscous, before);
-}
-
-TEST(SemiDiscrete, GentleAndStiffPartAddUp) {
-  RandomRates s(scene(Scene::coupled), MassKind::consistent);
-  const Array gentle("gentle", s.system.size()), stiff("stiff", s.system.size()), y = to_device<Array>(to_host(s.y));
-  ASSERT_TRUE(s.system.gentle_rates(3.0, s.y, gentle).empty());
-  ASSERT_TRUE(s.system.implicit_part(1e-9, y, stiff).empty());
-  const std::vector<double> a = to_host(s.rates), b = to_host(gentle), c = to_host(stiff);
-  const double size = largest_between(c, 0, s.scene.layout().velocity_size());
-  EXPECT_GT(size, 1);
-  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i] + c[i], 1e-5 * size);
-}
-
-TEST(SemiDiscrete, TheSumOfTheMomentsIsTheMassWithBothMasses) {
-  for (const MassKind kind : {MassKind::consistent, MassKind::lumped}) {
+TEST(SemiDiscrete, RatesAreTheSumOfTheirParts) {
+  for (const MassKind kind : kinds) {
     RandomRates s(scene(Scene::coupled), kind);
-    State end = empty_state(s.scene.layout());
-    s.system.copy_stage(3.0, s.y, s.rates, end);
-    Stage stage = s.system.stage();
-    EXPECT_NEAR(s.scene.model.integrals(stage).mass, total(alone, end.moment), 1e-12);
-    const int first = s.scene.layout().velocity_size() + s.scene.layout().solid_size();
-    EXPECT_NEAR(total(alone, part(s.rates, first, s.system.size())), 0, 1e-13) << "fluxes sum to zero";
+    System& system = s.system;
+    const Array pressure("p", system.velocities()), convection("c", system.velocities());
+    const Array flux("f", system.moments()), stabilisation("e", system.moments());
+    ASSERT_TRUE(system.pressure(pressure, stabilisation).empty());
+    ASSERT_TRUE(system.convection(true, convection).empty());
+    system.mass_flux(flux);
+    add_scaled(pressure, 0, 1, convection);
+    add_scaled(flux, 0, 1, stabilisation);
+    const std::vector<double> a = to_host(pressure), b = to_host(flux), rates = to_host(s.rates);
+    const int shift = system.velocities() + system.displacements();
+    const double size = largest_between(rates, 0, system.velocities());
+    for (int i = 0; i < system.velocities(); ++i) ASSERT_NEAR(a[i], rates[i], 1e-7 * size);
+    for (int i = 0; i < system.moments(); ++i) ASSERT_NEAR(b[i], rates[shift + i], 1e-13);
   }
 }
 
-/// A run begins with the density of its case: moments of one mass matrix, inverted with the other, would smooth it.
-TEST(SemiDiscrete, TheMomentsOfAStateGiveItsDensityBackWithBothMasses) {
-  for (const MassKind kind : {MassKind::consistent, MassKind::lumped})
+TEST(SemiDiscrete, ConvectionWithoutViscosityAndViscosityAddUp) {
+  RandomRates s(scene(Scene::coupled), MassKind::corrected);
+  System& system = s.system;
+  const Array both("b", system.velocities()), convection("c", system.velocities()), viscous("v", system.velocities());
+  ASSERT_TRUE(system.convection(true, both).empty());
+  ASSERT_TRUE(system.convection(false, convection).empty());
+  ASSERT_TRUE(system.viscosity(system.velocities_of(s.y), viscous).empty());
+  const std::vector<double> sum = to_host(both), a = to_host(convection), b = to_host(viscous);
+  const double size = largest_between(b, 0, system.velocities());
+  EXPECT_GT(size, 1);
+  for (int i = 0; i < system.velocities(); ++i) ASSERT_NEAR(sum[i], a[i] + b[i], 1e-11 * size);
+}
+
+// Velocities without a viscous acceleration: the solve fails, and its iterations are none that count.
+TEST(SemiDiscrete, ViscousRatesThatCannotBeFoundAreRefused) {
+  RandomRates s(scene(Scene::coupled), MassKind::consistent);
+  const Array out("out", s.system.velocities());
+  ASSERT_TRUE(s.system.viscosity(s.system.velocities_of(s.y), out).empty());
+  const long before = s.system.counts().viscous;
+  EXPECT_GT(before, 0);
+  const Array broken =
+      to_device<Array>(std::vector<double>(s.system.velocities(), std::numeric_limits<double>::infinity()));
+  EXPECT_EQ(s.system.viscosity(broken, out).cause, Refusal::viscous_rate);
+  EXPECT_EQ(s.system.counts().viscous, before);
+}
+
+TEST(SemiDiscrete, TheSumOfTheMomentsIsTheMassWithAllMasses) {
+  for (const MassKind kind : kinds)
     for (const bool periodic : {false, true}) {
       RandomRates s(scene(Scene::coupled, WallLaw::gradient, periodic), kind);
-      const Layout<2>& l = s.scene.layout();
-      State start = empty_state(l);
-      s.system.copy_stage(0.0, s.y, s.rates, start);
-      const std::vector<double> before = to_host(start.unknown);
-      s.system.set_moments(start);
-      EXPECT_NEAR(s.scene.model.integrals(stage_at(l, start)).mass, total(alone, start.moment), 1e-12);
-      s.system.pack(start, s.y);
-      ASSERT_TRUE(s.system.rates(0.0, s.y, s.rates).empty());
-      const std::vector<double> after = to_host(s.system.stage().unknown);
-      for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(after[i], before[i], 1e-9);
+      const Array p = s.system.moments_of(s.y);
+      EXPECT_NEAR(s.scene.model.integrals(s.system.stage()).mass, total(alone, p), 1e-12);
+      EXPECT_NEAR(total(alone, s.system.moments_of(s.rates)), 0, 1e-13) << "fluxes sum to zero";
     }
+}
+
+/// A run begins with the density of its case: moments of one mass matrix, inverted with the other, would smooth it.
+TEST(SemiDiscrete, TheMomentsOfAStateGiveItsDensityBack) {
+  for (const auto& [kind, error] : {std::pair{MassKind::consistent, 1e-9}, {MassKind::lumped, 1e-12}}) {
+    RandomRates s(scene(Scene::coupled), kind);
+    const Layout<2>& l = s.scene.layout();
+    const std::vector<double> before = to_host(s.state.unknown), after = to_host(s.system.stage().unknown);
+    for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(after[i], before[i], error);
+  }
 }
 
 }  // namespace

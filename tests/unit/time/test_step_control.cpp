@@ -91,8 +91,9 @@ TEST(StepControl, CutStepDoesNotForgetTheProposal) {
 
 TEST(StepControl, TheLargestStepOfASchemeIsNotExceeded) {
   StepControl control(limits, {1.0});
-  EXPECT_DOUBLE_EQ(control.next(0.0, 0.011), 0.01);
-  EXPECT_LE(control.next(0.9892, 0.011), 0.011) << "stretched to an event";
+  EXPECT_DOUBLE_EQ(control.next(0.0, 0.011), 0.011);
+  EXPECT_DOUBLE_EQ(control.next(0.9895, 0.011), 1.0 - 0.9895) << "to an event";
+  EXPECT_NEAR(control.next(0.9885, 0.011), 0.5 * (1.0 - 0.9885), 1e-15) << "not stretched to an event";
   EXPECT_DOUBLE_EQ(control.next(0.0), 0.1) << "the proposal stays";
 }
 

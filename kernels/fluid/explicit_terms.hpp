@@ -1,0 +1,64 @@
+// The equations of the fluid in the parts that explicit schemes evaluate one by one (see navier_stokes_korteweg.hpp).
+#pragma once
+
+#include "kernels/fluid/navier_stokes_korteweg.hpp"
+#include "kernels/point/explicit_fields.hpp"
+
+namespace softwet {
+
+/// Flux of mass, - (grad q, rho (v - vh)).
+struct MassFlux {
+  static constexpr Where where = Where::fluid;
+
+  template <class N, int D>
+  using Trial = MassFluxTrial<N, D>;
+  template <class N, int D>
+  using Test = MassFluxTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION MassFluxTest<N, D> residual(const MassFluxTrial<N, D>& t) const {
+    return {(-1.0 * t.density) * (t.velocity - t.mesh_velocity)};
+  }
+};
+
+/// Force of pressure, capillarity and gravity, (w, rho (grad mu - f)), and the flux of the stabilisation,
+/// (grad q, eps (grad mu - f)).
+struct PressureForce {
+  static constexpr Where where = Where::fluid;
+
+  NavierStokesKorteweg fluid;
+
+  template <class N, int D>
+  using Trial = PressureTrial<N, D>;
+  template <class N, int D>
+  using Test = PressureTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION PressureTest<N, D> residual(const PressureTrial<N, D>& t) const {
+    Vector<N, D> drive;
+    for (int i = 0; i < D; ++i) drive[i] = t.chemical_potential_gradient[i] - fluid.force[i];
+    return {t.density * drive, (fluid.stabilisation * (t.density * t.density)) * drive};
+  }
+};
+
+/// Convection and viscosity, (w, rho (v - vh).grad v) + (grad w, tau).
+struct ConvectionViscosity {
+  static constexpr Where where = Where::fluid;
+
+  double viscosity = 0;  ///< mu_hat, or 0 where it is treated apart
+  double floor = 0;      ///< smallest density in the inertia, as in NavierStokesKorteweg
+
+  template <class N, int D>
+  using Trial = ConvectionTrial<N, D>;
+  template <class N, int D>
+  using Test = MomentumTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const ConvectionTrial<N, D>& t) const {
+    const N inertia = select(t.density < floor, N(floor), t.density);
+    return {inertia * product(t.velocity_gradient, t.velocity - t.mesh_velocity),
+            newtonian_stress(viscosity, t.velocity_gradient)};
+  }
+};
+
+}  // namespace softwet

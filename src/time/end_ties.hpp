@@ -1,0 +1,50 @@
+// Ties between the last two functions of an axis: they take away the stiff modes of open knots.
+#pragma once
+
+#include "field/ghosts.hpp"
+
+namespace softwet {
+
+/// At an open end of an axis the last function has a third of the mass of those inside (degree 2), so that the difference
+/// of the last two control values c_0, c_1 has the highest frequency of all. A tie adds to the lumped mass of this
+/// difference,  D = diag(a) + k d d^T  with  d.c = c_0 - c_1.  Then  W = D^{-1} diag(a)  keeps the mean of the two, weighted
+/// with a, and the part 1 / (1 + k / a_0 + k / a_1) of their difference. What is uniform stays so.
+/// Where a velocity is held, its neighbours are not tied to it. Where solid and fluid meet, velocities are tied on the side of
+/// the solid. Ties of several sides follow each other: halves of all but the last set, that one, and the other halves in
+/// reverse, which is symmetric in the weights.
+/// Smaller parts make steps longer, up to a limit, and cost accuracy where a wall has a contact angle.
+inline constexpr double kept_of_scalars = 0.6, kept_of_velocities = 0.4;
+
+/// Tested: tests/unit/time/test_mass_inverse.cpp
+template <int D>
+class EndTies {
+ public:
+  EndTies(const Layout<D>&, const ConstArray& mask);
+
+  /// x = W x for the velocities.
+  /// @param weights  a by control point: those of one component
+  void velocities(const Array& x, const ConstArray& weights) const { smooth(velocity_, kept_of_velocities, x, weights); }
+  /// The inverse of that for the part of the density.
+  void untie_scalars(const Array& x, const ConstArray& weights) const { smooth(scalar_, 1 / kept_of_scalars, x, weights); }
+  /// x = W x for the part of the density.
+  void scalars(const Array& x, const ConstArray& weights) const { smooth(scalar_, kept_of_scalars, x, weights); }
+
+ private:
+  /// Pairs that share no function: the place of the end function in a vector of unknowns, and the way to the next one.
+  struct Set {
+    Kokkos::View<const int*, Exec> first, step;
+  };
+  struct Group {
+    std::vector<Set> sets;
+    int offset = 0, nodes = 1;  ///< of the group, and of a component
+  };
+  enum class End { low, high, below_wall };
+
+  void add_set(Group&, const Layout<D>&, const std::vector<double>& mask, int first, int last, int axis,
+               const std::vector<End>& ends);
+  void smooth(const Group&, double kept, const Array& x, const ConstArray& weights) const;
+
+  Group velocity_, scalar_;
+};
+
+}  // namespace softwet

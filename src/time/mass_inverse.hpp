@@ -1,0 +1,79 @@
+// The inverses of the masses that explicit schemes need: of density, chemical potential and velocity.
+#pragma once
+
+#include "model/mass_products.hpp"
+#include "solver/krylov/conjugate_gradient.hpp"
+#include "solver/krylov/kronecker_mass.hpp"
+#include "solver/krylov/mass_product.hpp"
+#include "time/end_ties.hpp"
+#include "time/mass_kind.hpp"
+
+namespace softwet {
+
+/// Approximate inverses S of the mass A of the moved mesh, weighted with J for scalars and with the density for velocities.
+/// With the row sums a of A, the ties D of their ends and e = 1 - D^{-1} A,
+///   lumped      S = D^{-1}
+///   corrected   S = (1 + e + e^2 - 2 e^3) D^{-1}:  A S = 1 - 3 e^3 + ... for smooth fields, and S = D^{-1} for what
+///               oscillates from function to function, so that steps stay nearly as long as with lumped masses.
+/// Products with A are those with the mass M of the fixed mesh, whose row sums are m:
+///   A c = a c - s (c (M s) - M (s c)),   s = sqrt(a / m),
+/// symmetric, exact on a fixed mesh, and of fourth order else; A 1 = a. So S a = 1: what is uniform stays so, and the sum of
+/// the moments A S p is that of p to rounding. Velocities that are held are left out.
+/// Row sums of the mass of velocities are the moments of the density themselves, (w_i, rho J) = p_i, plus those of the solid.
+/// With lumped masses A rho takes their place, which tells more of the density.
+/// Tested: tests/unit/time/test_mass_inverse.cpp
+template <int D, int P>
+class MassInverse {
+ public:
+  MassInverse(const Model<D, P>&, MassKind);
+
+  MassKind kind() const { return kind_; }
+
+  /// Takes the mesh of a stage: it weights scalars.
+  void set_mesh(const Stage&);
+  /// Takes the moments and the density that weight velocities. With consistent masses the stage's density does.
+  void set_weights(const ConstArray& moments, const Array& density);
+
+  /// z = S b in the part of the density. `z` is where conjugate gradients begin. @return their iterations; -1: they failed
+  int scalar(const Stage&, const Array& b, const Array& z, double tolerance);
+  /// z = S b for velocities.
+  int velocity(const Stage&, const Array& b, const Array& z, double tolerance);
+
+  /// The moments of which `scalar` finds the density z, in the part of the density.
+  void find_moments(const Stage&, const Array& z, const Array& out);
+
+  ConstArray scalar_sums() const { return scalar_.sums; }      ///< a by control point
+  ConstArray velocity_sums() const { return velocity_.sums; }  ///< of one component
+
+ private:
+  /// Weights of one kind of unknowns by control point: a, m, s, and A c = a (left c + right M (s c)).
+  struct Weights {
+    int begin, end, first, last;  ///< in a vector of unknowns, and as components
+    int nodes() const { return static_cast<int>(sums.extent(0)); }
+    Array sums, unit, root, left, right;
+  };
+  Weights weights(int begin, int nodes, int first, int last) const;
+  /// Factors from the row sums.
+  void prepare(const Weights&);
+  void multiply_fixed(const Weights&, const Array& in, const Array& out);
+  void tie(const Weights&, const Array& x) const;
+  int solve(const Weights&, const Array& b, const Array& z);
+  /// out = A z for scalars.
+  void multiply_scalar(const Array& z, const Array& out);
+  void weigh_with(const ConstArray& moments);
+  void add_solid_sums();
+
+  const Model<D, P>& model_;
+  MassKind kind_;
+  Masses<D, P> masses_;
+  KroneckerMass<D> kronecker_;
+  ConjugateGradient solver_;
+  MassProduct<D, P> product_;
+  EndTies<D> ties_;
+  Weights scalar_, velocity_;
+  Array solid_sums_;  ///< by control point of the velocity
+  Array ones_, scaled_, image_, iterate_;
+  bool has_mesh_ = false;
+};
+
+}  // namespace softwet

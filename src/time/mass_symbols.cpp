@@ -1,0 +1,114 @@
+#include "time/mass_symbols.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "spline/axis.hpp"
+#include "time/end_ties.hpp"
+
+namespace softwet {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+
+/// A line of elements of length 1: (N_i, N_j), (N_i', N_j') and (N_i, N_j').
+struct Line {
+  Matrix mass, stiffness, slope;
+
+  Line(int elements, int degree) {
+    const Axis axis(elements, elements, degree);
+    const Gauss gauss(degree + 1);
+    const int n = axis.functions();
+    mass = stiffness = slope = Matrix::Zero(n, n);
+    for (int e = 0; e < elements; ++e)
+      for (int q = 0; q <= degree; ++q) {
+        const std::vector<double> value = axis.values(e, e + gauss.point[q]), d = axis.slopes(e, e + gauss.point[q]);
+        for (int a = 0; a <= degree; ++a)
+          for (int b = 0; b <= degree; ++b) {
+            const int i = axis.span(e) + a, j = axis.span(e) + b;
+            mass(i, j) += gauss.weight[q] * value[a] * value[b];
+            stiffness(i, j) += gauss.weight[q] * d[a] * d[b];
+            slope(i, j) += gauss.weight[q] * value[a] * d[b];
+          }
+      }
+  }
+};
+
+/// 1 + e + e^2 - 2 e^3 of a matrix or a number.
+template <class T>
+T series(const T& one, const T& e) {
+  const T square = e * e;
+  return one + e + square - 2 * (square * e);
+}
+
+/// The inverse of a mass with ties, without the functions that are held: zero rows and columns for these.
+Matrix inverse(const Matrix& mass, MassKind kind, double kept, bool held_below, bool held_above) {
+  const int all = static_cast<int>(mass.rows()), first = held_below ? 1 : 0, n = all - first - (held_above ? 1 : 0);
+  const Eigen::VectorXd sums = mass.rowwise().sum().segment(first, n);
+  const Matrix inner = mass.block(first, first, n, n), one = Matrix::Identity(n, n);
+  Matrix found = Matrix::Zero(all, all);
+  if (kind == MassKind::consistent) {
+    found.block(first, first, n, n) = inner.inverse();
+    return found;
+  }
+  Matrix d = sums.cwiseInverse().asDiagonal();
+  const auto add = [&](int end, int way) {
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(n);
+    along[end] = 1;
+    along[end + way] = -1;
+    const Eigen::VectorXd scaled = along.cwiseQuotient(sums);
+    d -= (1 - kept) / along.dot(scaled) * scaled * scaled.transpose();
+  };
+  if (!held_below) add(0, 1);
+  if (!held_above) add(n - 1, -1);
+  found.block(first, first, n, n) = kind == MassKind::lumped ? d : Matrix(series<Matrix>(one, one - d * inner) * d);
+  return found;
+}
+
+double largest(const Matrix& m) { return m.eigenvalues().cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+MassSymbols inside_symbols(int degree, MassKind kind) {
+  const Line line(4 * degree, degree);
+  const int middle = static_cast<int>(line.mass.rows()) / 2;
+  MassSymbols s;
+  constexpr int waves = 400;
+  for (int w = 1; w <= waves; ++w) {
+    const double angle = M_PI * w / waves;
+    double mass = 0, stiffness = 0, slope = 0;
+    for (int k = -degree; k <= degree; ++k) {
+      mass += line.mass(middle, middle + k) * std::cos(k * angle);
+      stiffness += line.stiffness(middle, middle + k) * std::cos(k * angle);
+      slope += line.slope(middle, middle + k) * std::sin(k * angle);
+    }
+    const double inverse = kind == MassKind::consistent ? 1 / mass
+                           : kind == MassKind::lumped   ? 1
+                                                        : series<double>(1, 1 - mass);
+    s.acoustic = std::max(s.acoustic, std::sqrt(inverse * inverse * inverse * mass) * std::abs(slope));
+    s.capillary = std::max(s.capillary, std::sqrt(inverse * inverse * inverse * stiffness) * std::abs(slope));
+    s.viscous = std::max(s.viscous, inverse * stiffness);
+    s.convective = std::max(s.convective, inverse * std::abs(slope));
+    s.elastic = std::max(s.elastic, std::sqrt(inverse * stiffness));
+  }
+  return s;
+}
+
+MassSymbols end_symbols(int degree, MassKind kind) {
+  const Line line(10, degree);
+  const Matrix held = inverse(line.mass, kind, kept_of_velocities, true, true);
+  const Matrix free = inverse(line.mass, kind, kept_of_velocities, false, false);
+  const Matrix layer = inverse(line.mass, kind, kept_of_velocities, true, false);
+  const Matrix scalar = inverse(line.mass, kind, kept_of_scalars, false, false);
+  // rho' = - S grad^T v,  mu = S (c^2 M + g^2 K) rho / rho,  v' = - S grad mu
+  const Matrix there = scalar * line.slope.transpose(), back = held * line.slope * scalar;
+  MassSymbols s = inside_symbols(degree, kind);
+  s.acoustic = std::max(s.acoustic, std::sqrt(largest(back * line.mass * there)));
+  s.capillary = std::max(s.capillary, std::sqrt(largest(back * line.stiffness * there)));
+  s.viscous = std::max({s.viscous, largest(free * line.stiffness), largest(held * line.stiffness)});
+  s.elastic = std::max(s.elastic, std::sqrt(largest(layer * line.stiffness)));
+  return s;
+}
+
+}  // namespace softwet

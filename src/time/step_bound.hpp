@@ -1,0 +1,50 @@
+// The largest stable step of explicit schemes, from a bound at every control point of a state.
+#pragma once
+
+#include "model/model.hpp"
+#include "time/mass_symbols.hpp"
+
+namespace softwet {
+
+/// What limits a step: rates of the stiffest waves of each mechanism, 1/time.
+struct StepRates {
+  double combined = 0;  ///< of the scheme: its step is stable up to 1 / combined
+  double sound = 0, capillarity = 0, viscosity = 0, stabilisation = 0, flow = 0, elasticity = 0;
+};
+
+/// How a scheme adds the rates at a point: w of waves, s of viscosity, e of the stabilisation, u of the flow.
+/// kick_drift: (w + 1.5 s + 0.6 e + u) / 2;  without_viscosity: the same with s = 0;
+/// runge_kutta: the ellipse with half axes 1.73 and 2.51 in the region of stability of three stages and third order,
+///   sqrt(((w + u) / 1.73)^2 + ((s + e) / 2.51)^2).
+enum class StepFormula { kick_drift, without_viscosity, runge_kutta };
+
+/// At a control point with density rho and moments p over row sums a, on elements of the shortest length h:
+///   w = sqrt(A^2 c^2 + C^2 g^2 rho / h^2) / h,  c^2 = max(rho W'', 0)
+///   s = V (4/3) m / (p / a) / h^2,   e = eps k (c^2 / rho + g^2 k),  k = V / h^2,   u = U |v - vh| / h
+/// with the symbols A, C, V, U of the masses, those of ends in the elements beside an end. Where the mesh moves, h shrinks with
+/// the smallest stretch of the mesh above the wall there. In the solid w = E sqrt(largest row of dP/dF along an axis / rho_0) / h.
+/// Control values bound the fields, for these are their means, and all of these rates are largest at an end of a range.
+/// Tested: tests/unit/time/test_step_bound.cpp, and against a search for the limit: the study stable_step
+template <int D, int P>
+class StepBound {
+ public:
+  StepBound(const Model<D, P>&, MassKind, StepFormula);
+
+  /// @param unknown  velocities and density, with their ghosts
+  /// @param moments, sums  of the density, and row sums of the scalar mass
+  StepRates rates(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
+                  const ConstArray& sums) const;
+
+ private:
+  const Model<D, P>& model_;
+  StepFormula formula_;
+  MassSymbols inside_, end_;
+  bool adds_axes_;
+  double length_;  ///< of the shortest side of an element
+  Kokkos::View<const int*, Exec> near_end_;
+  ConstArray greville_[D];  ///< of stored columns
+  ConstArray blend_;        ///< of the rows of the fluid
+  Array stretch_;           ///< 1 / smallest stretch of the mesh, by column
+};
+
+}  // namespace softwet

@@ -1,0 +1,43 @@
+// Products axis by axis against the masses assembled element by element.
+#include "solver/krylov/mass_product.hpp"
+
+#include "model/mass_products.hpp"
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+template <int D>
+void expect_product(const Case& c) {
+  RandomSceneIn<D> s(c);
+  const Layout<D>& l = s.layout();
+  const MassProduct<D, 2> product(l, s.model.points());
+  const Masses<D, 2> masses(s.model);
+  Stage flat = make_stage<double>(l);
+  const Array z = s.direction(), found("found", l.size()), expected("expected", l.size());
+  masses.scalar(flat, z, expected);
+  move_ghosts(l, z, GhostAction::update);
+  product.apply(z, found, D, D + 1);
+  product.apply(z, found, 0, D);
+  move_ghosts(l, found, GhostAction::add);
+  multiply(found, s.model.mask());
+  const std::vector<double> a = to_host(expected), b = to_host(found);
+  for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(a[i], b[i], 1e-14);
+  if (l.has_solid) return;
+  // Velocities, weighted with a density of 1.
+  Kokkos::deep_copy(flat.unknown, 1.0);
+  Kokkos::deep_copy(expected, 0.0);
+  masses.velocity(flat, 1, 0, z, expected);
+  const std::vector<double> v = to_host(expected);
+  for (int i = 0; i < l.velocity_size(); ++i) ASSERT_NEAR(v[i], b[i], 1e-14);
+}
+
+TEST(MassProduct, IsThatOfElementsInThePlane) { expect_product<2>(scene(Scene::rigid)); }
+TEST(MassProduct, IsThatOfElementsAboveASolid) { expect_product<2>(scene(Scene::coupled)); }
+TEST(MassProduct, IsThatOfElementsAroundAnAxis) {
+  expect_product<2>(scene(Scene::rigid, WallLaw::gradient, true));
+}
+TEST(MassProduct, IsThatOfElementsInSpace) { expect_product<3>(scene_in_space(Scene::rigid)); }
+
+}  // namespace
+}  // namespace softwet::testing_tools

@@ -1,0 +1,67 @@
+// Steps of an explicit scheme on a small scene, for tests.
+#pragma once
+
+#include "model/initial.hpp"
+#include "time/kick_drift.hpp"
+#include "time/runge_kutta_step.hpp"
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+
+/// A droplet that begins to move.
+inline Case moving_droplet(Scene kind, bool periodic = false) {
+  Case c = scene(kind, WallLaw::energy, periodic);
+  c.domain.elements = {18, 12};
+  for (Load& load : c.loads) load.start = 0;
+  if (c.fluid) {
+    c.fluid->viscosity = 2e-3;
+    c.fluid->capillarity = 0.1;
+    c.fluid->stabilisation = 0.0;
+    c.droplets = {{{0.45, kind == Scene::coupled ? 0.8 / 3 : 0.0}, 0.3}};
+  }
+  return c;
+}
+
+/// A scene with one of the explicit steps, at its first state.
+struct ExplicitRun {
+  Model<2, 2> model;
+  SemiDiscrete<2, 2> system;
+  std::unique_ptr<ExplicitStep<2, 2>> step;
+  StepBound<2, 2> bound;
+  State state;
+
+  ExplicitRun(const Case& c, const std::string& scheme, MassKind kind = MassKind::corrected)
+      : model(c),
+        system(model, kind),
+        step(make(scheme)),
+        bound(model, kind, step->formula()),
+        state(initial_state<2, 2>(c, model)) {
+    system.set_moments(state);
+    EXPECT_TRUE(step->begin(state).empty());
+  }
+  StepRates rates() const {
+    return bound.rates(system.stage().unknown, system.stage().displacement, step->moments(),
+                       system.masses().scalar_sums());
+  }
+  void run(double dt, int steps) {
+    for (int n = 0; n < steps; ++n) {
+      ASSERT_TRUE(step->advance(state.time, dt, rates()).empty());
+      step->accept(state.time + dt, dt, state);
+    }
+  }
+
+ private:
+  std::unique_ptr<ExplicitStep<2, 2>> make(const std::string& scheme) {
+    if (scheme == "ssp_rk3") return std::make_unique<RungeKuttaStep<2, 2>>(system);
+    return std::make_unique<KickDrift<2, 2>>(system, scheme == "rkl2");
+  }
+};
+
+inline double root_of_squares(const Array& a, const Array& b, int first, int last) {
+  const std::vector<double> x = to_host(a), y = to_host(b);
+  double sum = 0;
+  for (int i = first; i < last; ++i) sum += (x[i] - y[i]) * (x[i] - y[i]);
+  return std::sqrt(sum / (last - first));
+}
+
+}  // namespace softwet::testing_tools

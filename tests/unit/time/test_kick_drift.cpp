@@ -1,0 +1,68 @@
+// The scheme kick_drift: its order, what it keeps, and that its steps leave no trace before they are accepted.
+#include "time/kick_drift.hpp"
+
+#include "unit/time/explicit_run.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+/// Differences to a run of ssp_rk3 with many steps, of all unknowns at one time.
+double error_of(const Case& c, const std::string& scheme, int steps, const Array& exact) {
+  ExplicitRun run(c, scheme);
+  run.run(0.2 / steps, steps);
+  return root_of_squares(run.state.unknown, exact, 0, static_cast<int>(exact.extent(0)));
+}
+
+void expect_second_order(const Case& c, const std::string& scheme) {
+  ExplicitRun exact(c, "ssp_rk3");
+  exact.run(0.2 / 320, 320);
+  const double a = error_of(c, scheme, 40, exact.state.unknown), b = error_of(c, scheme, 80, exact.state.unknown);
+  std::printf("  %s: errors %.2e, %.2e, order %.2f\n", scheme.c_str(), a, b, std::log2(a / b));
+  EXPECT_NEAR(std::log2(a / b), 2, 0.35);
+}
+
+TEST(KickDrift, IsOfSecondOrderWithASoftLayerAndALoad) {
+  expect_second_order(moving_droplet(Scene::coupled), "kick_drift");
+}
+TEST(KickDrift, IsOfSecondOrderInASolid) { expect_second_order(moving_droplet(Scene::solid), "kick_drift"); }
+TEST(KickDrift, IsOfSecondOrderWithViscosityApart) { expect_second_order(moving_droplet(Scene::rigid), "rkl2"); }
+
+TEST(KickDrift, KeepsTheMomentsOnAMovingMesh) {
+  for (const bool periodic : {false, true}) {
+    ExplicitRun run(moving_droplet(Scene::coupled, periodic), "kick_drift");
+    const double before = total(alone, run.state.moment);
+    run.run(0.9 / run.rates().combined, 50);
+    EXPECT_NEAR(total(alone, run.state.moment), before, 1e-14 * before);
+  }
+}
+
+
+TEST(KickDrift, TheEnergyFallsAtItsBound) {
+  ExplicitRun run(moving_droplet(Scene::rigid), "kick_drift");
+  double before = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
+  for (int n = 0; n < 60; ++n) {
+    run.run(0.9 / run.rates().combined, 1);
+    const double now = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
+    ASSERT_LT(now, before) << n;
+    before = now;
+  }
+}
+
+TEST(KickDrift, AStepThatIsNotAcceptedLeavesNoTrace) {
+  for (const char* scheme : {"kick_drift", "rkl2", "ssp_rk3"}) {
+    const Case c = moving_droplet(Scene::coupled);
+    ExplicitRun once(c, scheme), twice(c, scheme);
+    const double dt = 0.5 / once.rates().combined;
+    once.run(dt, 3);
+    twice.run(dt, 2);
+    const StepRates rates = twice.rates();
+    ASSERT_TRUE(twice.step->advance(twice.state.time, 1.7 * dt, rates).empty());
+    ASSERT_TRUE(twice.step->advance(twice.state.time, dt, rates).empty());
+    twice.step->accept(twice.state.time + dt, dt, twice.state);
+    EXPECT_EQ(to_host(once.state.unknown), to_host(twice.state.unknown)) << scheme;
+    EXPECT_EQ(to_host(once.state.displacement), to_host(twice.state.displacement)) << scheme;
+  }
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools

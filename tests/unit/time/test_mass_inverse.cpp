@@ -1,0 +1,171 @@
+// Corrected masses against the masses themselves: what they keep exactly, and how small their error is.
+#include "time/mass_inverse.hpp"
+
+#include "time/mass_symbols.hpp"
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+/// The masses of a scene whose mesh is moved by the displacement of its random stage, or not.
+struct Weighed {
+  RandomScene scene;
+  MassInverse<2, 2> inverse;
+  Masses<2, 2> masses;
+  Stage stage;
+  Array moments;
+
+  Weighed(const Case& c, MassKind kind) : scene(c), inverse(scene.model, kind), masses(scene.model) {
+    stage = scene.stage();
+    move_ghosts(scene.layout(), stage.unknown, GhostAction::update);
+    inverse.set_mesh(stage);
+    const Array p("p", scene.layout().size());
+    masses.scalar(stage, stage.unknown, p);
+    moments = Kokkos::subview(p, Kokkos::make_pair(l().density_offset(), l().potential_offset()));
+    inverse.set_weights(moments, stage.unknown);
+  }
+  const Layout<2>& l() const { return scene.layout(); }
+};
+
+const std::vector<Case>& scenes() {
+  static const std::vector<Case> all{scene(Scene::rigid), scene(Scene::coupled),
+                                     scene(Scene::coupled, WallLaw::gradient, true)};
+  return all;
+}
+
+TEST(MassInverse, WhatIsUniformStaysSoOnAMovedMesh) {
+  for (const Case& c : scenes())
+    for (const MassKind kind : {MassKind::lumped, MassKind::corrected}) {
+      Weighed w(c, kind);
+      const Array ones("ones", w.l().size()), b("b", w.l().size()), z("z", w.l().size());
+      Kokkos::deep_copy(ones, 1.0);
+      w.masses.scalar(w.stage, ones, b);
+      w.inverse.scalar(w.stage, b, z, 0);
+      const std::vector<double> found = to_host(z), mask = to_host(w.scene.model.mask());
+      for (int i = w.l().density_offset(); i < w.l().potential_offset(); ++i)
+        if (mask[i] != 0) ASSERT_NEAR(found[i], 1, 1e-12);
+    }
+}
+
+TEST(MassInverse, AUniformAccelerationOfFluidAndSolidIsExact) {
+  Case c = scene(Scene::coupled, WallLaw::gradient, true);
+  c.boundary.side[1] = {Side::free, Side::slip};  // nothing holds the motion along x
+  Weighed w(c, MassKind::corrected);
+  const Array ones("ones", w.l().size()), b("b", w.l().size()), z("z", w.l().size());
+  const std::vector<double> sums = to_host(w.inverse.velocity_sums()), mask = to_host(w.scene.model.mask());
+  std::vector<double> force(w.l().size(), 0.0);
+  for (std::size_t i = 0; i < sums.size(); ++i) force[i] = mask[i] * sums[i];
+  Kokkos::deep_copy(b, to_device<Array>(force));
+  w.inverse.velocity(w.stage, b, z, 0);
+  const std::vector<double> found = to_host(z);
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (mask[i] != 0) ASSERT_NEAR(found[i], 1, 1e-12);
+}
+
+TEST(MassInverse, TheMassOfTheDensityIsTheSumOfItsMoments) {
+  for (const Case& c : scenes())
+    for (const MassKind kind : {MassKind::lumped, MassKind::corrected}) {
+      Weighed w(c, kind);
+      std::vector<double> b = to_host(w.scene.direction());
+      const Array z("z", w.l().size()), p("p", w.l().size());
+      w.inverse.scalar(w.stage, to_device<Array>(b), z, 0);
+      move_ghosts(w.l(), z, GhostAction::update);
+      w.masses.scalar(w.stage, z, p);
+      double mass = 0, sum = 0;
+      const std::vector<double> found = to_host(p);
+      for (int i = w.l().density_offset(); i < w.l().potential_offset(); ++i) {
+        mass += found[i];
+        sum += b[i];
+      }
+      EXPECT_NEAR(mass, sum, 1e-12);
+    }
+}
+
+TEST(MassInverse, IsSymmetricAndPositive) {
+  for (const Case& c : scenes()) {
+    Weighed w(c, MassKind::corrected);
+    const Array x = w.scene.direction(), y = w.scene.direction(), sx("sx", w.l().size()), sy("sy", w.l().size());
+    const std::vector<double> a = to_host(x), b = to_host(y);
+    const auto expect_symmetric = [&](int first, int last) {
+      const std::vector<double> sa = to_host(sx), sb = to_host(sy);
+      const double one = contract(a, sb, first, last), other = contract(b, sa, first, last);
+      EXPECT_NEAR(one, other, 1e-11 * contract(a, sa, first, last));
+      EXPECT_GT(contract(a, sa, first, last), 0);
+    };
+    w.inverse.scalar(w.stage, x, sx, 0);
+    w.inverse.scalar(w.stage, y, sy, 0);
+    expect_symmetric(w.l().density_offset(), w.l().potential_offset());
+    w.inverse.velocity(w.stage, x, sx, 0);
+    w.inverse.velocity(w.stage, y, sy, 0);
+    expect_symmetric(0, w.l().velocity_size());
+  }
+}
+
+/// Error of S M c - c for a wave along x on a periodic mesh, over that of the lumped masses.
+double error_of_wave(int elements, MassKind kind) {
+  Case c = scene(Scene::rigid, WallLaw::gradient, true);
+  c.domain.size = {1, 1};
+  c.domain.elements = {elements, 8};
+  const Model<2, 2> model(c);
+  MassInverse<2, 2> inverse(model, kind);
+  const Masses<2, 2> masses(model);
+  const Layout<2>& l = model.layout();
+  Stage stage = make_stage<double>(l);
+  inverse.set_mesh(stage);
+  std::vector<double> wave(l.size(), 0.0);
+  const Axis& x = l.axis[0];
+  for (int i = l.density_offset(); i < l.potential_offset(); ++i)
+    wave[i] = std::cos(2 * M_PI * x.greville((i - l.density_offset()) % x.functions()));
+  const Array b("b", l.size()), z("z", l.size());
+  masses.scalar(stage, to_device<Array>(wave), b);
+  inverse.scalar(stage, b, z, 0);
+  const std::vector<double> found = to_host(z);
+  double error = 0;
+  for (int i = l.density_offset(); i < l.potential_offset(); ++i)
+    if ((i - l.density_offset()) % x.functions() < x.owned()) error = std::max(error, std::abs(found[i] - wave[i]));
+  return error;
+}
+
+TEST(MassInverse, IsOfSecondOrderLumpedAndOfSixthCorrected) {
+  for (const auto& [kind, order] : {std::pair{MassKind::lumped, 2.0}, {MassKind::corrected, 6.0}})
+    EXPECT_NEAR(std::log2(error_of_wave(16, kind) / error_of_wave(32, kind)), order, 0.2);
+  EXPECT_LT(error_of_wave(16, MassKind::corrected), 2e-4);
+}
+
+// With the symbols m = (33 + 26 cos x + cos 2x) / 60, k = 1 - (2 cos x + cos 2x) / 3 and b = (10 sin x + sin 2x) / 12 of quadratic
+// splines.
+TEST(MassSymbols, AreTheExtremesOfTheSymbolsOfQuadraticSplines) {
+  MassSymbols lumped, corrected;
+  for (int n = 1; n <= 10000; ++n) {
+    const double x = M_PI * n / 10000, m = (33 + 26 * std::cos(x) + std::cos(2 * x)) / 60;
+    const double k = 1 - (2 * std::cos(x) + std::cos(2 * x)) / 3, b = (10 * std::sin(x) + std::sin(2 * x)) / 12;
+    const double e = 1 - m, s = 1 + e + e * e - 2 * e * e * e;
+    lumped.acoustic = std::max(lumped.acoustic, std::sqrt(m) * b);
+    lumped.capillary = std::max(lumped.capillary, std::sqrt(k) * b);
+    lumped.viscous = std::max(lumped.viscous, k);
+    corrected.acoustic = std::max(corrected.acoustic, std::sqrt(s * s * s * m) * b);
+    corrected.capillary = std::max(corrected.capillary, std::sqrt(s * s * s * k) * b);
+    corrected.elastic = std::max(corrected.elastic, std::sqrt(s * k));
+  }
+  const MassSymbols a = inside_symbols(2, MassKind::lumped), b = inside_symbols(2, MassKind::corrected);
+  EXPECT_NEAR(a.acoustic, lumped.acoustic, 1e-4);
+  EXPECT_NEAR(a.capillary, lumped.capillary, 1e-4);
+  EXPECT_NEAR(a.viscous, lumped.viscous, 1e-4);
+  EXPECT_NEAR(b.acoustic, corrected.acoustic, 1e-4);
+  EXPECT_NEAR(b.capillary, corrected.capillary, 1e-4);
+  EXPECT_NEAR(b.elastic, corrected.elastic, 1e-4);
+}
+
+TEST(MassSymbols, EndsAreNotStifferThanTiesAllow) {
+  for (const int degree : {2, 3})
+    for (const MassKind kind : {MassKind::lumped, MassKind::corrected}) {
+      const MassSymbols inside = inside_symbols(degree, kind), end = end_symbols(degree, kind);
+      EXPECT_GE(end.acoustic, inside.acoustic);
+      EXPECT_LT(end.acoustic, (degree == 2 ? 1.2 : 1.5) * inside.acoustic);
+      EXPECT_LT(end.capillary, (degree == 2 ? 1.5 : 3.2) * inside.capillary);
+      EXPECT_LT(end.elastic, (degree == 2 ? 1.25 : 2) * inside.elastic);
+    }
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools
