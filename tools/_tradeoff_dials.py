@@ -20,7 +20,8 @@ from _sweep_definition import member_name, split_values
 DIALS = [
     {"name": "tolerance", "key": "time.tolerance", "factors": ["10", "3", "3/10", "1/10"]},
     {"name": "scheme", "settings": [
-        {"time.scheme": scheme, "time.mass": mass} for scheme in ("ssp_rk3", "rkl2", "imex") for mass in ("lumped", "consistent")]},
+        {"time.scheme": scheme, "time.mass": mass} for scheme in ("kick_drift", "rkl2", "ssp_rk3")
+        for mass in ("corrected", "lumped")]},
     {"name": "rho_inf", "key": "time.rho_inf", "values": ["0", "0.8", "1"]},
     {"name": "elements", "refine": ["1/2", "3/4", "3/2"]},
     {"name": "degree", "key": "domain.degree", "values": ["2", "3"]},

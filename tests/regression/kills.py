@@ -10,7 +10,7 @@ from _scene import PULL, cases, check_true, command_of_file, environment, record
 
 SMOOTH = [*PULL, "time.dt_max=0.1", "output.fields.times=[0,0.5,1,2.5]", "time.end=2.5"]
 FAST = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "fluid.temperature=0.7", "load[0].start=0.1",
-        "load[0].ramp=0.1", "load[0].force=[2,0]", "time.end=0.2", "output.fields.times=[0,0.05]"]
+        "load[0].ramp=0.1", "load[0].force=[2,0]", "time.end=0.2", "output.fields.times=[0,0.05]", "output.history.every=1"]
 
 
 def disturbed(name, case, settings, kills):
@@ -32,6 +32,6 @@ disturbed("seldom", "tensotaxis_pull_2d", [*SMOOTH, "output.history.every=7", "s
 disturbed("schwarz", "static_droplet_rigid_2d",
           ["domain.elements=[32,16]", "fluid.capillarity=1/16", "time.end=4", "output.fields.times=[0,4]",
            "time.dt_max=0.2", "solver.krylov.preconditioner=schwarz", "boundary.left=periodic", "boundary.right=periodic"], 4)
-for scheme, mass in (("ssp_rk3", "lumped"), ("ssp_rk3", "consistent"), ("rkl2", "lumped"), ("imex", "lumped"),
-                     ("imex", "consistent")):
+for scheme, mass in (("kick_drift", "corrected"), ("kick_drift", "consistent"), ("rkl2", "corrected"), ("rkl2", "lumped"),
+                     ("ssp_rk3", "lumped"), ("ssp_rk3", "consistent")):
     disturbed(f"{scheme}_{mass}", "tensotaxis_pull_2d", [*FAST, f"time.scheme={scheme}", f"time.mass={mass}"], 4)

@@ -18,7 +18,7 @@ def refused(*settings):
     return result.stderr
 
 
-for scheme in ("ssp_rk3", "imex"):
+for scheme in ("ssp_rk3", "kick_drift"):
     message = refused("solver.precision=mixed", f"time.scheme={scheme}")
     check_true("the message names the scheme that has it", "generalized_alpha" in message, message)
 refused("solver.precision=single", "solver.krylov.jacobian=difference")

@@ -83,7 +83,7 @@ RUNS = {
     "degree 3": soft("domain.degree=3"),
     "mixed precision": soft("solver.precision=mixed"),
     "single precision": soft("solver.precision=single"),
-    "single precision, explicit": soft("solver.precision=single", "time.scheme=imex"),
+    "single precision, explicit": soft("solver.precision=single", "time.scheme=kick_drift"),
     "rho_inf 0": soft("time.rho_inf=0"),
     "rho_inf 1": soft("time.rho_inf=1"),
     **{f"fixed dt {dt:g}": soft(*fixed(dt)) for dt in (1e-6, 1e-3, 1, 10, 100, 1000)},
