@@ -23,30 +23,33 @@ def largest_mass_drift(rows):
 
 
 reference = compute("implicit", *FINE)
-# Consistent masses differ from the reference by the errors of the time steps alone, lumped ones also in space: by up to
-# 2.4 % on this coarse mesh.
-ALLOWED = {"consistent": 3e-4, "corrected": 3e-3, "lumped": 3e-2}
+# Consistent masses differ from the reference by the errors of the time steps alone, the others also in space: lumped ones by up
+# to 2.4 % on this coarse mesh, corrected ones by up to 0.28 % of the kinetic and, through their ties at the sides of the thin
+# layer, 0.8 % of the elastic energy. The bounds of corrected masses are twice these.
+ALLOWED = {"consistent": {"energy_elastic": 3e-4, "energy_kinetic": 3e-4}, "corrected": {"energy_elastic": 1.6e-2, "energy_kinetic": 6e-3},
+           "lumped": {"energy_elastic": 3e-2, "energy_kinetic": 3e-2}}
 for scheme in ("kick_drift", "rkl2", "ssp_rk3"):
     for mass, allowed in ALLOWED.items():
         name = f"{scheme}_{mass}"
         rows = compute(name, f"time.scheme={scheme}", f"time.mass={mass}")
-        for column in ("energy_elastic", "energy_kinetic"):
+        for column, bound in allowed.items():
             error = abs(rows[column][-1] / reference[column][-1] - 1)
-            check(f"{name}: {column} at the end, relative to generalized_alpha", error, allowed)
+            check(f"{name}: {column} at the end, relative to generalized_alpha", error, bound)
         check(f"{name}: drift of the mass", largest_mass_drift(rows), 1e-12)
         check_true(f"{name}: no step was refused", record(name)["counts"]["rejected_by_newton"] == 0)
 
-whole = compute("whole", "time.scheme=ssp_rk3", "time.mass=lumped")
-compute("parts", "time.scheme=ssp_rk3", "time.mass=lumped", "time.max_steps=20")
-parts = compute("parts", "time.scheme=ssp_rk3", "time.mass=lumped",
-                options=("--resume", "--quiet", "--threads", "1"))
-check_true("a resumed run takes more than 50 steps", len(parts["t"]) > 50)
-check_same("a resumed run", "parts", "whole")
-check_true("steps follow the limit of stability", max(whole["dt"]) < 0.02, f"largest dt {max(whole['dt']):.3g}")
+for scheme, mass in (("kick_drift", "corrected"), ("ssp_rk3", "lumped")):
+    words, (whole, parts) = [f"time.scheme={scheme}", f"time.mass={mass}"], (f"whole_{scheme}", f"parts_{scheme}")
+    rows = compute(whole, *words)
+    compute(parts, *words, "time.max_steps=20")
+    resumed = compute(parts, *words, options=("--resume", "--quiet", "--threads", "1"))
+    check_true(f"{scheme}: a resumed run takes more than 50 steps", len(resumed["t"]) > 50)
+    check_same(f"{scheme}: a resumed run", parts, whole)
+    check_true(f"{scheme}: steps follow the bound", max(rows["dt"]) < 0.02, f"largest dt {max(rows['dt']):.3g}")
 
-# With periodic sides, whose copies of unknowns are not free, the limit is measured too, for either kind of mass.
-for mass in ("consistent", "lumped"):
+# With periodic sides, whose copies of unknowns are not free, steps are bounded too, for each kind of mass.
+for mass in ALLOWED:
     rows = compute(f"periodic_{mass}", "time.scheme=ssp_rk3", f"time.mass={mass}", "boundary.left=periodic",
                    "boundary.right=periodic", "time.max_steps=10", "time.dt_initial=1", "time.tolerance=1e30")
-    check_true(f"periodic sides, {mass}: steps follow the limit of stability", max(rows["dt"]) < 0.02,
+    check_true(f"periodic sides, {mass}: steps follow the bound", max(rows["dt"]) < 0.02,
                f"largest dt {max(rows['dt']):.3g}")

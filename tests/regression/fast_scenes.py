@@ -9,11 +9,19 @@ import tomllib
 import numpy
 from _scene import cases, check, check_true, history, open_output, record, run
 
-# name: settings, size of the fine steps, and what lumped masses and their errors in space may change at the end:
-# parts of the energy that was dissipated, of the kinetic energy, and of the density step (rms).
-IMPACT = ["domain.elements=[40,25]", "fluid.capillarity=1/24", "time.end=2", "output.fields.times=[2]"]
-SWING = ["domain.elements=[32,32]", "fluid.capillarity=1/28", "time.end=3", "output.fields.times=[3]"]
-SCENES = {"impact_rigid_2d": (IMPACT, 0.01, 0.05, 0.15, 0.03), "oscillating_droplet_2d": (SWING, 0.02, 0.015, 0.05, 0.002)}
+BOTH = ["domain.quadrature=full", "output.history.every=1"]
+IMPACT = [*BOTH, "domain.elements=[40,25]", "fluid.capillarity=1/24", "time.end=2", "output.fields.times=[2]"]
+SWING = [*BOTH, "domain.elements=[32,32]", "fluid.capillarity=1/28", "time.end=3", "output.fields.times=[3]"]
+# name: settings, size of the fine steps, and what the errors in space of the masses may change at the end: parts of the energy that
+# was dissipated, of the kinetic energy, and of the density step (rms). Those of corrected masses are two to three times what was
+# measured.
+SCENES = {
+    "impact_rigid_2d": (IMPACT, 0.01, {"lumped": (0.05, 0.15, 0.03), "corrected": (0.006, 0.008, 0.0012)}),
+    "oscillating_droplet_2d": (SWING, 0.02, {"lumped": (0.015, 0.05, 0.002), "corrected": (0.003, 0.003, 0.0002)}),
+}
+# Near the limit of their steps, kick_drift and rkl2 with corrected masses let the energy of the table swing by a part of what is
+# dissipated in a step (see the study stable_step); with this part of the bound it falls at every row.
+SAFETY = {"lumped": 0.9, "corrected": 0.7}
 STEP = 0.6023801 - 0.1065767  # of the density at the temperature 0.85, tests/oracle/plane_interface.py
 
 
@@ -28,21 +36,21 @@ def fall(rows):
     return rows["energy_total"][0] - rows["energy_total"][-1]
 
 
-def compare(scene, settings, dt, of_fall, of_kinetic, of_density):
+def compare(scene, settings, dt, allowed):
     fine = ["time.scheme=generalized_alpha", "time.tolerance=1e30", f"time.dt_initial={dt}", f"time.dt_max={dt}",
             "solver.newton.rtol=1e-9"]
     expected, density = compute(scene, f"{scene}_fine", settings + fine)
     for scheme in ("kick_drift", "rkl2", "ssp_rk3"):
-        name = f"{scene}_{scheme}"
-        rows, found = compute(scene, name, settings + [f"time.scheme={scheme}", "time.mass=lumped"])
-        check(f"{name}: energy dissipated", abs(fall(rows) / fall(expected) - 1), of_fall)
-        kinetic = rows["energy_kinetic"][-1] / expected["energy_kinetic"][-1]
-        check(f"{name}: kinetic energy at the end", abs(kinetic - 1), of_kinetic)
-        check(f"{name}: density at the end, rms", numpy.sqrt(((found - density)**2).mean()) / STEP, of_density)
-        check(f"{name}: drift of the mass", abs(rows["mass_drift"]).max(), 1e-12)
-        check(f"{name}: largest rise of the total energy in a step", numpy.diff(rows["energy_total"]).max(), 0)
-        # A step that grows is refused: that is how a limit which falls at contact may be noticed.
-        check(f"{name}: refused steps", record(name)["counts"]["rejected_by_newton"], 2)
+        for mass, (of_fall, of_kinetic, of_density) in allowed.items():
+            name = f"{scene}_{scheme}_{mass}"
+            rows, found = compute(scene, name, settings + [f"time.scheme={scheme}", f"time.mass={mass}", f"time.safety={SAFETY[mass]}"])
+            check(f"{name}: energy dissipated", abs(fall(rows) / fall(expected) - 1), of_fall)
+            kinetic = rows["energy_kinetic"][-1] / expected["energy_kinetic"][-1]
+            check(f"{name}: kinetic energy at the end", abs(kinetic - 1), of_kinetic)
+            check(f"{name}: density at the end, rms", numpy.sqrt(((found - density)**2).mean()) / STEP, of_density)
+            check(f"{name}: drift of the mass", abs(rows["mass_drift"]).max(), 1e-12)
+            check(f"{name}: largest rise of the total energy in a step", numpy.diff(rows["energy_total"]).max(), 0)
+            check(f"{name}: refused steps", record(name)["counts"]["rejected_by_newton"], 0)
 
 
 def pulse(x, t, c, rho, height, capillarity=1 / 32, viscosity=4e-4):
@@ -64,7 +72,7 @@ def check_sound():
     of what it sends back. The speed of sound with which small waves come closest is that of the equation of state but for
     the squares of the height (0.3 %) and of the mesh size."""
     t, share = 1.5, 0.05
-    settings = ["domain.elements=[96,24]", "fluid.capillarity=1/32", f"time.end={t}", f"output.fields.times=[{t}]"]
+    settings = [*BOTH, "domain.elements=[96,24]", "fluid.capillarity=1/32", f"time.end={t}", f"output.fields.times=[{t}]"]
     waves = tomllib.loads((cases / "sound_pulse_2d.toml").read_text())["wave"]
     for name, part in (("pulse", share), ("still", 0)):
         run("sound_pulse_2d", name,
