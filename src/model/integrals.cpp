@@ -86,8 +86,8 @@ Filling Model<D, P>::filling(const Stage& stage) const {
 template <int D, int P>
 MeshFaults Model<D, P>::faults(const Stage& stage) const {
   MeshFaults faults;
+  if (!layout_.has_solid) return faults;  // nothing moves the mesh
   if (layout_.has_fluid) faults.folded = fluid_contents(stage)[FluidContents::folded];
-  if (!layout_.has_solid) return faults;
   ReduceTask<D, InvertedSolid, NoMotion> task{solid_region_, {}, {}, {}, {}};
   bind_fields(Evaluation<D>{layout_, stage, {}, {}}, blend_, task);
   faults.inverted = reduce<P>(task)[0];

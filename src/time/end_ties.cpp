@@ -9,15 +9,20 @@ namespace {
 using Indices = Kokkos::View<const int*, Exec>;
 
 /// Takes a part of the difference of each pair away and keeps its mean, weighted with `weights`.
-void tie_pairs(const Indices& first, const Indices& step, int offset, int nodes, double removed, const Array& x,
-               const ConstArray& weights) {
+void tie_pairs(const Indices& first, const Indices& step, int nodes, double removed, const Array& x,
+               const ConstArray& weights, const Array& gains) {
+  const bool gain = gains.data() != nullptr;
   Kokkos::parallel_for(
       "softwet::ties", Items(0, first.extent(0)), KOKKOS_LAMBDA(int pair) {
         const int i = first(pair), j = i + step(pair);
-        const double a = weights((i - offset) % nodes), b = weights((j - offset) % nodes);
+        const double a = weights(i % nodes), b = weights(j % nodes);
         const double part = removed * (x(i) - x(j)) / (a + b);
         x(i) -= b * part;
         x(j) += a * part;
+        if (gain) {
+          gains(i) += b * part;
+          gains(j) -= a * part;
+        }
       });
 }
 
@@ -28,7 +33,6 @@ EndTies<D>::EndTies(const Layout<D>& l, const ConstArray& device_mask) {
   const std::vector<double> mask = to_host(device_mask);
   velocity_.nodes = l.rows * l.row_size;
   scalar_.nodes = std::max(1, l.scalar_size());
-  scalar_.offset = l.density_offset();
   const auto add = [&](Group& group, int first, int last, int axis, int extent) {
     constexpr int apart = 4;  // functions that two ends need
     if (l.axis[axis].periodic()) return;
@@ -60,7 +64,7 @@ void EndTies<D>::add_set(Group& group, const Layout<D>& l, const std::vector<dou
         const int at_end = end == End::low ? 0 : end == End::high ? last : l.wall_row;
         const int way = end == End::low ? stride : -stride, at = box.offset + i;
         if (function != at_end || mask[at] == 0 || mask[at + way] == 0) continue;
-        first.push_back(at);
+        first.push_back(at - all[first_component].offset);
         step.push_back(way);
       }
     }
@@ -70,11 +74,12 @@ void EndTies<D>::add_set(Group& group, const Layout<D>& l, const std::vector<dou
 }
 
 template <int D>
-void EndTies<D>::smooth(const Group& group, double kept, const Array& x, const ConstArray& weights) const {
+void EndTies<D>::smooth(const Group& group, double kept, const Array& x, const ConstArray& weights,
+                        const Array& gains) const {
   const double half = 1 - std::sqrt(kept);  // twice makes a whole tie
   const int last = static_cast<int>(group.sets.size()) - 1;
   const auto tie = [&](int set, double removed) {
-    tie_pairs(group.sets[set].first, group.sets[set].step, group.offset, group.nodes, removed, x, weights);
+    tie_pairs(group.sets[set].first, group.sets[set].step, group.nodes, removed, x, weights, gains);
   };
   for (int set = 0; set < last; ++set) tie(set, half);
   if (last >= 0) tie(last, 1 - kept);

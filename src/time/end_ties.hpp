@@ -21,28 +21,33 @@ class EndTies {
  public:
   EndTies(const Layout<D>&, const ConstArray& mask);
 
-  /// x = W x for the velocities.
-  /// @param weights  a by control point: those of one component
-  void velocities(const Array& x, const ConstArray& weights) const { smooth(velocity_, kept_of_velocities, x, weights); }
-  /// The inverse of that for the part of the density.
-  void untie_scalars(const Array& x, const ConstArray& weights) const { smooth(scalar_, 1 / kept_of_scalars, x, weights); }
-  /// x = W x for the part of the density.
-  void scalars(const Array& x, const ConstArray& weights) const { smooth(scalar_, kept_of_scalars, x, weights); }
+  // Arrays of the components alone; `weights` is a by control point.
+  /// x = W x, and what x loses is added to `gains` unless that is empty.
+  void velocities(const Array& x, const ConstArray& weights, const Array& gains = {}) const {
+    smooth(velocity_, kept_of_velocities, x, weights, gains);
+  }
+  void scalars(const Array& x, const ConstArray& weights, const Array& gains = {}) const {
+    smooth(scalar_, kept_of_scalars, x, weights, gains);
+  }
+  /// x = W^{-1} x for scalars.
+  void untie_scalars(const Array& x, const ConstArray& weights) const {
+    smooth(scalar_, 1 / kept_of_scalars, x, weights, {});
+  }
 
  private:
-  /// Pairs that share no function: the place of the end function in a vector of unknowns, and the way to the next one.
+  /// Pairs that share no function: the place of the end function, and the way to the next one.
   struct Set {
     Kokkos::View<const int*, Exec> first, step;
   };
   struct Group {
     std::vector<Set> sets;
-    int offset = 0, nodes = 1;  ///< of the group, and of a component
+    int nodes = 1;  ///< of a component
   };
   enum class End { low, high, below_wall };
 
   void add_set(Group&, const Layout<D>&, const std::vector<double>& mask, int first, int last, int axis,
                const std::vector<End>& ends);
-  void smooth(const Group&, double kept, const Array& x, const ConstArray& weights) const;
+  void smooth(const Group&, double kept, const Array& x, const ConstArray& weights, const Array& gains) const;
 
   Group velocity_, scalar_;
 };

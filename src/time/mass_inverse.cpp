@@ -1,10 +1,11 @@
 #include "time/mass_inverse.hpp"
 
+#include <algorithm>
+
 namespace softwet {
 namespace {
 
 constexpr int most_iterations = 400;
-constexpr double tight = 1e-12;
 
 Array cut(const Array& a, int first, int last) { return Kokkos::subview(a, Kokkos::make_pair(first, last)); }
 
@@ -16,12 +17,14 @@ void scale_by_root(const Array& x, const ConstArray& a, const ConstArray& b) {
       KOKKOS_LAMBDA(int i) { x(i) = b(i % nodes) > 0 ? x(i) * Kokkos::sqrt(a(i % nodes) / b(i % nodes)) : 0.0; });
 }
 
-/// z = mask b / a
-void divide(const Array& z, const ConstArray& b, const ConstArray& a, const ConstArray& mask) {
-  const int nodes = static_cast<int>(a.extent(0));
+/// z = factor mask b / a
+void divide(const Array& z, double factor, const ConstArray& b, const ConstArray& a, const ConstArray& mask) {
+  const int nodes = static_cast<int>(a.extent(0)), components = static_cast<int>(z.extent(0)) / std::max(1, nodes);
   Kokkos::parallel_for(
-      "softwet::divide", Items(0, z.extent(0)),
-      KOKKOS_LAMBDA(int i) { z(i) = mask(i) != 0 ? b(i) / a(i % nodes) : 0.0; });
+      "softwet::divide", Items(0, nodes), KOKKOS_LAMBDA(int node) {
+        const double inverse = factor / a(node);
+        for (int c = 0, i = node; c < components; ++c, i += nodes) z(i) = mask(i) != 0 ? b(i) * inverse : 0.0;
+      });
 }
 
 /// y = a y by control point.
@@ -58,34 +61,17 @@ void find_factors(const Array& left, const Array& right, const ConstArray& image
       });
 }
 
-/// y = factor x, and scaled = root y.
-void begin_series(const Array& y, double factor, const ConstArray& x, const Array& scaled, const ConstArray& root) {
+/// scaled = factor root y.
+void scale(const Array& scaled, double factor, const ConstArray& y, const ConstArray& root) {
   const int nodes = static_cast<int>(root.extent(0));
   Kokkos::parallel_for(
-      "softwet::begin_series", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) {
-        y(i) = factor * x(i);
-        scaled(i) = root(i % nodes) * y(i);
-      });
+      "softwet::scale", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { scaled(i) = factor * root(i % nodes) * y(i); });
 }
 
-/// image = mask (left y + right image): from M (root y) to A y / a.
-void combine_images(const Array& image, const ConstArray& y, const ConstArray& left, const ConstArray& right,
-                    const ConstArray& mask) {
-  const int nodes = static_cast<int>(left.extent(0));
+/// The end of a step of the series at every value.
+void finish(const StepPointers& step, const ConstArray& product, int nodes) {
   Kokkos::parallel_for(
-      "softwet::mass_image", Items(0, y.extent(0)),
-      KOKKOS_LAMBDA(int i) { image(i) = mask(i) * (left(i % nodes) * y(i) + right(i % nodes) * image(i)); });
-}
-
-/// next = x + y - image, and scaled = root next.
-void next_of_series(const Array& next, const ConstArray& x, const ConstArray& y, const ConstArray& image,
-                    const Array& scaled, const ConstArray& root) {
-  const int nodes = static_cast<int>(root.extent(0));
-  Kokkos::parallel_for(
-      "softwet::next_of_series", Items(0, next.extent(0)), KOKKOS_LAMBDA(int i) {
-        next(i) = x(i) + y(i) - image(i);
-        scaled(i) = root(i % nodes) * next(i);
-      });
+      "softwet::finish_step", Items(0, product.extent(0)), KOKKOS_LAMBDA(int i) { step.finish(i, i % nodes, product(i)); });
 }
 
 }  // namespace
@@ -105,12 +91,11 @@ MassInverse<D, P>::MassInverse(const Model<D, P>& model, MassKind kind)
       ones_("masses.ones", model.layout().size()),
       scaled_("masses.scaled", model.layout().size()),
       image_("masses.image", model.layout().size()),
-      iterate_("masses.iterate", model.layout().size()) {
+      first_("masses.first", model.layout().size()) {
   Kokkos::deep_copy(ones_, 1.0);
   for (const Weights& w : {scalar_, velocity_}) {
     if (w.nodes() == 0) continue;
-    multiply_fixed(w, ones_, image_);
-    move_ghosts(model.layout(), image_, GhostAction::update);
+    multiply_fixed(w, 1, ones_, image_);
     Kokkos::deep_copy(w.unit, part(image_, w.begin, w.begin + w.nodes()));
   }
   if (model.layout().has_solid) add_solid_sums();
@@ -118,7 +103,7 @@ MassInverse<D, P>::MassInverse(const Model<D, P>& model, MassKind kind)
 
 template <int D, int P>
 typename MassInverse<D, P>::Weights MassInverse<D, P>::weights(int begin, int nodes, int first, int last) const {
-  Weights w{begin, begin + (last - first) * nodes, first, last, {}, {}, {}, {}, {}};
+  Weights w{{}, begin, begin + (last - first) * nodes, first, last};
   for (Array* a : {&w.sums, &w.unit, &w.root, &w.left, &w.right}) *a = Array("masses.weights", nodes);
   return w;
 }
@@ -143,11 +128,14 @@ void MassInverse<D, P>::add_solid_sums() {
 }
 
 template <int D, int P>
-void MassInverse<D, P>::multiply_fixed(const Weights& w, const Array& in, const Array& out) {
-  const bool ghosts = has_ghosts(model_.layout());
-  if (ghosts) move_ghosts(model_.layout(), in, GhostAction::update);
-  product_.apply(in, out, w.first, w.last);
-  if (ghosts) move_ghosts(model_.layout(), out, GhostAction::add);
+void MassInverse<D, P>::multiply_fixed(const Weights& w, int components, const Array& in, const Array& out) {
+  const Layout<D>& l = model_.layout();
+  const bool ghosts = has_ghosts(l);
+  if (ghosts) move_ghosts(l, in, GhostAction::update);
+  product_.apply(w.of(in), w.of(out), w.first, w.first + components);
+  if (!ghosts) return;
+  move_ghosts(l, out, GhostAction::add);
+  move_ghosts(l, out, GhostAction::update);
 }
 
 template <int D, int P>
@@ -166,11 +154,11 @@ void MassInverse<D, P>::set_mesh(const Stage& stage) {
 }
 
 template <int D, int P>
-void MassInverse<D, P>::set_weights(const ConstArray& moments, const Array& density) {
+void MassInverse<D, P>::set_weights(const ConstArray& moments, const ConstArray& density) {
   const Layout<D>& l = model_.layout();
   if (kind_ == MassKind::lumped && l.has_fluid) {  // lumped moments would be those of the density at the control points
-    multiply_scalar(density, image_);
-    return weigh_with(part(image_, scalar_.begin, scalar_.end));
+    multiply_scalar(density, scalar_.of(first_));
+    return weigh_with(scalar_.of(first_));
   }
   weigh_with(moments);
 }
@@ -192,82 +180,101 @@ template <int D, int P>
 void MassInverse<D, P>::prepare(const Weights& w) {
   const int last = w.begin + w.nodes();
   find_roots(w.root, cut(scaled_, w.begin, last), w.sums, w.unit);
-  Weights one = w;  // of the components
-  one.last = w.first + 1;
-  multiply_fixed(one, scaled_, image_);
-  if (has_ghosts(model_.layout())) move_ghosts(model_.layout(), image_, GhostAction::update);
+  multiply_fixed(w, 1, scaled_, image_);
   find_factors(w.left, w.right, part(image_, w.begin, last), w.root, w.unit);
 }
 
 template <int D, int P>
-void MassInverse<D, P>::tie(const Weights& w, const Array& x) const {
-  w.first == 0 ? ties_.velocities(x, w.sums) : ties_.scalars(x, w.sums);
+void MassInverse<D, P>::series_step(const Weights& w, const SeriesStep& step) {
+  if (!has_ghosts(model_.layout())) return product_.step(w, step, w.first, w.last);
+  scale(w.of(scaled_), step.factor, step.y, w.root);
+  multiply_fixed(w, w.last - w.first, scaled_, image_);
+  finish(StepPointers(w, step), w.of(image_), w.nodes());
 }
 
 template <int D, int P>
-int MassInverse<D, P>::solve(const Weights& w, const Array& b, const Array& z) {
-  const auto of = [&w](const Array& a) { return cut(a, w.begin, w.end); };
+int MassInverse<D, P>::solve(const Weights& w, double factor, const ConstArray& b, const Array& z) {
   const ConstArray mask = part(model_.mask(), w.begin, w.end);
-  divide(of(z), part(b, w.begin, w.end), w.sums, mask);
-  tie(w, z);
+  const auto tie = [&](const Array& x, const Array& gains) {
+    w.first == 0 ? ties_.velocities(x, w.sums, gains) : ties_.scalars(x, w.sums, gains);
+  };
+  const Array x = kind_ == MassKind::lumped ? z : w.of(first_), image = w.of(image_);
+  divide(x, factor, b, w.sums, mask);
+  tie(x, {});
   if (kind_ == MassKind::lumped) return 0;
-  begin_series(of(iterate_), -2, of(z), of(scaled_), w.root);
-  for (int k = 0; k < 3; ++k) {  // y = z + e y
-    multiply_fixed(w, scaled_, image_);
-    combine_images(of(image_), of(iterate_), w.left, w.right, mask);
-    tie(w, image_);
-    next_of_series(of(k < 2 ? iterate_ : z), of(z), of(iterate_), of(image_), of(scaled_), w.root);
+  for (int k = 0; k < 3; ++k) {  // y = -2 x, and three times y = x + e y
+    series_step(w, {x, k == 0 ? x : z, k == 0 ? -2.0 : 1.0, mask, image, z});
+    tie(image, z);
   }
   return 0;
 }
 
 template <int D, int P>
-int MassInverse<D, P>::scalar(const Stage& stage, const Array& b, const Array& z, double tolerance) {
-  if (kind_ != MassKind::consistent) return solve(scalar_, b, z);
+template <class Apply, class Precondition>
+int MassInverse<D, P>::solve_consistent(const Weights& w, double factor, const ConstArray& b, const Array& z,
+                                        double tolerance, const Apply& apply, const Precondition& precondition) {
+  // Conjugate gradients take vectors of unknowns, which are zero elsewhere.
+  for (const Array& a : {scaled_, image_}) Kokkos::deep_copy(Exec(), a, 0.0);
+  const ConstArray mask = part(model_.mask(), w.begin, w.end);
+  combine(w.of(scaled_), factor, b, 0);
+  Kokkos::deep_copy(Exec(), w.of(image_), z);
+  for (const Array& a : {scaled_, image_}) multiply(w.of(a), mask);
+  const int iterations =
+      solver_.solve(apply, precondition, scaled_, image_, w.begin, w.end, tolerance, most_iterations);
+  if (iterations >= 0) Kokkos::deep_copy(Exec(), z, w.of(image_));
+  return iterations;
+}
+
+template <int D, int P>
+int MassInverse<D, P>::scalar(const Stage& stage, const ConstArray& b, const Array& z, double tolerance) {
   const Weights& w = scalar_;
+  if (kind_ != MassKind::consistent) return solve(w, 1, b, z);
   const auto fixed_mesh = [&](const Array& r, const Array& x) {
-    Kokkos::deep_copy(Exec(), cut(x, w.begin, w.end), part(r, w.begin, w.end));
+    Kokkos::deep_copy(Exec(), w.of(x), w.of(r));
     kronecker_.solve(x, w.first, w.last);
   };
-  if (!model_.layout().has_solid && kronecker_.exact()) return fixed_mesh(b, z), 0;
-  return solver_.solve([&](const Array& x, const Array& out) { masses_.scalar(stage, x, out); }, fixed_mesh, b, z,
-                       w.begin, w.end, tolerance, most_iterations);
+  return solve_consistent(
+      w, 1, b, z, tolerance, [&](const Array& x, const Array& out) { masses_.scalar(stage, x, out); }, fixed_mesh);
 }
 
 template <int D, int P>
-int MassInverse<D, P>::velocity(const Stage& stage, const Array& b, const Array& z, double tolerance) {
+int MassInverse<D, P>::velocity(const Stage& stage, double factor, const ConstArray& b, const Array& z,
+                                double tolerance) {
   const Weights& w = velocity_;
-  if (kind_ != MassKind::consistent) return solve(w, b, z);
-  return solver_.solve([&](const Array& x, const Array& out) { masses_.velocity(stage, 1, 0, x, out); },
-                       [&](const Array& r, const Array& x) {
-                         const Array v = cut(x, w.begin, w.end);
-                         Kokkos::deep_copy(Exec(), v, part(r, w.begin, w.end));
-                         scale_by_root(v, w.unit, w.sums);
-                         kronecker_.solve(x, w.first, w.last);
-                         scale_by_root(v, w.unit, w.sums);
-                       },
-                       b, z, w.begin, w.end, tolerance, most_iterations);
+  if (kind_ != MassKind::consistent) return solve(w, factor, b, z);
+  return solve_consistent(
+      w, factor, b, z, tolerance, [&](const Array& x, const Array& out) { masses_.velocity(stage, 1, 0, x, out); },
+      [&](const Array& r, const Array& x) {
+        const Array v = w.of(x);
+        Kokkos::deep_copy(Exec(), v, w.of(r));
+        scale_by_root(v, w.unit, w.sums);
+        kronecker_.solve(x, w.first, w.last);
+        scale_by_root(v, w.unit, w.sums);
+      });
 }
 
 template <int D, int P>
-void MassInverse<D, P>::multiply_scalar(const Array& z, const Array& out) {
+void MassInverse<D, P>::multiply_scalar(const ConstArray& z, const Array& out) {
   const Weights& w = scalar_;
-  const Array moments = cut(out, w.begin, w.end);
-  begin_series(cut(iterate_, w.begin, w.end), 1, part(z, w.begin, w.end), cut(scaled_, w.begin, w.end), w.root);
-  multiply_fixed(w, scaled_, out);
-  combine_images(moments, part(z, w.begin, w.end), w.left, w.right, part(model_.mask(), w.begin, w.end));
-  weigh(moments, w.sums);
+  const ConstArray mask = part(model_.mask(), w.begin, w.end);
+  Kokkos::deep_copy(Exec(), w.of(scaled_), z);
+  series_step(w, {z, z, 1, mask, out, w.of(scaled_)});
+  weigh(out, w.sums);
 }
 
 template <int D, int P>
-void MassInverse<D, P>::find_moments(const Stage& stage, const Array& z, const Array& out) {
-  if (kind_ == MassKind::consistent) return masses_.scalar(stage, z, out);
+void MassInverse<D, P>::find_moments(const Stage& stage, const ConstArray& z, const Array& out) {
+  const Weights& w = scalar_;
   if (kind_ == MassKind::corrected) return multiply_scalar(z, out);
-  const Array moments = cut(out, scalar_.begin, scalar_.end);
-  Kokkos::deep_copy(Exec(), moments, part(z, scalar_.begin, scalar_.end));
-  ties_.untie_scalars(out, scalar_.sums);
-  weigh(moments, scalar_.sums);
-  multiply(moments, part(model_.mask(), scalar_.begin, scalar_.end));
+  if (kind_ == MassKind::consistent) {
+    Kokkos::deep_copy(Exec(), w.of(scaled_), z);
+    masses_.scalar(stage, scaled_, image_);
+    return Kokkos::deep_copy(Exec(), out, w.of(image_));
+  }
+  Kokkos::deep_copy(Exec(), out, z);
+  ties_.untie_scalars(out, w.sums);
+  weigh(out, w.sums);
+  multiply(out, part(model_.mask(), w.begin, w.end));
 }
 
 template class MassInverse<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

@@ -32,34 +32,40 @@ class MassInverse {
   /// Takes the mesh of a stage: it weights scalars.
   void set_mesh(const Stage&);
   /// Takes the moments and the density that weight velocities. With consistent masses the stage's density does.
-  void set_weights(const ConstArray& moments, const Array& density);
+  void set_weights(const ConstArray& moments, const ConstArray& density);
 
-  /// z = S b in the part of the density. `z` is where conjugate gradients begin. @return their iterations; -1: they failed
-  int scalar(const Stage&, const Array& b, const Array& z, double tolerance);
-  /// z = S b for velocities.
-  int velocity(const Stage&, const Array& b, const Array& z, double tolerance);
-
-  /// The moments of which `scalar` finds the density z, in the part of the density.
-  void find_moments(const Stage&, const Array& z, const Array& out);
+  // Arrays of the components alone. `z` is where conjugate gradients begin, which need the stage. They return their
+  // iterations; -1: they failed.
+  /// z = S b for a scalar.
+  int scalar(const Stage&, const ConstArray& b, const Array& z, double tolerance);
+  /// z = factor S b for velocities.
+  int velocity(const Stage&, double factor, const ConstArray& b, const Array& z, double tolerance);
+  /// The moments of which `scalar` finds the density z.
+  void find_moments(const Stage&, const ConstArray& z, const Array& out);
 
   ConstArray scalar_sums() const { return scalar_.sums; }      ///< a by control point
   ConstArray velocity_sums() const { return velocity_.sums; }  ///< of one component
 
  private:
-  /// Weights of one kind of unknowns by control point: a, m, s, and A c = a (left c + right M (s c)).
-  struct Weights {
+  /// One kind of unknowns.
+  struct Weights : WeightedMass {
     int begin, end, first, last;  ///< in a vector of unknowns, and as components
     int nodes() const { return static_cast<int>(sums.extent(0)); }
-    Array sums, unit, root, left, right;
+    Array of(const Array& unknowns) const { return Kokkos::subview(unknowns, Kokkos::make_pair(begin, end)); }
   };
   Weights weights(int begin, int nodes, int first, int last) const;
   /// Factors from the row sums.
   void prepare(const Weights&);
-  void multiply_fixed(const Weights&, const Array& in, const Array& out);
-  void tie(const Weights&, const Array& x) const;
-  int solve(const Weights&, const Array& b, const Array& z);
+  /// out = M in, complete; both in the part of the components `components` of vectors of unknowns.
+  void multiply_fixed(const Weights&, int components, const Array& in, const Array& out);
+  /// image = A (factor y) / a and next = x + factor y - image.
+  void series_step(const Weights&, const SeriesStep&);
+  int solve(const Weights&, double factor, const ConstArray& b, const Array& z);
+  template <class Apply, class Precondition>
+  int solve_consistent(const Weights&, double factor, const ConstArray& b, const Array& z, double tolerance, const Apply&,
+                       const Precondition&);
   /// out = A z for scalars.
-  void multiply_scalar(const Array& z, const Array& out);
+  void multiply_scalar(const ConstArray& z, const Array& out);
   void weigh_with(const ConstArray& moments);
   void add_solid_sums();
 
@@ -72,7 +78,7 @@ class MassInverse {
   EndTies<D> ties_;
   Weights scalar_, velocity_;
   Array solid_sums_;  ///< by control point of the velocity
-  Array ones_, scaled_, image_, iterate_;
+  Array ones_, scaled_, image_, first_;
   bool has_mesh_ = false;
 };
 

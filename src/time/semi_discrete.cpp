@@ -9,7 +9,7 @@ SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
       viscous_(model),
       masses_(model, kind),
       force_("explicit.force", model.layout().size()),
-      solution_("explicit.solution", model.layout().size()) {
+      velocity_("explicit.velocity", model.layout().size()) {
   const Layout<D>& l = model.layout();
   stage_.unknown = Array("explicit.unknown", l.size());
   stage_.acceleration = Array("explicit.zero", l.velocity_size());
@@ -24,9 +24,7 @@ void SemiDiscrete<D, P>::set_moments(State& s) {
   if (!l.has_fluid) return;
   place_mesh(s.time, s.displacement);
   Kokkos::deep_copy(stage_.unknown, s.unknown);  // where the searches for density and potential begin
-  Kokkos::deep_copy(solution_, s.unknown);
-  masses_.find_moments(stage_, solution_, force_);
-  Kokkos::deep_copy(s.moment, part(force_, l.density_offset(), l.potential_offset()));
+  masses_.find_moments(stage_, stage_.density_end, s.moment);
 }
 
 template <int D, int P>
@@ -51,16 +49,9 @@ template <int D, int P>
 Refusal SemiDiscrete<D, P>::find_density(const ConstArray& moments) {
   const Layout<D>& l = model_.layout();
   if (!l.has_fluid) return {};
-  const int first = l.density_offset(), last = l.potential_offset();
-  Kokkos::deep_copy(Exec(), force_, 0.0);
-  Kokkos::deep_copy(Exec(), range(force_, first, last), moments);
-  Kokkos::deep_copy(Exec(), solution_, 0.0);  // the search begins at the last density
-  Kokkos::deep_copy(Exec(), range(solution_, first, last), part(stage_.unknown, first, last));
-  multiply(solution_, model_.mask());
-  const int iterations = masses_.scalar(stage_, force_, solution_, scalar_tolerance);
+  const int iterations = masses_.scalar(stage_, moments, stage_.density_end, scalar_tolerance);
   if (iterations < 0) return {Refusal::density_of_moments};
   counts_.density += iterations;
-  Kokkos::deep_copy(Exec(), range(stage_.unknown, first, last), part(solution_, first, last));
   move_ghosts(l, stage_.unknown, GhostAction::update);
   return {};
 }
@@ -69,19 +60,12 @@ template <int D, int P>
 Refusal SemiDiscrete<D, P>::find_potential() {
   const Layout<D>& l = model_.layout();
   if (!l.has_fluid) return {};
-  const int first = l.density_offset(), last = l.potential_offset(), count = last - first;
-  const Array potential = range(stage_.unknown, last, l.size());
+  const int first = l.potential_offset();
   model_.potential_moments(stage_, force_);
-  Kokkos::deep_copy(Exec(), range(force_, first, last), part(force_, last, last + count));
-  Kokkos::deep_copy(Exec(), range(force_, last, last + count), 0.0);
-  Kokkos::deep_copy(Exec(), range(force_, 0, first), 0.0);
-  Kokkos::deep_copy(Exec(), solution_, 0.0);  // the search begins at the last potential
-  Kokkos::deep_copy(Exec(), range(solution_, first, last), potential);
-  multiply(solution_, model_.mask());
-  const int iterations = masses_.scalar(stage_, force_, solution_, scalar_tolerance);
+  const int iterations = masses_.scalar(stage_, part(force_, first, l.size()), range(stage_.unknown, first, l.size()),
+                                        scalar_tolerance);
   if (iterations < 0) return {Refusal::potential};
   counts_.potential += iterations;
-  Kokkos::deep_copy(Exec(), potential, part(solution_, first, last));
   move_ghosts(l, stage_.unknown, GhostAction::update);
   return {};
 }
@@ -107,15 +91,10 @@ void SemiDiscrete<D, P>::mass_flux(const Array& out) {
 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::accelerate(const Array& out, Refusal::Cause why, long& count) {
-  combine(velocities_of(force_), -1, velocities_of(force_), 0);
-  if (masses_.kind() == MassKind::consistent) {  // conjugate gradients take vectors that are zero elsewhere
-    Kokkos::deep_copy(Exec(), range(force_, velocities(), model_.layout().size()), 0.0);
-    Kokkos::deep_copy(Exec(), solution_, 0.0);
-  }
-  const int iterations = masses_.velocity(stage_, force_, solution_, velocity_tolerance);
+  if (masses_.kind() == MassKind::consistent) Kokkos::deep_copy(Exec(), out, 0.0);  // where the search begins
+  const int iterations = masses_.velocity(stage_, -1, velocities_of(force_), out, velocity_tolerance);
   if (iterations < 0) return {why};
   count += iterations;
-  Kokkos::deep_copy(Exec(), out, velocities_of(solution_));
   return {};
 }
 
@@ -143,9 +122,8 @@ Refusal SemiDiscrete<D, P>::convection(bool viscous, const Array& acceleration) 
 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::viscosity(const Array& v, const Array& acceleration) {
-  Kokkos::deep_copy(Exec(), solution_, 0.0);
-  Kokkos::deep_copy(Exec(), velocities_of(solution_), v);
-  viscous_.velocity(stage_, 0, model_.fluid().viscosity, solution_, force_);
+  Kokkos::deep_copy(Exec(), velocities_of(velocity_), v);
+  viscous_.velocity(stage_, 0, model_.fluid().viscosity, velocity_, force_);
   return accelerate(acceleration, Refusal::viscous_rate, counts_.viscous);
 }
 

@@ -42,7 +42,7 @@ class SemiDiscrete final : public Evolution {
   /// Density and chemical potential of the stage. `find_density` also weights velocities with the moments.
   Refusal find_density(const ConstArray& moments);
   Refusal find_potential();
-  void weigh_velocities(const ConstArray& moments) { masses_.set_weights(moments, stage_.unknown); }
+  void weigh_velocities(const ConstArray& moments) { masses_.set_weights(moments, density()); }
   /// Displacements by dt times the velocities of the stage.
   void add_motion(double dt, const Array& displacement) const;
   /// Rates of the moments by the flux of mass.
@@ -70,6 +70,9 @@ class SemiDiscrete final : public Evolution {
   static Array range(const Array& y, int first, int last) {
     return Kokkos::subview(y, Kokkos::make_pair(first, last));
   }
+  ConstArray density() const {
+    return model_.layout().has_fluid ? ConstArray(stage_.density_end) : ConstArray();
+  }
   /// out = the acceleration of minus the force that the terms have collected, where `why` tells that there is none.
   Refusal accelerate(const Array& out, Refusal::Cause why, long& count);
 
@@ -80,7 +83,7 @@ class SemiDiscrete final : public Evolution {
   Masses<D, P> viscous_;
   MassInverse<D, P> masses_;
   Stage stage_;
-  Array force_, solution_;
+  Array force_, velocity_;  ///< vectors of unknowns; of these the velocities, for viscosity
   MassCounts counts_;
 };
 

@@ -1,10 +1,20 @@
 #include "solver/krylov/mass_product.hpp"
 
+/// Before a loop whose turns do not depend on each other, though arrays may be the same: host compilers vectorise it.
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define SOFTWET_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define SOFTWET_INDEPENDENT
+#endif
+
 namespace softwet {
 namespace {
 
+/// What a pass does beside its axis: nothing; multiply what it reads by factor root; or end a step of the series.
+enum class Pass { plain, scaled, finish };
+
 /// One axis of a product. An item is a row of values along the first axis on the host, and one value on a device.
-template <int P>
+template <int P, Pass pass>
 struct AlongAxis {
   static constexpr int width = 2 * P + 1;
   const double* in;
@@ -13,51 +23,66 @@ struct AlongAxis {
   int row;     ///< values along the first axis
   int stride;  ///< between neighbours along this axis
   int extent;  ///< values along this axis
+  int nodes;   ///< control points of a component
+  StepPointers step;
 
   KOKKOS_FUNCTION void operator()(int item) const {
     if constexpr (host_algorithms) {
-      stride == 1 ? first_axis(item) : other_axis(item * row, item * row / stride % extent);
+      const int begin = item * row;
+      stride == 1 ? first_axis(begin) : other_axis(begin, begin / stride % extent);
     } else {
-      const int place = item / stride % extent;
-      out[item] = guarded(item, place);
+      store(item, item % nodes, guarded(item, item / stride % extent));
     }
   }
 
-  KOKKOS_FUNCTION double guarded(int index, int place) const {
+  KOKKOS_FORCEINLINE_FUNCTION double read(int i, int node) const {
+    return pass == Pass::scaled ? step.factor * step.root[node] * in[i] : in[i];
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void store(int i, int node, double sum) const {
+    if constexpr (pass == Pass::finish) {
+      step.finish(i, node, sum);
+    } else {
+      out[i] = sum;
+    }
+  }
+  KOKKOS_FUNCTION double guarded(int i, int place) const {
+    const int node = i % nodes;
     double sum = 0;
-    for (int k = 0; k < width; ++k)
-      if (place + k >= P && place + k < extent + P) sum += band(k, place) * in[index + (k - P) * stride];
+    for (int k = 0; k < width; ++k) {
+      const int way = (k - P) * stride;
+      if (place + k >= P && place + k < extent + P) sum += band(k, place) * read(i + way, node + way);
+    }
     return sum;
   }
 
-  void first_axis(int item) const {
-    const int begin = item * row, end = Kokkos::max(P, row - P);
-    for (int i = 0; i < Kokkos::min(P, row); ++i) out[begin + i] = guarded(begin + i, i);
+  void first_axis(int begin) const {
+    const int end = Kokkos::max(P, row - P), node = begin % nodes;
     const double* b[width];
     for (int k = 0; k < width; ++k) b[k] = &band(k, 0);
-    const double* x = in + begin - P;
-    double* y = out + begin;
+    for (int i = 0; i < Kokkos::min(P, row); ++i) store(begin + i, node + i, guarded(begin + i, i));
+    SOFTWET_INDEPENDENT
     for (int i = P; i < end; ++i) {
-      double sum = b[0][i] * x[i];
-      for (int k = 1; k < width; ++k) sum += b[k][i] * x[i + k];
-      y[i] = sum;
+      double sum = b[0][i] * read(begin + i - P, node + i - P);
+      for (int k = 1; k < width; ++k) sum += b[k][i] * read(begin + i + k - P, node + i + k - P);
+      store(begin + i, node + i, sum);
     }
-    for (int i = end; i < row; ++i) out[begin + i] = guarded(begin + i, i);
+    for (int i = end; i < row; ++i) store(begin + i, node + i, guarded(begin + i, i));
   }
 
   void other_axis(int begin, int place) const {
-    const double* x[width];
+    const int node = begin % nodes;
+    int way[width];
     double b[width];
     for (int k = 0; k < width; ++k) {
       const bool inside = place + k >= P && place + k < extent + P;
-      x[k] = in + begin + (inside ? (k - P) * stride : 0);
+      way[k] = inside ? (k - P) * stride : 0;
       b[k] = inside ? band(k, place) : 0.0;
     }
-    double* y = out + begin;
+    SOFTWET_INDEPENDENT
     for (int i = 0; i < row; ++i) {
-      double sum = b[0] * x[0][i];
-      for (int k = 1; k < width; ++k) sum += b[k] * x[k][i];
-      y[i] = sum;
+      double sum = b[0] * in[begin + i + way[0]];
+      for (int k = 1; k < width; ++k) sum += b[k] * in[begin + i + way[k]];
+      store(begin + i, node + i, sum);
     }
   }
 };
@@ -98,22 +123,47 @@ typename MassProduct<D, P>::Band MassProduct<D, P>::band(const Axis& axis, const
 }
 
 template <int D, int P>
-void MassProduct<D, P>::apply(const Array& in, const Array& out, int first, int last) const {
+int MassProduct<D, P>::extent(int d, bool velocities) const {
+  if (d < D - 1) return layout_.extent(d);
+  return velocities ? layout_.rows : layout_.fluid_rows();
+}
+
+template <int D, int P>
+template <bool Step>
+void MassProduct<D, P>::run(const WeightedMass& mass, const SeriesStep& series, const ConstArray& in, const Array& out,
+                            int first, int last) const {
   const bool velocities = first < D;
-  const int count = (last - first) * (velocities ? layout_.rows : layout_.fluid_rows()) * layout_.row_size;
-  const int offset = velocities ? layout_.velocity_offset(first)
-                                : (first == D ? layout_.density_offset() : layout_.potential_offset());
+  const int nodes = extent(D - 1, velocities) * layout_.row_size, count = (last - first) * nodes;
   const int row = layout_.extent(0), items = host_algorithms ? count / row : count;
+  const StepPointers step(mass, series);
   int stride = 1;
   for (int d = 0; d < D; ++d) {
-    const int extent = d < D - 1 ? layout_.extent(d) : (velocities ? layout_.rows : layout_.fluid_rows());
-    // The scratch vectors hold these components alone.
-    const double* from = d == 0 ? in.data() + offset : scratch_[(d - 1) % 2].data();
-    double* to = d == D - 1 ? out.data() + offset : scratch_[d % 2].data();
-    Kokkos::parallel_for("softwet::mass_product", Items(0, items),
-                         AlongAxis<P>{from, to, velocities ? velocity_[d] : scalar_[d], row, stride, extent});
-    stride *= extent;
+    const double* from = d == 0 ? in.data() : scratch_[(d - 1) % 2].data();
+    double* to = d == D - 1 ? out.data() : scratch_[d % 2].data();
+    const auto pass = [&]<Pass kind>(std::integral_constant<Pass, kind>) {
+      Kokkos::parallel_for("softwet::mass_product", Items(0, items),
+                           AlongAxis<P, kind>{from, to, velocities ? velocity_[d] : scalar_[d], row, stride,
+                                              extent(d, velocities), nodes, step});
+    };
+    if (Step && d == 0) {
+      pass(std::integral_constant<Pass, Pass::scaled>());
+    } else if (Step && d == D - 1) {
+      pass(std::integral_constant<Pass, Pass::finish>());
+    } else {
+      pass(std::integral_constant<Pass, Pass::plain>());
+    }
+    stride *= extent(d, velocities);
   }
+}
+
+template <int D, int P>
+void MassProduct<D, P>::apply(const ConstArray& in, const Array& out, int first, int last) const {
+  run<false>({}, {}, in, out, first, last);
+}
+
+template <int D, int P>
+void MassProduct<D, P>::step(const WeightedMass& mass, const SeriesStep& series, int first, int last) const {
+  run<true>(mass, series, series.y, series.image, first, last);
 }
 
 template class MassProduct<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

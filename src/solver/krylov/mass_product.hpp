@@ -5,8 +5,48 @@
 
 namespace softwet {
 
-/// M_x (x) M_y (x) M_z with weight 1 for components of a vector of unknowns: entries (N_i, N_j) of the reference domain. An
-/// axis costs 2 degree + 1 products for each value, and no element is visited.
+/// A c = a (left c + right M (root c)), by control point: the mass of a moved mesh (time/mass_inverse.hpp).
+struct WeightedMass {
+  Array sums, unit;         ///< a, and the row sums m of M
+  Array root, left, right;  ///< s = sqrt(a / m), and the factors
+};
+
+/// One term of the series y <- x + e y with e y = y - W A y / a. Arrays of the components alone.
+struct SeriesStep {
+  ConstArray x, y;
+  double factor = 1;  ///< of y
+  ConstArray mask;
+  Array image;  ///< A (factor y) / a, before the ties W
+  Array next;   ///< x + factor y - image; may be y
+};
+
+/// The pointers of that, for kernels.
+struct StepPointers {
+  const double *x, *y, *mask, *root, *left, *right;
+  double *image, *next;
+  double factor;
+
+  StepPointers(const WeightedMass& m, const SeriesStep& s)
+      : x(s.x.data()),
+        y(s.y.data()),
+        mask(s.mask.data()),
+        root(m.root.data()),
+        left(m.left.data()),
+        right(m.right.data()),
+        image(s.image.data()),
+        next(s.next.data()),
+        factor(s.factor) {}
+
+  /// @param product  of M with root factor y at value i, which belongs to a control point
+  KOKKOS_FORCEINLINE_FUNCTION void finish(int i, int node, double product) const {
+    const double value = factor * y[i], part = mask[i] * (left[node] * value + right[node] * product);
+    image[i] = part;
+    next[i] = x[i] + value - part;
+  }
+};
+
+/// M = M_x (x) M_y (x) M_z with weight 1 for components of a vector of unknowns: entries (N_i, N_j) of the reference domain.
+/// An axis costs 2 degree + 1 products for each value, and no element is visited.
 /// Source: tensor products of one-dimensional mass matrices.   Tested: tests/unit/solver/krylov/test_mass_product.cpp
 template <int D, int P>
 class MassProduct {
@@ -14,14 +54,21 @@ class MassProduct {
   /// @param points  of the quadrature, for an element and an axis; degree + 1 are exact
   MassProduct(const Layout<D>&, int points);
 
-  /// out = M in for the components [first, last), which are either velocities or scalars. Reads ghosts, which have to be
-  /// filled. The sums of periodic axes are not complete: `move_ghosts(.., GhostAction::add)` does that.
-  void apply(const Array& in, const Array& out, int first, int last) const;
+  /// out = M in for the components [first, last), which are either velocities or scalars; both are arrays of these alone.
+  /// Reads ghosts, which have to be filled. The sums of periodic axes are not complete:
+  /// `move_ghosts(.., GhostAction::add)` of a vector of unknowns does that.
+  void apply(const ConstArray& in, const Array& out, int first, int last) const;
+
+  /// A step of the series where nothing has ghosts: the same passes, and no other.
+  void step(const WeightedMass&, const SeriesStep&, int first, int last) const;
 
  private:
   /// Entry (k, i) is M(i, i + k - degree).
   using Band = Kokkos::View<const double**, Kokkos::LayoutRight, Exec>;
   Band band(const Axis&, const std::vector<ElementRun>&, int first_function, int functions, int points) const;
+  int extent(int d, bool velocities) const;
+  template <bool Step>
+  void run(const WeightedMass&, const SeriesStep&, const ConstArray& in, const Array& out, int first, int last) const;
 
   Layout<D> layout_;
   std::array<Band, D> velocity_, scalar_;
