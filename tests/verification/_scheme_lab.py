@@ -4,11 +4,11 @@ from _lab import Lab
 
 
 class SchemeLab(Lab):
-    """Adds the scheme and lumped masses to the settings of every run that do not say otherwise. What is asked stays here;
-    runs, commands and files of cases are those of the whole."""
+    """Adds the scheme, corrected masses, full quadrature and a row for every step to the settings of every run that do not say
+    otherwise. What is asked stays here; runs, commands and files of cases are those of the whole."""
 
     prefix = "schemes_"
-    MOMENTS = {"ssp_rk3": 0.02, "rkl2": 0.5, "imex": 0.4}
+    MOMENTS = {"kick_drift": 0.02, "rkl2": 0.5, "ssp_rk3": 0.02}
 
     def __init__(self, whole, study, scheme):
         super().__init__(study, whole.store, whole.folder, True, whole.jobs)
@@ -18,7 +18,8 @@ class SchemeLab(Lab):
 
     def get(self, label, case, settings=(), *others, **keywords):
         words = list(settings)
-        for key, value in (("time.scheme", self.scheme), ("time.mass", "lumped")):
+        for key, value in (("time.scheme", self.scheme), ("time.mass", "corrected"), ("domain.quadrature", "full"),
+                           ("output.history.every", "1")):
             if not any(word.startswith(f"{key}=") for word in settings):
                 words.append(f"{key}={value}")
         return super().get(f"{self.name}, {self.scheme}: {label}", case, words, *others, **keywords)

@@ -25,8 +25,8 @@ const char* const usage =
     "  rho_inf=0.5            of generalized-alpha, 0 .. 1\n"
     "  stabilisation=0.002    C of eps = C h^2 rho^2 / m\n"
     "  preconditioner=automatic   none, lu, umfpack or schwarz\n"
-    "  scheme=generalized_alpha   or ssp_rk3, rkl2, imex\n"
-    "  mass=consistent        or lumped, of the explicit schemes\n"
+    "  scheme=generalized_alpha   or kick_drift, rkl2, ssp_rk3\n"
+    "  mass=corrected         or lumped, consistent, of the explicit schemes\n"
     "  against=0              a step: errors are differences from a computation with it, else from the exact fields\n"
     "  header=0               1: with the line of column names\n";
 
@@ -82,7 +82,8 @@ Settings read(Arguments& a) {
   std::vector<std::string> preconditioners = preconditioner_names();
   preconditioners.insert(preconditioners.begin(), {"automatic", "none"});
   s.preconditioner = preconditioners[a.choice("preconditioner", preconditioners)];
-  const std::vector<std::string> schemes{implicit_scheme, "ssp_rk3", "rkl2", "imex"}, masses{"consistent", "lumped"};
+  const std::vector<std::string> schemes{implicit_scheme, "kick_drift", "rkl2", "ssp_rk3"},
+      masses{"corrected", "lumped", "consistent"};
   s.scheme = schemes[a.choice("scheme", schemes)];
   s.mass = masses[a.choice("mass", masses)];
   s.against = a.number("against", 0, 0, 1e3);

@@ -13,7 +13,7 @@ struct Settings {
   Course course = Course::linear;
   int dimension = 2, degree = 2, elements = 8;
   double dt = 0.1, end = 0.2, rho_inf = 0.5, stabilisation = 0.002;
-  std::string preconditioner = "automatic", scheme = implicit_scheme, mass = "consistent", quadrature = "full";
+  std::string preconditioner = "automatic", scheme = implicit_scheme, mass = "corrected", quadrature = "full";
   double against = 0;  ///< above 0: step of a second computation that takes the place of the exact solution
 };
 

@@ -1,8 +1,8 @@
 """The studies with explicit schemes: what applies, and what was measured.
 
 The other studies run with `generalized_alpha`. Each says in its own file whether it applies to the explicit schemes: a text
-EXPLICIT says why not, a function explicit(lab) is the form that suits them. Here these forms run with `ssp_rk3`, `rkl2` and
-`imex`, with lumped masses where nothing else is said. Steps are those of the limit of stability, with the default
+EXPLICIT says why not, a function explicit(lab) is the form that suits them. Here these forms run with `kick_drift`, `rkl2` and
+`ssp_rk3`, with corrected masses and full quadrature where nothing else is said. Steps are those of the bound, with the default
 `time.safety`, unless a form says otherwise. A scene whose steps would be too short (a thin vapour) has a higher temperature."""
 
 import importlib.util
@@ -13,7 +13,7 @@ from _scheme_lab import SchemeLab
 
 MINUTES = {"quick": 0.3, "full": 10}
 STUDIES = pathlib.Path(__file__).resolve().parent
-SCHEMES = ("ssp_rk3", "rkl2", "imex")
+SCHEMES = ("kick_drift", "rkl2", "ssp_rk3")
 QUICK = ("elastic_waves", "laws", "reproducible")
 
 
