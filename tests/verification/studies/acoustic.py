@@ -111,16 +111,18 @@ def steps(lab):
 
 
 def explicit(lab):
-    """The third mode at the temperature 0.85, on 32 and 64 elements. Lumped masses err by a part of (k h)^2."""
+    """The third mode at the temperature 0.85, on 64 elements, and with lumped masses, which err by a part of (k h)^2, on 32 too."""
     plane, errors = PlaneInterface(0.85), {}
+    own = 0.02 if lab.scheme == "ssp_rk3" else 0.0015  # ssp_rk3 damps by itself
     for phase, viscosity in (("liquid", 1e-4), ("vapour", 2e-4 * PlaneInterface(0.85).vapour)):
         s = exact(plane, phase, 3 * numpy.pi, 1 / 64, viscosity)
-        for n in (32, 64):
-            run = lab.run(f"{phase}, {n}", CASE, settings(0.85, phase, 3, viscosity, s, elements=n))
+        for mass, n, of_frequency, of_damping in (("corrected", 64, 0.0005, own), ("lumped", 64, 0.01, 0.03), ("lumped", 32, 0.04, 0.03)):
+            run = lab.run(f"{phase}, {mass}, {n}", CASE, [*settings(0.85, phase, 3, viscosity, s, elements=n), f"time.mass={mass}"])
             found = measure(run, s)[0]
-            errors[n] = abs(found.imag / s.imag - 1)
-        damping = found.real / s.real - 1
-        lab.expect(f"{phase}: frequency, 64 elements", f"{s.imag:.5g} +- 1 %", f"{100 * errors[64]:.2f} % off", errors[64] <= 0.01)
-        lab.expect(f"{phase}: damping, 64 elements", f"{-s.real:.4g} +- 3 %", f"{100 * damping:+.2f} %", abs(damping) <= 0.03)
-        order = numpy.log2(errors[32] / errors[64])
-        lab.expect(f"{phase}: order in h of the error of the frequency", "2 +- 0.3", f"{order:.2f}", abs(order - 2) <= 0.3)
+            errors[mass, n], damping = abs(found.imag / s.imag - 1), found.real / s.real - 1
+            lab.expect(f"{phase}, {mass}: frequency, {n} elements", f"{s.imag:.5g} +- {100 * of_frequency:g} %",
+                       f"{100 * errors[mass, n]:.3f} % off", errors[mass, n] <= of_frequency)
+            lab.expect(f"{phase}, {mass}: damping, {n} elements", f"{-s.real:.4g} +- {100 * of_damping:g} %", f"{100 * damping:+.3f} %",
+                       abs(damping) <= of_damping)
+        order = numpy.log2(errors["lumped", 32] / errors["lumped", 64])
+        lab.expect(f"{phase}, lumped: order in h of the error of the frequency", "2 +- 0.3", f"{order:.2f}", abs(order - 2) <= 0.3)

@@ -70,16 +70,14 @@ def study(lab):
 
 
 def explicit(lab):
-    """16 x 16 and 32 x 32 elements at the temperature 0.85, to t = 1. Lumped masses slow the droplet by a part of (k h)^2, so
-    the order is asked for, and consistent masses on 32 x 32 elements, with steps of 0.0016, for what the study asks."""
+    """16 x 16 and 32 x 32 elements at the temperature 0.85, to t = 1: what the study asks on 32 x 32, and an order of 3, less 0.2."""
     found = {n: carried(lab, n, 16, 1.0, 1.25 / n) for n in (16, 32)}
     mass, momentum = max(row[3] for row in found.values()), found[32][2]
     lab.expect("drift of the mass", "<= 1e-10", f"{mass:.1g}", mass <= 1e-10)
     lab.expect("momentum, 32 x 32", "constant to 0.1 %", f"{100 * momentum:.2g} %", momentum <= 1e-3)
     for what, i in (("position off", 0), ("density moved back", 1)):
         order = numpy.log2(abs(found[16][i] / found[32][i]))
-        lab.expect(f"{what}: order in h, 16 to 32 elements", ">= 1.7", f"{order:.2f}", order >= 1.7)
-    error, shape, *_ = carried(lab, 32, 16, 0.5, 0.0016, "time.mass=consistent")
-    lab.expect("consistent masses, 32 x 32: position off", "<= 0.1 % of the way", f"{100 * abs(error) / (0.5 * SPEED):.2g} %",
-               abs(error) <= 1e-3 * 0.5 * SPEED)
-    lab.expect("consistent masses, 32 x 32: density moved back", "<= 1 %", f"{100 * shape:.2g} %", shape <= 0.01)
+        lab.expect(f"{what}: order in h, 16 to 32 elements", ">= 2.8", f"{order:.2f}", order >= 2.8)
+    error, shape, *_ = found[32]
+    lab.expect("32 x 32: position off", "<= 0.1 % of the way", f"{100 * abs(error) / SPEED:.2g} %", abs(error) <= 1e-3 * SPEED)
+    lab.expect("32 x 32: density moved back", "<= 1 %", f"{100 * shape:.2g} %", shape <= 0.01)

@@ -15,7 +15,7 @@ import subprocess
 from _lab import StudyError
 
 MINUTES = {"quick": 0.1, "full": 2}
-EXPLICIT = "asks where a wall law stops, to the temperature 0.39 and t = 20: 2e5 steps of ssp_rk3 for each angle"
+EXPLICIT = "asks where a wall law stops, to the temperature 0.39 and t = 20: a hundred thousand explicit steps for each angle"
 CASE = """# Half a droplet (or bubble) with a thin cap, let go at its angle; the left side is its plane of symmetry.
 name = "cap"
 [domain]
