@@ -89,7 +89,8 @@ def chosen(lab):
     """(state, temperature, scheme, masses)"""
     if lab.quick:
         return [("wall", 0.85, scheme, mass) for scheme in SCHEMES for mass in MASSES] + [
-            ("soft", 0.39, "rkl2", "corrected"), ("corner", 0.7, "kick_drift", "corrected")]
+            ("soft", 0.39, "rkl2", "corrected"), ("soft", 0.7, "kick_drift", "corrected"), ("corner", 0.7, "kick_drift", "corrected"),
+            ("corner", 0.39, "kick_drift", "lumped")]
     wanted = [(state, temperature, scheme, mass) for state in list(STATES)[:4] for temperature in TEMPERATURES for scheme in SCHEMES
               for mass in MASSES]
     return wanted + [("wall, 3D", 0.85, "kick_drift", mass) for mass in MASSES]
