@@ -44,19 +44,19 @@ void sum_velocity_rows(const Array& sums, const ConstArray& solid, const ConstAr
       });
 }
 
-/// root = sqrt(sums / unit), also in `copy`.
-void find_roots(const Array& root, const Array& copy, const ConstArray& sums, const ConstArray& unit) {
+/// root = sqrt(sums / unit)
+void find_roots(const Array& root, const ConstArray& sums, const ConstArray& unit) {
   Kokkos::parallel_for(
       "softwet::mass_roots", Items(0, root.extent(0)),
-      KOKKOS_LAMBDA(int i) { copy(i) = root(i) = Kokkos::sqrt(sums(i) / unit(i)); });
+      KOKKOS_LAMBDA(int i) { root(i) = Kokkos::sqrt(sums(i) / unit(i)); });
 }
 
 /// From image = M root: the factors of A c = a (left c + right M (root c)).
 void find_factors(const Array& left, const Array& right, const ConstArray& image, const ConstArray& root,
-                  const ConstArray& unit) {
+                  const ConstArray& sums) {
   Kokkos::parallel_for(
       "softwet::mass_factors", Items(0, left.extent(0)), KOKKOS_LAMBDA(int i) {
-        right(i) = 1 / (root(i) * unit(i));
+        right(i) = root(i) / sums(i);
         left(i) = 1 - image(i) * right(i);
       });
 }
@@ -85,6 +85,7 @@ MassInverse<D, P>::MassInverse(const Model<D, P>& model, MassKind kind)
       solver_(model.layout().space(), kind == MassKind::consistent ? model.layout().size() : 0),
       product_(model.layout(), P + 1),
       ties_(model.layout(), model.mask()),
+      neighbours_(model.layout()),
       scalar_(weights(model.layout().density_offset(), model.layout().scalar_size(), D, D + 1)),
       velocity_(weights(0, model.layout().rows * model.layout().row_size, 0, D)),
       solid_sums_("masses.solid", velocity_.nodes()),
@@ -179,9 +180,12 @@ void MassInverse<D, P>::weigh_with(const ConstArray& moments) {
 template <int D, int P>
 void MassInverse<D, P>::prepare(const Weights& w) {
   const int last = w.begin + w.nodes();
-  find_roots(w.root, cut(scaled_, w.begin, last), w.sums, w.unit);
+  constexpr double steepest = 1.2;  // ratio of neighbours
+  find_roots(w.root, w.sums, w.unit);
+  neighbours_.limit(w.root, steepest, w.first == 0);
+  Kokkos::deep_copy(Exec(), cut(scaled_, w.begin, last), w.root);
   multiply_fixed(w, 1, scaled_, image_);
-  find_factors(w.left, w.right, part(image_, w.begin, last), w.root, w.unit);
+  find_factors(w.left, w.right, part(image_, w.begin, last), w.root, w.sums);
 }
 
 template <int D, int P>

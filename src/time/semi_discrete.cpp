@@ -25,6 +25,9 @@ void SemiDiscrete<D, P>::set_moments(State& s) {
   place_mesh(s.time, s.displacement);
   Kokkos::deep_copy(stage_.unknown, s.unknown);  // where the searches for density and potential begin
   masses_.find_moments(stage_, stage_.density_end, s.moment);
+  if (masses_.kind() != MassKind::corrected) return;
+  find_density(s.moment);  // what the masses make of it, so that the first step does not
+  Kokkos::deep_copy(s.unknown, stage_.unknown);
 }
 
 template <int D, int P>

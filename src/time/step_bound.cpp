@@ -76,7 +76,8 @@ struct FluidPoint {
       const double turn = (w + u) / 1.73, decay = (s + e) / 2.51;
       return Kokkos::sqrt(turn * turn + decay * decay);
     }
-    return 0.5 * (w + (formula == StepFormula::kick_drift ? 1.5 * s : 0.0) + 0.6 * e + u);
+    const double waves = 0.5 * (w + 0.6 * e + u);
+    return formula == StepFormula::kick_drift ? Kokkos::max(waves + 0.25 * s, s) : waves;
   }
 };
 

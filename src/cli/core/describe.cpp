@@ -110,7 +110,7 @@ std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
     const StepRates& rates = explicit_scheme.rates();
     for (const auto& [name, rate] : {std::pair{"  sound alone", 0.5 * rates.sound},
                                      {"  capillary waves alone", 0.5 * rates.capillarity},
-                                     {"  viscosity alone", 0.75 * rates.viscosity},
+                                     {"  viscosity alone", rates.viscosity},
                                      {"  stabilisation alone", 0.3 * rates.stabilisation},
                                      {"  flow alone", 0.5 * rates.flow},
                                      {"  elasticity alone", 0.5 * rates.elasticity}})
