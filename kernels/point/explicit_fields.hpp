@@ -49,9 +49,7 @@ struct PressureTrial {
   Vector<N, D> chemical_potential_gradient;
 
   static constexpr int slot_count = 2;
-  static constexpr Slot slot(int s) {
-    return {{s == 0 ? Field::density : Field::potential}, s == 0, s == 1};
-  }
+  static constexpr Slot slot(int s) { return {{s == 0 ? Field::density : Field::potential}, s == 0, s == 1}; }
 
   template <class Reader>
   static KOKKOS_FORCEINLINE_FUNCTION PressureTrial read(const Reader& at) {
@@ -67,7 +65,9 @@ struct PressureTest {
   static constexpr int channel_count = D + 1;
   static constexpr bool has_flux = true;
   static constexpr bool flux_of(int c) { return c == D; }
-  static constexpr Component channel(int c) { return c < D ? Component{Field::velocity, c} : Component{Field::density}; }
+  static constexpr Component channel(int c) {
+    return c < D ? Component{Field::velocity, c} : Component{Field::density};
+  }
 
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {

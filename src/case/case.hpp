@@ -165,9 +165,9 @@ struct Case {
     return !fluid || fluid->wall_law == WallLaw::energy || fluid->contact_angle == 90 ||
            boundary.side[domain.size.size() - 1][0] == Side::periodic;
   }
-  /// Whether the energy of the tables is the one that steps keep. Of an elastic solid alone with lumped masses it is not: it
+  /// Whether the energy of the tables is the one that steps keep. Of an elastic solid alone with lumped or corrected masses it is not: it
   /// has consistent masses, and swings by the difference where a wave trades kinetic for elastic energy.
-  bool keeps_shown_energy() const { return fluid || time.scheme == implicit_scheme || time.mass != "lumped"; }
+  bool keeps_shown_energy() const { return fluid || time.scheme == implicit_scheme || time.mass == "consistent"; }
   int dimension() const { return static_cast<int>(domain.size.size()); }
   /// Unit vector of the track in the plane of the wall, (x, y); in 2D along x.
   std::array<double, 2> track() const {

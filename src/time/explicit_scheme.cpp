@@ -63,8 +63,7 @@ StepAttempt ExplicitScheme<D, P>::attempt(const StepHistory& history, double dt)
   attempt.krylov = static_cast<int>(system_.counts().iterations() - before);
   ++counts_.residuals;
   counts_.krylov += attempt.krylov;
-  if (attempt.refusal.empty())
-    attempt.indicator = judge_.indicator(history, unknown, dt / history.previous_dt, dt);
+  if (attempt.refusal.empty()) attempt.indicator = judge_.indicator(history, unknown, dt / history.previous_dt, dt);
   return attempt;
 }
 

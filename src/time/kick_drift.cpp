@@ -19,8 +19,8 @@ KickDrift<D, P>::KickDrift(SemiDiscrete<D, P>& system, bool apart)
 template <int D, int P>
 typename KickDrift<D, P>::Level KickDrift<D, P>::make_level() const {
   const auto vector = [](int size) { return Array("kick_drift.vector", size); };
-  return {vector(system_.size()), vector(system_.moments()), vector(system_.velocities()),
-          vector(system_.velocities()), vector(system_.moments())};
+  return {vector(system_.size()), vector(system_.moments()), vector(system_.velocities()), vector(system_.velocities()),
+          vector(system_.moments())};
 }
 
 template <int D, int P>

@@ -30,7 +30,8 @@ void divide(const Array& z, double factor, const ConstArray& b, const ConstArray
 /// y = a y by control point.
 void weigh(const Array& y, const ConstArray& a) {
   const int nodes = static_cast<int>(a.extent(0));
-  Kokkos::parallel_for("softwet::weigh", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) *= a(i % nodes); });
+  Kokkos::parallel_for(
+      "softwet::weigh", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) *= a(i % nodes); });
 }
 
 /// Row sums of velocities: those of the solid, and where there is fluid its moments, at least the floor.
@@ -71,7 +72,8 @@ void scale(const Array& scaled, double factor, const ConstArray& y, const ConstA
 /// The end of a step of the series at every value.
 void finish(const StepPointers& step, const ConstArray& product, int nodes) {
   Kokkos::parallel_for(
-      "softwet::finish_step", Items(0, product.extent(0)), KOKKOS_LAMBDA(int i) { step.finish(i, i % nodes, product(i)); });
+      "softwet::finish_step", Items(0, product.extent(0)),
+      KOKKOS_LAMBDA(int i) { step.finish(i, i % nodes, product(i)); });
 }
 
 }  // namespace
@@ -267,9 +269,22 @@ void MassInverse<D, P>::multiply_scalar(const ConstArray& z, const Array& out) {
 }
 
 template <int D, int P>
+void MassInverse<D, P>::invert_scalar(const ConstArray& z, const Array& p) {
+  constexpr int rounds = 40;  // each takes 1 - A S = 3 e^3 - ... of what is left
+  const Array found("masses.found", z.extent(0)), change("masses.change", z.extent(0));
+  multiply_scalar(z, p);
+  for (int k = 0; k < rounds; ++k) {
+    solve(scalar_, 1, p, found);
+    combine(found, 1, z, -1);
+    multiply_scalar(found, change);
+    add_scaled(p, 0, 1, change);
+  }
+}
+
+template <int D, int P>
 void MassInverse<D, P>::find_moments(const Stage& stage, const ConstArray& z, const Array& out) {
   const Weights& w = scalar_;
-  if (kind_ == MassKind::corrected) return multiply_scalar(z, out);
+  if (kind_ == MassKind::corrected) return invert_scalar(z, out);
   if (kind_ == MassKind::consistent) {
     Kokkos::deep_copy(Exec(), w.of(scaled_), z);
     masses_.scalar(stage, scaled_, image_);

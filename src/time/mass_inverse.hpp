@@ -65,10 +65,12 @@ class MassInverse {
   void series_step(const Weights&, const SeriesStep&);
   int solve(const Weights&, double factor, const ConstArray& b, const Array& z);
   template <class Apply, class Precondition>
-  int solve_consistent(const Weights&, double factor, const ConstArray& b, const Array& z, double tolerance, const Apply&,
-                       const Precondition&);
+  int solve_consistent(const Weights&, double factor, const ConstArray& b, const Array& z, double tolerance,
+                       const Apply&, const Precondition&);
   /// out = A z for scalars.
   void multiply_scalar(const ConstArray& z, const Array& out);
+  /// p with S p = z.
+  void invert_scalar(const ConstArray& z, const Array& p);
   void weigh_with(const ConstArray& moments);
   void add_solid_sums();
 

@@ -25,9 +25,6 @@ void SemiDiscrete<D, P>::set_moments(State& s) {
   place_mesh(s.time, s.displacement);
   Kokkos::deep_copy(stage_.unknown, s.unknown);  // where the searches for density and potential begin
   masses_.find_moments(stage_, stage_.density_end, s.moment);
-  if (masses_.kind() != MassKind::corrected) return;
-  find_density(s.moment);  // what the masses make of it, so that the first step does not
-  Kokkos::deep_copy(s.unknown, stage_.unknown);
 }
 
 template <int D, int P>
@@ -65,8 +62,8 @@ Refusal SemiDiscrete<D, P>::find_potential() {
   if (!l.has_fluid) return {};
   const int first = l.potential_offset();
   model_.potential_moments(stage_, force_);
-  const int iterations = masses_.scalar(stage_, part(force_, first, l.size()), range(stage_.unknown, first, l.size()),
-                                        scalar_tolerance);
+  const int iterations =
+      masses_.scalar(stage_, part(force_, first, l.size()), range(stage_.unknown, first, l.size()), scalar_tolerance);
   if (iterations < 0) return {Refusal::potential};
   counts_.potential += iterations;
   move_ghosts(l, stage_.unknown, GhostAction::update);

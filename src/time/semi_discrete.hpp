@@ -67,12 +67,8 @@ class SemiDiscrete final : public Evolution {
   const MassCounts& counts() const { return counts_; }
 
  private:
-  static Array range(const Array& y, int first, int last) {
-    return Kokkos::subview(y, Kokkos::make_pair(first, last));
-  }
-  ConstArray density() const {
-    return model_.layout().has_fluid ? ConstArray(stage_.density_end) : ConstArray();
-  }
+  static Array range(const Array& y, int first, int last) { return Kokkos::subview(y, Kokkos::make_pair(first, last)); }
+  ConstArray density() const { return model_.layout().has_fluid ? ConstArray(stage_.density_end) : ConstArray(); }
   /// out = the acceleration of minus the force that the terms have collected, where `why` tells that there is none.
   Refusal accelerate(const Array& out, Refusal::Cause why, long& count);
 

@@ -106,8 +106,7 @@ struct SolidPoint {
       for (int along = 0; along < D; ++along) {
         Matrix<Dual<double>, D> moved;
         for (int c = 0; c < D; ++c)
-          for (int d = 0; d < D; ++d)
-            moved(c, d) = Dual<double>(gradient(c, d), c == along && d == axis ? 1.0 : 0.0);
+          for (int d = 0; d < D; ++d) moved(c, d) = Dual<double>(gradient(c, d), c == along && d == axis ? 1.0 : 0.0);
         const Matrix<Dual<double>, D> stress = material.first_piola(moved);
         for (int c = 0; c < D; ++c) sum[c] += Kokkos::abs(stress(c, axis).tangent);
       }
@@ -218,8 +217,8 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
   const Layout<D>& l = model_.layout();
   StepRates found;
   if (l.has_solid && l.has_fluid) {
-    StretchOfColumn<D> column{displacement.data() + l.wall_shift(), {}, stretch_, {}, l.solid_rows() * l.row_size,
-                              model_.blend().slope()};
+    StretchOfColumn<D> column{
+        displacement.data() + l.wall_shift(), {}, stretch_, {}, l.solid_rows() * l.row_size, model_.blend().slope()};
     for (int d = 0; d < D; ++d) {
       column.greville[d] = greville_[d];
       column.extent[d] = l.extent(d);
@@ -228,9 +227,23 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
   }
   if (l.has_fluid) {
     const ConstArray mask = part(model_.mask(), l.density_offset(), l.potential_offset());
-    const FluidPoint<D> point{unknown.data(), unknown.data() + l.density_offset(), moments, sums, stretch_, blend_, mask,
-                              near_end_, model_.fluid(), inside_, end_, formula_, l.row_size, l.rows * l.row_size,
-                              l.fluid_shift(), adds_axes_ ? D : 1, length_};
+    const FluidPoint<D> point{unknown.data(),
+                              unknown.data() + l.density_offset(),
+                              moments,
+                              sums,
+                              stretch_,
+                              blend_,
+                              mask,
+                              near_end_,
+                              model_.fluid(),
+                              inside_,
+                              end_,
+                              formula_,
+                              l.row_size,
+                              l.rows * l.row_size,
+                              l.fluid_shift(),
+                              adds_axes_ ? D : 1,
+                              length_};
     found = largest_of(point, l.scalar_size());
   }
   if (l.has_solid)
@@ -239,8 +252,13 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
           constexpr double margin = 1.05;  // waves along free and held sides are a little faster
           const double many = adds_axes_ ? D : 1, share = formula_ == StepFormula::runge_kutta ? 1 / 1.73 : 0.5;
           SolidPoint<D, std::decay_t<decltype(solid.material)>> point{
-              solid.material, displacement.data(), {}, {}, l.solid_rows() * l.row_size,
-              margin * end_.elastic * std::sqrt(many / solid.density) / length_, share};
+              solid.material,
+              displacement.data(),
+              {},
+              {},
+              l.solid_rows() * l.row_size,
+              margin * end_.elastic * std::sqrt(many / solid.density) / length_,
+              share};
           for (int d = 0; d < D; ++d) {
             point.greville[d] = greville_[d];
             point.extent[d] = d == D - 1 ? l.solid_rows() : l.extent(d);
@@ -250,9 +268,9 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
           found.combined = std::max(found.combined, elastic.combined);
         },
         model_.solid());
-  for (double StepRates::*rate : {&StepRates::combined, &StepRates::sound, &StepRates::capillarity,
-                                  &StepRates::viscosity, &StepRates::stabilisation, &StepRates::flow,
-                                  &StepRates::elasticity})
+  for (double StepRates::*rate :
+       {&StepRates::combined, &StepRates::sound, &StepRates::capillarity, &StepRates::viscosity,
+        &StepRates::stabilisation, &StepRates::flow, &StepRates::elasticity})
     found.*rate = ranks::largest(found.*rate);
   return found;
 }

@@ -36,7 +36,6 @@ TEST(KickDrift, KeepsTheMomentsOnAMovingMesh) {
   }
 }
 
-
 TEST(KickDrift, TheEnergyFallsAtItsBound) {
   ExplicitRun run(moving_droplet(Scene::rigid), "kick_drift");
   double before = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();

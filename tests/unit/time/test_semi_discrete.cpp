@@ -130,5 +130,23 @@ TEST(SemiDiscrete, TheMomentsOfAStateGiveItsDensityBack) {
   }
 }
 
+TEST(SemiDiscrete, TheMomentsOfADropletGiveItsDensityBackWithCorrectedMasses) {
+  for (const bool periodic : {false, true}) {
+    Case c = scene(Scene::coupled, WallLaw::energy, periodic);
+    c.domain.elements = {27, 24};
+    c.droplets = {{{0.45, 0.8 / 3}, 0.2}};
+    c.fluid->capillarity = 0.05;
+    const Model<2, 2> model(c);
+    System system(model, MassKind::corrected);
+    State state = initial_state<2, 2>(c, model);
+    system.set_moments(state);
+    ASSERT_TRUE(system.find_density(state.moment).empty());
+    const std::vector<double> before = to_host(state.unknown), after = to_host(system.stage().unknown);
+    const Layout<2>& l = model.layout();
+    for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(after[i], before[i], 2e-6);
+    EXPECT_NEAR(model.integrals(stage_at(l, state)).mass, total(alone, state.moment), 1e-13);
+  }
+}
+
 }  // namespace
 }  // namespace softwet::testing_tools

@@ -14,7 +14,8 @@ bool grows(const Case& c, const std::string& scheme, MassKind kind, double dt) {
   const std::vector<double> mask = to_host(moved.model.mask());
   const int nv = moved.system.velocities();
   unsigned seed = 1;
-  for (int i = 0; i < nv; ++i) v[i] += small * mask[i] * (((seed = seed * 1103515245u + 12345u) >> 16) % 1000 / 500.0 - 1);
+  for (int i = 0; i < nv; ++i)
+    v[i] += small * mask[i] * (((seed = seed * 1103515245u + 12345u) >> 16) % 1000 / 500.0 - 1);
   Kokkos::deep_copy(moved.state.unknown, to_device<Array>(v));
   EXPECT_TRUE(moved.step->begin(moved.state).empty());
   const StepRates rates = base.rates();

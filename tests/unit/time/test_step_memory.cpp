@@ -112,7 +112,9 @@ void expect_same_explicit_bits(const std::string& scheme, Scene kind, bool perio
 
 TEST(StepMemory, SspRk3GoesOnWithItsBound) { expect_same_explicit_bits("ssp_rk3", Scene::coupled, false); }
 TEST(StepMemory, Rkl2GoesOnWithItsStages) { expect_same_explicit_bits("rkl2", Scene::coupled, false); }
-TEST(StepMemory, KickDriftGoesOnWithItsAccelerations) { expect_same_explicit_bits("kick_drift", Scene::coupled, false); }
+TEST(StepMemory, KickDriftGoesOnWithItsAccelerations) {
+  expect_same_explicit_bits("kick_drift", Scene::coupled, false);
+}
 TEST(StepMemory, ExplicitRunsGoOnAroundAPeriodicAxis) { expect_same_explicit_bits("kick_drift", Scene::rigid, true); }
 TEST(StepMemory, ExplicitRunsOfASolidGoOn) { expect_same_explicit_bits("kick_drift", Scene::solid, false); }
 

@@ -17,7 +17,9 @@ void expect_product(const Case& c) {
   const Array z = s.direction(), found("found", l.size()), expected("expected", l.size());
   masses.scalar(flat, z, expected);
   move_ghosts(l, z, GhostAction::update);
-  const auto cut = [](const Array& a, int first, int last) { return Kokkos::subview(a, Kokkos::make_pair(first, last)); };
+  const auto cut = [](const Array& a, int first, int last) {
+    return Kokkos::subview(a, Kokkos::make_pair(first, last));
+  };
   const int density = l.density_offset(), potential = l.potential_offset();
   product.apply(cut(z, density, potential), cut(found, density, potential), D, D + 1);
   product.apply(cut(z, 0, density), cut(found, 0, density), 0, D);
@@ -36,9 +38,7 @@ void expect_product(const Case& c) {
 
 TEST(MassProduct, IsThatOfElementsInThePlane) { expect_product<2>(scene(Scene::rigid)); }
 TEST(MassProduct, IsThatOfElementsAboveASolid) { expect_product<2>(scene(Scene::coupled)); }
-TEST(MassProduct, IsThatOfElementsAroundAnAxis) {
-  expect_product<2>(scene(Scene::rigid, WallLaw::gradient, true));
-}
+TEST(MassProduct, IsThatOfElementsAroundAnAxis) { expect_product<2>(scene(Scene::rigid, WallLaw::gradient, true)); }
 TEST(MassProduct, IsThatOfElementsInSpace) { expect_product<3>(scene_in_space(Scene::rigid)); }
 
 }  // namespace
