@@ -10,17 +10,17 @@
 namespace softwet {
 namespace {
 
-using Matrix = Eigen::MatrixXd;
+using Dense = Eigen::MatrixXd;
 
-/// A line of elements of length 1: (N_i, N_j), (N_i', N_j') and (N_i, N_j').
-struct Line {
-  Matrix mass, stiffness, slope;
+/// Elements of length 1 in a row: (N_i, N_j), (N_i', N_j') and (N_i, N_j').
+struct ElementLine {
+  Dense mass, stiffness, slope;
 
-  Line(int elements, int degree) {
+  ElementLine(int elements, int degree) {
     const Axis axis(elements, elements, degree);
     const Gauss gauss(degree + 1);
     const int n = axis.functions();
-    mass = stiffness = slope = Matrix::Zero(n, n);
+    mass = stiffness = slope = Dense::Zero(n, n);
     for (int e = 0; e < elements; ++e)
       for (int q = 0; q <= degree; ++q) {
         const std::vector<double> value = axis.values(e, e + gauss.point[q]), d = axis.slopes(e, e + gauss.point[q]);
@@ -43,16 +43,16 @@ T series(const T& one, const T& e) {
 }
 
 /// The inverse of a mass with ties, without the functions that are held: zero rows and columns for these.
-Matrix inverse(const Matrix& mass, MassKind kind, double kept, bool held_below, bool held_above) {
+Dense inverse(const Dense& mass, MassKind kind, double kept, bool held_below, bool held_above) {
   const int all = static_cast<int>(mass.rows()), first = held_below ? 1 : 0, n = all - first - (held_above ? 1 : 0);
   const Eigen::VectorXd sums = mass.rowwise().sum().segment(first, n);
-  const Matrix inner = mass.block(first, first, n, n), one = Matrix::Identity(n, n);
-  Matrix found = Matrix::Zero(all, all);
+  const Dense inner = mass.block(first, first, n, n), one = Dense::Identity(n, n);
+  Dense found = Dense::Zero(all, all);
   if (kind == MassKind::consistent) {
     found.block(first, first, n, n) = inner.inverse();
     return found;
   }
-  Matrix d = sums.cwiseInverse().asDiagonal();
+  Dense d = sums.cwiseInverse().asDiagonal();
   const auto add = [&](int end, int way) {
     Eigen::VectorXd along = Eigen::VectorXd::Zero(n);
     along[end] = 1;
@@ -62,16 +62,16 @@ Matrix inverse(const Matrix& mass, MassKind kind, double kept, bool held_below, 
   };
   if (!held_below) add(0, 1);
   if (!held_above) add(n - 1, -1);
-  found.block(first, first, n, n) = kind == MassKind::lumped ? d : Matrix(series<Matrix>(one, one - d * inner) * d);
+  found.block(first, first, n, n) = kind == MassKind::lumped ? d : Dense(series<Dense>(one, one - d * inner) * d);
   return found;
 }
 
-double largest(const Matrix& m) { return m.eigenvalues().cwiseAbs().maxCoeff(); }
+double largest(const Dense& m) { return m.eigenvalues().cwiseAbs().maxCoeff(); }
 
 }  // namespace
 
 MassSymbols inside_symbols(int degree, MassKind kind) {
-  const Line line(4 * degree, degree);
+  const ElementLine line(4 * degree, degree);
   const int middle = static_cast<int>(line.mass.rows()) / 2;
   MassSymbols s;
   constexpr int waves = 400;
@@ -96,13 +96,13 @@ MassSymbols inside_symbols(int degree, MassKind kind) {
 }
 
 MassSymbols end_symbols(int degree, MassKind kind) {
-  const Line line(10, degree);
-  const Matrix held = inverse(line.mass, kind, kept_of_velocities, true, true);
-  const Matrix free = inverse(line.mass, kind, kept_of_velocities, false, false);
-  const Matrix layer = inverse(line.mass, kind, kept_of_velocities, true, false);
-  const Matrix scalar = inverse(line.mass, kind, kept_of_scalars, false, false);
+  const ElementLine line(10, degree);
+  const Dense held = inverse(line.mass, kind, kept_of_velocities, true, true);
+  const Dense free = inverse(line.mass, kind, kept_of_velocities, false, false);
+  const Dense layer = inverse(line.mass, kind, kept_of_velocities, true, false);
+  const Dense scalar = inverse(line.mass, kind, kept_of_scalars, false, false);
   // rho' = - S grad^T v,  mu = S (c^2 M + g^2 K) rho / rho,  v' = - S grad mu
-  const Matrix there = scalar * line.slope.transpose(), back = held * line.slope * scalar;
+  const Dense there = scalar * line.slope.transpose(), back = held * line.slope * scalar;
   MassSymbols s = inside_symbols(degree, kind);
   s.acoustic = std::max(s.acoustic, std::sqrt(largest(back * line.mass * there)));
   s.capillary = std::max(s.capillary, std::sqrt(largest(back * line.stiffness * there)));
