@@ -1,0 +1,162 @@
+// What the bound of explicit steps sees at a control point of the fluid, of the solid, and in a column of the mesh.
+#pragma once
+
+#include "time/step_bound.hpp"
+
+namespace softwet::step_points {
+
+enum Mechanism { combined, sound, capillarity, viscosity, stabilisation, flow, elasticity, mechanisms };
+
+/// Largest values of several numbers at once.
+template <class Point>
+struct LargestRates {
+  using value_type = double[];
+  unsigned value_count = mechanisms;
+  Point point;
+
+  KOKKOS_FUNCTION void init(double* best) const {
+    for (int k = 0; k < mechanisms; ++k) best[k] = 0;
+  }
+  KOKKOS_FUNCTION void join(double* best, const double* other) const {
+    for (int k = 0; k < mechanisms; ++k) best[k] = best[k] < other[k] ? other[k] : best[k];
+  }
+  KOKKOS_FUNCTION void operator()(int i, double* best) const {
+    double found[mechanisms] = {};
+    point(i, found);
+    join(best, found);
+  }
+};
+
+/// Derivative of a field along an axis at a control point, from its neighbour's control value.
+KOKKOS_INLINE_FUNCTION double difference(const double* c, int i, int place, int extent, int stride,
+                                         const ConstArray& greville) {
+  const int from = place + 1 < extent ? place : place - 1, at = i + (from - place) * stride;
+  return (c[at + stride] - c[at]) / (greville(from + 1) - greville(from));
+}
+
+template <int D>
+struct FluidPoint {
+  const double *velocity, *density;
+  ConstArray moments, sums, stretch, blend, mask;
+  Kokkos::View<const int*, Exec> near_end;
+  NavierStokesKorteweg fluid;
+  MassSymbols inside, end;
+  StepFormula formula;
+  int row_size, nodes, shift, axes;
+  double length;
+
+  KOKKOS_FUNCTION void operator()(int i, double* rate) const {
+    if (mask(i) == 0) return;
+    const bool ends = near_end(i) != 0;
+    const auto of = [&](double MassSymbols::*symbol) { return ends ? end.*symbol : inside.*symbol; };
+    const double inverse = stretch(i % row_size) / length, square = inverse * inverse;
+    const double rho = Kokkos::max(density[i], fluid.gas.continuation), c2 = rho * fluid.gas.curvature(rho);
+    const double g2 = fluid.capillarity * fluid.capillarity, many = axes;
+    const double a = of(&MassSymbols::acoustic), c = of(&MassSymbols::capillary);
+    const double c2_on = Kokkos::max(c2, 0.0);
+    rate[sound] = Kokkos::sqrt(many * a * a * c2_on * square);
+    rate[capillarity] = many * c * Kokkos::sqrt(g2 * rho) * square;
+    const double wave = Kokkos::sqrt(rate[sound] * rate[sound] + rate[capillarity] * rate[capillarity]);
+    const double inertia = Kokkos::max(moments(i) / sums(i), fluid.inertia_floor);
+    const double k = many * of(&MassSymbols::viscous) * square;
+    rate[viscosity] = 4.0 / 3 * fluid.viscosity / inertia * k;
+    rate[stabilisation] = fluid.stabilisation * rho * rho * k * (c2_on / rho + g2 * k);
+    double speed = 0;
+    for (int d = 0; d < D; ++d) {
+      const int at = d * nodes + shift + i, wall = d * nodes + shift + i % row_size;
+      const double slip = velocity[at] - blend(i / row_size) * velocity[wall];
+      speed += slip * slip;
+    }
+    rate[flow] = of(&MassSymbols::convective) * Kokkos::sqrt(many * speed) * inverse;
+    rate[combined] = combine(wave, rate[viscosity], rate[stabilisation], rate[flow]);
+  }
+
+  KOKKOS_FUNCTION double combine(double w, double s, double e, double u) const {
+    if (formula == StepFormula::runge_kutta) {
+      const double turn = (w + u) / 1.73, decay = (s + e) / 2.51;
+      return Kokkos::sqrt(turn * turn + decay * decay);
+    }
+    const double waves = 0.5 * (w + 0.6 * e + u);
+    return formula == StepFormula::kick_drift ? Kokkos::max(waves + 0.25 * s, s) : waves;
+  }
+};
+
+template <int D, class Material>
+struct SolidPoint {
+  Material material;
+  const double* displacement;
+  ConstArray greville[D];
+  int extent[D];
+  int nodes;
+  double factor;  ///< frequency = factor sqrt(stiffness)
+  double share;   ///< of the frequency in a rate of the scheme
+
+  KOKKOS_FUNCTION void operator()(int i, double* rate) const {
+    Matrix<double, D> gradient;
+    int stride = 1;
+    for (int d = 0; d < D; ++d) {
+      for (int c = 0; c < D; ++c)
+        gradient(c, d) =
+            difference(displacement + c * nodes, i, i / stride % extent[d], extent[d], stride, greville[d]);
+      stride *= extent[d];
+    }
+    double largest = 0;
+    for (int axis = 0; axis < D; ++axis) {
+      double sum[D] = {};
+      for (int along = 0; along < D; ++along) {
+        Matrix<Dual<double>, D> moved;
+        for (int c = 0; c < D; ++c)
+          for (int d = 0; d < D; ++d) moved(c, d) = Dual<double>(gradient(c, d), c == along && d == axis ? 1.0 : 0.0);
+        const Matrix<Dual<double>, D> stress = material.first_piola(moved);
+        for (int c = 0; c < D; ++c) sum[c] += Kokkos::abs(stress(c, axis).tangent);
+      }
+      for (int c = 0; c < D; ++c) largest = Kokkos::max(largest, sum[c]);
+    }
+    rate[elasticity] = factor * Kokkos::sqrt(largest);
+    rate[combined] = share * rate[elasticity];
+  }
+};
+
+/// stretch = 1 / the smallest singular value of F = I + (beta Grad d, slope d e_D) above a column, at the wall and on top.
+template <int D>
+struct StretchOfColumn {
+  const double* displacement;  ///< of the wall's row
+  ConstArray greville[D];
+  Array stretch;
+  int extent[D];
+  int nodes;
+  double slope;
+
+  KOKKOS_FUNCTION void operator()(int i) const {
+    double worst = 1;
+    for (int wall = 0; wall < 2; ++wall) {
+      Matrix<double, D> f;
+      for (int c = 0; c < D; ++c) {
+        int stride = 1;
+        for (int d = 0; d + 1 < D; ++d) {
+          f(c, d) = (c == d ? 1.0 : 0.0) + wall * difference(displacement + c * nodes, i, i / stride % extent[d],
+                                                             extent[d], stride, greville[d]);
+          stride *= extent[d];
+        }
+        f(c, D - 1) = (c == D - 1 ? 1.0 : 0.0) + slope * displacement[c * nodes + i];
+      }
+      const Matrix<double, D> cofactors = cofactor(f);
+      const double volume = determinant(f, cofactors);
+      // |F^{-1}|^2 is at most the largest row sum of F^{-1} F^{-T}.
+      double largest = 0;
+      for (int r = 0; r < D; ++r) {
+        double sum = 0;
+        for (int s = 0; s < D; ++s) {
+          double entry = 0;
+          for (int k = 0; k < D; ++k) entry += cofactors(k, r) * cofactors(k, s);
+          sum += Kokkos::abs(entry);
+        }
+        largest = Kokkos::max(largest, sum);
+      }
+      worst = Kokkos::max(worst, Kokkos::sqrt(largest) / Kokkos::max(volume, 1e-3));
+    }
+    stretch(i) = worst;
+  }
+};
+
+}  // namespace softwet::step_points
