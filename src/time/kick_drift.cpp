@@ -42,8 +42,9 @@ Refusal KickDrift<D, P>::begin(const State& s) {
 
 template <int D, int P>
 Refusal KickDrift<D, P>::diffuse(double dt, const Array& v, double radius) {
+  constexpr double margin = 1.5;  // the rate is a bound where the weights of neighbours are alike
   return viscous_->advance([this](const Array& y, const Array& out) { return system_.viscosity(y, out); }, dt, v,
-                           radius);
+                           margin * radius);
 }
 
 template <int D, int P>
