@@ -50,7 +50,9 @@ TEST(MassInverse, WhatIsUniformStaysSoOnAMovedMesh) {
       w.solve_scalar(b, z);
       const std::vector<double> found = to_host(z), mask = to_host(w.scene.model.mask());
       for (int i = w.l().density_offset(); i < w.l().potential_offset(); ++i)
-        if (mask[i] != 0) ASSERT_NEAR(found[i], 1, 1e-12);
+        if (mask[i] != 0) {
+          ASSERT_NEAR(found[i], 1, 1e-12);
+        }
     }
 }
 
@@ -66,7 +68,9 @@ TEST(MassInverse, AUniformAccelerationOfFluidAndSolidIsExact) {
   w.solve_velocity(b, z);
   const std::vector<double> found = to_host(z);
   for (std::size_t i = 0; i < sums.size(); ++i)
-    if (mask[i] != 0) ASSERT_NEAR(found[i], 1, 1e-12);
+    if (mask[i] != 0) {
+      ASSERT_NEAR(found[i], 1, 1e-12);
+    }
 }
 
 TEST(MassInverse, TheMassOfTheDensityIsTheSumOfItsMoments) {
@@ -121,7 +125,9 @@ TEST(MassInverse, StaysPositiveBesideMuchHeavierNeighbours) {
       std::vector<double> one(w.l().size(), 0.0);
       one[i] = to_host(w.scene.model.mask())[i];
       w.solve_velocity(to_device<Array>(one), found);
-      if (one[i] != 0) ASSERT_GT(to_host(found)[i], 0) << i;
+      if (one[i] != 0) {
+        ASSERT_GT(to_host(found)[i], 0) << i;
+      }
     }
     const Array b = to_device<Array>(z);
     w.solve_velocity(b, found);
