@@ -20,7 +20,7 @@ SCENES = {
     "oscillating_droplet_2d": (SWING, 0.02, {"lumped": (0.015, 0.05, 0.002), "corrected": (0.003, 0.003, 0.0002)}),
 }
 # Near the limit of their steps kick_drift and rkl2 keep an energy that differs from that of the table by the shortest waves, and
-# the one of the table swings by the difference (see the study stable_step). With this part of the bound it falls at every row.
+# the one of the table swings by the difference (docs/theory.md). With this part of the bound it falls at every row.
 CALM = {"kick_drift": ["time.safety=0.7"], "rkl2": ["time.safety=0.7"], "ssp_rk3": []}
 STEP = 0.6023801 - 0.1065767  # of the density at the temperature 0.85, tests/oracle/plane_interface.py
 

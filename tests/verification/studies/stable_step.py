@@ -2,7 +2,8 @@
 
 Explicit schemes take `time.safety` (0.9) of a bound that is computed from the state before every step; `softwet check` prints it for
 the first state. Here the largest stable step is found by bisection, to 5 %, from whole runs of 300 steps of one size (`time.safety`
-is 10 in them, and `time.dt_max` a chosen part of the bound). The bound is the smallest one of a run of steps half as long.
+is 10 in them, and `time.dt_max` a chosen part of the bound). The bound is the smallest one of a run of 600 steps half as long, and no
+run goes on beyond its end: droplets in such small boxes dissolve, which changes the bound.
 
 States: a droplet in the middle of a box, on a rigid wall, in a corner between slip sides, on the soft layer, and on a wall in three
 dimensions; two elements to a capillarity. Steps are stable where none is refused and the kinetic energy stays below 10 times the
@@ -56,17 +57,18 @@ class Search:
         self.case, words = STATES[state]
         self.settings = [*words, *FOREVER, f"fluid.temperature={temperature}", f"time.scheme={scheme}", f"time.mass={mass}"]
         self.label = f"{state}, {temperature}, {scheme}, {mass}"
-        self.start = self.run("half the bound", ["time.safety=0.5", "time.dt_initial=1", "time.dt_max=1"])
+        self.start = self.run("half the bound", ["time.safety=0.5", "time.dt_initial=1", "time.dt_max=1"], 2 * STEPS)
         self.bound = self.start.history["dt"][1:].min() / 0.5 if self.start.code == 0 else 0
 
-    def run(self, what, words):
-        return self.lab.run(f"{self.label}, {what}", self.case, [*self.settings, *words, f"time.max_steps={STEPS}"], expect=None,
+    def run(self, what, words, steps):
+        return self.lab.run(f"{self.label}, {what}", self.case, [*self.settings, *words, f"time.max_steps={steps}"], expect=None,
                             limit=600)
 
     def stable(self, part):
         """Whether steps of this part of the bound are stable."""
         dt = f"{part * self.bound:.6g}"
-        run = self.run(f"{part:.3g} of the bound", ["time.safety=10", f"time.dt_initial={dt}", f"time.dt_max={dt}"])
+        steps = min(STEPS, int(self.start.history["t"][-1] / float(dt)))
+        run = self.run(f"{part:.3g} of the bound", ["time.safety=10", f"time.dt_initial={dt}", f"time.dt_max={dt}"], steps)
         if run.code != 0 or run.record["counts"]["rejected_by_newton"] > 0:
             return False
         return run.history["energy_kinetic"][BEFORE:].max() <= GROWTH * self.start.history["energy_kinetic"].max()
@@ -96,7 +98,8 @@ def chosen(lab):
     return wanted + [("wall, 3D", 0.85, "kick_drift", mass) for mass in MASSES]
 
 
-CAUTIOUS = "the bound adds what limits a step, each at its worst wave and place; where several count, no wave has them all"
+CAUTIOUS = ("the bound adds what limits a step, each at its worst wave; where several count, no wave has them all, and the bound is that of "
+            "the worst moment of a run in which it changes")
 
 
 def limits(lab):
@@ -123,8 +126,6 @@ FLIGHTS = {  # centre and direction of the flight, and whether the scene is symm
 }
 SPEED = 0.15
 WARMTH = (0.39, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95)
-SWING = ("near the limit of a step the shortest waves ring, and the energy of the table, which has consistent masses, is not the one that "
-         "the steps keep")
 
 
 def flight(name):
@@ -159,7 +160,7 @@ def judged(lab, label, run, symmetric):
     energy, refused = run.history["energy_total"], run.record["counts"]["rejected_by_newton"]
     rise, fall = numpy.diff(energy), energy[0] - energy[-1]
     lab.expect(f"{label}: largest change of the energy in a step, over what is dissipated", "below 0", f"{rise.max() / fall:.1e}",
-               rise.max() < 0, Known(SWING, "0.5 %", rise.max() < 0.005 * fall))
+               rise.max() < 0)
     lab.expect(f"{label}: refused steps", "none", str(refused), refused == 0)
     told = [event["what"] for event in run.record["events"] if "energy" in event["what"]]
     lab.expect(f"{label}: events about the energy", "none", "; ".join(told) or "none", not told)
