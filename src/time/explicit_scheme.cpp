@@ -8,8 +8,8 @@ namespace {
 
 template <int D, int P>
 std::unique_ptr<ExplicitStep<D, P>> explicit_step(const std::string& name, SemiDiscrete<D, P>& system) {
-  if (name == "ssp_rk3") return std::make_unique<RungeKuttaStep<D, P>>(system);
-  return std::make_unique<KickDrift<D, P>>(system, name == "rkl2");
+  if (name == "kick_drift") return std::make_unique<KickDrift<D, P>>(system);
+  return std::make_unique<RungeKuttaStep<D, P>>(system, name == "rkl2");
 }
 
 }  // namespace

@@ -5,16 +5,13 @@
 namespace softwet {
 
 template <int D, int P>
-KickDrift<D, P>::KickDrift(SemiDiscrete<D, P>& system, bool apart)
+KickDrift<D, P>::KickDrift(SemiDiscrete<D, P>& system)
     : ExplicitStep<D, P>(system),
-      apart_(apart && system.model().layout().has_fluid),
       now_(make_level()),
       next_(make_level()),
       half_("kick_drift.half", system.velocities()),
       flux_("kick_drift.flux", system.moments()),
-      middle_("kick_drift.middle", system.moments()) {
-  if (apart_) viscous_ = std::make_unique<Rkl2>(system.velocities());
-}
+      middle_("kick_drift.middle", system.moments()) {}
 
 template <int D, int P>
 typename KickDrift<D, P>::Level KickDrift<D, P>::make_level() const {
@@ -37,14 +34,7 @@ Refusal KickDrift<D, P>::begin(const State& s) {
   if (system_.moments() > 0) Kokkos::deep_copy(now_.density, system_.stage().density_end);
   system_.weigh_velocities(system_.moments_of(now_.y));
   problem = system_.pressure(now_.pressure, now_.stabilisation);
-  return problem.empty() ? system_.convection(!apart_, now_.convection) : problem;
-}
-
-template <int D, int P>
-Refusal KickDrift<D, P>::diffuse(double dt, const Array& v, double radius) {
-  constexpr double margin = 1.5;  // the rate is a bound where the weights of neighbours are alike
-  return viscous_->advance([this](const Array& y, const Array& out) { return system_.viscosity(y, out); }, dt, v,
-                           margin * radius);
+  return problem.empty() ? system_.convection(true, now_.convection) : problem;
 }
 
 template <int D, int P>
@@ -69,20 +59,9 @@ Refusal KickDrift<D, P>::drift(double t, double dt) {
 }
 
 template <int D, int P>
-Refusal KickDrift<D, P>::advance(double t, double dt, const StepRates& rates) {
+Refusal KickDrift<D, P>::advance(double t, double dt, const StepRates&) {
   const Array v = system_.velocities_of(next_.y);
-  Kokkos::deep_copy(Exec(), v, system_.velocities_of(now_.y));
-  if (apart_) {
-    system_.place_mesh(t, system_.displacements_of(now_.y));
-    system_.place_density(now_.density);
-    system_.weigh_velocities(system_.moments_of(now_.y));
-    Refusal problem = diffuse(0.5 * dt, v, rates.viscosity);
-    if (!problem.empty()) return problem;
-    system_.place_velocity(v);
-    problem = system_.convection(false, now_.convection);
-    if (!problem.empty()) return problem;
-  }
-  sum_of(half_, 1, v, 0.5 * dt, now_.pressure, 0.5 * dt, now_.convection);
+  sum_of(half_, 1, system_.velocities_of(now_.y), 0.5 * dt, now_.pressure, 0.5 * dt, now_.convection);
   Refusal problem = drift(t, dt);
   if (problem.empty()) problem = system_.find_potential();
   if (!problem.empty()) return problem;
@@ -92,12 +71,11 @@ Refusal KickDrift<D, P>::advance(double t, double dt, const StepRates& rates) {
   if (!problem.empty()) return problem;
   sum_of(v, 1, half_, 0.5 * dt, next_.pressure, 0.5 * dt, now_.convection);
   system_.place_velocity(v);
-  problem = system_.convection(!apart_, next_.convection);
+  problem = system_.convection(true, next_.convection);
   if (!problem.empty()) return problem;
   sum_of(v, 1, half_, 0.5 * dt, next_.pressure, 0.5 * dt, next_.convection);
-  if (apart_) problem = diffuse(0.5 * dt, v, rates.viscosity);
-  if (problem.empty()) system_.place_velocity(v);
-  return problem;
+  system_.place_velocity(v);
+  return {};
 }
 
 template <int D, int P>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "time/explicit_step.hpp"
-#include "time/runge_kutta.hpp"
 
 namespace softwet {
 
@@ -19,15 +18,14 @@ namespace softwet {
 ///   C1  from rho1 and vp
 ///   v1  = vh + dt/2 (P1 + C1)                                second kick
 ///
-/// Waves of the frequency w alone are stable up to w dt = 2. The sum of the moments is kept to rounding. With `apart` viscosity
-/// is no part of C: half a step of it by Rkl2 comes before and after (Strang).
+/// Waves of the frequency w alone are stable up to w dt = 2. The sum of the moments is kept to rounding.
 /// Source: Verlet 1967, with Heun's predictor for forces that depend on velocities.   Tested: tests/unit/time/test_kick_drift.cpp
 template <int D, int P>
 class KickDrift final : public ExplicitStep<D, P> {
  public:
-  KickDrift(SemiDiscrete<D, P>&, bool apart);
+  explicit KickDrift(SemiDiscrete<D, P>&);
 
-  StepFormula formula() const override { return apart_ ? StepFormula::without_viscosity : StepFormula::kick_drift; }
+  StepFormula formula() const override { return StepFormula::kick_drift; }
   Refusal begin(const State&) override;
   Refusal advance(double t, double dt, const StepRates&) override;
   ConstArray moments() const override { return system_.moments_of(now_.y); }
@@ -45,13 +43,9 @@ class KickDrift final : public ExplicitStep<D, P> {
     Array stabilisation;         ///< rates of the moments
   };
   Level make_level() const;
-  /// Half a step of viscosity alone at the density and mesh of a level.
-  Refusal diffuse(double dt, const Array& v, double radius);
   /// The drift: displacements, moments and density at the end from the velocity half way.
   Refusal drift(double t, double dt);
 
-  bool apart_;
-  std::unique_ptr<Rkl2> viscous_;
   Level now_, next_;
   Array half_;           ///< vh
   Array flux_, middle_;  ///< of the moments

@@ -1,4 +1,4 @@
-// The scheme ssp_rk3 on a scene.
+// The schemes ssp_rk3 and rkl2 on a scene.
 #pragma once
 
 #include "time/explicit_step.hpp"
@@ -6,23 +6,37 @@
 
 namespace softwet {
 
+/// A step of SspRk3. With `apart` it leaves viscosity out, and half a step of viscosity alone by Rkl2 comes before and after it
+/// (Strang): of second order, and as long as waves allow however thin the vapour is.
 template <int D, int P>
 class RungeKuttaStep final : public ExplicitStep<D, P> {
  public:
-  explicit RungeKuttaStep(SemiDiscrete<D, P>& system) : ExplicitStep<D, P>(system), scheme_(system.size()) {
+  RungeKuttaStep(SemiDiscrete<D, P>& system, bool apart)
+      : ExplicitStep<D, P>(system), apart_(apart && system.model().layout().has_fluid), scheme_(system.size()) {
     for (Array* a : {&y_, &rates_, &next_, &next_rates_}) *a = Array("ssp_rk3.vector", system.size());
+    if (apart_) viscous_ = std::make_unique<Rkl2>(system.velocities());
+    system.leave_viscosity_out(apart_);
   }
 
-  StepFormula formula() const override { return StepFormula::runge_kutta; }
+  StepFormula formula() const override { return apart_ ? StepFormula::without_viscosity : StepFormula::runge_kutta; }
   Refusal begin(const State& s) override {
     Kokkos::deep_copy(system_.velocities_of(y_), part(s.unknown, 0, system_.velocities()));
     Kokkos::deep_copy(system_.displacements_of(y_), s.displacement);
     Kokkos::deep_copy(system_.moments_of(y_), s.moment);
+    multiply(system_.velocities_of(y_), part(system_.model().mask(), 0, system_.velocities()));
     return system_.rates(s.time, y_, rates_);
   }
-  Refusal advance(double t, double dt, const StepRates&) override {
+  Refusal advance(double t, double dt, const StepRates& rates) override {
     Kokkos::deep_copy(Exec(), next_, y_);
-    const Refusal problem = scheme_.advance(system_, t, dt, next_, rates_);
+    Array begin = rates_;
+    Refusal problem;
+    if (apart_) {
+      problem = diffuse(t, dt, rates);
+      begin = next_rates_;
+      if (problem.empty()) problem = system_.rates(t, next_, begin);
+    }
+    if (problem.empty()) problem = scheme_.advance(system_, t, dt, next_, begin);
+    if (apart_ && problem.empty()) problem = diffuse(t + dt, dt, rates);
     return problem.empty() ? system_.rates(t + dt, next_, next_rates_) : problem;
   }
   ConstArray moments() const override { return system_.moments_of(y_); }
@@ -46,7 +60,21 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
 
  private:
   using ExplicitStep<D, P>::system_;
+
+  /// Half a step of viscosity alone at the density and mesh of the next vector.
+  Refusal diffuse(double t, double dt, const StepRates& rates) {
+    constexpr double margin = 1.5;  // the rate is a bound where the weights of neighbours are alike
+    system_.place_mesh(t, system_.displacements_of(next_));
+    const Refusal problem = system_.find_density(system_.moments_of(next_));
+    if (!problem.empty()) return problem;
+    system_.weigh_velocities(system_.moments_of(next_));
+    return viscous_->advance([this](const Array& v, const Array& out) { return system_.viscosity(v, out); }, 0.5 * dt,
+                             system_.velocities_of(next_), margin * rates.viscosity);
+  }
+
+  bool apart_;
   SspRk3 scheme_;
+  std::unique_ptr<Rkl2> viscous_;
   Array y_, rates_, next_, next_rates_;
 };
 

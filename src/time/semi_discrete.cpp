@@ -142,7 +142,7 @@ Refusal SemiDiscrete<D, P>::rates(double t, const Array& y, const Array& out) {
   Kokkos::deep_copy(Exec(), force_, 0.0);
   terms_.add_mass_flux(stage_, force_);
   terms_.add_pressure(stage_, force_);
-  terms_.add_convection(stage_, true, force_);
+  terms_.add_convection(stage_, !gentle_, force_);
   terms_.collect(force_);
   if (l.has_fluid) combine(moments_of(out), -1, part(force_, l.density_offset(), l.potential_offset()), 0);
   return accelerate(velocities_of(out), Refusal::acceleration, counts_.velocity);

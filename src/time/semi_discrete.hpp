@@ -33,6 +33,8 @@ class SemiDiscrete final : public Evolution {
   Array moments_of(const Array& y) const { return range(y, velocities() + displacements(), size()); }
 
   Refusal rates(double t, const Array& y, const Array& out) override;
+  /// Whether `rates` leave viscosity out, for a scheme that treats it apart.
+  void leave_viscosity_out(bool out) { gentle_ = out; }
 
   /// Moves the mesh of the stage, with the row sums of scalars.
   void place_mesh(double t, const Array& displacement);
@@ -79,6 +81,7 @@ class SemiDiscrete final : public Evolution {
   Masses<D, P> viscous_;
   MassInverse<D, P> masses_;
   Stage stage_;
+  bool gentle_ = false;
   Array force_, velocity_;  ///< vectors of unknowns; of these the velocities, for viscosity
   MassCounts counts_;
 };

@@ -100,7 +100,7 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
     std::visit(
         [&](const auto& solid) {
           constexpr double margin = 1.05;  // waves along free and held sides are a little faster
-          const double many = adds_axes_ ? D : 1, share = formula_ == StepFormula::runge_kutta ? 1 / 1.73 : 0.5;
+          const double many = adds_axes_ ? D : 1, share = formula_ == StepFormula::kick_drift ? 0.5 : 1 / 1.73;
           SolidPoint<D, std::decay_t<decltype(solid.material)>> point{
               solid.material,
               displacement.data(),

@@ -14,9 +14,9 @@ struct StepRates {
 
 /// How a scheme adds the rates at a point: w of waves, s of viscosity, e of the stabilisation, u of the flow.
 /// kick_drift: max((w + s / 2 + 0.6 e + u) / 2, s), for a wave alone is stable up to w dt = 2 and viscosity up to s dt = 1;
-/// without_viscosity: the same with s = 0;
 /// runge_kutta: the ellipse with half axes 1.73 and 2.51 in the region of stability of three stages and third order,
-///   sqrt(((w + u) / 1.73)^2 + ((s + e) / 2.51)^2).
+///   sqrt(((w + u) / 1.73)^2 + ((s + e) / 2.51)^2);
+/// without_viscosity: the same with s = 0.
 enum class StepFormula { kick_drift, without_viscosity, runge_kutta };
 
 /// At a control point with density rho and moments p over row sums a, on elements of the shortest length h:

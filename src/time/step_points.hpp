@@ -72,12 +72,9 @@ struct FluidPoint {
   }
 
   KOKKOS_FUNCTION double combine(double w, double s, double e, double u) const {
-    if (formula == StepFormula::runge_kutta) {
-      const double turn = (w + u) / 1.73, decay = (s + e) / 2.51;
-      return Kokkos::sqrt(turn * turn + decay * decay);
-    }
-    const double waves = 0.5 * (w + 0.6 * e + u);
-    return formula == StepFormula::kick_drift ? Kokkos::max(waves + 0.25 * s, s) : waves;
+    if (formula == StepFormula::kick_drift) return Kokkos::max(0.5 * (w + 0.5 * s + 0.6 * e + u), s);
+    const double turn = (w + u) / 1.73, decay = (formula == StepFormula::runge_kutta ? s + e : e) / 2.51;
+    return Kokkos::sqrt(turn * turn + decay * decay);
   }
 };
 

@@ -202,7 +202,7 @@ void bench_explicit(const Sheet& sheet, const Model<D, P>& model, State state) {
                                    {MassKind::corrected, "corrected"}}) {
     SemiDiscrete<D, P> system(model, kind);
     system.set_moments(state);
-    KickDrift<D, P> step(system, false);
+    KickDrift<D, P> step(system);
     step.begin(state);
     const StepBound<D, P> bound(model, kind, step.formula());
     const auto rates = [&] {

@@ -52,8 +52,8 @@ struct ExplicitRun {
 
  private:
   std::unique_ptr<ExplicitStep<2, 2>> make(const std::string& scheme) {
-    if (scheme == "ssp_rk3") return std::make_unique<RungeKuttaStep<2, 2>>(system);
-    return std::make_unique<KickDrift<2, 2>>(system, scheme == "rkl2");
+    if (scheme == "kick_drift") return std::make_unique<KickDrift<2, 2>>(system);
+    return std::make_unique<RungeKuttaStep<2, 2>>(system, scheme == "rkl2");
   }
 };
 
