@@ -87,6 +87,7 @@ Case resolve(const Document& document, Problems& problems) {
     c.solver.newton_rtol = std::min(c.solver.newton_rtol, 1e-6);
   if (c.time.scheme != implicit_scheme) {  // what an explicit step costs, and what may be added to it
     if (!document.entries.count("domain.quadrature") && has_reduced_points) c.domain.quadrature = "reduced";
+    if (!document.entries.count("time.mass") && c.time.scheme == "rkl2") c.time.mass = "lumped";
     if (!document.entries.count("output.history.every")) c.output.history_every = explicit_history_every;
   }
   if (c.dimension() == 3 && !document.entries.count("output.history.track")) c.output.track = line_of_loads(c);

@@ -5,13 +5,16 @@
 namespace softwet {
 
 template <int D, int P>
+template <class Motion, class Term>
+void ExplicitTerms<D, P>::add(const Term& term, const Evaluation<D>& at) const {
+  assemble<P, false, TermList<TermOnMesh<Term, Motion>>>(
+      task_of<D, Term, Motion, double>(term, model_.fluid_region(), at, model_.blend()), at);
+}
+
+template <int D, int P>
 template <class Term>
 void ExplicitTerms<D, P>::add_fluid(const Term& term, const Evaluation<D>& at) const {
-  const auto add = [&]<class Motion>(const Motion&) {
-    assemble<P, false, TermList<TermOnMesh<Term, Motion>>>(
-        task_of<D, Term, Motion, double>(term, model_.fluid_region(), at, model_.blend()), at);
-  };
-  model_.layout().has_solid ? add(WallMotion<D>{}) : add(NoMotion{});
+  model_.layout().has_solid ? add<WallMotion<D>>(term, at) : add<NoMotion>(term, at);
 }
 
 template <int D, int P>

@@ -25,6 +25,8 @@ class ExplicitTerms {
   void collect(const Array& out) const;
 
  private:
+  template <class Motion, class Term>
+  void add(const Term&, const Evaluation<D>&) const;
   template <class Term>
   void add_fluid(const Term&, const Evaluation<D>&) const;
 

@@ -13,10 +13,8 @@ namespace {
 /// What a pass does beside its axis: nothing; multiply what it reads by factor root; or end a step of the series.
 enum class Pass { plain, scaled, finish };
 
-/// One axis of a product. An item is a row of values along the first axis on the host, and one value on a device.
-template <int P, Pass pass>
-struct AlongAxis {
-  static constexpr int width = 2 * P + 1;
+/// The values that a pass along one axis reads and writes.
+struct Lines {
   const double* in;
   double* out;
   Kokkos::View<const double**, Kokkos::LayoutRight, Exec> band;
@@ -25,6 +23,14 @@ struct AlongAxis {
   int extent;  ///< values along this axis
   int nodes;   ///< control points of a component
   StepPointers step;
+};
+
+/// One axis of a product. An item is a row of values along the first axis on the host, and one value on a device.
+template <int P, Pass pass>
+struct AlongAxis : Lines {
+  static constexpr int width = 2 * P + 1;
+
+  explicit AlongAxis(const Lines& lines) : Lines(lines) {}
 
   KOKKOS_FUNCTION void operator()(int item) const {
     if constexpr (host_algorithms) {
@@ -87,6 +93,11 @@ struct AlongAxis {
   }
 };
 
+template <int P, Pass pass>
+void run_axis(const Lines& lines, int items) {
+  Kokkos::parallel_for("softwet::mass_product", Items(0, items), AlongAxis<P, pass>(lines));
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -140,17 +151,14 @@ void MassProduct<D, P>::run(const WeightedMass& mass, const SeriesStep& series, 
   for (int d = 0; d < D; ++d) {
     const double* from = d == 0 ? in.data() : scratch_[(d - 1) % 2].data();
     double* to = d == D - 1 ? out.data() : scratch_[d % 2].data();
-    const auto pass = [&]<Pass kind>(std::integral_constant<Pass, kind>) {
-      Kokkos::parallel_for("softwet::mass_product", Items(0, items),
-                           AlongAxis<P, kind>{from, to, velocities ? velocity_[d] : scalar_[d], row, stride,
-                                              extent(d, velocities), nodes, step});
-    };
+    const Lines lines{from,  to,  velocities ? velocity_[d] : scalar_[d], row, stride, extent(d, velocities),
+                      nodes, step};
     if (Step && d == 0) {
-      pass(std::integral_constant<Pass, Pass::scaled>());
+      run_axis<P, Pass::scaled>(lines, items);
     } else if (Step && d == D - 1) {
-      pass(std::integral_constant<Pass, Pass::finish>());
+      run_axis<P, Pass::finish>(lines, items);
     } else {
-      pass(std::integral_constant<Pass, Pass::plain>());
+      run_axis<P, Pass::plain>(lines, items);
     }
     stride *= extent(d, velocities);
   }
