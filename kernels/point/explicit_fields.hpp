@@ -13,7 +13,8 @@ struct MassFluxTrial {
 
   static constexpr int slot_count = D + 1;
   static constexpr Slot slot(int s) {
-    return {s < D ? Component{Field::velocity, s} : Component{Field::density}, true, false};
+    if (s < D) return {{Field::velocity, s}, true, false};
+    return {{Field::density}, true, false};
   }
 
   template <class Reader>
@@ -89,7 +90,8 @@ struct ConvectionTrial {
 
   static constexpr int slot_count = D + 1;
   static constexpr Slot slot(int s) {
-    return {s < D ? Component{Field::velocity, s} : Component{Field::density}, true, s < D};
+    if (s < D) return {{Field::velocity, s}, true, true};
+    return {{Field::density}, true, false};
   }
 
   template <class Reader>
