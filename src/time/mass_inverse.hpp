@@ -15,13 +15,15 @@ namespace softwet {
 /// With the row sums a of A, the ties D of their ends and e = 1 - D^{-1} A,
 ///   lumped      S = D^{-1}
 ///   corrected   S = (1 + e + e^2 - 2 e^3) D^{-1}:  A S = 1 - 3 e^3 + ... for smooth fields, and S = D^{-1} for what
-///               oscillates from function to function, so that steps stay nearly as long as with lumped masses.
+///               oscillates from function to function, so that steps are 1.6 to 1.9 times shorter than with lumped masses
+///               and not 25 times and more, as with consistent ones
 /// Products with A are those with the mass M of the fixed mesh, whose row sums are m:
 ///   A c = a c - s (c (M s) - M (s c)),   s = sqrt(a / m),
-/// symmetric, exact on a fixed mesh, and of fourth order else; A 1 = a. Where s rises by more than a fifth from one function
-/// to another that overlaps with it, it is cut to that: then A stays positive, and so does S, however much heavier a
-/// neighbour is (random weights in one, two and three dimensions: the polynomial is at least 0.7). So S a = 1: what is uniform stays so, and the sum of
-/// the moments A S p is that of p to rounding. Velocities that are held are left out.
+/// symmetric, exact on a fixed mesh, and of fourth order else. A 1 = a, so that S a = 1: what is uniform stays so, and the sum
+/// of the moments A S p is that of p to rounding. Velocities that are held are left out.
+/// Where s rises by more than a fifth from one function to another that overlaps with it, it is cut to that. Then S stays
+/// positive however much heavier a neighbour is: with random weights in one, two and three dimensions the polynomial was at
+/// least 0.7, and without the cut -500.
 /// Row sums of the mass of velocities are the moments of the density themselves, (w_i, rho J) = p_i, plus those of the solid.
 /// With lumped masses A rho takes their place, which tells more of the density.
 /// Tested: tests/unit/time/test_mass_inverse.cpp
