@@ -9,8 +9,8 @@ SCENE = ["domain.elements=[44,16]", "fluid.capillarity=1/16", "fluid.temperature
 AROUND = ["boundary.left=periodic", "boundary.right=periodic"]
 RUNS = {
     "lumped": ([*SCENE, "time.scheme=ssp_rk3", "time.mass=lumped", "time.end=0.03"], (2, 3, 4)),
-    "consistent": ([*SCENE, "time.scheme=ssp_rk3", "time.mass=consistent", "time.end=0.0015"], (3,)),
-    "around": ([*SCENE, *AROUND, "time.scheme=ssp_rk3", "time.mass=consistent", "time.end=0.0008"], (2,)),
+    "consistent": ([*SCENE, "time.scheme=ssp_rk3", "time.mass=consistent", "load[0].start=0.01", "time.end=0.002"], (3,)),
+    "around": ([*SCENE, *AROUND, "time.scheme=ssp_rk3", "time.mass=consistent", "load[0].start=0.01", "time.end=0.002"], (2,)),
     "rkl2": ([*SCENE, "time.scheme=rkl2", "time.end=0.03"], (3,)),
     "kick_drift": ([*SCENE, "time.scheme=kick_drift", "time.end=0.03"], (2, 3, 4)),
     "kick_drift_around": ([*SCENE, *AROUND, "time.scheme=kick_drift", "time.end=0.01"], (2,)),
