@@ -211,8 +211,9 @@ EXPLICIT_SPACE = [("ssp_rk3", "corrected", 3), ("ssp_rk3", "lumped", 2)]
 def explicit_space(lab, measurement):
     """Orders in space of the masses of explicit schemes. Steps are stable, 0.004 on 8 elements and a quarter for twice as many, so
     that the error of time falls by the fourth order of h."""
-    meshes = (8, 16) if lab.quick else (8, 16, 32)
-    for scheme, mass, order in EXPLICIT_SPACE:
+    for scheme, mass, order in EXPLICIT_SPACE[:1] if lab.quick else EXPLICIT_SPACE:
+        # With lumped masses the density on 8 elements is still above its order: 1.74 between 8 and 16.
+        meshes = (16, 32) if mass == "lumped" else (8, 16) if lab.quick else (8, 16, 32)
         found = {}
         for n in meshes:
             errors = measurement.errors(scene="coupled", dimension=2, degree=2, elements=n, dt=0.256 / n**2, end=0.04, scheme=scheme,
