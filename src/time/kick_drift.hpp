@@ -5,7 +5,8 @@
 
 namespace softwet {
 
-/// Kick, drift, kick with a predicted velocity, of second order. From v, u, p and the density with its accelerations P (of
+/// Kick, drift, kick with a predicted velocity, of second order, but for the stabilisation F, which counts as it was before the
+/// step: of first order, with a coefficient that falls with h^2. From v, u, p and the density with its accelerations P (of
 /// pressure, capillarity, elasticity and loads) and C (of convection and viscosity) and the rates F of the moments by
 /// the stabilisation:
 ///
