@@ -1,4 +1,4 @@
-// Integrals over the solid: kinetic and elastic energy, momentum; and what is turned inside out.
+// Integrals over the solid: kinetic energy, momentum; and what is turned inside out.
 #pragma once
 
 #include "kernels/solid/elastodynamics.hpp"
@@ -6,62 +6,40 @@
 
 namespace softwet {
 
-/// Velocity and displacement gradient of the solid at a point, for energies.
+/// Velocity of the solid at a point.
 template <class N, int D>
-struct SolidState {
+struct SolidVelocity {
   Vector<N, D> velocity;
-  Matrix<N, D> displacement_gradient;
-
-  static constexpr int slot_count = 2 * D;
-  static constexpr Slot slot(int s) {
-    return s < D ? Slot{{Field::velocity, s}, true, false} : Slot{{Field::displacement, s - D}, false, true};
-  }
-  template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION SolidState read(const Reader& at) {
-    const SolidTrial<N, D> t = SolidTrial<N, D>::read(at);
-    return {t.acceleration, t.displacement_gradient};
-  }
-};
-
-/// Integrands over the reference domain: kinetic rho_0 |v|^2/2, elastic energy, momentum rho_0 v_i (3).
-/// Tested: tests/unit/functional/test_integrals.cpp
-template <class Material>
-struct SolidIntegrals {
-  static constexpr Where where = Where::solid;
-
-  Elastodynamics<Material> model;
-
-  enum { kinetic, elastic, momentum };
-  static constexpr int count = 5;
-
-  template <class N, int D>
-  using Trial = SolidState<N, D>;
-
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const SolidState<N, D>& t) const {
-    Vector<N, count> r;
-    r[kinetic] = (0.5 * model.density) * dot(t.velocity, t.velocity);
-    r[elastic] = model.material.energy(t.displacement_gradient);
-    for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? model.density * t.velocity[i < D ? i : 0] : N(0.0);
-    return r;
-  }
-};
-
-/// Displacement gradient of the solid at a point.
-template <class N, int D>
-struct SolidStrain {
-  Matrix<N, D> displacement_gradient;
 
   static constexpr int slot_count = D;
-  static constexpr Slot slot(int s) { return {{Field::displacement, s}, false, true}; }
+  static constexpr Slot slot(int s) { return {{Field::velocity, s}, true, false}; }
   template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION SolidStrain read(const Reader& at) {
-    SolidStrain t;
-    for (int i = 0; i < D; ++i) {
-      const Vector<N, D> g = at.gradient(i);
-      for (int j = 0; j < D; ++j) t.displacement_gradient(i, j) = g[j];
-    }
+  static KOKKOS_FORCEINLINE_FUNCTION SolidVelocity read(const Reader& at) {
+    SolidVelocity t;
+    for (int i = 0; i < D; ++i) t.velocity[i] = at.value(i);
     return t;
+  }
+};
+
+/// Integrands over the reference domain: kinetic energy rho_0 |v|^2/2, momentum rho_0 v_i (3).
+/// Tested: tests/unit/functional/test_integrals.cpp
+struct SolidMotion {
+  static constexpr Where where = Where::solid;
+
+  double density = 0;  ///< rho_0^s / b
+
+  enum { kinetic, momentum };
+  static constexpr int count = 4;
+
+  template <class N, int D>
+  using Trial = SolidVelocity<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const SolidVelocity<N, D>& t) const {
+    Vector<N, count> r;
+    r[kinetic] = (0.5 * density) * dot(t.velocity, t.velocity);
+    for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? density * t.velocity[i < D ? i : 0] : N(0.0);
+    return r;
   }
 };
 

@@ -11,8 +11,9 @@ namespace softwet {
 
 /// Unknowns are velocity, density and potential; each has an equation: momentum, mass, and that of the potential.
 /// Acceleration and displacement follow from the velocity. An operand is the vector that a linear operator acts on; its
-/// components are numbered as those of the unknowns.
-enum class Field { velocity, density, potential, acceleration, displacement, operand };
+/// components are numbered as those of the unknowns. A given field is known before the run, such as a stiffness that varies in space;
+/// a term reads at most one.
+enum class Field { velocity, density, potential, acceleration, displacement, operand, given };
 
 /// A component of a field.
 struct Component {
@@ -20,8 +21,9 @@ struct Component {
   int index = 0;
 
   /// Its place among the unknowns, or that of the unknown which it follows from: velocity 0 .. D - 1, density D,
-  /// potential D + 1.
+  /// potential D + 1. A given field follows from none of them, D + 2.
   constexpr int unknown(int dimension) const {
+    if (field == Field::given) return dimension + 2;
     if (field == Field::density) return dimension;
     if (field == Field::potential) return dimension + 1;
     return index;
@@ -36,8 +38,13 @@ struct Slot {
 };
 
 /// Where a term is integrated; `beside_wall` is the layer of the fluid that touches the wall Gamma, where the term meets
-/// the wall's basis functions alone.
-enum class Where { solid, fluid, wall, beside_wall };
+/// the wall's basis functions alone. Gamma has two faces: `wall` is that of the fluid, on the moved mesh, and `top` that of the solid
+/// in its undeformed state.
+enum class Where { solid, top, fluid, wall, beside_wall };
+constexpr bool on_face(Where where) { return where == Where::wall || where == Where::top; }
+
+/// The column of the table of energies that the energy of a term is a part of.
+enum class EnergyPart { elastic, surface };
 
 /// Whether a channel of a test bundle has a flux. A bundle in which some have none tells by `flux_of`; they then write zeros,
 /// which a processor does not integrate.

@@ -37,24 +37,17 @@ struct MovingPoint {
   Matrix<N, D> cofactors;  ///< cof F
   N volume;                ///< J = det F
   N inverse_volume;        ///< 1 / J
-  N measure;               ///< J in a volume; |cof F e_D| on a face of the last axis
   Vector<N, D> velocity;   ///< mesh velocity
   Vector<N, D> position;   ///< x
 
   /// @param gradient  F - I
   KOKKOS_FORCEINLINE_FUNCTION MovingPoint(const Matrix<N, D>& gradient, const Vector<N, D>& mesh_velocity,
-                                          const Vector<N, D>& place, bool face)
+                                          const Vector<N, D>& place)
       : velocity(mesh_velocity), position(place) {
     const Matrix<N, D> f = add_diagonal(gradient, 1.0);
     cofactors = cofactor(f);
     volume = determinant(f, cofactors);
     inverse_volume = 1.0 / volume;
-    measure = volume;
-    if (face) {
-      Vector<N, D> normal;
-      for (int i = 0; i < D; ++i) normal[i] = cofactors(i, D - 1);
-      measure = square_root(dot(normal, normal));
-    }
   }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> physical(const Vector<N, D>& g) const {
     return inverse_volume * product(cofactors, g);
@@ -62,9 +55,29 @@ struct MovingPoint {
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> reference_flux(const Vector<N, D>& f) const {
     return product(transpose(cofactors), f);
   }
-  KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const { return measure * x; }
+  KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const { return volume * x; }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return velocity; }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return volume; }
+};
+
+/// The moving map on a face of the last axis: integrals are over its deformed area, |cof F e_D| times the undeformed one.
+/// Fluxes are tangential there, as P_Gamma = 1 - n n is: only slopes along the face meet them.
+template <class N, int D>
+struct MovingFace : MovingPoint<N, D> {
+  N measure;            ///< |cof F e_D|
+  Vector<N, D> normal;  ///< n, unit vector
+
+  KOKKOS_FORCEINLINE_FUNCTION MovingFace(const MovingPoint<N, D>& point) : MovingPoint<N, D>(point) {
+    for (int i = 0; i < D; ++i) normal[i] = this->cofactors(i, D - 1);
+    measure = square_root(dot(normal, normal));
+    normal = (1.0 / measure) * normal;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> reference_flux(const Vector<N, D>& f) const {
+    Vector<N, D> r = (measure * this->inverse_volume) * product(transpose(this->cofactors), f);
+    r[D - 1] = N(0.0);
+    return r;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const { return measure * x; }
 };
 
 /// The moving map in a volume together with its tangent dF, for products with the Jacobian: what dual numbers in a

@@ -10,6 +10,7 @@ namespace softwet {
 template <class Material>
 struct Elastodynamics {
   static constexpr Where where = Where::solid;
+  static constexpr EnergyPart energy_part = EnergyPart::elastic;
 
   Material material;
   double density = 0;  ///< rho_0^s / b
@@ -18,10 +19,16 @@ struct Elastodynamics {
   using Trial = SolidTrial<N, D>;
   template <class N, int D>
   using Test = MomentumTest<N, D>;
+  template <class N, int D>
+  using EnergyTrial = SolidStrain<N, D>;
 
   template <class N, int D>
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const SolidTrial<N, D>& t) const {
     return {density * t.acceleration, material.first_piola(t.displacement_gradient)};
+  }
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidStrain<N, D>& t) const {
+    return material.energy(t.displacement_gradient);
   }
 };
 

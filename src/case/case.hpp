@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "case/profile.hpp"
+
 namespace softwet {
 
 // Behind each enumeration its words in a case file, in the order of the enumerators.
@@ -28,6 +30,10 @@ inline std::vector<std::string> words_of(Phase) { return {"vapour", "liquid"}; }
 enum class WallLaw { gradient, energy };
 inline std::vector<std::string> words_of(WallLaw) { return {"gradient", "energy"}; }
 
+/// Whether the wall energy is a tension of the wall too, as its derivative by the wall's place says.
+enum class WallTensionModel { none, acts };
+inline std::vector<std::string> words_of(WallTensionModel) { return {"none", "acts"}; }
+
 struct Domain {
   std::vector<double> size;         ///< extents, 2 or 3 numbers; the last axis is vertical (solid below, fluid above)
   std::vector<int> elements;        ///< elements per axis
@@ -44,12 +50,20 @@ struct Fluid {
   double temperature = 0;     ///< theta_hat, eq. (10)
   double contact_angle = 90;  ///< degrees, measured in the liquid
   WallLaw wall_law = WallLaw::gradient;
+  WallTensionModel wall_tension = WallTensionModel::none;
   Traction traction = Traction::layer;
   std::vector<double> gravity;    ///< force per unit mass on the fluid, scale a b/L0; empty: none
   double stabilisation = 0.002;   ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
   double smoothing = 1e-4;        ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
   Phase ambient = Phase::vapour;  ///< what is around the droplets; liquid makes them bubbles
   std::vector<double> initial;    ///< densities of vapour and liquid at the start; empty: those of the equilibrium
+};
+
+/// Parallel fibres in the solid, straight in its undeformed state.
+struct Fibre {
+  double stiffness = 0;  ///< k of k/2 (I_4 - 1)^2, scale a b^2; 0: none
+  double angle = 0;      ///< degrees, from the plane of the wall towards the vertical
+  double azimuth = 0;    ///< degrees, in the plane of the wall from x; in 3D
 };
 
 struct Substrate {
@@ -60,6 +74,13 @@ struct Substrate {
   std::string material = "saint_venant_kirchhoff";  ///< saint_venant_kirchhoff | neo_hookean
   std::string strain = "finite";                    ///< finite | small: Hooke's law, in place of the material
   std::string inertia = "full";                     ///< full | none: the solid is in equilibrium at every time
+
+  double viscosity = 0;              ///< eta of Kelvin and Voigt, scale L0 b sqrt(ab)
+  double bulk_viscosity = 0;         ///< zeta
+  double surface_tension = 0;        ///< of the dry top face, scale a b^2 L0
+  double surface_tension_wet = 0;    ///< below liquid
+  std::vector<double> gravity = {};  ///< force per unit mass on all of the solid, a b/L0; empty: none
+  Fibre fibre = {};
 
   double young_modulus() const { return density * young; }  ///< E, scale a b^2
 };
@@ -162,8 +183,13 @@ struct Case {
   double rows_of_solid() const { return substrate->thickness * domain.elements.back() / domain.size.back(); }
   /// Whether nothing but loads and a wall that stretches can feed the energy. The wall law "gradient" can, except at 90 degrees.
   bool has_energy_law() const {
+    if (has_wet_tension_by_hand()) return false;
     return !fluid || fluid->wall_law == WallLaw::energy || fluid->contact_angle == 90 ||
            boundary.side[domain.size.size() - 1][0] == Side::periodic;
+  }
+  /// Whether the tension of the wall below liquid is given by hand. No energy belongs to it.
+  bool has_wet_tension_by_hand() const {
+    return fluid && substrate && substrate->surface_tension_wet != substrate->surface_tension;
   }
   /// Whether the energy of the tables is the one that steps keep. Of an elastic solid alone with lumped or corrected masses it is not: it
   /// has consistent masses, and swings by the difference where a wave trades kinetic for elastic energy.

@@ -88,15 +88,31 @@ void check_boundary(const Checker& check) {
   }
 }
 
-/// A force along a periodic axis would do work for ever: it has no potential energy.
+/// A force on the fluid along a periodic axis would do work for ever: it has no potential energy. That of a solid has one.
 void check_gravity(const Checker& check) {
-  if (!check.c.fluid || check.c.fluid->gravity.empty()) return;
-  const Numbers& gravity = check.c.fluid->gravity;
-  check.require_axes("fluid.gravity", gravity.size(), "write one component for each axis, the last is vertical");
-  for (std::size_t axis = 0; axis < gravity.size(); ++axis)
-    if (gravity[axis] != 0 && check.periodic(axis))
+  const auto& fluid = check.c.fluid;
+  const auto& substrate = check.c.substrate;
+  const std::string remedy = "write one component for each axis, the last is vertical";
+  if (substrate && !substrate->gravity.empty())
+    check.require_axes("substrate.gravity", substrate->gravity.size(), remedy);
+  if (!fluid || fluid->gravity.empty()) return;
+  check.require_axes("fluid.gravity", fluid->gravity.size(), remedy);
+  for (std::size_t axis = 0; axis < fluid->gravity.size(); ++axis)
+    if (fluid->gravity[axis] != 0 && check.periodic(axis))
       check.refuse("fluid.gravity", fmt::format("must be 0 along axis {}, whose sides are periodic", axis),
                    "write 0 there, or other sides");
+}
+
+void check_wall_tension(const Checker& check) {
+  if (!check.c.fluid || check.c.fluid->wall_tension == WallTensionModel::none) return;
+  const std::string key = "fluid.wall_tension";
+  if (!check.c.substrate) check.refuse(key, "needs a solid: a rigid wall does not feel it", "remove it");
+  if (check.c.fluid->wall_law != WallLaw::energy)
+    check.refuse(key, "needs the wall energy, whose derivative it is", "write wall_law = \"energy\"");
+  if (check.c.has_wet_tension_by_hand())
+    check.refuse("substrate.surface_tension_wet",
+                 "counts the tension below liquid twice with fluid.wall_tension = \"acts\"",
+                 "remove it: Young's law gives it");
 }
 
 void check_substrate(const Checker& check) {
@@ -263,7 +279,8 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   if (problems.about("domain.size")) return;  // what follows needs the axes
   check.with({"domain.elements", "domain.degree"}, [&] { check_elements(check); });
   check_boundary(check);
-  check.with({"fluid.gravity", "boundary"}, [&] { check_gravity(check); });
+  check.with({"fluid.gravity", "substrate.gravity", "boundary"}, [&] { check_gravity(check); });
+  check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);
   check_initial(check);

@@ -99,11 +99,22 @@ std::vector<Key> fluid_keys() {
                "variational wall energy: it has an exact energy law, bears angles near 0 and 180 degrees, and moves "
                "droplets 23 to 40 % more slowly.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_law; })},
+      {.name = "fluid.wall_tension",
+       .kind = Kind::choice,
+       .choices = words_of(WallTensionModel{}),
+       .help =
+           "Whether the wall energy acts on the wall as a tension. \"none\" is the paper: the fluid pulls with its "
+           "full "
+           "surface tension, along the wall too, and the wall energy changes with the stretch of the wall at nobody's "
+           "cost (column wall_stretch). \"acts\" adds the derivative of the wall energy by the place of the wall: the "
+           "energy law is exact, Young's and Neumann's laws hold together, and the pull along the wall is gone. It "
+           "needs wall_law = \"energy\", a solid, and a substrate.surface_tension that outweighs it.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_tension; })},
       {.name = "fluid.gravity",
        .kind = Kind::numbers,
        .unit = "ab/L0",
        .help = "Uniform force per unit mass on the fluid, one component for each axis; the last is vertical. The solid "
-               "does not feel it. Periodic sides allow none along their axis.",
+               "does not feel it, it has substrate.gravity. Periodic sides allow none along their axis.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->gravity; }),
        .default_note = "[], none"},
       {.name = "fluid.traction",
@@ -196,6 +207,58 @@ std::vector<Key> substrate_keys() {
            "Inertia of the solid. none leaves the solid in equilibrium with the fluid and the loads at every time: for "
            "motion that is slow against elastic waves. Explicit schemes need full.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->inertia; })},
+      {.name = "substrate.viscosity",
+       .unit = "L0 b sqrt(ab)",
+       .range = {0, infinity, false, true},
+       .help =
+           "Shear viscosity eta of the solid, beside its elasticity (Kelvin-Voigt): stress 2 eta dev(E') for the rate "
+           "E' "
+           "of the Green-Lagrange strain. A shear wave of wave number k is damped at the rate eta k^2 / (2 rho_0^s).",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->viscosity; })},
+      {.name = "substrate.bulk_viscosity",
+       .unit = "L0 b sqrt(ab)",
+       .range = {0, infinity, false, true},
+       .help = "Bulk viscosity zeta of the solid: stress zeta tr(E').",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->bulk_viscosity; })},
+      {.name = "substrate.surface_tension",
+       .unit = "a b^2 L0",
+       .range = {0, infinity, false, true},
+       .help = "Surface tension of the solid's dry top face, the same at any stretch. Soft gels need it: where the "
+               "elastocapillary length sigma/E is as long as the interface is wide, it holds the ridge at the contact "
+               "line. "
+               "'softwet units' converts from mN/m.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->surface_tension; })},
+      {.name = "substrate.surface_tension_wet",
+       .unit = "a b^2 L0",
+       .range = {0, infinity, false, true},
+       .help =
+           "Surface tension of the top face below liquid, where it is given by hand. No energy belongs to a difference "
+           "that is given by hand; fluid.wall_tension = \"acts\" gives the one that follows from the contact angle.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->surface_tension_wet; }),
+       .default_note = "that of the dry face"},
+      {.name = "substrate.gravity",
+       .kind = Kind::numbers,
+       .unit = "ab/L0",
+       .help = "Uniform force per unit mass on all of the solid, one component for each axis; the last is vertical.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->gravity; }),
+       .default_note = "[], none"},
+      {.name = "substrate.fibre.stiffness",
+       .unit = "a b^2",
+       .range = {0, infinity, false, true},
+       .help = "Stiffness k of parallel fibres in the solid: energy k/2 (I_4 - 1)^2 of each volume beside that of the "
+               "material, I_4 the square of the fibres' stretch. Small strains along them meet 4 k more.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->fibre.stiffness; })},
+      {.name = "substrate.fibre.angle",
+       .unit = "degrees",
+       .range = {-180, 180, false, false},
+       .help = "Direction of the fibres in the undeformed solid: angle above the plane of the wall, in 2D from x.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->fibre.angle; })},
+      {.name = "substrate.fibre.azimuth",
+       .unit = "degrees",
+       .range = {-180, 180, false, false},
+       .help = "Direction of the fibres in the plane of the wall, from x towards y.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->fibre.azimuth; }),
+       .three_dimensional = true},
   };
 }
 

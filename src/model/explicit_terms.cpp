@@ -35,6 +35,7 @@ void ExplicitTerms<D, P>::add_convection(const Stage& stage, bool viscous, const
   if (model_.layout().has_fluid)
     add_fluid(ConvectionViscosity{viscous ? fluid.viscosity : 0.0, fluid.inertia_floor},
               {model_.layout(), stage, {}, out});
+  if (viscous) model_.add_viscosity_of_solid(stage, out);
 }
 
 template <int D, int P>

@@ -102,6 +102,22 @@ void add_softness(const Case& c, std::vector<std::string>& found) {
                   short_text(1.05 * c.substrate->young * length / bound) + " or more");
 }
 
+/// Below liquid: by hand, or as Young's law gives it.
+double wet_tension(const Case& c) {
+  if (c.fluid->wall_tension == WallTensionModel::none) return c.substrate->surface_tension_wet;
+  return c.substrate->surface_tension - surface_tension(*c.fluid) * std::cos(c.fluid->contact_angle * M_PI / 180);
+}
+
+void add_neumann(const Case& c, std::vector<std::string>& found) {
+  const double dry = c.substrate->surface_tension, sigma = surface_tension(*c.fluid);
+  if (dry == 0 || dry + wet_tension(c) > sigma) return;
+  found.push_back("substrate.surface_tension = " + short_text(dry) + ": with " + short_text(wet_tension(c)) +
+                  " below liquid the two are less than the surface tension " + short_text(sigma) +
+                  " of the liquid, so that Neumann's triangle does not exist: the ridge is as sharp as the interface "
+                  "is narrow; write more than " +
+                  short_text(sigma - wet_tension(c)) + " for a ridge that does not depend on fluid.capillarity");
+}
+
 void add_locking(const Case& c, std::vector<std::string>& found) {
   const double error = locking_error(c), of_ridge = ridge_error(c);
   if (of_ridge >= std::max(0.01, error)) {
@@ -176,6 +192,7 @@ std::vector<std::string> forecast(const Case& c) {
   if (c.fluid) add_gaps(c, found);
   if (!c.substrate) return found;
   if (c.fluid) add_softness(c, found);
+  if (c.fluid) add_neumann(c, found);
   add_locking(c, found);
   add_density(c, found);
   return found;

@@ -26,10 +26,9 @@ double elastocapillary_length(const Case& c) {
   return c.fluid && c.substrate ? surface_tension(*c.fluid) / c.substrate->young_modulus() : 0;
 }
 
-double time_elasticity(const Substrate& s) {
-  const double shear_modulus = s.young_modulus() / (2 * (1 + s.poisson));
-  return s.thickness / std::sqrt(shear_modulus / s.density);
-}
+double shear_modulus(const Substrate& s) { return s.young_modulus() / (2 * (1 + s.poisson)); }
+
+double time_elasticity(const Substrate& s) { return s.thickness / std::sqrt(shear_modulus(s) / s.density); }
 
 std::vector<Group> groups(const Case& c) {
   std::vector<Group> all;
@@ -39,6 +38,13 @@ std::vector<Group> groups(const Case& c) {
     all.push_back({"elastocapillary_over_thickness", length / c.substrate->thickness, "sigma / (E Hs)"});
     all.push_back({"elastocapillary_over_interface", length / (2 * c.fluid->capillarity),
                    "sigma / (E 2 gamma), 2 gamma being the width of the interface"});
+  }
+  if (c.fluid && c.substrate && c.substrate->surface_tension > 0) {
+    const double tension = c.substrate->surface_tension;
+    all.push_back({"solid_tension_over_sigma", tension / surface_tension(*c.fluid),
+                   "Upsilon / sigma: surface tension of the dry solid over that of the liquid"});
+    all.push_back({"solid_tension_over_interface", tension / (c.substrate->young_modulus() * 2 * c.fluid->capillarity),
+                   "Upsilon / (E 2 gamma): above 1 tension holds the ridge, below elasticity does"});
   }
   if (c.fluid && radius > 0) {
     const Liquid liquid = liquid_of(c);
@@ -54,6 +60,9 @@ std::vector<Group> groups(const Case& c) {
   if (c.substrate)
     all.push_back(
         {"time_elasticity", time_elasticity(*c.substrate), "Hs / sqrt(G / rho_0^s): a shear wave in the layer"});
+  if (c.substrate && c.substrate->viscosity > 0)
+    all.push_back({"time_creep", c.substrate->viscosity / shear_modulus(*c.substrate),
+                   "eta / G: the solid's viscosity against its elasticity"});
   return all;
 }
 

@@ -1,6 +1,7 @@
 // Integrals of the state: the part of Model that history.csv is made of.
 #include "field/vector.hpp"
 #include "kernels/fluid/gravity.hpp"
+#include "kernels/fluid/painted_wall.hpp"
 #include "kernels/solid/body_force.hpp"
 #include "model/model.hpp"
 #include "operator/integrate.hpp"
@@ -26,13 +27,25 @@ void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) co
     for (int d = 0; d < D; ++d) gravity.force[d] = fluid_.force[d];
     ReduceTask<D, GravityEnergy, Motion> task{fluid_region_, gravity, {}, {}, {}};
     bind_fields(at, blend_, task);
-    result.energy_gravity = reduce<P>(task)[0];
+    result.energy_gravity += reduce<P>(task)[0];
   }
   if (!has_wall_) return;
-  ReduceTask<D, WallIntegrals, Motion> face{wall_region_, {wall_}, {}, {}, {}};
+  if (painted_.values.data()) {
+    wall_integrals<Motion>(PaintedWallIntegrals{wall_}, at, result);
+  } else {
+    wall_integrals<Motion>(WallIntegrals{wall_}, at, result);
+  }
+}
+
+template <int D, int P>
+template <class Motion, class Functional>
+void Model<D, P>::wall_integrals(const Functional& functional, Evaluation<D> at, Integrals& result) const {
+  ReduceTask<D, Functional, Motion> face{wall_region_, functional, {}, {}, {}};
+  at.given = painted_.origin();
   bind_fields(at, blend_, face);
   result.energy_wall = reduce<P>(face)[0];
   if constexpr (std::is_same_v<Motion, WallMotion<D>>) {
+    if (!wall_feeds_) return;
     for (int d = 0; d < D; ++d) face.motion.tangent[d] = face.motion.velocity[d];
     face.motion.scale = 1;
     result.wall_stretch = reduce<P, true>(face)[0];
@@ -40,23 +53,27 @@ void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) co
 }
 
 template <int D, int P>
-template <class Material>
-void Model<D, P>::solid_integrals(const Elastodynamics<Material>& solid, const Evaluation<D>& at,
-                                  Integrals& result) const {
-  using Sums = SolidIntegrals<Material>;
-  ReduceTask<D, Sums, NoMotion> task{solid_region_, {solid}, {}, {}, {}};
+void Model<D, P>::solid_integrals(const Evaluation<D>& at, Integrals& result) const {
+  const double density = std::visit([](const auto& solid) { return solid.density; }, solid_);
+  ReduceTask<D, SolidMotion, NoMotion> task{solid_region_, {density}, {}, {}, {}};
   bind_fields(at, blend_, task);
   const auto sum = reduce<P>(task);
-  result.energy_kinetic += sum[Sums::kinetic];
-  result.energy_elastic = sum[Sums::elastic];
-  for (int d = 0; d < 3; ++d) result.momentum[d] += sum[Sums::momentum + d];
+  result.energy_kinetic += sum[SolidMotion::kinetic];
+  for (int d = 0; d < 3; ++d) result.momentum[d] += sum[SolidMotion::momentum + d];
+  const int count = layout_.solid_rows() * layout_.row_size;
+  for (std::size_t d = 0; d < gravity_.force.size(); ++d) {
+    const int first = layout_.displacement_offset(static_cast<int>(d));
+    result.energy_gravity -=
+        gravity_.force[d] * dot(layout_.space(), gravity_.weight, part(at.stage.displacement, first, first + count));
+  }
 }
 
 template <int D, int P>
 Integrals Model<D, P>::integrals(const Stage& stage) const {
   Integrals result;
   const Evaluation<D> at{layout_, stage, {}, {}};
-  if (layout_.has_solid) std::visit([&](const auto& solid) { solid_integrals(solid, at, result); }, solid_);
+  for (const auto& entry : pieces_.list) entry.piece->add_integrals(at, result);
+  if (layout_.has_solid) solid_integrals(at, result);
   if (!layout_.has_fluid) return result;
   if (layout_.has_solid) {
     fluid_integrals<WallMotion<D>>(at, result);

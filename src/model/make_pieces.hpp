@@ -3,6 +3,11 @@
 
 #include <cmath>
 
+#include "kernels/fluid/painted_wall.hpp"
+#include "kernels/solid/fibres.hpp"
+#include "kernels/solid/graded.hpp"
+#include "kernels/solid/kelvin_voigt.hpp"
+#include "kernels/solid/surface_tension.hpp"
 #include "model/model.hpp"
 
 namespace softwet {
@@ -14,8 +19,7 @@ class PieceMaker {
 
   Pieces<D, Real> make() {
     const Layout<D>& layout = model_.layout();
-    if (layout.has_solid)
-      std::visit([&](const auto& solid) { add<NoMotion>(solid.material.name, solid); }, model_.solid());
+    if (layout.has_solid) add_solid(*case_.substrate);
     pieces_.first_of_fluid = pieces_.list.size();
     if (layout.has_fluid) layout.has_solid ? add_fluid<WallMotion<D, Real>>() : add_fluid<NoMotion>();
     return std::move(pieces_);
@@ -31,14 +35,37 @@ class PieceMaker {
   }
 
   template <class Motion, class Term>
-  auto piece(const char* name, const Term& term, Where where = Term::where, Instant instant = Instant::stage) const {
+  auto piece(const char* name, const Term& term, Instant instant = Instant::stage,
+             const GivenField<double>& given = {}) const {
+    constexpr Where where = Term::where;
     return std::make_unique<PieceOf<D, P, Term, Motion, Real>>(
         name, model_.region(where, model_.points()), model_.region(where, matrix_points<D, P>(model_.points())), term,
-        model_.blend(), instant);
+        model_.blend(), instant, given);
   }
   template <class Motion, class Term>
-  void add(const char* name, const Term& term, Where where = Term::where, Instant instant = Instant::stage) {
-    pieces_.list.push_back({piece<Motion>(name, term, where, instant), nullptr});
+  void add(const char* name, const Term& term, Instant instant = Instant::stage, const GivenField<double>& given = {}) {
+    pieces_.list.push_back({piece<Motion>(name, term, instant, given), nullptr});
+  }
+
+  void add_solid(const Substrate& s) {
+    const auto elastic = [&](const auto& solid) {
+      if (!model_.graded().values.data()) return add<NoMotion>(solid.material.name, solid);
+      add<NoMotion>("graded solid", GradedSolid{law_of(solid.material), model_.stiffness(), solid.density},
+                    Instant::stage, model_.graded());
+    };
+    std::visit(elastic, model_.solid());
+    const double finite = s.strain == "small" ? 0 : 1;
+    if (s.fibre.stiffness > 0) add<NoMotion>("fibres", Fibres{s.fibre.stiffness, direction_of(s.fibre), finite});
+    if (s.surface_tension > 0) add<NoMotion>("surface tension of the solid", SurfaceTension{s.surface_tension});
+    if (s.viscosity > 0 || s.bulk_viscosity > 0) {
+      pieces_.solid_viscosity = pieces_.list.size();
+      add<NoMotion>("viscosity of the solid", KelvinVoigt{s.viscosity, s.bulk_viscosity, finite});
+    }
+  }
+  static Vector<double, 3> direction_of(const Fibre& f) {
+    const double up = f.angle * M_PI / 180, around = f.azimuth * M_PI / 180;
+    if (D == 2) return {{std::cos(up), std::sin(up), 0}};
+    return {{std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)}};
   }
 
   CapillaryTraction traction() const { return {model_.fluid().gas, model_.fluid().capillarity}; }
@@ -46,7 +73,7 @@ class PieceMaker {
   template <class Motion>
   void add_fluid() {
     add<Motion>("navier_stokes_korteweg", model_.fluid());
-    add<Motion>("density_moment", DensityMoment{}, Where::fluid, Instant::end);
+    add<Motion>("density_moment", DensityMoment{}, Instant::end);
     if constexpr (std::is_same_v<Real, double>) {
       const VariationalDerivative term{model_.fluid().gas, model_.fluid().capillarity};
       pieces_.variational_derivative = piece<Motion>("variational_derivative", term);
@@ -61,24 +88,34 @@ class PieceMaker {
     const EnergyWall& wall = model_.wall();
     if (case_.fluid->wall_law == WallLaw::gradient) {
       const GradientWall law{wall.capillarity, wall.cosine, case_.fluid->smoothing};
-      add<Motion>("contact_angle (gradient law)", law);
+      add_law<Motion>("contact_angle (gradient law)", law);
     } else {
-      add<Motion>("contact_angle (wall energy)", wall);
+      add_law<Motion>("contact_angle (wall energy)", wall);
     }
     pieces_.wall_law = pieces_.list.back().piece.get();
+  }
+  template <class Motion, class Law>
+  void add_law(const char* name, const Law& law) {
+    if (!model_.painted().values.data()) return add<Motion>(name, law);
+    add<Motion>(name, PaintedWall<Law>{law}, Instant::stage, model_.painted());
   }
 
   template <class Motion>
   void add_traction() {
-    if (!model_.layout().has_solid) {
+    if constexpr (std::is_same_v<Motion, NoMotion>) {
       pieces_.rigid_traction = piece<Motion>("capillary_traction", traction());
-      return;
+    } else {
+      pieces_.on_wall.push_back(pieces_.list.size());
+      add<Motion>("capillary_traction", traction());
+      if (case_.fluid->traction == Traction::blended)
+        pieces_.list.back().exact = std::make_unique<PieceOf<D, P, CapillaryTraction, Motion, Real>>(
+            "capillary_traction (blended)", blended(), blended(), traction(), model_.blend());
+      if (!model_.wall_tension().values.data()) return;
+      pieces_.on_wall.push_back(pieces_.list.size());
+      EnergyWall of_one = model_.wall();
+      of_one.cosine = 1;
+      add<Motion>("tension of the wall", WallTension{WallEnergy::of(of_one)}, Instant::stage, model_.wall_tension());
     }
-    pieces_.traction = pieces_.list.size();
-    add<Motion>("capillary_traction", traction());
-    if (case_.fluid->traction == Traction::blended)
-      pieces_.list.back().exact = std::make_unique<PieceOf<D, P, CapillaryTraction, Motion, Real>>(
-          "capillary_traction (blended)", blended(), blended(), traction(), model_.blend());
   }
 
   const Model<D, P>& model_;

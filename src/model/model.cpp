@@ -1,9 +1,12 @@
 #include "model/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "case/error.hpp"
+#include "case/text.hpp"
 #include "field/exchange.hpp"
+#include "field/ranks.hpp"
 #include "field/vector.hpp"
 #include "kernels/solid/body_force.hpp"
 #include "model/equilibrium.hpp"
@@ -71,6 +74,11 @@ template <int D, int P>
 Region<D> Model<D, P>::region(Where where, int points) const {
   const int wall = layout_.solid_elements, all = layout_.axis[D - 1].elements();
   if (where == Where::solid) return region(0, wall, points);
+  if (where == Where::top) {
+    Region<D> r = region(wall - 1, wall, points);
+    r.axis[D - 1] = r.test = high_face_rule(layout_.axis[D - 1], wall - 1);
+    return r;
+  }
   Region<D> r = region(wall, where == Where::beside_wall ? wall + 1 : all, points);
   if (where == Where::beside_wall) r.test = restricted_to(r.test, 0);
   if (where == Where::wall) r.axis[D - 1] = r.test = low_face_rule(layout_.axis[D - 1], wall);
@@ -108,15 +116,70 @@ void Model<D, P>::build_fluid(const Case& c) {
     has_gravity_ = has_gravity_ || fluid_.force[d] != 0;
   }
   has_wall_ = c.boundary.side[D - 1][0] != Side::periodic;
-  const double angle = c.fluid->contact_angle;
-  const double cosine = angle == 90.0 ? 0.0 : std::cos(angle * M_PI / 180.0);
-  wall_ = WallEnergy::of({c.fluid->capillarity, cosine, 1e-5, fluid_.gas, coexistence_});
+  wall_feeds_ = layout_.has_solid && c.fluid->wall_tension == WallTensionModel::none;
+  const Profile angle = c.fluid->contact_angle;
+  const auto cosine = [](double degrees) { return degrees == 90.0 ? 0.0 : std::cos(degrees * M_PI / 180.0); };
+  const double uniform = angle.varies() ? 1 : cosine(angle.number);
+  wall_ = WallEnergy::of({c.fluid->capillarity, uniform, 1e-5, fluid_.gas, coexistence_});
+  std::vector<double> cosines = control_values(angle, 0, P + 1, blend_.low);
+  for (double& x : cosines) x = cosine(x);
+  if (angle.varies()) painted_ = on_wall(cosines);
+  if (!layout_.has_solid) return;
+  const double dry = c.substrate->surface_tension, wet = c.substrate->surface_tension_wet;
+  if (c.fluid->wall_tension == WallTensionModel::acts) {
+    tension_ = on_wall(cosines);
+    solid_rates_.tension = dry + surface_tension(*c.fluid);
+    const double least = dry - surface_tension(*c.fluid) * *std::max_element(cosines.begin(), cosines.end());
+    if (ranks::largest(-least) >= 0)
+      throw Error(Exit::invalid_input,
+                  "fluid.wall_tension = \"acts\": below liquid the wall would have the tension " + short_text(least) +
+                      ", substrate.surface_tension = " + short_text(dry) +
+                      " less what it gains by being wetted; a tension that is not positive folds the wall: write a "
+                      "surface_tension above " +
+                      short_text(dry - least));
+  } else if (wet != dry) {
+    const WallEnergy of_one = WallEnergy::of({c.fluid->capillarity, 1, 1e-5, fluid_.gas, coexistence_});
+    std::fill(cosines.begin(), cosines.end(), (wet - dry) / of_one.value(coexistence_.density_liquid));
+    tension_ = on_wall(cosines);
+  }
+}
+
+template <int D, int P>
+std::vector<double> Model<D, P>::control_values(const Profile& profile, int first_row, int rows, double height) const {
+  std::vector<double> values(static_cast<std::size_t>(rows) * layout_.row_size);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::array<double, 3> x{};
+    int rest = static_cast<int>(i);
+    for (int d = 0; d + 1 < D; ++d) {
+      const Axis& axis = layout_.axis[d];
+      x[d] = axis.greville(layout_.function(rest % layout_.extent(d), d));
+      if (axis.periodic()) x[d] -= axis.length() * std::floor(x[d] / axis.length());
+      rest /= layout_.extent(d);
+    }
+    x[D - 1] = height >= 0 ? height : layout_.axis[D - 1].greville(first_row + rest);
+    values[i] = profile.at(x);
+  }
+  return values;
+}
+
+template <int D, int P>
+GivenField<double> Model<D, P>::on_wall(std::vector<double> values) const {
+  const int row = layout_.has_solid ? layout_.wall_row : 0;
+  return {to_device<Array>(values, "given"), row * layout_.row_size};
 }
 
 template <int D, int P>
 void Model<D, P>::build_solid(const Case& c) {
   const Substrate& s = *c.substrate;
-  stiffness_ = LameParameters::from(s.young_modulus(), s.poisson);
+  const Profile young = s.young;
+  double largest = young.number;
+  if (young.varies()) {
+    std::vector<double> values = control_values(young, 0, layout_.solid_rows(), -1);
+    largest = ranks::largest(*std::max_element(values.begin(), values.end()));
+    for (double& x : values) x /= largest;
+    graded_ = {to_device<Array>(values, "given"), 0};
+  }
+  stiffness_ = LameParameters::from(s.density * largest, s.poisson);
   const double density = s.inertia == "none" ? 0.0 : s.density;
   if (s.strain == "small") {
     solid_ = Elastodynamics<Hooke>{{stiffness_}, density};
@@ -125,20 +188,32 @@ void Model<D, P>::build_solid(const Case& c) {
   } else {
     solid_ = Elastodynamics<SaintVenantKirchhoff>{{stiffness_}, density};
   }
-  for (const Load& load : c.loads) {
-    std::vector<double> w(static_cast<std::size_t>(layout_.solid_rows()) * layout_.row_size, s.density);
-    int stride = 1;
-    for (int d = 0; d < D; ++d) {
-      const Axis& axis = layout_.axis[d];
-      const int last = d == D - 1 ? layout_.solid_elements : axis.elements();
-      std::vector<double> factor = axis.integrals(load.lower[d], load.upper[d], 0, last);
-      for (int g = axis.owned(); g < axis.functions(); ++g) factor[g - axis.owned()] += std::exchange(factor[g], 0.0);
-      const int n = d == D - 1 ? layout_.solid_rows() : layout_.extent(d);
-      for (std::size_t i = 0; i < w.size(); ++i) w[i] *= factor[layout_.function((i / stride) % n, d)];
-      stride *= n;
-    }
-    loads_.push_back({to_device<Array>(w, "load"), load.force, load.start, load.ramp});
+  const double along = 4 * s.fibre.stiffness / (stiffness_.lambda + 2 * stiffness_.shear_modulus);
+  solid_rates_ = {4.0 / 3 * s.viscosity + s.bulk_viscosity, std::max(s.surface_tension, s.surface_tension_wet), along};
+  for (const Load& load : c.loads)
+    loads_.push_back({weights_of_solid(load.lower, load.upper, s.density), load.force, load.start, load.ramp});
+  if (!s.gravity.empty()) {
+    std::vector<double> upper = c.domain.size;
+    upper[D - 1] = s.thickness;
+    gravity_ = {weights_of_solid(std::vector<double>(D, 0.0), upper, s.density), s.gravity};
   }
+}
+
+template <int D, int P>
+Array Model<D, P>::weights_of_solid(const std::vector<double>& lower, const std::vector<double>& upper,
+                                    double density) const {
+  std::vector<double> w(static_cast<std::size_t>(layout_.solid_rows()) * layout_.row_size, density);
+  int stride = 1;
+  for (int d = 0; d < D; ++d) {
+    const Axis& axis = layout_.axis[d];
+    const int last = d == D - 1 ? layout_.solid_elements : axis.elements();
+    std::vector<double> factor = axis.integrals(lower[d], upper[d], 0, last);
+    for (int g = axis.owned(); g < axis.functions(); ++g) factor[g - axis.owned()] += std::exchange(factor[g], 0.0);
+    const int n = d == D - 1 ? layout_.solid_rows() : layout_.extent(d);
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] *= factor[layout_.function((i / stride) % n, d)];
+    stride *= n;
+  }
+  return to_device<Array>(w, "load");
 }
 
 template <int D, int P>
@@ -177,6 +252,8 @@ void Model<D, P>::add_loads(double time, const Array& out) const {
       if (fraction * load.force[d] != 0)
         add_scaled(out, layout_.velocity_offset(d), -fraction * load.force[d], load.weight);
   }
+  for (std::size_t d = 0; d < gravity_.force.size(); ++d)
+    if (gravity_.force[d] != 0) add_scaled(out, layout_.velocity_offset(d), -gravity_.force[d], gravity_.weight);
 }
 
 template <int D, int P>
@@ -190,13 +267,20 @@ void Model<D, P>::finish_residual(double time, const Array& out) const {
 template <int D, int P>
 void Model<D, P>::add_forces_of_solid(const Stage& stage, const Array& out) const {
   const Evaluation<D> at{layout_, stage, {}, out};
-  for (std::size_t i = 0; i < pieces_.first_of_fluid; ++i) pieces_.list[i].piece->residual(at);
-  if (pieces_.traction != pieces_.none) {
-    const auto& entry = pieces_.list[pieces_.traction];
+  for (std::size_t i = 0; i < pieces_.first_of_fluid; ++i)
+    if (i != pieces_.solid_viscosity) pieces_.list[i].piece->residual(at);
+  for (std::size_t i : pieces_.on_wall) {
+    const auto& entry = pieces_.list[i];
     (entry.exact ? entry.exact : entry.piece)->residual(at);
   }
   add_loads(stage.time, out);
   if (source_) source_(stage.time, out);
+}
+
+template <int D, int P>
+void Model<D, P>::add_viscosity_of_solid(const Stage& stage, const Array& out) const {
+  if (has_viscous_solid())
+    pieces_.list[pieces_.solid_viscosity].piece->residual(Evaluation<D>{layout_, stage, {}, out});
 }
 
 template <int D, int P>

@@ -14,23 +14,10 @@
 #include "kernels/solid/hooke.hpp"
 #include "kernels/solid/neo_hookean.hpp"
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
+#include "model/integrals.hpp"
 #include "model/pieces.hpp"
 
 namespace softwet {
-
-/// Integrals of the state, for history.csv; scales: energies a b^2 L0^D, mass b L0^D.
-struct Integrals {
-  double mass = 0, energy_kinetic = 0, energy_bulk = 0, energy_gradient = 0, energy_wall = 0, energy_elastic = 0;
-  double energy_gravity = 0;
-  double momentum[3] = {0, 0, 0};
-  double viscous = 0, stabilisation = 0;  ///< dissipation rates
-  double wall_stretch = 0;                ///< int_Gamma f_w div_Gamma vh: power of the wall energy on a stretching wall
-
-  double energy() const {
-    return energy_kinetic + energy_bulk + energy_gradient + energy_wall + energy_elastic + energy_gravity;
-  }
-  double dissipation() const { return viscous + stabilisation; }
-};
 
 /// Mass and volume of the fluid.
 struct Filling {
@@ -47,6 +34,17 @@ struct LoadVector {
   std::vector<double> force;
   double start, ramp;
 };
+/// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its face, and by how much
+/// fibres make it stiffer than its material, over the modulus of pressure waves.
+struct SolidRates {
+  double viscosity = 0, tension = 0, stiffer = 0;
+};
+
+/// A uniform force per unit mass on all of the solid; no force: empty.
+struct SolidGravity {
+  Array weight;  ///< rho_0^s int N_i dX
+  std::vector<double> force;
+};
 
 using Solid = std::variant<Elastodynamics<SaintVenantKirchhoff>, Elastodynamics<Hooke>, Elastodynamics<NeoHookean>>;
 
@@ -58,9 +56,16 @@ class Model {
   const Layout<D>& layout() const { return layout_; }
   const Coexistence& state() const { return coexistence_; }
   const NavierStokesKorteweg& fluid() const { return fluid_; }
-  const Solid& solid() const { return solid_; }
-  const LameParameters& stiffness() const { return stiffness_; }
-  const EnergyWall& wall() const { return wall_.law; }  ///< also of the gradient law: its capillarity and cosine
+  const Solid& solid() const { return solid_; }  ///< where the stiffness varies in space, where it is largest
+  const SolidRates& rates_of_solid() const { return solid_rates_; }
+  const LameParameters& stiffness() const { return stiffness_; }  ///< the same
+  /// Also of the gradient law: its capillarity and cosine. Where the angle varies along the wall the cosine is 1.
+  const EnergyWall& wall() const { return wall_.law; }
+  /// Stiffness over that of `solid`, and cosine of the contact angle; empty where they do not vary.
+  const GivenField<double>& graded() const { return graded_; }
+  const GivenField<double>& painted() const { return painted_; }
+  /// Tension that the fluid gives the wall over the wall energy of the cosine 1; empty where it gives none.
+  const GivenField<double>& wall_tension() const { return tension_; }
   const Pieces<D, double>& pieces() const { return pieces_; }
   const Pieces<D, float>& single_pieces() const { return single_; }
   Precision precision() const { return precision_; }
@@ -88,9 +93,12 @@ class Model {
   void fluid_residual(const Stage&, const Array& out) const;
   /// The rows of the potential equation without (q, mu), with the other sign, so that M mu = out. Other rows mean nothing.
   void potential_moments(const Stage&, const Array& out) const;
-  /// Adds to a residual what the solid, the traction of the fluid on the wall, loads and the source contribute, before ghosts
-  /// are summed. The acceleration of the stage counts as it is.
+  /// Adds to a residual what the solid without its viscosity, the forces of the fluid on the wall, loads and the source contribute,
+  /// before ghosts are summed. The acceleration of the stage counts as it is.
   void add_forces_of_solid(const Stage&, const Array& out) const;
+  /// Adds the viscosity of the solid, where it has one. It is linear in the velocities of the stage.
+  void add_viscosity_of_solid(const Stage&, const Array& out) const;
+  bool has_viscous_solid() const { return pieces_.solid_viscosity != pieces_.none; }
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen. The direction is zero where
   /// values are prescribed. Its ghosts, where there are some, are filled for the product and then set to zero again.
   void product(const Stage&, const Array& direction, const Array& out, Geometry) const;
@@ -114,6 +122,10 @@ class Model {
   void build_fluid(const Case&);
   void build_solid(const Case&);
   void build_mask(const Case&);
+  Array weights_of_solid(const std::vector<double>& lower, const std::vector<double>& upper, double density) const;
+  /// A profile at the Greville points of rows of the patch: at one height or, where that is negative, at their own.
+  std::vector<double> control_values(const Profile&, int first_row, int rows, double height) const;
+  GivenField<double> on_wall(std::vector<double> values) const;
   template <class Real>
   void run_product(const Pieces<D, Real>&, const StageOf<Real>&, const ArrayOf<Real>& direction,
                    const ArrayOf<Real>& out, Geometry) const;
@@ -121,8 +133,9 @@ class Model {
   void finish_residual(double time, const Array& out) const;
   template <class Motion>
   void fluid_integrals(const Evaluation<D>&, Integrals&) const;
-  template <class Material>
-  void solid_integrals(const Elastodynamics<Material>&, const Evaluation<D>&, Integrals&) const;
+  template <class Motion, class Functional>
+  void wall_integrals(const Functional&, Evaluation<D>, Integrals&) const;
+  void solid_integrals(const Evaluation<D>&, Integrals&) const;
   std::array<double, FluidContents::count> fluid_contents(const Stage&) const;
   void add_loads(double time, const Array& out) const;
 
@@ -134,12 +147,15 @@ class Model {
   WallEnergy wall_;
   Solid solid_;
   LameParameters stiffness_;
-  bool has_wall_ = false, has_gravity_ = false;
+  SolidRates solid_rates_;
+  GivenField<double> graded_, painted_, tension_;
+  bool has_wall_ = false, has_gravity_ = false, wall_feeds_ = false;
   Precision precision_;
   int points_;
   Pieces<D, double> pieces_;
   Pieces<D, float> single_;
   std::vector<LoadVector> loads_;
+  SolidGravity gravity_;
   std::function<void(double, const Array&)> source_;
   Array mask_;
 };

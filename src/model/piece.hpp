@@ -4,8 +4,12 @@
 #include <memory>
 
 #include "field/stage.hpp"
+#include "field/vector.hpp"
+#include "kernels/functional/term_integrals.hpp"
+#include "model/integrals.hpp"
 #include "model/scene_terms.hpp"
 #include "operator/assemble.hpp"
+#include "operator/integrate.hpp"
 #include "operator/matrix.hpp"
 
 namespace softwet {
@@ -16,6 +20,30 @@ enum class Geometry { exact, frozen };
 
 /// Which values of the fields a term takes: those of the stage, or those at the end of the step.
 enum class Instant { stage, end };
+
+/// A field that is known before the run, as control values on some rows of the patch, such as the stiffness on those of the solid.
+template <class Real>
+struct GivenField {
+  ArrayOf<Real> values;
+  int shift = 0;  ///< control values of the rows below its first one
+
+  /// Control value (0, 0, 0) of the patch; null where there is no such field.
+  const Real* origin() const { return values.data() ? values.data() - shift : nullptr; }
+};
+
+/// The same in the precision Real.
+template <class Real>
+GivenField<Real> rounded(const GivenField<double>& field) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return field;
+  } else {
+    GivenField<Real> r{{}, field.shift};
+    if (!field.values.data()) return r;
+    r.values = ArrayOf<Real>("given", field.values.extent(0));
+    convert(r.values, field.values);
+    return r;
+  }
+}
 
 /// One evaluation of terms: where their fields lie, and where their result goes. `tangent` is a vector of unknowns, or
 /// empty. The end of the step has density and displacement alone. With `sums` a device adds up several terms at once, later.
@@ -29,6 +57,7 @@ struct Evaluation {
   ConstArrayOf<Real> operand = {};
   Instant instant = Instant::stage;
   TileSums<D, Real>* sums = nullptr;
+  const Real* given = nullptr;  ///< origin of the given field of the term
 
   /// Control value (0, 0, 0) of a component on its own grid.
   const Real* field(Component c) const {
@@ -40,6 +69,8 @@ struct Evaluation {
         return (end ? stage.displacement_end : stage.displacement).data() + layout.displacement_offset(c.index);
       case Field::operand:
         return component(operand, c.index);
+      case Field::given:
+        return given;
       case Field::density:
         if (end) return stage.density_end.data() - layout.fluid_shift();
         [[fallthrough]];
@@ -121,9 +152,13 @@ class PieceIn {
   virtual const Region<D, Real>& region() const = 0;
 };
 
-/// Matrices are assembled in single precision alone.
+/// Integrals are made in double precision alone, matrices in single precision.
 template <int D, class Real = double>
-class Piece : public PieceIn<D, Real> {};
+class Piece : public PieceIn<D, Real> {
+ public:
+  /// Adds the energy and the dissipation of the term, where it has them.
+  virtual void add_integrals(const Evaluation<D, Real>&, Integrals&) const = 0;
+};
 template <int D>
 class Piece<D, float> : public PieceIn<D, float> {
  public:
@@ -136,8 +171,13 @@ class PieceOf final : public Piece<D, Real> {
  public:
   /// @param matrix_region  the same box with the quadrature of the matrix; `region` where none is assembled
   PieceOf(const char* name, const Region<D>& region, const Region<D>& matrix_region, const Term& term, Blend blend = {},
-          Instant instant = Instant::stage)
-      : name_(name), region_(rounded<Real>(region)), term_(term), blend_(blend), instant_(instant) {
+          Instant instant = Instant::stage, const GivenField<double>& given = {})
+      : name_(name),
+        region_(rounded<Real>(region)),
+        term_(term),
+        blend_(blend),
+        instant_(instant),
+        given_(rounded<Real>(given)) {
     if constexpr (std::is_same_v<Real, float>) matrix_region_ = rounded<Real>(matrix_region);
   }
 
@@ -145,6 +185,8 @@ class PieceOf final : public Piece<D, Real> {
   void product(const Evaluation<D, Real>&) const override;
   /// Overrides in single precision. In double precision nothing calls it, and it is not compiled.
   void jacobian(const Evaluation<D, Real>&, const Stencil<D>&, const StencilValues&) const;
+  /// Overrides in double precision.
+  void add_integrals(const Evaluation<D, Real>&, Integrals&) const;
   const char* name() const override { return name_; }
   const Region<D, Real>& region() const override { return region_; }
 
@@ -154,9 +196,17 @@ class PieceOf final : public Piece<D, Real> {
 
   Task<D, Term, Motion, Real> task(Evaluation<D, Real> at, const Region<D, Real>& region) const {
     at.instant = instant_;
+    at.given = given_.origin();
     auto task = task_of<D, Term, Motion, Real>(term_, region, at, blend_);
     if (instant_ == Instant::end) task.factor = static_cast<Real>(at.stage.moment_rate);
     return task;
+  }
+  template <class Functional>
+  double integral(Evaluation<D, Real> at, const Functional& functional) const {
+    ReduceTask<D, Functional, Motion> task{region_, functional, {}, {}, {}};
+    at.given = given_.origin();
+    bind_fields(at, blend_, task);
+    return reduce<P>(task)[0];
   }
 
   using List = ListOf<D, Real, TermOnMesh<Term, Motion>>;
@@ -166,6 +216,7 @@ class PieceOf final : public Piece<D, Real> {
   Term term_;
   Blend blend_;
   Instant instant_;
+  GivenField<Real> given_;
 };
 
 // Outside of the class, so that a source which declares a piece `extern template` does not compile it again.
@@ -183,6 +234,15 @@ template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::jacobian(const Evaluation<D, Real>& at, const Stencil<D>& stencil,
                                                  const StencilValues& values) const {
   if (!idle(at)) assemble_jacobian<P>(task(at, matrix_region_), stencil, values);
+}
+
+template <int D, int P, class Term, class Motion, class Real>
+void PieceOf<D, P, Term, Motion, Real>::add_integrals([[maybe_unused]] const Evaluation<D, Real>& at,
+                                                      [[maybe_unused]] Integrals& result) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    if constexpr (HasEnergy<Term>) result.part(Term::energy_part) += integral(at, EnergyOf<Term>{term_});
+    if constexpr (HasDissipation<Term>) result.solid_viscous += integral(at, DissipationOf<Term>{term_});
+  }
 }
 
 }  // namespace softwet

@@ -65,6 +65,8 @@ void Scalars<D, P>::add_integrals(long step, const Integrals& sum, double load_p
   headline_.energy = sum.energy();
   headline_.wall_stretch = sum.wall_stretch;
   headline_.gravity = sum.energy_gravity;
+  headline_.surface = sum.energy_surface;
+  headline_.solid_viscous = sum.solid_viscous;
   headline_.mass_drift = of_fluid(sum.mass / latest_.mass_start - 1);
   row.insert(row.end(), {of_fluid(sum.mass), sum.momentum[0], sum.energy_kinetic, of_fluid(free_energy),
                          of_fluid(sum.energy_wall), sum.energy_elastic, load_power, sum.dissipation()});
@@ -176,9 +178,15 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   follow_bodies(snapshot);
   row.insert(row.end(), {headline_.energy, headline_.mass_drift});
   if (layout.has_fluid) {
-    row.insert(row.end(), {extremes.speed_liquid, headline_.wall_stretch, headline_.gravity});
+    row.insert(row.end(), {extremes.speed_liquid, headline_.wall_stretch});
   } else {
-    row.insert(row.end(), 3, std::nullopt);
+    row.insert(row.end(), 2, std::nullopt);
+  }
+  row.push_back(headline_.gravity);
+  if (layout.has_solid) {
+    row.insert(row.end(), {headline_.surface, headline_.solid_viscous});
+  } else {
+    row.insert(row.end(), 2, std::nullopt);
   }
   if (!case_.droplets.empty()) row.push_back(laplace_pressure(snapshot));
   return row;

@@ -29,7 +29,7 @@ struct HistoryMemory {
 
 /// The figures of a row that the progress line shows.
 struct Headline {
-  double energy = 0, wall_stretch = 0, gravity = 0;
+  double energy = 0, wall_stretch = 0, gravity = 0, surface = 0, solid_viscous = 0;
   std::vector<double> centre;  ///< of the first droplet on the wall; empty: it is not there
   std::optional<double> velocity, mass_drift;
 };

@@ -12,6 +12,11 @@ template <class N, int D, class Point>
 struct FrozenPoint {
   using S = typename Plain<N>::type;
   const Point& point;
+  Vector<N, D> normal;
+
+  KOKKOS_FORCEINLINE_FUNCTION explicit FrozenPoint(const Point& frozen) : point(frozen) {
+    if constexpr (requires { frozen.normal; }) normal = fixed(frozen.normal);
+  }
 
   static KOKKOS_FORCEINLINE_FUNCTION void split(const Vector<N, D>& g, Vector<S, D>& value, Vector<S, D>& tangent) {
     for (int i = 0; i < D; ++i) {

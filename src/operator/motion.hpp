@@ -68,9 +68,20 @@ KOKKOS_FORCEINLINE_FUNCTION Blended<N, D> blended(const Blend& blend, Real scale
 template <class N, class S, int D, class Real, class Wall>
 KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> blended_point(const Blend& blend, Real scale,
                                                             const Vector<S, D>& reference, double height,
-                                                            const Wall& wall, bool face) {
+                                                            const Wall& wall) {
   const Blended<N, D> b = blended<N>(blend, scale, reference, height, wall);
-  return MovingPoint<N, D>(b.gradient, b.velocity, b.position, face);
+  return MovingPoint<N, D>(b.gradient, b.velocity, b.position);
+}
+/// The same on the wall, with `face`.
+template <class N, bool face, class S, int D, class Real, class Wall>
+KOKKOS_FORCEINLINE_FUNCTION auto point_or_face(const Blend& blend, Real scale, const Vector<S, D>& reference,
+                                               double height, const Wall& wall) {
+  const MovingPoint<N, D> point = blended_point<N>(blend, scale, reference, height, wall);
+  if constexpr (face) {
+    return MovingFace<N, D>(point);
+  } else {
+    return point;
+  }
 }
 
 /// The same with its tangent in closed form, in a volume.
@@ -169,7 +180,7 @@ struct BatchGeometry<S, N, D, P, Q, WallMotion<D, Real>> {
     if constexpr (is_dual<N> && !face) {
       return varied_point(blend, scale, reference, height, wall);
     } else {
-      return blended_point<N>(blend, scale, reference, height, wall, face);
+      return point_or_face<N, face>(blend, scale, reference, height, wall);
     }
   }
 };

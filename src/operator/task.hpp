@@ -6,9 +6,9 @@
 
 namespace softwet {
 
-/// Points of a term along the last axis, of Q on an axis: one where it acts on the wall.
+/// Points of a term along the last axis, of Q on an axis: one where it acts on a face.
 template <class Term, int Q>
-inline constexpr int points_across = Term::where == Where::wall ? 1 : Q;
+inline constexpr int points_across = on_face(Term::where) ? 1 : Q;
 
 /// Number of Gauss points on an element along an axis, as a type.
 template <int Q>
@@ -102,6 +102,7 @@ struct Reader {
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return point.mesh_velocity(); }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return point.volume_ratio(); }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> position() const { return point.position; }
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> normal() const { return point.normal; }  ///< on the moving wall
 };
 
 /// What Test::write sees: integrands are weighted, pulled back and stored for the integration sweeps.
@@ -141,7 +142,7 @@ KOKKOS_FORCEINLINE_FUNCTION auto point_at(const BatchGeometryType& geometry, con
   reference[0] = load<S>(&region.axis[0].position(q % Q, b.element[0]));
   if constexpr (D == 3) reference[1] = S(region.axis[1].position((q % wall_points) / Q, b.element[1]));
   reference[D - 1] = S(height);
-  return geometry.template at<Term::where == Where::wall>(q, reference, height);
+  return geometry.template at<on_face(Term::where)>(q, reference, height);
 }
 
 }  // namespace softwet

@@ -66,6 +66,8 @@ AxisRule gauss_rule(const Axis& axis, const ElementColumns& columns, int points)
 
 AxisRule low_face_rule(const Axis& axis, int first) { return tabulate(axis, range(first, first + 1), {0.0}, {1.0}); }
 
+AxisRule high_face_rule(const Axis& axis, int last) { return tabulate(axis, range(last, last + 1), {1.0}, {1.0}); }
+
 AxisRuleOf<float> in_single(const AxisRule& rule) {
   const auto cube = [](const auto& table) {
     const Kokkos::View<float***, Kokkos::LayoutRight, Exec> to("rounded", table.extent(0), table.extent(1),

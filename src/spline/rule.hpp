@@ -36,6 +36,9 @@ AxisRule gauss_rule(const Axis&, const ElementColumns&, int points);
 /// One point of weight 1 at the lower end of element `first`: the trace on a face.
 AxisRule low_face_rule(const Axis&, int first);
 
+/// The same at the upper end of element `last`.
+AxisRule high_face_rule(const Axis&, int last);
+
 /// The same points as `rule` with every function but `function` (local index) set to zero: restricts a test space.
 AxisRule restricted_to(const AxisRule& rule, int function);
 

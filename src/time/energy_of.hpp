@@ -1,8 +1,6 @@
 // The energy of a state of a scene, and its powers.
 #pragma once
 
-#include <cmath>
-
 #include "model/model.hpp"
 #include "time/energy_balance.hpp"
 
@@ -14,9 +12,7 @@ inline EnergyState energy_of(double time, double load_power, const Integrals& su
   EnergyState e;
   e.time = time;
   e.energy = sum.energy();
-  for (double part : {sum.energy_kinetic, sum.energy_bulk, sum.energy_gradient, sum.energy_wall, sum.energy_elastic,
-                      sum.energy_gravity})
-    e.size += std::abs(part);
+  e.size = sum.size();
   e.kinetic = sum.energy_kinetic;
   e.fed = load_power + sum.wall_stretch;
   e.lost = sum.dissipation();

@@ -108,6 +108,7 @@ MassSymbols end_symbols(int degree, MassKind kind) {
   s.capillary = std::max(s.capillary, std::sqrt(largest(back * line.stiffness * there)));
   s.viscous = std::max({s.viscous, largest(free * line.stiffness), largest(held * line.stiffness)});
   s.elastic = std::max(s.elastic, std::sqrt(largest(layer * line.stiffness)));
+  s.surface = std::sqrt(s.viscous * layer(layer.rows() - 1, layer.cols() - 1));
   return s;
 }
 

@@ -110,7 +110,7 @@ Refusal SemiDiscrete<D, P>::pressure(const Array& acceleration, const Array& mom
 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::convection(bool viscous, const Array& acceleration) {
-  if (!model_.layout().has_fluid) {
+  if (!model_.layout().has_fluid && !model_.has_viscous_solid()) {
     Kokkos::deep_copy(Exec(), acceleration, 0.0);
     return {};
   }
@@ -124,6 +124,12 @@ template <int D, int P>
 Refusal SemiDiscrete<D, P>::viscosity(const Array& v, const Array& acceleration) {
   Kokkos::deep_copy(Exec(), velocities_of(velocity_), v);
   viscous_.velocity(stage_, 0, model_.fluid().viscosity, velocity_, force_);
+  if (model_.has_viscous_solid()) {
+    Stage moving = stage_;
+    moving.unknown = velocity_;
+    model_.add_viscosity_of_solid(moving, force_);
+    terms_.collect(force_);
+  }
   return accelerate(acceleration, Refusal::viscous_rate, counts_.viscous);
 }
 

@@ -100,21 +100,27 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
     std::visit(
         [&](const auto& solid) {
           constexpr double margin = 1.05;  // waves along free and held sides are a little faster
-          const double many = adds_axes_ ? D : 1, share = formula_ == StepFormula::kick_drift ? 0.5 : 1 / 1.73;
+          const double many = adds_axes_ ? D : 1, symbol = margin * end_.elastic / length_;
+          const double modulus = many * symbol * symbol / solid.density;  // square of a frequency over the modulus
+          const SolidRates more = model_.rates_of_solid();
           SolidPoint<D, std::decay_t<decltype(solid.material)>> point{
               solid.material,
               displacement.data(),
               {},
               {},
               l.solid_rows() * l.row_size,
-              margin * end_.elastic * std::sqrt(many / solid.density) / length_,
-              share};
+              l.row_size,
+              formula_,
+              std::sqrt(modulus * (1 + more.stiffer)),
+              (D - 1) * margin * end_.surface * end_.surface * more.tension / (solid.density * std::pow(length_, 3)),
+              modulus * more.viscosity};
           for (int d = 0; d < D; ++d) {
             point.greville[d] = greville_[d];
             point.extent[d] = d == D - 1 ? l.solid_rows() : l.extent(d);
           }
           const StepRates elastic = largest_of(point, l.solid_rows() * l.row_size);
           found.elasticity = elastic.elasticity;
+          found.viscosity = std::max(found.viscosity, elastic.viscosity);
           found.combined = std::max(found.combined, elastic.combined);
         },
         model_.solid());

@@ -22,8 +22,9 @@ enum class StepFormula { kick_drift, without_viscosity, runge_kutta };
 /// At a control point with density rho and moments p over row sums a, on elements of the shortest length h:
 ///   w = sqrt(A^2 c^2 + C^2 g^2 rho / h^2) / h,  c^2 = max(rho W'', 0)
 ///   s = V (4/3) m / (p / a) / h^2,   e = eps k (c^2 / rho + g^2 k),  k = V / h^2,   u = U |v - vh| / h
-/// with the symbols A, C, V, U of the masses, those of ends in the elements beside an end. Where the mesh moves, h shrinks with
-/// the smallest stretch of the mesh above the wall there. In the solid w = E sqrt(largest row of dP/dF along an axis / rho_0) / h.
+/// with the symbols A, C, V, U (E, B) of the masses, those of ends in the elements beside an end. Where the mesh moves, h shrinks with
+/// the smallest stretch of the mesh above the wall there. In the solid w = E sqrt(largest row of dP/dF along an axis / rho_0) / h
+/// and s = E^2 (4/3 eta + zeta) / rho_0 / h^2; on its top face w^2 has B^2 (D - 1) Ups / rho_0 / h^3 more.
 /// Control values bound the fields, for these are their means, and all of these rates are largest at an end of a range.
 /// Tested: tests/unit/time/test_step_bound.cpp, and against a search for the limit: the study stable_step
 template <int D, int P>

@@ -7,6 +7,13 @@ namespace softwet::step_points {
 
 enum Mechanism { combined, sound, capillarity, viscosity, stabilisation, flow, elasticity, mechanisms };
 
+/// See StepFormula: waves w, viscosity s, stabilisation e, flow u.
+KOKKOS_INLINE_FUNCTION double combine(StepFormula formula, double w, double s, double e, double u) {
+  if (formula == StepFormula::kick_drift) return Kokkos::max(0.5 * (w + 0.5 * s + 0.6 * e + u), s);
+  const double turn = (w + u) / 1.73, decay = (formula == StepFormula::runge_kutta ? s + e : e) / 2.51;
+  return Kokkos::sqrt(turn * turn + decay * decay);
+}
+
 /// Largest values of several numbers at once.
 template <class Point>
 struct LargestRates {
@@ -68,13 +75,7 @@ struct FluidPoint {
       speed += slip * slip;
     }
     rate[flow] = of(&MassSymbols::convective) * Kokkos::sqrt(many * speed) * inverse;
-    rate[combined] = combine(wave, rate[viscosity], rate[stabilisation], rate[flow]);
-  }
-
-  KOKKOS_FUNCTION double combine(double w, double s, double e, double u) const {
-    if (formula == StepFormula::kick_drift) return Kokkos::max(0.5 * (w + 0.5 * s + 0.6 * e + u), s);
-    const double turn = (w + u) / 1.73, decay = (formula == StepFormula::runge_kutta ? s + e : e) / 2.51;
-    return Kokkos::sqrt(turn * turn + decay * decay);
+    rate[combined] = combine(formula, wave, rate[viscosity], rate[stabilisation], rate[flow]);
   }
 };
 
@@ -85,8 +86,11 @@ struct SolidPoint {
   ConstArray greville[D];
   int extent[D];
   int nodes;
-  double factor;  ///< frequency = factor sqrt(stiffness)
-  double share;   ///< of the frequency in a rate of the scheme
+  int row_size;
+  StepFormula formula;
+  double wave;     ///< frequency of elastic waves = wave sqrt(stiffness)
+  double surface;  ///< square of the frequency of capillary waves on the undeformed top face
+  double viscous;  ///< rate of viscosity in the undeformed state
 
   KOKKOS_FUNCTION void operator()(int i, double* rate) const {
     Matrix<double, D> gradient;
@@ -97,6 +101,19 @@ struct SolidPoint {
             difference(displacement + c * nodes, i, i / stride % extent[d], extent[d], stride, greville[d]);
       stride *= extent[d];
     }
+    const double elastic = wave * wave * stiffness(gradient);
+    const double tension = surface > 0 && i >= nodes - row_size ? surface * shortening(gradient) : 0;
+    rate[elasticity] = Kokkos::sqrt(elastic + tension);
+    double length = 0;  // |F|^2
+    for (int c = 0; c < D; ++c)
+      for (int d = 0; d < D; ++d) length += Kokkos::pow(gradient(c, d) + (c == d ? 1.0 : 0.0), 2);
+    rate[viscosity] = viscous * Kokkos::max(1.0, length / D) * Kokkos::max(1.0, length / D);
+    rate[combined] = combine(formula, rate[elasticity], rate[viscosity], 0, 0);
+  }
+
+ private:
+  /// Largest row of dP/dF along an axis.
+  KOKKOS_FUNCTION double stiffness(const Matrix<double, D>& gradient) const {
     double largest = 0;
     for (int axis = 0; axis < D; ++axis) {
       double sum[D] = {};
@@ -109,8 +126,18 @@ struct SolidPoint {
       }
       for (int c = 0; c < D; ++c) largest = Kokkos::max(largest, sum[c]);
     }
-    rate[elasticity] = factor * Kokkos::sqrt(largest);
-    rate[combined] = share * rate[elasticity];
+    return largest;
+  }
+  /// A face that is shortened carries shorter waves: 1 / its smallest stretch, at most 10, in space times the larger one.
+  KOKKOS_FUNCTION double shortening(const Matrix<double, D>& gradient) const {
+    double least = 1, most = 1;
+    for (int d = 0; d + 1 < D; ++d) {
+      double square = 0;
+      for (int c = 0; c < D; ++c) square += Kokkos::pow(gradient(c, d) + (c == d ? 1.0 : 0.0), 2);
+      least = Kokkos::min(least, Kokkos::sqrt(square));
+      most = Kokkos::max(most, Kokkos::sqrt(square));
+    }
+    return (D == 2 ? 1 : most) / Kokkos::max(least, 0.1);
   }
 };
 

@@ -31,11 +31,13 @@ const std::vector<Column> of_step{
      "Wall energy: the integral of f_w(rho) over the wall, where f_w(rho) = -cos(alpha) g times the integral of sqrt(2 "
      "D) from rho_v to rho. It is the same formula under both wall laws."},
     {"energy_elastic", energy_unit,
-     "Elastic energy of the solid. With saint_venant_kirchhoff it is the integral of lambda tr(E)^2/2 + G E:E."},
+     "Elastic energy of the solid and its fibres. With saint_venant_kirchhoff that of the solid is the integral of "
+     "lambda "
+     "tr(E)^2/2 + G E:E."},
     {"power_load", power_unit, "Power of the loads: the integral of rho_0^s f.v over their boxes, at time t."},
     {"dissipation", power_unit,
      "Energy dissipated per time: the integral of tau : grad v + eps |grad mu|^2. The first part is viscous, the "
-     "second belongs to fluid.stabilisation."},
+     "second belongs to fluid.stabilisation. dissipation_solid is a further part."},
     {"rho_min", "b", "Smallest control value of the density. The density itself is nowhere smaller."},
     {"rho_max", "b", "Largest control value of the density. The density itself is nowhere larger."},
     {"speed_max_fluid", speed_unit, "Largest |v| of a control point of the fluid, the wall included."},
@@ -78,18 +80,29 @@ const std::vector<Column> of_droplet{
     {"angle_front", "degrees", "Apparent contact angle at track_front.", 3},
 };
 
-/// The columns of history.csv behind those of the droplets; the last one exists only with droplets.
+/// The columns of history.csv behind those of the droplets; laplace exists only with droplets.
 const std::vector<Column> of_balance{
     {"energy_total", energy_unit,
-     "Sum of energy_kinetic, energy_free, energy_wall, energy_elastic and energy_gravity."},
+     "Sum of energy_kinetic, energy_free, energy_wall, energy_elastic, energy_surface and energy_gravity."},
     {"mass_drift", "", "mass divided by the mass of step 0, minus 1."},
     {"speed_max_liquid", speed_unit, "Largest |v| of a control point whose density is above (rho_l + rho_v)/2."},
     {"wall_stretch", power_unit,
-     "Power that the wall energy gains because the wall stretches: the integral of f_w div_Gamma v over the wall. With "
-     "fluid.wall_law = \"energy\" energy_total changes at the rate power_load + wall_stretch - dissipation, up to the "
-     "error of the discretisation."},
+     "Power that the wall energy gains because the wall stretches: the integral of f_w div_Gamma v over the wall. It "
+     "is "
+     "0 with fluid.wall_tension = \"acts\", where the solid pays for it. With fluid.wall_law = \"energy\" energy_total "
+     "changes at the rate power_load + wall_stretch - dissipation, up to the error of the discretisation."},
     {"energy_gravity", energy_unit,
-     "Potential energy of the fluid in fluid.gravity: minus the integral of rho gravity . x. 0 without gravity."},
+     "Potential energy in fluid.gravity and substrate.gravity: minus the integral of rho gravity . x over the fluid, "
+     "and of "
+     "rho_0^s gravity . u over the solid, u its displacement. 0 without gravity."},
+    {"energy_surface", energy_unit,
+     "Energy of the solid's surface tension: substrate.surface_tension times what the area of the deformed top face "
+     "has "
+     "more than that of the undeformed one."},
+    {"dissipation_solid", power_unit,
+     "Part of dissipation that belongs to substrate.viscosity and substrate.bulk_viscosity: the integral of S_v : E' "
+     "over "
+     "the undeformed solid, E' the rate of the Green-Lagrange strain."},
     {laplace, "ab",
      "Excess of the chemical potential inside the first droplet, mu - mu_sat. At rest it is sigma/(R (rho_l - rho_v)) "
      "in 2D and twice that in 3D."},

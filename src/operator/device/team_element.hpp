@@ -92,7 +92,8 @@ struct RowFields : TrialFields<Trial_, Shape::D, Tangent> {
 
   KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
     if constexpr (Tangent) {
-      return {value[s][c][q], S(scale[s]) * value[Names::tangent_of(Trial::slot(s).from.unknown(D))][c][q]};
+      const int unknown = Trial::slot(s).from.unknown(D);
+      return {value[s][c][q], unknown < D + 2 ? S(scale[s]) * value[Names::tangent_of(unknown)][c][q] : S(0.0)};
     } else {
       return value[s][c][q];
     }

@@ -46,8 +46,8 @@ struct TileFields {
   }
   KOKKOS_FORCEINLINE_FUNCTION typename Plan::N number(int s, int c, int) const {
     if constexpr (Plan::Tangent) {
-      const int tangent = Plan::tangent_of(Plan::Trial::slot(s).from.unknown(D));
-      return {part(s, c), S(scale[s]) * part(tangent, c)};
+      const int unknown = Plan::Trial::slot(s).from.unknown(D);
+      return {part(s, c), unknown < D + 2 ? S(scale[s]) * part(Plan::tangent_of(unknown), c) : S(0.0)};
     } else {
       return part(s, c);
     }

@@ -37,7 +37,7 @@ struct TermList {
 template <class Entry, class Tile>
 using ShapeOf = std::conditional_t<
     Entry::shared_test, SharedOf<Tile>,
-    std::conditional_t<Entry::Term::where == Where::wall, WallOf<Tile>,
+    std::conditional_t<on_face(Entry::Term::where), WallOf<Tile>,
                        std::conditional_t<Entry::Term::where == Where::beside_wall, LayerOf<Tile>, Tile>>>;
 
 inline constexpr int most_sources = 12;

@@ -121,7 +121,8 @@ struct TileSweeps {
     for (int r = 0; r < Q; ++r) step[d][r] = ((q[d] + r) % Q - q[d]) * stride[d];
   }
 
-  /// The integrand at point p and the fluxes at the points of its element, as an integrand against values alone.
+  /// The integrand at point p and the fluxes at the points of its element, as an integrand against values alone. On a face fluxes
+  /// are tangential.
   static KOKKOS_FORCEINLINE_FUNCTION void fold_fluxes(const Collocation<D, Q, Real>& slope, int p, const Real* flux,
                                                       const Real (&integrand)[Plan::channels], Real* out) {
     int q[D], step[D][Q];
@@ -133,9 +134,8 @@ struct TileSweeps {
     SOFTWET_UNROLL
     for (int c = 0; c < Plan::channels; ++c) {
       Real sum = integrand[c];
-      static_assert(!(Plan::Test::has_flux && Plan::on_wall));
       if constexpr (Plan::Test::has_flux) SOFTWET_UNROLL
-      for (int d = 0; d < D; ++d) SOFTWET_UNROLL
+      for (int d = 0; d < Plan::collocated; ++d) SOFTWET_UNROLL
       for (int r = 0; r < Q; ++r) sum = sum + row[d][r] * flux[(c * D + d) * Shape::points + p + step[d][r]];
       out[c * Shape::points + p] = sum;
     }

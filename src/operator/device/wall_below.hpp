@@ -25,7 +25,7 @@ struct WallFields {
   }
 };
 
-/// What is known of the wall below a point, as blended_point wants it; `apart` is the distance between the numbers of a point.
+/// What is known of the wall below a point, as point_or_face wants it; `apart` is the distance between the numbers of a point.
 template <class S, int D, int apart, class Real>
 struct WallBelow {
   const Real* at;
@@ -42,7 +42,7 @@ KOKKOS_FORCEINLINE_FUNCTION auto point_above_wall(const Motion& motion, const Re
   if constexpr (std::is_same_v<Motion, NoMotion>) {
     return fixed_point<N>(reference);
   } else {
-    return blended_point<N>(motion.blend, motion.scale, reference, height, WallBelow<S, D, apart, Real>{wall}, face);
+    return point_or_face<N, face>(motion.blend, motion.scale, reference, height, WallBelow<S, D, apart, Real>{wall});
   }
 }
 

@@ -194,7 +194,8 @@ struct ColumnFields {
 
   KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
     if constexpr (is_dual<N>) {
-      return N(value[s][c][q], scale[s] * tangent[Trial::slot(s).from.unknown(D)][c][q]);
+      const int unknown = Trial::slot(s).from.unknown(D);
+      return N(value[s][c][q], unknown < D + 2 ? S(scale[s] * tangent[unknown][c][q]) : S(0.0));
     } else {
       return value[s][c][q];
     }

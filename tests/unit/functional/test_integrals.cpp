@@ -3,6 +3,8 @@
 
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/functional/term_integrals.hpp"
+#include "kernels/solid/elastodynamics.hpp"
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
 
 namespace softwet {
@@ -38,13 +40,17 @@ TEST(FluidContents, ByHand) {
   EXPECT_EQ(f.value(FilledMesh<double, 2>{{0.5}, -0.1})[FluidContents::folded], -1) << "times J: a positive volume";
 }
 
-TEST(SolidIntegrals, ByHand) {
-  using Sums = SolidIntegrals<SaintVenantKirchhoff>;
-  const Sums f{{{{1.5, 0.7}}, 2.0}};
-  const auto v = f.value(SolidState<double, 3>{{{1, 2, -2}}, {{{0.2, 0, 0}, {0, 0, 0}, {0, 0, 0}}}});
-  EXPECT_EQ(v[Sums::kinetic], 9);
-  EXPECT_NEAR(v[Sums::elastic], (0.75 + 0.7) * 0.22 * 0.22, 1e-16);
-  EXPECT_EQ(v[Sums::momentum + 2], -4);
+TEST(SolidMotion, ByHand) {
+  const SolidMotion f{2.0};
+  const auto v = f.value(SolidVelocity<double, 3>{{{1, 2, -2}}});
+  EXPECT_EQ(v[SolidMotion::kinetic], 9);
+  EXPECT_EQ(v[SolidMotion::momentum + 2], -4);
+}
+
+TEST(EnergyOf, ElasticByHand) {
+  const EnergyOf<Elastodynamics<SaintVenantKirchhoff>> f{{{{1.5, 0.7}}, 2.0}};
+  const auto v = f.value(SolidStrain<double, 3>{{{{0.2, 0, 0}, {0, 0, 0}, {0, 0, 0}}}});
+  EXPECT_NEAR(v[0], (0.75 + 0.7) * 0.22 * 0.22, 1e-16);
 }
 
 TEST(InvertedSolid, WhereTheDeterminantIsNotPositive) {

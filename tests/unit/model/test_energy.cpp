@@ -89,6 +89,73 @@ TEST(EnergyLaw, OfTheSolid) {
   EXPECT_NEAR(contract(r, x, 0, l.size()), expected, 1e-9 * std::abs(expected));
 }
 
+/// All that a solid can have beside its material.
+Case rich_solid(Scene kind) {
+  Case c = scene(kind, WallLaw::energy);
+  c.substrate->viscosity = 0.2;
+  c.substrate->bulk_viscosity = 0.1;
+  c.substrate->surface_tension = c.substrate->surface_tension_wet = 0.4;
+  c.substrate->gravity = {0.3, -0.8};
+  c.substrate->fibre = {0.5, 30, 0};
+  return c;
+}
+
+// The same for a solid with fibres, viscosity, gravity and the surface tension of its face.
+TEST(EnergyLaw, OfARichSolid) {
+  for (bool small : {false, true}) {
+    Case c = rich_solid(Scene::solid);
+    if (small) c.substrate->strain = "small";
+    RandomScene s(c);
+    const Layout<2>& l = s.layout();
+    const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
+    const auto energy = [&](double e) {
+      Stage moved = s.stage();
+      moved.unknown = plus(moved.unknown, e, to_host(s.stage().acceleration));
+      moved.displacement = plus(moved.displacement, e, x);
+      return s.model.integrals(moved).energy();
+    };
+    const Integrals now = s.model.integrals(s.stage());
+    EXPECT_GT(std::abs(now.energy_gravity), 1e-6);
+    EXPECT_GT(std::abs(now.energy_surface), 1e-6);
+    EXPECT_GT(now.solid_viscous, 1e-3);
+    const double power = s.model.load_power(s.stage().time, s.stage().unknown);
+    const double expected = slope(energy, 1e-3) - power + now.dissipation();
+    EXPECT_NEAR(contract(r, x, 0, l.size()), expected, 1e-9 * std::abs(expected));
+  }
+}
+
+// What the wall energy gains by the stretch of the wall is what the tension of the wall costs the solid.
+TEST(EnergyLaw, OfTheTensionOfTheWall) {
+  Case c = rich_solid(Scene::coupled);
+  RandomScene none(c);
+  c.fluid->wall_tension = WallTensionModel::acts;
+  RandomScene acts(c);
+  const std::vector<double> x = to_host(none.stage().unknown), before = none.residual(none.stage()),
+                            after = acts.residual(acts.stage());
+  const double stretch = none.model.integrals(none.stage()).wall_stretch;
+  EXPECT_GT(std::abs(stretch), 1e-4);
+  double work = 0;
+  for (int i = 0; i < none.layout().velocity_size(); ++i) work += x[i] * (after[i] - before[i]);
+  EXPECT_NEAR(work, stretch, 1e-12);
+  EXPECT_EQ(acts.model.integrals(acts.stage()).wall_stretch, 0);
+}
+
+// A tension below liquid that is given by hand: on a face of uniform density it is a surface tension of its own.
+TEST(WallTension, ByHandIsSurfaceTensionWhereAllIsWet) {
+  Case c = scene(Scene::coupled, WallLaw::energy);
+  c.substrate->surface_tension = 0.3;
+  c.substrate->surface_tension_wet = 0.45;
+  RandomScene by_hand(c);
+  c.substrate->surface_tension = c.substrate->surface_tension_wet;
+  RandomScene uniform(c);
+  std::vector<double> x = to_host(by_hand.stage().unknown);
+  const Layout<2>& l = by_hand.layout();
+  for (int i = 0; i < l.scalar_size(); ++i) x[l.density_offset() + i] = by_hand.model.state().density_liquid;
+  by_hand.stage().unknown = uniform.stage().unknown = to_device<Array>(x);
+  const std::vector<double> a = by_hand.residual(by_hand.stage()), b = uniform.residual(uniform.stage());
+  EXPECT_LT(distance(a, b), 1e-12);
+}
+
 // Uniform density on a moved mesh: everything is an area or a length, known in closed form.
 TEST(Integrals, UniformFluidOnAMovedMesh) {
   RandomScene s(scene(Scene::coupled, WallLaw::energy));

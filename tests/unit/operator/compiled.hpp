@@ -1,21 +1,34 @@
 // The pieces that the program has compiled, in src/model/pieces.cpp and pieces_single.cpp: it is these that tests are to test.
 #pragma once
 
+#include "kernels/fluid/painted_wall.hpp"
+#include "kernels/solid/fibres.hpp"
+#include "kernels/solid/graded.hpp"
+#include "kernels/solid/kelvin_voigt.hpp"
+#include "kernels/solid/surface_tension.hpp"
 #include "patch.hpp"
 
 #define SOFTWET_COMPILED(D, TERM, MOTION)                                                          \
   extern template class softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, double>, double>; \
   extern template class softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, float>, float>;
 #define SOFTWET_COMPILED_SOLID(D, MATERIAL) SOFTWET_COMPILED(D, Elastodynamics<softwet::MATERIAL>, Still)
-#define SOFTWET_COMPILED_ALL(D, MOTION)             \
-  SOFTWET_COMPILED(D, NavierStokesKorteweg, MOTION) \
-  SOFTWET_COMPILED(D, DensityMoment, MOTION)        \
-  SOFTWET_COMPILED(D, GradientWall, MOTION)         \
-  SOFTWET_COMPILED(D, EnergyWall, MOTION)           \
-  SOFTWET_COMPILED(D, CapillaryTraction, MOTION)    \
-  SOFTWET_COMPILED_SOLID(D, SaintVenantKirchhoff)   \
-  SOFTWET_COMPILED_SOLID(D, Hooke)                  \
-  SOFTWET_COMPILED_SOLID(D, NeoHookean)
+#define SOFTWET_COMPILED_ALL(D, MOTION)                         \
+  SOFTWET_COMPILED(D, NavierStokesKorteweg, MOTION)             \
+  SOFTWET_COMPILED(D, DensityMoment, MOTION)                    \
+  SOFTWET_COMPILED(D, GradientWall, MOTION)                     \
+  SOFTWET_COMPILED(D, EnergyWall, MOTION)                       \
+  SOFTWET_COMPILED(D, CapillaryTraction, MOTION)                \
+  SOFTWET_COMPILED_SOLID(D, SaintVenantKirchhoff)               \
+  SOFTWET_COMPILED_SOLID(D, Hooke)                              \
+  SOFTWET_COMPILED_SOLID(D, NeoHookean)                         \
+  SOFTWET_COMPILED(D, PaintedWall<softwet::EnergyWall>, MOTION) \
+  SOFTWET_COMPILED(D, PaintedWall<softwet::GradientWall>, MOTION)
+#define SOFTWET_COMPILED_ONCE(D)               \
+  SOFTWET_COMPILED(D, WallTension, WallMotion) \
+  SOFTWET_COMPILED(D, GradedSolid, Still)      \
+  SOFTWET_COMPILED(D, Fibres, Still)           \
+  SOFTWET_COMPILED(D, KelvinVoigt, Still)      \
+  SOFTWET_COMPILED(D, SurfaceTension, Still)
 namespace softwet {
 template <int, class>
 using Still = NoMotion;
@@ -24,3 +37,5 @@ SOFTWET_COMPILED_ALL(2, WallMotion)
 SOFTWET_COMPILED_ALL(2, Still)
 SOFTWET_COMPILED_ALL(3, WallMotion)
 SOFTWET_COMPILED_ALL(3, Still)
+SOFTWET_COMPILED_ONCE(2)
+SOFTWET_COMPILED_ONCE(3)

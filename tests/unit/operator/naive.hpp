@@ -149,6 +149,17 @@ struct NaiveReader {
     for (int d = 0; d < D; ++d) v[d] = point.mesh_velocity[d];
     return v;
   }
+  Vector<double, D> normal() const {
+    Vector<double, D> n;
+    const auto& a = point.f_transposed[0];
+    if constexpr (D == 2) {
+      n = {{-a[1], a[0]}};
+    } else {
+      const auto& b = point.f_transposed[1];
+      n = {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+    }
+    return (1 / point.area()) * n;
+  }
 };
 
 template <int D>
@@ -202,9 +213,12 @@ struct NaiveRule {
   }
 };
 
-/// body(point, weight in the reference) at `points` Gauss points per axis; on a face: at the low end of the first.
+/// The whole elements, or their face at the low or high end of the last axis.
+enum NaiveFace { no_face, low_face, high_face };
+
+/// body(point, weight in the reference) at `points` Gauss points per axis; on a face: that of the first element.
 template <int D>
-void for_points(const Layout<D>& l, int points, int first, int last, bool face, const NaiveMotion<D>* motion,
+void for_points(const Layout<D>& l, int points, int first, int last, int face, const NaiveMotion<D>* motion,
                 const std::function<void(const NaivePoint<D>&, double)>& body) {
   const NaiveRule rule(points);
   int extent[D], total = 1;
@@ -221,7 +235,7 @@ void for_points(const Layout<D>& l, int points, int first, int last, bool face, 
       const int q = trace ? 0 : rest % points;
       rest /= trace ? 1 : points;
       const double h = l.axis[d].spacing();
-      x[d] = h * (element[d] + (trace ? 0.0 : rule.point[q]));
+      x[d] = h * (element[d] + (trace ? (face == high_face ? 1.0 : 0.0) : rule.point[q]));
       w *= trace ? 1.0 : h * rule.weight[q];
     }
     body(NaivePoint<D>(l, element, x, motion), w);
@@ -231,7 +245,7 @@ void for_points(const Layout<D>& l, int points, int first, int last, bool face, 
 /// Residual of a term: `slots` and `tests` in the order of its bundles; element rows [first, last).
 template <int D, class Term>
 std::vector<double> naive_residual(const Layout<D>& l, int points, const Term& term, const std::vector<Grid>& slots,
-                                   const std::vector<Grid>& tests, int first, int last, bool face,
+                                   const std::vector<Grid>& tests, int first, int last, int face,
                                    const NaiveMotion<D>* motion, int only_row = -1) {
   std::vector<double> out(l.size(), 0.0);
   for_points<D>(l, points, first, last, face, motion, [&](const NaivePoint<D>& p, double w) {

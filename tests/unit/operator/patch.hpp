@@ -99,6 +99,13 @@ struct Patch {
     return r;
   }
 
+  Region<D> top() const {
+    Region<D> r = region(layout.solid_elements - 1, layout.solid_elements);
+    r.axis[D - 1] = high_face_rule(layout.axis[D - 1], layout.solid_elements - 1);
+    r.test = r.axis[D - 1];
+    return r;
+  }
+
   std::vector<double> residual(const Piece<D>& piece, const Stage& at) const {
     Array out("out", layout.size());
     piece.residual(Evaluation<D>{layout, at, {}, out});

@@ -52,6 +52,29 @@ struct TermCases {
   std::vector<Grid> slots(const GradientWall&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const EnergyWall&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const CapillaryTraction&) const { return {unknown(D), unknown(D + 1)}; }
+  template <class Law>
+  std::vector<Grid> slots(const PaintedWall<Law>&) const {
+    return {unknown(D), of_given()};
+  }
+  std::vector<Grid> slots(const WallTension&) const { return {unknown(D), of_given()}; }
+  std::vector<Grid> slots(const SurfaceTension&) const { return each(patch.stage.displacement, true); }
+  std::vector<Grid> slots(const Fibres&) const { return each(patch.stage.displacement, true); }
+  std::vector<Grid> slots(const KelvinVoigt&) const {
+    std::vector<Grid> s = each(patch.stage.displacement, true);
+    for (const Grid& g : each(patch.stage.unknown, false)) s.push_back(g);
+    return s;
+  }
+  std::vector<Grid> slots(const GradedSolid&) const {
+    std::vector<Grid> s = slots(terms.solid);
+    s.push_back(of_given());
+    return s;
+  }
+  /// A random field on all rows of the patch.
+  GivenField<double> given() const {
+    Patch<D> p = patch;
+    return {p.draw(patch.layout.rows * patch.layout.row_size, 0.4, 1.2), 0};
+  }
+  Grid of_given() const { return {to_host(given().values), 0, 0}; }
   template <class Material>
   std::vector<Grid> slots(const Elastodynamics<Material>&) const {
     std::vector<Grid> s = each(patch.stage.acceleration, false);
@@ -62,9 +85,13 @@ struct TermCases {
   static std::vector<int> equations(const VariationalDerivative&) { return {D + 1}; }
   static std::vector<int> equations(const GradientWall&) { return {D + 1}; }
   static std::vector<int> equations(const EnergyWall&) { return {D + 1}; }
-  static std::vector<int> equations(const CapillaryTraction&) { return from(0, D); }
-  template <class Material>
-  static std::vector<int> equations(const Elastodynamics<Material>&) {
+  template <class Law>
+  static std::vector<int> equations(const PaintedWall<Law>&) {
+    return {D + 1};
+  }
+  /// Of all others: momentum.
+  template <class Term>
+  static std::vector<int> equations(const Term&) {
     return from(0, D);
   }
   static std::vector<int> from(int first, int count) {
@@ -80,7 +107,10 @@ struct TermCases {
     for (int c : equations(term)) tests.push_back(unknown(c));
     const NaiveMotion<D> mesh = moves ? motion(patch.stage.displacement) : NaiveMotion<D>{};
     return naive_residual<D, Term>(patch.layout, patch.points, term, slots(term), tests, first, last,
-                                   Term::where == Where::wall, moves ? &mesh : nullptr, only_row);
+                                   Term::where == Where::wall  ? low_face
+                                   : Term::where == Where::top ? high_face
+                                                               : no_face,
+                                   moves ? &mesh : nullptr, only_row);
   }
   /// Moments of the density at the end of the step, times their rate.
   std::vector<double> naive_moments(int first, int last, bool moves) const {
@@ -103,8 +133,10 @@ struct TermCases {
   void check_piece(const char* name, const Term& term, const Region<D>& region, Instant instant,
                    const std::vector<double>& expected) const {
     constexpr bool moves = std::is_same_v<Motion<D, double>, WallMotion<D>>;
-    const PieceOf<D, P, Term, Motion<D, double>, double> piece(name, region, region, term, patch.blend, instant);
-    const PieceOf<D, P, Term, Motion<D, float>, float> single(name, region, region, term, patch.blend, instant);
+    const PieceOf<D, P, Term, Motion<D, double>, double> piece(name, region, region, term, patch.blend, instant,
+                                                               given());
+    const PieceOf<D, P, Term, Motion<D, float>, float> single(name, region, region, term, patch.blend, instant,
+                                                              given());
     const std::vector<double> found = patch.residual(piece, patch.stage);
     ASSERT_GT(largest(expected), 1e-6) << name;
     EXPECT_LT(distance(found, expected), 1e-13) << name << (moves ? ", moving" : ", fixed");
@@ -156,11 +188,22 @@ struct TermCases {
     check<Motion>("gradient_wall", terms.gradient_wall, patch.face(), low, low + 1);
     check<Motion>("energy_wall", terms.energy_wall, patch.face(), low, low + 1);
     check<Motion>("capillary_traction", terms.traction, patch.layer(), low, low + 1, patch.layout.wall_row);
+    const EnergyWall of_one{0.4, 1, 1e-2, terms.gas, terms.state};
+    check<Motion>("painted gradient_wall", PaintedWall<GradientWall>{{0.4, 1, 1e-2}}, patch.face(), low, low + 1);
+    check<Motion>("painted energy_wall", PaintedWall<EnergyWall>{of_one}, patch.face(), low, low + 1);
+    if constexpr (!std::is_same_v<Motion<D, double>, NoMotion>)
+      check<Motion>("wall_tension", WallTension{WallEnergy::of(of_one)}, patch.face(), low, low + 1);
   }
   void check_solid() const {
     check<Still>("saint_venant_kirchhoff", terms.solid, patch.solid(), 0, patch.layout.solid_elements);
     check<Still>("hooke", terms.hooke, patch.solid(), 0, patch.layout.solid_elements);
     check<Still>("neo_hookean", terms.neo_hookean, patch.solid(), 0, patch.layout.solid_elements);
+    const int top = patch.layout.solid_elements;
+    for (ElasticLaw law : {ElasticLaw::saint_venant_kirchhoff, ElasticLaw::hooke, ElasticLaw::neo_hookean})
+      check<Still>("graded solid", GradedSolid{law, {0.8, 0.5}, 1.3}, patch.solid(), 0, top);
+    check<Still>("fibres", Fibres{0.7, {{0.6, 0, 0.8}}}, patch.solid(), 0, top);
+    check<Still>("viscosity", KelvinVoigt{0.4, 0.3}, patch.solid(), 0, top);
+    check<Still>("surface tension", SurfaceTension{0.6}, patch.top(), top - 1, top);
   }
 };
 

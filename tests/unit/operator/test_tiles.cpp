@@ -25,6 +25,16 @@ TEST(Tiles2D, Solid) {
   c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
 }
 
+TEST(Tiles2D, GivenFieldsAndFaces) {
+  const TileCases<2> c(std::array<int, 2>{23, 7});
+  const EnergyWall of_one{0.4, 1, 1e-2, c.terms.gas, c.terms.state};
+  c.check<NoMotion>("graded solid", GradedSolid{ElasticLaw::neo_hookean, {0.8, 0.5}, 1.3}, c.patch.solid());
+  c.check<NoMotion>("viscosity", KelvinVoigt{0.4, 0.3}, c.patch.solid());
+  c.check<NoMotion>("surface tension", SurfaceTension{0.6}, c.patch.top());
+  c.check<WallMotion<2>>("painted energy_wall", PaintedWall<EnergyWall>{of_one}, c.patch.face());
+  c.check<WallMotion<2>>("wall_tension", WallTension{WallEnergy::of(of_one)}, c.patch.face());
+}
+
 /// Test functions that all elements above each other share.
 TEST(Tiles2D, BlendedTraction) {
   const TileCases<2> c(std::array<int, 2>{9, 7});

@@ -30,11 +30,15 @@ struct TileCases {
   template <bool Tangent, class Motion, class Real, class Term>
   void compare(const char* name, const Term& term, const Region<D>& region, Evaluation<D, Real> at,
                double limit) const {
-    const PieceOf<D, P, Term, Motion, Real> piece(name, region, region, term, patch.blend);
+    Patch<D> random = patch;
+    const GivenField<double> field{random.draw(patch.layout.rows * patch.layout.row_size, 0.4, 1.2), 0};
+    const GivenField<Real> given = rounded<Real>(field);
+    const PieceOf<D, P, Term, Motion, Real> piece(name, region, region, term, patch.blend, Instant::stage, field);
     const ArrayOf<Real> want("want", patch.layout.size()), got("got", patch.layout.size());
     at.test = want;
     Tangent ? piece.product(at) : piece.residual(at);
     at.test = got;
+    at.given = given.origin();
     TileSums<D, Real> sums(patch.layout, at.tangent);
     const auto whole = task<Tangent, Motion>(term, at, region);
     assemble_in_tiles<P, Tangent>(whole, sums);

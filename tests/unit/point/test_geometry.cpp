@@ -9,7 +9,7 @@ namespace {
 // x = (2 X + Y/2, 3 Y): F = [[2, 1/2], [0, 3]].
 TEST(Geometry, AffineMapByHand) {
   const Matrix<double, 2> gradient{{{1, 0.5}, {0, 2}}};
-  const MovingPoint<double, 2> p(gradient, {{0.25, -4}}, {{7, 8}}, false);
+  const MovingPoint<double, 2> p(gradient, {{0.25, -4}}, {{7, 8}});
   EXPECT_DOUBLE_EQ(p.volume, 6);
   EXPECT_DOUBLE_EQ(p.measured(0.5), 3);
   EXPECT_EQ(p.position[1], 8);
@@ -26,16 +26,16 @@ TEST(Geometry, AffineMapByHand) {
 
 TEST(Geometry, FaceMeasureIsTheAreaOfTheTangents) {
   const Matrix<double, 2> g2{{{0.2, 0.7}, {-0.4, 0.1}}};
-  EXPECT_NEAR((MovingPoint<double, 2>(g2, {}, {}, true).measured(1.0)), std::hypot(1.2, 0.4), 1e-15);
+  EXPECT_NEAR((MovingFace<double, 2>(MovingPoint<double, 2>(g2, {}, {})).measured(1.0)), std::hypot(1.2, 0.4), 1e-15);
   const Matrix<double, 3> g3{{{0.2, 0.1, 0.9}, {-0.4, 0.3, -0.2}, {0.5, -0.1, 0.4}}};
   const double a[3] = {1.2, -0.4, 0.5}, b[3] = {0.1, 1.3, -0.1};
   const double area = std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-  EXPECT_NEAR((MovingPoint<double, 3>(g3, {}, {}, true).measured(1.0)), area, 1e-15);
+  EXPECT_NEAR((MovingFace<double, 3>(MovingPoint<double, 3>(g3, {}, {})).measured(1.0)), area, 1e-15);
 }
 
 TEST(Geometry, IdentityMapEqualsAMapThatDoesNotMove) {
   const Matrix<double, 3> zero{};
-  const MovingPoint<double, 3> moving(zero, {}, {}, false);
+  const MovingPoint<double, 3> moving(zero, {}, {});
   const FixedPoint<double, 3> fixed{};
   const Vector<double, 3> g{{1, 2, 3}};
   for (int i = 0; i < 3; ++i) {
@@ -59,7 +59,7 @@ void check_varied(const Matrix<double, D>& gradient, const Matrix<double, D>& ta
     reference[i] = {0.4 - i, 0.9 + 0.3 * i};
     flux[i] = {1.1 * i - 0.5, 0.2 + i};
   }
-  const MovingPoint<N, D> dual(f, velocity, place, false);
+  const MovingPoint<N, D> dual(f, velocity, place);
   const VariedPoint<double, D> varied(gradient, tangent, velocity, place);
   const Vector<N, D> g = dual.physical(reference), h = varied.physical(reference);
   const Vector<N, D> expected = dual.reference_flux(flux);

@@ -79,6 +79,20 @@ TEST(StepBound, HoldsInASolidAndAboveOne) {
   EXPECT_GE(room(moving_droplet(Scene::coupled), "kick_drift"), 1);
 }
 
+TEST(StepBound, HoldsForASolidWithTensionOrViscosity) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
+    for (const double tension : {0.0, 0.5})
+      for (const double viscosity : {0.0, 0.1}) {
+        Case c = moving_droplet(Scene::solid);
+        c.substrate->surface_tension = c.substrate->surface_tension_wet = tension;
+        c.substrate->viscosity = viscosity;
+        if (tension + viscosity == 0) continue;
+        const double found = room(c, "kick_drift", kind);
+        EXPECT_GE(found, 1) << tension << ", " << viscosity;
+        EXPECT_LE(found, 2) << tension << ", " << viscosity;
+      }
+}
+
 TEST(StepBound, MechanismsFollowTheirNumbers) {
   const Case c = droplet_inside(0.85);
   const StepRates before = ExplicitRun(c, "kick_drift").rates();

@@ -5,6 +5,7 @@
 
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/solid/surface_tension.hpp"
 #include "operator/integrate.hpp"
 #include "unit/operator/patch.hpp"
 #include "unit/operator/thread_team.hpp"
@@ -61,13 +62,15 @@ struct IntegralCases {
     using Moving = WallMotion<D>;
     const FluidIntegrals fluid{terms.fluid};
     const WallIntegrals wall{WallEnergy::of(terms.energy_wall)};
-    const SolidIntegrals<SaintVenantKirchhoff> solid{terms.solid};
+    const EnergyOf<Elastodynamics<SaintVenantKirchhoff>> elastic{terms.solid};
     compare<false, P + 1>("fluid", task<Moving>(fluid, patch.fluid()));
     compare<false, P + 1>("contents", task<Moving>(FluidContents{}, patch.fluid()));
     compare<false, P + 1>("fluid, fixed", task<NoMotion>(fluid, patch.fluid()));
     compare<false, P + 1>("wall", task<Moving>(wall, patch.face()));
     compare<true, P + 1>("wall, its rate", task<Moving>(wall, patch.face()));
-    compare<false, P + 1>("solid", task<NoMotion>(solid, patch.solid()));
+    compare<false, P + 1>("solid", task<NoMotion>(SolidMotion{1.3}, patch.solid()));
+    compare<false, P + 1>("elastic", task<NoMotion>(elastic, patch.solid()));
+    compare<false, P + 1>("surface", task<NoMotion>(EnergyOf<SurfaceTension>{{0.7}}, patch.top()));
   }
 };
 

@@ -1,0 +1,70 @@
+// Fibres in the solid: a family with one direction, which resists stretch along it.
+#pragma once
+
+#include "kernels/point/solid_fields.hpp"
+
+namespace softwet {
+
+/// Energy k/2 (I_4 - 1)^2 for each undeformed volume, I_4 = |F a_0|^2, beside that of the material; P = 2 k (I_4 - 1) F a_0 (x) a_0.
+/// Along the fibres a small strain meets the further modulus 4 k.
+/// Scale of k: a b^2.   Source: the standard reinforcing model of fibres.   Tested: tests/unit/solid/test_solid_terms.cpp
+struct Fibres {
+  static constexpr Where where = Where::solid;
+  static constexpr EnergyPart energy_part = EnergyPart::elastic;
+
+  double stiffness = 0;                       ///< k
+  Vector<double, 3> direction = {{1, 0, 0}};  ///< a_0, unit vector along the axes
+  double finite = 1;  ///< 0 where strains are small: F = I in P, and I_4 - 1 = 2 a_0 . Grad u a_0
+
+  template <class N, int D>
+  using Trial = SolidStrain<N, D>;
+  template <class N, int D>
+  using EnergyTrial = SolidStrain<N, D>;
+  template <class N, int D>
+  using Test = MomentumTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const SolidStrain<N, D>& t) const {
+    const Vector<N, D> moved = along(t.displacement_gradient);
+    const N tension = (2.0 * stiffness) * stretch(moved);
+    MomentumTest<N, D> r;
+    SOFTWET_UNROLL
+    for (int i = 0; i < D; ++i) {
+      r.momentum[i] = N(0.0);
+      const N pull = tension * (finite * moved[i] + direction[i]);
+      SOFTWET_UNROLL
+      for (int j = 0; j < D; ++j) r.momentum_flux(i, j) = direction[j] * pull;
+    }
+    return r;
+  }
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidStrain<N, D>& t) const {
+    const N more = stretch(along(t.displacement_gradient));
+    return (0.5 * stiffness) * (more * more);
+  }
+
+ private:
+  /// Grad u a_0
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> along(const Matrix<N, D>& grad_u) const {
+    Vector<N, D> r;
+    SOFTWET_UNROLL
+    for (int i = 0; i < D; ++i) {
+      r[i] = direction[0] * grad_u(i, 0);
+      SOFTWET_UNROLL
+      for (int j = 1; j < D; ++j) r[i] = r[i] + direction[j] * grad_u(i, j);
+    }
+    return r;
+  }
+  /// I_4 - 1
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION N stretch(const Vector<N, D>& moved) const {
+    N sum = finite * dot(moved, moved);
+    SOFTWET_UNROLL
+    for (int i = 0; i < D; ++i) sum = sum + (2.0 * direction[i]) * moved[i];
+    return sum;
+  }
+};
+
+}  // namespace softwet

@@ -1,0 +1,55 @@
+// A solid whose stiffness varies in space.
+#pragma once
+
+#include "kernels/solid/elastodynamics.hpp"
+#include "kernels/solid/hooke.hpp"
+#include "kernels/solid/neo_hookean.hpp"
+#include "kernels/solid/saint_venant_kirchhoff.hpp"
+
+namespace softwet {
+
+enum class ElasticLaw { saint_venant_kirchhoff, hooke, neo_hookean };
+inline ElasticLaw law_of(const SaintVenantKirchhoff&) { return ElasticLaw::saint_venant_kirchhoff; }
+inline ElasticLaw law_of(const Hooke&) { return ElasticLaw::hooke; }
+inline ElasticLaw law_of(const NeoHookean&) { return ElasticLaw::neo_hookean; }
+
+/// Momentum balance of the solid, (w, rho_0 v_t) + (Grad w, s P), with the stiffness s(X) over that of the material. The law is chosen
+/// at run time, so that one kernel serves all.
+/// Tested: tests/unit/solid/test_solid_terms.cpp
+struct GradedSolid {
+  static constexpr Where where = Where::solid;
+  static constexpr EnergyPart energy_part = EnergyPart::elastic;
+
+  ElasticLaw law = ElasticLaw::saint_venant_kirchhoff;
+  LameParameters stiffness;
+  double density = 0;  ///< rho_0^s / b
+
+  template <class N, int D>
+  using Trial = GradedSolidTrial<N, D>;
+  template <class N, int D>
+  using EnergyTrial = GradedSolidStrain<N, D>;
+  template <class N, int D>
+  using Test = MomentumTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const GradedSolidTrial<N, D>& t) const {
+    return {density * t.solid.acceleration, t.stiffness * first_piola(t.solid.displacement_gradient)};
+  }
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION N energy(const GradedSolidStrain<N, D>& t) const {
+    const Matrix<N, D>& g = t.strain.displacement_gradient;
+    if (law == ElasticLaw::hooke) return t.stiffness * Hooke{stiffness}.energy(g);
+    if (law == ElasticLaw::neo_hookean) return t.stiffness * NeoHookean{stiffness}.energy(g);
+    return t.stiffness * SaintVenantKirchhoff{stiffness}.energy(g);
+  }
+
+ private:
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> first_piola(const Matrix<N, D>& g) const {
+    if (law == ElasticLaw::hooke) return Hooke{stiffness}.first_piola(g);
+    if (law == ElasticLaw::neo_hookean) return NeoHookean{stiffness}.first_piola(g);
+    return SaintVenantKirchhoff{stiffness}.first_piola(g);
+  }
+};
+
+}  // namespace softwet

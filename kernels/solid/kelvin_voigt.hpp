@@ -1,0 +1,54 @@
+// Viscosity of the solid, beside its elasticity (Kelvin-Voigt).
+#pragma once
+
+#include "kernels/point/solid_fields.hpp"
+
+namespace softwet {
+
+/// (Grad w, F S_v),   S_v = 2 eta (E' - tr E'/3 I) + zeta tr E' I,   E' = sym(F^T Grad v), the rate of the Green-Lagrange strain.
+/// It dissipates S_v : E' >= 0 for each undeformed volume, and nothing in a rigid rotation. In the plane E'_33 = 0.
+/// Scale of eta and zeta: L0 b sqrt(ab).   Tested: tests/unit/solid/test_solid_terms.cpp
+struct KelvinVoigt {
+  static constexpr Where where = Where::solid;
+  static constexpr bool dissipates = true;
+
+  double shear = 0;   ///< eta
+  double bulk = 0;    ///< zeta
+  double finite = 1;  ///< 0 where strains are small: F = I
+
+  template <class N, int D>
+  using Trial = SolidStrainRate<N, D>;
+  template <class N, int D>
+  using Test = MomentumTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const SolidStrainRate<N, D>& t) const {
+    const Matrix<N, D> s = stress(strain_rate(t));
+    MomentumTest<N, D> r;
+    SOFTWET_UNROLL
+    for (int i = 0; i < D; ++i) r.momentum[i] = N(0.0);
+    r.momentum_flux = s + finite * product(t.displacement_gradient, s);
+    return r;
+  }
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION N dissipation(const SolidStrainRate<N, D>& t) const {
+    const Matrix<N, D> rate = strain_rate(t);
+    return contract(stress(rate), rate);
+  }
+
+ private:
+  /// E'
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> strain_rate(const SolidStrainRate<N, D>& t) const {
+    const Matrix<N, D> g =
+        t.velocity_gradient + finite * product(transpose(t.displacement_gradient), t.velocity_gradient);
+    return 0.5 * (g + transpose(g));
+  }
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> stress(const Matrix<N, D>& rate) const {
+    return add_diagonal((2.0 * shear) * rate, (bulk - 2.0 / 3 * shear) * trace(rate));
+  }
+};
+
+}  // namespace softwet

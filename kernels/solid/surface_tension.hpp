@@ -1,0 +1,78 @@
+// Surface tension of the solid: the energy of its top face, Gamma.
+#pragma once
+
+#include "kernels/point/solid_fields.hpp"
+
+namespace softwet {
+
+/// Energy Ups (a - 1) for each undeformed area, where a = sqrt(det g) is the deformed over the undeformed area, g_ab = x_,a . x_,b,
+/// and x_,a = e_a + u_,a are the tangents of the deformed face. Its derivative is
+///   int P_s : Grad w dA_0,   P_s(i, a) = Ups a g^ab x_i,b;   in the plane P_s = Ups x'/a
+/// Only slopes along the face enter. Ups is uniform: it is that of the dry face, and what the fluid adds where it wets the face is
+/// `WallTension`.
+/// Scale of Ups: a b^2 L0.   Tested: tests/unit/solid/test_solid_terms.cpp
+struct SurfaceTension {
+  static constexpr Where where = Where::top;
+  static constexpr EnergyPart energy_part = EnergyPart::surface;
+
+  double tension = 0;
+
+  template <class N, int D>
+  using Trial = SolidStrain<N, D>;
+  template <class N, int D>
+  using EnergyTrial = SolidStrain<N, D>;
+  template <class N, int D>
+  using Test = MomentumTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const SolidStrain<N, D>& t) const {
+    const Face<N, D> face(t.displacement_gradient);
+    MomentumTest<N, D> r;
+    SOFTWET_UNROLL
+    for (int i = 0; i < D; ++i) {
+      r.momentum[i] = N(0.0);
+      SOFTWET_UNROLL
+      for (int a = 0; a < D; ++a) r.momentum_flux(i, a) = N(0.0);
+    }
+    const N scale = tension / face.ratio;
+    SOFTWET_UNROLL
+    for (int i = 0; i < D; ++i) {
+      if constexpr (D == 2) {
+        r.momentum_flux(i, 0) = scale * face.tangent[0][i];
+      } else {
+        r.momentum_flux(i, 0) = scale * (face.metric[2] * face.tangent[0][i] - face.metric[1] * face.tangent[1][i]);
+        r.momentum_flux(i, 1) = scale * (face.metric[0] * face.tangent[1][i] - face.metric[1] * face.tangent[0][i]);
+      }
+    }
+    return r;
+  }
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidStrain<N, D>& t) const {
+    return tension * (Face<N, D>(t.displacement_gradient).ratio - 1.0);
+  }
+
+ private:
+  template <class N, int D>
+  struct Face {
+    Vector<N, D> tangent[D - 1];  ///< x_,a
+    N metric[3];                  ///< g_11; in space g_11, g_12, g_22
+    N ratio;                      ///< a
+
+    KOKKOS_FORCEINLINE_FUNCTION explicit Face(const Matrix<N, D>& grad_u) {
+      SOFTWET_UNROLL
+      for (int a = 0; a + 1 < D; ++a) SOFTWET_UNROLL
+      for (int i = 0; i < D; ++i) tangent[a][i] = i == a ? grad_u(i, a) + 1.0 : grad_u(i, a);
+      metric[0] = dot(tangent[0], tangent[0]);
+      if constexpr (D == 2) {
+        ratio = square_root(metric[0]);
+      } else {
+        metric[1] = dot(tangent[0], tangent[1]);
+        metric[2] = dot(tangent[1], tangent[1]);
+        ratio = square_root(metric[0] * metric[2] - metric[1] * metric[1]);
+      }
+    }
+  };
+};
+
+}  // namespace softwet

@@ -1,0 +1,162 @@
+// What the terms of the solid have in common: a residual that is the derivative of an energy, dissipation, objectivity.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "kernels/solid/fibres.hpp"
+#include "kernels/solid/graded.hpp"
+#include "kernels/solid/kelvin_voigt.hpp"
+#include "kernels/solid/surface_tension.hpp"
+
+namespace softwet {
+namespace {
+
+template <int D>
+Matrix<double, D> random_matrix(double size) {
+  static std::mt19937 random(20261126);
+  std::uniform_real_distribution<double> uniform(-size, size);
+  Matrix<double, D> m;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) m(i, j) = uniform(random);
+  return m;
+}
+
+template <int D>
+Matrix<Dual<double>, D> moved(const Matrix<double, D>& g, const Matrix<double, D>& by) {
+  Matrix<Dual<double>, D> m;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) m(i, j) = {g(i, j), by(i, j)};
+  return m;
+}
+
+/// A rotation by an angle in the plane of the first and the last axis.
+template <int D>
+Matrix<double, D> rotation(double angle) {
+  Matrix<double, D> r{};
+  for (int i = 0; i < D; ++i) r(i, i) = 1;
+  r(0, 0) = r(D - 1, D - 1) = std::cos(angle);
+  r(0, D - 1) = -std::sin(angle);
+  r(D - 1, 0) = std::sin(angle);
+  return r;
+}
+
+/// Grad u of the deformation R F.
+template <int D>
+Matrix<double, D> turned(const Matrix<double, D>& r, const Matrix<double, D>& g) {
+  return add_diagonal(product(r, add_diagonal(g, 1.0)), -1.0);
+}
+
+/// energy(Grad u) in numbers of any type, and flux(Grad u).
+template <int D, class Energy, class Flux>
+void expect_derivative(const char* name, const Energy& energy, const Flux& flux) {
+  for (int k = 0; k < 20; ++k) {
+    const Matrix<double, D> g = random_matrix<D>(0.3), by = random_matrix<D>(1);
+    EXPECT_NEAR(energy(moved(g, by)).tangent, contract(flux(g), by), 1e-14) << name << ", " << D << "-D";
+  }
+}
+template <int D, class Term>
+void expect_derivative(const char* name, const Term& term) {
+  expect_derivative<D>(
+      name, [&](const auto& g) { return term.energy(SolidStrain<std::remove_cvref_t<decltype(g(0, 0))>, D>{g}); },
+      [&](const Matrix<double, D>& g) { return term.residual(SolidStrain<double, D>{g}).momentum_flux; });
+}
+template <int D>
+void expect_derivative_of_graded(ElasticLaw law) {
+  const GradedSolid term{law, {1.5, 0.7}, 2};
+  expect_derivative<D>(
+      "graded",
+      [&](const auto& g) {
+        using N = std::remove_cvref_t<decltype(g(0, 0))>;
+        return term.energy(GradedSolidStrain<N, D>{{g}, N(0.4)});
+      },
+      [&](const Matrix<double, D>& g) {
+        return term.residual(GradedSolidTrial<double, D>{{{}, g}, 0.4}).momentum_flux;
+      });
+}
+
+TEST(SolidTerms, ResidualIsTheDerivativeOfTheEnergy) {
+  expect_derivative<2>("surface tension", SurfaceTension{0.7});
+  expect_derivative<3>("surface tension", SurfaceTension{0.7});
+  for (double finite : {0.0, 1.0}) {
+    expect_derivative<2>("fibres", Fibres{0.7, {{0.6, 0.8, 0}}, finite});
+    expect_derivative<3>("fibres", Fibres{0.7, {{0.48, 0.6, 0.64}}, finite});
+  }
+  for (ElasticLaw law : {ElasticLaw::saint_venant_kirchhoff, ElasticLaw::hooke, ElasticLaw::neo_hookean}) {
+    expect_derivative_of_graded<2>(law);
+    expect_derivative_of_graded<3>(law);
+  }
+}
+
+template <int D, class Term>
+void expect_objective(const Term& term) {
+  for (int k = 0; k < 20; ++k) {
+    const Matrix<double, D> g = random_matrix<D>(0.3), r = rotation<D>(0.3 * k);
+    const double here = term.energy(SolidStrain<double, D>{g});
+    EXPECT_NEAR(term.energy(SolidStrain<double, D>{turned(r, g)}), here, 1e-14);
+  }
+}
+
+TEST(SolidTerms, EnergiesDoNotFeelRotations) {
+  expect_objective<2>(SurfaceTension{0.7});
+  expect_objective<3>(SurfaceTension{0.7});
+  expect_objective<2>(Fibres{0.7, {{0.6, 0.8, 0}}});
+  expect_objective<3>(Fibres{0.7, {{0.48, 0.6, 0.64}}});
+}
+
+TEST(SurfaceTension, ByHand) {
+  // x' = (1.2, 0.5): a = 1.3
+  const SurfaceTension term{2.6};
+  const SolidStrain<double, 2> t{{{{0.2, 7}, {0.5, -3}}}};
+  const auto r = term.residual(t);
+  EXPECT_NEAR(r.momentum_flux(0, 0), 2.4, 1e-15);
+  EXPECT_NEAR(r.momentum_flux(1, 0), 1.0, 1e-15);
+  EXPECT_EQ(r.momentum_flux(0, 1), 0) << "slopes across the face do not count";
+  EXPECT_NEAR(term.energy(t), 2.6 * 0.3, 1e-15);
+  // A face stretched by 2 and 3: area 6, conormal forces 3 and 2 times the tension.
+  const SolidStrain<double, 3> plane{{{{1, 0, 0}, {0, 2, 0}, {0, 0, 0}}}};
+  const auto s = term.residual(plane);
+  EXPECT_NEAR(s.momentum_flux(0, 0), 3 * 2.6, 1e-14);
+  EXPECT_NEAR(s.momentum_flux(1, 1), 2 * 2.6, 1e-14);
+  EXPECT_NEAR(term.energy(plane), 5 * 2.6, 1e-14);
+}
+
+TEST(Fibres, UniaxialStretchByHand) {
+  const Fibres term{0.5, {{1, 0, 0}}};
+  const SolidStrain<double, 2> t{{{{0.2, 0}, {0, -0.1}}}};
+  EXPECT_NEAR(term.residual(t).momentum_flux(0, 0), 2 * 0.5 * 0.44 * 1.2, 1e-15);
+  EXPECT_NEAR(term.residual(t).momentum_flux(1, 1), 0, 1e-15);
+}
+
+template <int D>
+void expect_dissipation() {
+  const KelvinVoigt term{0.8, 0.3};
+  for (int k = 0; k < 20; ++k) {
+    const Matrix<double, D> g = random_matrix<D>(0.4), rate = random_matrix<D>(1), r = rotation<D>(0.3 * k);
+    const SolidStrainRate<double, D> t{g, rate};
+    const double lost = term.dissipation(t);
+    EXPECT_GT(lost, 0);
+    EXPECT_NEAR(contract(term.residual(t).momentum_flux, rate), lost, 1e-13) << "the power of the stress";
+    // A body that turns with the rate W has Grad v = W F.
+    const Matrix<double, D> f = add_diagonal(g, 1.0), w = random_matrix<D>(1);
+    const Matrix<double, D> spin = 0.5 * (w + -1.0 * transpose(w));
+    EXPECT_NEAR(term.dissipation(SolidStrainRate<double, D>{g, product(spin, f)}), 0, 1e-28);
+    EXPECT_NEAR(term.dissipation(SolidStrainRate<double, D>{turned(r, g), product(r, rate)}), lost, 1e-13);
+  }
+}
+
+TEST(KelvinVoigt, DissipatesAndIsObjective) {
+  expect_dissipation<2>();
+  expect_dissipation<3>();
+}
+
+TEST(KelvinVoigt, SmallStrainByHand) {
+  const KelvinVoigt term{0.8, 0.3, 0};
+  const SolidStrainRate<double, 2> t{{{{9, 9}, {9, 9}}}, {{{1, 0.4}, {0, 0}}}};
+  const auto r = term.residual(t);
+  EXPECT_NEAR(r.momentum_flux(0, 0), 2 * 0.8 * (1 - 1.0 / 3) + 0.3, 1e-15);
+  EXPECT_NEAR(r.momentum_flux(0, 1), 2 * 0.8 * 0.2, 1e-15);
+  EXPECT_NEAR(r.momentum_flux(1, 1), -2 * 0.8 / 3 + 0.3, 1e-15);
+}
+
+}  // namespace
+}  // namespace softwet
