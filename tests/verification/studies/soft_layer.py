@@ -1,20 +1,14 @@
 """Wall under a droplet at rest against the linear theory of an elastic layer.
 
 A droplet on a rigid wall exerts the traction t(x) (interface.csv). On a stiff layer the same traction displaces the
-surface by u = C t, with the compliance C(k) of a layer of height H on a roller base in plane strain, derived here: with
-u_x = a(y) sin kx, u_y = b(y) cos kx, the solutions of (lambda + G) grad div u + G Lap u = 0, b = a' = 0 at y = 0, are
-
-    a = A cosh ky - D ky sinh ky,   b = -(A + (3 - 4 nu) D) sinh ky + D ky cosh ky;
-
-sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H give A and D for the tractions t_x sin kx,
-t_y cos kx. Without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH), which is
-checked; k = 0 is uniaxial strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)). Slip sides make these series exact: cosines for
-t_y, sines for t_x.
+surface by u = C t, with the compliance C(k) of a layer of height H on a roller base in plane strain, which
+tests/verification/_layer.py derives. Slip sides make its series exact: cosines for t_y, sines for t_x.
 
 Half a droplet on a slip side. interface.csv holds a traction lumped over the splines of the wall; here it is turned
 into the spline that does the same work on every spline (mass matrix). What is left vanishes with 1/E (deformed
 geometry) and with h."""
 
+import _layer
 import _measure
 import numpy
 import scipy.interpolate
@@ -38,18 +32,6 @@ def half(n, g, young=None):
                 boundary=dict(bottom=bottom, top="no_slip"),
                 time=dict(end=300.0),
                 output=fields(300.0))
-
-
-def compliance(k, young):
-    """2 x 2: (u_x, u_y) of the surface for tractions (t_x sin kx, t_y cos kx)."""
-    shear, lame = young / (2 * (1 + POISSON)), young * POISSON / ((1 + POISSON) * (1 - 2 * POISSON))
-    if k == 0:
-        return numpy.diag([0.0, HEIGHT / (lame + 2 * shear)])
-    z = k * HEIGHT
-    c, s, e = 1.0, numpy.tanh(z), 3 - 4 * POISSON  # cosh and sinh over cosh(z)
-    a, da = numpy.array([c, -z * s]), k * numpy.array([s, -s - z * c])  # factors of A and D
-    b, db = numpy.array([-s, -e * s + z * c]), k * numpy.array([-c, -e * c + c + z * s])
-    return numpy.array([a, b]) @ numpy.linalg.inv(numpy.array([shear * (da - k * b), lame * (k * a + db) + 2 * shear * db]))
 
 
 class WallSpline:
@@ -80,7 +62,7 @@ def linear_theory(run, n, young, x):
     for m in range(n):
         k, norm = m * numpy.pi / LENGTH, (1 if m == 0 else 2) / LENGTH
         sine, cosine = (norm * (spline.w * wave(k * spline.x) * f).sum() for wave, f in ((numpy.sin, t[0]), (numpy.cos, t[1])))
-        part = compliance(k, young) @ (sine, cosine)
+        part = _layer.compliance(k, HEIGHT, young, POISSON) @ (sine, cosine)
         u += numpy.stack((part[0] * numpy.sin(k * x), part[1] * numpy.cos(k * x)))
     return u
 
@@ -90,7 +72,7 @@ def check_compliance(lab):
     for k in numpy.pi / LENGTH * numpy.array([1, 5, 20]):
         z = 2 * k * HEIGHT
         book = 2 * (1 - POISSON**2) / (YOUNG * k) * (numpy.cosh(z) - 1) / (numpy.sinh(z) + z)
-        c = compliance(k, YOUNG)
+        c = _layer.compliance(k, HEIGHT, YOUNG, POISSON)
         worst = max(worst, abs(c[1, 1] / book - 1), abs(c[0, 1] - c[1, 0]) / book)
     lab.expect("compliance: u_y/t_y as in the textbook, reciprocal", "1e-12", f"{worst:.1e}", worst <= 1e-12)
 

@@ -1,0 +1,85 @@
+"""Linear theory of an elastic layer of height H on a roller base, plane strain, wave by wave. No code of softwet.
+
+**At rest.** With u_x = a(y) sin kx, u_y = b(y) cos kx the solutions of (lambda + G) grad div u + G Lap u = 0, b = a' = 0
+at y = 0, are
+
+    a = A cosh ky - D ky sinh ky,   b = -(A + (3 - 4 nu) D) sinh ky + D ky cosh ky;
+
+sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H give A and D for the tractions t_x sin kx,
+t_y cos kx. Without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH); k = 0 is uniaxial
+strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)). Slip sides make these series exact: cosines for t_y, sines for t_x. The surface
+tension U of the top pulls with U u_y'' there: it adds U k^2 to the inverse of u_y/t_y.
+
+**Swinging** with e^(i w t), from the potentials of Helmholtz: u = grad phi + (psi_y, -psi_x) with phi = A cosh(py) cos kx,
+psi = (B/q) sinh(qy) sin kx, p^2 = k^2 - rho w^2/(lambda + 2 G), q^2 = k^2 - rho w^2/G. The base is held already. The top asks for sigma_xy
+= 0 and sigma_yy = -U k^2 u_y: a determinant of 2 x 2 whose first root is the lowest frequency (Rayleigh, Lamb; U = 0)."""
+
+import numpy
+import scipy.optimize
+
+
+def lame(young, poisson):
+    """lambda and G."""
+    return young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))
+
+
+def compliance(k, height, young, poisson, tension=0.0):
+    """2 x 2: (u_x, u_y) of the surface for tractions (t_x sin kx, t_y cos kx)."""
+    first, shear = lame(young, poisson)
+    if k == 0:
+        return numpy.diag([0.0, height / (first + 2 * shear)])
+    z = k * height
+    c, s, e = 1.0, numpy.tanh(z), 3 - 4 * poisson  # cosh and sinh over cosh(z)
+    a, da = numpy.array([c, -z * s]), k * numpy.array([s, -s - z * c])  # factors of A and D
+    b, db = numpy.array([-s, -e * s + z * c]), k * numpy.array([-c, -e * c + c + z * s])
+    free = numpy.array([a, b]) @ numpy.linalg.inv(numpy.array([shear * (da - k * b), first * (k * a + db) + 2 * shear * db]))
+    return numpy.linalg.inv(numpy.linalg.inv(free) + numpy.diag([0.0, tension * k**2])) if tension else free
+
+
+class SlowestWave:
+    """.omega: its angular frequency. Surface waves are slower than shear waves, or a little faster where the top is under tension."""
+
+    def __init__(self, k, height, young, poisson, tension=0.0, density=1.0):
+        self.k, self.height, self.tension, self.density = k, height, tension, density
+        self.first, self.shear = lame(young, poisson)
+        steps = numpy.linspace(0.02, 3, 300) * numpy.sqrt(self.shear / density) * k
+        signs = numpy.sign([self.determinant(omega) for omega in steps])
+        i = numpy.nonzero(signs[:-1] != signs[1:])[0][0]
+        self.omega = scipy.optimize.brentq(self.determinant, steps[i], steps[i + 1], xtol=1e-13)
+
+    def roots(self, omega):
+        """p^2 and q^2."""
+        return [self.k**2 - self.density * omega**2 / c for c in (self.first + 2 * self.shear, self.shear)]
+
+    def displacement(self, omega, y):
+        """Factors of A and B in u_x / sin kx and u_y / cos kx."""
+        k, (pp, qq) = self.k, self.roots(omega)
+        return numpy.array([[-k * cosh(pp, y), cosh(qq, y)], [pp * sinh(pp, y), -k * sinh(qq, y)]])
+
+    def top(self, omega):
+        """What has to vanish at the top, sigma_xy and sigma_yy + U k^2 u_y: factors of A and B."""
+        k, (pp, qq), y = self.k, self.roots(omega), self.height
+        xy = self.shear * numpy.array([-2 * k * pp * sinh(pp, y), (qq + k**2) * sinh(qq, y)])
+        yy = numpy.array([(self.first * (pp - k**2) + 2 * self.shear * pp) * cosh(pp, y), -2 * self.shear * k * cosh(qq, y)])
+        return numpy.array([xy, yy + self.tension * k**2 * self.displacement(omega, y)[1]])
+
+    def determinant(self, omega):
+        return numpy.linalg.det(self.top(omega))
+
+    def shape(self, y):
+        """u_x / sin kx and u_y / cos kx at the heights y; u_y is 1 at the top."""
+        row = self.top(self.omega)[0]
+        parts = numpy.array([row[1], -row[0]])
+        u = numpy.tensordot(parts, self.displacement(self.omega, numpy.append(y, self.height)), (0, 1))
+        return u[:, :-1] / u[1, -1]
+
+
+def cosh(square, y):
+    """cosh(r y) with r^2 = square of any sign."""
+    return numpy.cosh(numpy.sqrt(square + 0j) * y).real
+
+
+def sinh(square, y):
+    """sinh(r y) / r, which is y where r = 0."""
+    r = numpy.sqrt(square + 0j)
+    return (numpy.sinh(r * y) / r).real if r else y
