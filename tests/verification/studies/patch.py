@@ -1,17 +1,19 @@
-"""Large strains in closed form: stretched, compressed and sheared columns.
+"""Large strains in closed form: stretched, compressed and sheared columns, with fibres, and under their own weight.
 
-A column of Saint Venant-Kirchhoff of height H between slip sides, under gravity: only u_y(Y) differs from 0, and the
-free top carries nothing, so P_22(Y) = rho f (H - Y) exactly. With F_22 = s, P_22 = (lambda + 2 G) s (s^2 - 1)/2: s is a
-root of a cubic, u_y the integral of s - 1. Hanging (f > 0, from a slip bottom that holds u_y = 0) the root is the one
-above 1; pressed (f < 0) it is the one in (1/sqrt(3), 1), where the material is stable.
+A column of height H of which every displacement depends on the height alone. With g = u_x' and s = 1 + u_y' the deformation is
+F = [[1, g], [0, s]], and the balance of forces asks for P_12(Y) = rho f_x (H - Y), P_22(Y) = rho f_y (H - Y), whatever the material,
+because the free top carries nothing: two equations for g and s at each height, u is the integral of (g, s - 1).
 
-A sheared column, periodic sides, bottom clamped, force along x: u_x(Y) and u_y(Y). With g = u_x' and s = 1 + u_y':
-E_12 = g/2, E_22 = (g^2 + s^2 - 1)/2, S_12 = G g, S_22 = (lambda + 2 G) E_22, P_12 = S_12 + g S_22, P_22 = s S_22.
-Balance asks for P_22 = 0 and P_12 = rho f (H - Y): S_22 = 0, g = rho f (H - Y)/G, s = sqrt(1 - g^2).
+Saint Venant-Kirchhoff, between slip sides (g = 0): P_22 = (lambda + 2 G) s (s^2 - 1)/2. Hanging (f_y > 0, from a slip bottom that holds
+u_y = 0) the root is the one above 1; pressed it is the one in (1/sqrt(3), 1), where the material is stable. Between periodic sides over a
+clamped bottom, force along x: P_22 = 0 gives S_22 = 0, g = rho f (H - Y)/G, s = sqrt(1 - g^2). These forces are a load
+on all of the column, or substrate.gravity, whose energy is - rho int f.u.
+
+Fibres along a_0 add k/2 (I_4 - 1)^2 to the energy, I_4 = |F a_0|^2, so that P gets 2 k (I_4 - 1) F a_0 a_0^T. Upright fibres stiffen a
+column between slip sides; oblique ones shear a column under its weight between periodic sides.
 
 Rest is reached with rho_inf = 0. Error of u: root mean square over the ends and middles of the elements (where a
-quadratic is one order better than elsewhere), order p + 1; the elastic energy, int (lambda/2 + G) E_22^2 + ..., has
-order 2 p."""
+quadratic is one order better than elsewhere), order p + 1; the elastic energy has order 2 p."""
 
 import _measure
 import numpy
@@ -32,67 +34,118 @@ CASE = case("A column of solid: every displacement depends on the height alone."
 POISSON = 0.3
 LAME, SHEAR = POISSON / ((1 + POISSON) * (1 - 2 * POISSON)), 0.5 / (1 + POISSON)
 STIFFNESS = LAME + 2 * SHEAR
-SCENES = {  # name: (settings, force)
-    "hanging": ([], 1.2),
-    "pressed": ([], -0.2),
-    "sheared": (["boundary.left=periodic", "boundary.right=periodic", "boundary.bottom=clamped"], 0.27),
+PERIODIC = ["boundary.left=periodic", "boundary.right=periodic", "boundary.bottom=clamped"]
+WEIGHT = ["load[0].force=[0,0]"]  # no load: the force is substrate.gravity
+FIBRES = 0.4  # their stiffness
+SCENES = {  # name: (settings, force, angle of the fibres in degrees or none, neo-Hookean)
+    "hanging": ([], (0, 1.2), None, False),
+    "pressed": ([], (0, -0.2), None, False),
+    "sheared": (PERIODIC, (0.27, 0), None, False),
+    "hanging by its weight": (WEIGHT, (0, 1.2), None, False),
+    "hanging on fibres": (WEIGHT, (0, 1.2), 90, False),
+    "pressed on oblique fibres": (PERIODIC, (0, -0.2), 30, False),
+    "pressed neo-Hookean on oblique fibres": ([*WEIGHT, *PERIODIC], (0, -0.4), 120, True),
 }
 
 
-def strain(name, force, y):
-    """(u_x', u_y') at the height y."""
-    load = force * (1 - y)
-    if name == "sheared":
-        g = load / SHEAR
-        return g, numpy.sqrt(1 - g**2) - 1
-    low, high = (1, 3) if force > 0 else (3**-0.5, 1)
-    s = scipy.optimize.brentq(lambda s: STIFFNESS * s * (s * s - 1) / 2 - load, low, high, xtol=1e-15) if load else 1.0
-    return 0.0, s - 1
+def energy_of(scene, f):
+    """Energy per undeformed volume of the deformations F."""
+    _, _, angle, neo = scene
+    c = numpy.swapaxes(f, -1, -2) @ f
+    trace = c[..., 0, 0] + c[..., 1, 1]
+    if neo:
+        log = numpy.log(numpy.linalg.det(f))
+        energy = 0.5 * SHEAR * (trace - 2) - SHEAR * log + 0.5 * LAME * log**2
+    else:
+        e = 0.5 * (c - numpy.eye(2))
+        energy = 0.5 * LAME * (0.5 * trace - 1)**2 + SHEAR * (e**2).sum(axis=(-1, -2))
+    if angle is not None:
+        a = numpy.array([numpy.cos(numpy.radians(angle)), numpy.sin(numpy.radians(angle))])
+        energy = energy + 0.5 * FIBRES * (a @ c @ a - 1)**2
+    return energy
 
 
-def exact(name, force, heights):
-    """u_x, u_y at increasing heights, the first 0, and the elastic energy per width."""
+def stress(scene, g, s):
+    """(P_12, P_22), the slopes of the energy along g and s: exact differences, because the step is imaginary."""
+    step = 1e-30j
+    return [energy_of(scene, numpy.array([[1, a], [0, b]])).imag / 1e-30 for a, b in ((g + step, s + 0j), (g + 0j, s + step))]
+
+
+def strain(name, y, start):
+    """(u_x', u_y') at the height y, found from those of a place nearby."""
+    scene = SCENES[name]
+    force = numpy.array(scene[1]) * (1 - y)
+    if "boundary.left=periodic" not in scene[0]:
+        low, high = (1, 3) if scene[1][1] > 0 else (3**-0.5, 1)
+        s = scipy.optimize.brentq(lambda s: stress(scene, 0.0, s)[1] - force[1], low, high, xtol=1e-15) if y < 1 else 1.0
+        return 0.0, s - 1
+    found = scipy.optimize.root(lambda d: numpy.subtract(stress(scene, d[0], 1 + d[1]), force), start, tol=1e-13)
+    if numpy.abs(found.fun).max() > 1e-10:
+        raise ValueError(f"{name}: no strain at the height {y}")
+    return tuple(found.x)
+
+
+def exact(name, heights):
+    """u_x, u_y at increasing heights, the first 0; per width the elastic energy and - int f.u."""
     x, w = numpy.polynomial.legendre.leggauss(12)
-    u, energy = [numpy.zeros(2)], 0.0
+    strains, near = {}, (0.0, 0.0)
+    for a, b in list(zip(heights, heights[1:]))[::-1]:  # from the top, which carries nothing
+        strains[a] = []
+        for t in x[::-1]:
+            near = strain(name, a + 0.5 * (b - a) * (t + 1), near)
+            strains[a].insert(0, near)
+    u, energy, weight = [numpy.zeros(2)], 0.0, 0.0
     for a, b in zip(heights, heights[1:]):
-        g, s = numpy.array([strain(name, force, a + 0.5 * (b - a) * (t + 1)) for t in x]).T
-        e = 0.5 * (g**2 + (1 + s)**2 - 1)
-        u.append(u[-1] + 0.5 * (b - a) * numpy.array([w @ g, w @ s]))
-        energy += 0.5 * (b - a) * w @ (0.5 * LAME * e**2 + SHEAR * (e**2 + 0.5 * g**2))
-    return numpy.array(u), energy
+        g, s = numpy.array(strains[a]).T
+        slope = numpy.array([w @ g, w @ s]) * 0.5 * (b - a)
+        # int f.u = int f.u' (H - y)
+        weight -= 0.5 * (b - a) * w @ ((SCENES[name][1][0] * g + SCENES[name][1][1] * s) * (1 - a - 0.5 * (b - a) * (x + 1)))
+        u.append(u[-1] + slope)
+        f = numpy.zeros((len(x), 2, 2))
+        f[:, 0, 0], f[:, 0, 1], f[:, 1, 1] = 1, g, 1 + s
+        energy += 0.5 * (b - a) * w @ energy_of(SCENES[name], f)
+    return numpy.array(u), energy, weight
 
 
-def errors(run, name, force):
-    """Root mean square error of u over the column as a part of the largest |u|, relative error of the energy, how far u
-    differs along x."""
+def errors(run, name):
+    """Root mean square error of u over the column as a part of the largest |u|, relative error of the elastic energy, how far u
+    differs along x, relative error of the energy of the weight."""
     place, u = _measure.solid_field(run.folder, 0)
     across = numpy.isclose(place[:, 1], 0).sum()
     grid, heights = u.reshape(-1, across, 2), place[::across, 1]
-    true, energy = exact(name, force, heights)
+    true, energy, weight = exact(name, heights)
     size = numpy.abs(true).max()
     return (numpy.sqrt(((grid[:, 0] - true)**2).sum(axis=1).mean()) / size,
-            abs(run.history["energy_elastic"][-1] / (0.5 * energy) - 1), numpy.ptp(grid, axis=1).max() / size)
+            abs(run.history["energy_elastic"][-1] / (0.5 * energy) - 1), numpy.ptp(grid, axis=1).max() / size,
+            abs(run.history["energy_gravity"][-1] / (0.5 * weight) - 1))
+
+
+def settings(name):
+    words, force, angle, neo = SCENES[name]
+    key = "substrate.gravity" if "load[0].force=[0,0]" in words else "load[0].force"
+    fibres = [] if angle is None else [f"substrate.fibre.stiffness={FIBRES}", f"substrate.fibre.angle={angle}"]
+    return [*words, f"{key}=[{force[0]},{force[1]}]", *fibres, *(["substrate.material=neo_hookean"] if neo else [])]
 
 
 def study(lab):
     meshes = (8, 16) if lab.quick else (4, 8, 16, 32)
     wanted, labels = {}, {}
-    for name, (settings, force) in SCENES.items():
-        direction = f"[{force},0]" if name == "sheared" else f"[0,{force}]"
+    for name in SCENES:
         for p in (2, 3):
             for n in meshes:
                 labels[name, p, n] = f"{name}, degree {p}, {n} elements"
-                wanted[labels[name, p, n]] = (CASE, [
-                    *settings, f"load[0].force={direction}", f"domain.degree={p}", f"domain.elements=[7,{n}]"])
+                wanted[labels[name, p, n]] = (CASE, [*settings(name), f"domain.degree={p}", f"domain.elements=[7,{n}]"])
     runs = lab.runs(wanted)
-    found = {key: errors(runs[label], key[0], SCENES[key[0]][1]) for key, label in labels.items()}
+    found = {key: errors(runs[label], key[0]) for key, label in labels.items()}
     rows = []
     for (name, p, n), e in found.items():
         order = [numpy.log2(a / b) for a, b in zip(found[name, p, n // 2], e)][:2] if (name, p, n // 2) in found else ("", "")
         rows.append((name, p, n, f"{e[0]:.2e}", order[0] and f"{order[0]:.2f}", f"{e[1]:.2e}", order[1] and f"{order[1]:.2f}"))
-    for name, (_, force) in SCENES.items():
-        g, s = strain(name, force, 0.0)
-        lab.text(f"{name}: force {force:g}, at the bottom F_22 = {1 + s:.4f}, F_12 = {g:.4f}.")
+    for name, (_, force, angle, _) in SCENES.items():
+        heights = numpy.linspace(0, 1, 5)
+        g, s = strain(name, 0.0, (exact(name, heights)[0][1] - exact(name, heights)[0][0]) / heights[1])
+        fibres = "" if angle is None else f"fibres of stiffness {FIBRES} at {angle} degrees, "
+        lab.text(f"{name}: {fibres}force {list(force)}, at the bottom F_22 = {1 + s:.4f}, F_12 = {g:.4f}.")
     lab.table(("column", "degree", "elements", "error of u", "order", "error of the energy", "order"), rows, "columns")
     last = meshes[-1]
     for name in SCENES:
@@ -105,3 +158,6 @@ def study(lab):
                        orders[1] >= 2 * p - 0.5)
         across = max(found[name, p, last][2] for p in (2, 3))
         lab.expect(f"{name}: differs along x", "<= 1e-8", f"{across:.1e}", across <= 1e-8)
+        if "load[0].force=[0,0]" in SCENES[name][0]:
+            error = max(found[name, p, last][3] for p in (2, 3))
+            lab.expect(f"{name}: energy of the weight", "within 1e-5", f"{error:.1e}", error <= 1e-5)
