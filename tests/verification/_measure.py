@@ -114,9 +114,9 @@ def radial_at_potential(capillarity, excess):
 
 def balance_error(folder, start, end):
     """Sum over the steps in [start, end] of |change of the energy - trapezoidal integral of (- dissipation + power of
-    the load + wall stretch)|, as a part of what is dissipated."""
+    the load + wall stretch)|, as a part of what is dissipated. A solid alone has no wall that stretches."""
     rows = history(folder)
-    t, rate = rows["t"], rows["power_load"] + rows["wall_stretch"] - rows["dissipation"]
+    t, rate = rows["t"], rows["power_load"] + numpy.nan_to_num(rows["wall_stretch"]) - rows["dissipation"]
     dt = numpy.diff(t)
     error = numpy.abs(numpy.diff(rows["energy_total"]) - 0.5 * (rate[1:] + rate[:-1]) * dt)
     inside = (t[:-1] >= start - 1e-9) & (t[1:] <= end + 1e-9)
