@@ -57,16 +57,16 @@ def interface(theta=0.39, panels=4000):
     return plane, distance - numpy.interp(0, z, distance), rho, root**2
 
 
-def tractions(x, capillarity):
-    """t_x, t_y at places of the wall."""
+def tractions(x, capillarity, radius=RADIUS, angle=ANGLE, middle=0.5 * LENGTH):
+    """t_x, t_y at places of the wall under a droplet in the middle."""
     plane, distance, rho, twice_excess = interface()
-    tension, cut = plane.tension * capillarity, numpy.sin(ANGLE) / capillarity
-    foot = RADIUS * numpy.sin(ANGLE)
-    left, right = (x - 0.5 * LENGTH + foot) * cut, (0.5 * LENGTH + foot - x) * cut
+    tension, cut = plane.tension * capillarity, numpy.sin(angle) / capillarity
+    foot = radius * numpy.sin(angle)
+    left, right = (x - middle + foot) * cut, (middle + foot - x) * cut
     kernel = [numpy.interp(s, distance, twice_excess, 0, 0) * cut / plane.tension for s in (left, right)]
     inside = [(numpy.interp(s, distance, rho) - plane.vapour) / plane.step for s in (left, right)]
-    return (tension * numpy.cos(ANGLE) * (kernel[0] - kernel[1]),
-            tension * numpy.sin(ANGLE) * (kernel[0] + kernel[1]) - tension / RADIUS * (inside[0] + inside[1] - 1))
+    return (tension * numpy.cos(angle) * (kernel[0] - kernel[1]),
+            tension * numpy.sin(angle) * (kernel[0] + kernel[1]) - tension / radius * (inside[0] + inside[1] - 1))
 
 
 def ridge(elements, rows, degree, poisson, capillarity):

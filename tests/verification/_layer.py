@@ -1,16 +1,17 @@
-"""Linear theory of an elastic layer of height H on a roller base, plane strain, wave by wave. No code of softwet.
+"""Linear theory of an elastic layer of height H on a base, plane strain, wave by wave. No code of softwet.
 
-**At rest.** With u_x = a(y) sin kx, u_y = b(y) cos kx the solutions of (lambda + G) grad div u + G Lap u = 0, b = a' = 0
-at y = 0, are
+**At rest.** With u_x = a(y) sin kx, u_y = b(y) cos kx the solutions of (lambda + G) grad div u + G Lap u = 0 are, with e = 3 - 4 nu,
 
-    a = A cosh ky - D ky sinh ky,   b = -(A + (3 - 4 nu) D) sinh ky + D ky cosh ky;
+    a = A cosh ky - D ky sinh ky,   b = -(A + e D) sinh ky + D ky cosh ky   on rollers, b = a' = 0 at y = 0, and
+    a = A ky sinh ky + D (e sinh ky + ky cosh ky),   b = A (e sinh ky - ky cosh ky) - D ky sinh ky   where the base is clamped;
 
 sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H give A and D for the tractions t_x sin kx,
-t_y cos kx. Without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH); k = 0 is uniaxial
-strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)). Slip sides make these series exact: cosines for t_y, sines for t_x. The surface
+t_y cos kx. On rollers and without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH); k = 0 is uniaxial
+strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)).
+Slip sides make these series exact: cosines for t_y, sines for t_x. The surface
 tension U of the top pulls with U u_y'' there: it adds U k^2 to the inverse of u_y/t_y.
 
-**Swinging** with e^(i w t), from the potentials of Helmholtz: u = grad phi + (psi_y, -psi_x) with phi = A cosh(py) cos kx,
+**Swinging** on rollers with e^(i w t), from the potentials of Helmholtz: u = grad phi + (psi_y, -psi_x) with phi = A cosh(py) cos kx,
 psi = (B/q) sinh(qy) sin kx, p^2 = k^2 - rho w^2/(lambda + 2 G), q^2 = k^2 - rho w^2/G. The base is held already. The top asks for sigma_xy
 = 0 and sigma_yy = -U k^2 u_y: a determinant of 2 x 2 whose first root is the lowest frequency (Rayleigh, Lamb; U = 0)."""
 
@@ -23,15 +24,19 @@ def lame(young, poisson):
     return young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))
 
 
-def compliance(k, height, young, poisson, tension=0.0):
-    """2 x 2: (u_x, u_y) of the surface for tractions (t_x sin kx, t_y cos kx)."""
+def compliance(k, height, young, poisson, tension=0.0, clamped=False):
+    """2 x 2: (u_x, u_y) of the surface for tractions (t_x sin kx, t_y cos kx); clamped: the base, else on rollers."""
     first, shear = lame(young, poisson)
     if k == 0:
         return numpy.diag([0.0, height / (first + 2 * shear)])
     z = k * height
     c, s, e = 1.0, numpy.tanh(z), 3 - 4 * poisson  # cosh and sinh over cosh(z)
-    a, da = numpy.array([c, -z * s]), k * numpy.array([s, -s - z * c])  # factors of A and D
-    b, db = numpy.array([-s, -e * s + z * c]), k * numpy.array([-c, -e * c + c + z * s])
+    if clamped:  # factors of A and D
+        a, da = numpy.array([z * s, e * s + z * c]), k * numpy.array([s + z * c, (e + 1) * c + z * s])
+        b, db = numpy.array([e * s - z * c, -z * s]), k * numpy.array([(e - 1) * c - z * s, -s - z * c])
+    else:
+        a, da = numpy.array([c, -z * s]), k * numpy.array([s, -s - z * c])
+        b, db = numpy.array([-s, -e * s + z * c]), k * numpy.array([-c, -e * c + c + z * s])
     free = numpy.array([a, b]) @ numpy.linalg.inv(numpy.array([shear * (da - k * b), first * (k * a + db) + 2 * shear * db]))
     return numpy.linalg.inv(numpy.linalg.inv(free) + numpy.diag([0.0, tension * k**2])) if tension else free
 

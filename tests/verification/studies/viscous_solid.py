@@ -54,10 +54,10 @@ WAVES = {
 }
 
 
-def steps(dt, count):
-    """Settings for `count` steps of the size dt, with rows of interface.csv for all but the last."""
+def steps(dt, count, every=1):
+    """Settings for `count` steps of the size dt, with rows of interface.csv for one of `every`, but the last."""
     return [f"time.dt_initial={dt:.17g}", f"time.dt_max={dt:.17g}", f"time.end={count * dt:.17g}",
-            f"output.fields.times={[round(i * dt, 12) for i in range(count)]}"]
+            f"output.fields.times={[round(i * dt, 12) for i in range(0, count, every)]}"]
 
 
 def motion(run):
@@ -71,7 +71,7 @@ def measured(run, exact):
     """The roots of a run that is near the exact ones, without its beginning, when other waves that the start sets off on the mesh decay."""
     t, u = motion(run)
     if exact[0].imag:
-        s = _shape.damped_wave(t[40:], u[40:], max(exact, key=lambda s: s.imag), drift=False)[0]
+        s = _shape.damped_wave(t[len(t) // 3:], u[len(t) // 3:], max(exact, key=lambda s: s.imag), drift=False)[0]
         return numpy.array([s, s.conjugate()])
     u = u[3:]
     a, b = numpy.linalg.lstsq(numpy.stack((u[1:-1], u[:-2]), axis=1), u[2:], rcond=None)[0]
@@ -100,7 +100,8 @@ def waves(lab):
         rows.append((name, *(told(s[-1]) for s in (exact[name], theory, found)), f"{error:.1e}"))
         worst = max(worst, (name, error), key=lambda pair: pair[1])
     lab.title("Waves")
-    lab.text("The root with the largest imaginary part, or the slower one of two that are real; the error is that of both as a part of the larger.")
+    lab.text("The root with the largest imaginary part, or the slower one of two that are real. The error is that of both as a part of the "
+             "larger.")
     lab.table(("wave", "exact s", "exact s under the time scheme", "measured", "error"), rows, "waves")
     lab.expect("largest error of s", "<= 1e-4", f"{worst[1]:.1e}, {worst[0]}", worst[1] <= 1e-4)
 
@@ -159,8 +160,8 @@ def spin(lab):
     angle = numpy.arctan2((first[:, 0] * now[:, 1] - first[:, 1] * now[:, 0]).sum(), (first * now).sum())
     lab.text(f"At the end the square is turned by {numpy.degrees(angle):.0f} degrees and holds {rows['energy_kinetic'][-1]:.3e} of the "
              f"{rows['energy_kinetic'][0]:.3e} of kinetic energy that it began with.")
-    lab.expect("it spins on: kinetic energy at the end over that at the start", ">= 0.3",
-               f"{rows['energy_kinetic'][-1] / rows['energy_kinetic'][0]:.2f}", rows["energy_kinetic"][-1] >= 0.3 * rows["energy_kinetic"][0])
+    kept = rows["energy_kinetic"][-1] / rows["energy_kinetic"][0]
+    lab.expect("it spins on: kinetic energy at the end over that at the start", ">= 0.3", f"{kept:.2f}", kept >= 0.3)
     lab.expect("it is turned: |angle|", ">= 60 degrees", f"{abs(numpy.degrees(angle)):.0f}", abs(angle) >= numpy.pi / 3)
     lab.expect("dissipation at the end over that at the start", "<= 1e-8", f"{left:.1e}", left <= 1e-8)
 
@@ -188,8 +189,8 @@ def balance(lab):
         differ = numpy.abs(last["dissipation"] - last["dissipation_solid"]).max()
         lab.expect(f"{material}: dissipation, of a solid alone, is that of the solid", "0", f"{differ:g}", differ == 0)
     lab.title("Energy")
-    lab.text("What is left open in the balance from t = 0.1 to 1, as a part of what is dissipated, and the part of the energy that is dissipated. "
-             "The first step is one of backward Euler, which takes energy of its own from the shortest waves.")
+    lab.text("What is left open in the balance from t = 0.1 to 1, as a part of what is dissipated, and the part of the energy that is "
+             "dissipated. The first step is one of backward Euler, which takes energy of its own from the shortest waves.")
     lab.table(("material", *(f"dt = {dt}" for dt in sizes), "dissipated"), rows, "balance")
 
 
@@ -205,6 +206,6 @@ def explicit(lab):
     for name in ("shear, k = 2 pi, eta = 0.01", "pressure, k = 2 pi, eta = 0.01"):
         text, viscous, elastic, k = WAVES[name]
         exact = ordered(roots(viscous, elastic, k))
-        run = lab.run(name, text, steps(2 * numpy.pi / abs(exact[0]) / 400, 600))
+        run = lab.run(name, text, steps(2 * numpy.pi / abs(exact[0]) / 400, 1200, 20))
         error = numpy.abs(ordered(measured(run, exact)) - exact).max() / abs(exact[0])
-        lab.expect(f"{name}: error of s", "<= 0.1 %", f"{100 * error:.2g} %", error <= 1e-3)
+        lab.expect(f"{name}: error of s", "<= 0.01 %", f"{100 * error:.2g} %", error <= 1e-4)
