@@ -99,7 +99,8 @@ void add_softness(const Case& c, std::vector<std::string>& found) {
                   short_text(length) + " (thickness: " + short_text(c.substrate->thickness) +
                   ", fluid.capillarity: " + short_text(c.fluid->capillarity) + "); above " + short_text(bound) +
                   " the droplet was measured to turn the solid inside out soon after the start: write young = " +
-                  short_text(1.05 * c.substrate->young * length / bound) + " or more");
+                  short_text(1.05 * c.substrate->young * length / bound) +
+                  " or more, or the surface_tension that the solid has: gels have one");
 }
 
 /// Below liquid: by hand, or as Young's law gives it.
@@ -163,7 +164,8 @@ void add_tolerance(const Case& c, std::vector<std::string>& found) {
 double least_radius(const Case& c, const Droplet& droplet) { return least_radius_between(phases_of(c), c, droplet); }
 
 double longest_elastocapillary_length(const Case& c) {
-  return std::max(0.85 * c.fluid->capillarity, 0.17 * largest_radius(c));
+  const double without = std::max(0.85 * c.fluid->capillarity, 0.17 * largest_radius(c));
+  return without * (1 + 0.5 * c.substrate->surface_tension / surface_tension(*c.fluid));
 }
 
 bool too_soft(const Case& c) {

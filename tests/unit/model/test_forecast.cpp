@@ -114,6 +114,24 @@ TEST(Forecast, LockingAsMeasured) {
   }
 }
 
+/// docs/limits.md: the softest solids that went through, with the surface tension of the solid over that of the liquid.
+TEST(Forecast, SoftSolidsThatTensionHolds) {
+  const struct {
+    double tension, through, stopped;  ///< sigma / (E capillarity)
+  } table[] = {{0, 0.84, 1.27}, {0.5, 0.84, 1.27}, {1, 1.26, 1.69}, {2, 1.69, 2.53}};
+  for (const auto& row : table) {
+    Case c = soft(1);
+    const double sigma = surface_tension(*c.fluid);
+    c.substrate->surface_tension = c.substrate->surface_tension_wet = row.tension * sigma;
+    const auto soft_at = [&](double length) {
+      c.substrate->young = sigma / (length * c.fluid->capillarity);
+      return too_soft(c);
+    };
+    EXPECT_FALSE(soft_at(row.through)) << row.tension;
+    EXPECT_TRUE(soft_at(row.stopped)) << row.tension;
+  }
+}
+
 /// tests/oracle/ridge_locking.py: how much too low the ridge is, in percent.
 TEST(Forecast, RidgeThatLocks) {
   const struct {
