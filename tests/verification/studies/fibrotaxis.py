@@ -16,7 +16,7 @@ MINUTES = {"quick": 0.6, "full": 8}
 SCENE = case("A droplet on a soft solid with inclined fibres, between periodic sides.", "fibrotaxis",
              domain=dict(size=[1.0, 0.5], elements=[64, 32]),
              fluid=dict(viscosity="1/256", capillarity="1/32", temperature=0.39, contact_angle=60.0, wall_law="energy"),
-             substrate=dict(thickness=0.125, young=0.3, poisson=0.3, fibre=dict(stiffness=0.5, angle=60.0)),
+             substrate=dict(thickness=0.125, young=0.4, poisson=0.3, fibre=dict(stiffness=0.6, angle=60.0)),
              droplet=[dict(centre=[0.5, 0.125], radius=0.16)],
              boundary=sides("slip", left="periodic", right="periodic", bottom="clamped", top="no_slip"),
              time=dict(end=60.0, tolerance=5e-4))
