@@ -44,7 +44,7 @@ SCENES = {  # name: (settings, force, angle of the fibres in degrees or none, ne
     "hanging by its weight": (WEIGHT, (0, 1.2), None, False),
     "hanging on fibres": (WEIGHT, (0, 1.2), 90, False),
     "pressed on oblique fibres": (PERIODIC, (0, -0.2), 30, False),
-    "pressed neo-Hookean on oblique fibres": ([*WEIGHT, *PERIODIC], (0, -0.4), 120, True),
+    "pressed neo-Hookean on oblique fibres": ([*WEIGHT, *PERIODIC], (0, -1.0), 120, True),
 }
 
 
@@ -120,6 +120,21 @@ def errors(run, name):
             abs(run.history["energy_gravity"][-1] / (0.5 * weight) - 1))
 
 
+def in_space(lab):
+    """A column in space whose oblique fibres are turned about the vertical: the plane column, turned like them."""
+    name, turn = "pressed on oblique fibres", numpy.radians(35)
+    words = [word for word in settings(name) if not word.startswith("load")]
+    run = lab.run(f"{name}, in space", CASE, [
+        *words, "domain.size=[0.5,0.5,1]", "domain.elements=[5,5,8]", "load[0].box=[[0,0,0],[0.5,0.5,1]]", "load[0].force=[0,0,-0.2]",
+        "boundary.front=periodic", "boundary.back=periodic", "substrate.fibre.azimuth=35"])
+    wall = _measure.interface(run.folder)
+    top = exact(name, numpy.linspace(0, 1, 9))[0][-1]
+    wanted = numpy.array([top[0] * numpy.cos(turn), top[0] * numpy.sin(turn), top[1]])
+    found = numpy.array([wall[f"displacement_{d}"] for d in "xyz"])
+    error = numpy.abs(found - wanted[:, None]).max() / numpy.abs(top).max()
+    lab.expect(f"{name}, in space, turned by 35 degrees: displacement of the top", "within 1e-4", f"{error:.1e}", error <= 1e-4)
+
+
 def settings(name):
     words, force, angle, neo = SCENES[name]
     key = "substrate.gravity" if "load[0].force=[0,0]" in words else "load[0].force"
@@ -161,3 +176,4 @@ def study(lab):
         if "load[0].force=[0,0]" in SCENES[name][0]:
             error = max(found[name, p, last][3] for p in (2, 3))
             lab.expect(f"{name}: energy of the weight", "within 1e-5", f"{error:.1e}", error <= 1e-5)
+    in_space(lab)
