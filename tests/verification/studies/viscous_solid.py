@@ -40,6 +40,18 @@ def box(field, mode, height, **viscosity):
                 solver=EXACT_STEPS)
 
 
+def in_space(**viscosity):
+    """A pressure wave along x between slip sides in three dimensions."""
+    return case("A standing wave in a viscous solid.", "viscous_wave",
+                domain=dict(size=[0.5, 0.125, 0.125], elements=[24, 2, 2]),
+                substrate=dict(thickness=0.125, young=YOUNG, poisson=POISSON, **viscosity),
+                wave=[dict(field="displacement_x", amplitude=SMALL, mode=[1, 0, 0])],
+                boundary=dict(bottom="slip", top="slip"),
+                time=dict(rho_inf=1.0, end=1.0, tolerance=1e6),
+                output=dict(fields=dict(select=["displacement"])),
+                solver=EXACT_STEPS)
+
+
 def roots(viscous, elastic, k):
     return numpy.roots([1.0, viscous * k**2, elastic * k**2])
 
@@ -50,6 +62,7 @@ WAVES = {
     "shear, k = 2 pi, eta = 0.01": (box("displacement_x", [0, 1], 0.5, viscosity=0.01), 0.01, SHEAR, 2 * numpy.pi),
     "pressure, k = 2 pi, eta = 0.01": (box("displacement_x", [1, 0], 0.125, viscosity=0.01), 0.04 / 3, STIFF, 2 * numpy.pi),
     "pressure, k = 2 pi, zeta = 0.02": (box("displacement_x", [1, 0], 0.125, bulk_viscosity=0.02), 0.02, STIFF, 2 * numpy.pi),
+    "pressure in space, k = 2 pi, eta = 0.01": (in_space(viscosity=0.01), 0.04 / 3, STIFF, 2 * numpy.pi),
     "shear, k = 8 pi, eta = 0.05": (box("displacement_x", [0, 1], 0.125, viscosity=0.05), 0.05, SHEAR, 8 * numpy.pi),
 }
 
@@ -61,9 +74,11 @@ def steps(dt, count, every=1):
 
 
 def motion(run):
-    """Times and displacement u_x at the middle of the top."""
+    """Times and the displacement u_x of the top at the middle of x."""
     walls = run.output.interface
-    middle = [wall["displacement_x"][len(wall["displacement_x"]) // 2] for wall in walls.values()]
+    place = next(iter(walls.values()))["x_reference"]
+    at = numpy.argmin(numpy.abs(place - 0.5 * place.max()))
+    middle = [wall["displacement_x"][at] for wall in walls.values()]
     return numpy.array(list(walls)), numpy.array(middle)
 
 
@@ -131,7 +146,7 @@ def creep(lab):
             exact = [1 - numpy.exp(-t * STIFF / (0.5 * 4 / 3)) for t in walls]
             errors.append(numpy.abs(numpy.subtract(found, exact)).max())
             rows.append((strain, dt, *(f"{f:.6f} ({e:.6f})" for f, e in zip(found, exact)), f"{errors[-1]:.1e}"))
-        lab.expect(f"creep, strain = {strain}, dt = {sizes[-1]}", "within 1e-3", f"{errors[-1]:.1e}", errors[-1] <= 1e-3)
+        lab.expect(f"creep, strain = {strain}, dt = {sizes[-1]}", "within 1e-4", f"{errors[-1]:.1e}", errors[-1] <= 1e-4)
     lab.title("Creep")
     lab.text("Displacement of the top over that at the end, and the exact one, at t = 0.1, 0.5 and 1.")
     lab.table(("strain", "dt", "t = 0.1", "t = 0.5", "t = 1", "largest error"), rows, "creep")
