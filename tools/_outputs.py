@@ -35,12 +35,13 @@ def letter(axes, number):
 
 
 def fraction_of(load, case, time):
-    """The part of a load that acts at a time of the results: 0 before its start, then rising over its ramp to 1.
-    Loads start on the clock of the computation; time 0 of the results is the start of the first one."""
+    """The part of a load that acts at a time of the results: 0 before its start, then rising over its ramp to its factor,
+    which counts as 1 where it is an expression or a table. Loads start on the clock of the computation; time 0 of the results is the start of the first one."""
     since = time - (load["start"] - min(other["start"] for other in case["load"]))
     if since < 0 or (since == 0 and load["ramp"] > 0):
         return 0.0
-    return 1.0 if load["ramp"] == 0 else min(1.0, since / load["ramp"])
+    factor = load.get("factor", 1.0)
+    return (1.0 if load["ramp"] == 0 else min(1.0, since / load["ramp"])) * (1.0 if isinstance(factor, str) else factor)
 
 
 def refine(values):

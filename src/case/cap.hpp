@@ -1,6 +1,8 @@
 // The circle of a droplet or bubble that sits on the wall.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "case/case.hpp"
@@ -8,9 +10,12 @@
 namespace softwet {
 
 /// Cosine of the angle inside a cap: alpha in a droplet, 180 degrees - alpha in a bubble, for alpha is measured in the
-/// liquid. The circle's centre lies -R cos above the wall, its top R (1 - cos).
-inline double cap_cosine(const Fluid& fluid) {
-  const double cosine = std::cos(fluid.contact_angle * 3.14159265358979323846 / 180);
+/// liquid. The circle's centre lies -R cos above the wall, its top R (1 - cos). Where the angle varies, that of the wall at the
+/// droplet's centre counts.
+inline double cap_cosine(const Fluid& fluid, const Droplet& droplet) {
+  std::array<double, 3> x{};
+  std::copy_n(droplet.centre.begin(), std::min<std::size_t>(3, droplet.centre.size()), x.begin());
+  const double cosine = std::cos(fluid.contact_angle.at(x) * 3.14159265358979323846 / 180);
   return fluid.ambient == Phase::liquid ? -cosine : cosine;
 }
 

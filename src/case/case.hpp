@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,11 @@ namespace softwet {
 
 enum class Side { slip, no_slip, clamped, free, periodic };
 inline std::vector<std::string> words_of(Side) { return {"slip", "no_slip", "clamped", "free", "periodic"}; }
+
+/// Whether a side prescribes a component of velocity and displacement. @param through  the component along the side's normal
+inline bool holds(Side side, bool through) {
+  return side == Side::no_slip || side == Side::clamped || (side == Side::slip && through);
+}
 
 /// Test functions of the wall in the capillary force: next to the wall only, or blended over the fluid like the mesh.
 enum class Traction { layer, blended };
@@ -45,10 +51,10 @@ struct Domain {
 };
 
 struct Fluid {
-  double viscosity = 0;       ///< mu_hat, eq. (9)
-  double capillarity = 0;     ///< gamma_hat, eq. (8)
-  double temperature = 0;     ///< theta_hat, eq. (10)
-  double contact_angle = 90;  ///< degrees, measured in the liquid
+  double viscosity = 0;        ///< mu_hat, eq. (9)
+  double capillarity = 0;      ///< gamma_hat, eq. (8)
+  double temperature = 0;      ///< theta_hat, eq. (10)
+  Profile contact_angle = 90;  ///< degrees, measured in the liquid, at the points of the wall
   WallLaw wall_law = WallLaw::gradient;
   WallTensionModel wall_tension = WallTensionModel::none;
   Traction traction = Traction::layer;
@@ -69,7 +75,7 @@ struct Fibre {
 struct Substrate {
   double thickness = 0;                             ///< Hs; a whole number of element rows
   double density = 1;                               ///< rho_0^s / b
-  double young = 0;                                 ///< E_hat, eq. (12): Young modulus / (rho_0^s a b)
+  Profile young = 0;                                ///< E_hat, eq. (12): Young modulus / (rho_0^s a b)
   double poisson = 0;                               ///< nu
   std::string material = "saint_venant_kirchhoff";  ///< saint_venant_kirchhoff | neo_hookean
   std::string strain = "finite";                    ///< finite | small: Hooke's law, in place of the material
@@ -82,7 +88,7 @@ struct Substrate {
   std::vector<double> gravity = {};  ///< force per unit mass on all of the solid, a b/L0; empty: none
   Fibre fibre = {};
 
-  double young_modulus() const { return density * young; }  ///< E, scale a b^2
+  double young_modulus() const { return density * young.least(); }  ///< E, scale a b^2; the smallest where it varies
 };
 
 struct Droplet {
@@ -104,11 +110,22 @@ struct Wave {
   std::vector<double> mode;
 };
 
+struct EarlierState;  // model/earlier_state.hpp
+
+/// The state at the start where it is given at each point, in place of what droplets and films make.
+struct Initial {
+  std::string from;                             ///< output folder of an earlier run; empty: none
+  std::shared_ptr<const EarlierState> earlier;  ///< that run, read where a run begins (run/earlier_run.hpp)
+  std::optional<Profile> density;
+  std::vector<Profile> velocity, displacement;  ///< one for each axis, or empty
+};
+
 struct Load {
   std::vector<double> lower, upper;  ///< box in reference coordinates, inside the solid
   std::vector<double> force;         ///< f_hat, eq. (13), force per unit mass
   double start = 0;                  ///< in run time, which is 0 at the beginning of the computation
   double ramp = 0;                   ///< time over which the force grows linearly to its full value
+  Profile factor = 1;                ///< of the force, at the time of the results; it multiplies the ramp
 };
 
 /// Sides of the patch, [axis][0: low, 1: high]. Unused axes stay at slip.
@@ -166,6 +183,7 @@ struct Case {
   std::vector<Droplet> droplets;
   std::vector<Film> films;
   std::vector<Wave> waves;
+  std::optional<Initial> initial;
   std::vector<Load> loads;
   Boundary boundary;
   TimeControl time;
@@ -184,7 +202,8 @@ struct Case {
   /// Whether nothing but loads and a wall that stretches can feed the energy. The wall law "gradient" can, except at 90 degrees.
   bool has_energy_law() const {
     if (has_wet_tension_by_hand()) return false;
-    return !fluid || fluid->wall_law == WallLaw::energy || fluid->contact_angle == 90 ||
+    return !fluid || fluid->wall_law == WallLaw::energy ||
+           (!fluid->contact_angle.varies() && fluid->contact_angle.number == 90) ||
            boundary.side[domain.size.size() - 1][0] == Side::periodic;
   }
   /// Whether the tension of the wall below liquid is given by hand. No energy belongs to it.
@@ -194,6 +213,7 @@ struct Case {
   /// Whether the energy of the tables is the one that steps keep. Of an elastic solid alone with lumped or corrected masses it is not: it
   /// has consistent masses, and swings by the difference where a wave trades kinetic for elastic energy.
   bool keeps_shown_energy() const { return fluid || time.scheme == implicit_scheme || time.mass == "consistent"; }
+  bool gives_density() const { return initial && (initial->density || !initial->from.empty()); }
   int dimension() const { return static_cast<int>(domain.size.size()); }
   /// Unit vector of the track in the plane of the wall, (x, y); in 2D along x.
   std::array<double, 2> track() const {

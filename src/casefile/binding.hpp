@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -21,6 +22,25 @@ inline void store(std::vector<int>& member, const Value& value) {
   const Numbers& numbers = std::get<Numbers>(value);
   member.assign(numbers.begin(), numbers.end());
 }
+inline void store(Profile& member, const Value& value) {
+  member = Profile{member.number};
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    member.text = *text;  // the formula follows when the whole case is known
+  } else {
+    member.number = std::get<double>(value);
+  }
+}
+inline void store(std::optional<Profile>& member, const Value& value) {
+  member.reset();
+  if (value != Value(std::string{})) store(member.emplace(), value);
+}
+inline void store(std::vector<Profile>& member, const Value& value) {
+  member.clear();
+  for (const std::string& text : std::get<Words>(value)) {
+    const auto number = number_from_text(text);
+    store(member.emplace_back(), number ? Value(*number) : Value(text));
+  }
+}
 template <class Enumeration>
   requires std::is_enum_v<Enumeration>
 void store(Enumeration& member, const Value& value) {
@@ -37,16 +57,44 @@ inline Value load(const std::string& member) { return member; }
 inline Value load(const Numbers& member) { return member; }
 inline Value load(const Words& member) { return member; }
 inline Value load(const std::vector<int>& member) { return Numbers(member.begin(), member.end()); }
+inline Value load(const Profile& member) { return member.text.empty() ? Value(member.number) : Value(member.text); }
+inline Value load(const std::optional<Profile>& member) { return member ? load(*member) : Value(std::string{}); }
+inline Value load(const std::vector<Profile>& member) {
+  Words texts;
+  for (const Profile& profile : member)
+    texts.push_back(profile.text.empty() ? text_of_number(profile.number) : profile.text);
+  return texts;
+}
 template <class Enumeration>
   requires std::is_enum_v<Enumeration> Value load(Enumeration member) {
     return words_of(member)[static_cast<std::size_t>(member)];
   }
 
+// The profiles in a member.
+inline std::vector<Profile*> profiles_in(Profile& member) { return {&member}; }
+inline std::vector<Profile*> profiles_in(std::optional<Profile>& member) {
+  return member ? std::vector<Profile*>{&*member} : std::vector<Profile*>{};
+}
+inline std::vector<Profile*> profiles_in(std::vector<Profile>& member) {
+  std::vector<Profile*> all;
+  for (Profile& profile : member) all.push_back(&profile);
+  return all;
+}
+
+/// Binding of a member that is a profile, or has some.
+template <class Place>
+Binding profile_at(Place place) {
+  return {[place](Case& c, std::size_t index, const Value& value) { store(place(c, index), value); },
+          [place](const Case& c, std::size_t index) { return load(place(const_cast<Case&>(c), index)); },
+          [place](Case& c, std::size_t index) { return profiles_in(place(c, index)); }};
+}
+
 /// Binding of the member that `place(case, index)` refers to.
 template <class Place>
 Binding at(Place place) {
   return {[place](Case& c, std::size_t index, const Value& value) { store(place(c, index), value); },
-          [place](const Case& c, std::size_t index) { return load(place(const_cast<Case&>(c), index)); }};
+          [place](const Case& c, std::size_t index) { return load(place(const_cast<Case&>(c), index)); },
+          {}};
 }
 
 /// A box is two lists in an entry of Case, lower and upper corner; `place` returns the entry.
@@ -60,7 +108,8 @@ Binding box_of(Place place) {
           [place](const Case& c, std::size_t index) {
             const auto& entry = place(const_cast<Case&>(c), index);
             return std::vector<Numbers>{entry.lower, entry.upper};
-          }};
+          },
+          {}};
 }
 
 }  // namespace softwet

@@ -13,6 +13,7 @@
 #include "case/error.hpp"
 #include "casefile/case_checks.hpp"
 #include "casefile/document.hpp"
+#include "casefile/profiles.hpp"
 #include "casefile/quality.hpp"
 
 namespace softwet {
@@ -120,7 +121,8 @@ Case parse_case(std::string_view text, const std::string& place, const std::vect
   Problems problems;
   Document document = read_document(text, place, problems);
   for (const std::string& assignment : overrides) problems.keep([&] { apply_override(document, assignment); });
-  const Case c = resolve(document, problems);
+  Case c = resolve(document, problems);
+  build_profiles(c, document, problems);
   check_case(c, document, problems);
   problems.throw_if_any();
   return c;
@@ -150,12 +152,13 @@ std::vector<std::string> warnings(const Case& c) {
   }
   if (c.fluid && c.fluid->capillarity >= largest && c.fluid->wall_law == WallLaw::gradient) {
     const auto [least, most] = gradient_law_angles(largest / c.fluid->capillarity);
-    if (c.fluid->contact_angle < least || c.fluid->contact_angle > most)
+    const Profile& angle = c.fluid->contact_angle;
+    if (angle.least() < least || angle.most() > most)
       found.push_back(fmt::format(
           "fluid.contact_angle = {:.6g} is outside [{:.3g}, {:.3g}], where fluid.wall_law = \"gradient\" was "
           "measured to work at temperature 0.39 with {:.3g} elements for a capillarity (softwet verify wetting): the "
           "density may leave its range at the contact line; write fluid.wall_law = \"energy\"",
-          c.fluid->contact_angle, least, most, c.fluid->capillarity / largest));
+          angle.least() < least ? angle.least() : angle.most(), least, most, c.fluid->capillarity / largest));
   }
   if (!c.output.field_times.empty() && c.output.field_times.back() > c.time.end) {
     found.push_back(fmt::format("output.fields.times beyond time.end = {} will not be written", c.time.end));

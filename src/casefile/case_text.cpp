@@ -8,6 +8,7 @@
 #include "casefile/case_file.hpp"
 #include "casefile/column_text.hpp"
 #include "casefile/document.hpp"
+#include "casefile/profiles.hpp"
 #include "casefile/quality.hpp"
 #include "casefile/suggestion.hpp"
 
@@ -50,7 +51,8 @@ std::string explain_table(const Table& table) {
   return text;
 }
 
-std::string explain_key(const Key& key) {
+/// @param alone  it is all that is asked for
+std::string explain_key(const Key& key, bool alone) {
   std::string text = key.name + "\n    " + key.help + "\n    " + allowed_text(key);
   if (!key.unit.empty()) text += ", in " + key.unit;
   if (key.required) {
@@ -59,6 +61,7 @@ std::string explain_key(const Key& key) {
     text += "; default " + (key.default_note.empty() ? default_text(key) : key.default_note);
   }
   if (!key.reason.empty()) text += "\n    " + key.reason;
+  if (key.bind.profiles && alone) text += "\n    " + profile_text(key);
   if (!key.example.empty()) text += fmt::format("\n    example: {} = {}", key.leaf(), key.example);
   return text + "\n";
 }
@@ -103,7 +106,9 @@ std::string initial_case(const std::string& name) {
 std::string explain(const std::string& name) {
   std::string text, last_table;
   if (name.empty())
-    text = "Numbers are 0 or between 1e-30 and 1e30 in size; ratios in quotes (\"1/256\") are numbers too.\n";
+    text =
+        "Numbers are 0 or between 1e-30 and 1e30 in size; ratios in quotes (\"1/256\") are numbers too.\n"
+        "How expressions and tables look: softwet explain substrate.young\n";
   for (const Key& key : schema()) {
     if (!name.empty() && !matches(key, name)) continue;
     if (const std::string table = key.table(); table != last_table) {
@@ -112,7 +117,7 @@ std::string explain(const std::string& name) {
         text += (text.empty() ? "" : "\n") + explain_table(*find_table(table)) + "\n";
       }
     }
-    text += explain_key(key);
+    text += explain_key(key, name.find('.') != std::string::npos);
   }
   if (name.empty())
     text += "\nWhat a run writes: softwet explain history, softwet explain interface, softwet explain fields\n";

@@ -104,7 +104,8 @@ std::string reference_page() {
       "[theory.md](theory.md).\n"
       "The last sections tell the columns of `history.csv` and `interface.csv`, and the fields of `fields/*.hdf`.\n\n"
       "## Keys of a case\n\n"
-      "Numbers are 0 or between 1e-30 and 1e30 in size. Ratios in quotes (`\"1/256\"`) are numbers too.\n";
+      "Numbers are 0 or between 1e-30 and 1e30 in size. Ratios in quotes (`\"1/256\"`) are numbers too.\n"
+      "[Numbers that vary](varying_numbers.md) tells how expressions and tables look.\n";
   for (const Table& table : tables()) text += key_section(table);
   for (const ColumnTable& table : column_tables()) text += column_section(table);
   return text;

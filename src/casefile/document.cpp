@@ -84,10 +84,19 @@ std::string remedy_for(const Key& key, const toml::node& node) {
   return fmt::format("write for example {} = {}{}", key.leaf(), example_text(key), ratio ? " or a ratio \"3/8\"" : "");
 }
 
+/// "0,5" where a number or an expression may stand.
+bool has_decimal_comma(const toml::node& node) {
+  const auto* text = node.as_string();
+  if (!text) return false;
+  std::string point = text->get();
+  const auto comma = point.find(',');
+  return comma != std::string::npos && number_from_text(point.replace(comma, 1, "."));
+}
+
 Entry make_entry(const Key& key, std::size_t index, const toml::node& node, const std::string& place) {
   const std::string name = indexed_name(key.name, index), text = text_of_node(node);
   const auto value = value_of_node(node, key.kind);
-  if (!value) {
+  if (!value || (key.kind == Kind::profile && has_decimal_comma(node))) {
     const std::string article = key.kind == Kind::choice || key.kind == Kind::text ? "" : "a ";
     reject(place, name, text, "must be " + article + allowed_text(key), remedy_for(key, node));
   }

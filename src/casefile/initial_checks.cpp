@@ -11,7 +11,7 @@ namespace {
 double reach_along(const Checker& check, const Droplet& droplet, std::size_t axis) {
   const double semi_axis = droplet.radius * (droplet.stretch.empty() ? 1.0 : droplet.stretch[axis]);
   if (!sits_on_wall(check.c, droplet)) return semi_axis;
-  const double cosine = cap_cosine(*check.c.fluid);
+  const double cosine = cap_cosine(*check.c.fluid, droplet);
   if (axis == check.vertical()) return semi_axis * (1 - cosine);
   return cosine > 0 ? semi_axis * std::sqrt(1 - cosine * cosine) : semi_axis;
 }
@@ -105,9 +105,33 @@ void check_mode_of_wave(const Checker& check, std::size_t index) {
   }
 }
 
+void check_given_fields(const Checker& check) {
+  if (!check.c.initial) return;
+  const Initial& given = *check.c.initial;
+  const auto check_vector = [&](const std::string& key, const std::vector<Profile>& list) {
+    check.with({key}, [&] {
+      if (!list.empty()) check.require_axes(key, list.size(), "write one number or expression for each axis");
+    });
+  };
+  check.with({"initial.density", "fluid"}, [&] {
+    if (given.density && !check.c.fluid) check.refuse("initial.density", "needs a fluid", "add a [fluid] or remove it");
+  });
+  check.with({"initial.velocity", "fluid"}, [&] {
+    if (!given.velocity.empty() && !check.c.fluid)
+      check.refuse("initial.velocity", "needs a fluid", "add a [fluid], or write [[wave]] for the solid");
+  });
+  check.with({"initial.displacement", "substrate"}, [&] {
+    if (!given.displacement.empty() && !check.c.substrate)
+      check.refuse("initial.displacement", "needs a solid", "add a [substrate] or remove it");
+  });
+  check_vector("initial.velocity", given.velocity);
+  check_vector("initial.displacement", given.displacement);
+}
+
 }  // namespace
 
 void check_initial(const Checker& check) {
+  check_given_fields(check);
   for (std::size_t i = 0; i < check.c.droplets.size(); ++i) check_droplet(check, i);
   for (std::size_t i = 0; i < check.c.films.size(); ++i)
     check.with({fmt::format("film[{}].box", i), "fluid"}, [&] { check_film(check, i); });

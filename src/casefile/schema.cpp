@@ -76,6 +76,11 @@ const std::vector<Table>& tables() {
        [](const Case& c) { return c.films.size(); }, [](Case& c, std::size_t i) { grow(c.films, i); }},
       {"wave[]", "A standing wave added to a field at the start; one [[wave]] each", true, false,
        [](const Case& c) { return c.waves.size(); }, [](Case& c, std::size_t i) { grow(c.waves, i); }},
+      {"initial", "The state at the start as numbers, expressions or tables, in place of that of droplets and films",
+       false, false, [](const Case& c) -> std::size_t { return c.initial ? 1 : 0; },
+       [](Case& c, std::size_t) {
+         if (!c.initial) c.initial.emplace();
+       }},
       {"load[]", "Force per unit mass on a box of the solid; one [[load]] each", true, true,
        [](const Case& c) { return c.loads.size(); }, [](Case& c, std::size_t i) { grow(c.loads, i); }},
       {"boundary", "What holds on the sides of the domain", false, true, always, nothing, boundary_notes},
@@ -152,6 +157,12 @@ std::string allowed_text(const Key& key) {
       break;
     case Kind::box:
       text = "box [[lower corner], [upper corner]]";
+      break;
+    case Kind::profile:
+      text = "number, expression or table (quoted)";
+      break;
+    case Kind::profiles:
+      text = "list of numbers, expressions and tables (quoted), one for each axis";
       break;
     default:
       return "text";

@@ -9,11 +9,15 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "case/profile.hpp"
 #include "casefile/value.hpp"
 
 namespace softwet {
 
-enum class Kind { number, integer, text, choice, numbers, integers, box, times, names };
+enum class Kind { number, integer, text, choice, numbers, integers, box, times, names, profile, profiles };
+
+/// Where a profile is evaluated: on the solid or the fluid, on the wall between them, or over the time of a load.
+enum class Support { solid, fluid, wall, time };
 
 /// Allowed interval of a number, or of each number of a list. Always finite numbers.
 struct Range {
@@ -43,6 +47,8 @@ struct Table {
 struct Binding {
   std::function<void(Case&, std::size_t index, const Value&)> set;
   std::function<Value(const Case&, std::size_t index)> get;
+  /// The profiles that the case has there: one, one for each axis, or none. Empty for keys of other kinds.
+  std::function<std::vector<Profile*>(Case&, std::size_t index)> profiles{};
 };
 
 struct Key {
@@ -59,6 +65,7 @@ struct Key {
   Binding bind{};
   bool three_dimensional = false;  ///< only in 3D cases
   std::string default_note{};      ///< when the default depends on the scene
+  Support support{};               ///< of a profile
 
   std::string table() const;  ///< "droplet[]" of "droplet[].radius", "solver" of "solver.newton.rtol"
   std::string leaf() const;   ///< "radius", "newton.rtol": the name inside its table

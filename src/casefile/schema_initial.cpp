@@ -66,6 +66,41 @@ std::vector<Key> initial_keys() {
        .example = "[1, 0]",
        .help = "Half waves over each axis of the domain; even on a periodic one. Zeros are a uniform value.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.waves[i].mode; })},
+      {.name = "initial.from",
+       .kind = Kind::text,
+       .help = "Output folder of an earlier run, relative to the folder in which softwet is started: its last "
+               "checkpoint gives density, "
+               "velocity and displacement at the start. Its mesh, its materials, loads and sides may be others; its "
+               "box and the thickness of "
+               "its solid must be the same. What density, velocity and displacement say here comes before it.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.initial->from; }),
+       .default_note = "\"\", none"},
+      {.name = "initial.density",
+       .kind = Kind::profile,
+       .unit = "b",
+       .range = {0, 0.999, true, false},
+       .help = "Density of the fluid at the start. The control value at a point is the value there.",
+       .reason = "1 is the density at which the molecules are packed",
+       .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.initial->density; }),
+       .default_note = "\"\", that of droplets and films",
+       .support = Support::fluid},
+      {.name = "initial.velocity",
+       .kind = Kind::profiles,
+       .unit = "sqrt(ab)",
+       .help = "Velocity of the fluid at the start, one number for each axis. A side that holds the fluid sets its "
+               "part to 0, and "
+               "a solid and its wall begin at rest.",
+       .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.initial->velocity; }),
+       .default_note = "[], that of droplets",
+       .support = Support::fluid},
+      {.name = "initial.displacement",
+       .kind = Kind::profiles,
+       .unit = "L0",
+       .help = "Displacement of the solid at the start, one number for each axis. A side that holds the solid sets its "
+               "part to 0.",
+       .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.initial->displacement; }),
+       .default_note = "[], undeformed",
+       .support = Support::solid},
   };
 }
 

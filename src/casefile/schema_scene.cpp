@@ -85,13 +85,17 @@ std::vector<Key> fluid_keys() {
                  "thin to compute",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->temperature; })},
       {.name = "fluid.contact_angle",
+       .kind = Kind::profile,
        .unit = "degrees",
        .range = {0, 180, true, true},
        .example = "75.0",
        .source = "measured in the liquid",
-       .help = "Static contact angle alpha with the wall, measured in the liquid.",
+       .help = "Static contact angle alpha with the wall, measured in the liquid. Where it varies, it belongs to the "
+               "points of "
+               "the undeformed wall; it must stay smooth over two elements.",
        .reason = "the liquid wets for angles below 90 and is repelled above",
-       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->contact_angle; })},
+       .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.fluid->contact_angle; }),
+       .support = Support::wall},
       {.name = "fluid.wall_law",
        .kind = Kind::choice,
        .choices = words_of(WallLaw{}),
@@ -170,6 +174,7 @@ std::vector<Key> substrate_keys() {
        .help = "Density rho_0^s of the undeformed solid. It also multiplies substrate.young and load[].force.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->density; })},
       {.name = "substrate.young",
+       .kind = Kind::profile,
        .unit = "rho_0^s ab",
        .range = positive,
        .required = true,
@@ -178,7 +183,8 @@ std::vector<Key> substrate_keys() {
        .help =
            "Young modulus divided by rho_0^s ab, the E-hat of eq. (12). The Young modulus in units of ab^2 is "
            "substrate.density times this number, so another density is another stiffness; 'softwet check' prints it.",
-       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->young; })},
+       .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.substrate->young; }),
+       .support = Support::solid},
       {.name = "substrate.poisson",
        .range = {-1, 0.5, true, true},
        .required = true,
@@ -298,6 +304,13 @@ std::vector<Key> load_keys() {
        .source = "[?]",
        .help = "Duration over which the force grows linearly from 0 to its full strength.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].ramp; })},
+      {.name = "load[].factor",
+       .kind = Kind::profile,
+       .help = "Factor of the force over time, beside the ramp: the force is load[].force times the ramp times this. A "
+               "factor "
+               "of \"sin(2*pi*t/5)\" shakes the box with the period 5.",
+       .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.loads[i].factor; }),
+       .support = Support::time},
   };
 }
 

@@ -64,6 +64,26 @@ std::optional<Words> names_of(const toml::node& node) {
   return names;
 }
 
+std::optional<Value> profile_of(const toml::node& node) {
+  if (const auto number = number_of(node, false)) return Value(*number);
+  if (const auto* text = node.as_string()) return Value(text->get());
+  return std::nullopt;
+}
+
+/// Each as a text, a number as well.
+std::optional<Words> profiles_of(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (!list) return std::nullopt;
+  Words texts;
+  for (const toml::node& entry : *list) {
+    const auto profile = profile_of(entry);
+    if (!profile) return std::nullopt;
+    const auto* number = std::get_if<double>(&*profile);
+    texts.push_back(number ? text_of_number(*number) : std::get<std::string>(*profile));
+  }
+  return texts;
+}
+
 std::optional<Value> box_of(const toml::node& node) {
   const toml::array* corners = node.as_array();
   if (!corners || corners->size() != 2) return std::nullopt;
@@ -100,6 +120,10 @@ std::optional<Value> value_of_node(const toml::node& node, Kind kind) {
       return widen(times_of(node));
     case Kind::names:
       return widen(names_of(node));
+    case Kind::profile:
+      return profile_of(node);
+    case Kind::profiles:
+      return widen(profiles_of(node));
     case Kind::text:
     case Kind::choice:
       break;

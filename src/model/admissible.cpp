@@ -55,7 +55,8 @@ template <int D, int P>
 void require_density(const Case& c, const Model<D, P>& model, const std::vector<double>& without_waves,
                      const std::vector<double>& density) {
   const std::string waves = waves_on(c, "density");
-  if (waves.empty()) return;  // droplets and films have densities of the two phases, or between them
+  if (waves.empty() && !c.gives_density())
+    return;  // droplets and films have densities of the two phases, or between them
   std::size_t worst = 0;
   double outside = -1;  // of [0, close_packed), by this much
   for (std::size_t i = 0; i < density.size(); ++i) {
@@ -71,6 +72,11 @@ void require_density(const Case& c, const Model<D, P>& model, const std::vector<
     place += (place.empty() ? "" : ", ") + short_text(told_by(speaker, x), 4);
   const std::string bare = short_text(told_by(speaker, without_waves[worst]), 4),
                     value = short_text(told_by(speaker, density[worst]), 4);
+  const std::string key = c.initial && !c.initial->density ? "initial.from" : "initial.density";
+  if (waves.empty())
+    throw Error(Exit::invalid_input, key + ": the density is " + value + " at (" + place +
+                                         "), where it must lie in [0, " + short_text(close_packed, 4) +
+                                         "); bound it there, for example with max and min");
   const double factor = 0.99 * factor_that_fits(without_waves, density);
   throw Error(Exit::invalid_input, "the density at the start is " + value + " at (" + place +
                                        "), where it must lie in [0, " + short_text(close_packed, 4) + "): it is " +
@@ -82,11 +88,16 @@ void require_density(const Case& c, const Model<D, P>& model, const std::vector<
 template <int D, int P>
 void require_upright(const Case& c, const Model<D, P>& model, const State& state) {
   const std::string waves = waves_on(c, "displacement");
-  if (waves.empty()) return;
+  const bool given = c.initial && (!c.initial->displacement.empty() || c.initial->earlier);
+  if (waves.empty() && !given) return;
   const MeshFaults faults = model.faults(stage_at(model.layout(), state));
   if (faults.inverted == 0 && faults.folded == 0) return;
   const std::string what = faults.inverted != 0 ? "turn the solid inside out somewhere (det F <= 0)"
                                                 : "fold the mesh of the fluid above the solid (J < 0)";
+  if (given)
+    throw Error(Exit::invalid_input, "initial" + (waves.empty() ? "" : " with the waves (" + waves + ")") +
+                                         ": these displacements " + what +
+                                         " at the start; their slopes must stay well below 1: write smaller ones");
   throw Error(Exit::invalid_input, "the waves on the displacement (" + waves + ") " + what +
                                        " at the start; amplitude x mode x pi / size must stay well below 1 along each "
                                        "axis: write smaller amplitudes or modes");

@@ -14,7 +14,7 @@ namespace {
 
 /// (dV/dR) / R^(D-1) of a droplet: of a disc 2 pi, of a ball 4 pi, less for a cap and for a half on a slip side.
 double growth(const Case& c, const Droplet& droplet) {
-  const double pi = std::acos(-1.0), cosine = sits_on_wall(c, droplet) ? cap_cosine(*c.fluid) : -1;
+  const double pi = std::acos(-1.0), cosine = sits_on_wall(c, droplet) ? cap_cosine(*c.fluid, droplet) : -1;
   const double angle = std::acos(cosine);
   double whole =
       c.dimension() == 2 ? 2 * (angle - std::sin(angle) * cosine) : pi * (2 - 3 * cosine + cosine * cosine * cosine);
@@ -55,7 +55,7 @@ double least_radius_between(const PhasesOfCase& phases, const Case& c, const Dro
 constexpr std::size_t most_told = 5;  ///< droplets that dissolve
 
 void add_droplets(const Case& c, std::vector<std::string>& found) {
-  if (c.droplets.empty() && c.films.empty() && c.waves.empty())
+  if (c.droplets.empty() && c.films.empty() && c.waves.empty() && !c.gives_density())
     found.emplace_back(c.fluid->ambient == Phase::liquid
                            ? "the fluid holds liquid alone, at rest: add a [[droplet]] (softwet explain droplet)"
                            : "the fluid holds vapour alone, at rest: add a [[droplet]] or a [[film]] (softwet explain "
@@ -95,18 +95,19 @@ void add_gaps(const Case& c, std::vector<std::string>& found) {
 void add_softness(const Case& c, std::vector<std::string>& found) {
   if (!too_soft(c)) return;
   const double length = elastocapillary_length(c), bound = longest_elastocapillary_length(c);
-  found.push_back("substrate.young = " + short_text(c.substrate->young) + ": the elastocapillary length sigma/E is " +
-                  short_text(length) + " (thickness: " + short_text(c.substrate->thickness) +
+  found.push_back("substrate.young = " + short_text(c.substrate->young.least()) +
+                  ": the elastocapillary length sigma/E is " + short_text(length) +
+                  " (thickness: " + short_text(c.substrate->thickness) +
                   ", fluid.capillarity: " + short_text(c.fluid->capillarity) + "); above " + short_text(bound) +
                   " the droplet was measured to turn the solid inside out soon after the start: write young = " +
-                  short_text(1.05 * c.substrate->young * length / bound) +
+                  short_text(1.05 * c.substrate->young.least() * length / bound) +
                   " or more, or the surface_tension that the solid has: gels have one");
 }
 
 /// Below liquid: by hand, or as Young's law gives it.
 double wet_tension(const Case& c) {
   if (c.fluid->wall_tension == WallTensionModel::none) return c.substrate->surface_tension_wet;
-  return c.substrate->surface_tension - surface_tension(*c.fluid) * std::cos(c.fluid->contact_angle * M_PI / 180);
+  return c.substrate->surface_tension - surface_tension(*c.fluid) * std::cos(c.fluid->contact_angle.least() * M_PI / 180);
 }
 
 void add_neumann(const Case& c, std::vector<std::string>& found) {
@@ -145,7 +146,7 @@ void add_density(const Case& c, std::vector<std::string>& found) {
   const Substrate& s = *c.substrate;
   if (s.density == 1) return;
   found.push_back("substrate.density = " + short_text(s.density) + " multiplies substrate.young = " +
-                  short_text(s.young) + ": the Young modulus is " + short_text(s.young_modulus()) +
+                  short_text(s.young.least()) + ": the Young modulus is " + short_text(s.young_modulus()) +
                   " a b^2; at a fixed young, another density is another stiffness (softwet explain substrate.young)");
 }
 
@@ -178,7 +179,7 @@ double locking_error(const Case& c) {
 }
 
 double ridge_error(const Case& c) {
-  if (!c.fluid || !c.substrate || (c.droplets.empty() && c.films.empty())) return 0;
+  if (!c.fluid || !c.substrate || (c.droplets.empty() && c.films.empty() && !c.gives_density())) return 0;
   const double across = c.fluid->capillarity / c.spacing(), free = 1 - 2 * c.substrate->poisson;
   const double of_rows = std::sqrt(8 / c.rows_of_solid());
   return of_rows * (c.domain.degree == 2 ? 1.7 * std::exp(-6 * std::sqrt(across * std::pow(free, 0.3)))

@@ -7,6 +7,7 @@
 #include "kernels/fluid/interface_profile.hpp"
 #include "model/admissible.hpp"
 #include "model/equilibrium.hpp"
+#include "model/given_fields.hpp"
 
 namespace softwet {
 
@@ -89,7 +90,7 @@ std::vector<Shape> shapes(const Case& c, const Model<D, P>& model) {
             droplet.velocity};
     if (bubbles) std::swap(s.density, s.density_around);
     for (std::size_t d = 0; d < droplet.stretch.size(); ++d) s.semi_axis[d] *= droplet.stretch[d];
-    if (sits_on_wall(c, droplet)) s.centre[D - 1] -= s.semi_axis[D - 1] * cap_cosine(*c.fluid);
+    if (sits_on_wall(c, droplet)) s.centre[D - 1] -= s.semi_axis[D - 1] * cap_cosine(*c.fluid, droplet);
     result.push_back(s);
   }
   for (const Film& film : c.films)
@@ -111,22 +112,6 @@ Shape surroundings(const Case& c, const Coexistence& flat, const std::vector<Sha
     }
   if (!c.fluid->initial.empty()) around.density_around = c.fluid->initial[liquid ? 1 : 0];
   return around;
-}
-
-/// Calls visit(i, x) for each control value of a component with rows [first, first + rows): its Greville point. A
-/// control value equal to the profile there is a positive approximation, so the vapour cannot undershoot.
-template <int D, class Visit>
-void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& visit) {
-  for (int i = 0; i < rows * l.row_size; ++i) {
-    double x[D];
-    int rest = i;
-    for (int d = 0; d < D; ++d) {
-      const int n = d < D - 1 ? l.extent(d) : rows;
-      x[d] = l.axis[d].greville(l.function(rest % n, d) + (d == D - 1 ? first : 0));
-      rest /= n;
-    }
-    visit(i, x);
-  }
 }
 
 /// The part of each shape at a point, shape by shape as visit(shape, part). Together they are at most 1.
@@ -213,6 +198,9 @@ State initial_state(const Case& c, const Model<D, P>& model) {
   State state = empty_state(l);
   std::vector<double> unknown(l.size(), 0.0), displacement(l.solid_size(), 0.0);
   if (l.has_fluid) fill_fluid(c, model, unknown);
+  if (c.initial && c.initial->earlier) give_earlier(*c.initial->earlier, l, unknown, displacement);
+  if (c.initial && l.has_fluid) give_fluid(*c.initial, l.has_solid, l, unknown);
+  if (c.initial && l.has_solid) give_solid(c, l, displacement);
   const std::vector<double> without_waves = density_of(l, unknown);
   add_waves(c, l, unknown, displacement);
   if (l.has_fluid) require_density(c, model, without_waves, density_of(l, unknown));

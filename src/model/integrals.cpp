@@ -2,7 +2,6 @@
 #include "field/vector.hpp"
 #include "kernels/fluid/gravity.hpp"
 #include "kernels/fluid/painted_wall.hpp"
-#include "kernels/solid/body_force.hpp"
 #include "model/model.hpp"
 #include "operator/integrate.hpp"
 
@@ -115,7 +114,7 @@ template <int D, int P>
 double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
   double power = 0;
   for (const LoadVector& load : loads_) {
-    const double fraction = load_fraction(time, load.start, load.ramp);
+    const double fraction = load.part(time);
     const int count = static_cast<int>(load.weight.extent(0));
     for (int d = 0; d < D; ++d) {
       const int first = layout_.velocity_offset(d);

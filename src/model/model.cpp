@@ -8,8 +8,9 @@
 #include "field/exchange.hpp"
 #include "field/ranks.hpp"
 #include "field/vector.hpp"
-#include "kernels/solid/body_force.hpp"
 #include "model/equilibrium.hpp"
+#include "model/greville_points.hpp"
+#include "model/patch_axes.hpp"
 
 namespace softwet {
 namespace {
@@ -47,13 +48,10 @@ template <int D, int P>
 void Model<D, P>::build_axes(const Case& c) {
   layout_.has_fluid = c.fluid.has_value();
   layout_.has_solid = c.substrate.has_value();
-  const double spacing = c.domain.size[D - 1] / c.domain.elements[D - 1];
-  if (layout_.has_solid) layout_.solid_elements = static_cast<int>(std::lround(c.substrate->thickness / spacing));
+  layout_.solid_elements = solid_elements_of(c);
   layout_.row_size = 1;
   for (int d = 0; d < D; ++d) {
-    const bool periodic = c.boundary.side[d][0] == Side::periodic;
-    const int kink = d == D - 1 && layout_.has_solid && layout_.has_fluid ? layout_.solid_elements : 0;
-    layout_.axis.emplace_back(c.domain.size[d], c.domain.elements[d], P, periodic, kink);
+    layout_.axis.push_back(axis_of(c, d, P));
     if (d == 0) layout_.columns = own_columns(layout_.axis[0], c);
     if (d < D - 1) layout_.row_size *= layout_.extent(d);
   }
@@ -121,7 +119,7 @@ void Model<D, P>::build_fluid(const Case& c) {
   const auto cosine = [](double degrees) { return degrees == 90.0 ? 0.0 : std::cos(degrees * M_PI / 180.0); };
   const double uniform = angle.varies() ? 1 : cosine(angle.number);
   wall_ = WallEnergy::of({c.fluid->capillarity, uniform, 1e-5, fluid_.gas, coexistence_});
-  std::vector<double> cosines = control_values(angle, 0, P + 1, blend_.low);
+  std::vector<double> cosines = control_values(layout_, angle, layout_.has_solid ? layout_.wall_row : 0, 1);
   for (double& x : cosines) x = cosine(x);
   if (angle.varies()) painted_ = on_wall(cosines);
   if (!layout_.has_solid) return;
@@ -145,26 +143,10 @@ void Model<D, P>::build_fluid(const Case& c) {
 }
 
 template <int D, int P>
-std::vector<double> Model<D, P>::control_values(const Profile& profile, int first_row, int rows, double height) const {
-  std::vector<double> values(static_cast<std::size_t>(rows) * layout_.row_size);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    std::array<double, 3> x{};
-    int rest = static_cast<int>(i);
-    for (int d = 0; d + 1 < D; ++d) {
-      const Axis& axis = layout_.axis[d];
-      x[d] = axis.greville(layout_.function(rest % layout_.extent(d), d));
-      if (axis.periodic()) x[d] -= axis.length() * std::floor(x[d] / axis.length());
-      rest /= layout_.extent(d);
-    }
-    x[D - 1] = height >= 0 ? height : layout_.axis[D - 1].greville(first_row + rest);
-    values[i] = profile.at(x);
-  }
-  return values;
-}
-
-template <int D, int P>
-GivenField<double> Model<D, P>::on_wall(std::vector<double> values) const {
+GivenField<double> Model<D, P>::on_wall(const std::vector<double>& of_row) const {
   const int row = layout_.has_solid ? layout_.wall_row : 0;
+  std::vector<double> values;
+  for (int k = 0; k <= P; ++k) values.insert(values.end(), of_row.begin(), of_row.end());
   return {to_device<Array>(values, "given"), row * layout_.row_size};
 }
 
@@ -174,7 +156,7 @@ void Model<D, P>::build_solid(const Case& c) {
   const Profile young = s.young;
   double largest = young.number;
   if (young.varies()) {
-    std::vector<double> values = control_values(young, 0, layout_.solid_rows(), -1);
+    std::vector<double> values = control_values(layout_, young, 0, layout_.solid_rows());
     largest = ranks::largest(*std::max_element(values.begin(), values.end()));
     for (double& x : values) x /= largest;
     graded_ = {to_device<Array>(values, "given"), 0};
@@ -191,7 +173,7 @@ void Model<D, P>::build_solid(const Case& c) {
   const double along = 4 * s.fibre.stiffness / (stiffness_.lambda + 2 * stiffness_.shear_modulus);
   solid_rates_ = {4.0 / 3 * s.viscosity + s.bulk_viscosity, std::max(s.surface_tension, s.surface_tension_wet), along};
   for (const Load& load : c.loads)
-    loads_.push_back({weights_of_solid(load.lower, load.upper, s.density), load.force, load.start, load.ramp});
+    loads_.push_back({weights_of_solid(load.lower, load.upper, s.density), load.force, load.start, load.ramp, load.factor, c.clock_zero()});
   if (!s.gravity.empty()) {
     std::vector<double> upper = c.domain.size;
     upper[D - 1] = s.thickness;
@@ -234,9 +216,7 @@ void Model<D, P>::build_mask(const Case& c) {
         for (int end = 0; end < 2; ++end) {
           const Side side = c.boundary.side[d][end];
           const bool here = index == (end == 0 ? 0 : (d == D - 1 ? all[k].extent[d] : axis.functions()) - 1);
-          const bool held =
-              side == Side::no_slip || side == Side::clamped || (side == Side::slip && static_cast<int>(k) == d);
-          if (here && held) mask[all[k].offset + i] = 0;
+          if (here && holds(side, static_cast<int>(k) == d)) mask[all[k].offset + i] = 0;
         }
       }
     }
@@ -247,7 +227,7 @@ void Model<D, P>::build_mask(const Case& c) {
 template <int D, int P>
 void Model<D, P>::add_loads(double time, const Array& out) const {
   for (const LoadVector& load : loads_) {
-    const double fraction = load_fraction(time, load.start, load.ramp);
+    const double fraction = load.part(time);
     for (int d = 0; d < D; ++d)
       if (fraction * load.force[d] != 0)
         add_scaled(out, layout_.velocity_offset(d), -fraction * load.force[d], load.weight);

@@ -11,6 +11,7 @@
 #include "field/ghosts.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/solid/body_force.hpp"
 #include "kernels/solid/hooke.hpp"
 #include "kernels/solid/neo_hookean.hpp"
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
@@ -33,6 +34,14 @@ struct LoadVector {
   Array weight;  ///< rho_0^s int_box N_i dX on the solid's rows
   std::vector<double> force;
   double start, ramp;
+  Profile factor;
+  double clock_zero;  ///< time of the computation at which that of the results, t, is 0
+
+  /// Part of the force that acts at a time of the computation.
+  double part(double time) const {
+    const double fraction = load_fraction(time, start, ramp);
+    return fraction == 0 ? 0 : fraction * factor.at({0, 0, 0}, time - clock_zero);
+  }
 };
 /// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its face, and by how much
 /// fibres make it stiffer than its material, over the modulus of pressure waves.
@@ -123,9 +132,8 @@ class Model {
   void build_solid(const Case&);
   void build_mask(const Case&);
   Array weights_of_solid(const std::vector<double>& lower, const std::vector<double>& upper, double density) const;
-  /// A profile at the Greville points of rows of the patch: at one height or, where that is negative, at their own.
-  std::vector<double> control_values(const Profile&, int first_row, int rows, double height) const;
-  GivenField<double> on_wall(std::vector<double> values) const;
+  /// The same values on all rows that live on the wall.
+  GivenField<double> on_wall(const std::vector<double>& of_row) const;
   template <class Real>
   void run_product(const Pieces<D, Real>&, const StageOf<Real>&, const ArrayOf<Real>& direction,
                    const ArrayOf<Real>& out, Geometry) const;

@@ -51,7 +51,8 @@ std::string softer_than_its_loads(const Case& c) {
 
 std::string for_the_density(const Case& c) {
   const double h = c.spacing();
-  if (c.fluid->wall_law == WallLaw::gradient && std::abs(c.fluid->contact_angle - 90) > 60)
+  if (c.fluid->wall_law == WallLaw::gradient &&
+      std::max(90 - c.fluid->contact_angle.least(), c.fluid->contact_angle.most() - 90) > 60)
     return "near complete wetting or drying the wall law \"gradient\" drives the density out of its range: write "
            "fluid.wall_law = \"energy\"";
   if (too_soft(c)) return softer_than_its_loads(c);

@@ -29,6 +29,8 @@ std::vector<double> events(const Case& c) {
   for (const Load& load : c.loads) {
     times.push_back(load.start);
     times.push_back(load.start + load.ramp);
+    if (load.factor.varies())
+      for (double t : load.factor.formula->kinks()) times.push_back(zero + t);
   }
   for (double t : field_times(c)) times.push_back(zero + t);
   return times;

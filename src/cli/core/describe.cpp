@@ -125,7 +125,8 @@ template <int D, int P>
 void describe_model(const Case& c, std::ostream& out) {
   const Part p = part_of(c);
   const Model<D, P> model(p.part);
-  if (!c.waves.empty() && p.times == 1) initial_state<D, P>(c, model);  // refuses what a run would refuse
+  if ((!c.waves.empty() || c.initial) && p.times == 1)
+    initial_state<D, P>(c, model);  // refuses what a run would refuse
   if (p.times > 1)
     out << "The numbers of elements, unknowns and bytes below are estimates from a part of this large mesh.\n";
   print_section(out, "terms", terms(c, model, p.times));

@@ -2,6 +2,7 @@
 
 #include "case/text.hpp"
 #include "casefile/field_times.hpp"
+#include "casefile/profiles.hpp"
 #include "cli/core/describe.hpp"
 #include "kernels/solid/isotropic.hpp"
 #include "model/equilibrium.hpp"
@@ -12,6 +13,9 @@ namespace {
 
 std::vector<Line> stiffness(const Substrate& s) {
   const auto solid = LameParameters::from(s.young_modulus(), s.poisson);
+  const std::string most = s.young.varies() ? " to " + formatted(s.density * s.young.most(), "%.4g") : "";
+  if (!most.empty())
+    return {{"Young modulus", formatted(s.young_modulus(), "%.4g") + most + " a b^2 (density x young)"}};
   return {{"Young modulus", formatted(s.young_modulus(), "%.4g") + " a b^2 (density x young)"},
           {"shear modulus", formatted(solid.shear_modulus, "%.4g") + " a b^2"},
           {"first Lame parameter lambda", formatted(solid.lambda, "%.4g") + " a b^2"}};
@@ -22,6 +26,14 @@ std::vector<Line> equilibrium(const Fluid& fluid) {
   return {{"density of the vapour", formatted(flat.density_vapour, "%.10g") + " b"},
           {"density of the liquid", formatted(flat.density_liquid, "%.10g") + " b"},
           {"surface tension", formatted(surface_tension(fluid), "%.10g") + " a b^2 L0"}};
+}
+
+std::vector<Line> profiles(const Case& c) {
+  std::vector<Line> lines;
+  for (const ProfileRange& range : profile_ranges(c))
+    lines.push_back(
+        {range.key, formatted(range.least, "%.6g") + " to " + formatted(range.most, "%.6g") + " " + range.over});
+  return lines;
 }
 
 void print_groups(const Case& c, std::ostream& out) {
@@ -69,6 +81,7 @@ void print_section(std::ostream& out, const std::string& title, const std::vecto
 void describe_scene(const Case& c, std::ostream& out) {
   if (c.substrate) print_section(out, "stiffness of the solid", stiffness(*c.substrate));
   if (c.fluid) print_section(out, "equilibrium", equilibrium(*c.fluid));
+  if (const auto lines = profiles(c); !lines.empty()) print_section(out, "numbers that vary", lines);
   print_groups(c, out);
   print_section(out, "clock (t is the time in all results, 0 at the start of the first load)", clock(c));
 }

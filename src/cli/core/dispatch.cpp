@@ -14,6 +14,7 @@
 #include "field/ranks.hpp"
 #include "machine/threads.hpp"
 #include "model/forecast.hpp"
+#include "run/earlier_run.hpp"
 #include "run/machine.hpp"
 #include "run/simulation.hpp"
 #include "solver/choose.hpp"
@@ -47,8 +48,9 @@ void warn_of_threads() {
 
 }  // namespace
 
-void run_case(const Case& c, const RunOptions& options) {
+void run_case(const Case& given, const RunOptions& options) {
   on_machine(options.threads, [&] {
+    const Case c = options.resume ? given : with_earlier_run(given);
     warn_of_threads();
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
@@ -57,9 +59,10 @@ void run_case(const Case& c, const RunOptions& options) {
   });
 }
 
-void describe_case(const Case& c, std::ostream& out) {
-  describe_scene(c, out);
+void describe_case(const Case& given, std::ostream& out) {
+  describe_scene(given, out);
   on_machine(0, [&] {  // what a preconditioner holds depends on the number of threads
+    const Case c = with_earlier_run(given);
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
       describe_model<Chosen::dimension, Chosen::degree>(c, out);
@@ -71,8 +74,9 @@ std::vector<std::string> forecast_case(const Case& c) { return forecast(c); }
 
 void convert_units(const PhysicalScene& scene, std::ostream& out) { describe_units(scene, out); }
 
-void bench_case(const Case& c, const RunOptions& options, std::ostream& out) {
+void bench_case(const Case& given, const RunOptions& options, std::ostream& out) {
   on_machine(options.threads, [&] {
+    const Case c = with_earlier_run(given);
     warn_of_threads();
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);

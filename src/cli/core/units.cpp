@@ -74,7 +74,7 @@ void print_keys(const Case& c, std::ostream& out) {
   if (c.substrate)
     out << "\n[substrate]\n"
         << key("thickness", c.substrate->thickness) << key("density", c.substrate->density)
-        << key("young", c.substrate->young) << key("poisson", c.substrate->poisson);
+        << key("young", c.substrate->young.number) << key("poisson", c.substrate->poisson);
   out << "\n[[droplet]]\n" << key("radius", c.droplets.front().radius);
 }
 

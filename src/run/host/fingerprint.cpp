@@ -6,6 +6,7 @@
 
 #include "case/error.hpp"
 #include "casefile/case_file.hpp"
+#include "casefile/profiles.hpp"
 
 namespace softwet {
 namespace {
@@ -45,7 +46,7 @@ template <class Wanted>
 std::string lines_of_case(const Case& c, const Wanted& wanted) {
   std::string text, table;
   int entry = 0;
-  for (const std::string& line : lines_of(write_case(c))) {
+  for (const std::string& line : lines_of(write_case(with_identities(c)))) {
     if (line.empty() || line[0] == '#') continue;
     if (line[0] == '[') {
       const bool repeated = line[1] == '[';
@@ -59,13 +60,21 @@ std::string lines_of_case(const Case& c, const Wanted& wanted) {
   return text;
 }
 
+/// Keys that older programs do not know; "load[0].factor" is one of load[].
+bool is_later(const std::string& key) {
+  static const std::vector<std::string> later{"time.mass", "time.safety", "time.start"};
+  const std::string factor = ".factor";
+  const bool of_load = starts_with(key, "load[") && key.size() > factor.size() &&
+                       key.compare(key.size() - factor.size(), factor.size(), factor) == 0;
+  return of_load || is_one_of(key, later);
+}
+
 /// The lines of a case that a stored fingerprint can have: those of older programs lack some keys.
 std::vector<std::string> lines_to_compare(const Case& c, const std::vector<std::string>& stored) {
-  static const std::vector<std::string> later{"time.mass", "time.safety", "time.start"};
   std::vector<std::string> lines, known;
   for (const std::string& line : stored) known.push_back(key_of(line));
   for (const std::string& line : lines_of(fingerprint(c)))
-    if (!is_one_of(key_of(line), later) || is_one_of(key_of(line), known)) lines.push_back(line);
+    if (!is_later(key_of(line)) || is_one_of(key_of(line), known)) lines.push_back(line);
   return lines;
 }
 

@@ -63,11 +63,11 @@ inline Material material_of(const Case& c) {
     m.capillarity = c.fluid->capillarity;
     m.temperature = c.fluid->temperature;
     m.stabilisation = c.fluid->stabilisation * h * h / m.viscosity;
-    m.cosine = std::cos(c.fluid->contact_angle * std::numbers::pi / 180);
+    m.cosine = std::cos(c.fluid->contact_angle.number * std::numbers::pi / 180);
     m.smoothing = c.fluid->smoothing;
   }
   if (c.substrate) {
-    const double young = c.substrate->density * c.substrate->young, nu = c.substrate->poisson;
+    const double young = c.substrate->young_modulus(), nu = c.substrate->poisson;
     m.lame = nu * young / ((1 + nu) * (1 - 2 * nu));
     m.shear = young / (2 * (1 + nu));
     m.solid_density = c.substrate->density;

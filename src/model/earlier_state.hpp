@@ -1,0 +1,25 @@
+// The last state of an earlier run, and its fields on another mesh of the same box (host).
+#pragma once
+
+#include <vector>
+
+#include "field/layout.hpp"
+
+namespace softwet {
+
+/// Control values of the whole patch of an earlier run. Ghosts of periodic axes mean nothing.
+struct EarlierState {
+  std::vector<Axis> axis;
+  int solid_elements = 0;
+  bool has_fluid = true, has_solid = true;
+  std::vector<double> unknown, displacement;
+};
+
+/// Sets velocity, density, potential and displacement from an earlier run, as far as it has the material. In a mesh whose
+/// elements divide those of the earlier one, with a degree that is not smaller, they are the same functions; in others they are near
+/// (spline/transfer.hpp). A density stays between the smallest and the largest control value of the earlier one.
+template <int D>
+void give_earlier(const EarlierState&, const Layout<D>&, std::vector<double>& unknown,
+                  std::vector<double>& displacement);
+
+}  // namespace softwet

@@ -1,0 +1,67 @@
+#include "spline/transfer.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace softwet {
+namespace {
+
+/// Blossom of prod_k (x - root_k) at as many arguments: the mean over all pairings.
+double blossom_of_product(const std::vector<double>& roots, const std::vector<double>& arguments) {
+  std::vector<std::size_t> order(roots.size());
+  std::iota(order.begin(), order.end(), 0);
+  double sum = 0;
+  int pairings = 0;
+  do {
+    double product = 1;
+    for (std::size_t k = 0; k < roots.size(); ++k) product *= arguments[order[k]] - roots[k];
+    sum += product;
+    ++pairings;
+  } while (std::next_permutation(order.begin(), order.end()));
+  return sum / pairings;
+}
+
+/// The middle one of the elements in [low, high) on which a function lives; -1: there is none.
+int element_of(const Axis& axis, int function, int low, int high) {
+  std::vector<int> alive;
+  for (int e = low; e < high; ++e)
+    if (axis.span(e) <= function && function <= axis.span(e) + axis.degree()) alive.push_back(e);
+  return alive.empty() ? -1 : alive[alive.size() / 2];
+}
+
+/// Adds `weight` times the value of a spline at x.
+void add_value(const Axis& axis, int low, int high, double x, double weight, std::vector<double>& of_function) {
+  const int element = std::clamp(axis.element_at(x), low, high - 1);
+  const std::vector<double> values = axis.values(element, x);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const int function = axis.span(element) + static_cast<int>(k);
+    of_function[axis.periodic() ? function % axis.owned() : function] += weight * values[k];
+  }
+}
+
+}  // namespace
+
+std::vector<TransferRow> transfer(const Axis& from, int from_low, int from_high, const Axis& to, int low, int high) {
+  const int p = to.degree();
+  std::vector<TransferRow> rows(to.functions());
+  for (int i = 0; i < to.functions(); ++i) {
+    const int function = to.periodic() ? i % to.owned() : i, element = element_of(to, function, low, high);
+    if (element < 0) continue;
+    const auto knot = to.knots().begin() + function + 1;
+    const std::vector<double> inside(knot, knot + p);
+    std::vector<double> points, weights(from.functions(), 0.0);
+    for (int a = 0; a <= p; ++a) points.push_back(to.lower(element) + to.spacing() * (a + 0.5) / (p + 1));
+    for (int a = 0; a <= p; ++a) {
+      std::vector<double> roots;
+      double scale = 1;
+      for (int b = 0; b <= p; ++b)
+        if (b != a) roots.push_back(points[b]), scale *= points[a] - points[b];
+      add_value(from, from_low, from_high, points[a], blossom_of_product(roots, inside) / scale, weights);
+    }
+    for (int j = 0; j < from.functions(); ++j)
+      if (weights[j] != 0) rows[i].function.push_back(j), rows[i].weight.push_back(weights[j]);
+  }
+  return rows;
+}
+
+}  // namespace softwet

@@ -1,0 +1,26 @@
+// Splines of one axis as splines of another axis of the same length (host).
+#pragma once
+
+#include <vector>
+
+#include "spline/axis.hpp"
+
+namespace softwet {
+
+/// One control value as a sum of those of the other axis: sum_k weight[k] c[function[k]].
+struct TransferRow {
+  std::vector<int> function;
+  std::vector<double> weight;
+};
+
+/// For each stored function of `to` its control value. It is the blossom, at the knots inside the function, of the polynomial that has
+/// the values of the spline at degree + 1 points of one element (Ramshaw 1987; de Boor, A Practical Guide to Splines, ch. IX):
+///   c_i = sum_a blossom(L_a)(t_{i+1}, ..., t_{i+p}) s(x_a),   L_a: the Lagrange polynomial of the point x_a.
+/// Where the spline is one polynomial there, as on elements that divide those of `from`, with a degree that is not smaller, the
+/// function is the same. Elsewhere the error is of order h^(p+1).
+/// @param low, high            elements of `to` on which the spline exists, [low, high)
+/// @param from_low, from_high  those of `from`
+/// Tested: tests/unit/spline/test_transfer.cpp
+std::vector<TransferRow> transfer(const Axis& from, int from_low, int from_high, const Axis& to, int low, int high);
+
+}  // namespace softwet

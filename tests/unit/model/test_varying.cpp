@@ -1,0 +1,123 @@
+// Numbers of a case that vary: loads in time, fields at the start, and what the kernels do not take.
+#include "case/error.hpp"
+#include "model/initial.hpp"
+
+#include "unit/io/expect_error.hpp"
+#include "unit/model/formulas.hpp"
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+Profile in_x(double a, double b) {
+  return varying([=](const std::array<double, 3>& x, double) { return a + b * x[0]; });
+}
+
+TEST(Varying, FactorOfALoadMultipliesItsRampInForceAndPower) {
+  Case c = scene(Scene::coupled);  // the load starts at 1 and has a ramp of 4, so t = time - 1
+  const RandomScene without(c);
+  c.loads[0].factor = varying([](const std::array<double, 3>&, double t) { return 1 - 2 * t; });
+  const RandomScene with(c);
+  c.loads.clear();
+  const RandomScene none(c);
+  Stage stage = RandomScene(scene(Scene::coupled)).stage();
+  for (const double time : {0.5, 1.0, 2.5, 7.0}) {
+    const double fraction = std::clamp((time - 1) / 4, 0.0, 1.0);
+    EXPECT_DOUBLE_EQ(with.model.loads()[0].part(time), fraction == 0 ? 0 : fraction * (1 - 2 * (time - 1)));
+    const double power = without.model.load_power(time, stage.unknown);
+    EXPECT_NEAR(with.model.load_power(time, stage.unknown), (1 - 2 * (time - 1)) * power, 1e-14);
+    stage.time = time;
+    const std::vector<double> full = without.residual(stage), varied = with.residual(stage),
+                              bare = none.residual(stage);
+    for (std::size_t i = 0; i < full.size(); ++i)
+      EXPECT_NEAR(varied[i] - bare[i], (1 - 2 * (time - 1)) * (full[i] - bare[i]), 1e-12);
+  }
+}
+
+/// Greville points of the control values of a component in 2D, round a periodic axis inside of the domain.
+std::vector<std::array<double, 2>> points_of(const Layout<2>& l, int first, int rows) {
+  std::vector<std::array<double, 2>> all;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < l.row_size; ++i) {
+      double x = l.axis[0].greville(l.function(i, 0));
+      if (l.axis[0].periodic()) x -= x >= l.axis[0].length() ? l.axis[0].length() : 0;
+      all.push_back({x, l.axis[1].greville(first + j)});
+    }
+  return all;
+}
+
+TEST(Varying, GivenDensityIsTheOneOfTheControlPoints) {
+  for (const bool periodic : {false, true}) {
+    Case c = scene(Scene::coupled, WallLaw::gradient, periodic);
+    c.initial.emplace().density =
+        varying([](const std::array<double, 3>& x, double) { return 0.2 + 0.3 * x[0] + 0.1 * x[1]; });
+    const Model<2, 2> model(c);
+    const Layout<2>& l = model.layout();
+    const std::vector<double> unknown = to_host(initial_state(c, model).unknown);
+    const auto points = points_of(l, l.wall_row, l.fluid_rows());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      EXPECT_NEAR(unknown[l.density_offset() + i], 0.2 + 0.3 * points[i][0] + 0.1 * points[i][1], 1e-14);
+  }
+}
+
+TEST(Varying, WavesAreAddedToGivenFields) {
+  Case c = scene(Scene::rigid);
+  c.initial.emplace().density = 0.3;
+  c.waves = {{"density", 0.05, {0, 0}}};
+  const Model<2, 2> model(c);
+  const std::vector<double> unknown = to_host(initial_state(c, model).unknown);
+  EXPECT_DOUBLE_EQ(unknown[model.layout().density_offset()], 0.35);
+}
+
+TEST(Varying, GivenVelocityLeavesSidesAndSolidAtRest) {
+  Case c = scene(Scene::coupled);
+  c.initial.emplace().velocity = {in_x(0.1, 0.2), Profile(0.3)};
+  const Model<2, 2> model(c);
+  const Layout<2>& l = model.layout();
+  const std::vector<double> unknown = to_host(initial_state(c, model).unknown), mask = to_host(model.mask());
+  const auto points = points_of(l, 0, l.rows);
+  for (int d : {0, 1})
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool fluid = static_cast<int>(i) / l.row_size > l.wall_row;
+      const double given = d == 0 ? 0.1 + 0.2 * points[i][0] : 0.3;
+      EXPECT_NEAR(unknown[l.velocity_offset(d) + i], fluid ? mask[l.velocity_offset(d) + i] * given : 0, 1e-15);
+    }
+}
+
+TEST(Varying, GivenDisplacementIsHeldAtTheSides) {
+  Case c = scene(Scene::coupled);
+  c.initial.emplace().displacement = {in_x(0.01, 0.02), Profile(0.03)};
+  const Model<2, 2> model(c);
+  const Layout<2>& l = model.layout();
+  const std::vector<double> displacement = to_host(initial_state(c, model).displacement), mask = to_host(model.mask());
+  const auto points = points_of(l, 0, l.solid_rows());
+  for (int d : {0, 1})
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double given = d == 0 ? 0.01 + 0.02 * points[i][0] : 0.03;
+      EXPECT_NEAR(displacement[l.displacement_offset(d) + i], mask[l.velocity_offset(d) + i] * given, 1e-15);
+    }
+}
+
+TEST(Varying, GivenFieldsThatCannotBeComputedAreRefused) {
+  const auto refuses = [](const Case& c, std::initializer_list<std::string> words) {
+    const Model<2, 2> model(c);
+    expect_error(Exit::invalid_input, words, [&] { initial_state(c, model); });
+  };
+  Case dense = scene(Scene::rigid);
+  dense.initial.emplace().density = in_x(0.5, 0.6);
+  refuses(dense, {"initial.density: the density is 1.04 at (0.9, ", "[0, 0.999)"});
+  Case folded = scene(Scene::coupled);
+  folded.initial.emplace().displacement = {in_x(0, -1.5), Profile(0)};
+  refuses(folded, {"initial:", "inside out"});
+}
+
+TEST(Varying, WhatTheKernelsCannotTakeIsRefused) {
+  Case graded = scene(Scene::coupled), painted = graded;
+  graded.substrate->young = in_x(1, 1);
+  painted.fluid->contact_angle = in_x(60, 1);
+  expect_error(Exit::invalid_input, {"substrate.young", "varies"}, [&] { Model<2, 2>{graded}; });
+  expect_error(Exit::invalid_input, {"fluid.contact_angle", "varies"}, [&] { Model<2, 2>{painted}; });
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools

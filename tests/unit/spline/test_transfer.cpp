@@ -1,0 +1,96 @@
+// Splines of one axis on another: the same function where the other space holds it.
+#include "spline/transfer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace softwet {
+namespace {
+
+double value(const Axis& axis, const std::vector<double>& control, int element, double x) {
+  const std::vector<double> b = axis.values(element, x);
+  double sum = 0;
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    const int function = axis.span(element) + static_cast<int>(k);
+    sum += b[k] * control[axis.periodic() ? function % axis.owned() : function];
+  }
+  return sum;
+}
+
+std::vector<double> wild(int n) {
+  std::vector<double> c(n);
+  for (int i = 0; i < n; ++i) c[i] = std::sin(1 + 7.3 * i * i);
+  return c;
+}
+
+std::vector<double> moved(const std::vector<TransferRow>& rows, const std::vector<double>& control) {
+  std::vector<double> now;
+  for (const TransferRow& row : rows) {
+    double sum = 0;
+    for (std::size_t k = 0; k < row.function.size(); ++k) sum += row.weight[k] * control[row.function[k]];
+    now.push_back(sum);
+  }
+  return now;
+}
+
+/// Largest difference of the functions on the elements [low, high) of `to`.
+double difference(const Axis& from, const std::vector<double>& a, const Axis& to, const std::vector<double>& b, int low,
+                  int high, int from_low, int from_high) {
+  double most = 0;
+  for (int e = low; e < high; ++e)
+    for (double part : {0.01, 0.3, 0.77, 0.99}) {
+      const double x = to.lower(e) + part * to.spacing();
+      const int old = std::min(std::max(from.element_at(x), from_low), from_high - 1);
+      most = std::max(most, std::abs(value(from, a, old, x) - value(to, b, e, x)));
+    }
+  return most;
+}
+
+TEST(Transfer, IsTheSameFunctionOnElementsThatDivideTheOthers) {
+  struct Pair {
+    Axis from, to;
+  };
+  for (const auto& [from, to] : std::vector<Pair>{{Axis(0.9, 7, 2), Axis(0.9, 7, 2)},
+                                                  {Axis(0.9, 7, 2), Axis(0.9, 14, 2)},
+                                                  {Axis(0.9, 7, 2, true), Axis(0.9, 7, 2, true)},
+                                                  {Axis(0.9, 7, 2, true), Axis(0.9, 21, 2, true)},
+                                                  {Axis(0.9, 6, 2, false, 2), Axis(0.9, 6, 2, false, 2)},
+                                                  {Axis(0.9, 6, 2, false, 2), Axis(0.9, 12, 2, false, 4)},
+                                                  {Axis(1.3, 6, 3, false, 2), Axis(1.3, 18, 3, false, 6)},
+                                                  {Axis(1.3, 7, 3, true), Axis(1.3, 14, 3, true)}}) {
+    const std::vector<double> control = wild(from.functions());
+    const auto rows = transfer(from, 0, from.elements(), to, 0, to.elements());
+    EXPECT_LT(difference(from, control, to, moved(rows, control), 0, to.elements(), 0, from.elements()), 1e-12)
+        << from.elements() << " " << to.elements() << " degree " << to.degree();
+  }
+}
+
+TEST(Transfer, StaysOnItsSideOfTheWall) {
+  const Axis from(0.9, 6, 2, false, 2), to(0.9, 12, 2, false, 4);
+  std::vector<double> control = wild(from.functions());
+  for (int i = 0; i < from.span(2); ++i) control[i] = NAN;  // the fluid has no values below the wall
+  const std::vector<double> now = moved(transfer(from, 2, 6, to, 4, 12), control);
+  EXPECT_LT(difference(from, control, to, now, 4, 12, 2, 6), 1e-12);
+  control = wild(from.functions());
+  for (int i = from.span(2) + 1; i < from.functions(); ++i) control[i] = NAN;  // nor the solid above it
+  const std::vector<double> below = moved(transfer(from, 0, 2, to, 0, 4), control);
+  EXPECT_LT(difference(from, control, to, below, 0, 4, 0, 2), 1e-12);
+}
+
+TEST(Transfer, ConvergesOnOtherElementsAndDegrees) {
+  // A spline that is nearly smooth: the error on other meshes falls like the fourth power for degree 3.
+  const auto error = [](int n) {
+    const Axis from(1, n, 3), to(1, n + 3, 3);
+    std::vector<double> control;
+    for (int i = 0; i < from.functions(); ++i) control.push_back(std::sin(5 * from.greville(i)));
+    return difference(from, control, to, moved(transfer(from, 0, n, to, 0, n + 3), control), 0, n + 3, 0, n);
+  };
+  EXPECT_GT(error(16) / error(64), 64);
+  const Axis from(1, 8, 2), to(1, 8, 3);
+  const std::vector<double> line(from.functions(), 0.7);
+  for (const double c : moved(transfer(from, 0, 8, to, 0, 8), line)) EXPECT_NEAR(c, 0.7, 1e-13);
+}
+
+}  // namespace
+}  // namespace softwet
