@@ -110,19 +110,26 @@ def steps(lab):
     lab.expect("order in time, 40 to 80 steps", "2 +- 0.2", f"{rate:.2f}", abs(rate - 2) <= 0.2)
 
 
+def of_scheme(lab, s, dt):
+    """What the scheme makes of the exact root s with steps of dt: kick_drift damps no waves, three stages of third order do."""
+    z = s * dt
+    return s if lab.scheme == "kick_drift" else numpy.log(1 + z + z**2 / 2 + z**3 / 6) / dt
+
+
 def explicit(lab):
-    """The third mode at the temperature 0.85, on 64 elements, and with lumped masses, which err by a part of (k h)^2, on 32 too."""
+    """The third mode at the temperature 0.85, on 64 elements, and with lumped masses, which err by a part of (k h)^2, on 32 too.
+    Damping is held against that of the scheme: the three stages of ssp_rk3 and rkl2 add 0.5 to 0.8 % here."""
     plane, errors = PlaneInterface(0.85), {}
-    own = 0.02 if lab.scheme == "ssp_rk3" else 0.0015  # ssp_rk3 damps by itself
     for phase, viscosity in (("liquid", 1e-4), ("vapour", 2e-4 * PlaneInterface(0.85).vapour)):
         s = exact(plane, phase, 3 * numpy.pi, 1 / 64, viscosity)
-        for mass, n, of_frequency, of_damping in (("corrected", 64, 0.0005, own), ("lumped", 64, 0.01, 0.03), ("lumped", 32, 0.04, 0.03)):
+        for mass, n, of_frequency, of_damping in (
+                ("corrected", 64, 0.0005, 0.0015), ("lumped", 64, 0.01, 0.03), ("lumped", 32, 0.04, 0.03)):
             run = lab.run(f"{phase}, {mass}, {n}", CASE, [*settings(0.85, phase, 3, viscosity, s, elements=n), f"time.mass={mass}"])
-            found = measure(run, s)[0]
-            errors[mass, n], damping = abs(found.imag / s.imag - 1), found.real / s.real - 1
+            found, theory = measure(run, s)[0], of_scheme(lab, s, run.history["dt"][1])
+            errors[mass, n], damping = abs(found.imag / s.imag - 1), found.real / theory.real - 1
             lab.expect(f"{phase}, {mass}: frequency, {n} elements", f"{s.imag:.5g} +- {100 * of_frequency:g} %",
                        f"{100 * errors[mass, n]:.3f} % off", errors[mass, n] <= of_frequency)
-            lab.expect(f"{phase}, {mass}: damping, {n} elements", f"{-s.real:.4g} +- {100 * of_damping:g} %", f"{100 * damping:+.3f} %",
-                       abs(damping) <= of_damping)
+            lab.expect(f"{phase}, {mass}: damping, {n} elements", f"{-theory.real:.4g} +- {100 * of_damping:g} %",
+                       f"{100 * damping:+.3f} %", abs(damping) <= of_damping)
         order = numpy.log2(errors["lumped", 32] / errors["lumped", 64])
         lab.expect(f"{phase}, lumped: order in h of the error of the frequency", "2 +- 0.3", f"{order:.2f}", abs(order - 2) <= 0.3)
