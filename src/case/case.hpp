@@ -126,6 +126,7 @@ struct Load {
   double start = 0;                  ///< in run time, which is 0 at the beginning of the computation
   double ramp = 0;                   ///< time over which the force grows linearly to its full value
   Profile factor = 1;                ///< of the force, at the time of the results; it multiplies the ramp
+  std::vector<Profile> path = {};    ///< displacement of the box over that time, one for each axis; empty: it rests
 };
 
 /// Sides of the patch, [axis][0: low, 1: high]. Unused axes stay at slip.

@@ -161,6 +161,11 @@ void check_load(const Checker& check, std::size_t index) {
     check.require_axes(force, check.c.loads[index].force.size(),
                        "write one component for each axis, the last is vertical");
   });
+  const std::string path = fmt::format("load[{}].path", index);
+  check.with({path}, [&] {
+    if (const std::size_t count = check.c.loads[index].path.size(); count > 0)
+      check.require_axes(path, count, "write one displacement for each axis, the last is vertical");
+  });
 }
 
 void check_steps(const Checker& check) {

@@ -311,6 +311,15 @@ std::vector<Key> load_keys() {
                "of \"sin(2*pi*t/5)\" shakes the box with the period 5.",
        .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.loads[i].factor; }),
        .support = Support::time},
+      {.name = "load[].path",
+       .kind = Kind::profiles,
+       .unit = "L0",
+       .help = "Displacement of the box over time, one entry for each axis: [\"0.1*t\", 0.0] moves it along x. Round a "
+               "periodic "
+               "axis it comes in on the other side; what leaves the solid elsewhere does not act.",
+       .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.loads[i].path; }),
+       .default_note = "[], the box rests",
+       .support = Support::time},
   };
 }
 

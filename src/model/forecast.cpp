@@ -107,7 +107,8 @@ void add_softness(const Case& c, std::vector<std::string>& found) {
 /// Below liquid: by hand, or as Young's law gives it.
 double wet_tension(const Case& c) {
   if (c.fluid->wall_tension == WallTensionModel::none) return c.substrate->surface_tension_wet;
-  return c.substrate->surface_tension - surface_tension(*c.fluid) * std::cos(c.fluid->contact_angle.least() * M_PI / 180);
+  return c.substrate->surface_tension -
+         surface_tension(*c.fluid) * std::cos(c.fluid->contact_angle.least() * M_PI / 180);
 }
 
 void add_neumann(const Case& c, std::vector<std::string>& found) {

@@ -113,13 +113,13 @@ MeshFaults Model<D, P>::faults(const Stage& stage) const {
 template <int D, int P>
 double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
   double power = 0;
-  for (const LoadVector& load : loads_) {
-    const double fraction = load.part(time);
-    const int count = static_cast<int>(load.weight.extent(0));
+  for (const LoadVector<D>& load : loads_) {
+    const std::vector<double> force = load.force(time);
+    const ConstArray weight = load.weight(layout_, time);
+    const int count = static_cast<int>(weight.extent(0));
     for (int d = 0; d < D; ++d) {
       const int first = layout_.velocity_offset(d);
-      if (fraction * load.force[d] != 0)
-        power += fraction * load.force[d] * dot(layout_.space(), load.weight, part(unknown, first, first + count));
+      if (force[d] != 0) power += force[d] * dot(layout_.space(), weight, part(unknown, first, first + count));
     }
   }
   return power;

@@ -172,30 +172,13 @@ void Model<D, P>::build_solid(const Case& c) {
   }
   const double along = 4 * s.fibre.stiffness / (stiffness_.lambda + 2 * stiffness_.shear_modulus);
   solid_rates_ = {4.0 / 3 * s.viscosity + s.bulk_viscosity, std::max(s.surface_tension, s.surface_tension_wet), along};
-  for (const Load& load : c.loads)
-    loads_.push_back({weights_of_solid(load.lower, load.upper, s.density), load.force, load.start, load.ramp, load.factor, c.clock_zero()});
+  for (const Load& load : c.loads) loads_.emplace_back(layout_, load, s.density, c.clock_zero());
   if (!s.gravity.empty()) {
     std::vector<double> upper = c.domain.size;
     upper[D - 1] = s.thickness;
-    gravity_ = {weights_of_solid(std::vector<double>(D, 0.0), upper, s.density), s.gravity};
+    const std::vector<double> w = weights_on_box(layout_, std::vector<double>(D, 0.0), upper, s.density);
+    gravity_ = {to_device<Array>(w, "gravity"), s.gravity};
   }
-}
-
-template <int D, int P>
-Array Model<D, P>::weights_of_solid(const std::vector<double>& lower, const std::vector<double>& upper,
-                                    double density) const {
-  std::vector<double> w(static_cast<std::size_t>(layout_.solid_rows()) * layout_.row_size, density);
-  int stride = 1;
-  for (int d = 0; d < D; ++d) {
-    const Axis& axis = layout_.axis[d];
-    const int last = d == D - 1 ? layout_.solid_elements : axis.elements();
-    std::vector<double> factor = axis.integrals(lower[d], upper[d], 0, last);
-    for (int g = axis.owned(); g < axis.functions(); ++g) factor[g - axis.owned()] += std::exchange(factor[g], 0.0);
-    const int n = d == D - 1 ? layout_.solid_rows() : layout_.extent(d);
-    for (std::size_t i = 0; i < w.size(); ++i) w[i] *= factor[layout_.function((i / stride) % n, d)];
-    stride *= n;
-  }
-  return to_device<Array>(w, "load");
 }
 
 template <int D, int P>
@@ -226,11 +209,11 @@ void Model<D, P>::build_mask(const Case& c) {
 
 template <int D, int P>
 void Model<D, P>::add_loads(double time, const Array& out) const {
-  for (const LoadVector& load : loads_) {
-    const double fraction = load.part(time);
+  for (const LoadVector<D>& load : loads_) {
+    const std::vector<double> force = load.force(time);
+    const ConstArray weight = load.weight(layout_, time);
     for (int d = 0; d < D; ++d)
-      if (fraction * load.force[d] != 0)
-        add_scaled(out, layout_.velocity_offset(d), -fraction * load.force[d], load.weight);
+      if (force[d] != 0) add_scaled(out, layout_.velocity_offset(d), -force[d], weight);
   }
   for (std::size_t d = 0; d < gravity_.force.size(); ++d)
     if (gravity_.force[d] != 0) add_scaled(out, layout_.velocity_offset(d), -gravity_.force[d], gravity_.weight);

@@ -11,11 +11,11 @@
 #include "field/ghosts.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
-#include "kernels/solid/body_force.hpp"
 #include "kernels/solid/hooke.hpp"
 #include "kernels/solid/neo_hookean.hpp"
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
 #include "model/integrals.hpp"
+#include "model/loads.hpp"
 #include "model/pieces.hpp"
 
 namespace softwet {
@@ -29,30 +29,10 @@ struct MeshFaults {
   double folded = 0, inverted = 0;
 };
 
-/// A body force per unit mass on a box of the solid: exact integrals of the basis, ready to scale.
-struct LoadVector {
-  Array weight;  ///< rho_0^s int_box N_i dX on the solid's rows
-  std::vector<double> force;
-  double start, ramp;
-  Profile factor;
-  double clock_zero;  ///< time of the computation at which that of the results, t, is 0
-
-  /// Part of the force that acts at a time of the computation.
-  double part(double time) const {
-    const double fraction = load_fraction(time, start, ramp);
-    return fraction == 0 ? 0 : fraction * factor.at({0, 0, 0}, time - clock_zero);
-  }
-};
 /// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its face, and by how much
 /// fibres make it stiffer than its material, over the modulus of pressure waves.
 struct SolidRates {
   double viscosity = 0, tension = 0, stiffer = 0;
-};
-
-/// A uniform force per unit mass on all of the solid; no force: empty.
-struct SolidGravity {
-  Array weight;  ///< rho_0^s int N_i dX
-  std::vector<double> force;
 };
 
 using Solid = std::variant<Elastodynamics<SaintVenantKirchhoff>, Elastodynamics<Hooke>, Elastodynamics<NeoHookean>>;
@@ -79,7 +59,7 @@ class Model {
   const Pieces<D, float>& single_pieces() const { return single_; }
   Precision precision() const { return precision_; }
   int points() const { return points_; }  ///< Gauss points per element and axis
-  const std::vector<LoadVector>& loads() const { return loads_; }
+  const std::vector<LoadVector<D>>& loads() const { return loads_; }
   ConstArray mask() const { return mask_; }  ///< 1 free, 0 prescribed or ghost
   double wall_height() const { return blend_.low; }
   bool has_wall() const { return has_wall_; }
@@ -131,7 +111,6 @@ class Model {
   void build_fluid(const Case&);
   void build_solid(const Case&);
   void build_mask(const Case&);
-  Array weights_of_solid(const std::vector<double>& lower, const std::vector<double>& upper, double density) const;
   /// The same values on all rows that live on the wall.
   GivenField<double> on_wall(const std::vector<double>& of_row) const;
   template <class Real>
@@ -162,7 +141,7 @@ class Model {
   int points_;
   Pieces<D, double> pieces_;
   Pieces<D, float> single_;
-  std::vector<LoadVector> loads_;
+  std::vector<LoadVector<D>> loads_;
   SolidGravity gravity_;
   std::function<void(double, const Array&)> source_;
   Array mask_;

@@ -29,8 +29,11 @@ std::vector<double> events(const Case& c) {
   for (const Load& load : c.loads) {
     times.push_back(load.start);
     times.push_back(load.start + load.ramp);
-    if (load.factor.varies())
-      for (double t : load.factor.formula->kinks()) times.push_back(zero + t);
+    std::vector<Profile> profiles = load.path;
+    profiles.push_back(load.factor);
+    for (const Profile& profile : profiles)
+      if (profile.varies())
+        for (double t : profile.formula->kinks()) times.push_back(zero + t);
   }
   for (double t : field_times(c)) times.push_back(zero + t);
   return times;

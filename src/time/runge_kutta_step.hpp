@@ -12,7 +12,9 @@ template <int D, int P>
 class RungeKuttaStep final : public ExplicitStep<D, P> {
  public:
   RungeKuttaStep(SemiDiscrete<D, P>& system, bool apart)
-      : ExplicitStep<D, P>(system), apart_(apart && system.model().layout().has_fluid), scheme_(system.size()) {
+      : ExplicitStep<D, P>(system),
+        apart_(apart && (system.model().layout().has_fluid || system.model().has_viscous_solid())),
+        scheme_(system.size()) {
     for (Array* a : {&y_, &rates_, &next_, &next_rates_}) *a = Array("ssp_rk3.vector", system.size());
     if (apart_) viscous_ = std::make_unique<Rkl2>(system.velocities());
     system.leave_viscosity_out(apart_);

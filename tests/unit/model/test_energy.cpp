@@ -1,4 +1,5 @@
 // Energies: what the integrals are, and the energy law hidden in the residual.
+#include "unit/model/formulas.hpp"
 #include "unit/model/scenes.hpp"
 
 namespace softwet::testing_tools {
@@ -19,9 +20,10 @@ Array plus(const Array& y, double e, const std::vector<double>& x) {
 // Testing momentum with v, mass with mu - f . x (f: gravity) and potential with rho_t on a fixed mesh leaves
 //   d/dt (kinetic + bulk + gradient + wall energy + energy in gravity) + dissipation = - convection,
 // the last being (v, rho (v . grad) v), which the exact rho_t |v|^2/2 of the kinetic energy balances.
-TEST(EnergyLaw, OnAFixedMeshWithWallEnergy) {
+void expect_energy_law_on_a_rigid_wall(const Profile& angle) {
   Case c = scene(Scene::rigid, WallLaw::energy);
   c.fluid->gravity = {0.3, -0.8};
+  c.fluid->contact_angle = angle;
   RandomScene s(c);
   const Layout<2>& l = s.layout();
   s.stage().moment_rate = 1;  // density_end is then the rate of the density
@@ -71,6 +73,11 @@ TEST(EnergyLaw, OnAFixedMeshWithWallEnergy) {
       << "the wall energy takes part";
 }
 
+TEST(EnergyLaw, OnAFixedMeshWithWallEnergy) { expect_energy_law_on_a_rigid_wall(60); }
+TEST(EnergyLaw, OnAFixedMeshWithAPaintedWall) {
+  expect_energy_law_on_a_rigid_wall(varying([](const std::array<double, 3>& x, double) { return 60 + 70 * x[0]; }));
+}
+
 // Solid: testing with v gives the rate of kinetic and elastic energy less the power of the load.
 TEST(EnergyLaw, OfTheSolid) {
   RandomScene s(scene(Scene::solid));
@@ -105,6 +112,7 @@ TEST(EnergyLaw, OfARichSolid) {
   for (bool small : {false, true}) {
     Case c = rich_solid(Scene::solid);
     if (small) c.substrate->strain = "small";
+    if (!small) c.substrate->young = varying([](const std::array<double, 3>& x, double) { return 2 + x[0] - x[1]; });
     RandomScene s(c);
     const Layout<2>& l = s.layout();
     const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);

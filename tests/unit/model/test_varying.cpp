@@ -23,7 +23,7 @@ TEST(Varying, FactorOfALoadMultipliesItsRampInForceAndPower) {
   Stage stage = RandomScene(scene(Scene::coupled)).stage();
   for (const double time : {0.5, 1.0, 2.5, 7.0}) {
     const double fraction = std::clamp((time - 1) / 4, 0.0, 1.0);
-    EXPECT_DOUBLE_EQ(with.model.loads()[0].part(time), fraction == 0 ? 0 : fraction * (1 - 2 * (time - 1)));
+    EXPECT_DOUBLE_EQ(with.model.loads()[0].force(time)[0], fraction == 0 ? 0 : 0.7 * (fraction * (1 - 2 * (time - 1))));
     const double power = without.model.load_power(time, stage.unknown);
     EXPECT_NEAR(with.model.load_power(time, stage.unknown), (1 - 2 * (time - 1)) * power, 1e-14);
     stage.time = time;
@@ -32,6 +32,23 @@ TEST(Varying, FactorOfALoadMultipliesItsRampInForceAndPower) {
     for (std::size_t i = 0; i < full.size(); ++i)
       EXPECT_NEAR(varied[i] - bare[i], (1 - 2 * (time - 1)) * (full[i] - bare[i]), 1e-12);
   }
+}
+
+/// Along a periodic axis of length 0.9 the box [0.3, 0.6] is moved by 0.4 to [0.7, 0.9] and [0, 0.1].
+TEST(Varying, BoxOfALoadMovesAlongItsPath) {
+  Case c = scene(Scene::coupled, WallLaw::gradient, true);
+  c.loads[0].path = {varying([](const std::array<double, 3>&, double t) { return 0.1 * t; }), Profile(0)};
+  const RandomScene moving(c);
+  c.loads[0].path.clear();
+  c.loads[0].lower[0] = 0.7, c.loads[0].upper[0] = 0.9;
+  c.loads.push_back(c.loads[0]);
+  c.loads[1].lower[0] = 0, c.loads[1].upper[0] = 0.1;
+  const RandomScene two(c);
+  Stage stage = RandomScene(scene(Scene::coupled, WallLaw::gradient, true)).stage();
+  stage.time = 5;  // t = 4
+  EXPECT_LT(distance(moving.residual(stage), two.residual(stage)), 1e-13);
+  EXPECT_NEAR(moving.model.load_power(5, stage.unknown), two.model.load_power(5, stage.unknown), 1e-13);
+  EXPECT_GT(std::abs(moving.model.load_power(5, stage.unknown) - moving.model.load_power(6, stage.unknown)), 1e-4);
 }
 
 /// Greville points of the control values of a component in 2D, round a periodic axis inside of the domain.
