@@ -53,15 +53,18 @@ Dense inverse(const Dense& mass, MassKind kind, double kept, bool held_below, bo
     return found;
   }
   Dense d = sums.cwiseInverse().asDiagonal();
-  const auto add = [&](int end, int way) {
+  const auto tie = [&](int end, int way, double part) {
     Eigen::VectorXd along = Eigen::VectorXd::Zero(n);
     along[end] = 1;
     along[end + way] = -1;
     const Eigen::VectorXd scaled = along.cwiseQuotient(sums);
-    d -= (1 - kept) / along.dot(scaled) * scaled * scaled.transpose();
+    d -= (1 - part) / along.dot(scaled) * scaled * (along.transpose() * d);
   };
-  if (!held_below) add(0, 1);
-  if (!held_above) add(n - 1, -1);
+  // As EndTies does it: where both ends share a function, half of one comes before the other and half after it.
+  const bool below = !held_below && n > 1, above = !held_above && n > 1;
+  if (below) tie(0, 1, std::sqrt(kept));
+  if (above) tie(n - 1, -1, kept);
+  if (below) tie(0, 1, std::sqrt(kept));
   found.block(first, first, n, n) = kind == MassKind::lumped ? d : Dense(series<Dense>(one, one - d * inner) * d);
   return found;
 }
@@ -92,11 +95,12 @@ MassSymbols inside_symbols(int degree, MassKind kind) {
     s.convective = std::max(s.convective, inverse * std::abs(slope));
     s.elastic = std::max(s.elastic, std::sqrt(inverse * stiffness));
   }
+  s.diffusive = s.viscous;
   return s;
 }
 
-MassSymbols end_symbols(int degree, MassKind kind) {
-  const ElementLine line(10, degree);
+MassSymbols end_symbols(int degree, MassKind kind, int elements) {
+  const ElementLine line(elements, degree);
   const Dense held = inverse(line.mass, kind, kept_of_velocities, true, true);
   const Dense free = inverse(line.mass, kind, kept_of_velocities, false, false);
   const Dense layer = inverse(line.mass, kind, kept_of_velocities, true, false);
@@ -107,7 +111,8 @@ MassSymbols end_symbols(int degree, MassKind kind) {
   s.acoustic = std::max(s.acoustic, std::sqrt(largest(back * line.mass * there)));
   s.capillary = std::max(s.capillary, std::sqrt(largest(back * line.stiffness * there)));
   s.viscous = std::max({s.viscous, largest(free * line.stiffness), largest(held * line.stiffness)});
-  s.elastic = std::max(s.elastic, std::sqrt(largest(layer * line.stiffness)));
+  s.diffusive = std::max(s.diffusive, largest(scalar * line.stiffness));  // the ties of scalars are weaker
+  s.elastic = std::max(s.elastic, std::sqrt(std::max(largest(layer * line.stiffness), largest(free * line.stiffness))));
   s.surface = std::sqrt(s.viscous * layer(layer.rows() - 1, layer.cols() - 1));
   return s;
 }

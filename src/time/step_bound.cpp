@@ -19,6 +19,35 @@ StepRates largest_of(const Point& point, int items) {
           found[stabilisation], found[flow],  found[elasticity]};
 }
 
+/// The fewest elements that a material has along an axis, of those with ends; from `enough` on more make no difference.
+template <int D>
+int fewest_elements(const Layout<D>& l) {
+  constexpr int enough = 10;
+  int fewest = enough;
+  const auto take = [&](int elements) { fewest = elements > 0 ? std::min(fewest, elements) : fewest; };
+  for (int d = 0; d + 1 < D; ++d)
+    if (!l.axis[d].periodic()) take(l.axis[d].elements());
+  take(l.solid_elements);
+  take(l.axis[D - 1].elements() - l.solid_elements);
+  return fewest;
+}
+
+/// Whether nothing holds the velocity at some control point at an end of an axis.
+template <int D>
+bool has_free_end(const Layout<D>& l, const std::vector<double>& mask, int axis) {
+  const int nodes = l.rows * l.row_size, last = l.axis[axis].functions() - 1;
+  int stride = 1;
+  for (int d = 0; d < axis; ++d) stride *= l.extent(d);
+  bool found = false;
+  for (int i = 0; i < nodes && !l.axis[axis].periodic(); ++i) {
+    const int function = l.function(i / stride % l.extent(axis), axis);
+    bool held = function != 0 && function != last;
+    for (int c = 0; c < D; ++c) held = held || mask[c * nodes + i] == 0;
+    found = found || !held;
+  }
+  return ranks::largest(found ? 1.0 : 0.0) > 0;
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -26,7 +55,7 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
     : model_(model),
       formula_(formula),
       inside_(inside_symbols(P, kind)),
-      end_(end_symbols(P, kind)),
+      end_(end_symbols(P, kind, fewest_elements(model.layout()))),
       adds_axes_(kind == MassKind::consistent) {
   const Layout<D>& l = model.layout();
   length_ = l.axis[0].spacing();
@@ -42,6 +71,10 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
       rest /= extent;
       if (!l.axis[d].periodic() && (function < reach || function > last - reach)) near[i] = 1;
     }
+  }
+  if (!l.has_fluid) {
+    const std::vector<double> mask = to_host(model.mask());
+    for (int d = 0; d < D; ++d) free_axis_[d] = has_free_end(l, mask, d);
   }
   near_end_ = to_device<Kokkos::View<int*, Exec>>(near, "step_bound.near_end");
   for (int d = 0; d < D; ++d) {
@@ -108,6 +141,7 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
               displacement.data(),
               {},
               {},
+              {},
               l.solid_rows() * l.row_size,
               l.row_size,
               formula_,
@@ -115,6 +149,7 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
               (D - 1) * margin * end_.surface * end_.surface * more.tension / (solid.density * std::pow(length_, 3)),
               modulus * more.viscosity};
           for (int d = 0; d < D; ++d) {
+            for (int e = 0; e < D; ++e) point.joined[d][e] = d == e ? 1 : free_axis_[d] && free_axis_[e] ? 0.5 : 0;
             point.greville[d] = greville_[d];
             point.extent[d] = d == D - 1 ? l.solid_rows() : l.extent(d);
           }

@@ -13,7 +13,8 @@ struct StepRates {
 };
 
 /// How a scheme adds the rates at a point: w of waves, s of viscosity, e of the stabilisation, u of the flow.
-/// kick_drift: max((w + s / 2 + 0.6 e + u) / 2, s), for a wave alone is stable up to w dt = 2 and viscosity up to s dt = 1;
+/// kick_drift: max((sqrt(e^2 + 4 (w + u)^2) + e + s) / 4, s). Without viscosity one wave is stable up to (w dt)^2 + 2 e dt = 4, which is
+///   this; viscosity alone is stable up to s dt = 1; with all three it is a bound (the roots of the step were tried on a grid);
 /// runge_kutta: the ellipse with half axes 1.73 and 2.51 in the region of stability of three stages and third order,
 ///   sqrt(((w + u) / 1.73)^2 + ((s + e) / 2.51)^2);
 /// without_viscosity: the same with s = 0.
@@ -21,10 +22,12 @@ enum class StepFormula { kick_drift, without_viscosity, runge_kutta };
 
 /// At a control point with density rho and moments p over row sums a, on elements of the shortest length h:
 ///   w = sqrt(A^2 c^2 + C^2 g^2 rho / h^2) / h,  c^2 = max(rho W'', 0)
-///   s = V (4/3) m / (p / a) / h^2,   e = eps k (c^2 / rho + g^2 k),  k = V / h^2,   u = U |v - vh| / h
-/// with the symbols A, C, V, U (E, B) of the masses, those of ends in the elements beside an end. Where the mesh moves, h shrinks with
-/// the smallest stretch of the mesh above the wall there. In the solid w = E sqrt(largest row of dP/dF along an axis / rho_0) / h
-/// and s = E^2 (4/3 eta + zeta) / rho_0 / h^2; on its top face w^2 has B^2 (D - 1) Ups / rho_0 / h^3 more.
+///   s = V (4/3) m / (p / a) / h^2,   e = eps k (c^2 / rho + g^2 k),  k = F / h^2,   u = U |v - vh| / h
+/// with the symbols A, C, V, F, U (E, B) of the masses, those of ends in the elements beside an end. Where the mesh moves, h shrinks with
+/// the smallest stretch of the mesh above the wall there. In the solid w = E sqrt(largest row of dP/dF along an axis / rho_0) / h;
+/// where two sides that are free meet, waves along both axes join through Poisson's effect, and half of the row along the other
+/// axis is added: that is at least what blocks and beams have, at Poisson ratios up to 0.49. Viscosity of the solid:
+/// s = E^2 (4/3 eta + zeta) / rho_0 / h^2; on its top face w^2 has B^2 (D - 1) Ups / rho_0 / h^3 more.
 /// Control values bound the fields, for these are their means, and all of these rates are largest at an end of a range.
 /// Tested: tests/unit/time/test_step_bound.cpp, and against a search for the limit: the study stable_step
 template <int D, int P>
@@ -42,7 +45,8 @@ class StepBound {
   StepFormula formula_;
   MassSymbols inside_, end_;
   bool adds_axes_;
-  double length_;  ///< of the shortest side of an element
+  bool free_axis_[D] = {};  ///< a solid alone that has a free end along the axis
+  double length_;           ///< of the shortest side of an element
   Kokkos::View<const int*, Exec> near_end_;
   ConstArray greville_[D];  ///< of stored columns
   ConstArray blend_;        ///< of the rows of the fluid

@@ -9,7 +9,10 @@ enum Mechanism { combined, sound, capillarity, viscosity, stabilisation, flow, e
 
 /// See StepFormula: waves w, viscosity s, stabilisation e, flow u.
 KOKKOS_INLINE_FUNCTION double combine(StepFormula formula, double w, double s, double e, double u) {
-  if (formula == StepFormula::kick_drift) return Kokkos::max(0.5 * (w + 0.5 * s + 0.6 * e + u), s);
+  if (formula == StepFormula::kick_drift) {
+    const double waves = w + u;
+    return Kokkos::max(0.25 * (Kokkos::sqrt(e * e + 4 * waves * waves) + e + s), s);
+  }
   const double turn = (w + u) / 1.73, decay = (formula == StepFormula::runge_kutta ? s + e : e) / 2.51;
   return Kokkos::sqrt(turn * turn + decay * decay);
 }
@@ -65,8 +68,8 @@ struct FluidPoint {
     rate[capillarity] = many * c * Kokkos::sqrt(g2 * rho) * square;
     const double wave = Kokkos::sqrt(rate[sound] * rate[sound] + rate[capillarity] * rate[capillarity]);
     const double inertia = Kokkos::max(moments(i) / sums(i), fluid.inertia_floor);
-    const double k = many * of(&MassSymbols::viscous) * square;
-    rate[viscosity] = 4.0 / 3 * fluid.viscosity / inertia * k;
+    const double k = many * of(&MassSymbols::diffusive) * square;
+    rate[viscosity] = 4.0 / 3 * fluid.viscosity / inertia * many * of(&MassSymbols::viscous) * square;
     rate[stabilisation] = fluid.stabilisation * rho * rho * k * (c2_on / rho + g2 * k);
     double speed = 0;
     for (int d = 0; d < D; ++d) {
@@ -85,6 +88,7 @@ struct SolidPoint {
   const double* displacement;
   ConstArray greville[D];
   int extent[D];
+  double joined[D][D];  ///< part of dP/dF between two axes that counts
   int nodes;
   int row_size;
   StepFormula formula;
@@ -112,20 +116,21 @@ struct SolidPoint {
   }
 
  private:
-  /// Largest row of dP/dF along an axis.
+  /// Largest row of dP/dF.
   KOKKOS_FUNCTION double stiffness(const Matrix<double, D>& gradient) const {
-    double largest = 0;
-    for (int axis = 0; axis < D; ++axis) {
-      double sum[D] = {};
-      for (int along = 0; along < D; ++along) {
+    double row[D][D] = {};  // [component of the force][axis of the wave]
+    for (int along = 0; along < D; ++along)
+      for (int axis = 0; axis < D; ++axis) {
         Matrix<Dual<double>, D> moved;
         for (int c = 0; c < D; ++c)
           for (int d = 0; d < D; ++d) moved(c, d) = Dual<double>(gradient(c, d), c == along && d == axis ? 1.0 : 0.0);
         const Matrix<Dual<double>, D> stress = material.first_piola(moved);
-        for (int c = 0; c < D; ++c) sum[c] += Kokkos::abs(stress(c, axis).tangent);
+        for (int c = 0; c < D; ++c)
+          for (int d = 0; d < D; ++d) row[c][d] += joined[d][axis] * Kokkos::abs(stress(c, d).tangent);
       }
-      for (int c = 0; c < D; ++c) largest = Kokkos::max(largest, sum[c]);
-    }
+    double largest = 0;
+    for (int c = 0; c < D; ++c)
+      for (int d = 0; d < D; ++d) largest = Kokkos::max(largest, row[c][d]);
     return largest;
   }
   /// A face that is shortened carries shorter waves: 1 / its smallest stretch, at most 10, in space times the larger one.

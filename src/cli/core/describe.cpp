@@ -111,7 +111,7 @@ std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
     for (const auto& [name, rate] : {std::pair{"  sound alone", 0.5 * rates.sound},
                                      {"  capillary waves alone", 0.5 * rates.capillarity},
                                      {"  viscosity alone", rates.viscosity},
-                                     {"  stabilisation alone", 0.3 * rates.stabilisation},
+                                     {"  stabilisation alone", 0.5 * rates.stabilisation},
                                      {"  flow alone", 0.5 * rates.flow},
                                      {"  elasticity alone", 0.5 * rates.elasticity}})
       if (rate > 0) limit(name, 1 / rate);

@@ -74,6 +74,21 @@ TEST(StepBound, HoldsForADropletOnAWallAndInACorner) {
     EXPECT_LE(found, 1.4);
   }
 }
+TEST(StepBound, HoldsWhereTheStabilisationLimitsIt) {
+  Case c = droplet_inside(0.85);
+  c.domain.size = {0.5, 0.5};
+  c.droplets = {{{0.0, 0.0}, 0.22}};
+  c.fluid->stabilisation = Fluid{}.stabilisation;
+  for (const double viscosity : {3e-4, 3e-5}) {  // the smaller, the more it stabilises
+    c.fluid->viscosity = viscosity;
+    for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
+      const double found = room(c, "kick_drift", kind);
+      EXPECT_GE(found, 1) << viscosity;
+      EXPECT_LE(found, 1.6) << viscosity;
+    }
+  }
+  EXPECT_GE(room(c, "ssp_rk3"), 1);
+}
 TEST(StepBound, HoldsInASolidAndAboveOne) {
   EXPECT_GE(room(moving_droplet(Scene::solid), "kick_drift"), 1);
   EXPECT_GE(room(moving_droplet(Scene::coupled), "kick_drift"), 1);
@@ -91,6 +106,28 @@ TEST(StepBound, HoldsForASolidWithTensionOrViscosity) {
         EXPECT_GE(found, 1) << tension << ", " << viscosity;
         EXPECT_LE(found, 2) << tension << ", " << viscosity;
       }
+}
+
+/// A solid of square elements that is held at its left end, or nowhere.
+Case block(std::vector<int> elements, double poisson, bool held) {
+  Case c = scene(Scene::solid);
+  c.domain.elements = elements;
+  c.domain.size = {0.1 * elements[0], 0.1 * elements[1]};
+  c.substrate->thickness = c.domain.size[1];
+  c.substrate->poisson = poisson;
+  c.loads.clear();
+  c.boundary.side = {{{held ? Side::clamped : Side::free, Side::free}, {Side::free, Side::free}, {}}};
+  return c;
+}
+TEST(StepBound, HoldsInSolidsWhoseFreeSidesMeet) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped})
+    for (const double poisson : {0.0, 0.4, 0.49}) {
+      EXPECT_GE(room(block({12, 2}, poisson, true), "kick_drift", kind), 1) << "a beam, " << poisson;
+      EXPECT_GE(room(block({12, 1}, poisson, true), "kick_drift", kind), 1) << "a thin beam, " << poisson;
+      const double found = room(block({8, 8}, poisson, false), "kick_drift", kind);
+      EXPECT_GE(found, 1) << "a block, " << poisson;
+      EXPECT_LE(found, 1.2) << "a block, " << poisson;
+    }
 }
 
 TEST(StepBound, MechanismsFollowTheirNumbers) {
