@@ -13,6 +13,16 @@ def listed(values):
     return " x ".join(map(number, values))
 
 
+def shortened(value):
+    """A number, an expression, the path of a table, or a list of them; its beginning where it is long."""
+    text = listed_texts(value) if isinstance(value, list) else number(value)
+    return text if len(text) <= 50 else text[:47] + "..."
+
+
+def listed_texts(values):
+    return f"({', '.join(map(number, values))})"
+
+
 def scene(case):
     """What was computed, from case.toml."""
     domain = case["domain"]
@@ -22,16 +32,19 @@ def scene(case):
         fluid = case["fluid"]
         rows += [("viscosity, capillarity", f"{number(fluid['viscosity'])}, {number(fluid['capillarity'])}"),
                  ("temperature", number(fluid["temperature"])),
-                 ("contact angle, wall law", f"{number(fluid['contact_angle'])} degrees, {fluid['wall_law']}")]
+                 ("contact angle, wall law", f"{shortened(fluid['contact_angle'])} degrees, {fluid['wall_law']}")]
     for droplet in case.get("droplet", []):
         rows.append(("droplet: centre, radius", f"({', '.join(map(number, droplet['centre']))}), "
                                                 f"{number(droplet['radius'])}"))
     if "substrate" in case:
         solid = case["substrate"]
         rows += [("substrate: thickness, density", f"{number(solid['thickness'])}, {number(solid['density'])}"),
-                 ("young (times density), poisson", f"{number(solid['young'])}, {number(solid['poisson'])}")]
+                 ("young (times density), poisson", f"{shortened(solid['young'])}, {number(solid['poisson'])}")]
     for load in case.get("load", []):
-        rows.append(("load: force, ramp", f"({', '.join(map(number, load['force']))}), {number(load['ramp'])}"))
+        factor = load.get("factor", 1)
+        varies = f", times {shortened(factor)}" if factor != 1 else ""
+        rows.append(("load: force, ramp", f"({', '.join(map(number, load['force']))}), {number(load['ramp'])}{varies}"))
+    rows += [(f"initial {key}", shortened(value)) for key, value in case.get("initial", {}).items() if value]
     sides = {}
     for side, kind in case.get("boundary", {}).items():
         sides.setdefault(kind, []).append(side)

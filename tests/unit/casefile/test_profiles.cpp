@@ -108,6 +108,16 @@ TEST(Profiles, OneOutOfRangeIsFoundInSpaceOnManyElements) {
   EXPECT_NE(message_of(text).find("at (1, 1, 1)"), std::string::npos) << "corners are always looked at";
 }
 
+TEST(Profiles, InSpaceZIsTheHeight) {
+  const Case c = parse_case(
+      "name='s'\ndomain={size=[1,2,3],elements=[4,4,6]}\nsubstrate={thickness=3,young='1 + y/Ly + z/Lz',poisson=0}\n"
+      "time.end=1\ninitial={displacement=[0,0,'0.1*z']}\n",
+      "case.toml");
+  EXPECT_DOUBLE_EQ(c.substrate->young.at({0.3, 1, 1.5}), 2);
+  EXPECT_DOUBLE_EQ(c.substrate->young.most(), 3);
+  EXPECT_DOUBLE_EQ(c.initial->displacement[2].at({0, 0, 2}), 0.2);
+}
+
 TEST(Profiles, TheAngleOfACapIsThatAtItsPlace) {
   const Case c = pull_with({"fluid.contact_angle=60 + 60*x", "droplet.centre=[0.4, 0.125]", "droplet.radius=0.1"});
   EXPECT_NEAR(cap_cosine(*c.fluid, c.droplets[0]), std::cos(84 * std::acos(-1.0) / 180), 1e-14);

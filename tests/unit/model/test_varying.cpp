@@ -57,7 +57,8 @@ std::vector<std::array<double, 2>> points_of(const Layout<2>& l, int first, int 
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < l.row_size; ++i) {
       double x = l.axis[0].greville(l.function(i, 0));
-      if (l.axis[0].periodic()) x -= x >= l.axis[0].length() ? l.axis[0].length() : 0;
+      if (x < 0) x += l.axis[0].length();
+      if (l.axis[0].periodic() && x >= l.axis[0].length()) x -= l.axis[0].length();
       all.push_back({x, l.axis[1].greville(first + j)});
     }
   return all;
