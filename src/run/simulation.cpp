@@ -33,7 +33,8 @@ std::vector<double> events(const Case& c) {
     profiles.push_back(load.factor);
     for (const Profile& profile : profiles)
       if (profile.varies())
-        for (double t : profile.formula->kinks()) times.push_back(zero + t);
+        for (double t : profile.formula->kinks())
+          if (zero + t > load.start) times.push_back(zero + t);
   }
   for (double t : field_times(c)) times.push_back(zero + t);
   return times;
