@@ -1,4 +1,4 @@
-"""Surface tension of the solid: standing waves, droplets at rest on stiff and soft layers, energy, and what runs on fibres.
+"""Surface tension of the solid: standing waves, droplets at rest on stiff and soft layers, and the energy balance.
 
 **Waves.** A layer of solid alone on a roller base carries waves whose frequencies the tension U of its top raises. A run starts
 with the velocities of the slowest wave of linear theory (tests/verification/_layer.py), as far as eight [[wave]] over the height can be
@@ -16,10 +16,7 @@ given by hand has to give the same wall as f_w that acts, up to the 1e-5 by whic
 
 **Soft.** The glycerol droplet of Style et al. (PRL 110, 066103, 2013) in the plane, on a gel whose elastocapillary length is
 four times the capillarity. It has to come to rest, and on a gel that is three times softer too, whose wall folds without its surface
-tension.
-
-**Fibres.** On a layer that is the same everywhere no energy depends on the place of a droplet: it may run for ever on oblique fibres where
-f_w does not act, fed by the power wall_stretch, and must not where it does."""
+tension."""
 
 from typing import NamedTuple
 
@@ -293,28 +290,6 @@ def softer(lab):
     lab.expect("without surface tension the wall folds: exit code", "2", f"{code}", code == 2)
 
 
-def fibres(lab):
-    """The droplet of cases/fibres_2d.toml. A layer that is the same everywhere has no energy that depends on the droplet's place."""
-    acts = ['fluid.wall_tension="acts"', "substrate.surface_tension=0.0079"]
-    rows = []
-    for tension, settings in (("none", []), ("acts", acts)):
-        run = lab.run(f"on fibres, {tension}", "fibres_2d", settings)
-        h = run.history
-        late = h["t"] >= 300
-        fed, lost = (numpy.trapz(h[name][late], h["t"][late]) for name in ("wall_stretch", "dissipation"))
-        rows.append((tension, f"{h['x_centre'][-1]:.4f}", f"{h['velocity'][-1]:.2e}", f"{fed:.3e}", f"{lost:.3e}"))
-        if tension == "none":
-            lab.expect("none: on oblique fibres a droplet runs on; its speed at t = 1000", ">= 1e-4", f"{-h['velocity'][-1]:.2g}",
-                       h["velocity"][-1] <= -1e-4)
-            lab.expect("none: what it dissipates is the power wall_stretch", "within 5 %", f"{100 * (fed / lost - 1):+.1f} %",
-                       abs(fed / lost - 1) <= 0.05)
-        else:
-            lab.expect("acts: it stands; its speed at t = 1000", "<= 1e-6", f"{abs(h['velocity'][-1]):.1g}", abs(h["velocity"][-1]) <= 1e-6)
-    lab.title("A droplet on fibres")
-    lab.text("Power of wall_stretch and dissipation, summed from t = 300 to 1000.")
-    lab.table(("fluid.wall_tension", "X_c at t = 1000", "velocity", "wall_stretch", "dissipation"), rows, "fibres")
-
-
 def opening(x, y):
     """Angle between the steepest slopes on both sides of the ridge, degrees."""
     slope = numpy.degrees(numpy.arctan(numpy.diff(y) / numpy.diff(x)))
@@ -327,7 +302,6 @@ def study(lab):
     balance(lab)
     if not lab.quick:
         soft(lab)
-        fibres(lab)
 
 
 def explicit(lab):

@@ -11,13 +11,17 @@ A column without inertia under its weight from t = 0 creeps with u/u_inf = 1 - e
 A square that is free on all sides and starts to turn, bent, loses its waves to the viscosity, and then spins on as a rigid body. F = R and
 v = w x x have E' = sym(F^T grad v) = 0, so that nothing is dissipated any more, although it goes on turning.
 
-Energy: kinetic + elastic energy of a large wave changes as - dissipation, up to the error of the time scheme."""
+Energy: kinetic + elastic energy of a large wave changes as - dissipation, up to the error of the time scheme.
 
-import numpy
+A droplet that is dragged along carries the ridges at its contact lines along, and the layer dissipates. The power over the speed, a force,
+is largest where the speed times eta/G is about twice the capillarity (Karpitschka et al. 2015 for a power-law gel; here a line of finite width
+on the complex compliance of a layer)."""
 
 import _layer
 import _measure
 import _shape
+import numpy
+import ridge_locking
 from _case import case, sides
 
 MINUTES = {"quick": 0.2, "full": 0.5}
@@ -210,11 +214,64 @@ def balance(lab):
     lab.table(("material", *(f"dt = {dt}" for dt in sizes), "dissipated"), rows, "balance")
 
 
+# --- a moving droplet
+
+TENSION, WIDTH, TIME = _measure.TENSION_OVER_CAPILLARITY / 32, 1 / 32, 10.0  # sigma, the capillarity, eta/G
+
+
+def sliding(force):
+    return case("A droplet that gravity drags along a viscous layer.", "sliding",
+                domain=dict(size=[2.0, 0.5], elements=[128, 32]),
+                fluid=dict(viscosity="1/256", capillarity=WIDTH, temperature=0.39, contact_angle=75.0, wall_law="energy",
+                           wall_tension="acts", gravity=[force, 0.0]),
+                substrate=dict(thickness=0.125, young=YOUNG, poisson=POISSON, surface_tension=TENSION, viscosity=TIME * SHEAR),
+                droplet=[dict(centre=[0.5, 0.125], radius=0.155)],
+                boundary=dict(bottom="slip", top="slip"),
+                time=dict(end=10.0 / force, dt_max=0.03 / force))
+
+
+def drag(speed):
+    """Power over speed that linear theory loses in the layer under the traction of a droplet that moves with the speed; a period of 4."""
+    count, period = 8192, 4.0
+    x = (numpy.arange(count) - count // 2) * period / count
+    down = ridge_locking.tractions(x, WIDTH, middle=0.0)[1]
+    k = 2 * numpy.pi * numpy.fft.rfftfreq(count, period / count)[1:]
+    shear = SHEAR * (1 - 1j * k * speed * TIME)
+    first = FIRST - 2 / 3 * (shear - SHEAR)  # the viscosity is one of shear alone
+    z = numpy.minimum(2 * k * 0.125, 60)
+    give = (first + 2 * shear) / (2 * shear * (first + shear) * k) * (numpy.cosh(z) - 1) / (numpy.sinh(z) + z)
+    u = numpy.fft.rfft(numpy.fft.ifftshift(down))[1:] / (1 / give + TENSION * k**2)
+    slope = numpy.fft.fftshift(numpy.fft.irfft(numpy.concatenate(([0], 1j * k * u)), count))
+    return -(down * slope).sum() * period / count
+
+
+def moving(lab):
+    forces, place = (0.02, 0.04, 0.06, 0.1, 0.2), 0.85
+    runs, rows, found = lab.runs({f"droplet, force {force}": (sliding(force), []) for force in forces}, limit=1500), [], []
+    for force, run in zip(forces, runs.values()):
+        h = run.history
+        i = numpy.nonzero(h["x_centre"] >= place)[0][0]
+        speed = h["velocity"][i]
+        found.append((speed * TIME, h["dissipation_solid"][i] / speed, drag(speed)))
+        rows.append((force, *(f"{v:.3e}" for v in (speed, *found[-1])), f"{h['dissipation_solid'][i] / h['dissipation'][i]:.2f}"))
+    lab.title("A moving droplet")
+    lab.text(f"Gravity drags a droplet along a layer whose viscosity over its shear modulus is {TIME:g}. Its drag is the power dissipated in the "
+             f"solid over the speed, where X_c = {place}. Linear theory: the traction of the droplet at rest moves along.")
+    lab.table(("force", "speed", "speed eta/G", "drag", "drag, linear theory", "part of all dissipation"), rows, "moving")
+    worst = max(abs(d / theory - 1) for _, d, theory in found)
+    lab.expect("drag against linear theory", "within 20 %", f"{100 * worst:.0f} %", worst <= 0.2)
+    fastest = max(found, key=lambda row: row[1])[0]
+    lab.expect("the drag is largest where speed eta/G is about two capillarities (0.063)", "0.03 to 0.13", f"{fastest:.3f}",
+               0.03 <= fastest <= 0.13)
+
+
 def study(lab):
     waves(lab)
     creep(lab)
     spin(lab)
     balance(lab)
+    if not lab.quick:
+        moving(lab)
 
 
 def explicit(lab):
