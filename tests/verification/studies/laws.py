@@ -11,7 +11,9 @@ times the largest speed seen, for a moving droplet as a part of its momentum.
 
 Energy: a stretched droplet on a rigid wall comes to rest. With the wall-energy law the energy lost is the dissipation;
 the trapezoidal sum over the steps misses it by the error of the time scheme, which is of order 2. (The study
-energy_balance does this on a soft wall.)
+energy_balance does this on a soft wall.) It is looked at from t = 0.25 to 0.5, while the droplet still moves. It starts with the profile of
+the equation of state and is nearly at rest at t = 1: from there to t = 2 it dissipates a sixtieth of what it does in that quarter, and what
+higher orders of the steps leave of so little hides the rest. With the steps here the rest is within a tenth of its limit.
 
 Uniform flow: solid and liquid without pressure translate along x between periodic sides. The mesh of the fluid follows
 the wall and is sheared more and more; density and velocity must stay as they are."""
@@ -76,14 +78,15 @@ def momentum(lab):
 
 
 def energy(lab):
-    steps, meshes = (0.02, 0.01, 0.005), ("32,16",) if lab.quick else ("32,16", "64,32")
+    steps = (0.02, 0.01, 0.005) if lab.quick else (0.01, 0.005, 0.0025, 0.00125)
+    meshes = ("32,16",) if lab.quick else ("32,16", "64,32")
     base = ["fluid.capillarity=1/16", "fluid.wall_law=energy", "time.tolerance=1e6", *TIGHT, "droplet[0].stretch=[1.15,0.9]",
-            "time.end=2", "output.fields.times=[]"]
+            "time.end=0.5", "output.fields.times=[]"]
     rows, rests = [], []
     for mesh in meshes:
         runs = lab.runs({f"{mesh}, dt = {dt}": ("static_droplet_rigid_2d", [
             *base, f"domain.elements=[{mesh}]", f"time.dt_initial={dt}", f"time.dt_max={dt}"]) for dt in steps})
-        parts = [_measure.balance_error(run.folder, 1, 2) for run in runs.values()]
+        parts = [_measure.balance_error(run.folder, 0.25, 0.5) for run in runs.values()]
         order, rest = _measure.falls(parts)
         rests.append(rest)
         rows.append((mesh, *(f"{part:.2e}" for part in parts), f"{order:.2f}", f"{rest:.1e}"))
@@ -92,7 +95,7 @@ def energy(lab):
     if not lab.quick:
         lab.expect("energy, rigid wall: the rest falls with the mesh", "<= 1/4", f"{rests[1] / rests[0]:.2g}",
                    abs(rests[1]) <= rests[0] / 4)
-    lab.title("Balance of the energy from t = 1 to 2")
+    lab.title("Balance of the energy from t = 0.25 to 0.5")
     lab.text("Sum of what the steps leave open as a part of the dissipation; wall-energy law, rigid wall. The rest is what no "
              "step removes.")
     lab.table(("mesh", *(f"dt = {dt}" for dt in steps), "order", "rest at dt = 0"), rows, "energy")
