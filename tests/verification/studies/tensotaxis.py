@@ -9,8 +9,9 @@ load that pushes, ever more slowly, and it stays in its place where nu = 0.
 time.tolerance is halved twice, and a run with small steps tells how far X_c is then off. This error must fall and stay
 below the 0.006 that are allowed for X_c. A mirrored load must give the mirrored motion. What Newton's method leaves is
 not mirrored, and it decides on the steps, so that with default tolerances the two motions differ as the errors of the
-steps do. With a small solver.newton.rtol they must be the same. In each run at most one step in a hundred may fail in
-Newton's method."""
+steps do. With a small solver.newton.rtol they must be the same. These two runs may take more iterations in a step: one that needs
+nearly solver.newton.max makes the next step shorter, and whether it is 8 or 9 of 10 is decided by the round-off of linear solves, which
+is not mirrored either. In each run at most one step in a hundred may fail in Newton's method."""
 
 import _measure
 import numpy
@@ -20,7 +21,7 @@ MIRROR = ["load[0].box=[[0.2,0],[0.3,0.125]]", "load[0].force=[-0.16215,0]"]
 SMALL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "load[0].start=2", "load[0].ramp=1", "time.end=10",
          "output.fields.times=[0,10]", "solver.newton.rtol=1e-11", "solver.newton.atol=1e-14", "solver.krylov.rtol=1e-4"]
 PULL = "tensotaxis_pull_2d"
-EXACT = ["solver.newton.rtol=1e-8"]
+EXACT = ["solver.newton.rtol=1e-8", "solver.newton.max=30"]
 HALVED = {"pull": "2e-3 (default)", "half": "1e-3", "quarter": "5e-4", "fine": "5e-5"}
 
 
@@ -143,6 +144,6 @@ def explicit(lab):
     pull takes hundreds of thousands of steps of rkl2 on 64 x 32 elements, and many times more of the others."""
     words = [word for word in SMALL if not word.startswith(("time.end", "load[0].start", "output"))]
     words += ["fluid.temperature=0.7", "droplet[0].radius=0.22", "load[0].start=0.3", "time.end=1.5", "output.fields.times=[]",
-              "time.dt_initial=0.004", "time.dt_max=0.004"]  # the same steps for both
+              "time.dt_initial=0.002", "time.dt_max=0.002"]  # the same steps for both, shorter than the bound
     right = lab.run("right", PULL, [*words, "load[0].force=[2,0]"])
     mirrored(lab, right, lab.run("left", PULL, [*words, *MIRROR[:1], "load[0].force=[-2,0]"]), "equal steps", 1e-9)
