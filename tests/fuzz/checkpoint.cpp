@@ -1,7 +1,8 @@
 // A checkpoint built from the input, object by object: left out, of another type, of another shape, with other numbers.
 //
 // Properties: nothing but an Error of bad input comes out, and its message names the file; a run that is accepted has
-// the sizes asked for, finite numbers, times and counts that are not negative, and a step size above zero.
+// the sizes asked for, finite numbers, times and counts that are not negative, and a step size above zero. The same holds for
+// what an explicit scheme remembers (its vectors, and the rates that bound its step) and for a preconditioner's age.
 #include <fuzzer/FuzzedDataProvider.h>
 #include <hdf5.h>
 
@@ -31,6 +32,12 @@ const char* const reals[] = {"time",         "previous/dt",        "step_control
                              "history/time", "history/mass_start", "run/started"};
 const char* const counts[] = {"steps/accepted",      "steps/rejected_newton", "steps/rejected_error",   "history/step",
                               "files/history/bytes", "files/history/rows",    "files/history/checksum", "files/fields"};
+
+// What schemes remember: kick_drift, the Runge-Kutta schemes, and Newton's method.
+const std::vector<ArraySize> remembered{{"kick_drift/at", 26}, {"kick_drift/pressure", 12}, {"rates/values", 26}};
+const char* const remembered_reals[] = {"bound/combined", "bound/viscosity", "newton/built_for"};
+const char* const remembered_counts[] = {"bound/known", "wear/times"};
+const char* const settings = "settings of a scheme";
 
 double any_number(FuzzedDataProvider& input) {
   const double special[] = {0.0,
@@ -107,6 +114,15 @@ void write_array(Hdf5File& file, hid_t id, const std::string& name, std::size_t 
   file.write("/arrays/" + name, values, {values.size()}, Hdf5Storage::checksummed);
 }
 
+void write_settings(Hdf5File& file, hid_t id, FuzzedDataProvider& input) {
+  const std::string place = std::string("/texts/") + SavedMemory::settings;
+  const Fate fate = any_fate(input);
+  if (fate == Fate::absent) return;
+  if (fate == Fate::foreign) return any_dataset(id, place, input);
+  const std::string text = fate == Fate::usual ? settings : input.ConsumeRandomLengthString(30);
+  file.write(place, std::vector<std::uint8_t>(text.begin(), text.end()), {text.size()});
+}
+
 void write_file(const std::string& path, FuzzedDataProvider& input) {
   Hdf5File file = Hdf5File::create(path, Hdf5Format::checksummed);
   const hid_t id = file.id();
@@ -122,7 +138,13 @@ void write_file(const std::string& path, FuzzedDataProvider& input) {
   file.make_group("/values");
   for (const char* name : reals) attribute("/values", name, 0.5, any_number(input));
   for (const char* name : counts) attribute("/values", name, std::int64_t{3}, input.ConsumeIntegral<std::int64_t>());
+  for (const char* name : remembered_reals)
+    attribute("/values", SavedMemory::name(name).c_str(), 0.5, any_number(input));
+  for (const char* name : remembered_counts)
+    attribute("/values", SavedMemory::name(name).c_str(), std::int64_t{3}, input.ConsumeIntegral<std::int64_t>());
   for (const auto& [name, size] : arrays) write_array(file, id, name, size, input);
+  for (const auto& [name, size] : remembered) write_array(file, id, SavedMemory::name(name), size, input);
+  write_settings(file, id, input);
   write_array(file, id, "history/droplets", 3 * small_case().droplets.size(), input);
   write_array(file, id, "history/bodies", 8 * small_case().droplets.size(), input);
   write_array(file, id, "history/event_times", 1, input);
@@ -160,6 +182,19 @@ void check_accepted(const SavedRun& run) {
     require_property(std::isfinite(t), "a time is one", "");
 }
 
+void check_memory(const SavedMemory& memory) {
+  if (!memory.fits(settings)) return;
+  for (const char* name : remembered_reals)
+    require_property(std::isfinite(memory.number(name)), "what is remembered is finite", name);
+  for (const char* name : remembered_counts)
+    require_property(memory.count(name) >= 0, "what is counted is not negative", name);
+  for (const auto& [name, size] : remembered) {
+    const std::vector<double> values = memory.array(name, size);
+    require_property(values.size() == size, "what is remembered has its size", name);
+    for (double value : values) require_property(std::isfinite(value), "what is remembered is finite", name);
+  }
+}
+
 }  // namespace
 }  // namespace softwet
 
@@ -169,5 +204,6 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   FuzzedDataProvider input(data, size);
   write_file(scratch.path(), input);
   only_bad_input(scratch.path(), [&] { check_accepted(read_saved_run(scratch.path(), small_case(), arrays)); });
+  only_bad_input(scratch.path(), [&] { check_memory(SavedMemory(scratch.path())); });
   return 0;
 }
