@@ -1,5 +1,6 @@
 // Numbers of a case that vary: loads in time, fields at the start, and what the kernels do not take.
 #include "case/error.hpp"
+#include "model/equilibrium.hpp"
 #include "model/initial.hpp"
 
 #include "unit/io/expect_error.hpp"
@@ -129,12 +130,32 @@ TEST(Varying, GivenFieldsThatCannotBeComputedAreRefused) {
   refuses(folded, {"initial:", "inside out"});
 }
 
-TEST(Varying, WhatTheKernelsCannotTakeIsRefused) {
-  Case graded = scene(Scene::coupled), painted = graded;
-  graded.substrate->young = in_x(1, 1);
-  painted.fluid->contact_angle = in_x(60, 1);
-  expect_error(Exit::invalid_input, {"substrate.young", "varies"}, [&] { Model<2, 2>{graded}; });
-  expect_error(Exit::invalid_input, {"fluid.contact_angle", "varies"}, [&] { Model<2, 2>{painted}; });
+/// Formulas that are constant give what the constant gives.
+TEST(Varying, ConstantFormulasAreNumbers) {
+  for (const WallLaw law : {WallLaw::gradient, WallLaw::energy}) {
+    Case c = scene(Scene::coupled, law);
+    if (law == WallLaw::energy) {
+      c.fluid->wall_tension = WallTensionModel::acts;
+      c.substrate->surface_tension = c.substrate->surface_tension_wet = 0.5;
+    }
+    const RandomScene number(c);
+    c.substrate->young = in_x(c.substrate->young.number, 0);
+    c.fluid->contact_angle = in_x(c.fluid->contact_angle.number, 0);
+    const RandomScene formula(c);
+    const Stage& stage = number.terms.patch.stage;
+    EXPECT_LT(distance(formula.residual(stage), number.residual(stage)), 1e-13);
+    const Integrals a = formula.model.integrals(stage), b = number.model.integrals(stage);
+    EXPECT_NEAR(a.energy_wall, b.energy_wall, 1e-14);
+    EXPECT_NEAR(a.energy_elastic, b.energy_elastic, 1e-14);
+  }
+}
+
+TEST(Varying, WallThatWouldHaveNoTensionIsRefused) {
+  Case c = scene(Scene::coupled, WallLaw::energy);
+  c.fluid->wall_tension = WallTensionModel::acts;
+  c.fluid->contact_angle = in_x(100, -60);  // 46 degrees at the end
+  c.substrate->surface_tension = c.substrate->surface_tension_wet = 0.5 * surface_tension(*c.fluid);
+  expect_error(Exit::invalid_input, {"fluid.wall_tension", "surface_tension above"}, [&] { Model<2, 2>{c}; });
 }
 
 }  // namespace
