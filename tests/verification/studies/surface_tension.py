@@ -8,15 +8,16 @@ cos(2 w t). The w that is fitted is compared with linear theory, after the error
 **A droplet at rest.** The traction of a resolved contact line is sigma t 2 D(rho) sin(alpha)/sigma across the line, that of a
 droplet of the radius R is sigma/R inside (tests/oracle/ridge_locking.py). Linear theory turns it into displacements: u(k) = C(k) t(k),
 where a tension U of the wall adds U k^2 to the inverse of u_y/t_y. With fluid.wall_tension = "acts" the tension is U + f_w(rho(x)).
-It varies along the wall and couples the waves, and its slope cancels the tangential traction. The stiff layer has 50 times the Young modulus and
-the surface tension of the soft one, so that its displacements are those of linear theory over 50. A tension below the liquid of U - sigma cos(alpha) that is
-given by hand has to give the same wall as f_w that acts, up to the 1e-5 by which the wall energy is smoothed at its ends.
+It varies along the wall and couples the waves, and its slope cancels the tangential traction. The stiff layer has 50 times the Young
+modulus and the surface tension of the soft one, so that its displacements are those of linear theory over 50. A tension below the liquid
+of U - sigma cos(alpha) that is given by hand has to give the same wall as f_w that acts, up to the 1e-5 by which the wall energy is
+smoothed at its ends.
 
 **Energy.** With "acts" the balance of energy closes without a power that goes into a wall that is stretched.
 
 **Soft.** The glycerol droplet of Style et al. (PRL 110, 066103, 2013) in the plane, on a gel whose elastocapillary length is
-four times the capillarity. It has to come to rest, and on a gel that is three times softer too, whose wall folds without its surface
-tension."""
+four times the capillarity. It has to come to rest, and on a gel that is three times softer too, where a run without surface tension does
+not get there."""
 
 from typing import NamedTuple
 
@@ -223,7 +224,7 @@ PULL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "fluid.wall_law=ene
 
 def balance(lab):
     """The droplet and the load of the study energy_balance, with a tension of 1.9 sigma."""
-    sizes = (0.025, 0.0125) if lab.quick else (0.00625, 0.003125, 0.0015625, 0.00078125)
+    sizes = (0.025, 0.0125) if lab.quick else (0.0015625, 0.00078125, 0.000390625)
     runs = lab.runs({f"{tension}, dt = {dt}": ("tensotaxis_pull_2d", [
         *PULL, f"fluid.wall_tension={tension}", f"time.dt_initial={dt}", f"time.dt_max={dt}"])
         for tension in ("none", "acts") for dt in sizes}, limit=1500)
@@ -278,16 +279,17 @@ def soft(lab):
 
 
 def softer(lab):
-    """A third of that modulus, and a viscosity that damps the pull of the start."""
+    """A third of that modulus. The layer is neo-Hookean, for a Saint Venant-Kirchhoff layer gives way under the pressure of the droplet,
+    and viscous, so that the pull of the start does not shake it."""
     drop = Drop(0.3568, 96.24, 1 / 64, 0.64, 0.104, 0.49, clamped=True)
-    held = half(drop, [80, 75], 0.6, 0.043, dict(surface_tension=2.666e-3, viscosity=0.05), 100.0, wall_tension="acts")
-    bare = half(drop, [80, 75], 0.6, 0.043, dict(viscosity=0.05), 100.0)
-    run = lab.run("a third of the modulus, with surface tension", held, limit=3000)
-    speed = run.history["speed_max_solid"][-1]
-    lab.expect("a third of the modulus, sigma/E = 5.9 gamma: it comes to rest; speed of the solid at the end", "<= 1e-4", f"{speed:.1e}",
-               run.history["t"][-1] == 100.0 and speed <= 1e-4)
+    layer = dict(material="neo_hookean", viscosity=0.05)
+    held = half(drop, [80, 75], 0.6, 0.043, dict(surface_tension=2.666e-3, **layer), 100.0, wall_tension="acts")
+    bare = half(drop, [80, 75], 0.6, 0.043, layer, 100.0)
+    speed = lab.run("a third of the modulus, with surface tension", held, limit=3000).history["speed_max_solid"][-1]
+    lab.expect("a third of the modulus, sigma/E = 5.9 gamma: it comes to rest; speed of the solid at the end", "<= 1e-5", f"{speed:.1e}",
+               speed <= 1e-5)
     code = lab.run("a third of the modulus, without surface tension", bare, expect=None, limit=3000).code
-    lab.expect("without surface tension the wall folds: exit code", "2", f"{code}", code == 2)
+    lab.expect("without surface tension it does not: exit code", "2", f"{code}", code == 2)
 
 
 def opening(x, y):
