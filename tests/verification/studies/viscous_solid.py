@@ -13,6 +13,9 @@ v = w x x have E' = sym(F^T grad v) = 0, so that nothing is dissipated any more,
 
 Energy: kinetic + elastic energy of a large wave changes as - dissipation, up to the error of the time scheme.
 
+A box of force that moves along a periodic layer for ever leaves a displacement that moves along, a sum over waves with inertia and
+the complex modulus G - i k V eta.
+
 A droplet that is dragged along carries the ridges at its contact lines along, and the layer dissipates. The power over the speed, a force,
 is largest where the speed times eta/G is about twice the capillarity (Karpitschka et al. 2015 for a power-law gel; here a line of finite width
 on the complex compliance of a layer)."""
@@ -24,7 +27,7 @@ import numpy
 import ridge_locking
 from _case import case, sides
 
-MINUTES = {"quick": 0.2, "full": 0.5}
+MINUTES = {"quick": 0.2, "full": 2}
 YOUNG, POISSON = 0.7554, 0.45
 FIRST, SHEAR = _layer.lame(YOUNG, POISSON)
 SMALL = 1e-6
@@ -214,6 +217,63 @@ def balance(lab):
     lab.table(("material", *(f"dt = {dt}" for dt in sizes), "dissipated"), rows, "balance")
 
 
+# --- a moving load
+
+SPEED, FORCE, SIDE, DEPTH = 0.2, -0.01, 0.1, 0.125  # of the box; its width and the height of the layer
+
+
+def under_box(x, viscosity):
+    """u_y of the top of a periodic layer on rollers at the distances x from the middle of a box that moves for ever: a sum over
+    waves e^(i k x). A force that is uniform over the height moves a wave by f/(G k^2 - rho w^2) as a whole; waves from the base
+    and from the top make up for what the two ask for: u_y = 0 and no shear stress below, no stress above."""
+    u = FORCE * SIDE * DEPTH**2 / 2 / STIFF * numpy.ones(len(x), complex)
+    for m in range(1, 120):
+        k = 2 * numpy.pi * m
+        shear = SHEAR - 1j * k * SPEED * viscosity
+        first = FIRST - 2 / 3 * (shear - SHEAR)
+        p, q = (numpy.sqrt(k**2 - (k * SPEED)**2 / c) for c in (first + 2 * shear, shear))
+
+        def columns(y):
+            """(u_x, u_y, sigma_xy, sigma_yy) of phi and psi that fall from the top, and from the base."""
+            rows = []
+            for is_phi, root in ((True, p), (True, -p), (False, q), (False, -q)):
+                value = numpy.exp(root * (y - DEPTH) if root.real > 0 else root * y)
+                a, b = (-k * value, root * value) if is_phi else (root * value, -k * value)
+                rows.append((a, b, shear * (root * a - k * b), first * (k * a + root * b) + 2 * shear * root * b))
+            return numpy.array(rows).T
+
+        push = FORCE * 2 * numpy.sin(k * SIDE / 2) / k * 2 / (shear * k**2 - (k * SPEED)**2)
+        base, top = columns(0.0), columns(DEPTH)
+        parts = numpy.linalg.solve(numpy.array([base[1], base[2], top[2], top[3]]), push * numpy.array([-1, shear * k, shear * k, 0]))
+        u += (push + top[1] @ parts) * numpy.exp(1j * k * x)
+    return u.real
+
+
+def moving_load(lab):
+    lab.title("A moving load")
+    rows, sizes = [], (0.05, 0.025) if lab.quick else (0.05, 0.025, 0.0125)
+    for viscosity in (0.1,) if lab.quick else (0.01, 0.1):
+        text = case("A box of force that moves along a periodic layer.", "moving_load",
+                    domain=dict(size=[1.0, DEPTH], elements=[64, 8]),
+                    substrate=dict(thickness=DEPTH, young=YOUNG, poisson=POISSON, viscosity=viscosity),
+                    load=[dict(box=[[0.5 - SIDE / 2, 0.0], [0.5 + SIDE / 2, DEPTH]], force=[0.0, FORCE], path=[f"{SPEED}*t", 0.0])],
+                    boundary=dict(left="periodic", right="periodic", bottom="slip", top="free"),
+                    time=dict(rho_inf=1.0, end=20.0 if viscosity < 0.1 else 10.0, tolerance=1e6),
+                    output=dict(fields=dict(times=[20.0 if viscosity < 0.1 else 10.0], select=["displacement"])),
+                    solver=EXACT_STEPS)
+        runs = lab.runs({f"moving load, eta = {viscosity}, dt = {dt}": (text, [f"time.dt_initial={dt}", f"time.dt_max={dt}"]) for dt in sizes})
+        errors = []
+        for run in runs.values():
+            wall = _measure.interface(run.folder)
+            theory = under_box(wall["x_reference"] - 0.5 - SPEED * wall["time"][0], viscosity)
+            errors.append(numpy.abs(wall["displacement_y"] - theory).max() / numpy.abs(theory).max())
+        rows.append((viscosity, f"{theory.min():.4e}", *(f"{100 * error:.2f} %" for error in errors)))
+        lab.expect(f"eta = {viscosity}: top of the layer, dt = {sizes[-1]}", "within 1 % of its largest displacement", f"{100 * errors[-1]:.2f} %",
+                   errors[-1] <= 0.01)
+    lab.text(f"A box of force, {SIDE} wide, moves with the speed {SPEED} along a layer with inertia. Largest error of u_y of the top.")
+    lab.table(("eta", "smallest u_y", *(f"dt = {dt}" for dt in sizes)), rows, "load")
+
+
 # --- a moving droplet
 
 TENSION, WIDTH, TIME = _measure.TENSION_OVER_CAPILLARITY / 32, 1 / 32, 10.0  # sigma, the capillarity, eta/G
@@ -270,6 +330,7 @@ def study(lab):
     creep(lab)
     spin(lab)
     balance(lab)
+    moving_load(lab)
     if not lab.quick:
         moving(lab)
 
