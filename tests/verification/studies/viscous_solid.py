@@ -336,10 +336,23 @@ def study(lab):
 
 
 def explicit(lab):
-    """The decaying waves with short steps, against the exact roots."""
+    """The decaying waves with short steps, against the exact roots; with rkl2 an overdamped one with steps that viscosity alone would
+    not allow."""
     for name in ("shear, k = 2 pi, eta = 0.01", "pressure, k = 2 pi, eta = 0.01"):
         text, viscous, elastic, k = WAVES[name]
         exact = ordered(roots(viscous, elastic, k))
         run = lab.run(name, text, steps(2 * numpy.pi / abs(exact[0]) / 400, 1200, 20))
         error = numpy.abs(ordered(measured(run, exact)) - exact).max() / abs(exact[0])
         lab.expect(f"{name}: error of s", "<= 0.01 %", f"{100 * error:.2g} %", error <= 1e-4)
+    if lab.scheme == "rkl2":  # which takes the viscosity of the solid apart, like that of the fluid
+        text, end = box("displacement_x", [0, 1], 0.5, viscosity=1.0), 4.0
+        runs = [lab.run(f"overdamped shear, eta = 1, safety {safety}", text, [
+            f"time.end={end}", f"output.fields.times=[1,{end}]", f"time.safety={safety}"]) for safety in (0.9, 0.45)]
+        slow = max(roots(1.0, SHEAR, 2 * numpy.pi).real)  # from t = 1 on there is no other
+        errors = [abs(u[1] / u[0] / numpy.exp(slow * (end - 1)) - 1) for _, u in map(motion, runs)]
+        lab.expect("overdamped shear, eta = 1, from t = 1 to 4", "within 1 %", f"{100 * errors[0]:.2g} %", errors[0] <= 0.01)
+        lab.expect("the same with half of the steps' length, over that", "<= 1/4 + 10 %", f"{errors[1] / errors[0]:.3f}",
+                   errors[1] <= 0.275 * errors[0])
+        steps_taken, viscous = runs[0].history["step"][-1], end * 4 / 3 / (0.5 / 48)**2
+        lab.expect("its steps, as a part of those that a viscous bound 1/(4/3 eta/h^2) would ask for", "<= 0.05",
+                   f"{steps_taken / viscous:.2g}", steps_taken <= 0.05 * viscous)
