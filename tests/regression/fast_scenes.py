@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fast scenes near the critical temperature, small: explicit schemes come to the end that generalized_alpha with fine steps
-comes to, keep the mass to rounding, and let the total energy fall at every row once the start has settled. Sound has the speed of the equation of
-state. usage: fast_scenes.py SOFTWET"""
+comes to, keep the mass to rounding, and let the total energy fall at every row once the start has settled. Sound has the
+speed of the equation of state. usage: fast_scenes.py SOFTWET"""
 
 import math
 import tomllib
