@@ -5,10 +5,11 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 
-from _outputs import BLUE, GREEN, GREY, RED, UNIT, Problem, letter, markers
+from _outputs import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, UNIT, Problem, letter, markers
 
 SPIKE = 0.02  # the part of the time shown that counts as its start
 ENERGIES = (("energy_free", "free", BLUE), ("energy_wall", "wall", GREEN), ("energy_elastic", "elastic", RED),
+            ("energy_surface", "surface of the solid", ORANGE), ("energy_gravity", "gravity", PURPLE),
             ("energy_kinetic", "kinetic", GREY), ("energy_total", "total", "black"))
 
 

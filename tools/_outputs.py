@@ -12,7 +12,7 @@ STYLE = {
     "axes.linewidth": 0.7, "lines.linewidth": 1.3, "savefig.dpi": 140, "axes.formatter.limits": (-3, 4),
     "axes.formatter.use_mathtext": True, "axes.titlelocation": "right",
 }
-BLUE, RED, GREEN, GREY = "#1f5fa8", "#c0392b", "#2e8b57", "0.55"
+BLUE, RED, GREEN, GREY, ORANGE, PURPLE = "#1f5fa8", "#c0392b", "#2e8b57", "0.55", "#d98200", "#7d4ea8"
 UNIT = {"t": r"$t \;/\; L_0\,(ab)^{-1/2}$", "x": r"$x \;/\; L_0$", "y": r"$y \;/\; L_0$"}
 FEW = 25  # with fewer points a curve shows them
 
