@@ -95,7 +95,9 @@ std::string example_text(const Key& key);
 
 // The parts of the schema.
 std::vector<Key> scene_keys();
+std::vector<Key> substrate_keys();
 std::vector<Key> initial_keys();
+std::vector<Key> load_keys();
 std::vector<Key> numerics_keys();
 std::vector<Key> output_keys();
 

@@ -1,15 +1,9 @@
 #include "model/model.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "case/error.hpp"
-#include "case/text.hpp"
 #include "field/exchange.hpp"
 #include "field/ranks.hpp"
 #include "field/vector.hpp"
-#include "model/equilibrium.hpp"
-#include "model/greville_points.hpp"
 #include "model/patch_axes.hpp"
 
 namespace softwet {
@@ -97,88 +91,6 @@ Region<D> Model<D, P>::region(int first, int last, int points) const {
   r.columns = layout_.columns.elements;
   r.test = r.axis[D - 1];
   return r;
-}
-
-template <int D, int P>
-void Model<D, P>::build_fluid(const Case& c) {
-  coexistence_ = coexistence(c.fluid->temperature);
-  double h = layout_.axis[0].spacing();
-  for (const Axis& axis : layout_.axis) h = std::min(h, axis.spacing());
-  fluid_.gas = {c.fluid->temperature, 0.2 * coexistence_.density_vapour};
-  fluid_.viscosity = c.fluid->viscosity;
-  fluid_.capillarity = c.fluid->capillarity;
-  fluid_.stabilisation = c.fluid->stabilisation * h * h / c.fluid->viscosity;
-  fluid_.inertia_floor = 0.1 * coexistence_.density_vapour;
-  for (std::size_t d = 0; d < c.fluid->gravity.size(); ++d) {
-    fluid_.force[d] = c.fluid->gravity[d];
-    has_gravity_ = has_gravity_ || fluid_.force[d] != 0;
-  }
-  has_wall_ = c.boundary.side[D - 1][0] != Side::periodic;
-  wall_feeds_ = layout_.has_solid && c.fluid->wall_tension == WallTensionModel::none;
-  const Profile angle = c.fluid->contact_angle;
-  const auto cosine = [](double degrees) { return degrees == 90.0 ? 0.0 : std::cos(degrees * M_PI / 180.0); };
-  const double uniform = angle.varies() ? 1 : cosine(angle.number);
-  wall_ = WallEnergy::of({c.fluid->capillarity, uniform, 1e-5, fluid_.gas, coexistence_});
-  std::vector<double> cosines = control_values(layout_, angle, layout_.has_solid ? layout_.wall_row : 0, 1);
-  for (double& x : cosines) x = cosine(x);
-  if (angle.varies()) painted_ = on_wall(cosines);
-  if (!layout_.has_solid) return;
-  const double dry = c.substrate->surface_tension, wet = c.substrate->surface_tension_wet;
-  if (c.fluid->wall_tension == WallTensionModel::acts) {
-    tension_ = on_wall(cosines);
-    solid_rates_.tension = dry + surface_tension(*c.fluid);
-    const double least = dry - surface_tension(*c.fluid) * *std::max_element(cosines.begin(), cosines.end());
-    if (ranks::largest(-least) >= 0)
-      throw Error(Exit::invalid_input,
-                  "fluid.wall_tension = \"acts\": below liquid the wall would have the tension " + short_text(least) +
-                      ", substrate.surface_tension = " + short_text(dry) +
-                      " less what it gains by being wetted; a tension that is not positive folds the wall: write a "
-                      "surface_tension above " +
-                      short_text(dry - least));
-  } else if (wet != dry) {
-    const WallEnergy of_one = WallEnergy::of({c.fluid->capillarity, 1, 1e-5, fluid_.gas, coexistence_});
-    std::fill(cosines.begin(), cosines.end(), (wet - dry) / of_one.value(coexistence_.density_liquid));
-    tension_ = on_wall(cosines);
-  }
-}
-
-template <int D, int P>
-GivenField<double> Model<D, P>::on_wall(const std::vector<double>& of_row) const {
-  const int row = layout_.has_solid ? layout_.wall_row : 0;
-  std::vector<double> values;
-  for (int k = 0; k <= P; ++k) values.insert(values.end(), of_row.begin(), of_row.end());
-  return {to_device<Array>(values, "given"), row * layout_.row_size};
-}
-
-template <int D, int P>
-void Model<D, P>::build_solid(const Case& c) {
-  const Substrate& s = *c.substrate;
-  const Profile young = s.young;
-  double largest = young.number;
-  if (young.varies()) {
-    std::vector<double> values = control_values(layout_, young, 0, layout_.solid_rows());
-    largest = ranks::largest(*std::max_element(values.begin(), values.end()));
-    for (double& x : values) x /= largest;
-    graded_ = {to_device<Array>(values, "given"), 0};
-  }
-  stiffness_ = LameParameters::from(s.density * largest, s.poisson);
-  const double density = s.inertia == "none" ? 0.0 : s.density;
-  if (s.strain == "small") {
-    solid_ = Elastodynamics<Hooke>{{stiffness_}, density};
-  } else if (s.material == "neo_hookean") {
-    solid_ = Elastodynamics<NeoHookean>{{stiffness_}, density};
-  } else {
-    solid_ = Elastodynamics<SaintVenantKirchhoff>{{stiffness_}, density};
-  }
-  const double along = 4 * s.fibre.stiffness / (stiffness_.lambda + 2 * stiffness_.shear_modulus);
-  solid_rates_ = {4.0 / 3 * s.viscosity + s.bulk_viscosity, std::max(s.surface_tension, s.surface_tension_wet), along};
-  for (const Load& load : c.loads) loads_.emplace_back(layout_, load, s.density, c.clock_zero());
-  if (!s.gravity.empty()) {
-    std::vector<double> upper = c.domain.size;
-    upper[D - 1] = s.thickness;
-    const std::vector<double> w = weights_on_box(layout_, std::vector<double>(D, 0.0), upper, s.density);
-    gravity_ = {to_device<Array>(w, "gravity"), s.gravity};
-  }
 }
 
 template <int D, int P>

@@ -109,6 +109,7 @@ class Model {
  private:
   void build_axes(const Case&);
   void build_fluid(const Case&);
+  void build_wall(const Case&);
   void build_solid(const Case&);
   void build_mask(const Case&);
   /// The same values on all rows that live on the wall.
