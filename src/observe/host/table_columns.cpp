@@ -118,7 +118,8 @@ const std::vector<Column> of_interface{
     {"density", "b", "Density of the fluid at that point. Empty without a fluid."},
     {"traction_x", "a b^2",
      "Force of the fluid on the wall along x, per area of the undeformed wall. A line force is spread over the width "
-     "of the interface and an element. Empty without a fluid."},
+     "of the interface and an element. With fluid.wall_tension = \"acts\" it has the pull of that tension too. Empty "
+     "without a fluid."},
     {"traction_y", "a b^2", "The same along y; in 2D this is the vertical one."},
     {"traction_z", "a b^2", "The same along z, the vertical.", 3},
 };
