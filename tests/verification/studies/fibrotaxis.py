@@ -13,6 +13,7 @@ import numpy
 from _case import case, sides
 
 MINUTES = {"quick": 0.6, "full": 8}
+EXPLICIT = "needs tens of units of time at the temperature 0.39: hundreds of thousands of explicit steps"
 SCENE = case("A droplet on a soft solid with inclined fibres, between periodic sides.", "fibrotaxis",
              domain=dict(size=[1.0, 0.5], elements=[64, 32]),
              fluid=dict(viscosity="1/256", capillarity="1/32", temperature=0.39, contact_angle=60.0, wall_law="energy"),

@@ -17,6 +17,7 @@ import numpy
 from _case import case, sides
 
 MINUTES = {"quick": 0.2, "full": 2}
+EXPLICIT = "needs tens of units of time at the temperature 0.39: hundreds of thousands of explicit steps"
 HALF = 0.15
 STRIPE = case("A droplet on a stripe that wets better than the rest of a rigid wall.", "stripe",
               domain=dict(size=[1.0, 0.5], elements=[64, 32]),
