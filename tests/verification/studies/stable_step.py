@@ -97,7 +97,8 @@ def chosen(lab):
     if lab.quick:
         return [("wall", 0.85, scheme, mass) for scheme in SCHEMES for mass in MASSES] + [
             ("soft", 0.39, "rkl2", "corrected"), ("soft", 0.7, "kick_drift", "corrected"), ("corner", 0.7, "kick_drift", "corrected"),
-            ("corner", 0.39, "kick_drift", "lumped"), ("stabilised", 0.85, "kick_drift", "corrected"), ("beam", None, "kick_drift", "corrected")]
+            ("corner", 0.39, "kick_drift", "lumped"), ("stabilised", 0.85, "kick_drift", "corrected"),
+            ("beam", None, "kick_drift", "corrected")]
     wanted = [(state, temperature, scheme, mass) for state in list(STATES)[:4] for temperature in TEMPERATURES for scheme in SCHEMES
               for mass in MASSES]
     wanted += [("wall, 3D", 0.85, "kick_drift", mass) for mass in MASSES]
