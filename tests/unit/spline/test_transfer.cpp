@@ -18,7 +18,7 @@ double value(const Axis& axis, const std::vector<double>& control, int element, 
   return sum;
 }
 
-std::vector<double> wild(int n) {
+std::vector<double> wild_control_values(int n) {
   std::vector<double> c(n);
   for (int i = 0; i < n; ++i) c[i] = std::sin(1 + 7.3 * i * i);
   return c;
@@ -59,7 +59,7 @@ TEST(Transfer, IsTheSameFunctionOnElementsThatDivideTheOthers) {
                                                   {Axis(0.9, 6, 2, false, 2), Axis(0.9, 12, 2, false, 4)},
                                                   {Axis(1.3, 6, 3, false, 2), Axis(1.3, 18, 3, false, 6)},
                                                   {Axis(1.3, 7, 3, true), Axis(1.3, 14, 3, true)}}) {
-    const std::vector<double> control = wild(from.functions());
+    const std::vector<double> control = wild_control_values(from.functions());
     const auto rows = transfer(from, 0, from.elements(), to, 0, to.elements());
     EXPECT_LT(difference(from, control, to, moved(rows, control), 0, to.elements(), 0, from.elements()), 1e-12)
         << from.elements() << " " << to.elements() << " degree " << to.degree();
@@ -68,11 +68,11 @@ TEST(Transfer, IsTheSameFunctionOnElementsThatDivideTheOthers) {
 
 TEST(Transfer, StaysOnItsSideOfTheWall) {
   const Axis from(0.9, 6, 2, false, 2), to(0.9, 12, 2, false, 4);
-  std::vector<double> control = wild(from.functions());
+  std::vector<double> control = wild_control_values(from.functions());
   for (int i = 0; i < from.span(2); ++i) control[i] = NAN;  // the fluid has no values below the wall
   const std::vector<double> now = moved(transfer(from, 2, 6, to, 4, 12), control);
   EXPECT_LT(difference(from, control, to, now, 4, 12, 2, 6), 1e-12);
-  control = wild(from.functions());
+  control = wild_control_values(from.functions());
   for (int i = from.span(2) + 1; i < from.functions(); ++i) control[i] = NAN;  // nor the solid above it
   const std::vector<double> below = moved(transfer(from, 0, 2, to, 0, 4), control);
   EXPECT_LT(difference(from, control, to, below, 0, 4, 0, 2), 1e-12);
