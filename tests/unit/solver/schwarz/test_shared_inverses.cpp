@@ -7,19 +7,19 @@
 namespace softwet::testing_tools {
 namespace {
 
-constexpr int unknowns = 40, components = 2, row = 2, rows = 3, layers = 2, all = row * rows * layers;
+constexpr int box_unknowns = 40, components = 2, row = 2, rows = 3, layers = 2, all = row * rows * layers;
 
-/// Boxes of `unknowns` unknowns each, but one of the last row lacks an unknown of its own.
+/// Boxes of `box_unknowns` box_unknowns each, but one of the last row lacks an unknown of its own.
 PatchTables tables() {
   PatchTables t;
   t.count = all;
   t.row = row;
   t.rows = rows;
-  t.unknowns = t.sites = unknowns;
+  t.box_unknowns = t.sites = box_unknowns;
   for (int box = 0; box < all; ++box) {
     const bool other = box == all - 1;
-    t.size.push_back(other ? unknowns - 1 : unknowns);
-    for (int i = 0; i < unknowns; ++i) t.local.push_back(other ? i - 1 : i);
+    t.size.push_back(other ? box_unknowns - 1 : box_unknowns);
+    for (int i = 0; i < box_unknowns; ++i) t.local.push_back(other ? i - 1 : i);
   }
   return t;
 }
@@ -33,12 +33,12 @@ struct Choice {
 
   Choice(std::vector<Eigen::MatrixXf> matrices, float limit, int threads = 0)
       : shared(patches, components, limit), matrix(std::move(matrices)) {
-    if (!host_algorithms) inverses.strip = unknowns;
-    inverses.entry = Kokkos::View<std::uint16_t*, Exec>("entry", all * inverses.room(unknowns));
+    if (!host_algorithms) inverses.strip = box_unknowns;
+    inverses.entry = Kokkos::View<std::uint16_t*, Exec>("entry", all * inverses.room(box_unknowns));
     inverses.begin = Kokkos::View<std::int64_t*, Exec>("begin", all);
     for (const std::vector<int>& wave : shared.waves()) {
       const int count = static_cast<int>(wave.size());
-      const DenseBlocks blocks("blocks", count, unknowns, unknowns);
+      const DenseBlocks blocks("blocks", count, box_unknowns, box_unknowns);
       const auto values = Kokkos::create_mirror_view(blocks);
       for (int b = 0; b < count; ++b)
         for (int i = 0; i < patches.size[wave[b]]; ++i)
@@ -56,7 +56,7 @@ struct Choice {
     Kokkos::deep_copy(entry, inverses.entry);
     for (const int box : wave) {
       const int n = patches.size[box];
-      begin(box) = shared.owner(box) * inverses.room(unknowns);
+      begin(box) = shared.owner(box) * inverses.room(box_unknowns);
       if (shared.owner(box) != box) continue;
       inverse[box] = matrix[box].topLeftCorner(n, n).inverse();
       for (int i = 0; i < n; ++i)
@@ -69,7 +69,8 @@ struct Choice {
 
 /// Random, and well conditioned.
 Eigen::MatrixXf some_matrix() {
-  return Eigen::MatrixXf::Random(unknowns, unknowns) / 8 + 3 * Eigen::MatrixXf::Identity(unknowns, unknowns);
+  return Eigen::MatrixXf::Random(box_unknowns, box_unknowns) / 8 +
+         3 * Eigen::MatrixXf::Identity(box_unknowns, box_unknowns);
 }
 
 TEST(SharedBoxes, LikeBoxesShareUnlikeOnesDoNot) {
@@ -125,7 +126,7 @@ double distance_by_definition(const Eigen::MatrixXf& a, const Eigen::MatrixXf& i
     const DenseVector x = stored * r, wrong = stored * (m * x) - x;
     DenseVector difference = DenseVector::Zero(components), size = DenseVector::Zero(components);
     for (int i = 0; i < n; ++i) {
-      const int field = (n < unknowns ? i + 1 : i) % components;
+      const int field = (n < box_unknowns ? i + 1 : i) % components;
       difference[field] += wrong[i] * wrong[i];
       size[field] += x[i] * x[i];
     }
