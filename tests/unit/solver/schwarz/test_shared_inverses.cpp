@@ -15,7 +15,7 @@ PatchTables tables() {
   t.count = all;
   t.row = row;
   t.rows = rows;
-  t.box_unknowns = t.sites = box_unknowns;
+  t.unknowns = t.sites = box_unknowns;
   for (int box = 0; box < all; ++box) {
     const bool other = box == all - 1;
     t.size.push_back(other ? box_unknowns - 1 : box_unknowns);
