@@ -8,7 +8,7 @@
 #include "kernels/solid/kelvin_voigt.hpp"
 #include "kernels/solid/surface_tension.hpp"
 
-namespace softwet {
+namespace softwet::solid_terms {
 namespace {
 
 template <int D>
@@ -159,4 +159,4 @@ TEST(KelvinVoigt, SmallStrainByHand) {
 }
 
 }  // namespace
-}  // namespace softwet
+}  // namespace softwet::solid_terms
