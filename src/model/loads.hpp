@@ -55,7 +55,8 @@ class LoadVector {
     for (double& x : f) x *= part;
     return f;
   }
-  /// Weights of the box where it is at a time of the computation.
+  /// Weights of the box where it is at a time of the computation. Where it moves they are made on the host at each call, and stand
+  /// until the next one.
   ConstArray weight(const Layout<D>& layout, double time) const {
     if (load_.path.empty()) return weight_;
     std::vector<double> lower = load_.lower, upper = load_.upper;
