@@ -47,10 +47,15 @@ class Output:
         field = self.run.fields(time, part)
         return refine(field.rest(rows) + field.moved(rows) * [1, 1, magnify], self.fine)
 
+    def lines(self, part, time, rows=slice(None)):
+        """Reference coordinates along z, y and x of the same points."""
+        upwards, *across = self.run.fields(time, part).lines
+        return [refine(line, self.fine, axes=1) for line in (upwards[rows], *across)]
 
-def refine(values, intervals):
+
+def refine(values, intervals, axes=3):
     """A lattice [z][y][x](...) of three points per element and axis with so many intervals per element."""
-    for axis in range(3) if intervals != 2 else ():
+    for axis in range(axes) if intervals != 2 else ():
         points = values.shape[axis]
         low, weight, _ = quadratic(points, np.linspace(0, points - 1, (points - 1) // 2 * intervals + 1))
         shape = [-1 if d == axis else 1 for d in range(values.ndim)]

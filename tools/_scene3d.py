@@ -103,8 +103,8 @@ class Scene:
     def draw_droplet(self, axes):
         if self.density is None:
             return
-        spacing = self.output.size / self.output.case["domain"]["elements"] / self.output.fine
-        slope = -np.stack(np.gradient(self.density, *spacing[::-1])[::-1], axis=-1)
+        lines = self.output.lines("fluid", self.time, self.rows)
+        slope = -np.stack(np.gradient(self.density, *lines)[::-1], axis=-1)
         place = self.output.positions("fluid", self.time, self.magnify, self.rows)
         corners, normal = level_set(self.density, self.output.middle, place, slope)
         normal = normal.mean(axis=1)

@@ -8,20 +8,15 @@ PLANE, SPACE = (193, 97), (49, 49, 33)  # points of the common lattice along x, 
 ALONG = {2: (401,), 3: (101, 101)}  # points of the common wall
 
 
-def lattice_indices(shape, counts):
-    """Indices (n, D), x first, of a uniform grid of `counts` points (x first) in a lattice of this shape (x last)."""
-    lines = [np.linspace(0, points - 1, n) for points, n in zip(reversed(shape), counts)]
-    return np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, len(counts))
-
-
 def sample_wall(run, time):
     """Displacement (n, D) of the wall at a field time, on uniform points of the undeformed wall."""
     rows = run.interface[time]
-    across = run.case["domain"]["elements"][:-1]
-    shape = tuple(2 * n + 1 for n in reversed(across))
+    lines = [np.unique(rows[f"{axis}_reference"]) for axis in "xy"[:run.dimension - 1]]
     names = [f"displacement_{axis}" for axis in "xyz"[:run.dimension]]
-    lattice = np.stack([rows[name] for name in names], axis=-1).reshape(*shape, run.dimension)
-    return evaluate(lattice, lattice_indices(shape, ALONG[run.dimension]))
+    lattice = np.stack([rows[name] for name in names], axis=-1).reshape(*map(len, reversed(lines)), run.dimension)
+    places = [np.interp(np.linspace(line[0], line[-1], n), line, np.arange(len(line)))
+              for line, n in zip(lines, ALONG[run.dimension])]
+    return evaluate(lattice, np.stack(np.meshgrid(*places, indexing="ij"), axis=-1).reshape(-1, len(places)))
 
 
 def grid_of(reference, time):

@@ -40,11 +40,20 @@ inline std::vector<std::string> words_of(WallLaw) { return {"gradient", "energy"
 enum class WallTensionModel { none, acts };
 inline std::vector<std::string> words_of(WallTensionModel) { return {"none", "acts"}; }
 
+/// Where elements have the length size / elements, and how they grow beside that. Lengths in L0.
+struct Grading {
+  std::string fine = "everywhere";   ///< everywhere | automatic | box; automatic becomes a box when a case is read
+  std::vector<double> lower, upper;  ///< corners of the box; empty: elements are equal
+  double coarsest = 4;               ///< longest element over the fine ones
+  double ratio = 1.3;                ///< most by which an element is longer than its neighbour
+};
+
 struct Domain {
   std::vector<double> size;         ///< extents, 2 or 3 numbers; the last axis is vertical (solid below, fluid above)
   std::vector<int> elements;        ///< elements per axis
   int degree = 2;                   ///< B-spline degree, C^(degree-1) inside each material
   std::string quadrature = "full";  ///< full | reduced
+  Grading grading;
 
   /// Gauss points of an element along each axis.
   int points() const { return quadrature == "reduced" ? degree : degree + 1; }
@@ -191,14 +200,14 @@ struct Case {
   SolverControl solver;
   OutputControl output;
 
-  /// Largest extent of an element.
+  /// Largest extent of an element; where they are graded, of those in the fine box.
   double spacing() const {
     double largest = 0;
     for (std::size_t d = 0; d < domain.size.size(); ++d)
       largest = std::max(largest, domain.size[d] / domain.elements[d]);
     return largest;
   }
-  /// Rows of elements in the solid. Only with a solid.
+  /// Rows of elements in the solid, were all as high as at the wall. Only with a solid.
   double rows_of_solid() const { return substrate->thickness * domain.elements.back() / domain.size.back(); }
   /// Whether nothing but loads and a wall that stretches can feed the energy. The wall law "gradient" can, except at 90 degrees.
   bool has_energy_law() const {

@@ -44,6 +44,30 @@ void check_elements(const Checker& check) {
   }
 }
 
+void check_grading(const Checker& check) {
+  const Grading& grading = check.c.domain.grading;
+  const std::string key = "domain.grading.box", remedy = "write box = [[lower corner], [upper corner]]";
+  if (grading.fine != "box") {
+    if (!grading.lower.empty())
+      check.refuse(key, fmt::format("is not used with fine = \"{}\"", grading.fine), "write fine = \"box\"");
+    return;
+  }
+  for (const Numbers& corner : {grading.lower, grading.upper}) check.require_axes(key, corner.size(), remedy);
+  for (std::size_t axis = 0; axis <= check.vertical(); ++axis) {
+    const double low = grading.lower[axis], high = grading.upper[axis], top = check.c.domain.size[axis];
+    if (low >= high)
+      check.refuse(key, fmt::format("is empty along axis {}", axis), "the first corner must lie below the second");
+    if (low < -slack * top || high > top * (1 + slack))
+      check.refuse(key, fmt::format("lies outside the domain, which is [0, {}] along axis {}", top, axis),
+                   "move or shrink the box");
+  }
+  const double wall = check.interface(), row = check.element_height();
+  if (!check.c.substrate || !check.c.fluid) return;
+  if (grading.lower.back() > wall - row * (1 - slack) || grading.upper.back() < wall + row * (1 - slack))
+    check.refuse(key, fmt::format("must hold a row of elements on both sides of the wall at {:.10g}", wall),
+                 fmt::format("let it reach from {:.10g} or lower to {:.10g} or higher", wall - row, wall + row));
+}
+
 void check_free(const Checker& check, std::size_t axis) {
   for (std::size_t end : {0, 1}) {
     const bool touches_fluid = check.c.fluid && (axis != check.vertical() || end == 1 || !check.c.substrate);
@@ -283,6 +307,8 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check.with({"domain.size"}, [&] { check_size(check); });
   if (problems.about("domain.size")) return;  // what follows needs the axes
   check.with({"domain.elements", "domain.degree"}, [&] { check_elements(check); });
+  check.with({"domain.grading.box", "domain.grading.fine", "domain.elements", "substrate", "substrate.thickness"},
+             [&] { check_grading(check); });
   check_boundary(check);
   check.with({"fluid.gravity", "substrate.gravity", "boundary"}, [&] { check_gravity(check); });
   check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });

@@ -13,6 +13,7 @@
 #include "case/error.hpp"
 #include "casefile/case_checks.hpp"
 #include "casefile/document.hpp"
+#include "casefile/fine_box.hpp"
 #include "casefile/profiles.hpp"
 #include "casefile/quality.hpp"
 
@@ -93,6 +94,8 @@ Case resolve(const Document& document, Problems& problems) {
     if (!document.entries.count("time.mass") && c.time.scheme == "rkl2") c.time.mass = "lumped";
     if (!document.entries.count("output.history.every")) c.output.history_every = explicit_history_every;
   }
+  if (document.entries.count("domain.grading.box") && !document.entries.count("domain.grading.fine"))
+    c.domain.grading.fine = "box";
   if (c.dimension() == 3 && !document.entries.count("output.history.track")) c.output.track = line_of_loads(c);
   return c;
 }
@@ -125,6 +128,7 @@ Case parse_case(std::string_view text, const std::string& place, const std::vect
   build_profiles(c, document, problems);
   check_case(c, document, problems);
   problems.throw_if_any();
+  choose_fine_box(c);
   return c;
 }
 
@@ -160,6 +164,7 @@ std::vector<std::string> warnings(const Case& c) {
           "density may leave its range at the contact line; write fluid.wall_law = \"energy\"",
           angle.least() < least ? angle.least() : angle.most(), least, most, c.fluid->capillarity / largest));
   }
+  if (std::string what = warning_about_fine_box(c); !what.empty()) found.push_back(what);
   if (!c.output.field_times.empty() && c.output.field_times.back() > c.time.end) {
     found.push_back(fmt::format("output.fields.times beyond time.end = {} will not be written", c.time.end));
   }

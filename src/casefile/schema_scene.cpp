@@ -52,6 +52,29 @@ std::vector<Key> domain_keys() {
                "which computes less at each evaluation of the equations.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.quadrature; }),
        .default_note = "\"full\"; \"reduced\" with an explicit time.scheme"},
+      {.name = "domain.grading.fine",
+       .kind = Kind::choice,
+       .choices = {"everywhere", "automatic", "box"},
+       .help = "Where elements have the length domain.size / domain.elements. Elsewhere they grow towards the sides. "
+               "\"automatic\" chooses a box from droplets and loads; softwet check and case.toml tell which.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.grading.fine; }),
+       .default_note = "\"everywhere\"; \"box\" where a box is given"},
+      {.name = "domain.grading.box",
+       .kind = Kind::box,
+       .unit = "L0",
+       .help =
+           "Lower and upper corner of the box of fine elements. Keep it four capillarities away from interfaces and "
+           "contact lines, also from where they move to: a mesh that grows within an interface drives droplets.",
+       .bind = box_of([](Case & c, std::size_t) -> auto& { return c.domain.grading; }),
+       .default_note = "[[], []], none"},
+      {.name = "domain.grading.coarsest",
+       .range = {1, 64, false, false},
+       .help = "Longest element over the fine ones.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.grading.coarsest; })},
+      {.name = "domain.grading.ratio",
+       .range = {1, 2, true, false},
+       .help = "Largest ratio of the lengths of two neighbours.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.grading.ratio; })},
   };
 }
 

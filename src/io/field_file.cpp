@@ -106,13 +106,16 @@ void write_cells(Hdf5File& file, const TensorGrid& grid) {
 }
 
 /// What VTK does not read but a person or a script wants to know.
-void write_origin(Hdf5File& file, const FieldOrigin& origin, double time) {
+void write_origin(Hdf5File& file, const FieldOrigin& origin, const TensorGrid& grid, double time) {
   file.write_attribute("/", "case", origin.case_name);
   file.write_attribute("/", "version", origin.version);
   file.write_attribute("/", "commit", origin.commit);
   file.write_attribute("/", "time", time);
   file.write_attribute("/", "unit_length", std::string(unit_length));
   file.write_attribute("/", "unit_time", std::string(unit_time));
+  for (std::size_t d = 0; d < grid.ends.size(); ++d)
+    if (!grid.ends[d].empty())
+      file.write(std::string("/element_ends_") + "xyz"[d], grid.ends[d], {grid.ends[d].size()});
 }
 
 }  // namespace
@@ -122,7 +125,7 @@ void write_fields(const std::string& path, const FieldOrigin& origin, const Tens
   check_fields(path, grid, points, fields, time);
   AtomicFile target(path);
   Hdf5File file = Hdf5File::create(target.partial_path(), Hdf5Format::compatible);
-  write_origin(file, origin, time);
+  write_origin(file, origin, grid, time);
   file.make_group("/VTKHDF");
   file.write_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});
   file.write_attribute("/VTKHDF", "Type", std::string("UnstructuredGrid"));

@@ -13,8 +13,9 @@ namespace softwet {
 /// A block of quadratic cells sharing their nodes: (2 cells + 1) points per axis, x fastest.
 /// 2D: VTK_BIQUADRATIC_QUAD (9 nodes), 3D: VTK_TRIQUADRATIC_HEXAHEDRON (27 nodes).
 struct TensorGrid {
-  int dimension = 2;                     ///< 2 or 3
-  std::array<int, 3> cells = {1, 1, 1};  ///< per axis; the third is not read in 2D
+  int dimension = 2;                          ///< 2 or 3
+  std::array<int, 3> cells = {1, 1, 1};       ///< per axis; the third is not read in 2D
+  std::array<std::vector<double>, 3> ends{};  ///< of the cells in the undeformed mesh; empty where they are equal
 };
 
 /// One field at the points of a TensorGrid.
@@ -31,7 +32,8 @@ struct FieldOrigin {
 };
 
 /// Writes one block (the fluid, the solid) at one time, atomically: PATH holds the whole file or is left as it was.
-/// Attributes of the file: case, version, commit, time, unit_length, unit_time; each array has the attribute unit.
+/// Attributes of the file: case, version, commit, time, unit_length, unit_time; each array has the attribute unit. Along axes
+/// whose elements are graded: the arrays element_ends_x, _y, _z beside the group of VTK.
 /// @param path    ends with .hdf
 /// @param points  positions, shape (points, dimension), components fastest
 /// @param time    stored as field data "TimeValue" too

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "case/error.hpp"
+#include "case/mesh.hpp"
 #include "case/precision.hpp"
 #include "machine/control_groups.hpp"
 
@@ -57,7 +58,7 @@ double left_by_process_limit() {
 void refuse_above(const Case& c, double needed, double available, const char* memory) {
   if (needed <= available) return;
   std::string mesh;
-  for (int elements : c.domain.elements) mesh += (mesh.empty() ? "" : ", ") + std::to_string(elements);
+  for (int d = 0; d < c.dimension(); ++d) mesh += (mesh.empty() ? "" : ", ") + std::to_string(elements_along(c, d));
   throw Error(Exit::machine_failed,
               fmt::format("the case needs {} of {} or more, and {} can be had here (domain.elements = [{}], "
                           "solver.krylov.restart = {}, solver.krylov.preconditioner = \"{}\"); take fewer elements, a "
@@ -70,14 +71,14 @@ void refuse_above(const Case& c, double needed, double available, const char* me
 
 double most_unknowns(const Case& c) {
   double points = 1;
-  for (int elements : c.domain.elements) points *= elements + 2.0 * c.domain.degree;
+  for (int d = 0; d < c.dimension(); ++d) points *= elements_along(c, d) + 2.0 * c.domain.degree;
   return points * (c.dimension() + (c.fluid ? 2 : 0));
 }
 
 double least_bytes(const Case& c) {
   double points = 1;
-  for (int elements : c.domain.elements) points *= elements;
-  const double solid = !c.substrate ? 0 : c.fluid ? c.substrate->thickness / c.domain.size.back() : 1;
+  for (int d = 0; d < c.dimension(); ++d) points *= elements_along(c, d);
+  const double solid = c.fluid ? solid_elements(c) / static_cast<double>(elements_along(c, c.dimension() - 1)) : 1;
   const double velocity = points * c.dimension(), unknowns = velocity + 2 * points * (1 - solid);
   const double krylov = (precision_of(c) == Precision::full ? 2.0 : 1.0) * c.solver.krylov_restart;
   const double vectors = krylov + 13;  // Krylov; Newton 5, states 4, stage 2, residual and work

@@ -1,4 +1,4 @@
-// Control values from functions of the place: each is the value at its Greville point.
+// Control values from functions of the place.
 #pragma once
 
 #include <array>
@@ -7,12 +7,12 @@
 
 #include "case/case.hpp"
 #include "field/layout.hpp"
+#include "spline/sampling.hpp"
 
 namespace softwet {
 
-/// Calls visit(i, x) for each control value of a component with rows [first, first + rows): its Greville point. A
-/// control value equal to a function there is a positive approximation, so that it cannot undershoot. Round a periodic axis x may
-/// lie outside of the domain.
+/// Calls visit(i, x) for each control value of a component with rows [first, first + rows): its Greville point. Round a
+/// periodic axis x may lie outside of the domain.
 template <int D, class Visit>
 void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& visit) {
   for (int i = 0; i < rows * l.row_size; ++i) {
@@ -27,7 +27,36 @@ void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& vi
   }
 }
 
-/// The place of a Greville point inside of the domain, for a formula.
+/// Calls visit(i, x, weight) for each sample of each control value i of a component with rows [first, first + rows): the sum
+/// of weight f(x) is a control value of f (spline/sampling.hpp).
+template <int D, class Visit>
+void at_samples(const Layout<D>& l, int first, int rows, const Visit& visit) {
+  std::array<std::vector<Samples>, D> of_axis;
+  for (int d = 0; d < D; ++d) of_axis[d] = samples_of(l.axis[d]);
+  for (int i = 0; i < rows * l.row_size; ++i) {
+    const Samples* samples[D];
+    std::size_t count = 1;
+    for (int d = 0, rest = i; d < D; ++d) {
+      const int n = d < D - 1 ? l.extent(d) : rows;
+      samples[d] = &of_axis[d][l.function(rest % n, d) + (d == D - 1 ? first : 0)];
+      count *= samples[d]->place.size();
+      rest /= n;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      double x[D], weight = 1;
+      std::size_t rest = k;
+      for (int d = 0; d < D; ++d) {
+        const std::size_t n = samples[d]->place.size();
+        x[d] = samples[d]->place[rest % n];
+        weight *= samples[d]->weight[rest % n];
+        rest /= n;
+      }
+      visit(i, x, weight);
+    }
+  }
+}
+
+/// A place inside of the domain, for a formula.
 template <int D>
 std::array<double, 3> place_inside(const Layout<D>& l, const double* x) {
   std::array<double, 3> place{};
@@ -41,8 +70,9 @@ std::array<double, 3> place_inside(const Layout<D>& l, const double* x) {
 /// Control values of a profile on the rows [first, first + rows), in the order of a component.
 template <int D>
 std::vector<double> control_values(const Layout<D>& l, const Profile& profile, int first, int rows) {
-  std::vector<double> values(static_cast<std::size_t>(rows) * l.row_size);
-  at_greville_points(l, first, rows, [&](int i, const double* x) { values[i] = profile.at(place_inside(l, x)); });
+  std::vector<double> values(static_cast<std::size_t>(rows) * l.row_size, 0.0);
+  at_samples(l, first, rows,
+             [&](int i, const double* x, double weight) { values[i] += weight * profile.at(place_inside(l, x)); });
   return values;
 }
 

@@ -131,10 +131,10 @@ template <int D>
 void fill_velocity(const Case& c, const Layout<D>& l, const std::vector<Shape>& all, const InterfaceProfile& profile,
                    std::vector<double>& unknown) {
   const int first = c.substrate ? l.wall_row + 1 : l.wall_row;
-  at_greville_points(l, first, l.rows - first, [&](int i, const double* x) {
+  at_samples(l, first, l.rows - first, [&](int i, const double* x, double weight) {
     at_parts(c, all, profile, x, [&](const Shape& shape, double part) {
       for (std::size_t d = 0; d < shape.velocity.size(); ++d)
-        unknown[l.velocity_offset(d) + first * l.row_size + i] += part * shape.velocity[d];
+        unknown[l.velocity_offset(d) + first * l.row_size + i] += weight * (part * shape.velocity[d]);
     });
   });
 }
@@ -145,14 +145,14 @@ void fill_fluid(const Case& c, const Model<D, P>& model, std::vector<double>& un
   const std::vector<Shape> all = shapes(c, model);
   const Shape around = surroundings(c, model.state(), all);
   const InterfaceProfile profile(VanDerWaals{c.fluid->temperature, 0}, model.state(), c.fluid->capillarity);
-  at_greville_points(l, l.wall_row, l.fluid_rows(), [&](int i, const double* x) {
+  at_samples(l, l.wall_row, l.fluid_rows(), [&](int i, const double* x, double weight) {
     double rho = around.density_around;
     at_parts(c, all, profile, x, [&](const Shape& shape, double part) {
       const bool liquid = shape.density > shape.density_around;
       const double inside = c.fluid->initial.empty() ? shape.density : c.fluid->initial[liquid ? 1 : 0];
       rho += (inside - around.density_around) * part;
     });
-    unknown[l.density_offset() + i] = rho;
+    unknown[l.density_offset() + i] += weight * rho;
     unknown[l.potential_offset() + i] = around.potential;
   });
   fill_velocity(c, l, all, profile, unknown);
@@ -161,13 +161,13 @@ void fill_fluid(const Case& c, const Model<D, P>& model, std::vector<double>& un
 /// Adds the wave to a component; `own` is the direction of a vector's component, -1 for the density.
 template <int D>
 void add_wave(const Case& c, const Layout<D>& l, const Wave& wave, int own, int first, int rows, double* values) {
-  at_greville_points(l, first, rows, [&](int i, const double* x) {
+  at_samples(l, first, rows, [&](int i, const double* x, double weight) {
     double value = wave.amplitude;
     for (int d = 0; d < D; ++d) {
       const double phase = wave.mode[d] * M_PI * x[d] / c.domain.size[d];
       value *= d == own && wave.mode[d] != 0 ? std::sin(phase) : std::cos(phase);
     }
-    values[i] += value;
+    values[i] += weight * value;
   });
 }
 

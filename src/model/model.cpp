@@ -42,7 +42,7 @@ template <int D, int P>
 void Model<D, P>::build_axes(const Case& c) {
   layout_.has_fluid = c.fluid.has_value();
   layout_.has_solid = c.substrate.has_value();
-  layout_.solid_elements = solid_elements_of(c);
+  layout_.solid_elements = solid_elements(c);
   layout_.row_size = 1;
   for (int d = 0; d < D; ++d) {
     layout_.axis.push_back(axis_of(c, d, P));

@@ -48,7 +48,7 @@ Sides trace_surface(const Section<D>& section, double left, double right, const 
   const Axis& vertical = section.snapshot().layout().axis[D - 1];
   const double low = section.snapshot().wall_height(), middle_x = 0.5 * (left + right);
   // Height of the droplet above its middle.
-  const std::vector<double> column = equidistant(low, vertical.length(), 4 * vertical.elements());
+  const std::vector<double> column = equidistant(low, vertical.length(), 4 * vertical.equal_parts());
   const std::vector<double> along = surface.depth(section.density({middle_x}, column));
   double top = low;
   for (const Crossing& c : crossings(column, along.data()))

@@ -15,7 +15,7 @@ WallSamples sample_wall(const Snapshot<3>& snapshot, const Surface& surface) {
   Snapshot<3>::Grid grid;
   for (int d : {0, 1}) {
     wall.length[d] = axis[d].length();
-    wall.cells[d] = 4 * axis[d].elements();
+    wall.cells[d] = 4 * axis[d].equal_parts();
     wall.periodic[d] = axis[d].periodic();
     grid[d] = equidistant(0, axis[d].length(), wall.cells[d]);
     grid[d].resize(wall.points(d));

@@ -81,8 +81,7 @@ void add_interface_rows(TableFile& table, const Snapshot<D>& snapshot,
   const Layout<D>& layout = snapshot.layout();
   typename Snapshot<D>::Grid wall;
   for (int d = 0; d < D - 1; ++d)
-    for (int i = 0; i <= 2 * layout.axis[d].elements(); ++i)
-      wall[d].push_back(layout.axis[d].length() * i / (2.0 * layout.axis[d].elements()));
+    for (int i = 0; i <= 2 * layout.axis[d].elements(); ++i) wall[d].push_back(layout.axis[d].end_or_middle(i));
   wall[D - 1] = {snapshot.wall_height()};
   std::array<std::vector<double>, D> displacement;
   for (int d = 0; d < D; ++d) displacement[d] = snapshot.displacement(wall, d, false);

@@ -11,7 +11,7 @@ namespace {
 /// Reference coordinates of the points of the elements [first, last): ends and middle of each element.
 std::vector<double> element_points(const Axis& axis, int first, int last) {
   std::vector<double> x;
-  for (int i = 2 * first; i <= 2 * last; ++i) x.push_back(axis.length() * i / (2.0 * axis.elements()));
+  for (int i = 2 * first; i <= 2 * last; ++i) x.push_back(axis.end_or_middle(i));
   return x;
 }
 
@@ -28,6 +28,7 @@ struct Block {
       const int low = d == D - 1 ? first : 0, high = d == D - 1 ? last : axis.elements();
       cells.cells[d] = high - low;
       grid[d] = element_points(axis, low, high);
+      for (int e = low; axis.graded() && e <= high; ++e) cells.ends[d].push_back(axis.end_or_middle(2 * e));
     }
   }
 };

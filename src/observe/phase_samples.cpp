@@ -13,12 +13,12 @@ PhaseSamples sample_phase(const Snapshot<D>& snapshot, const Surface& surface) {
   for (int d = 0; d < D; ++d) {
     const Axis& axis = snapshot.layout().axis[d];
     const int first = d == D - 1 ? snapshot.layout().solid_elements : 0;
-    grid[d] = equidistant(axis.lower(first), axis.length(), axis.elements() - first);
+    grid[d] = equidistant(axis.lower(first), axis.length(), axis.equal_parts(first));
     if (axis.periodic()) grid[d].pop_back();
     samples.points[d] = static_cast<int>(grid[d].size());
     samples.periodic[d] = axis.periodic();
     samples.origin[d] = axis.lower(first);
-    samples.step[d] = axis.spacing();
+    samples.step[d] = grid[d][1] - grid[d][0];
   }
   samples.depth = surface.depth(snapshot.density(grid));
   return samples;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/cap.hpp"
+#include "case/mesh.hpp"
 #include "case/text.hpp"
 #include "field/ranks.hpp"
 #include "io/output_time.hpp"
@@ -124,6 +125,12 @@ template <int D, int P>
 PhaseSamples Scalars<D, P>::follow_bodies(const Snapshot<D>& snapshot, const std::string& told) {
   if (latest_.bodies.empty()) return {};
   PhaseSamples samples = sample_phase(snapshot, surface());
+  for (int d = 0; d < D; ++d) {
+    const FinePart fine = fine_part(case_, d);
+    const double margin = least_fine_margin * case_.fluid->capillarity;
+    samples.low[d] = d == D - 1 ? samples.low[d] : fine.low + margin;  // below a droplet is the wall
+    samples.high[d] = fine.high - margin;
+  }
   for (const std::string& what : follow(latest_.bodies, samples, body_names(case_)))
     latest_.events.push_back({output_time(latest_.time, case_.clock_zero()), what + told});
   return samples;

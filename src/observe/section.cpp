@@ -11,7 +11,7 @@ namespace {
 std::vector<double> largest_of_columns(const Snapshot<2>& snapshot, const Surface& surface,
                                        const std::vector<double>& x) {
   const Axis& vertical = snapshot.layout().axis[1];
-  const std::vector<double> height = equidistant(snapshot.wall_height(), vertical.length(), vertical.elements());
+  const std::vector<double> height = equidistant(snapshot.wall_height(), vertical.length(), vertical.equal_parts());
   const std::vector<double> depth = surface.depth(snapshot.density({x, height}));
   std::vector<double> largest(depth.begin(), depth.begin() + x.size());
   for (std::size_t i = 0; i < depth.size(); ++i) largest[i % x.size()] = std::max(largest[i % x.size()], depth[i]);
@@ -29,7 +29,7 @@ std::vector<double> equidistant(double low, double high, int count) {
 template <int D>
 std::vector<double> Section<D>::abscissas(int per_element) const {
   const std::vector<Axis>& axis = snapshot_.layout().axis;
-  if constexpr (D == 2) return equidistant(reach_.low, reach_.high, per_element * axis[0].elements());
+  if constexpr (D == 2) return equidistant(reach_.low, reach_.high, per_element * axis[0].equal_parts());
   const double spacing = std::min(axis[0].spacing(), axis[1].spacing());
   const int elements = static_cast<int>(std::ceil((reach_.high - reach_.low) / spacing - 1e-9));
   return equidistant(reach_.low, reach_.high, per_element * elements);
@@ -78,7 +78,7 @@ Section<2> side_view(const Snapshot<2>& snapshot, const Surface& surface) {
   if (!axis.periodic()) return {snapshot, {0, 0}, {1, 0}, {0, axis.length(), true, true}};
   double low = 0;
   if (largest_of_columns(snapshot, surface, {0})[0] >= 0) {
-    const std::vector<double> x = equidistant(0, axis.length(), 4 * axis.elements());
+    const std::vector<double> x = equidistant(0, axis.length(), 4 * axis.equal_parts());
     const std::vector<double> largest = largest_of_columns(snapshot, surface, x);
     low = x[std::min_element(largest.begin(), largest.end()) - largest.begin()] - axis.length();
   }

@@ -37,7 +37,7 @@ EarlierState read_state(const std::string& folder, const Case& c) {
   EarlierState state;
   state.has_fluid = c.fluid.has_value();
   state.has_solid = c.substrate.has_value();
-  state.solid_elements = solid_elements_of(c);
+  state.solid_elements = solid_elements(c);
   std::size_t row_size = 1;
   for (int d = 0; d < c.dimension(); ++d) {
     state.axis.push_back(axis_of(c, d, c.domain.degree));

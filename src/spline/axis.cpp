@@ -7,30 +7,68 @@
 namespace softwet {
 
 Axis::Axis(double length, int elements, int degree, bool periodic, int kink)
-    : degree_(degree), elements_(elements), kink_(kink), periodic_(periodic), length_(length) {
-  const double h = length / elements;
-  if (periodic) {
-    for (int i = -degree; i <= elements + degree; ++i) knots_.push_back(h * i);
-    for (int e = 0; e < elements; ++e) span_.push_back(e);
+    : degree_(degree),
+      elements_(elements),
+      kink_(kink),
+      periodic_(periodic),
+      length_(length),
+      spacing_(length / elements) {
+  place_knots();
+}
+
+Axis::Axis(std::vector<double> breaks, int degree, bool periodic, int kink)
+    : degree_(degree),
+      elements_(static_cast<int>(breaks.size()) - 1),
+      kink_(kink),
+      periodic_(periodic),
+      length_(breaks.back()),
+      spacing_(breaks.back()),
+      breaks_(std::move(breaks)) {
+  for (int e = 0; e < elements_; ++e) spacing_ = std::min(spacing_, size(e));
+  place_knots();
+}
+
+double Axis::end_of(int element) const {
+  if (!graded()) return element == elements_ && !periodic_ ? length_ : spacing_ * element;
+  const int turns = element < 0 ? -1 : periodic_ && element >= elements_ ? 1 : 0;
+  return breaks_[element - turns * elements_] + turns * length_;
+}
+
+void Axis::place_knots() {
+  if (periodic_) {
+    for (int i = -degree_; i <= elements_ + degree_; ++i) knots_.push_back(end_of(i));
+    for (int e = 0; e < elements_; ++e) span_.push_back(e);
   } else {
-    knots_.insert(knots_.end(), degree, 0.0);
-    for (int e = 0; e <= elements; ++e) {
-      const int copies = (kink > 0 && e == kink) ? degree : 1;
-      knots_.insert(knots_.end(), copies, e == elements ? length : h * e);
-      if (e < elements) span_.push_back(static_cast<int>(knots_.size()) - 1 - degree);
+    knots_.insert(knots_.end(), degree_, 0.0);
+    for (int e = 0; e <= elements_; ++e) {
+      const int copies = (kink_ > 0 && e == kink_) ? degree_ : 1;
+      knots_.insert(knots_.end(), copies, end_of(e));
+      if (e < elements_) span_.push_back(static_cast<int>(knots_.size()) - 1 - degree_);
     }
-    knots_.insert(knots_.end(), degree, length);
+    knots_.insert(knots_.end(), degree_, length_);
   }
-  functions_ = static_cast<int>(knots_.size()) - degree - 1;
+  functions_ = static_cast<int>(knots_.size()) - degree_ - 1;
   for (int i = 0; i < functions_; ++i) {
     double sum = 0;
-    for (int k = 1; k <= degree; ++k) sum += knots_[i + k];
-    greville_.push_back(sum / degree);
+    for (int k = 1; k <= degree_; ++k) sum += knots_[i + k];
+    greville_.push_back(sum / degree_);
   }
 }
 
 int Axis::element_at(double x) const {
-  return static_cast<int>(std::clamp(std::floor(x / spacing()), 0.0, elements_ - 1.0));
+  if (!graded()) return static_cast<int>(std::clamp(std::floor(x / spacing()), 0.0, elements_ - 1.0));
+  const auto above = std::upper_bound(breaks_.begin(), breaks_.end(), x);
+  return std::clamp(static_cast<int>(above - breaks_.begin()) - 1, 0, elements_ - 1);
+}
+
+int Axis::equal_parts(int element) const {
+  if (!graded()) return elements_ - element;
+  return static_cast<int>(std::ceil((length_ - lower(element)) / spacing_ - 1e-9));
+}
+
+double Axis::end_or_middle(int i) const {
+  if (!graded()) return length_ * i / (2.0 * elements_);
+  return i % 2 == 0 ? breaks_[i / 2] : 0.5 * (breaks_[i / 2] + breaks_[i / 2 + 1]);
 }
 
 // Cox-de Boor recursion: the degree + 1 functions alive on a knot span (de Boor, A Practical Guide to Splines, ch. X).

@@ -5,13 +5,15 @@
 
 namespace softwet {
 
-/// B-splines of one degree on a line of uniform elements: C^(degree-1), except C^0 at one optional knot; the ends are
-/// interpolating, or the axis is periodic. A periodic axis stores `degree` ghost functions behind its own.
+/// B-splines of one degree on a line of elements, equal or graded ones: C^(degree-1), except C^0 at one optional knot; the
+/// ends are interpolating, or the axis is periodic. A periodic axis stores `degree` ghost functions behind its own.
 class Axis {
  public:
   /// @param length    extent, L0
   /// @param kink      element index whose lower knot is repeated `degree` times (C0 there); 0: none
   Axis(double length, int elements, int degree, bool periodic = false, int kink = 0);
+  /// Elements between ascending breaks, of which the first is 0 and the last the length.
+  Axis(std::vector<double> breaks, int degree, bool periodic = false, int kink = 0);
 
   int degree() const { return degree_; }
   int elements() const { return elements_; }
@@ -19,12 +21,23 @@ class Axis {
   int owned() const { return periodic_ ? elements_ : functions_; }
   bool periodic() const { return periodic_; }
   double length() const { return length_; }
-  double spacing() const { return length_ / elements_; }
+  bool graded() const { return !breaks_.empty(); }
+  double spacing() const {
+    return spacing_;
+  }  ///< length of the shortest element, which all have unless they are graded
+  double size(int element) const { return graded() ? breaks_[element + 1] - breaks_[element] : spacing_; }
+  /// Into how many equal parts the axis above an element falls that are about as long as the shortest element.
+  int equal_parts(int element = 0) const;
+  /// Integral of a function; L0.
+  double integral(int function) const { return (knots_[function + degree_ + 1] - knots_[function]) / (degree_ + 1); }
+  /// Point number i of those at the ends and in the middle of the elements: 2 elements() + 1.
+  double end_or_middle(int i) const;
   int span(int element) const { return span_[element]; }  ///< first function that is non-zero on the element
-  double lower(int element) const { return length_ * element / elements_; }
+  double lower(int element) const { return graded() ? breaks_[element] : length_ * element / elements_; }
   double greville(int function) const { return greville_[function]; }  ///< periodic: may lie outside [0, length]
   int element_at(double x) const;
   const std::vector<double>& knots() const { return knots_; }
+  const std::vector<double>& breaks() const { return breaks_; }  ///< empty unless graded
   int kink() const { return kink_; }
 
   /// Values or first derivatives of the degree + 1 functions alive on an element at x (derivative: 1/L0).
@@ -36,10 +49,13 @@ class Axis {
 
  private:
   std::vector<double> evaluate(int element, double x, int degree) const;
+  double end_of(int element) const;  ///< lower end; beyond the ends of a periodic axis it goes on
+  void place_knots();
 
   int degree_, elements_, functions_, kink_;
   bool periodic_;
-  double length_;
+  double length_, spacing_;
+  std::vector<double> breaks_;
   std::vector<double> knots_;
   std::vector<int> span_;
   std::vector<double> greville_;

@@ -1,5 +1,7 @@
 #include "spline/refinement.hpp"
 
+#include <cmath>
+
 namespace softwet {
 
 namespace {
@@ -15,18 +17,56 @@ double oslo(const std::vector<double>& coarse, const std::vector<double>& fine, 
   return sum;
 }
 
-/// The knots of the coarse axis as multiples of half its spacing, so that equal knots of both axes compare equal.
-std::vector<double> whole_knots(const Axis& axis, double spacing) {
+/// Knots that are equal for both axes where they are the same place: those of equal elements as multiples of a fine length.
+std::vector<double> comparable_knots(const Axis& axis, double spacing) {
   std::vector<double> knots = axis.knots();
+  if (axis.graded()) return knots;
   for (double& knot : knots) knot = static_cast<double>(static_cast<long>(knot / spacing + (knot < 0 ? -0.5 : 0.5)));
   return knots;
+}
+
+/// Whether two neighbours can be joined everywhere. Where elements are graded, one may be left over at an end.
+bool can_be_halved(const Axis& fine, int least) {
+  const int n = fine.elements();
+  if (n / 2 < least) return false;
+  return n % 2 == 0 ? fine.graded() || fine.kink() % 2 == 0 : fine.graded() && !fine.periodic();
+}
+
+/// Joins neighbours from the kink outwards.
+Axis halved(const Axis& fine) {
+  const int n = fine.elements(), kink = fine.kink();
+  if (!fine.graded()) return {fine.length(), n / 2, fine.degree(), fine.periodic(), kink / 2};
+  std::vector<double> breaks;
+  for (int i = 0; i <= n; ++i)
+    if (i == 0 || i == n || (i - kink) % 2 == 0) breaks.push_back(fine.breaks()[i]);
+  return {breaks, fine.degree(), fine.periodic(), (kink + 1) / 2};
+}
+
+/// Coefficients of the fine functions 2 j - p, ..., 2 j + 1 in the coarse one j around a periodic axis.
+std::vector<double> around(const Axis& fine, int j) {
+  const int p = fine.degree(), n = fine.elements();
+  std::vector<double> row{1.0};
+  if (!fine.graded()) {  // the binomial coefficients over 2^p
+    for (int k = 1; k <= p + 1; ++k) row.push_back(row.back() * (p + 2 - k) / k);
+    for (double& c : row) c /= 1 << p;
+    return row;
+  }
+  std::vector<double> knots, every_second;  // fine break 2 (j - p) and those that follow, from 0 on
+  for (int k = 0; k <= 2 * p + 2; ++k) {
+    const int e = 2 * (j - p) + k, turns = static_cast<int>(std::floor(e / static_cast<double>(n)));
+    knots.push_back(fine.breaks()[e - turns * n] + turns * fine.length());
+    if (k % 2 == 0) every_second.push_back(knots.back());
+  }
+  row.clear();
+  for (int k = 0; k <= p + 1; ++k) row.push_back(oslo(every_second, knots, 0, k, p));
+  return row;
 }
 
 }  // namespace
 
 Refinement refine_from_half(const Axis& fine, int least) {
-  const int n = fine.elements(), p = fine.degree();
-  if (n % 2 != 0 || fine.kink() % 2 != 0 || n / 2 < least) {
+  const int p = fine.degree();
+  if (!can_be_halved(fine, least)) {
     Refinement same{fine, {}, {}};
     for (int i = 0; i < fine.functions(); ++i) {
       same.first.push_back(i);
@@ -34,16 +74,15 @@ Refinement refine_from_half(const Axis& fine, int least) {
     }
     return same;
   }
-  Refinement r{Axis(fine.length(), n / 2, p, fine.periodic(), fine.kink() / 2), {}, {}};
-  const std::vector<double> t = whole_knots(fine, fine.spacing()), tau = whole_knots(r.coarse, fine.spacing());
+  Refinement r{halved(fine), {}, {}};
+  const std::vector<double> t = comparable_knots(fine, fine.spacing()),
+                            tau = comparable_knots(r.coarse, fine.spacing());
   for (int j = 0; j < r.coarse.functions(); ++j) {
     std::vector<double> row;
     int first = 0;
-    if (fine.periodic()) {  // uniform knots: the binomial coefficients over 2^p
+    if (fine.periodic()) {
       first = 2 * j - p;
-      row.push_back(1.0);
-      for (int k = 1; k <= p + 1; ++k) row.push_back(row.back() * (p + 2 - k) / k);
-      for (double& c : row) c /= 1 << p;
+      row = around(fine, j);
     } else {
       for (int i = 0; i < fine.functions(); ++i) {
         const double c = oslo(tau, t, j, i, p);

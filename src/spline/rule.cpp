@@ -6,23 +6,29 @@ namespace softwet {
 
 namespace {
 
-/// Points on each element as fractions of it, with weights per unit length (or 1 for a trace).
+enum class Weigh { length, point };
+
+/// Points on each element as fractions of it, with weights per unit length (or for each point of a trace).
 AxisRule tabulate(const Axis& axis, const std::vector<int>& elements, const std::vector<double>& fraction,
-                  const std::vector<double>& weight) {
+                  const std::vector<double>& weight, Weigh weigh = Weigh::point) {
   const int n = axis.degree() + 1, q = static_cast<int>(fraction.size()), count = static_cast<int>(elements.size());
   const int padded = count + lane_padding;
   Kokkos::View<double***, Kokkos::LayoutRight, Exec> value("value", q, n, padded), slope("slope", q, n, padded);
   Kokkos::View<double**, Kokkos::LayoutRight, Exec> weights("weight", q, padded), position("position", q, padded);
+  Kokkos::View<double*, Exec> shares("share", padded);
   Kokkos::View<int*, Exec> spans("first", padded);
   auto v = Kokkos::create_mirror_view(value), s = Kokkos::create_mirror_view(slope);
   auto w = Kokkos::create_mirror_view(weights), x = Kokkos::create_mirror_view(position);
   auto f = Kokkos::create_mirror_view(spans);
+  auto share = Kokkos::create_mirror_view(shares);
   for (int l = 0; l < padded; ++l) {
     const int e = elements[std::min(l, count - 1)];
+    const double length = axis.size(e);
     f(l) = axis.span(e);
+    share(l) = axis.spacing() / length;
     for (int p = 0; p < q; ++p) {
-      x(p, l) = axis.lower(e) + axis.spacing() * fraction[p];
-      w(p, l) = l < count ? weight[p] : 0.0;
+      x(p, l) = axis.lower(e) + length * fraction[p];
+      w(p, l) = l >= count ? 0.0 : weigh == Weigh::length ? weight[p] * length : weight[p];
       const std::vector<double> values = axis.values(e, x(p, l)), slopes = axis.slopes(e, x(p, l));
       for (int a = 0; a < n; ++a) {
         v(p, a, l) = values[a];
@@ -35,7 +41,8 @@ AxisRule tabulate(const Axis& axis, const std::vector<int>& elements, const std:
   Kokkos::deep_copy(weights, w);
   Kokkos::deep_copy(position, x);
   Kokkos::deep_copy(spans, f);
-  return {value, slope, weights, position, spans, count, q, axis.spacing()};
+  Kokkos::deep_copy(shares, share);
+  return {value, slope, weights, position, shares, spans, count, q, axis.spacing()};
 }
 
 std::vector<int> range(int first, int last) {
@@ -46,9 +53,7 @@ std::vector<int> range(int first, int last) {
 
 AxisRule gauss_rule(const Axis& axis, const std::vector<int>& elements, int points) {
   const Gauss rule(points);
-  std::vector<double> weight = rule.weight;
-  for (double& w : weight) w *= axis.spacing();
-  return tabulate(axis, elements, rule.point, weight);
+  return tabulate(axis, elements, rule.point, rule.weight, Weigh::length);
 }
 
 }  // namespace
@@ -80,7 +85,9 @@ AxisRuleOf<float> in_single(const AxisRule& rule) {
     Kokkos::deep_copy(to, table);
     return to;
   };
-  return {cube(rule.value), cube(rule.slope), square(rule.weight), square(rule.position),
+  const Kokkos::View<float*, Exec> share("rounded", rule.share.extent(0));
+  Kokkos::deep_copy(share, rule.share);
+  return {cube(rule.value), cube(rule.slope), square(rule.weight), square(rule.position), share,
           rule.first,       rule.elements,    rule.points,         rule.spacing};
 }
 

@@ -11,16 +11,17 @@ namespace softwet {
 
 inline constexpr int lane_padding = 16;  ///< tables carry this many copies of the last element behind it
 
-/// value, slope: [point][function][element]; weight: [point][element]; first: [element], first living function.
+/// value, slope: [point][function][element]; weight: [point][element]; share, first: [element], first living function.
 template <class Real>
 struct AxisRuleOf {
   Kokkos::View<const Real***, Kokkos::LayoutRight, Exec> value, slope;
   Kokkos::View<const Real**, Kokkos::LayoutRight, Exec> weight;
   Kokkos::View<const Real**, Kokkos::LayoutRight, Exec> position;
+  Kokkos::View<const Real*, Exec> share;  ///< spacing over the length of each element
   Kokkos::View<const int*, Exec> first;
   int elements = 0;
   int points = 0;
-  double spacing = 0;  ///< length of an element
+  double spacing = 0;  ///< length of the shortest element
 };
 using AxisRule = AxisRuleOf<double>;
 

@@ -50,7 +50,7 @@ std::vector<TransferRow> transfer(const Axis& from, int from_low, int from_high,
     const auto knot = to.knots().begin() + function + 1;
     const std::vector<double> inside(knot, knot + p);
     std::vector<double> points, weights(from.functions(), 0.0);
-    for (int a = 0; a <= p; ++a) points.push_back(to.lower(element) + to.spacing() * (a + 0.5) / (p + 1));
+    for (int a = 0; a <= p; ++a) points.push_back(to.lower(element) + to.size(element) * (a + 0.5) / (p + 1));
     for (int a = 0; a <= p; ++a) {
       std::vector<double> roots;
       double scale = 1;

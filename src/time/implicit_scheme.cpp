@@ -70,7 +70,7 @@ ImplicitScheme<D, P>::ImplicitScheme(const Model<D, P>& model, const Case& c, co
       newton_control_(newton_control(c)),
       x_("implicit.x", model.layout().size()) {
   double volume = 1;
-  for (const Axis& axis : model.layout().axis) volume *= axis.spacing();
+  for (const Axis& axis : model.layout().axis) volume *= axis.length() / axis.elements();
   if (model.precision() == Precision::single) round_off_ = Array("implicit.round_off", model.layout().size());
   volume_norm_ =
       volume * std::sqrt(entries_of_patch(model.layout(), double(model.layout().rows) * model.layout().row_size));

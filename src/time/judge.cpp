@@ -38,6 +38,42 @@ Judge<D, P>::Judge(const Model<D, P>& model, const Case& c)
     : model_(model), undershoot_(c.solver.newton_undershoot), difference_("judge.difference", model.layout().size()) {
   const double thickness = model.wall_height(), height = model.layout().axis[D - 1].length() - thickness;
   length_ = !model.layout().has_fluid ? c.domain.size[D - 1] : thickness > 0 ? std::min(thickness, height) : height;
+  bool graded = false;
+  for (const Axis& axis : model.layout().axis) graded = graded || axis.graded();
+  if (graded) weigh(model.layout());
+}
+
+template <int D, int P>
+void Judge<D, P>::weigh(const Layout<D>& l) {
+  const auto integral = [](const Axis& axis, int function) {
+    return axis.periodic() && function >= axis.owned() ? 0.0 : axis.integral(function);
+  };
+  volume_ = of_scalars_ = 1;
+  for (int d = 0; d < D; ++d) {
+    double all = 0, scalars = 0;
+    for (int i = 0; i < l.axis[d].functions(); ++i) {
+      all += integral(l.axis[d], i);
+      scalars += d < D - 1 || i >= l.wall_row ? integral(l.axis[d], i) : 0.0;
+    }
+    volume_ *= all;
+    of_scalars_ *= scalars;
+  }
+  std::vector<double> root(l.size(), 0.0);
+  const std::vector<Box<D>> all = boxes(l);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    int n = 1;
+    for (int d = 0; d < D; ++d) n *= all[k].extent[d];
+    for (int i = 0; i < n; ++i) {
+      double weight = 1;
+      for (int d = 0, rest = i; d < D; ++d) {
+        const int place = rest % all[k].extent[d], first = k >= D && d == D - 1 ? l.wall_row : 0;
+        weight *= integral(l.axis[d], l.function(place, d) + first);
+        rest /= all[k].extent[d];
+      }
+      root[all[k].offset + i] = std::sqrt(weight);
+    }
+  }
+  root_of_weight_ = to_device<Array>(root, "judge.root_of_weight");
 }
 
 template <int D, int P>
@@ -65,11 +101,14 @@ double Judge<D, P>::indicator(const StepHistory& history, const Array& values, d
   add_scaled(difference_, 0, -1 - f, history.state.unknown);
   add_scaled(difference_, 0, f, history.previous);
   const int nv = l.velocity_size();
-  const double v = norm(l.space(), part(difference_, 0, nv)) / std::sqrt(entries_of_patch(l, nv) / D) * dt / length_;
+  const bool weighted = volume_ > 0;
+  if (weighted) multiply(difference_, root_of_weight_);
+  const double points = weighted ? volume_ : entries_of_patch(l, nv) / D;
+  const double v = norm(l.space(), part(difference_, 0, nv)) / std::sqrt(points) * dt / length_;
   if (!l.has_fluid) return v;
   const double jump = model_.state().density_liquid - model_.state().density_vapour;
   const double rho = norm(l.space(), part(difference_, l.density_offset(), l.potential_offset()));
-  return std::max(v, rho / std::sqrt(entries_of_patch(l, l.scalar_size())) / jump);
+  return std::max(v, rho / std::sqrt(weighted ? of_scalars_ : entries_of_patch(l, l.scalar_size())) / jump);
 }
 
 template class Judge<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

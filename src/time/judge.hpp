@@ -18,12 +18,18 @@ class Judge {
 
   /// Compares values with the extrapolation of the two states before, f = (time from the last state) / previous_dt:
   ///   max( rms(rho - rho_f) / (rho_l - rho_v),  dt rms(v - v_f) / H )  ~ dt^2,   H the thinner layer
+  /// The means are those of control values. Where elements are graded, these are weighted with the integrals of their
+  /// functions, so that a place counts by its volume, not by how many functions it has.
   double indicator(const StepHistory&, const Array& values, double f, double dt) const;
 
  private:
+  void weigh(const Layout<D>&);
+
   const Model<D, P>& model_;
   double undershoot_, length_;
   Array difference_;
+  Array root_of_weight_;                ///< of each control value, where elements are graded; else empty
+  double volume_ = 0, of_scalars_ = 0;  ///< sums of the weights of a component
 };
 
 }  // namespace softwet

@@ -16,17 +16,31 @@ class Field:
 
     time, part, path  which it is and where it comes from
     shape             points of the lattice: (ny, nx) or (nz, ny, nx)
+    lines             reference coordinates of the points along each axis: [y, x] or [z, y, x]
     field[name]       array of shape (*shape) for a scalar, (*shape, dimension) for a vector, (*shape, 3, 3) for a tensor
     list(field)       names of the fields in the file
     positions         (*shape, dimension): where the points are now
     reference         (*shape, dimension): where they are in the undeformed mesh
     rest, moved       the same, and positions - reference, of some rows of the vertical axis"""
 
-    def __init__(self, path, time, part, shape, low, high, size):
-        self.path, self.time, self.part, self.shape = path, time, part, shape
-        self.low, self.high, self.size = low, high, size
-        self.dimension = len(shape)
+    def __init__(self, path, time, part, elements, low, high):
+        """@param elements, low, high  equal elements along each axis, x first, and where they begin and end; the file tells
+        the ends of graded ones"""
+        self.path, self.time, self.part = path, time, part
+        self.dimension = len(elements)
         self._kept = {}
+        self.lines = [self._line(axis, *equal) for axis, equal in enumerate(zip(elements, low, high))][::-1]
+        self.shape = tuple(map(len, self.lines))
+
+    def _line(self, axis, elements, low, high):
+        with self._open() as file:
+            ends = file.get(f"element_ends_{'xyz'[axis]}")
+            if ends is None:
+                return np.linspace(low, high, 2 * elements + 1)
+            ends = ends[:]
+        line = np.empty(2 * len(ends) - 1)
+        line[::2], line[1::2] = ends, 0.5 * (ends[:-1] + ends[1:])
+        return line
 
     def __repr__(self):
         return f"<{self.part} at t = {self.time:g}, {' x '.join(map(str, self.shape))} points>"
@@ -83,10 +97,8 @@ class Field:
 
     def rest(self, rows=slice(None)):
         """The reference positions of some rows of the vertical axis."""
-        *across, _ = self.size
-        lines = [np.linspace(self.low, self.high, self.shape[0])[rows]]
-        lines += [np.linspace(0, length, n) for length, n in zip(reversed(across), self.shape[1:])]
-        return np.stack(np.meshgrid(*lines, indexing="ij")[::-1], axis=-1)
+        upwards, *across = self.lines
+        return np.stack(np.meshgrid(upwards[rows], *across, indexing="ij")[::-1], axis=-1)
 
     def moved(self, rows=slice(None)):
         """How far the points of some rows of the vertical axis have moved: in the solid its displacement."""
@@ -98,10 +110,8 @@ class Field:
         if points.ndim == 0 or points.shape[-1] != self.dimension:
             raise Problem(f"points of shape {points.shape}: the last axis must have the {self.dimension} coordinates")
         flat = points.reshape(-1, self.dimension)
-        top = np.array(self.shape[::-1]) - 1.0
-        low = np.array([*[0.0] * (self.dimension - 1), self.low])
-        high = np.array([*self.size[:-1], self.high])
-        guess = np.clip((flat - low) / (high - low) * top, 0, top)
+        guess = np.stack([np.interp(flat[:, d], line, np.arange(len(line)))
+                          for d, line in enumerate(reversed(self.lines))], axis=-1)
         return Sample(self, points, locate(self.positions, flat, guess))
 
     def on_grid(self, *counts, box=None):

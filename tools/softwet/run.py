@@ -91,20 +91,16 @@ class Run:
         if part not in self.parts:
             raise Problem(f"{self.folder} has no part {part!r}, only {' and '.join(self.parts)}")
         found = self.time(time)
+        *across, all_rows = self.case["domain"]["elements"]
+        *widths, height = self.case["domain"]["size"]
         low, high = self.vertical(part)
-        return Field(self._files[found][part], found, part, self._shape(part), low, high, self.case["domain"]["size"])
+        return Field(self._files[found][part], found, part, [*across, round(all_rows * (high - low) / height)],
+                     [*[0.0] * len(across), low], [*widths, high])
 
     def vertical(self, part):
         """Lowest and highest reference position of a part: the wall is at the thickness of the substrate, or at 0."""
         wall = self.case["substrate"]["thickness"] if "substrate" in self.case else 0.0
         return (0.0, wall) if part == "solid" else (wall, self.case["domain"]["size"][-1])
-
-    def _shape(self, part):
-        """Points of the lattice of a part, z or y first: three per element and axis, shared with the neighbour."""
-        low, high = self.vertical(part)
-        *across, rows = self.case["domain"]["elements"]
-        rows = round(rows * (high - low) / self.case["domain"]["size"][-1])
-        return tuple(2 * n + 1 for n in (rows, *reversed(across)))
 
     def _series(self, part):
         return self.folder / "fields" / f"{part}.hdf.series"

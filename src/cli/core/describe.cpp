@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "case/mesh.hpp"
 #include "case/text.hpp"
 #include "machine/memory.hpp"
 #include "model/initial.hpp"
@@ -23,6 +24,16 @@ struct Part {
   double times = 1;
 };
 
+/// Equal elements, as many as the graded ones, and in the solid too.
+void make_equal(Case& c) {
+  const int vertical = c.dimension() - 1, rows = solid_elements(c);
+  std::vector<int> elements;
+  for (int d = 0; d <= vertical; ++d) elements.push_back(elements_along(c, d));
+  c.domain.elements = elements;
+  c.domain.grading = {};
+  if (c.substrate && c.fluid) c.substrate->thickness = rows * fine_length(c, vertical);
+}
+
 /// The whole case where this machine surely holds it, else a strip of the same height: a run needs less than
 /// `most_over_least` times the least memory, and what it keeps grows like the number of elements.
 Part part_of(const Case& c) {
@@ -31,6 +42,7 @@ Part part_of(const Case& c) {
   const auto largest = [&] {
     return std::max_element(p.part.domain.elements.begin(), p.part.domain.elements.end() - 1);
   };
+  if (most_over_least * least_bytes(c) > bytes_to_be_had()) make_equal(p.part);
   while (most_over_least * least_bytes(p.part) > bytes_to_be_had() && *largest() >= 4 * c.domain.degree + 2) {
     const auto axis = static_cast<std::size_t>(largest() - p.part.domain.elements.begin());
     int& elements = p.part.domain.elements[axis];

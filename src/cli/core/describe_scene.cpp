@@ -1,5 +1,6 @@
 #include <iomanip>
 
+#include "case/mesh.hpp"
 #include "case/text.hpp"
 #include "casefile/field_times.hpp"
 #include "casefile/profiles.hpp"
@@ -33,6 +34,31 @@ std::vector<Line> profiles(const Case& c) {
   for (const ProfileRange& range : profile_ranges(c))
     lines.push_back(
         {range.key, formatted(range.least, "%.6g") + " to " + formatted(range.most, "%.6g") + " " + range.over});
+  return lines;
+}
+
+/// How elements are graded; empty where they are equal.
+std::vector<Line> grading(const Case& c) {
+  std::vector<Line> lines;
+  if (c.domain.grading.lower.empty()) return lines;
+  for (int d = 0; d < c.dimension(); ++d) {
+    const std::vector<double> breaks = graded_breaks(c, d);
+    const std::string axis = "axis " + std::to_string(d);
+    if (breaks.empty()) {
+      lines.push_back(
+          {axis, std::to_string(c.domain.elements[d]) + " equal elements: grading would spare less than a fifth"});
+      continue;
+    }
+    double longest = 0;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) longest = std::max(longest, breaks[i + 1] - breaks[i]);
+    const FinePart fine = fine_part(c, d);
+    lines.push_back({axis, std::to_string(breaks.size() - 1) + " elements in place of " +
+                               std::to_string(c.domain.elements[d]) + ", of " + formatted(fine_length(c, d), "%.4g") +
+                               " to " + formatted(longest, "%.4g") + "; fine from " +
+                               formatted(std::max(fine.low, 0.0), "%.4g") + " to " +
+                               formatted(std::min(fine.high, c.domain.size[d]), "%.4g")});
+  }
+  lines.push_back({"elements", formatted(100 * share_of_elements(c), "%.0f") + " % of those of the equal mesh"});
   return lines;
 }
 
@@ -82,6 +108,7 @@ void describe_scene(const Case& c, std::ostream& out) {
   if (c.substrate) print_section(out, "stiffness of the solid", stiffness(*c.substrate));
   if (c.fluid) print_section(out, "equilibrium", equilibrium(*c.fluid));
   if (const auto lines = profiles(c); !lines.empty()) print_section(out, "numbers that vary", lines);
+  if (const auto lines = grading(c); !lines.empty()) print_section(out, "graded elements", lines);
   print_groups(c, out);
   print_section(out, "clock (t is the time in all results, 0 at the start of the first load)", clock(c));
 }

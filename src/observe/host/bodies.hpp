@@ -18,11 +18,12 @@ struct Event {
 /// A droplet, bubble or film of the case, from row to row of history.csv.
 struct Body {
   std::array<double, 3> place{};  ///< reference point deep inside when last seen; before that, of the case
-  unsigned touched = 0;           ///< sides it has ever reached: bit 2 axis + (0: low, 1: high)
-  bool seen = false;              ///< a row has looked at it
-  bool on_wall = false;           ///< in the last row
-  bool left_wall = false;         ///< it was said that it lost its contact line
-  bool gone = false;              ///< vanished, or merged into another body
+  unsigned touched = 0;    ///< sides it has ever reached: bit 2 axis + (0: low, 1: high), and from bit 8 on ends of the
+                           ///< fine elements
+  bool seen = false;       ///< a row has looked at it
+  bool on_wall = false;    ///< in the last row
+  bool left_wall = false;  ///< it was said that it lost its contact line
+  bool gone = false;       ///< vanished, or merged into another body
 };
 
 /// The bodies of a case before its first row: droplets (bubbles), then films. Films among bubbles are ambient. The

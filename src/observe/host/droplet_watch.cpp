@@ -6,6 +6,8 @@
 namespace softwet {
 namespace {
 
+constexpr unsigned first_bit_of_fine_ends = 8;
+
 /// A connected set of points inside.
 struct Region {
   int deepest = -1;      ///< the point that is the most steps away from the points outside
@@ -110,6 +112,14 @@ class Regions {
       }
   }
 
+  void look_at_fine_ends(int point, unsigned& touched) const {
+    const std::array<double, 3> x = place(point);
+    for (int d = 0; d < samples_.dimension; ++d) {
+      if (x[d] < samples_.low[d]) touched |= 1U << (first_bit_of_fine_ends + 2 * d);
+      if (x[d] > samples_.high[d]) touched |= 1U << (first_bit_of_fine_ends + 2 * d + 1);
+    }
+  }
+
   void flood(int start) {
     const int label = static_cast<int>(regions_.size());
     regions_.emplace_back();
@@ -118,6 +128,7 @@ class Regions {
     while (!open.empty()) {
       const int point = open.back();
       open.pop_back();
+      look_at_fine_ends(point, regions_[label].touched);
       each_neighbour(point, [&](int axis, int end, int next) {
         if (next < 0) {
           regions_[label].touched |= 1U << (2 * axis + end);
@@ -187,6 +198,11 @@ void meet_sides(Body& body, const Region& region, const std::string& name, int d
   for (int side = 0; side < 2 * dimension; ++side)
     if (body.seen && (fresh & 1U << side) != 0)
       said.push_back(name + " reached " + side_name(side / 2, side % 2, dimension));
+  for (int end = 0; end < 2 * dimension; ++end)
+    if (body.seen && (fresh & 1U << (first_bit_of_fine_ends + end)) != 0)
+      said.push_back(name + " came near the end of the fine elements, towards " +
+                     side_name(end / 2, end % 2, dimension) +
+                     ": longer elements within its interface would drive it; write a larger domain.grading.box");
   body.touched |= region.touched;
   const bool on_wall = (region.touched & wall_bit) != 0;
   if (body.on_wall && !on_wall && !body.left_wall) {

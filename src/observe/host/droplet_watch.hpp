@@ -15,8 +15,10 @@ struct PhaseSamples {
   std::array<int, 3> points{1, 1, 1};      ///< per axis
   std::array<bool, 3> periodic{};          ///< per axis
   std::array<double, 3> origin{}, step{};  ///< of the grid; the lower end of the vertical axis is the wall
-  std::vector<double> depth;               ///< any measure that is 0 on the surface and grows inwards
-  bool bubbles = false;                    ///< inside is vapour
+  std::array<double, 3> low{-1e300, -1e300, -1e300},
+      high{1e300, 1e300, 1e300};  ///< where elements are fine, less a margin
+  std::vector<double> depth;      ///< any measure that is 0 on the surface and grows inwards
+  bool bubbles = false;           ///< inside is vapour
 
   bool inside(std::size_t point) const { return depth[point] >= 0; }
 };

@@ -64,6 +64,7 @@ struct TileWriter {
   typename Plan::Real* flux;  ///< [channel][d][point], at this point
   const Point& point;
   S weight;
+  S share[D];  ///< of the element along each axis
 
   KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value) const {
     own.integrand[channel] = plain(weight * outcome(point.measured(value)));
@@ -72,7 +73,8 @@ struct TileWriter {
     add(channel, value);
     const Vector<N, D> r = point.reference_flux(f);
     SOFTWET_UNROLL
-    for (int d = 0; d < D; ++d) flux[(channel * D + d) * Plan::Shape::points] = plain(weight * outcome(r[d]));
+    for (int d = 0; d < D; ++d)
+      flux[(channel * D + d) * Plan::Shape::points] = plain(weight * outcome(r[d]) * share[d]);
   }
 };
 
@@ -109,7 +111,7 @@ struct Tile {
   /// Tables of an axis for the elements of a tile; those outside of the region have no weight.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_axis(const Team& team, const AxisTables<Real>& rule, int d, int corner,
-                                             int count, Real* basis, Real* weight, Real* place) const {
+                                             int count, Real* basis, Real* weight, Real* place, Real* element) const {
     const int each = d == D - 1 ? Shape::QL : Q;
     share(team, count * each, [&](int i) {
       const int e = corner + i / each, q = i % each, low = d == 0 ? grid.lead : 0;
@@ -118,17 +120,28 @@ struct Tile {
       if (!weight) return;
       weight[i] = e >= low && e < grid.elements[d] ? rule.weight(q, known) : Real(0);
       place[i] = rule.position(q, known);
+      if (q == 0) element[i / each] = rule.share(known);
     });
   }
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_tables(const Team& team, const int (&corner)[D], Real* t) const {
-    load_axis(team, task.axis[0], 0, corner[0], Shape::NX, t + Room::x, t + Room::x_weight, t + Room::x_place);
+    load_axis(team, task.axis[0], 0, corner[0], Shape::NX, t + Room::x, t + Room::x_weight, t + Room::x_place,
+              t + Room::x_share);
     if constexpr (D == 3)
-      load_axis(team, task.axis[1], 1, corner[1], Shape::NY, t + Room::y, t + Room::y_weight, t + Room::y_place);
+      load_axis(team, task.axis[1], 1, corner[1], Shape::NY, t + Room::y, t + Room::y_weight, t + Room::y_place,
+                t + Room::y_share);
     constexpr int last = D - 1;
-    load_axis(team, task.axis[last], last, corner[last], Shape::NZ, t + Room::z, t + Room::z_weight, t + Room::z_place);
-    load_axis(team, task.test, last, corner[last], Shape::NZ, t + Room::test, nullptr, nullptr);
+    load_axis(team, task.axis[last], last, corner[last], Shape::NZ, t + Room::z, t + Room::z_weight, t + Room::z_place,
+              t + Room::z_share);
+    load_axis(team, task.test, last, corner[last], Shape::NZ, t + Room::test, nullptr, nullptr, nullptr);
     if constexpr (Plan::on_wall) share(team, n, [&](int a) { t[Room::z_slope + a] = task.axis[last].slope(0, a, 0); });
+  }
+
+  /// Where the share of the element of point p along axis d stands.
+  static KOKKOS_FORCEINLINE_FUNCTION int share_place(int p, int pass, int d) {
+    if (d == 0) return Room::x_share + p % Shape::qx / Q;
+    if (d == 1 && D == 3) return Room::y_share + p / Shape::qx % Shape::qy / Q;
+    return Room::z_share + (pass * Shape::qz + p / Shape::base) / Shape::QL;
   }
 
   /// The term at point p of a pass.
@@ -137,10 +150,10 @@ struct Tile {
     int q[D], step[D][Q];
     Real row[D][Q];
     Sweeps::neighbours(p, q, step);
+    const int x = p % Shape::qx, y = p / Shape::qx % Shape::qy, z = pass * Shape::qz + p / Shape::base;
     SOFTWET_UNROLL
     for (int d = 0; d < D; ++d) SOFTWET_UNROLL
-    for (int r = 0; r < Q; ++r) row[d][r] = slope.forward[d][q[d]][r];
-    const int x = p % Shape::qx, y = p / Shape::qx % Shape::qy, z = pass * Shape::qz + p / Shape::base;
+    for (int r = 0; r < Q; ++r) row[d][r] = slope.forward[d][q[d]][r] * t[share_place(p, pass, d)];
     Vector<S, D> reference;
     reference[0] = S(t[Room::x_place + x]);
     if constexpr (D == 3) reference[1] = S(t[Room::y_place + y]);
@@ -156,7 +169,10 @@ struct Tile {
     Real weight = task.factor * t[Room::x_weight + again % Shape::qx] *
                   t[Room::z_weight + pass * Shape::qz + again / Shape::base];
     if constexpr (D == 3) weight = weight * t[Room::y_weight + again / Shape::qx % Shape::qy];
-    test.write(TileWriter<Plan, Point>{own, flux + again, point, S(weight)});
+    TileWriter<Plan, Point> writer{own, flux + again, point, S(weight), {}};
+    SOFTWET_UNROLL
+    for (int d = 0; d < D; ++d) writer.share[d] = S(t[share_place(again, pass, d)]);
+    test.write(writer);
   }
 
   /// One pass: L layers of elements, added to the sums of the tile.

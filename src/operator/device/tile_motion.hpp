@@ -43,19 +43,21 @@ struct TileMotion {
       team.barrier();
     }
     for (int f = 0; f < Plan::wall_fields; ++f)
-      if (Plan::wall_slopes(f)) add_slopes(team, slope, t + Room::wall + Plan::wall_place(f) * Shape::base);
+      if (Plan::wall_slopes(f)) add_slopes(team, slope, t, t + Room::wall + Plan::wall_place(f) * Shape::base);
     team.barrier();
   }
 
   /// The slopes along the wall of the values in v[0 .. base - 1], behind them.
   template <class Team>
-  static KOKKOS_FORCEINLINE_FUNCTION void add_slopes(const Team& team, const Collocation<D, Q, Real>& slope, Real* v) {
+  static KOKKOS_FORCEINLINE_FUNCTION void add_slopes(const Team& team, const Collocation<D, Q, Real>& slope,
+                                                     const Real* tables, Real* v) {
     share(team, Shape::base, [&](int i) {
       const int q[2] = {i % Shape::qx % Q, i / Shape::qx % Q}, stride[2] = {1, Shape::qx};
+      const int share[2] = {Room::x_share + i % Shape::qx / Q, Room::y_share + i / Shape::qx / Q};
       for (int d = 0; d < D - 1; ++d) {
         Real sum = 0;
         for (int r = 0; r < Q; ++r) sum = sum + slope.forward[d][q[d]][r] * v[i + ((q[d] + r) % Q - q[d]) * stride[d]];
-        v[(1 + d) * Shape::base + i] = sum;
+        v[(1 + d) * Shape::base + i] = sum * tables[share[d]];
       }
     });
   }

@@ -58,20 +58,22 @@ struct TileScratch {
   static constexpr int first = 0, second = first_room, wall = second + second_room;
   static constexpr int tables = wall + Plan::wall_numbers * Shape::base;
 
-  // Tables of the bases [point][function], of weights and of positions.
+  // Tables of the bases [point][function], of weights and of positions, and of shares [element].
   static constexpr int x = tables, y = x + Shape::qx * Shape::n, z = y + (three ? Shape::qy * Shape::n : 0);
   static constexpr int zs = Shape::QL * Shape::NZ;  ///< points of the tile along the last axis
   static constexpr int test = z + zs * Shape::n, x_weight = test + zs * Shape::n, y_weight = x_weight + Shape::qx;
   static constexpr int z_weight = y_weight + (three ? Shape::qy : 0), x_place = z_weight + zs;
   static constexpr int y_place = x_place + Shape::qx, z_place = y_place + (three ? Shape::qy : 0);
   static constexpr int z_slope = z_place + zs;  ///< on a wall alone
-  static constexpr int sums = z_slope + (Plan::on_wall ? zs * Shape::n : 0);
+  static constexpr int x_share = z_slope + (Plan::on_wall ? zs * Shape::n : 0), y_share = x_share + Shape::NX;
+  static constexpr int z_share = y_share + (three ? Shape::NY : 0), sums = z_share + Shape::NZ;
   static constexpr int size = sums + Plan::channels * Shape::controls;
 };
 
 /// Derivatives at the points of an element of the Lagrange polynomials through them, which give the slopes of a spline from
 /// its values, since it is a polynomial of degree Q - 1 there. The rows are turned so that a point's own entry comes first:
-/// forward[d][q][r] = l'_{q+r}(x_q), transposed[d][q][r] = l'_q(x_{q+r}), indices modulo Q.
+/// forward[d][q][r] = l'_{q+r}(x_q), transposed[d][q][r] = l'_q(x_{q+r}), indices modulo Q. They are those of the shortest
+/// element of an axis. Those of another one are its share as large, the shortest length over its own.
 template <int D, int Q, class Real>
 struct Collocation {
   Real forward[D][Q][Q], transposed[D][Q][Q];

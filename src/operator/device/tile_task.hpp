@@ -8,7 +8,7 @@ namespace softwet {
 /// The tables of an axis, as in AxisRuleOf.
 template <class Real>
 struct AxisTables {
-  const Real *values, *slopes, *weights, *positions;
+  const Real *values, *slopes, *weights, *positions, *shares;
   const int* first_functions;
   int functions, stored;  ///< of an element; elements in the tables
 
@@ -17,6 +17,7 @@ struct AxisTables {
             rule.slope.data(),
             rule.weight.data(),
             rule.position.data(),
+            rule.share.data(),
             rule.first.data(),
             static_cast<int>(rule.value.extent(1)),
             static_cast<int>(rule.value.extent(2))};
@@ -25,6 +26,7 @@ struct AxisTables {
   KOKKOS_FORCEINLINE_FUNCTION Real slope(int q, int a, int e) const { return slopes[(q * functions + a) * stored + e]; }
   KOKKOS_FORCEINLINE_FUNCTION Real weight(int q, int e) const { return weights[q * stored + e]; }
   KOKKOS_FORCEINLINE_FUNCTION Real position(int q, int e) const { return positions[q * stored + e]; }
+  KOKKOS_FORCEINLINE_FUNCTION Real share(int e) const { return shares[e]; }
 };
 
 /// Where a product finds its tangents in the vector that it multiplies: control value (0, 0, 0) of each unknown, and that of the

@@ -10,8 +10,8 @@ std::vector<double> mass_band(const Axis& axis, int points, int first, int last,
   std::vector<double> band(static_cast<std::size_t>(functions) * (p + 1), 0.0);
   for (int e = first; e < last; ++e)
     for (int q = 0; q < points; ++q) {
-      const std::vector<double> value = axis.values(e, axis.lower(e) + axis.spacing() * gauss.point[q]);
-      const double weight = axis.spacing() * gauss.weight[q];
+      const std::vector<double> value = axis.values(e, axis.lower(e) + axis.size(e) * gauss.point[q]);
+      const double weight = axis.size(e) * gauss.weight[q];
       for (int a = 0; a <= p; ++a)
         for (int b = 0; b <= a; ++b)
           band[(axis.span(e) + a - first_function) * (p + 1) + a - b] += weight * value[a] * value[b];

@@ -122,8 +122,8 @@ typename MassProduct<D, P>::Band MassProduct<D, P>::band(const Axis& axis, const
     for (int l = run.begin; l < run.end; ++l)
       for (int q = 0; q < points; ++q) {
         const int e = l + run.shift;
-        const std::vector<double> value = axis.values(e, axis.lower(e) + axis.spacing() * gauss.point[q]);
-        const double weight = axis.spacing() * gauss.weight[q];
+        const std::vector<double> value = axis.values(e, axis.lower(e) + axis.size(e) * gauss.point[q]);
+        const double weight = axis.size(e) * gauss.weight[q];
         const int first = axis.span(e) - run.shift - first_function;
         for (int a = 0; a <= P; ++a)
           for (int b = 0; b <= P; ++b) band(b - a + P, first + a) += weight * value[a] * value[b];

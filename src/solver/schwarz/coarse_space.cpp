@@ -85,9 +85,9 @@ std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, 
 /// Cuts the columns of a coarse layout where those of the fine one are cut.
 template <int D>
 void cut_like(const Layout<D>& fine, Layout<D>& coarse) {
-  const int ratio = fine.axis[0].elements() / coarse.axis[0].elements();
+  const bool joined = coarse.axis[0].elements() < fine.axis[0].elements();
   std::vector<int> first;
-  for (int f : fine.columns.first_function) first.push_back(f / ratio);
+  for (int f : fine.columns.first_function) first.push_back(joined ? f / 2 : f);
   first.back() = coarse.axis[0].functions();
   coarse.columns = cut_before(coarse.axis[0], fine.columns.rank, first, fine.columns.beside);
   coarse.exchange = plan_exchange(coarse.axis[0], coarse.columns);
@@ -112,9 +112,8 @@ CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int l
     exists_ = exists_ || refinement[d].coarse.elements() < fine.axis[d].elements();
   }
   const Axis& vertical = layout_.axis[D - 1];
-  const bool halved = vertical.elements() < fine.axis[D - 1].elements();
   layout_.rows = vertical.functions();
-  layout_.solid_elements = fine.solid_elements / (halved ? 2 : 1);
+  if (layout_.has_solid) layout_.solid_elements = layout_.has_fluid ? vertical.kink() : vertical.elements();
   if (layout_.has_solid)
     layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
   const Array free = to_device<Array>(coarse_mask(fine, layout_, to_host(mask), refinement), "coarse.mask");

@@ -27,9 +27,18 @@ std::vector<double> wild(int n) {
   return c;
 }
 
+/// Ends of elements whose lengths follow no rule.
+std::vector<double> uneven(int elements) {
+  std::vector<double> breaks{0};
+  for (int e = 0; e < elements; ++e) breaks.push_back(breaks.back() + 0.1 + 0.07 * std::sin(3.1 * e * e));
+  return breaks;
+}
+
 std::vector<Axis> axes() {
-  return {Axis(0.9, 7, 2),           Axis(0.9, 7, 2, false, 3), Axis(0.9, 7, 2, true),
-          Axis(1.3, 5, 1, false, 2), Axis(1.3, 6, 3, false, 2), Axis(1.3, 6, 3, true)};
+  return {Axis(uneven(7), 2),           Axis(uneven(7), 2, false, 3), Axis(uneven(8), 2, true),
+          Axis(uneven(9), 3, false, 4), Axis(uneven(9), 3, true),     Axis(0.9, 7, 2),
+          Axis(0.9, 7, 2, false, 3),    Axis(0.9, 7, 2, true),        Axis(1.3, 5, 1, false, 2),
+          Axis(1.3, 6, 3, false, 2),    Axis(1.3, 6, 3, true)};
 }
 
 TEST(Axis, Counts) {
@@ -48,7 +57,7 @@ TEST(Axis, PartitionOfUnityAndSlope) {
   for (const Axis& axis : axes())
     for (int e = 0; e < axis.elements(); ++e)
       for (double t = 0; t <= 1; t += 0.125) {
-        const double x = axis.lower(e) + t * axis.spacing();
+        const double x = axis.lower(e) + t * axis.size(e);
         double one = 0, zero = 0;
         for (double v : axis.values(e, x)) {
           one += v;
@@ -66,15 +75,16 @@ TEST(Axis, SlopeAgainstDifferences) {
     const double e = 1e-4;
     for (int n = 0; n < axis.elements(); ++n)
       for (const double t : {0.1, 0.5, 0.9}) {
-        const double x = axis.lower(n) + t * axis.spacing();
+        const double x = axis.lower(n) + t * axis.size(n);
         EXPECT_NEAR(s.slope(n, x), (s.value(n, x + e) - s.value(n, x - e)) / (2 * e), axis.degree() < 3 ? 1e-9 : 1e-5);
       }
   }
 }
 
 TEST(Axis, SmoothInsideContinuousAtTheKink) {
-  for (const int kink : {0, 3}) {
-    const Axis axis(0.9, 7, 2, false, kink);
+  for (const Axis& axis :
+       {Axis(0.9, 7, 2), Axis(0.9, 7, 2, false, 3), Axis(uneven(7), 2), Axis(uneven(7), 2, false, 3)}) {
+    const int kink = axis.kink();
     const Spline s{axis, wild(axis.functions())};
     for (int e = 1; e < 7; ++e) {
       const double x = axis.lower(e);
@@ -102,7 +112,7 @@ TEST(Axis, GrevillePointsReproduceTheCoordinate) {
     for (int i = 0; i < axis.functions(); ++i) s.control.push_back(axis.greville(i));
     for (int e = 0; e < axis.elements(); ++e)
       for (const double t : {0.0, 0.3, 1.0}) {
-        const double x = axis.lower(e) + t * axis.spacing();
+        const double x = axis.lower(e) + t * axis.size(e);
         EXPECT_NEAR(s.value(e, x), x, 1e-14);
         EXPECT_NEAR(s.slope(e, x), 1, 1e-12);
       }
@@ -116,6 +126,33 @@ TEST(Axis, PeriodicWraps) {
   EXPECT_NEAR(s.value(0, 0), s.value(6, 0.9), 1e-14);
   EXPECT_NEAR(s.slope(0, 0), s.slope(6, 0.9), 1e-12);
   EXPECT_NEAR(axis.greville(axis.owned()), axis.greville(0) + 0.9, 1e-14);
+}
+
+TEST(Axis, GradedPeriodicWraps) {
+  const Axis axis(uneven(9), 3, true);
+  Spline s{axis, wild(axis.functions())};
+  for (int g = axis.owned(); g < axis.functions(); ++g) s.control[g] = s.control[g - axis.owned()];
+  EXPECT_NEAR(s.value(0, 0), s.value(8, axis.length()), 1e-14);
+  EXPECT_NEAR(s.slope(0, 0), s.slope(8, axis.length()), 1e-11);
+  EXPECT_NEAR(axis.greville(axis.owned()), axis.greville(0) + axis.length(), 1e-14);
+}
+
+TEST(Axis, GradedPlacesAndLengths) {
+  const std::vector<double> breaks{0, 0.1, 0.15, 0.35, 0.6};
+  const Axis axis(breaks, 2);
+  EXPECT_EQ(axis.spacing(), 0.15 - 0.1);
+  EXPECT_EQ(axis.element_at(-1), 0);
+  EXPECT_EQ(axis.element_at(0.12), 1);
+  EXPECT_EQ(axis.element_at(0.2), 2);
+  EXPECT_EQ(axis.element_at(7), 3);
+  EXPECT_EQ(axis.equal_parts(), 12);
+  EXPECT_EQ(axis.equal_parts(2), 9);
+  EXPECT_EQ(axis.end_or_middle(4), 0.15);
+  EXPECT_EQ(axis.end_or_middle(5), 0.25);
+  for (const Axis& a : {axis, Axis(breaks, 3), Axis(0.6, 7, 2)}) {
+    const std::vector<double> integrals = a.integrals(0, a.length(), 0, a.elements());
+    for (int i = 0; i < a.functions(); ++i) EXPECT_NEAR(a.integral(i), integrals[i], 1e-15);
+  }
 }
 
 // Bernstein polynomials on one element: integrals 1/3 each; over [0, 1/2]: 7/24, 1/6, 1/24.

@@ -1,0 +1,37 @@
+// The elements of a case along each axis: equal ones, or short ones where the scene needs them and longer ones beside.
+#pragma once
+
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace softwet {
+
+/// Length of the elements where the scene needs them: domain.size / domain.elements. Unit L0.
+double fine_length(const Case&, int axis);
+
+/// Where the elements along an axis end, ascending from 0 to its length; empty where all are equal. The box of domain.grading
+/// has elements of the fine length, from line to line of the mesh of equal elements. Beside it each element is longer than its
+/// neighbour by at most `ratio`, up to `coarsest` fine lengths: the fewest elements that fill the room, by the smallest ratio
+/// that does. An axis that would keep more than four fifths of its elements has equal ones.
+std::vector<double> graded_breaks(const Case&, int axis);
+
+int elements_along(const Case&, int axis);
+
+/// Between which places along an axis elements have the fine length; beyond all places where it reaches a side.
+struct FinePart {
+  double low, high;
+};
+FinePart fine_part(const Case&, int axis);
+
+/// Capillarities between the middle of an interface and the end of the fine elements. With 3 the mesh moves a droplet at rest by
+/// 2e-5 of the domain, with 1.3 by 5e-4.
+constexpr double least_fine_margin = 3;
+
+/// Rows of elements in the solid; 0 without a solid.
+int solid_elements(const Case&);
+
+/// Elements of the whole case over those of equal elements.
+double share_of_elements(const Case&);
+
+}  // namespace softwet

@@ -1,0 +1,172 @@
+#include "casefile/fine_box.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <limits>
+
+#include "case/cap.hpp"
+#include "case/mesh.hpp"
+
+namespace softwet {
+namespace {
+
+constexpr double margin = 4;   ///< in capillarities
+constexpr int rows_below = 4;  ///< of the solid below the wall that stay fine
+
+struct Span {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+
+  void take(double from, double to) {
+    low = std::min(low, from);
+    high = std::max(high, to);
+  }
+};
+
+double wall_of(const Case& c) { return c.substrate ? c.substrate->thickness : 0; }
+
+double largest_radius(const Droplet& droplet) {
+  double largest = 1;
+  for (const double stretch : droplet.stretch) largest = std::max(largest, stretch);
+  return largest * droplet.radius;
+}
+
+/// Largest distance of a droplet's surface from its axis.
+double half_width(const Case& c, const Droplet& droplet) {
+  const double radius = largest_radius(droplet);
+  if (!sits_on_wall(c, droplet)) return radius;
+  const double cosine = cap_cosine(*c.fluid, droplet);
+  return cosine > 0 ? radius * std::sqrt(1 - cosine * cosine) : radius;
+}
+
+/// Whether droplets will leave where they are, in ways that the box does not follow.
+bool goes_anywhere(const Case& c) {
+  if (!c.fluid || c.initial || !c.waves.empty() || (c.droplets.empty() && c.films.empty())) return true;
+  for (const Load& load : c.loads)
+    if (!load.path.empty()) return true;
+  for (const Droplet& droplet : c.droplets) {
+    for (const double v : droplet.velocity)
+      if (v != 0) return true;
+    const double gap = droplet.centre.back() - largest_radius(droplet) - wall_of(c);
+    if (!sits_on_wall(c, droplet) && gap < margin * c.fluid->capillarity) return true;  // it spreads
+  }
+  return false;
+}
+
+/// Whether something drives droplets along an axis wherever they are.
+bool is_driven(const Case& c, std::size_t axis) {
+  const auto& gravity = c.fluid->gravity;
+  if (axis < gravity.size() && gravity[axis] != 0) {
+    if (axis + 1 < c.domain.size.size()) return true;
+    for (const Droplet& droplet : c.droplets)
+      if (!sits_on_wall(c, droplet)) return true;
+  }
+  const bool along_wall = axis + 1 < c.domain.size.size();
+  return along_wall && (c.fluid->contact_angle.varies() ||
+                        (c.substrate && (c.substrate->young.varies() || c.substrate->fibre.stiffness > 0)));
+}
+
+/// A load that pulls the solid away from a droplet draws it to the load; one that pushes drives it away.
+void take_ways(const Case& c, std::size_t axis, const Droplet& droplet, double half, Span& span) {
+  const double x = droplet.centre[axis];
+  for (const Load& load : c.loads) {
+    const double way = x < load.lower[axis] ? load.lower[axis] - x : x > load.upper[axis] ? load.upper[axis] - x : 0.0;
+    const double force = load.force[axis];
+    if (force * way >= 0) span.take(x + way - half, x + way + half);
+    if (force * way <= 0) span.take(x - way - half, x - way + half);
+  }
+}
+
+/// Two bodies and more may become one, around their common centre.
+void take_union(const Case& c, std::size_t axis, Span& span) {
+  if (c.droplets.size() < 2) return;
+  double volume = 0, moment = 0;
+  const int dimension = c.dimension();
+  for (const Droplet& droplet : c.droplets) {
+    const double part = std::pow(largest_radius(droplet), dimension);
+    volume += part;
+    moment += part * droplet.centre[axis];
+  }
+  const double radius = std::pow(volume, 1.0 / dimension);
+  span.take(moment / volume - radius, moment / volume + radius);
+}
+
+Span along_wall(const Case& c, std::size_t axis) {
+  Span span;
+  for (const Droplet& droplet : c.droplets) {
+    const double half = half_width(c, droplet);
+    span.take(droplet.centre[axis] - half, droplet.centre[axis] + half);
+    take_ways(c, axis, droplet, half, span);
+  }
+  take_union(c, axis, span);
+  for (const Film& film : c.films) span.take(film.lower[axis], film.upper[axis]);
+  return span;
+}
+
+/// Surface tension over Young's modulus. sigma = 0.55 g (1 - theta)^(3/2) is the law of a van der Waals fluid near its critical
+/// point, with the factor of theta = 0.39.
+double elastocapillary_length(const Case& c) {
+  return 0.55 * c.fluid->capillarity * std::pow(1 - c.fluid->temperature, 1.5) / c.substrate->young_modulus();
+}
+
+Span height_of(const Case& c, const Droplet& droplet) {
+  const double radius = largest_radius(droplet), middle = droplet.centre.back();
+  if (!sits_on_wall(c, droplet)) return {middle - radius, middle + radius};
+  return {wall_of(c), wall_of(c) + radius * (1 - cap_cosine(*c.fluid, droplet))};
+}
+
+Span upwards(const Case& c) {
+  const std::size_t axis = c.domain.size.size() - 1;
+  Span span;
+  for (const Droplet& droplet : c.droplets) {
+    const Span height = height_of(c, droplet);
+    span.take(height.low, height.high);
+  }
+  take_union(c, axis, span);
+  for (const Film& film : c.films) span.take(film.lower[axis], film.upper[axis]);
+  return span;
+}
+
+}  // namespace
+
+void choose_fine_box(Case& c) {
+  Grading& grading = c.domain.grading;
+  if (grading.fine != "automatic") return;
+  grading.fine = "box";
+  const std::size_t axes = c.domain.size.size(), vertical = axes - 1;
+  grading.lower.assign(axes, 0);
+  grading.upper = c.domain.size;
+  const bool anywhere = goes_anywhere(c);
+  for (std::size_t axis = 0; axis < axes && !anywhere; ++axis) {
+    if (c.boundary.side[axis][0] == Side::periodic || is_driven(c, axis)) continue;
+    Span span = axis == vertical ? upwards(c) : along_wall(c, axis);
+    const double beside = margin * c.fluid->capillarity, h = fine_length(c, static_cast<int>(axis));
+    grading.upper[axis] = std::min(c.domain.size[axis], span.high + beside);
+    grading.lower[axis] = std::max(0.0, span.low - beside);
+    if (axis == vertical && c.substrate)
+      grading.lower[axis] = std::max(0.0, wall_of(c) - std::max(rows_below * h, elastocapillary_length(c)));
+  }
+}
+
+std::string warning_about_fine_box(const Case& c) {
+  if (!c.fluid) return {};
+  const std::size_t vertical = c.domain.size.size() - 1;
+  const double margin = least_fine_margin * c.fluid->capillarity;
+  for (std::size_t k = 0; k < c.droplets.size(); ++k)
+    for (std::size_t axis = 0; axis <= vertical; ++axis) {
+      const Droplet& droplet = c.droplets[k];
+      const double half = half_width(c, droplet), x = droplet.centre[axis];
+      const Span span = axis == vertical ? height_of(c, droplet) : Span{x - half, x + half};
+      const FinePart fine = fine_part(c, static_cast<int>(axis));
+      const bool below = span.low - margin < fine.low && (axis < vertical || !sits_on_wall(c, droplet));
+      if (below || span.high + margin > fine.high)
+        return fmt::format(
+            "droplet[{}] lies in [{:.4g}, {:.4g}] along axis {}, and the fine elements of domain.grading end at "
+            "{:.4g}: less "
+            "than {} capillarities away. Longer elements within the interface drive the droplet; write a larger box",
+            k, span.low, span.high, axis, below ? fine.low : fine.high, least_fine_margin);
+    }
+  return {};
+}
+
+}  // namespace softwet

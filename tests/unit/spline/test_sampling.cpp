@@ -1,0 +1,62 @@
+// Control values of functions of the place.
+#include "spline/sampling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace softwet {
+namespace {
+
+std::vector<double> growing(double coarsest) {
+  std::vector<double> breaks{0};
+  for (int e = 0; e < 30; ++e)
+    breaks.push_back(breaks.back() + std::min(coarsest, std::pow(1.3, std::max(0, std::abs(e - 15) - 6))) / 30);
+  return breaks;
+}
+
+TEST(Sampling, EqualElementsTakeGrevillePoints) {
+  for (const Axis& axis : {Axis(0.9, 7, 2), Axis(0.9, 7, 3, false, 3), Axis(0.9, 7, 2, true)}) {
+    const std::vector<Samples> samples = samples_of(axis);
+    ASSERT_EQ(static_cast<int>(samples.size()), axis.functions());
+    for (int i = 0; i < axis.functions(); ++i) {
+      EXPECT_EQ(samples[i].place, std::vector<double>{axis.greville(i)});
+      EXPECT_EQ(samples[i].weight, std::vector<double>{1.0});
+    }
+  }
+}
+
+TEST(Sampling, WeightsArePositiveAndAddUpToOneAtTheGrevillePoint) {
+  for (const Axis& axis : {Axis(growing(4), 2), Axis(growing(4), 3, false, 15), Axis(growing(4), 2, true)})
+    for (const Samples& s : samples_of(axis)) {
+      double one = 0;
+      for (const double w : s.weight) {
+        EXPECT_GT(w, 0);
+        one += w;
+      }
+      EXPECT_NEAR(one, 1, 1e-14);
+    }
+}
+
+// Of what lies in the graded part, sampled at Greville points, the spline has another integral than the function.
+TEST(Sampling, TheIntegralIsThatOfTheFunction) {
+  for (const int degree : {2, 3}) {
+    const Axis axis(growing(4), degree);
+    const double middle = axis.lower(4), width = 0.1 * axis.length();
+    const auto bump = [&](double x) { return std::exp(-std::pow((x - middle) / width, 2)); };
+    const double exact =
+        width * std::sqrt(M_PI) * 0.5 * (std::erf(middle / width) + std::erf((axis.length() - middle) / width));
+    const std::vector<Samples> samples = samples_of(axis);
+    double sum = 0, at_greville = 0;
+    for (int i = 0; i < axis.functions(); ++i) {
+      at_greville += bump(axis.greville(i)) * axis.integral(i);
+      for (std::size_t k = 0; k < samples[i].place.size(); ++k)
+        sum += samples[i].weight[k] * bump(samples[i].place[k]) * axis.integral(i);
+    }
+    EXPECT_LT(std::abs(sum - exact), 1e-3 * exact);
+    EXPECT_GT(std::abs(at_greville - exact), 5 * std::abs(sum - exact));
+  }
+}
+
+}  // namespace
+}  // namespace softwet
