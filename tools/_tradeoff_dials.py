@@ -24,6 +24,7 @@ DIALS = [
         for mass in ("corrected", "lumped")]},
     {"name": "rho_inf", "key": "time.rho_inf", "values": ["0", "0.8", "1"]},
     {"name": "elements", "refine": ["1/2", "3/4", "3/2"]},
+    {"name": "grading", "key": "domain.grading.fine", "values": ["everywhere", "automatic"]},
     {"name": "degree", "key": "domain.degree", "values": ["2", "3"]},
     {"name": "newton", "key": "solver.newton.rtol", "values": ["1e-2", "1e-3", "1e-4", "1e-8"]},
     {"name": "krylov", "key": "solver.krylov.rtol", "values": ["0.1", "1e-3"]},

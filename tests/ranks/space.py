@@ -15,6 +15,7 @@ FIG4 = ["output.fields.times=[]", "time.max_steps=1"]  # a coarse level of 26 00
 AROUND = [*FIG4, *PERIODIC, "domain.elements=[32,24,20]"]
 RUNS = {
     "needle": (SCENE, (2, 3)),
+    "graded": ([*SCENE, "domain.elements=[40,20,10]", "domain.grading.box=[[0.05,0.2,0.0],[0.45,0.6,0.4]]"], (2, 3)),
     "periodic": ([*SCENE, *PERIODIC], (3,)),
     "fig4": (FIG4, (3,)),
     "around": (AROUND, (2,)),

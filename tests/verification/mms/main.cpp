@@ -21,6 +21,7 @@ const char* const usage =
     "  dimension=2 degree=2   a configuration of this program\n"
     "  quadrature=full        or reduced\n"
     "  elements=8             per axis; even in the scene coupled\n"
+    "  coarsest=1             longest element over the shortest; above 1: graded, elements a multiple of 8\n"
     "  dt=0.1 end=0.2         step and end\n"
     "  rho_inf=0.5            of generalized-alpha, 0 .. 1\n"
     "  stabilisation=0.002    C of eps = C h^2 rho^2 / m\n"
@@ -75,6 +76,7 @@ Settings read(Arguments& a) {
   s.dimension = static_cast<int>(a.number("dimension", 2, 2, 3));
   s.degree = static_cast<int>(a.number("degree", 2, 2, 3));
   s.elements = static_cast<int>(a.number("elements", 8, 2, 1000));
+  s.coarsest = a.number("coarsest", 1, 1, 8);
   s.dt = a.number("dt", 0.1, 1e-8, 1e3);
   s.end = a.number("end", 0.2, 1e-8, 1e3);
   s.rho_inf = a.number("rho_inf", 0.5, 0, 1);
@@ -91,6 +93,8 @@ Settings read(Arguments& a) {
   s.quadrature = quadratures[a.choice("quadrature", quadratures)];
   if (s.scene == Scene::coupled && s.elements % 2)
     throw Error(Exit::invalid_input, "elements = " + std::to_string(s.elements) + ": expected an even number");
+  if (s.coarsest > 1 && s.elements % 8)
+    throw Error(Exit::invalid_input, "elements = " + std::to_string(s.elements) + ": expected a multiple of 8");
   return s;
 }
 

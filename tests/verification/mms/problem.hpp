@@ -14,8 +14,24 @@ struct Settings {
   int dimension = 2, degree = 2, elements = 8;
   double dt = 0.1, end = 0.2, rho_inf = 0.5, stabilisation = 0.002;
   std::string preconditioner = "automatic", scheme = implicit_scheme, mass = "corrected", quadrature = "full";
+  double coarsest = 1;  ///< longest element over the shortest; above 1: graded
   double against = 0;  ///< above 0: step of a second computation that takes the place of the exact solution
 };
+
+/// A box of fine elements off the middle, and beside it lengths that are the same function of the place for any number of
+/// elements: there are coarsest^(8 / elements) between neighbours.
+inline Grading grading_of(const Settings& s, const std::vector<double>& size) {
+  Grading grading;
+  if (s.coarsest == 1) return grading;
+  grading.fine = "box";
+  grading.coarsest = s.coarsest;
+  grading.ratio = std::pow(s.coarsest, 8.0 / s.elements);
+  for (const double length : size) {
+    grading.lower.push_back(0.375 * length);
+    grading.upper.push_back(0.75 * length);
+  }
+  return grading;
+}
 
 /// @param elements  per axis; the coupled scene needs an even number
 inline Case make_case(const Settings& s) {
@@ -24,6 +40,7 @@ inline Case make_case(const Settings& s) {
   c.domain.elements.assign(s.dimension, s.elements);
   c.domain.degree = s.degree;
   c.domain.quadrature = s.quadrature;
+  c.domain.grading = grading_of(s, c.domain.size);
   if (s.scene != Scene::solid) {
     c.fluid = Fluid{};
     c.fluid->viscosity = 0.1;

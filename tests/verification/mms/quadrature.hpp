@@ -19,8 +19,8 @@ inline std::vector<AxisPoint> gauss_points(const Axis& axis, int first, int last
   std::vector<AxisPoint> result;
   for (int e = first; e < last; ++e)
     for (int q = 0; q < points; ++q) {
-      const double x = axis.lower(e) + axis.spacing() * rule.point[q];
-      result.push_back({x, axis.spacing() * rule.weight[q], axis.span(e), axis.values(e, x)});
+      const double x = axis.lower(e) + axis.size(e) * rule.point[q];
+      result.push_back({x, axis.size(e) * rule.weight[q], axis.span(e), axis.values(e, x)});
     }
   return result;
 }

@@ -94,6 +94,12 @@ SPACE = [
     ("coupled", 2, 3, None, (16, 24, 32, 40), {"dt": 0.02, "end": 0.2, "rho_inf": 1}),
     ("coupled", 2, 2, (16, 24, 32), (16, 32, 48, 64), {"dt": 0.02, "end": 0.2, "rho_inf": 1, "quadrature": "reduced"}),
     ("coupled", 2, 3, None, (16, 24, 32, 40), {"dt": 0.02, "end": 0.2, "rho_inf": 1, "quadrature": "reduced"}),
+    ("fluid", 2, 2, None, (32, 64, 128), {"dt": 0.1, "end": 0.4, "stabilisation": 0, "coarsest": 3}),
+    ("fluid", 2, 3, None, (32, 48, 64), {"dt": 0.1, "end": 0.4, "stabilisation": 0, "coarsest": 3}),
+    ("solid", 2, 2, None, (32, 64, 128), {"dt": 0.1, "end": 0.4, "coarsest": 3}),
+    ("solid", 2, 3, None, (32, 48, 64), {"dt": 0.1, "end": 0.4, "coarsest": 3}),
+    ("coupled", 2, 2, (24, 32, 48), (32, 48, 64), {"dt": 0.02, "end": 0.2, "rho_inf": 1, "coarsest": 3}),
+    ("coupled", 2, 3, None, (32, 40, 48), {"dt": 0.02, "end": 0.2, "rho_inf": 1, "coarsest": 3}),
     ("solid", 3, 2, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
     ("coupled", 3, 2, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
     ("solid", 3, 3, None, (4, 8, 12, 16), {"dt": 0.02, "end": 0.04, "rho_inf": 1, "preconditioner": "lu"}),
@@ -109,9 +115,11 @@ def space(lab, measurement):
         settings = {"scene": scene, "dimension": dimension, "degree": degree, **settings}
         found = measurement.series("elements", meshes, **settings)
         sizes = [1 / n for n in meshes]
-        reduced = settings.get("quadrature") == "reduced"
-        title = f"{scene}, {dimension}D, degree {degree}" + (", reduced quadrature" if reduced else "")
-        show(lab, f"{scene}_{dimension}d_degree_{degree}" + ("_reduced" if reduced else ""), title, [f"{n} elements" for n in meshes], sizes, found)
+        kinds = {"reduced": settings.get("quadrature") == "reduced", "graded": "coarsest" in settings}
+        words = {"reduced": "reduced quadrature", "graded": "graded elements, 1 to 3 in length"}
+        title = ", ".join([f"{scene}, {dimension}D, degree {degree}", *(words[kind] for kind in kinds if kinds[kind])])
+        name = "_".join([f"{scene}_{dimension}d_degree_{degree}", *(kind for kind in kinds if kinds[kind])])
+        show(lab, name, title, [f"{n} elements" for n in meshes], sizes, found)
         judge_space(lab, title, dimension, degree, sizes, found)
 
 

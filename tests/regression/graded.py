@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Graded elements: a scene on them is the scene on equal ones with fewer unknowns, its mass does not depend on the mesh, its files
+and its case tell the mesh, runs go on from their checkpoints, and softwet tells when a droplet comes near the end of the fine
+elements. usage: graded.py SOFTWET"""
+
+import subprocess
+
+import numpy
+from _same import check_same
+from _scene import PULL, cases, check, check_true, history, open_output, run, softwet
+
+SCENE = [setting for setting in PULL if "elements" not in setting and "capillarity" not in setting]
+SCENE += ["domain.elements=[64,32]", "fluid.capillarity=1/32", "time.end=6", "output.fields.times=[0,6]"]
+GRADED = ["domain.grading.fine=box", "domain.grading.box=[[0.22,0.0625],[0.78,0.3]]"]
+
+run("tensotaxis_pull_2d", "equal", SCENE)
+run("tensotaxis_pull_2d", "graded", SCENE + GRADED)
+equal, graded = history("equal"), history("graded")
+fields = {name: open_output(name).fields(6) for name in ("equal", "graded")}
+check("elements of the graded mesh over those of the equal one", fields["graded"]["density"].size / fields["equal"]["density"].size, 0.7)
+check("mass at the start, relative", abs(graded["mass"][0] / equal["mass"][0] - 1), 1e-9)
+check("mass at the end over that at the start", abs(graded["mass"][-1] / graded["mass"][0] - 1), 1e-13)
+moved = equal["x_centre"][-1] - 0.5
+check_true("the droplet moves", moved > 1e-4, f"{moved:.2e}")
+check("x_centre, difference over the way", abs(graded["x_centre"][-1] - equal["x_centre"][-1]) / moved, 0.05)
+check("elastic energy, relative", abs(graded["energy_elastic"][-1] / equal["energy_elastic"][-1] - 1), 0.01)
+
+# Positions of the file are those of the elements: where nothing moves, on the top, they are the reference.
+lengths = numpy.diff(fields["graded"].lines[1][::2])
+check("shortest element", abs(lengths.min() - 1 / 64), 1e-12)
+check_true("elements grow to more than twice that", lengths.max() > 2 / 64)
+check("reference positions against those of the file, on the top",
+      numpy.abs(fields["graded"].reference[-1] - fields["graded"].positions[-1]).max(), 1e-12)
+places = numpy.stack(numpy.meshgrid(numpy.linspace(0.3, 0.7, 41), numpy.linspace(0.14, 0.29, 31)), axis=-1)
+found = {name: fields[name].at(places)["density"] for name in fields}
+check("density at the same places", numpy.abs(found["graded"] - found["equal"]).max(), 2e-3)
+wall = open_output("graded").interface[6]
+check_true("interface.csv has the ends and middles of the elements", len(wall["x_reference"]) == 2 * len(lengths) + 1)
+
+# The resolved case is the same mesh, and a run goes on from its checkpoint to the bit.
+run("tensotaxis_pull_2d", "half", SCENE + GRADED + ["time.max_steps=10"])
+command = [softwet, "run", "half/case.toml", "--out", "half", "--resume", "--quiet", "--threads", "1", "--set", "time.max_steps=1000000"]
+subprocess.run(command, check=True)
+check_same("resumed from case.toml", "half", "graded")
+
+# automatic: the box that softwet chooses, and its words.
+text = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"), "--set", "domain.grading.fine=automatic"],
+                      capture_output=True, text=True, check=True).stdout
+for word in ('grading.fine = "box"', "graded elements", "% of those of the equal mesh"):
+    check_true(f"check tells: {word}", word in text)
+warning = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"), "--set",
+                          "domain.grading.box=[[0.34,0.1],[0.66,0.3]]"], capture_output=True, text=True, check=True).stderr
+check_true("check warns of a box that ends in the interface", "domain.grading" in warning, warning)
+
+# A droplet that flies out of the box is an event; explicit steps, and a periodic side.
+FLIGHT = ["domain.elements=[48,24]", "fluid.capillarity=1/24", "droplet[0].centre=[0.3,0.25]", "droplet[0].radius=0.12",
+          "droplet[0].velocity=[0.4,0.0]", "boundary.left=periodic", "boundary.right=periodic", "time.end=0.5", "output.fields.times=[]",
+          "domain.grading.box=[[0.05,0.0],[0.57,0.625]]"]
+for scheme in ("generalized_alpha", "kick_drift"):
+    run("impact_rigid_2d", scheme, [*FLIGHT, f"time.scheme={scheme}"])
+    flight, log = history(scheme), open_output(scheme).record
+    check(f"{scheme}: mass, relative", abs(flight["mass"][-1] / flight["mass"][0] - 1), 1e-12)
+    check_true(f"{scheme}: event", "end of the fine elements, towards the right side" in str(log["events"]), log["events"])
+check("momentum of both schemes", abs(history("kick_drift")["momentum_x"][-1] / history("generalized_alpha")["momentum_x"][-1] - 1), 0.02)
