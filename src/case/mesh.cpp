@@ -7,8 +7,8 @@
 namespace softwet {
 namespace {
 
-constexpr double worth_grading = 0.8;  ///< share of the elements of an axis above which they stay equal
-constexpr double slack = 1e-9;         ///< of a fine length
+constexpr double worth_grading = 0.95;  ///< share of the elements of an axis above which they stay equal
+constexpr double slack = 1e-9;          ///< of a fine length
 
 /// Lengths that grow by `ratio` from `fine` to at most `most`.
 std::vector<double> growing(double fine, double most, double ratio, int count) {

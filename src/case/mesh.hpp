@@ -13,7 +13,7 @@ double fine_length(const Case&, int axis);
 /// Where the elements along an axis end, ascending from 0 to its length; empty where all are equal. The box of domain.grading
 /// has elements of the fine length, from line to line of the mesh of equal elements. Beside it each element is longer than its
 /// neighbour by at most `ratio`, up to `coarsest` fine lengths: the fewest elements that fill the room, by the smallest ratio
-/// that does. An axis that would keep more than four fifths of its elements has equal ones.
+/// that does. An axis that would keep more than 95 % of its elements has equal ones.
 std::vector<double> graded_breaks(const Case&, int axis);
 
 int elements_along(const Case&, int axis);

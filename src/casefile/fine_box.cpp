@@ -11,8 +11,9 @@
 namespace softwet {
 namespace {
 
-constexpr double margin = 4;   ///< in capillarities
-constexpr int rows_below = 4;  ///< of the solid below the wall that stay fine
+constexpr double margin = 4, margin_above = 2.2;  ///< in capillarities: along the wall, and above droplets on it
+constexpr int rows_below = 4;                     ///< of the solid below the wall that stay fine
+constexpr double part_of_way = 0.8;               ///< to a load that a droplet may go: that of the paper goes 0.76
 
 struct Span {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -66,40 +67,53 @@ bool is_driven(const Case& c, std::size_t axis) {
                         (c.substrate && (c.substrate->young.varies() || c.substrate->fibre.stiffness > 0)));
 }
 
-/// A load that pulls the solid away from a droplet draws it to the load; one that pushes drives it away.
+double distance(const Droplet& droplet, const Load& load) {
+  double square = 0;
+  for (std::size_t d = 0; d + 1 < droplet.centre.size(); ++d)
+    square += std::pow(std::max({load.lower[d] - droplet.centre[d], droplet.centre[d] - load.upper[d], 0.0}), 2);
+  return std::sqrt(square);
+}
+
+/// A load that pulls the solid away from a droplet draws it to the load; one that pushes drives it away. The nearest ones count.
 void take_ways(const Case& c, std::size_t axis, const Droplet& droplet, double half, Span& span) {
-  const double x = droplet.centre[axis];
+  double least = std::numeric_limits<double>::infinity();
+  for (const Load& load : c.loads) least = std::min(least, distance(droplet, load));
+  const double x = droplet.centre[axis], reach = half + least_fine_margin * c.fluid->capillarity;
   for (const Load& load : c.loads) {
-    const double way = x < load.lower[axis] ? load.lower[axis] - x : x > load.upper[axis] ? load.upper[axis] - x : 0.0;
-    const double force = load.force[axis];
-    if (force * way >= 0) span.take(x + way - half, x + way + half);
-    if (force * way <= 0) span.take(x - way - half, x - way + half);
+    if (distance(droplet, load) > 1.01 * least) continue;
+    const double to = x < load.lower[axis] ? load.lower[axis] - x : x > load.upper[axis] ? load.upper[axis] - x : 0.0;
+    const double way = part_of_way * to, pulls = load.force[axis] * to;
+    if (pulls >= 0) span.take(x + way - reach, x + way + reach);
+    if (pulls <= 0) span.take(x - way - reach, x - way + reach);
   }
 }
 
-/// Two bodies and more may become one, around their common centre.
-void take_union(const Case& c, std::size_t axis, Span& span) {
-  if (c.droplets.size() < 2) return;
-  double volume = 0, moment = 0;
-  const int dimension = c.dimension();
+/// Several droplets may become one, around their common centre.
+std::vector<Droplet> with_their_union(const Case& c) {
+  std::vector<Droplet> all = c.droplets;
+  if (all.size() < 2) return all;
+  Droplet one{std::vector<double>(c.domain.size.size(), 0.0)};
+  double volume = 0;
   for (const Droplet& droplet : c.droplets) {
-    const double part = std::pow(largest_radius(droplet), dimension);
+    const double part = std::pow(largest_radius(droplet), c.dimension());
     volume += part;
-    moment += part * droplet.centre[axis];
+    for (std::size_t d = 0; d < one.centre.size(); ++d) one.centre[d] += part * droplet.centre[d];
   }
-  const double radius = std::pow(volume, 1.0 / dimension);
-  span.take(moment / volume - radius, moment / volume + radius);
+  for (double& x : one.centre) x /= volume;
+  one.radius = std::pow(volume, 1.0 / c.dimension());
+  all.push_back(one);
+  return all;
 }
 
 Span along_wall(const Case& c, std::size_t axis) {
   Span span;
-  for (const Droplet& droplet : c.droplets) {
-    const double half = half_width(c, droplet);
-    span.take(droplet.centre[axis] - half, droplet.centre[axis] + half);
-    take_ways(c, axis, droplet, half, span);
+  const double beside = margin * c.fluid->capillarity;
+  for (const Droplet& droplet : with_their_union(c)) {
+    const double reach = half_width(c, droplet) + beside;
+    span.take(droplet.centre[axis] - reach, droplet.centre[axis] + reach);
   }
-  take_union(c, axis, span);
-  for (const Film& film : c.films) span.take(film.lower[axis], film.upper[axis]);
+  for (const Droplet& droplet : c.droplets) take_ways(c, axis, droplet, half_width(c, droplet), span);
+  for (const Film& film : c.films) span.take(film.lower[axis] - beside, film.upper[axis] + beside);
   return span;
 }
 
@@ -116,14 +130,13 @@ Span height_of(const Case& c, const Droplet& droplet) {
 }
 
 Span upwards(const Case& c) {
-  const std::size_t axis = c.domain.size.size() - 1;
   Span span;
-  for (const Droplet& droplet : c.droplets) {
+  const double beside = margin * c.fluid->capillarity, above = margin_above * c.fluid->capillarity;
+  for (const Droplet& droplet : with_their_union(c)) {
     const Span height = height_of(c, droplet);
-    span.take(height.low, height.high);
+    span.take(height.low - beside, height.high + (sits_on_wall(c, droplet) ? above : beside));
   }
-  take_union(c, axis, span);
-  for (const Film& film : c.films) span.take(film.lower[axis], film.upper[axis]);
+  for (const Film& film : c.films) span.take(film.lower.back() - beside, film.upper.back() + beside);
   return span;
 }
 
@@ -139,10 +152,10 @@ void choose_fine_box(Case& c) {
   const bool anywhere = goes_anywhere(c);
   for (std::size_t axis = 0; axis < axes && !anywhere; ++axis) {
     if (c.boundary.side[axis][0] == Side::periodic || is_driven(c, axis)) continue;
-    Span span = axis == vertical ? upwards(c) : along_wall(c, axis);
-    const double beside = margin * c.fluid->capillarity, h = fine_length(c, static_cast<int>(axis));
-    grading.upper[axis] = std::min(c.domain.size[axis], span.high + beside);
-    grading.lower[axis] = std::max(0.0, span.low - beside);
+    const Span span = axis == vertical ? upwards(c) : along_wall(c, axis);
+    grading.lower[axis] = std::max(0.0, span.low);
+    grading.upper[axis] = std::min(c.domain.size[axis], span.high);
+    const double h = fine_length(c, static_cast<int>(axis));
     if (axis == vertical && c.substrate)
       grading.lower[axis] = std::max(0.0, wall_of(c) - std::max(rows_below * h, elastocapillary_length(c)));
   }

@@ -46,7 +46,7 @@ std::vector<Line> grading(const Case& c) {
     const std::string axis = "axis " + std::to_string(d);
     if (breaks.empty()) {
       lines.push_back(
-          {axis, std::to_string(c.domain.elements[d]) + " equal elements: grading would spare less than a fifth"});
+          {axis, std::to_string(c.domain.elements[d]) + " equal elements: grading would spare less than a twentieth"});
       continue;
     }
     double longest = 0;

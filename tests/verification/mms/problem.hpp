@@ -15,7 +15,7 @@ struct Settings {
   double dt = 0.1, end = 0.2, rho_inf = 0.5, stabilisation = 0.002;
   std::string preconditioner = "automatic", scheme = implicit_scheme, mass = "corrected", quadrature = "full";
   double coarsest = 1;  ///< longest element over the shortest; above 1: graded
-  double against = 0;  ///< above 0: step of a second computation that takes the place of the exact solution
+  double against = 0;   ///< above 0: step of a second computation that takes the place of the exact solution
 };
 
 /// A box of fine elements off the middle, and beside it lengths that are the same function of the place for any number of
