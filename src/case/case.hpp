@@ -53,7 +53,7 @@ struct Domain {
   std::vector<int> elements;        ///< elements per axis
   int degree = 2;                   ///< B-spline degree, C^(degree-1) inside each material
   std::string quadrature = "full";  ///< full | reduced
-  Grading grading;
+  Grading grading = {};
 
   /// Gauss points of an element along each axis.
   int points() const { return quadrature == "reduced" ? degree : degree + 1; }

@@ -21,12 +21,19 @@ struct Patch {
   int points = 3;  ///< Gauss points of an element along each axis
   std::mt19937 random{20240607};
 
-  explicit Patch(const std::array<int, D>& elements, int solid_elements, int degree = 2) : points(degree + 1) {
+  /// @param uneven  share by which the lengths of the elements differ from their mean; 0: equal
+  explicit Patch(const std::array<int, D>& elements, int solid_elements, int degree = 2, double uneven = 0)
+      : points(degree + 1) {
     layout.solid_elements = solid_elements;
     layout.row_size = 1;
     for (int d = 0; d < D; ++d) {
       const double length = 0.7 + 0.2 * d;
-      layout.axis.emplace_back(length, elements[d], degree, false, d == D - 1 ? solid_elements : 0);
+      const int kink = d == D - 1 ? solid_elements : 0;
+      if (uneven == 0) {
+        layout.axis.emplace_back(length, elements[d], degree, false, kink);
+      } else {
+        layout.axis.emplace_back(uneven_breaks(length / elements[d], elements[d], uneven), degree, false, kink);
+      }
       if (d < D - 1) layout.row_size *= layout.axis[d].functions();
     }
     layout.rows = layout.axis[D - 1].functions();
@@ -34,6 +41,12 @@ struct Patch {
     blend.low = layout.axis[D - 1].lower(solid_elements);
     blend.height = layout.axis[D - 1].length() - blend.low;
     fill();
+  }
+
+  static std::vector<double> uneven_breaks(double mean, int elements, double uneven) {
+    std::vector<double> breaks{0};
+    for (int e = 0; e < elements; ++e) breaks.push_back(breaks.back() + mean * (1 + uneven * std::sin(3.1 * e * e)));
+    return breaks;
   }
 
   Patch(const Layout<D>& l, const Blend& b) : layout(l), blend(b) { fill(); }

@@ -25,6 +25,17 @@ TEST(Tiles2D, Solid) {
   c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
 }
 
+TEST(Tiles2D, GradedElements) {
+  const TileCases<2> c(Patch<2>({23, 9}, 3, 2, 0.6));
+  c.check_fluid("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+  c.check_fluid("gradient_wall", c.terms.gradient_wall, c.patch.face());
+  c.check<WallMotion<2>>("energy_wall", c.terms.energy_wall, c.patch.face());
+  c.check<WallMotion<2>>("capillary_traction", c.terms.traction, c.patch.layer());
+  c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
+  c.check<NoMotion>("surface tension", SurfaceTension{0.6}, c.patch.top());
+  c.check_single<WallMotion<2, float>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+}
+
 TEST(Tiles2D, GivenFieldsAndFaces) {
   const TileCases<2> c(std::array<int, 2>{23, 7});
   const EnergyWall of_one{0.4, 1, 1e-2, c.terms.gas, c.terms.state};

@@ -22,6 +22,13 @@ TEST(Tiles3D, Solid) {
   c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
 }
 
+TEST(Tiles3D, GradedElements) {
+  const TileCases<3> c(Patch<3>({7, 5, 6}, 2, 2, 0.6));
+  c.check<WallMotion<3>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+  c.check<WallMotion<3>>("energy_wall", c.terms.energy_wall, c.patch.face());
+  c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
+}
+
 TEST(Tiles3D, ReducedQuadrature) {
   if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
   TileCases<3> c(std::array<int, 3>{6, 3, 5});
