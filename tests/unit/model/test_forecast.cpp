@@ -95,6 +95,20 @@ TEST(Forecast, SolidTooSoftForItsDroplet) {
   EXPECT_TRUE(tells(heavy, "the Young modulus is 0.8 a b^2"));
 }
 
+/// Radius, angle and stiffness as in scenes drawn at random (docs/limits.md): at 0.5 capillarities none of eight stopped, at 0.65 one.
+TEST(Forecast, SoftnessThatDependsOnTheScene) {
+  const auto doubts = [](double length_over_capillarity) {
+    Case c = soft(0.2532027 / length_over_capillarity);
+    c.fluid->capillarity = 1.0 / 32;
+    c.droplets[0].radius = 0.155;
+    return tells(c, "depends on the scene");
+  };
+  EXPECT_FALSE(doubts(0.49));
+  EXPECT_TRUE(doubts(0.65));
+  EXPECT_TRUE(doubts(0.84));
+  EXPECT_FALSE(doubts(0.9)) << "there it is told more plainly";
+}
+
 /// Rows and degrees of docs/verification/locking.md, in percent.
 TEST(Forecast, LockingAsMeasured) {
   const struct {
