@@ -38,9 +38,9 @@ struct GradientWall {
   double cosine = 0;     ///< cos(alpha), alpha measured in the liquid
   double smoothing = 0;  ///< d, scale b/L0
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = DensityTrial<N, D>;
-  template <class N, int D>
+  template <class N, int D, class...>
   using Test = WallTest<N, D>;
 
   template <class N, int D>
@@ -61,9 +61,9 @@ struct EnergyWall {
   VanDerWaals gas;
   Coexistence state;
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = DensityTrial<N, D>;
-  template <class N, int D>
+  template <class N, int D, class...>
   using Test = WallTest<N, D>;
 
   /// -f_w'(rho), scale a b L0.

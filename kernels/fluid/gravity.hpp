@@ -25,7 +25,7 @@ struct GravityEnergy {
 
   static constexpr int count = 1;
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = PlacedDensity<N, D>;
 
   template <class N, int D>

@@ -1,22 +1,22 @@
 // Pressure and capillary stress of Korteweg type.
 #pragma once
 
-#include "kernels/algebra/tensor.hpp"
+#include "kernels/algebra/axial.hpp"
 
 namespace softwet {
 
 /// Reversible stress in potential form
 ///   Sigma = -p I + varsigma = (W - rho mu + g^2 |grad rho|^2 / 2) I - g^2 grad rho (x) grad rho
-/// with mu = W' - g^2 Lap rho; its divergence is -rho grad mu.        shape (D, D), symmetric, scale a b^2
+/// with mu = W' - g^2 Lap rho; its divergence is -rho grad mu.        symmetric, scale a b^2; M: its kind
 /// @param capillarity  g = gamma_hat
 /// @param energy       W(rho), scale a b^2
 /// Source: Bueno et al. 2017, eqs. (5), (6), rewritten with mu.   Tested: tests/unit/fluid/test_korteweg.cpp
-template <class N, int D>
-KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> reversible_stress(double capillarity, const N& energy, const N& density,
-                                                           const Vector<N, D>& density_gradient, const N& potential) {
+template <class N, int D, class M = Matrix<N, D>>
+KOKKOS_FORCEINLINE_FUNCTION M reversible_stress(double capillarity, const N& energy, const N& density,
+                                                const Vector<N, D>& density_gradient, const N& potential) {
   const double lambda = capillarity * capillarity;
   const N isotropic = energy - density * potential + (0.5 * lambda) * dot(density_gradient, density_gradient);
-  return add_diagonal((-lambda) * outer(density_gradient, density_gradient), isotropic);
+  return add_diagonal(embedded<M>((-lambda) * outer(density_gradient, density_gradient)), isotropic);
 }
 
 }  // namespace softwet

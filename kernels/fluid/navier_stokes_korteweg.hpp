@@ -25,9 +25,9 @@ struct VariationalDerivative {
   VanDerWaals gas;
   double capillarity = 0;  ///< g = gamma_hat, eq. (8)
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = DensityTrial<N, D>;
-  template <class N, int D>
+  template <class N, int D, class...>
   using Test = PotentialTest<N, D>;
 
   template <class N, int D>
@@ -40,9 +40,9 @@ struct VariationalDerivative {
 struct DensityMoment {
   static constexpr Where where = Where::fluid;
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = DensityValueTrial<N, D>;
-  template <class N, int D>
+  template <class N, int D, class...>
   using Test = MassTest<N, D>;
 
   template <class N, int D>
@@ -61,13 +61,13 @@ struct NavierStokesKorteweg {
   double inertia_floor = 0;     ///< smallest density in the inertia term
   double force[3] = {0, 0, 0};  ///< f, scale a b/L0
 
-  template <class N, int D>
-  using Trial = FluidTrial<N, D>;
-  template <class N, int D>
-  using Test = FluidTest<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = FluidTrial<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = FluidTest<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION FluidTest<N, D> residual(const FluidTrial<N, D>& t) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION FluidTest<N, D, M> residual(const FluidTrial<N, D, M>& t) const {
     const N& rho = t.density;
     const Vector<N, D> slip = t.velocity - t.mesh_velocity;
     const N inertia = select(rho < inertia_floor, N(inertia_floor), rho);
@@ -75,7 +75,7 @@ struct NavierStokesKorteweg {
     Vector<N, D> drive;
     for (int i = 0; i < D; ++i) drive[i] = t.chemical_potential_gradient[i] - force[i];
 
-    FluidTest<N, D> r;
+    FluidTest<N, D, M> r;
     r.momentum = inertia * (t.acceleration + product(t.velocity_gradient, slip)) + rho * drive;
     r.momentum_flux = newtonian_stress(viscosity, t.velocity_gradient);
     r.mass_flux = eps * drive - rho * slip;
@@ -95,17 +95,17 @@ struct CapillaryTraction {
   VanDerWaals gas;
   double capillarity = 0;
 
-  template <class N, int D>
-  using Trial = TractionTrial<N, D>;
-  template <class N, int D>
-  using Test = MomentumTest<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = TractionTrial<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = MomentumTest<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const TractionTrial<N, D>& t) const {
-    MomentumTest<N, D> r;
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const TractionTrial<N, D, M>& t) const {
+    MomentumTest<N, D, M> r;
     r.momentum = (-1.0 * t.density) * t.chemical_potential_gradient;
-    r.momentum_flux =
-        reversible_stress(capillarity, gas.energy(t.density), t.density, t.density_gradient, t.chemical_potential);
+    r.momentum_flux = reversible_stress<N, D, M>(capillarity, gas.energy(t.density), t.density, t.density_gradient,
+                                                 t.chemical_potential);
     return r;
   }
 };

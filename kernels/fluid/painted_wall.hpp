@@ -27,9 +27,9 @@ struct PaintedWall {
 
   Law law;
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = PaintedTrial<N, D>;
-  template <class N, int D>
+  template <class N, int D, class...>
   using Test = WallTest<N, D>;
 
   template <class N, int D>
@@ -46,7 +46,7 @@ struct PaintedWallIntegrals {
 
   static constexpr int count = 1;
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = PaintedTrial<N, D>;
 
   template <class N, int D>
@@ -55,8 +55,8 @@ struct PaintedWallIntegrals {
   }
 };
 
-/// Density at a point of the wall, its normal, and the cosine of the contact angle.
-template <class N, int D>
+/// Density at a point of the wall, its normal, and the cosine of the contact angle. M is the kind of the tension.
+template <class N, int D, class M = Matrix<N, D>>
 struct WallTensionTrial {
   N density, cosine;
   Vector<N, D> normal;  ///< n, along the last axis
@@ -77,15 +77,16 @@ struct WallTension {
 
   WallEnergy wall;  ///< of the cosine 1
 
-  template <class N, int D>
-  using Trial = WallTensionTrial<N, D>;
-  template <class N, int D>
-  using Test = MomentumTest<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = WallTensionTrial<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = MomentumTest<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const WallTensionTrial<N, D>& t) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const WallTensionTrial<N, D, M>& t) const {
     const N tension = t.cosine * wall.value(t.density);
-    MomentumTest<N, D> r;
+    MomentumTest<N, D, M> r;
+    if constexpr (is_axial_matrix<M>) r.momentum_flux.hoop = tension;
     SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
       r.momentum[i] = N(0.0);

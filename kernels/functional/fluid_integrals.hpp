@@ -18,11 +18,11 @@ struct FluidIntegrals {
   enum { mass, kinetic, bulk, gradient, viscous, stabilisation, momentum };
   static constexpr int count = 9;
 
-  template <class N, int D>
-  using Trial = FluidTrial<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = FluidTrial<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const FluidTrial<N, D>& t) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const FluidTrial<N, D, M>& t) const {
     const double lambda = model.capillarity * model.capillarity;
     Vector<N, count> r;
     r[mass] = t.density;
@@ -58,7 +58,7 @@ struct FluidContents {
   enum { mass, volume, folded };
   static constexpr int count = 3;
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = FilledMesh<N, D>;
 
   template <class N, int D>
@@ -76,7 +76,7 @@ struct WallIntegrals {
 
   static constexpr int count = 1;
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = DensityTrial<N, D>;
 
   template <class N, int D>

@@ -31,7 +31,7 @@ struct SolidMotion {
   enum { kinetic, momentum };
   static constexpr int count = 4;
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = SolidVelocity<N, D>;
 
   template <class N, int D>
@@ -49,11 +49,11 @@ struct InvertedSolid {
   static constexpr Where where = Where::solid;
   static constexpr int count = 1;
 
-  template <class N, int D>
-  using Trial = SolidStrain<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = SolidStrain<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const SolidStrain<N, D>& t) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const SolidStrain<N, D, M>& t) const {
     return {{select(0.0 < volume_ratio(t.displacement_gradient), N(0.0), N(1.0))}};
   }
 };

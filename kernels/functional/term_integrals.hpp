@@ -10,6 +10,7 @@ namespace softwet {
 template <class Term>
 struct EnergyOf {
   static constexpr Where where = Term::where;
+  static constexpr bool axisymmetric = is_axisymmetric<Term>;
   static constexpr int count = 1;
 
   Term term;
@@ -27,6 +28,7 @@ struct EnergyOf {
 template <class Term>
 struct DissipationOf {
   static constexpr Where where = Term::where;
+  static constexpr bool axisymmetric = is_axisymmetric<Term>;
   static constexpr int count = 1;
 
   Term term;

@@ -3,9 +3,13 @@
 // A *slot* is one scalar field interpolated to the point, named by its field and component. Its tangent is a multiple of
 // the tangent of one unknown; the stage (src/field/stage.hpp) holds the factors. A *reader* (src/operator) hands out
 // values and physical gradients of slots, as plain or dual numbers.
+//
+// A bundle that holds the gradient of a vector, or a stress, has the kind M of these tensors as a parameter: Matrix<N, D>, or
+// AxialMatrix<N> in the coordinates (r, z). The formulas of the terms are the same for both. `Axisymmetric` makes a term of
+// the plane one in (r, z).
 #pragma once
 
-#include "kernels/algebra/tensor.hpp"
+#include "kernels/algebra/axial.hpp"
 
 namespace softwet {
 
@@ -46,6 +50,27 @@ constexpr bool on_face(Where where) { return where == Where::wall || where == Wh
 /// The column of the table of energies that the energy of a term is a part of.
 enum class EnergyPart { elastic, surface };
 
+/// A term or a functional of the plane in the coordinates (r, z): its tensors have a hoop entry, and integrals have the weight r.
+/// A term without tensors takes the weight alone. T stands for Term, so that a name which it lacks is missed where it is used.
+template <class Term>
+struct Axisymmetric : Term {
+  static constexpr bool axisymmetric = true;
+
+  template <class N, int D, class T = Term>
+  using Trial = typename T::template Trial<N, D, AxialMatrix<N>>;
+  template <class N, int D, class T = Term>
+  using Test = typename T::template Test<N, D, AxialMatrix<N>>;
+  template <class N, int D, class T = Term>
+  using EnergyTrial = typename T::template EnergyTrial<N, D, AxialMatrix<N>>;
+};
+
+/// Whether a term or a functional is in the coordinates (r, z).
+template <class Term>
+inline constexpr bool is_axisymmetric = [] {
+  if constexpr (requires { Term::axisymmetric; }) return Term::axisymmetric;
+  return false;
+}();
+
 /// Whether a channel of a test bundle has a flux. A bundle in which some have none tells by `flux_of`; they then write zeros,
 /// which a processor does not integrate.
 template <class Test>
@@ -57,11 +82,48 @@ constexpr bool channel_has_flux(int c) {
   }
 }
 
+/// The gradients of the components of a vector, whose slots follow each other from `first` on, as a tensor of the kind M:
+/// Matrix<N, D>, or AxialMatrix<N> in the coordinates (r, z), which has v_r / r too.
+template <class M, class N, int D, class Reader>
+KOKKOS_FORCEINLINE_FUNCTION M gradient_of(const Reader& at, int first) {
+  M all;
+  SOFTWET_UNROLL
+  for (int i = 0; i < D; ++i) {
+    const Vector<N, D> g = at.gradient(first + i);
+    SOFTWET_UNROLL
+    for (int j = 0; j < D; ++j) all(i, j) = g[j];
+  }
+  if constexpr (is_axial_matrix<M>) all.hoop = at.over_radius(first);
+  return all;
+}
+
+/// The slot of component i of a vector of which a term reads gradients alone. Of v_r it reads the value too, for v_r / r.
+template <class M>
+constexpr Slot gradient_slot(Field field, int i) {
+  return {{field, i}, is_axial_matrix<M> && i == 0, true};
+}
+
+/// Writes the integrands against (w, grad w) of momentum. A hoop entry is met by w_r / r.
+template <class M, class N, int D, class Writer>
+KOKKOS_FORCEINLINE_FUNCTION void write_momentum(const Writer& to, const Vector<N, D>& momentum, const M& flux) {
+  SOFTWET_UNROLL
+  for (int i = 0; i < D; ++i) {
+    Vector<N, D> row;
+    SOFTWET_UNROLL
+    for (int j = 0; j < D; ++j) row[j] = flux(i, j);
+    if constexpr (is_axial_matrix<M>) {
+      i == 0 ? to.add(i, momentum[i], row, flux.hoop) : to.add(i, momentum[i], row);
+    } else {
+      to.add(i, momentum[i], row);
+    }
+  }
+}
+
 /// Integrand against (w, grad w) of momentum alone; of the fluid and of the solid.
-template <class N, int D>
+template <class N, int D, class M = Matrix<N, D>>
 struct MomentumTest {
   Vector<N, D> momentum;
-  Matrix<N, D> momentum_flux;
+  M momentum_flux;
 
   static constexpr int channel_count = D;
   static constexpr bool has_flux = true;
@@ -69,13 +131,7 @@ struct MomentumTest {
 
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
-    SOFTWET_UNROLL
-    for (int i = 0; i < D; ++i) {
-      Vector<N, D> row;
-      SOFTWET_UNROLL
-      for (int j = 0; j < D; ++j) row[j] = momentum_flux(i, j);
-      to.add(i, momentum[i], row);
-    }
+    write_momentum(to, momentum, momentum_flux);
   }
 };
 

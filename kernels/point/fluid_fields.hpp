@@ -6,12 +6,12 @@
 namespace softwet {
 
 /// Fluid at a point. Unknowns: velocity (D), density, chemical potential; gradients are with respect to x.
-template <class N, int D>
+template <class N, int D, class M = Matrix<N, D>>
 struct FluidTrial {
-  Vector<N, D> velocity;           ///< v, sqrt(ab)
-  Matrix<N, D> velocity_gradient;  ///< (grad v)_ij = dv_i/dx_j
-  Vector<N, D> acceleration;       ///< dv/dt at fixed mesh coordinate
-  N density;                       ///< rho, b
+  Vector<N, D> velocity;      ///< v, sqrt(ab)
+  M velocity_gradient;        ///< (grad v)_ij = dv_i/dx_j
+  Vector<N, D> acceleration;  ///< dv/dt at fixed mesh coordinate
+  N density;                  ///< rho, b
   Vector<N, D> density_gradient;
   N chemical_potential;  ///< mu, a b
   Vector<N, D> chemical_potential_gradient;
@@ -31,11 +31,9 @@ struct FluidTrial {
     SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
       t.velocity[i] = at.value(i);
-      const Vector<N, D> g = at.gradient(i);
-      SOFTWET_UNROLL
-      for (int j = 0; j < D; ++j) t.velocity_gradient(i, j) = g[j];
       t.acceleration[i] = at.value(D + i);
     }
+    t.velocity_gradient = gradient_of<M, N, D>(at, 0);
     t.density = at.value(density_slot);
     t.density_gradient = at.gradient(density_slot);
     t.chemical_potential = at.value(potential_slot);
@@ -46,10 +44,10 @@ struct FluidTrial {
 };
 
 /// Integrand against (w, grad w) of momentum, grad q of mass and (q, grad q) of the potential equation.
-template <class N, int D>
+template <class N, int D, class M = Matrix<N, D>>
 struct FluidTest {
   Vector<N, D> momentum;
-  Matrix<N, D> momentum_flux;
+  M momentum_flux;
   Vector<N, D> mass_flux;
   N potential;
   Vector<N, D> potential_flux;
@@ -63,13 +61,7 @@ struct FluidTest {
 
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
-    SOFTWET_UNROLL
-    for (int i = 0; i < D; ++i) {
-      Vector<N, D> row;
-      SOFTWET_UNROLL
-      for (int j = 0; j < D; ++j) row[j] = momentum_flux(i, j);
-      to.add(i, momentum[i], row);
-    }
+    write_momentum(to, momentum, momentum_flux);
     to.add(D, N(0.0), mass_flux);
     to.add(D + 1, potential, potential_flux);
   }
@@ -104,8 +96,8 @@ struct DensityValueTrial {
   }
 };
 
-/// Density and chemical potential next to the wall.
-template <class N, int D>
+/// Density and chemical potential next to the wall. M is the kind of the stress that follows from them.
+template <class N, int D, class M = Matrix<N, D>>
 struct TractionTrial {
   N density;
   Vector<N, D> density_gradient;

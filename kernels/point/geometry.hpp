@@ -80,6 +80,29 @@ struct MovingFace : MovingPoint<N, D> {
   KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const { return measure * x; }
 };
 
+/// A point in the coordinates (r, z), where r is its distance from the axis: of the moved mesh in the fluid, undeformed in the
+/// solid. Integrals have the weight r, those over the angle are left out. A test function w of the radial component has a
+/// further gradient w / r, which meets the hoop entry of a flux.
+template <class Point>
+struct AxialPoint : Point {
+  KOKKOS_FORCEINLINE_FUNCTION explicit AxialPoint(const Point& point) : Point(point) {}
+
+  KOKKOS_FORCEINLINE_FUNCTION const auto& radius() const { return this->position[0]; }
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION auto measured(const N& x) const {
+    return Point::measured(radius() * x);
+  }
+  /// Integrand against (w, w / r).
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION auto measured(const N& x, const N& hoop) const {
+    return Point::measured(radius() * x + hoop);
+  }
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION auto reference_flux(const Vector<N, D>& f) const {
+    return Point::reference_flux(radius() * f);
+  }
+};
+
 /// The moving map in a volume together with its tangent dF, for products with the Jacobian: what dual numbers in a
 /// `MovingPoint` would compute, with fewer operations. With A = F^-T, H = A dF^T and dJ = J tr H,
 ///   d(A Grad) = A d(Grad) - H (A Grad),    d(J A^T f) = J A^T (df + tr H f - H^T f)

@@ -15,19 +15,19 @@ struct Elastodynamics {
   Material material;
   double density = 0;  ///< rho_0^s / b
 
-  template <class N, int D>
-  using Trial = SolidTrial<N, D>;
-  template <class N, int D>
-  using Test = MomentumTest<N, D>;
-  template <class N, int D>
-  using EnergyTrial = SolidStrain<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = SolidTrial<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = MomentumTest<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using EnergyTrial = SolidStrain<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const SolidTrial<N, D>& t) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const SolidTrial<N, D, M>& t) const {
     return {density * t.acceleration, material.first_piola(t.displacement_gradient)};
   }
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidStrain<N, D>& t) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidStrain<N, D, M>& t) const {
     return material.energy(t.displacement_gradient);
   }
 };

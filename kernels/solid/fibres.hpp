@@ -16,18 +16,19 @@ struct Fibres {
   Vector<double, 3> direction = {{1, 0, 0}};  ///< a_0, unit vector along the axes
   double finite = 1;  ///< 0 where strains are small: F = I in P, and I_4 - 1 = 2 a_0 . Grad u a_0
 
-  template <class N, int D>
-  using Trial = SolidStrain<N, D>;
-  template <class N, int D>
-  using EnergyTrial = SolidStrain<N, D>;
-  template <class N, int D>
-  using Test = MomentumTest<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = SolidStrain<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using EnergyTrial = SolidStrain<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = MomentumTest<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const SolidStrain<N, D>& t) const {
-    const Vector<N, D> moved = along(t.displacement_gradient);
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const SolidStrain<N, D, M>& t) const {
+    const Vector<N, D> moved = along<N, D>(t.displacement_gradient);
     const N tension = (2.0 * stiffness) * stretch(moved);
-    MomentumTest<N, D> r;
+    MomentumTest<N, D, M> r;
+    if constexpr (is_axial_matrix<M>) r.momentum_flux.hoop = N(0.0);
     SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
       r.momentum[i] = N(0.0);
@@ -38,16 +39,16 @@ struct Fibres {
     return r;
   }
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidStrain<N, D>& t) const {
-    const N more = stretch(along(t.displacement_gradient));
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidStrain<N, D, M>& t) const {
+    const N more = stretch(along<N, D>(t.displacement_gradient));
     return (0.5 * stiffness) * (more * more);
   }
 
  private:
   /// Grad u a_0
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> along(const Matrix<N, D>& grad_u) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> along(const M& grad_u) const {
     Vector<N, D> r;
     SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {

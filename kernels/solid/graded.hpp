@@ -24,28 +24,28 @@ struct GradedSolid {
   LameParameters stiffness;
   double density = 0;  ///< rho_0^s / b
 
-  template <class N, int D>
-  using Trial = GradedSolidTrial<N, D>;
-  template <class N, int D>
-  using EnergyTrial = GradedSolidStrain<N, D>;
-  template <class N, int D>
-  using Test = MomentumTest<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = GradedSolidTrial<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using EnergyTrial = GradedSolidStrain<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = MomentumTest<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const GradedSolidTrial<N, D>& t) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const GradedSolidTrial<N, D, M>& t) const {
     return {density * t.solid.acceleration, t.stiffness * first_piola(t.solid.displacement_gradient)};
   }
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION N energy(const GradedSolidStrain<N, D>& t) const {
-    const Matrix<N, D>& g = t.strain.displacement_gradient;
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION N energy(const GradedSolidStrain<N, D, M>& t) const {
+    const M& g = t.strain.displacement_gradient;
     if (law == ElasticLaw::hooke) return t.stiffness * Hooke{stiffness}.energy(g);
     if (law == ElasticLaw::neo_hookean) return t.stiffness * NeoHookean{stiffness}.energy(g);
     return t.stiffness * SaintVenantKirchhoff{stiffness}.energy(g);
   }
 
  private:
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> first_piola(const Matrix<N, D>& g) const {
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION M first_piola(const M& g) const {
     if (law == ElasticLaw::hooke) return Hooke{stiffness}.first_piola(g);
     if (law == ElasticLaw::neo_hookean) return NeoHookean{stiffness}.first_piola(g);
     return SaintVenantKirchhoff{stiffness}.first_piola(g);

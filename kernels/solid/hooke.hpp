@@ -10,16 +10,16 @@ namespace softwet {
 struct Hooke : LameParameters {
   static constexpr const char* name = "hooke";
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> strain(const Matrix<N, D>& grad_u) const {
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION M strain(const M& grad_u) const {
     return 0.5 * (grad_u + transpose(grad_u));
   }
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> first_piola(const Matrix<N, D>& grad_u) const {
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION M first_piola(const M& grad_u) const {
     return linear_stress(*this, strain(grad_u));
   }
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION N energy(const Matrix<N, D>& grad_u) const {
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION auto energy(const M& grad_u) const {
     return quadratic_energy(*this, strain(grad_u));
   }
 };

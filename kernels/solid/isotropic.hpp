@@ -1,7 +1,7 @@
 // What the materials of the solid share: their two parameters, the strain, and the stress in the deformed state.
 #pragma once
 
-#include "kernels/algebra/tensor.hpp"
+#include "kernels/algebra/axial.hpp"
 
 namespace softwet {
 
@@ -30,23 +30,29 @@ KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> green_lagrange_strain(const Matrix<N, D
   return e;
 }
 
+/// The same in the coordinates (r, z), where F has the hoop entry 1 + u_r / r.
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION AxialMatrix<N> green_lagrange_strain(const AxialMatrix<N>& grad_u) {
+  return {green_lagrange_strain(grad_u.plane), grad_u.hoop + 0.5 * (grad_u.hoop * grad_u.hoop)};
+}
+
 /// J = det F, deformed over reference volume.
-template <class N, int D>
-KOKKOS_FORCEINLINE_FUNCTION N volume_ratio(const Matrix<N, D>& grad_u) {
-  const Matrix<N, D> f = add_diagonal(grad_u, 1.0);
+template <class M>
+KOKKOS_FORCEINLINE_FUNCTION auto volume_ratio(const M& grad_u) {
+  const M f = add_diagonal(grad_u, 1.0);
   return determinant(f, cofactor(f));
 }
 
 /// lambda tr(E) I + 2 G E, the stress of Hooke's law for a strain E; scale a b^2.
-template <class N, int D>
-KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> linear_stress(const LameParameters& m, const Matrix<N, D>& e) {
+template <class M>
+KOKKOS_FORCEINLINE_FUNCTION M linear_stress(const LameParameters& m, const M& e) {
   return add_diagonal((2.0 * m.shear_modulus) * e, m.lambda * trace(e));
 }
 
 /// lambda tr(E)^2/2 + G E : E, its energy; scale a b^2.
-template <class N, int D>
-KOKKOS_FORCEINLINE_FUNCTION N quadratic_energy(const LameParameters& m, const Matrix<N, D>& e) {
-  const N tr = trace(e);
+template <class M>
+KOKKOS_FORCEINLINE_FUNCTION auto quadratic_energy(const LameParameters& m, const M& e) {
+  const auto tr = trace(e);
   return (0.5 * m.lambda) * (tr * tr) + m.shear_modulus * contract(e, e);
 }
 

@@ -16,37 +16,36 @@ struct KelvinVoigt {
   double bulk = 0;    ///< zeta
   double finite = 1;  ///< 0 where strains are small: F = I
 
-  template <class N, int D>
-  using Trial = SolidStrainRate<N, D>;
-  template <class N, int D>
-  using Test = MomentumTest<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = SolidStrainRate<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = MomentumTest<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const SolidStrainRate<N, D>& t) const {
-    const Matrix<N, D> s = stress(strain_rate(t));
-    MomentumTest<N, D> r;
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const SolidStrainRate<N, D, M>& t) const {
+    const M s = stress(strain_rate(t));
+    MomentumTest<N, D, M> r;
     SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) r.momentum[i] = N(0.0);
     r.momentum_flux = s + finite * product(t.displacement_gradient, s);
     return r;
   }
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION N dissipation(const SolidStrainRate<N, D>& t) const {
-    const Matrix<N, D> rate = strain_rate(t);
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION N dissipation(const SolidStrainRate<N, D, M>& t) const {
+    const M rate = strain_rate(t);
     return contract(stress(rate), rate);
   }
 
  private:
   /// E'
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> strain_rate(const SolidStrainRate<N, D>& t) const {
-    const Matrix<N, D> g =
-        t.velocity_gradient + finite * product(transpose(t.displacement_gradient), t.velocity_gradient);
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION M strain_rate(const SolidStrainRate<N, D, M>& t) const {
+    const M g = t.velocity_gradient + finite * product(transpose(t.displacement_gradient), t.velocity_gradient);
     return 0.5 * (g + transpose(g));
   }
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> stress(const Matrix<N, D>& rate) const {
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION M stress(const M& rate) const {
     return add_diagonal((2.0 * shear) * rate, (bulk - 2.0 / 3 * shear) * trace(rate));
   }
 };

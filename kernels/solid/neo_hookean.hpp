@@ -11,25 +11,25 @@ namespace softwet {
 struct NeoHookean : LameParameters {
   static constexpr const char* name = "neo_hookean";
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> strain(const Matrix<N, D>& grad_u) const {
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION M strain(const M& grad_u) const {
     return green_lagrange_strain(grad_u);
   }
 
   /// First Piola-Kirchhoff stress P = G (F - F^-T) + lambda ln J F^-T, shape (D, D), scale a b^2.
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> first_piola(const Matrix<N, D>& grad_u) const {
-    const Matrix<N, D> f = add_diagonal(grad_u, 1.0), cof = cofactor(f);
-    const N j = determinant(f, cof);
-    const N factor = (lambda * logarithm(j) - shear_modulus) / j;
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION M first_piola(const M& grad_u) const {
+    const M f = add_diagonal(grad_u, 1.0), cof = cofactor(f);
+    const auto j = determinant(f, cof);
+    const auto factor = (lambda * logarithm(j) - shear_modulus) / j;
     return shear_modulus * f + factor * cof;
   }
 
   /// Stored energy per reference volume, scale a b^2.
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION N energy(const Matrix<N, D>& grad_u) const {
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION auto energy(const M& grad_u) const {
     // tr(F^T F) - D = 2 tr(Grad u) + Grad u : Grad u
-    const N log_j = logarithm(volume_ratio(grad_u));
+    const auto log_j = logarithm(volume_ratio(grad_u));
     return (0.5 * shear_modulus) * (2.0 * trace(grad_u) + contract(grad_u, grad_u)) - shear_modulus * log_j +
            (0.5 * lambda) * (log_j * log_j);
   }

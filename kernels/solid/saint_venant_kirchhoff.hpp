@@ -10,21 +10,21 @@ namespace softwet {
 struct SaintVenantKirchhoff : LameParameters {
   static constexpr const char* name = "saint_venant_kirchhoff";
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> strain(const Matrix<N, D>& grad_u) const {
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION M strain(const M& grad_u) const {
     return green_lagrange_strain(grad_u);
   }
 
   /// First Piola-Kirchhoff stress P = F S, shape (D, D), scale a b^2.
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> first_piola(const Matrix<N, D>& grad_u) const {
-    const Matrix<N, D> s = linear_stress(*this, strain(grad_u));
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION M first_piola(const M& grad_u) const {
+    const M s = linear_stress(*this, strain(grad_u));
     return s + product(grad_u, s);
   }
 
   /// Stored energy per reference volume, scale a b^2.
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION N energy(const Matrix<N, D>& grad_u) const {
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION auto energy(const M& grad_u) const {
     return quadratic_energy(*this, strain(grad_u));
   }
 };

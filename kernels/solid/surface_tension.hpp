@@ -8,6 +8,7 @@ namespace softwet {
 /// Energy Ups (a - 1) for each undeformed area, where a = sqrt(det g) is the deformed over the undeformed area, g_ab = x_,a . x_,b,
 /// and x_,a = e_a + u_,a are the tangents of the deformed face. Its derivative is
 ///   int P_s : Grad w dA_0,   P_s(i, a) = Ups a g^ab x_i,b;   in the plane P_s = Ups x'/a
+/// In the coordinates (r, z) a = |x'| r/R with the undeformed radius R: P_s = Ups (r/R) x'/|x'|, and w_r / R meets Ups |x'|.
 /// Only slopes along the face enter. Ups is uniform: it is that of the dry face, and what the fluid adds where it wets the face is
 /// `WallTension`.
 /// Scale of Ups: a b^2 L0.   Tested: tests/unit/solid/test_solid_terms.cpp
@@ -17,24 +18,28 @@ struct SurfaceTension {
 
   double tension = 0;
 
-  template <class N, int D>
-  using Trial = SolidStrain<N, D>;
-  template <class N, int D>
-  using EnergyTrial = SolidStrain<N, D>;
-  template <class N, int D>
-  using Test = MomentumTest<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = SolidStrain<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using EnergyTrial = SolidStrain<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = MomentumTest<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const SolidStrain<N, D>& t) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const SolidStrain<N, D, M>& t) const {
     const Face<N, D> face(t.displacement_gradient);
-    MomentumTest<N, D> r;
+    MomentumTest<N, D, M> r;
     SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
       r.momentum[i] = N(0.0);
       SOFTWET_UNROLL
       for (int a = 0; a < D; ++a) r.momentum_flux(i, a) = N(0.0);
     }
-    const N scale = tension / face.ratio;
+    N scale = tension / face.ratio;
+    if constexpr (is_axial_matrix<M>) {
+      scale = scale * (1.0 + t.displacement_gradient.hoop);
+      r.momentum_flux.hoop = tension * face.ratio;
+    }
     SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
       if constexpr (D == 2) {
@@ -47,9 +52,11 @@ struct SurfaceTension {
     return r;
   }
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidStrain<N, D>& t) const {
-    return tension * (Face<N, D>(t.displacement_gradient).ratio - 1.0);
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidStrain<N, D, M>& t) const {
+    N ratio = Face<N, D>(t.displacement_gradient).ratio;
+    if constexpr (is_axial_matrix<M>) ratio = ratio * (1.0 + t.displacement_gradient.hoop);
+    return tension * (ratio - 1.0);
   }
 
  private:
@@ -57,9 +64,10 @@ struct SurfaceTension {
   struct Face {
     Vector<N, D> tangent[D - 1];  ///< x_,a
     N metric[3];                  ///< g_11; in space g_11, g_12, g_22
-    N ratio;                      ///< a
+    N ratio;                      ///< a; in (r, z) that along r and z alone, |x'|
 
-    KOKKOS_FORCEINLINE_FUNCTION explicit Face(const Matrix<N, D>& grad_u) {
+    template <class M>
+    KOKKOS_FORCEINLINE_FUNCTION explicit Face(const M& grad_u) {
       SOFTWET_UNROLL
       for (int a = 0; a + 1 < D; ++a) SOFTWET_UNROLL
       for (int i = 0; i < D; ++i) tangent[a][i] = i == a ? grad_u(i, a) + 1.0 : grad_u(i, a);

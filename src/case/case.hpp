@@ -48,11 +48,17 @@ struct Grading {
   double ratio = 1.3;                ///< most by which an element is longer than its neighbour
 };
 
+/// What the two axes of a 2D scene are: x and y of a state that is the same at any depth, or the distance r from an axis of symmetry,
+/// which is the left side, and the height.
+enum class Coordinates { plane, axisymmetric };
+inline std::vector<std::string> words_of(Coordinates) { return {"plane", "axisymmetric"}; }
+
 struct Domain {
-  std::vector<double> size;         ///< extents, 2 or 3 numbers; the last axis is vertical (solid below, fluid above)
-  std::vector<int> elements;        ///< elements per axis
-  int degree = 2;                   ///< B-spline degree, C^(degree-1) inside each material
-  std::string quadrature = "full";  ///< full | reduced
+  std::vector<double> size;   ///< extents, 2 or 3 numbers; the last axis is vertical (solid below, fluid above)
+  std::vector<int> elements;  ///< elements per axis
+  Coordinates coordinates = Coordinates::plane;  ///< of a 2D scene
+  int degree = 2;                                ///< B-spline degree, C^(degree-1) inside each material
+  std::string quadrature = "full";               ///< full | reduced
   Grading grading = {};
 
   /// Gauss points of an element along each axis.
@@ -225,6 +231,9 @@ struct Case {
   bool keeps_shown_energy() const { return fluid || time.scheme == implicit_scheme || time.mass == "consistent"; }
   bool gives_density() const { return initial && (initial->density || !initial->from.empty()); }
   int dimension() const { return static_cast<int>(domain.size.size()); }
+  bool axisymmetric() const { return domain.coordinates == Coordinates::axisymmetric; }
+  /// In how many directions a droplet is curved, and one more: 2 of a disc, 3 of a ball.
+  int dimension_of_droplets() const { return axisymmetric() ? 3 : dimension(); }
   /// Unit vector of the track in the plane of the wall, (x, y); in 2D along x.
   std::array<double, 2> track() const {
     if (output.track.empty()) return {1, 0};

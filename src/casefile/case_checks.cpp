@@ -206,6 +206,38 @@ void check_steps(const Checker& check) {
   });
 }
 
+/// What points away from the axis of symmetry, or lies beside it, is a vector or a droplet of no axisymmetric scene.
+void check_axis_of_symmetry(const Checker& check) {
+  const Case& c = check.c;
+  const std::string axial = "domain.coordinates = \"axisymmetric\"";
+  if (c.boundary.side[0][0] != Side::slip)
+    check.refuse("boundary.left", fmt::format("must be \"slip\" with {}: the left side is the axis of symmetry", axial),
+                 "write left = \"slip\"");
+  const auto require_upright = [&](const std::string& key, const Numbers& vector, const std::string& what) {
+    if (!vector.empty() && vector[0] != 0)
+      check.refuse(key, fmt::format("{} must be 0 along the first axis with {}, not {}", what, axial, vector[0]),
+                   "write 0 there: what points to one side has no axis of symmetry");
+  };
+  if (c.fluid) require_upright("fluid.gravity", c.fluid->gravity, "the force");
+  if (c.substrate) require_upright("substrate.gravity", c.substrate->gravity, "the force");
+  for (std::size_t i = 0; i < c.loads.size(); ++i)
+    require_upright(fmt::format("load[{}].force", i), c.loads[i].force, "the force");
+  for (std::size_t i = 0; i < c.droplets.size(); ++i) {
+    const Droplet& droplet = c.droplets[i];
+    require_upright(fmt::format("droplet[{}].centre", i), droplet.centre, "the centre");
+    require_upright(fmt::format("droplet[{}].velocity", i), droplet.velocity, "the velocity");
+  }
+}
+
+/// Explicit schemes know no coordinates but those of the plane and of space.
+void check_scheme_of_coordinates(const Checker& check) {
+  if (check.c.time.scheme == implicit_scheme) return;
+  check.refuse("time.scheme",
+               fmt::format("must be \"{}\" with domain.coordinates = \"axisymmetric\", not \"{}\"", implicit_scheme,
+                           check.c.time.scheme),
+               fmt::format("write scheme = \"{}\", or compute the scene in the plane or in 3D", implicit_scheme));
+}
+
 /// Explicit schemes divide by the inertia of the solid.
 void check_inertia(const Checker& check) {
   if (!check.c.substrate || check.c.substrate->inertia == "full" || check.c.time.scheme == implicit_scheme) return;
@@ -310,6 +342,15 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check.with({"domain.grading.box", "domain.grading.fine", "domain.elements", "substrate", "substrate.thickness"},
              [&] { check_grading(check); });
   check_boundary(check);
+  check.with({"domain.coordinates"}, [&] {
+    if (c.dimension() == 3 && document.entries.count("domain.coordinates"))
+      check.refuse("domain.coordinates", "exists in 2D only, where it tells what the two axes are", "remove it");
+  });
+  if (c.axisymmetric() && c.dimension() == 2) {
+    check.with({"domain.coordinates", "boundary", "fluid", "substrate", "load", "droplet"},
+               [&] { check_axis_of_symmetry(check); });
+    check.with({"time.scheme"}, [&] { check_scheme_of_coordinates(check); });
+  }
   check.with({"fluid.gravity", "substrate.gravity", "boundary"}, [&] { check_gravity(check); });
   check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });

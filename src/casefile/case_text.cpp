@@ -15,7 +15,7 @@
 namespace softwet {
 namespace {
 
-bool applies(const Key& key, const Case& c) { return !key.three_dimensional || c.dimension() == 3; }
+bool applies(const Key& key, const Case& c) { return key.only_in == 0 || key.only_in == c.dimension(); }
 
 /// One line for each key of each table the case has; `line` returns it, `remark` what follows a table's header.
 std::string write_tables(const Case& c, const std::function<std::string(const Key&, std::size_t)>& line,

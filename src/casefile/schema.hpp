@@ -63,9 +63,9 @@ struct Key {
   std::string help{};
   std::string reason{};  ///< why the range ends where it does, and what to choose; part of the error
   Binding bind{};
-  bool three_dimensional = false;  ///< only in 3D cases
-  std::string default_note{};      ///< when the default depends on the scene
-  Support support{};               ///< of a profile
+  int only_in = 0;             ///< dimension of the cases that have it; 0: any
+  std::string default_note{};  ///< when the default depends on the scene
+  Support support{};           ///< of a profile
 
   std::string table() const;  ///< "droplet[]" of "droplet[].radius", "solver" of "solver.newton.rtol"
   std::string leaf() const;   ///< "radius", "newton.rtol": the name inside its table

@@ -22,7 +22,7 @@ Key side_key(const char* name, Pair pair, std::size_t end, const char* help, con
           .example = example,
           .help = help,
           .bind = at(place),
-          .three_dimensional = pair == Pair::front_back};
+          .only_in = pair == Pair::front_back ? 3 : 0};
 }
 
 std::vector<Key> boundary_keys() {

@@ -20,7 +20,7 @@ std::vector<Key> output_keys() {
            "Horizontal direction [x, y] along which droplets are followed in 3D: their velocity, contact points and "
            "angles. Only the direction counts, not the length.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.track; }),
-       .three_dimensional = true,
+       .only_in = 3,
        .default_note =
            "the horizontal line along which the loads act: the sum of their forces, where a force that "
            "points against the sum of those before it counts with the opposite sign; [1, 0] without a load"},

@@ -38,6 +38,16 @@ std::vector<Key> domain_keys() {
        .example = "[128, 64]",
        .help = "Elements along each axis; as many numbers as domain.size.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.elements; })},
+      {.name = "domain.coordinates",
+       .kind = Kind::choice,
+       .choices = words_of(Coordinates{}),
+       .example = "\"plane\"",
+       .help =
+           "What the two axes of a 2D case are. \"plane\": x and y; the scene is the same at any depth, and strain is "
+           "plane. \"axisymmetric\": the distance r from an axis of symmetry, which is the left side, and the height; "
+           "droplets are balls and caps centred on the axis, and masses and energies are those of the whole turn.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.coordinates; }),
+       .only_in = 2},
       {.name = "domain.degree",
        .kind = Kind::integer,
        .range = {2, 3, false, false},

@@ -114,7 +114,7 @@ std::vector<Key> substrate_keys() {
        .range = {-180, 180, false, false},
        .help = "Direction of the fibres in the plane of the wall, from x towards y.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->fibre.azimuth; }),
-       .three_dimensional = true},
+       .only_in = 3},
   };
 }
 

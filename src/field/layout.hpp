@@ -22,6 +22,7 @@ struct Layout {
   std::shared_ptr<const ColumnExchange> exchange;  ///< none where all are
   int solid_elements = 0;                          ///< element rows of the solid; 0: rigid wall
   bool has_fluid = true, has_solid = true;
+  bool axisymmetric = false;  ///< the axes are r and z, and all integrals have the weight r
   int row_size = 0, rows = 0;
   int wall_row = 0;  ///< last row of the solid = first row of the fluid
 

@@ -12,13 +12,14 @@
 namespace softwet {
 namespace {
 
-/// (dV/dR) / R^(D-1) of a droplet: of a disc 2 pi, of a ball 4 pi, less for a cap and for a half on a slip side.
+/// (dV/dR) / R^(D-1) of a droplet: of a disc 2 pi, of a ball 4 pi, less for a cap and for a half on a slip side, which an axis of
+/// symmetry is not.
 double growth(const Case& c, const Droplet& droplet) {
   const double pi = std::acos(-1.0), cosine = sits_on_wall(c, droplet) ? cap_cosine(*c.fluid, droplet) : -1;
   const double angle = std::acos(cosine);
-  double whole =
-      c.dimension() == 2 ? 2 * (angle - std::sin(angle) * cosine) : pi * (2 - 3 * cosine + cosine * cosine * cosine);
-  for (int axis = 0; axis + 1 < c.dimension(); ++axis) {
+  double whole = c.dimension_of_droplets() == 2 ? 2 * (angle - std::sin(angle) * cosine)
+                                                : pi * (2 - 3 * cosine + cosine * cosine * cosine);
+  for (int axis = c.axisymmetric() ? 1 : 0; axis + 1 < c.dimension(); ++axis) {
     const double size = c.domain.size[axis], x = droplet.centre[axis];
     const bool on_side = x < 1e-9 * size || x > size * (1 - 1e-9);
     if (on_side && c.boundary.side[axis][0] != Side::periodic) whole /= 2;
@@ -29,7 +30,7 @@ double growth(const Case& c, const Droplet& droplet) {
 double volume_of_fluid(const Case& c) {
   double volume = c.domain.size.back() - (c.substrate ? c.substrate->thickness : 0);
   for (int axis = 0; axis + 1 < c.dimension(); ++axis) volume *= c.domain.size[axis];
-  return volume;
+  return c.axisymmetric() ? M_PI * c.domain.size[0] * volume : volume;
 }
 
 /// What the least radius of all droplets of a case depends on; it takes a while to find.
@@ -45,7 +46,7 @@ PhasesOfCase phases_of(const Case& c) {
 double least_radius_between(const PhasesOfCase& phases, const Case& c, const Droplet& droplet) {
   const Coexistence& flat = phases.flat;
   const double around = c.fluid->ambient == Phase::liquid ? flat.density_liquid : flat.density_vapour;
-  const double jump = flat.density_liquid - flat.density_vapour, D = c.dimension();
+  const double jump = flat.density_liquid - flat.density_vapour, D = c.dimension_of_droplets();
   const double stiffness = VanDerWaals{c.fluid->temperature, 0}.curvature(around);
   const double sharp = std::pow(
       (D - 1) * phases.tension * volume_of_fluid(c) / (stiffness * jump * jump * growth(c, droplet)), 1 / (D + 1));

@@ -80,7 +80,7 @@ struct CurvedEquilibrium {
 template <int D, int P>
 std::vector<Shape> shapes(const Case& c, const Model<D, P>& model) {
   const Coexistence& flat = model.state();
-  const CurvedEquilibrium curved{c.fluid->temperature, surface_tension(*c.fluid), flat, D};
+  const CurvedEquilibrium curved{c.fluid->temperature, surface_tension(*c.fluid), flat, c.dimension_of_droplets()};
   const bool bubbles = c.fluid->ambient == Phase::liquid;
   std::vector<Shape> result;
   for (const Droplet& droplet : c.droplets) {

@@ -6,14 +6,32 @@
 #include "operator/integrate.hpp"
 
 namespace softwet {
+namespace {
+
+/// The integrals of a functional in the coordinates of the scene; with Rate the rates at which the motion of the wall changes them.
+template <int P, class Motion, bool Rate = false, int D, class Functional>
+std::array<double, Functional::count> integrate(const Region<D>& region, const Functional& functional,
+                                                const Evaluation<D>& at, const Blend& blend) {
+  const auto over = [&](const auto& integrand) {
+    ReduceTask<D, std::remove_cvref_t<decltype(integrand)>, Motion> task{region, integrand, {}, {}, {}};
+    bind_fields(at, blend, task);
+    if constexpr (Rate) {
+      for (int d = 0; d < D; ++d) task.motion.tangent[d] = task.motion.velocity[d];
+      task.motion.scale = 1;
+    }
+    return reduce<P, Rate>(task);
+  };
+  if constexpr (D == 2)
+    if (at.layout.axisymmetric) return over(Axisymmetric<Functional>{functional});
+  return over(functional);
+}
+
+}  // namespace
 
 template <int D, int P>
 template <class Motion>
 void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) const {
-  using Volume = ReduceTask<D, FluidIntegrals, Motion>;
-  Volume volume{fluid_region_, {fluid_}, {}, {}, {}};
-  bind_fields(at, blend_, volume);
-  const auto sum = reduce<P>(volume);
+  const auto sum = integrate<P, Motion>(fluid_region_, FluidIntegrals{fluid_}, at, blend_);
   result.mass = sum[FluidIntegrals::mass];
   result.energy_kinetic += sum[FluidIntegrals::kinetic];
   result.energy_bulk = sum[FluidIntegrals::bulk];
@@ -24,9 +42,7 @@ void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) co
   if (has_gravity_) {
     GravityEnergy gravity;
     for (int d = 0; d < D; ++d) gravity.force[d] = fluid_.force[d];
-    ReduceTask<D, GravityEnergy, Motion> task{fluid_region_, gravity, {}, {}, {}};
-    bind_fields(at, blend_, task);
-    result.energy_gravity += reduce<P>(task)[0];
+    result.energy_gravity += integrate<P, Motion>(fluid_region_, gravity, at, blend_)[0];
   }
   if (!has_wall_) return;
   if (painted_.values.data()) {
@@ -39,24 +55,16 @@ void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) co
 template <int D, int P>
 template <class Motion, class Functional>
 void Model<D, P>::wall_integrals(const Functional& functional, Evaluation<D> at, Integrals& result) const {
-  ReduceTask<D, Functional, Motion> face{wall_region_, functional, {}, {}, {}};
   at.given = painted_.origin();
-  bind_fields(at, blend_, face);
-  result.energy_wall = reduce<P>(face)[0];
-  if constexpr (std::is_same_v<Motion, WallMotion<D>>) {
-    if (!wall_feeds_) return;
-    for (int d = 0; d < D; ++d) face.motion.tangent[d] = face.motion.velocity[d];
-    face.motion.scale = 1;
-    result.wall_stretch = reduce<P, true>(face)[0];
-  }
+  result.energy_wall = integrate<P, Motion>(wall_region_, functional, at, blend_)[0];
+  if constexpr (std::is_same_v<Motion, WallMotion<D>>)
+    if (wall_feeds_) result.wall_stretch = integrate<P, Motion, true>(wall_region_, functional, at, blend_)[0];
 }
 
 template <int D, int P>
 void Model<D, P>::solid_integrals(const Evaluation<D>& at, Integrals& result) const {
   const double density = std::visit([](const auto& solid) { return solid.density; }, solid_);
-  ReduceTask<D, SolidMotion, NoMotion> task{solid_region_, {density}, {}, {}, {}};
-  bind_fields(at, blend_, task);
-  const auto sum = reduce<P>(task);
+  const auto sum = integrate<P, NoMotion>(solid_region_, SolidMotion{density}, at, blend_);
   result.energy_kinetic += sum[SolidMotion::kinetic];
   for (int d = 0; d < 3; ++d) result.momentum[d] += sum[SolidMotion::momentum + d];
   const int count = layout_.solid_rows() * layout_.row_size;
@@ -73,24 +81,17 @@ Integrals Model<D, P>::integrals(const Stage& stage) const {
   const Evaluation<D> at{layout_, stage, {}, {}};
   for (const auto& entry : pieces_.list) entry.piece->add_integrals(at, result);
   if (layout_.has_solid) solid_integrals(at, result);
-  if (!layout_.has_fluid) return result;
-  if (layout_.has_solid) {
-    fluid_integrals<WallMotion<D>>(at, result);
-  } else {
-    fluid_integrals<NoMotion>(at, result);
-  }
+  if (layout_.has_fluid)
+    layout_.has_solid ? fluid_integrals<WallMotion<D>>(at, result) : fluid_integrals<NoMotion>(at, result);
+  if (layout_.axisymmetric) result.turn(turn());
   return result;
 }
 
 template <int D, int P>
 std::array<double, FluidContents::count> Model<D, P>::fluid_contents(const Stage& stage) const {
   const Evaluation<D> at{layout_, stage, {}, {}};
-  const auto over = [&](auto motion) {
-    ReduceTask<D, FluidContents, decltype(motion)> task{fluid_region_, {}, motion, {}, {}};
-    bind_fields(at, blend_, task);
-    return reduce<P>(task);
-  };
-  return layout_.has_solid ? over(WallMotion<D>{}) : over(NoMotion{});
+  return layout_.has_solid ? integrate<P, WallMotion<D>>(fluid_region_, FluidContents{}, at, blend_)
+                           : integrate<P, NoMotion>(fluid_region_, FluidContents{}, at, blend_);
 }
 
 template <int D, int P>
@@ -104,9 +105,8 @@ MeshFaults Model<D, P>::faults(const Stage& stage) const {
   MeshFaults faults;
   if (!layout_.has_solid) return faults;  // nothing moves the mesh
   if (layout_.has_fluid) faults.folded = fluid_contents(stage)[FluidContents::folded];
-  ReduceTask<D, InvertedSolid, NoMotion> task{solid_region_, {}, {}, {}, {}};
-  bind_fields(Evaluation<D>{layout_, stage, {}, {}}, blend_, task);
-  faults.inverted = reduce<P>(task)[0];
+  const Evaluation<D> at{layout_, stage, {}, {}};
+  faults.inverted = integrate<P, NoMotion>(solid_region_, InvertedSolid{}, at, blend_)[0];
   return faults;
 }
 
@@ -122,7 +122,7 @@ double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
       if (force[d] != 0) power += force[d] * dot(layout_.space(), weight, part(unknown, first, first + count));
     }
   }
-  return power;
+  return turn() * power;
 }
 
 template Integrals Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::integrals(const Stage&) const;

@@ -12,7 +12,11 @@
 
 namespace softwet {
 
-template <int D, int P, class Real>
+/// A term in the coordinates of a scene.
+template <class Term, bool Axial>
+using InCoordinates = std::conditional_t<Axial, Axisymmetric<Term>, Term>;
+
+template <int D, int P, class Real, bool Axial = false>
 class PieceMaker {
  public:
   PieceMaker(const Model<D, P>& model, const Case& c) : model_(model), case_(c) {}
@@ -37,10 +41,11 @@ class PieceMaker {
   template <class Motion, class Term>
   auto piece(const char* name, const Term& term, Instant instant = Instant::stage,
              const GivenField<double>& given = {}) const {
+    using Here = InCoordinates<Term, Axial>;
     constexpr Where where = Term::where;
-    return std::make_unique<PieceOf<D, P, Term, Motion, Real>>(
-        name, model_.region(where, model_.points()), model_.region(where, matrix_points<D, P>(model_.points())), term,
-        model_.blend(), instant, given);
+    return std::make_unique<PieceOf<D, P, Here, Motion, Real>>(
+        name, model_.region(where, model_.points()), model_.region(where, matrix_points<D, P>(model_.points())),
+        Here{term}, model_.blend(), instant, given);
   }
   template <class Motion, class Term>
   void add(const char* name, const Term& term, Instant instant = Instant::stage, const GivenField<double>& given = {}) {
@@ -108,8 +113,10 @@ class PieceMaker {
       pieces_.on_wall.push_back(pieces_.list.size());
       add<Motion>("capillary_traction", traction());
       if (case_.fluid->traction == Traction::blended)
-        pieces_.list.back().exact = std::make_unique<PieceOf<D, P, CapillaryTraction, Motion, Real>>(
-            "capillary_traction (blended)", blended(), blended(), traction(), model_.blend());
+        pieces_.list.back().exact =
+            std::make_unique<PieceOf<D, P, InCoordinates<CapillaryTraction, Axial>, Motion, Real>>(
+                "capillary_traction (blended)", blended(), blended(),
+                InCoordinates<CapillaryTraction, Axial>{traction()}, model_.blend());
       if (!model_.wall_tension().values.data()) return;
       pieces_.on_wall.push_back(pieces_.list.size());
       EnergyWall of_one = model_.wall();
@@ -126,6 +133,11 @@ class PieceMaker {
 template <int D, int P, class Real>
 Pieces<D, Real> make_pieces(const Model<D, P>& model, const Case& c) {
   return PieceMaker<D, P, Real>(model, c).make();
+}
+
+template <int D, int P, class Real>
+Pieces<D, Real> make_axisymmetric_pieces(const Model<D, P>& model, const Case& c) {
+  return PieceMaker<D, P, Real, true>(model, c).make();
 }
 
 }  // namespace softwet

@@ -34,14 +34,23 @@ Model<D, P>::Model(const Case& c) : precision_(precision_of(c)), points_(c.domai
   if (layout_.has_solid) build_solid(c);
   if (layout_.has_fluid) build_fluid(c);
   build_mask(c);
-  pieces_ = make_pieces<D, P, double>(*this, c);
-  single_ = make_pieces<D, P, float>(*this, c);
+  pieces_ = pieces_of<double>(c);
+  single_ = pieces_of<float>(c);
+}
+
+template <int D, int P>
+template <class Real>
+Pieces<D, Real> Model<D, P>::pieces_of(const Case& c) const {
+  if constexpr (D == 2)
+    if (layout_.axisymmetric) return make_axisymmetric_pieces<D, P, Real>(*this, c);
+  return make_pieces<D, P, Real>(*this, c);
 }
 
 template <int D, int P>
 void Model<D, P>::build_axes(const Case& c) {
   layout_.has_fluid = c.fluid.has_value();
   layout_.has_solid = c.substrate.has_value();
+  layout_.axisymmetric = c.axisymmetric();
   layout_.solid_elements = solid_elements(c);
   layout_.row_size = 1;
   for (int d = 0; d < D; ++d) {

@@ -20,7 +20,7 @@
 
 namespace softwet {
 
-/// Mass and volume of the fluid.
+/// Mass and volume of the fluid, as the moments of the density have them: in the coordinates (r, z) those for each radian.
 struct Filling {
   double mass = 0, volume = 0;
 };
@@ -62,6 +62,9 @@ class Model {
   const std::vector<LoadVector<D>>& loads() const { return loads_; }
   ConstArray mask() const { return mask_; }  ///< 1 free, 0 prescribed or ghost
   double wall_height() const { return blend_.low; }
+  /// What integrals of the equations have to be multiplied by for those of the whole scene: in the coordinates (r, z) they are
+  /// those for each radian.
+  double turn() const { return layout_.axisymmetric ? 2 * M_PI : 1; }
   bool has_wall() const { return has_wall_; }
   const Region<D>& fluid_region() const { return fluid_region_; }
   const Region<D>& solid_region() const { return solid_region_; }
@@ -119,6 +122,8 @@ class Model {
                    const ArrayOf<Real>& out, Geometry) const;
   /// What follows the terms in a residual: loads, the source, ghosts, and prescribed values.
   void finish_residual(double time, const Array& out) const;
+  template <class Real>
+  Pieces<D, Real> pieces_of(const Case&) const;
   template <class Motion>
   void fluid_integrals(const Evaluation<D>&, Integrals&) const;
   template <class Motion, class Functional>

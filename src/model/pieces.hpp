@@ -52,4 +52,8 @@ struct Pieces {
 template <int D, int P, class Real>
 Pieces<D, Real> make_pieces(const Model<D, P>&, const Case&);
 
+/// The same in the coordinates (r, z), for D = 2: axisymmetric_pieces.cpp and axisymmetric_pieces_single.cpp.
+template <int D, int P, class Real>
+Pieces<D, Real> make_axisymmetric_pieces(const Model<D, P>&, const Case&);
+
 }  // namespace softwet

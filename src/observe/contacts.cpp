@@ -49,6 +49,7 @@ std::vector<Contact> find_contacts(const Snapshot<2>& snapshot, const Surface& s
   for (Footprint f : find_footprints(side_view(snapshot, surface), surface, capillarity)) {
     const double turn = axis.periodic() ? axis.length() * std::floor(f.centre() / axis.length()) : 0;
     f.x_left -= turn, f.x_right -= turn;
+    if (snapshot.layout().axisymmetric && f.x_left == 0) f.x_left = -f.x_right, f.angle_left = f.angle_right;
     found.push_back({{f.centre(), 0},
                      {f.x_left, f.x_right, f.centre(), std::nullopt, f.angle_left, f.angle_right},
                      [f, axis](const Place& place) {

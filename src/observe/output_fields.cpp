@@ -62,7 +62,8 @@ std::vector<double> positions(const typename Snapshot<D>::Grid& grid, std::vecto
   return displacement;
 }
 
-/// Grad u of the solid at the points of a grid. In 2D the third row and column are 0: plane strain.
+/// Grad u of the solid at the points of a grid. In 2D the third row and column are 0, plane strain, but in the coordinates (r, z)
+/// for u_r / r, which is du_r/dr at the axis.
 template <int D>
 std::vector<Matrix<double, 3>> displacement_gradients(const Snapshot<D>& s, const typename Snapshot<D>::Grid& grid) {
   std::vector<Matrix<double, 3>> gradients;
@@ -72,6 +73,12 @@ std::vector<Matrix<double, 3>> displacement_gradients(const Snapshot<D>& s, cons
       gradients.resize(slope.size(), Matrix<double, 3>{});
       for (std::size_t i = 0; i < slope.size(); ++i) gradients[i](d, axis) = slope[i];
     }
+  if (!s.layout().axisymmetric) return gradients;
+  const std::vector<double> radial = s.displacement(grid, 0, false);
+  for (std::size_t i = 0; i < radial.size(); ++i) {
+    const double r = grid[0][i % grid[0].size()];
+    gradients[i](2, 2) = r > 0 ? radial[i] / r : gradients[i](0, 0);
+  }
   return gradients;
 }
 

@@ -8,6 +8,7 @@ template <int D>
 PhaseSamples sample_phase(const Snapshot<D>& snapshot, const Surface& surface) {
   PhaseSamples samples;
   samples.dimension = D;
+  samples.axisymmetric = snapshot.layout().axisymmetric;
   samples.bubbles = surface.inside == Phase::vapour;
   typename Snapshot<D>::Grid grid;
   for (int d = 0; d < D; ++d) {

@@ -42,6 +42,10 @@ struct FrozenPoint {
   KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const {
     return N(point.measured(x.value), point.measured(x.tangent));
   }
+  KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x, const N& hoop) const {
+    return N(point.measured(x.value, hoop.value), point.measured(x.tangent, hoop.tangent));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION N radius() const { return N(point.radius(), S(0.0)); }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return fixed(point.mesh_velocity()); }
 };
 

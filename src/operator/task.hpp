@@ -99,6 +99,8 @@ struct Reader {
     for (int d = 0; d < D; ++d) g[d] = fields.number(s, 1 + d, q);
     return point.physical(g);
   }
+  /// Value over the distance from the axis, in the coordinates (r, z).
+  KOKKOS_FORCEINLINE_FUNCTION N over_radius(int s) const { return value(s) / point.radius(); }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return point.mesh_velocity(); }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return point.volume_ratio(); }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> position() const { return point.position; }
@@ -118,6 +120,16 @@ struct Writer {
   }
   KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& flux) const {
     add(channel, value);
+    add_flux(channel, flux);
+  }
+  /// In the coordinates (r, z) with a hoop entry.
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& flux, const N& hoop) const {
+    out[channel][0][q] = weight * outcome(point.measured(value, hoop));
+    add_flux(channel, flux);
+  }
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION void add_flux(int channel, const Vector<N, D>& flux) const {
     const auto f = point.reference_flux(flux);
     for (int d = 0; d < D; ++d) out[channel][1 + d][q] = weight * outcome(f[d]);
   }
@@ -132,6 +144,16 @@ KOKKOS_FORCEINLINE_FUNCTION S weight_at(const Region<D, RealOf<S>>& region, cons
   return shared * load<S>(&region.axis[0].weight(q % Q, b.element[0]));
 }
 
+/// A point in the coordinates of a term.
+template <class Term, class Point>
+KOKKOS_FORCEINLINE_FUNCTION auto in_coordinates(const Point& point) {
+  if constexpr (is_axisymmetric<Term>) {
+    return AxialPoint<Point>(point);
+  } else {
+    return point;
+  }
+}
+
 /// Geometry at point q of a batch.
 template <class Term, int Q, class S, int D, class BatchGeometryType>
 KOKKOS_FORCEINLINE_FUNCTION auto point_at(const BatchGeometryType& geometry, const Region<D, RealOf<S>>& region,
@@ -142,7 +164,7 @@ KOKKOS_FORCEINLINE_FUNCTION auto point_at(const BatchGeometryType& geometry, con
   reference[0] = load<S>(&region.axis[0].position(q % Q, b.element[0]));
   if constexpr (D == 3) reference[1] = S(region.axis[1].position((q % wall_points) / Q, b.element[1]));
   reference[D - 1] = S(height);
-  return geometry.template at<on_face(Term::where)>(q, reference, height);
+  return in_coordinates<Term>(geometry.template at<on_face(Term::where)>(q, reference, height));
 }
 
 }  // namespace softwet

@@ -103,15 +103,16 @@ std::vector<double> Axis::slopes(int element, double x) const {
   return d;
 }
 
-std::vector<double> Axis::integrals(double a, double b, int first, int last) const {
+std::vector<double> Axis::integrals(double a, double b, int first, int last, bool radial) const {
   const Gauss rule(degree_ + 1);
   std::vector<double> result(functions_, 0.0);
   for (int e = first; e < last; ++e) {
     const double lo = std::max(a, lower(e)), hi = std::min(b, lower(e + 1));
     if (hi <= lo) continue;
     for (std::size_t q = 0; q < rule.point.size(); ++q) {
-      const std::vector<double> v = values(e, lo + (hi - lo) * rule.point[q]);
-      for (int i = 0; i <= degree_; ++i) result[span_[e] + i] += (hi - lo) * rule.weight[q] * v[i];
+      const double x = lo + (hi - lo) * rule.point[q], weight = (hi - lo) * rule.weight[q] * (radial ? x : 1.0);
+      const std::vector<double> v = values(e, x);
+      for (int i = 0; i <= degree_; ++i) result[span_[e] + i] += weight * v[i];
     }
   }
   return result;

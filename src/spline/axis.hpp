@@ -44,8 +44,8 @@ class Axis {
   std::vector<double> values(int element, double x) const;
   std::vector<double> slopes(int element, double x) const;
 
-  /// Exact integrals of all functions over [a, b], restricted to the elements [first, last).
-  std::vector<double> integrals(double a, double b, int first, int last) const;
+  /// Exact integrals of all functions over [a, b], restricted to the elements [first, last). @param radial  with the weight x
+  std::vector<double> integrals(double a, double b, int first, int last, bool radial = false) const;
 
  private:
   std::vector<double> evaluate(int element, double x, int degree) const;

@@ -15,6 +15,7 @@ struct Samples {
 
 /// Of each function of an axis. Where the elements under a function are equal: its Greville point alone. Where they are not:
 /// Gauss points with the weights N_i / int N_i, so that the integral of the spline there is that of the function.
-std::vector<Samples> samples_of(const Axis&);
+/// @param radial  the axis is a distance from an axis of symmetry: integrals have the weight x
+std::vector<Samples> samples_of(const Axis&, bool radial = false);
 
 }  // namespace softwet

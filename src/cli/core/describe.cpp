@@ -144,14 +144,14 @@ void describe_model(const Case& c, std::ostream& out) {
   print_section(out, "terms", terms(c, model, p.times));
   print_section(out, "unknowns", unknowns(model.layout(), p.times));
   print_memory<D, P>(c, model, p.times, out);
-  if (p.times == 1)
+  if (p.times == 1 && !c.axisymmetric())
     print_section(out, "explicit steps, bounded at the first state (time.mass = \"" + c.time.mass + "\")",
                   step_limits(c, model));
-  print_section(
-      out, "kernel",
-      {{"configuration", std::to_string(D) + "D, degree " + std::to_string(P) + ", " + name_of(model.precision())},
-       {"backend",
-        backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
+  print_section(out, "kernel",
+                {{"configuration", std::to_string(D) + (c.axisymmetric() ? "D, axisymmetric, degree " : "D, degree ") +
+                                       std::to_string(P) + ", " + name_of(model.precision())},
+                 {"backend",
+                  backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
 }
 
 template void describe_model<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);

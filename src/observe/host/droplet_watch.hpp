@@ -19,6 +19,7 @@ struct PhaseSamples {
       high{1e300, 1e300, 1e300};  ///< where elements are fine, less a margin
   std::vector<double> depth;      ///< any measure that is 0 on the surface and grows inwards
   bool bubbles = false;           ///< inside is vapour
+  bool axisymmetric = false;      ///< the first axis is the distance from an axis of symmetry
 
   bool inside(std::size_t point) const { return depth[point] >= 0; }
 };
@@ -31,7 +32,8 @@ std::vector<std::string> follow(std::vector<Body>& bodies, const PhaseSamples& s
                                 const std::vector<std::string>& names);
 
 /// The centres of bodies that `follow` has seen in these samples: means of the places inside, weighted by their depth.
-/// Along a periodic axis the mean is one of angles, and 0 where a body reaches all round. Empty for a body that is
+/// Along a periodic axis the mean is one of angles, and 0 where a body reaches all round. A body about an axis of symmetry has its
+/// centre on it. Empty for a body that is
 /// gone.
 using Centre = std::optional<std::array<double, 3>>;
 std::vector<Centre> centres_of(const std::vector<Body>& bodies, const PhaseSamples& samples);

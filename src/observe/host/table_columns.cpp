@@ -52,9 +52,10 @@ const std::vector<Column> of_droplet{
      3},
     {"x_left", "L0",
      "Left contact point of a droplet, bubble or film: where rho = (rho_l + rho_v)/2 on the deformed wall. One that is "
-     "cut by a side of the domain ends at the side.",
+     "cut by a side of the domain ends at the side; on an axis of symmetry its left contact point is minus the right "
+     "one.",
      2},
-    {"x_right", "L0", "Right contact point.", 2},
+    {"x_right", "L0", "Right contact point; the contact radius of a droplet on an axis of symmetry.", 2},
     {"x_centre", "L0", "In 2D the midpoint of x_left and x_right; in 3D x of the centroid of the wetted wall."},
     {"y_centre", "L0", "y of the centroid of the wetted wall.", 3},
     {"velocity", speed_unit,
@@ -105,7 +106,7 @@ const std::vector<Column> of_balance{
      "the undeformed solid, E' the rate of the Green-Lagrange strain."},
     {laplace, "ab",
      "Excess of the chemical potential inside the first droplet, mu - mu_sat. At rest it is sigma/(R (rho_l - rho_v)) "
-     "in 2D and twice that in 3D."},
+     "in 2D and twice that in 3D and in axisymmetric scenes."},
 };
 
 const std::vector<Column> of_interface{
@@ -172,7 +173,8 @@ const std::vector<ColumnTable>& column_tables() {
       {"history", "history.csv",
        "A row for every output.history.every steps, and one for the last step. An empty cell means that the quantity "
        "does not exist there: no fluid, no solid, no contact line. d is the dimension of the domain; in 2D integrals "
-       "are per depth. The columns of the second droplet or bubble end in _2, of the third in _3, and so on; films are "
+       "are per depth, and in axisymmetric scenes those of the whole turn, with d = 3. The columns of the second "
+       "droplet or bubble end in _2, of the third in _3, and so on; films are "
        "numbered on behind the droplets (around bubbles they have none). When droplets merge, the first one goes on "
        "and "
        "the others stay empty.",

@@ -71,6 +71,15 @@ struct TileWriter {
   }
   KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& f) const {
     add(channel, value);
+    add_flux(channel, f);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& f, const N& hoop) const {
+    own.integrand[channel] = plain(weight * outcome(point.measured(value, hoop)));
+    add_flux(channel, f);
+  }
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION void add_flux(int channel, const Vector<N, D>& f) const {
     const Vector<N, D> r = point.reference_flux(f);
     SOFTWET_UNROLL
     for (int d = 0; d < D; ++d)
@@ -159,8 +168,8 @@ struct Tile {
     if constexpr (D == 3) reference[1] = S(t[Room::y_place + y]);
     const Real height = t[Room::z_place + z];
     reference[D - 1] = S(height);
-    const auto point = point_above_wall<N, Shape::base, Plan::on_wall>(task.motion, t + Room::wall + p % Shape::base,
-                                                                       reference, height);
+    const auto point = in_coordinates<typename Plan::Term>(point_above_wall<N, Shape::base, Plan::on_wall>(
+        task.motion, t + Room::wall + p % Shape::base, reference, height));
     using Point = std::remove_const_t<decltype(point)>;
     const TileFields<Plan> from{own, values + p, row, step, task.scale};
     using From = Reader<N, D, TileFields<Plan>, Point>;

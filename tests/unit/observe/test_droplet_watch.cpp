@@ -137,6 +137,18 @@ TEST(DropletWatch, TellsHowFarDropletsMove) {
   EXPECT_FALSE(moved[2]) << "it is gone";
 }
 
+// What spreads along r is the same body all round the axis; a ring farther out weighs more.
+TEST(DropletWatch, OnAnAxisOfSymmetryADropletMovesAlongItAlone) {
+  std::vector<Body> bodies = bodies_at({{0, 0, 0}});
+  PhaseSamples before = plane({".....", "##..."}), after = plane({"##...", "####."});
+  before.axisymmetric = after.axisymmetric = true;
+  follow(bodies, before, one);
+  const std::vector<Centre> from = centres_of(bodies, before);
+  follow(bodies, after, one);
+  EXPECT_NEAR(*distances(from, centres_of(bodies, after), after)[0], 1.0 / 7, 1e-12)
+      << "weights 0, 1, 2, 3 below, 0, 1 above";
+}
+
 TEST(DropletWatch, MovesTheShorterWayRound) {
   std::vector<Body> bodies = bodies_at({{0, 0, 0}});
   const PhaseSamples before = plane({"..........", "##.......#"}, true),

@@ -58,10 +58,11 @@ struct NaivePoint {
   std::array<std::array<double, D>, D> f_transposed{};
   std::array<double, D> mesh_velocity{};
   double volume = 1;
+  double radius;  ///< distance from the axis, in the coordinates (r, z)
 
   NaivePoint(const Layout<D>& l, const std::array<int, D>& element, const std::array<double, D>& position,
              const NaiveMotion<D>* motion)
-      : layout(l), x(position) {
+      : layout(l), x(position), radius(position[0]) {
     for (int d = 0; d < D; ++d) {
       value[d] = l.axis[d].values(element[d], x[d]);
       slope[d] = l.axis[d].slopes(element[d], x[d]);
@@ -110,6 +111,7 @@ struct NaivePoint {
     wall.value[D - 1] = layout.axis[D - 1].values(row, layout.axis[D - 1].lower(row));
     wall.first[D - 1] = layout.axis[D - 1].span(row);
     const double beta = (m.blend.low + m.blend.height - x[D - 1]) / m.blend.height;
+    radius += beta * wall.evaluate(m.displacement[0], -1);
     for (int i = 0; i < D; ++i) {
       mesh_velocity[i] = beta * wall.evaluate(m.velocity[i], -1);
       for (int j = 0; j + 1 < D; ++j) f_transposed[j][i] += beta * wall.evaluate(m.displacement[i], j);
@@ -136,6 +138,7 @@ struct NaiveReader {
   const NaivePoint<D>& point;
   const std::vector<Grid>& slots;
   double value(int s) const { return point.evaluate(slots[s], -1); }
+  double over_radius(int s) const { return value(s) / point.radius; }
   Vector<double, D> gradient(int s) const {
     std::array<double, D> g;
     for (int d = 0; d < D; ++d) g[d] = point.evaluate(slots[s], d);
@@ -176,6 +179,8 @@ struct NaiveWriter {
       if (!skip(i)) out[tests[c].offset + i - tests[c].shift * point.layout.row_size] += measure * f * b;
     });
   }
+  /// A hoop entry meets w / r.
+  void add(int c, double f, const Vector<double, D>& flux, double hoop) const { add(c, f + hoop / point.radius, flux); }
   void add(int c, double f, const Vector<double, D>& flux) const {
     add(c, f);
     std::array<double, D> g{};  // (F^-T Grad N) . flux = Grad N . (F^-1 flux), by one physical gradient per direction
@@ -251,7 +256,8 @@ std::vector<double> naive_residual(const Layout<D>& l, int points, const Term& t
   for_points<D>(l, points, first, last, face, motion, [&](const NaivePoint<D>& p, double w) {
     using Trial = typename Term::template Trial<double, D>;
     const auto test = term.residual(Trial::read(NaiveReader<D>{p, slots}));
-    test.write(NaiveWriter<D>{p, tests, w * (face ? p.area() : p.volume), only_row, out});
+    const double measure = w * (face ? p.area() : p.volume) * (is_axisymmetric<Term> ? p.radius : 1.0);
+    test.write(NaiveWriter<D>{p, tests, measure, only_row, out});
   });
   return out;
 }

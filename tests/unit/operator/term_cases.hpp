@@ -89,6 +89,10 @@ struct TermCases {
   static std::vector<int> equations(const PaintedWall<Law>&) {
     return {D + 1};
   }
+  template <class Term>
+  static std::vector<int> equations(const Axisymmetric<Term>& term) {
+    return equations(static_cast<const Term&>(term));
+  }
   /// Of all others: momentum.
   template <class Term>
   static std::vector<int> equations(const Term&) {
@@ -113,9 +117,10 @@ struct TermCases {
                                    moves ? &mesh : nullptr, only_row);
   }
   /// Moments of the density at the end of the step, times their rate.
+  template <class Term = DensityMoment>
   std::vector<double> naive_moments(int first, int last, bool moves) const {
     const NaiveMotion<D> mesh = moves ? motion(patch.stage.displacement_end) : NaiveMotion<D>{};
-    std::vector<double> sum = naive_residual<D>(patch.layout, patch.points, DensityMoment{},
+    std::vector<double> sum = naive_residual<D>(patch.layout, patch.points, Term{},
                                                 {{to_host(patch.stage.density_end), 0, patch.layout.wall_row}},
                                                 {unknown(D)}, first, last, false, moves ? &mesh : nullptr);
     for (double& x : sum) x *= patch.stage.moment_rate;
