@@ -4,14 +4,25 @@ from _outputs import RED, Problem, fraction_of, np
 from matplotlib.tri import LinearTriInterpolator, Triangulation
 
 
+def is_axisymmetric(case):
+    """Whether the left side is an axis of symmetry; pictures then show the half on its other side too."""
+    return case["domain"].get("coordinates") == "axisymmetric"
+
+
 class Block:
     """Where a part of the scene is drawn, x and y of shape (rows, points per row), and its fields.
-    @param magnify  of the vertical displacement"""
+    @param magnify   of the vertical displacement
+    @param mirrored  the mirror image at x = 0 is drawn too"""
 
-    def __init__(self, field, magnify):
-        self.field, self.x = field, field.positions[..., 0].copy()
-        rest = field.reference[..., 1]
-        self.y = rest + magnify * (field.positions[..., 1] - rest)
+    def __init__(self, field, magnify, mirrored):
+        self.field, self.mirrored = field, mirrored
+        rest, now = field.reference[..., 1], field.positions
+        self.x = self.both(now[..., 0], -1)
+        self.y = self.both(rest + magnify * (now[..., 1] - rest))
+
+    def both(self, values, sign=1):
+        """Values at the points that are drawn; in the mirror image they have the sign."""
+        return np.concatenate([sign * values[:, :0:-1], values], axis=1) if self.mirrored else values.copy()
 
 
 class Scene:
@@ -21,8 +32,8 @@ class Scene:
         if run.dimension != 2:
             raise Problem(f"{run.folder} is not two-dimensional; tools/figures3d or ParaView draw its fields")
         self.time, self.case = run.time(time), run.case
-        self.fluid, self.solid = (Block(run.fields(time, part), magnify) if part in run.parts else None
-                                  for part in ("fluid", "solid"))
+        self.fluid, self.solid = (Block(run.fields(time, part), magnify, is_axisymmetric(self.case))
+                                  if part in run.parts else None for part in ("fluid", "solid"))
 
     @property
     def has_density(self):
@@ -31,15 +42,15 @@ class Scene:
 
     def outline(self, axes, **style):
         """The droplet: density halfway between its extremes."""
-        density = self.fluid.field["density"]
+        density = self.fluid.both(self.fluid.field["density"])
         low, high = density.min(), density.max()
         if high > 2 * low:
             axes.contour(self.fluid.x, self.fluid.y, density, levels=[0.5 * (low + high)], **style)
 
     def draw_fluid(self, axes, darkest=1.0):
         """The density, from white to the blue of the density `darkest`."""
-        return axes.pcolormesh(self.fluid.x, self.fluid.y, self.fluid.field["density"], cmap="Blues", vmin=0,
-                               vmax=darkest, shading="gouraud", rasterized=True)
+        return axes.pcolormesh(self.fluid.x, self.fluid.y, self.fluid.both(self.fluid.field["density"]), cmap="Blues",
+                               vmin=0, vmax=darkest, shading="gouraud", rasterized=True)
 
     def velocity(self, columns, rows):
         """A uniform grid over the fluid, and both components of the velocity there; masked outside."""
@@ -47,8 +58,9 @@ class Scene:
         y = np.linspace(self.fluid.y.min(), self.fluid.y.max(), rows)
         mesh = Triangulation(self.fluid.x.ravel(), self.fluid.y.ravel())
         at = np.meshgrid(x, y)
-        velocity = self.fluid.field["velocity"].reshape(-1, 2)
-        return x, y, *(LinearTriInterpolator(mesh, velocity[:, d])(*at) for d in (0, 1))
+        velocity = self.fluid.field["velocity"]
+        both = (self.fluid.both(velocity[..., 0], -1), self.fluid.both(velocity[..., 1]))
+        return x, y, *(LinearTriInterpolator(mesh, component.ravel())(*at) for component in both)
 
     def draw_streamlines(self, axes, **style):
         """Streamlines of the fluid; `colour_speed` = (colour map, norm) colours them by the speed."""
@@ -60,7 +72,7 @@ class Scene:
         return axes.streamplot(x, y, u, v, **(look | style))
 
     def vertical_displacement(self):
-        return 1e3 * self.solid.field.moved()[..., 1]
+        return 1e3 * self.solid.both(self.solid.field.moved()[..., 1])
 
     def draw_solid(self, axes, limit):
         image = axes.pcolormesh(self.solid.x, self.solid.y, self.vertical_displacement(), cmap="PuOr_r", vmin=-limit,
@@ -76,9 +88,10 @@ class Scene:
     def load_ring(self, load):
         """Columns and rows of points around the box of a load."""
         size, wall = self.case["domain"]["size"], self.case["substrate"]["thickness"]
-        rows, columns = self.solid.x.shape
+        rows, last = self.solid.x.shape[0], self.solid.x.shape[1] - 1
+        axis = last // 2 if self.solid.mirrored else 0  # the column of x = 0
         (x0, y0), (x1, y1) = load["box"]
-        i0, i1 = (round(x / size[0] * (columns - 1)) for x in (x0, x1))
+        i0, i1 = (axis + round(x / size[0] * (last - axis)) for x in (x0, x1))
         j0, j1 = (round(y / wall * (rows - 1)) for y in (y0, y1))
         ring = [(j0, i) for i in range(i0, i1)] + [(j, i1) for j in range(j0, j1)] + \
                [(j1, i) for i in range(i1, i0, -1)] + [(j, i0) for j in range(j1, j0 - 1, -1)]

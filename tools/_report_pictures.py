@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.patches import Circle, Rectangle
 
-from _fields import Scene
+from _fields import Scene, is_axisymmetric
 from _outputs import BLUE, GREY, RED
 
 
@@ -69,7 +69,8 @@ def flat(figure, run, times):
             images[r"$u_y / 10^{-3} L_0$"] = scene.draw_solid(axes, limit)
             scene.draw_loads(axes)
         low = min([0.0, *(block.y.min() for block in (scene.solid, scene.fluid) if block)])
-        axes.set(aspect="equal", xlim=(0, run.case["domain"]["size"][0]), ylim=(low, run.case["domain"]["size"][1]))
+        width, height = run.case["domain"]["size"]
+        axes.set(aspect="equal", xlim=(-width if is_axisymmetric(run.case) else 0, width), ylim=(low, height))
         axes.locator_params(nbins=4)
     for label, image in images.items():
         figure.colorbar(image, ax=list(panels), label=label, aspect=14, shrink=0.8)
