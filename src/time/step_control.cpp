@@ -21,8 +21,13 @@ double StepControl::next(double t, double largest) const {
   return left < 2 * wish ? 0.5 * left : wish;
 }
 
+double StepControl::allowed(double dt) const {
+  constexpr double least = 0.25;
+  return limits_.tolerance * std::clamp(limits_.slow / dt, least, 1.0);
+}
+
 void StepControl::accept(double dt, double indicator, bool laborious) {
-  double factor = indicator > 0 ? 0.9 * std::sqrt(limits_.tolerance / indicator) : 2.0;
+  double factor = indicator > 0 ? 0.9 * std::sqrt(allowed(dt) / indicator) : 2.0;
   factor = std::clamp(factor, 0.5, 1.5);
   if (laborious) factor = std::min(factor, 0.9);
   // A step cut short to meet an event says little about a longer one: never fall below the old proposal for that.

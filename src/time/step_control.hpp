@@ -10,7 +10,8 @@ namespace softwet {
 
 struct StepLimits {
   double initial = 1e-2, smallest = 1e-8, largest = 50;
-  double tolerance = 2e-3;  ///< of the error indicator
+  double tolerance = 2e-3;                                ///< of the error indicator
+  double slow = std::numeric_limits<double>::infinity();  ///< a step that is longer steps over the swings of the scene
 };
 
 /// Step-size controller. The indicator compares a step's result with the linear extrapolation of the two states before:
@@ -30,11 +31,16 @@ class StepControl {
   /// After a step that failed: halves. Returns false when the step has become smaller than allowed.
   bool reject(double dt);
 
+  /// Indicator that a step of size dt may have. Swings forget the error of a step; creeping motion, which is all that a step
+  /// longer than they are can follow, adds errors of one sign up along its path. So longer steps may have less:
+  ///   tolerance * slow / dt,  not above the tolerance and not below a quarter of it
+  double allowed(double dt) const;
+
   double proposed() const { return proposed_; }
   /// Kept within the limits, which may have changed since the step was proposed.
   void set_proposed(double dt) { proposed_ = std::clamp(dt, limits_.smallest, limits_.largest); }
-  /// Indicator above which a converged step is repeated with a smaller one.
-  double rejection_level() const { return 4 * limits_.tolerance; }
+  /// Indicator above which a converged step of size dt is repeated with a smaller one.
+  double rejection_level(double dt) const { return 4 * allowed(dt); }
 
  private:
   StepLimits limits_;

@@ -1,6 +1,7 @@
 #include "time/stepper.hpp"
 
 #include "case/error.hpp"
+#include "model/groups.hpp"
 #include "model/initial.hpp"
 #include "time/choose_scheme.hpp"
 
@@ -17,6 +18,13 @@ void copy_state(State& to, const State& from) {
   Kokkos::deep_copy(to.moment_rate, from.moment_rate);
 }
 
+/// A droplet swings in about sqrt(rho_l R^3 / sigma).
+StepLimits step_limits(const Case& c) {
+  StepLimits limits{c.time.dt_initial, c.time.dt_min, c.time.dt_max, c.time.tolerance};
+  if (c.fluid && largest_radius(c) > 0) limits.slow = liquid_of(c).time_inertia();
+  return limits;
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -24,7 +32,7 @@ Stepper<D, P>::Stepper(const Model<D, P>& model, const Case& c, std::vector<doub
     : model_(model),
       judge_(model, c),
       scheme_(choose_scheme(model, c, judge_)),
-      control_({c.time.dt_initial, c.time.dt_min, c.time.dt_max, c.time.tolerance}, std::move(events)),
+      control_(step_limits(c), std::move(events)),
       state_(empty_state(model.layout())),
       previous_("stepper.previous", model.layout().size()) {}
 
@@ -55,7 +63,7 @@ StepReport Stepper<D, P>::step() {
       throw Error(Exit::computation_failed, std::string("the computation stopped: ") + tried.refusal.text() +
                                                 ", even with the smallest step (time.dt_min)");
     }
-    if (tried.indicator > control_.rejection_level() && control_.reject(dt)) {
+    if (tried.indicator > control_.rejection_level(dt) && control_.reject(dt)) {
       ++counts_.rejected_error;
       scheme_->refuse({});
       continue;

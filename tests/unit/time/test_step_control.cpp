@@ -77,6 +77,26 @@ TEST(StepControl, GrowthFollowsTheIndicator) {
   EXPECT_DOUBLE_EQ(control.proposed(), 0.15) << "nothing moves";
 }
 
+// Creeping adds up what swinging forgets.
+TEST(StepControl, LongStepsMayHaveASmallerError) {
+  StepLimits slow = limits;
+  slow.slow = 0.1;
+  StepControl control(slow, {});
+  EXPECT_DOUBLE_EQ(control.allowed(0.05), 1e-3);
+  EXPECT_DOUBLE_EQ(control.allowed(0.1), 1e-3);
+  EXPECT_DOUBLE_EQ(control.allowed(0.2), 0.5e-3);
+  EXPECT_DOUBLE_EQ(control.allowed(1.9), 0.25e-3);
+  EXPECT_DOUBLE_EQ(control.rejection_level(1.9), 1e-3);
+  const auto settled = [](StepControl& steps, double curvature) {
+    for (int n = 0; n < 40; ++n) steps.accept(steps.proposed(), curvature * steps.proposed() * steps.proposed());
+    return steps.proposed();
+  };
+  StepControl usual(limits, {});
+  EXPECT_NEAR(settled(usual, 1e-3), 0.9, 1e-9);
+  EXPECT_NEAR(settled(control, 1e-3), 0.45, 1e-9) << "half as long where a step is more than four times slow";
+  EXPECT_DOUBLE_EQ(settled(control, 0.1), settled(usual, 0.1)) << "as long where it is not slow";
+}
+
 TEST(StepControl, LaboriousNewtonShrinksTheStep) {
   StepControl control(limits, {});
   control.accept(0.1, 1e-12, true);
@@ -120,7 +140,7 @@ TEST(StepControl, RejectionHalvesUntilTheSmallestStep) {
     ASSERT_LT(++halvings, 20);
   }
   EXPECT_EQ(halvings, 5);  // 0.05 / 2^5 = 1.5625e-3; the next would be below 1e-3
-  EXPECT_DOUBLE_EQ(control.rejection_level(), 4e-3);
+  EXPECT_DOUBLE_EQ(control.rejection_level(dt), 4e-3);
 }
 
 }  // namespace
