@@ -20,8 +20,9 @@ namespace {
 
 void check_name(const Checker& check) {
   const std::string& name = check.c.name;
-  const bool plain = std::all_of(name.begin(), name.end(), [](char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) || letter == '_' || letter == '-' || letter == '.';
+  const std::string& others = find_key("name")->letters;
+  const bool plain = std::all_of(name.begin(), name.end(), [&](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) || others.find(letter) != std::string::npos;
   });
   if (plain && !name.empty() && name.front() != '.') return;
   check.refuse("name", "must be letters, digits, '_', '-' or '.'", "it names the output folder, for example droplet_1");

@@ -8,6 +8,7 @@
 #include "casefile/case_file.hpp"
 #include "casefile/column_text.hpp"
 #include "casefile/document.hpp"
+#include "casefile/json_schema.hpp"
 #include "casefile/profiles.hpp"
 #include "casefile/quality.hpp"
 #include "casefile/suggestion.hpp"
@@ -53,13 +54,7 @@ std::string explain_table(const Table& table) {
 
 /// @param alone  it is all that is asked for
 std::string explain_key(const Key& key, bool alone) {
-  std::string text = key.name + "\n    " + key.help + "\n    " + allowed_text(key);
-  if (!key.unit.empty()) text += ", in " + key.unit;
-  if (key.required) {
-    text += "; required";
-  } else {
-    text += "; default " + (key.default_note.empty() ? default_text(key) : key.default_note);
-  }
+  std::string text = key.name + "\n    " + key.help + "\n    " + facts_text(key);
   if (!key.reason.empty()) text += "\n    " + key.reason;
   if (key.bind.profiles && alone) text += "\n    " + profile_text(key);
   if (!key.example.empty()) text += fmt::format("\n    example: {} = {}", key.leaf(), key.example);
@@ -92,6 +87,7 @@ std::string initial_case(const std::string& name) {
     return fmt::format("{:<42} # {}", value, comment);
   };
   const std::string text =
+      fmt::format("#:schema {}\n", schema_file) +
       "# A droplet on a soft substrate, pulled by a load on the solid. Change what you need, then\n"
       "#   softwet check FILE     shows what will be computed\n"
       "#   softwet run FILE       computes it\n"

@@ -9,6 +9,7 @@
 
 #include "casefile/expression.hpp"
 #include "casefile/grid_table.hpp"
+#include "io/run_record.hpp"
 
 namespace softwet {
 namespace {
@@ -159,6 +160,30 @@ void each_profile(const Case& c, const Visit& visit) {
       for (std::size_t i = 0; i < find_table(key.table())->count(c); ++i) visit(key, i);
 }
 
+/// "load[0].factor"; of a list with the axis, "initial.velocity, x".
+std::string name_of_component(const Key& key, std::size_t index, std::size_t i) {
+  return indexed_name(key.name, index) + (key.kind == Kind::profiles ? std::string(", ") + "xyz"[i] : "");
+}
+
+/// A profile at points at equal distances, at most `most` + 1 along each axis.
+RecordValue samples_of(const Case& c, const Key& key, const std::string& name, const Profile& profile, int most) {
+  std::array<std::vector<double>, 3> axes;
+  RecordValue sample, lists(RecordValue::List{}), values(RecordValue::List{});
+  for (int d = 0; d < 3; ++d) {
+    const Span span = spans_of(c, key.support)[d];
+    axes[d] = span.points(std::min(1.0, static_cast<double>(most) / std::max(1, span.elements)));
+    lists.append(RecordValue::List(axes[d].begin(), axes[d].end()));
+  }
+  for (const double z : axes[2])
+    for (const double y : axes[1])
+      for (const double x : axes[0]) values.append(profile.at({x, y, z}));
+  sample["key"] = name;
+  sample["unit"] = key.unit;
+  sample["axes"] = lists;
+  sample["values"] = values;
+  return sample;
+}
+
 }  // namespace
 
 void build_profiles(Case& c, const Document& document, Problems& problems) {
@@ -197,10 +222,23 @@ std::vector<ProfileRange> profile_ranges(const Case& c) {
     for (std::size_t i = 0; i < all.size(); ++i)
       if (all[i]->varies())
         ranges.push_back(
-            {indexed_name(key.name, index) + (key.kind == Kind::profiles ? std::string(", ") + "xyz"[i] : ""),
-             all[i]->least(), all[i]->most(), over[static_cast<int>(key.support)]});
+            {name_of_component(key, index, i), all[i]->least(), all[i]->most(), over[static_cast<int>(key.support)]});
   });
   return ranges;
+}
+
+std::string profile_samples(const Case& c) {
+  const int most = c.dimension() == 2 ? 200 : 40;  // intervals along an axis
+  RecordValue list(RecordValue::List{});
+  Case copy = c;
+  each_profile(copy, [&](const Key& key, std::size_t index) {
+    const std::vector<Profile*> all = key.bind.profiles(copy, index);
+    for (std::size_t i = 0; i < all.size() && key.support != Support::time; ++i)
+      if (all[i]->varies()) list.append(samples_of(c, key, name_of_component(key, index, i), *all[i], most));
+  });
+  RecordValue root;
+  root["profiles"] = list;
+  return root.json() + "\n";
 }
 
 Case with_identities(const Case& c) {

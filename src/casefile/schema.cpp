@@ -171,6 +171,12 @@ std::string allowed_text(const Key& key) {
   return range.empty() ? text : text + " in " + range;
 }
 
+std::string facts_text(const Key& key) {
+  const std::string unit = key.unit.empty() ? "" : ", in " + key.unit;
+  if (key.required) return allowed_text(key) + unit + "; required";
+  return allowed_text(key) + unit + "; default " + (key.default_note.empty() ? default_text(key) : key.default_note);
+}
+
 std::string default_text(const Key& key) {
   if (key.required) return {};
   return text_of_value(key.bind.get(default_case(), 0));

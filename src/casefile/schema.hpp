@@ -57,6 +57,7 @@ struct Key {
   std::string unit{};  ///< scale of the number; empty: none
   Range range{};
   std::vector<std::string> choices{};  ///< of a choice, or of each of the names
+  std::string letters{};               ///< of a text: all that it may have beside letters and digits; empty: anything
   bool required = false;
   std::string example{};  ///< TOML text, the value of the paper's pull scene; empty: the default is the example
   std::string source{};   ///< short note `init` writes behind the value
@@ -86,6 +87,9 @@ std::string header_of(const Table& table);
 
 /// What may stand there: "number in (0, 180)", "one of "gradient", "energy"".
 std::string allowed_text(const Key& key);
+
+/// "number in (0, 180), in degrees; default 90": what may stand there, its unit, and what holds without it.
+std::string facts_text(const Key& key);
 
 /// TOML text of the default (of Case itself); empty when the key is required.
 std::string default_text(const Key& key);

@@ -10,6 +10,7 @@ std::vector<Key> domain_keys() {
   return {
       {.name = "name",
        .kind = Kind::text,
+       .letters = "_.-",
        .required = true,
        .example = "\"tensotaxis_pull_2d\"",
        .source = "Bueno et al. 2017, Fig. 2, left column; [?] = not stated in the paper",

@@ -17,10 +17,20 @@ std::string_view without_spaces(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+/// Without each '_' between two digits: TOML writes 1_000 for 1000.
+std::string without_separators(std::string_view text) {
+  const auto digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] != '_' || i == 0 || !digit(i - 1) || !digit(i + 1)) plain += text[i];
+  return plain;
+}
+
 double without_sign_of_zero(double number) { return number == 0 ? 0 : number; }
 
-std::optional<double> plain_number(std::string_view text) {
-  text = without_spaces(text);
+std::optional<double> plain_number(std::string_view with_separators) {
+  const std::string digits = without_separators(without_spaces(with_separators));
+  std::string_view text = digits;
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   double number = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);

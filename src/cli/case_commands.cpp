@@ -11,9 +11,13 @@
 #include "case/case.hpp"
 #include "case/error.hpp"
 #include "casefile/case_file.hpp"
+#include "casefile/json_schema.hpp"
+#include "casefile/profiles.hpp"
 #include "cli/core/dispatch.hpp"
+#include "cli/tool.hpp"
 #include "field/ranks.hpp"
 #include "field/together.hpp"
+#include "io/atomic_file.hpp"
 #include "machine/memory.hpp"
 #include "machine/threads.hpp"
 #include "run/host/output_folder.hpp"
@@ -74,11 +78,41 @@ void run_command(CaseRequest& request) {
   if (folder) folder->discard();  // of a run that was stopped before its first row
 }
 
+/// The first state as an output folder, for those who draw it.
+void write_scene(const Case& c, const std::string& path) {
+  examined(c);
+  OutputFolder folder(path, c, OldResult::refuse);
+  try {
+    folder.begin();
+    write_first_state(c, path);
+    write_text_atomically(path + "/profiles.json", profile_samples(c));
+  } catch (...) {
+    folder.discard();
+    throw;
+  }
+}
+
 void check_command(const CaseRequest& request) {
   const Case c = read_case(request.case_path, request.overrides);  // larger than this machine, too
+  if (!request.scene.empty()) return write_scene(c, request.scene);
   warn(c);
   std::cout << write_case(c) << "\n" << std::flush;
+  if (request.resolved) return;
   describe_case(c, std::cout);
+  if (request.picture.empty()) return;
+  std::vector<std::string> words{request.case_path, "--out", request.picture};
+  for (const std::string& assignment : request.overrides) words.push_back("--set=" + assignment);
+  std::cout << std::flush;
+  start_tool({"plot", {"numpy", "h5py", "matplotlib"}}, words);
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (file) return;
+  throw Error(Exit::machine_failed,
+              fmt::format("init: cannot write '{}'; give a file in a folder that exists and is yours", path));
 }
 
 void init_command(const CaseRequest& request) {
@@ -87,16 +121,10 @@ void init_command(const CaseRequest& request) {
                                                  "'softwet init my_case.toml'",
                                                  request.file));
   }
-  const std::string text = initial_case(std::filesystem::path(request.file).stem().string());
-  std::ofstream file(request.file);
-  file << text;
-  file.close();
-  if (!file) {
-    throw Error(Exit::machine_failed, fmt::format("init: cannot write '{}'; give a file in a folder that exists and is "
-                                                  "yours",
-                                                  request.file));
-  }
-  fmt::print("wrote {}; next: softwet check {}\n", request.file, request.file);
+  const std::filesystem::path path = request.file, rules = path.parent_path() / schema_file;
+  write_text(request.file, initial_case(path.stem().string()));
+  write_text(rules.string(), json_schema());
+  fmt::print("wrote {}, and {} for editors; next: softwet check {}\n", request.file, rules.string(), request.file);
 }
 
 CLI::Option* add_case(CLI::App& command, CaseRequest& request) {
@@ -149,6 +177,16 @@ void add_check(CLI::App& app, CaseRequest& request) {
   CLI::App& command =
       *app.add_subcommand("check", "print the resolved case, its terms, unknowns, memory and step limits");
   add_case(command, request);
+  CLI::Option* picture = command.add_option("--picture", request.picture,
+                                            "also draw the scene, into a file that ends with .png, .pdf or .svg");
+  picture->type_name("FILE");
+  CLI::Option* resolved =
+      command.add_flag("--resolved", request.resolved, "print the resolved case alone, as a case file");
+  CLI::Option* scene = command.add_option("--scene", request.scene,
+                                          "print nothing, but write the first state as an output folder, for programs "
+                                          "that draw it");
+  scene->type_name("DIR")->excludes(picture)->excludes(resolved);
+  resolved->excludes(picture);
   command.callback([&request] { check_command(request); });
 }
 

@@ -18,6 +18,9 @@ struct CaseRequest {
   std::vector<std::string> overrides;
   RunOptions options;
   bool overwrite = false;
+  bool resolved = false;              ///< check: print the resolved case alone
+  std::string picture;                ///< of the scene, that `check` draws; empty: none
+  std::string scene;                  ///< folder for the first state, that `check` writes; empty: none
   std::string file = "softwet.toml";  ///< that `init` writes
 };
 

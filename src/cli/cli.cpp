@@ -15,6 +15,7 @@
 #include "case/error.hpp"
 #include "casefile/case_file.hpp"
 #include "casefile/column_text.hpp"
+#include "casefile/json_schema.hpp"
 #include "casefile/nearest.hpp"
 #include "cli/case_commands.hpp"
 #include "cli/completion.hpp"
@@ -33,6 +34,7 @@ struct Request {
   CaseRequest of_case;
   std::string key;
   bool markdown = false;
+  bool json_schema = false;
   std::string command;  ///< of which help is wanted
   std::string shell;    ///< whose completion is wanted
   PhysicalScene physical;
@@ -45,8 +47,17 @@ void add_explain(CLI::App& app, Request& request) {
   CLI::Option* key =
       command.add_option("TOPIC", request.key,
                          "a key, a table or a column: fluid.viscosity, load, history, history.mass; default: all keys");
-  command.add_flag("--markdown", request.markdown, "print all keys and columns as a page of Markdown")->excludes(key);
-  command.callback([&request] { std::cout << (request.markdown ? reference_page() : explain(request.key)); });
+  CLI::Option* page =
+      command.add_flag("--markdown", request.markdown, "print all keys and columns as a page of Markdown");
+  CLI::Option* rules = command.add_flag("--json-schema", request.json_schema,
+                                        "print the rules of a case file as JSON Schema, for editors");
+  page->excludes(key);
+  rules->excludes(key)->excludes(page);
+  command.callback([&request] {
+    std::cout << (request.markdown      ? reference_page()
+                  : request.json_schema ? softwet::json_schema()
+                                        : explain(request.key));
+  });
 }
 
 /// Tells an error. Where all processes end with it the first one speaks for them. One that fails alone ends the others.

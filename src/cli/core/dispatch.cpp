@@ -10,6 +10,7 @@
 #include "cli/core/bench_variants.hpp"
 #include "cli/core/configurations.hpp"
 #include "cli/core/describe.hpp"
+#include "cli/core/first_fields.hpp"
 #include "cli/core/units.hpp"
 #include "field/ranks.hpp"
 #include "machine/threads.hpp"
@@ -66,6 +67,16 @@ void describe_case(const Case& given, std::ostream& out) {
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
       describe_model<Chosen::dimension, Chosen::degree>(c, out);
+    });
+  });
+}
+
+void write_first_state(const Case& given, const std::string& folder) {
+  on_machine(0, [&] {
+    const Case c = with_earlier_run(given);
+    with_configuration(c, [&](auto configuration) {
+      using Chosen = decltype(configuration);
+      write_first_fields<Chosen::dimension, Chosen::degree>(c, folder);
     });
   });
 }

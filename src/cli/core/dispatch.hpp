@@ -18,6 +18,10 @@ void run_case(const Case&, const RunOptions&);
 /// A case too large for this machine is described too. Throws Error.
 void describe_case(const Case&, std::ostream&);
 
+/// Writes the fields of the first state into fields/ of a folder that exists: density and displacement, at the time with
+/// which the computation begins. With time.start = "equilibrium" it is the state before the scene comes to rest. Throws Error.
+void write_first_state(const Case&, const std::string& folder);
+
 /// What is likely to go wrong with a case, a sentence each.
 std::vector<std::string> forecast_case(const Case&);
 

@@ -40,9 +40,15 @@ TEST(Value, ReadsNumbersAndRatios) {
   EXPECT_EQ(number_from_text("1/256"), 1.0 / 256);
   EXPECT_EQ(number_from_text(" -3 / 8 "), -0.375);
   EXPECT_EQ(number_from_text("+2e-3"), 2e-3);
-  for (const char* wrong : {"", "/", "1/", "/2", "1/0", "1/2/3", "abc", "1 2", "+-1"}) {
+  for (const char* wrong :
+       {"", "/", "1/", "/2", "1/0", "1/2/3", "abc", "1 2", "+-1", "1__0", "_1", "1_", "1_.5", "_"}) {
     EXPECT_FALSE(number_from_text(wrong)) << wrong;
   }
+}
+
+TEST(Value, ReadsWholeNumbersInAnyWayThatTomlWritesThem) {
+  for (const char* text : {"1000", "1_000", "1000.0", "1e3", "+1_0e0_2", "1_000.0", " 2_000/2 "})
+    EXPECT_EQ(number_from_text(text), 1000) << text;
 }
 
 TEST(Value, WritesTextThatReadsBackToTheSameBits) {

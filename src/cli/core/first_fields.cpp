@@ -1,0 +1,20 @@
+#include "cli/core/first_fields.hpp"
+
+#include "model/initial.hpp"
+#include "observe/output_fields.hpp"
+#include "run/host/run_status.hpp"
+
+namespace softwet {
+
+template <int D, int P>
+void write_first_fields(const Case& c, const std::string& folder) {
+  const Model<D, P> model(c);
+  const State state = initial_state<D, P>(c, model);
+  const Snapshot<D> snapshot(model.layout(), state);
+  write_field_files<D, P>(folder, origin_of(c), {"density", "displacement"}, model, snapshot,
+                          {c.run_start() - c.clock_zero()});
+}
+
+template void write_first_fields<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, const std::string&);
+
+}  // namespace softwet
