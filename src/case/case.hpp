@@ -205,6 +205,7 @@ struct Case {
   TimeControl time;
   SolverControl solver;
   OutputControl output;
+  double wall_clock = 0;  ///< hours that a run has on the clock on the wall (time.wall_clock); 0: no limit
 
   /// Largest extent of an element; where they are graded, of those in the fine box.
   double spacing() const {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cli/cli.hpp"
+#include "cli/waiting.hpp"
 #include "field/ranks.hpp"
 #include "run/interrupt.hpp"
 
@@ -20,9 +21,11 @@ void fill_standard_streams() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::string_view command = argc > 1 ? argv[1] : "";
+  if (command == "run" || command == "bench") softwet::choose_waiting(argv);
   fill_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of the system fails to be written, which can be told
-  if (argc > 1 && std::string_view(argv[1]) == "run") softwet::hear_signals();  // before anything that takes time
+  if (command == "run") softwet::hear_signals();  // before anything that takes time
   const softwet::Job job(argc, argv);
   return softwet::run_command_line(argc, argv);
 }

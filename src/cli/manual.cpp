@@ -105,8 +105,12 @@ std::string manual_page(const CLI::App& app) {
   text += section("ENVIRONMENT");
   text += entry("\\fBSOFTWET_PYTHON\\fR", "The python3 of the commands that are Python programs.");
   text += entry("\\fBSOFTWET_TOOLS\\fR", "The folder of these programs, where it is not the installed one.");
-  text += entry("\\fBOMP_WAIT_POLICY\\fR",
-                "Threads spin while they wait; on a machine that others use too, set this to passive.");
+  text += entry(
+      "\\fBOMP_WAIT_POLICY\\fR, \\fBGOMP_SPINCOUNT\\fR",
+      "How threads wait for each other, as the OpenMP runtime has it. Without either of them they look 1000 times "
+      "before they sleep, which suits a machine with or without other work.");
+  text += entry("\\fBSOFTWET_PROGRAM\\fR",
+                "The program that the Python package softwet starts, where it is not the one beside it.");
   return text;
 }
 

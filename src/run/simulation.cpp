@@ -1,6 +1,7 @@
 #include "run/simulation.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "case/error.hpp"
 #include "case/text.hpp"
@@ -40,15 +41,13 @@ std::vector<double> events(const Case& c) {
   return times;
 }
 
-/// Whether any process has been asked to stop.
-bool asked_to_stop() { return ranks::largest(stop_requested() ? 1 : 0) > 0; }
-
 }  // namespace
 
 template <int D, int P>
 Simulation<D, P>::Simulation(const Case& c, const RunOptions& options)
     : saves_(std::min(first_save, 60 * c.output.checkpoint_minutes), 60 * c.output.checkpoint_minutes),
       records_(record_pause, record_pause),
+      wall_clock_(c.wall_clock),
       case_(c),
       options_(options),
       model_(c),
@@ -83,12 +82,19 @@ bool Simulation<D, P>::begin() {
 template <int D, int P>
 bool Simulation<D, P>::come_to_rest(State& state) {
   scalars_.watch(state, "");
-  relaxation_ = relax<D, P>(model_, case_, state, state.time, asked_to_stop,
+  double before = since_start();
+  const auto interrupted = [&] {
+    wall_clock_.step(since_start() - std::exchange(before, since_start()));
+    return wish() != Wish::go_on;
+  };
+  relaxation_ = relax<D, P>(model_, case_, state, state.time, interrupted,
                             [&](const State& now) { scalars_.watch(now, " (while the scene came to rest)"); });
   if (relaxation_->interrupted) {
-    progress_->tell(
-        "stopped by user before the scene was at rest (time.start); nothing was written, give the same "
-        "command again");
+    const bool in_time = wish() == Wish::end_in_time;
+    progress_->tell((in_time ? "time.wall_clock reached" : "stopped by user") +
+                    std::string(" before the scene was at rest (time.start); nothing was written, give the same "
+                                "command again") +
+                    (in_time ? " with more time" : ""));
     return false;
   }
   moved_ = scalars_.moved();
@@ -152,8 +158,8 @@ void Simulation<D, P>::run() {
   if (!options_.resume && !begin()) return;
   if (options_.resume) {
     restore();
-    const std::string place = stop_reason() + " at t = " + short_text(output_time(), 6);
-    if (!stop_reason().empty())
+    const std::string place = completed() + " at t = " + short_text(output_time(), 6);
+    if (!completed().empty())
       return progress_->tell("nothing is left to compute: " + place + "; to go on, raise " +
                              (at_end() ? "time.end" : "time.max_steps"));
     progress_->tell("resumed at t = " + short_text(output_time(), 6));
@@ -200,10 +206,12 @@ template <int D, int P>
 void Simulation<D, P>::advance() {
   StepReport report;
   while (stop_reason().empty()) {
+    const double before = since_start();
     report = stepper_.step();
     time_left_.step(stepper_.counts().steps, stepper_.state().time, since_start());
     observe(report);
     keep_files_current();
+    wall_clock_.step(since_start() - before);
   }
   const long steps = stepper_.counts().steps;
   if (steps > first_step_ && steps % case_.output.history_every != 0) write_row(report);
@@ -218,10 +226,28 @@ void Simulation<D, P>::advance() {
 }
 
 template <int D, int P>
-std::string Simulation<D, P>::stop_reason() {
+std::string Simulation<D, P>::completed() {
   if (at_end()) return "end reached";
-  if (stepper_.counts().steps >= case_.time.max_steps) return "time.max_steps reached";
-  if (asked_to_stop()) return "stopped by user";
+  return stepper_.counts().steps >= case_.time.max_steps ? "time.max_steps reached" : "";
+}
+
+template <int D, int P>
+typename Simulation<D, P>::Wish Simulation<D, P>::wish() const {
+  const Wish mine = stop_requested() ? Wish::stop : wall_clock_.over(since_start()) ? Wish::end_in_time : Wish::go_on;
+  return static_cast<Wish>(std::lround(ranks::largest(static_cast<double>(mine))));
+}
+
+template <int D, int P>
+std::string Simulation<D, P>::stop_reason() {
+  if (const std::string reason = completed(); !reason.empty()) return reason;
+  switch (wish()) {
+    case Wish::stop:
+      return "stopped by user";
+    case Wish::end_in_time:
+      return "time.wall_clock reached";
+    case Wish::go_on:
+      break;
+  }
   return "";
 }
 
@@ -295,6 +321,7 @@ void Simulation<D, P>::save() {
 template <int D, int P>
 void Simulation<D, P>::write_state() {
   Stopwatch watch(seconds_.output);
+  const double before = since_start();
   WrittenFiles files{{}, {}, written_};
   on_root([&] {
     history_->bring_to_disk();
@@ -305,6 +332,7 @@ void Simulation<D, P>::write_state() {
   seconds_.total = seconds_before_ + since_start();
   write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory(), files, seconds_);
   record("running");
+  wall_clock_.save(since_start() - before);
 }
 
 template <int D, int P>

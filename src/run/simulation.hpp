@@ -11,6 +11,7 @@
 #include "run/host/options.hpp"
 #include "run/host/rhythm.hpp"
 #include "run/host/time_left.hpp"
+#include "run/host/wall_clock.hpp"
 #include "run/progress.hpp"
 #include "run/record.hpp"
 #include "run/restart.hpp"
@@ -27,7 +28,7 @@ class Simulation {
  public:
   Simulation(const Case& c, const RunOptions& options);
 
-  /// To time.end, time.max_steps, Ctrl-C. Throws Error (computation_failed) after a checkpoint of the last good state.
+  /// To time.end, time.max_steps, time.wall_clock, Ctrl-C. Throws Error (computation_failed) after a checkpoint of the last good state.
   void run();
 
  private:
@@ -56,6 +57,11 @@ class Simulation {
   void record(const std::string& reason);
   /// @param memory  peak of each process, MiB
   void write_record(const std::string& reason, const std::vector<double>& memory);
+  /// Why nothing is left to compute; empty where there is.
+  std::string completed();
+  /// What all processes are asked to do.
+  enum class Wish { go_on, end_in_time, stop };
+  Wish wish() const;
   std::string stop_reason();
 
   bool at_end() const;
@@ -66,6 +72,7 @@ class Simulation {
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now();
   Rhythm saves_, records_;
+  WallClock wall_clock_;
   const Case& case_;
   RunOptions options_;
   Model<D, P> model_;

@@ -28,11 +28,11 @@ bool of_solver(const std::string& line) { return starts_with(line, "solver."); }
 /// What a resumed run may change.
 bool may_change(const std::string& line) {
   static const std::vector<std::string> keys{"name",        "time.end",    "time.max_steps", "time.dt_initial",
-                                             "time.dt_min", "time.dt_max", "time.tolerance"};
+                                             "time.dt_min", "time.dt_max", "time.tolerance", "time.wall_clock"};
   return starts_with(line, "output.") || of_solver(line) || is_one_of(key_of(line), keys);
 }
 constexpr const char* may_change_text =
-    "only the name, output, solver, time.end, time.max_steps, time.tolerance and time.dt_* may change";
+    "only the name, output, solver, time.end, time.max_steps, time.wall_clock, time.tolerance and time.dt_* may change";
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;

@@ -1,0 +1,28 @@
+// A run with a limit on the clock on the wall leaves room for another step and its last checkpoint.
+#include "run/host/wall_clock.hpp"
+
+#include <gtest/gtest.h>
+
+namespace softwet {
+namespace {
+
+constexpr double hour = 3600;
+
+TEST(WallClock, NoLimitIsNeverOver) { EXPECT_FALSE(WallClock(0).over(1e12)); }
+
+TEST(WallClock, IsOverBeforeTheLimit) {
+  const WallClock clock(1);
+  EXPECT_FALSE(clock.over(0.98 * hour));
+  EXPECT_TRUE(clock.over(0.991 * hour));
+}
+
+TEST(WallClock, LeavesRoomForTheLongestStepAndTheLongestCheckpoint) {
+  WallClock clock(1);
+  for (double seconds : {10.0, 60.0, 20.0}) clock.step(seconds);
+  for (double seconds : {30.0, 5.0}) clock.save(seconds);
+  EXPECT_FALSE(clock.over(0.99 * hour - 2 * (60 + 30) - 1));
+  EXPECT_TRUE(clock.over(0.99 * hour - 2 * (60 + 30) + 1));
+}
+
+}  // namespace
+}  // namespace softwet
