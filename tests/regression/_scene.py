@@ -11,8 +11,9 @@ from softwet import open as open_output  # noqa: E402
 
 softwet = str(pathlib.Path(sys.argv[1]).resolve())
 cases = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "cases"
-# Threads that wait without spinning: the tests share the machine with others.
-environment = {**os.environ, "OMP_WAIT_POLICY": "passive"}
+# Threads that wait without spinning: the tests share the machine with others. Python starts the program under test.
+environment = {**os.environ, "OMP_WAIT_POLICY": "passive", "SOFTWET_PROGRAM": softwet}
+os.environ.update(environment)
 
 # A pull and a rigid droplet that take seconds.
 PULL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "load[0].start=2", "load[0].ramp=1",

@@ -1,7 +1,9 @@
-"""Results of softwet in Python: an output folder as arrays.
+"""softwet in Python: computing cases, and output folders as arrays.
 
     import softwet
 
+    run = softwet.run("cases/tensotaxis_pull_2d.toml", out="out/soft", sets={"substrate.young": 0.5})
+    case = softwet.Case("my_case.toml")       # checked by the program; case.warnings, case["fluid"]["viscosity"]
     run = softwet.open("out/tensotaxis_pull_2d")
     run.case["substrate"]["young"]            # any key of case.toml
     run.record["counts"]["steps"]             # run.json
@@ -16,16 +18,19 @@
 
 Everything is in the units of the paper: lengths in L0, times in L0/sqrt(ab), velocities in sqrt(ab), densities in b,
 stresses in a b^2. Time 0 is the start of the first load. Arrays need numpy, fields need h5py too; what needs neither
-is read without them. What is wrong with a file or a question raises softwet.Problem, whose text says what to do.
+is read without them. What is wrong with a file or a question raises softwet.Problem, whose text says what to do. What the
+program refuses or fails to compute raises softwet.Failure, a Problem with its sentence and its exit code.
 """
 
 from .case import read_case
+from .definition import Case, run
 from .problem import Problem
+from .program import Failure
 from .run import Run
 from .sweep import Member, Sweep
 from .table import read_table
 
-__all__ = ["Member", "Problem", "Run", "Sweep", "open", "read_case", "read_table", "sweep"]
+__all__ = ["Case", "Failure", "Member", "Problem", "Run", "Sweep", "open", "read_case", "read_table", "run", "sweep"]
 
 
 def open(folder):

@@ -104,6 +104,25 @@ class Field:
         """How far the points of some rows of the vertical axis have moved: in the solid its displacement."""
         return self.read("Points", rows) - self.rest(rows)
 
+    def to_pyvista(self, *names):
+        """A pyvista.StructuredGrid of the points where they are now, with the fields (all, or those named). Needs pyvista."""
+        try:
+            import pyvista
+        except ImportError as missing:
+            raise Problem(f"{missing}; to_pyvista needs pyvista (pip install pyvista)") from missing
+        count = int(np.prod(self.shape))
+        points = np.zeros((count, 3))
+        points[:, :self.dimension] = self.positions.reshape(count, -1)
+        grid = pyvista.StructuredGrid()
+        grid.points = points
+        grid.dimensions = (*self.shape[::-1], 1, 1)[:3]
+        for name in names or self:
+            values = self[name]
+            values = values.reshape(count, -1)
+            flat = np.pad(values, ((0, 0), (0, 1))) if values.shape[1] == 2 else values  # a vector has three components there
+            grid.point_data[name] = flat[:, 0] if flat.shape[1] == 1 else flat
+        return grid
+
     def at(self, points):
         """The fields at places of the deformed body. @param points  (..., dimension);  @return Sample"""
         points = np.asarray(points, dtype=float)

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""The Python package computes cases with the program: what comes out, what is refused, how Ctrl-C ends a run, and the examples
+of docs/python.md. usage: python_run.py SOFTWET"""
+
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import numpy
+from _scene import PULL, cases, check, check_true, environment, tools
+from _same import check_same
+
+import softwet
+from softwet.definition import assignments, toml_file, toml_text
+
+DOCS = tools.parent / "docs"
+PULL_CASE = cases / "tensotaxis_pull_2d.toml"
+SETS = {"domain.elements": [32, 16], "fluid.capillarity": "1/16", "load[0].start": 2, "load[0].ramp": numpy.float64(1),
+        "time.end": 4, "output.fields.times": (0, 4)}
+LAYER = {"name": "layer", "domain": {"size": numpy.array([1.0, 0.125]), "elements": [16, 4]},
+         "substrate": {"thickness": 0.125, "young": "0.7 + 0.1*x", "poisson": 0.3},
+         "load": [{"box": [[0.7, 0.0], [0.8, 0.125]], "force": [0.1, 0.0]}], "solver": {"newton": {"rtol": 1e-4}},
+         "time": {"end": 2.0}}
+
+
+def refused(name, action, code, *parts):
+    try:
+        action()
+    except softwet.Problem as problem:
+        return check_true(f"refused: {name}", getattr(problem, "code", 0) == code and all(part in str(problem) for part in parts) and
+                          "softwet: error" not in str(problem), f"{getattr(problem, 'code', 0)} {problem}")
+    check_true(f"refused: {name}", False)
+
+
+# --- from Python to TOML -------------------------------------------------------------------------------------------------
+check_true("values", [toml_text(value) for value in (3, numpy.int64(3), 0.1, numpy.float32(0.5), "a\"b\\\n", [1, (2.5,)],
+                                                     True, pathlib.Path("x"), {"a b": 1})] ==
+           ["3", "3", "0.1", "0.5", '"a\\"b\\\\\\n"', "[1, [2.5]]", "true", '"x"', '{ "a b" = 1 }'])
+check_true("settings", assignments({"a": "1/64", "b": [1, 2]}) == ["--set", "a=1/64", "--set", "b=[1, 2]"])
+check_true("tables", toml_file({"load": [{"a": 1}, {"a": 2}], "name": "n", "time": {"end": 1}, "empty": []}) ==
+           'name = "n"\nempty = []\n[[load]]\na = 1\n[[load]]\na = 2\n[time]\nend = 1\n')
+refused("a value that is none", lambda: softwet.Case({"name": object()}), 0, "numbers, texts, lists")
+
+# --- cases -------------------------------------------------------------------------------------------------------------
+pull = softwet.Case(PULL_CASE, SETS)
+check_true("a case has its defaults", pull["domain"]["degree"] == 2 and pull["fluid"]["capillarity"] == 1 / 16 and "load" in pull)
+check_true("warnings", any("field" in warning for warning in softwet.Case(pull, {"time.end": 3}).warnings))
+again = softwet.Case(pull, {"time.end": 9})
+check_true("a case of a case", (again["time"]["end"], pull["time"]["end"], again["load"][0]["start"]) == (9, 4, 2))
+layer = softwet.Case(LAYER)
+check_true("a case from a dict", layer["solver"]["newton"]["rtol"] == 1e-4 and layer["load"][0]["force"] == [0.1, 0])
+check_true("no file is left", not list(pathlib.Path().glob(".case*")))
+refused("a wrong key", lambda: softwet.Case({**LAYER, "fluids": {}}), 1, "the case:", "fluids", "did you mean")
+refused("a wrong value", lambda: softwet.Case(layer, {"substrate.poisson": 0.6}), 1, "substrate.poisson = 0.6")
+refused("no file", lambda: softwet.Case("nowhere.toml"), 1, "nowhere.toml")
+refused("no case", lambda: softwet.Case(3), 0, "3 is no case")
+refused("no key", lambda: layer["fluid"], 0, "has no 'fluid'")
+
+# --- runs --------------------------------------------------------------------------------------------------------------
+for folder in ("here", "there", "stopped", "failed"):
+    shutil.rmtree(folder, ignore_errors=True)
+run = softwet.run(PULL_CASE, "here", SETS, threads=1, progress=False)
+check_true("a run", isinstance(run, softwet.Run) and run.state == "done" and run.times == [0, 4] and run.history["t"][-1] == 4)
+words = [word for setting in [*PULL, "time.end=4", "output.fields.times=[0,4]"] for word in ("--set", setting)]
+subprocess.run([os.environ["SOFTWET_PROGRAM"], "run", str(PULL_CASE), *words, "--out", "there", "--threads", "1", "--quiet"],
+               check=True, env=environment)
+check_same("the program by itself", "here", "there")
+refused("a folder with a result", lambda: softwet.run(pull, "here", threads=1), 1, "--overwrite")
+longer = softwet.run(pull, "here", {"time.end": 5}, threads=1, progress=False, resume=True)
+check_true("a run goes on", longer.history["t"][-1] == 5 and longer.record["counts"]["steps_before_resume"] > 0)
+hopeless = {"solver.newton.max": 1, "time.dt_initial": 1, "time.dt_min": 0.6}
+refused("a computation that fails", lambda: softwet.run(pull, "failed", hopeless, threads=1, progress=False), 2, "Newton",
+        "failed/checkpoint.h5")
+by_hand = softwet.run(LAYER, "failed", threads=1, progress=False, overwrite=True)
+check_true("a dict is computed", by_hand.case["substrate"]["young"] == "0.7 + 0.1*x" and by_hand.state == "done")
+
+# --- Ctrl-C, of Python alone, as the stop button of a notebook sends it ----------------------------------------------------
+code = f"""
+import softwet
+case = softwet.Case({str(PULL_CASE)!r}, {{"domain.elements": [64, 32], "fluid.capillarity": "1/32"}})
+try:
+    case.run("stopped", threads=1)
+except KeyboardInterrupt:
+    print("stopped is", softwet.open("stopped").state)
+"""
+process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                           env={**environment, "PYTHONPATH": str(tools)})
+end = time.monotonic() + 120
+while not pathlib.Path("stopped/run.json").exists() and process.poll() is None and time.monotonic() < end:
+    time.sleep(0.05)
+process.send_signal(signal.SIGINT)
+out, told = process.communicate(timeout=120)
+check_true("Ctrl-C stops the run with a checkpoint", process.returncode == 0 and "stopped is stopped" in out and
+           pathlib.Path("stopped/checkpoint.h5").exists(), f"{process.returncode} {out} {told}")
+check_true("and what the program says is passed on", "stopped by user" in told and "--resume" in told, told)
+
+# --- pyvista, played by a class: its StructuredGrid takes points with x fastest ----------------------------------------------
+pathlib.Path("pyvista.py").write_text("class StructuredGrid:\n    def __init__(self):\n        self.point_data = {}\n")
+sys.path.insert(0, str(pathlib.Path().resolve()))
+solid = softwet.open("there").fields(4, "solid")
+grid = solid.to_pyvista("displacement", "volume_ratio")
+check_true("pyvista: a grid", grid.dimensions == (65, 9, 1) and grid.points.shape == (585, 3) and
+           list(grid.point_data) == ["displacement", "volume_ratio"] and grid.point_data["volume_ratio"].shape == (585,))
+check("pyvista: points and values in one order", abs((grid.points - grid.point_data["displacement"])[:, :2] -
+                                                      solid.reference.reshape(-1, 2)).max(), 1e-12)
+check_true("pyvista: x goes fastest", grid.points[1, 0] > grid.points[0, 0])
+check_true("pyvista: all fields, tensors in rows of nine", solid.to_pyvista().point_data["cauchy_stress"].shape == (585, 9))
+
+# --- the documentation --------------------------------------------------------------------------------------------------
+if not pathlib.Path("cases").exists():
+    pathlib.Path("cases").symlink_to(cases)
+shutil.rmtree("out", ignore_errors=True)
+blocks = re.findall(r"```python\n(.*?)```", (DOCS / "python.md").read_text(), re.DOTALL)
+result = subprocess.run([sys.executable, "-W", "error", "-c", "\n".join(blocks)], capture_output=True, text=True,
+                        env={**environment, "PYTHONPATH": str(tools)}, timeout=300)
+check_true("docs/python.md", result.returncode == 0 and "1 --set substrate.poisson=0.6" in result.stdout, result.stdout + result.stderr)
+try:
+    import scipy.optimize  # noqa: F401
+except ImportError:
+    sys.exit(print("no scipy: docs/fit_young.py is left out"))
+result = subprocess.run([sys.executable, "-W", "error", str(DOCS / "fit_young.py")], capture_output=True, text=True,
+                        env={**environment, "PYTHONPATH": str(tools)}, timeout=300)
+found = re.search(r"Young's modulus: ([0-9.]+)", result.stdout)
+check_true("docs/fit_young.py", result.returncode == 0 and found, result.stdout + result.stderr)
+check("it finds the modulus of which the heights were made", abs(float(found.group(1)) - 0.5), 2e-3)

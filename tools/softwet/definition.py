@@ -1,0 +1,146 @@
+"""Cases: from a file or from Python, checked by the program, and computed by it."""
+
+import contextlib
+import json
+import math
+import numbers
+import os
+import pathlib
+import tempfile
+
+from . import program
+from .case import CaseTable
+from .problem import Problem
+from .run import Run
+
+
+def toml_text(value):
+    """The TOML text of a number, a text, or a list of them."""
+    if hasattr(value, "tolist"):  # of numpy
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, numbers.Integral):
+        return str(int(value))
+    if isinstance(value, numbers.Real):
+        value = float(value)
+        return repr(value) if math.isfinite(value) else str(value)
+    if isinstance(value, (str, os.PathLike)):
+        return json.dumps(os.fspath(value), ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(toml_text, value)) + "]"
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{json.dumps(str(key))} = {toml_text(entry)}" for key, entry in value.items()) + " }"
+    raise Problem(f"{value!r} is of the type {type(value).__name__}; values of a case are numbers, texts, lists and tables")
+
+
+def toml_file(tables):
+    """The text of a case file with these tables: a dict of keys, dicts and lists of dicts."""
+    lines, below = [], []
+    for name, value in tables.items():
+        entries = value if isinstance(value, (list, tuple)) else [value]
+        if not entries or not all(isinstance(entry, dict) for entry in entries):
+            lines.append(f"{name} = {toml_text(value)}")
+            continue
+        for entry in entries:
+            below.append(f"[[{name}]]" if entries is value else f"[{name}]")
+            below += [f"{key} = {toml_text(inner)}" for key, inner in entry.items()]
+    return "\n".join([*lines, *below]) + "\n"
+
+
+def assignments(sets):
+    """The options --set of a dict of settings. A text stands as it would on the command line: "1/256", "kick_drift"."""
+    words = []
+    for key, value in sets.items():
+        words += ["--set", f"{key}={value if isinstance(value, str) else toml_text(value)}"]
+    return words
+
+
+class Case:
+    """A case that `softwet check` has accepted.
+
+    source    the path of a case file, a dict of its tables, or another Case
+    sets      settings {key: value}, as --set: {"time.end": 10, "load[0].ramp": 2, "fluid.viscosity": "1/64"}
+
+    case["fluid"]["viscosity"]   any key, with every default filled in
+    case.text                    the same as a case file
+    case.warnings                what the program says of it: a list of sentences
+    case.run(...)                computes it, see softwet.run
+
+    Paths of tables are relative to the folder of the file, and for a dict to the working folder. What is wrong with a case
+    raises softwet.Failure."""
+
+    def __init__(self, source, sets=None):
+        if isinstance(source, Case):
+            self._source, self.sets = source._source, {**source.sets, **(sets or {})}
+        elif isinstance(source, (dict, str, os.PathLike)):
+            self._source, self.sets = source, dict(sets or {})
+        else:
+            raise Problem(f"{source!r} is no case: give the path of a file, a dict of tables, or a softwet.Case")
+        with self._words() as words:
+            self.text, lines = self._told(lambda: program.ask("check", "--resolved", *words), words[0])
+        self.warnings = program.sentences(lines, program.WARNING)
+        import tomllib
+        self._tables = CaseTable("the case", tomllib.loads(self.text))
+
+    def __repr__(self):
+        return f"<softwet.Case {self['name']}>"
+
+    def __getitem__(self, key):
+        return self._tables[key]
+
+    def __contains__(self, key):
+        return key in self._tables
+
+    def __iter__(self):
+        return iter(self._tables)
+
+    def run(self, out=None, threads=None, progress=True, overwrite=False, resume=False):
+        """Computes the case: see softwet.run. @return Run"""
+        folder = pathlib.Path(out if out is not None else f"out/{self['name']}")
+        options = ["--out", str(folder)]
+        options += ["--threads", str(threads)] if threads is not None else []
+        options += [option for option, wish in (("--overwrite", overwrite), ("--resume", resume), ("--quiet", not progress))
+                    if wish]
+        tell = program.tell_on_stderr if progress else lambda line: None
+        with self._words() as words:
+            self._told(lambda: program.compute(["run", *words, *options], tell), words[0])
+        return Run(folder)
+
+    @contextlib.contextmanager
+    def _words(self):
+        """The words of a command line that name the case; a dict is a file for so long."""
+        if not isinstance(self._source, dict):
+            yield [os.fspath(self._source), *assignments(self.sets)]
+            return
+        try:
+            file = tempfile.NamedTemporaryFile("w", dir=os.getcwd(), prefix=".case_", suffix=".toml", encoding="utf-8")
+        except OSError as error:
+            raise Problem(f"cannot write the case into the working folder: {error}") from error
+        with file:
+            file.write(toml_file(self._source))
+            file.flush()
+            yield [file.name, *assignments(self.sets)]
+
+    def _told(self, action, path):
+        """Does something; a failure names the dict and not the file that stood for it."""
+        try:
+            return action()
+        except program.Failure as failure:
+            if not isinstance(self._source, dict):
+                raise
+            raise program.Failure(failure.code, str(failure).replace(path, "the case")) from None
+
+
+def run(case, out=None, sets=None, threads=None, progress=True, overwrite=False, resume=False):
+    """Computes a case with the program and returns its output folder.
+
+    case       path of a case file, dict of its tables, or softwet.Case
+    out        output folder; default: out/<name of the case>
+    sets       settings {key: value}, as --set
+    threads    number of threads; default: as for the program
+    progress   prints what the program says to stderr as it comes
+    overwrite  replaces a result in the folder;  resume  goes on from its checkpoint
+    @return    Run. Where the case is wrong or the run fails, softwet.Failure has the sentence of the program and its exit
+               code. Ctrl-C stops the run after its step; its checkpoint is there when KeyboardInterrupt comes out."""
+    return Case(case, sets).run(out, threads, progress, overwrite, resume)
