@@ -1,49 +1,25 @@
-"""The pictures of tools/report: a sketch of the scene, and the fields at some times in two and three dimensions."""
+"""The pictures of tools/report: the scene, and the fields at some times in two and three dimensions."""
+
+import textwrap
 
 import numpy as np
-from matplotlib.patches import Circle, Rectangle
 
 from _fields import Scene, is_axisymmetric
-from _outputs import BLUE, GREY, RED
+from _outputs import GREY, Problem
+from _scene_picture import draw, with_first_state
 
 
 NO_DENSITY = "the field files hold no density\n(output.fields.select)"
 
 
-def sketch(axes, case):
-    """The scene as the case tells it, in the plane of the first axis and the vertical: substrate, droplets, loads, and
-    the kinds of the sides."""
-    width, height = case["domain"]["size"][0], case["domain"]["size"][-1]
-    wall = case["substrate"]["thickness"] if "substrate" in case else 0.0
-    axes.add_patch(Rectangle((0, 0), width, height, facecolor="none", edgecolor="0.2", linewidth=0.9))
-    if wall:
-        axes.add_patch(Rectangle((0, 0), width, wall, facecolor="0.88", edgecolor="0.2", linewidth=0.9))
-    fluid = Rectangle((0, wall), width, height - wall, visible=False)
-    axes.add_patch(fluid)
-    for droplet in case.get("droplet", []):
-        x, y = droplet["centre"][0], droplet["centre"][-1]
-        circle = Circle((x, y), droplet["radius"], facecolor=BLUE, alpha=0.35, linewidth=0)
-        axes.add_patch(circle)
-        circle.set_clip_path(fluid)
-    for load in case.get("load", []):
-        low, high = np.array(load["box"])[:, [0, -1]]
-        axes.add_patch(Rectangle(low, *(high - low), facecolor="none", edgecolor=RED, linewidth=0.9, linestyle="--"))
-        force = np.array(load["force"])[[0, -1]]
-        if force.any():
-            half, centre = 0.05 * width * force / np.linalg.norm(force), 0.5 * (low + high)
-            axes.annotate("", centre + half, centre - half,
-                          arrowprops={"arrowstyle": "-|>", "color": RED, "linewidth": 1.1})
-    label_sides(axes, case.get("boundary", {}), width, height)
-    axes.set(xlim=(-0.1 * width, 1.1 * width), ylim=(-0.16 * height, 1.16 * height), aspect="equal")
-    axes.set_axis_off()
-
-
-def label_sides(axes, kinds, width, height):
-    for side, x, y, turn in (("left", -0.02, 0.5, 90), ("right", 1.02, 0.5, 270), ("bottom", 0.5, -0.03, 0),
-                             ("top", 0.5, 1.03, 0)):
-        axes.text(x * width, y * height, kinds.get(side, "").replace("_", " "), rotation=turn, color=GREY, fontsize=7,
-                  ha={"left": "right", "right": "left"}.get(side, "center"),
-                  va={"bottom": "top", "top": "bottom"}.get(side, "center"))
+def scene(figure, run):
+    """The scene as it was before the run, or a sentence where the program cannot make its first state. @return its panels"""
+    try:
+        return with_first_state(run.folder / "case.toml", [], lambda state: draw(figure, state, size=6))
+    except Problem as problem:
+        figure.text(0.5, 0.5, "\n".join(textwrap.wrap(f"no picture of the scene: {problem}", 60)), ha="center", va="center",
+                    color=GREY, fontsize=6)
+        return []
 
 
 def chosen_times(run, most=3):

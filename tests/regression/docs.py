@@ -60,6 +60,8 @@ def with_settings(words, settings, checked_only):
         return []
     if words[0].startswith("tools/"):
         return [sys.executable, str(ROOT / words[0]), *words[1:]]
+    if "--picture" in words and "tools/plot" in left_out:
+        words = words[:words.index("--picture")] + words[words.index("--picture") + 2:]
     sets = [word for setting in settings for word in ("--set", setting)]
     command = words[1] if words[0] == "softwet" else ""
     if command == "run" and checked_only:
