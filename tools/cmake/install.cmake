@@ -2,7 +2,13 @@
 # program finds its tools beside itself, so that the folder can be moved.
 set(softwet_share share/softwet)
 
-install(TARGETS softwet RUNTIME DESTINATION bin)
+if(SKBUILD)
+  include(tools/cmake/wheel.cmake)
+  set(softwet_manual ${SKBUILD_DATA_DIR}/share)  # of the environment into which the wheel is installed
+else()
+  install(TARGETS softwet RUNTIME DESTINATION bin)
+  set(softwet_manual share)
+endif()
 
 # Tools that need the sources stay with them.
 install(DIRECTORY tools/ DESTINATION ${softwet_share}/tools USE_SOURCE_PERMISSIONS
@@ -15,11 +21,13 @@ install(DIRECTORY tests/verification tests/oracle DESTINATION ${softwet_share}/t
   FILES_MATCHING PATTERN *.py PATTERN mms EXCLUDE PATTERN time_order.py EXCLUDE)
 
 # The package softwet of tools/, where Debian's python3 looks for packages.
-install(CODE [[
-  set(packages "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages")
-  file(MAKE_DIRECTORY "${packages}")
-  file(CREATE_LINK ../../../share/softwet/tools/softwet "${packages}/softwet" SYMBOLIC)
-]])
+if(NOT SKBUILD)
+  install(CODE [[
+    set(packages "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages")
+    file(MAKE_DIRECTORY "${packages}")
+    file(CREATE_LINK ../../../share/softwet/tools/softwet "${packages}/softwet" SYMBOLIC)
+  ]])
+endif()
 
 # Manual and completion, written by the program itself.
 set(softwet_generated ${PROJECT_BINARY_DIR}/generated)
@@ -27,9 +35,12 @@ install(CODE "
   set(softwet_program \"$<TARGET_FILE:softwet>\")
   set(softwet_generated \"${softwet_generated}\")")
 install(SCRIPT tools/cmake/write_manual.cmake)
-install(FILES ${softwet_generated}/softwet.1 DESTINATION share/man/man1 OPTIONAL)
-install(FILES ${softwet_generated}/softwet.bash DESTINATION share/bash-completion/completions RENAME softwet OPTIONAL)
+install(FILES ${softwet_generated}/softwet.1 DESTINATION ${softwet_manual}/man/man1 OPTIONAL)
+install(FILES ${softwet_generated}/softwet.bash DESTINATION ${softwet_manual}/bash-completion/completions RENAME softwet OPTIONAL)
 
+if(SKBUILD)
+  return()
+endif()
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION share/doc/softwet)
 install(DIRECTORY docs DESTINATION share/doc/softwet)
 install(FILES LICENSE DESTINATION share/doc/softwet RENAME copyright)  # the name that Debian asks for
