@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Scenes with an axis of symmetry: a free ball against the exact radial solution, a cap against its geometry, mass and
-energies on a moving mesh, and what is refused.
+energies on a moving mesh, the same scene in space, and what is refused.
 usage: axisymmetric.py SOFTWET"""
 
 import os
@@ -8,7 +8,7 @@ import pathlib
 import sys
 
 import numpy
-from _scene import check, check_true, history, run
+from _scene import check, check_true, history, run, run_file
 from softwet import open as open_output
 
 sys.path.insert(0, str(pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tests" / "oracle"))
@@ -66,6 +66,49 @@ def layer():
     check("layer: open part of the balance of energy, of what is lost", numpy.abs(gained[late]).sum() / lost, 0.05)
 
 
+SPACE = """
+name = "{name}"
+[domain]
+{domain}
+[fluid]
+viscosity = 0.05
+capillarity = 0.08
+temperature = 0.39
+contact_angle = 75.0
+wall_law = "energy"
+[substrate]
+thickness = 0.1
+young = 2.0
+poisson = 0.45
+[[droplet]]
+centre = {centre}
+radius = 0.24
+[solver]
+krylov = {{ preconditioner = "lu" }}
+[time]
+end = 2.0
+[output]
+fields = {{ times = [2.0] }}
+"""
+
+
+def against_space():
+    """A droplet on a soft layer, and a quarter of it in a box whose base has a quarter of the area; on coarse meshes."""
+    side = 0.4
+    radius = 2 * side / numpy.sqrt(numpy.pi)
+    for name, domain, centre in (("axial", f'coordinates = "axisymmetric"\nsize = [{float(radius)!r}, 0.4]\nelements = [9, 8]', [0, 0.1]),
+                                 ("space", f"size = [{side}, {side}, 0.4]\nelements = [8, 8, 8]", [0, 0, 0.1])):
+        pathlib.Path(f"{name}.toml").write_text(SPACE.format(name=name, domain=domain, centre=centre))
+        run_file(f"{name}.toml", name)
+    axial, space = history("axial"), history("space")
+    of_area = numpy.interp(axial["t"], space["t"], numpy.sqrt(4 * space["contact_area"] / numpy.pi))
+    check("space: contact radius on the whole path", numpy.abs(axial["x_right"] / of_area - 1).max(), 0.01)
+    check("space: mass against four quarters", abs(axial["mass"][0] / (4 * space["mass"][0]) - 1), 0.02)
+    check("space: energy", abs(axial["energy_total"][-1] / (4 * space["energy_total"][-1]) - 1), 0.02)
+    ridge = [open_output(name).interface[2.0]["displacement_" + up].max() for name, up in (("axial", "y"), ("space", "z"))]
+    check("space: ridge", abs(ridge[0] / ridge[1] - 1), 0.05)
+
+
 def refusals():
     rigid, soft = "static_droplet_rigid_2d", "static_droplet_soft_2d"
     for case, settings, words in (
@@ -84,4 +127,5 @@ def refusals():
 free_ball()
 cap_on_rigid_wall()
 layer()
+against_space()
 refusals()
