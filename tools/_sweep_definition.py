@@ -39,20 +39,26 @@ def split_values(text):
     return [part.strip() for part in parts]
 
 
-def expand(key, value):
-    """n numbers from a to b where the value is a:b:n, otherwise the value."""
+def expand(key, value, option="--vary"):
+    """n numbers from a to b where the value is a:b:n, with equal ratios where it is a:b:n:log, otherwise the value."""
     if re.fullmatch(rf"{NUMBER}:{NUMBER}:?", value):
-        fail(f"--vary {key}: {value} is a range without the number of values; write {value.rstrip(':')}:4 for 4 values, "
+        fail(f"{option} {key}: {value} is a range without the number of values; write {value.rstrip(':')}:4 for 4 values, "
              "both ends included")
-    found = re.fullmatch(rf"{NUMBER}:{NUMBER}:(\d{{1,9}})", value)
+    found = re.fullmatch(rf"{NUMBER}:{NUMBER}:(\d{{1,9}})(:log)?", value)
     if not found:
         return [value]
-    *ends, count = found.groups()
+    *ends, count, ratios = found.groups()
     count = int(count)
     if not 2 <= count <= LARGEST or 0 in [int(below or 1) for below in ends[1::2]]:
-        fail(f"--vary {key}: {value} is no range; a:b:n means n values, 2 to {LARGEST}, from a to b, for example "
+        fail(f"{option} {key}: {value} is no range; a:b:n means n values, 2 to {LARGEST}, from a to b, for example "
              "0:0.45:4")
     first, last = (Fraction(above) / int(below or 1) for above, below in zip(ends[::2], ends[1::2]))
+    if ratios:
+        if not first * last > 0:
+            fail(f"{option} {key}: {value} asks for equal ratios, and the ends of such a range have the same sign and are not 0; "
+                 f"write {value.removesuffix(':log')} for equal steps")
+        middle = [float(first) * float(last / first) ** (i / (count - 1)) for i in range(1, count - 1)]
+        return [repr(float(p)) for p in (first, *middle, last)]
     points = [first + (last - first) * i / (count - 1) for i in range(count)]
     return [str(p) if p.denominator == 1 else repr(float(p)) for p in points]
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -54,12 +55,33 @@ Case load_case(const CaseRequest& request) {
   return c;
 }
 
+/// Refuses what has no state of rest, or none that is found. A scene does not rest under loads that change for ever.
+void require_rest(const Case& c) {
+  if (c.time.scheme != implicit_scheme)
+    throw Error(Exit::invalid_input,
+                fmt::format("steady: time.scheme = \"{}\" is explicit, and a state of rest is found by "
+                            "implicit steps of any length; give --set time.scheme={}",
+                            c.time.scheme, implicit_scheme));
+  for (std::size_t k = 0; k < c.loads.size(); ++k) {
+    const bool moves =
+        std::any_of(c.loads[k].path.begin(), c.loads[k].path.end(), [](const Profile& p) { return p.varies(); });
+    if (!moves && !c.loads[k].factor.varies()) continue;
+    throw Error(
+        Exit::invalid_input,
+        fmt::format("steady: load[{0}].{1} varies in time, and a scene under such a load has no state of rest; set "
+                    "it to what it is at one time, for example --set {2}",
+                    k, moves ? "path" : "factor",
+                    moves ? fmt::format("'load[{}].path=[0.1,0]'", k) : fmt::format("load[{}].factor=1", k)));
+  }
+}
+
 void run_command(CaseRequest& request) {
   if (request.options.resume && request.overwrite) {
     throw Error(Exit::invalid_input, "--resume continues a result, --overwrite removes it; give one of them");
   }
   const Case c = load_case(request);
-  if (request.options.out.empty()) request.options.out = "out/" + c.name;
+  if (request.options.steady) require_rest(c);
+  if (request.options.out.empty()) request.options.out = "out/" + c.name + (request.options.steady ? "_steady" : "");
   const OldResult old = request.options.resume ? OldResult::resume
                         : request.overwrite    ? OldResult::overwrite
                                                : OldResult::refuse;
@@ -90,6 +112,19 @@ void write_scene(const Case& c, const std::string& path) {
     folder.discard();
     throw;
   }
+}
+
+void steady_command(CaseRequest& request, std::vector<std::string>& words) {
+  request.options.steady = true;
+  if (request.along.empty()) return run_command(request);
+  if (ranks::count() > 1)
+    throw Error(Exit::invalid_input, "steady: --along starts a command for each state; start it as one process");
+  words = {request.case_path, "--along=" + request.along};
+  for (const std::string& setting : request.overrides) words.push_back("--set=" + setting);
+  if (!request.options.out.empty()) words.push_back("--out=" + request.options.out);
+  if (request.options.threads > 0) words.push_back("--threads=" + std::to_string(request.options.threads));
+  if (request.overwrite) words.push_back("--overwrite");
+  start_tool({"steady", {"numpy"}}, words);
 }
 
 void check_command(const CaseRequest& request) {
@@ -158,6 +193,25 @@ void add_run(CLI::App& app, CaseRequest& request) {
   command.callback([&request] { run_command(request); });
 }
 
+/// A state that is followed along a key is a chain of such commands, which a program of the folder tools starts.
+void add_steady(CLI::App& app, CaseRequest& request, std::vector<std::string>& words) {
+  CLI::App& command = *app.add_subcommand("steady", "find the state of rest of a case, also along a key");
+  add_case(command, request);
+  command
+      .add_option("--along", request.along,
+                  "follow the state along a key: KEY=a:b:n means n values from a to b, a:b:n:log the same with equal "
+                  "ratios, V1,V2,... these values")
+      ->type_name("KEY=VALUES");
+  command
+      .add_option("--out", request.options.out,
+                  "output folder; default: out/<name of the case>_steady, with --along out/<name of the file>_along")
+      ->type_name("DIR");
+  command.add_flag("--overwrite", request.overwrite, "replace the result in the output folder");
+  add_threads(command, request);
+  command.add_flag("--quiet", request.options.quiet, "no progress");
+  command.callback([&request, &words] { steady_command(request, words); });
+}
+
 void add_bench(CLI::App& app, CaseRequest& request) {
   CLI::App& command = *app.add_subcommand("bench", "measure residuals and products of a case; default: that of 'init'");
   CLI::Option* given = add_case(command, request)->required(false);
@@ -198,8 +252,9 @@ void add_init(CLI::App& app, CaseRequest& request) {
 
 }  // namespace
 
-void add_case_commands(CLI::App& app, CaseRequest& request) {
+void add_case_commands(CLI::App& app, CaseRequest& request, std::vector<std::string>& words) {
   add_run(app, request);
+  add_steady(app, request, words);
   add_check(app, request);
   add_init(app, request);
   add_bench(app, request);

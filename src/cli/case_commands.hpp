@@ -1,4 +1,4 @@
-// The commands that take or make a case: run, check, init and bench.
+// The commands that take or make a case: run, steady, check, init and bench.
 #pragma once
 
 #include <string>
@@ -21,10 +21,12 @@ struct CaseRequest {
   bool resolved = false;              ///< check: print the resolved case alone
   std::string picture;                ///< of the scene, that `check` draws; empty: none
   std::string scene;                  ///< folder for the first state, that `check` writes; empty: none
+  std::string along;                  ///< key and values that `steady` follows
   std::string file = "softwet.toml";  ///< that `init` writes
 };
 
 /// Adds the commands; the request lives as long as they are parsed.
-void add_case_commands(CLI::App& app, CaseRequest& request);
+/// @param words  for the program of the folder tools that follows a state along a key
+void add_case_commands(CLI::App& app, CaseRequest& request, std::vector<std::string>& words);
 
 }  // namespace softwet

@@ -134,10 +134,12 @@ void add_answers(CLI::App& app, Request& request) {
 /// Refuses several processes where they would not compute together: each would compute the whole, alone.
 void check_processes(int argc, const char* const* argv) {
   const std::string command = argc < 2 ? "" : argv[1];
-  const bool computes = command == "run" || command == "bench";
+  const bool computes = command == "run" || command == "steady" || command == "bench";
   if (ranks::count() > 1 && !computes)
-    throw Error(Exit::invalid_input,
-                "several processes compute with 'softwet run' and 'softwet bench' alone; start this command by itself");
+    throw Error(
+        Exit::invalid_input,
+        "several processes compute with 'softwet run', 'softwet steady' and 'softwet bench' alone; start this command "
+        "by itself");
   if (ranks::count() > 1 || !computes) return;
   const LaunchSign found = sign_of_several_processes();
   if (found.sign.empty()) return;
@@ -190,7 +192,7 @@ int run_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", version_line(), "print version and commit");
   app.require_subcommand(1);
   Request request;
-  add_case_commands(app, request.of_case);
+  add_case_commands(app, request.of_case, request.words);
   add_explain(app, request);
   add_units_command(app, request.physical);
   add_tool_commands(app, request.words);

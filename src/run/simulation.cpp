@@ -41,6 +41,13 @@ std::vector<double> events(const Case& c) {
   return times;
 }
 
+/// Run time from which on all loads have their full strength.
+double full_load_time(const Case& c) {
+  double time = 0;
+  for (const Load& load : c.loads) time = std::max(time, load.start + load.ramp);
+  return time;
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -67,8 +74,9 @@ bool Simulation<D, P>::at_end() const {
 template <int D, int P>
 bool Simulation<D, P>::begin() {
   State state = initial_state<D, P>(case_, model_);
-  state.time = case_.run_start();
-  if (case_.time.start == "equilibrium" && !come_to_rest(state)) return false;
+  state.time = options_.steady ? full_load_time(case_) : case_.run_start();
+  if (options_.steady) field_times_ = {softwet::output_time(state.time, case_.clock_zero())};
+  if ((options_.steady || case_.time.start == "equilibrium") && !come_to_rest(state)) return false;
   stepper_.scheme().initialise(state);
   stepper_.start(state);
   on_root([this] {
@@ -76,31 +84,6 @@ bool Simulation<D, P>::begin() {
     history_.emplace(TableFile::create(path("history.csv"), scalars_.columns()));
     interface_.emplace(TableFile::create(path("interface.csv"), interface_columns<D>()));
   });
-  return true;
-}
-
-template <int D, int P>
-bool Simulation<D, P>::come_to_rest(State& state) {
-  scalars_.watch(state, "");
-  double before = since_start();
-  const auto interrupted = [&] {
-    wall_clock_.step(since_start() - std::exchange(before, since_start()));
-    return wish() != Wish::go_on;
-  };
-  relaxation_ = relax<D, P>(model_, case_, state, state.time, interrupted,
-                            [&](const State& now) { scalars_.watch(now, " (while the scene came to rest)"); });
-  if (relaxation_->interrupted) {
-    const bool in_time = wish() == Wish::end_in_time;
-    progress_->tell((in_time ? "time.wall_clock reached" : "stopped by user") +
-                    std::string(" before the scene was at rest (time.start); nothing was written, give the same "
-                                "command again") +
-                    (in_time ? " with more time" : ""));
-    return false;
-  }
-  moved_ = scalars_.moved();
-  progress_->tell("at rest after " + std::to_string(relaxation_->steps) + " steps: the fields change by less than " +
-                  short_text(std::max(1e-15, relaxation_->rate), 6) + " of their range in a unit of time" +
-                  moves_text(body_names(case_), moved_));
   return true;
 }
 
@@ -173,6 +156,7 @@ void Simulation<D, P>::run() {
       observe({});
       save();
     }
+    if (options_.steady) return end_at_rest();
     advance();
   } catch (const Error& error) {
     if (error.code() == Exit::machine_failed && ranks::count() == 1)
@@ -351,16 +335,7 @@ void Simulation<D, P>::write_record(const std::string& reason, const std::vector
   const std::vector<std::string> names = scalars_.columns();
   for (std::size_t i = 0; i < last_row_.size(); ++i)
     if (last_row_[i]) run["last_row"][names[i]] = *last_row_[i];
-  if (relaxation_) {
-    RecordValue& start = run["start"];
-    start["steps"] = relaxation_->steps;
-    start["rejected"] = relaxation_->rejected;
-    start["newton"] = relaxation_->newton;
-    start["krylov"] = relaxation_->krylov;
-    start["time"] = relaxation_->time;
-    start["rate_of_change"] = relaxation_->rate;
-    for (const std::optional<double>& moved : moved_) start["moved"].append(moved.value_or(NAN));  // null: it is gone
-  }
+  if (relaxation_) record_rest(run);
   run.write(path("run.json"));
 }
 

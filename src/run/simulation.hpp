@@ -34,7 +34,11 @@ class Simulation {
  private:
   /// False: it was asked to stop before the first state was there.
   bool begin();
+  /// The same for a scene that begins at rest, or that is asked for nothing else.
   bool come_to_rest(State&);
+  /// Ends a run that was asked for the state at rest. Throws Error (computation_failed) where there is none.
+  void end_at_rest();
+  void record_rest(RunRecord&) const;
   void restore();
   void resume();
   void open_tables();
@@ -81,7 +85,8 @@ class Simulation {
   std::optional<TableFile> history_, interface_;
   std::optional<Progress> progress_;
   std::optional<Relaxation> relaxation_;
-  std::vector<std::optional<double>> moved_;  ///< how far each body went on the way to rest
+  double speed_at_rest_ = 0, mass_change_ = 0;  ///< the largest one there; of the mass on the way, relative
+  std::vector<std::optional<double>> moved_;    ///< how far each body went on the way to rest
   TimeLeft time_left_;
   std::size_t told_ = 0;  ///< events the user has heard of
   typename Scalars<D, P>::Row last_row_;

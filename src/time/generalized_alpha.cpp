@@ -11,6 +11,17 @@ void add_constant(const Array& y, double a) {
       "softwet::add_constant", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) += a; });
 }
 
+/// y += scale * one unit in the last place of x, or of `least` where that is larger; up or down as the digits of x fall, which
+/// is the same on any number of processes, and in turns where x is 0.
+void add_last_digits(const Array& y, const ConstArray& x, double least, double scale) {
+  Kokkos::parallel_for(
+      "softwet::last_digits", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) {
+        const double unit = scale * Kokkos::Experimental::epsilon_v<double> * Kokkos::max(Kokkos::abs(x(i)), least);
+        const bool up = x(i) == 0 ? i % 2 == 0 : Kokkos::bit_cast<unsigned long long>(x(i)) % 2 == 0;
+        y(i) += up ? unit : -unit;
+      });
+}
+
 /// The solid's rows of velocity component d inside a vector of unknowns, for d = 0.
 template <int D>
 ConstArray solid_velocity(const Layout<D>& layout, const ConstArray& unknown, int d) {
@@ -38,11 +49,18 @@ void GeneralizedAlpha<D, P>::begin(const State& state, double dt, Rates rates) {
   alpha_ = rates == Rates::known ? scheme_ : AlphaParameters::backward_euler();
   start_ = state;
   dt_ = dt;
+  end_time_ = state.time + dt;
   stage_.time = state.time + alpha_.af * dt;
   stage_.rate_scale = alpha_.am / (alpha_.ga * dt * alpha_.af);
   stage_.displacement_scale = dt * alpha_.af * alpha_.ga / alpha_.am;
   stage_.end_scale = 1 / alpha_.af;
   stage_.moment_rate = alpha_.am / (alpha_.ga * dt);
+}
+
+template <int D, int P>
+void GeneralizedAlpha<D, P>::begin_still(const State& state, double dt) {
+  begin(state, dt, Rates::unknown);
+  stage_.time = end_time_ = state.time;
 }
 
 template <int D, int P>
@@ -95,6 +113,21 @@ void GeneralizedAlpha<D, P>::round_off(const Array& x, const Array& out) {
 }
 
 template <int D, int P>
+void GeneralizedAlpha<D, P>::last_digits(const Array& x, const Array& near, const Array& out) {
+  const Layout<D>& l = model_.layout();
+  Kokkos::deep_copy(Exec(), near, x);
+  add_last_digits(near, x, 0, 1);
+  for (int d = 0; d < D && l.has_solid; ++d) {
+    const int count = l.solid_rows() * l.row_size, o = l.displacement_offset(d);
+    add_last_digits(piece_of(near, l.velocity_offset(d), count), part(start_.displacement, o, o + count),
+                    l.axis[D - 1].length(), 1 / dt_);
+  }
+  residual(near, out);
+  residual(x, work_);
+  add_scaled(out, 0, -1, work_);
+}
+
+template <int D, int P>
 void GeneralizedAlpha<D, P>::product(const Array& z, const Array& out) const {
   model_.product(stage_, z, out, Geometry::exact);
 }
@@ -105,9 +138,12 @@ void GeneralizedAlpha<D, P>::product(const ArrayOf<float>& z, const ArrayOf<floa
 }
 
 template <int D, int P>
-void GeneralizedAlpha<D, P>::jacobian(const StencilValues& values) {
+void GeneralizedAlpha<D, P>::jacobian(const StencilValues& values, double stretch) {
   if (jacobian_stage_.unknown.extent(0) == 0) jacobian_stage_ = make_stage<float>(model_.layout());
   round_stage(jacobian_stage_, stage_);
+  jacobian_stage_.moment_rate *= stretch;
+  jacobian_stage_.rate_scale *= stretch;
+  jacobian_stage_.displacement_scale /= stretch;
   last_jacobian(values);
 }
 
@@ -170,7 +206,7 @@ void GeneralizedAlpha<D, P>::finish(const Array& x, State& state) {
   if (l.has_solid) Kokkos::deep_copy(state.displacement, stage_.displacement_end);
   sum_of(state.velocity_rate, 1 - 1 / am, start_.velocity_rate, 1 / am, stage_.acceleration, 0, stage_.acceleration);
   sum_of(state.unknown, 1 / af, stage_.unknown, 1 - 1 / af, start_.unknown, 0, start_.unknown);
-  state.time = start_.time + dt_;
+  state.time = end_time_;
   if (l.has_fluid) match_mass(state);
 }
 

@@ -40,16 +40,24 @@ class GeneralizedAlpha {
 
   /// Starts a step from `state` to state.time + dt; with unknown rates it is one of backward Euler.
   void begin(const State& state, double dt, Rates rates = Rates::known);
+  /// Starts a step of backward Euler, as long as one likes, in which time stands still: loads are those of the time of
+  /// the state, at which the step ends too.
+  void begin_still(const State& state, double dt);
 
   void residual(const Array& x, const Array& r);
   /// What single precision makes of the residual at x: the residual in single precision minus that in double precision.
   void round_off(const Array& x, const Array& out);
+  /// What the last digit of the fields makes of the residual at x: that at a point whose values, and places of the solid,
+  /// differ by one unit of their last place, up or down, minus that at x. Places have the size of the scene's height.
+  /// @param near  a vector to work in
+  void last_digits(const Array& x, const Array& near, const Array& out);
   /// dR/dx z at the point of the last residual.
   void product(const Array& z, const Array& out) const;
   /// The same in single precision. Only for models that have it.
   void product(const ArrayOf<float>& z, const ArrayOf<float>& out) const;
   /// The same as a matrix, with frozen geometry, for preconditioners. It follows from the rounded stage, which is kept.
-  void jacobian(const StencilValues& values);
+  /// @param stretch  it is that of a step so many times shorter, at the same values
+  void jacobian(const StencilValues& values, double stretch = 1);
   /// The matrix of the last `jacobian` once more.
   void last_jacobian(const StencilValues& values) const { model_.jacobian(jacobian_stage_, values); }
   /// What `last_jacobian` needs.
@@ -64,6 +72,7 @@ class GeneralizedAlpha {
   const Stage& stage() const { return stage_; }
   const StageOf<float>& single_stage() const { return single_stage_; }
   double dt() const { return dt_; }
+  ConstArray moment() const { return start_.moment; }  ///< that the step starts from
 
  private:
   void fill_stage(const Array& x);
@@ -79,7 +88,7 @@ class GeneralizedAlpha {
   ArrayOf<float> single_work_;
   State start_;
   Array work_;
-  double dt_ = 0;
+  double dt_ = 0, end_time_ = 0;
 };
 
 }  // namespace softwet

@@ -2,6 +2,7 @@
 
 #include "solver/choose.hpp"
 #include "solver/recorded_answers.hpp"
+#include "solver/scale_fields.hpp"
 
 namespace softwet {
 namespace {
@@ -21,6 +22,17 @@ template <int D, int P>
 std::unique_ptr<Preconditioner> preconditioner_of(const Case& c, const Model<D, P>& model) {
   auto chosen = choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask());
   return c.solver.launch == "graph" ? record_answers(std::move(chosen)) : std::move(chosen);
+}
+
+/// Steps that are longer are stretched ones of this length, see ImplicitScheme::settle. A thin vapour fills in about
+/// this time.
+constexpr double moderate_step = 2e3;
+
+/// The scales of a stage of a step that is `stretch` times shorter.
+Stage shorter(Stage stage, double stretch) {
+  stage.rate_scale *= stretch;
+  stage.displacement_scale /= stretch;
+  return stage;
 }
 
 /// rho_n + f (rho_n - rho_{n-1}) in the variable ln(rho/(1-rho)): exact for the tail of a travelling interface, and it
@@ -116,19 +128,97 @@ template <int D, int P>
 NewtonResult ImplicitScheme<D, P>::solve(const StepHistory& history, double dt) {
   integrator_.begin(history.state, dt, history.previous_dt > 0 ? Rates::known : Rates::unknown);
   predict(history, dt);
-  const auto product = [this](const Array& z, const Array& out) { integrator_.product(z, out); };
-  const NonlinearSystem system{
-      [this](const Array& x, const Array& r) { integrator_.residual(x, r); },
-      product,
-      [this](const StencilValues& values) { integrator_.jacobian(values); },
-      [this](const Array& x) { return judge_.of_values(x); },
-      [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { integrator_.product(z, out); },
-      solid_part(model_, integrator_.stage())};
+  stretch_ = 1;
   std::vector<FieldRange> ranges = fields();
   if (model_.precision() == Precision::single) measure_round_off(ranges);
-  NewtonResult result = newton_.solve(system, ranges, newton_control_, x_);
+  NewtonResult result = newton_.solve(system(), ranges, newton_control_, x_);
   if (result.converged) result.refusal = judge_.of_end(integrator_.stage());
   return result;
+}
+
+template <int D, int P>
+NonlinearSystem ImplicitScheme<D, P>::system() {
+  return {[this](const Array& x, const Array& r) {
+            integrator_.residual(unstretched(x), r);
+            tie_mass(r);
+          },
+          [this](const Array& z, const Array& out) { product(z, out); },
+          [this](const StencilValues& values) { integrator_.jacobian(values, stretch_); },
+          [this](const Array& x) { return judge_.of_values(x); },
+          [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { product(z, out); },
+          solid_part(model_, shorter(integrator_.stage(), stretch_))};
+}
+
+template <int D, int P>
+void ImplicitScheme<D, P>::product(const Array& z, const Array& out) {
+  integrator_.product(unstretched(z), out);
+  tie_mass(out);
+}
+
+template <int D, int P>
+void ImplicitScheme<D, P>::product(const ArrayOf<float>& z, const ArrayOf<float>& out) {
+  if (stretch_ == 1) return integrator_.product(z, out);
+  convert(wide_, z);
+  product(wide_, product_);
+  convert(out, product_);
+}
+
+template <int D, int P>
+void ImplicitScheme<D, P>::tie_mass(const Array& r) const {
+  const Layout<D>& l = model_.layout();
+  if (stretch_ == 1 || !l.has_fluid) return;
+  const double sum = total(l.space(), part(r, l.density_offset(), l.potential_offset()));
+  const ConstArray moment = integrator_.moment();
+  add_scaled(r, l.density_offset(), (stretch_ - 1) * sum / total(l.space(), moment), moment);
+}
+
+template <int D, int P>
+Array ImplicitScheme<D, P>::unstretched(const Array& x) const {
+  if (stretch_ == 1 || !model_.layout().has_solid) return x;
+  RangeFactors factors;
+  for (const SolidPart::Range& rows : solid_part(model_, integrator_.stage()).ranges)
+    factors.add(rows.first, rows.last, 1 / stretch_);
+  ScaleFields<double, double>{unstretched_, x, factors}.run();
+  return unstretched_;
+}
+
+template <int D, int P>
+Settling ImplicitScheme<D, P>::settle(const State& state, double dt) {
+  const Layout<D>& l = model_.layout();
+  integrator_.begin_still(state, dt);
+  Kokkos::deep_copy(Exec(), x_, state.unknown);
+  for (const SolidPart::Range& rows : solid_part(model_, integrator_.stage()).ranges)
+    Kokkos::deep_copy(Exec(), Kokkos::subview(x_, Kokkos::make_pair(rows.first, rows.last)), 0.0);
+  stretch_ = std::max(1.0, dt / moderate_step);
+  if (round_off_.extent(0) == 0) round_off_ = Array("implicit.round_off", l.size());
+  for (Array* work : {&unstretched_, &wide_, &product_})
+    if (work->extent(0) == 0) *work = Array("implicit.settling", l.size());
+  newton_.forget_preconditioner();  // steps grow too fast for one of the step before
+  std::vector<FieldRange> ranges = fields();
+  if (model_.precision() == Precision::single) {
+    integrator_.round_off(x_, round_off_);
+  } else {
+    integrator_.last_digits(x_, wide_, round_off_);
+  }
+  const std::vector<double> digits = norms(l.space(), round_off_, ranges);
+  integrator_.residual(x_, round_off_);
+  const std::vector<double> sizes = norms(l.space(), round_off_, ranges);
+  Settling settling;
+  double level = 0;  // of the residual, in units of what the fields are measured with
+  for (std::size_t f = 0; f < ranges.size(); ++f) {
+    ranges[f].round_off = digits[f];
+    level = std::max(level, sizes[f] / ranges[f].floor);
+    if (sizes[f] > 0) settling.excess = std::max(settling.excess, sizes[f] / digits[f]);
+  }
+  if (settling.excess < digits_of_rest) return settling;
+  // A field that starts with less than its share is not solved to digits that the others do not have.
+  for (FieldRange& range : ranges) range.floor *= level * newton_control_.rtol;
+  const NewtonResult result = newton_.solve(system(), ranges, newton_control_, x_);
+  Kokkos::deep_copy(Exec(), x_, unstretched(x_));
+  settling.step = {result.refusal, 0, result.iterations, result.krylov, result.iterations + 2 > newton_control_.max};
+  if (result.converged) settling.step.refusal = judge_.of_end(integrator_.stage());
+  move_ghosts(l, x_, GhostAction::update);
+  return settling;
 }
 
 template <int D, int P>

@@ -1,8 +1,9 @@
 #include "time/relaxation.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "case/error.hpp"
 #include "case/text.hpp"
 #include "field/vector.hpp"
 #include "time/implicit_scheme.hpp"
@@ -10,18 +11,37 @@
 namespace softwet {
 namespace {
 
-constexpr double rest = 1e-6;            ///< rate of change of a state at rest
-constexpr double change_of_step = 0.02;  ///< of the fields, that a step aims at; a thin vapour may change by more
-constexpr double longest = 200;          ///< step
-constexpr int most_steps = 300;
+constexpr double rest = 1e-6;           ///< rate of change that counts as rest where Newton's method gets no farther
+constexpr double change_of_step = 0.1;  ///< of the fields, that a step aims at; a thin vapour may change by more
+constexpr double slow = 1e-8;           ///< mean speed, root of its square
+constexpr double endless = 1e12;        ///< step
+constexpr int most_idle = 12;           ///< steps and refusals in a row, at rest, that bring nothing
+constexpr int most_steps = 200;
 
 /// Newton's method need not be accurate on the way, but its products must be: the steps are long.
 Case loose(const Case& c) {
   Case loose = c;
   loose.time.scheme = implicit_scheme;
   loose.solver.jacobian = "exact";
-  loose.solver.newton_rtol = std::max(c.solver.newton_rtol, 1e-4);
+  loose.solver.newton_rtol = 1e-3;
+  loose.solver.newton_max = std::max(c.solver.newton_max, 15);
+  loose.solver.krylov_rtol = std::min(c.solver.krylov_rtol, 1e-2);
   return loose;
+}
+
+/// That a steady state is none of rest; empty where nothing moves.
+template <int D>
+std::string flow_text(const Layout<D>& l, const State& state) {
+  const int size = l.velocity_size();
+  const double speed = norm(l.space(), part(state.unknown, 0, size)) / std::sqrt(entries_of_patch(l, size) / D);
+  if (speed < slow) return "";
+  return "its fields do not change, but it flows, with a mean speed of " + short_text(speed, 2);
+}
+
+/// How many times as long as a step the next one is.
+double growth(const StepAttempt& step, double change) {
+  const double of_effort = step.newton <= 4 ? 10 : step.newton <= 6 ? 3 : step.newton <= 9 ? 1.5 : 1;
+  return std::clamp(change_of_step / change, 0.5, of_effort);
 }
 
 /// x(i) /= density(i) where the density is below `most`, that is in the vapour, and 0 elsewhere.
@@ -84,58 +104,56 @@ class Change {
   Array density_, displacement_;
 };
 
-[[noreturn]] void give_up(const std::string& why) {
-  throw Error(Exit::computation_failed,
-              "the scene does not come to rest (time.start = \"equilibrium\"): " + why +
-                  "; write time.start = \"initial\" to compute its motion from the state of the case file");
-}
-
 }  // namespace
 
 template <int D, int P>
-Relaxation relax(const Model<D, P>& model, const Case& c, State& state, double time,
-                 const std::function<bool()>& interrupted, const std::function<void(const State&)>& watch) {
+Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const std::function<bool()>& interrupted,
+                 const std::function<void(const State&)>& watch) {
   const Case control = loose(c);
   const Judge<D, P> judge(model, control);
   ImplicitScheme<D, P> scheme(model, control, judge);
   Change<D, P> change(model, state);
   Relaxation done;
-  const Array unused;
-  for (double dt = c.time.dt_initial;;) {
-    if (interrupted()) {
-      done.interrupted = true;
-      break;
-    }
-    if (done.steps == most_steps)
-      give_up("after " + std::to_string(most_steps) + " steps its fields still change by " + short_text(done.rate, 2) +
-              " of their range in a unit of time, where " + short_text(rest, 2) + " counts as rest");
-    state.time = time - dt;  // a step ends no later than the first load begins
-    scheme.initialise(state);
-    const StepAttempt tried = scheme.attempt({state, unused, 0}, dt);
-    if (!tried.refusal.empty()) {
+  const auto ended = [&] {
+    done.why = flow_text(model.layout(), state);
+    return done;
+  };
+  scheme.initialise(state);
+  double dt = c.time.dt_initial, least = std::numeric_limits<double>::infinity();
+  for (int idle = 0; done.steps < most_steps;) {
+    done.interrupted = interrupted();
+    if (done.interrupted) return done;
+    if (idle >= most_idle && done.rate < rest) return ended();
+    const Settling tried = scheme.settle(state, dt);
+    done.refusal = tried.step.refusal;
+    if (!done.refusal.empty()) {
       ++done.rejected;
-      scheme.refuse(tried.refusal);
+      idle += done.steps > 0 && done.rate < rest ? 1 : 0;
       dt *= 0.25;
-      if (dt < c.time.dt_min)
-        give_up(std::string(tried.refusal.text()) + ", even with the smallest step (time.dt_min)");
-      continue;
+      if (dt >= c.time.dt_min) continue;
+      done.why = std::string(done.refusal.text()) + ", even with the smallest step (time.dt_min)";
+      return done;
     }
     scheme.accept(state);
     watch(state);
     const Changes size = change.from_last(state);
     ++done.steps;
-    done.newton += tried.newton;
-    done.krylov += tried.krylov;
+    done.newton += tried.step.newton;
+    done.krylov += tried.step.krylov;
     done.time += dt;
     done.rate = std::max(size.fields, size.vapour) / dt;
-    if (done.rate < rest) break;
-    dt = std::min(longest, dt * std::clamp(change_of_step / size.fields, 0.5, tried.laborious ? 1.0 : 2.0));
+    done.excess = tried.excess;
+    if (tried.excess < ImplicitScheme<D, P>::digits_of_rest) return ended();
+    idle = tried.excess < 0.5 * least || done.rate >= rest ? 0 : idle + 1;
+    least = std::min(least, tried.excess);
+    dt = std::min(endless, dt * growth(tried.step, size.fields));
   }
-  state.time = time;
+  done.why = "after " + std::to_string(most_steps) + " steps its fields still change by " + short_text(done.rate, 2) +
+             " of their range in a unit of time, where less than " + short_text(rest, 2) + " counts as rest";
   return done;
 }
 
-template Relaxation relax(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, State&, double,
+template Relaxation relax(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, State&,
                           const std::function<bool()>&, const std::function<void(const State&)>&);
 
 }  // namespace softwet

@@ -11,6 +11,7 @@ struct RunOptions {
   bool resume = false;           ///< continue from out/checkpoint.h5
   int threads = 0;               ///< 0: as the environment says, else all cores
   bool quiet = false;            ///< no progress line
+  bool steady = false;           ///< find the state of rest under the full loads, in place of a motion
   bool preconditioners = false;  ///< bench: compare forms of the preconditioner instead
   std::function<void()> begin;   ///< called by a run from its start: all checks have passed, no file is written yet
   /// Where the output folder is now: `out`, another path where somebody has moved it, empty where it was removed. Asked

@@ -13,7 +13,7 @@ namespace {
 
 std::string state_of(const std::string& reason) {
   if (reason == "running") return "running";
-  if (reason == "end reached") return "done";
+  if (reason == "end reached" || reason == reason_of_rest) return "done";
   return reason.rfind("failed", 0) == 0 ? "failed" : "stopped";
 }
 

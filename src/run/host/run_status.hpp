@@ -12,6 +12,9 @@
 
 namespace softwet {
 
+/// Why a search for a state of rest ended that has found it.
+inline constexpr const char* reason_of_rest = "at rest";
+
 struct RunStatus {
   std::string reason;                  ///< "running", or why it ended
   double time = 0;                     ///< t, on the clock of the output

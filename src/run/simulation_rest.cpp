@@ -1,0 +1,89 @@
+// How a scene comes to rest: before its first step, or as all that is asked of it.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "case/error.hpp"
+#include "case/text.hpp"
+#include "observe/extremes.hpp"
+#include "run/host/run_status.hpp"
+#include "run/simulation.hpp"
+
+namespace softwet {
+namespace {
+
+[[noreturn]] void give_up_start(const std::string& why) {
+  throw Error(Exit::computation_failed,
+              "the scene does not come to rest (time.start = \"equilibrium\"): " + why +
+                  "; write time.start = \"initial\" to compute its motion from the state of the case file");
+}
+
+std::string rest_text(const Relaxation& r, double speed) {
+  return "at rest after " + std::to_string(r.steps) + " steps and " + std::to_string(r.newton) +
+         " iterations of Newton's method: what is left of the equations is " + short_text(r.excess, 2) +
+         " times what the last digit of the fields makes of them, the largest speed is " + short_text(speed, 2);
+}
+
+}  // namespace
+
+template <int D, int P>
+bool Simulation<D, P>::come_to_rest(State& state) {
+  scalars_.watch(state, "");
+  const double mass = model_.filling(stage_at(model_.layout(), state)).mass;
+  double before = since_start();
+  const auto interrupted = [&] {
+    wall_clock_.step(since_start() - std::exchange(before, since_start()));
+    return wish() != Wish::go_on;
+  };
+  relaxation_ = relax<D, P>(model_, case_, state, interrupted,
+                            [&](const State& now) { scalars_.watch(now, " (while the scene came to rest)"); });
+  if (relaxation_->interrupted) {
+    const bool in_time = wish() == Wish::end_in_time;
+    progress_->tell((in_time ? "time.wall_clock reached" : "stopped by user") +
+                    std::string(" before the scene was at rest") + (options_.steady ? "" : " (time.start)") +
+                    "; nothing was written, give the same command again" + (in_time ? " with more time" : ""));
+    return false;
+  }
+  moved_ = scalars_.moved();
+  const Extremes extremes = find_extremes(model_.layout(), state, 0);
+  speed_at_rest_ = std::max(extremes.speed_fluid, extremes.speed_solid);
+  mass_change_ = mass > 0 ? model_.filling(stage_at(model_.layout(), state)).mass / mass - 1 : 0;
+  if (relaxation_->why.empty())
+    progress_->tell(rest_text(*relaxation_, speed_at_rest_) + moves_text(body_names(case_), moved_));
+  else if (!options_.steady)
+    give_up_start(relaxation_->why);
+  return true;
+}
+
+template <int D, int P>
+void Simulation<D, P>::end_at_rest() {
+  if (!relaxation_->why.empty()) {
+    stepper_.counts().last_rejection = relaxation_->refusal;
+    throw Error(Exit::computation_failed, "no state of rest was found: " + relaxation_->why);
+  }
+  record(reason_of_rest);
+  require_folder();
+  progress_->tell("the result is in " + options_.out + summary(scalars_.events()));
+}
+
+template <int D, int P>
+void Simulation<D, P>::record_rest(RunRecord& run) const {
+  const Relaxation& r = *relaxation_;
+  RecordValue& rest = run[options_.steady ? "rest" : "start"];
+  rest["steps"] = r.steps;
+  rest["rejected"] = r.rejected;
+  rest["newton"] = r.newton;
+  rest["krylov"] = r.krylov;
+  rest["time"] = r.time;
+  rest["rate_of_change"] = r.rate;
+  rest["residual_over_round_off"] = r.excess;
+  rest["largest_speed"] = speed_at_rest_;
+  rest["mass_change"] = mass_change_;
+  for (const std::optional<double>& moved : moved_) rest["moved"].append(moved.value_or(NAN));  // null: it is gone
+}
+
+template bool Simulation<SOFTWET_DIMENSION, SOFTWET_DEGREE>::come_to_rest(State&);
+template void Simulation<SOFTWET_DIMENSION, SOFTWET_DEGREE>::end_at_rest();
+template void Simulation<SOFTWET_DIMENSION, SOFTWET_DEGREE>::record_rest(RunRecord&) const;
+
+}  // namespace softwet
