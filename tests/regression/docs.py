@@ -3,7 +3,7 @@
 usage: docs.py SOFTWET
 
 A block of commands in README.md and docs/*.md starts with ```console, and a comment before it tells how it is run here:
-  <!-- run: KEY=VALUE ... -->        as it stands, with these settings (--set) for softwet run, check, sweep and tradeoff
+  <!-- run: KEY=VALUE ... -->        as it stands, with these settings (--set) for softwet run, steady, check, sweep and tradeoff
   <!-- run: check KEY=VALUE ... -->  only checked: softwet check instead of run, --dry-run for the last two, no tools
   <!-- run: no, REASON -->           not at all
 The comment <!-- file: NAME --> before a block makes a file of it. The blocks of a page run one after the other in a
@@ -69,7 +69,8 @@ def with_settings(words, settings, checked_only):
         while "--out" in case:
             del case[case.index("--out"):case.index("--out") + 2]
         return ["softwet", "check", *case, *sets]
-    extra = {"run": ["--threads", "1", "--quiet", *sets], "check": sets, "sweep": sets, "tradeoff": sets}.get(command, [])
+    computed = ["--threads", "1", "--quiet", *sets]
+    extra = {"run": computed, "steady": computed, "check": sets, "sweep": sets, "tradeoff": sets}.get(command, [])
     dry = ["--dry-run"] if command in ("sweep", "tradeoff") and checked_only and "--table" not in words else []
     return [*words, *extra, *dry]
 
