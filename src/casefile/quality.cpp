@@ -6,9 +6,7 @@ const std::vector<Quality>& qualities() {
   static const std::vector<Quality> all{
       {"draft",
        "for a first look at a scene",
-       {{"time.tolerance", "1e-2"},
-        {"domain.quadrature", "\"reduced\""},
-        {"domain.grading.fine", "\"automatic\""}}},
+       {{"time.tolerance", "1e-2"}, {"domain.quadrature", "\"reduced\""}, {"domain.grading.fine", "\"automatic\""}}},
       {"standard", "the defaults", {}},
       {"reference",
        "to judge the others by",

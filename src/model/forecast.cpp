@@ -99,13 +99,13 @@ constexpr double surely_held = 0.59;
 void add_softness(const Case& c, std::vector<std::string>& found) {
   const double length = elastocapillary_length(c), bound = longest_elastocapillary_length(c);
   if (length > surely_held * bound && length <= bound)
-    found.push_back("substrate.young = " + short_text(c.substrate->young.least()) +
-                    ": the elastocapillary length sigma/E is " + short_text(length) + ", between " +
-                    short_text(surely_held * bound) + " and " + short_text(bound) +
-                    ", where it depends on the scene whether the solid bears the droplet: some of those drawn at random "
-                    "folded at the contact line; if this one stops, write young = " +
-                    short_text(1.05 * c.substrate->young.least() * length / (surely_held * bound)) +
-                    " or more, or the surface_tension that the solid has");
+    found.push_back(
+        "substrate.young = " + short_text(c.substrate->young.least()) + ": the elastocapillary length sigma/E is " +
+        short_text(length) + ", between " + short_text(surely_held * bound) + " and " + short_text(bound) +
+        ", where it depends on the scene whether the solid bears the droplet: some of those drawn at random "
+        "folded at the contact line; if this one stops, write young = " +
+        short_text(1.05 * c.substrate->young.least() * length / (surely_held * bound)) +
+        " or more, or the surface_tension that the solid has");
   if (length <= bound) return;
   found.push_back("substrate.young = " + short_text(c.substrate->young.least()) +
                   ": the elastocapillary length sigma/E is " + short_text(length) +

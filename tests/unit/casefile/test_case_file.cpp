@@ -97,7 +97,9 @@ TEST(CaseFile, QualitySetsWhatTheFileLeavesOut) {
   EXPECT_TRUE(standard.domain.grading.lower.empty());
   EXPECT_FALSE(draft.domain.grading.lower.empty());
   const Numbers mine{0.2, 0.05};
-  EXPECT_EQ(parse_case(pull_text(), "init", {"quality=\"draft\"", "domain.grading.box=[[0.2,0.05],[0.9,0.4]]"}).domain.grading.lower, mine);
+  EXPECT_EQ(parse_case(pull_text(), "init", {"quality=\"draft\"", "domain.grading.box=[[0.2,0.05],[0.9,0.4]]"})
+                .domain.grading.lower,
+            mine);
   EXPECT_EQ(parse_case(pull_text(), "init", {"quality=\"draft\"", "time.tolerance=0.5"}).time.tolerance, 0.5);
   EXPECT_LT(parse_case(pull_text(), "init", {"quality=\"reference\""}).time.tolerance, standard.time.tolerance);
 }
