@@ -24,6 +24,11 @@ std::unique_ptr<Preconditioner> preconditioner_of(const Case& c, const Model<D, 
   return c.solver.launch == "graph" ? record_answers(std::move(chosen)) : std::move(chosen);
 }
 
+/// Products in double precision are there in any precision of the model.
+LinearSolves linear_solves(const Case& c, Precision precision) {
+  return precision == Precision::full || c.solver.precision == "double" ? LinearSolves::full : LinearSolves::single;
+}
+
 /// Steps that are longer are stretched ones of this length, see ImplicitScheme::settle. A thin vapour fills in about
 /// this time.
 constexpr double moderate_step = 2e3;
@@ -78,7 +83,7 @@ ImplicitScheme<D, P>::ImplicitScheme(const Model<D, P>& model, const Case& c, co
       judge_(judge),
       integrator_(model, c.time.rho_inf),
       newton_(model.layout().space(), model.layout().size(), c.solver.krylov_restart, preconditioner_of(c, model),
-              model.precision() == Precision::full ? LinearSolves::full : LinearSolves::single),
+              linear_solves(c, model.precision())),
       newton_control_(newton_control(c)),
       x_("implicit.x", model.layout().size()) {
   double volume = 1;

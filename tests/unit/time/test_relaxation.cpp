@@ -101,5 +101,15 @@ TEST(Relaxation, RestsUnderTheLoadsOfItsTime) {
   EXPECT_NEAR(half / whole, 0.5, 0.1);  // but for what is not linear
 }
 
+// Along a periodic axis nothing holds a droplet that a force drives.
+TEST(Relaxation, TellsThatADrivenDropletDoesNotRest) {
+  Case c = scene(Scene::rigid, WallLaw::energy, true);
+  c.fluid->gravity = {0.5, 0};
+  c.droplets = {{{0.45, 0.0}, 0.3}};
+  const Model<2, 2> model(c);
+  State s = initial_state<2, 2>(c, model);
+  EXPECT_NE((relax<2, 2>(model, c, s).why), "");
+}
+
 }  // namespace
 }  // namespace softwet::testing_tools
