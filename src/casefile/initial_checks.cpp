@@ -37,9 +37,10 @@ void check_reach(const Checker& check, std::size_t index) {
     const bool up = axis == check.vertical();
     const double top = check.c.domain.size[axis], x = droplet.centre[axis];
     const double reach = reach_along(check, droplet, axis);
-    // A centre on a slip side is half a droplet: the side is its plane of symmetry.
+    // A centre on a slip side is half a droplet: the side is its plane of symmetry. An axis of symmetry is no side.
     const auto halved = [&](double side, std::size_t end) {
-      return check.c.boundary.side[axis][end] == Side::slip && std::abs(x - side) <= slack * top;
+      const bool mirror = check.c.boundary.side[axis][end] == Side::slip;
+      return (mirror || (check.c.axisymmetric() && axis + end == 0)) && std::abs(x - side) <= slack * top;
     };
     const bool out_below = !up && x - reach < -slack * top && !halved(0, 0);
     if (!out_below && (x + reach <= top * (1 + slack) || halved(top, 1))) continue;
