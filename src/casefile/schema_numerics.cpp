@@ -120,7 +120,8 @@ std::vector<Key> time_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.dt_max; })},
       {.name = "time.tolerance",
        .range = positive,
-       .help = "Local error that sets the size of the time step. Steps that are longer than the largest droplet swings have "
+       .help = "Local error that sets the size of the time step. Steps that are longer than the largest droplet swings "
+               "have "
                "less, down to a quarter (docs/theory.md).",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.tolerance; })},
       {.name = "time.max_steps",
