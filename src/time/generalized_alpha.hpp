@@ -21,8 +21,9 @@ struct AlphaParameters {
   }
 };
 
-/// Whether the rates v', u', p' of a state obey the equations. Those of a first state do not. To start from v' = 0 would
-/// leave an error of first order for the whole run; a first step of backward Euler, which needs no rates, does not.
+/// Whether the rates v', u', p' of a state obey the equations. Those of a first state do not. To start from v' = 0
+/// would leave an error of first order for the whole run; a first step of backward Euler, which needs no rates, does
+/// not.
 enum class Rates { known, unknown };
 
 /// The algebraic system of one step. Unknowns are v, rho and mu at n + af; displacement is eliminated:
@@ -47,8 +48,9 @@ class GeneralizedAlpha {
   void residual(const Array& x, const Array& r);
   /// What single precision makes of the residual at x: the residual in single precision minus that in double precision.
   void round_off(const Array& x, const Array& out);
-  /// What the last digit of the fields makes of the residual at x: that at a point whose values, and places of the solid,
-  /// differ by one unit of their last place, up or down, minus that at x. Places have the size of the scene's height.
+  /// What the last digit of the fields makes of the residual at x: that at a point whose values, and places of the
+  /// solid, differ by one unit of their last place, up or down, minus that at x. Places have the size of the scene's
+  /// height.
   /// @param near  a vector to work in
   void last_digits(const Array& x, const Array& near, const Array& out);
   /// dR/dx z at the point of the last residual.

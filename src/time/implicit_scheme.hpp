@@ -7,8 +7,8 @@
 namespace softwet {
 
 /// The solid at a stage. A velocity v with waves as short as two elements meets inertia rho a and stiffness
-/// (lambda + 2 mu) k^2 u, where a = rate_scale v, u = displacement_scale v and k = 2 / h. So its part of the Jacobian falls with
-/// the time step while that is short, and grows with it later.
+/// (lambda + 2 mu) k^2 u, where a = rate_scale v, u = displacement_scale v and k = 2 / h. So its part of the Jacobian
+/// falls with the time step while that is short, and grows with it later.
 template <int D, int P>
 SolidPart solid_part(const Model<D, P>&, const Stage&);
 
@@ -30,9 +30,9 @@ class ImplicitScheme final : public Scheme<D, P> {
   /// A step of backward Euler of any length, in which loads stand still at the time of the state. Takes no iteration
   /// where nothing is left to solve: where `excess` is below `digits_of_rest`. The indicator is not set.
   /// The equations of an endless step are singular: the total mass is left open. Those of a long step nearly are, and
-  /// the velocities of the solid have the size of its displacement over the step. So Newton's method sees them as a step
-  /// of moderate length, T, stretched s = dt / T times: its unknown is s v in the solid, the sum of the rows of the mass
-  /// counts s times, which the solution does not notice, and the preconditioner is that of the step T.
+  /// the velocities of the solid have the size of its displacement over the step. So Newton's method sees them as a
+  /// step of moderate length, T, stretched s = dt / T times: its unknown is s v in the solid, the sum of the rows of
+  /// the mass counts s times, which the solution does not notice, and the preconditioner is that of the step T.
   Settling settle(const State&, double dt);
   void accept(State& state) override { integrator_.finish(x_, state); }
   void refuse(const Refusal& why) override {
