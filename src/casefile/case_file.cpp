@@ -94,8 +94,7 @@ Case resolve(const Document& document, Problems& problems) {
     if (!document.entries.count("time.mass") && c.time.scheme == "rkl2") c.time.mass = "lumped";
     if (!document.entries.count("output.history.every")) c.output.history_every = explicit_history_every;
   }
-  if (document.entries.count("domain.grading.box") && !document.entries.count("domain.grading.fine"))
-    c.domain.grading.fine = "box";
+  if (!c.domain.grading.lower.empty() && !document.entries.count("domain.grading.fine")) c.domain.grading.fine = "box";
   if (c.dimension() == 3 && !document.entries.count("output.history.track")) c.output.track = line_of_loads(c);
   return c;
 }

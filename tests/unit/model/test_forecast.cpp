@@ -14,7 +14,7 @@ namespace {
 /// A droplet of so many capillarities (1/32) on a rigid wall, two elements for a capillarity.
 Case forecast_droplet(double temperature, double angle, double capillarities, double length = 1) {
   Case c;
-  c.domain = {{length, length / 2}, {static_cast<int>(64 * length), static_cast<int>(32 * length)}, 2};
+  c.domain = {.size = {length, length / 2}, .elements = {static_cast<int>(64 * length), static_cast<int>(32 * length)}, .degree = 2};
   c.fluid.emplace();
   c.fluid->viscosity = 1.0 / 256;
   c.fluid->capillarity = 1.0 / 32;
@@ -119,7 +119,7 @@ TEST(Forecast, LockingAsMeasured) {
                {0.4999, 2, 9.327}, {0.45, 4, 0.235}, {0.499, 8, 0.226}};
   for (const auto& row : table) {
     Case c;
-    c.domain = {{1, 0.125}, {8 * row.rows, row.rows}, 2};
+    c.domain = {.size = {1, 0.125}, .elements = {8 * row.rows, row.rows}, .degree = 2};
     c.substrate = Substrate{0.125, 1, 1, row.poisson};
     EXPECT_NEAR(100 * locking_error(c), row.measured, 0.2 * row.measured) << row.poisson;
     EXPECT_EQ(tells(c, "domain.degree = 2"), row.measured > 1) << row.poisson << " " << row.rows;
@@ -234,7 +234,7 @@ TEST(Forecast, CapsAndFilmsAreNearWhereTheyMeetTheWall) {
 /// As many as a field of droplets has; each looks at those beside it alone.
 TEST(Forecast, ManyDroplets) {
   Case c = forecast_droplet(0.39, 90, 4);
-  c.domain = {{100, 100}, {6400, 6400}, 2};
+  c.domain = {.size = {100, 100}, .elements = {6400, 6400}, .degree = 2};
   c.droplets.clear();
   for (int i = 0; i < 20000; ++i) c.droplets.push_back({{0.5 + 0.7 * (i % 142), 0.5 + 0.7 * (i / 142)}, 0.2});
   c.droplets[19999].radius = 0.4;

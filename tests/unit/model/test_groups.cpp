@@ -10,7 +10,7 @@ namespace {
 
 Case pull() {
   Case c;
-  c.domain = {{1, 0.5}, {128, 64}, 2};
+  c.domain = {.size = {1, 0.5}, .elements = {128, 64}, .degree = 2};
   c.fluid.emplace();
   c.fluid->viscosity = 1.0 / 256;
   c.fluid->capillarity = 1.0 / 64;

@@ -143,7 +143,7 @@ TEST(InitialState, MovingDropletLeavesWallsAndSolidAtRest) {
 /// That of the droplet alone, beyond the vapour, is from tests/oracle/radial_droplet.py (capillarity 1/64, 0.39).
 TEST(InitialState, DropletHasTheMassOfTheOneAtRest) {
   Case c = fluid_box();
-  c.domain = {{0.5, 0.5}, {128, 128}, 2};
+  c.domain = {.size = {0.5, 0.5}, .elements = {128, 128}, .degree = 2};
   c.fluid->temperature = 0.39;
   c.fluid->capillarity = 1.0 / 64;
   c.droplets = {{{0.0, 0.25}, 0.15, {}}};

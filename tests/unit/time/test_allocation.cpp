@@ -21,7 +21,7 @@ void count_allocation(Kokkos::Tools::SpaceHandle, const char* label, const void*
 Case small_droplet() {
   Case c;
   c.name = "small";
-  c.domain = {{1.0, 0.5}, {24, 12}, 2};
+  c.domain = {.size = {1.0, 0.5}, .elements = {24, 12}, .degree = 2};
   c.fluid = Fluid{};
   c.fluid->viscosity = 1.0 / 64;
   c.fluid->capillarity = 1.0 / 12;

@@ -47,7 +47,7 @@ TEST(Relaxation, KeepsTheMassAndFindsItsOwnEndAtRest) {
 // sooner: what is missing is seen against the small density of the vapour.
 TEST(Relaxation, EndsWhenTheVapourHasFilled) {
   Case c = scene(Scene::rigid, WallLaw::energy);
-  c.domain = {{1.0, 0.5}, {24, 12}, 2};
+  c.domain = {.size = {1.0, 0.5}, .elements = {24, 12}, .degree = 2};
   c.fluid->viscosity = 1.0 / 256;
   c.fluid->capillarity = 1.0 / 12;
   c.fluid->temperature = 0.39;
