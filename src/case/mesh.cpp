@@ -8,7 +8,7 @@ namespace softwet {
 namespace {
 
 constexpr double worth_grading = 0.95;  ///< share of the elements of an axis above which they stay equal
-constexpr double slack = 1e-9;          ///< of a fine length
+constexpr double rounding = 1e-9;       ///< of a fine length
 
 /// Lengths that grow by `ratio` from `fine` to at most `most`.
 std::vector<double> growing(double fine, double most, double ratio, int count) {
@@ -17,7 +17,7 @@ std::vector<double> growing(double fine, double most, double ratio, int count) {
   return lengths;
 }
 
-double sum(const std::vector<double>& lengths) {
+double total_of(const std::vector<double>& lengths) {
   double total = 0;
   for (const double x : lengths) total += x;
   return total;
@@ -25,17 +25,17 @@ double sum(const std::vector<double>& lengths) {
 
 /// The fewest lengths that fill `room`, by the smallest ratio that does. They begin beside an element of the length `fine`.
 std::vector<double> fill(double room, double fine, const Grading& grading) {
-  if (room < slack * fine) return {};
+  if (room < rounding * fine) return {};
   const double most = grading.coarsest * fine;
   int count = std::max(1, static_cast<int>(room / most));
-  while (sum(growing(fine, most, grading.ratio, count)) < room - slack * fine) ++count;
+  while (total_of(growing(fine, most, grading.ratio, count)) < room - rounding * fine) ++count;
   double low = 1, high = grading.ratio;
   for (int i = 0; i < 100; ++i) {
     const double ratio = 0.5 * (low + high);
-    (sum(growing(fine, most, ratio, count)) < room ? low : high) = ratio;
+    (total_of(growing(fine, most, ratio, count)) < room ? low : high) = ratio;
   }
   std::vector<double> lengths = growing(fine, most, high, count);
-  const double scale = room / sum(lengths);
+  const double scale = room / total_of(lengths);
   for (double& x : lengths) x *= scale;
   return lengths;
 }
@@ -50,8 +50,8 @@ std::vector<double> graded_breaks(const Case& c, int axis) {
   if (grading.lower.size() <= d || grading.upper.size() <= d) return {};
   const double h = fine_length(c, axis), length = c.domain.size[axis];
   const int all = c.domain.elements[axis];
-  const int first = std::clamp(static_cast<int>(std::floor(grading.lower[d] / h + slack)), 0, all - 1);
-  const int last = std::clamp(static_cast<int>(std::ceil(grading.upper[d] / h - slack)), first + 1, all);
+  const int first = std::clamp(static_cast<int>(std::floor(grading.lower[d] / h + rounding)), 0, all - 1);
+  const int last = std::clamp(static_cast<int>(std::ceil(grading.upper[d] / h - rounding)), first + 1, all);
   std::vector<double> below = fill(length * first / all, h, grading);
   const std::vector<double> above = fill(length - length * last / all, h, grading);
   if (below.size() + above.size() + (last - first) > worth_grading * all) return {};

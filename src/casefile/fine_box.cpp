@@ -15,7 +15,7 @@ constexpr double margin = 4, margin_above = 2.2;  ///< in capillarities: along t
 constexpr int rows_below = 4;                     ///< of the solid below the wall that stay fine
 constexpr double part_of_way = 0.8;               ///< to a load that a droplet may go: that of the paper goes 0.76
 
-struct Span {
+struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
 
   void take(double from, double to) {
@@ -67,7 +67,7 @@ bool is_driven(const Case& c, std::size_t axis) {
                         (c.substrate && (c.substrate->young.varies() || c.substrate->fibre.stiffness > 0)));
 }
 
-double distance(const Droplet& droplet, const Load& load) {
+double gap_to(const Droplet& droplet, const Load& load) {
   double square = 0;
   for (std::size_t d = 0; d + 1 < droplet.centre.size(); ++d)
     square += std::pow(std::max({load.lower[d] - droplet.centre[d], droplet.centre[d] - load.upper[d], 0.0}), 2);
@@ -75,12 +75,12 @@ double distance(const Droplet& droplet, const Load& load) {
 }
 
 /// A load that pulls the solid away from a droplet draws it to the load; one that pushes drives it away. The nearest ones count.
-void take_ways(const Case& c, std::size_t axis, const Droplet& droplet, double half, Span& span) {
+void take_ways(const Case& c, std::size_t axis, const Droplet& droplet, double half, Extent& span) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Load& load : c.loads) least = std::min(least, distance(droplet, load));
+  for (const Load& load : c.loads) least = std::min(least, gap_to(droplet, load));
   const double x = droplet.centre[axis], reach = half + least_fine_margin * c.fluid->capillarity;
   for (const Load& load : c.loads) {
-    if (distance(droplet, load) > 1.01 * least) continue;
+    if (gap_to(droplet, load) > 1.01 * least) continue;
     const double to = x < load.lower[axis] ? load.lower[axis] - x : x > load.upper[axis] ? load.upper[axis] - x : 0.0;
     const double way = part_of_way * to, pulls = load.force[axis] * to;
     if (pulls >= 0) span.take(x + way - reach, x + way + reach);
@@ -105,8 +105,8 @@ std::vector<Droplet> with_their_union(const Case& c) {
   return all;
 }
 
-Span along_wall(const Case& c, std::size_t axis) {
-  Span span;
+Extent along_wall(const Case& c, std::size_t axis) {
+  Extent span;
   const double beside = margin * c.fluid->capillarity;
   for (const Droplet& droplet : with_their_union(c)) {
     const double reach = half_width(c, droplet) + beside;
@@ -123,17 +123,17 @@ double elastocapillary_length(const Case& c) {
   return 0.55 * c.fluid->capillarity * std::pow(1 - c.fluid->temperature, 1.5) / c.substrate->young_modulus();
 }
 
-Span height_of(const Case& c, const Droplet& droplet) {
+Extent height_of(const Case& c, const Droplet& droplet) {
   const double radius = largest_radius(droplet), middle = droplet.centre.back();
   if (!sits_on_wall(c, droplet)) return {middle - radius, middle + radius};
   return {wall_of(c), wall_of(c) + radius * (1 - cap_cosine(*c.fluid, droplet))};
 }
 
-Span upwards(const Case& c) {
-  Span span;
+Extent upwards(const Case& c) {
+  Extent span;
   const double beside = margin * c.fluid->capillarity, above = margin_above * c.fluid->capillarity;
   for (const Droplet& droplet : with_their_union(c)) {
-    const Span height = height_of(c, droplet);
+    const Extent height = height_of(c, droplet);
     span.take(height.low - beside, height.high + (sits_on_wall(c, droplet) ? above : beside));
   }
   for (const Film& film : c.films) span.take(film.lower.back() - beside, film.upper.back() + beside);
@@ -152,7 +152,7 @@ void choose_fine_box(Case& c) {
   const bool anywhere = goes_anywhere(c);
   for (std::size_t axis = 0; axis < axes && !anywhere; ++axis) {
     if (c.boundary.side[axis][0] == Side::periodic || is_driven(c, axis)) continue;
-    const Span span = axis == vertical ? upwards(c) : along_wall(c, axis);
+    const Extent span = axis == vertical ? upwards(c) : along_wall(c, axis);
     grading.lower[axis] = std::max(0.0, span.low);
     grading.upper[axis] = std::min(c.domain.size[axis], span.high);
     const double h = fine_length(c, static_cast<int>(axis));
@@ -169,7 +169,7 @@ std::string warning_about_fine_box(const Case& c) {
     for (std::size_t axis = 0; axis <= vertical; ++axis) {
       const Droplet& droplet = c.droplets[k];
       const double half = half_width(c, droplet), x = droplet.centre[axis];
-      const Span span = axis == vertical ? height_of(c, droplet) : Span{x - half, x + half};
+      const Extent span = axis == vertical ? height_of(c, droplet) : Extent{x - half, x + half};
       const FinePart fine = fine_part(c, static_cast<int>(axis));
       const bool below = span.low - margin < fine.low && (axis < vertical || !sits_on_wall(c, droplet));
       if (below || span.high + margin > fine.high)

@@ -14,7 +14,9 @@ namespace {
 /// A droplet of so many capillarities (1/32) on a rigid wall, two elements for a capillarity.
 Case forecast_droplet(double temperature, double angle, double capillarities, double length = 1) {
   Case c;
-  c.domain = {.size = {length, length / 2}, .elements = {static_cast<int>(64 * length), static_cast<int>(32 * length)}, .degree = 2};
+  c.domain = {.size = {length, length / 2},
+              .elements = {static_cast<int>(64 * length), static_cast<int>(32 * length)},
+              .degree = 2};
   c.fluid.emplace();
   c.fluid->viscosity = 1.0 / 256;
   c.fluid->capillarity = 1.0 / 32;
