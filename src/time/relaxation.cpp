@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rest = 1e-6;           ///< rate of change that counts as rest where Newton's method gets no farther
 constexpr double change_of_step = 0.1;  ///< of the fields, that a step aims at; a thin vapour may change by more
-constexpr double slow = 1e-8;           ///< mean speed, root of its square
+constexpr double slow = 1e-6;           ///< mean speed, root of its square: above it a steady state flows
 constexpr double endless = 1e12;        ///< step
 constexpr int most_idle = 12;           ///< steps and refusals in a row, at rest, that bring nothing
 constexpr int most_steps = 200;

@@ -14,7 +14,7 @@ build = pathlib.Path(softwet).parent
 
 
 def device(*words, code=0):
-    done = subprocess.run([sys.executable, ROOT / "tools/device", build, "--quick", "--minutes", "1.5", "--out", "device", *words],
+    done = subprocess.run([sys.executable, ROOT / "tools/device", build, "--quick", "--minutes", "0.6", "--out", "device", *words],
                           capture_output=True, text=True, env={**environment, "OMP_NUM_THREADS": "1"})
     if done.returncode != code:
         sys.exit(f"exit code {done.returncode}, not {code}: {done.args}\n{done.stdout}{done.stderr}")
