@@ -1,6 +1,7 @@
 // Scenes in the coordinates (r, z): residual against the reference assembly, product against differences, integrals and the
 // energy law.
 #include "unit/model/formulas.hpp"
+#include "unit/model/rates.hpp"
 #include "unit/model/scenes.hpp"
 
 namespace softwet::testing_tools {
@@ -147,16 +148,6 @@ TEST(Axisymmetric, FluxesOfMassSumToZero) {
     EXPECT_GT(size, 1e-3);
     EXPECT_LT(std::abs(sum), 1e-14 * size);
   }
-}
-
-template <class F>
-double slope(const F& f, double e) {
-  return (8 * (f(e) - f(-e)) - f(2 * e) + f(-2 * e)) / (12 * e);
-}
-Array plus(const Array& y, double e, const std::vector<double>& x) {
-  std::vector<double> v = to_host(y);
-  for (std::size_t i = 0; i < x.size(); ++i) v[i] += e * x[i];
-  return to_device<Array>(v);
 }
 
 // Testing momentum with v gives the rate of the energies less the power of the load and what is dissipated; integrals of the scene

@@ -1,21 +1,10 @@
 // Energies: what the integrals are, and the energy law hidden in the residual.
 #include "unit/model/formulas.hpp"
+#include "unit/model/rates.hpp"
 #include "unit/model/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {
-
-template <class F>
-double slope(const F& f, double e) {
-  return (8 * (f(e) - f(-e)) - f(2 * e) + f(-2 * e)) / (12 * e);
-}
-
-/// y + e x, as a new array.
-Array plus(const Array& y, double e, const std::vector<double>& x) {
-  std::vector<double> v = to_host(y);
-  for (std::size_t i = 0; i < x.size(); ++i) v[i] += e * x[i];
-  return to_device<Array>(v);
-}
 
 // Testing momentum with v, mass with mu - f . x (f: gravity) and potential with rho_t on a fixed mesh leaves
 //   d/dt (kinetic + bulk + gradient + wall energy + energy in gravity) + dissipation = - convection,
