@@ -33,7 +33,7 @@ class Scene:
                         "angle_right": 70 + 5 * path + (0 if to_left else angle),
                         "energy_total": -3 + scale * path, "mass_drift": 1e-12 * scale * np.sin(times)}
         x = np.linspace(0, 1, 2 * elements[0] + 1)
-        self.interface = {5.0: {"displacement_x": 0 * x, "displacement_y": scale * x * (1 - x)}}
+        self.interface = {5.0: {"x_reference": x, "displacement_x": 0 * x, "displacement_y": scale * x * (1 - x)}}
 
     def fields(self, time):
         return self

@@ -119,14 +119,15 @@ def space(lab, measurement):
         title = ", ".join([f"{scene}, {dimension}D, degree {degree}", *(words[kind] for kind in kinds if kinds[kind])])
         name = "_".join([f"{scene}_{dimension}d_degree_{degree}", *(kind for kind in kinds if kinds[kind])])
         show(lab, name, title, [f"{n} elements" for n in meshes], sizes, found)
-        judge_space(lab, title, dimension, degree, sizes, found)
+        judge_space(lab, title, dimension == 2 and not kinds["graded"], degree, sizes, found)
 
 
-def judge_space(lab, title, dimension, degree, sizes, found):
+def judge_space(lab, title, settled, degree, sizes, found):
+    """@param settled  the meshes are fine enough for the order itself. Where elements are graded, and in 3D, some orders are still above"""
     for field, errors in found.items():
         observed = orders(sizes, errors)
         lowest = degree - 1 if field == "potential" else degree + 1
-        exact = dimension == 2 and field in ("velocity", "displacement")
+        exact = settled and field in ("velocity", "displacement")
         asked = f"{lowest} +- {TOLERANCE}" if exact else f"{lowest - TOLERANCE:g} or more"
         lab.expect(f"{title}: order of {NAMES[field]} over h", asked, text_of(observed),
                    within(observed, lowest) if exact else min(observed) >= lowest - TOLERANCE)
