@@ -66,7 +66,7 @@ Json times_of(const Key& key) {
   return one_of({plain_number(key, false), text_like(range_of_times), list_of(moment)});
 }
 
-Json box_of(const Key& key) {
+Json schema_of_box(const Key& key) {
   Json json = list_of(list_of(number_or_ratio(key, false)));
   json["minItems"] = 2;
   json["maxItems"] = 2;
@@ -91,7 +91,7 @@ Json type_of(const Key& key) {
     case Kind::integers:
       return list_of(number_or_ratio(key, true));
     case Kind::box:
-      return box_of(key);
+      return schema_of_box(key);
     case Kind::times:
       return times_of(key);
     case Kind::choice:

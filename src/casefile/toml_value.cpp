@@ -84,7 +84,7 @@ std::optional<Words> profiles_of(const toml::node& node) {
   return texts;
 }
 
-std::optional<Value> box_of(const toml::node& node) {
+std::optional<Value> corners_of(const toml::node& node) {
   const toml::array* corners = node.as_array();
   if (!corners || corners->size() != 2) return std::nullopt;
   std::vector<Numbers> box;
@@ -115,7 +115,7 @@ std::optional<Value> value_of_node(const toml::node& node, Kind kind) {
     case Kind::integers:
       return widen(numbers_of(node, true));
     case Kind::box:
-      return box_of(node);
+      return corners_of(node);
     case Kind::times:
       return widen(times_of(node));
     case Kind::names:
