@@ -8,16 +8,16 @@
 namespace softwet {
 namespace {
 
-const Vocabulary plane{{"x", "y"}, {{"pi", std::acos(-1.0)}, {"H", 0.125}}};
+const Vocabulary two_axes{{"x", "y"}, {{"pi", std::acos(-1.0)}, {"H", 0.125}}};
 
 double value(const std::string& text, double x = 0.25, double y = -2) {
-  return Expression(text, plane).at({x, y, 0}, 0);
+  return Expression(text, two_axes).at({x, y, 0}, 0);
 }
 
 /// The problem and the remedy of a wrong expression.
 std::string told(const std::string& text) {
   try {
-    const Expression expression(text, plane);
+    const Expression expression(text, two_axes);
   } catch (const FormulaError& error) {
     return error.what() + ("; " + error.remedy);
   }
@@ -36,12 +36,12 @@ TEST(Expression, HasVariablesConstantsAndFunctions) {
 }
 
 TEST(Expression, TellsWhetherItVaries) {
-  EXPECT_TRUE(Expression("3*H + pi", plane).constant());
-  EXPECT_FALSE(Expression("3*H + 0*x", plane).constant());
+  EXPECT_TRUE(Expression("3*H + pi", two_axes).constant());
+  EXPECT_FALSE(Expression("3*H + 0*x", two_axes).constant());
 }
 
 TEST(Expression, OfTime) {
-  const Expression wave("sin(2*pi*t/5)", {{"t"}, plane.constants});
+  const Expression wave("sin(2*pi*t/5)", {{"t"}, two_axes.constants});
   EXPECT_DOUBLE_EQ(wave.at({7, 7, 7}, 1.25), 1);
 }
 
@@ -74,7 +74,7 @@ TEST(Expression, NamesTheColumnOfAMistake) {
 }
 
 TEST(Expression, TwoOfThemDoNotShareVariables) {
-  const Expression one("x", plane), other("2*x", plane);
+  const Expression one("x", two_axes), other("2*x", two_axes);
   EXPECT_EQ(one.at({3, 0, 0}, 0), 3);
   EXPECT_EQ(other.at({5, 0, 0}, 0), 10);
   EXPECT_EQ(one.at({4, 0, 0}, 0), 4);
