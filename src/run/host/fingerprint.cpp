@@ -7,6 +7,7 @@
 #include "case/error.hpp"
 #include "casefile/case_file.hpp"
 #include "casefile/profiles.hpp"
+#include "casefile/schema.hpp"
 
 namespace softwet {
 namespace {
@@ -60,13 +61,18 @@ std::string lines_of_case(const Case& c, const Wanted& wanted) {
   return text;
 }
 
-/// Keys that older programs do not know; "load[0].factor" is one of load[].
-bool is_later(const std::string& key) {
-  static const std::vector<std::string> later{"time.mass", "time.safety", "time.start"};
-  const std::string factor = ".factor";
-  const bool of_load = starts_with(key, "load[") && key.size() > factor.size() &&
-                       key.compare(key.size() - factor.size(), factor.size(), factor) == 0;
-  return of_load || is_one_of(key, later);
+/// "load[].factor" of "load[0].factor".
+std::string schema_name(const std::string& key) {
+  const std::size_t open = key.find('['), close = key.find(']');
+  return open == std::string::npos ? key : key.substr(0, open + 1) + key.substr(close);
+}
+
+/// Whether a line may be missing in the fingerprint of an older program, which did not know the key: it says what that program
+/// did. Of the first three keys an older program had another default, or none.
+bool may_be_missing(const std::string& line) {
+  static const std::vector<std::string> of_any_value{"time.mass", "time.safety", "time.start"};
+  const Key* key = find_key(schema_name(key_of(line)));
+  return is_one_of(key_of(line), of_any_value) || (key && !key->required && value_of(line) == default_text(*key));
 }
 
 /// The lines of a case that a stored fingerprint can have: those of older programs lack some keys.
@@ -74,7 +80,7 @@ std::vector<std::string> lines_to_compare(const Case& c, const std::vector<std::
   std::vector<std::string> lines, known;
   for (const std::string& line : stored) known.push_back(key_of(line));
   for (const std::string& line : lines_of(fingerprint(c)))
-    if (!is_later(key_of(line)) || is_one_of(key_of(line), known)) lines.push_back(line);
+    if (is_one_of(key_of(line), known) || !may_be_missing(line)) lines.push_back(line);
   return lines;
 }
 

@@ -180,11 +180,19 @@ TEST(Fingerprint, TellsWhatAResumedRunMayNotChange) {
 TEST(Fingerprint, ThatOfAnOlderProgramLacksSomeKeys) {
   std::string stored;
   std::istringstream lines(fingerprint(pull()));
-  for (std::string line; std::getline(lines, line);)
-    if (line.rfind("time.mass", 0) != 0 && line.rfind("time.safety", 0) != 0 && line.rfind("time.start", 0) != 0)
-      stored += line + "\n";
+  for (std::string line; std::getline(lines, line);) {
+    bool later = false;
+    for (const char* key : {"time.mass", "time.safety", "time.start", "domain.grading", "domain.coordinates",
+                            "substrate.surface_tension", "load[0].path"})
+      later = later || line.rfind(key, 0) == 0;
+    if (!later) stored += line + "\n";
+  }
   ASSERT_NE(stored, fingerprint(pull()));
   EXPECT_NO_THROW(check_fingerprint("checkpoint.h5", stored, pull()));
+  const std::string graded = "domain.grading.box=[[0.2,0.05],[0.9,0.3]]", tense = "substrate.surface_tension=0.1";
+  for (const std::string& setting : {graded, tense})
+    expect_error(Exit::invalid_input, {"checkpoint.h5", setting.substr(0, 10), "another case"},
+                 [&] { check_fingerprint("checkpoint.h5", stored, parse_case(pull_text(), "case.toml", {setting})); });
 }
 
 TEST(SavedRun, ADropletOn3DHasTwoCoordinates) {
