@@ -45,23 +45,29 @@ void check_elements(const Checker& check) {
   }
 }
 
+/// A box that is given by its corners, inside of [0, top] along each axis. @param place  what it has to lie in
+void check_corners(const Checker& check, const std::string& key, const Numbers& lower, const Numbers& upper,
+                   const Numbers& top, const char* place) {
+  for (const Numbers& corner : {lower, upper})
+    check.require_axes(key, corner.size(), "write box = [[lower corner], [upper corner]]");
+  for (std::size_t axis = 0; axis < lower.size(); ++axis) {
+    if (lower[axis] >= upper[axis])
+      check.refuse(key, fmt::format("is empty along axis {}", axis), "the first corner must lie below the second");
+    if (lower[axis] < -slack * top[axis] || upper[axis] > top[axis] * (1 + slack))
+      check.refuse(key, fmt::format("lies outside the {}, which is [0, {}] along axis {}", place, top[axis], axis),
+                   "move or shrink the box");
+  }
+}
+
 void check_grading(const Checker& check) {
   const Grading& grading = check.c.domain.grading;
-  const std::string key = "domain.grading.box", remedy = "write box = [[lower corner], [upper corner]]";
+  const std::string key = "domain.grading.box";
   if (grading.fine != "box") {
     if (!grading.lower.empty())
       check.refuse(key, fmt::format("is not used with fine = \"{}\"", grading.fine), "write fine = \"box\"");
     return;
   }
-  for (const Numbers& corner : {grading.lower, grading.upper}) check.require_axes(key, corner.size(), remedy);
-  for (std::size_t axis = 0; axis <= check.vertical(); ++axis) {
-    const double low = grading.lower[axis], high = grading.upper[axis], top = check.c.domain.size[axis];
-    if (low >= high)
-      check.refuse(key, fmt::format("is empty along axis {}", axis), "the first corner must lie below the second");
-    if (low < -slack * top || high > top * (1 + slack))
-      check.refuse(key, fmt::format("lies outside the domain, which is [0, {}] along axis {}", top, axis),
-                   "move or shrink the box");
-  }
+  check_corners(check, key, grading.lower, grading.upper, check.c.domain.size, "domain");
   const double wall = check.interface(), row = check.element_height();
   if (!check.c.substrate || !check.c.fluid) return;
   if (grading.lower.back() > wall - row * (1 - slack) || grading.upper.back() < wall + row * (1 - slack))
@@ -165,18 +171,9 @@ void check_box_of_load(const Checker& check, std::size_t index) {
   const std::string box = fmt::format("load[{}].box", index);
   const Load& load = check.c.loads[index];
   if (!check.c.substrate) check.refuse(box, "a load acts on the solid", "add a [substrate] or remove the [[load]]");
-  for (const Numbers& corner : {load.lower, load.upper})
-    check.require_axes(box, corner.size(), "write box = [[lower corner], [upper corner]]");
-  for (std::size_t axis = 0; axis < load.lower.size(); ++axis) {
-    const double top = axis == check.vertical() ? check.c.substrate->thickness : check.c.domain.size[axis];
-    if (load.lower[axis] >= load.upper[axis]) {
-      check.refuse(box, fmt::format("is empty along axis {}", axis), "the first corner must lie below the second");
-    }
-    if (load.lower[axis] < -slack * top || load.upper[axis] > top * (1 + slack)) {
-      check.refuse(box, fmt::format("lies outside the solid, which is [0, {}] along axis {}", top, axis),
-                   "move or shrink the box");
-    }
-  }
+  Numbers top = check.c.domain.size;
+  top.back() = check.c.substrate->thickness;
+  check_corners(check, box, load.lower, load.upper, top, "solid");
 }
 
 void check_load(const Checker& check, std::size_t index) {
