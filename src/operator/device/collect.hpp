@@ -130,7 +130,7 @@ class TileSums {
     return s;
   }
 
-  static constexpr int room_for_term = 2048;  ///< bytes
+  static constexpr int room_for_term = 2304;  ///< bytes
 
   /// Puts a term with so many tiles into the next launch of its kernel; returns where the term is to be written.
   std::byte* add_tiles(TileLaunch<Real>* kernel, int code, int tiles) {

@@ -5,7 +5,7 @@
 
 namespace softwet {
 
-inline constexpr std::size_t most_stored_bytes = 24 * 1024;
+inline constexpr std::size_t most_stored_bytes = 27 * 1024;
 
 /// Where the device has a copy of these bytes, most_stored_bytes at most. It is made if there is none yet, and the host waits
 /// for that. The copy stays until enough others have been asked for, so that tables which come again and again are copied once.
