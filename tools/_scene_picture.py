@@ -1,4 +1,4 @@
-"""The scene of a case before it is computed: materials, droplets, loads, sides, given fields, and the mesh where it is graded.
+"""The scene of a case before it is computed: materials, droplets, loads, probes, sides, given fields, and the mesh where it is graded.
 
 What is drawn is the state that the program writes with `softwet check CASE --scene DIR`: the case with its defaults, the fields
 of the first state, and the values of expressions and tables. In two dimensions it is one picture. In three dimensions it is
@@ -145,6 +145,12 @@ class Plane:
             low, high = np.array(load["box"], dtype=float)[:, [0, -1]]
             draw_load(self.axes, low, high, np.array(load["force"], dtype=float)[[0, -1]], self.width, number)
 
+    def draw_probes(self):
+        """Points, lines and boxes of the probes, with their names. In space they are seen from the front."""
+        for probe in self.state.case.get("probe", []):
+            low, high = np.array(probe["box"] if probe["box"][0] else [probe["point"]] * 2, dtype=float)[:, [0, -1]]
+            draw_probe(self.axes, low, high, probe["name"])
+
     def draw_given(self):
         """Directions of gravity, as words in the corner: they hold everywhere."""
         told = [f"{name}.gravity = {self.state.case[name]['gravity']}" for name in ("fluid", "substrate")
@@ -163,9 +169,18 @@ class Plane:
             images[SYMBOLS["fluid.contact_angle"]] = self.draw_pattern()
         self.draw_mesh()
         self.draw_loads()
+        self.draw_probes()
         self.draw_given()
         frame(self.axes, self.width, self.height, self.state.case["boundary"], ("left", "right", "bottom", "top"))
         return {label: image for label, image in images.items() if image is not None}
+
+
+def draw_probe(axes, low, high, name):
+    """A box, a line, or a cross at a point."""
+    mark = {"marker": "+", "markersize": 7} if (low == high).all() else {}
+    x, y = (low[0], high[0], high[0], low[0], low[0]), (low[1], low[1], high[1], high[1], low[1])
+    axes.plot(x, y, color=GREEN, linewidth=1, zorder=5, **mark)
+    axes.annotate(name, high, (3, 3), textcoords="offset points", color=GREEN, fontsize=7, zorder=5)
 
 
 def draw_load(axes, low, high, force, width, number):

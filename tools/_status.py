@@ -38,9 +38,18 @@ def droplet_text(row):
                                        ("track_rear", "track_front", "angle_rear", "angle_front")):
         if rear in row and front in row:
             angles = [f"{row[name]:.1f}" for name in (first, second) if name in row]
+            ridges = [f"{row[name]:.3g}" for name in (first.replace("angle", "ridge"), second.replace("angle", "ridge"))
+                      if name in row]
             return f"contact line {row[rear]:.4f} to {row[front]:.4f}" + (
-                f", angles {' and '.join(angles)} degrees" if angles else "")
+                f", angles {' and '.join(angles)} degrees" if angles else "") + (
+                f", ridges {' and '.join(ridges)}" if ridges else "")
     return ""
+
+
+def probe_text(run, row):
+    """The numbers of the probes of the case."""
+    names = [probe["name"] for probe in run.case.get("probe", [])]
+    return ", ".join(f"{name} {row[name]:.4g}" for name in names if name in row)
 
 
 def state_text(run, state):
@@ -76,7 +85,8 @@ def status(run, state):
         parts += [f"dt {row['dt']:.3g}"] if row.get("dt", 0) > 0 else []
     else:
         parts.append("no row of history.csv yet")
-    parts += [rate_text(record), left_text(record, since) if state == "running" else "", droplet_text(row)]
+    parts += [rate_text(record), left_text(record, since) if state == "running" else "", droplet_text(row),
+              probe_text(run, row)]
     if state == "running" and since is not None and since > 120:
         parts.append(f"run.json is {duration(since)} old")
     if record.get("events"):

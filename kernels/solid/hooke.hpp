@@ -24,9 +24,4 @@ struct Hooke : LameParameters {
   }
 };
 
-template <class N>
-KOKKOS_FORCEINLINE_FUNCTION Matrix<N, 3> cauchy_stress(const Hooke& material, const Matrix<N, 3>& grad_u) {
-  return material.first_piola(grad_u);
-}
-
 }  // namespace softwet

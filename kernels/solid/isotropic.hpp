@@ -56,10 +56,10 @@ KOKKOS_FORCEINLINE_FUNCTION auto quadratic_energy(const LameParameters& m, const
   return (0.5 * m.lambda) * (tr * tr) + m.shear_modulus * contract(e, e);
 }
 
-/// Cauchy stress P F^T / J. Plane strain has a stress along the third axis too: give Grad u with shape (3, 3).
-template <class Material, class N>
-KOKKOS_FORCEINLINE_FUNCTION Matrix<N, 3> cauchy_stress(const Material& material, const Matrix<N, 3>& grad_u) {
-  const Matrix<N, 3> p = material.first_piola(grad_u);
+/// Cauchy stress P F^T / J of a first Piola-Kirchhoff stress P. Plane strain has a stress along the third axis too: give
+/// both with shape (3, 3).
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION Matrix<N, 3> cauchy_stress(const Matrix<N, 3>& p, const Matrix<N, 3>& grad_u) {
   return (1.0 / volume_ratio(grad_u)) * (p + product(p, transpose(grad_u)));
 }
 

@@ -130,6 +130,7 @@ struct EarlierState;  // model/earlier_state.hpp
 /// The state at the start where it is given at each point, in place of what droplets and films make.
 struct Initial {
   std::string from;                             ///< output folder of an earlier run; empty: none
+  std::vector<double> time;                     ///< of the field files of that run; empty: its last checkpoint
   std::shared_ptr<const EarlierState> earlier;  ///< that run, read where a run begins (run/earlier_run.hpp)
   std::optional<Profile> density;
   std::vector<Profile> velocity, displacement;  ///< one for each axis, or empty
@@ -181,6 +182,23 @@ struct SolverControl {
   std::string precision = "automatic";       ///< automatic | double | mixed | single
 };
 
+/// What a probe makes of its values.
+enum class ProbeOperation { value, mean, integral, max, min };
+inline std::vector<std::string> words_of(ProbeOperation) { return {"value", "mean", "integral", "max", "min"}; }
+
+/// A number of each row of history.csv: of a quantity at a point, on a line, a face or in a box of the undeformed domain.
+struct Probe {
+  std::string name;           ///< of the column
+  std::string quantity;       ///< one of probe_quantities() (observe/host/probe_quantity.hpp)
+  std::vector<double> point;  ///< L0; empty: a box is given
+  std::vector<double> lower,
+      upper;  ///< corners, equal along an axis where the box has no extent; empty: a point is given
+  ProbeOperation operation = ProbeOperation::value;
+
+  const std::vector<double>& low() const { return point.empty() ? lower : point; }
+  const std::vector<double>& high() const { return point.empty() ? upper : point; }
+};
+
 struct OutputControl {
   int history_every = 1;
   std::vector<double> track;  ///< 3D: horizontal direction along which droplets are followed; empty: x
@@ -201,6 +219,7 @@ struct Case {
   std::vector<Wave> waves;
   std::optional<Initial> initial;
   std::vector<Load> loads;
+  std::vector<Probe> probes;
   Boundary boundary;
   TimeControl time;
   SolverControl solver;

@@ -56,7 +56,18 @@ inline const std::string& side_name(std::size_t axis, std::size_t end, std::size
   return names[axis == vertical ? 2 : axis][end];
 }
 
+/// A box that is given by its corners, inside of [0, top] along each axis. @param place  what it has to lie in
+void check_corners(const Checker& check, const std::string& key, const std::vector<double>& lower,
+                   const std::vector<double>& upper, const std::vector<double>& top, const char* place);
+
+// The parts of check_case.
+
+/// Size, elements, sides, coordinates. @return whether the axes are known, which all other parts need
+bool check_domain(const Checker& check);
 /// Droplets, films, waves and the densities of the start.
 void check_initial(const Checker& check);
+/// What is written and when.
+void check_output(const Checker& check);
+void check_probes(const Checker& check);
 
 }  // namespace softwet

@@ -125,6 +125,11 @@ void check_given_fields(const Checker& check) {
     if (!given.displacement.empty() && !check.c.substrate)
       check.refuse("initial.displacement", "needs a solid", "add a [substrate] or remove it");
   });
+  check.with({"initial.time", "initial.from"}, [&] {
+    if (given.time.size() > 1) check.refuse("initial.time", "must be one time", "write for example time = 235.0");
+    if (!given.time.empty() && given.from.empty())
+      check.refuse("initial.time", "belongs to initial.from", "write from = \"out/...\", the folder of an earlier run");
+  });
   check_vector("initial.velocity", given.velocity);
   check_vector("initial.displacement", given.displacement);
 }

@@ -69,12 +69,19 @@ std::vector<Key> initial_keys() {
       {.name = "initial.from",
        .kind = Kind::text,
        .help = "Output folder of an earlier run, relative to the folder in which softwet is started: its last "
-               "checkpoint gives density, "
+               "checkpoint, or its field files of initial.time, give density, "
                "velocity and displacement at the start. Its mesh, its materials, loads and sides may be others; its "
                "box and the thickness of "
                "its solid must be the same. What density, velocity and displacement say here comes before it.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.initial->from; }),
        .default_note = "\"\", none"},
+      {.name = "initial.time",
+       .kind = Kind::times,
+       .unit = "L0/sqrt(ab)",
+       .help = "Time t of the earlier run at which this one begins: one of those of its field files "
+               "(output.fields.times), which must have all fields. They are exact for degree 2.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.initial->time; }),
+       .default_note = "[], its last checkpoint"},
       {.name = "initial.density",
        .kind = Kind::profile,
        .unit = "b",

@@ -1,11 +1,55 @@
-// Schema, fourth part: output.
+// Schema, fourth part: probes and output.
 #include "casefile/binding.hpp"
 #include "casefile/schema.hpp"
 #include "observe/host/field_table.hpp"
+#include "observe/host/probe_quantity.hpp"
 
 namespace softwet {
+namespace {
 
-std::vector<Key> output_keys() {
+std::vector<Key> probe_keys() {
+  return {
+      {.name = "probe[].name",
+       .kind = Kind::text,
+       .letters = "_",
+       .required = true,
+       .example = "\"ridge_height\"",
+       .help = "Name of the column of history.csv. It begins with a letter, and no other column has it.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.probes[i].name; })},
+      {.name = "probe[].quantity",
+       .kind = Kind::choice,
+       .choices = probe_quantities(),
+       .required = true,
+       .example = "\"displacement_y\"",
+       .help = "What is looked at: a field of the field files (softwet explain fields), or a component of one.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.probes[i].quantity; })},
+      {.name = "probe[].point",
+       .kind = Kind::numbers,
+       .unit = "L0",
+       .example = "[0.5, 0.125]",
+       .help = "The place, in the undeformed domain: in the solid it goes with the material, in the fluid with the "
+               "mesh, which follows the wall below it and rests at the top. Write a point or a box.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.probes[i].point; }),
+       .default_note = "[], none"},
+      {.name = "probe[].box",
+       .kind = Kind::box,
+       .unit = "L0",
+       .help = "Lower and upper corner of the place, in the undeformed domain. Where both are equal along an axis, it "
+               "is a face, a line or a point.",
+       .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.probes[i]; }),
+       .default_note = "[[], []], none"},
+      {.name = "probe[].operation",
+       .kind = Kind::choice,
+       .choices = words_of(ProbeOperation{}),
+       .help = "What is made of the quantity: its value at a point, or its mean, its integral, its largest or smallest "
+               "value over a box. Integrals and means are over the undeformed place in the solid and over the deformed "
+               "one in the fluid; in axisymmetric scenes over the whole turn. Largest and smallest values are those of "
+               "five points of each element along each axis.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.probes[i].operation; })},
+  };
+}
+
+std::vector<Key> files_keys() {
   return {
       {.name = "output.history.every",
        .kind = Kind::integer,
@@ -49,6 +93,14 @@ std::vector<Key> output_keys() {
        .help = "Time between two checkpoints, on the clock on the wall.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.checkpoint_minutes; })},
   };
+}
+
+}  // namespace
+
+std::vector<Key> output_keys() {
+  std::vector<Key> keys = probe_keys();
+  for (Key& key : files_keys()) keys.push_back(std::move(key));
+  return keys;
 }
 
 }  // namespace softwet

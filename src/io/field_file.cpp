@@ -165,6 +165,13 @@ std::vector<double> field_file_times(const std::string& folder, const std::strin
   }
 }
 
+std::vector<double> read_field(const std::string& path, const std::string& name) {
+  const Hdf5File file = Hdf5File::open(path, "put back the file, or write it again");
+  const std::string array = "/VTKHDF/PointData/" + name;
+  if (!file.has(array)) file.fail("lacks the field " + name + ", which output.fields.select left out");
+  return file.read<double>(array);
+}
+
 void write_series(const std::string& path, const std::vector<std::pair<std::string, double>>& files_and_times) {
   std::string text = "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [";
   const char* separator = "\n";

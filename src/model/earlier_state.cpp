@@ -68,6 +68,20 @@ void take_stored(const Layout<D>& l, const std::vector<double>& all, double* val
 
 }  // namespace
 
+std::vector<double> control_values_of_samples(const std::vector<Axis>& axes, int low, int high,
+                                              std::vector<double> samples) {
+  std::size_t stride = 1;
+  for (std::size_t d = 0; d < axes.size(); ++d) {
+    const bool up = d + 1 == axes.size();
+    const int first = up ? low : 0, last = up ? high : axes[d].elements();
+    TransferRows rows = from_samples(axes[d], first, last);
+    if (up) rows = {rows.begin() + axes[d].span(low), rows.begin() + axes[d].span(high - 1) + axes[d].degree() + 1};
+    samples = with_axis(samples, stride, 2 * (last - first) + 1, rows, 0);
+    stride *= rows.size();
+  }
+  return samples;
+}
+
 template <int D>
 void give_earlier(const EarlierState& from, const Layout<D>& l, std::vector<double>& unknown,
                   std::vector<double>& displacement) {

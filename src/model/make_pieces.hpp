@@ -1,10 +1,7 @@
 // How the list of terms of a scene is made, for the sources that compile it in one precision each.
 #pragma once
 
-#include <cmath>
-
 #include "kernels/fluid/painted_wall.hpp"
-#include "kernels/solid/fibres.hpp"
 #include "kernels/solid/graded.hpp"
 #include "kernels/solid/kelvin_voigt.hpp"
 #include "kernels/solid/surface_tension.hpp"
@@ -60,17 +57,12 @@ class PieceMaker {
     };
     std::visit(elastic, model_.solid());
     const double finite = s.strain == "small" ? 0 : 1;
-    if (s.fibre.stiffness > 0) add<NoMotion>("fibres", Fibres{s.fibre.stiffness, direction_of(s.fibre), finite});
+    if (s.fibre.stiffness > 0) add<NoMotion>("fibres", model_.fibres());
     if (s.surface_tension > 0) add<NoMotion>("surface tension of the solid", SurfaceTension{s.surface_tension});
     if (s.viscosity > 0 || s.bulk_viscosity > 0) {
       pieces_.solid_viscosity = pieces_.list.size();
       add<NoMotion>("viscosity of the solid", KelvinVoigt{s.viscosity, s.bulk_viscosity, finite});
     }
-  }
-  static Vector<double, 3> direction_of(const Fibre& f) {
-    const double up = f.angle * M_PI / 180, around = f.azimuth * M_PI / 180;
-    if (D == 2) return {{std::cos(up), std::sin(up), 0}};
-    return {{std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)}};
   }
 
   CapillaryTraction traction() const { return {model_.fluid().gas, model_.fluid().capillarity}; }

@@ -25,6 +25,13 @@ void require_tension(const Fluid& fluid, double dry, double largest_cosine) {
                   short_text(gain));
 }
 
+/// Unit vector along fibres.
+Vector<double, 3> direction_of(const Fibre& f, int dimension) {
+  const double up = f.angle * M_PI / 180, around = f.azimuth * M_PI / 180;
+  if (dimension == 2) return {{std::cos(up), std::sin(up), 0}};
+  return {{std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)}};
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -96,6 +103,9 @@ void Model<D, P>::build_solid(const Case& c) {
   } else {
     solid_ = Elastodynamics<SaintVenantKirchhoff>{{stiffness_}, density};
   }
+  young_ = young;
+  largest_young_ = largest;
+  fibres_ = {s.fibre.stiffness, direction_of(s.fibre, D), s.strain == "small" ? 0.0 : 1.0};
   const double along = 4 * s.fibre.stiffness / (stiffness_.lambda + 2 * stiffness_.shear_modulus);
   solid_rates_ = {4.0 / 3 * s.viscosity + s.bulk_viscosity, std::max(s.surface_tension, s.surface_tension_wet), along};
   for (const Load& load : c.loads) loads_.emplace_back(layout_, load, s.density, c.clock_zero());
@@ -107,7 +117,17 @@ void Model<D, P>::build_solid(const Case& c) {
   }
 }
 
+template <int D, int P>
+Matrix<double, 3> Model<D, P>::first_piola(const Matrix<double, 3>& grad_u, const std::array<double, 3>& x) const {
+  Matrix<double, 3> p = std::visit([&](const auto& solid) { return solid.material.first_piola(grad_u); }, solid_);
+  if (young_.varies()) p = (young_.at(x) / largest_young_) * p;
+  if (fibres_.stiffness > 0) p = p + fibres_.residual(SolidStrain<double, 3>{grad_u}).momentum_flux;
+  return p;
+}
+
 template void Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::build_fluid(const Case&);
 template void Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::build_solid(const Case&);
+template Matrix<double, 3> Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::first_piola(const Matrix<double, 3>&,
+                                                                                 const std::array<double, 3>&) const;
 
 }  // namespace softwet

@@ -11,6 +11,7 @@
 #include "field/ghosts.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/solid/fibres.hpp"
 #include "kernels/solid/hooke.hpp"
 #include "kernels/solid/neo_hookean.hpp"
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
@@ -48,6 +49,10 @@ class Model {
   const Solid& solid() const { return solid_; }  ///< where the stiffness varies in space, where it is largest
   const SolidRates& rates_of_solid() const { return solid_rates_; }
   const LameParameters& stiffness() const { return stiffness_; }  ///< the same
+  const Fibres& fibres() const { return fibres_; }                ///< of stiffness 0 where there are none
+  /// First Piola-Kirchhoff stress of the material, as stiff as it is at the point x of the undeformed solid, and of its
+  /// fibres; without its viscosity. On the host. In 2D Grad u has the third axis too.
+  Matrix<double, 3> first_piola(const Matrix<double, 3>& grad_u, const std::array<double, 3>& x) const;
   /// Also of the gradient law: its capillarity and cosine. Where the angle varies along the wall the cosine is 1.
   const EnergyWall& wall() const { return wall_.law; }
   /// Stiffness over that of `solid`, and cosine of the contact angle; empty where they do not vary.
@@ -141,6 +146,9 @@ class Model {
   Solid solid_;
   LameParameters stiffness_;
   SolidRates solid_rates_;
+  Fibres fibres_;
+  Profile young_;
+  double largest_young_ = 0;
   GivenField<double> graded_, painted_, tension_;
   bool has_wall_ = false, has_gravity_ = false, wall_feeds_ = false;
   Precision precision_;

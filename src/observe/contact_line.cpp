@@ -4,39 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "observe/crossings.hpp"
+
 namespace softwet {
 
 namespace {
 
 using Point = std::array<double, 2>;
-
-/// Places where samples cross 0, with the direction: +1 into the droplet.
-struct Crossing {
-  double x;
-  int direction;
-};
-std::vector<Crossing> crossings(const std::vector<double>& x, const double* depth) {
-  std::vector<Crossing> result;
-  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-    const double a = depth[i], b = depth[i + 1];
-    if ((a < 0) == (b < 0)) continue;
-    result.push_back({x[i] + (x[i + 1] - x[i]) * a / (a - b), a < 0 ? 1 : -1});
-  }
-  return result;
-}
-
-/// The crossing on the wall, sharpened by bisection on the spline itself.
-template <int D>
-double sharpen(const Section<D>& section, const Crossing& c, double spacing, const Surface& surface) {
-  const std::vector<double> wall{section.snapshot().wall_height()};
-  double lo = c.x - spacing, hi = c.x + spacing;
-  for (int i = 0; i < 60; ++i) {
-    const double m = 0.5 * (lo + hi);
-    const double excess = c.direction * surface.depth(section.density({m}, wall)[0]);
-    (excess < 0 ? lo : hi) = m;
-  }
-  return 0.5 * (lo + hi);
-}
 
 /// Points on the surface of the left and right half of the droplet whose wall crossings are given (reference
 /// coordinates).
@@ -63,13 +37,8 @@ Sides trace_surface(const Section<D>& section, double left, double right, const 
   const std::vector<double> depth = surface.depth(section.density(x, y));
   for (std::size_t j = 0; j < y.size(); ++j) {
     const std::vector<Crossing> found = crossings(x, depth.data() + j * x.size());
-    double best_left = -1e300, best_right = 1e300;
-    for (const Crossing& c : found) {
-      if (c.direction > 0 && c.x < middle_x) best_left = std::max(best_left, c.x);
-      if (c.direction < 0 && c.x > middle_x) best_right = std::min(best_right, c.x);
-    }
-    if (best_left > -1e300) sides.left.push_back(section.current(best_left, y[j]));
-    if (best_right < 1e300) sides.right.push_back(section.current(best_right, y[j]));
+    if (const auto c = nearest_crossing(found, middle_x, 1)) sides.left.push_back(section.current(c->x, y[j]));
+    if (const auto c = nearest_crossing(found, middle_x, -1)) sides.right.push_back(section.current(c->x, y[j]));
   }
   return sides;
 }
@@ -115,20 +84,24 @@ std::vector<Footprint> find_footprints(const Section<D>& section, const Surface&
   const std::vector<double> trace = surface.depth(section.density(x, {low}));
   const std::vector<Crossing> found = with_cut_droplets(crossings(x, trace.data()), reach, trace);
   const auto sharp = [&](const Crossing& c) {
-    return c.x == reach.low || c.x == reach.high ? c.x : sharpen(section, c, spacing, surface);
+    return c.x == reach.low || c.x == reach.high ? c.x : sharpen(section, c, low, spacing, surface);
   };
   std::vector<Footprint> result;
   for (std::size_t i = 0; i + 1 < found.size(); ++i) {
     if (found[i].direction < 0 || found[i + 1].direction > 0) continue;
     const double left = sharp(found[i]), right = sharp(found[i + 1]);
     const Point line_left = section.current(left, low), line_right = section.current(right, low);
-    Footprint f{line_left[0], line_right[0], {}, {}};
+    Footprint f;
+    f.x_left = line_left[0], f.x_right = line_right[0];
     // A cut droplet has its middle on the side: as wide beyond it as before.
     const double mirrored_left = left == reach.low ? 2 * reach.low - right : left,
                  mirrored_right = right == reach.high ? 2 * reach.high - left : right;
     const Sides sides = trace_surface(section, mirrored_left, mirrored_right, surface, 2 * capillarity);
     f.angle_left = angle_at(fit_circle(sides.left), line_left[1], surface);
     f.angle_right = angle_at(fit_circle(sides.right), line_right[1], surface);
+    if (left != reach.low) f.left = line_shape(section, surface, {left, 1}, right, capillarity);
+    if (right != reach.high) f.right = line_shape(section, surface, {right, -1}, left, capillarity);
+    f.dimple = dimple(section, left, right);
     result.push_back(f);
   }
   return result;

@@ -39,6 +39,12 @@ std::optional<Footprint> along(const Snapshot<3>& snapshot, const WettedRegion& 
   return std::nullopt;
 }
 
+/// The columns that tell the shape beside the contact lines.
+std::vector<std::optional<double>> shape_cells(const Footprint& f) {
+  return {f.left.ridge,     f.right.ridge,    f.left.wall_wet, f.left.wall_dry, f.left.liquid,
+          f.right.wall_wet, f.right.wall_dry, f.right.liquid,  f.dimple};
+}
+
 }  // namespace
 
 template <>
@@ -49,10 +55,12 @@ std::vector<Contact> find_contacts(const Snapshot<2>& snapshot, const Surface& s
   for (Footprint f : find_footprints(side_view(snapshot, surface), surface, capillarity)) {
     const double turn = axis.periodic() ? axis.length() * std::floor(f.centre() / axis.length()) : 0;
     f.x_left -= turn, f.x_right -= turn;
-    if (snapshot.layout().axisymmetric && f.x_left == 0) f.x_left = -f.x_right, f.angle_left = f.angle_right;
-    found.push_back({{f.centre(), 0},
-                     {f.x_left, f.x_right, f.centre(), std::nullopt, f.angle_left, f.angle_right},
-                     [f, axis](const Place& place) {
+    if (snapshot.layout().axisymmetric && f.x_left == 0)
+      f.x_left = -f.x_right, f.angle_left = f.angle_right, f.left = f.right;
+    std::vector<std::optional<double>> cells{f.x_left,     f.x_right,    f.centre(),
+                                             std::nullopt, f.angle_left, f.angle_right};
+    for (const std::optional<double>& cell : shape_cells(f)) cells.push_back(cell);
+    found.push_back({{f.centre(), 0}, cells, [f, axis](const Place& place) {
                        const double away = place[0] - f.centre();
                        return f.holds(f.centre() + (axis.periodic() ? std::remainder(away, axis.length()) : away));
                      }});
@@ -72,8 +80,9 @@ std::vector<Contact> find_contacts(const Snapshot<3>& snapshot, const Surface& s
                     [wall, r](const Place& place) { return wall->region_at(place) == r; }};
     contact.cells.resize(contact_names(3).size());
     if (const auto f = along(snapshot, region, surface, capillarity, track)) {
-      const std::optional<double> seen[4] = {f->x_left, f->x_right, f->angle_left, f->angle_right};
-      std::copy(std::begin(seen), std::end(seen), contact.cells.begin() + velocity_column + 1);
+      std::vector<std::optional<double>> seen{f->x_left, f->x_right, f->angle_left, f->angle_right};
+      for (const std::optional<double>& cell : shape_cells(*f)) seen.push_back(cell);
+      std::copy(seen.begin(), seen.end(), contact.cells.begin() + velocity_column + 1);
     }
     found.push_back(contact);
   }

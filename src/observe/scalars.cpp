@@ -8,7 +8,9 @@
 #include "case/text.hpp"
 #include "field/ranks.hpp"
 #include "io/output_time.hpp"
+#include "observe/host/probe_quantity.hpp"
 #include "observe/host/table_columns.hpp"
+#include "observe/probes.hpp"
 #include "time/energy_of.hpp"
 
 namespace softwet {
@@ -54,7 +56,10 @@ Surface Scalars<D, P>::surface() const {
 
 template <int D, int P>
 std::vector<std::string> Scalars<D, P>::columns() const {
-  return history_names(D, case_.droplets.size(), memory_.bodies.size() - case_.droplets.size());
+  std::vector<std::string> names =
+      history_names(D, case_.droplets.size(), memory_.bodies.size() - case_.droplets.size());
+  for (const Probe& probe : case_.probes) names.push_back(probe.name);
+  return names;
 }
 
 template <int D, int P>
@@ -69,8 +74,10 @@ void Scalars<D, P>::add_integrals(long step, const Integrals& sum, double load_p
   headline_.surface = sum.energy_surface;
   headline_.solid_viscous = sum.solid_viscous;
   headline_.mass_drift = of_fluid(sum.mass / latest_.mass_start - 1);
-  row.insert(row.end(), {of_fluid(sum.mass), sum.momentum[0], sum.energy_kinetic, of_fluid(free_energy),
-                         of_fluid(sum.energy_wall), sum.energy_elastic, load_power, sum.dissipation()});
+  row.push_back(of_fluid(sum.mass));
+  row.insert(row.end(), sum.momentum, sum.momentum + D);
+  row.insert(row.end(), {sum.energy_kinetic, of_fluid(free_energy), of_fluid(sum.energy_wall), sum.energy_elastic,
+                         load_power, sum.dissipation()});
   follow_energy(energy_of(latest_.time, load_power, sum));
 }
 
@@ -172,7 +179,8 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   const Integrals sum = model_.integrals(end);
   const double load_power = model_.load_power(state.time, state.unknown);
   const Extremes extremes = find_extremes(layout, state, layout.has_fluid ? surface().level : 0);
-  const Snapshot<D> snapshot(layout, state, SnapshotOf::all_but_velocity);
+  const Snapshot<D> snapshot(layout, state,
+                             probes_need_velocity(case_) ? SnapshotOf::all_fields : SnapshotOf::all_but_velocity);
   if (!ranks::root()) return {};
   latest_ = memory_;
   latest_.step = step;
@@ -196,6 +204,7 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
     row.insert(row.end(), 2, std::nullopt);
   }
   if (!case_.droplets.empty()) row.push_back(laplace_pressure(snapshot));
+  for (double number : evaluate_probes<D, P>(case_, model_, snapshot)) row.push_back(number);
   return row;
 }
 

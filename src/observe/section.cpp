@@ -73,6 +73,30 @@ std::array<double, 2> Section<D>::current(double s, double height) const {
   return {s + along, height + snapshot_.displacement(at, D - 1, true)[0]};
 }
 
+template <int D>
+std::vector<double> Section<D>::rise(const std::vector<double>& s) const {
+  std::vector<double> values;
+  for (double along : s) {
+    auto at = point(along);
+    at[D - 1] = {snapshot_.wall_height()};
+    values.push_back(snapshot_.displacement(at, D - 1, false)[0]);
+  }
+  return values;
+}
+
+template <int D>
+std::array<double, 2> Section<D>::tangent(double s) const {
+  auto at = point(s);
+  at[D - 1] = {snapshot_.wall_height()};
+  std::array<double, 2> t{1, 0};
+  for (int axis = 0; axis < D - 1; ++axis) {
+    for (int d = 0; d < D - 1; ++d)
+      t[0] += direction_[d] * direction_[axis] * snapshot_.displacement_gradient(at, d, axis)[0];
+    t[1] += direction_[axis] * snapshot_.displacement_gradient(at, D - 1, axis)[0];
+  }
+  return t;
+}
+
 Section<2> side_view(const Snapshot<2>& snapshot, const Surface& surface) {
   const Axis& axis = snapshot.layout().axis[0];
   if (!axis.periodic()) return {snapshot, {0, 0}, {1, 0}, {0, axis.length(), true, true}};

@@ -27,6 +27,10 @@ class Section {
   std::vector<double> density(const std::vector<double>& s, const std::vector<double>& height) const;
   /// Where the point is now: (s, height), projected on to the plane.
   std::array<double, 2> current(double s, double height) const;
+  /// Vertical displacement of the wall. Only with a solid.
+  std::vector<double> rise(const std::vector<double>& s) const;
+  /// Derivative of the place of the wall, in the plane, by s. Only with a solid.
+  std::array<double, 2> tangent(double s) const;
   const Snapshot<D>& snapshot() const { return snapshot_; }
 
  private:

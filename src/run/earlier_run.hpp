@@ -5,7 +5,8 @@
 
 namespace softwet {
 
-/// The case with the last state of the run that initial.from names, from its case.toml and checkpoint.h5; the case itself where it
+/// The case with the last state of the run that initial.from names, from its case.toml and checkpoint.h5, or with that of
+/// initial.time, from its field files; the case itself where it
 /// names none. Each process reads the files. Throws Error (invalid_input) where they cannot be read, and where
 /// the box or the height of the wall differs.
 Case with_earlier_run(const Case&);

@@ -27,10 +27,7 @@ Progress::Voice Progress::voice(bool quiet) {
 
 void Progress::step(double t, long step, double dt, const Headline& headline,
                     const std::optional<double>& seconds_left) {
-  if (voice_ == Voice::silent) return;
-  const auto pause = voice_ == Voice::terminal ? std::chrono::milliseconds(200) : std::chrono::milliseconds(10000);
-  if (Clock::now() - last_ < pause) return;
-  last_ = Clock::now();
+  if (!is_due()) return;
   const double share = std::clamp((t - start_) / std::max(end_ - start_, 1e-300), 0.0, 1.0);
   std::string line = formatted(t, "t = %.6g") + formatted(end_, " of %.6g") + formatted(100 * share, " (%.0f %%)");
   if (seconds_left) line += ", " + rough_duration(*seconds_left) + " left";
@@ -39,6 +36,24 @@ void Progress::step(double t, long step, double dt, const Headline& headline,
     line += formatted(headline.centre[d], d == 0 ? ", x = %.4f" : ", y = %.4f");
   if (headline.velocity) line += formatted(*headline.velocity, ", V = %.2e");
   if (headline.mass_drift) line += formatted(*headline.mass_drift, ", mass drift %+.0e");
+  show(line);
+}
+
+void Progress::settle(long step, double change) {
+  if (!is_due()) return;
+  show("on its way to rest: step " + std::to_string(step) +
+       formatted(change, ", the fields change by %.2g of their range in a unit of time"));
+}
+
+bool Progress::is_due() {
+  if (voice_ == Voice::silent) return false;
+  const auto pause = voice_ == Voice::terminal ? std::chrono::milliseconds(200) : std::chrono::milliseconds(10000);
+  if (Clock::now() - last_ < pause) return false;
+  last_ = Clock::now();
+  return true;
+}
+
+void Progress::show(const std::string& line) {
   if (voice_ == Voice::terminal) {
     std::fprintf(stderr, "\r%s\033[K", line.substr(0, terminal_width() - 1).c_str());
     open_line_ = true;

@@ -22,11 +22,15 @@ class Progress {
   ~Progress() { finish_line(); }
 
   void step(double t, long step, double dt, const Headline& headline, const std::optional<double>& seconds_left);
+  /// The same of a scene on its way to rest. @param change  of its fields, of their range in a unit of time
+  void settle(long step, double change);
   /// A message on a line of its own, also before and after the run.
   void tell(const std::string& message);
 
  private:
   using Clock = std::chrono::steady_clock;
+  bool is_due();
+  void show(const std::string& line);
   void finish_line();
 
   Voice voice_;

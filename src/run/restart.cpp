@@ -109,9 +109,9 @@ std::vector<double> numbers_of(const EnergyBalance& e) {
   return {double(e.begun), double(e.told), e.rise, e.lost, e.fed, s.time, s.energy, s.size, s.kinetic, s.fed, s.lost};
 }
 
-EnergyBalance balance_of(const std::vector<double>& n) {
+EnergyBalance balance_of(const std::vector<double>& n, double moving) {
   if (n.size() != energy_numbers) return {};  // of an older program
-  return {n[0] != 0, n[1] != 0, {n[5], n[6], n[7], n[8], n[9], n[10]}, n[2], n[3], n[4]};
+  return {n[0] != 0, n[1] != 0, {n[5], n[6], n[7], n[8], n[9], n[10]}, n[2], n[3], n[4], moving};
 }
 
 template <int D, int P>
@@ -134,6 +134,7 @@ void write_values(CheckpointWriter& file, const Case& c, Stepper<D, P>& stepper,
   }
   file.array("history/droplets", droplets);
   file.array("history/energy", numbers_of(history.energy));
+  file.value("history/largest_kinetic_energy", history.energy.moving);
   write_watch(history.bodies, history.events, file);
   write_files(files, file);
   file.value(SavedMemory::settings, memory_settings(c));
@@ -203,8 +204,13 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
     MemoryFromFile<D> visit(layout, memory);
     stepper.scheme().visit_memory(visit, stepper.state());
   }
-  HistoryMemory history{saved.history_step, saved.history_time, saved.mass_start,        {},
-                        saved.bodies,       saved.events,       balance_of(saved.energy)};
+  HistoryMemory history{saved.history_step,
+                        saved.history_time,
+                        saved.mass_start,
+                        {},
+                        saved.bodies,
+                        saved.events,
+                        balance_of(saved.energy, saved.largest_kinetic_energy)};
   for (const std::vector<double>& saved_track : saved.droplets) {
     DropletTrack track{{}, saved_track[D - 1] != 0, saved_track[D] != 0};
     std::copy_n(saved_track.begin(), D - 1, track.centre.begin());

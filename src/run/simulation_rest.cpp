@@ -35,8 +35,10 @@ bool Simulation<D, P>::come_to_rest(State& state) {
     wall_clock_.step(since_start() - std::exchange(before, since_start()));
     return wish() != Wish::go_on;
   };
-  relaxation_ = relax<D, P>(model_, case_, state, interrupted,
-                            [&](const State& now) { scalars_.watch(now, " (while the scene came to rest)"); });
+  relaxation_ = relax<D, P>(model_, case_, state, interrupted, [&](const State& now, const Relaxation& done) {
+    scalars_.watch(now, " (while the scene came to rest)");
+    progress_->settle(done.steps, done.rate);
+  });
   if (relaxation_->interrupted) {
     const bool in_time = wish() == Wish::end_in_time;
     progress_->tell((in_time ? "time.wall_clock reached" : "stopped by user") +

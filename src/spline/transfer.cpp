@@ -39,6 +39,21 @@ void add_value(const Axis& axis, int low, int high, double x, double weight, std
   }
 }
 
+/// Blossom of the Lagrange polynomial that is 1 at points[a] and 0 at the others.
+double blossom_of_lagrange(const std::vector<double>& points, std::size_t a, const std::vector<double>& arguments) {
+  std::vector<double> roots;
+  double scale = 1;
+  for (std::size_t b = 0; b < points.size(); ++b)
+    if (b != a) roots.push_back(points[b]), scale *= points[a] - points[b];
+  return blossom_of_product(roots, arguments) / scale;
+}
+
+/// The knots inside a function.
+std::vector<double> knots_inside(const Axis& axis, int function) {
+  const auto knot = axis.knots().begin() + function + 1;
+  return {knot, knot + axis.degree()};
+}
+
 }  // namespace
 
 std::vector<TransferRow> transfer(const Axis& from, int from_low, int from_high, const Axis& to, int low, int high) {
@@ -47,19 +62,28 @@ std::vector<TransferRow> transfer(const Axis& from, int from_low, int from_high,
   for (int i = 0; i < to.functions(); ++i) {
     const int function = to.periodic() ? i % to.owned() : i, element = element_of(to, function, low, high);
     if (element < 0) continue;
-    const auto knot = to.knots().begin() + function + 1;
-    const std::vector<double> inside(knot, knot + p);
+    const std::vector<double> inside = knots_inside(to, function);
     std::vector<double> points, weights(from.functions(), 0.0);
     for (int a = 0; a <= p; ++a) points.push_back(to.lower(element) + to.size(element) * (a + 0.5) / (p + 1));
-    for (int a = 0; a <= p; ++a) {
-      std::vector<double> roots;
-      double scale = 1;
-      for (int b = 0; b <= p; ++b)
-        if (b != a) roots.push_back(points[b]), scale *= points[a] - points[b];
-      add_value(from, from_low, from_high, points[a], blossom_of_product(roots, inside) / scale, weights);
-    }
+    for (int a = 0; a <= p; ++a)
+      add_value(from, from_low, from_high, points[a], blossom_of_lagrange(points, a, inside), weights);
     for (int j = 0; j < from.functions(); ++j)
       if (weights[j] != 0) rows[i].function.push_back(j), rows[i].weight.push_back(weights[j]);
+  }
+  return rows;
+}
+
+std::vector<TransferRow> from_samples(const Axis& axis, int low, int high) {
+  std::vector<TransferRow> rows(axis.functions());
+  for (int i = 0; i < axis.functions(); ++i) {
+    const int function = axis.periodic() ? i % axis.owned() : i, element = element_of(axis, function, low, high);
+    if (element < 0) continue;
+    std::vector<double> points;
+    for (int a = 0; a <= 2; ++a) points.push_back(axis.end_or_middle(2 * element + a));
+    for (int a = 0; a <= 2; ++a) {
+      rows[i].function.push_back(2 * (element - low) + a);
+      rows[i].weight.push_back(blossom_of_lagrange(points, a, knots_inside(axis, function)));
+    }
   }
   return rows;
 }

@@ -23,4 +23,8 @@ struct TransferRow {
 /// Tested: tests/unit/spline/test_transfer.cpp
 std::vector<TransferRow> transfer(const Axis& from, int from_low, int from_high, const Axis& to, int low, int high);
 
+/// The same from the values of a spline of degree 2 at the ends and in the middle of the elements [low, high), which are
+/// numbered from 0: `function` is the number of a value. The spline is the same function.
+std::vector<TransferRow> from_samples(const Axis&, int low, int high);
+
 }  // namespace softwet

@@ -25,8 +25,8 @@ inline double round_off_of(const EnergyState& a) { return 1e-11 * a.size; }
 
 /// Follows a run and tells when its energy has risen though nothing fed it. The energy less what was fed in can only fall. It
 /// has risen where it stands above its lowest value so far by more than
-///   share (kinetic energy + all that was lost so far) + 1/4 (all that was fed in so far, in size)
-/// The last part is there because power is known at the states alone.
+///   share (largest kinetic energy so far + all that was lost so far) + 1/4 (all that was fed in so far, in size)
+/// The largest one, because a wave that turns has none. The last part is there because power is known at the states alone.
 /// All members are numbers of a checkpoint.   Tested: tests/unit/time/test_energy_balance.cpp
 struct EnergyBalance {
   bool begun = false;
@@ -34,6 +34,7 @@ struct EnergyBalance {
   EnergyState last;          ///< state
   double rise = 0;           ///< above the lowest value
   double lost = 0, fed = 0;  ///< so far
+  double moving = 0;         ///< largest kinetic energy so far
 
   /// Goes on to the next state. @return by how much the energy has risen, once in an episode, which ends when it falls; else 0
   double follow(const EnergyState& next, double share);

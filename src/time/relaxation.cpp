@@ -110,7 +110,7 @@ class Change {
 
 template <int D, int P>
 Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const std::function<bool()>& interrupted,
-                 const std::function<void(const State&)>& watch) {
+                 const std::function<void(const State&, const Relaxation&)>& watch) {
   const Case control = loose(c);
   const Judge<D, P> judge(model, control);
   ImplicitScheme<D, P> scheme(model, control, judge);
@@ -137,7 +137,6 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const st
       return done;
     }
     scheme.accept(state);
-    watch(state);
     const Changes size = change.from_last(state);
     ++done.steps;
     done.newton += tried.step.newton;
@@ -145,6 +144,7 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const st
     done.time += dt;
     done.rate = std::max(size.fields, size.vapour) / dt;
     done.excess = tried.excess;
+    watch(state, done);
     if (tried.excess < ImplicitScheme<D, P>::digits_of_rest) return ended();
     idle = tried.excess < 0.5 * least || done.rate >= rest ? 0 : idle + 1;
     least = std::min(least, tried.excess);
@@ -156,6 +156,6 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const st
 }
 
 template Relaxation relax(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, State&,
-                          const std::function<bool()>&, const std::function<void(const State&)>&);
+                          const std::function<bool()>&, const std::function<void(const State&, const Relaxation&)>&);
 
 }  // namespace softwet

@@ -29,11 +29,11 @@ struct Relaxation {
 /// below 1e-6 counts as rest too. The second one sees a thin vapour that fills slowly.
 /// The state keeps its time, and is as one that `Scheme::initialise` has not seen. Ends earlier when interrupted, or
 /// where the scene does not come to rest, with the last state and the reason.
-/// @param watch  called with the state after each step
+/// @param watch  called after each step, with the state and what has been done so far
 /// Source: Kelley and Keyes 1998.   Tested: tests/unit/time/test_relaxation.cpp
 template <int D, int P>
 Relaxation relax(
     const Model<D, P>&, const Case&, State&, const std::function<bool()>& interrupted = [] { return false; },
-    const std::function<void(const State&)>& watch = [](const State&) {});
+    const std::function<void(const State&, const Relaxation&)>& watch = [](const State&, const Relaxation&) {});
 
 }  // namespace softwet

@@ -103,10 +103,22 @@ for elements, near in (([32, 16], 1e-9), ([64, 32], 1e-6)):
         bound = near * (scale if key.startswith("energy") else last["mass"])
         check(f"{elements}: {key} of the earlier run", abs(first[key] - last[key]), bound)
     check(f"{elements}: contact point of the earlier run", abs(first["x_left"] - last["x_left"]), 1e-3)
+# From the field files of that run at a time: those of its end are its last state, those of its start its first one.
+run("static_droplet_soft_2d", "timed", ["fluid.capillarity=1/16", "domain.elements=[32,16]", "time.end=2", "output.fields.times=[0,2]"])
+for time, row in ((0, 0), (2, -1)):
+    sets = [*SOFT, "domain.elements=[64,32]", "time.end=0.01", "initial.from=timed", f"initial.time={time}"]
+    run("static_droplet_soft_2d", f"from_t{time}", sets)
+    then, first = history("timed"), history(f"from_t{time}")
+    for key in ("mass", "energy_total", "energy_elastic", "energy_kinetic"):
+        bound = 1e-6 * (abs(then["energy_total"][-1]) if key.startswith("energy") else then["mass"][-1])
+        check(f"t = {time}: {key}", abs(first[key][0] - then[key][row]), bound)
 begin = history("from_64")
 check_true("time begins anew", begin["t"][0] == 0)
 for settings, parts in ((["initial.from=nowhere"], ["initial.from", "nowhere/case.toml"]),
-                        (["initial.from=rest", "domain.size=[1,1]"], ["initial.from", "the box of that run is 1 x 0.5"])):
+                        (["initial.from=rest", "domain.size=[1,1]"], ["initial.from", "the box of that run is 1 x 0.5"]),
+                        (["initial.from=timed", "initial.time=1"], ["initial.time = 1", "of the times 0, 2"]),
+                        (["initial.time=1"], ["initial.time", "belongs to initial.from"]),
+                        (["initial.from=timed", "initial.time=[0,2]"], ["initial.time", "must be one time"])):
     sets = [word for setting in ["domain.elements=[32,16]", *SOFT, *settings] for word in ("--set", setting)]
     answer = ask("check", str(cases / "static_droplet_soft_2d.toml"), *sets)
     check_true(f"{settings} is refused", answer.returncode == 1 and all(part in answer.stderr for part in parts), answer.stderr)

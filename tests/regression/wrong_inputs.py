@@ -104,6 +104,19 @@ LINES = [
     ('times = [0.0, 235.0', 'times = [235.0, 0.0', ["output.fields.times", "increase"]),
     ('times = [0.0, 235.0', 'times = [-31.0, 235.0', ["output.fields.times", "at least -30"]),
     ('name = "first"', 'name = "../first"', ["name", "letters, digits"]),
+    # probes
+    ('[[load]]', '[[probe]]\nname = "p"\nquantity = "rho"\npoint = [0.5, 0.2]\n[[load]]', ["probe[0].quantity", '"density"']),
+    ('[[load]]', '[[probe]]\nname = "p"\nquantity = "density"\n[[load]]', ["probe[0].point", "or box is missing"]),
+    ('[[load]]', '[[probe]]\nname = "mass"\nquantity = "density"\npoint = [0.5, 0.2]\n[[load]]',
+     ["probe[0].name", "has already"]),
+    ('[[load]]', '[[probe]]\nname = "p"\nquantity = "density"\npoint = [0.5, 0.1]\n[[load]]',
+     ["probe[0].point", "below the wall at 0.125"]),
+    ('[[load]]', '[[probe]]\nname = "p"\nquantity = "speed"\noperation = "max"\nbox = [[0.5, 0.1], [0.5, 0.2]]\n[[load]]',
+     ["probe[0].box", "both sides of the wall"]),
+    ('[[load]]', '[[probe]]\nname = "p"\nquantity = "density"\nbox = [[0.5, 0.2], [0.6, 0.3]]\n[[load]]',
+     ["probe[0].box", "belongs to a point", '"mean"']),
+    ('[[load]]', '[[probe]]\nname = "p"\nquantity = "velocity_z"\npoint = [0.5, 0.2]\n[[load]]',
+     ["probe[0].quantity", "3D only"]),
 ]
 
 # Command lines, on the case as it is.

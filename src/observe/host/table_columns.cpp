@@ -24,6 +24,8 @@ const std::vector<Column> of_step{
     {"mass", "b L0^d", "Mass of the fluid, liquid and vapour: the integral of the density rho."},
     {"momentum_x", "b sqrt(ab) L0^d",
      "Momentum along x: the integral of rho v_x over the fluid and of rho_0^s v_x over the solid."},
+    {"momentum_y", "b sqrt(ab) L0^d", "The same along y; in 2D this is the vertical one."},
+    {"momentum_z", "b sqrt(ab) L0^d", "The same along z, the vertical.", 3},
     {"energy_kinetic", energy_unit,
      "Kinetic energy: the integral of rho |v|^2/2 over the fluid and of rho_0^s |v|^2/2 over the solid."},
     {"energy_free", energy_unit, "Free energy of the fluid: the integral of W(rho) + g^2 |grad rho|^2/2."},
@@ -69,6 +71,24 @@ const std::vector<Column> of_droplet{
      "of the left contact point.",
      2},
     {"angle_right", "degrees", "Right apparent contact angle, measured in the same way.", 2},
+    {"ridge_left", "L0",
+     "Height of the ridge that the left contact line draws out of the solid: the largest vertical displacement of the "
+     "wall within 4 capillarities of it.",
+     2},
+    {"ridge_right", "L0", "The same at the right contact point.", 2},
+    {"wall_angle_left_wet", "degrees",
+     "Angle of the wall to the horizontal on the liquid's side of the left contact point, 4 capillarities from it; "
+     "positive where the wall rises towards the contact line. 180 degrees minus the angles of both sides is the angle "
+     "of the solid's wedge.",
+     2},
+    {"wall_angle_left_dry", "degrees", "The same on the side of the vapour.", 2},
+    {"liquid_angle_left", "degrees",
+     "Angle of the droplet's outline to the horizontal, 4 capillarities above the left contact point, measured in the "
+     "liquid. It is the local angle, where angle_left is the one of the whole outline.",
+     2},
+    {"wall_angle_right_wet", "degrees", "As wall_angle_left_wet, at the right contact point.", 2},
+    {"wall_angle_right_dry", "degrees", "As wall_angle_left_dry, at the right contact point.", 2},
+    {"liquid_angle_right", "degrees", "As liquid_angle_left, at the right contact point.", 2},
     {"track_rear", "L0",
      "Rear contact point in the vertical section through the centroid along output.history.track. It is a position "
      "along the track, counted from the middle of the domain.",
@@ -79,6 +99,17 @@ const std::vector<Column> of_droplet{
      "in that section, as angle_left is in 2D.",
      3},
     {"angle_front", "degrees", "Apparent contact angle at track_front.", 3},
+    {"ridge_rear", "L0", "As ridge_left in 2D, at track_rear in that section.", 3},
+    {"ridge_front", "L0", "The same at track_front.", 3},
+    {"wall_angle_rear_wet", "degrees", "As wall_angle_left_wet in 2D, in that section.", 3},
+    {"wall_angle_rear_dry", "degrees", "As wall_angle_left_dry in 2D, in that section.", 3},
+    {"liquid_angle_rear", "degrees", "As liquid_angle_left in 2D, in that section.", 3},
+    {"wall_angle_front_wet", "degrees", "As wall_angle_rear_wet, at track_front.", 3},
+    {"wall_angle_front_dry", "degrees", "As wall_angle_rear_dry, at track_front.", 3},
+    {"liquid_angle_front", "degrees", "As liquid_angle_rear, at track_front.", 3},
+    {"dimple", "L0",
+     "Smallest vertical displacement of the wall below the droplet, between its contact points; negative where the "
+     "wall is pressed down. In 3D in the section along output.history.track."},
 };
 
 /// The columns of history.csv behind those of the droplets; laplace exists only with droplets.
@@ -177,7 +208,7 @@ const std::vector<ColumnTable>& column_tables() {
        "droplet or bubble end in _2, of the third in _3, and so on; films are "
        "numbered on behind the droplets (around bubbles they have none). When droplets merge, the first one goes on "
        "and "
-       "the others stay empty.",
+       "the others stay empty. The columns of probes ([[probe]]) come last.",
        joined(of_step, of_droplet, of_balance)},
       {"interface", "interface.csv",
        "The wall at the field times: two points for each element along each axis, and the ends. Without a fluid it is "

@@ -147,6 +147,8 @@ SavedRun read_saved_run(const std::string& path, const Case& c, const std::vecto
   if (file.has(body_array)) read_bodies(file, c, run);
   if (file.has(event_texts)) read_events(file, run);
   if (file.has("history/energy")) run.energy = file.array("history/energy", energy_numbers);
+  if (file.has("history/largest_kinetic_energy"))
+    run.largest_kinetic_energy = file.not_negative("history/largest_kinetic_energy");
   if (file.has("run/started")) run.started = file.number("run/started");
   run.files = read_files(file);
   return run;

@@ -37,6 +37,7 @@ struct SavedRun {
   std::vector<Event> events;
   std::optional<double> started;  ///< when the run began, seconds since 1970
   std::vector<double> energy;     ///< energy_numbers of them
+  double largest_kinetic_energy = 0;
   WrittenFiles files;
 };
 

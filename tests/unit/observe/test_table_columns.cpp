@@ -25,11 +25,25 @@ TEST(Columns, AreNamedOnceAndExplained) {
 }
 
 TEST(Columns, OfADropletDependOnTheDimension) {
-  const std::vector<std::string> plane{"x_left", "x_right", "x_centre", "velocity", "angle_left", "angle_right"};
-  const std::vector<std::string> space{"contact_area", "x_centre",    "y_centre",   "velocity",
-                                       "track_rear",   "track_front", "angle_rear", "angle_front"};
+  std::vector<std::string> plane{"x_left", "x_right", "x_centre", "velocity", "angle_left", "angle_right"};
+  std::vector<std::string> space{"contact_area", "x_centre",    "y_centre",   "velocity",
+                                 "track_rear",   "track_front", "angle_rear", "angle_front"};
+  const auto add_shape = [](std::vector<std::string>& names, const std::string& one, const std::string& other) {
+    names.insert(names.end(), {"ridge_" + one, "ridge_" + other});
+    for (const std::string& side : {one, other})
+      names.insert(names.end(), {"wall_angle_" + side + "_wet", "wall_angle_" + side + "_dry", "liquid_angle_" + side});
+    names.push_back("dimple");
+  };
+  add_shape(plane, "left", "right");
+  add_shape(space, "rear", "front");
   EXPECT_EQ(contact_names(2), plane);
   EXPECT_EQ(contact_names(3), space);
+}
+
+TEST(Columns, OfTheMomentumHaveTheAxesOfTheDomain) {
+  const std::vector<std::string> plane = history_names(2, 0), space = history_names(3, 0);
+  EXPECT_TRUE(has(plane, "momentum_y") && has(space, "momentum_y") && has(space, "momentum_z"));
+  EXPECT_FALSE(has(plane, "momentum_z"));
 }
 
 TEST(Columns, OfHistoryGrowWithTheDroplets) {

@@ -93,5 +93,27 @@ TEST(Transfer, ConvergesOnOtherElementsAndDegrees) {
   for (const double c : moved(transfer(from, 0, 8, to, 0, 8), line)) EXPECT_NEAR(c, 0.7, 1e-13);
 }
 
+// Values at ends and middles of elements tell a spline of degree 2, also beside a kink, on a part of an axis, around a
+// periodic axis and on graded elements.
+TEST(Samples, HoldASplineOfDegreeTwo) {
+  const Axis equal(1.3, 7, 2), kinked(1.3, 7, 2, false, 3), periodic(1.3, 7, 2, true),
+      graded(std::vector<double>{0, 0.1, 0.2, 0.35, 0.6, 1.3}, 2);
+  for (const Axis& axis : {equal, kinked, periodic, graded}) {
+    const int low = axis.kink(), high = axis.elements();
+    std::vector<double> control, samples;
+    for (int i = 0; i < axis.functions(); ++i) control.push_back(std::cos(3.0 * (i % axis.owned())));
+    for (int k = 2 * low; k <= 2 * high; ++k) {
+      const int element = std::min(k / 2, high - 1);
+      samples.push_back(value(axis, control, element, axis.end_or_middle(k)));
+    }
+    const std::vector<TransferRow> rows = from_samples(axis, low, high);
+    for (int i = axis.span(low); i < axis.functions(); ++i) {
+      double sum = 0;
+      for (std::size_t k = 0; k < rows[i].function.size(); ++k) sum += rows[i].weight[k] * samples[rows[i].function[k]];
+      EXPECT_NEAR(sum, control[i], 1e-12) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace softwet

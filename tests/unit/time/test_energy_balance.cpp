@@ -45,6 +45,14 @@ TEST(EnergyBalance, RisesAddUpFromTheLowestValue) {
   EXPECT_NEAR(balance.follow(state(2, 9.7, 1), 0.1), 0.2, 1e-12) << "still below the first value";
 }
 
+// Where a wave turns nothing moves for a moment; what moved before is the measure still.
+TEST(EnergyBalance, AWaveThatTurnsIsMeasuredByWhatMoved) {
+  EnergyBalance balance;
+  balance.follow(state(0, 10, 1), 0.01);
+  EXPECT_EQ(balance.follow(state(1, 10.009, 0), 0.01), 0);
+  EXPECT_GT(balance.follow(state(2, 10.011, 0), 0.01), 0);
+}
+
 TEST(EnergyBalance, AnEpisodeIsToldOnce) {
   EnergyBalance balance;
   const auto told = [&](double time, double energy) { return balance.follow(state(time, energy, 1), 0.1) > 0; };

@@ -13,7 +13,25 @@ const double angle = 75, rad = M_PI / 180, foot = radius * std::sin(angle * rad)
 
 Quadric cap(double x, double y) { return sphere({x, y, wall - radius * std::cos(angle * rad)}, radius); }
 
-enum Column { area, x, y, velocity, rear, front, angle_rear, angle_front };
+enum Column {
+  area,
+  x,
+  y,
+  velocity,
+  rear,
+  front,
+  angle_rear,
+  angle_front,
+  ridge_rear,
+  ridge_front,
+  rear_wet,
+  rear_dry,
+  liquid_rear,
+  front_wet,
+  front_dry,
+  liquid_front,
+  lowest
+};
 
 /// Linear interpolation between samples h apart lowers a quadratic form of trace T by h^2 T / 4 in the middle of a
 /// cell, and less elsewhere; a form that is 1 on the rim of an area A changes it by no more than that part of A.
@@ -99,6 +117,57 @@ TEST(Contacts, SphereOnALiftedWall) {
   EXPECT_NEAR(c[angle_rear], angle, 0.02);
 }
 
+// Four capillarities above its foot a circle is steeper or flatter than there, by what its centre tells.
+TEST(Contacts, LocalAngleOfASphere) {
+  const double above = 4 * capillarity + radius * std::cos(angle * rad);  // over the centre
+  const double local = std::acos(above / radius) / rad;
+  const std::vector<double> c = only(Drawing(32).density(cap(0.4, 0.4)), {1, 0});
+  EXPECT_GT(std::abs(local - angle), 5);
+  EXPECT_NEAR(c[liquid_front], local, 0.02);
+  EXPECT_NEAR(c[liquid_rear], local, 0.02);
+  for (Column flat : {ridge_rear, ridge_front, rear_wet, rear_dry, front_wet, front_dry, lowest}) EXPECT_EQ(c[flat], 0);
+}
+
+// The wall rises along the track by k: towards the front line on the wet side, and beyond it away from it.
+TEST(Contacts, ShapeOfATiltedWall) {
+  const double k = 0.1, tilt = std::atan(k) / rad, reach = 4 * capillarity;
+  const std::vector<double> c = only(Drawing(32).density(cap(0.4, 0.4)).moved([&](const Point& p) {
+    return Point{0, 0, k * p[0]};
+  }),
+                                     {1, 0});
+  EXPECT_NEAR(c[front_wet], tilt, 1e-9);
+  EXPECT_NEAR(c[front_dry], -tilt, 1e-9);
+  EXPECT_NEAR(c[rear_wet], -tilt, 1e-9);
+  EXPECT_NEAR(c[rear_dry], tilt, 1e-9);
+  EXPECT_NEAR(c[ridge_front], k * (0.4 + foot + reach), 1e-12);
+  EXPECT_NEAR(c[ridge_rear], k * (0.4 - foot + reach), 1e-12);
+  EXPECT_NEAR(c[lowest], k * (0.4 - foot), 1e-12);
+}
+
+// Stretched along the track, a wall that rises by k in the undeformed state is less steep.
+TEST(Contacts, ShapeOfAWallThatIsStretchedToo) {
+  const double k = 0.1, stretch = 0.25;
+  const std::vector<double> c = only(Drawing(32).density(cap(0.4, 0.4)).moved([&](const Point& p) {
+    return Point{stretch * p[0], 0, k * p[0]};
+  }),
+                                     {1, 0});
+  EXPECT_NEAR(c[front_wet], std::atan(k / (1 + stretch)) / rad, 1e-9);
+  EXPECT_NEAR(c[rear_wet], -std::atan(k / (1 + stretch)) / rad, 1e-9);
+}
+
+// Around a bubble the dry side is the inner one, and the angle is measured in the liquid.
+TEST(Contacts, ShapeBesideABubble) {
+  const auto tilted = [](const Point& p) { return Point{0, 0, 0.1 * p[0]}; };
+  const std::vector<double> wet = only(Drawing(16).density(cap(0.4, 0.4)).moved(tilted), {1, 0});
+  const Drawing drawing = Drawing(16).density(cap(0.4, 0.4)).mirrored().moved(tilted);
+  const auto found = find_contacts(drawing.snapshot(), Surface{middle, Phase::vapour}, capillarity, {1, 0});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(*found[0].cells[front_dry], wet[front_wet], 1e-9);
+  EXPECT_NEAR(*found[0].cells[front_wet], wet[front_dry], 1e-9);
+  EXPECT_NEAR(*found[0].cells[liquid_front], 180 - wet[liquid_front], 1e-9);
+  EXPECT_NEAR(*found[0].cells[ridge_front], wet[ridge_front], 1e-12);
+}
+
 TEST(Contacts, CutBySides) {
   const std::vector<double> whole = only(Drawing(16).density(cap(0.4, 0.4)), {1, 0});
   const std::vector<double> along = only(Drawing(16).density(cap(0.4, 0)), {1, 0});
@@ -110,7 +179,9 @@ TEST(Contacts, CutBySides) {
   EXPECT_NEAR(across[rear], 0.4 - foot, 1e-12);
   EXPECT_NEAR(across[front], 0.4, 1e-12);
   EXPECT_NEAR(across[angle_rear], angle, 0.1);
-  EXPECT_TRUE(std::isnan(across[angle_front])) << "a side is no contact line";
+  for (Column column : {angle_front, ridge_front, front_wet, front_dry, liquid_front})
+    EXPECT_TRUE(std::isnan(across[column])) << "a side is no contact line, column " << column;
+  EXPECT_NEAR(across[liquid_rear], whole[liquid_rear], 0.1);
 }
 
 // A droplet moved by whole elements of a periodic domain, over its corner, stays the same droplet.

@@ -61,6 +61,44 @@ TEST(FieldFiles, RotationHasNoStrainAndNoStress) {
     expect_everywhere(file, name, {});
 }
 
+// A solid that is half as stiff at the left as at the right has half the stress there.
+TEST(FieldFiles, StressWhereTheStiffnessVaries) {
+  struct Linear : Formula {
+    double at(const std::array<double, 3>& x, double) const override { return 2.0 * (0.5 + 0.5 * x[0] / 0.9); }
+  };
+  Case graded = scene(Scene::solid);
+  graded.substrate->young.text = "linear";
+  graded.substrate->young.formula = std::make_shared<Linear>();
+  graded.substrate->young.lowest = 1, graded.substrate->young.highest = 2;
+  const Matrix<double, 2> gradient{{{0.2, 0.1}, {0, -0.1}}};
+  const Written uniform(Homogeneous(scene(Scene::solid), gradient)), varying(Homogeneous(graded, gradient));
+  for (const char* name : {"first_piola_stress", "cauchy_stress"}) {
+    const std::string data = std::string("/VTKHDF/PointData/") + name;
+    const auto even = uniform.open("solid").read<double>(data), half = varying.open("solid").read<double>(data);
+    for (int i = 0; i < 19; ++i)  // along the bottom, from left to right
+      for (int k : {0, 1, 3, 4, 8}) EXPECT_NEAR(half[9 * i + k], (0.5 + i / 36.0) * even[9 * i + k], 1e-12) << i;
+  }
+}
+
+// Fibres along x add 2 k (I_4 - 1) F a_0 to the first column of P, and to sigma that times F^T / J.
+TEST(FieldFiles, StressOfFibres) {
+  Case with = scene(Scene::solid);
+  with.substrate->fibre = {0.7, 0.0};
+  const Matrix<double, 2> gradient{{{0.2, 0}, {0.1, 0}}};
+  const Written bare(Homogeneous(scene(Scene::solid), gradient)), fibres(Homogeneous(with, gradient));
+  const double tension = 2 * 0.7 * (1.2 * 1.2 + 0.1 * 0.1 - 1);
+  const auto of = [](const Written& w, const char* name) {
+    return w.open("solid").read<double>(std::string("/VTKHDF/PointData/") + name);
+  };
+  const auto p0 = of(bare, "first_piola_stress"), p1 = of(fibres, "first_piola_stress");
+  EXPECT_NEAR(p1[0] - p0[0], tension * 1.2, 1e-12);
+  EXPECT_NEAR(p1[3] - p0[3], tension * 0.1, 1e-12);
+  EXPECT_NEAR(p1[1] - p0[1], 0, 1e-12);
+  const auto s0 = of(bare, "cauchy_stress"), s1 = of(fibres, "cauchy_stress");
+  EXPECT_NEAR(s1[0] - s0[0], tension * 1.44 / 1.2, 1e-12);
+  EXPECT_NEAR(s1[1] - s0[1], tension * 0.12 / 1.2, 1e-12);
+}
+
 TEST(FieldFiles, HoldTheFieldsAskedFor) {
   const Written written(Homogeneous(scene(Scene::coupled), {}), {"pressure", "velocity", "volume_ratio"});
   const Hdf5File fluid = written.open("fluid"), solid = written.open("solid");

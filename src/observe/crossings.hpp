@@ -1,0 +1,61 @@
+// Where the surface of droplets crosses a line of a section.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "observe/section.hpp"
+
+namespace softwet {
+
+/// A place where a depth crosses 0, with the direction: +1 into the droplet.
+struct Crossing {
+  double x;
+  int direction;
+};
+
+inline std::vector<Crossing> crossings(const std::vector<double>& x, const double* depth) {
+  std::vector<Crossing> result;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const double a = depth[i], b = depth[i + 1];
+    if ((a < 0) == (b < 0)) continue;
+    result.push_back({x[i] + (x[i + 1] - x[i]) * a / (a - b), a < 0 ? 1 : -1});
+  }
+  return result;
+}
+
+/// The one nearest to a place inside the droplet, on the side on which that direction leads into it.
+inline std::optional<Crossing> nearest_crossing(const std::vector<Crossing>& found, double inside, int direction) {
+  std::optional<Crossing> nearest;
+  for (const Crossing& c : found)
+    if (c.direction == direction && direction * (inside - c.x) > 0 &&
+        (!nearest || std::abs(c.x - inside) < std::abs(nearest->x - inside)))
+      nearest = c;
+  return nearest;
+}
+
+/// A crossing at a height, sharpened on the spline itself by the Illinois method (Dowell and Jarratt 1971): the secant, in
+/// which an end that stays counts half.
+template <int D>
+double sharpen(const Section<D>& section, const Crossing& c, double height, double spacing, const Surface& surface) {
+  const auto excess = [&](double x) { return c.direction * surface.depth(section.density({x}, {height})[0]); };
+  double lo = c.x - spacing, hi = c.x + spacing, at_lo = excess(lo), at_hi = excess(hi), x = c.x;
+  if (!(at_lo < 0 && at_hi > 0)) return x;
+  for (int i = 0, kept = 0; i < 60 && hi - lo > 1e-14 * spacing; ++i) {
+    x = (lo * at_hi - hi * at_lo) / (at_hi - at_lo);
+    const double at_x = excess(x);
+    if (at_x == 0) return x;
+    if (at_x > 0) {
+      if (kept < 0) at_lo *= 0.5;
+      hi = x, at_hi = at_x, kept = -1;
+    } else {
+      if (kept > 0) at_hi *= 0.5;
+      lo = x, at_lo = at_x, kept = 1;
+    }
+    if (std::abs(at_x) < 1e-15) return x;
+  }
+  return x;
+}
+
+}  // namespace softwet

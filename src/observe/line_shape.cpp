@@ -1,0 +1,119 @@
+#include "observe/line_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "observe/crossings.hpp"
+
+namespace softwet {
+namespace {
+
+constexpr double degree = 180 / M_PI;
+
+/// The largest of equidistant samples, refined by the parabola through it and its neighbours.
+double top_of(const std::vector<double>& value) {
+  const std::size_t i = std::max_element(value.begin(), value.end()) - value.begin();
+  if (i == 0 || i + 1 == value.size()) return value[i];
+  const double slope = 0.5 * (value[i + 1] - value[i - 1]), bend = value[i + 1] - 2 * value[i] + value[i - 1];
+  return bend < 0 ? value[i] - 0.5 * slope * slope / bend : value[i];
+}
+
+/// The largest rise of the wall between two places, with a sample for each eighth of a distance or more.
+template <int D>
+double largest_rise(const Section<D>& section, double low, double high, double distance, double sign) {
+  const int parts = std::clamp(static_cast<int>(std::ceil(8 * (high - low) / distance)), 2, 400);
+  std::vector<double> rise = section.rise(equidistant(low, high, parts));
+  for (double& value : rise) value *= sign;
+  return sign * top_of(rise);
+}
+
+/// The place of the undeformed wall that is now so far from a contact line along the plane; empty: it is not inside.
+template <int D>
+std::optional<double> place_beside(const Section<D>& section, double line, double distance) {
+  const double wall = section.snapshot().wall_height(), target = section.current(line, wall)[0] + distance;
+  double s = line + distance;
+  for (int i = 0; i < 50; ++i) {
+    if (s < section.reach().low || s > section.reach().high) return std::nullopt;
+    const double miss = section.current(s, wall)[0] - target;
+    s -= miss;
+    if (std::abs(miss) < 1e-10 * std::abs(distance)) return s;
+  }
+  return std::nullopt;
+}
+
+/// Angle of the wall beside a line, on the side of positive or negative distances, where the density is above the level or not.
+template <int D>
+std::optional<double> wall_angle(const Section<D>& section, const Surface& surface, double line, double distance,
+                                 bool inside) {
+  const std::optional<double> s = place_beside(section, line, distance);
+  if (!s) return std::nullopt;
+  const double depth = surface.depth(section.density({*s}, {section.snapshot().wall_height()})[0]);
+  if ((depth >= 0) != inside) return std::nullopt;
+  const auto [along, up] = section.tangent(*s);
+  return degree * std::atan2(distance > 0 ? -up : up, along);
+}
+
+/// Where the outline on the side of a contact line is now, at a height of the undeformed domain.
+template <int D>
+std::optional<std::array<double, 2>> outline(const Section<D>& section, const Surface& surface, double middle,
+                                             int direction, double height) {
+  const std::vector<double> x = section.abscissas(4);
+  const std::vector<double> depth = surface.depth(section.density(x, {height}));
+  const auto crossing = nearest_crossing(crossings(x, depth.data()), middle, direction);
+  if (!crossing) return std::nullopt;
+  return section.current(sharpen(section, *crossing, height, x[1] - x[0], surface), height);
+}
+
+/// The outline's angle at a distance above a contact line.
+template <int D>
+std::optional<double> liquid_angle(const Section<D>& section, const Surface& surface, const Crossing& line,
+                                   double other, double distance) {
+  const double wall = section.snapshot().wall_height(), top = section.snapshot().layout().axis[D - 1].length();
+  const bool cut = other == section.reach().low || other == section.reach().high;
+  const double middle = cut ? other : 0.5 * (line.x + other), shift = cut ? line.direction * 1e-9 * (top - wall) : 0;
+  const auto at = [&](double height) {
+    return height < top ? outline(section, surface, middle + shift, line.direction, height) : std::nullopt;
+  };
+  const auto near = at(wall + distance);
+  if (!near) return std::nullopt;
+  // As high above the contact line as is asked for, which is not the same in the undeformed domain.
+  const double height = wall + 2 * distance - ((*near)[1] - section.current(line.x, wall)[1]);
+  const auto low = at(height - 0.1 * distance), high = at(height + 0.1 * distance);
+  if (!low || !high) return std::nullopt;
+  const double inside = degree * std::atan2((*high)[1] - (*low)[1], line.direction * ((*high)[0] - (*low)[0]));
+  return surface.angle_in_liquid(inside);
+}
+
+}  // namespace
+
+template <int D>
+LineShape line_shape(const Section<D>& section, const Surface& surface, const Crossing& line, double other,
+                     double capillarity) {
+  const double distance = local_distance * capillarity;
+  LineShape shape;
+  shape.liquid = liquid_angle(section, surface, line, other, distance);
+  if (!section.snapshot().layout().has_solid) return shape;
+  const Reach& reach = section.reach();
+  shape.ridge = largest_rise(section, std::max(reach.low, line.x - distance), std::min(reach.high, line.x + distance),
+                             0.5 * capillarity, 1);
+  const double inwards = line.direction * distance;
+  const auto inside = wall_angle(section, surface, line.x, inwards, true),
+             outside = wall_angle(section, surface, line.x, -inwards, false);
+  const bool liquid_inside = surface.inside == Phase::liquid;
+  shape.wall_wet = liquid_inside ? inside : outside;
+  shape.wall_dry = liquid_inside ? outside : inside;
+  return shape;
+}
+
+template <int D>
+std::optional<double> dimple(const Section<D>& section, double left, double right) {
+  if (!section.snapshot().layout().has_solid || !(right > left)) return std::nullopt;
+  return largest_rise(section, left, right, right - left > 0 ? (right - left) / 16 : 1, -1);
+}
+
+template LineShape line_shape(const Section<2>&, const Surface&, const Crossing&, double, double);
+template LineShape line_shape(const Section<3>&, const Surface&, const Crossing&, double, double);
+template std::optional<double> dimple(const Section<2>&, double, double);
+template std::optional<double> dimple(const Section<3>&, double, double);
+
+}  // namespace softwet

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""Probes are columns of history.csv: points, lines and boxes, against the other columns, the wall's table and the fields.
+usage: probes.py SOFTWET"""
+
+import pathlib
+import subprocess
+import sys
+
+import numpy
+from _scene import check, check_true, environment, history, run_file, tools
+
+ALOUD = ["--overwrite", "--threads", "1", "--quiet"]
+PROBES = """
+[[probe]]
+name = "all_mass"
+quantity = "density"
+box = [[0.0, 0.125], [1.0, 0.5]]
+operation = "integral"
+[[probe]]
+name = "rise"
+quantity = "displacement_y"
+point = [0.25, 0.125]
+[[probe]]
+name = "highest"
+quantity = "displacement_y"
+box = [[0.0, 0.125], [1.0, 0.125]]
+operation = "max"
+[[probe]]
+name = "bottom_pressure"
+quantity = "cauchy_stress_yy"
+box = [[0.0, 0.0], [1.0, 0.0]]
+operation = "mean"
+[[probe]]
+name = "fastest"
+quantity = "speed"
+box = [[0.0, 0.125], [1.0, 0.5]]
+operation = "max"
+"""
+scene = """
+name = "probes"
+domain = { size = [1.0, 0.5], elements = [64, 32] }
+fluid = { viscosity = 0.01, capillarity = "1/32", temperature = 0.39, contact_angle = 75, wall_law = "energy" }
+substrate = { thickness = 0.125, young = 0.7554, poisson = 0.45 }
+droplet = [{ centre = [0.45, 0.125], radius = 0.25 }]
+boundary = { bottom = "clamped" }
+time = { end = 5 }
+output.fields.times = [5]
+"""
+pathlib.Path("probes.toml").write_text(scene + PROBES)
+run_file("probes.toml", "probes", [], ALOUD)
+rows = history("probes")
+check("the density over all of the fluid is its mass", abs(rows["all_mass"] / rows["mass"] - 1).max(), 1e-12)
+
+wall = numpy.genfromtxt("probes/interface.csv", delimiter=",", names=True)
+at = abs(wall["x_reference"] - 0.25).argmin()
+check("a point of the wall", abs(rows["rise"][-1] - wall["displacement_y"][at]), 1e-14)
+check("the highest point of the wall", abs(rows["highest"][-1] - wall["displacement_y"].max()), 1e-4)
+# Two contact lines pull: the higher one of their ridges is the highest point of the wall.
+check("the ridges", abs(rows["highest"][-1] - numpy.maximum(rows["ridge_left"], rows["ridge_right"])[-1]), 2e-4)
+check_true("the dimple lies below", (rows["dimple"][1:] < rows["ridge_left"][1:]).all())
+# The wall beside the lines, from the points of its table.
+place, angle = wall["x_reference"] + wall["displacement_x"], numpy.degrees(numpy.arctan(numpy.gradient(
+    wall["displacement_y"], wall["x_reference"] + wall["displacement_x"])))
+for side, way in (("left", 1), ("right", -1)):
+    for kind, sign in (("wet", way), ("dry", -way)):
+        seen = numpy.interp(rows[f"x_{side}"][-1] + sign * 4 / 32, place, -sign * angle)
+        check(f"the wall's angle on the {kind} side, {side}", abs(rows[f"wall_angle_{side}_{kind}"][-1] - seen), 0.05)
+    # On a circle of this radius that meets the wall with the apparent angle.
+    circle = numpy.degrees(numpy.arccos(numpy.cos(numpy.radians(rows[f"angle_{side}"][-1])) + 4 / 32 / 0.25))
+    check(f"the liquid's angle, {side}", abs(rows[f"liquid_angle_{side}"][-1] - circle), 3)
+check_true("the fastest fluid", (rows["fastest"] <= rows["speed_max_fluid"] * (1 + 1e-12)).all())
+check("the fastest fluid is near its control value", abs(rows["fastest"][-1] / rows["speed_max_fluid"][-1] - 1), 0.5)
+# Sideways nothing pushes the scene but its walls; up and down the momentum is what the bottom and the top give.
+check_true("momentum along both axes", {"momentum_x", "momentum_y"} <= set(rows))
+check_true("probes come last", pathlib.Path("probes/history.csv").read_text().split("\n")[0].endswith(
+    "laplace,all_mass,rise,highest,bottom_pressure,fastest"))
+
+# The rest of the run from a checkpoint; probes of a run cannot change.
+pathlib.Path("longer.toml").write_text((scene + PROBES).replace("end = 5", "end = 6"))
+run_file("longer.toml", "probes", [], ["--resume", "--threads", "1", "--quiet"])
+check("the rest of the run", abs(history("probes")["all_mass"] / history("probes")["mass"] - 1).max(), 1e-12)
+pathlib.Path("without.toml").write_text(scene.replace("end = 5", "end = 7"))
+answer = run_file("without.toml", "probes", [], ["--resume", "--threads", "1", "--quiet"], code=1)
+check_true("a resume without the probes is refused", "probe" in answer, answer)
+
+# Explicit schemes, whose rows stand further apart, have them too.
+run_file("probes.toml", "explicit", ["time.scheme=kick_drift", "time.end=0.2", "output.fields.times=[]"], ALOUD)
+rows = history("explicit")
+check("explicit: the mass", abs(rows["all_mass"] / rows["mass"] - 1).max(), 1e-12)
+
+line = subprocess.run([sys.executable, tools / "status", "probes"], capture_output=True, text=True, env=environment).stdout
+check_true("status tells ridges and probes", "ridges " in line and "all_mass " in line, line)
