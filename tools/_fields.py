@@ -40,6 +40,11 @@ class Scene:
         """Not where output.fields.select leaves it out."""
         return self.fluid is not None and "density" in self.fluid.field
 
+    @property
+    def lowest(self):
+        """Where the picture ends below: at 0, or where the solid or the fluid hangs lower."""
+        return min([0.0, *(block.y.min() for block in (self.solid, self.fluid) if block)])
+
     def outline(self, axes, **style):
         """The droplet: density halfway between its extremes."""
         density = self.fluid.both(self.fluid.field["density"])
@@ -51,6 +56,21 @@ class Scene:
         """The density, from white to the blue of the density `darkest`."""
         return axes.pcolormesh(self.fluid.x, self.fluid.y, self.fluid.both(self.fluid.field["density"]), cmap="Blues",
                                vmin=0, vmax=darkest, shading="gouraud", rasterized=True)
+
+    def quantity(self, name):
+        """A field of the fluid, or with _x or _y at its end a component of a vector."""
+        vector, _, axis = name.rpartition("_")
+        if axis in ("x", "y") and vector in self.fluid.field:
+            return self.fluid.both(self.fluid.field[vector][..., "xy".index(axis)], -1 if axis == "x" else 1)
+        values = self.fluid.field[name]
+        if values.ndim != 2:
+            raise Problem(f"{name} is no scalar; give a component of it, {name}_x or {name}_y")
+        return self.fluid.both(values)
+
+    def draw_quantity(self, axes, name, ends):
+        """A field of the fluid between two values; red and blue where it has both signs."""
+        return axes.pcolormesh(self.fluid.x, self.fluid.y, self.quantity(name), cmap="RdBu_r" if ends[0] < 0 else "viridis",
+                               vmin=ends[0], vmax=ends[1], shading="gouraud", rasterized=True)
 
     def velocity(self, columns, rows):
         """A uniform grid over the fluid, and both components of the velocity there; masked outside."""

@@ -44,9 +44,8 @@ def flat(figure, run, times):
         if scene.solid:
             images[r"$u_y / 10^{-3} L_0$"] = scene.draw_solid(axes, limit)
             scene.draw_loads(axes)
-        low = min([0.0, *(block.y.min() for block in (scene.solid, scene.fluid) if block)])
         width, height = run.case["domain"]["size"]
-        axes.set(aspect="equal", xlim=(-width if is_axisymmetric(run.case) else 0, width), ylim=(low, height))
+        axes.set(aspect="equal", xlim=(-width if is_axisymmetric(run.case) else 0, width), ylim=(scene.lowest, height))
         axes.locator_params(nbins=4)
     for label, image in images.items():
         figure.colorbar(image, ax=list(panels), label=label, aspect=14, shrink=0.8)

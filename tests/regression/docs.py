@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """The pages of the documentation are true: their commands work, their links lead somewhere, the reference is up to date.
-usage: docs.py SOFTWET
+usage: docs.py SOFTWET [PAGE...]   with the names of pages, the commands of these alone
 
 A block of commands in README.md and docs/*.md starts with ```console, and a comment before it tells how it is run here:
   <!-- run: KEY=VALUE ... -->        as it stands, with these settings (--set) for softwet run, steady, check, sweep and tradeoff
   <!-- run: check KEY=VALUE ... -->  only checked: softwet check instead of run, --dry-run for the last two, no tools
   <!-- run: no, REASON -->           not at all
 The comment <!-- file: NAME --> before a block makes a file of it. The blocks of a page run one after the other in a
-folder that holds cases/ and tools/. tools/run stands for softwet run; tools/setup and tools/test are left out."""
+folder that holds cases/ and tools/. tools/run stands for softwet run; tools/setup and tools/test are left out. python3
+is the one that runs this test, and finds the package softwet."""
 
 import os
 import pathlib
@@ -27,7 +28,7 @@ BLOCK = re.compile(r"(?:<!-- run:(?P<how>[^\n]*?)-->\n)?```console\n(?P<text>.*?
 SECONDS = 120  # for one command
 failures = []
 
-environment = {**environment, "OMP_NUM_THREADS": "1",
+environment = {**environment, "OMP_NUM_THREADS": "1", "PYTHONPATH": str(ROOT / "tools"), "PYTHONDONTWRITEBYTECODE": "1",
                "PATH": f"{pathlib.Path(softwet).parent}{os.pathsep}{os.environ['PATH']}"}
 try:
     import matplotlib  # noqa: F401
@@ -58,6 +59,8 @@ def with_settings(words, settings, checked_only):
         words = ["softwet", "run", *words[1:]]
     if words[0] in left_out or (checked_only and words[0] != "softwet"):
         return []
+    if words[0] == "python3":
+        return [] if "tools/plot" in left_out else [sys.executable, *words[1:]]
     if words[0].startswith("tools/"):
         return [sys.executable, str(ROOT / words[0]), *words[1:]]
     if "--picture" in words and "tools/plot" in left_out:
@@ -153,7 +156,8 @@ reference = subprocess.run([softwet, "explain", "--markdown"], capture_output=Tr
 expect("docs/reference.md is what 'softwet explain --markdown' prints; write it again with that command",
        (ROOT / "docs/reference.md").read_text() == reference)
 for page in PAGES:
-    run_page(page)
+    if not sys.argv[2:] or page.name in sys.argv[2:]:
+        run_page(page)
 for failure in failures:
     print(f"docs: {failure}", file=sys.stderr)
 sys.exit(1 if failures else 0)
