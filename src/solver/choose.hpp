@@ -19,7 +19,7 @@ inline std::vector<std::string> preconditioner_names() {
 #endif
 }
 
-/// Number of unknowns up to which `automatic` takes LU in 3D (docs/performance.md).
+/// Number of unknowns up to which `automatic` takes LU in 3D (docs/solver_choices.md).
 constexpr int small_in_3d = 3000;
 
 /// lu: by fronts one after the other, or on a device by those of a level together.

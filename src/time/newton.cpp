@@ -23,7 +23,7 @@ constexpr double worn = 1.3;
 constexpr double at_rest = 1e-10;
 
 /// What the first linear solve of a step is solved to. With 0.02 steps take a fifth fewer iterations, but end closer to
-/// `rtol`: a droplet at rest then differs 25 times more from its mirror image (docs/solver_choices.md).
+/// `rtol`: a droplet at rest then differs 25 times more from its mirror image (docs/tried_and_left.md).
 constexpr double first_forcing = 0.1;
 
 std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(const VectorSpace& space, int size, int restart,

@@ -187,6 +187,7 @@ def table(answers):
         return text.replace("|", "\\|").replace("\n", " / ")
 
     lines = ["# Wrong inputs and their answers", "",
+             "This page shows how softwet answers wrong input, so that its messages can be judged side by side.", "",
              "Each line replaces one line of the case that `softwet init first.toml` writes, or is a command line. The answer",
              "goes to stderr behind `softwet: error:`, and the exit code is 1. Several mistakes give several lines. Written by",
              "`tests/regression/wrong_inputs.py build/release/softwet --docs docs/wrong_inputs.md`; the same file tests them.",
