@@ -148,9 +148,17 @@ def check_links(pages):
             expect(f"{page.relative_to(ROOT)}: link to {target}", there)
 
 
+def check_front_page():
+    """Every page of docs/ has its place in docs/README.md."""
+    front = (ROOT / "docs/README.md").read_text()
+    for page in sorted((ROOT / "docs").glob("*.md")):
+        expect(f"docs/README.md leads to {page.name}", page.name == "README.md" or f"]({page.name})" in front)
+
+
 every_page = [path for folder in ("", "cases", "docs", "kernels", "src", "tests", "tools")
               for path in sorted((ROOT / folder).glob("**/*.md" if folder else "*.md"))]
 check_links(every_page)
+check_front_page()
 check_options([page for page in every_page if "verification" not in page.parts and page != MISTAKEN])
 reference = subprocess.run([softwet, "explain", "--markdown"], capture_output=True, text=True, check=True).stdout
 expect("docs/reference.md is what 'softwet explain --markdown' prints; write it again with that command",
