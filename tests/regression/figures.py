@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """tools/figures draws Figs. 1 (B), 2 and 3 from small runs, from any folder, and its tables hold what the outputs hold.
-tools/plot draws a load of force 0, and names the file where a folder is not whole.
+tools/plot draws a load of force 0, other fields and sections in space, and names the file where a folder is not whole.
 usage: figures.py SOFTWET"""
 
 import csv
@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 import numpy
-from _scene import check, check_true, history, run, tools
+from _scene import check, check_true, history, run, run_file, tools, write_box
 
 try:
     import matplotlib  # noqa: F401
@@ -84,6 +84,14 @@ def plot(*words):
 run("tensotaxis_pull_2d", "still", SMALL + ["load.force=[0,0]", "time.end=0.01", "output.fields.times=[0]"])
 result = plot("still", "--field", "--out", "still.png")
 check_true("plot: a load of force 0", result.returncode == 0 and "Warning" not in result.stderr, result.stderr)
+for words in (["--show", "pressure"], ["--show", "velocity_x", "--columns", "2"]):
+    result = plot("still", "--field", *words, "--out", "shown.png")
+    check_true(f"plot {' '.join(words)}", result.returncode == 0, result.stderr)
+write_box("space", 0.4, [8, 8, 4], 0.1, 75, "[[droplet]]\ncentre = [0.4, 0.4, 0.0]\nradius = 0.3\n[time]\nend = 0.01\n"
+          "[output]\nfields = { times = [0.0] }")
+run_file("space.toml", "space")
+result = plot("space", "--field", "--out", "space.png")
+check_true("plot: a section of a run in three dimensions", result.returncode == 0, result.stderr)
 
 
 def cut(name, length):
@@ -110,4 +118,7 @@ plot_refuses("cannot read broken/fields/solid.hdf.series", "--field")
 pathlib.Path("points.csv").write_text("time,x_centre\n1,0.5\n")
 cut("case.toml", None)
 plot_refuses("points.csv has no column t", "--history", "--reference", "points.csv")
+plot_refuses("velocity is no scalar; give a component of it", "--field", "--show", "velocity")
+plot_refuses("has no field 'warmth'", "--field", "--show", "warmth")
+plot_refuses("--columns 0: must be a number in [1, 100]", "--columns", "0")
 plot_refuses("--magnify nan: must be a number in [0, 1e+06]", "--magnify", "nan")
