@@ -25,8 +25,8 @@ struct FinePart {
 FinePart fine_part(const Case&, int axis);
 
 /// Capillarities between the middle of an interface and the end of the fine elements. With 3 the mesh moves a droplet at rest by
-/// 2e-5 of the domain, with 1.3 by 5e-4.
-constexpr double least_fine_margin = 3;
+/// 2e-5 of the domain, with 1.3 by 5e-4. Above a cap on a wall less will do, for what grows there is the same on its left and right.
+constexpr double least_fine_margin = 3, least_fine_margin_above = 2;
 
 /// Rows of elements in the solid; 0 without a solid.
 int solid_elements(const Case&);

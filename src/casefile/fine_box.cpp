@@ -164,20 +164,22 @@ void choose_fine_box(Case& c) {
 std::string warning_about_fine_box(const Case& c) {
   if (!c.fluid) return {};
   const std::size_t vertical = c.domain.size.size() - 1;
-  const double margin = least_fine_margin * c.fluid->capillarity;
   for (std::size_t k = 0; k < c.droplets.size(); ++k)
     for (std::size_t axis = 0; axis <= vertical; ++axis) {
       const Droplet& droplet = c.droplets[k];
       const double half = half_width(c, droplet), x = droplet.centre[axis];
       const Extent span = axis == vertical ? height_of(c, droplet) : Extent{x - half, x + half};
       const FinePart fine = fine_part(c, static_cast<int>(axis));
-      const bool below = span.low - margin < fine.low && (axis < vertical || !sits_on_wall(c, droplet));
+      const bool on_wall = axis == vertical && sits_on_wall(c, droplet);
+      const double capillarities = on_wall ? least_fine_margin_above : least_fine_margin;
+      const double margin = capillarities * c.fluid->capillarity;
+      const bool below = span.low - margin < fine.low && !on_wall;
       if (below || span.high + margin > fine.high)
         return fmt::format(
             "droplet[{}] lies in [{:.4g}, {:.4g}] along axis {}, and the fine elements of domain.grading end at "
             "{:.4g}: less "
             "than {} capillarities away. Longer elements within the interface drive the droplet; write a larger box",
-            k, span.low, span.high, axis, below ? fine.low : fine.high, least_fine_margin);
+            k, span.low, span.high, axis, below ? fine.low : fine.high, capillarities);
     }
   return {};
 }

@@ -134,7 +134,7 @@ PhaseSamples Scalars<D, P>::follow_bodies(const Snapshot<D>& snapshot, const std
   PhaseSamples samples = sample_phase(snapshot, surface());
   for (int d = 0; d < D; ++d) {
     const FinePart fine = fine_part(case_, d);
-    const double margin = least_fine_margin * case_.fluid->capillarity;
+    const double margin = (d == D - 1 ? least_fine_margin_above : least_fine_margin) * case_.fluid->capillarity;
     samples.low[d] = d == D - 1 ? samples.low[d] : fine.low + margin;  // below a droplet is the wall
     samples.high[d] = fine.high - margin;
   }
