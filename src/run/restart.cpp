@@ -19,7 +19,7 @@ namespace {
 /// What the memory of a scheme fits to: the settings of the solver, and how this program builds preconditioners. The
 /// number at the beginning is raised when the schemes visit something else.
 std::string memory_settings(const Case& c) {
-  return "memory 1, algorithms of a " + std::string(host_algorithms ? "processor" : "device") + ", factors of " +
+  return "memory 2, algorithms of a " + std::string(host_algorithms ? "processor" : "device") + ", factors of " +
          std::to_string(sizeof(FactorNumber)) + " bytes\n" + solver_settings(c);
 }
 

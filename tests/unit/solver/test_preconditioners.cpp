@@ -89,6 +89,26 @@ Jacobian nearly_singular(const Layout<2>& layout, float gap) {
   };
 }
 
+/// At each point the two velocities are coupled by numbers whose determinant is what their last digit makes of it.
+Jacobian singular_in_single(const Layout<2>& layout) {
+  return [layout](const StencilValues& values) {
+    const Stencil<2> stencil(layout);
+    const auto host = Kokkos::create_mirror_view(values);
+    Kokkos::deep_copy(host, 0.0f);
+    const int middle = stencil.offsets / 2;
+    for (int point = 0; point < stencil.points; ++point) {
+      const float a = 0.7f + 0.3f * std::sin(point), b = 0.9f + 0.3f * std::cos(3 * point),
+                  c = 1.1f + 0.2f * std::sin(7 * point);
+      for (int k = 0; k < stencil.components; ++k) host(stencil.index(k, k, middle, point)) = 1;
+      host(stencil.index(0, 0, middle, point)) = a;
+      host(stencil.index(0, 1, middle, point)) = b;
+      host(stencil.index(1, 0, middle, point)) = c;
+      host(stencil.index(1, 1, middle, point)) = std::nextafter(float(double(b) * c / a), 2.0f);
+    }
+    Kokkos::deep_copy(values, host);
+  };
+}
+
 /// || b - A M^-1 b || / || b || for the factors M of a matrix A.
 double defect_of(StencilSolver<2>& lu, const StencilMatrix<2>& matrix, const Array& b) {
   const Array z("z", b.size()), product("product", b.size());
@@ -97,6 +117,28 @@ double defect_of(StencilSolver<2>& lu, const StencilMatrix<2>& matrix, const Arr
   matrix.multiply(z, product);
   return distance(to_host(product), to_host(b));
 }
+
+#ifdef SOFTWET_HAVE_UMFPACK
+TEST(BlockLu, GoesOnInDoublePrecisionWhereSingleIsNotEnough) {
+  RandomScene s(longer(scene(Scene::coupled), 31, 18));
+  const auto make = [&](FactorPrecision p) { return make_block_lu<2>(s.layout(), s.model.mask(), p); };
+  StencilMatrix<2> matrix(s.layout(), s.model.mask());
+  matrix.fill(singular_in_single(s.layout()));
+  const Array b = s.direction();
+  EXPECT_GT(defect_of(*make(FactorPrecision::single), matrix, b), 0.2);
+  const auto sufficient = make(FactorPrecision::sufficient);
+  EXPECT_EQ(sufficient->name(), "lu");
+  EXPECT_LT(defect_of(*sufficient, matrix, b), 1e-4);
+  EXPECT_EQ(sufficient->name(), "umfpack");
+  // From then on it stays so, also behind a checkpoint.
+  KeptMemory memory;
+  sufficient->visit_memory(memory);
+  const auto resumed = make(FactorPrecision::sufficient);
+  memory.put_back();
+  resumed->visit_memory(memory);
+  EXPECT_EQ(resumed->name(), "umfpack");
+}
+#endif
 
 TEST(BlockLu, StoresSinglePrecisionWhereHalfIsNotEnough) {
   RandomScene s(longer(scene(Scene::coupled), 31, 18));

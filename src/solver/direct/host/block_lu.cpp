@@ -1,48 +1,68 @@
 #include "solver/direct/host/block_lu.hpp"
 
 #include "solver/direct/host/multifrontal_lu.hpp"
+#include "solver/direct/host/sparse_lu.hpp"
 #include "solver/matrix/factor_defect.hpp"
 
 namespace softwet {
 
 namespace {
 
-/// Factors in half precision as long as they are good enough, and in single precision from then on.
+#ifdef SOFTWET_HAVE_UMFPACK
+constexpr bool has_double = true;
+#else
+constexpr bool has_double = false;
+#endif
+
+/// Factors in half precision as long as they are good enough, in single precision from then on, and in double precision, by
+/// UMFPACK, where those are not good enough either.
 template <int D>
 class SufficientLu final : public StencilSolver<D> {
  public:
-  SufficientLu(const Layout<D>& layout, const ConstArray& mask)
-      : layout_(layout), mask_(mask), defect_(mask), half_(std::make_unique<BlockLu<D, FactorNumber>>(layout, mask)) {}
+  SufficientLu(const Layout<D>& layout, const ConstArray& mask) : layout_(layout), mask_(mask), defect_(mask) {
+    if constexpr (std::is_same_v<FactorNumber, Half>)
+      half_ = std::make_unique<BlockLu<D, FactorNumber>>(layout, mask);
+    else
+      go_on_in_single();
+  }
 
   void build(const StencilMatrix<D>& matrix) override {
-    if (half_) {
-      half_->build(matrix);
-      if (defect_.measure(*half_, matrix, half_->scale().row) < most) return;
-      go_on_in_single();
-    }
-    single_->build(matrix);
+    if (half_ && !is_good(*half_, matrix)) go_on_in_single();
+    if (single_ && !is_good(*single_, matrix) && has_double) go_on_in_double();
+    if (double_) double_->build(matrix);
   }
   void apply(const ConstArray& r, const Array& z) override { solver().apply(r, z); }
   std::string name() const override { return solver().name(); }
   double bytes() const override { return solver().bytes(); }
   double build_cost() const override { return solver().build_cost(); }
   void visit_memory(StepMemory& memory) override {
-    bool single = single_ != nullptr;
+    bool single = half_ == nullptr, in_double = double_ != nullptr;
     memory.flag("lu/single", single);
+    memory.flag("lu/double", in_double);
     if (single && half_) go_on_in_single();
+    if (in_double && single_) go_on_in_double();
   }
 
  private:
-  static constexpr double most = 0.2;  ///< defect: matrices that are nearly singular lose the digits of half precision
+  static constexpr double most = 0.2;  ///< defect: matrices that are nearly singular lose the digits of the factors
 
   StencilSolver<D>& solver() const {
     if (half_) return *half_;
-    return *single_;
+    if (single_) return *single_;
+    return *double_;
   }
-
+  template <class Number>
+  bool is_good(BlockLu<D, Number>& lu, const StencilMatrix<D>& matrix) {
+    lu.build(matrix);
+    return defect_.measure(lu, matrix, lu.scale().row) < most;
+  }
   void go_on_in_single() {
     half_.reset();
     single_ = std::make_unique<BlockLu<D, float>>(layout_, mask_);
+  }
+  void go_on_in_double() {
+    single_.reset();
+    double_ = make_sparse_lu<D>(layout_, mask_);
   }
 
   Layout<D> layout_;
@@ -50,6 +70,7 @@ class SufficientLu final : public StencilSolver<D> {
   FactorDefect<D> defect_;
   std::unique_ptr<BlockLu<D, FactorNumber>> half_;
   std::unique_ptr<BlockLu<D, float>> single_;  ///< where half precision was not enough
+  std::unique_ptr<StencilSolver<D>> double_;   ///< where single precision was not
 };
 
 }  // namespace
@@ -66,10 +87,9 @@ double factor_entries(const Dissection& tree) {
 template <int D>
 std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask,
                                                 FactorPrecision precision) {
-  if constexpr (std::is_same_v<FactorNumber, Half>) {
+  if (precision == FactorPrecision::sufficient) return std::make_unique<SufficientLu<D>>(layout, mask);
+  if constexpr (std::is_same_v<FactorNumber, Half>)
     if (precision == FactorPrecision::half) return std::make_unique<BlockLu<D, Half>>(layout, mask);
-    if (precision == FactorPrecision::sufficient) return std::make_unique<SufficientLu<D>>(layout, mask);
-  }
   return std::make_unique<BlockLu<D, float>>(layout, mask);
 }
 

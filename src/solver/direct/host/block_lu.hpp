@@ -7,7 +7,7 @@
 namespace softwet {
 
 /// half: where the processor converts it, otherwise single. sufficient: half, until a build shows that it is not enough,
-/// and single from then on.
+/// single from then on, and double precision (sparse_lu.hpp) where a build shows that single is not enough either.
 enum class FactorPrecision { half, single, sufficient };
 
 /// A multifrontal factorisation (Duff and Reid 1983) that knows the tensor structure: dense fronts from a geometric
