@@ -11,7 +11,7 @@ namespace {
 
 using enum ProbeOperation;
 
-constexpr double wall = 0.8 / 3;
+constexpr double top_of_solid = 0.8 / 3;
 const Matrix<double, 2> gradient{{{0.2, 0.05}, {0.1, -0.1}}};
 
 Probe box(const std::string& quantity, ProbeOperation operation, std::vector<double> lower, std::vector<double> upper) {
@@ -50,10 +50,11 @@ TEST(Probes, IntegralMeanAndExtremesInTheSolid) {
 // On a line the integral has its length, in the solid the undeformed one.
 TEST(Probes, IntegralOnALine) {
   Homogeneous s(scene(Scene::coupled), gradient);
-  EXPECT_NEAR(read(s, box("displacement_y", integral, {0.1, wall}, {0.6, wall})), 0.5 * (0.1 * 0.35 - 0.1 * wall),
-              1e-14);
+  EXPECT_NEAR(read(s, box("displacement_y", integral, {0.1, top_of_solid}, {0.6, top_of_solid})),
+              0.5 * (0.1 * 0.35 - 0.1 * top_of_solid), 1e-14);
   const double length = 0.5 * std::hypot(1.2, 0.1);  // the wall turns and is stretched
-  EXPECT_NEAR(read(s, box("density", integral, {0.1, wall}, {0.6, wall})), Homogeneous::density * length, 1e-13);
+  EXPECT_NEAR(read(s, box("density", integral, {0.1, top_of_solid}, {0.6, top_of_solid})),
+              Homogeneous::density * length, 1e-13);
 }
 
 TEST(Probes, DensityOverAllOfTheFluidIsItsMass) {
@@ -62,7 +63,7 @@ TEST(Probes, DensityOverAllOfTheFluidIsItsMass) {
       Case c = scene(kind);
       c.domain.coordinates = coordinates;
       Homogeneous s(c, {{{0.2, 0}, {0.1, -0.1}}});
-      const double bottom = kind == Scene::rigid ? 0 : wall, mass = s.model.integrals(s.stage()).mass;
+      const double bottom = kind == Scene::rigid ? 0 : top_of_solid, mass = s.model.integrals(s.stage()).mass;
       EXPECT_NEAR(read(s, box("density", integral, {0, bottom}, {0.9, 0.8})), mass, 1e-12 * mass);
       EXPECT_NEAR(read(s, box("density", mean, {0, bottom}, {0.9, 0.8})), Homogeneous::density, 1e-13);
     }
