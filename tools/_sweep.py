@@ -18,7 +18,8 @@ import sys
 from _messages import WARNING
 
 STOPPED = "stopped by user"  # the reason of run.json
-COLUMNS = ["x_centre", "velocity", "angle_left", "angle_right", "ridge_left", "ridge_right", "dimple", "mass_drift"]  # the default ones: a droplet's
+# The default ones: those of a droplet.
+COLUMNS = ["x_centre", "velocity", "angle_left", "angle_right", "ridge_left", "ridge_right", "dimple", "mass_drift"]
 
 
 def write_atomic(path, text):

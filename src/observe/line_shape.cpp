@@ -108,7 +108,7 @@ LineShape line_shape(const Section<D>& section, const Surface& surface, const Cr
 template <int D>
 std::optional<double> dimple(const Section<D>& section, double left, double right) {
   if (!section.snapshot().layout().has_solid || !(right > left)) return std::nullopt;
-  return largest_rise(section, left, right, right - left > 0 ? (right - left) / 16 : 1, -1);
+  return largest_rise(section, left, right, (right - left) / 16, -1);
 }
 
 template LineShape line_shape(const Section<2>&, const Surface&, const Crossing&, double, double);
