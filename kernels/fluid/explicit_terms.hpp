@@ -10,9 +10,9 @@ namespace softwet {
 struct MassFlux {
   static constexpr Where where = Where::fluid;
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = MassFluxTrial<N, D>;
-  template <class N, int D>
+  template <class N, int D, class...>
   using Test = MassFluxTest<N, D>;
 
   template <class N, int D>
@@ -28,9 +28,9 @@ struct PressureForce {
 
   NavierStokesKorteweg fluid;
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = PressureTrial<N, D>;
-  template <class N, int D>
+  template <class N, int D, class...>
   using Test = PressureTest<N, D>;
 
   template <class N, int D>
@@ -48,13 +48,13 @@ struct ConvectionViscosity {
   double viscosity = 0;  ///< mu_hat, or 0 where it is treated apart
   double floor = 0;      ///< smallest density in the inertia, as in NavierStokesKorteweg
 
-  template <class N, int D>
-  using Trial = ConvectionTrial<N, D>;
-  template <class N, int D>
-  using Test = MomentumTest<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = ConvectionTrial<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = MomentumTest<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const ConvectionTrial<N, D>& t) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const ConvectionTrial<N, D, M>& t) const {
     const N inertia = select(t.density < floor, N(floor), t.density);
     return {inertia * product(t.velocity_gradient, t.velocity - t.mesh_velocity),
             newtonian_stress(viscosity, t.velocity_gradient)};

@@ -15,13 +15,13 @@ struct WeightedViscosity {
   double viscosity = 0;  ///< mu_hat times the step of the scheme, or mu_hat for the viscous force
   double floor = 0;      ///< smallest density in the inertia, as in NavierStokesKorteweg
 
-  template <class N, int D>
-  using Trial = WeightedTrial<N, D>;
-  template <class N, int D>
-  using Test = MomentumTest<N, D>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = WeightedTrial<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = MomentumTest<N, D, M>;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D> residual(const WeightedTrial<N, D>& t) const {
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const WeightedTrial<N, D, M>& t) const {
     const N weight = inertia * select(t.density < floor, N(floor), t.density);
     return {weight * t.vector, newtonian_stress(viscosity, t.gradient)};
   }
@@ -33,9 +33,9 @@ struct SolidMass {
 
   double density = 0;  ///< rho_0^s / b
 
-  template <class N, int D>
+  template <class N, int D, class...>
   using Trial = VectorTrial<N, D>;
-  template <class N, int D>
+  template <class N, int D, class...>
   using Test = VectorTest<N, D>;
 
   template <class N, int D>

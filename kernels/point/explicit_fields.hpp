@@ -82,10 +82,10 @@ struct PressureTest {
 };
 
 /// Velocity with its gradient, and density.
-template <class N, int D>
+template <class N, int D, class M = Matrix<N, D>>
 struct ConvectionTrial {
   Vector<N, D> velocity, mesh_velocity;
-  Matrix<N, D> velocity_gradient;
+  M velocity_gradient;
   N density;
 
   static constexpr int slot_count = D + 1;
@@ -98,12 +98,8 @@ struct ConvectionTrial {
   static KOKKOS_FORCEINLINE_FUNCTION ConvectionTrial read(const Reader& at) {
     ConvectionTrial t;
     SOFTWET_UNROLL
-    for (int i = 0; i < D; ++i) {
-      t.velocity[i] = at.value(i);
-      const Vector<N, D> g = at.gradient(i);
-      SOFTWET_UNROLL
-      for (int j = 0; j < D; ++j) t.velocity_gradient(i, j) = g[j];
-    }
+    for (int i = 0; i < D; ++i) t.velocity[i] = at.value(i);
+    t.velocity_gradient = gradient_of<M, N, D>(at, 0);
     t.density = at.value(D);
     t.mesh_velocity = at.mesh_velocity();
     return t;

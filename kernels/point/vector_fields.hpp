@@ -6,11 +6,11 @@
 namespace softwet {
 
 /// A velocity (or acceleration) z in the fluid, and the density that is its weight.
-template <class N, int D>
+template <class N, int D, class M = Matrix<N, D>>
 struct WeightedTrial {
   N density;
   Vector<N, D> vector;
-  Matrix<N, D> gradient;
+  M gradient;
 
   static constexpr int slot_count = D + 1;
   static constexpr Slot slot(int s) {
@@ -21,11 +21,8 @@ struct WeightedTrial {
   static KOKKOS_FORCEINLINE_FUNCTION WeightedTrial read(const Reader& at) {
     WeightedTrial t;
     t.density = at.value(0);
-    for (int i = 0; i < D; ++i) {
-      t.vector[i] = at.value(1 + i);
-      const Vector<N, D> g = at.gradient(1 + i);
-      for (int j = 0; j < D; ++j) t.gradient(i, j) = g[j];
-    }
+    for (int i = 0; i < D; ++i) t.vector[i] = at.value(1 + i);
+    t.gradient = gradient_of<M, N, D>(at, 1);
     return t;
   }
 };

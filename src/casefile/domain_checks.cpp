@@ -108,15 +108,6 @@ void check_axis_of_symmetry(const Checker& check) {
   }
 }
 
-/// Explicit schemes know no coordinates but those of the plane and of space.
-void check_scheme_of_coordinates(const Checker& check) {
-  if (check.c.time.scheme == implicit_scheme) return;
-  check.refuse("time.scheme",
-               fmt::format("must be \"{}\" with domain.coordinates = \"axisymmetric\", not \"{}\"", implicit_scheme,
-                           check.c.time.scheme),
-               fmt::format("write scheme = \"{}\", or compute the scene in the plane or in 3D", implicit_scheme));
-}
-
 }  // namespace
 
 /// A box that is given by its corners, inside of [0, top] along each axis. @param place  what it has to lie in
@@ -148,7 +139,6 @@ bool check_domain(const Checker& check) {
   if (c.axisymmetric() && c.dimension() == 2) {
     check.with({"domain.coordinates", "boundary", "fluid", "substrate", "load", "droplet"},
                [&] { check_axis_of_symmetry(check); });
-    check.with({"time.scheme"}, [&] { check_scheme_of_coordinates(check); });
   }
   return true;
 }

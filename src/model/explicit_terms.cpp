@@ -1,6 +1,7 @@
 #include "model/explicit_terms.hpp"
 
 #include "field/vector.hpp"
+#include "model/coordinates.hpp"
 
 namespace softwet {
 
@@ -14,7 +15,9 @@ void ExplicitTerms<D, P>::add(const Term& term, const Evaluation<D>& at) const {
 template <int D, int P>
 template <class Term>
 void ExplicitTerms<D, P>::add_fluid(const Term& term, const Evaluation<D>& at) const {
-  model_.layout().has_solid ? add<WallMotion<D>>(term, at) : add<NoMotion>(term, at);
+  in_coordinates_of(at.layout, term, [&](const auto& here) {
+    at.layout.has_solid ? add<WallMotion<D>>(here, at) : add<NoMotion>(here, at);
+  });
 }
 
 template <int D, int P>

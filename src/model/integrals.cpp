@@ -2,6 +2,7 @@
 #include "field/vector.hpp"
 #include "kernels/fluid/gravity.hpp"
 #include "kernels/fluid/painted_wall.hpp"
+#include "model/coordinates.hpp"
 #include "model/model.hpp"
 #include "operator/integrate.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 template <int P, class Motion, bool Rate = false, int D, class Functional>
 std::array<double, Functional::count> integrate(const Region<D>& region, const Functional& functional,
                                                 const Evaluation<D>& at, const Blend& blend) {
-  const auto over = [&](const auto& integrand) {
+  return in_coordinates_of(at.layout, functional, [&](const auto& integrand) {
     ReduceTask<D, std::remove_cvref_t<decltype(integrand)>, Motion> task{region, integrand, {}, {}, {}};
     bind_fields(at, blend, task);
     if constexpr (Rate) {
@@ -20,10 +21,7 @@ std::array<double, Functional::count> integrate(const Region<D>& region, const F
       task.motion.scale = 1;
     }
     return reduce<P, Rate>(task);
-  };
-  if constexpr (D == 2)
-    if (at.layout.axisymmetric) return over(Axisymmetric<Functional>{functional});
-  return over(functional);
+  });
 }
 
 }  // namespace

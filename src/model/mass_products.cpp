@@ -1,6 +1,7 @@
 #include "model/mass_products.hpp"
 
 #include "field/vector.hpp"
+#include "model/coordinates.hpp"
 
 namespace softwet {
 
@@ -15,7 +16,9 @@ template <int D, int P>
 template <class Term>
 void Masses<D, P>::add_fluid(const Term& term, const Evaluation<D>& at) const {
   const Region<D>& region = model_.fluid_region();
-  model_.layout().has_solid ? add<WallMotion<D>>(term, region, at) : add<NoMotion>(term, region, at);
+  in_coordinates_of(at.layout, term, [&](const auto& here) {
+    at.layout.has_solid ? add<WallMotion<D>>(here, region, at) : add<NoMotion>(here, region, at);
+  });
 }
 
 template <int D, int P>
@@ -43,7 +46,8 @@ void Masses<D, P>::velocity(const Stage& stage, double inertia, double viscosity
   move_ghosts(l, z, GhostAction::update);
   const Evaluation<D> at{l, stage, {}, out, Geometry::exact, z};
   const double density = std::visit([](const auto& solid) { return solid.density; }, model_.solid());
-  if (l.has_solid && inertia != 0) add<NoMotion>(SolidMass{density}, model_.solid_region(), at);
+  if (l.has_solid && inertia != 0)
+    in_coordinates_of(l, SolidMass{density}, [&](const auto& here) { add<NoMotion>(here, model_.solid_region(), at); });
   if (l.has_fluid) add_fluid(WeightedViscosity{inertia, viscosity, model_.fluid().inertia_floor}, at);
   collect(out);
 }

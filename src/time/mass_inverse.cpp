@@ -55,7 +55,8 @@ void MassInverse<D, P>::add_solid_sums() {
   int stride = 1;
   for (int d = 0; d < D; ++d) {
     const Axis& axis = l.axis[d];
-    std::vector<double> factor = axis.integrals(0, axis.length(), 0, d == D - 1 ? l.solid_elements : axis.elements());
+    const int last = d == D - 1 ? l.solid_elements : axis.elements();
+    std::vector<double> factor = axis.integrals(0, axis.length(), 0, last, l.axisymmetric && d == 0);
     for (int g = axis.owned(); g < axis.functions(); ++g)
       factor[g] = factor[g - axis.owned()] = factor[g] + factor[g - axis.owned()];
     const int extent = d == D - 1 ? l.rows : l.extent(d);

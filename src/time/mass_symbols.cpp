@@ -12,24 +12,28 @@ namespace {
 
 using Dense = Eigen::MatrixXd;
 
-/// Elements of length 1 in a row: (N_i, N_j), (N_i', N_j') and (N_i, N_j').
+/// Elements of length 1 in a row: (N_i, N_j), (N_i', N_j') and (N_i, N_j'); in (r, z) with the weight r. Of the hoop strain of radial
+/// vectors (N_i / r, N_j / r) and the mean of (N_i / r, N_j') and its transpose; zero elsewhere.
 struct ElementLine {
-  Dense mass, stiffness, slope;
+  Dense mass, stiffness, slope, hoop, mixed;
 
-  ElementLine(int elements, int degree) {
+  ElementLine(int elements, int degree, bool radial = false) {
     const Axis axis(elements, elements, degree);
     const Gauss gauss(degree + 1);
     const int n = axis.functions();
-    mass = stiffness = slope = Dense::Zero(n, n);
+    mass = stiffness = slope = hoop = mixed = Dense::Zero(n, n);
     for (int e = 0; e < elements; ++e)
       for (int q = 0; q <= degree; ++q) {
-        const std::vector<double> value = axis.values(e, e + gauss.point[q]), d = axis.slopes(e, e + gauss.point[q]);
+        const double x = e + gauss.point[q], r = radial ? x : 1, weight = gauss.weight[q] * r, on = radial ? 1 : 0;
+        const std::vector<double> value = axis.values(e, x), d = axis.slopes(e, x);
         for (int a = 0; a <= degree; ++a)
           for (int b = 0; b <= degree; ++b) {
             const int i = axis.span(e) + a, j = axis.span(e) + b;
-            mass(i, j) += gauss.weight[q] * value[a] * value[b];
-            stiffness(i, j) += gauss.weight[q] * d[a] * d[b];
-            slope(i, j) += gauss.weight[q] * value[a] * d[b];
+            mass(i, j) += weight * value[a] * value[b];
+            stiffness(i, j) += weight * d[a] * d[b];
+            slope(i, j) += weight * value[a] * d[b];
+            hoop(i, j) += on * weight * value[a] / r * value[b] / r;
+            mixed(i, j) += on * weight * 0.5 * (value[a] * d[b] + d[a] * value[b]) / r;
           }
       }
   }
@@ -99,8 +103,8 @@ MassSymbols inside_symbols(int degree, MassKind kind) {
   return s;
 }
 
-MassSymbols end_symbols(int degree, MassKind kind, int elements) {
-  const ElementLine line(elements, degree);
+MassSymbols end_symbols(int degree, MassKind kind, int elements, bool radial) {
+  const ElementLine line(elements, degree, radial);
   const Dense held = inverse(line.mass, kind, kept_of_velocities, true, true);
   const Dense free = inverse(line.mass, kind, kept_of_velocities, false, false);
   const Dense layer = inverse(line.mass, kind, kept_of_velocities, true, false);
@@ -113,6 +117,15 @@ MassSymbols end_symbols(int degree, MassKind kind, int elements) {
   s.viscous = std::max({s.viscous, largest(free * line.stiffness), largest(held * line.stiffness)});
   s.diffusive = std::max(s.diffusive, largest(scalar * line.stiffness));  // the ties of scalars are weaker
   s.elastic = std::max(s.elastic, std::sqrt(std::max(largest(layer * line.stiffness), largest(free * line.stiffness))));
+  if (radial) {
+    // tau : grad v = 4/3 m (v'^2 + (v/r)^2 - v' v/r); elastic waves (lambda + 2 mu) (u'^2 + (u/r)^2) + 2 lambda u' u/r
+    for (const Dense& axis : {held, layer}) {
+      s.viscous = std::max(s.viscous, largest(axis * (line.stiffness + line.hoop - line.mixed)));
+      for (const double lambda : {0.0, 0.5, 1.0})  // in parts of lambda + 2 mu
+        s.elastic =
+            std::max(s.elastic, std::sqrt(largest(axis * (line.stiffness + line.hoop + 2 * lambda * line.mixed))));
+    }
+  }
   s.surface = std::sqrt(s.viscous * layer(layer.rows() - 1, layer.cols() - 1));
   return s;
 }

@@ -55,7 +55,7 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
     : model_(model),
       formula_(formula),
       inside_(inside_symbols(P, kind)),
-      end_(end_symbols(P, kind, fewest_elements(model.layout()))),
+      end_(end_symbols(P, kind, fewest_elements(model.layout()), model.layout().axisymmetric)),
       adds_axes_(kind == MassKind::consistent) {
   const Layout<D>& l = model.layout();
   length_ = l.axis[0].spacing();
@@ -95,6 +95,35 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
 }
 
 template <int D, int P>
+template <bool Axial, class Solid>
+StepRates StepBound<D, P>::solid_rates(const Solid& solid, const ConstArray& displacement) const {
+  constexpr double margin = 1.05;  // waves along free and held sides are a little faster
+  const Layout<D>& l = model_.layout();
+  const double many = adds_axes_ ? D : 1, symbol = margin * end_.elastic / length_;
+  const double modulus = many * symbol * symbol / solid.density;  // square of a frequency over the modulus
+  const double face_axes = Axial ? 2 : D - 1;
+  const SolidRates more = model_.rates_of_solid();
+  SolidPoint<D, std::decay_t<decltype(solid.material)>, Axial> point{
+      solid.material,
+      displacement.data(),
+      {},
+      {},
+      {},
+      l.solid_rows() * l.row_size,
+      l.row_size,
+      formula_,
+      std::sqrt(modulus * (1 + more.stiffer)),
+      face_axes * margin * end_.surface * end_.surface * more.tension / (solid.density * std::pow(length_, 3)),
+      modulus * more.viscosity};
+  for (int d = 0; d < D; ++d) {
+    for (int e = 0; e < D; ++e) point.joined[d][e] = d == e ? 1 : free_axis_[d] && free_axis_[e] ? 0.5 : 0;
+    point.greville[d] = greville_[d];
+    point.extent[d] = d == D - 1 ? l.solid_rows() : l.extent(d);
+  }
+  return largest_of(point, l.solid_rows() * l.row_size);
+}
+
+template <int D, int P>
 StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
                                  const ConstArray& sums) const {
   const Layout<D>& l = model_.layout();
@@ -129,36 +158,18 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
                               length_};
     found = largest_of(point, l.scalar_size());
   }
-  if (l.has_solid)
-    std::visit(
+  if (l.has_solid) {
+    const StepRates elastic = std::visit(
         [&](const auto& solid) {
-          constexpr double margin = 1.05;  // waves along free and held sides are a little faster
-          const double many = adds_axes_ ? D : 1, symbol = margin * end_.elastic / length_;
-          const double modulus = many * symbol * symbol / solid.density;  // square of a frequency over the modulus
-          const SolidRates more = model_.rates_of_solid();
-          SolidPoint<D, std::decay_t<decltype(solid.material)>> point{
-              solid.material,
-              displacement.data(),
-              {},
-              {},
-              {},
-              l.solid_rows() * l.row_size,
-              l.row_size,
-              formula_,
-              std::sqrt(modulus * (1 + more.stiffer)),
-              (D - 1) * margin * end_.surface * end_.surface * more.tension / (solid.density * std::pow(length_, 3)),
-              modulus * more.viscosity};
-          for (int d = 0; d < D; ++d) {
-            for (int e = 0; e < D; ++e) point.joined[d][e] = d == e ? 1 : free_axis_[d] && free_axis_[e] ? 0.5 : 0;
-            point.greville[d] = greville_[d];
-            point.extent[d] = d == D - 1 ? l.solid_rows() : l.extent(d);
-          }
-          const StepRates elastic = largest_of(point, l.solid_rows() * l.row_size);
-          found.elasticity = elastic.elasticity;
-          found.viscosity = std::max(found.viscosity, elastic.viscosity);
-          found.combined = std::max(found.combined, elastic.combined);
+          if constexpr (D == 2)
+            if (l.axisymmetric) return solid_rates<true>(solid, displacement);
+          return solid_rates<false>(solid, displacement);
         },
         model_.solid());
+    found.elasticity = elastic.elasticity;
+    found.viscosity = std::max(found.viscosity, elastic.viscosity);
+    found.combined = std::max(found.combined, elastic.combined);
+  }
   for (double StepRates::*rate :
        {&StepRates::combined, &StepRates::sound, &StepRates::capillarity, &StepRates::viscosity,
         &StepRates::stabilisation, &StepRates::flow, &StepRates::elasticity})

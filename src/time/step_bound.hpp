@@ -41,6 +41,10 @@ class StepBound {
                   const ConstArray& sums) const;
 
  private:
+  /// Of the solid. @tparam Axial  in the coordinates (r, z), where waves have a hoop strain too
+  template <bool Axial, class Solid>
+  StepRates solid_rates(const Solid&, const ConstArray& displacement) const;
+
   const Model<D, P>& model_;
   StepFormula formula_;
   MassSymbols inside_, end_;

@@ -82,8 +82,12 @@ struct FluidPoint {
   }
 };
 
-template <int D, class Material>
+/// @tparam Axial  in the coordinates (r, z)
+template <int D, class Material, bool Axial = false>
 struct SolidPoint {
+  template <class N>
+  using Tensor = std::conditional_t<Axial, AxialMatrix<N>, Matrix<N, D>>;
+
   Material material;
   const double* displacement;
   ConstArray greville[D];
@@ -97,7 +101,7 @@ struct SolidPoint {
   double viscous;  ///< rate of viscosity in the undeformed state
 
   KOKKOS_FUNCTION void operator()(int i, double* rate) const {
-    Matrix<double, D> gradient;
+    Tensor<double> gradient;
     int stride = 1;
     for (int d = 0; d < D; ++d) {
       for (int c = 0; c < D; ++c)
@@ -105,36 +109,52 @@ struct SolidPoint {
             difference(displacement + c * nodes, i, i / stride % extent[d], extent[d], stride, greville[d]);
       stride *= extent[d];
     }
+    if constexpr (Axial) {
+      const double r = greville[0](i % extent[0]);
+      gradient.hoop = r > 0 ? displacement[i] / r : gradient(0, 0);
+    }
     const double elastic = wave * wave * stiffness(gradient);
     const double tension = surface > 0 && i >= nodes - row_size ? surface * shortening(gradient) : 0;
     rate[elasticity] = Kokkos::sqrt(elastic + tension);
-    double length = 0;  // |F|^2
-    for (int c = 0; c < D; ++c)
-      for (int d = 0; d < D; ++d) length += Kokkos::pow(gradient(c, d) + (c == d ? 1.0 : 0.0), 2);
-    rate[viscosity] = viscous * Kokkos::max(1.0, length / D) * Kokkos::max(1.0, length / D);
+    const auto deformed = add_diagonal(gradient, 1.0);
+    const double length = contract(deformed, deformed) / (Axial ? 3 : D);  // |F|^2, 1 where nothing is deformed
+    rate[viscosity] = viscous * Kokkos::max(1.0, length) * Kokkos::max(1.0, length);
     rate[combined] = combine(formula, rate[elasticity], rate[viscosity], 0, 0);
   }
 
  private:
+  /// The gradient as dual numbers, with the tangent 0.
+  KOKKOS_FUNCTION static Tensor<Dual<double>> dual(const Tensor<double>& gradient) {
+    Tensor<Dual<double>> a;
+    for (int c = 0; c < D; ++c)
+      for (int d = 0; d < D; ++d) a(c, d) = Dual<double>(gradient(c, d), 0.0);
+    if constexpr (Axial) a.hoop = Dual<double>(gradient.hoop, 0.0);
+    return a;
+  }
   /// Largest row of dP/dF.
-  KOKKOS_FUNCTION double stiffness(const Matrix<double, D>& gradient) const {
+  KOKKOS_FUNCTION double stiffness(const Tensor<double>& gradient) const {
     double row[D][D] = {};  // [component of the force][axis of the wave]
     for (int along = 0; along < D; ++along)
       for (int axis = 0; axis < D; ++axis) {
-        Matrix<Dual<double>, D> moved;
-        for (int c = 0; c < D; ++c)
-          for (int d = 0; d < D; ++d) moved(c, d) = Dual<double>(gradient(c, d), c == along && d == axis ? 1.0 : 0.0);
-        const Matrix<Dual<double>, D> stress = material.first_piola(moved);
+        Tensor<Dual<double>> moved = dual(gradient);
+        moved(along, axis).tangent = 1;
+        const Tensor<Dual<double>> stress = material.first_piola(moved);
         for (int c = 0; c < D; ++c)
           for (int d = 0; d < D; ++d) row[c][d] += joined[d][axis] * Kokkos::abs(stress(c, d).tangent);
       }
     double largest = 0;
+    if constexpr (Axial) {
+      Tensor<Dual<double>> moved = dual(gradient);
+      moved.hoop.tangent = 1;
+      largest = Kokkos::abs(material.first_piola(moved).hoop.tangent);
+    }
     for (int c = 0; c < D; ++c)
       for (int d = 0; d < D; ++d) largest = Kokkos::max(largest, row[c][d]);
     return largest;
   }
-  /// A face that is shortened carries shorter waves: 1 / its smallest stretch, at most 10, in space times the larger one.
-  KOKKOS_FUNCTION double shortening(const Matrix<double, D>& gradient) const {
+  /// A face that is shortened carries shorter waves: 1 / its smallest stretch, at most 10, in space and in (r, z) times the
+  /// larger one.
+  KOKKOS_FUNCTION double shortening(const Tensor<double>& gradient) const {
     double least = 1, most = 1;
     for (int d = 0; d + 1 < D; ++d) {
       double square = 0;
@@ -142,7 +162,11 @@ struct SolidPoint {
       least = Kokkos::min(least, Kokkos::sqrt(square));
       most = Kokkos::max(most, Kokkos::sqrt(square));
     }
-    return (D == 2 ? 1 : most) / Kokkos::max(least, 0.1);
+    if constexpr (Axial) {
+      least = Kokkos::min(least, Kokkos::abs(1 + gradient.hoop));
+      most = Kokkos::max(most, Kokkos::abs(1 + gradient.hoop));
+    }
+    return (D == 2 && !Axial ? 1 : most) / Kokkos::max(least, 0.1);
   }
 };
 

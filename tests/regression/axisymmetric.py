@@ -109,12 +109,25 @@ def against_space():
     check("space: ridge", abs(ridge[0] / ridge[1] - 1), 0.05)
 
 
+def explicit_impact():
+    """A ball that falls onto a wall, by explicit and by implicit steps."""
+    words = ["domain.elements=[36,36]", "fluid.capillarity=1/27", "time.end=1", "output.fields.times=[1]", "output.history.every=1"]
+    run("impact_axisymmetric", "implicit", [*words, "time.scheme=generalized_alpha", "time.tolerance=1e-4", "domain.quadrature=reduced"])
+    run("impact_axisymmetric", "explicit", [*words, "time.scheme=kick_drift"])
+    implicit, explicit = history("implicit"), history("explicit")
+    check_true("impact: the wall was met", implicit["x_right"][-1] > 0.1, implicit["x_right"][-1])
+    check("impact: contact radius", abs(explicit["x_right"][-1] / implicit["x_right"][-1] - 1), 0.01)
+    fallen = implicit["energy_total"][0] - implicit["energy_total"][-1]
+    check("impact: energy lost", abs((explicit["energy_total"][0] - explicit["energy_total"][-1]) / fallen - 1), 0.03)
+    check("impact: mass", numpy.abs(explicit["mass_drift"]).max(), 1e-13)
+    check("impact: the energy falls in every step", numpy.diff(explicit["energy_total"]).max(), 0)
+
+
 def refusals():
     rigid, soft = "static_droplet_rigid_2d", "static_droplet_soft_2d"
     for case, settings, words in (
             (rigid, [], "droplet[0].centre"),
             (rigid, ["droplet[0].centre=[0,0]", "boundary.left=no_slip"], "boundary.left"),
-            (rigid, ["droplet[0].centre=[0,0]", "time.scheme=kick_drift"], "time.scheme"),
             (rigid, ["droplet[0].centre=[0,0]", "fluid.gravity=[0.1,0]"], "fluid.gravity"),
             (rigid, ["droplet[0].centre=[0,0]", "droplet[0].velocity=[0.1,0]"], "droplet[0].velocity"),
             (soft, ["droplet[0].centre=[0,0.125]", "substrate.gravity=[0.1,0]"], "substrate.gravity"),
@@ -128,4 +141,5 @@ free_ball()
 cap_on_rigid_wall()
 layer()
 against_space()
+explicit_impact()
 refusals()

@@ -262,7 +262,7 @@ void bench_model(const Case& asked, std::ostream& out) {
   sheet.line("dot", seconds_per_call([&] { dot(layout.space(), z, r); }));
   bench_single<D, P>(sheet, c, state);
 
-  if (!c.axisymmetric()) bench_explicit(sheet, model, state);
+  bench_explicit(sheet, model, state);
   if (c.time.scheme == implicit_scheme) bench_preconditioners(sheet, c, model);
   out << "peak memory";
   for (double memory : peak_memory_of_processes()) out << " " << memory << " MiB";

@@ -144,7 +144,7 @@ void describe_model(const Case& c, std::ostream& out) {
   print_section(out, "terms", terms(c, model, p.times));
   print_section(out, "unknowns", unknowns(model.layout(), p.times));
   print_memory<D, P>(c, model, p.times, out);
-  if (p.times == 1 && !c.axisymmetric())
+  if (p.times == 1)
     print_section(out, "explicit steps, bounded at the first state (time.mass = \"" + c.time.mass + "\")",
                   step_limits(c, model));
   print_section(out, "kernel",

@@ -107,23 +107,25 @@ MassProduct<D, P>::MassProduct(const Layout<D>& l, int points) : layout_(l) {
     std::vector<ElementRun> all{{0, axis.elements(), 0}}, fluid{{l.solid_elements, axis.elements(), 0}};
     if (d == 0 && l.columns.elements.runs > 0)
       all.assign(l.columns.elements.run, l.columns.elements.run + l.columns.elements.runs);
-    velocity_[d] = band(axis, all, 0, l.extent(d), points);
-    scalar_[d] = d < D - 1 ? velocity_[d] : band(axis, fluid, l.wall_row, l.fluid_rows(), points);
+    velocity_[d] = band(d, all, 0, l.extent(d), points);
+    scalar_[d] = d < D - 1 ? velocity_[d] : band(d, fluid, l.wall_row, l.fluid_rows(), points);
   }
   for (Array& a : scratch_) a = Array("mass product", std::max(l.velocity_size(), 2 * l.scalar_size()));
 }
 
 template <int D, int P>
-typename MassProduct<D, P>::Band MassProduct<D, P>::band(const Axis& axis, const std::vector<ElementRun>& runs,
-                                                         int first_function, int functions, int points) const {
+typename MassProduct<D, P>::Band MassProduct<D, P>::band(int d, const std::vector<ElementRun>& runs, int first_function,
+                                                         int functions, int points) const {
+  const Axis& axis = layout_.axis[d];
   Kokkos::View<double**, Kokkos::LayoutRight, Kokkos::HostSpace> band("mass band", 2 * P + 1, functions);
   const Gauss gauss(points);
   for (const ElementRun& run : runs)
     for (int l = run.begin; l < run.end; ++l)
       for (int q = 0; q < points; ++q) {
         const int e = l + run.shift;
-        const std::vector<double> value = axis.values(e, axis.lower(e) + axis.size(e) * gauss.point[q]);
-        const double weight = axis.size(e) * gauss.weight[q];
+        const double x = axis.lower(e) + axis.size(e) * gauss.point[q];
+        const std::vector<double> value = axis.values(e, x);
+        const double weight = axis.size(e) * gauss.weight[q] * (layout_.axisymmetric && d == 0 ? x : 1.0);
         const int first = axis.span(e) - run.shift - first_function;
         for (int a = 0; a <= P; ++a)
           for (int b = 0; b <= P; ++b) band(b - a + P, first + a) += weight * value[a] * value[b];

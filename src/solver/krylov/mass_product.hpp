@@ -45,7 +45,8 @@ struct StepPointers {
   }
 };
 
-/// M = M_x (x) M_y (x) M_z with weight 1 for components of a vector of unknowns: entries (N_i, N_j) of the reference domain.
+/// M = M_x (x) M_y (x) M_z for components of a vector of unknowns: entries (N_i, N_j) of the reference domain, in (r, z) with the
+/// weight r.
 /// An axis costs 2 degree + 1 products for each value, and no element is visited.
 /// Source: tensor products of one-dimensional mass matrices.   Tested: tests/unit/solver/krylov/test_mass_product.cpp
 template <int D, int P>
@@ -65,7 +66,7 @@ class MassProduct {
  private:
   /// Entry (k, i) is M(i, i + k - degree).
   using Band = Kokkos::View<const double**, Kokkos::LayoutRight, Exec>;
-  Band band(const Axis&, const std::vector<ElementRun>&, int first_function, int functions, int points) const;
+  Band band(int d, const std::vector<ElementRun>&, int first_function, int functions, int points) const;
   int extent(int d, bool velocities) const;
   template <bool Step>
   void run(const WeightedMass&, const SeriesStep&, const ConstArray& in, const Array& out, int first, int last) const;

@@ -33,7 +33,6 @@ TEST(AxisymmetricCase, RefusesWhatHasNoAxisOfSymmetry) {
   expect_refusal("load[0].force=[0.1,0]", {"load[0].force", "not 0.1", "write 0 there"});
   expect_refusal("fluid.gravity=[0.3,-1]", {"fluid.gravity", "not 0.3", "write 0 there"});
   expect_refusal("substrate.gravity=[0.3,-1]", {"substrate.gravity", "not 0.3", "write 0 there"});
-  expect_refusal("time.scheme=kick_drift", {"time.scheme", "generalized_alpha", "axisymmetric"});
 }
 
 TEST(AxisymmetricCase, ExistsInTwoDimensionsOnly) {

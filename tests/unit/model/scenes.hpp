@@ -38,6 +38,13 @@ inline Case scene(Scene kind, WallLaw law = WallLaw::gradient, bool periodic = f
   return c;
 }
 
+/// The same in the coordinates (r, z), without the forces along r.
+inline Case axisymmetric(Case c) {
+  c.domain.coordinates = Coordinates::axisymmetric;
+  for (Load& load : c.loads) load.force[0] = 0;
+  return c;
+}
+
 /// The same in space: as deep as three elements.
 inline Case scene_in_space(Scene kind, WallLaw law = WallLaw::gradient) {
   Case c = scene(kind, law);
@@ -65,6 +72,8 @@ struct RandomSceneIn {
     hold(stage().unknown);
     hold(stage().acceleration);
     stage().time = 3.0;  // half of the load's ramp
+    if (layout().axisymmetric)
+      for (const Array& a : {stage().displacement, stage().displacement_end}) keep_axis(a);
   }
   Stage& stage() { return terms.patch.stage; }
   const Layout<D>& layout() const { return model.layout(); }
@@ -79,6 +88,12 @@ struct RandomSceneIn {
       v[i] *= mask[ghost ? i - x.owned() : i];
     }
     Kokkos::deep_copy(a, to_device<Array>(v));
+  }
+  /// Zero radial displacements on the axis of symmetry.
+  void keep_axis(const Array& displacement) {
+    std::vector<double> u = to_host(displacement);
+    for (int i = 0; i < layout().solid_rows(); ++i) u[i * layout().row_size] = 0;
+    Kokkos::deep_copy(displacement, to_device<Array>(u));
   }
   /// A random direction of the unknowns, zero where prescribed and on ghosts.
   Array direction() {

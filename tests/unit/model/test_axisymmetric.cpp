@@ -7,12 +7,6 @@
 namespace softwet::testing_tools {
 namespace {
 
-Case axisymmetric(Case c) {
-  c.domain.coordinates = Coordinates::axisymmetric;
-  for (Load& load : c.loads) load.force[0] = 0;
-  return c;
-}
-
 /// All that a solid can have beside its material, with a wall whose tension acts.
 Case rich(Scene kind) {
   Case c = axisymmetric(scene(kind, WallLaw::energy));
@@ -27,17 +21,6 @@ Case rich(Scene kind) {
   if (c.fluid && c.substrate) c.fluid->wall_tension = WallTensionModel::acts;
   return c;
 }
-
-/// A random stage whose displacement keeps the axis where it is.
-struct AxialScene : RandomScene {
-  explicit AxialScene(const Case& c) : RandomScene(c) {
-    for (const Array& a : {stage().displacement, stage().displacement_end}) {
-      std::vector<double> u = to_host(a);
-      for (int i = 0; i < layout().solid_rows(); ++i) u[i * layout().row_size] = 0;
-      Kokkos::deep_copy(a, to_device<Array>(u));
-    }
-  }
-};
 
 void add(std::vector<double>& sum, const std::vector<double>& part) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
@@ -88,7 +71,7 @@ std::vector<double> naive_fluid(RandomScene& s) {
 
 /// @param all  terms of the scene have their reference here; that of the wall's tension depends on a field of the test
 void check_scene(const Case& c, bool all = true) {
-  AxialScene s(c);
+  RandomScene s(c);
   std::vector<double> expected(s.layout().size(), 0.0);
   if (c.substrate) add(expected, naive_solid(s));
   if (c.fluid) add(expected, naive_fluid(s));
@@ -137,7 +120,7 @@ TEST(Axisymmetric, CoupledWithBlendedTraction) {
 // The flux part of the mass equation only moves mass about.
 TEST(Axisymmetric, FluxesOfMassSumToZero) {
   for (Scene kind : {Scene::coupled, Scene::rigid}) {
-    AxialScene s(axisymmetric(scene(kind)));
+    RandomScene s(axisymmetric(scene(kind)));
     s.stage().moment_rate = 0;
     const std::vector<double> r = s.residual(s.stage());
     double sum = 0, size = 0;
@@ -156,7 +139,7 @@ TEST(Axisymmetric, EnergyLawOfARichSolid) {
   for (const char* material : {"saint_venant_kirchhoff", "neo_hookean"}) {
     Case c = rich(Scene::solid);
     c.substrate->material = material;
-    AxialScene s(c);
+    RandomScene s(c);
     const Layout<2>& l = s.layout();
     const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
     const auto energy = [&](double e) {
@@ -177,9 +160,9 @@ TEST(Axisymmetric, EnergyLawOfARichSolid) {
 
 TEST(Axisymmetric, WhatAWallGainsByStretchIsWhatItsTensionCosts) {
   Case c = rich(Scene::coupled);
-  AxialScene acts(c);
+  RandomScene acts(c);
   c.fluid->wall_tension = WallTensionModel::none;
-  AxialScene none(c);
+  RandomScene none(c);
   const std::vector<double> x = to_host(none.stage().unknown), before = none.residual(none.stage()),
                             after = acts.residual(acts.stage());
   const double stretch = none.model.integrals(none.stage()).wall_stretch;
@@ -192,7 +175,7 @@ TEST(Axisymmetric, WhatAWallGainsByStretchIsWhatItsTensionCosts) {
 
 // On a rigid wall momentum tested with v, mass with mu and potential with the rate of the density: see test_energy.cpp.
 TEST(Axisymmetric, EnergyLawOnARigidWall) {
-  AxialScene s(rich(Scene::rigid));
+  RandomScene s(rich(Scene::rigid));
   const Layout<2>& l = s.layout();
   s.stage().moment_rate = 1;
   const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
@@ -232,7 +215,7 @@ TEST(Axisymmetric, EnergyLawOnARigidWall) {
 
 // A uniform fluid above a solid that is stretched to a wider cylinder: everything is a volume or an area in closed form.
 TEST(Axisymmetric, IntegralsOfAStretchedCylinder) {
-  AxialScene s(axisymmetric(scene(Scene::coupled, WallLaw::energy)));
+  RandomScene s(axisymmetric(scene(Scene::coupled, WallLaw::energy)));
   const Layout<2>& l = s.layout();
   std::vector<double> x(l.size(), 0.0), u(l.solid_size(), 0.0);
   const double rho = 0.5, v = 0.3, stretch = 0.1;

@@ -36,6 +36,10 @@ TEST(ExplicitTerms, AddUpWithTheBlendedTraction) {
 }
 TEST(ExplicitTerms, AddUpOnARigidWall) { expect_parts_of_residual<2>(scene(Scene::rigid, WallLaw::energy, true)); }
 TEST(ExplicitTerms, AddUpInASolid) { expect_parts_of_residual<2>(scene(Scene::solid)); }
+TEST(ExplicitTerms, AddUpInAxisymmetricScenes) {
+  for (const Scene kind : {Scene::coupled, Scene::rigid, Scene::solid})
+    expect_parts_of_residual<2>(axisymmetric(scene(kind, WallLaw::energy)));
+}
 TEST(ExplicitTerms, AddUpInSpace) { expect_parts_of_residual<3>(scene_in_space(Scene::coupled)); }
 
 }  // namespace

@@ -22,6 +22,12 @@ inline Case moving_droplet(Scene kind, bool periodic = false) {
   return c;
 }
 
+/// The same in the coordinates (r, z), with the droplet on the axis.
+inline Case around_axis(Case c) {
+  for (Droplet& droplet : c.droplets) droplet.centre[0] = 0;
+  return axisymmetric(c);
+}
+
 /// A scene with one of the explicit steps, at its first state.
 struct ExplicitRun {
   Model<2, 2> model;

@@ -26,14 +26,18 @@ void expect_second_order(const Case& c, const std::string& scheme, double most =
 TEST(KickDrift, IsOfSecondOrderWithASoftLayerAndALoad) {
   expect_second_order(moving_droplet(Scene::coupled), "kick_drift");
 }
+TEST(KickDrift, IsOfSecondOrderAroundAnAxisOfSymmetry) {
+  expect_second_order(around_axis(moving_droplet(Scene::coupled)), "kick_drift");
+}
 TEST(KickDrift, IsOfSecondOrderInASolid) { expect_second_order(moving_droplet(Scene::solid), "kick_drift"); }
 TEST(KickDrift, SspRk3WithViscosityApartIsOfSecondOrderOrMore) {
   expect_second_order(moving_droplet(Scene::rigid), "rkl2", 3.2);
 }
 
 TEST(KickDrift, KeepsTheMomentsOnAMovingMesh) {
-  for (const bool periodic : {false, true}) {
-    ExplicitRun run(moving_droplet(Scene::coupled, periodic), "kick_drift");
+  for (const Case& c : {moving_droplet(Scene::coupled, false), moving_droplet(Scene::coupled, true),
+                        around_axis(moving_droplet(Scene::coupled))}) {
+    ExplicitRun run(c, "kick_drift");
     const double before = total(alone, run.state.moment);
     run.run(0.9 / run.rates().combined, 50);
     EXPECT_NEAR(total(alone, run.state.moment), before, 1e-14 * before);
@@ -41,13 +45,15 @@ TEST(KickDrift, KeepsTheMomentsOnAMovingMesh) {
 }
 
 TEST(KickDrift, TheEnergyFallsAtItsBound) {
-  ExplicitRun run(moving_droplet(Scene::rigid), "kick_drift");
-  double before = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
-  for (int n = 0; n < 60; ++n) {
-    run.run(0.9 / run.rates().combined, 1);
-    const double now = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
-    ASSERT_LT(now, before) << n;
-    before = now;
+  for (const Case& c : {moving_droplet(Scene::rigid), around_axis(moving_droplet(Scene::rigid))}) {
+    ExplicitRun run(c, "kick_drift");
+    double before = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
+    for (int n = 0; n < 60; ++n) {
+      run.run(0.9 / run.rates().combined, 1);
+      const double now = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
+      ASSERT_LT(now, before) << n;
+      before = now;
+    }
   }
 }
 

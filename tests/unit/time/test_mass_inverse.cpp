@@ -36,7 +36,8 @@ struct Weighed {
 
 const std::vector<Case>& scenes() {
   static const std::vector<Case> all{scene(Scene::rigid), scene(Scene::coupled),
-                                     scene(Scene::coupled, WallLaw::gradient, true)};
+                                     scene(Scene::coupled, WallLaw::gradient, true), axisymmetric(scene(Scene::rigid)),
+                                     axisymmetric(scene(Scene::coupled))};
   return all;
 }
 
@@ -191,6 +192,45 @@ TEST(MassSymbols, AreTheExtremesOfTheSymbolsOfQuadraticSplines) {
   EXPECT_NEAR(b.acoustic, corrected.acoustic, 1e-4);
   EXPECT_NEAR(b.capillary, corrected.capillary, 1e-4);
   EXPECT_NEAR(b.elastic, corrected.elastic, 1e-4);
+}
+
+// A smooth radial field, from its moments and back: the largest error between a quarter and three quarters of the radius, for ends
+// have ties.
+double error_of_radial_wave(int elements, MassKind kind) {
+  Case c = axisymmetric(scene(Scene::rigid));
+  c.domain.size = {1, 1};
+  c.domain.elements = {elements, 8};
+  Weighed w(c, kind);
+  const Axis& x = w.l().axis[0];
+  std::vector<double> wave(w.l().size(), 0.0);
+  for (int i = w.l().density_offset(); i < w.l().potential_offset(); ++i)
+    wave[i] = std::cos(M_PI * x.greville((i - w.l().density_offset()) % x.functions()));
+  const Array b("b", w.l().size()), z("z", w.l().size());
+  w.masses.scalar(w.stage, to_device<Array>(wave), b);
+  w.solve_scalar(b, z);
+  const std::vector<double> found = to_host(z);
+  double error = 0;
+  for (int i = w.l().density_offset(); i < w.l().potential_offset(); ++i) {
+    const double r = x.greville((i - w.l().density_offset()) % x.functions());
+    if (r > 0.25 && r < 0.75) error = std::max(error, std::abs(found[i] - wave[i]));
+  }
+  return error;
+}
+TEST(MassInverse, HasItsOrdersAroundAnAxisOfSymmetryToo) {
+  for (const auto& [kind, order] : {std::pair{MassKind::lumped, 2.0}, {MassKind::corrected, 6.0}})
+    EXPECT_NEAR(std::log2(error_of_radial_wave(32, kind) / error_of_radial_wave(64, kind)), order, 0.3);
+}
+
+TEST(MassSymbols, AnAxisOfSymmetryIsUpToAFifthStifferThanAnEnd) {
+  for (const int degree : {2, 3})
+    for (const MassKind kind : {MassKind::lumped, MassKind::corrected}) {
+      const MassSymbols end = end_symbols(degree, kind), axis = end_symbols(degree, kind, 10, true);
+      for (const auto symbol : {&MassSymbols::acoustic, &MassSymbols::capillary, &MassSymbols::viscous,
+                                &MassSymbols::diffusive, &MassSymbols::elastic}) {
+        EXPECT_GT(axis.*symbol, 0.99 * end.*symbol);
+        EXPECT_LT(axis.*symbol, 1.25 * end.*symbol);
+      }
+    }
 }
 
 TEST(MassSymbols, EndsAreNotStifferThanTiesAllow) {

@@ -64,6 +64,9 @@ TEST(SemiDiscrete, RatesSolveTheEquationsOfAPeriodicScene) {
   expect_solved(scene(Scene::rigid, WallLaw::gradient, true));
 }
 TEST(SemiDiscrete, RatesSolveTheEquationsOfASolid) { expect_solved(scene(Scene::solid)); }
+TEST(SemiDiscrete, RatesSolveTheEquationsOfAxisymmetricScenes) {
+  for (const Scene kind : {Scene::coupled, Scene::rigid, Scene::solid}) expect_solved(axisymmetric(scene(kind)));
+}
 
 TEST(SemiDiscrete, RatesAreTheSumOfTheirParts) {
   for (const MassKind kind : kinds) {

@@ -94,6 +94,26 @@ TEST(StepBound, HoldsInASolidAndAboveOne) {
   EXPECT_GE(room(moving_droplet(Scene::coupled), "kick_drift"), 1);
 }
 
+TEST(StepBound, HoldsAroundAnAxisOfSymmetry) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
+    Case c = axisymmetric(droplet_inside(0.85));
+    c.droplets = {{{0.0, 0.5}, 0.28}};  // a ball
+    EXPECT_GE(room(c, "kick_drift", kind), 1);
+    c.droplets = {{{0.0, 0.0}, 0.35}};  // half of one, on a wall
+    const double found = room(c, "kick_drift", kind);
+    EXPECT_GE(found, 1);
+    EXPECT_LE(found, 1.4);
+    EXPECT_GE(room(around_axis(moving_droplet(Scene::coupled)), "kick_drift", kind), 1);
+    for (const double poisson : {0.0, 0.3, 0.45}) {
+      Case solid = around_axis(moving_droplet(Scene::solid));
+      solid.substrate->poisson = poisson;
+      EXPECT_GE(room(solid, "kick_drift", kind), 1) << poisson;
+      solid.substrate->viscosity = 0.1;
+      EXPECT_GE(room(solid, "kick_drift", kind), 1) << poisson << ", viscous";
+    }
+  }
+}
+
 TEST(StepBound, HoldsForASolidWithTensionOrViscosity) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const double tension : {0.0, 0.5})

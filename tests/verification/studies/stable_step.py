@@ -6,7 +6,7 @@ is 10 in them, and `time.dt_max` a chosen part of the bound). The bound is the s
 run goes on beyond its end: droplets in such small boxes dissolve, which changes the bound.
 
 States: a droplet in the middle of a box, on a rigid wall, in a corner between slip sides, on the soft layer, and on a wall in three
-dimensions; two elements to a capillarity. A quarter of a droplet whose viscosity is so small that the stabilisation limits the steps, and
+dimensions, on its axis of symmetry in the coordinates (r, z) on both walls; two elements to a capillarity. A quarter of a droplet whose viscosity is so small that the stabilisation limits the steps, and
 a beam alone, whose free sides meet, with two elements across. Steps are stable where none is refused and the kinetic energy stays below 10 times the
 largest one of the run of half the bound: what is unstable grows by more than that in 300 steps.
 
@@ -47,6 +47,8 @@ STATES = {
     "corner": (still("corner", 2, [0.0, 0.0]), ["boundary.bottom=slip"]),
     "soft": ("static_droplet_soft_2d", ["domain.elements=[32,16]", "fluid.capillarity=1/16"]),
     "wall, 3D": (still("wall_3d", 3, [0.25, 0.25, 0.0]), []),
+    "axis": (still("axis", 2, [0.0, 0.0]), ["domain.coordinates=axisymmetric"]),
+    "soft axis": ("sessile_soft_axisymmetric", ["domain.elements=[16,16]", "fluid.capillarity=1/16", "droplet[0].radius=0.25"]),
     "stabilised": ("oscillating_droplet_2d", ["domain.elements=[16,16]", "fluid.capillarity=1/14", "fluid.viscosity=3e-5"]),
     "beam": ("csm1_beam_2d", ["domain.elements=[35,2]"]),
 }
@@ -97,11 +99,13 @@ def chosen(lab):
     if lab.quick:
         return [("wall", 0.85, scheme, mass) for scheme in SCHEMES for mass in MASSES] + [
             ("soft", 0.39, "rkl2", "corrected"), ("soft", 0.7, "kick_drift", "corrected"), ("corner", 0.7, "kick_drift", "corrected"),
-            ("corner", 0.39, "kick_drift", "lumped"), ("stabilised", 0.85, "kick_drift", "corrected"),
+            ("corner", 0.39, "kick_drift", "lumped"), ("axis", 0.85, "kick_drift", "corrected"), ("stabilised", 0.85, "kick_drift", "corrected"),
             ("beam", None, "kick_drift", "corrected")]
     wanted = [(state, temperature, scheme, mass) for state in list(STATES)[:4] for temperature in TEMPERATURES for scheme in SCHEMES
               for mass in MASSES]
     wanted += [("wall, 3D", 0.85, "kick_drift", mass) for mass in MASSES]
+    wanted += [(state, temperature, "kick_drift", mass) for state, temperature in (("axis", 0.85), ("axis", 0.39), ("soft axis", 0.7))
+               for mass in MASSES]
     return wanted + [(state, temperature, scheme, mass) for state, temperature in (("stabilised", 0.85), ("beam", None))
                      for scheme in ("kick_drift", "ssp_rk3") for mass in MASSES]
 

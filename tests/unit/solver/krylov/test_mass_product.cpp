@@ -39,6 +39,10 @@ void expect_product(const Case& c) {
 TEST(MassProduct, IsThatOfElementsInThePlane) { expect_product<2>(scene(Scene::rigid)); }
 TEST(MassProduct, IsThatOfElementsAboveASolid) { expect_product<2>(scene(Scene::coupled)); }
 TEST(MassProduct, IsThatOfElementsAroundAnAxis) { expect_product<2>(scene(Scene::rigid, WallLaw::gradient, true)); }
+TEST(MassProduct, IsThatOfElementsWithTheWeightOfTheRadius) {
+  expect_product<2>(axisymmetric(scene(Scene::rigid)));
+  expect_product<2>(axisymmetric(scene(Scene::coupled)));
+}
 TEST(MassProduct, IsThatOfElementsInSpace) { expect_product<3>(scene_in_space(Scene::rigid)); }
 
 }  // namespace
