@@ -156,6 +156,7 @@ inline constexpr const char* implicit_scheme = "generalized_alpha";
 
 struct TimeControl {
   std::string scheme = implicit_scheme;  ///< generalized_alpha | kick_drift | rkl2 | ssp_rk3
+  bool automatic = false;                ///< generalized_alpha or kick_drift, whichever takes less time
   std::string mass = "corrected";        ///< of explicit schemes: corrected | lumped | consistent
   double safety = 0.9;                   ///< of explicit schemes: step over the largest stable one
   std::string start = "initial";         ///< initial | equilibrium: brought to rest before the first step

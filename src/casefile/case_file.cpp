@@ -81,6 +81,10 @@ Case resolve(const Document& document, Problems& problems) {
         problems.keep([&] { reject_missing(document, key, i); });
     }
   }
+  if (c.time.scheme == "automatic") {
+    c.time.scheme = implicit_scheme;
+    c.time.automatic = true;
+  }
   if (!document.entries.count("boundary.top")) {
     find_key("boundary.top")->bind.set(c, 0, std::string(c.fluid ? "no_slip" : "free"));
   }

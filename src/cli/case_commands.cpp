@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -41,10 +42,39 @@ Case examined(const Case& c) {
   return c;
 }
 
+/// The case of a request, with the scheme that takes less time where it leaves that open. States of rest are found by implicit steps.
+Case read_case_of(const CaseRequest& request) {
+  const Case c = read_case(request.case_path, request.overrides);
+  if (!c.time.automatic || request.options.steady) return c;
+  const StepsForeseen foreseen = foresee_steps(c);
+  const bool few = foreseen.steps <= foreseen.most;
+  const auto tell = [&](const char* scheme, const std::string& why) {
+    if (ranks::root()) std::cerr << fmt::format("softwet: time.scheme = \"automatic\" takes {}: {}\n", scheme, why);
+  };
+  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(foreseen.steps, 1.0))) - 1));
+  const std::string steps =
+      fmt::format("about {:.0f} explicit steps, of which up to {:.0f} take less time than implicit ones",
+                  std::round(foreseen.steps / unit) * unit, foreseen.most);
+  if (!few) {
+    tell(implicit_scheme, steps);
+    return c;
+  }
+  std::vector<std::string> overrides = request.overrides;
+  overrides.emplace_back("time.scheme=kick_drift");
+  try {
+    const Case chosen = read_case(request.case_path, overrides);
+    tell("kick_drift", steps);
+    return chosen;
+  } catch (const Error& error) {
+    tell(implicit_scheme, "explicit steps do not know what this case asks for");
+    return c;
+  }
+}
+
 /// All processes read the case, and have to find the same one.
 Case load_case(const CaseRequest& request) {
   Case c;
-  together([&] { c = examined(read_case(request.case_path, request.overrides)); });
+  together([&] { c = examined(read_case_of(request)); });
   const std::string of_first = ranks::shared(write_case(c));
   together([&] {
     if (write_case(c) != of_first)
@@ -128,7 +158,7 @@ void steady_command(CaseRequest& request, std::vector<std::string>& words) {
 }
 
 void check_command(const CaseRequest& request) {
-  const Case c = read_case(request.case_path, request.overrides);  // larger than this machine, too
+  const Case c = read_case_of(request);  // larger than this machine, too
   if (!request.scene.empty()) return write_scene(c, request.scene);
   warn(c);
   std::cout << write_case(c) << "\n" << std::flush;

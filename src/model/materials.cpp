@@ -6,7 +6,7 @@
 #include "case/text.hpp"
 #include "field/ranks.hpp"
 #include "field/vector.hpp"
-#include "model/equilibrium.hpp"
+#include "model/fluid_of.hpp"
 #include "model/greville_points.hpp"
 #include "model/model.hpp"
 
@@ -39,15 +39,8 @@ void Model<D, P>::build_fluid(const Case& c) {
   coexistence_ = coexistence(c.fluid->temperature);
   double h = layout_.axis[0].spacing();
   for (const Axis& axis : layout_.axis) h = std::min(h, axis.spacing());
-  fluid_.gas = {c.fluid->temperature, 0.2 * coexistence_.density_vapour};
-  fluid_.viscosity = c.fluid->viscosity;
-  fluid_.capillarity = c.fluid->capillarity;
-  fluid_.stabilisation = c.fluid->stabilisation * h * h / c.fluid->viscosity;
-  fluid_.inertia_floor = 0.1 * coexistence_.density_vapour;
-  for (std::size_t d = 0; d < c.fluid->gravity.size(); ++d) {
-    fluid_.force[d] = c.fluid->gravity[d];
-    has_gravity_ = has_gravity_ || fluid_.force[d] != 0;
-  }
+  fluid_ = fluid_of(*c.fluid, coexistence_, h);
+  for (const double force : fluid_.force) has_gravity_ = has_gravity_ || force != 0;
   has_wall_ = c.boundary.side[D - 1][0] != Side::periodic;
   build_wall(c);
 }

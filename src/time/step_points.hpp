@@ -44,6 +44,25 @@ KOKKOS_INLINE_FUNCTION double difference(const double* c, int i, int place, int 
   return (c[at + stride] - c[at]) / (greville(from + 1) - greville(from));
 }
 
+/// Rates of the fluid where it has a density, a mean density of the control point, `inertia`, and a speed over the mesh.
+/// @param many     axes whose symbols add up
+/// @param inverse  of the length of elements
+KOKKOS_INLINE_FUNCTION void rates_of_fluid(const NavierStokesKorteweg& fluid, const MassSymbols& symbols,
+                                           StepFormula formula, double many, double density, double inertia,
+                                           double speed, double inverse, double* rate) {
+  const double square = inverse * inverse;
+  const double rho = Kokkos::max(density, fluid.gas.continuation), c2 = rho * fluid.gas.curvature(rho);
+  const double g2 = fluid.capillarity * fluid.capillarity, c2_on = Kokkos::max(c2, 0.0);
+  rate[sound] = Kokkos::sqrt(many * symbols.acoustic * symbols.acoustic * c2_on * square);
+  rate[capillarity] = many * symbols.capillary * Kokkos::sqrt(g2 * rho) * square;
+  const double wave = Kokkos::sqrt(rate[sound] * rate[sound] + rate[capillarity] * rate[capillarity]);
+  const double k = many * symbols.diffusive * square;
+  rate[viscosity] = 4.0 / 3 * fluid.viscosity / inertia * many * symbols.viscous * square;
+  rate[stabilisation] = fluid.stabilisation * rho * rho * k * (c2_on / rho + g2 * k);
+  rate[flow] = symbols.convective * Kokkos::sqrt(many) * speed * inverse;
+  rate[combined] = combine(formula, wave, rate[viscosity], rate[stabilisation], rate[flow]);
+}
+
 template <int D>
 struct FluidPoint {
   const double *velocity, *density;
@@ -57,28 +76,15 @@ struct FluidPoint {
 
   KOKKOS_FUNCTION void operator()(int i, double* rate) const {
     if (mask(i) == 0) return;
-    const bool ends = near_end(i) != 0;
-    const auto of = [&](double MassSymbols::*symbol) { return ends ? end.*symbol : inside.*symbol; };
-    const double inverse = stretch(i % row_size) / length, square = inverse * inverse;
-    const double rho = Kokkos::max(density[i], fluid.gas.continuation), c2 = rho * fluid.gas.curvature(rho);
-    const double g2 = fluid.capillarity * fluid.capillarity, many = axes;
-    const double a = of(&MassSymbols::acoustic), c = of(&MassSymbols::capillary);
-    const double c2_on = Kokkos::max(c2, 0.0);
-    rate[sound] = Kokkos::sqrt(many * a * a * c2_on * square);
-    rate[capillarity] = many * c * Kokkos::sqrt(g2 * rho) * square;
-    const double wave = Kokkos::sqrt(rate[sound] * rate[sound] + rate[capillarity] * rate[capillarity]);
-    const double inertia = Kokkos::max(moments(i) / sums(i), fluid.inertia_floor);
-    const double k = many * of(&MassSymbols::diffusive) * square;
-    rate[viscosity] = 4.0 / 3 * fluid.viscosity / inertia * many * of(&MassSymbols::viscous) * square;
-    rate[stabilisation] = fluid.stabilisation * rho * rho * k * (c2_on / rho + g2 * k);
     double speed = 0;
     for (int d = 0; d < D; ++d) {
       const int at = d * nodes + shift + i, wall = d * nodes + shift + i % row_size;
       const double slip = velocity[at] - blend(i / row_size) * velocity[wall];
       speed += slip * slip;
     }
-    rate[flow] = of(&MassSymbols::convective) * Kokkos::sqrt(many * speed) * inverse;
-    rate[combined] = combine(formula, wave, rate[viscosity], rate[stabilisation], rate[flow]);
+    rates_of_fluid(fluid, near_end(i) != 0 ? end : inside, formula, axes, density[i],
+                   Kokkos::max(moments(i) / sums(i), fluid.inertia_floor), Kokkos::sqrt(speed),
+                   stretch(i % row_size) / length, rate);
   }
 };
 

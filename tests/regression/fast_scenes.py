@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Fast scenes near the critical temperature, small: explicit schemes come to the end that generalized_alpha with fine steps
 comes to, keep the mass to rounding, and let the total energy fall at every row once the start has settled. Sound has the
-speed of the equation of state. usage: fast_scenes.py SOFTWET"""
+speed of the equation of state. time.scheme = "automatic" takes the scheme for the number of steps. usage: fast_scenes.py SOFTWET"""
 
 import math
+import pathlib
 import tomllib
 
 import numpy
-from _scene import cases, check, check_true, history, open_output, record, run
+from _scene import PULL, cases, check, check_true, history, open_output, record, run
 
 BOTH = ["domain.quadrature=full", "output.history.every=1"]
 IMPACT = [*BOTH, "domain.elements=[40,25]", "fluid.capillarity=1/24", "time.end=2", "output.fields.times=[2]"]
@@ -86,6 +87,20 @@ def check_sound():
     check(f"speed of sound {speed:.4f}, by the equation of state {exact:.4f}: relative error", abs(speed / exact - 1), 0.01)
 
 
+def check_automatic():
+    """What time.scheme = "automatic" takes, and what is written of it."""
+    for case, settings, scheme, words in (
+            ("impact_rigid_2d", [*IMPACT, "time.end=0.1", "output.fields.times=[0.1]"], "kick_drift", "explicit steps, of which up to 1300"),
+            ("tensotaxis_pull_2d", PULL, "generalized_alpha", "explicit steps, of which up to 1300"),
+            ("impact_soft_2d", ["domain.elements=[24,18]", "fluid.capillarity=1/18", "time.end=0.1", "output.fields.times=[0.1]",
+                                "substrate.inertia=none"], "generalized_alpha", "do not know what this case asks for")):
+        said = run(case, "chosen", [*settings, "time.scheme=automatic"])
+        check_true(f"{case}: automatic takes {scheme}", f"takes {scheme}: " in said and words in said, said.strip())
+        written = tomllib.loads(pathlib.Path("chosen/case.toml").read_text())["time"]["scheme"]
+        check_true(f"{case}: case.toml has {scheme}", written == scheme, written)
+
+
 for scene, numbers in SCENES.items():
     compare(scene, *numbers)
 check_sound()
+check_automatic()

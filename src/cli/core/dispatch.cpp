@@ -19,6 +19,7 @@
 #include "run/machine.hpp"
 #include "run/simulation.hpp"
 #include "solver/choose.hpp"
+#include "time/steps_foreseen.hpp"
 
 namespace softwet {
 namespace {
@@ -80,6 +81,8 @@ void write_first_state(const Case& given, const std::string& folder) {
     });
   });
 }
+
+StepsForeseen foresee_steps(const Case& c) { return {explicit_steps_foreseen(c), most_explicit_steps(c.dimension())}; }
 
 std::vector<std::string> forecast_case(const Case& c) { return forecast(c); }
 

@@ -22,6 +22,12 @@ void describe_case(const Case&, std::ostream&);
 /// which the computation begins. With time.start = "equilibrium" it is the state before the scene comes to rest. Throws Error.
 void write_first_state(const Case&, const std::string& folder);
 
+/// Steps of kick_drift to the end of a case, and up to how many of them are cheaper than implicit ones.
+struct StepsForeseen {
+  double steps, most;
+};
+StepsForeseen foresee_steps(const Case&);
+
 /// What is likely to go wrong with a case, a sentence each.
 std::vector<std::string> forecast_case(const Case&);
 

@@ -112,6 +112,16 @@ TEST(CaseFile, SchemesThatHardlyDampAreSolvedFurther) {
   EXPECT_EQ(parse_case(pull_text(), "init", {"time.rho_inf=1", "solver.newton.rtol=1e-2"}).solver.newton_rtol, 1e-2);
 }
 
+// Whoever runs it decides by the number of steps; until then it is a scheme that knows every scene.
+TEST(CaseFile, AnAutomaticSchemeIsTheImplicitOneUntilItIsChosen) {
+  const Case c = parse_case(pull_text(), "init", {"time.scheme=\"automatic\"", "substrate.inertia=\"none\""});
+  EXPECT_TRUE(c.time.automatic);
+  EXPECT_EQ(c.time.scheme, implicit_scheme);
+  EXPECT_EQ(c.domain.quadrature, parse_case(pull_text(), "init").domain.quadrature);
+  EXPECT_NE(write_case(c).find("scheme = \"generalized_alpha\""), std::string::npos);
+  EXPECT_FALSE(parse_case(pull_text(), "init").time.automatic);
+}
+
 TEST(CaseFile, QualitiesNameKeysAndValuesThatExist) {
   for (const Quality& quality : qualities())
     for (const QualityValue& value : quality.values) {

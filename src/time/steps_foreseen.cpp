@@ -1,0 +1,73 @@
+#include "time/steps_foreseen.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/solid/isotropic.hpp"
+#include "model/fluid_of.hpp"
+#include "time/step_points.hpp"
+
+namespace softwet {
+namespace {
+
+double fastest_droplet(const Case& c) {
+  double fastest = 0;
+  for (const Droplet& droplet : c.droplets) {
+    double square = 0;
+    for (const double v : droplet.velocity) square += v * v;
+    fastest = std::max(fastest, std::sqrt(square));
+  }
+  return fastest;
+}
+
+/// Whether a droplet stays away from all sides, where the mesh is stiffer: none touches one, and none is thrown at one.
+bool stays_inside(const Case& c) {
+  const auto inside = [&](const Droplet& droplet) {
+    for (int d = 0; d < c.dimension(); ++d) {
+      const double low = d == c.dimension() - 1 && c.substrate ? c.substrate->thickness : 0, x = droplet.centre[d];
+      if (x - droplet.radius < low || x + droplet.radius > c.domain.size[d]) return false;
+    }
+    return true;
+  };
+  return fastest_droplet(c) == 0 && c.films.empty() && !c.gives_density() && !c.droplets.empty() &&
+         c.fluid->ambient == Phase::vapour && std::all_of(c.droplets.begin(), c.droplets.end(), inside);
+}
+
+double rate_of_fluid(const Case& c, const MassSymbols& at_ends, double shortest) {
+  const Coexistence flat = coexistence(c.fluid->temperature);
+  const NavierStokesKorteweg fluid = fluid_of(*c.fluid, flat, shortest);
+  const MassSymbols of_liquid = stays_inside(c) ? inside_symbols(c.domain.degree, MassKind::corrected) : at_ends;
+  const auto rate = [&](double density, const MassSymbols& symbols) {
+    double found[step_points::mechanisms] = {};
+    step_points::rates_of_fluid(fluid, symbols, StepFormula::kick_drift, 1, density, density, fastest_droplet(c),
+                                1 / shortest, found);
+    return found[step_points::combined];
+  };
+  return std::max(rate(flat.density_vapour, at_ends), rate(flat.density_liquid, of_liquid));
+}
+
+double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest) {
+  const Substrate& s = *c.substrate;
+  const auto modulus = LameParameters::from(s.young.most(), s.poisson);  // over the density
+  const double symbol = symbols.elastic / shortest;
+  const double elastic = symbol * std::sqrt(modulus.lambda + 2 * modulus.shear_modulus);
+  const double viscous = symbol * symbol * (4.0 / 3 * s.viscosity + s.bulk_viscosity) / s.density;
+  return step_points::combine(StepFormula::kick_drift, elastic, viscous, 0, 0);
+}
+
+}  // namespace
+
+double explicit_steps_foreseen(const Case& c) {
+  double shortest = c.domain.size[0] / c.domain.elements[0];
+  for (int d = 1; d < c.dimension(); ++d) shortest = std::min(shortest, c.domain.size[d] / c.domain.elements[d]);
+  const MassSymbols symbols = end_symbols(c.domain.degree, MassKind::corrected, 10, c.axisymmetric());
+  double rate = 0;
+  if (c.fluid) rate = std::max(rate, rate_of_fluid(c, symbols, shortest));
+  if (c.substrate) rate = std::max(rate, rate_of_solid(c, symbols, shortest));
+  const double start = c.run_start() - c.clock_zero();
+  return (c.time.end - start) * rate / c.time.safety;
+}
+
+double most_explicit_steps(int dimension) { return dimension == 2 ? 1300 : 2000; }
+
+}  // namespace softwet
