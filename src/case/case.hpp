@@ -91,6 +91,7 @@ struct Substrate {
   double thickness = 0;                             ///< Hs; a whole number of element rows
   double density = 1;                               ///< rho_0^s / b
   Profile young = 0;                                ///< E_hat, eq. (12): Young modulus / (rho_0^s a b)
+  double joint = 0;                                 ///< height at which stiffness may jump; 0: none
   double poisson = 0;                               ///< nu
   std::string material = "saint_venant_kirchhoff";  ///< saint_venant_kirchhoff | neo_hookean
   std::string strain = "finite";                    ///< finite | small: Hooke's law, in place of the material

@@ -86,15 +86,28 @@ int elements_along(const Case& c, int axis) {
   return breaks.empty() ? c.domain.elements[axis] : static_cast<int>(breaks.size()) - 1;
 }
 
-int solid_elements(const Case& c) {
-  if (!c.substrate) return 0;
+namespace {
+
+/// Rows of elements whose ends are nearest to a height.
+int rows_below(const Case& c, double height) {
   const int vertical = c.dimension() - 1;
-  const double wall = c.substrate->thickness;
   const std::vector<double> breaks = graded_breaks(c, vertical);
-  if (breaks.empty()) return static_cast<int>(std::lround(wall / fine_length(c, vertical)));
-  const auto nearest = std::min_element(breaks.begin(), breaks.end(),
-                                        [&](double a, double b) { return std::abs(a - wall) < std::abs(b - wall); });
+  if (breaks.empty()) return static_cast<int>(std::lround(height / fine_length(c, vertical)));
+  const auto nearest = std::min_element(
+      breaks.begin(), breaks.end(), [&](double a, double b) { return std::abs(a - height) < std::abs(b - height); });
   return static_cast<int>(nearest - breaks.begin());
+}
+
+}  // namespace
+
+int solid_elements(const Case& c) { return c.substrate ? rows_below(c, c.substrate->thickness) : 0; }
+
+int joint_element(const Case& c) { return c.substrate ? rows_below(c, c.substrate->joint) : 0; }
+
+double end_of_row(const Case& c, int row) {
+  const int vertical = c.dimension() - 1;
+  const std::vector<double> breaks = graded_breaks(c, vertical);
+  return breaks.empty() ? fine_length(c, vertical) * row : breaks[row];
 }
 
 double share_of_elements(const Case& c) {

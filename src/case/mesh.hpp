@@ -31,6 +31,12 @@ constexpr double least_fine_margin = 3, least_fine_margin_above = 2;
 /// Rows of elements in the solid; 0 without a solid.
 int solid_elements(const Case&);
 
+/// Rows of elements below substrate.joint; 0 without one.
+int joint_element(const Case&);
+
+/// Height of the end of so many rows of elements.
+double end_of_row(const Case&, int row);
+
 /// Elements of the whole case over those of equal elements.
 double share_of_elements(const Case&);
 

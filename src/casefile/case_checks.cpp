@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "case/mesh.hpp"
 #include "case/precision.hpp"
 #include "casefile/checker.hpp"
 
@@ -115,6 +116,26 @@ void check_inertia(const Checker& check) {
                fmt::format("write inertia = \"full\", or time.scheme = \"{}\"", implicit_scheme));
 }
 
+/// Where two materials of the solid meet, elements have to end.
+void check_joint(const Checker& check) {
+  const Case& c = check.c;
+  if (!c.substrate || c.substrate->joint == 0) return;
+  const double joint = c.substrate->joint, thickness = c.substrate->thickness;
+  if (joint >= thickness * (1 - slack))
+    check.refuse("substrate.joint", fmt::format("must be below the thickness {}", thickness), "write a lower joint");
+  const int row = std::clamp(joint_element(c), 1, std::max(1, solid_elements(c) - 1));
+  const double nearest = end_of_row(c, row);
+  if (std::abs(nearest - joint) > slack * thickness)
+    check.refuse("substrate.joint", "must be the end of a row of elements",
+                 fmt::format("write joint = {:.10g}, or change domain.elements", nearest));
+  if (c.time.scheme != implicit_scheme)
+    check.refuse("substrate.joint",
+                 fmt::format("needs time.scheme = \"{}\", not \"{}\": the largest explicit step at a "
+                             "joint is not known",
+                             implicit_scheme, c.time.scheme),
+                 fmt::format("write scheme = \"{}\", or remove the joint", implicit_scheme));
+}
+
 void check_material(const Checker& check) {
   if (!check.c.substrate || check.c.substrate->strain == "finite" ||
       check.c.substrate->material == Substrate{}.material)
@@ -157,6 +178,8 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check_steps(check);
   check.with({"substrate.inertia", "time.scheme"}, [&] { check_inertia(check); });
   check.with({"substrate.material", "substrate.strain"}, [&] { check_material(check); });
+  check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box", "time.scheme"},
+             [&] { check_joint(check); });
   check_output(check);
   if (!check_domain(check)) return;  // what follows needs the axes
   check.with({"fluid.gravity", "substrate.gravity", "boundary"}, [&] { check_gravity(check); });

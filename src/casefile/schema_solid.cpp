@@ -35,6 +35,13 @@ std::vector<Key> substrate_keys() {
            "substrate.density times this number, so another density is another stiffness; 'softwet check' prints it.",
        .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.substrate->young; }),
        .support = Support::solid},
+      {.name = "substrate.joint",
+       .unit = "L0",
+       .range = {0, infinity, false, true},
+       .help = "Height in the solid at which two materials are joined: substrate.young may jump there, and the slope "
+               "of the "
+               "displacement with it. It is the end of a row of elements. Without it, 0, a jump is smeared over a row.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->joint; })},
       {.name = "substrate.poisson",
        .range = {-1, 0.5, true, true},
        .required = true,

@@ -49,6 +49,12 @@ void add_units_command(CLI::App& app, PhysicalScene& scene) {
   add("--young", Quantity::stress, scene.young, "Young modulus of the layer, for example 3kPa; default: no solid");
   add("--thickness", Quantity::length, scene.thickness, "thickness of the layer; default: the radius");
   add("--solid-density", Quantity::density, scene.solid_density, "density of the layer; default: that of the liquid");
+  add("--solid-surface-tension", Quantity::surface_tension, scene.solid_tension,
+      "surface tension of the dry layer, for example 31mN/m; default: none");
+  add("--wet-surface-tension", Quantity::surface_tension, scene.wet_tension,
+      "that of the layer below the liquid; default: that of the dry layer");
+  add("--solid-viscosity", Quantity::viscosity, scene.solid_viscosity,
+      "shear viscosity of the layer, for example 20Pa.s; default: none");
   add_number(command, "--poisson", "substrate.poisson", scene.poisson, "Poisson ratio of the layer; default: 0.45");
   add_number(command, "--temperature", "fluid.temperature", scene.temperature,
              "temperature of the model fluid over its critical one; default: 0.39, a vapour of 1/641 of the density");
@@ -59,6 +65,9 @@ void add_units_command(CLI::App& app, PhysicalScene& scene) {
       "             --young 3kPa --thickness 100um\n"
       "The density gives b, the surface tension gives a; the paper's scales follow (length L0, density b, stress a "
       "b^2).");
+  for (const char* name : {"--solid-surface-tension", "--wet-surface-tension", "--solid-viscosity"})
+    command.get_option(name)->needs("--young");
+  command.get_option("--wet-surface-tension")->needs("--solid-surface-tension");
   command.callback([&scene] { convert_units(scene, std::cout); });
 }
 

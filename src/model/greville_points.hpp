@@ -67,13 +67,18 @@ std::array<double, 3> place_inside(const Layout<D>& l, const double* x) {
   return place;
 }
 
-/// Control values of a profile on the rows [first, first + rows), in the order of a component.
-template <int D>
-std::vector<double> control_values(const Layout<D>& l, const Profile& profile, int first, int rows) {
+/// Control values of a function of the place on the rows [first, first + rows), in the order of a component.
+template <int D, class Function>
+std::vector<double> control_values(const Layout<D>& l, const Function& function, int first, int rows) {
   std::vector<double> values(static_cast<std::size_t>(rows) * l.row_size, 0.0);
   at_samples(l, first, rows,
-             [&](int i, const double* x, double weight) { values[i] += weight * profile.at(place_inside(l, x)); });
+             [&](int i, const double* x, double weight) { values[i] += weight * function(place_inside(l, x)); });
   return values;
+}
+template <int D>
+std::vector<double> control_values(const Layout<D>& l, const Profile& profile, int first, int rows) {
+  return control_values(
+      l, [&](const std::array<double, 3>& x) { return profile.at(x); }, first, rows);
 }
 
 }  // namespace softwet

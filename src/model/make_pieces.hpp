@@ -35,25 +35,30 @@ class PieceMaker {
     return r;
   }
 
+  /// @param part  of the solid where it has a joint
   template <class Motion, class Term>
-  auto piece(const char* name, const Term& term, Instant instant = Instant::stage,
-             const GivenField<double>& given = {}) const {
+  auto piece(const char* name, const Term& term, Instant instant = Instant::stage, const GivenField<double>& given = {},
+             int part = 0) const {
     using Here = InCoordinates<Term, Axial>;
     constexpr Where where = Term::where;
     return std::make_unique<PieceOf<D, P, Here, Motion, Real>>(
-        name, model_.region(where, model_.points()), model_.region(where, matrix_points<D, P>(model_.points())),
-        Here{term}, model_.blend(), instant, given);
+        name, model_.regions(where, model_.points())[part],
+        model_.regions(where, matrix_points<D, P>(model_.points()))[part], Here{term}, model_.blend(), instant, given);
   }
   template <class Motion, class Term>
   void add(const char* name, const Term& term, Instant instant = Instant::stage, const GivenField<double>& given = {}) {
-    pieces_.list.push_back({piece<Motion>(name, term, instant, given), nullptr});
+    for (int part = 0; part < parts(Term::where); ++part)
+      pieces_.list.push_back({piece<Motion>(name, term, instant, given, part), nullptr});
   }
+  int parts(Where where) const { return static_cast<int>(model_.regions(where, model_.points()).size()); }
 
   void add_solid(const Substrate& s) {
     const auto elastic = [&](const auto& solid) {
-      if (!model_.graded().values.data()) return add<NoMotion>(solid.material.name, solid);
-      add<NoMotion>("graded solid", GradedSolid{law_of(solid.material), model_.stiffness(), solid.density},
-                    Instant::stage, model_.graded());
+      if (!model_.graded(0).values.data()) return add<NoMotion>(solid.material.name, solid);
+      const GradedSolid graded{law_of(solid.material), model_.stiffness(), solid.density};
+      for (int part = 0; part < parts(Where::solid); ++part)
+        pieces_.list.push_back(
+            {piece<NoMotion>("graded solid", graded, Instant::stage, model_.graded(part), part), nullptr});
     };
     std::visit(elastic, model_.solid());
     const double finite = s.strain == "small" ? 0 : 1;

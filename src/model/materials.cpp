@@ -76,18 +76,36 @@ GivenField<double> Model<D, P>::on_wall(const std::vector<double>& of_row) const
   return {to_device<Array>(values, "given"), row * layout_.row_size};
 }
 
+/// At a joint the parts below and above have their own values, each the limit from its side.
+template <int D, int P>
+void Model<D, P>::grade_solid(const Profile& young) {
+  const Axis& vertical = layout_.axis[D - 1];
+  const int parts = vertical.joint() > 0 ? 2 : 1;
+  const double joint = vertical.lower(vertical.joint()), beside = 1e-9 * vertical.length();
+  std::vector<double> values[2];
+  largest_young_ = 0;
+  for (int part = 0; part < parts; ++part) {
+    const auto in_part = [&](std::array<double, 3> x) {
+      if (parts == 2) x[D - 1] = part == 0 ? std::min(x[D - 1], joint - beside) : std::max(x[D - 1], joint + beside);
+      return young.at(x);
+    };
+    values[part] = control_values(layout_, in_part, 0, layout_.solid_rows());
+    largest_young_ = std::max(largest_young_, *std::max_element(values[part].begin(), values[part].end()));
+  }
+  largest_young_ = ranks::largest(largest_young_);
+  for (int part = 0; part < parts; ++part) {
+    for (double& x : values[part]) x /= largest_young_;
+    graded_[part] = {to_device<Array>(values[part], "given"), 0};
+  }
+}
+
 template <int D, int P>
 void Model<D, P>::build_solid(const Case& c) {
   const Substrate& s = *c.substrate;
-  const Profile young = s.young;
-  double largest = young.number;
-  if (young.varies()) {
-    std::vector<double> values = control_values(layout_, young, 0, layout_.solid_rows());
-    largest = ranks::largest(*std::max_element(values.begin(), values.end()));
-    for (double& x : values) x /= largest;
-    graded_ = {to_device<Array>(values, "given"), 0};
-  }
-  stiffness_ = LameParameters::from(s.density * largest, s.poisson);
+  young_ = s.young;
+  largest_young_ = s.young.number;
+  if (s.young.varies()) grade_solid(s.young);
+  stiffness_ = LameParameters::from(s.density * largest_young_, s.poisson);
   const double density = s.inertia == "none" ? 0.0 : s.density;
   if (s.strain == "small") {
     solid_ = Elastodynamics<Hooke>{{stiffness_}, density};
@@ -96,8 +114,6 @@ void Model<D, P>::build_solid(const Case& c) {
   } else {
     solid_ = Elastodynamics<SaintVenantKirchhoff>{{stiffness_}, density};
   }
-  young_ = young;
-  largest_young_ = largest;
   fibres_ = {s.fibre.stiffness, direction_of(s.fibre, D), s.strain == "small" ? 0.0 : 1.0};
   const double along = 4 * s.fibre.stiffness / (stiffness_.lambda + 2 * stiffness_.shear_modulus);
   solid_rates_ = {4.0 / 3 * s.viscosity + s.bulk_viscosity, std::max(s.surface_tension, s.surface_tension_wet), along};
@@ -119,6 +135,7 @@ Matrix<double, 3> Model<D, P>::first_piola(const Matrix<double, 3>& grad_u, cons
 }
 
 template void Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::build_fluid(const Case&);
+template void Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::grade_solid(const Profile&);
 template void Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::build_solid(const Case&);
 template Matrix<double, 3> Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::first_piola(const Matrix<double, 3>&,
                                                                                  const std::array<double, 3>&) const;

@@ -87,6 +87,13 @@ Region<D> Model<D, P>::region(Where where, int points) const {
 }
 
 template <int D, int P>
+std::vector<Region<D>> Model<D, P>::regions(Where where, int points) const {
+  const int joint = layout_.axis[D - 1].joint();
+  if (where != Where::solid || joint == 0) return {region(where, points)};
+  return {region(0, joint, points), region(joint, layout_.solid_elements, points)};
+}
+
+template <int D, int P>
 Region<D> Model<D, P>::region(int first, int last, int points) const {
   Region<D> r;
   int stride = 1;

@@ -55,8 +55,9 @@ class Model {
   Matrix<double, 3> first_piola(const Matrix<double, 3>& grad_u, const std::array<double, 3>& x) const;
   /// Also of the gradient law: its capillarity and cosine. Where the angle varies along the wall the cosine is 1.
   const EnergyWall& wall() const { return wall_.law; }
-  /// Stiffness over that of `solid`, and cosine of the contact angle; empty where they do not vary.
-  const GivenField<double>& graded() const { return graded_; }
+  /// Stiffness over that of `solid`, below and above a joint; empty where it does not vary.
+  const GivenField<double>& graded(int part) const { return graded_[part]; }
+  /// Cosine of the contact angle; empty where it does not vary.
   const GivenField<double>& painted() const { return painted_; }
   /// Tension that the fluid gives the wall over the wall energy of the cosine 1; empty where it gives none.
   const GivenField<double>& wall_tension() const { return tension_; }
@@ -77,6 +78,8 @@ class Model {
   Region<D> region(int first, int last, int points) const;
   /// Where a term is integrated, with those of the scene or others.
   Region<D> region(Where, int points) const;
+  /// The same in parts: the solid below and above its joint, where it has one.
+  std::vector<Region<D>> regions(Where, int points) const;
   const Blend& blend() const { return blend_; }
 
   /// Adds a source to the discrete equations: residual() calls source(t_{n+af}, out), which subtracts its load vector.
@@ -119,6 +122,7 @@ class Model {
   void build_fluid(const Case&);
   void build_wall(const Case&);
   void build_solid(const Case&);
+  void grade_solid(const Profile& young);
   void build_mask(const Case&);
   /// The same values on all rows that live on the wall.
   GivenField<double> on_wall(const std::vector<double>& of_row) const;
@@ -149,7 +153,7 @@ class Model {
   Fibres fibres_;
   Profile young_;
   double largest_young_ = 0;
-  GivenField<double> graded_, painted_, tension_;
+  GivenField<double> graded_[2], painted_, tension_;
   bool has_wall_ = false, has_gravity_ = false, wall_feeds_ = false;
   Precision precision_;
   int points_;

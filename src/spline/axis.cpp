@@ -6,20 +6,22 @@
 
 namespace softwet {
 
-Axis::Axis(double length, int elements, int degree, bool periodic, int kink)
+Axis::Axis(double length, int elements, int degree, bool periodic, int kink, int joint)
     : degree_(degree),
       elements_(elements),
       kink_(kink),
+      joint_(joint),
       periodic_(periodic),
       length_(length),
       spacing_(length / elements) {
   place_knots();
 }
 
-Axis::Axis(std::vector<double> breaks, int degree, bool periodic, int kink)
+Axis::Axis(std::vector<double> breaks, int degree, bool periodic, int kink, int joint)
     : degree_(degree),
       elements_(static_cast<int>(breaks.size()) - 1),
       kink_(kink),
+      joint_(joint),
       periodic_(periodic),
       length_(breaks.back()),
       spacing_(breaks.back()),
@@ -41,7 +43,7 @@ void Axis::place_knots() {
   } else {
     knots_.insert(knots_.end(), degree_, 0.0);
     for (int e = 0; e <= elements_; ++e) {
-      const int copies = (kink_ > 0 && e == kink_) ? degree_ : 1;
+      const int copies = e > 0 && (e == kink_ || e == joint_) ? degree_ : 1;
       knots_.insert(knots_.end(), copies, end_of(e));
       if (e < elements_) span_.push_back(static_cast<int>(knots_.size()) - 1 - degree_);
     }

@@ -5,15 +5,16 @@
 
 namespace softwet {
 
-/// B-splines of one degree on a line of elements, equal or graded ones: C^(degree-1), except C^0 at one optional knot; the
+/// B-splines of one degree on a line of elements, equal or graded ones: C^(degree-1), except C^0 at up to two optional knots; the
 /// ends are interpolating, or the axis is periodic. A periodic axis stores `degree` ghost functions behind its own.
 class Axis {
  public:
   /// @param length    extent, L0
-  /// @param kink      element index whose lower knot is repeated `degree` times (C0 there); 0: none
-  Axis(double length, int elements, int degree, bool periodic = false, int kink = 0);
+  /// @param kink      element index whose lower knot is repeated `degree` times (C0 there); 0: none. It is that of the wall
+  /// @param joint     another one
+  Axis(double length, int elements, int degree, bool periodic = false, int kink = 0, int joint = 0);
   /// Elements between ascending breaks, of which the first is 0 and the last the length.
-  Axis(std::vector<double> breaks, int degree, bool periodic = false, int kink = 0);
+  Axis(std::vector<double> breaks, int degree, bool periodic = false, int kink = 0, int joint = 0);
 
   int degree() const { return degree_; }
   int elements() const { return elements_; }
@@ -39,6 +40,7 @@ class Axis {
   const std::vector<double>& knots() const { return knots_; }
   const std::vector<double>& breaks() const { return breaks_; }  ///< empty unless graded
   int kink() const { return kink_; }
+  int joint() const { return joint_; }
 
   /// Values or first derivatives of the degree + 1 functions alive on an element at x (derivative: 1/L0).
   std::vector<double> values(int element, double x) const;
@@ -52,7 +54,7 @@ class Axis {
   double end_of(int element) const;  ///< lower end; beyond the ends of a periodic axis it goes on
   void place_knots();
 
-  int degree_, elements_, functions_, kink_;
+  int degree_, elements_, functions_, kink_, joint_;
   bool periodic_;
   double length_, spacing_;
   std::vector<double> breaks_;

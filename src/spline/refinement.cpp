@@ -32,14 +32,15 @@ bool can_be_halved(const Axis& fine, int least) {
   return n % 2 == 0 ? fine.graded() || fine.kink() % 2 == 0 : fine.graded() && !fine.periodic();
 }
 
-/// Joins neighbours from the kink outwards.
+/// Joins neighbours from the kink outwards. A joint that is no end of the joined elements is one of the fine functions alone.
 Axis halved(const Axis& fine) {
   const int n = fine.elements(), kink = fine.kink();
-  if (!fine.graded()) return {fine.length(), n / 2, fine.degree(), fine.periodic(), kink / 2};
+  const int joint = (fine.joint() - kink) % 2 == 0 ? fine.joint() : 0;
+  if (!fine.graded()) return {fine.length(), n / 2, fine.degree(), fine.periodic(), kink / 2, joint / 2};
   std::vector<double> breaks;
   for (int i = 0; i <= n; ++i)
     if (i == 0 || i == n || (i - kink) % 2 == 0) breaks.push_back(fine.breaks()[i]);
-  return {breaks, fine.degree(), fine.periodic(), (kink + 1) / 2};
+  return {breaks, fine.degree(), fine.periodic(), (kink + 1) / 2, (joint + 1) / 2};
 }
 
 /// Coefficients of the fine functions 2 j - p, ..., 2 j + 1 in the coarse one j around a periodic axis.

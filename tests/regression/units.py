@@ -5,6 +5,7 @@ usage: units.py SOFTWET"""
 import math
 import subprocess
 import sys
+import tomllib
 
 from scipy.integrate import quad
 from scipy.optimize import fsolve
@@ -54,6 +55,20 @@ def main():
         good = key in found and abs(float(found[key]) - value) <= 1e-6 * value
         print(f"{'ok' if good else 'FAIL':4}  {key} = {found.get(key)}, expected {value:.7g}")
         failures += [] if good else [key]
+    solid = {"--solid-surface-tension": "31mN/m", "--wet-surface-tension": "0.02 N/m", "--solid-viscosity": "20Pa.s"}
+    result = command(softwet, {**REAL, **solid})
+    table = tomllib.loads(result.stdout[result.stdout.index("[fluid]"):])
+    tension = 0.072 / (GAMMA * coexistence(THETA)[1])
+    for key, value in (("surface_tension", 0.031 / tension), ("surface_tension_wet", 0.02 / tension),
+                       ("viscosity", 20 / 0.010 * expected()["viscosity"])):
+        good = abs(table["substrate"][key] - value) <= 1e-6 * value
+        print(f"{'ok' if good else 'FAIL':4}  substrate.{key} = {table['substrate'][key]}, expected {value:.7g}")
+        failures += [] if good else [key]
+    for option in solid:
+        result = command(softwet, {name: text for name, text in {**REAL, option: solid[option]}.items() if name != "--young"})
+        good = result.returncode == 1 and "--young" in result.stderr
+        print(f"{'ok' if good else 'FAIL':4}  {option} without a solid: {result.stderr.strip()}")
+        failures += [] if good else [option]
     for option, text, part in WRONG:
         result = command(softwet, {**REAL, option: text})
         good = result.returncode == 1 and part in result.stderr and len(result.stderr.splitlines()) == 1

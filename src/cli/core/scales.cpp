@@ -40,6 +40,10 @@ Case case_of(const PhysicalScene& p, const Scales& scales) {
   c.substrate->density = (p.solid_density > 0 ? p.solid_density : p.density) / scales.density;
   c.substrate->young = p.young / (scales.stress() * c.substrate->density);
   c.substrate->poisson = p.poisson;
+  const double tension = scales.stress() * scales.length;
+  c.substrate->surface_tension = p.solid_tension / tension;
+  c.substrate->surface_tension_wet = (p.wet_tension >= 0 ? p.wet_tension : p.solid_tension) / tension;
+  c.substrate->viscosity = p.solid_viscosity / scales.viscosity();
   return c;
 }
 

@@ -19,6 +19,9 @@ std::string key(const std::string& name, double value) {
   return name + " = " + text_of_number(*number_from_text(short_text(value, 7))) + "\n";
 }
 
+/// The line of a number that a solid may have.
+std::string if_any(const std::string& name, double value) { return value == 0 ? "" : key(name, value); }
+
 void print_scales(const Scales& s, std::ostream& out) {
   print_section(out, "one unit of a case is",
                 {{"length L0", with_unit(s.length, "m")},
@@ -45,6 +48,9 @@ void print_groups(const PhysicalScene& p, const Case& c, const Scales& s, std::o
   if (c.substrate) {
     const double length = p.surface_tension / p.young, thickness = c.substrate->thickness * s.length;
     both("sigma / (E R)", length / p.radius, elastocapillary_length(c) / model.radius);
+    if (p.solid_tension > 0)
+      both("sigma / tension of the dry solid", p.surface_tension / p.solid_tension,
+           surface_tension(*c.fluid) / c.substrate->surface_tension);
     both("sigma / (E Hs)", length / thickness, elastocapillary_length(c) / c.substrate->thickness);
   }
   print_section(out, "groups", lines);
@@ -74,7 +80,12 @@ void print_keys(const Case& c, std::ostream& out) {
   if (c.substrate)
     out << "\n[substrate]\n"
         << key("thickness", c.substrate->thickness) << key("density", c.substrate->density)
-        << key("young", c.substrate->young.number) << key("poisson", c.substrate->poisson);
+        << key("young", c.substrate->young.number) << key("poisson", c.substrate->poisson)
+        << if_any("surface_tension", c.substrate->surface_tension)
+        << if_any("surface_tension_wet", c.substrate->surface_tension_wet != c.substrate->surface_tension
+                                             ? c.substrate->surface_tension_wet
+                                             : 0)
+        << if_any("viscosity", c.substrate->viscosity);
   out << "\n[[droplet]]\n" << key("radius", c.droplets.front().radius);
 }
 

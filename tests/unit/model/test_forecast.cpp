@@ -28,7 +28,7 @@ Case forecast_droplet(double temperature, double angle, double capillarities, do
 
 Case soft(double young) {
   Case c = forecast_droplet(0.39, 75, 5);
-  c.substrate = Substrate{0.125, 1, young, 0.45};
+  c.substrate = Substrate{.thickness = 0.125, .density = 1, .young = young, .poisson = 0.45};
   c.droplets[0].centre[1] = 0.125;
   return c;
 }
@@ -122,7 +122,7 @@ TEST(Forecast, LockingAsMeasured) {
   for (const auto& row : table) {
     Case c;
     c.domain = {.size = {1, 0.125}, .elements = {8 * row.rows, row.rows}, .degree = 2};
-    c.substrate = Substrate{0.125, 1, 1, row.poisson};
+    c.substrate = Substrate{.thickness = 0.125, .density = 1, .young = 1, .poisson = row.poisson};
     EXPECT_NEAR(100 * locking_error(c), row.measured, 0.2 * row.measured) << row.poisson;
     EXPECT_EQ(tells(c, "domain.degree = 2"), row.measured > 1) << row.poisson << " " << row.rows;
     c.domain.degree = 3;

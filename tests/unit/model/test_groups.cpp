@@ -15,7 +15,7 @@ Case pull() {
   c.fluid->viscosity = 1.0 / 256;
   c.fluid->capillarity = 1.0 / 64;
   c.fluid->temperature = 0.39;
-  c.substrate = Substrate{0.125, 2, 0.5, 0.25};  // Young modulus 1
+  c.substrate = Substrate{.thickness = 0.125, .density = 2, .young = 0.5, .poisson = 0.25};  // Young modulus 1
   c.droplets = {{{0.3, 0.125}, 0.1}, {{0.7, 0.125}, 0.16}};
   return c;
 }

@@ -158,5 +158,81 @@ TEST(Varying, WallThatWouldHaveNoTensionIsRefused) {
   expect_error(Exit::invalid_input, {"fluid.wall_tension", "surface_tension above"}, [&] { Model<2, 2>{c}; });
 }
 
+/// A column of two materials between slip sides, under its weight: the stiffness is M below the joint and `ratio` M above.
+struct Column {
+  static constexpr double height = 0.8, weight = 0.3, poisson = 0.3, ratio = 4;
+  Case c;
+  double joint, modulus;  ///< modulus of a confined column below the joint
+
+  Column(double where, bool has_joint) : c(scene(Scene::solid)), joint(where) {
+    c.loads.clear();
+    c.substrate->density = 1;
+    c.substrate->strain = "small";
+    c.substrate->poisson = poisson;
+    c.substrate->joint = has_joint ? where : 0;
+    c.substrate->gravity = {0, -weight};
+    c.substrate->young =
+        varying([where](const std::array<double, 3>& x, double) { return x[1] < where ? 1.0 : ratio; });
+    const LameParameters m = LameParameters::from(1, poisson);
+    modulus = m.lambda + 2 * m.shear_modulus;
+  }
+  /// Displacement as a + b (y0 + y1)/2 + c y0 y1 of the part below or above: its control value between two knots.
+  double displacement(double y0, double y1, bool above) const {
+    const auto of = [&](double stiffness, double from, double from0, double from1) {
+      return -weight / stiffness * (height * ((from0 + from1) / 2 - from) - (from0 * from1 - from * from) / 2);
+    };
+    return above ? of(modulus, 0, joint, joint) + of(ratio * modulus, joint, y0, y1) : of(modulus, 0, y0, y1);
+  }
+  /// The largest residual of the exact solution, whose parts are splines of degree 2, away from sides that hold it.
+  double residual() const {
+    RandomScene s(c);
+    const Layout<2>& l = s.layout();
+    Stage stage = s.stage();
+    for (const Array& a : {stage.unknown, stage.acceleration}) Kokkos::deep_copy(a, 0.0);
+    std::vector<double> u(l.solid_size(), 0.0);
+    for (int i = 0; i < l.solid_rows() * l.row_size; ++i) {
+      const double y0 = l.axis[1].knots()[i / l.row_size + 1], y1 = l.axis[1].knots()[i / l.row_size + 2];
+      u[l.displacement_offset(1) + i] = displacement(y0, y1, 0.5 * (y0 + y1) > joint);
+    }
+    Kokkos::deep_copy(stage.displacement, to_device<Array>(u));
+    Kokkos::deep_copy(stage.displacement_end, stage.displacement);
+    double largest = 0;
+    for (const double r : s.residual(stage)) largest = std::max(largest, std::abs(r));
+    return largest;
+  }
+};
+
+TEST(Varying, TwoMaterialsThatAreJoinedAreExact) {
+  for (const int row : {1, 2, 3, 5}) EXPECT_LT(Column(row * 0.8 / 6, true).residual(), 1e-14) << row;
+  EXPECT_GT(Column(0.4, false).residual(), 1e-4) << "without a joint the jump is smeared";
+}
+
+TEST(Varying, ProductsBesideAJointAreThoseOfDifferences) {
+  Case c = scene(Scene::coupled);
+  c.domain.elements = {9, 12};
+  c.substrate->joint = 0.8 / 6;
+  c.substrate->viscosity = 0.1;
+  c.substrate->young = varying([](const std::array<double, 3>& x, double) { return x[1] < 0.8 / 6 ? 2.0 : 3 + x[0]; });
+  RandomScene s(c);
+  EXPECT_EQ(s.layout().solid_rows(), 4 + 2 + 1);
+  const Array z = s.direction();
+  const std::vector<double> exact = s.product(z, Geometry::exact), difference = s.difference(z, 1e-3);
+  EXPECT_LT(distance(exact, difference), 1e-8);
+}
+
+// The energy is that of the two parts.
+TEST(Varying, EnergyOfJoinedMaterialsIsThatOfTheirParts) {
+  Case joined = scene(Scene::solid);
+  joined.substrate->joint = 0.4;
+  RandomScene all(joined);
+  const auto energy = [&](double below, double above) {
+    Case c = joined;
+    c.substrate->young = varying([=](const std::array<double, 3>& x, double) { return x[1] < 0.4 ? below : above; });
+    return RandomScene(c).model.integrals(all.stage()).energy_elastic;
+  };
+  EXPECT_NEAR(energy(2, 6), energy(2, 1e-9) + energy(1e-9, 6), 1e-7 * energy(2, 6));
+  EXPECT_NEAR(energy(2, 2), all.model.integrals(all.stage()).energy_elastic, 1e-12 * energy(2, 2));
+}
+
 }  // namespace
 }  // namespace softwet::testing_tools

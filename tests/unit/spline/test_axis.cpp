@@ -37,8 +37,8 @@ std::vector<double> uneven(int elements) {
 std::vector<Axis> axes() {
   return {Axis(uneven(7), 2),           Axis(uneven(7), 2, false, 3), Axis(uneven(8), 2, true),
           Axis(uneven(9), 3, false, 4), Axis(uneven(9), 3, true),     Axis(0.9, 7, 2),
-          Axis(0.9, 7, 2, false, 3),    Axis(0.9, 7, 2, true),        Axis(1.3, 5, 1, false, 2),
-          Axis(1.3, 6, 3, false, 2),    Axis(1.3, 6, 3, true)};
+          Axis(0.9, 7, 2, false, 3, 1), Axis(0.9, 7, 2, false, 3),    Axis(0.9, 7, 2, true),
+          Axis(1.3, 5, 1, false, 2),    Axis(1.3, 6, 3, false, 2),    Axis(1.3, 6, 3, true)};
 }
 
 TEST(Axis, Counts) {
@@ -51,6 +51,10 @@ TEST(Axis, Counts) {
   const Axis k(1, 8, 2, false, 3);
   EXPECT_EQ(k.span(2), 2);
   EXPECT_EQ(k.span(3), 4) << "the elements beside the kink share one function";
+  const Axis joined(1, 8, 3, false, 5, 2);
+  EXPECT_EQ(joined.functions(), 15);
+  EXPECT_EQ(joined.span(2), 4);
+  EXPECT_EQ(joined.span(5), 9);
 }
 
 TEST(Axis, PartitionOfUnityAndSlope) {
@@ -83,13 +87,13 @@ TEST(Axis, SlopeAgainstDifferences) {
 
 TEST(Axis, SmoothInsideContinuousAtTheKink) {
   for (const Axis& axis :
-       {Axis(0.9, 7, 2), Axis(0.9, 7, 2, false, 3), Axis(uneven(7), 2), Axis(uneven(7), 2, false, 3)}) {
-    const int kink = axis.kink();
+       {Axis(0.9, 7, 2), Axis(0.9, 7, 2, false, 3), Axis(0.9, 7, 2, false, 5, 2), Axis(0.9, 7, 2, false, 0, 4),
+        Axis(uneven(7), 2), Axis(uneven(7), 2, false, 3), Axis(uneven(7), 2, false, 4, 2)}) {
     const Spline s{axis, wild(axis.functions())};
     for (int e = 1; e < 7; ++e) {
       const double x = axis.lower(e);
       EXPECT_NEAR(s.value(e, x), s.value(e - 1, x), 1e-14);
-      if (e == kink) {
+      if (e == axis.kink() || e == axis.joint()) {
         EXPECT_GT(std::abs(s.slope(e, x) - s.slope(e - 1, x)), 0.1);
         EXPECT_NEAR(s.value(e, x), s.control[axis.span(e)], 1e-14) << "the control value is the value there";
       } else {

@@ -27,7 +27,7 @@ Case small_droplet() {
   c.fluid->capillarity = 1.0 / 12;
   c.fluid->temperature = 0.85;
   c.fluid->contact_angle = 75;
-  c.substrate = Substrate{1.0 / 8, 1.0, 0.75, 0.45};
+  c.substrate = Substrate{.thickness = 1.0 / 8, .density = 1.0, .young = 0.75, .poisson = 0.45};
   c.droplets.push_back({{0.5, 0.125}, 0.2});
   c.boundary.side[1][1] = Side::no_slip;
   c.time.end = 1;

@@ -3,9 +3,13 @@
 The pull of Fig. 2 with contact angle, layer, stiffness, Poisson ratio, size of the droplet, and place, width and force of the load
 drawn from the seed that names a scene; the load stands at 0 to 0.08 beside the droplet, on either side. Each scene starts at rest and
 ends at t = 800. Path: largest difference of X_c(t) - X_c(0) to the run with time.tolerance 5e-5, over the range of X_c there. Peak:
-that of the largest speed of the droplet after t = 20, over it; before, the droplet swings, and its mean speed in a step depends on
-the length of the step more than on its error. At most one scene in twelve may miss a bound. No step may jump over a moment in which a droplet
-begins to move faster: the droplet moves by a part of the width of its interface in each.
+that of the largest mean speed of the droplet in 5 units of time, after t = 20, over it. Before, the droplet swings, and the mean speed in a
+step depends on the length of the step more than on its error, which is why the mean is of one length in all runs. At most one scene in twelve may
+miss a bound. No step may jump over a moment in which a droplet begins to move faster: the droplet moves by a part of the width of its
+interface in each.
+
+A draft has another mesh (reduced quadrature, graded elements) beside its longer steps. It is held against fine steps on its own mesh, which
+tells what its steps do, and against fine steps of the default.
 
 The sizes of steps were chosen on the scene of the quick form and on the seed 101; the others were drawn after that. Seeds whose droplet does not
 come to rest within 300 steps are left out. The elements are 64 x 32 with twice the capillarity of Fig. 2, so that the droplet is carried over half as many
@@ -16,14 +20,19 @@ import math
 import random
 
 import numpy
-from _lab import StudyError
+from _lab import Known, StudyError
 
-MINUTES = {"quick": 0.2, "full": 4}
+MINUTES = {"quick": 0.2, "full": 9}
 PULL = "tensotaxis_pull_2d"
-QUALITIES = {"standard": [], "draft": ["quality=draft"]}
-BOUNDS = {"standard": (1, 3, 0.12), "draft": (4, 4, 0.3)}  # path and peak, %; way in a step, capillarities
+TOLERANCE = "time.tolerance=5e-5"
+FORMS = {"standard": [], "draft": ["quality=draft"], "fine": [TOLERANCE], "fine draft": ["quality=draft", TOLERANCE]}
+# what is compared with what: path and peak, %
+BOUNDS = {"standard": ("standard", "fine", 1, 3), "draft on its own mesh": ("draft", "fine draft", 4, 4), "draft": ("draft", "fine", 4, 4)}
+WAYS = {"standard": 0.12, "draft": 0.3}  # in a step, capillarities
 FIRST, COUNT = 103, 12  # seed, scenes
-FINE = ["time.tolerance=5e-5"]
+WINDOW, SETTLED = 5, 20  # of time
+MESH = ("the mesh: on two elements to the capillarity paths depend on it. With twice as many elements and fine steps scene 114 goes 0.056, "
+        "with the default's mesh 0.080, with reduced quadrature 0.059; scene 108 goes 0.121, 0.121 and 0.135")
 EXPLICIT = "takes hundreds of units of time at the temperature 0.39: millions of explicit steps"
 
 
@@ -61,13 +70,19 @@ def errors(run, fine):
     moved, wanted = (h["x_centre"] - h["x_centre"][0] for h in (a, b))
     times = numpy.union1d(a["t"], b["t"])
     path = numpy.abs(numpy.interp(times, a["t"], moved) - numpy.interp(times, b["t"], wanted)).max() / numpy.ptp(wanted)
-    speed, peak = (numpy.abs(h["velocity"][h["t"] > 20]).max() for h in (a, b))
-    return 100 * path, 100 * (speed / peak - 1)
+    return 100 * path, 100 * (largest_speed(a) / largest_speed(b) - 1)
+
+
+def largest_speed(rows):
+    """Largest mean speed in a window of time."""
+    begin = numpy.arange(SETTLED, rows["t"][-1] - WINDOW, 0.25)
+    at = [numpy.interp(begin + later, rows["t"], rows["x_centre"]) for later in (0, WINDOW)]
+    return numpy.abs(at[1] - at[0]).max() / WINDOW
 
 
 def longest_way(run):
     """Of the droplet in one step after t = 20, over the capillarity."""
-    late = run.history["t"][1:] > 20
+    late = run.history["t"][1:] > SETTLED
     return 32 * numpy.abs(numpy.diff(run.history["x_centre"]))[late].max()
 
 
@@ -83,29 +98,29 @@ def study(lab):
     seeds = itertools.islice((seed for seed in itertools.count(FIRST) if at_rest(lab, seed)), 0 if lab.quick else COUNT)
     scenes, end = {seed: drawn(seed) for seed in seeds} or {"known": KNOWN}, 250 if lab.quick else 800
     least = len(scenes) - len(scenes) // 12
-    forms = {**QUALITIES, "fine": FINE}
     runs = lab.runs({f"{seed}, {form}": (PULL, [*settings(scene), f"time.end={end}", *words])
-                     for seed, scene in scenes.items() for form, words in forms.items()}, limit=3600)
-    rows, found = [], {form: [] for form in QUALITIES}
-    for seed in scenes:
-        row = [seed]
-        for form in QUALITIES:
-            run, fine = (runs[f"{seed}, {f}"] for f in (form, "fine"))
-            found[form].append(errors(run, fine))
-            counts = run.record["counts"]
-            row += [counts["steps"], counts["krylov"], *(float(f"{error:.2g}") for error in found[form][-1])]
-        rows.append(row)
-    for form, (path, peak, way) in BOUNDS.items():
+                     for seed, scene in scenes.items() for form, words in FORMS.items()}, limit=3600)
+    rows, found = [[seed] for seed in scenes], {}
+    for form, (coarse, fine, path, peak) in BOUNDS.items():
+        found[form] = [errors(runs[f"{seed}, {coarse}"], runs[f"{seed}, {fine}"]) for seed in scenes]
         held = sum(p <= path and abs(v) <= peak for p, v in found[form])
         worst = [max(abs(error) for error in column) for column in zip(*found[form])]
-        lab.expect(f"{form}: scenes with the path within {path} % and the peak within {peak} %",
-                   f">= {least} of {len(rows)}", f"{held}; worst path {worst[0]:.2g} %, worst peak {worst[1]:.2g} %", held >= least)
+        lab.expect(f"{form}: scenes with the path within {path} % and the peak within {peak} %", f">= {least} of {len(rows)}",
+                   f"{held}; worst path {worst[0]:.2g} %, worst peak {worst[1]:.2g} %", held >= least,
+                   Known(MESH, "paths within 60 %", worst[0] <= 60) if form == "draft" else None)
+        for row, error in zip(rows, found[form]):
+            row += [float(f"{e:.2g}") for e in error]
+    for form, way in WAYS.items():
         longest = max(longest_way(runs[f"{seed}, {form}"]) for seed in scenes)
         lab.expect(f"{form}: longest way of a droplet in a step, in capillarities", f"<= {way}", f"{longest:.2f}", longest <= way)
-    work = {form: sum(runs[f"{seed}, {form}"].record["counts"]["krylov"] for seed in scenes) for form in QUALITIES}
+    for row, seed in zip(rows, scenes):
+        for form in WAYS:
+            row += [runs[f"{seed}, {form}"].record["counts"][of] for of in ("steps", "krylov")]
+    work = {form: sum(runs[f"{seed}, {form}"].record["counts"]["krylov"] for seed in scenes) for form in WAYS}
     ratio = work["draft"] / work["standard"]
     lab.expect("iterations of a draft over those of the default", "< 1", f"{ratio:.2f}", ratio < 1)
     lab.title("Errors of each scene")
-    lab.table(("seed", *(f"{form}: {what}" for form in QUALITIES for what in ("steps", "Krylov", "path %", "peak %"))), rows, "errors")
+    lab.table(("seed", *(f"{form}: {what}" for form in BOUNDS for what in ("path %", "peak %")),
+               *(f"{form}: {what}" for form in WAYS for what in ("steps", "Krylov"))), rows, "errors")
     lab.title("Scenes")
     lab.table(("seed", *KNOWN), [(seed, *scene.values()) for seed, scene in scenes.items()], "scenes")

@@ -23,7 +23,7 @@ PULL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "load[0].start=2", 
         "output.fields.times=[-1,0,1,3]", "time.end=3"]
 FAST = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "fluid.temperature=0.7", "load[0].start=0.3", "load[0].ramp=0.2",
         "load[0].force=[2,0]", "output.fields.times=[0,0.1]", "output.history.every=1"]
-NEEDLE = ["domain.elements=[16,16,8]", "fluid.capillarity=1/8", "time.dt_max=0.2", "output.fields.times=[0]"]
+NEEDLE = ["domain.elements=[20,20,10]", "fluid.capillarity=2/25", "time.dt_max=0.2", "output.fields.times=[0]"]
 
 # Name: case, settings of the full and of the quick form, interruptions in them, processes.
 RUNS = {

@@ -38,6 +38,22 @@ TEST(Scales, ByHand) {
   EXPECT_NEAR(c.droplets.at(0).radius, 0.1, 1e-14);
 }
 
+TEST(Scales, TensionAndViscosityOfTheSolid) {
+  PhysicalScene p = water();
+  p.solid_tension = 0.036;
+  p.solid_viscosity = 20;
+  const Scales s = scales_of(p);
+  const double sigma = 0.02 * 0.2532027493;  // of the liquid in the case
+  Case c = case_of(p, s);
+  EXPECT_NEAR(c.substrate->surface_tension, 0.5 * sigma, 1e-8 * sigma);
+  EXPECT_NEAR(c.substrate->surface_tension_wet, 0.5 * sigma, 1e-8 * sigma) << "that of the dry solid";
+  EXPECT_NEAR(c.substrate->viscosity / c.fluid->viscosity, 20 / 1e-3, 1e-6);
+  p.wet_tension = 0.018;
+  c = case_of(p, s);
+  EXPECT_NEAR(c.substrate->surface_tension_wet, 0.25 * sigma, 1e-8 * sigma);
+  EXPECT_EQ(case_of(water(), s).substrate->surface_tension, 0);
+}
+
 TEST(Scales, Defaults) {
   PhysicalScene p = water();
   p.length = p.capillarity = p.solid_density = p.thickness = 0;

@@ -37,6 +37,8 @@ TEST(Refinement, SumsOfFineSplines) {
   for (int degree : {2, 3}) {
     check_refinement(Axis(1.0, 12, degree));
     check_refinement(Axis(1.0, 12, degree, false, 4));
+    check_refinement(Axis(1.0, 12, degree, false, 6, 2));
+    check_refinement(Axis(1.0, 12, degree, false, 6, 3));
     check_refinement(Axis(0.7, 14, degree, true));
   }
 }
@@ -58,6 +60,7 @@ TEST(Refinement, SumsOfGradedSplines) {
     check_refinement(fine);
     const Axis coarse = refine_from_half(fine, 2).coarse;
     EXPECT_EQ(coarse.lower(coarse.kink()), fine.lower(kink)) << "the wall is an end of elements";
+    for (int joint : {1, 2, 3}) check_refinement(Axis(uneven(13), 2, false, kink, joint));
   }
 }
 
