@@ -87,7 +87,7 @@ LINES = [
     ('size = [1.0, 0.5]', 'size = [1.0, 1.0, 0.5]', ["domain.elements", "must be 3 numbers"]),
     ('elements = [128, 64]', 'elements = [100000, 100000]', ["domain.elements", "fewer elements"]),
     ('thickness = 0.125', 'thickness = 0.13', ["substrate.thickness = 0.13", "0.125 or 0.1328125"]),
-    ('joint = 0.0', 'joint = 0.05', ["substrate.joint = 0.05", "write joint = 0.046875"]),
+    ('joint = 0', 'joint = 0.05', ["substrate.joint = 0.05", "write joint = 0.046875"]),
     ('thickness = 0.125', 'thickness = 0.5', ["substrate.thickness", "(0, 0.5)"]),
     ('[0.8, 0.125]]', '[0.8, 0.2]]', ["load[0].box", "outside the solid"]),
     ('[0.8, 0.125]]', '[0.7, 0.125]]', ["load[0].box", "empty along axis 0"]),
