@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -15,6 +14,7 @@
 #include "casefile/case_file.hpp"
 #include "casefile/json_schema.hpp"
 #include "casefile/profiles.hpp"
+#include "cli/case_of_request.hpp"
 #include "cli/core/dispatch.hpp"
 #include "cli/tool.hpp"
 #include "field/ranks.hpp"
@@ -40,35 +40,6 @@ Case examined(const Case& c) {
   require_bytes(c, least_bytes(c));
   warn(c);
   return c;
-}
-
-/// The case of a request, with the scheme that takes less time where it leaves that open. States of rest are found by implicit steps.
-Case read_case_of(const CaseRequest& request) {
-  const Case c = read_case(request.case_path, request.overrides);
-  if (!c.time.automatic || request.options.steady) return c;
-  const StepsForeseen foreseen = foresee_steps(c);
-  const bool few = foreseen.steps <= foreseen.most;
-  const auto tell = [&](const char* scheme, const std::string& why) {
-    if (ranks::root()) std::cerr << fmt::format("softwet: time.scheme = \"automatic\" takes {}: {}\n", scheme, why);
-  };
-  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(foreseen.steps, 1.0))) - 1));
-  const std::string steps =
-      fmt::format("about {:.0f} explicit steps, of which up to {:.0f} take less time than implicit ones",
-                  std::round(foreseen.steps / unit) * unit, foreseen.most);
-  if (!few) {
-    tell(implicit_scheme, steps);
-    return c;
-  }
-  std::vector<std::string> overrides = request.overrides;
-  overrides.emplace_back("time.scheme=kick_drift");
-  try {
-    const Case chosen = read_case(request.case_path, overrides);
-    tell("kick_drift", steps);
-    return chosen;
-  } catch (const Error& error) {
-    tell(implicit_scheme, "explicit steps do not know what this case asks for");
-    return c;
-  }
 }
 
 /// All processes read the case, and have to find the same one.
@@ -111,7 +82,7 @@ void run_command(CaseRequest& request) {
   }
   const Case c = load_case(request);
   if (request.options.steady) require_rest(c);
-  if (request.options.out.empty()) request.options.out = "out/" + c.name + (request.options.steady ? "_steady" : "");
+  request.options.out = folder_of(request, c);
   const OldResult old = request.options.resume ? OldResult::resume
                         : request.overwrite    ? OldResult::overwrite
                                                : OldResult::refuse;

@@ -100,6 +100,13 @@ def check_automatic():
         check_true(f"{case}: case.toml has {scheme}", written == scheme, written)
 
 
+    # A run that goes on keeps the scheme that it began with.
+    settings = [*IMPACT, "time.end=0.1", "output.fields.times=[]"]
+    run("impact_rigid_2d", "longer", [*settings, "time.scheme=automatic"])
+    run("impact_rigid_2d", "longer", [*settings, "time.end=1000", "time.max_steps=20", "time.scheme=automatic"], ("--resume", "--quiet"))
+    check_true("a run that is resumed keeps its scheme", history("longer")["step"][-1] == 20, history("longer")["step"][-1])
+
+
 for scene, numbers in SCENES.items():
     compare(scene, *numbers)
 check_sound()
