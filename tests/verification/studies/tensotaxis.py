@@ -144,6 +144,6 @@ def explicit(lab):
     pull takes hundreds of thousands of steps of rkl2 on 64 x 32 elements, and many times more of the others."""
     words = [word for word in SMALL if not word.startswith(("time.end", "load[0].start", "output"))]
     words += ["fluid.temperature=0.7", "droplet[0].radius=0.22", "load[0].start=0.3", "time.end=1.5", "output.fields.times=[]",
-              "time.dt_initial=0.002", "time.dt_max=0.002"]  # the same steps for both, shorter than the bound
+              "time.dt_initial=0.001", "time.dt_max=0.001"]  # the same steps for both, shorter than the bound
     right = lab.run("right", PULL, [*words, "load[0].force=[2,0]"])
     mirrored(lab, right, lab.run("left", PULL, [*words, *MIRROR[:1], "load[0].force=[-2,0]"]), "equal steps", 1e-9)
