@@ -72,8 +72,9 @@ struct RandomSceneIn {
     hold(stage().unknown);
     hold(stage().acceleration);
     stage().time = 3.0;  // half of the load's ramp
-    if (layout().axisymmetric)
-      for (const Array& a : {stage().displacement, stage().displacement_end}) keep_axis(a);
+    if (!layout().axisymmetric) return;
+    keep_axis(stage().displacement);
+    keep_axis(stage().displacement_end);
   }
   Stage& stage() { return terms.patch.stage; }
   const Layout<D>& layout() const { return model.layout(); }

@@ -188,7 +188,8 @@ struct Column {
     RandomScene s(c);
     const Layout<2>& l = s.layout();
     Stage stage = s.stage();
-    for (const Array& a : {stage.unknown, stage.acceleration}) Kokkos::deep_copy(a, 0.0);
+    Kokkos::deep_copy(stage.unknown, 0.0);
+    Kokkos::deep_copy(stage.acceleration, 0.0);
     std::vector<double> u(l.solid_size(), 0.0);
     for (int i = 0; i < l.solid_rows() * l.row_size; ++i) {
       const double y0 = l.axis[1].knots()[i / l.row_size + 1], y1 = l.axis[1].knots()[i / l.row_size + 2];
