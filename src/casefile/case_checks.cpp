@@ -123,7 +123,9 @@ void check_joint(const Checker& check) {
   const double joint = c.substrate->joint, thickness = c.substrate->thickness;
   if (joint >= thickness * (1 - slack))
     check.refuse("substrate.joint", fmt::format("must be below the thickness {}", thickness), "write a lower joint");
-  const int row = std::clamp(joint_element(c), 1, std::max(1, solid_elements(c) - 1));
+  if (solid_elements(c) < 2)
+    check.refuse("substrate.joint", "needs two rows of elements in the solid or more", "raise domain.elements");
+  const int row = std::clamp(joint_element(c), 1, solid_elements(c) - 1);
   const double nearest = end_of_row(c, row);
   if (std::abs(nearest - joint) > slack * thickness)
     check.refuse("substrate.joint", "must be the end of a row of elements",
@@ -178,13 +180,13 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check_steps(check);
   check.with({"substrate.inertia", "time.scheme"}, [&] { check_inertia(check); });
   check.with({"substrate.material", "substrate.strain"}, [&] { check_material(check); });
-  check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box", "time.scheme"},
-             [&] { check_joint(check); });
   check_output(check);
   if (!check_domain(check)) return;  // what follows needs the axes
   check.with({"fluid.gravity", "substrate.gravity", "boundary"}, [&] { check_gravity(check); });
   check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
+  check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box", "time.scheme"},
+             [&] { check_joint(check); });
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);
   check_initial(check);
   check_probes(check);

@@ -32,7 +32,7 @@ WAYS = {"standard": 0.12, "draft": 0.3}  # in a step, capillarities
 FIRST, COUNT = 103, 12  # seed, scenes
 WINDOW, SETTLED = 5, 20  # of time
 STEPS = "a short peak of the speed lies within one or two steps of a draft"
-MESH = ("the mesh: on two elements to the capillarity paths depend on it. With twice as many elements and fine steps scene 114 goes 0.056, "
+MESH = ("the mesh: on two elements to the capillarity paths depend on it. With twice as many elements scene 114 goes 0.056, "
         "with the default's mesh 0.080, with reduced quadrature 0.059; scene 108 goes 0.121, 0.121 and 0.135")
 EXPLICIT = "takes hundreds of units of time at the temperature 0.39: millions of explicit steps"
 
