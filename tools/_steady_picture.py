@@ -14,6 +14,7 @@ PANELS = [  # columns, their names, the label of the axis
     (("track_rear", "track_front"), ("rear", "front"), r"contact lines $\;/\; L_0$"),
     (("angle_left", "angle_right"), ("left", "right"), "apparent angle / degrees"),
     (("angle_rear", "angle_front"), ("rear", "front"), "apparent angle / degrees"),
+    (("growth_rate",), ("",), r"growth rate $\;/\; (\sqrt{ab}/L_0)$"),
     (("laplace",), ("",), r"$\mu - \mu_{sat}$"),
 ]
 

@@ -21,13 +21,21 @@ def wall_of(run):
     return {"ridge": vertical.max(), "dimple": vertical.min()}
 
 
+def stability_of(rest):
+    """Rate and frequency of the mode that grows fastest; empty where nobody asked, or none was found."""
+    stability = rest.get("stability", {})
+    if not stability.get("growth_rates"):
+        return {}
+    return {"growth_rate": stability["growth_rates"][0], "frequency": stability["frequencies"][0]}
+
+
 def row_of(folder, value, state):
     """One row: what was asked for, whether it was found, and its numbers."""
     run = softwet.open(folder)
     rest, last = run.record["rest"], {name: column[-1] for name, column in run.history.items()}
     moved = rest.get("moved") or []
     return {"value": value, "state": state, "folder": folder.name, **{name: rest[name] for name in SHOWN},
-            **wall_of(run), **{name: last[name] for name in HISTORY if name in last},
+            **stability_of(rest), **wall_of(run), **{name: last[name] for name in HISTORY if name in last},
             **{f"moved_{k}": way for k, way in enumerate(moved, 1)}}
 
 

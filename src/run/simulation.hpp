@@ -15,6 +15,7 @@
 #include "run/progress.hpp"
 #include "run/record.hpp"
 #include "run/restart.hpp"
+#include "time/growth.hpp"
 #include "time/relaxation.hpp"
 #include "time/stepper.hpp"
 
@@ -36,6 +37,8 @@ class Simulation {
   bool begin();
   /// The same for a scene that begins at rest, or that is asked for nothing else.
   bool come_to_rest(State&);
+  /// Whether the state at rest is stable.
+  void measure_stability(const State&);
   /// Ends a run that was asked for the state at rest. Throws Error (computation_failed) where there is none.
   void end_at_rest();
   void record_rest(RunRecord&) const;
@@ -85,6 +88,7 @@ class Simulation {
   std::optional<TableFile> history_, interface_;
   std::optional<Progress> progress_;
   std::optional<Relaxation> relaxation_;
+  std::optional<Growth> growth_;                ///< of disturbances of the state at rest
   double speed_at_rest_ = 0, mass_change_ = 0;  ///< the largest one there; of the mass on the way, relative
   std::vector<std::optional<double>> moved_;    ///< how far each body went on the way to rest
   TimeLeft time_left_;

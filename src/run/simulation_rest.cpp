@@ -8,6 +8,7 @@
 #include "observe/extremes.hpp"
 #include "run/host/run_status.hpp"
 #include "run/simulation.hpp"
+#include "time/implicit_scheme.hpp"
 
 namespace softwet {
 namespace {
@@ -21,7 +22,22 @@ namespace {
 std::string rest_text(const Relaxation& r, double speed) {
   return "at rest after " + std::to_string(r.steps) + " steps and " + std::to_string(r.newton) +
          " iterations of Newton's method: what is left of the equations is " + short_text(r.excess, 2) +
-         " times what the last digit of the fields makes of them, the largest speed is " + short_text(speed, 2);
+         " times what the last digit of the fields makes of them, " +
+         (r.excess < digits_of_rest
+              ? ""
+              : "its fields change by " + short_text(r.rate, 2) + " of their range in a unit of time, ") +
+         "the largest speed is " + short_text(speed, 2);
+}
+
+/// What the rate of the fastest mode says of a state.
+std::string stability_text(const Growth& growth) {
+  if (!growth.why.empty()) return "whether that is stable is not known: " + growth.why;
+  const double rate = growth.rates[0].real();
+  const std::string time = short_text(1 / std::abs(rate), 3) + " units of time";
+  if (std::abs(rate) < neutral_rate)
+    return "neither stable nor unstable: a small disturbance stays, its rate is " + short_text(rate, 2);
+  return rate > 0 ? "not stable: a small disturbance grows by the factor e within " + time
+                  : "stable: the small disturbance that stays longest falls by the factor e within " + time;
 }
 
 }  // namespace
@@ -54,7 +70,14 @@ bool Simulation<D, P>::come_to_rest(State& state) {
     progress_->tell(rest_text(*relaxation_, speed_at_rest_) + moves_text(body_names(case_), moved_));
   else if (!options_.steady)
     give_up_start(relaxation_->why);
+  if (options_.steady && relaxation_->why.empty()) measure_stability(state);
   return true;
+}
+
+template <int D, int P>
+void Simulation<D, P>::measure_stability(const State& state) {
+  growth_ = growth_at_rest<D, P>(model_, case_, state, [&] { return wish() != Wish::go_on; });
+  progress_->tell(stability_text(*growth_));
 }
 
 template <int D, int P>
@@ -81,6 +104,15 @@ void Simulation<D, P>::record_rest(RunRecord& run) const {
   rest["residual_over_round_off"] = r.excess;
   rest["largest_speed"] = speed_at_rest_;
   rest["mass_change"] = mass_change_;
+  if (growth_) {
+    RecordValue& stability = rest["stability"];
+    stability["steps"] = growth_->steps;
+    stability["krylov"] = growth_->krylov;
+    for (const std::complex<double>& rate : growth_->rates) {
+      stability["growth_rates"].append(rate.real());
+      stability["frequencies"].append(rate.imag());
+    }
+  }
   for (const std::optional<double>& moved : moved_) rest["moved"].append(moved.value_or(NAN));  // null: it is gone
 }
 

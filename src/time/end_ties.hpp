@@ -15,6 +15,12 @@ namespace softwet {
 /// Smaller parts make steps longer, up to a limit, and cost accuracy where a wall has a contact angle.
 inline constexpr double kept_of_scalars = 0.6, kept_of_velocities = 0.4;
 
+/// Takes a part of the difference of two values away: of the one at `first`, and of that `step` further.
+struct EndTie {
+  int first, step;
+  bool whole;  ///< else the half of a tie that comes twice
+};
+
 /// Tested: tests/unit/time/test_mass_inverse.cpp
 template <int D>
 class EndTies {
@@ -35,18 +41,18 @@ class EndTies {
   }
 
  private:
-  /// Pairs that share no function: the place of the end function, and the way to the next one.
-  struct Set {
-    Kokkos::View<const int*, Exec> first, step;
-  };
+  /// The ties in their order, in clusters that share no value, each with the ties from its start to that of the next one.
   struct Group {
-    std::vector<Set> sets;
+    Kokkos::View<const EndTie*, Exec> ties;
+    Kokkos::View<const int*, Exec> start;
     int nodes = 1;  ///< of a component
   };
   enum class End { low, high, below_wall };
+  using Set = std::vector<EndTie>;  ///< of pairs that share no value
 
-  void add_set(Group&, const Layout<D>&, const std::vector<double>& mask, int first, int last, int axis,
-               const std::vector<End>& ends);
+  Set make_set(const Layout<D>&, const std::vector<double>& mask, int first, int last, int axis,
+               const std::vector<End>& ends) const;
+  static Group make_group(const std::vector<Set>&, int nodes);
   void smooth(const Group&, double kept, const Array& x, const ConstArray& weights, const Array& gains) const;
 
   Group velocity_, scalar_;

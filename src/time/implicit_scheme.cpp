@@ -227,6 +227,25 @@ Settling ImplicitScheme<D, P>::settle(const State& state, double dt) {
 }
 
 template <int D, int P>
+NewtonResult ImplicitScheme<D, P>::respond(const State& rest, double dt, const Array& r, const Array& x) {
+  stretch_ = 1;
+  integrator_.begin_still(rest, dt);
+  integrator_.residual(rest.unknown, x_);  // the point at which the products are those of the Jacobian
+  Kokkos::deep_copy(Exec(), x, 0.0);
+  NonlinearSystem linear = system();
+  linear.residual = [this, r](const Array& z, const Array& out) {
+    product(z, out);
+    add_scaled(out, 0, 1, r);
+  };
+  linear.complaint = [](const Array&) { return Refusal(); };
+  NewtonControl control = newton_control_;
+  control.rtol = 1e-7;
+  const NewtonResult result = newton_.solve(linear, fields(), control, x);
+  move_ghosts(model_.layout(), x, GhostAction::update);
+  return result;
+}
+
+template <int D, int P>
 StepAttempt ImplicitScheme<D, P>::attempt(const StepHistory& history, double dt) {
   const NewtonResult result = solve(history, dt);
   StepAttempt attempt{result.refusal, 0, result.iterations, result.krylov, result.iterations + 2 > newton_control_.max};

@@ -12,6 +12,9 @@ namespace softwet {
 template <int D, int P>
 SolidPart solid_part(const Model<D, P>&, const Stage&);
 
+/// A scene rests where its residual is less than so many times what the last digit of the fields makes of it.
+inline constexpr double digits_of_rest = 8;
+
 /// A step towards rest, and how far its beginning was from it.
 struct Settling {
   StepAttempt step;
@@ -34,6 +37,9 @@ class ImplicitScheme final : public Scheme<D, P> {
   /// step of moderate length, T, stretched s = dt / T times: its unknown is s v in the solid, the sum of the rows of
   /// the mass counts s times, which the solution does not notice, and the preconditioner is that of the step T.
   Settling settle(const State&, double dt);
+  /// The answer of a state at rest to a small disturbance: x with A x = -r, to seven digits. A is the Jacobian of a step dt of
+  /// backward Euler from there, in which loads stand still.
+  NewtonResult respond(const State& rest, double dt, const Array& r, const Array& x);
   void accept(State& state) override { integrator_.finish(x_, state); }
   void refuse(const Refusal& why) override {
     if (!why.empty()) newton_.forget_preconditioner();
@@ -43,8 +49,6 @@ class ImplicitScheme final : public Scheme<D, P> {
   const Preconditioner* preconditioner() const override { return &newton_.preconditioner(); }
 
   GeneralizedAlpha<D, P>& integrator() { return integrator_; }
-
-  static constexpr double digits_of_rest = 8;
 
  private:
   NonlinearSystem system();

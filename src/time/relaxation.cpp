@@ -7,6 +7,7 @@
 #include "case/text.hpp"
 #include "field/vector.hpp"
 #include "time/implicit_scheme.hpp"
+#include "time/rest_control.hpp"
 
 namespace softwet {
 namespace {
@@ -17,19 +18,6 @@ constexpr double slow = 1e-6;           ///< mean speed, root of its square: abo
 constexpr double endless = 1e12;        ///< step
 constexpr int most_idle = 12;           ///< steps and refusals in a row, at rest, that bring nothing
 constexpr int most_steps = 200;
-
-/// Newton's method need not be accurate on the way, but its products and linear solves must be: the steps are long, and
-/// the modes of a scene near rest differ by many powers of ten.
-Case loose(const Case& c) {
-  Case loose = c;
-  loose.time.scheme = implicit_scheme;
-  loose.solver.jacobian = "exact";
-  loose.solver.precision = "double";
-  loose.solver.newton_rtol = 1e-3;
-  loose.solver.newton_max = std::max(c.solver.newton_max, 15);
-  loose.solver.krylov_rtol = std::min(c.solver.krylov_rtol, 1e-2);
-  return loose;
-}
 
 /// That a steady state is none of rest; empty where nothing moves.
 template <int D>
@@ -111,7 +99,7 @@ class Change {
 template <int D, int P>
 Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const std::function<bool()>& interrupted,
                  const std::function<void(const State&, const Relaxation&)>& watch) {
-  const Case control = loose(c);
+  const Case control = rest_control(c);
   const Judge<D, P> judge(model, control);
   ImplicitScheme<D, P> scheme(model, control, judge);
   Change<D, P> change(model, state);
@@ -145,11 +133,12 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const st
     done.rate = std::max(size.fields, size.vapour) / dt;
     done.excess = tried.excess;
     watch(state, done);
-    if (tried.excess < ImplicitScheme<D, P>::digits_of_rest) return ended();
+    if (tried.excess < digits_of_rest) return ended();
     idle = tried.excess < 0.5 * least || done.rate >= rest ? 0 : idle + 1;
     least = std::min(least, tried.excess);
     dt = std::min(endless, dt * growth(tried.step, size.fields));
   }
+  if (done.rate < rest) return ended();
   done.why = "after " + std::to_string(most_steps) + " steps its fields still change by " + short_text(done.rate, 2) +
              " of their range in a unit of time, where less than " + short_text(rest, 2) + " counts as rest";
   return done;

@@ -26,7 +26,7 @@ struct Relaxation {
 /// last digit of the fields makes of them, and that nothing flows. Where Newton's method does not get so far, a rate of
 /// change
 ///   r = max( rms(rho') / (rho_l - rho_v),  rms(rho'/rho in the vapour),  rms(u') / Hs )
-/// below 1e-6 counts as rest too. The second one sees a thin vapour that fills slowly.
+/// below 1e-6 counts as rest too, at last after 200 steps. The second one sees a thin vapour that fills slowly.
 /// The state keeps its time, and is as one that `Scheme::initialise` has not seen. Ends earlier when interrupted, or
 /// where the scene does not come to rest, with the last state and the reason.
 /// @param watch  called after each step, with the state and what has been done so far

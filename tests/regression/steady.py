@@ -5,10 +5,11 @@ follows; what does not rest, and loads without an end, are answered with a sente
 usage: steady.py SOFTWET"""
 
 import csv
+import math
 import pathlib
 import subprocess
 
-from _scene import cases, check, check_true, environment, history, record, run, softwet
+from _scene import cases, check, check_true, environment, history, record, run, run_file, softwet
 
 SMALL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "output.fields.times=[]"]
 ONE = ("--overwrite", "--threads", "1")
@@ -52,6 +53,19 @@ for kind in ("rigid", "soft"):
                told["state"] == "done" and told["stop"]["reason"] == "at rest" and "at rest after" in said
                and "moved by" in said, said)
 
+# --- whether it is stable: a run that is disturbed a little follows the rate of the mode that stays longest
+stable = steady("static_droplet_soft_2d", "stable", SMALL)
+rate = record("stable")["rest"]["stability"]["growth_rates"][0]
+check_true("a stable droplet", rate < 0 and "softwet: stable: " in stable, f"{rate}: {stable}")
+disturbed = pathlib.Path("disturbed.toml")
+disturbed.write_text((cases / "static_droplet_soft_2d.toml").read_text()
+                     + '\n[[wave]]\nfield = "density"\namplitude = 1e-5\nmode = [1, 0]\n')
+run_file(disturbed, "disturbed", [*SMALL, "initial.from=stable", "time.end=4000", "time.dt_max=50", "solver.newton.rtol=1e-9"])
+rows = history("disturbed")
+away = [abs(x - last("stable")["x_centre"]) for t, x in zip(rows["t"], rows["x_centre"]) if t > 2000]
+times = [t for t in rows["t"] if t > 2000]
+check("rate of a run over that of the mode", abs(math.log(away[-1] / away[0]) / (times[-1] - times[0]) / rate - 1), 0.03)
+
 # --- what reads it, and goes on from it
 status = subprocess.run([softwet, "status", "soft"], capture_output=True, text=True, env=environment).stdout
 check_true("status", "done" in status, status)
@@ -71,6 +85,7 @@ rows = states("along")
 check_true("a row for each state", [row["state"] for row in rows] == ["at rest"] * 3, str(rows))
 ridges = [float(row["ridge"]) for row in rows]
 check_true("softer layers have higher ridges", 0 < ridges[0] < ridges[1] < ridges[2], str(ridges))
+check_true("each with its growth rate", all(float(row["growth_rate"]) < 0.1 for row in rows), str(rows))
 check("equal ratios", abs(float(rows[1]["substrate.young"]) ** 2 - 0.5), 1e-12)
 said = steady("static_droplet_soft_2d", "end", [*SMALL], [*ONE, "--along", "substrate.young=1,0.02"], code=2)
 check_true("the end of a branch is told", "the branch ends: at substrate.young = " in said, said)

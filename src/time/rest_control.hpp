@@ -1,0 +1,23 @@
+// How the implicit scheme is set where it looks for a state of rest, and at one.
+#pragma once
+
+#include <algorithm>
+
+#include "case/case.hpp"
+
+namespace softwet {
+
+/// Newton's method need not be accurate on the way, but its products and linear solves must be: the steps are long, and
+/// the modes of a scene near rest differ by many powers of ten.
+inline Case rest_control(const Case& c) {
+  Case loose = c;
+  loose.time.scheme = implicit_scheme;
+  loose.solver.jacobian = "exact";
+  loose.solver.precision = "double";
+  loose.solver.newton_rtol = 1e-3;
+  loose.solver.newton_max = std::max(c.solver.newton_max, 15);
+  loose.solver.krylov_rtol = std::min(c.solver.krylov_rtol, 1e-2);
+  return loose;
+}
+
+}  // namespace softwet

@@ -1,0 +1,14 @@
+"""Pulled droplets of scenes drawn at random, on the mesh of Fig. 2: path and peak speed against fine steps.
+
+The scenes of [drawn_pulls](drawn_pulls.md) on 128 x 64 elements, with the capillarity of Fig. 2: a droplet is carried over twice as many
+widths of its interface as there, and the same bounds are asked for. What is drawn, and how it is measured, is told there."""
+
+from _drawn import compare
+
+MINUTES = {"quick": 0.7, "full": 45}
+MESH = "the mesh, as on 64 x 32 elements"
+EXPLICIT = "takes hundreds of units of time at the temperature 0.39: millions of explicit steps"
+
+
+def study(lab):
+    compare(lab, 128, 0 if lab.quick else 12, (MESH, 60))
