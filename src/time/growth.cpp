@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "field/ghosts.hpp"
 #include "model/greville_points.hpp"
@@ -14,14 +15,14 @@
 namespace softwet {
 namespace {
 
-constexpr double step = 200;          ///< of backward Euler
-constexpr int most_directions = 40;   ///< of Arnoldi's method
-constexpr int least_directions = 10;  ///< where only the modes that are found have a factor that is looked at
-constexpr std::size_t wanted = 2;     ///< modes
-constexpr double smallest = 0.01;     ///< factor of a mode that is looked at
-constexpr double digits = 0.01;       ///< of a rate
-constexpr double least_error = 1e-7;  ///< of a rate, where that is larger than its digits
-constexpr double amplitude = 1e-5;    ///< of the disturbance, root of its mean square, over the ranges of the fields
+constexpr double steps[] = {200, 50, 12};  ///< of backward Euler; a shorter one where linear solves fail
+constexpr int most_directions = 40;        ///< of Arnoldi's method
+constexpr int least_directions = 10;       ///< where only the modes that are found have a factor that is looked at
+constexpr std::size_t wanted = 2;          ///< modes
+constexpr double smallest = 0.01;          ///< factor of a mode that is looked at
+constexpr double digits = 0.01;            ///< of a rate
+constexpr double least_error = 1e-7;       ///< of a rate, where that is larger than its digits
+constexpr double amplitude = 1e-5;  ///< of the disturbance, root of its mean square, over the ranges of the fields
 
 /// A function of the place that is the image of itself in no mirror.
 double without_symmetry(const std::array<double, 3>& x, const std::vector<double>& size, int own) {
@@ -38,7 +39,7 @@ struct Rate {
 };
 
 /// The rates of the modes that the projection of backward Euler has, the largest real part first.
-std::vector<Rate> rates_of(const std::vector<std::vector<double>>& columns) {
+std::vector<Rate> rates_of(const std::vector<std::vector<double>>& columns, double step) {
   std::vector<Rate> rates;
   for (const RitzValue& r : ritz_values(columns)) {
     const double size = std::abs(r.value);
@@ -62,12 +63,13 @@ std::vector<std::complex<double>> found(const std::vector<Rate>& rates) {
 template <int D, int P>
 class Disturbances {
  public:
-  Disturbances(const Model<D, P>& model, const Case& c, const State& rest)
+  Disturbances(const Model<D, P>& model, const Case& c, const State& rest, double step)
       : model_(model),
         layout_(model.layout()),
         judge_(model, c),
         scheme_(model, c, judge_),
         rest_(rest),
+        step_(step),
         near_(empty_state(layout_)),
         right_("growth.right", layout_.size()),
         work_("growth.work", layout_.size()),
@@ -112,14 +114,14 @@ class Disturbances {
     const double size = amplitude * std::sqrt(entries_of_patch(layout_, flow()));
     const double mass = missing(z, size, right_) - missing(z, -size, work_);
     combine(right_, -0.5 / size, work_, 0.5 / size);
-    const NewtonResult solved = scheme_.respond(rest_, step, right_, work_);
+    const NewtonResult solved = scheme_.respond(rest_, step_, right_, work_);
     krylov += solved.krylov;
     const Layout<D>& l = layout_;
     Kokkos::deep_copy(Exec(), out, z);
     Kokkos::deep_copy(Exec(), Kokkos::subview(out, Kokkos::make_pair(0, flow())), part(work_, 0, flow()));
     const int count = l.solid_rows() * l.row_size;
     for (int d = 0; d < D && l.has_solid; ++d)
-      add_scaled(out, flow() + l.displacement_offset(d), step,
+      add_scaled(out, flow() + l.displacement_offset(d), step_,
                  part(work_, l.velocity_offset(d), l.velocity_offset(d) + count));
     if (l.has_fluid) add_scaled(out, l.density_offset(), -0.5 * mass / size / volume_, uniform_);
     return solved.converged;
@@ -140,7 +142,7 @@ class Disturbances {
   double missing(const Array& z, double factor, const Array& out) {
     disturb(z, factor);
     scheme_.initialise(near_);
-    scheme_.integrator().begin_still(near_, step);
+    scheme_.integrator().begin_still(near_, step_);
     scheme_.integrator().residual(rest_.unknown, out);
     return layout_.has_fluid ? total(layout_.space(), near_.moment) : 0;
   }
@@ -150,22 +152,21 @@ class Disturbances {
   Judge<D, P> judge_;
   ImplicitScheme<D, P> scheme_;
   const State& rest_;
+  double step_;
   State near_;
   Array right_, work_, uniform_;
   double volume_;  ///< of the fluid
 };
 
-}  // namespace
-
+/// The rates from steps of one length; none where a linear solve fails.
 template <int D, int P>
-Growth growth_at_rest(const Model<D, P>& model, const Case& c, const State& rest,
-                      const std::function<bool()>& interrupted) {
-  const Case control = rest_control(c);
-  Disturbances<D, P> disturbances(model, control, rest);
+std::optional<Growth> growth_by(double step, const Model<D, P>& model, const Case& control, const State& rest,
+                                const std::function<bool()>& interrupted) {
+  Disturbances<D, P> disturbances(model, control, rest, step);
   GramSchmidt<double> basis("growth.basis", model.layout().space(), disturbances.size(), most_directions + 1);
   basis.set_weights(disturbances.weights());
   Array first("growth.first", disturbances.size());
-  disturbances.start(c, first);
+  disturbances.start(control, first);
   basis.begin(first, basis.length_of(first));
   Growth growth;
   std::vector<std::vector<double>> columns;
@@ -175,16 +176,13 @@ Growth growth_at_rest(const Model<D, P>& model, const Case& c, const State& rest
       growth.why = "stopped by user";
       return growth;
     }
-    if (!disturbances.carry(basis[j], basis[j + 1])) {
-      growth.why = "a small disturbance could not be followed, for a linear solve failed";
-      return growth;
-    }
+    if (!disturbances.carry(basis[j], basis[j + 1])) return {};
     ++growth.steps;
     growth.krylov = disturbances.krylov;
     basis.add();
     if (basis.waits()) basis.finish();
     columns.push_back(basis.column(j));
-    const std::vector<Rate> rates = rates_of(columns);
+    const std::vector<Rate> rates = rates_of(columns, step);
     growth.rates = found(rates);
     const bool no_other = j >= least_directions && !rates.empty() && growth.rates.size() == rates.size();
     if (columns[j][j + 1] == 0 || growth.rates.size() == wanted || no_other) break;
@@ -192,6 +190,19 @@ Growth growth_at_rest(const Model<D, P>& model, const Case& c, const State& rest
   if (growth.rates.empty())
     growth.why = "its fastest mode was not found in " + std::to_string(growth.steps) + " steps of a disturbance";
   return growth;
+}
+
+}  // namespace
+
+template <int D, int P>
+Growth growth_at_rest(const Model<D, P>& model, const Case& c, const State& rest,
+                      const std::function<bool()>& interrupted) {
+  const Case control = rest_control(c);
+  for (const double step : steps)
+    if (const std::optional<Growth> growth = growth_by<D, P>(step, model, control, rest, interrupted)) return *growth;
+  Growth none;
+  none.why = "a small disturbance could not be followed, for linear solves failed";
+  return none;
 }
 
 template Growth growth_at_rest(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, const State&,

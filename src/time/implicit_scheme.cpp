@@ -240,7 +240,10 @@ NewtonResult ImplicitScheme<D, P>::respond(const State& rest, double dt, const A
   linear.complaint = [](const Array&) { return Refusal(); };
   NewtonControl control = newton_control_;
   control.rtol = 1e-7;
-  const NewtonResult result = newton_.solve(linear, fields(), control, x);
+  std::vector<FieldRange> ranges = fields();
+  // The equation of the potential begins without a residual. Its share is that of the density's change.
+  if (ranges.size() > 1) ranges[2].floor = dt * norms(model_.layout().space(), r, ranges)[1];
+  const NewtonResult result = newton_.solve(linear, ranges, control, x);
   move_ghosts(model_.layout(), x, GhostAction::update);
   return result;
 }

@@ -20,7 +20,9 @@ std::pair<double, double> range(const VectorSpace& space, const ConstArray& x) {
         if (high > best.max_val) best.max_val = high;
       },
       Kokkos::MinMax<double>(r));
-  return {ranks::least(r.min_val), ranks::largest(r.max_val)};
+  double ends[2] = {-r.min_val, r.max_val};
+  ranks::largest(ends, 2);
+  return {-ends[0], ends[1]};
 }
 
 Refusal density_complaint(const VectorSpace& space, const ConstArray& density, double undershoot) {

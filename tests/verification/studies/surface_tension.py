@@ -280,6 +280,55 @@ def soft(lab):
                f"{results[64][0][1][0] - results[128][0][1][0]:.1f}", 5 <= results[64][0][1][0] - results[128][0][1][0] <= 15)
 
 
+# --- the width of the interface
+
+WIDE = Drop(0.2, 90.0, 1 / 128, 0.5, HEIGHT, 0.49)
+
+
+def widths(lab):
+    """One line force and one tension, spread over interfaces of several widths."""
+    wanted, of = {}, {}
+    for inverse in (32, 64) if lab.quick else (32, 64, 128, 256):
+        drop, scale = WIDE._replace(capillarity=1 / inverse), 128 / inverse
+        sigma = _measure.TENSION_OVER_CAPILLARITY / inverse
+        for factor in (FACTOR,) if lab.quick else (FACTOR, 1):
+            young, tension = 0.05 * scale * factor, 2 * sigma * factor
+            text = half(drop, [inverse, inverse], 0.5, young, dict(surface_tension=tension), 1.0)
+            graded = ["domain.grading.box=[[0,0.08],[0.26,0.38]]", "domain.grading.coarsest=8"] if inverse > 64 else []
+            label = f"1/gamma = {inverse}, {'stiff' if factor > 1 else 'soft'}"
+            wanted[label] = text, [*graded, "time.start=equilibrium", "time.max_steps=1", "output.fields.times=[0]"]
+            of[label] = inverse, factor, drop, young, tension
+    rows, found = [], {}
+    for label, run in lab.runs(wanted, limit=3000).items():
+        inverse, factor, drop, young, tension = of[label]
+        x, u = wall_of(run)
+        now, fine = (x + u[0], u[1]), numpy.linspace(0, drop.length, 2001)
+        theory = linear_theory(fine, drop, young, tension, False)
+        ridge, linear = factor * u[1].max(), factor * theory[1].max()
+        bend, line = factor * kink(*now), factor * kink(fine, theory[1])
+        found[label] = ridge / linear - 1, bend / line - 1, bend
+        rows.append((label, f"{linear:.3e}", f"{ridge:.3e}", f"{100 * found[label][0]:+.2f} %", f"{line:.4f}", f"{bend:.4f}",
+                     f"{100 * found[label][1]:+.2f} %"))
+    lab.title("Width of the interface")
+    lab.text("alpha = 90 degrees, R = 0.2, nu = 0.49. Young's modulus and the tension U = 2 sigma go with the surface tension of the fluid, "
+             "which goes with gamma: the line force over the modulus is that of gamma = 1/128 and E = 0.05, whatever the width. Kink: the "
+             f"steepest slopes on both sides of the ridge together; of an interface without width 1/2. Stiff: times {FACTOR}.")
+    lab.table(("scene", "ridge, linear", "ridge", "off", "kink, linear", "kink", "off"), rows, "widths")
+    for label, (ridge, bend, _) in found.items():
+        if label.endswith("stiff"):
+            lab.expect(f"{label}: ridge and kink", "linear theory at the same width +- 3 %", f"{100 * ridge:+.2f} %, {100 * bend:+.2f} %",
+                       max(abs(ridge), abs(bend)) <= 0.03)
+    for kind in {label.split(", ")[1] for label in found}:
+        bends = [bend for label, (_, _, bend) in found.items() if label.endswith(kind)]
+        lab.expect(f"{kind}: a thinner interface has a sharper kink", "yes", ", ".join(f"{bend:.3f}" for bend in bends),
+                   bends == sorted(bends))
+
+
+def kink(x, y):
+    slope = numpy.diff(y) / numpy.diff(x)
+    return slope.max() - slope.min()
+
+
 def softer(lab):
     """A third of that modulus. The layer is neo-Hookean, for a Saint Venant-Kirchhoff layer gives way under the pressure of the droplet,
     and viscous, so that the pull of the start does not shake it."""
@@ -304,6 +353,7 @@ def study(lab):
     waves(lab)
     droplet(lab)
     balance(lab)
+    widths(lab)
     if not lab.quick:
         soft(lab)
 
