@@ -106,11 +106,16 @@ double Judge<D, P>::indicator(const StepHistory& history, const Array& values, d
   const bool weighted = volume_ > 0;
   if (weighted) multiply(difference_, root_of_weight_);
   const double points = weighted ? volume_ : entries_of_patch(l, nv) / D;
-  const double v = norm(l.space(), part(difference_, 0, nv)) / std::sqrt(points) * dt / length_;
+  struct Part {
+    int first, last;
+  };
+  std::vector<Part> parts = {{0, nv}};
+  if (l.has_fluid) parts.push_back({l.density_offset(), l.potential_offset()});
+  const std::vector<double> sizes = norms(l.space(), difference_, parts);
+  const double v = sizes[0] / std::sqrt(points) * dt / length_;
   if (!l.has_fluid) return v;
   const double jump = model_.state().density_liquid - model_.state().density_vapour;
-  const double rho = norm(l.space(), part(difference_, l.density_offset(), l.potential_offset()));
-  return std::max(v, rho / std::sqrt(weighted ? of_scalars_ : entries_of_patch(l, l.scalar_size())) / jump);
+  return std::max(v, sizes[1] / std::sqrt(weighted ? of_scalars_ : entries_of_patch(l, l.scalar_size())) / jump);
 }
 
 template class Judge<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

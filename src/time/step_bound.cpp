@@ -48,6 +48,13 @@ bool has_free_end(const Layout<D>& l, const std::vector<double>& mask, int axis)
   return ranks::largest(found ? 1.0 : 0.0) > 0;
 }
 
+/// The largest rates of all processes.
+StepRates over_all_ranks(StepRates r) {
+  double all[] = {r.combined, r.sound, r.capillarity, r.viscosity, r.stabilisation, r.flow, r.elasticity};
+  ranks::largest(all, 7);
+  return {all[0], all[1], all[2], all[3], all[4], all[5], all[6]};
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -170,11 +177,7 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
     found.viscosity = std::max(found.viscosity, elastic.viscosity);
     found.combined = std::max(found.combined, elastic.combined);
   }
-  for (double StepRates::*rate :
-       {&StepRates::combined, &StepRates::sound, &StepRates::capillarity, &StepRates::viscosity,
-        &StepRates::stabilisation, &StepRates::flow, &StepRates::elasticity})
-    found.*rate = ranks::largest(found.*rate);
-  return found;
+  return over_all_ranks(found);
 }
 
 template class StepBound<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
