@@ -121,17 +121,10 @@ void MassInverse<D, P>::prepare(const Weights& w) {
   constexpr double steepest = 1.2;  // ratio of neighbours
   find_roots(w.root, w.sums, w.unit);
   neighbours_.limit(w.root, steepest, w.first == 0);
+  product_.fill_ghosts(w.root, w.first, w.first + 1);
   Kokkos::deep_copy(Exec(), cut(scaled_, w.begin, last), w.root);
   multiply_fixed(w, 1, scaled_, image_);
   find_factors(w.left, w.right, part(image_, w.begin, last), w.root, w.sums);
-}
-
-template <int D, int P>
-void MassInverse<D, P>::series_step(const Weights& w, const SeriesStep& step) {
-  if (!has_ghosts(model_.layout())) return product_.step(w, step, w.first, w.last);
-  scale(w.of(scaled_), step.factor, step.y, w.root);
-  multiply_fixed(w, w.last - w.first, scaled_, image_);
-  finish(StepPointers(w, step), w.of(image_), w.nodes());
 }
 
 template <int D, int P>
@@ -144,9 +137,11 @@ int MassInverse<D, P>::solve(const Weights& w, double factor, const ConstArray& 
   divide(x, factor, b, w.sums, mask);
   tie(x, {});
   if (kind_ == MassKind::lumped) return 0;
+  product_.fill_ghosts(x, w.first, w.last);
   for (int k = 0; k < 3; ++k) {  // y = -2 x, and three times y = x + e y
-    series_step(w, {x, k == 0 ? x : z, k == 0 ? -2.0 : 1.0, mask, image, z});
+    product_.step(w, {x, k == 0 ? x : z, k == 0 ? -2.0 : 1.0, mask, image, z}, w.first, w.last);
     tie(image, z);
+    product_.fill_ghosts(z, w.first, w.last);
   }
   return 0;
 }
@@ -200,7 +195,8 @@ void MassInverse<D, P>::multiply_scalar(const ConstArray& z, const Array& out) {
   const Weights& w = scalar_;
   const ConstArray mask = part(model_.mask(), w.begin, w.end);
   Kokkos::deep_copy(Exec(), w.of(scaled_), z);
-  series_step(w, {z, z, 1, mask, out, w.of(scaled_)});
+  product_.fill_ghosts(w.of(scaled_), w.first, w.last);
+  product_.step(w, {z, w.of(scaled_), 1, mask, out, w.of(scaled_)}, w.first, w.last);
   weigh(out, w.sums);
 }
 

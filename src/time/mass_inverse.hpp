@@ -63,8 +63,6 @@ class MassInverse {
   void prepare(const Weights&);
   /// out = M in, complete; both in the part of the components `components` of vectors of unknowns.
   void multiply_fixed(const Weights&, int components, const Array& in, const Array& out);
-  /// image = A (factor y) / a and next = x + factor y - image.
-  void series_step(const Weights&, const SeriesStep&);
   int solve(const Weights&, double factor, const ConstArray& b, const Array& z);
   template <class Apply, class Precondition>
   int solve_consistent(const Weights&, double factor, const ConstArray& b, const Array& z, double tolerance,

@@ -60,18 +60,4 @@ inline void find_factors(const Array& left, const Array& right, const ConstArray
       });
 }
 
-/// scaled = factor root y.
-inline void scale(const Array& scaled, double factor, const ConstArray& y, const ConstArray& root) {
-  const int nodes = static_cast<int>(root.extent(0));
-  Kokkos::parallel_for(
-      "softwet::scale", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { scaled(i) = factor * root(i % nodes) * y(i); });
-}
-
-/// The end of a step of the series at every value.
-inline void finish(const StepPointers& step, const ConstArray& product, int nodes) {
-  Kokkos::parallel_for(
-      "softwet::finish_step", Items(0, product.extent(0)),
-      KOKKOS_LAMBDA(int i) { step.finish(i, i % nodes, product(i)); });
-}
-
 }  // namespace softwet::mass_kernels

@@ -9,7 +9,7 @@ import subprocess
 
 from _scene import check_true, softwet
 
-CHOSEN = "1000"
+CHOSEN = "3000"
 
 
 def looks(command, **variables):

@@ -93,6 +93,24 @@ struct AlongAxis : Lines {
   }
 };
 
+/// Values at the ghosts of a periodic axis, of components behind each other: sums count for what they are copies of, and
+/// become copies.
+template <int D>
+struct CloseAxis {
+  GhostPair<D> pair;
+  Array values;
+  int nodes, items;  ///< of a component: control points, and ghosts
+  bool add, copy;
+
+  KOKKOS_FUNCTION void operator()(int g) const {
+    int ghost = 0, own = 0;
+    pair(g % items, ghost, own);
+    const int first = g / items * nodes;
+    if (add) values(first + own) += values(first + ghost);
+    if (copy) values(first + ghost) = values(first + own);
+  }
+};
+
 template <int P, Pass pass>
 void run_axis(const Lines& lines, int items) {
   Kokkos::parallel_for("softwet::mass_product", Items(0, items), AlongAxis<P, pass>(lines));
@@ -162,8 +180,28 @@ void MassProduct<D, P>::run(const WeightedMass& mass, const SeriesStep& series, 
     } else {
       run_axis<P, Pass::plain>(lines, items);
     }
+    if (Step && d < D - 1 && closes(layout_, d)) close(d, scratch_[d % 2], first, last, true);
     stride *= extent(d, velocities);
   }
+}
+
+template <int D, int P>
+void MassProduct<D, P>::close(int axis, const Array& values, int first, int last, bool add) const {
+  const bool velocities = first<D, copy = axis> 0 || layout_.whole();
+  CloseAxis<D> close{{{}, axis, extent(axis, velocities) - layout_.axis[axis].degree()}, values, 1, 1, add, copy};
+  for (int d = 0; d < D; ++d) {
+    close.pair.box.extent[d] = extent(d, velocities);
+    close.nodes *= extent(d, velocities);
+    close.items *= d == axis ? layout_.axis[axis].degree() : extent(d, velocities);
+  }
+  Kokkos::parallel_for("softwet::close", Items(0, (last - first) * close.items), close);
+}
+
+template <int D, int P>
+void MassProduct<D, P>::fill_ghosts(const Array& values, int first, int last) const {
+  if (!layout_.whole()) update_columns(layout_.columns, *layout_.exchange, values);
+  for (int d = 0; d < D - 1; ++d)
+    if (closes(layout_, d) && (d > 0 || layout_.whole())) close(d, values, first, last, false);
 }
 
 template <int D, int P>

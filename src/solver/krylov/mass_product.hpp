@@ -60,14 +60,19 @@ class MassProduct {
   /// `move_ghosts(.., GhostAction::add)` of a vector of unknowns does that.
   void apply(const ConstArray& in, const Array& out, int first, int last) const;
 
-  /// A step of the series where nothing has ghosts: the same passes, and no other.
+  /// A step of the series by the same passes, and no other. Reads ghosts, and leaves those of the results open.
   void step(const WeightedMass&, const SeriesStep&, int first, int last) const;
+
+  /// Ghosts of the components [first, last) take the values that they are copies of; the array is of these alone.
+  void fill_ghosts(const Array& values, int first, int last) const;
 
  private:
   /// Entry (k, i) is M(i, i + k - degree).
   using Band = Kokkos::View<const double**, Kokkos::LayoutRight, Exec>;
   Band band(int d, const std::vector<ElementRun>&, int first_function, int functions, int points) const;
   int extent(int d, bool velocities) const;
+  /// Ghosts along a periodic axis. @param add  they are sums, which count for what the ghosts are copies of
+  void close(int axis, const Array& values, int first, int last, bool add) const;
   template <bool Step>
   void run(const WeightedMass&, const SeriesStep&, const ConstArray& in, const Array& out, int first, int last) const;
 
