@@ -34,7 +34,7 @@ std::string stability_text(const Growth& growth) {
   if (!growth.why.empty()) return "whether that is stable is not known: " + growth.why;
   const double rate = growth.rates[0].real();
   const std::string time = short_text(1 / std::abs(rate), 3) + " units of time";
-  if (std::abs(rate) < neutral_rate)
+  if (std::abs(rate) < neutral_rate * std::max(1.0, std::abs(growth.rates[0])))
     return "neither stable nor unstable: a small disturbance stays, its rate is " + short_text(rate, 2);
   return rate > 0 ? "not stable: a small disturbance grows by the factor e within " + time
                   : "stable: the small disturbance that stays longest falls by the factor e within " + time;

@@ -15,14 +15,15 @@
 namespace softwet {
 namespace {
 
-constexpr double steps[] = {200, 50, 12};  ///< of backward Euler; a shorter one where linear solves fail
-constexpr int most_directions = 40;        ///< of Arnoldi's method
-constexpr int least_directions = 10;       ///< where only the modes that are found have a factor that is looked at
-constexpr std::size_t wanted = 2;          ///< modes
-constexpr double smallest = 0.01;          ///< factor of a mode that is looked at
-constexpr double digits = 0.01;            ///< of a rate
-constexpr double least_error = 1e-7;       ///< of a rate, where that is larger than its digits
-constexpr double amplitude = 1e-5;  ///< of the disturbance, root of its mean square, over the ranges of the fields
+constexpr double steps[] = {200, 50,
+                            12};  ///< of backward Euler; a shorter one where linear solves fail or no mode stands out
+constexpr int most_directions = 40;   ///< of Arnoldi's method
+constexpr int least_directions = 10;  ///< before it counts that no other mode has a factor that is looked at
+constexpr std::size_t wanted = 2;     ///< modes
+constexpr double smallest = 0.01;     ///< factor of a mode that is looked at
+constexpr double digits = 0.01;       ///< of a rate
+constexpr double least_error = 1e-7;  ///< of a rate, where that is larger than its digits
+constexpr double amplitude = 1e-5;    ///< of the disturbance, root of its mean square, over the ranges of the fields
 
 /// A function of the place that is the image of itself in no mirror.
 double without_symmetry(const std::array<double, 3>& x, const std::vector<double>& size, int own) {
@@ -53,7 +54,7 @@ std::vector<Rate> rates_of(const std::vector<std::vector<double>>& columns, doub
 std::vector<std::complex<double>> found(const std::vector<Rate>& rates) {
   std::vector<std::complex<double>> values;
   for (const Rate& r : rates) {
-    if (values.size() == wanted || r.error > std::max(digits * std::abs(r.value), least_error)) break;
+    if (values.size() == wanted || r.error > std::max(digits * std::abs(r.value.real()), least_error)) break;
     values.push_back(r.value);
   }
   return values;
@@ -158,7 +159,8 @@ class Disturbances {
   double volume_;  ///< of the fluid
 };
 
-/// The rates from steps of one length; none where a linear solve fails.
+/// The rates from steps of one length; none where a linear solve fails, or where all modes swing or fall so fast that none
+/// stands out.
 template <int D, int P>
 std::optional<Growth> growth_by(double step, const Model<D, P>& model, const Case& control, const State& rest,
                                 const std::function<bool()>& interrupted) {
@@ -173,7 +175,7 @@ std::optional<Growth> growth_by(double step, const Model<D, P>& model, const Cas
   for (int j = 0; j < most_directions; ++j) {
     if (interrupted()) {
       growth.rates.clear();
-      growth.why = "stopped by user";
+      growth.why = "the search was stopped";
       return growth;
     }
     if (!disturbances.carry(basis[j], basis[j + 1])) return {};
@@ -184,6 +186,7 @@ std::optional<Growth> growth_by(double step, const Model<D, P>& model, const Cas
     columns.push_back(basis.column(j));
     const std::vector<Rate> rates = rates_of(columns, step);
     growth.rates = found(rates);
+    if (j >= least_directions && rates.empty()) return {};
     const bool no_other = j >= least_directions && !rates.empty() && growth.rates.size() == rates.size();
     if (columns[j][j + 1] == 0 || growth.rates.size() == wanted || no_other) break;
   }
@@ -201,7 +204,7 @@ Growth growth_at_rest(const Model<D, P>& model, const Case& c, const State& rest
   for (const double step : steps)
     if (const std::optional<Growth> growth = growth_by<D, P>(step, model, control, rest, interrupted)) return *growth;
   Growth none;
-  none.why = "a small disturbance could not be followed, for linear solves failed";
+  none.why = "linear solves failed, or no mode stands out in steps of 12 units of time";
   return none;
 }
 

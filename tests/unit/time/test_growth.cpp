@@ -28,6 +28,21 @@ TEST(Growth, ShearWavesOfAViscousLayerHaveTheirExactRates) {
   EXPECT_NEAR(std::abs(growth.rates[0].imag()), frequency, 0.01 * frequency);
 }
 
+// An elastic layer swings for ever: neither stable nor unstable, though its waves are fast.
+TEST(Growth, WavesOfAnElasticLayerStay) {
+  Case c = scene(Scene::solid, WallLaw::gradient, true);
+  c.loads.clear();
+  c.boundary.side[1][0] = Side::no_slip;
+  const Model<2, 2> model(c);
+  const State rest = initial_state<2, 2>(c, model);
+  const Growth growth = growth_at_rest<2, 2>(model, c, rest);
+  ASSERT_EQ(growth.why, "");
+  const double k = M_PI / 2 / 0.8, frequency = k * std::sqrt(model.stiffness().shear_modulus / 1.3);
+  std::printf("  %g + %g i after %d steps\n", growth.rates[0].real(), growth.rates[0].imag(), growth.steps);
+  EXPECT_LT(std::abs(growth.rates[0].real()), neutral_rate);
+  EXPECT_NEAR(std::abs(growth.rates[0].imag()), frequency, 0.01 * frequency);
+}
+
 /// A coarse scene with a droplet, at rest.
 struct Resting {
   Case c;
@@ -99,7 +114,7 @@ TEST(Growth, EndsWhereItIsAskedTo) {
   const Resting rest(Scene::rigid);
   const Growth growth = growth_at_rest<2, 2>(rest.model, rest.c, rest.state, [] { return true; });
   EXPECT_TRUE(growth.rates.empty());
-  EXPECT_EQ(growth.why, "stopped by user");
+  EXPECT_EQ(growth.why, "the search was stopped");
 }
 
 }  // namespace
