@@ -15,7 +15,6 @@ BOUNDS = {"standard": ("standard", "fine", 1, 3), "draft on its own mesh": ("dra
 WAYS = {"standard": 0.12, "draft": 0.3}  # in a step, capillarities
 FIRST = 103  # seed
 WINDOW, SETTLED = 5, 20  # of time
-STEPS = "a short peak of the speed lies within one or two steps of a draft"
 
 
 def drawn(seed):
@@ -76,8 +75,8 @@ def at_rest(lab, seed, elements):
     return run.code == 0
 
 
-def compare(lab, elements, count, of_mesh):
-    """@param count  scenes; 0: the known one, for a short time.   @param of_mesh  what is known of the draft's mesh, and within which %"""
+def compare(lab, elements, count, known):
+    """@param count  scenes; 0: the known one, for a short time.   @param known  {form: (cause of a miss, path and peak within which %)}"""
     seeds = itertools.islice((seed for seed in itertools.count(FIRST) if at_rest(lab, seed, elements)), count)
     scenes, end = {seed: drawn(seed) for seed in seeds} or {"known": KNOWN}, 800 if count else 250
     least = len(scenes) - len(scenes) // 12
@@ -90,8 +89,8 @@ def compare(lab, elements, count, of_mesh):
         worst = [max(abs(error) for error in column) for column in zip(*found[form])]
         lab.expect(f"{form}: scenes with the path within {path} % and the peak within {peak} %", f">= {least} of {len(rows)}",
                    f"{held}; worst path {worst[0]:.2g} %, worst peak {worst[1]:.2g} %", held >= least,
-                   {"draft": Known(of_mesh[0], f"paths within {of_mesh[1]} %", worst[0] <= of_mesh[1]),
-                    "draft on its own mesh": Known(STEPS, "peaks within 6 %", worst[0] <= path and worst[1] <= 6)}.get(form))
+                   Known(known[form][0], f"paths within {known[form][1]} %, peaks within {known[form][2]} %",
+                         worst[0] <= known[form][1] and worst[1] <= known[form][2]) if form in known else None)
         for row, error in zip(rows, found[form]):
             row += [float(f"{e:.2g}") for e in error]
     for form, way in WAYS.items():
