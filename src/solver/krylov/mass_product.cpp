@@ -111,6 +111,14 @@ struct CloseAxis {
   }
 };
 
+/// The end of a step of the series at every value, where sums along the last axis have to be completed first.
+struct FinishStep {
+  StepPointers step;
+  const double* product;
+  int nodes;
+  KOKKOS_FUNCTION void operator()(int i) const { step.finish(i, i % nodes, product[i]); }
+};
+
 template <int P, Pass pass>
 void run_axis(const Lines& lines, int items) {
   Kokkos::parallel_for("softwet::mass_product", Items(0, items), AlongAxis<P, pass>(lines));
@@ -167,22 +175,26 @@ void MassProduct<D, P>::run(const WeightedMass& mass, const SeriesStep& series, 
   const int nodes = extent(D - 1, velocities) * layout_.row_size, count = (last - first) * nodes;
   const int row = layout_.extent(0), items = host_algorithms ? count / row : count;
   const StepPointers step(mass, series);
+  const bool open = Step && closes(layout_, D - 1);  // sums along the last axis are not complete after their pass
   int stride = 1;
   for (int d = 0; d < D; ++d) {
     const double* from = d == 0 ? in.data() : scratch_[(d - 1) % 2].data();
-    double* to = d == D - 1 ? out.data() : scratch_[d % 2].data();
+    double* to = d == D - 1 && !open ? out.data() : scratch_[d % 2].data();
     const Lines lines{from,  to,  velocities ? velocity_[d] : scalar_[d], row, stride, extent(d, velocities),
                       nodes, step};
     if (Step && d == 0) {
       run_axis<P, Pass::scaled>(lines, items);
-    } else if (Step && d == D - 1) {
+    } else if (Step && d == D - 1 && !open) {
       run_axis<P, Pass::finish>(lines, items);
     } else {
       run_axis<P, Pass::plain>(lines, items);
     }
-    if (Step && d < D - 1 && closes(layout_, d)) close(d, scratch_[d % 2], first, last, true);
+    if (Step && closes(layout_, d)) close(d, scratch_[d % 2], first, last, true);
     stride *= extent(d, velocities);
   }
+  if (open)
+    Kokkos::parallel_for("softwet::finish_step", Items(0, count),
+                         FinishStep{step, scratch_[(D - 1) % 2].data(), nodes});
 }
 
 template <int D, int P>
@@ -200,7 +212,7 @@ void MassProduct<D, P>::close(int axis, const Array& values, int first, int last
 template <int D, int P>
 void MassProduct<D, P>::fill_ghosts(const Array& values, int first, int last) const {
   if (!layout_.whole()) update_columns(layout_.columns, *layout_.exchange, values);
-  for (int d = 0; d < D - 1; ++d)
+  for (int d = 0; d < D; ++d)
     if (closes(layout_, d) && (d > 0 || layout_.whole())) close(d, values, first, last, false);
 }
 

@@ -34,10 +34,20 @@ struct Weighed {
   void solve_velocity(const Array& b, const Array& z) { inverse.velocity(stage, 1, velocities(b), velocities(z), 0); }
 };
 
+/// Fluid without an end: periodic along both axes.
+Case without_ends() {
+  Case c = scene(Scene::rigid, WallLaw::gradient, true);
+  c.boundary.side[1] = {Side::periodic, Side::periodic};
+  return c;
+}
+
 const std::vector<Case>& scenes() {
-  static const std::vector<Case> all{scene(Scene::rigid), scene(Scene::coupled),
-                                     scene(Scene::coupled, WallLaw::gradient, true), axisymmetric(scene(Scene::rigid)),
-                                     axisymmetric(scene(Scene::coupled))};
+  static const std::vector<Case> all{scene(Scene::rigid),
+                                     scene(Scene::coupled),
+                                     scene(Scene::coupled, WallLaw::gradient, true),
+                                     axisymmetric(scene(Scene::rigid)),
+                                     axisymmetric(scene(Scene::coupled)),
+                                     without_ends()};
   return all;
 }
 
