@@ -22,7 +22,7 @@ def wall_of(run):
 
 
 def stability_of(rest):
-    """Rate and frequency of the mode that grows fastest; empty where nobody asked, or none was found."""
+    """Rate and frequency of the mode that grows fastest; empty where none was found."""
     stability = rest.get("stability", {})
     if not stability.get("growth_rates"):
         return {}

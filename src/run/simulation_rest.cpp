@@ -8,7 +8,7 @@
 #include "observe/extremes.hpp"
 #include "run/host/run_status.hpp"
 #include "run/simulation.hpp"
-#include "time/implicit_scheme.hpp"
+#include "time/rest_control.hpp"
 
 namespace softwet {
 namespace {

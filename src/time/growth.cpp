@@ -102,9 +102,10 @@ class Disturbances {
     for (int k = 0; k <= D; ++k) {
       if (k == D && !l.has_fluid) break;
       const int first = k < D ? 0 : l.wall_row, offset = k < D ? l.velocity_offset(k) : l.density_offset();
-      at_greville_points(l, first, k < D ? l.rows : l.fluid_rows(), [&](int i, const double* x) {
-        values[offset + i] = without_symmetry(place_inside(l, x), c.domain.size, k);
-      });
+      const std::vector<double> of_field = control_values(
+          l, [&](const std::array<double, 3>& x) { return without_symmetry(x, c.domain.size, k); }, first,
+          k < D ? l.rows : l.fluid_rows());
+      std::copy(of_field.begin(), of_field.end(), values.begin() + offset);
     }
     Kokkos::deep_copy(z, to_device<Array>(values, "growth.start"));
     multiply(Kokkos::subview(z, Kokkos::make_pair(0, l.velocity_size())), part(model_.mask(), 0, l.velocity_size()));

@@ -3,6 +3,7 @@
 #include "solver/choose.hpp"
 #include "solver/recorded_answers.hpp"
 #include "solver/scale_fields.hpp"
+#include "time/rest_control.hpp"
 
 namespace softwet {
 namespace {

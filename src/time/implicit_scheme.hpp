@@ -12,9 +12,6 @@ namespace softwet {
 template <int D, int P>
 SolidPart solid_part(const Model<D, P>&, const Stage&);
 
-/// A scene rests where its residual is less than so many times what the last digit of the fields makes of it.
-inline constexpr double digits_of_rest = 8;
-
 /// A step towards rest, and how far its beginning was from it.
 struct Settling {
   StepAttempt step;

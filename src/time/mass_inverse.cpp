@@ -33,8 +33,8 @@ MassInverse<D, P>::MassInverse(const Model<D, P>& model, MassKind kind)
   Kokkos::deep_copy(ones_, 1.0);
   for (const Weights& w : {scalar_, velocity_}) {
     if (w.nodes() == 0) continue;
-    multiply_fixed(w, 1, ones_, image_);
-    Kokkos::deep_copy(w.unit, part(image_, w.begin, w.begin + w.nodes()));
+    product_.apply(cut(ones_, 0, w.nodes()), w.unit, w.first, w.first + 1);
+    product_.fill_ghosts(w.unit, w.first, w.first + 1);
   }
   if (model.layout().has_solid) add_solid_sums();
 }
@@ -67,17 +67,6 @@ void MassInverse<D, P>::add_solid_sums() {
 }
 
 template <int D, int P>
-void MassInverse<D, P>::multiply_fixed(const Weights& w, int components, const Array& in, const Array& out) {
-  const Layout<D>& l = model_.layout();
-  const bool ghosts = has_ghosts(l);
-  if (ghosts) move_ghosts(l, in, GhostAction::update);
-  product_.apply(w.of(in), w.of(out), w.first, w.first + components);
-  if (!ghosts) return;
-  move_ghosts(l, out, GhostAction::add);
-  move_ghosts(l, out, GhostAction::update);
-}
-
-template <int D, int P>
 void MassInverse<D, P>::set_mesh(const Stage& stage) {
   const Layout<D>& l = model_.layout();
   if (!l.has_fluid || (has_mesh_ && !l.has_solid)) return;
@@ -104,27 +93,22 @@ void MassInverse<D, P>::set_weights(const ConstArray& moments, const ConstArray&
 
 template <int D, int P>
 void MassInverse<D, P>::weigh_with(const ConstArray& moments) {
-  const Layout<D>& l = model_.layout();
-  const Array sums = velocity_.sums;
-  sum_velocity_rows(sums, solid_sums_, moments, scalar_.sums, model_.fluid().inertia_floor, l.fluid_shift());
-  if (has_ghosts(l)) {
-    Kokkos::deep_copy(Exec(), cut(image_, 0, velocity_.nodes()), sums);
-    move_ghosts(l, image_, GhostAction::update);
-    Kokkos::deep_copy(Exec(), sums, part(image_, 0, velocity_.nodes()));
-  }
+  sum_velocity_rows(velocity_.sums, solid_sums_, moments, scalar_.sums, model_.fluid().inertia_floor,
+                    model_.layout().fluid_shift());
+  product_.fill_ghosts(velocity_.sums, 0, 1);
   if (kind_ == MassKind::corrected) prepare(velocity_);
 }
 
 template <int D, int P>
 void MassInverse<D, P>::prepare(const Weights& w) {
-  const int last = w.begin + w.nodes();
+  const Array image = cut(image_, 0, w.nodes());
   constexpr double steepest = 1.2;  // ratio of neighbours
   find_roots(w.root, w.sums, w.unit);
   neighbours_.limit(w.root, steepest, w.first == 0);
   product_.fill_ghosts(w.root, w.first, w.first + 1);
-  Kokkos::deep_copy(Exec(), cut(scaled_, w.begin, last), w.root);
-  multiply_fixed(w, 1, scaled_, image_);
-  find_factors(w.left, w.right, part(image_, w.begin, last), w.root, w.sums);
+  product_.apply(w.root, image, w.first, w.first + 1);
+  product_.fill_ghosts(image, w.first, w.first + 1);
+  find_factors(w.left, w.right, image, w.root, w.sums);
 }
 
 template <int D, int P>

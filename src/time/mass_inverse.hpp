@@ -61,8 +61,6 @@ class MassInverse {
   Weights weights(int begin, int nodes, int first, int last) const;
   /// Factors from the row sums.
   void prepare(const Weights&);
-  /// out = M in, complete; both in the part of the components `components` of vectors of unknowns.
-  void multiply_fixed(const Weights&, int components, const Array& in, const Array& out);
   int solve(const Weights&, double factor, const ConstArray& b, const Array& z);
   template <class Apply, class Precondition>
   int solve_consistent(const Weights&, double factor, const ConstArray& b, const Array& z, double tolerance,

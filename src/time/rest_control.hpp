@@ -7,6 +7,9 @@
 
 namespace softwet {
 
+/// A scene rests where its residual is less than so many times what the last digit of the fields makes of it.
+inline constexpr double digits_of_rest = 8;
+
 /// Newton's method need not be accurate on the way, but its products and linear solves must be: the steps are long, and
 /// the modes of a scene near rest differ by many powers of ten.
 inline Case rest_control(const Case& c) {

@@ -179,8 +179,8 @@ void MassProduct<D, P>::run(const WeightedMass& mass, const SeriesStep& series, 
   int stride = 1;
   for (int d = 0; d < D; ++d) {
     const double* from = d == 0 ? in.data() : scratch_[(d - 1) % 2].data();
-    double* to = d == D - 1 && !open ? out.data() : scratch_[d % 2].data();
-    const Lines lines{from,  to,  velocities ? velocity_[d] : scalar_[d], row, stride, extent(d, velocities),
+    const Array to = d == D - 1 && !open ? out : scratch_[d % 2];
+    const Lines lines{from,  to.data(), velocities ? velocity_[d] : scalar_[d], row, stride, extent(d, velocities),
                       nodes, step};
     if (Step && d == 0) {
       run_axis<P, Pass::scaled>(lines, items);
@@ -189,7 +189,7 @@ void MassProduct<D, P>::run(const WeightedMass& mass, const SeriesStep& series, 
     } else {
       run_axis<P, Pass::plain>(lines, items);
     }
-    if (Step && closes(layout_, d)) close(d, scratch_[d % 2], first, last, true);
+    if (closes(layout_, d)) close(d, to, first, last, true);
     stride *= extent(d, velocities);
   }
   if (open)
@@ -199,7 +199,8 @@ void MassProduct<D, P>::run(const WeightedMass& mass, const SeriesStep& series, 
 
 template <int D, int P>
 void MassProduct<D, P>::close(int axis, const Array& values, int first, int last, bool add) const {
-  const bool velocities = first<D, copy = axis> 0 || layout_.whole();
+  const bool velocities = first < D;
+  const bool copy = layout_.whole() || axis != 0;
   CloseAxis<D> close{{{}, axis, extent(axis, velocities) - layout_.axis[axis].degree()}, values, 1, 1, add, copy};
   for (int d = 0; d < D; ++d) {
     close.pair.box.extent[d] = extent(d, velocities);

@@ -56,8 +56,7 @@ class MassProduct {
   MassProduct(const Layout<D>&, int points);
 
   /// out = M in for the components [first, last), which are either velocities or scalars; both are arrays of these alone.
-  /// Reads ghosts, which have to be filled. The sums of periodic axes are not complete:
-  /// `move_ghosts(.., GhostAction::add)` of a vector of unknowns does that.
+  /// Reads ghosts, which have to be filled, and leaves those of the result open.
   void apply(const ConstArray& in, const Array& out, int first, int last) const;
 
   /// A step of the series by the same passes, and no other. Reads ghosts, and leaves those of the results open.
@@ -71,7 +70,7 @@ class MassProduct {
   using Band = Kokkos::View<const double**, Kokkos::LayoutRight, Exec>;
   Band band(int d, const std::vector<ElementRun>&, int first_function, int functions, int points) const;
   int extent(int d, bool velocities) const;
-  /// Ghosts along a periodic axis. @param add  they are sums, which count for what the ghosts are copies of
+  /// Closes a periodic axis at its ghosts. @param add  they are sums, which count for what the ghosts are copies of
   void close(int axis, const Array& values, int first, int last, bool add) const;
   template <bool Step>
   void run(const WeightedMass&, const SeriesStep&, const ConstArray& in, const Array& out, int first, int last) const;

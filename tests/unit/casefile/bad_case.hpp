@@ -25,4 +25,8 @@ inline std::string message_of(const std::string& text, const std::vector<std::st
   return "(accepted)";
 }
 
+inline void expect_parts(const std::string& message, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
+}
+
 }  // namespace softwet::testing_tools

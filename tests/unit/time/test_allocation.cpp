@@ -4,8 +4,7 @@
 #include <Kokkos_Core.hpp>
 
 #include "case/case.hpp"
-#include "model/initial.hpp"
-#include "time/stepper.hpp"
+#include "unit/time/first_steps.hpp"
 
 namespace softwet {
 namespace {
@@ -38,10 +37,7 @@ TEST(Allocation, NoneInsideAStep) {
   const Case c = small_droplet();
   const Model<2, 2> model(c);
   Stepper<2, 2> stepper(model, c, {});
-  State state = initial_state<2, 2>(c, model);
-  stepper.scheme().initialise(state);
-  stepper.start(state);
-  for (int i = 0; i < 3; ++i) stepper.step();
+  testing_tools::take_first_steps(stepper, model, c);
   Kokkos::Tools::Experimental::set_allocate_data_callback(count_allocation);
   allocations = 0;
   for (int i = 0; i < 5; ++i) stepper.step();

@@ -1,0 +1,16 @@
+// The first steps of a run, before a test looks at one.
+#pragma once
+
+#include "model/initial.hpp"
+#include "time/stepper.hpp"
+
+namespace softwet::testing_tools {
+
+inline void take_first_steps(Stepper<2, 2>& stepper, const Model<2, 2>& model, const Case& c) {
+  State state = initial_state<2, 2>(c, model);
+  stepper.scheme().initialise(state);
+  stepper.start(state);
+  for (int i = 0; i < 3; ++i) stepper.step();
+}
+
+}  // namespace softwet::testing_tools
