@@ -14,6 +14,7 @@ namespace {
 
 constexpr double rest = 1e-6;           ///< rate of change that counts as rest where Newton's method gets no farther
 constexpr double change_of_step = 0.1;  ///< of the fields, that a step aims at; a thin vapour may change by more
+constexpr double still = 1e-5;          ///< change of the fields in a step that brings nothing
 constexpr double slow = 1e-6;           ///< mean speed, root of its square: above it a steady state flows
 constexpr double endless = 1e12;        ///< step
 constexpr int most_idle = 12;           ///< steps and refusals in a row, at rest, that bring nothing
@@ -28,11 +29,24 @@ std::string flow_text(const Layout<D>& l, const State& state) {
   return "its fields do not change, but it flows, with a mean speed of " + short_text(speed, 2);
 }
 
-/// How many times as long as a step the next one is.
-double growth(const StepAttempt& step, double change) {
-  const double of_effort = step.newton <= 4 ? 10 : step.newton <= 6 ? 3 : step.newton <= 9 ? 1.5 : 1;
-  return std::clamp(change_of_step / change, 0.5, of_effort);
-}
+/// How long steps are.
+struct StepLength {
+  double dt;                    ///< of the next step
+  double aim = change_of_step;  ///< change of the fields in a step
+  double rate = 0;              ///< of change of the fields in the last step
+
+  void accept(const StepAttempt& step, double change) {
+    const double of_effort = step.newton <= 4 ? 10 : step.newton <= 6 ? 3 : step.newton <= 9 ? 1.5 : 1;
+    rate = change / dt;
+    dt = std::min(endless, dt * std::clamp(aim / change, 0.5, of_effort));
+    aim = std::min(change_of_step, 1.2 * aim);
+  }
+  /// A droplet that creeps is followed by steps in which it moves by half of what was too far.
+  void refuse() {
+    if (rate * dt > still) aim = std::min(aim, std::max(0.5 * rate * dt, 10 * still));
+    dt *= 0.25;
+  }
+};
 
 /// x(i) /= density(i) where the density is below `most`, that is in the vapour, and 0 elsewhere.
 void relative_in_vapour(const Array& x, const ConstArray& density, double least, double most) {
@@ -109,18 +123,20 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const st
     return done;
   };
   scheme.initialise(state);
-  double dt = c.time.dt_initial, least = std::numeric_limits<double>::infinity();
+  StepLength length{c.time.dt_initial};
+  double least = std::numeric_limits<double>::infinity();
   for (int idle = 0; done.steps < most_steps;) {
     done.interrupted = interrupted();
     if (done.interrupted) return done;
     if (idle >= most_idle && done.rate < rest) return ended();
+    const double dt = length.dt;
     const Settling tried = scheme.settle(state, dt);
     done.refusal = tried.step.refusal;
     if (!done.refusal.empty()) {
       ++done.rejected;
       idle += done.steps > 0 && done.rate < rest ? 1 : 0;
-      dt *= 0.25;
-      if (dt >= c.time.dt_min) continue;
+      length.refuse();
+      if (length.dt >= c.time.dt_min) continue;
       done.why = std::string(done.refusal.text()) + ", even with the smallest step (time.dt_min)";
       return done;
     }
@@ -134,9 +150,9 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const st
     done.excess = tried.excess;
     watch(state, done);
     if (tried.excess < digits_of_rest) return ended();
-    idle = tried.excess < 0.5 * least || done.rate >= rest ? 0 : idle + 1;
+    idle = tried.excess < 0.5 * least || done.rate >= rest || size.fields > still ? 0 : idle + 1;
     least = std::min(least, tried.excess);
-    dt = std::min(endless, dt * growth(tried.step, size.fields));
+    length.accept(tried.step, size.fields);
   }
   if (done.rate < rest) return ended();
   done.why = "after " + std::to_string(most_steps) + " steps its fields still change by " + short_text(done.rate, 2) +
