@@ -4,9 +4,7 @@ namespace softwet {
 
 const std::vector<Quality>& qualities() {
   static const std::vector<Quality> all{
-      {"draft",
-       "for a first look at a scene",
-       {{"time.tolerance", "1e-2"}, {"domain.quadrature", "\"reduced\""}, {"domain.grading.fine", "\"automatic\""}}},
+      {"draft", "for a first look at a scene", {{"time.tolerance", "5e-3"}, {"domain.grading.fine", "\"automatic\""}}},
       {"standard", "the defaults", {}},
       {"reference",
        "to judge the others by",
