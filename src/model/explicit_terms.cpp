@@ -1,6 +1,5 @@
 #include "model/explicit_terms.hpp"
 
-#include "field/vector.hpp"
 #include "model/coordinates.hpp"
 
 namespace softwet {
@@ -44,7 +43,6 @@ void ExplicitTerms<D, P>::add_convection(const Stage& stage, bool viscous, const
 template <int D, int P>
 void ExplicitTerms<D, P>::collect(const Array& out) const {
   move_ghosts(model_.layout(), out, GhostAction::add);
-  multiply(out, model_.mask());
 }
 
 template class ExplicitTerms<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

@@ -7,7 +7,8 @@
 namespace softwet {
 
 /// Parts of the residual, added to a vector with the layout of the unknowns; `collect` ends a sum of them. All together, and
-/// `Model::potential_moments`, they are the residual without the terms of the acceleration and of the moments.
+/// `Model::potential_moments`, they are the residual without the terms of the acceleration and of the moments, and without its
+/// mask: what is prescribed has values too.
 /// Tested: tests/unit/model/test_explicit_terms.cpp
 template <int D, int P>
 class ExplicitTerms {
@@ -21,7 +22,7 @@ class ExplicitTerms {
   /// (w, rho (v - vh).grad v) + (grad w, tau)
   /// @param viscous  false: without tau
   void add_convection(const Stage&, bool viscous, const Array& out) const;
-  /// Sums what ghosts hold, and drops what is prescribed.
+  /// Sums what ghosts hold.
   void collect(const Array& out) const;
 
  private:

@@ -1,6 +1,7 @@
 #include "time/judge.hpp"
 
 #include "field/vector.hpp"
+#include "time/sum_of.hpp"
 
 namespace softwet {
 namespace {
@@ -99,9 +100,7 @@ template <int D, int P>
 double Judge<D, P>::indicator(const StepHistory& history, const Array& values, double f, double dt) const {
   if (history.previous_dt <= 0) return 0;
   const Layout<D>& l = model_.layout();
-  Kokkos::deep_copy(Exec(), difference_, values);
-  add_scaled(difference_, 0, -1 - f, history.state.unknown);
-  add_scaled(difference_, 0, f, history.previous);
+  sum_of(difference_, 1, values, -1 - f, history.state.unknown, f, history.previous);
   const int nv = l.velocity_size();
   const bool weighted = volume_ > 0;
   if (weighted) multiply(difference_, root_of_weight_);

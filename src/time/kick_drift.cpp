@@ -10,7 +10,6 @@ KickDrift<D, P>::KickDrift(SemiDiscrete<D, P>& system)
       now_(make_level()),
       next_(make_level()),
       half_("kick_drift.half", system.velocities()),
-      flux_("kick_drift.flux", system.moments()),
       middle_("kick_drift.middle", system.moments()) {}
 
 template <int D, int P>
@@ -45,14 +44,10 @@ Refusal KickDrift<D, P>::drift(double t, double dt) {
   system_.add_motion(0.5 * dt, u);
   system_.place_mesh(t + 0.5 * dt, u);
   system_.place_density(now_.density);
-  system_.mass_flux(flux_);
-  add_scaled(flux_, 0, 1, now_.stabilisation);
-  sum_of(middle_, 1, p, 0.5 * dt, flux_, 0, p);
+  system_.move_moments(0.5 * dt, p, now_.stabilisation, middle_);
   Refusal problem = system_.find_density(middle_);
   if (!problem.empty()) return problem;
-  system_.mass_flux(flux_);
-  add_scaled(flux_, 0, 1, now_.stabilisation);
-  sum_of(end, 1, p, dt, flux_, 0, p);
+  system_.move_moments(dt, p, now_.stabilisation, end);
   system_.add_motion(0.5 * dt, u);
   system_.place_mesh(t + dt, u);
   return system_.find_density(end);

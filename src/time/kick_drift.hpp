@@ -48,8 +48,8 @@ class KickDrift final : public ExplicitStep<D, P> {
   Refusal drift(double t, double dt);
 
   Level now_, next_;
-  Array half_;           ///< vh
-  Array flux_, middle_;  ///< of the moments
+  Array half_;    ///< vh
+  Array middle_;  ///< pm
 };
 
 }  // namespace softwet

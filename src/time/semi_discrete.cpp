@@ -1,6 +1,17 @@
 #include "time/semi_discrete.hpp"
 
 namespace softwet {
+namespace {
+
+/// out = moments + dt (rates - mask force)
+void advance_moments(const Array& out, const ConstArray& moments, double dt, const ConstArray& rates,
+                     const ConstArray& force, const ConstArray& mask) {
+  Kokkos::parallel_for(
+      "softwet::advance_moments", Items(0, out.extent(0)),
+      KOKKOS_LAMBDA(int i) { out(i) = moments(i) + dt * (rates(i) - mask(i) * force(i)); });
+}
+
+}  // namespace
 
 template <int D, int P>
 SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
@@ -80,13 +91,22 @@ void SemiDiscrete<D, P>::add_motion(double dt, const Array& displacement) const 
 }
 
 template <int D, int P>
-void SemiDiscrete<D, P>::mass_flux(const Array& out) {
+void SemiDiscrete<D, P>::move_moments(double dt, const ConstArray& moments, const ConstArray& rates, const Array& out) {
   const Layout<D>& l = model_.layout();
   if (!l.has_fluid) return;
-  Kokkos::deep_copy(Exec(), force_, 0.0);
+  const Array force = range(force_, l.density_offset(), l.potential_offset());
+  Kokkos::deep_copy(Exec(), force, 0.0);
   terms_.add_mass_flux(stage_, force_);
   terms_.collect(force_);
+  advance_moments(out, moments, dt, rates, force, part(model_.mask(), l.density_offset(), l.potential_offset()));
+}
+
+template <int D, int P>
+void SemiDiscrete<D, P>::take_rates(const Array& out) const {
+  const Layout<D>& l = model_.layout();
+  if (!l.has_fluid) return;
   combine(out, -1, part(force_, l.density_offset(), l.potential_offset()), 0);
+  multiply(out, part(model_.mask(), l.density_offset(), l.potential_offset()));
 }
 
 template <int D, int P>
@@ -100,11 +120,10 @@ Refusal SemiDiscrete<D, P>::accelerate(const Array& out, Refusal::Cause why, lon
 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::pressure(const Array& acceleration, const Array& moment_rates) {
-  const Layout<D>& l = model_.layout();
   Kokkos::deep_copy(Exec(), force_, 0.0);
   terms_.add_pressure(stage_, force_);
   terms_.collect(force_);
-  if (l.has_fluid) combine(moment_rates, -1, part(force_, l.density_offset(), l.potential_offset()), 0);
+  take_rates(moment_rates);
   return accelerate(acceleration, Refusal::acceleration, counts_.velocity);
 }
 
@@ -136,7 +155,6 @@ Refusal SemiDiscrete<D, P>::viscosity(const Array& v, const Array& acceleration)
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::rates(double t, const Array& y, const Array& out) {
   ++counts_.rates;
-  const Layout<D>& l = model_.layout();
   place_mesh(t, displacements_of(y));
   place_velocity(velocities_of(y));
   Refusal problem = find_density(moments_of(y));
@@ -150,7 +168,7 @@ Refusal SemiDiscrete<D, P>::rates(double t, const Array& y, const Array& out) {
   terms_.add_pressure(stage_, force_);
   terms_.add_convection(stage_, !gentle_, force_);
   terms_.collect(force_);
-  if (l.has_fluid) combine(moments_of(out), -1, part(force_, l.density_offset(), l.potential_offset()), 0);
+  take_rates(moments_of(out));
   return accelerate(velocities_of(out), Refusal::acceleration, counts_.velocity);
 }
 

@@ -47,8 +47,8 @@ class SemiDiscrete final : public Evolution {
   void weigh_velocities(const ConstArray& moments) { masses_.set_weights(moments, density()); }
   /// Displacements by dt times the velocities of the stage.
   void add_motion(double dt, const Array& displacement) const;
-  /// Rates of the moments by the flux of mass.
-  void mass_flux(const Array& out);
+  /// out = moments + dt (G + rates), where G are the rates of the moments by the flux of mass.
+  void move_moments(double dt, const ConstArray& moments, const ConstArray& rates, const Array& out);
   /// Acceleration by pressure, capillarity, elasticity and loads, and rates of the moments by the stabilisation.
   Refusal pressure(const Array& acceleration, const Array& moment_rates);
   /// Acceleration by convection, and viscosity unless it is treated apart.
@@ -70,6 +70,8 @@ class SemiDiscrete final : public Evolution {
 
  private:
   static Array range(const Array& y, int first, int last) { return Kokkos::subview(y, Kokkos::make_pair(first, last)); }
+  /// The rates of the moments of minus the force that the terms have collected.
+  void take_rates(const Array& out) const;
   ConstArray density() const { return model_.layout().has_fluid ? ConstArray(stage_.density_end) : ConstArray(); }
   /// out = the acceleration of minus the force that the terms have collected, where `why` tells that there is none.
   Refusal accelerate(const Array& out, Refusal::Cause why, long& count);

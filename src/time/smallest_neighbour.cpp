@@ -28,21 +28,52 @@ std::vector<int> numbers(int count) {
   return all;
 }
 
-void smallest_along(const ConstArray& in, const Array& out, const Table& table, int stride) {
-  const int extent = static_cast<int>(table.extent(1)), width = static_cast<int>(table.extent(0));
-  Kokkos::parallel_for(
-      "softwet::smallest_neighbour", Items(0, in.extent(0)), KOKKOS_LAMBDA(int i) {
-        const int place = i / stride % extent;
-        double least = in(i);
-        for (int k = 0; k < width; ++k) least = Kokkos::min(least, in(i + (table(k, place) - place) * stride));
-        out(i) = least;
-      });
-}
+/// The smallest of the values around each along one axis. An item is a row of values along the first axis on the host, and one
+/// value on a device.
+template <int P>
+struct SmallestAlong {
+  static constexpr int width = 2 * P + 1;
+  const double* in;
+  double* out;
+  double ratio;  ///< above 0: values of `out` are cut to so many times the smallest ones
+  Table table;
+  int row, stride;
 
-void limit_by(const Array& x, double ratio, const ConstArray& least) {
-  Kokkos::parallel_for(
-      "softwet::limit_by", Items(0, x.extent(0)), KOKKOS_LAMBDA(int i) { x(i) = Kokkos::min(x(i), ratio * least(i)); });
-}
+  KOKKOS_FUNCTION void operator()(int item) const {
+    if constexpr (host_algorithms) {
+      const int begin = item * row;
+      stride == 1 ? first_axis(begin) : other_axis(begin, place_of(begin));
+    } else {
+      const int place = place_of(item);
+      double least = in[item];
+      for (int k = 0; k < width; ++k) least = Kokkos::min(least, in[item + (table(k, place) - place) * stride]);
+      store(item, least);
+    }
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION int place_of(int i) const { return i / stride % static_cast<int>(table.extent(1)); }
+  KOKKOS_FORCEINLINE_FUNCTION void store(int i, double least) const {
+    out[i] = ratio > 0 ? Kokkos::min(out[i], ratio * least) : least;
+  }
+  void first_axis(int begin) const {
+    const int* at[width];
+    for (int k = 0; k < width; ++k) at[k] = &table(k, 0);
+    for (int i = 0; i < row; ++i) {
+      double least = in[begin + i];
+      for (int k = 0; k < width; ++k) least = Kokkos::min(least, in[begin + at[k][i]]);
+      store(begin + i, least);
+    }
+  }
+  void other_axis(int begin, int place) const {
+    int from[width];
+    for (int k = 0; k < width; ++k) from[k] = begin + (table(k, place) - place) * stride;
+    for (int i = 0; i < row; ++i) {
+      double least = in[begin + i];
+      for (int k = 0; k < width; ++k) least = Kokkos::min(least, in[from[k] + i]);
+      store(begin + i, least);
+    }
+  }
+};
 
 }  // namespace
 
@@ -66,14 +97,17 @@ SmallestNeighbour<D, P>::SmallestNeighbour(const Layout<D>& l) : layout_(l) {
 template <int D, int P>
 void SmallestNeighbour<D, P>::limit(const Array& x, double ratio, bool velocities) const {
   const std::array<Table, D>& tables = velocities ? velocity_ : scalar_;
-  const auto cut = [&x](const Array& a) { return Kokkos::subview(a, Kokkos::make_pair(std::size_t(0), x.extent(0))); };
+  const int row = layout_.extent(0), count = static_cast<int>(x.extent(0)),
+            items = host_algorithms ? count / row : count;
   int stride = 1;
   for (int d = 0; d < D; ++d) {
-    const ConstArray from = d == 0 ? ConstArray(x) : ConstArray(cut(scratch_[(d - 1) % 2]));
-    smallest_along(from, cut(scratch_[d % 2]), tables[d], stride);
+    const bool last = d == D - 1;
+    const double* from = d == 0 ? x.data() : scratch_[(d - 1) % 2].data();
+    double* to = last ? x.data() : scratch_[d % 2].data();
+    Kokkos::parallel_for("softwet::smallest_neighbour", Items(0, items),
+                         SmallestAlong<P>{from, to, last ? ratio : 0, tables[d], row, stride});
     stride *= static_cast<int>(tables[d].extent(1));
   }
-  limit_by(x, ratio, cut(scratch_[(D - 1) % 2]));
 }
 
 template class SmallestNeighbour<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

@@ -52,8 +52,8 @@ int sum(const std::map<std::string, int>& counts) {
 
 // They are far more than a device would like; whoever adds one sees it here.
 TEST(Launches, OfAnExplicitStepAreNoMoreThanTheyWere) {
-  EXPECT_LE(sum(launches_of_a_step(scene(Scene::rigid, WallLaw::energy))), 115);
-  EXPECT_LE(sum(launches_of_a_step(scene(Scene::coupled, WallLaw::energy))), 151);
+  EXPECT_LE(sum(launches_of_a_step(scene(Scene::rigid, WallLaw::energy))), 105);
+  EXPECT_LE(sum(launches_of_a_step(scene(Scene::coupled, WallLaw::energy))), 139);
 }
 
 }  // namespace
