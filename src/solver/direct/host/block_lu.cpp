@@ -15,7 +15,7 @@ constexpr bool has_double = false;
 #endif
 
 /// Factors in half precision as long as they are good enough, in single precision from then on, and in double precision, by
-/// UMFPACK, where those are not good enough either.
+/// UMFPACK, of those matrices for which single precision is not good enough.
 template <int D>
 class SufficientLu final : public StencilSolver<D> {
  public:
@@ -28,28 +28,30 @@ class SufficientLu final : public StencilSolver<D> {
 
   void build(const StencilMatrix<D>& matrix) override {
     if (half_ && !is_good(*half_, matrix)) go_on_in_single();
-    if (single_ && !is_good(*single_, matrix) && has_double) go_on_in_double();
-    if (double_) double_->build(matrix);
+    if (single_ && !is_good(*single_, matrix) && has_double) {
+      if (!double_) double_ = make_sparse_lu<D>(layout_, mask_);
+      double_->build(matrix);
+    } else {
+      double_.reset();
+    }
   }
   void apply(const ConstArray& r, const Array& z) override { solver().apply(r, z); }
   std::string name() const override { return solver().name(); }
-  double bytes() const override { return solver().bytes(); }
+  double bytes() const override { return solver().bytes() + (double_ ? single_->bytes() : 0); }
   double build_cost() const override { return solver().build_cost(); }
   void visit_memory(StepMemory& memory) override {
-    bool single = half_ == nullptr, in_double = double_ != nullptr;
+    bool single = half_ == nullptr;
     memory.flag("lu/single", single);
-    memory.flag("lu/double", in_double);
     if (single && half_) go_on_in_single();
-    if (in_double && single_) go_on_in_double();
   }
 
  private:
   static constexpr double most = 0.2;  ///< defect: matrices that are nearly singular lose the digits of the factors
 
   StencilSolver<D>& solver() const {
-    if (half_) return *half_;
+    if (double_) return *double_;
     if (single_) return *single_;
-    return *double_;
+    return *half_;
   }
   template <class Number>
   bool is_good(BlockLu<D, Number>& lu, const StencilMatrix<D>& matrix) {
@@ -60,17 +62,13 @@ class SufficientLu final : public StencilSolver<D> {
     half_.reset();
     single_ = std::make_unique<BlockLu<D, float>>(layout_, mask_);
   }
-  void go_on_in_double() {
-    single_.reset();
-    double_ = make_sparse_lu<D>(layout_, mask_);
-  }
 
   Layout<D> layout_;
   ConstArray mask_;
   FactorDefect<D> defect_;
   std::unique_ptr<BlockLu<D, FactorNumber>> half_;
   std::unique_ptr<BlockLu<D, float>> single_;  ///< where half precision was not enough
-  std::unique_ptr<StencilSolver<D>> double_;   ///< where single precision was not
+  std::unique_ptr<StencilSolver<D>> double_;   ///< where single precision is not, of the last matrix
 };
 
 }  // namespace
