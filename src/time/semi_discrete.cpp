@@ -3,6 +3,13 @@
 namespace softwet {
 namespace {
 
+/// out = 0 - mask force. It is +0 where the mask is 0, whatever sign the force has there: ghosts have the same bits in any number
+/// of processes.
+void oppose(const Array& out, const ConstArray& force, const ConstArray& mask) {
+  Kokkos::parallel_for(
+      "softwet::oppose", Items(0, out.extent(0)), KOKKOS_LAMBDA(int i) { out(i) = 0.0 - mask(i) * force(i); });
+}
+
 /// out = moments + dt (rates - mask force)
 void advance_moments(const Array& out, const ConstArray& moments, double dt, const ConstArray& rates,
                      const ConstArray& force, const ConstArray& mask) {
@@ -105,8 +112,8 @@ template <int D, int P>
 void SemiDiscrete<D, P>::take_rates(const Array& out) const {
   const Layout<D>& l = model_.layout();
   if (!l.has_fluid) return;
-  combine(out, -1, part(force_, l.density_offset(), l.potential_offset()), 0);
-  multiply(out, part(model_.mask(), l.density_offset(), l.potential_offset()));
+  oppose(out, part(force_, l.density_offset(), l.potential_offset()),
+         part(model_.mask(), l.density_offset(), l.potential_offset()));
 }
 
 template <int D, int P>
