@@ -62,3 +62,9 @@ for scheme in ("generalized_alpha", "kick_drift"):
     check(f"{scheme}: mass, relative", abs(flight["mass"][-1] / flight["mass"][0] - 1), 1e-12)
     check_true(f"{scheme}: event", "end of the fine elements, towards the right side" in str(log["events"]), log["events"])
 check("momentum of both schemes", abs(history("kick_drift")["momentum_x"][-1] / history("generalized_alpha")["momentum_x"][-1] - 1), 0.02)
+
+# A run goes on behind that event.
+for scheme in ("generalized_alpha", "kick_drift"):
+    subprocess.run([softwet, "run", f"{scheme}/case.toml", "--out", scheme, "--resume", "--quiet", "--threads", "1", "--set", "time.end=0.52"],
+                   check=True)
+    check(f"{scheme}: resumed after the event to its end", abs(history(scheme)["t"][-1] - 0.52), 1e-12)

@@ -6,8 +6,6 @@
 namespace softwet {
 namespace {
 
-constexpr unsigned first_bit_of_fine_ends = 8;
-
 /// A connected set of points inside.
 struct Region {
   int deepest = -1;      ///< the point that is the most steps away from the points outside
