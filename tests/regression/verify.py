@@ -64,7 +64,8 @@ shutil.rmtree("result", ignore_errors=True)
 good = verify("layer", "--out", "result", "--docs", "result/docs", tools=copy_with(2))
 check_true("a study that holds: exit code 0", good.returncode == 0, good.stdout + good.stderr)
 text = pathlib.Path("result/layer/layer.md").read_text()
-check_true("its document", "| steps | 2 | 2 | yes |" in text and "softwet run cases/solid_layer_2d.toml" in text)
+check_true("its document", "| steps | 2 | 2 | yes |" in text and "(layer_commands.csv)" in text)
+check_true("the commands beside it", "layer,softwet run cases/solid_layer_2d.toml" in pathlib.Path("result/docs/verification/layer_commands.csv").read_text())
 check_true("its table", pathlib.Path("result/layer/layer_numbers.csv").read_text() == "a,b\n1,0.5\n")
 check_true("copied", pathlib.Path("result/docs/verification/layer.md").read_text() == text)
 index = pathlib.Path("result/docs/verification.md").read_text()
@@ -76,7 +77,7 @@ check_true("a study that fails: exit code 1", bad.returncode == 1, bad.stdout + 
 after = [(path, path.stat().st_mtime_ns) for path in sorted(pathlib.Path("result/runs").rglob("*"))]
 check_true("the equal run is kept", before == after)
 check_true("the index tells", "**1 fail**" in pathlib.Path("result/docs/verification.md").read_text())
-for within, code, told in ((True, 0, "**no**: why; known: 2 at most"), (False, 1, "2; worse than known: 2 at most | **no** |")):
+for within, code, told in ((True, 0, "2 | **no** (1) |\n\n(1) why; known: 2 at most."), (False, 1, "2; worse than known: 2 at most | **no** |")):
     missed = verify("layer", "--out", "result", tools=copy_with(3, f'Known("why", "2 at most", {within})'))
     check_true(f"a known miss, within its bound {within}: exit code {code}", missed.returncode == code, missed.stdout + missed.stderr)
     text = pathlib.Path("result/layer/layer.md").read_text()

@@ -10,6 +10,7 @@ A study is a file of tests/verification/studies:
 
 tools/verify calls study(lab) and writes <out>/<name>/<name>.md with the tables and pictures beside it."""
 
+import csv
 import hashlib
 import json
 import os
@@ -256,6 +257,14 @@ class Lab:
         self.lines += ["", f"![{file}]({file})", ""]
         self.files.append(file)
 
+    def write_commands(self):
+        """<study>_commands.csv with the command of each run. @return its name"""
+        file = f"{self.name}_commands.csv"
+        with open(self.folder / file, "w", newline="") as out:
+            csv.writer(out, lineterminator="\n").writerows([("run", "command"), *self.commands.items()])
+        self.files.append(file)
+        return file
+
     # --- what came out
 
     def counts(self):
@@ -272,13 +281,15 @@ class Lab:
         lines = [f"# {title}", "", about, "", f"Verdict: {verdict}", "",
                  f"Command: `softwet verify {self.name}{form}`, {minutes:.2g} minutes of one core. {build}", ""]
         if self.asked:
-            rows = [(what, asked, measured, "yes" if holds else f"**no**{': ' + cause if cause else ''}")
+            causes = list(dict.fromkeys(cause for *_, holds, cause in self.asked if cause and not holds))
+            rows = [(what, asked, measured, "yes" if holds else f"**no** ({causes.index(cause) + 1})" if cause else "**no**")
                     for what, asked, measured, holds, cause in self.asked]
             lines += ["## Asked and measured", "", *markdown(("what", "asked", "measured", "holds"), rows), ""]
+            lines += [f"({i}) {cause}." for i, cause in enumerate(causes, 1)] + [""]
         lines += self.lines
         if self.commands:
-            lines += ["", "## Commands", "", *markdown(("run", "command"), [(label, f"`{command}`")
-                                                                           for label, command in self.commands.items()])]
+            file = self.write_commands()
+            lines += ["", f"The commands of all runs: [{file}]({file})."]
         return re.sub(r"\n{3,}", "\n\n", "\n".join(lines).strip()) + "\n"
 
 
