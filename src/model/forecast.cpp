@@ -103,16 +103,17 @@ void add_softness(const Case& c, std::vector<std::string>& found) {
         "substrate.young = " + short_text(c.substrate->young.least()) + ": the elastocapillary length sigma/E is " +
         short_text(length) + ", between " + short_text(surely_held * bound) + " and " + short_text(bound) +
         ", where it depends on the scene whether the solid bears the droplet: some of those drawn at random "
-        "folded at the contact line; if this one stops, write young = " +
-        short_text(1.05 * c.substrate->young.least() * length / (surely_held * bound)) +
+        "folded at the contact line; if this one stops, " +
+        gentle_start(c) +
+        ", or write young = " + short_text(1.05 * c.substrate->young.least() * length / (surely_held * bound)) +
         " or more, or the surface_tension that the solid has");
   if (length <= bound) return;
   found.push_back("substrate.young = " + short_text(c.substrate->young.least()) +
                   ": the elastocapillary length sigma/E is " + short_text(length) +
                   " (thickness: " + short_text(c.substrate->thickness) +
                   ", fluid.capillarity: " + short_text(c.fluid->capillarity) + "); above " + short_text(bound) +
-                  " the droplet was measured to turn the solid inside out soon after the start: write young = " +
-                  short_text(1.05 * c.substrate->young.least() * length / bound) +
+                  " the droplet was measured to turn the solid inside out soon after the start: " + gentle_start(c) +
+                  ", or write young = " + short_text(1.05 * c.substrate->young.least() * length / bound) +
                   " or more, or the surface_tension that the solid has: gels have one");
 }
 
@@ -184,6 +185,14 @@ double longest_elastocapillary_length(const Case& c) {
 
 bool too_soft(const Case& c) {
   return c.fluid && c.substrate && elastocapillary_length(c) > longest_elastocapillary_length(c);
+}
+
+std::string gentle_start(const Case& c) {
+  const std::string viscous = "a little substrate.viscosity, which slows the first motion down";
+  if (c.time.start == "equilibrium") return "write " + viscous;
+  return "begin at rest with time.start = \"equilibrium\", look for the state of rest alone with softwet steady, or "
+         "write " +
+         viscous;
 }
 
 double locking_error(const Case& c) {

@@ -25,6 +25,10 @@ double longest_elastocapillary_length(const Case&);
 /// True where sigma / E is longer.
 bool too_soft(const Case&);
 
+/// What to write so that a soft solid bears its droplet from the start on; it begins with "begin at rest". Where the scene begins so
+/// already, another remedy. Measured: docs/limits.md.
+std::string gentle_start(const Case&);
+
 /// Largest error of the displacement of a layer of degree 2, relative, under a smooth load within it:
 ///   0.94 % (0.1 / (1 - 2 nu))^0.37 (2 / rows)^2, a fit to docs/verification/locking.md.
 double locking_error(const Case&);

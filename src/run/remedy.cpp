@@ -37,9 +37,10 @@ std::string unusual_settings(const Case& c) {
 
 std::string softer_than_its_loads(const Case& c) {
   const double length = elastocapillary_length(c);
-  const std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + short_text(length) +
-                                            ", the layer is " + short_text(c.substrate->thickness) + " thick; "
-                                      : "";
+  std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + short_text(length) + ", the layer is " +
+                                      short_text(c.substrate->thickness) + " thick; "
+                                : "";
+  if (too_soft(c)) soft += gentle_start(c) + "; or ";
   if (c.loads.empty()) return soft + "raise substrate.young";
   const std::string gentler = "raise substrate.young, lower load[].force or lengthen load[].ramp";
   if (c.substrate->material != "saint_venant_kirchhoff") return soft + gentler;

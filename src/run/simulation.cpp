@@ -26,16 +26,6 @@ constexpr double first_save = 60, record_pause = 15;
 std::vector<double> events(const Case& c) {
   const double zero = c.clock_zero();
   std::vector<double> times{zero, zero + c.time.end};
-  for (const Load& load : c.loads) {
-    times.push_back(load.start);
-    times.push_back(load.start + load.ramp);
-    std::vector<Profile> profiles = load.path;
-    profiles.push_back(load.factor);
-    for (const Profile& profile : profiles)
-      if (profile.varies())
-        for (double t : profile.formula->kinks())
-          if (zero + t > load.start) times.push_back(zero + t);
-  }
   for (double t : field_times(c)) times.push_back(zero + t);
   return times;
 }

@@ -1,6 +1,7 @@
 // How a scene comes to rest: before its first step, or as all that is asked of it.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "case/error.hpp"
@@ -45,13 +46,17 @@ std::string stability_text(const Growth& growth) {
 template <int D, int P>
 bool Simulation<D, P>::come_to_rest(State& state) {
   scalars_.watch(state, "");
+  // A load without a ramp acts after its start, not at it: on a state of rest that is asked for, not on one that a run starts from.
+  const double time = state.time;
+  if (options_.steady) state.time = std::nextafter(time, std::numeric_limits<double>::infinity());
   const double mass = model_.filling(stage_at(model_.layout(), state)).mass;
   double before = since_start();
   const auto interrupted = [&] {
     wall_clock_.step(since_start() - std::exchange(before, since_start()));
     return wish() != Wish::go_on;
   };
-  relaxation_ = relax<D, P>(model_, case_, state, interrupted, [&](const State& now, const Relaxation& done) {
+  relaxation_ = relax<D, P>(model_, case_, state, interrupted, [&](State now, const Relaxation& done) {
+    now.time = time;
     scalars_.watch(now, " (while the scene came to rest)");
     progress_->settle(done.steps, done.rate);
   });
@@ -71,6 +76,7 @@ bool Simulation<D, P>::come_to_rest(State& state) {
   else if (!options_.steady)
     give_up_start(relaxation_->why);
   if (options_.steady && relaxation_->why.empty()) measure_stability(state);
+  state.time = time;
   return true;
 }
 

@@ -17,6 +17,7 @@ class ExplicitScheme final : public Scheme<D, P> {
   StepAttempt attempt(const StepHistory&, double dt) override;
   void accept(State& state) override;
   void refuse(const Refusal&) override {}  // what the next attempt begins with is untouched
+  void begin_anew() override { begun_ = false; }
   double largest_step(const State&) override;
   void visit_memory(StepMemory&, const State&) override;
   SolverCounts& counts() override { return counts_; }

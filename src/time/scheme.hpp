@@ -37,6 +37,9 @@ class Scheme {
   /// The last attempt was refused; a smaller step follows. @param why  empty: for its error
   virtual void refuse(const Refusal& why) = 0;
 
+  /// Forgets the rates of the last accepted state: the loads have jumped.
+  virtual void begin_anew() {}
+
   /// Largest step that is stable from a state.
   virtual double largest_step(const State&) { return std::numeric_limits<double>::infinity(); }
 

@@ -11,12 +11,13 @@ StepControl::StepControl(const StepLimits& limits, std::vector<double> events)
 }
 
 double StepControl::next(double t, double largest) const {
-  constexpr double stretch = 1.1, rounding = 1e-9;  // of the sum of many equal steps
+  constexpr double rounding = 1e-9;  // of the sum of many equal steps
   const double wish = std::min(proposed_, largest);
   const double tiny = 1e-12 * std::max(1.0, std::abs(t));
   const auto event = std::upper_bound(events_.begin(), events_.end(), t + tiny);
   if (event == events_.end()) return wish;
-  const double left = *event - t;
+  double left = *event - t;
+  if (t + left > *event) left = std::nextafter(left, 0.0);
   if (left <= std::min({stretch * wish, (1 + rounding) * limits_.largest, largest})) return left;
   return left < 2 * wish ? 0.5 * left : wish;
 }

@@ -20,10 +20,13 @@ class StepControl {
  public:
   StepControl(const StepLimits& limits, std::vector<double> events);
 
-  /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly. It may be shorter
-  /// than the smallest one for that, and is never longer than the largest one.
+  /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly, where it does not end behind
+  /// it by a rounding either. It may be shorter than the smallest one for that, and is never longer than the largest one.
   /// @param largest  that the scheme can take from there; it is not exceeded
   double next(double t, double largest = std::numeric_limits<double>::infinity()) const;
+
+  /// From now on as from a first state.
+  void begin_anew() { proposed_ = std::min(proposed_, limits_.initial); }
 
   /// After an accepted step of size dt with its indicator. @param laborious  the solver was close to giving up
   void accept(double dt, double indicator, bool laborious = false);
@@ -37,12 +40,16 @@ class StepControl {
   double allowed(double dt) const;
 
   double proposed() const { return proposed_; }
+  /// The longest step that may be taken next.
+  double most() const { return stretch * proposed_; }
   /// Kept within the limits, which may have changed since the step was proposed.
   void set_proposed(double dt) { proposed_ = std::clamp(dt, limits_.smallest, limits_.largest); }
   /// Indicator above which a converged step of size dt is repeated with a smaller one.
   double rejection_level(double dt) const { return 4 * allowed(dt); }
 
  private:
+  static constexpr double stretch = 1.1;  ///< of a step that meets an event
+
   StepLimits limits_;
   std::vector<double> events_;  ///< ascending
   double proposed_;

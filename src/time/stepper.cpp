@@ -1,5 +1,7 @@
 #include "time/stepper.hpp"
 
+#include <algorithm>
+
 #include "case/error.hpp"
 #include "model/groups.hpp"
 #include "model/initial.hpp"
@@ -25,6 +27,11 @@ StepLimits step_limits(const Case& c) {
   return limits;
 }
 
+std::vector<double> with(std::vector<double> events, const std::vector<double>& more) {
+  events.insert(events.end(), more.begin(), more.end());
+  return events;
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -32,7 +39,8 @@ Stepper<D, P>::Stepper(const Model<D, P>& model, const Case& c, std::vector<doub
     : model_(model),
       judge_(model, c),
       scheme_(choose_scheme(model, c, judge_)),
-      control_(step_limits(c), std::move(events)),
+      loads_(c),
+      control_(step_limits(c), with(std::move(events), loads_.kinks())),
       state_(empty_state(model.layout())),
       previous_("stepper.previous", model.layout().size()) {}
 
@@ -51,9 +59,21 @@ void Stepper<D, P>::restore(const State& state, const Array& previous, double pr
 }
 
 template <int D, int P>
+void Stepper<D, P>::meet_jump() {
+  const double behind = loads_.behind(state_.time);
+  if (behind == state_.time) return;
+  state_.time = behind;
+  previous_dt_ = 0;
+  control_.begin_anew();
+  scheme_->begin_anew();
+}
+
+template <int D, int P>
 StepReport Stepper<D, P>::step() {
+  meet_jump();
   for (;;) {
-    const double dt = control_.next(state_.time, scheme_->largest_step(state_));
+    const double largest = scheme_->largest_step(state_);
+    const double dt = control_.next(state_.time, std::min(largest, loads_.longest(state_.time, control_.most())));
     const StepAttempt tried = scheme_->attempt({state_, previous_, previous_dt_}, dt);
     if (!tried.refusal.empty()) {
       ++counts_.rejected_newton;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "time/judge.hpp"
+#include "time/load_times.hpp"
 #include "time/step_control.hpp"
 
 namespace softwet {
@@ -23,12 +24,13 @@ struct StepCounts {
 template <int D, int P>
 class Stepper {
  public:
+  /// @param events  times that steps end at, beside those of the loads
   Stepper(const Model<D, P>& model, const Case& c, std::vector<double> events);
 
   /// Takes over a state without history: the first step is predicted constant.
   void start(const State& state);
 
-  /// Advances by one accepted step. Throws Error (computation_failed) when no step is small enough; the state is then
+  /// Advances by one accepted step. Where a load jumps it goes on behind that, and begins anew: from the fields, without rates and history. Throws Error (computation_failed) when no step is small enough; the state is then
   /// still the last good one.
   StepReport step();
 
@@ -44,9 +46,12 @@ class Stepper {
   StepCounts& counts() { return counts_; }
 
  private:
+  void meet_jump();
+
   const Model<D, P>& model_;
   Judge<D, P> judge_;
   std::unique_ptr<Scheme<D, P>> scheme_;
+  LoadTimes loads_;
   StepControl control_;
   State state_;
   Array previous_;

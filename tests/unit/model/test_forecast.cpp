@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "model/distances.hpp"
@@ -37,6 +39,17 @@ bool tells(const Case& c, const std::string& part) {
   for (const std::string& sentence : forecast(c))
     if (sentence.find(part) != std::string::npos) return true;
   return false;
+}
+
+TEST(Forecast, ASoftSolidIsBroughtToRestBeforeItIsMadeStiffer) {
+  Case c = soft(0.02);
+  const std::vector<std::string> said = forecast(c);
+  const auto of_young = std::find_if(said.begin(), said.end(), [](const auto& s) { return s.find("young") == 10; });
+  ASSERT_NE(of_young, said.end());
+  for (const char* part : {"time.start = \"equilibrium\"", "softwet steady", "substrate.viscosity"})
+    EXPECT_LT(of_young->find(part), of_young->find("write young")) << part;
+  c.time.start = "equilibrium";
+  EXPECT_FALSE(tells(c, "time.start"));
 }
 
 TEST(Forecast, DropletsThatDissolvedAndDropletsThatStayed) {

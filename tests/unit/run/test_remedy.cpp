@@ -22,6 +22,17 @@ TEST(Remedy, BlamesASoftSolidWhereTheSettingsAreUsual) {
   for (auto cause : {Refusal::newton, Refusal::solid_inverted}) EXPECT_TRUE(blames(remedy(soft(), {cause}), "young"));
 }
 
+TEST(Remedy, ASoftSolidIsBroughtToRestBeforeItIsMadeStiffer) {
+  Case c = soft();
+  const std::string advice = remedy(c, {Refusal::solid_inverted});
+  for (const char* part : {"time.start = \"equilibrium\"", "softwet steady", "substrate.viscosity"})
+    EXPECT_LT(advice.find(part), advice.find("raise substrate.young")) << part;
+  c.time.start = "equilibrium";
+  EXPECT_FALSE(blames(remedy(c, {Refusal::solid_inverted}), "time.start")) << "it does so already";
+  c.substrate->young = 1e3;
+  EXPECT_FALSE(blames(remedy(c, {Refusal::solid_inverted}), "substrate.viscosity")) << "it is not soft";
+}
+
 TEST(Remedy, UnusualSettingsComeFirst) {
   for (auto cause : {Refusal::newton, Refusal::solid_inverted, Refusal::negative_density, Refusal::linear_solver}) {
     Case loose = soft(), few = soft(), long_steps = soft(), linear = soft();

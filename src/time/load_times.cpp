@@ -1,0 +1,125 @@
+#include "time/load_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softwet {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What happens within such a time is a jump.
+double no_time_at(double t) { return 1e-8 * std::max(1.0, std::abs(t)); }
+
+/// A little later than t, also where the time of the results, t - zero, is made of it.
+double just_behind(double t, double zero) {
+  return std::nextafter(t + std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(zero)), infinity);
+}
+
+}  // namespace
+
+LoadTimes::LoadTimes(const Case& c) : zero_(c.clock_zero()), dt_initial_(c.time.dt_initial) {
+  for (const Load& load : c.loads) {
+    add_points({load.start, load.start + load.ramp}, [](int) { return true; });
+    add_profile(load, load.factor, zero_ + c.time.end);
+    for (const Profile& path : load.path) add_profile(load, path, zero_ + c.time.end);
+  }
+}
+
+template <class Changes>
+void LoadTimes::add_points(const std::vector<double>& points, const Changes& changes) {
+  const int last = static_cast<int>(points.size()) - 1;
+  for (int i = 0; i <= last; ++i) {
+    int next = i;  // the last point at the same time, but for what is no time
+    bool jumps = false;
+    while (next < last && points[next + 1] - points[i] < no_time_at(points[i])) jumps = changes(next++) || jumps;
+    kinks_.push_back(points[i]);
+    if (jumps) {
+      jumps_.push_back({points[i], just_behind(points[next], zero_)});
+    } else if (i > 0 && changes(i - 1)) {
+      const double passed = points[i] - points[i - 1],
+                   ahead = next == last ? infinity : points[next + 1] - points[next];
+      if (passed < dt_initial_ && 10 * passed < ahead) jumps_.push_back({points[i], just_behind(points[i], zero_)});
+    }
+    i = next;
+  }
+}
+
+void LoadTimes::add_profile(const Load& load, const Profile& profile, double end) {
+  if (!profile.varies()) return;
+  std::vector<double> points;
+  for (const double t : profile.formula->kinks())
+    if (zero_ + t > load.start) points.push_back(zero_ + t);
+  const auto value = [&](int i) { return profile.at({0, 0, 0}, points[i] - zero_); };
+  add_points(points, [&](int i) { return value(i) != value(i + 1); });
+  if (!profile.formula->kinks().empty()) return;
+  Expression e{profile.formula, load.start, zero_, 0, {}};
+  constexpr int looks = 20000;
+  end = std::max(end, load.start);
+  double least = infinity, most = -infinity;
+  for (int i = 0; i <= looks; ++i) {
+    e.times.push_back(load.start + (end - load.start) * i / looks);
+    least = std::min(least, e.at(e.times.back()));
+    most = std::max(most, e.at(e.times.back()));
+  }
+  e.tolerance = std::max(0.005 * (most - least), 2.5e-4 * std::max(std::abs(least), std::abs(most)));
+  expressions_.push_back(std::move(e));
+}
+
+/// Whether the value between t and t + dt is that of a line, at the times that are always looked at and at some in no rhythm.
+bool LoadTimes::Expression::follows_line(double t, double dt) const {
+  const double from = at(t), to = at(t + dt);
+  const auto near = [&](double s) { return std::abs(at(s) - from - (s - t) / dt * (to - from)) <= tolerance; };
+  constexpr double golden = 0.6180339887498949;
+  for (int k = 1; k <= 16; ++k)
+    if (!near(t + dt * std::fmod(golden * k, 1.0))) return false;
+  auto s = std::upper_bound(times.begin(), times.end(), t);
+  for (; s != times.end() && *s < t + dt; ++s)
+    if (!near(*s)) return false;
+  return true;
+}
+
+/// From t, or from the start of the load where that is later.
+LoadTimes::Reach LoadTimes::Expression::reach(double t, double wish) const {
+  if (t + wish <= start || follows_line(std::max(t, start), t + wish - std::max(t, start))) return {wish, false};
+  const double begin = std::max(t, start);
+  double good = 0.5 * (t + wish - begin), bad = 2 * good;
+  for (; good > no_time_at(t) && !follows_line(begin, good); good *= 0.5) bad = good;
+  const auto jumps = [&] { return std::abs(at(begin + bad) - at(begin + good)) > tolerance; };
+  constexpr int enough = 4;  // halvings, where the change is none that only its time ends
+  for (int k = 0; bad - good > no_time_at(t) && (k < enough || jumps()); ++k) {
+    const double middle = 0.5 * (good + bad);
+    (follows_line(begin, middle) ? good : bad) = middle;
+  }
+  return {begin - t + good, jumps()};
+}
+
+/// A swing is as fast at its turns as it is slow beside them. Steps that follow its phase would add errors of one sign up, so the next
+/// ones of the same length must fit as well.
+double LoadTimes::Expression::longest(double t, double wish) const {
+  const Reach first = reach(t, wish);
+  if (first.dt == wish || first.jump) return first.dt;
+  constexpr int ahead = 8;
+  double dt = first.dt;
+  for (int k = 1; k <= ahead; ++k)
+    if (const Reach next = reach(t + k * first.dt, dt); !next.jump) dt = std::min(dt, next.dt);
+  return dt;
+}
+
+double LoadTimes::longest(double t, double wish) const {
+  for (const Expression& e : expressions_) wish = std::min(wish, std::max(e.longest(t, wish), no_time_at(t)));
+  return wish;
+}
+
+double LoadTimes::behind(double t) const {
+  const double rounding = 1e-12 * std::max(1.0, std::abs(t));
+  for (const Jump& jump : jumps_)
+    if (std::abs(t - jump.time) <= rounding && t < jump.behind) return jump.behind;
+  const double after = t + 2 * no_time_at(t);
+  for (const Expression& e : expressions_)
+    if (after > e.start && std::abs(e.at(after) - e.at(std::max(t, e.start))) > e.tolerance) return after;
+  return t;
+}
+
+}  // namespace softwet
