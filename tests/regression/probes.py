@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 import numpy
-from _scene import check, check_true, environment, history, run_file, softwet, tools
+from _scene import check, check_true, environment, history, open_output, run_file, softwet, tools
 
 ALOUD = ["--overwrite", "--threads", "1", "--quiet"]
 PROBES = """
@@ -74,6 +74,16 @@ check("the fastest fluid is near its control value", abs(rows["fastest"][-1] / r
 check_true("momentum along both axes", {"momentum_x", "momentum_y"} <= set(rows))
 check_true("probes come last", pathlib.Path("probes/history.csv").read_text().split("\n")[0].endswith(
     "laplace,all_mass,rise,highest,bottom_pressure,fastest"))
+
+# The volume of the liquid is that of the density in the field file.
+phases = open_output("probes").record["equilibrium"]
+fluid = open_output("probes").fields(5)
+low, high = fluid.positions.min(axis=(0, 1)), fluid.positions.max(axis=(0, 1))
+step = (high - low) / (400, 1600)
+grid = fluid.on_grid(400, 1600, box=(low + step / 2, high - step / 2))  # middles of cells
+share = ((grid["density"] - phases["density_vapour"]) / (phases["density_liquid"] - phases["density_vapour"])).clip(0, 1)
+liquid = numpy.nansum(share**2 * (3 - 2 * share)) * step.prod()
+check("the volume of the liquid", abs(rows["liquid_volume"][-1] / liquid - 1), 1e-3)
 
 # The rest of the run from a checkpoint; probes of a run cannot change.
 pathlib.Path("longer.toml").write_text((scene + PROBES).replace("end = 5", "end = 6"))

@@ -32,6 +32,13 @@ struct Homogeneous {
     state.unknown = to_device<Array>(x);
     state.displacement = to_device<Array>(u);
   }
+  /// Another density of the fluid.
+  void fill(double of_fluid) {
+    const int first = model.layout().density_offset();
+    std::vector<double> values = to_host(state.unknown);
+    for (int i = 0; i < model.layout().scalar_size(); ++i) values[first + i] = of_fluid;
+    state.unknown = to_device<Array>(values);
+  }
   /// Another slope du_y/dY above a height, which is the joint of the solid.
   void kink(double height, double slope) {
     const Layout<2>& l = model.layout();
