@@ -13,12 +13,14 @@ double fine_length(const Case&, int axis);
 /// Where the elements along an axis end, ascending from 0 to its length; empty where all are equal. The box of domain.grading
 /// has elements of the fine length, from line to line of the mesh of equal elements. Beside it each element is longer than its
 /// neighbour by at most `ratio`, up to `coarsest` fine lengths: the fewest elements that fill the room, by the smallest ratio
-/// that does. An axis that would keep more than 95 % of its elements has equal ones.
+/// that does. An axis that would keep more than 95 % of its elements has equal ones. Around a periodic axis the last element is the
+/// neighbour of the first: the ratio holds there too, and the box may reach around.
 std::vector<double> graded_breaks(const Case&, int axis);
 
 int elements_along(const Case&, int axis);
 
-/// Between which places along an axis elements have the fine length; beyond all places where it reaches a side.
+/// Between which places along an axis elements have the fine length; beyond all places where it reaches a side. Around a periodic
+/// axis `low` lies in the domain, and `high` may lie beyond its end.
 struct FinePart {
   double low, high;
 };

@@ -1,7 +1,9 @@
 // Cross checks of the domain: its axes, elements, sides and coordinates.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "case/mesh.hpp"
 #include "casefile/checker.hpp"
 #include "machine/memory.hpp"
 
@@ -25,6 +27,38 @@ void check_elements(const Checker& check) {
   }
 }
 
+int least_periodic_elements(const Checker& check) { return 2 * check.c.domain.degree + 1; }
+
+/// Around a periodic axis the box may reach across the ends, by less than a turn.
+void check_fine_corners(const Checker& check, const std::string& key) {
+  const Grading& grading = check.c.domain.grading;
+  Numbers lower = grading.lower, upper = grading.upper;
+  for (std::size_t axis = 0; axis < std::min({lower.size(), upper.size(), check.c.domain.size.size()}); ++axis) {
+    const double length = check.c.domain.size[axis];
+    if (check.c.boundary.side[axis][0] != Side::periodic || lower[axis] >= upper[axis]) continue;
+    if (lower[axis] < -length * (1 + slack) || upper[axis] > 2 * length * (1 + slack))
+      check.refuse(key, fmt::format("lies outside [{}, {}] along the periodic axis {}", -length, 2 * length, axis),
+                   "move or shrink the box");
+    if (upper[axis] - lower[axis] > length * (1 + slack))
+      check.refuse(key, fmt::format("is longer than the periodic axis {}, whose length is {}", axis, length),
+                   "shrink the box");
+    if (lower[axis] < 0 || upper[axis] > length) lower[axis] = 0, upper[axis] = length;
+  }
+  check_corners(check, key, lower, upper, check.c.domain.size, "domain");
+}
+
+/// What is left of a periodic axis.
+void check_periodic_elements(const Checker& check, const std::string& key) {
+  const int least = least_periodic_elements(check);
+  for (int axis = 0; axis < check.c.dimension(); ++axis) {
+    const int left = elements_along(check.c, axis);
+    if (check.c.boundary.side[axis][0] == Side::periodic && left < least)
+      check.refuse(
+          key, fmt::format("leaves {} elements along the periodic axis {}, which needs {} or more", left, axis, least),
+          "write a larger box, a smaller domain.grading.ratio or domain.grading.coarsest, or more domain.elements");
+  }
+}
+
 void check_grading(const Checker& check) {
   const Grading& grading = check.c.domain.grading;
   const std::string key = "domain.grading.box";
@@ -33,7 +67,8 @@ void check_grading(const Checker& check) {
       check.refuse(key, fmt::format("is not used with fine = \"{}\"", grading.fine), "write fine = \"box\"");
     return;
   }
-  check_corners(check, key, grading.lower, grading.upper, check.c.domain.size, "domain");
+  check_fine_corners(check, key);
+  check_periodic_elements(check, key);
   const double wall = check.interface(), row = check.element_height();
   if (!check.c.substrate || !check.c.fluid) return;
   if (grading.lower.back() > wall - row * (1 - slack) || grading.upper.back() < wall + row * (1 - slack))
@@ -64,7 +99,7 @@ void check_periodic(const Checker& check, std::size_t axis) {
     check.refuse(high_name, "the vertical axis cannot be periodic with a substrate",
                  "write no_slip for the top and slip for the bottom");
   }
-  const int least = 2 * check.c.domain.degree + 1;
+  const int least = least_periodic_elements(check);
   if (check.c.domain.elements[axis] < least) {
     check.refuse("domain.elements", fmt::format("a periodic axis needs {} elements or more", least),
                  fmt::format("axis {} has {}", axis, check.c.domain.elements[axis]));
@@ -129,7 +164,8 @@ bool check_domain(const Checker& check) {
   check.with({"domain.size"}, [&] { check_size(check); });
   if (check.problems.about("domain.size")) return false;
   check.with({"domain.elements", "domain.degree"}, [&] { check_elements(check); });
-  check.with({"domain.grading.box", "domain.grading.fine", "domain.elements", "substrate", "substrate.thickness"},
+  check.with({"domain.grading.box", "domain.grading.fine", "domain.grading.ratio", "domain.grading.coarsest",
+              "domain.elements", "domain.degree", "substrate", "substrate.thickness", "boundary"},
              [&] { check_grading(check); });
   check_boundary(check);
   check.with({"domain.coordinates"}, [&] {

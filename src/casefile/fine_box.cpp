@@ -140,6 +140,15 @@ Extent upwards(const Case& c) {
   return span;
 }
 
+/// Of a periodic axis the fine part whose middle is nearest to a place.
+FinePart nearest_fine_part(const Case& c, std::size_t axis, double x) {
+  FinePart fine = fine_part(c, static_cast<int>(axis));
+  if (c.boundary.side[axis][0] != Side::periodic || std::isinf(fine.low)) return fine;
+  const double length = c.domain.size[axis];
+  const double turns = std::round((x - 0.5 * (fine.low + fine.high)) / length);
+  return {fine.low + turns * length, fine.high + turns * length};
+}
+
 }  // namespace
 
 void choose_fine_box(Case& c) {
@@ -169,7 +178,7 @@ std::string warning_about_fine_box(const Case& c) {
       const Droplet& droplet = c.droplets[k];
       const double half = half_width(c, droplet), x = droplet.centre[axis];
       const Extent span = axis == vertical ? height_of(c, droplet) : Extent{x - half, x + half};
-      const FinePart fine = fine_part(c, static_cast<int>(axis));
+      const FinePart fine = nearest_fine_part(c, axis, x);
       const bool on_wall = axis == vertical && sits_on_wall(c, droplet);
       const double capillarities = on_wall ? least_fine_margin_above : least_fine_margin;
       const double margin = capillarities * c.fluid->capillarity;

@@ -41,10 +41,13 @@ std::vector<Key> probe_keys() {
       {.name = "probe[].operation",
        .kind = Kind::choice,
        .choices = words_of(ProbeOperation{}),
-       .help = "What is made of the quantity: its value at a point, or its mean, its integral, its largest or smallest "
-               "value over a box. Integrals and means are over the undeformed place in the solid and over the deformed "
-               "one in the fluid; in axisymmetric scenes over the whole turn. Largest and smallest values are those of "
-               "five points of each element along each axis.",
+       .help =
+           "What is made of the quantity: its value at a point, or its mean, its integral, its largest or smallest "
+           "value over a box. Integrals and means are over the undeformed place in the solid and over the deformed "
+           "one in the fluid; in axisymmetric scenes over the whole turn, which makes a face of a line and a circle "
+           "of a point, but on the axis itself a line stays a line and a point a point. Largest and smallest values "
+           "are those of five points of each element along each axis. At substrate.joint strains and stresses may "
+           "jump: a box has the values of its own side, and a place that lies on the joint those from above.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.probes[i].operation; })},
   };
 }

@@ -75,7 +75,9 @@ std::vector<Key> domain_keys() {
        .unit = "L0",
        .help =
            "Lower and upper corner of the box of fine elements. Keep it four capillarities away from interfaces and "
-           "contact lines, also from where they move to: a mesh that grows within an interface drives droplets.",
+           "contact lines, also from where they move to: a mesh that grows within an interface drives droplets. Along "
+           "a "
+           "periodic axis it may reach around the ends, as [-0.2, 0.2] or [0.8, 1.2] of an axis of length 1.",
        .bind = box_of([](Case & c, std::size_t) -> auto& { return c.domain.grading; }),
        .default_note = "[[], []], none"},
       {.name = "domain.grading.coarsest",

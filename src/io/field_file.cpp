@@ -113,6 +113,8 @@ void write_origin(Hdf5File& file, const FieldOrigin& origin, const TensorGrid& g
   file.write_attribute("/", "time", time);
   file.write_attribute("/", "unit_length", std::string(unit_length));
   file.write_attribute("/", "unit_time", std::string(unit_time));
+  if (grid.rows_below_joint > 0)
+    file.write_attribute("/", "rows_below_joint", std::vector<std::int64_t>{grid.rows_below_joint});
   for (std::size_t d = 0; d < grid.ends.size(); ++d)
     if (!grid.ends[d].empty())
       file.write(std::string("/element_ends_") + "xyz"[d], grid.ends[d], {grid.ends[d].size()});

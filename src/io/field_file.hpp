@@ -16,6 +16,8 @@ struct TensorGrid {
   int dimension = 2;                          ///< 2 or 3
   std::array<int, 3> cells = {1, 1, 1};       ///< per axis; the third is not read in 2D
   std::array<std::vector<double>, 3> ends{};  ///< of the cells in the undeformed mesh; empty where they are equal
+  int rows_below_joint =
+      0;  ///< along the last axis, where cells above do not share the points of those below; 0: all share
 };
 
 /// One field at the points of a TensorGrid.
@@ -33,7 +35,8 @@ struct FieldOrigin {
 
 /// Writes one block (the fluid, the solid) at one time, atomically: PATH holds the whole file or is left as it was.
 /// Attributes of the file: case, version, commit, time, unit_length, unit_time; each array has the attribute unit. Along axes
-/// whose elements are graded: the arrays element_ends_x, _y, _z beside the group of VTK.
+/// whose elements are graded: the arrays element_ends_x, _y, _z beside the group of VTK. With a joint: the attribute
+/// rows_below_joint, the points of the joint first those of the cells below, then those of the cells above.
 /// @param path    ends with .hdf
 /// @param points  positions, shape (points, dimension), components fastest
 /// @param time    stored as field data "TimeValue" too

@@ -25,7 +25,10 @@ Node cells_per_axis(const TensorGrid& grid) {
 
 std::int64_t point_count(const TensorGrid& grid) {
   std::int64_t count = 1;
-  for (int axis = 0; axis < grid.dimension; ++axis) count *= 2 * std::int64_t(grid.cells[axis]) + 1;
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    const bool doubled = axis == grid.dimension - 1 && grid.rows_below_joint > 0;
+    count *= 2 * std::int64_t(grid.cells[axis]) + (doubled ? 2 : 1);
+  }
   return count;
 }
 
@@ -43,12 +46,15 @@ std::vector<std::int64_t> cell_nodes(const TensorGrid& grid) {
   const std::int64_t plane = row * (2 * std::int64_t(cells[1]) + 1);
   std::vector<std::int64_t> connectivity;
   connectivity.reserve(static_cast<std::size_t>(cell_count(grid) * nodes_per_cell));
+  const std::int64_t layer = grid.dimension == 3 ? plane : row;  // of points at one height
   for (int k = 0; k < cells[2]; ++k) {
     for (int j = 0; j < cells[1]; ++j) {
+      const int height = grid.dimension == 3 ? k : j;
+      const std::int64_t first = grid.rows_below_joint > 0 && height >= grid.rows_below_joint ? layer : 0;
       for (int i = 0; i < cells[0]; ++i) {
         for (int n = 0; n < nodes_per_cell; ++n) {
           const Node& node = nodes[n];
-          connectivity.push_back((2 * i + node[0]) + row * (2 * j + node[1]) + plane * (2 * k + node[2]));
+          connectivity.push_back(first + (2 * i + node[0]) + row * (2 * j + node[1]) + plane * (2 * k + node[2]));
         }
       }
     }

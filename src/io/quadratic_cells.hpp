@@ -12,7 +12,7 @@ namespace softwet {
 constexpr std::uint8_t vtk_biquadratic_quad = 28;
 constexpr std::uint8_t vtk_triquadratic_hexahedron = 29;
 
-/// Number of points of the grid: product over the axes of 2 cells + 1.
+/// Number of points of the grid: product over the axes of 2 cells + 1, with a joint one more along the last axis.
 std::int64_t point_count(const TensorGrid& grid);
 
 /// Number of cells of the grid.

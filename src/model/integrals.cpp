@@ -2,7 +2,9 @@
 #include "field/vector.hpp"
 #include "kernels/fluid/gravity.hpp"
 #include "kernels/fluid/painted_wall.hpp"
+#include "kernels/functional/liquid_volume.hpp"
 #include "model/coordinates.hpp"
+#include "model/liquid_volume.hpp"
 #include "model/model.hpp"
 #include "operator/integrate.hpp"
 
@@ -109,6 +111,17 @@ MeshFaults Model<D, P>::faults(const Stage& stage) const {
 }
 
 template <int D, int P>
+double liquid_volume(const Model<D, P>& model, const Stage& stage) {
+  if (!model.layout().has_fluid) return 0;
+  const LiquidVolume liquid{model.state().density_vapour, model.state().density_liquid};
+  const Evaluation<D> at{model.layout(), stage, {}, {}};
+  const auto sum = model.layout().has_solid
+                       ? integrate<P, WallMotion<D>>(model.fluid_region(), liquid, at, model.blend())
+                       : integrate<P, NoMotion>(model.fluid_region(), liquid, at, model.blend());
+  return model.turn() * sum[0];
+}
+
+template <int D, int P>
 double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
   double power = 0;
   for (const LoadVector<D>& load : loads_) {
@@ -124,6 +137,7 @@ double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
 }
 
 template Integrals Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::integrals(const Stage&) const;
+template double liquid_volume(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Stage&);
 template Filling Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::filling(const Stage&) const;
 template MeshFaults Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::faults(const Stage&) const;
 template double Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::load_power(double, const ConstArray&) const;

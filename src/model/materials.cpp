@@ -6,6 +6,7 @@
 #include "case/text.hpp"
 #include "field/ranks.hpp"
 #include "field/vector.hpp"
+#include "model/beside_joint.hpp"
 #include "model/fluid_of.hpp"
 #include "model/greville_points.hpp"
 #include "model/model.hpp"
@@ -81,12 +82,11 @@ template <int D, int P>
 void Model<D, P>::grade_solid(const Profile& young) {
   const Axis& vertical = layout_.axis[D - 1];
   const int parts = vertical.joint() > 0 ? 2 : 1;
-  const double joint = vertical.lower(vertical.joint()), beside = 1e-9 * vertical.length();
   std::vector<double> values[2];
   largest_young_ = 0;
   for (int part = 0; part < parts; ++part) {
     const auto in_part = [&](std::array<double, 3> x) {
-      if (parts == 2) x[D - 1] = part == 0 ? std::min(x[D - 1], joint - beside) : std::max(x[D - 1], joint + beside);
+      x[D - 1] = height_in_part(vertical, part, x[D - 1]);
       return young.at(x);
     };
     values[part] = control_values(layout_, in_part, 0, layout_.solid_rows());

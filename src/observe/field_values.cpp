@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "model/beside_joint.hpp"
+
 namespace softwet {
 namespace {
 
@@ -19,11 +21,12 @@ std::vector<double> vector_field(const auto& component) {
 /// Grad u of the solid at the points of a grid. In 2D the third row and column are 0, plane strain, but in the
 /// coordinates (r, z) for u_r / r, which is du_r/dr at the axis.
 template <int D>
-std::vector<Matrix<double, 3>> displacement_gradients(const Snapshot<D>& s, const typename Snapshot<D>::Grid& grid) {
+std::vector<Matrix<double, 3>> displacement_gradients(const Snapshot<D>& s, const typename Snapshot<D>::Grid& grid,
+                                                      ElementRows rows) {
   std::vector<Matrix<double, 3>> gradients;
   for (int d = 0; d < D; ++d)
     for (int axis = 0; axis < D; ++axis) {
-      const std::vector<double> slope = s.displacement_gradient(grid, d, axis);
+      const std::vector<double> slope = s.displacement_gradient(grid, d, axis, rows);
       gradients.resize(slope.size(), Matrix<double, 3>{});
       for (std::size_t i = 0; i < slope.size(); ++i) gradients[i](d, axis) = slope[i];
     }
@@ -40,7 +43,7 @@ std::vector<Matrix<double, 3>> displacement_gradients(const Snapshot<D>& s, cons
 
 template <int D, int P>
 const std::vector<Matrix<double, 3>>& FieldValues<D, P>::gradients() {
-  if (gradients_.empty()) gradients_ = displacement_gradients(snapshot_, grid_);
+  if (gradients_.empty()) gradients_ = displacement_gradients(snapshot_, grid_, rows_);
   return gradients_;
 }
 
@@ -86,6 +89,8 @@ std::array<double, 3> FieldValues<D, P>::place(std::size_t point) const {
     x[d] = grid_[d][point % grid_[d].size()];
     point /= grid_[d].size();
   }
+  const Axis& vertical = snapshot_.layout().axis[D - 1];
+  x[D - 1] = height_in_part(vertical, rows_.first < vertical.joint() ? 0 : 1, x[D - 1]);
   return x;
 }
 

@@ -9,6 +9,11 @@
 
 namespace softwet {
 
+/// Adds values behind those that are there.
+inline void append(const std::vector<double>& more, std::vector<double>& to) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
 /// Fields of one material on a tensor grid of reference points. In 2D a tensor is that of plane strain or, in the
 /// coordinates (r, z), of axial symmetry, the third axis around the axis.
 template <int D, int P>
@@ -16,9 +21,14 @@ class FieldValues {
  public:
   using Grid = typename Snapshot<D>::Grid;
 
-  /// @param in_fluid  the points are of the fluid, from the wall up; else of the solid, up to the wall
-  FieldValues(const Model<D, P>& model, const Snapshot<D>& snapshot, const Grid& grid, bool in_fluid)
-      : model_(model), snapshot_(snapshot), grid_(grid), in_fluid_(in_fluid) {}
+  /// @param rows  the elements that the points lie in: of the fluid, from the wall up, or of one part of the solid. What jumps at
+  ///              their ends is read from inside of them.
+  FieldValues(const Model<D, P>& model, const Snapshot<D>& snapshot, const Grid& grid, ElementRows rows)
+      : model_(model),
+        snapshot_(snapshot),
+        grid_(grid),
+        rows_(rows),
+        in_fluid_(rows.first >= snapshot.layout().solid_elements) {}
 
   /// Of the field of that name, which this material has (observe/host/field_table.hpp); components fastest: 1, D, or 9
   /// of a tensor, row by row. Scales as in the table.
@@ -32,6 +42,7 @@ class FieldValues {
   const Model<D, P>& model_;
   const Snapshot<D>& snapshot_;
   const Grid& grid_;
+  ElementRows rows_;
   bool in_fluid_;
   std::vector<Matrix<double, 3>> gradients_;  ///< of the displacement of the solid; empty: not asked for so far
 };

@@ -16,23 +16,34 @@ std::vector<double> element_points(const Axis& axis, int first, int last) {
   return x;
 }
 
-/// The elements of one material.
+/// Rows [first, last) of elements along the vertical axis, all elements along the others.
 template <int D>
-struct Block {
-  TensorGrid cells;
-  typename Snapshot<D>::Grid grid;
+ElementRows elements_along(const Layout<D>& layout, int d, ElementRows rows) {
+  return d == D - 1 ? rows : ElementRows{0, layout.axis[d].elements()};
+}
 
-  Block(const Layout<D>& layout, int first, int last) {
-    cells.dimension = D;
-    for (int d = 0; d < D; ++d) {
-      const Axis& axis = layout.axis[d];
-      const int low = d == D - 1 ? first : 0, high = d == D - 1 ? last : axis.elements();
-      cells.cells[d] = high - low;
-      grid[d] = element_points(axis, low, high);
-      for (int e = low; axis.graded() && e <= high; ++e) cells.ends[d].push_back(axis.end_or_middle(2 * e));
-    }
+template <int D>
+TensorGrid cells_of(const Layout<D>& layout, ElementRows rows) {
+  TensorGrid cells;
+  cells.dimension = D;
+  for (int d = 0; d < D; ++d) {
+    const Axis& axis = layout.axis[d];
+    const auto [first, last] = elements_along(layout, d, rows);
+    cells.cells[d] = last - first;
+    for (int e = first; axis.graded() && e <= last; ++e) cells.ends[d].push_back(axis.end_or_middle(2 * e));
   }
-};
+  return cells;
+}
+
+template <int D>
+typename Snapshot<D>::Grid points_of(const Layout<D>& layout, ElementRows rows) {
+  typename Snapshot<D>::Grid grid;
+  for (int d = 0; d < D; ++d) {
+    const auto [first, last] = elements_along(layout, d, rows);
+    grid[d] = element_points(layout.axis[d], first, last);
+  }
+  return grid;
+}
 
 /// Reference positions plus displacement.
 template <int D>
@@ -47,18 +58,18 @@ std::vector<double> positions(const typename Snapshot<D>::Grid& grid, std::vecto
   return displacement;
 }
 
-/// The fields of one material that were asked for. @param names  of fields; empty: all
+/// The fields of one material that were asked for. @param names  of fields; empty: all. @param fields  gain the values of a part
 template <int D, int P>
-std::vector<PointField> selected_fields(FieldValues<D, P>& values, bool in_fluid,
-                                        const std::vector<std::string>& names) {
-  std::vector<PointField> fields;
+void add_selected_fields(FieldValues<D, P>& values, bool in_fluid, const std::vector<std::string>& names,
+                         std::vector<PointField>& fields) {
+  std::size_t number = 0;
   for (const FieldInfo& field : field_table()) {
     if (!(in_fluid ? field.in_fluid : field.in_solid)) continue;
     if (!names.empty() && std::find(names.begin(), names.end(), field.name) == names.end()) continue;
     const int components = field.shape == FieldShape::scalar ? 1 : field.shape == FieldShape::vector ? D : 9;
-    fields.push_back({field.name, components, values.of(field.name), field.unit});
+    if (number == fields.size()) fields.push_back({field.name, components, {}, field.unit});
+    append(values.of(field.name), fields[number++].values);
   }
-  return fields;
 }
 
 void write_list(const std::string& folder, const std::string& part, const std::vector<double>& times) {
@@ -80,12 +91,17 @@ void write_field_files(const std::string& output, const FieldOrigin& origin, con
   for (const std::string part : {"fluid", "solid"}) {
     const bool in_fluid = part == "fluid";
     if (in_fluid ? !layout.has_fluid : !layout.has_solid) continue;
-    const int wall = layout.solid_elements;
-    const Block<D> block(layout, in_fluid ? wall : 0, in_fluid ? layout.axis[D - 1].elements() : wall);
-    FieldValues<D, P> values(model, s, block.grid, in_fluid);
-    write_fields(folder + field_file_name(part, times.size() - 1), origin, block.cells,
-                 positions<D>(block.grid, values.of("displacement")), selected_fields(values, in_fluid, selected),
-                 times.back());
+    TensorGrid cells = cells_of(layout, in_fluid ? s.fluid_rows() : s.solid_rows());
+    if (!in_fluid) cells.rows_below_joint = layout.axis[D - 1].joint();
+    std::vector<double> points;
+    std::vector<PointField> fields;
+    for (const ElementRows rows : in_fluid ? std::vector{s.fluid_rows()} : s.solid_parts()) {
+      const typename Snapshot<D>::Grid grid = points_of(layout, rows);
+      FieldValues<D, P> values(model, s, grid, rows);
+      append(positions<D>(grid, values.of("displacement")), points);
+      add_selected_fields(values, in_fluid, selected, fields);
+    }
+    write_fields(folder + field_file_name(part, times.size() - 1), origin, cells, points, fields, times.back());
     write_list(folder, part, times);
   }
 }

@@ -8,6 +8,7 @@
 #include "case/text.hpp"
 #include "field/ranks.hpp"
 #include "io/output_time.hpp"
+#include "model/liquid_volume.hpp"
 #include "observe/host/probe_quantity.hpp"
 #include "observe/host/table_columns.hpp"
 #include "observe/probes.hpp"
@@ -177,6 +178,7 @@ template <int D, int P>
 auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& state, const Stage& end) -> Row {
   const Layout<D>& layout = model_.layout();
   const Integrals sum = model_.integrals(end);
+  const double liquid = liquid_volume<D, P>(model_, end);
   const double load_power = model_.load_power(state.time, state.unknown);
   const Extremes extremes = find_extremes(layout, state, layout.has_fluid ? surface().level : 0);
   const Snapshot<D> snapshot(layout, state,
@@ -203,6 +205,7 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   } else {
     row.insert(row.end(), 2, std::nullopt);
   }
+  row.push_back(layout.has_fluid ? std::optional<double>(liquid) : std::nullopt);
   if (!case_.droplets.empty()) row.push_back(laplace_pressure(snapshot));
   for (double number : evaluate_probes<D, P>(case_, model_, snapshot)) row.push_back(number);
   return row;

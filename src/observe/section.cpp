@@ -91,8 +91,9 @@ std::array<double, 2> Section<D>::tangent(double s) const {
   std::array<double, 2> t{1, 0};
   for (int axis = 0; axis < D - 1; ++axis) {
     for (int d = 0; d < D - 1; ++d)
-      t[0] += direction_[d] * direction_[axis] * snapshot_.displacement_gradient(at, d, axis)[0];
-    t[1] += direction_[axis] * snapshot_.displacement_gradient(at, D - 1, axis)[0];
+      t[0] +=
+          direction_[d] * direction_[axis] * snapshot_.displacement_gradient(at, d, axis, snapshot_.solid_rows())[0];
+    t[1] += direction_[axis] * snapshot_.displacement_gradient(at, D - 1, axis, snapshot_.solid_rows())[0];
   }
   return t;
 }

@@ -70,9 +70,16 @@ std::vector<double> Snapshot<D>::displacement(const Grid& grid, int d, bool in_f
 }
 
 template <int D>
-std::vector<double> Snapshot<D>::displacement_gradient(const Grid& grid, int d, int axis) const {
-  return component(displacement_, layout_.displacement_offset(d), layout_.solid_rows(), grid, 0, 0,
-                   layout_.solid_elements, axis);
+std::vector<double> Snapshot<D>::displacement_gradient(const Grid& grid, int d, int axis, ElementRows rows) const {
+  return component(displacement_, layout_.displacement_offset(d), layout_.solid_rows(), grid, 0, rows.first, rows.last,
+                   axis);
+}
+
+template <int D>
+std::vector<ElementRows> Snapshot<D>::solid_parts() const {
+  const int joint = layout_.axis[D - 1].joint();
+  if (joint == 0) return {solid_rows()};
+  return {{0, joint}, {joint, layout_.solid_elements}};
 }
 
 template class Snapshot<2>;

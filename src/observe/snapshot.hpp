@@ -7,6 +7,11 @@
 
 namespace softwet {
 
+/// Rows of elements [first, last) along the vertical axis. A point on a line of elements at their end is taken from their side.
+struct ElementRows {
+  int first, last;
+};
+
 /// What a snapshot holds of a state.
 enum class SnapshotOf { all_fields, all_but_velocity };
 
@@ -26,10 +31,14 @@ class Snapshot {
   std::vector<double> chemical_potential(const Grid&) const;
   /// Displacement of the material in the solid, of the mesh in the fluid (blended from the wall).
   std::vector<double> displacement(const Grid&, int d, bool in_fluid) const;
-  /// du_d/dX_axis of the solid; at the wall the one from below.
-  std::vector<double> displacement_gradient(const Grid&, int d, int axis) const;
+  /// du_d/dX_axis of the solid. It jumps at a joint: there it is that of the rows of one part.
+  std::vector<double> displacement_gradient(const Grid&, int d, int axis, ElementRows) const;
 
   const Layout<D>& layout() const { return layout_; }  ///< of the whole patch
+  ElementRows fluid_rows() const { return {layout_.solid_elements, layout_.axis[D - 1].elements()}; }
+  ElementRows solid_rows() const { return {0, layout_.solid_elements}; }
+  /// The solid in the parts below and above its joint; without one it is one part.
+  std::vector<ElementRows> solid_parts() const;
   double wall_height() const { return layout_.axis[D - 1].lower(layout_.solid_elements); }
 
  private:

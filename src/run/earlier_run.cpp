@@ -86,9 +86,12 @@ class FieldsOfPart {
 
   /// @param components  of the field in the file, of which one is taken
   std::vector<double> component(const std::string& field, int components, int which) const {
-    const std::vector<double> all = read_field(path_, field);
-    std::size_t points = 2 * (high_ - low_) + 1;
-    for (std::size_t d = 0; d + 1 < axes_.size(); ++d) points *= 2 * axes_[d].elements() + 1;
+    std::vector<double> all = read_field(path_, field);
+    std::size_t points_of_row = 1;
+    for (std::size_t d = 0; d + 1 < axes_.size(); ++d) points_of_row *= 2 * axes_[d].elements() + 1;
+    const std::size_t points = points_of_row * (2 * (high_ - low_) + 1), row = points_of_row * components;
+    if (const int joint = axes_.back().joint() - low_; joint > 0 && all.size() == points * components + row)
+      all.erase(all.begin() + 2 * joint * row, all.begin() + (2 * joint + 1) * row);  // its points are there twice
     if (all.size() != points * components)
       throw Error(Exit::invalid_input, path_ +
                                            ": does not have the mesh of case.toml; leave out initial.time to begin "

@@ -68,3 +68,22 @@ for scheme in ("generalized_alpha", "kick_drift"):
     subprocess.run([softwet, "run", f"{scheme}/case.toml", "--out", scheme, "--resume", "--quiet", "--threads", "1", "--set", "time.end=0.52"],
                    check=True)
     check(f"{scheme}: resumed after the event to its end", abs(history(scheme)["t"][-1] - 0.52), 1e-12)
+
+# A droplet on the seam of a periodic axis is the one in the middle: it stays where it is, on a box that reaches around the seam.
+SEAM = ["boundary.left=periodic", "boundary.right=periodic", "domain.elements=[64,32]", "fluid.capillarity=1/32", "output.fields.times=[0]",
+        "time.end=20"]
+rows = {}
+for name, centre, box in (("middle", 0.5, "[[0.2,0],[0.8,0.3]]"), ("seam", 0, "[[-0.3,0],[0.3,0.3]]"), ("beyond", 0, "[[0.7,0],[1.3,0.3]]")):
+    run("static_droplet_rigid_2d", name, [*SEAM, f"droplet[0].centre=[{centre},0]", f"domain.grading.box={box}"])
+    rows[name] = history(name)
+    lengths = numpy.diff(open_output(name).fields(0).lines[1][::2])
+    check(f"{name}: ratio of neighbours, across the seam too", numpy.abs(numpy.log(lengths / numpy.roll(lengths, 1))).max() / numpy.log(1.3), 1 + 1e-9)
+    check_true(f"{name}: it is graded", len(lengths) < 0.9 * 64)
+    check_true(f"{name}: no event", not open_output(name).record.get("events"), open_output(name).record.get("events"))
+check("the droplet on the seam stays", abs(numpy.remainder(rows["seam"]["x_centre"] + 0.5, 1) - 0.5).max(), 1e-5)
+check("the same box by another name", abs(rows["seam"]["x_centre"] - rows["beyond"]["x_centre"]).max(), 1e-15)
+check("its energy is that of the droplet in the middle", abs(rows["seam"]["energy_total"][-1] / rows["middle"]["energy_total"][-1] - 1), 1e-4)
+warning = subprocess.run([softwet, "check", str(cases / "static_droplet_rigid_2d.toml"), *(word for setting in [
+    *SEAM, "droplet[0].centre=[0,0]", "domain.grading.box=[[0,0],[0.3,0.3]]"] for word in ("--set", setting))],
+    capture_output=True, text=True, check=True).stderr
+check_true("check warns of a box that ends on the seam, in the droplet", "domain.grading" in warning, warning)

@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 import numpy
-from _scene import check, check_true, environment, history, run_file, tools
+from _scene import check, check_true, environment, history, open_output, run_file, softwet, tools
 
 ALOUD = ["--overwrite", "--threads", "1", "--quiet"]
 PROBES = """
@@ -75,6 +75,16 @@ check_true("momentum along both axes", {"momentum_x", "momentum_y"} <= set(rows)
 check_true("probes come last", pathlib.Path("probes/history.csv").read_text().split("\n")[0].endswith(
     "laplace,all_mass,rise,highest,bottom_pressure,fastest"))
 
+# The volume of the liquid is that of the density in the field file.
+phases = open_output("probes").record["equilibrium"]
+fluid = open_output("probes").fields(5)
+low, high = fluid.positions.min(axis=(0, 1)), fluid.positions.max(axis=(0, 1))
+step = (high - low) / (400, 1600)
+grid = fluid.on_grid(400, 1600, box=(low + step / 2, high - step / 2))  # middles of cells
+share = ((grid["density"] - phases["density_vapour"]) / (phases["density_liquid"] - phases["density_vapour"])).clip(0, 1)
+liquid = numpy.nansum(share**2 * (3 - 2 * share)) * step.prod()
+check("the volume of the liquid", abs(rows["liquid_volume"][-1] / liquid - 1), 1e-3)
+
 # The rest of the run from a checkpoint; probes of a run cannot change.
 pathlib.Path("longer.toml").write_text((scene + PROBES).replace("end = 5", "end = 6"))
 run_file("longer.toml", "probes", [], ["--resume", "--threads", "1", "--quiet"])
@@ -90,3 +100,34 @@ check("explicit: the mass", abs(rows["all_mass"] / rows["mass"] - 1).max(), 1e-1
 
 line = subprocess.run([sys.executable, tools / "status", "probes"], capture_output=True, text=True, env=environment).stdout
 check_true("status tells ridges and probes", "ridges " in line and "all_mass " in line, line)
+
+# Around an axis of symmetry: a column under its weight sinks alike everywhere, on the axis too.
+PROBE = """
+[[probe]]
+name = "{name}"
+quantity = "{quantity}"
+box = [[{r}, 0.07], [{r}, 0.29]]
+operation = "{operation}"
+"""
+axial = """
+name = "axis"
+domain = { coordinates = "axisymmetric", size = [0.4, 0.3], elements = [12, 9] }
+substrate = { thickness = 0.3, young = 1.0, poisson = 0.3, strain = "small", gravity = [0.0, -1e-3] }
+boundary = { bottom = "slip", right = "slip", top = "free" }
+time = { end = 1.0 }
+output = { fields = { times = [] } }
+"""
+for place, r in (("on", 0), ("off", 0.2)):
+    for operation in ("mean", "integral", "min", "max"):
+        axial += PROBE.format(name=f"{operation}_{place}", quantity="displacement_y", r=r, operation=operation)
+pathlib.Path("axis.toml").write_text(axial)
+subprocess.run([softwet, "steady", "axis.toml", "--out", "axis", *ALOUD], check=True, env=environment, stdout=subprocess.DEVNULL)
+row = {name: values[-1] for name, values in history("axis").items()}
+modulus = 0.7 / (1.3 * 0.4)
+# u = -w (H y - y^2 / 2) / M, integrated from 0.07 to 0.29
+whole = -1e-3 / modulus * (0.3 * (0.29**2 - 0.07**2) / 2 - (0.29**3 - 0.07**3) / 6)
+check("mean on the axis", abs(row["mean_on"] / (whole / 0.22) - 1), 1e-6)
+check("mean off the axis", abs(row["mean_off"] / (whole / 0.22) - 1), 1e-6)
+check("integral on the axis, over a line", abs(row["integral_on"] / whole - 1), 1e-6)
+check("integral off the axis, over a face", abs(row["integral_off"] / (2 * numpy.pi * 0.2 * whole) - 1), 1e-6)
+check("smallest and largest on the axis", max(abs(row[f"{end}_on"] / row[f"{end}_off"] - 1) for end in ("min", "max")), 1e-6)

@@ -1,5 +1,7 @@
 """Fields of one part of a scene at one time."""
 
+import copy
+
 import numpy as np
 
 from .lattice import evaluate, locate
@@ -18,6 +20,8 @@ class Field:
     shape             points of the lattice: (ny, nx) or (nz, ny, nx)
     lines             reference coordinates of the points along each axis: [y, x] or [z, y, x]
     field[name]       array of shape (*shape) for a scalar, (*shape, dimension) for a vector, (*shape, 3, 3) for a tensor
+    sides             [field]; where the solid has a joint two such fields, of the points below and above it. Strains and
+                      stresses may jump there, and field[name] has the values from above
     list(field)       names of the fields in the file
     positions         (*shape, dimension): where the points are now
     reference         (*shape, dimension): where they are in the undeformed mesh
@@ -28,9 +32,29 @@ class Field:
         the ends of graded ones"""
         self.path, self.time, self.part = path, time, part
         self.dimension = len(elements)
-        self._kept = {}
         self.lines = [self._line(axis, *equal) for axis, equal in enumerate(zip(elements, low, high))][::-1]
-        self.shape = tuple(map(len, self.lines))
+        self._divide()
+
+    def _divide(self):
+        """Which rows of points of the file are those of the lattice: the file has those of a joint twice, from below and above."""
+        with self._open() as file:
+            joint = 2 * int(file.attrs.get("rows_below_joint", [0])[0])
+        upwards, *across = self.lines
+        rows = np.arange(len(upwards) + (joint > 0))
+        self._points = len(rows)
+        self._take(self.lines, np.delete(rows, joint) if joint else rows)
+        if joint:
+            self._halves = copy.copy(self), copy.copy(self)
+            self._halves[0]._take([upwards[:joint + 1], *across], rows[:joint + 1])
+            self._halves[1]._take([upwards[joint:], *across], rows[joint + 1:])
+
+    def _take(self, lines, rows):
+        self.lines, self._rows, self.shape = lines, rows, tuple(map(len, lines))
+        self._halves, self._kept = (), {}
+
+    @property
+    def sides(self):
+        return list(self._halves) or [self]
 
     def _line(self, axis, elements, low, high):
         with self._open() as file:
@@ -66,7 +90,8 @@ class Field:
     def read(self, name, rows=slice(None)):
         """A field, or "Points", without keeping it. @param rows  of the vertical axis, counted from below"""
         row = int(np.prod(self.shape[1:]))
-        first, last, _ = rows.indices(self.shape[0])
+        chosen = self._rows[rows]
+        first, last = (chosen[0], chosen[-1] + 1) if len(chosen) else (0, 0)
         with self._open() as file:
             key = f"VTKHDF/{name}" if name == "Points" else f"VTKHDF/PointData/{name}"
             if key not in file:
@@ -74,8 +99,8 @@ class Field:
                 raise Problem(f"{self.path} has no field '{name}'; there are: {there}; output.fields.select of the case "
                               "chooses them")
             data = file[key]
-            if len(data) != self.shape[0] * row:
-                raise Problem(f"{self.path} has {len(data)} points, not the {self.shape[0] * row} of case.toml; "
+            if len(data) != self._points * row:
+                raise Problem(f"{self.path} has {len(data)} points, not the {self._points * row} of case.toml; "
                               "compute the case again with --overwrite")
             try:
                 values = data[first * row:last * row]
@@ -85,7 +110,8 @@ class Field:
             values = values[:, :self.dimension]
         elif values.ndim == 2 and values.shape[1] == 9:
             values = values.reshape(-1, 3, 3)
-        return values.reshape(last - first, *self.shape[1:], *values.shape[1:])
+        values = values.reshape(last - first, *self.shape[1:], *values.shape[1:])
+        return values if len(chosen) == len(values) else values[chosen - first]
 
     @property
     def positions(self):
@@ -105,33 +131,48 @@ class Field:
         return self.read("Points", rows) - self.rest(rows)
 
     def to_pyvista(self, *names):
-        """A pyvista.StructuredGrid of the points where they are now, with the fields (all, or those named). Needs pyvista."""
+        """A pyvista.StructuredGrid of the points where they are now, with the fields (all, or those named). Those of a joint are
+        there twice, with the values of both sides. Needs pyvista."""
         try:
             import pyvista
         except ImportError as missing:
             raise Problem(f"{missing}; to_pyvista needs pyvista (pip install pyvista)") from missing
-        count = int(np.prod(self.shape))
+        upwards, *across = self.shape
+        shape = (upwards + len(self.sides) - 1, *across)
+        count = int(np.prod(shape))
         points = np.zeros((count, 3))
-        points[:, :self.dimension] = self.positions.reshape(count, -1)
+        points[:, :self.dimension] = self._of_both_sides("Points").reshape(count, -1)
         grid = pyvista.StructuredGrid()
         grid.points = points
-        grid.dimensions = (*self.shape[::-1], 1, 1)[:3]
+        grid.dimensions = (*shape[::-1], 1, 1)[:3]
         for name in names or self:
-            values = self[name]
+            values = self._of_both_sides(name)
             values = values.reshape(count, -1)
             flat = np.pad(values, ((0, 0), (0, 1))) if values.shape[1] == 2 else values  # a vector has three components there
             grid.point_data[name] = flat[:, 0] if flat.shape[1] == 1 else flat
         return grid
 
+    def _of_both_sides(self, name):
+        return np.concatenate([side[name] for side in self.sides])
+
     def at(self, points):
-        """The fields at places of the deformed body. @param points  (..., dimension);  @return Sample"""
+        """The fields at places of the deformed body, at a joint those from above. @param points  (..., dimension);  @return Sample"""
         points = np.asarray(points, dtype=float)
         if points.ndim == 0 or points.shape[-1] != self.dimension:
             raise Problem(f"points of shape {points.shape}: the last axis must have the {self.dimension} coordinates")
         flat = points.reshape(-1, self.dimension)
+        found, indices = np.zeros(len(flat), dtype=bool), []
+        for side in reversed(self.sides):
+            index = np.full(flat.shape, np.nan)
+            index[~found] = side._locate(flat[~found])
+            found |= ~np.isnan(index).any(axis=-1)
+            indices.append((side, index))
+        return Sample(self, points, indices)
+
+    def _locate(self, flat):
         guess = np.stack([np.interp(flat[:, d], line, np.arange(len(line)))
                           for d, line in enumerate(reversed(self.lines))], axis=-1)
-        return Sample(self, points, locate(self.positions, flat, guess))
+        return locate(self.positions, flat, guess)
 
     def on_grid(self, *counts, box=None):
         """The fields on a uniform grid, nan outside of the deformed body.
@@ -153,12 +194,20 @@ class Sample:
 
     positions  the points;  axes  of a grid: its coordinates;  inside  whether each point is in the body"""
 
-    def __init__(self, field, positions, index):
-        self.field, self.positions, self.axes, self._index = field, positions, None, index
-        self.inside = ~np.isnan(index).any(axis=-1).reshape(positions.shape[:-1])
+    def __init__(self, field, positions, indices):
+        """@param indices  of the points in the lattice of each side of the field, nan where they are not in it"""
+        self.field, self.positions, self.axes, self._indices = field, positions, None, indices
+        self.inside = sum(self._within(index) for _, index in indices).astype(bool).reshape(positions.shape[:-1])
+
+    @staticmethod
+    def _within(index):
+        return ~np.isnan(index).any(axis=-1)
 
     def __getitem__(self, name):
-        lattice, inside = self.field[name], self.inside.ravel()
-        values = np.full((len(inside), *lattice.shape[self.field.dimension:]), np.nan)
-        values[inside] = evaluate(lattice, self._index[inside])
+        values = None
+        for side, index in self._indices:
+            lattice, within = side[name], self._within(index)
+            if values is None:
+                values = np.full((len(index), *lattice.shape[self.field.dimension:]), np.nan)
+            values[within] = evaluate(lattice, index[within])
         return values.reshape((*self.positions.shape[:-1], *values.shape[1:]))

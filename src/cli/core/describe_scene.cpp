@@ -1,3 +1,4 @@
+#include <cmath>
 #include <iomanip>
 
 #include "case/mesh.hpp"
@@ -56,7 +57,7 @@ std::vector<Line> grading(const Case& c) {
                                std::to_string(c.domain.elements[d]) + ", of " + formatted(fine_length(c, d), "%.4g") +
                                " to " + formatted(longest, "%.4g") + "; fine from " +
                                formatted(std::max(fine.low, 0.0), "%.4g") + " to " +
-                               formatted(std::min(fine.high, c.domain.size[d]), "%.4g")});
+                               formatted(std::isinf(fine.high) ? c.domain.size[d] : fine.high, "%.4g")});
   }
   lines.push_back({"elements", formatted(100 * share_of_elements(c), "%.0f") + " % of those of the equal mesh"});
   return lines;

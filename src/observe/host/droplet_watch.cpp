@@ -111,11 +111,18 @@ class Regions {
       }
   }
 
+  /// A place of a periodic axis, by whole turns as near to the middle of the fine elements as it can be.
+  double nearest_to_fine_part(int d, double x) const {
+    const double middle = 0.5 * (samples_.low[d] + samples_.high[d]);
+    return std::isfinite(middle) ? middle + std::remainder(x - middle, samples_.step[d] * samples_.points[d]) : x;
+  }
+
   void look_at_fine_ends(int point, unsigned& touched) const {
     const std::array<double, 3> x = place(point);
     for (int d = 0; d < samples_.dimension; ++d) {
-      if (x[d] < samples_.low[d]) touched |= 1U << (first_bit_of_fine_ends + 2 * d);
-      if (x[d] > samples_.high[d]) touched |= 1U << (first_bit_of_fine_ends + 2 * d + 1);
+      const double at = samples_.periodic[d] ? nearest_to_fine_part(d, x[d]) : x[d];
+      if (at < samples_.low[d]) touched |= 1U << (first_bit_of_fine_ends + 2 * d);
+      if (at > samples_.high[d]) touched |= 1U << (first_bit_of_fine_ends + 2 * d + 1);
     }
   }
 

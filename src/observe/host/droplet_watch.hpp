@@ -16,7 +16,7 @@ struct PhaseSamples {
   std::array<bool, 3> periodic{};          ///< per axis
   std::array<double, 3> origin{}, step{};  ///< of the grid; the lower end of the vertical axis is the wall
   std::array<double, 3> low{-1e300, -1e300, -1e300},
-      high{1e300, 1e300, 1e300};  ///< where elements are fine, less a margin
+      high{1e300, 1e300, 1e300};  ///< where elements are fine, less a margin; periodic: also beyond the ends
   std::vector<double> depth;      ///< any measure that is 0 on the surface and grows inwards
   bool bubbles = false;           ///< inside is vapour
   bool axisymmetric = false;      ///< the first axis is the distance from an axis of symmetry

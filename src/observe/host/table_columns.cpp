@@ -135,6 +135,10 @@ const std::vector<Column> of_balance{
      "Part of dissipation that belongs to substrate.viscosity and substrate.bulk_viscosity: the integral of S_v : E' "
      "over "
      "the undeformed solid, E' the rate of the Green-Lagrange strain."},
+    {"liquid_volume", "L0^d",
+     "Volume of the liquid: the integral of s^2 (3 - 2 s) over the fluid, where s = (rho - rho_v)/(rho_l - rho_v), not "
+     "below 0 and not above 1. It counts liquid as 1, vapour as 0, and an interface up to its middle. Empty without a "
+     "fluid."},
     {laplace, "ab",
      "Excess of the chemical potential inside the first droplet, mu - mu_sat. At rest it is sigma/(R (rho_l - rho_v)) "
      "in 2D and twice that in 3D and in axisymmetric scenes."},

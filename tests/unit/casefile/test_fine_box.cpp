@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "case/mesh.hpp"
+#include "unit/casefile/bad_case.hpp"
 
 namespace softwet {
 namespace {
@@ -41,6 +42,46 @@ TEST(FineBox, ATooSmallOneIsToldWithItsPlace) {
     c.domain.grading.upper[1] -= 1.5 * c.fluid->capillarity;
     EXPECT_NE(warning_about_fine_box(c).find("along axis 1"), std::string::npos) << height;
   }
+}
+
+/// A droplet on the seam of a periodic axis needs a box that reaches around it.
+TEST(FineBox, AroundAPeriodicEnd) {
+  Case c = droplet_at(0.125, "box");
+  c.boundary.side[0] = {Side::periodic, Side::periodic};
+  c.droplets[0].centre[0] = 0;
+  c.domain.grading.upper = {0.4, 0.6};
+  c.domain.grading.lower = {0, 0};
+  EXPECT_NE(warning_about_fine_box(c).find("along axis 0"), std::string::npos);
+  c.domain.grading.lower[0] = -0.4;
+  EXPECT_EQ(warning_about_fine_box(c), "");
+  c.domain.grading.lower[0] = 1.6, c.domain.grading.upper[0] = 2.4;
+  EXPECT_EQ(warning_about_fine_box(c), "");
+}
+
+std::string answer_to(const std::string& left, const std::string& box, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> settings{"boundary.left=\"" + left + "\"", "boundary.right=\"" + left + "\"",
+                                    "domain.grading.box=" + box};
+  settings.insert(settings.end(), more.begin(), more.end());
+  return testing_tools::message_of(testing_tools::pull_text(), settings);
+}
+
+TEST(FineBox, ReachesAroundPeriodicSidesAlone) {
+  using testing_tools::expect_parts;
+  EXPECT_EQ(answer_to("periodic", "[[-0.2,0],[0.4,0.4]]"), "(accepted)");
+  EXPECT_EQ(answer_to("periodic", "[[0.8,0],[1.4,0.4]]"), "(accepted)");
+  expect_parts(answer_to("slip", "[[-0.2,0],[0.4,0.4]]"), {"domain.grading.box", "outside the domain", "[0, 1]"});
+  expect_parts(answer_to("periodic", "[[-0.2,0],[0.9,0.4]]"),
+               {"domain.grading.box", "longer than the periodic axis 0", "shrink"});
+  expect_parts(answer_to("periodic", "[[-1.2,0],[-0.9,0.4]]"),
+               {"domain.grading.box", "outside [-1, 2]", "move or shrink"});
+  expect_parts(answer_to("periodic", "[[0.2,-0.1],[0.9,0.4]]"), {"domain.grading.box", "outside the domain", "axis 1"});
+}
+
+/// Periodic splines of degree 2 need five elements, also of those that are left.
+TEST(FineBox, LeavesEnoughElementsOfAPeriodicAxis) {
+  testing_tools::expect_parts(
+      answer_to("periodic", "[[0.25,0],[0.375,0.4]]", {"domain.elements=[8,64]", "domain.grading.ratio=2"}),
+      {"domain.grading.box", "leaves 4 elements along the periodic axis 0", "5 or more", "larger box"});
 }
 
 }  // namespace

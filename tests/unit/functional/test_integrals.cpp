@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "kernels/functional/fluid_integrals.hpp"
+#include "kernels/functional/liquid_volume.hpp"
 #include "kernels/functional/solid_integrals.hpp"
 #include "kernels/functional/term_integrals.hpp"
 #include "kernels/solid/elastodynamics.hpp"
@@ -38,6 +39,18 @@ TEST(FluidContents, ByHand) {
   EXPECT_EQ(v[FluidContents::volume], 1);
   EXPECT_EQ(v[FluidContents::folded], 0);
   EXPECT_EQ(f.value(FilledMesh<double, 2>{{0.5}, -0.1})[FluidContents::folded], -1) << "times J: a positive volume";
+}
+
+TEST(LiquidVolume, ByHand) {
+  const LiquidVolume f{0.25, 0.75};
+  const auto at = [&](double density) { return f.value(DensityValueTrial<double, 2>{density})[0]; };
+  EXPECT_EQ(at(0.25), 0);
+  EXPECT_EQ(at(0.75), 1);
+  EXPECT_EQ(at(0.5), 0.5);
+  EXPECT_DOUBLE_EQ(at(0.375), 0.15625) << "a quarter of the way: 1/16 (3 - 1/2)";
+  EXPECT_DOUBLE_EQ(at(0.625), 0.84375);
+  EXPECT_EQ(at(0.2), 0) << "thinner than the vapour";
+  EXPECT_EQ(at(0.8), 1) << "denser than the liquid";
 }
 
 TEST(SolidMotion, ByHand) {

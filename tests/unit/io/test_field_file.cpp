@@ -92,6 +92,25 @@ TEST(QuadraticCells, NodesOfTheLastQuad) {
   EXPECT_EQ(last, (std::vector<std::int64_t>{12, 14, 24, 22, 13, 19, 23, 17, 18}));
 }
 
+/// Cells on both sides of a joint have no point in common, and all points are used.
+TEST(QuadraticCells, DoNotShareThePointsOfAJoint) {
+  for (const int dimension : {2, 3}) {
+    TensorGrid grid{dimension, {2, 3, 3}};
+    grid.rows_below_joint = 1;
+    const std::int64_t layer = dimension == 2 ? 5 : 5 * 7, cells_below = dimension == 2 ? 2 : 6;
+    EXPECT_EQ(point_count(grid), 8 * layer);
+    const std::vector<std::int64_t> nodes = cell_nodes(grid);
+    const std::size_t per_cell = dimension == 2 ? 9 : 27;
+    std::set<std::int64_t> below, above;
+    for (std::size_t i = 0; i < nodes.size(); ++i) (i < cells_below * per_cell ? below : above).insert(nodes[i]);
+    EXPECT_EQ(below.size(), 3U * layer);
+    EXPECT_EQ(above.size(), 5U * layer);
+    EXPECT_EQ(*below.rbegin(), 3 * layer - 1);
+    EXPECT_EQ(*above.begin(), 3 * layer);
+    EXPECT_EQ(*above.rbegin(), 8 * layer - 1);
+  }
+}
+
 TEST(QuadraticCells, NodesOfAHexahedronLieWhereVtkWantsThem) {
   const TensorGrid grid = {3, {1, 1, 1}};
   const std::vector<double> points = lattice(grid);

@@ -1,7 +1,9 @@
 // Energies: what the integrals are, and the energy law hidden in the residual.
+#include "model/liquid_volume.hpp"
 #include "unit/model/formulas.hpp"
 #include "unit/model/rates.hpp"
 #include "unit/model/scenes.hpp"
+#include "unit/observe/core/homogeneous.hpp"
 
 namespace softwet::testing_tools {
 namespace {
@@ -204,6 +206,27 @@ TEST(Integrals, GravityOnAMovedMesh) {
   s.stage().displacement = s.stage().displacement_end = to_device<Array>(u);
   const double low = s.model.wall_height() + rise, area = 0.9 * (0.8 - low);
   EXPECT_NEAR(s.model.integrals(s.stage()).energy_gravity, -rho * area * (0.3 * 0.45 - 0.8 * 0.5 * (low + 0.8)), 1e-14);
+}
+
+/// Of a fluid of one density above a wall that widens by a fifth and sinks by a tenth of its height: the mesh follows it by a share that
+/// falls from 1 at the wall to 0 at the top, so that the width is 0.9 (1 + 0.2 share) and each height is stretched by 1.05.
+TEST(LiquidVolume, OverTheMovedFluid) {
+  for (const double part : {-0.1, 0.25, 0.5, 1.1})
+    for (const Coordinates coordinates : {Coordinates::plane, Coordinates::axisymmetric}) {
+      Case c = scene(Scene::coupled);
+      c.domain.coordinates = coordinates;
+      Homogeneous s(c, {{{0.2, 0}, {0, -0.1}}});
+      const double vapour = s.model.state().density_vapour, liquid = s.model.state().density_liquid;
+      s.fill(vapour + part * (liquid - vapour));
+      const double share = part < 0 ? 0 : part > 1 ? 1 : part == 0.5 ? 0.5 : 0.15625;
+      const double height = 0.8 * 2 / 3 * 1.05;
+      const double plane = 0.9 * 1.1 * height, round = M_PI * 0.9 * 0.9 * (1.2 * 1.2 * 1.2 - 1) / 0.6 * height;
+      EXPECT_NEAR((liquid_volume<2, 2>(s.model, s.stage())),
+                  share * (coordinates == Coordinates::plane ? plane : round), 1e-12)
+          << part;
+    }
+  Homogeneous solid(scene(Scene::solid), {});
+  EXPECT_EQ((liquid_volume<2, 2>(solid.model, solid.stage())), 0);
 }
 
 }  // namespace

@@ -79,6 +79,24 @@ TEST(DropletWatch, AcrossAPeriodicSideThereIsNoSide) {
   EXPECT_EQ(follow(bodies, plane({".......", "#....##", "#....##"}, true), one), Said{}) << "it is one droplet";
 }
 
+/// The fine elements may reach around a periodic side, from 8 to 12 of 10.
+TEST(DropletWatch, FineElementsAroundAPeriodicSide) {
+  const auto fine_around = [](std::vector<std::string> rows) {
+    PhaseSamples samples = plane(rows, true);
+    samples.low[0] = 8, samples.high[0] = 12;
+    return samples;
+  };
+  std::vector<Body> bodies = bodies_at({{0, 0, 0}});
+  EXPECT_EQ(follow(bodies, fine_around({"..........", "##......##"}), one), Said{});
+  EXPECT_EQ(follow(bodies, fine_around({"..........", "###......#"}), one), Said{});
+  const Said said = follow(bodies, fine_around({"..........", "####......"}), one);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("end of the fine elements, towards the right side"), std::string::npos) << said[0];
+  const Said left = follow(bodies, fine_around({"..........", "##.....###"}), one);
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_NE(left[0].find("towards the left side"), std::string::npos) << left[0];
+}
+
 TEST(DropletWatch, TheWallIsLeftAndReached) {
   std::vector<Body> bodies = bodies_at({{2, 0, 0}, {7, 2, 0}});
   follow(bodies, plane({"..........", "......###.", ".###......", ".###......"}), two);

@@ -99,6 +99,28 @@ TEST(FieldFiles, StressOfFibres) {
   EXPECT_NEAR(s1[1] - s0[1], tension * 0.12 / 1.2, 1e-12);
 }
 
+// The points of a joint are there twice, first as the end of the lower material, then of the upper one.
+TEST(FieldFiles, BothSidesOfAJoint) {
+  for (int row = 1; row < 6; ++row) {
+    const Joined scene(row);
+    const Written written(scene);
+    const Hdf5File file = written.open("solid");
+    const auto read = [&](const char* name) { return file.read<double>(std::string("/VTKHDF/") + name); };
+    const std::vector<double> points = read("Points"), strain = read("PointData/green_lagrange_strain"),
+                              stress = read("PointData/cauchy_stress");
+    ASSERT_EQ(points.size(), 3 * 19 * 14U);
+    for (std::size_t i = 0; i < 19 * 14; ++i) {
+      const bool below = i < 19 * (2 * row + 1U);
+      const double g = below ? scene.below : scene.above;
+      ASSERT_NEAR(strain[9 * i + 4], g + 0.5 * g * g, 1e-13) << row << " " << i;
+      ASSERT_NEAR(stress[9 * i + 4], scene.modulus_below * scene.below, 1e-13) << row << " " << i;
+    }
+    for (std::size_t i = 19 * (2 * row); i < 19 * (2 * row + 1U); ++i)
+      for (int d = 0; d < 3; ++d) ASSERT_NEAR(points[3 * i + d], points[3 * (i + 19) + d], 1e-15);
+    EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/Connectivity").size(), 9 * 9 * 6U);
+  }
+}
+
 TEST(FieldFiles, HoldTheFieldsAskedFor) {
   const Written written(Homogeneous(scene(Scene::coupled), {}), {"pressure", "velocity", "volume_ratio"});
   const Hdf5File fluid = written.open("fluid"), solid = written.open("solid");

@@ -81,6 +81,62 @@ TEST(Probes, RingInTheSolid) {
   EXPECT_NEAR(read(s, at("volume_ratio", {0, 0.1})), 1.2 * 1.2, 1e-13) << "u_r / r is the slope at the axis";
 }
 
+/// Strains jump at a joint: a point on it is read from above, a box from its own side, and the stress is the same on both sides.
+TEST(Probes, AtAJoint) {
+  for (int row = 1; row < 6; ++row) {
+    Joined s(row);
+    const double strain = s.below + 0.5 * s.below * s.below, strain_above = s.above + 0.5 * s.above * s.above;
+    const std::string yy = "green_lagrange_strain_yy", stress = "cauchy_stress_yy";
+    for (const double off : {0.0, 1e-13, -1e-13})
+      for (const double x : {0.0, 0.31, 0.9}) {
+        EXPECT_NEAR(read(s, at(yy, {x, s.joint + off})), strain_above, 1e-13) << row << " " << off;
+        EXPECT_NEAR(read(s, at(stress, {x, s.joint + off})), s.modulus_below * s.below, 1e-13) << row << " " << off;
+      }
+    EXPECT_NEAR(read(s, at(stress, {0.31, s.joint - 1e-7})), s.modulus_below * s.below, 1e-13);
+    for (const ProbeOperation operation : {min, max, mean}) {
+      EXPECT_NEAR(read(s, box(yy, operation, {0.1, 0.05}, {0.7, s.joint})), strain, 1e-13) << row;
+      EXPECT_NEAR(read(s, box(yy, operation, {0.1, s.joint}, {0.7, 0.75})), strain_above, 1e-13) << row;
+      EXPECT_NEAR(read(s, box(yy, operation, {0.1, s.joint}, {0.7, s.joint})), strain_above, 1e-13) << row;
+      EXPECT_NEAR(read(s, box(stress, operation, {0, 0}, {0.9, 0.8})), s.modulus_below * s.below, 1e-13) << row;
+    }
+    EXPECT_NEAR(read(s, box(yy, min, {0, 0}, {0.9, 0.8})), strain, 1e-13) << row;
+    EXPECT_NEAR(read(s, box(yy, max, {0, 0}, {0.9, 0.8})), strain_above, 1e-13) << row;
+    EXPECT_NEAR(read(s, box(yy, integral, {0, 0}, {0.9, 0.8})),
+                0.9 * (s.joint * strain + (0.8 - s.joint) * strain_above), 1e-13);
+  }
+}
+
+/// The axis of symmetry turns into itself: a line on it stays a line, and a point a point.
+TEST(Probes, OnTheAxisOfSymmetry) {
+  Case c = scene(Scene::coupled);
+  c.domain.coordinates = Coordinates::axisymmetric;
+  Homogeneous s(c, {{{0.2, 0}, {0, -0.1}}});
+  EXPECT_NEAR(read(s, box("displacement_y", mean, {0, 0.05}, {0, 0.19})), -0.1 * 0.12, 1e-14);
+  EXPECT_NEAR(read(s, box("displacement_y", integral, {0, 0.05}, {0, 0.19})), -0.1 * 0.12 * 0.14, 1e-14);
+  EXPECT_NEAR(read(s, box("displacement_y", min, {0, 0.05}, {0, 0.19})), -0.019, 1e-14);
+  EXPECT_NEAR(read(s, box("displacement_y", max, {0, 0.05}, {0, 0.19})), -0.005, 1e-14);
+  for (const ProbeOperation operation : {mean, integral, min, max})
+    EXPECT_NEAR(read(s, box("displacement_y", operation, {0, 0.1}, {0, 0.1})), -0.01, 1e-14);
+  // The fluid above sinks with the wall; a line of it is as long as it is now.
+  EXPECT_NEAR(read(s, box("density", mean, {0, top_of_solid}, {0, 0.8})), Homogeneous::density, 1e-14);
+  EXPECT_NEAR(read(s, box("density", integral, {0, top_of_solid}, {0, 0.8})),
+              Homogeneous::density * (0.8 - 0.9 * top_of_solid), 1e-13);
+}
+
+/// Off the axis a line turns into a face, and a point into a circle.
+TEST(Probes, LinesAroundTheAxisOfSymmetry) {
+  Case c = scene(Scene::coupled);
+  c.domain.coordinates = Coordinates::axisymmetric;
+  Homogeneous s(c, {{{0.2, 0}, {0, -0.1}}});
+  const double turn = 2 * M_PI;
+  EXPECT_NEAR(read(s, box("displacement_y", mean, {0.3, 0.05}, {0.3, 0.19})), -0.1 * 0.12, 1e-14);
+  EXPECT_NEAR(read(s, box("displacement_y", integral, {0.3, 0.05}, {0.3, 0.19})), -0.1 * 0.12 * 0.14 * turn * 0.3,
+              1e-14);
+  EXPECT_NEAR(read(s, box("displacement_y", integral, {0.3, 0.1}, {0.3, 0.1})), -0.01 * turn * 0.3, 1e-14);
+  EXPECT_NEAR(read(s, box("displacement_x", integral, {0, 0.1}, {0.6, 0.1})), 0.2 * turn * 0.072, 1e-14);
+  EXPECT_NEAR(read(s, box("displacement_x", mean, {0, 0.1}, {0.6, 0.1})), 0.2 * 0.4, 1e-14) << "of a disc";
+}
+
 TEST(Probes, TellWhetherTheyNeedTheVelocity) {
   Case c;
   c.probes = {at("pressure", {0, 0})};
