@@ -60,7 +60,7 @@ struct TeamJacobian {
     wall.load(team, task.motion, task.region, row, table);
     team.barrier();
     for (int u = 0; u < D + 2; ++u)
-      if (reads<Trial, D>(u)) columns_of(team, u, b, fields, wall, table, room);
+      if (Fields::reads_unknown(u)) columns_of(team, u, b, fields, wall, table, room);
   }
 
   static void launch(const Task<D, Term, Motion, float>& task, const Stencil<D>& stencil, const StencilValues& values) {
