@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""usage: tests/device/host_code.py [FOLDER]      Runs the code of the host of a CUDA build, on a machine without a device.
+"""usage: tests/device/host_code.py [FOLDER] [LOG]      Runs the code of the host of a CUDA build, on a machine without a device.
 
-FOLDER is the build, by default build/cuda. `softwet bench` of several scenes runs with a CUDA runtime whose kernels do nothing
-(the folder cuda). It fails where the program crashes, where a kernel asks for more than the chip has (with the registers that
-nvcc gave it), and where a call is made that is forbidden while launches are recorded. Numbers of results are not looked at. What
-each scene asked of the device is printed. Exit code 1: something failed; 77: the program is not made for CUDA."""
+FOLDER is the build, by default build/cuda, and LOG what nvcc printed, which has the registers of kernels; a kernel that it lacks
+counts with 32. `softwet bench` of several scenes runs with a CUDA runtime whose kernels do nothing (the folder cuda). It fails where
+the program crashes, where a kernel asks for more than the chip has, and where a call is made that is forbidden while launches are
+recorded. Numbers of results are not looked at. What each scene asked of the device is printed. Exit code 1: something failed; 77: the program is not made for CUDA."""
 
 import os
 import pathlib
@@ -36,7 +36,7 @@ SCENES = {
 class Runtime:
     """The runtime in the place of libcudart, and what it has counted."""
 
-    def __init__(self, build):
+    def __init__(self, build, log):
         self.program, self.folder = build / "softwet", build / "host_code"
         self.folder.mkdir(exist_ok=True)
         linked = re.search(r"libcudart\.so\.\d+", output(["ldd", self.program]))
@@ -45,7 +45,7 @@ class Runtime:
             sys.exit(77)
         self.make(linked.group())
         self.kernels = self.folder / "kernels.txt"
-        self.kernels.write_text("".join(f"{name} {registers} {shared}\n" for name, registers, shared in needs(self.program)))
+        self.kernels.write_text("".join(f"{name} {registers} {shared}\n" for name, registers, shared in needs(log)))
 
     def make(self, name):
         nvcc = shutil.which("nvcc")
@@ -79,14 +79,15 @@ def output(words):
     return subprocess.run(words, capture_output=True, text=True, check=True).stdout
 
 
-def needs(program):
-    """(mangled name, registers, bytes of static shared memory) of each kernel, as nvcc compiled it."""
+def needs(log):
+    """(mangled name, registers, bytes of static shared memory) of each kernel that nvcc printed."""
     name = None
-    for line in output(["cuobjdump", "-res-usage", program]).splitlines():
-        if found := re.search(r"Function (\S+):", line):
+    for line in log.read_text(errors="replace").splitlines() if log else ():
+        if found := re.search(r"Compiling entry function '(\w+)'", line):
             name = found.group(1)
-        elif (found := re.search(r"REG:(\d+).*SHARED:(\d+)", line)) and name:
-            yield name, found.group(1), found.group(2)
+        elif (found := re.search(r"Used (\d+) registers", line)) and name:
+            shared = re.search(r"(\d+) bytes smem", line)
+            yield name, found.group(1), shared.group(1) if shared else 0
             name = None
 
 
@@ -120,7 +121,8 @@ def main():
         print(__doc__)
         return 0
     build = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/cuda").resolve()
-    runtime, failed = Runtime(build), 0
+    log = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    runtime, failed = Runtime(build, log), 0
     for scene, (case, settings) in SCENES.items():
         code, text, counts, seconds = runtime.bench(case, settings)
         wrong = problems(scene, code, text, counts)
