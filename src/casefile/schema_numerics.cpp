@@ -200,8 +200,8 @@ std::vector<Key> solver_keys() {
        .choices = {"kernels", "graph"},
        .help =
            "How a GPU starts the preconditioner: kernel by kernel (kernels), or recorded and started as one (graph), "
-           "which has not run on a GPU yet. On a processor, and where several processes share a scene, both are the "
-           "same.",
+           "which was hardly faster on the one GPU that was tried. On a processor, and where several processes share a "
+           "scene, both are the same.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.launch; })},
       {.name = "solver.precision",
        .kind = Kind::choice,

@@ -7,32 +7,56 @@
 
 namespace softwet {
 
-/// The vector operations below, for vectors of any precision.
+/// The vector operations below, for vectors of any precision. Kernels in headers are named structs, not lambdas: see
+/// tools/lambdas.
 namespace any_precision {
 
 template <class Real>
+struct Combine {
+  ArrayOf<Real> y;
+  Real a;
+  ConstArrayOf<Real> x;
+  Real b;
+  KOKKOS_FUNCTION void operator()(int i) const { y(i) = a * x(i) + (b == 0 ? Real(0) : b * y(i)); }
+};
+template <class Real>
 void combine(const ArrayOf<Real>& y, Real a, const ConstArrayOf<Real>& x, Real b) {
-  Kokkos::parallel_for(
-      "softwet::combine", Items(0, y.extent(0)),
-      KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + (b == 0 ? Real(0) : b * y(i)); });
+  Kokkos::parallel_for("softwet::combine", Items(0, y.extent(0)), Combine<Real>{y, a, x, b});
 }
 
+template <class Real>
+struct AddScaled {
+  ArrayOf<Real> y;
+  int offset;
+  Real a;
+  ConstArrayOf<Real> x;
+  KOKKOS_FUNCTION void operator()(int i) const { y(offset + i) += a * x(i); }
+};
 template <class Real>
 void add_scaled(const ArrayOf<Real>& y, int offset, Real a, const ConstArrayOf<Real>& x) {
-  Kokkos::parallel_for(
-      "softwet::add_scaled", Items(0, x.extent(0)), KOKKOS_LAMBDA(int i) { y(offset + i) += a * x(i); });
+  Kokkos::parallel_for("softwet::add_scaled", Items(0, x.extent(0)), AddScaled<Real>{y, offset, a, x});
 }
 
 template <class Real>
+struct Multiply {
+  ArrayOf<Real> y;
+  ConstArray x;
+  KOKKOS_FUNCTION void operator()(int i) const { y(i) *= static_cast<Real>(x(i)); }
+};
+template <class Real>
 void multiply(const ArrayOf<Real>& y, const ConstArray& x) {
-  Kokkos::parallel_for(
-      "softwet::multiply", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) *= static_cast<Real>(x(i)); });
+  Kokkos::parallel_for("softwet::multiply", Items(0, y.extent(0)), Multiply<Real>{y, x});
 }
 
 template <class To, class From>
+struct Convert {
+  ArrayOf<To> y;
+  ConstArrayOf<From> x;
+  KOKKOS_FUNCTION void operator()(int i) const { y(i) = static_cast<To>(x(i)); }
+};
+template <class To, class From>
 void convert(const ArrayOf<To>& y, const ConstArrayOf<From>& x) {
-  Kokkos::parallel_for(
-      "softwet::convert", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) = static_cast<To>(x(i)); });
+  Kokkos::parallel_for("softwet::convert", Items(0, y.extent(0)), Convert<To, From>{y, x});
 }
 
 }  // namespace any_precision

@@ -3,6 +3,7 @@
 
 #include "kernels/point/fields.hpp"
 #include "operator/motion.hpp"
+#include "operator/packed.hpp"
 
 namespace softwet {
 
@@ -59,20 +60,16 @@ constexpr bool reads(int unknown) {
   return reads<Trial, D>(unknown, &Slot::value) || reads<Trial, D>(unknown, &Slot::gradient);
 }
 
-/// The fields that a device interpolates: the slots of a term and then, for a product, the tangents of the unknowns that it
-/// reads.
-template <class Trial, int D, bool Tangent>
-struct TrialFields {
+/// Answers about the fields of TrialFields, by loops over slots: for the compiler alone.
+template <class Trial, int D>
+struct FieldsFound {
   static constexpr int slots = Trial::slot_count;
 
-  /// Place of the tangent of an unknown among the fields.
   static constexpr int tangent_of(int unknown) {
     int place = slots;
     for (int u = 0; u < unknown; ++u) place += reads<Trial, D>(u) ? 1 : 0;
     return place;
   }
-  static constexpr int fields = Tangent ? tangent_of(D + 2) : slots;
-  /// The unknown whose tangent a field is.
   static constexpr int unknown_of(int field) {
     int u = 0;
     while (!reads<Trial, D>(u) || tangent_of(u) != field) ++u;
@@ -81,8 +78,36 @@ struct TrialFields {
   static constexpr bool needs(int field, bool Slot::*what) {
     return field < slots ? Trial::slot(field).*what : reads<Trial, D>(unknown_of(field), what);
   }
-  static constexpr bool has_value(int field) { return needs(field, &Slot::value); }
-  static constexpr bool has_gradient(int field) { return needs(field, &Slot::gradient); }
+};
+
+/// The fields that a device interpolates: the slots of a term and then, for a product, the tangents of the unknowns that it
+/// reads. What a kernel asks for is read from constants.
+template <class Trial, int D, bool Tangent>
+struct TrialFields {
+  using Found = FieldsFound<Trial, D>;
+  static constexpr int slots = Trial::slot_count;
+  static constexpr int fields = Tangent ? Found::tangent_of(D + 2) : slots;
+
+  /// Whether the term reads an unknown.
+  static constexpr bool reads_unknown(int unknown) { return unpacked(read_unknowns, unknown) != 0; }
+  /// Place of the tangent of an unknown among the fields.
+  static constexpr int tangent_of(int unknown) { return unpacked(tangent_places, unknown); }
+  /// The unknown whose tangent a field is.
+  static constexpr int unknown_of(int field) { return unpacked(unknowns_of_tangents, field - slots); }
+  /// The unknown that a slot follows from; D + 2: none of them.
+  static constexpr int unknown_of_slot(int s) { return unpacked(unknowns_of_slots, s); }
+  static constexpr bool has_value(int field) { return unpacked(with_value, field) != 0; }
+  static constexpr bool has_gradient(int field) { return unpacked(with_gradient, field) != 0; }
+
+ private:
+  static constexpr Packed read_unknowns = packed<D + 2>([](int u) { return reads<Trial, D>(u) ? 1 : 0; });
+  static constexpr Packed tangent_places = packed<D + 3>([](int u) { return Found::tangent_of(u); });
+  static constexpr Packed unknowns_of_tangents =
+      packed<fields - slots>([](int f) { return Found::unknown_of(slots + f); });
+  static constexpr Packed unknowns_of_slots = packed<slots>([](int s) { return Trial::slot(s).from.unknown(D); });
+  static constexpr Packed with_value = packed<fields>([](int f) { return Found::needs(f, &Slot::value) ? 1 : 0; });
+  static constexpr Packed with_gradient =
+      packed<fields>([](int f) { return Found::needs(f, &Slot::gradient) ? 1 : 0; });
 };
 
 /// What Trial::read sees: values and physical gradients of slots at point q.

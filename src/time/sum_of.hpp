@@ -5,11 +5,17 @@
 
 namespace softwet {
 
+struct SumOf {
+  Array y;
+  double a, b, c;
+  ConstArray x, z, w;
+  KOKKOS_FUNCTION void operator()(int i) const { y(i) = a * x(i) + b * z(i) + c * w(i); }
+};
+
 /// y = a x + b z + c w, element by element; x, z, w have at least the length of y.
 inline void sum_of(const Array& y, double a, const ConstArray& x, double b, const ConstArray& z, double c,
                    const ConstArray& w) {
-  Kokkos::parallel_for(
-      "softwet::sum_of", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) { y(i) = a * x(i) + b * z(i) + c * w(i); });
+  Kokkos::parallel_for("softwet::sum_of", Items(0, y.extent(0)), SumOf{y, a, b, c, x, z, w});
 }
 
 }  // namespace softwet

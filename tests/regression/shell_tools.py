@@ -111,8 +111,41 @@ def places(folder):
         check("OMP_PLACES without /sys", done.stdout.strip() == "places= words=run case.toml --quiet", done)
 
 
+def on_a_gpu(root, folder):
+    """The program is built for the device of the machine; what is missing is told in a sentence."""
+    script(folder / "build/cuda/softwet", 'echo "words=$*"\n')
+    path = bare_path(root / "gpu", 1000, False)
+    for tool in ("head", "tr", "sha256sum", "cp", "mv", "rm"):
+        pathlib.Path(path, tool).symlink_to(shutil.which(tool))
+    pathlib.Path(path, "dpkg-query").unlink()
+    run = [folder / "tools/run", "case.toml"]
+    none = start(folder, *run, PATH=path, SOFTWET_PRESET="cuda")
+    check("no driver", none.returncode == 3 and len(none.stderr.splitlines()) == 1 and "nvidia-smi" in none.stderr, none)
+    script(pathlib.Path(path, "nvidia-smi"), 'case $* in *compute_cap*) echo "$CAPABILITY" ;; esac\n')
+    none = start(folder, *run, PATH=path, SOFTWET_PRESET="cuda", CAPABILITY="8.0")
+    check("no nvcc", none.returncode == 3 and len(none.stderr.splitlines()) == 1 and "nvcc 12.2" in none.stderr, none)
+    for name in ("nvcc", "ninja", "c++", "flock"):
+        script(pathlib.Path(path, name), "")
+    script(pathlib.Path(path, "cmake"), 'case $1 in --preset) echo "$*" >cmake.txt ;; esac\n')
+
+    def named(wanted, **variables):
+        given = {"SOFTWET_PRESET": "cuda", "SOFTWET_CMAKE_ARGS": "-DFETCHCONTENT_SOURCE_DIR_KOKKOS=x", **variables}
+        done = start(folder, *run, PATH=path, **given)
+        seen = {word for word in (folder / "cmake.txt").read_text().split() if "ARCH" in word and word.endswith("=ON")}
+        check(f"architecture of {variables}", done.returncode == 0 and done.stdout == "words=run case.toml\n" and seen == wanted,
+              (done, seen))
+
+    for capability, name in (("8.0", "AMPERE80"), ("8.6\n8.6", "AMPERE86"), ("9.0", "HOPPER90"), ("12.0", "BLACKWELL120")):
+        named({f"-DKokkos_ARCH_{name}=ON"}, CAPABILITY=capability)
+    named({"-DKokkos_ARCH_ADA89=ON"}, CAPABILITY="8.0", SOFTWET_CMAKE_ARGS="-DFETCHCONTENT_SOURCE_DIR_KOKKOS=x -DKokkos_ARCH_ADA89=ON")
+    new = start(folder, *run, PATH=path, SOFTWET_PRESET="cuda", CAPABILITY="99.0",
+                SOFTWET_CMAKE_ARGS="-DFETCHCONTENT_SOURCE_DIR_KOKKOS=x")
+    check("a device that is not known", new.returncode == 3 and "99.0" in new.stderr and "Kokkos_ARCH_AMPERE80" in new.stderr, new)
+
+
 with tempfile.TemporaryDirectory() as name:
     root = pathlib.Path(name)
+    on_a_gpu(root, tree(root / "a_gpu"))
     answers(tree(root / "answers"))
     missing_packages(root, tree(root / "missing"))
     failed_configure(root, tree(root / "configure"))

@@ -13,6 +13,7 @@
 #include "cli/core/first_fields.hpp"
 #include "cli/core/units.hpp"
 #include "field/ranks.hpp"
+#include "machine/backend_error.hpp"
 #include "machine/threads.hpp"
 #include "model/forecast.hpp"
 #include "run/earlier_run.hpp"
@@ -34,8 +35,8 @@ void on_machine(int threads, const Work& work) {
     throw;
   } catch (const std::bad_alloc&) {
     throw Error(Exit::machine_failed, "out of memory; 'softwet check CASE' tells how much a case needs");
-  } catch (const std::runtime_error& error) {  // Kokkos: out of memory, a kernel that does not start, a lost device
-    throw Error(Exit::machine_failed, std::string(error.what()) + "; 'softwet check CASE' tells how much a case needs");
+  } catch (const std::runtime_error& error) {
+    throw backend_error(error.what());
   }
 }
 

@@ -2,6 +2,8 @@
 // for a row of elements.
 #pragma once
 
+#include "memory/start_teams.hpp"
+#include "operator/device/team_bounds.hpp"
 #include "operator/device/team_element.hpp"
 #include "operator/device/tile_shape.hpp"
 
@@ -24,23 +26,23 @@ struct ElementKernel {
   static constexpr int points = Shape::all_points, channels = Test::channel_count;
   static constexpr int threads = on_host ? 1 : 32;
   static constexpr int size = Tables::size + Fields::size + Wall::size + channels * (1 + D) * points;
-  static_assert(size * sizeof(Real) <= 47 * 1024, "a device may give a team 48 kB and no more");
+  static constexpr int bytes = size * sizeof(Real);
 
   Task<D, Term, Motion, Real> task;
   TileGrid<D> grid;
   Real* partial;  ///< [tile][channel][control]
 
   static void launch(const Task<D, Term, Motion, Real>& task, const TileGrid<D>& grid, Real* partial) {
-    Teams<Kokkos::LaunchBounds<32, 12>> policy(grid.count(), threads);
-    Kokkos::parallel_for("softwet::elements", policy.set_scratch_size(0, Kokkos::PerTeam(size * sizeof(Real))),
-                         ElementKernel{task, grid, partial});
+    Teams<TeamBounds<32, bytes, 12>> policy(grid.count(), threads);
+    start_teams("softwet::elements", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
+                ElementKernel{task, grid, partial});
   }
 
   template <class Member>
   KOKKOS_FUNCTION void operator()(const Member& member) const {
-    constexpr std::size_t bytes = size * sizeof(Real);
+    constexpr std::size_t room = bytes;
     run(TileTeam<threads, Member>{member, member.league_rank()},
-        static_cast<Real*>(member.team_shmem().get_shmem(bytes)));
+        static_cast<Real*>(member.team_shmem().get_shmem(room)));
   }
 
   template <class Team>

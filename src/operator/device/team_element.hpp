@@ -92,7 +92,7 @@ struct RowFields : TrialFields<Trial_, Shape::D, Tangent> {
 
   KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
     if constexpr (Tangent) {
-      const int unknown = Trial::slot(s).from.unknown(D);
+      const int unknown = Names::unknown_of_slot(s);
       return {value[s][c][q], unknown < D + 2 ? S(scale[s]) * value[Names::tangent_of(unknown)][c][q] : S(0.0)};
     } else {
       return value[s][c][q];
@@ -119,11 +119,12 @@ struct RowFields : TrialFields<Trial_, Shape::D, Tangent> {
   KOKKOS_FORCEINLINE_FUNCTION void load_field(const Team& team, const Real* from, const Region<D, Real>& region,
                                               const ElementRow<D>& row, const RowTables<Shape>& table) const {
     constexpr int begin = Names::has_value(f) ? 0 : 1, end = Names::has_gradient(f) ? 1 + D : 1;
+    constexpr int functions = power(n, D);
     share(team, (end - begin) * points, [&](int item) {
       const int p = item % points, e = p / Shape::points, c = begin + item / points;
       const int first = first_control(region, row.batch(e));
       Real sum = 0;
-      for (int a = 0; a < power(n, D) && from; ++a) {
+      for (int a = 0; a < functions && from; ++a) {
         int place = first, rest = a, q = p % Shape::points;
         Real basis = 1;
         for (int d = 0; d < D; ++d) {
@@ -167,14 +168,14 @@ struct RowWall : WallFields<Shape::D, Motion, Tangent> {
   template <int f, class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_field(const Team& team, const Real* from, const Region<D, Real>& region,
                                               const ElementRow<D>& row, const RowTables<Shape>& table) const {
-    constexpr int all = Shape::all_wall_points;
+    constexpr int all = Shape::all_wall_points, functions = power(n, D - 1);
     share(team, (Names::wall_slopes(f) ? D : 1) * all, [&](int item) {
       const int c = item / all, w = item % all, e = w / Shape::wall_points, q = w % Shape::wall_points;
       const Batch<D> b = row.batch(e);
       int first = b.element[0];
       if constexpr (D == 3) first += region.axis[1].first(b.element[1]) * region.stride[1];
       Real sum = 0;
-      for (int a = 0; a < power(n, D - 1) && from; ++a) {
+      for (int a = 0; a < functions && from; ++a) {
         Real basis = table.basis(0, c == 1, e * Shape::Q + q % Shape::Q, a % n);
         if constexpr (D == 3) basis *= table.basis(1, c == 2, q / Shape::Q, a / n);
         sum += basis * from[first + a % n + (D == 3 ? a / n * region.stride[1] : 0)];

@@ -4,7 +4,9 @@
 // next lies in the scratch of the team: no thread keeps more than a point or a sum.
 #pragma once
 
+#include "memory/start_teams.hpp"
 #include "operator/device/matrix_folds.hpp"
+#include "operator/device/team_bounds.hpp"
 #include "operator/device/tile_team.hpp"
 
 namespace softwet {
@@ -28,7 +30,7 @@ struct TeamJacobian {
       (1 + D) * channels * (1 + D) * points;  ///< [trial derivative][channel][test derivative][q]
   static constexpr int flags = channels * (1 + D) * (1 + D);
   static constexpr int size = Tables::size + Fields::size + Wall::size + tangents + flags + Folds::size;
-  static_assert(size * sizeof(float) <= 47 * 1024, "a device may give a team 48 kB and no more");
+  static constexpr int bytes = size * sizeof(float);
 
   Task<D, Term, Motion, float> task;
   Stencil<D> stencil;
@@ -37,9 +39,9 @@ struct TeamJacobian {
 
   template <class Member>
   KOKKOS_FUNCTION void operator()(const Member& member) const {
-    constexpr std::size_t bytes = size * sizeof(float);
+    constexpr std::size_t room = bytes;
     run(TileTeam<threads, Member>{member, member.league_rank()},
-        static_cast<float*>(member.team_shmem().get_shmem(bytes)));
+        static_cast<float*>(member.team_shmem().get_shmem(room)));
   }
 
   /// The element of a team is its tile.
@@ -60,7 +62,7 @@ struct TeamJacobian {
     wall.load(team, task.motion, task.region, row, table);
     team.barrier();
     for (int u = 0; u < D + 2; ++u)
-      if (reads<Trial, D>(u)) columns_of(team, u, b, fields, wall, table, room);
+      if (Fields::reads_unknown(u)) columns_of(team, u, b, fields, wall, table, room);
   }
 
   static void launch(const Task<D, Term, Motion, float>& task, const Stencil<D>& stencil, const StencilValues& values) {
@@ -70,9 +72,9 @@ struct TeamJacobian {
       for (int run = 0; run < task.region.first_axis().runs; ++run) {
         const Colouring<D> colouring(task.region, P + 1, colour, true, run);
         if (colouring.items() == 0) continue;
-        Teams<Kokkos::LaunchBounds<64, 6>> policy(colouring.items(), threads);
-        Kokkos::parallel_for("softwet::jacobian", policy.set_scratch_size(0, Kokkos::PerTeam(size * sizeof(float))),
-                             TeamJacobian{task, stencil, values, colouring});
+        Teams<TeamBounds<64, bytes, 6>> policy(colouring.items(), threads);
+        start_teams("softwet::jacobian", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
+                    TeamJacobian{task, stencil, values, colouring});
       }
   }
 

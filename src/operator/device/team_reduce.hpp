@@ -1,7 +1,8 @@
 // Integrals of functionals on a device: a team of threads takes one strip of a row of elements.
 #pragma once
 
-#include "memory/array.hpp"
+#include "memory/start_teams.hpp"
+#include "operator/device/team_bounds.hpp"
 #include "operator/device/team_element.hpp"
 #include "operator/integrate_task.hpp"
 #include "operator/rows.hpp"
@@ -20,7 +21,8 @@ struct TeamReduce {
   static constexpr int points = Shape::all_points;
   static constexpr int threads = on_host ? 1 : D == 2 ? 64 : 32;
   static constexpr int size = Tables::size + Fields::size + Wall::size + count * (points + E);  ///< of the scratch
-  static_assert(size * sizeof(double) <= 47 * 1024, "a device may give a team 48 kB and no more");
+  static constexpr int bytes = size * sizeof(double);
+  static_assert(teams_that_fit(threads, bytes) > 0, "a device may give a team 48 kB and no more");
 
   ReduceTask<D, Functional, Motion> task;
   Colouring<D> rows;
@@ -29,15 +31,14 @@ struct TeamReduce {
   static void launch(const ReduceTask<D, Functional, Motion>& task, const Colouring<D>& rows, const Array& partial,
                      int items) {
     Teams<> policy(items, threads);
-    Kokkos::parallel_for("softwet::reduce", policy.set_scratch_size(0, Kokkos::PerTeam(size * sizeof(double))),
-                         TeamReduce{task, rows, partial});
+    start_teams("softwet::reduce", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)), TeamReduce{task, rows, partial});
   }
 
   template <class Member>
   KOKKOS_FUNCTION void operator()(const Member& member) const {
-    constexpr std::size_t bytes = size * sizeof(double);
+    constexpr std::size_t scratch = bytes;
     run(TileTeam<threads, Member>{member, member.league_rank()},
-        static_cast<double*>(member.team_shmem().get_shmem(bytes)));
+        static_cast<double*>(member.team_shmem().get_shmem(scratch)));
   }
 
   /// The item of a team is its tile.

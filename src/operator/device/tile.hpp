@@ -46,7 +46,7 @@ struct TileFields {
   }
   KOKKOS_FORCEINLINE_FUNCTION typename Plan::N number(int s, int c, int) const {
     if constexpr (Plan::Tangent) {
-      const int unknown = Plan::Trial::slot(s).from.unknown(D);
+      const int unknown = Plan::unknown_of_slot(s);
       return {part(s, c), unknown < D + 2 ? S(scale[s]) * part(Plan::tangent_of(unknown), c) : S(0.0)};
     } else {
       return part(s, c);

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "memory/start_teams.hpp"
 #include "operator/device/stored_bytes.hpp"
+#include "operator/device/team_bounds.hpp"
 #include "operator/device/tile.hpp"
 
 namespace softwet {
@@ -61,8 +63,6 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   using PlanOf = TilePlan<ShapeOf<Entry, Tile_>, typename Entry::Term, typename Entry::Motion, Tangent, Real>;
   static constexpr int size = std::max({TileScratch<PlanOf<Entries>>::size...}), bytes = size * sizeof(Real);
   static constexpr int threads = on_host ? 1 : Tile_::points;
-  static_assert(bytes + (Tile_::points + 4) * sizeof(double) <= 48 * 1024,
-                "a device may give a team 48 kB and no more");
 
   TileSchedule schedule;
   const std::byte* terms;
@@ -79,9 +79,9 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   }
 
   static void launch(const TileSchedule& schedule, const std::byte* terms, const Real* direction) {
-    Teams<Kokkos::LaunchBounds<Tile_::points, Tile_::teams>> policy(schedule.first[schedule.count], threads);
-    Kokkos::parallel_for("softwet::tiles", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
-                         TileKernel{schedule, terms, direction});
+    Teams<TeamBounds<Tile_::points, bytes, Tile_::teams>> policy(schedule.first[schedule.count], threads);
+    start_teams("softwet::tiles", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
+                TileKernel{schedule, terms, direction});
   }
 
  private:

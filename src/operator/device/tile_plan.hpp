@@ -18,7 +18,7 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
   static constexpr bool Tangent = Tangent_;
   static constexpr int D = Shape::D;
   using Fields = TrialFields<typename Term::template Trial<double, D>, D, Tangent>;
-  using Fields::fields, Fields::has_gradient;
+  using Fields::fields;
   using S = OneNumber<Real>;
   using N = std::conditional_t<Tangent, Dual<S>, S>;
   using Trial = typename Term::template Trial<N, D>;
@@ -29,12 +29,17 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
   static constexpr int channels = Test::channel_count;
 
   /// Number of fields with gradients before one.
-  static constexpr int stored_before(int field) {
+  static constexpr int stored_before(int field) { return unpacked(places_stored, field); }
+
+ private:
+  static constexpr Packed places_stored = packed<fields + 1>([](int field) {
     int count = 0;
-    for (int f = 0; f < field; ++f) count += has_gradient(f) ? 1 : 0;
+    for (int f = 0; f < field; ++f) count += Fields::has_gradient(f) ? 1 : 0;
     return count;
-  }
-  static constexpr int stored = stored_before(fields);
+  });
+
+ public:
+  static constexpr int stored = unpacked(places_stored, fields);
 };
 
 /// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 3D the first holds what was swept along

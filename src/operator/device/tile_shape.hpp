@@ -25,7 +25,8 @@ struct TileShape {
 };
 
 /// The tile of a residual or, with Tangent, of a product, in a volume; `teams` of them should fit on a multiprocessor. The
-/// scratch of a team stays below 48 kB, which every device gives. This is the one place that knows a machine.
+/// scratch of a team stays below 48 kB, which every device gives. Where a multiprocessor has no room for so many, fewer share it
+/// (team_bounds.hpp).
 template <int D, int P, bool Tangent, class Real>
 struct ChosenTile;
 template <bool Tangent, class Real>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/range_factors.hpp"
+#include "memory/start_teams.hpp"
 #include "solver/schwarz/box_inverses.hpp"
 
 namespace softwet {
@@ -40,8 +41,8 @@ struct ApplyBoxes {
     items = beside.items();
     const std::size_t scratch = Scratch::shmem_size(most_together * unknowns);
     const int league = teams + (items + items_of_team - 1) / items_of_team;
-    Kokkos::parallel_for("softwet::schwarz",
-                         Teams<>(league, box_team, box_lanes).set_scratch_size(0, Kokkos::PerTeam(scratch)), *this);
+    start_teams("softwet::schwarz", Teams<>(league, box_team, box_lanes).set_scratch_size(0, Kokkos::PerTeam(scratch)),
+                *this);
   }
 
   KOKKOS_FUNCTION void operator()(const Team& team) const {

@@ -1,6 +1,7 @@
 // The kernel that compares the matrices of boxes with inverses of other boxes.
 #pragma once
 
+#include "memory/start_teams.hpp"
 #include "solver/direct/device/gauss_jordan.hpp"
 #include "solver/schwarz/box_inverses.hpp"
 
@@ -46,9 +47,8 @@ struct ChooseInverse {
     const int lanes = on_host ? 1 : 32;
     if (threads == 0) threads = on_host ? 1 : 8;
     const std::size_t bytes = Room::bytes(static_cast<int>(probe.extent(1)), fields);
-    Kokkos::parallel_for("softwet::share",
-                         Policy(count, threads, lanes).set_chunk_size(1).set_scratch_size(0, Kokkos::PerTeam(bytes)),
-                         *this);
+    start_teams("softwet::share",
+                Policy(count, threads, lanes).set_chunk_size(1).set_scratch_size(0, Kokkos::PerTeam(bytes)), *this);
   }
 
   KOKKOS_FUNCTION void operator()(const Team& team) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "memory/start_teams.hpp"
+
 namespace softwet {
 
 namespace {
@@ -147,9 +149,9 @@ void coarsen(const Stencil<D>& in, const Stencil<D>& out, const AxisProduct& axi
   if (on_host && d == 0) {
     const int lines = in.points / in.extent[0], groups = (lines + lines_in_team - 1) / lines_in_team;
     const std::size_t scratch = CoarsenLines<D>::Scratch::shmem_size(width * in.extent[0] * lines_in_team);
-    Kokkos::parallel_for("softwet::galerkin",
-                         Teams<>(in.offsets / width * groups, 1).set_scratch_size(1, Kokkos::PerTeam(scratch)),
-                         CoarsenLines<D>{in, out, from, to, axis, width, groups});
+    start_teams("softwet::galerkin",
+                Teams<>(in.offsets / width * groups, 1).set_scratch_size(1, Kokkos::PerTeam(scratch)),
+                CoarsenLines<D>{in, out, from, to, axis, width, groups});
     return;
   }
   int below = 1, before = 1;

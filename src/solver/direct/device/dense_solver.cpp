@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "memory/start_teams.hpp"
 #include "solver/direct/device/gauss_jordan.hpp"
 
 namespace softwet {
@@ -88,8 +89,8 @@ class DenseSolver final : public StencilSolver<D> {
   }
   void apply(const ConstArray& r, const Array& z) override {
     const int entries = static_cast<int>(z.extent(0));
-    Kokkos::parallel_for("softwet::dense_multiply", Teams<>(entries, 1, on_host ? 1 : 32),
-                         MultiplyDense{inverse_, row_at_, unknown_, r, z});
+    start_teams("softwet::dense_multiply", Teams<>(entries, 1, on_host ? 1 : 32),
+                MultiplyDense{inverse_, row_at_, unknown_, r, z});
   }
   std::string name() const override { return "dense"; }
   double bytes() const override { return 4.0 * rows_ * rows_ + GaussJordan::bytes(1, rows_); }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "memory/start_teams.hpp"
+
 namespace softwet {
 
 namespace {
@@ -243,19 +245,19 @@ void GaussJordan::run(const Blocks& a, const BlockSizes& pivots, const BlockSize
   const auto with_scratch = [](Teams<> policy, std::size_t bytes) {
     return policy.set_scratch_size(0, Kokkos::PerTeam(bytes));
   };
-  Kokkos::parallel_for("softwet::scale_rows", team_for_row, ScaleGaussRows<Blocks>{a, pivots, size, scale, rows});
+  start_teams("softwet::scale_rows", team_for_row, ScaleGaussRows<Blocks>{a, pivots, size, scale, rows});
   for (int first = 0; first < most; first += depth_of_panel) {
-    Kokkos::parallel_for("softwet::panel", Teams<>(count, threads, lanes),
-                         EliminatePanel<Blocks>{a, panels, pivots, size, pivot, first});
+    start_teams("softwet::panel", Teams<>(count, threads, lanes),
+                EliminatePanel<Blocks>{a, panels, pivots, size, pivot, first});
     Kokkos::parallel_for("softwet::pivot_rows", each_row,
                          TakePivotRows<Blocks>{a, pivot_rows, pivots, size, pivot, first, rows});
     const AddPanel<Blocks> add{a, panels, pivot_rows, pivots, size, first, rows};
     Kokkos::parallel_for("softwet::add_panel", LongItems(0, std::int64_t(count) * add.pieces() * add.groups()), add);
   }
-  Kokkos::parallel_for("softwet::exchanges", with_scratch({count, 1, lanes}, UndoExchanges::Scratch::shmem_size(most)),
-                       UndoExchanges{pivots, pivot, source, most});
-  Kokkos::parallel_for("softwet::order", with_scratch(team_for_row, OrderColumns<Blocks>::Scratch::shmem_size(most)),
-                       OrderColumns<Blocks>{a, pivots, size, source, scale, rows, most});
+  start_teams("softwet::exchanges", with_scratch({count, 1, lanes}, UndoExchanges::Scratch::shmem_size(most)),
+              UndoExchanges{pivots, pivot, source, most});
+  start_teams("softwet::order", with_scratch(team_for_row, OrderColumns<Blocks>::Scratch::shmem_size(most)),
+              OrderColumns<Blocks>{a, pivots, size, source, scale, rows, most});
 }
 
 }  // namespace softwet

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "memory/start_teams.hpp"
 #include "solver/direct/device/gauss_jordan.hpp"
 #include "solver/direct/device/level_apply.hpp"
 #include "solver/direct/device/level_scale.hpp"
@@ -33,15 +34,13 @@ class LevelLu final : public StencilSolver<D> {
       const TreeLevel& level = levels_[depth];
       const LevelNumbers here = memory_[depth % 2], below = memory_[1 - depth % 2];
       const Teams<> columns((level.last - level.first) * level.rows, on_host ? 1 : 4, lanes);
-      Kokkos::parallel_for(
-          "softwet::assemble_fronts", columns,
-          AssembleFronts<D>{entries, fronts_, unknown_, inherited_, here, below, level.first, level.rows});
+      start_teams("softwet::assemble_fronts", columns,
+                  AssembleFronts<D>{entries, fronts_, unknown_, inherited_, here, below, level.first, level.rows});
       const auto some = Kokkos::make_pair(level.first, level.last);
       elimination_->eliminate({here.data(), Kokkos::subview(begin_, some), Kokkos::subview(stride_, some)},
                               Kokkos::subview(own_, some), Kokkos::subview(size_, some), level.rows, level.pivots,
                               threads_);
-      Kokkos::parallel_for("softwet::keep_factors", columns,
-                           KeepFactors{fronts_, here, factors_, level.first, level.rows});
+      start_teams("softwet::keep_factors", columns, KeepFactors{fronts_, here, factors_, level.first, level.rows});
     }
   }
 
@@ -143,10 +142,10 @@ class LevelLu final : public StencilSolver<D> {
   void run(const char* label, int columns, int teams, const Kernel& kernel) const {
     if (teams == 0) return;
     const int parts = columns > 256 ? 16 : 8, threads = threads_ > 0 ? threads_ : on_host ? 1 : parts;
-    Kokkos::parallel_for(label,
-                         Teams<>(teams, threads, StripProduct::lanes)
-                             .set_scratch_size(0, Kokkos::PerTeam(StripProduct::scratch_bytes(parts))),
-                         kernel(parts));
+    start_teams(label,
+                Teams<>(teams, threads, StripProduct::lanes)
+                    .set_scratch_size(0, Kokkos::PerTeam(StripProduct::scratch_bytes(parts))),
+                kernel(parts));
   }
 
   int threads_;

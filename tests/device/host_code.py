@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+"""usage: tests/device/host_code.py [FOLDER] [LOG]      Runs the code of the host of a CUDA build, on a machine without a device.
+
+FOLDER is the build, by default build/cuda, and LOG what nvcc printed, which has the registers of kernels; a kernel that it lacks
+counts with 32. `softwet bench` of several scenes runs with a CUDA runtime whose kernels do nothing (the folder cuda). It fails where
+the program crashes, where a kernel asks for more than the chip has, and where a call is made that is forbidden while launches are
+recorded. Numbers of results are not looked at. What each scene asked of the device is printed. Exit code 1: something failed; 77: the program is not made for CUDA."""
+
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+LIMIT = 300  # seconds for a scene
+
+FLAT, FILM = ["domain.elements=[16,12]"], ["domain.elements=[8,8,6]"]
+# name: case, settings
+SCENES = {
+    "2D rigid, explicit": ("impact_rigid_2d", FLAT + ["fluid.capillarity=1/24"]),
+    "2D soft, implicit": ("tensotaxis_pull_2d", FLAT + ["fluid.capillarity=1/16"]),
+    "2D soft, implicit, graphs": ("tensotaxis_pull_2d",
+                                  FLAT + ["fluid.capillarity=1/16", "solver.krylov.launch=graph"]),
+    "3D rigid, explicit": ("impact_rigid_3d", FILM + ["fluid.capillarity=1/8", "domain.quadrature=full"]),
+    "3D soft, explicit": ("impact_soft_3d", FILM + ["fluid.capillarity=1/8", "domain.quadrature=full"]),
+    "3D soft, implicit": ("fig4_needle_3d_small", FILM + ["fluid.capillarity=0.2"]),
+}
+
+
+class Runtime:
+    """The runtime in the place of libcudart, and what it has counted."""
+
+    def __init__(self, build, log):
+        self.program, self.folder = build / "softwet", build / "host_code"
+        self.folder.mkdir(exist_ok=True)
+        linked = re.search(r"libcudart\.so\.\d+", output(["ldd", self.program]))
+        if not linked:
+            print(f"host_code: {self.program} does not use the CUDA runtime as a library")
+            sys.exit(77)
+        self.make(linked.group())
+        self.kernels = self.folder / "kernels.txt"
+        self.kernels.write_text("".join(f"{name} {registers} {shared}\n" for name, registers, shared in needs(log)))
+
+    def make(self, name):
+        nvcc = shutil.which("nvcc")
+        include = pathlib.Path(os.path.realpath(nvcc)).parents[1] / "include" if nvcc else "/usr/local/cuda/include"
+        versions = self.folder / "versions"
+        versions.write_text(f"{name} {{ global: *; }};\n")
+        subprocess.run(["c++", "-O1", "-shared", "-fPIC", "-std=c++17", f"-I{include}", f"-Wl,-soname,{name}",
+                        f"-Wl,--version-script={versions}", "-o", self.folder / name, *sorted((HERE / "cuda").glob("*.cpp"))], check=True)
+        shutil.copy(self.folder / name, self.folder / "libcuda.so.1")
+
+    def bench(self, case, settings, **environment):
+        """(exit code or None: stopped, what it printed, {what was counted: how often}, seconds)"""
+        report, start = self.folder / "report.txt", time.monotonic()
+        report.unlink(missing_ok=True)
+        words = [self.program, "bench", ROOT / "cases" / f"{case}.toml"]
+        for setting in settings:
+            words += ["--set", setting]
+        variables = {**os.environ, "LD_LIBRARY_PATH": str(self.folder), "SOFTWET_STUB_REPORT": str(report),
+                     "SOFTWET_STUB_KERNELS": str(self.kernels), "OMP_NUM_THREADS": "1", **environment}
+        try:
+            done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=variables,
+                                  timeout=LIMIT, cwd=self.folder)
+        except subprocess.TimeoutExpired as stopped:
+            return None, (stopped.stdout or b"").decode(), {}, LIMIT
+        counts = dict(line.split() for line in report.read_text().splitlines()) if report.exists() else {}
+        return (done.returncode, done.stdout, {name: int(count) for name, count in counts.items()},
+                time.monotonic() - start)
+
+
+def output(words):
+    return subprocess.run(words, capture_output=True, text=True, check=True).stdout
+
+
+def needs(log):
+    """(mangled name, registers, bytes of static shared memory) of each kernel that nvcc printed."""
+    name = None
+    for line in log.read_text(errors="replace").splitlines() if log else ():
+        if found := re.search(r"Compiling entry function '(\w+)'", line):
+            name = found.group(1)
+        elif (found := re.search(r"Used (\d+) registers", line)) and name:
+            shared = re.search(r"(\d+) bytes smem", line)
+            yield name, found.group(1), shared.group(1) if shared else 0
+            name = None
+
+
+def problems(scene, code, text, counts):
+    """What is wrong with the run of a scene."""
+    tail = "\n".join(text.splitlines()[-6:])
+    if code is None:
+        return [f"not done in {LIMIT} s: {tail}"]
+    if code < 0:
+        return [f"crashed ({signal.Signals(-code).name}): {tail}"]
+    wrong = [f"exit code {code}: {tail}"] if code else []
+    wrong += [f"{counts[name]} launches or calls were {name}" for name in ("forbidden", "impossible") if counts.get(name)]
+    if not counts.get("launches"):
+        wrong.append("nothing was launched")
+    if "graphs" in scene and not counts.get("graphs"):
+        wrong.append("no graph was launched")
+    return wrong
+
+
+def names_the_kernel(runtime):
+    """A chip with too little memory for the teams that were compiled: the error names the kernel, and no setting of the case."""
+    case, settings = SCENES["2D rigid, explicit"]
+    code, text, _, _ = runtime.bench(case, settings, SOFTWET_STUB_SHARED="16384")
+    last = text.splitlines()[-1] if text else ""
+    good = code == 3 and "softwet::" in last and "threads" in last and "softwet check" not in last
+    return [] if good else [f"a kernel that does not start: exit code {code}: {last}"]
+
+
+def main():
+    if len(sys.argv) > 1 and sys.argv[1] in ("-h", "--help"):
+        print(__doc__)
+        return 0
+    build = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/cuda").resolve()
+    log = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    runtime, failed = Runtime(build, log), 0
+    for scene, (case, settings) in SCENES.items():
+        code, text, counts, seconds = runtime.bench(case, settings)
+        wrong = problems(scene, code, text, counts)
+        failed += bool(wrong)
+        print(f"host_code: {scene}: {', '.join(f'{n} {name}' for name, n in counts.items())}; {seconds:.0f} s", flush=True)
+        for problem in wrong:
+            print(f"host_code: {scene}: FAILED: {problem}", flush=True)
+    for problem in names_the_kernel(runtime):
+        failed += 1
+        print(f"host_code: FAILED: {problem}")
+    print(f"host_code: {len(SCENES) + 1} checks, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
