@@ -22,7 +22,7 @@ class StepControl {
 
   /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly. It may be shorter
   /// than the smallest one for that, and is never longer than the largest one.
-  /// @param largest  that the scheme can take from there; it is not exceeded
+  /// @param largest  that the scheme can take from there, at least the smallest one; it is not exceeded
   double next(double t, double largest = std::numeric_limits<double>::infinity()) const;
 
   /// After an accepted step of size dt with its indicator. @param laborious  the solver was close to giving up
@@ -37,6 +37,7 @@ class StepControl {
   double allowed(double dt) const;
 
   double proposed() const { return proposed_; }
+  double smallest() const { return limits_.smallest; }
   /// Kept within the limits, which may have changed since the step was proposed.
   void set_proposed(double dt) { proposed_ = std::clamp(dt, limits_.smallest, limits_.largest); }
   /// Indicator above which a converged step of size dt is repeated with a smaller one.

@@ -44,6 +44,9 @@ class Stepper {
   StepCounts& counts() { return counts_; }
 
  private:
+  /// Throws Error (computation_failed) where no step as long as time.dt_min is stable.
+  [[noreturn]] void stop_below_smallest(double largest);
+
   const Model<D, P>& model_;
   Judge<D, P> judge_;
   std::unique_ptr<Scheme<D, P>> scheme_;
