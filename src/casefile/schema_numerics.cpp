@@ -111,9 +111,10 @@ std::vector<Key> time_keys() {
       {.name = "time.dt_min",
        .unit = "L0/sqrt(ab)",
        .range = positive,
-       .help = "Smallest time step; a step that fails at this size ends the computation. A step may be shorter than "
-               "this in "
-               "order to end at a field time, at time.end, or at the start or end of a ramp.",
+       .help =
+           "Smallest time step; a step that fails at this size ends the computation, and so does an explicit scheme "
+           "whose longest stable step is shorter. A step may be shorter than this in order to end at a field time, "
+           "at time.end, or at the start or end of a ramp.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.dt_min; })},
       {.name = "time.dt_max",
        .unit = "L0/sqrt(ab)",

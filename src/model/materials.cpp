@@ -10,6 +10,7 @@
 #include "model/fluid_of.hpp"
 #include "model/greville_points.hpp"
 #include "model/model.hpp"
+#include "model/solid_rates.hpp"
 
 namespace softwet {
 namespace {
@@ -24,13 +25,6 @@ void require_tension(const Fluid& fluid, double dry, double largest_cosine) {
                   " less what it gains by being wetted; a tension that is not positive folds the wall: write a "
                   "surface_tension above " +
                   short_text(gain));
-}
-
-/// Unit vector along fibres.
-Vector<double, 3> direction_of(const Fibre& f, int dimension) {
-  const double up = f.angle * M_PI / 180, around = f.azimuth * M_PI / 180;
-  if (dimension == 2) return {{std::cos(up), std::sin(up), 0}};
-  return {{std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)}};
 }
 
 }  // namespace
@@ -61,7 +55,6 @@ void Model<D, P>::build_wall(const Case& c) {
   if (c.fluid->wall_tension == WallTensionModel::acts) {
     require_tension(*c.fluid, dry, ranks::largest(*std::max_element(cosines.begin(), cosines.end())));
     tension_ = on_wall(cosines);
-    solid_rates_.tension = dry + surface_tension(*c.fluid);
   } else if (wet != dry) {
     const WallEnergy of_one = WallEnergy::of({c.fluid->capillarity, 1, 1e-5, fluid_.gas, coexistence_});
     std::fill(cosines.begin(), cosines.end(), (wet - dry) / of_one.value(coexistence_.density_liquid));
@@ -114,9 +107,8 @@ void Model<D, P>::build_solid(const Case& c) {
   } else {
     solid_ = Elastodynamics<SaintVenantKirchhoff>{{stiffness_}, density};
   }
-  fibres_ = {s.fibre.stiffness, direction_of(s.fibre, D), s.strain == "small" ? 0.0 : 1.0};
-  const double along = 4 * s.fibre.stiffness / (stiffness_.lambda + 2 * stiffness_.shear_modulus);
-  solid_rates_ = {4.0 / 3 * s.viscosity + s.bulk_viscosity, std::max(s.surface_tension, s.surface_tension_wet), along};
+  fibres_ = fibres_of(s, D);
+  solid_rates_ = solid_rates(c);
   for (const Load& load : c.loads) loads_.emplace_back(layout_, load, s.density, c.clock_zero());
   if (!s.gravity.empty()) {
     std::vector<double> upper = c.domain.size;

@@ -84,9 +84,9 @@ void Scalars<D, P>::add_integrals(long step, const Integrals& sum, double load_p
 
 template <int D, int P>
 void Scalars<D, P>::follow_energy(const EnergyState& state) {
-  if (!case_.keeps_shown_energy()) return;
   const bool law = case_.has_energy_law(), implicit = case_.time.scheme == implicit_scheme;
-  const double rise = latest_.energy.follow(state, law ? share_with_energy_law : share_without_energy_law);
+  const EnergyRule& rule = !case_.keeps_shown_energy() ? with_other_masses : law ? with_energy_law : without_energy_law;
+  const double rise = latest_.energy.follow(state, rule);
   if (rise > 0)
     latest_.events.push_back({output_time(state.time, case_.clock_zero()), energy_sentence(rise, law, implicit)});
 }

@@ -77,8 +77,9 @@ std::string remedy(const Case& c, const Refusal& refusal) {
     return for_the_density(c);
   if (too_soft(c)) return softer_than_its_loads(c);
   if (cause == Refusal::beyond_bound)
-    return "the limit of explicit steps falls without end, as where the density or the mesh leaves its range: try "
-           "time.scheme = \"generalized_alpha\", or a finer mesh";
+    return "where the limit of explicit steps falls without end, the density, the mesh or the solid leaves its range: "
+           "try "
+           "time.scheme = \"generalized_alpha\", or a finer mesh; where it is only short, write a smaller time.dt_min";
   if (cause == Refusal::linear_solver)
     return "solver.krylov.preconditioner = \"automatic\", or more iterations with solver.krylov.max";
   return "a finer mesh, a larger fluid.capillarity, a softer load ramp or a tighter time.tolerance may help";

@@ -6,19 +6,27 @@
 
 namespace softwet {
 
-double EnergyBalance::follow(const EnergyState& next, double share) {
+double EnergyBalance::follow(const EnergyState& next, const EnergyRule& rule) {
   constexpr double share_of_fed = 0.25;
   const EnergyState before = std::exchange(last, next);
   moving = std::max({moving, before.kinetic, next.kinetic});
   if (!std::exchange(begun, true)) return 0;
   const double step = unfed_rise(before, next), half = 0.5 * (next.time - before.time);
-  lost += half * (before.lost + next.lost);
+  const double lost_now = half * (before.lost + next.lost);
+  lost += lost_now;
   fed += half * (std::abs(before.fed) + std::abs(next.fed));
-  if (step <= 0) told = false;
-  rise = told ? 0 : std::max(0.0, rise + step);  // what was told is not told again
-  if (rise <= share * (moving + lost) + share_of_fed * fed + round_off_of(next)) return 0;
+  const bool from_first = rule.floor == EnergyFloor::first;
+  if (from_first) {
+    rise += step + lost_now;
+    if (rise <= 0) told = false;
+    if (told) return 0;
+  } else {
+    if (step <= 0) told = false;
+    rise = told ? 0 : std::max(0.0, rise + step);  // what was told is not told again
+  }
+  if (rise <= rule.share * (moving + lost) + share_of_fed * fed + round_off_of(next)) return 0;
   told = true;
-  return std::exchange(rise, 0.0);
+  return from_first ? rise : std::exchange(rise, 0.0);
 }
 
 }  // namespace softwet

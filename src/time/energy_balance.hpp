@@ -23,27 +23,42 @@ inline double unfed_rise(const EnergyState& a, const EnergyState& b) {
 /// Round-off that an energy of this size may rise by.
 inline double round_off_of(const EnergyState& a) { return 1e-11 * a.size; }
 
+/// What an energy may not rise above: its lowest value so far; or, where the energy is not the one that steps keep but swings below
+/// it, its first one.
+enum class EnergyFloor { lowest, first };
+
+/// When an energy counts as having risen.
+struct EnergyRule {
+  double share;  ///< of the energy in play by which it may rise
+  EnergyFloor floor = EnergyFloor::lowest;
+};
+
 /// Follows a run and tells when its energy has risen though nothing fed it. The energy less what was fed in can only fall. It
-/// has risen where it stands above its lowest value so far by more than
+/// has risen where it stands above its floor by more than
 ///   share (largest kinetic energy so far + all that was lost so far) + 1/4 (all that was fed in so far, in size)
-/// The largest one, because a wave that turns has none. The last part is there because power is known at the states alone.
+/// The largest one, because a wave that turns has none. The last part is there because power is known at the states alone. Above its
+/// first value the energy is taken with all that was lost, so that it would stay there.
 /// All members are numbers of a checkpoint.   Tested: tests/unit/time/test_energy_balance.cpp
 struct EnergyBalance {
   bool begun = false;
   bool told = false;         ///< that it rises, in the episode that lasts
   EnergyState last;          ///< state
-  double rise = 0;           ///< above the lowest value
+  double rise = 0;           ///< above the floor; below the first value it is negative
   double lost = 0, fed = 0;  ///< so far
   double moving = 0;         ///< largest kinetic energy so far
 
   /// Goes on to the next state. @return by how much the energy has risen, once in an episode, which ends when it falls; else 0
-  double follow(const EnergyState& next, double share);
+  double follow(const EnergyState& next, const EnergyRule&);
 };
 
-/// Part of the energy in play by which steps may let the energy rise: with the default tolerances those of generalized_alpha
-/// did by up to 0.0003, and explicit ones beyond their limit by 0.01 and more before error control damped them.
-inline constexpr double share_with_energy_law = 0.005;
+/// With the default tolerances the steps of generalized_alpha let the energy rise by up to 0.0003 of what is in play, and explicit ones
+/// beyond their limit by 0.01 and more before error control damped them.
+inline constexpr EnergyRule with_energy_law{0.005};
 /// The wall law "gradient" feeds the droplet: up to a quarter of the energy in play, near contact angles of 30 and 150 degrees.
-inline constexpr double share_without_energy_law = 0.5;
+inline constexpr EnergyRule without_energy_law{0.5};
+/// A solid alone with lumped or corrected masses: they are at least as large as the consistent ones of the tables, whose energy is the
+/// smaller the shorter the waves are. It stays below 1.05 of its first value in the study stiff_solids; steps that feed waves make
+/// it many times larger.
+inline constexpr EnergyRule with_other_masses{0.25, EnergyFloor::first};
 
 }  // namespace softwet

@@ -1,5 +1,6 @@
 #include "time/explicit_scheme.hpp"
 
+#include "case/text.hpp"
 #include "time/kick_drift.hpp"
 #include "time/runge_kutta_step.hpp"
 
@@ -37,9 +38,25 @@ Refusal ExplicitScheme<D, P>::begin(const State& state) {
 }
 
 template <int D, int P>
-double ExplicitScheme<D, P>::largest_step(const State& state) {
+double ExplicitScheme<D, P>::largest_step(const State& state, double wish) {
   if (!begin(state).empty() || !(rates_.combined > 0)) return std::numeric_limits<double>::infinity();
-  return safety_ / rates_.combined;
+  const Layout<D>& l = system_.model().layout();
+  const bool damps = step_->formula() != StepFormula::kick_drift || !l.has_solid;  // the waves that swings could feed
+  if (damps) return safety_ / rates_.combined;
+  held_.follow(l.has_fluid ? rates_.combined : std::max(rates_.combined, safety_ / wish));
+  return safety_ / held_.value();
+}
+
+template <int D, int P>
+std::string ExplicitScheme<D, P>::limit(const State&) {
+  LoneRate most{};
+  for (const LoneRate& lone : lone_rates(rates_of(step_->moments())))  // a checkpoint has two of them
+    if (lone.rate > most.rate) most = lone;
+  const std::array<double, D> place = bound_.place_of_largest(system_.stage().unknown, system_.stage().displacement,
+                                                              step_->moments(), system_.masses().scalar_sums());
+  std::string text = std::string(most.name ? most.name : "nothing finite") + " limits it, at the place (";
+  for (int d = 0; d < D; ++d) text += (d > 0 ? ", " : "") + short_text(place[d]);
+  return text + ")";
 }
 
 template <int D, int P>
@@ -81,6 +98,7 @@ void ExplicitScheme<D, P>::visit_memory(StepMemory& memory, const State& state) 
   step_->visit_memory(memory);
   memory.number("bound/combined", rates_.combined);
   memory.number("bound/viscosity", rates_.viscosity);
+  held_.visit_memory(memory);
 }
 
 template class ExplicitScheme<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

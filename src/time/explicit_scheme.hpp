@@ -2,11 +2,12 @@
 #pragma once
 
 #include "time/explicit_step.hpp"
+#include "time/held_rate.hpp"
 #include "time/judge.hpp"
 
 namespace softwet {
 
-/// A bound from the state before a step limits it (StepBound). A step whose end has a bound below it is refused, and a
+/// A bound from the state before a step limits it (StepBound), for kick_drift in a solid without its swings (HeldRate). A step whose end has a bound below it is refused, and a
 /// shorter one follows: so contact with a wall or a side, a merger or a squeezed film cannot carry a run beyond its limit.
 template <int D, int P>
 class ExplicitScheme final : public Scheme<D, P> {
@@ -18,7 +19,8 @@ class ExplicitScheme final : public Scheme<D, P> {
   void accept(State& state) override;
   void refuse(const Refusal&) override {}  // what the next attempt begins with is untouched
   void begin_anew() override { begun_ = false; }
-  double largest_step(const State&) override;
+  double largest_step(const State&, double wish) override;
+  std::string limit(const State&) override;
   void visit_memory(StepMemory&, const State&) override;
   SolverCounts& counts() override { return counts_; }
 
@@ -36,6 +38,7 @@ class ExplicitScheme final : public Scheme<D, P> {
   StepBound<D, P> bound_;
   double safety_;
   StepRates rates_, next_rates_;
+  HeldRate held_;
   double end_ = 0, dt_ = 0;  ///< of the last attempt
   bool begun_ = false;
   SolverCounts counts_;

@@ -1,6 +1,9 @@
 // How fast the shortest waves of a mesh are under the masses of explicit schemes.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "time/mass_kind.hpp"
 
 namespace softwet {
@@ -17,6 +20,13 @@ struct MassSymbols {
 
 /// Away from the ends of axes: the extremes of the Fourier symbols.
 MassSymbols inside_symbols(int degree, MassKind);
+/// The fewest elements that a material has along an axis with ends, of all of these but zeros; from ten on more make no difference.
+inline int fewest_that_matter(const std::vector<int>& elements) {
+  int fewest = 10;
+  for (const int n : elements)
+    if (n > 0) fewest = std::min(fewest, n);
+  return fewest;
+}
 /// At an end with an open knot, with its ties: from the eigenvalues of a line of so many elements, whose two ends are felt by each
 /// other where it is short. At least those inside. The elastic one is that of a layer that is held below and free above, or
 /// free on both sides.

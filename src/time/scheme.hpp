@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 
 #include "field/stage.hpp"
 #include "time/newton.hpp"
@@ -40,14 +41,18 @@ class Scheme {
   /// Forgets the rates of the last accepted state: the loads have jumped.
   virtual void begin_anew() {}
 
-  /// Largest step that is stable from a state.
-  virtual double largest_step(const State&) { return std::numeric_limits<double>::infinity(); }
+  /// Largest step that is stable from a state. @param wish  the one that the control of the error would take
+  virtual double largest_step(const State&, [[maybe_unused]] double wish) {
+    return std::numeric_limits<double>::infinity();
+  }
 
   /// All that the next steps need of the last ones beside the states. @param state  the last one, also where the memory
   /// is put back
   virtual void visit_memory(StepMemory&, const State& state) = 0;
 
   virtual SolverCounts& counts() = 0;
+  /// What limits the largest step, and where: the words behind "for".
+  virtual std::string limit(const State&) { return {}; }
   /// Null where nothing is preconditioned.
   virtual const Preconditioner* preconditioner() const { return nullptr; }
 };

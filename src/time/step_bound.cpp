@@ -1,6 +1,7 @@
 #include "time/step_bound.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "time/step_points.hpp"
 
@@ -19,17 +20,24 @@ StepRates largest_of(const Point& point, int items) {
           found[stabilisation], found[flow],  found[elasticity]};
 }
 
-/// The fewest elements that a material has along an axis, of those with ends; from `enough` on more make no difference.
+using Worst = Kokkos::MaxLoc<double, int>::value_type;
+
+/// The largest combined rate and its item.
+template <class Point>
+Worst worst_of(const Point& point, int items) {
+  Worst worst;
+  Kokkos::parallel_reduce("softwet::step_place", Items(0, items), LargestPlace<Point>{point},
+                          Kokkos::MaxLoc<double, int>(worst));
+  return worst;
+}
+
+/// As few as end_symbols takes.
 template <int D>
 int fewest_elements(const Layout<D>& l) {
-  constexpr int enough = 10;
-  int fewest = enough;
-  const auto take = [&](int elements) { fewest = elements > 0 ? std::min(fewest, elements) : fewest; };
+  std::vector<int> all{l.solid_elements, l.axis[D - 1].elements() - l.solid_elements};
   for (int d = 0; d + 1 < D; ++d)
-    if (!l.axis[d].periodic()) take(l.axis[d].elements());
-  take(l.solid_elements);
-  take(l.axis[D - 1].elements() - l.solid_elements);
-  return fewest;
+    if (!l.axis[d].periodic()) all.push_back(l.axis[d].elements());
+  return fewest_that_matter(all);
 }
 
 /// Whether nothing holds the velocity at some control point at an end of an axis.
@@ -103,38 +111,28 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
 
 template <int D, int P>
 template <bool Axial, class Solid>
-StepRates StepBound<D, P>::solid_rates(const Solid& solid, const ConstArray& displacement) const {
-  constexpr double margin = 1.05;  // waves along free and held sides are a little faster
+auto StepBound<D, P>::solid_point(const Solid& solid, const ConstArray& displacement) const {
   const Layout<D>& l = model_.layout();
-  const double many = adds_axes_ ? D : 1, symbol = margin * end_.elastic / length_;
-  const double modulus = many * symbol * symbol / solid.density;  // square of a frequency over the modulus
-  const double face_axes = Axial ? 2 : D - 1;
-  const SolidRates more = model_.rates_of_solid();
-  SolidPoint<D, std::decay_t<decltype(solid.material)>, Axial> point{
-      solid.material,
+  using Bound = SolidBound<D, std::decay_t<decltype(solid.material)>, Axial>;
+  SolidPoint<D, Bound> point{
+      Bound(solid, model_.fibres(), formula_, model_.rates_of_solid(), end_, adds_axes_ ? D : 1, length_, free_axis_),
       displacement.data(),
       {},
       {},
-      {},
       l.solid_rows() * l.row_size,
-      l.row_size,
-      formula_,
-      std::sqrt(modulus * (1 + more.stiffer)),
-      face_axes * margin * end_.surface * end_.surface * more.tension / (solid.density * std::pow(length_, 3)),
-      modulus * more.viscosity};
+      l.row_size};
   for (int d = 0; d < D; ++d) {
-    for (int e = 0; e < D; ++e) point.joined[d][e] = d == e ? 1 : free_axis_[d] && free_axis_[e] ? 0.5 : 0;
     point.greville[d] = greville_[d];
     point.extent[d] = d == D - 1 ? l.solid_rows() : l.extent(d);
   }
-  return largest_of(point, l.solid_rows() * l.row_size);
+  return point;
 }
 
 template <int D, int P>
-StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
-                                 const ConstArray& sums) const {
+template <class Visit>
+void StepBound<D, P>::visit_points(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
+                                   const ConstArray& sums, const Visit& visit) const {
   const Layout<D>& l = model_.layout();
-  StepRates found;
   if (l.has_solid && l.has_fluid) {
     StretchOfColumn<D> column{
         displacement.data() + l.wall_shift(), {}, stretch_, {}, l.solid_rows() * l.row_size, model_.blend().slope()};
@@ -163,21 +161,57 @@ StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& di
                               l.fluid_shift(),
                               adds_axes_ ? D : 1,
                               length_};
-    found = largest_of(point, l.scalar_size());
+    visit(point, l.scalar_size(), l.wall_row, false);
   }
-  if (l.has_solid) {
-    const StepRates elastic = std::visit(
+  if (l.has_solid)
+    std::visit(
         [&](const auto& solid) {
+          const int items = l.solid_rows() * l.row_size;
           if constexpr (D == 2)
-            if (l.axisymmetric) return solid_rates<true>(solid, displacement);
-          return solid_rates<false>(solid, displacement);
+            if (l.axisymmetric) return visit(solid_point<true>(solid, displacement), items, 0, true);
+          visit(solid_point<false>(solid, displacement), items, 0, true);
         },
         model_.solid());
-    found.elasticity = elastic.elasticity;
-    found.viscosity = std::max(found.viscosity, elastic.viscosity);
-    found.combined = std::max(found.combined, elastic.combined);
-  }
+}
+
+template <int D, int P>
+StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
+                                 const ConstArray& sums) const {
+  StepRates found;
+  visit_points(unknown, displacement, moments, sums, [&](const auto& point, int items, int, bool of_solid) {
+    const StepRates here = largest_of(point, items);
+    if (!of_solid) {
+      found = here;
+      return;
+    }
+    found.elasticity = here.elasticity;
+    found.viscosity = std::max(found.viscosity, here.viscosity);
+    found.combined = std::max(found.combined, here.combined);
+  });
   return over_all_ranks(found);
+}
+
+template <int D, int P>
+std::array<double, D> StepBound<D, P>::place_of_largest(const ConstArray& unknown, const ConstArray& displacement,
+                                                        const ConstArray& moments, const ConstArray& sums) const {
+  const Layout<D>& l = model_.layout();
+  std::array<double, D> place{};
+  double largest = -1;
+  visit_points(unknown, displacement, moments, sums, [&](const auto& point, int items, int first_row, bool) {
+    const Worst worst = worst_of(point, items);
+    if (!(worst.val > largest)) return;
+    largest = worst.val;
+    for (int d = 0, rest = worst.loc; d < D; ++d) {
+      const int extent = d == D - 1 ? items : l.extent(d);
+      const double x = l.axis[d].greville(d == D - 1 ? first_row + rest : l.function(rest % extent, d)),
+                   side = l.axis[d].length();
+      place[d] = l.axis[d].periodic() ? std::fmod(x + side, side) : x;
+      rest /= extent;
+    }
+  });
+  const bool here = ranks::largest(largest) == largest;
+  for (double& x : place) x = ranks::largest(here ? x : -std::numeric_limits<double>::max());
+  return place;
 }
 
 template class StepBound<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

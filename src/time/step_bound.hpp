@@ -1,6 +1,8 @@
 // The largest stable step of explicit schemes, from a bound at every control point of a state.
 #pragma once
 
+#include <array>
+
 #include "model/model.hpp"
 #include "time/mass_symbols.hpp"
 
@@ -11,6 +13,20 @@ struct StepRates {
   double combined = 0;  ///< of the scheme: its step is stable up to 1 / combined
   double sound = 0, capillarity = 0, viscosity = 0, stabilisation = 0, flow = 0, elasticity = 0;
 };
+
+/// A mechanism and the shortest time that it alone leaves to a step of kick_drift, as a rate.
+struct LoneRate {
+  const char* name;
+  double rate;
+};
+inline std::array<LoneRate, 6> lone_rates(const StepRates& r) {
+  return {{{"sound", 0.5 * r.sound},
+           {"capillary waves", 0.5 * r.capillarity},
+           {"viscosity", r.viscosity},
+           {"stabilisation", 0.5 * r.stabilisation},
+           {"flow", 0.5 * r.flow},
+           {"elasticity", 0.5 * r.elasticity}}};
+}
 
 /// How a scheme adds the rates at a point: w of waves, s of viscosity, e of the stabilisation, u of the flow.
 /// kick_drift: max((sqrt(e^2 + 4 (w + u)^2) + e + s) / 4, s). Without viscosity one wave is stable up to (w dt)^2 + 2 e dt = 4, which is
@@ -24,7 +40,8 @@ enum class StepFormula { kick_drift, without_viscosity, runge_kutta };
 ///   w = sqrt(A^2 c^2 + C^2 g^2 rho / h^2) / h,  c^2 = max(rho W'', 0)
 ///   s = V (4/3) m / (p / a) / h^2,   e = eps k (c^2 / rho + g^2 k),  k = F / h^2,   u = U |v - vh| / h
 /// with the symbols A, C, V, F, U (E, B) of the masses, those of ends in the elements beside an end. Where the mesh moves, h shrinks with
-/// the smallest stretch of the mesh above the wall there. In the solid w = E sqrt(largest row of dP/dF along an axis / rho_0) / h;
+/// the smallest stretch of the mesh above the wall there. In the solid w = E sqrt(K / rho_0) / h with K the largest row of dP/dF of its
+/// material along an axis and the largest eigenvalue of that of its fibres, together;
 /// where two sides that are free meet, waves along both axes join through Poisson's effect, and half of the row along the other
 /// axis is added: that is at least what blocks and beams have, at Poisson ratios up to 0.49. Viscosity of the solid:
 /// s = E^2 (4/3 eta + zeta) / rho_0 / h^2; on its top face w^2 has B^2 (D - 1) Ups / rho_0 / h^3 more.
@@ -39,11 +56,18 @@ class StepBound {
   /// @param moments, sums  of the density, and row sums of the scalar mass
   StepRates rates(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
                   const ConstArray& sums) const;
+  /// Where the combined rate is largest, in the undeformed domain.
+  std::array<double, D> place_of_largest(const ConstArray& unknown, const ConstArray& displacement,
+                                         const ConstArray& moments, const ConstArray& sums) const;
 
  private:
+  /// Calls visit(point, items, first row of the mesh, whether it is the solid) for the points of the fluid and of the solid.
+  template <class Visit>
+  void visit_points(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
+                    const ConstArray& sums, const Visit& visit) const;
   /// Of the solid. @tparam Axial  in the coordinates (r, z), where waves have a hoop strain too
   template <bool Axial, class Solid>
-  StepRates solid_rates(const Solid&, const ConstArray& displacement) const;
+  auto solid_point(const Solid&, const ConstArray& displacement) const;
 
   const Model<D, P>& model_;
   StepFormula formula_;

@@ -22,7 +22,7 @@ class StepControl {
 
   /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly, where it does not end behind
   /// it by a rounding either. It may be shorter than the smallest one for that, and is never longer than the largest one.
-  /// @param largest  that the scheme can take from there; it is not exceeded
+  /// @param largest  that the scheme can take from there, at least the smallest one; it is not exceeded
   double next(double t, double largest = std::numeric_limits<double>::infinity()) const;
 
   /// From now on as from a first state.
@@ -42,6 +42,7 @@ class StepControl {
   double proposed() const { return proposed_; }
   /// The longest step that may be taken next.
   double most() const { return stretch * proposed_; }
+  double smallest() const { return limits_.smallest; }
   /// Kept within the limits, which may have changed since the step was proposed.
   void set_proposed(double dt) { proposed_ = std::clamp(dt, limits_.smallest, limits_.largest); }
   /// Indicator above which a converged step of size dt is repeated with a smaller one.

@@ -1,6 +1,8 @@
 // What the bound of explicit steps sees at a control point of the fluid, of the solid, and in a column of the mesh.
 #pragma once
 
+#include <cmath>
+
 #include "time/step_bound.hpp"
 
 namespace softwet::step_points {
@@ -34,6 +36,18 @@ struct LargestRates {
     double found[mechanisms] = {};
     point(i, found);
     join(best, found);
+  }
+};
+
+/// The largest combined rate and its item.
+template <class Point>
+struct LargestPlace {
+  Point point;
+
+  KOKKOS_FUNCTION void operator()(int i, Kokkos::MaxLoc<double, int>::value_type& best) const {
+    double found[mechanisms] = {};
+    point(i, found);
+    if (found[combined] > best.val) best = {found[combined], i};
   }
 };
 
@@ -88,39 +102,44 @@ struct FluidPoint {
   }
 };
 
+/// The solid with what its rates have in common at all points.
 /// @tparam Axial  in the coordinates (r, z)
 template <int D, class Material, bool Axial = false>
-struct SolidPoint {
+struct SolidBound {
   template <class N>
   using Tensor = std::conditional_t<Axial, AxialMatrix<N>, Matrix<N, D>>;
 
   Material material;
-  const double* displacement;
-  ConstArray greville[D];
-  int extent[D];
-  double joined[D][D];  ///< part of dP/dF between two axes that counts
-  int nodes;
-  int row_size;
+  Fibres fibres;
   StepFormula formula;
-  double wave;     ///< frequency of elastic waves = wave sqrt(stiffness)
-  double surface;  ///< square of the frequency of capillary waves on the undeformed top face
-  double viscous;  ///< rate of viscosity in the undeformed state
+  double joined[D][D] = {};  ///< part of dP/dF between two axes that counts
+  double wave = 0;           ///< frequency of elastic waves = wave sqrt(stiffness)
+  double surface = 0;        ///< square of the frequency of capillary waves on the undeformed top face
+  double viscous = 0;        ///< rate of viscosity in the undeformed state
 
-  KOKKOS_FUNCTION void operator()(int i, double* rate) const {
-    Tensor<double> gradient;
-    int stride = 1;
-    for (int d = 0; d < D; ++d) {
-      for (int c = 0; c < D; ++c)
-        gradient(c, d) =
-            difference(displacement + c * nodes, i, i / stride % extent[d], extent[d], stride, greville[d]);
-      stride *= extent[d];
-    }
-    if constexpr (Axial) {
-      const double r = greville[0](i % extent[0]);
-      gradient.hoop = r > 0 ? displacement[i] / r : gradient(0, 0);
-    }
-    const double elastic = wave * wave * stiffness(gradient);
-    const double tension = surface > 0 && i >= nodes - row_size ? surface * shortening(gradient) : 0;
+  /// @param symbols    of ends
+  /// @param many       axes whose symbols add up
+  /// @param length     of the shortest side of an element
+  /// @param free_axis  of a solid alone that has a free end along the axis
+  SolidBound(const Elastodynamics<Material>& solid, const Fibres& along, StepFormula f, const SolidRates& more,
+             const MassSymbols& symbols, double many, double length, const bool (&free_axis)[D])
+      : material(solid.material), fibres(along), formula(f) {
+    constexpr double margin = 1.05;                       // waves along free and held sides are a little faster
+    constexpr double face_margin = Axial ? 1.4 : margin;  // and those of a face around the axis, with corrected masses
+    const double symbol = margin * symbols.elastic / length, face_axes = Axial ? 2 : D - 1;
+    const double modulus = many * symbol * symbol / solid.density;  // square of a frequency over the modulus
+    wave = std::sqrt(modulus);
+    surface = face_axes * face_margin * symbols.surface * symbols.surface * more.tension /
+              (solid.density * std::pow(length, 3));
+    viscous = modulus * more.viscosity;
+    for (int d = 0; d < D; ++d)
+      for (int e = 0; e < D; ++e) joined[d][e] = d == e ? 1 : free_axis[d] && free_axis[e] ? 0.5 : 0;
+  }
+
+  /// Rates where the displacement has a gradient. @param on_face  on the top face
+  KOKKOS_FUNCTION void rates(const Tensor<double>& gradient, bool on_face, double* rate) const {
+    const double elastic = wave * wave * (stiffness(gradient) + stiffness_of_fibres(gradient));
+    const double tension = surface > 0 && on_face ? surface * shortening(gradient) : 0;
     rate[elasticity] = Kokkos::sqrt(elastic + tension);
     const auto deformed = add_diagonal(gradient, 1.0);
     const double length = contract(deformed, deformed) / (Axial ? 3 : D);  // |F|^2, 1 where nothing is deformed
@@ -158,6 +177,26 @@ struct SolidPoint {
       for (int d = 0; d < D; ++d) largest = Kokkos::max(largest, row[c][d]);
     return largest;
   }
+  /// Largest eigenvalue of dP/dF of the fibres, that of F a_0 (x) a_0.
+  KOKKOS_FUNCTION double stiffness_of_fibres(const Tensor<double>& gradient) const {
+    if (fibres.stiffness == 0) return 0;
+    const auto deformed = add_diagonal(gradient, 1.0);
+    double along[D], square = 0;
+    for (int c = 0; c < D; ++c) {
+      along[c] = 0;
+      for (int d = 0; d < D; ++d) along[c] += deformed(c, d) * fibres.direction[d];
+      square += along[c] * along[c];
+    }
+    if (!(square > 0)) return 0;
+    Tensor<Dual<double>> moved = dual(gradient);
+    for (int c = 0; c < D; ++c)
+      for (int d = 0; d < D; ++d) moved(c, d).tangent = along[c] * fibres.direction[d];
+    const auto stress = fibres.residual(SolidStrain<Dual<double>, D, Tensor<Dual<double>>>{moved}).momentum_flux;
+    double sum = 0;
+    for (int c = 0; c < D; ++c)
+      for (int d = 0; d < D; ++d) sum += along[c] * fibres.direction[d] * stress(c, d).tangent;
+    return Kokkos::max(sum / square, 0.0);
+  }
   /// A face that is shortened carries shorter waves: 1 / its smallest stretch, at most 10, in space and in (r, z) times the
   /// larger one.
   KOKKOS_FUNCTION double shortening(const Tensor<double>& gradient) const {
@@ -173,6 +212,32 @@ struct SolidPoint {
       most = Kokkos::max(most, Kokkos::abs(1 + gradient.hoop));
     }
     return (D == 2 && !Axial ? 1 : most) / Kokkos::max(least, 0.1);
+  }
+};
+
+template <int D, class Bound>
+struct SolidPoint {
+  Bound bound;
+  const double* displacement;
+  ConstArray greville[D];
+  int extent[D];
+  int nodes;
+  int row_size;
+
+  KOKKOS_FUNCTION void operator()(int i, double* rate) const {
+    typename Bound::template Tensor<double> gradient;
+    int stride = 1;
+    for (int d = 0; d < D; ++d) {
+      for (int c = 0; c < D; ++c)
+        gradient(c, d) =
+            difference(displacement + c * nodes, i, i / stride % extent[d], extent[d], stride, greville[d]);
+      stride *= extent[d];
+    }
+    if constexpr (is_axial_matrix<decltype(gradient)>) {
+      const double r = greville[0](i % extent[0]);
+      gradient.hoop = r > 0 ? displacement[i] / r : gradient(0, 0);
+    }
+    bound.rates(gradient, i >= nodes - row_size, rate);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "case/error.hpp"
+#include "case/text.hpp"
 #include "model/groups.hpp"
 #include "model/initial.hpp"
 #include "time/choose_scheme.hpp"
@@ -69,10 +70,19 @@ void Stepper<D, P>::meet_jump() {
 }
 
 template <int D, int P>
+void Stepper<D, P>::stop_below_smallest(double largest) {
+  counts_.last_rejection = {Refusal::beyond_bound};
+  throw Error(Exit::computation_failed, "the computation stopped: the longest stable step, " + short_text(largest) +
+                                            ", is shorter than time.dt_min = " + short_text(control_.smallest()) +
+                                            ", for " + scheme_->limit(state_));
+}
+
+template <int D, int P>
 StepReport Stepper<D, P>::step() {
   meet_jump();
   for (;;) {
-    const double largest = scheme_->largest_step(state_);
+    const double largest = scheme_->largest_step(state_, control_.proposed());
+    if (!(largest >= control_.smallest())) stop_below_smallest(largest);
     const double dt = control_.next(state_.time, std::min(largest, loads_.longest(state_.time, control_.most())));
     const StepAttempt tried = scheme_->attempt({state_, previous_, previous_dt_}, dt);
     if (!tried.refusal.empty()) {

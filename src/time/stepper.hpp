@@ -46,7 +46,10 @@ class Stepper {
   StepCounts& counts() { return counts_; }
 
  private:
+  /// Goes on behind a jump of a load that is at the time of the state.
   void meet_jump();
+  /// Throws Error (computation_failed) where no step as long as time.dt_min is stable.
+  [[noreturn]] void stop_below_smallest(double largest);
 
   const Model<D, P>& model_;
   Judge<D, P> judge_;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/solid/isotropic.hpp"
 #include "model/fluid_of.hpp"
+#include "model/solid_rates.hpp"
 #include "time/step_points.hpp"
 
 namespace softwet {
@@ -46,13 +46,39 @@ double rate_of_fluid(const Case& c, const MassSymbols& at_ends, double shortest)
   return std::max(rate(flat.density_vapour, at_ends), rate(flat.density_liquid, of_liquid));
 }
 
+/// Whether nothing holds the velocity at an end of an axis, away from those of the others.
+bool has_free_end(const Case& c, int axis) {
+  const auto& ends = c.boundary.side[axis];
+  return !c.fluid && (ends[0] == Side::free || ends[1] == Side::free);
+}
+
+/// Of a solid that is not deformed, where all materials are alike.
+template <int D, bool Axial>
 double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest) {
+  using Bound = step_points::SolidBound<D, SaintVenantKirchhoff, Axial>;
   const Substrate& s = *c.substrate;
-  const auto modulus = LameParameters::from(s.young.most(), s.poisson);  // over the density
-  const double symbol = symbols.elastic / shortest;
-  const double elastic = symbol * std::sqrt(modulus.lambda + 2 * modulus.shear_modulus);
-  const double viscous = symbol * symbol * (4.0 / 3 * s.viscosity + s.bulk_viscosity) / s.density;
-  return step_points::combine(StepFormula::kick_drift, elastic, viscous, 0, 0);
+  bool free_axis[D];
+  for (int d = 0; d < D; ++d) free_axis[d] = has_free_end(c, d);
+  const Bound bound({{LameParameters::from(s.density * s.young.most(), s.poisson)}, s.density}, fibres_of(s, D),
+                    StepFormula::kick_drift, solid_rates(c), symbols, 1, shortest, free_axis);
+  double found[step_points::mechanisms] = {};
+  bound.rates({}, true, found);
+  return found[step_points::combined];
+}
+
+double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest) {
+  if (c.axisymmetric()) return rate_of_solid<2, true>(c, symbols, shortest);
+  return c.dimension() == 2 ? rate_of_solid<2, false>(c, symbols, shortest)
+                            : rate_of_solid<3, false>(c, symbols, shortest);
+}
+
+/// As for the bound: see fewest_elements in step_bound.cpp.
+int fewest_elements(const Case& c) {
+  const int up = c.dimension() - 1, of_solid = c.substrate ? static_cast<int>(std::lround(c.rows_of_solid())) : 0;
+  std::vector<int> all{of_solid, c.domain.elements[up] - of_solid};
+  for (int d = 0; d < up; ++d)
+    if (c.boundary.side[d][0] != Side::periodic) all.push_back(c.domain.elements[d]);
+  return fewest_that_matter(all);
 }
 
 }  // namespace
@@ -60,7 +86,7 @@ double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest)
 double explicit_steps_foreseen(const Case& c) {
   double shortest = c.domain.size[0] / c.domain.elements[0];
   for (int d = 1; d < c.dimension(); ++d) shortest = std::min(shortest, c.domain.size[d] / c.domain.elements[d]);
-  const MassSymbols symbols = end_symbols(c.domain.degree, MassKind::corrected, 10, c.axisymmetric());
+  const MassSymbols symbols = end_symbols(c.domain.degree, MassKind::corrected, fewest_elements(c), c.axisymmetric());
   double rate = 0;
   if (c.fluid) rate = std::max(rate, rate_of_fluid(c, symbols, shortest));
   if (c.substrate) rate = std::max(rate, rate_of_solid(c, symbols, shortest));

@@ -35,7 +35,7 @@ const char* const counts[] = {"steps/accepted",      "steps/rejected_newton", "s
 
 // What schemes remember: kick_drift, the Runge-Kutta schemes, and Newton's method.
 const std::vector<ArraySize> remembered{{"kick_drift/at", 26}, {"kick_drift/pressure", 12}, {"rates/values", 26}};
-const char* const remembered_reals[] = {"bound/combined", "bound/viscosity", "newton/built_for"};
+const char* const remembered_reals[] = {"bound/combined", "bound/held", "newton/built_for"};
 const char* const remembered_counts[] = {"bound/known", "wear/times"};
 const char* const settings = "settings of a scheme";
 

@@ -117,16 +117,10 @@ std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
     ExplicitScheme<D, P> explicit_scheme(model, probe, judge);
     State state = initial_state<D, P>(probe, model);
     explicit_scheme.initialise(state);
-    limit(scheme, explicit_scheme.largest_step(state) / c.time.safety);
+    limit(scheme, explicit_scheme.largest_step(state, std::numeric_limits<double>::infinity()) / c.time.safety);
     if (std::string(scheme) != "kick_drift") continue;
-    const StepRates& rates = explicit_scheme.rates();
-    for (const auto& [name, rate] : {std::pair{"  sound alone", 0.5 * rates.sound},
-                                     {"  capillary waves alone", 0.5 * rates.capillarity},
-                                     {"  viscosity alone", rates.viscosity},
-                                     {"  stabilisation alone", 0.5 * rates.stabilisation},
-                                     {"  flow alone", 0.5 * rates.flow},
-                                     {"  elasticity alone", 0.5 * rates.elasticity}})
-      if (rate > 0) limit(name, 1 / rate);
+    for (const auto& [name, rate] : lone_rates(explicit_scheme.rates()))
+      if (rate > 0) limit("  " + std::string(name) + " alone", 1 / rate);
   }
   return lines;
 }

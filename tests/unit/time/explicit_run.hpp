@@ -29,19 +29,20 @@ inline Case around_axis(Case c) {
 }
 
 /// A scene with one of the explicit steps, at its first state.
-struct ExplicitRun {
-  Model<2, 2> model;
-  SemiDiscrete<2, 2> system;
-  std::unique_ptr<ExplicitStep<2, 2>> step;
-  StepBound<2, 2> bound;
+template <int D>
+struct ExplicitRunIn {
+  Model<D, 2> model;
+  SemiDiscrete<D, 2> system;
+  std::unique_ptr<ExplicitStep<D, 2>> step;
+  StepBound<D, 2> bound;
   State state;
 
-  ExplicitRun(const Case& c, const std::string& scheme, MassKind kind = MassKind::corrected)
+  ExplicitRunIn(const Case& c, const std::string& scheme, MassKind kind = MassKind::corrected)
       : model(c),
         system(model, kind),
         step(make(scheme)),
         bound(model, kind, step->formula()),
-        state(initial_state<2, 2>(c, model)) {
+        state(initial_state<D, 2>(c, model)) {
     system.set_moments(state);
     EXPECT_TRUE(step->begin(state).empty());
   }
@@ -57,11 +58,12 @@ struct ExplicitRun {
   }
 
  private:
-  std::unique_ptr<ExplicitStep<2, 2>> make(const std::string& scheme) {
-    if (scheme == "kick_drift") return std::make_unique<KickDrift<2, 2>>(system);
-    return std::make_unique<RungeKuttaStep<2, 2>>(system, scheme == "rkl2");
+  std::unique_ptr<ExplicitStep<D, 2>> make(const std::string& scheme) {
+    if (scheme == "kick_drift") return std::make_unique<KickDrift<D, 2>>(system);
+    return std::make_unique<RungeKuttaStep<D, 2>>(system, scheme == "rkl2");
   }
 };
+using ExplicitRun = ExplicitRunIn<2>;
 
 inline double root_of_squares(const Array& a, const Array& b, int first, int last) {
   const std::vector<double> x = to_host(a), y = to_host(b);

@@ -34,6 +34,38 @@ TEST(KickDrift, SspRk3WithViscosityApartIsOfSecondOrderOrMore) {
   expect_second_order(moving_droplet(Scene::rigid), "rkl2", 3.2);
 }
 
+/// Differences between rkl2 and fine steps of ssp_rk3 after a while, of velocities and displacements, over the size of these.
+std::pair<double, double> errors_of_rkl2(const Case& c, MassKind kind, double dt, int steps) {
+  ExplicitRun exact(c, "ssp_rk3", kind), run(c, "rkl2", kind);
+  const int fine = 1 + static_cast<int>(dt * steps * exact.rates().combined / 0.5);
+  exact.run(dt * steps / fine, fine);
+  run.run(dt, steps);
+  const int nv = run.system.velocities(), nu = run.system.displacements();
+  const Array zero("zero", nv);
+  return {root_of_squares(run.state.unknown, exact.state.unknown, 0, nv) /
+              root_of_squares(zero, exact.state.unknown, 0, nv),
+          root_of_squares(run.state.displacement, exact.state.displacement, 0, nu) /
+              root_of_squares(zero, exact.state.displacement, 0, nu)};
+}
+
+// The viscous rate of the slowest waves is many times 1/dt, so that the solid creeps: its speed is where viscosity balances the load.
+TEST(KickDrift, ViscosityApartFindsTheSpeedOfCreep) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
+    for (Case c :
+         {moving_droplet(Scene::solid), around_axis(moving_droplet(Scene::solid)), moving_droplet(Scene::coupled)}) {
+      c.substrate->viscosity = 3;
+      c.substrate->bulk_viscosity = 1;
+      ExplicitRun first(c, "rkl2", kind);
+      const double dt = 0.8 / first.rates().combined;
+      const auto [v, u] = errors_of_rkl2(c, kind, dt, 16);
+      const auto [half_v, half_u] = errors_of_rkl2(c, kind, dt / 2, 32);
+      std::printf("  masses %d: dt s %.1f, errors %.2e, %.2e, orders %.2f, %.2f\n", int(kind),
+                  dt * first.rates().viscosity, v, u, std::log2(v / half_v), std::log2(u / half_u));
+      EXPECT_LT(u, 0.01);
+      EXPECT_GT(std::log2(u / half_u), 1.5);
+    }
+}
+
 TEST(KickDrift, KeepsTheMomentsOnAMovingMesh) {
   for (const Case& c : {moving_droplet(Scene::coupled, false), moving_droplet(Scene::coupled, true),
                         around_axis(moving_droplet(Scene::coupled))}) {
