@@ -78,6 +78,20 @@ steady("solid_layer_2d", "layer", LAYER)
 check("a solid alone is at rest", record("layer")["rest"]["residual_over_round_off"], 8)
 check_true("and its load acts", last("layer")["energy_elastic"] > 0, str(last("layer")))
 
+# --- a body that nothing holds: after a push it drifts, and no disturbance grows by itself
+pathlib.Path("body.toml").write_text("""
+name = "body"
+domain = { size = [1.0, 0.5], elements = [8, 4] }
+substrate = { thickness = 0.5, young = 1.0, poisson = 0.3 }
+boundary = { left = "free", right = "free", bottom = "free", top = "free" }
+time = { end = 1.0 }
+output = { fields = { times = [] } }
+""")
+said = steady("body.toml", "body")
+check_true("a body that nothing holds", "neither stable nor unstable: nothing holds the solid" in said, said)
+said = steady("body.toml", "held", ['boundary.bottom="clamped"'])
+check_true("one that a side holds", "nothing holds" not in said and "not stable" not in said, said)
+
 # --- along a key
 said = steady("static_droplet_soft_2d", "along", [*SMALL, 'fluid.wall_law="energy"'],
               [*ONE, "--along", "substrate.young=1:0.5:3:log"])
