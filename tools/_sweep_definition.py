@@ -24,14 +24,14 @@ def member_name(keys, values, whole=False):
 
 
 def split_values(text):
-    """Parts of a list: at commas outside brackets and quotes."""
+    """Parts of a list: at commas outside brackets, parentheses and quotes."""
     parts, depth, quote = [""], 0, ""
     for c in text:
         if quote:
             quote = "" if c == quote else quote
         elif c in "\"'":
             quote = c
-        depth += 0 if quote else (c in "[{") - (c in "]}")
+        depth += 0 if quote else (c in "([{") - (c in ")]}")
         if c == "," and not quote and depth == 0:
             parts.append("")
         else:

@@ -72,6 +72,12 @@ void check_substrate(const Checker& check) {
                fmt::format("write thickness = {}, or change domain.elements", choice));
 }
 
+void check_fibre(const Checker& check) {
+  const std::string key = "substrate.fibre.azimuth";
+  if (check.c.dimension() == 2 && check.document.entries.count(key))
+    check.refuse(key, "exists in 3D only", "remove it: in 2D fibre.angle is the direction");
+}
+
 void check_box_of_load(const Checker& check, std::size_t index) {
   const std::string box = fmt::format("load[{}].box", index);
   const Load& load = check.c.loads[index];
@@ -185,6 +191,7 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check.with({"fluid.gravity", "substrate.gravity", "boundary"}, [&] { check_gravity(check); });
   check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
+  check.with({"substrate.fibre.azimuth"}, [&] { check_fibre(check); });
   check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box", "time.scheme"},
              [&] { check_joint(check); });
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +15,7 @@
 #include "casefile/case_checks.hpp"
 #include "casefile/document.hpp"
 #include "casefile/fine_box.hpp"
+#include "casefile/jumps.hpp"
 #include "casefile/profiles.hpp"
 #include "casefile/quality.hpp"
 
@@ -112,6 +114,27 @@ std::pair<double, double> gradient_law_angles(double h_over_capillarity) {
   return {8 + 22 * h_over_capillarity, 180 - std::max(0.0, 50 * h_over_capillarity - 25)};
 }
 
+/// A step ends at each point of a table over time.
+void warn_of_long_tables(const Case& c, std::vector<std::string>& found) {
+  constexpr long many = 2000;
+  const auto look = [&](const std::string& key, const Profile& profile, double begin) {
+    if (!profile.varies()) return;
+    const std::vector<double> points = profile.formula->kinks();
+    const long count =
+        std::count_if(points.begin(), points.end(), [&](double t) { return t > begin && t < c.time.end; });
+    if (count < many) return;
+    found.push_back(
+        fmt::format("{} is a table with {} points before time.end, and a step ends at each of them: fewer points allow "
+                    "longer steps",
+                    key, count));
+  };
+  for (std::size_t k = 0; k < c.loads.size(); ++k) {
+    const double begin = c.loads[k].start - c.clock_zero();
+    look(fmt::format("load[{}].factor", k), c.loads[k].factor, begin);
+    for (const Profile& shift : c.loads[k].path) look(fmt::format("load[{}].path", k), shift, begin);
+  }
+}
+
 constexpr std::size_t largest_file = 16 << 20;  ///< bytes; of a case with a hundred thousand droplets
 
 [[noreturn]] void reject_path(const std::string& path, const std::string& reason) {
@@ -121,21 +144,19 @@ constexpr std::size_t largest_file = 16 << 20;  ///< bytes; of a case with a hun
                           path, reason));
 }
 
-}  // namespace
-
-Case parse_case(std::string_view text, const std::string& place, const std::vector<std::string>& overrides) {
+Case parse(std::string_view text, const std::string& place, const std::vector<std::string>& overrides, Tables tables) {
   Problems problems;
   Document document = read_document(text, place, problems);
   for (const std::string& assignment : overrides) problems.keep([&] { apply_override(document, assignment); });
   Case c = resolve(document, problems);
-  build_profiles(c, document, problems);
+  build_profiles(c, document, problems, tables);
   check_case(c, document, problems);
   problems.throw_if_any();
   choose_fine_box(c);
   return c;
 }
 
-Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
+std::string text_of_file(const std::string& path) {
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown)) reject_path(path, "it is a folder");
   std::ifstream file(path, std::ios::binary);
@@ -145,11 +166,32 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   if (file.bad()) reject_path(path, std::strerror(errno));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > largest_file) reject_path(path, "it is longer than 16 MiB, which no case is");
-  return parse_case(text, path, overrides);
+  return text;
 }
+
+}  // namespace
+
+Case parse_case(std::string_view text, const std::string& place, const std::vector<std::string>& overrides) {
+  return parse(text, place, overrides, Tables::read);
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse(text_of_file(path), path, overrides, Tables::read);
+}
+
+Case read_scene(const std::string& path) { return parse(text_of_file(path), path, {}, Tables::leave); }
 
 std::vector<std::string> warnings(const Case& c) {
   std::vector<std::string> found;
+  if (c.fluid)
+    if (const auto jump = jump_along_wall(c, c.fluid->contact_angle))
+      found.push_back(
+          fmt::format("fluid.contact_angle jumps by {:.3g} degrees at x = {:.4g}{}, which no mesh resolves: let it "
+                      "change over a few "
+                      "elements, for example with 60 + 30*step((x - 0.5)/h)",
+                      std::abs(jump->height), jump->place[0],
+                      c.dimension() == 3 ? fmt::format(", y = {:.4g}", jump->place[1]) : ""));
+  warn_of_long_tables(c, found);
   const double largest = c.spacing();
   if (c.fluid && c.fluid->capillarity < largest) {
     found.push_back(

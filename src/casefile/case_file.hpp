@@ -15,6 +15,10 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
 /// The same for text; `place` names it in messages.
 Case parse_case(std::string_view text, const std::string& place, const std::vector<std::string>& overrides = {});
 
+/// Reads a case file of which the mesh and the materials are all that is asked for: its tables, which may be gone, stay
+/// unread. Throws Error invalid_input.
+Case read_scene(const std::string& path);
+
 /// The complete resolved case as TOML, every key with its value: parse_case(write_case(c)) equals c.
 std::string write_case(const Case& c);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "casefile/nearest.hpp"
+#include "casefile/syntax_hint.hpp"
 
 namespace softwet {
 namespace {
@@ -59,6 +60,10 @@ std::string remedy_for(const Key& key, const toml::node& node) {
     if (const auto number = number_from_text(point); number && point != text->get())
       return fmt::format("a decimal number has a point: write {} = {}", key.leaf(), text_of_number(*number));
   }
+  if (const auto* text = node.as_string(); text && key.kind == Kind::profiles)
+    if (const auto quoted = with_quoted_expressions(text->get()))
+      return fmt::format("an expression in a list stands in quotes: write {} = {}, behind --set in single quotes",
+                         key.leaf(), *quoted);
   const bool ratio = key.kind == Kind::number && key.example.find('/') == std::string::npos;
   return fmt::format("write for example {} = {}{}", key.leaf(), example_text(key), ratio ? " or a ratio \"3/8\"" : "");
 }

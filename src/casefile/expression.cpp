@@ -18,6 +18,9 @@ constexpr std::size_t longest_expression = 4000;  ///< letters of an expression
 /// From 0 to 1, with the width 1.
 double smooth_step(double s) { return 0.5 + 0.5 * std::tanh(s); }
 
+/// Versions of the library differ in the base of log.
+double natural_logarithm(double s) { return std::log(s); }
+
 double* address_of(const std::string& variable, std::array<double, 4>& values) {
   return &values[std::string("xyzt").find(variable)];
 }
@@ -88,8 +91,9 @@ std::string comma_separated(const std::vector<std::string>& words) {
 }  // namespace
 
 const char* const functions_of_expressions =
-    "sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, exp, ln, log10, sqrt, abs, sign, rint, min, max, and "
-    "step(s) = (1 + tanh(s))/2";
+    "sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, asinh, acosh, atanh, exp, ln and log (both of base e), "
+    "log2, log10, sqrt, abs, sign, rint, min, max, sum and avg (of any number of arguments), and step(s) = (1 + "
+    "tanh(s))/2";
 
 std::string Vocabulary::text() const {
   std::vector<std::string> names;
@@ -114,6 +118,7 @@ Expression::Expression(const std::string& text, const Vocabulary& known) : parse
     for (const std::string& name : known.variables) library.DefineVar(name, address_of(name, parser_->values));
     for (const auto& [name, value] : known.constants) library.DefineConst(name, value);
     library.DefineFun("step", smooth_step);
+    library.DefineFun("log", natural_logarithm);
     library.SetExpr(text);
     library.Eval();
   } catch (const mu::ParserError& error) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <optional>
 
 #include "case/error.hpp"
@@ -32,7 +33,14 @@ std::string names_of_axes(const std::vector<std::string>& variables) {
   return text;
 }
 
-/// Lines of a CSV file as rows of cells, with their numbers.
+char separator_of(const std::string& line) {
+  for (const char separator : {',', ';', '\t'})
+    if (line.find(separator) != std::string::npos) return separator;
+  return ',';
+}
+
+/// Lines of a CSV file as rows of cells, with their numbers. The first line shows what stands between two columns: a comma,
+/// else a semicolon, else a tabulator.
 class CsvLines {
  public:
   explicit CsvLines(const std::string& path) : path_(path), file_(path, std::ios::binary) {
@@ -44,15 +52,15 @@ class CsvLines {
 
   /// The next line that holds something; false at the end.
   bool next(std::vector<std::string>& cells) {
-    for (std::string line; std::getline(file_, line);) {
-      ++number_;
-      if (!line.empty() && line.back() == '\r') line.pop_back();
+    for (std::string line; next_line(line);) {
+      if (++number_ == 1) begin(line);
       if (line.find_first_not_of(" \t") == std::string::npos || line[0] == '#') continue;
+      if (separator_ == 0) separator_ = separator_of(line);
       cells.assign(1, "");
       for (const char letter : line) {
-        if (letter == ',') {
+        if (letter == separator_) {
           cells.emplace_back();
-        } else if (letter != ' ' && letter != '\t') {
+        } else if (letter != ' ' && letter != '\t' && letter != '"') {
           cells.back() += letter;
         }
       }
@@ -70,9 +78,31 @@ class CsvLines {
   long number() const { return number_; }
 
  private:
+  /// A line ends with a line feed, a carriage return, or both.
+  bool next_line(std::string& line) {
+    constexpr int end = std::char_traits<char>::eof();
+    std::streambuf& bytes = *file_.rdbuf();
+    line.clear();
+    int byte = bytes.sbumpc();
+    if (byte == end) return false;
+    for (; byte != end && byte != '\n' && byte != '\r'; byte = bytes.sbumpc()) line += static_cast<char>(byte);
+    if (byte == '\r' && bytes.sgetc() == '\n') bytes.sbumpc();
+    return true;
+  }
+  /// Takes the mark of UTF-8 away, which Excel writes, and refuses what is no text in UTF-8.
+  void begin(std::string& line) const {
+    const std::string remedy = "save the table as CSV in UTF-8, in Excel as 'CSV UTF-8'";
+    if (line.rfind("PK\x03\x04", 0) == 0) refuse("the file is a workbook of Excel and no CSV", remedy);
+    const std::string mark = line.substr(0, 2);
+    if (mark == "\xff\xfe" || mark == "\xfe\xff" || line.find('\0') != std::string::npos)
+      refuse("the file is in UTF-16", remedy);
+    if (line.rfind("\xef\xbb\xbf", 0) == 0) line.erase(0, 3);
+  }
+
   std::string path_;
   std::ifstream file_;
   long number_ = 0;
+  char separator_ = 0;
 };
 
 /// What a CSV file holds: the columns of its axes, and the values.
@@ -106,7 +136,8 @@ CsvColumns read_columns(CsvLines& lines, const std::vector<std::string>& variabl
     for (std::size_t i = 0; i < columns; ++i) {
       const auto number = number_from_text(cells[i]);
       if (!number || !std::isfinite(*number))
-        lines.refuse(i, fmt::format("'{}' is no number", cells[i]), "write a number");
+        lines.refuse(i, fmt::format("'{}' is no number", cells[i]),
+                     cells[i].find(',') == std::string::npos ? "write a number" : "decimal numbers have a point: 0.5");
       (i + 1 < columns ? found.points[i] : found.value).push_back(*number);
     }
     found.line.push_back(lines.number());
@@ -200,6 +231,12 @@ void add_bits(const std::vector<double>& numbers, std::uint64_t& sum) {
 }  // namespace
 
 bool GridTable::is_path(const std::string& text) { return ends_with(text, ".csv") || ends_with(text, ".h5"); }
+
+bool GridTable::is_other_file(const std::string& text) {
+  const char* const endings[] = {".xlsx", ".xls", ".ods",  ".txt", ".dat", ".tsv",
+                                 ".npy",  ".mat", ".hdf5", ".CSV", ".H5"};
+  return std::any_of(std::begin(endings), std::end(endings), [&](const char* end) { return ends_with(text, end); });
+}
 
 GridTable::GridTable(const std::string& path, const std::vector<std::string>& variables) {
   if (ends_with(path, ".csv")) {

@@ -15,13 +15,15 @@ class GridTable final : public Formula {
  public:
   /// @param path  ends with .csv or .h5  @param variables  that the axes may be, out of x, y, z, t
   /// CSV: a line with the names, "x,y,value", then a line for each point of the grid, in any order; empty lines and lines that begin
-  /// with # do not count. HDF5: a dataset for each axis, of one dimension and increasing, and the dataset "value", whose dimensions
+  /// with # do not count. Semicolons or tabulators may stand for the commas. HDF5: a dataset for each axis, of one dimension and increasing, and the dataset "value", whose dimensions
   /// are the axes in the order x, y, z, t.
   /// Throws FormulaError that names the file, and the line and column of a CSV file.
   GridTable(const std::string& path, const std::vector<std::string>& variables);
 
   /// Whether a text in a case file is the path of a table: it ends with .csv or .h5.
   static bool is_path(const std::string& text);
+  /// Whether it is the path of a file that somebody takes for a table, and is none: a workbook, or .CSV in capitals.
+  static bool is_other_file(const std::string& text);
 
   double at(const std::array<double, 3>& x, double t) const override;
   std::vector<double> kinks() const override;

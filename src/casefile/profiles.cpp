@@ -86,7 +86,7 @@ std::string place_text(const Case& c, Support support, const std::array<double, 
 
 class ProfileBuilder {
  public:
-  ProfileBuilder(Case& c, const Document& document) : c_(c), document_(document) {}
+  ProfileBuilder(Case& c, const Document& document, Tables tables) : c_(c), document_(document), tables_(tables) {}
 
   void build(const Key& key, std::size_t index) {
     const auto found = document_.entries.find(indexed_name(key.name, index));
@@ -96,7 +96,8 @@ class ProfileBuilder {
       const std::string component = all.size() > 1 ? fmt::format("number {} of the list: ", i + 1) : "";
       try {
         give_formula(key, *all[i]);
-        check_values(key, index, *all[i]);
+        const bool left = GridTable::is_path(all[i]->text) && !all[i]->formula;
+        if (!left) check_values(key, index, *all[i]);
       } catch (const FormulaError& error) {
         reject(found->second.place, indexed_name(key.name, index), found->second.text, component + error.what(),
                error.remedy);
@@ -111,9 +112,13 @@ class ProfileBuilder {
     if (GridTable::is_path(profile.text)) {
       const std::filesystem::path folder = std::filesystem::path(document_.place).parent_path();
       profile.text = std::filesystem::absolute(folder / profile.text).lexically_normal().string();
+      if (tables_ == Tables::leave) return;
       profile.formula = std::make_shared<GridTable>(profile.text, known.variables);
       return;
     }
+    if (GridTable::is_other_file(profile.text))
+      throw FormulaError("is no table that can be read",
+                         "save it as CSV in UTF-8, in Excel as 'CSV UTF-8', under a name that ends with .csv");
     const auto expression = std::make_shared<Expression>(profile.text, known);
     if (expression->constant()) {
       profile.number = expression->at({0, 0, 0}, 0) + 0.0;  // zero has no sign
@@ -150,6 +155,7 @@ class ProfileBuilder {
 
   Case& c_;
   const Document& document_;
+  Tables tables_;
 };
 
 /// Visits the profiles of a case as visit(key, index).
@@ -186,12 +192,12 @@ RecordValue samples_of(const Case& c, const Key& key, const std::string& name, c
 
 }  // namespace
 
-void build_profiles(Case& c, const Document& document, Problems& problems) {
+void build_profiles(Case& c, const Document& document, Problems& problems, Tables read) {
   const std::size_t axes = c.domain.size.size();
   if ((axes != 2 && axes != 3) || c.domain.elements.size() != axes) return;  // the checks tell it
   for (const char* name : {"domain.size", "domain.elements", "substrate.thickness", "fluid.capillarity", "time.end"})
     if (problems.about(name)) return;
-  ProfileBuilder builder(c, document);
+  ProfileBuilder builder(c, document, read);
   each_profile(c, [&](const Key& key, std::size_t index) { problems.keep([&] { builder.build(key, index); }); });
 }
 
@@ -202,8 +208,8 @@ std::string profile_text(const Key& key) {
               : "the position x, y (in 3D x, y, z) in the undeformed state, the last one vertical";
   return fmt::format(
       "An expression in quotes is a function of {}. It knows the constants pi, Lx, Ly, Lz (domain.size), H "
-      "(substrate.thickness), g (fluid.capillarity) and h (the largest extent of an element), the operators + - "
-      "* / ^, "
+      "(substrate.thickness), g (fluid.capillarity) and h (the largest extent of an element, where they are graded of "
+      "a short one: the largest of domain.size / domain.elements), the operators + - * / ^, "
       "comparisons, && || and condition ? one : other, and the functions {}. A text that ends with .csv or .h5 is the "
       "path of a table, relative to the folder of the case: a CSV file has the columns {} and value and a line for "
       "each point of a "

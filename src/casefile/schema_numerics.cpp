@@ -137,9 +137,9 @@ std::vector<Key> time_keys() {
        .range = {0, infinity, false, true},
        .help =
            "Time that the run has on the clock on the wall, such as the limit of a job on a cluster. Before it is over "
-           "the run stops with a checkpoint, from which --resume goes on with the same bits and a new limit. 0 means "
-           "no "
-           "limit.",
+           "the run stops with a checkpoint, from which --resume goes on with the same bits and a new limit. Each "
+           "start "
+           "with --resume takes one step or more. 0 means no limit.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.wall_clock; })},
   };
 }

@@ -56,12 +56,48 @@ Place find_place(std::string_view text, long line) {
 
 const std::string number = R"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)";
 
+/// Entries of a list, at commas outside of parentheses; none where there are quotes or lists in it.
+std::vector<std::string> entries_of_list(std::string_view text) {
+  if (text.size() < 3 || text.front() != '[' || text.back() != ']') return {};
+  text = text.substr(1, text.size() - 2);
+  if (text.find_first_of("\"'[]{}") != std::string_view::npos) return {};
+  std::vector<std::string> entries(1);
+  int depth = 0;
+  for (const char letter : text) {
+    depth += (letter == '(') - (letter == ')');
+    if (letter == ',' && depth == 0) {
+      entries.emplace_back();
+    } else {
+      entries.back() += letter;
+    }
+  }
+  for (std::string& entry : entries) entry = trimmed(entry);
+  return entries;
+}
+
+/// An expression, or a list of expressions, without quotes, where the key may have one.
+std::optional<SyntaxHint> hint_of_expression(const std::string& key, const std::string& leaf,
+                                             const std::string& value) {
+  const Key* known = find_key(std::regex_replace(key, std::regex(R"(\[\d*\])"), "[]"));
+  if (known == nullptr || value.find_first_of("\"'") != std::string::npos) return {};
+  const std::string problem = "an expression stands in quotes";
+  static const std::regex with_unit(number + R"(\s*[A-Za-z%].*)");
+  if (known->kind == Kind::profile && value.find_first_of("xyzt(*^") != std::string::npos &&
+      !std::regex_match(value, with_unit))
+    return SyntaxHint{key, value, problem, fmt::format("write {} = {}", leaf, in_quotes(value))};
+  if (known->kind != Kind::profiles) return {};
+  if (const auto quoted = with_quoted_expressions(value))
+    return SyntaxHint{key, value, problem, fmt::format("write {} = {}", leaf, *quoted)};
+  return {};
+}
+
 /// A mistake that can be told from the value alone.
 std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& leaf, const std::string& value) {
   static const std::regex ratio(number + R"(\s*/\s*)" + number), comma(R"(([+-]?\d+),(\d+(?:[eE][+-]?\d+)?))"),
       point(R"(([+-]?)(\d*)\.(\d*)((?:[eE][+-]?\d+)?))"), unit("(" + number + R"()\s*[^\d\s,\]\[{}="'.eE+-].*)"),
       word(R"([A-Za-z_][\w .-]*)");
   std::smatch found;
+  if (const auto hint = hint_of_expression(key, leaf, value)) return hint;
   if (value.find_first_of("\"'") == std::string::npos && std::regex_search(value, found, ratio))
     return SyntaxHint{key, value, "a ratio stands in quotes",
                       fmt::format("write {} = {}{}{}", leaf, std::string(found.prefix()), in_quotes(found.str()),
@@ -85,6 +121,19 @@ std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& lea
 }
 
 }  // namespace
+
+std::optional<std::string> with_quoted_expressions(std::string_view list) {
+  std::string text;
+  bool expressions = false;
+  for (const std::string& entry : entries_of_list(list)) {
+    const bool number = number_from_text(entry).has_value() && entry.find('/') == std::string::npos;
+    if (entry.empty()) return {};
+    expressions = expressions || !number;
+    text += (text.empty() ? "" : ", ") + (number ? entry : in_quotes(entry));
+  }
+  if (!expressions) return {};
+  return "[" + text + "]";
+}
 
 std::optional<SyntaxHint> syntax_hint(std::string_view text, long line) {
   const Place place = find_place(text, line);

@@ -129,6 +129,10 @@ void steady_command(CaseRequest& request, std::vector<std::string>& words) {
 }
 
 void check_command(const CaseRequest& request) {
+  if (std::error_code unknown; std::filesystem::is_directory(request.picture, unknown))
+    throw Error(Exit::invalid_input,
+                fmt::format("check: --picture '{0}' is a folder; give the name of a file, for example {0}/scene.png",
+                            request.picture));
   const Case c = read_case_of(request);  // larger than this machine, too
   if (!request.scene.empty()) return write_scene(c, request.scene);
   warn(c);

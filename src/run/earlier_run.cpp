@@ -142,7 +142,7 @@ Case with_earlier_run(const Case& given) {
   const std::string& folder = c.initial->from;
   together([&] {
     try {
-      const Case then = read_case(folder + "/case.toml");
+      const Case then = read_scene(folder + "/case.toml");
       require_same_box(c, then);
       const std::vector<double>& time = c.initial->time;
       c.initial->earlier =

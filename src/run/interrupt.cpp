@@ -18,6 +18,7 @@ constexpr long never = -1, same_wish = 1000;  // milliseconds
 std::atomic<long> asked_at = never;
 static_assert(std::atomic<long>::is_always_lock_free);  // a handler of signals may use it
 
+StopSentences sentences{"", ""};
 bool on_terminal = false;  ///< there the line of the progress is still open
 
 // What follows is called in a handler: it may use write, clock_gettime and its like alone.
@@ -38,11 +39,9 @@ extern "C" void request_stop(int signal) {
   const int kept = errno;
   long first = never;
   if (asked_at.compare_exchange_strong(first, now())) {
-    tell("softwet: stopping at the end of this step; a second signal ends the run at once\n");
+    tell(sentences.first);
   } else if (signal != SIGXCPU && now() - first > same_wish) {
-    tell(
-        "softwet: ended at once by a second signal; the last state is that of checkpoint.h5, if there is one: "
-        "--resume goes on from there\n");
+    tell(sentences.second);
     std::signal(signal, SIG_DFL);
     std::raise(signal);  // takes effect when this handler returns
   }
@@ -51,7 +50,8 @@ extern "C" void request_stop(int signal) {
 
 }  // namespace
 
-void hear_signals() {
+void hear_signals(const StopSentences& chosen) {
+  sentences = chosen;
   on_terminal = isatty(STDERR_FILENO) != 0;
   struct sigaction action {};
   action.sa_handler = request_stop;
@@ -60,8 +60,9 @@ void hear_signals() {
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
   if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
 }
+
+void outlive_readers() { std::signal(SIGPIPE, SIG_IGN); }
 
 bool stop_requested() { return asked_at != never; }
 

@@ -63,9 +63,27 @@ std::string for_the_density(const Case& c) {
   return "a softer load ramp, a larger fluid.viscosity or a tighter time.tolerance may help";
 }
 
+/// The key of a load that is no number within the smallest steps after a time; empty where all are.
+std::string load_without_value(const Case& c, double time) {
+  constexpr int looks = 64;
+  for (int i = 1; i <= looks; ++i) {
+    const double t = time + 2 * c.time.dt_min * i / looks;
+    for (std::size_t k = 0; k < c.loads.size(); ++k) {
+      const std::string load = "load[" + std::to_string(k) + "].";
+      if (!std::isfinite(c.loads[k].factor.at({0, 0, 0}, t))) return load + "factor";
+      for (const Profile& shift : c.loads[k].path)
+        if (!std::isfinite(shift.at({0, 0, 0}, t))) return load + "path";
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
-std::string remedy(const Case& c, const Refusal& refusal) {
+std::string remedy(const Case& c, const Refusal& refusal, double time) {
+  if (const std::string key = load_without_value(c, time); !key.empty())
+    return key + " is no number after t = " + short_text(time, 10) +
+           ": bound what it divides by or takes a root of, for example with max";
   if (c.time.scheme != implicit_scheme && c.time.safety > 1)
     return "with time.safety = " + short_text(c.time.safety) +
            " the steps may be longer than the largest stable one: write time.safety = 0.9";

@@ -9,6 +9,7 @@
 namespace softwet {
 
 /// A sentence for the reason of the last rejected step, with the numbers of the case that decide.
-std::string remedy(const Case&, const Refusal& refusal);
+/// @param time  of the last good state, on the clock of the results
+std::string remedy(const Case&, const Refusal& refusal, double time);
 
 }  // namespace softwet

@@ -151,7 +151,7 @@ void Simulation<D, P>::run() {
     if (error.code() == Exit::machine_failed && ranks::count() == 1)
       require_folder();  // somebody may have moved it while a file was being written
     if (error.code() != Exit::computation_failed) throw;
-    const std::string advice = remedy(case_, stepper_.counts().last_rejection), failure = error.what();
+    const std::string advice = remedy(case_, stepper_.counts().last_rejection, output_time()), failure = error.what();
     throw Error(error.code(), failure + "; " + advice + "; the last good state, that of t = " +
                                   short_text(output_time(), 6) + ", " + keep_after(failure));
   } catch (const std::exception& error) {               // memory or the device: the state is still the last good one
@@ -192,7 +192,11 @@ void Simulation<D, P>::advance() {
   const std::string reason = stop_reason();
   record(reason);
   require_folder();  // what was written in this moment may be somewhere else
-  const std::string more = reason == "end reached" ? "" : "; to go on, run the same command with --resume";
+  const bool in_vain = reason == "time.wall_clock reached" && steps <= first_step_ + 1;
+  const std::string more = reason == "end reached" ? ""
+                           : in_vain ? "; to go on, run the same command with --resume and with more time: this one is "
+                                       "enough for one step of each start"
+                                     : "; to go on, run the same command with --resume";
   progress_->tell(reason + " at t = " + short_text(output_time(), 6) + " after " + std::to_string(steps) +
                   " steps and " + short_text(seconds_.total, 6) + " s" + more + "; the result is in " + options_.out +
                   summary(scalars_.events()));
@@ -205,8 +209,9 @@ std::string Simulation<D, P>::completed() {
 }
 
 template <int D, int P>
-typename Simulation<D, P>::Wish Simulation<D, P>::wish() const {
-  const Wish mine = stop_requested() ? Wish::stop : wall_clock_.over(since_start()) ? Wish::end_in_time : Wish::go_on;
+typename Simulation<D, P>::Wish Simulation<D, P>::wish() {
+  const bool over = wall_clock_.over(since_start()) && !must_step();
+  const Wish mine = stop_requested() ? Wish::stop : over ? Wish::end_in_time : Wish::go_on;
   return static_cast<Wish>(std::lround(ranks::largest(static_cast<double>(mine))));
 }
 

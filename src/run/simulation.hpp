@@ -68,7 +68,9 @@ class Simulation {
   std::string completed();
   /// What all processes are asked to do.
   enum class Wish { go_on, end_in_time, stop };
-  Wish wish() const;
+  Wish wish();
+  /// Whether a run that goes on has not taken a step yet: without one it would come no further, however often it is resumed.
+  bool must_step() { return options_.resume && stepper_.counts().steps == first_step_; }
   std::string stop_reason();
 
   bool at_end() const;

@@ -14,6 +14,9 @@
 namespace softwet {
 namespace {
 
+/// Rates that are zero twice are found with the root of their error.
+constexpr double neutral_rate_of_drift = 1e-2;
+
 [[noreturn]] void give_up_start(const std::string& why) {
   throw Error(Exit::computation_failed,
               "the scene does not come to rest (time.start = \"equilibrium\"): " + why +
@@ -30,8 +33,24 @@ std::string rest_text(const Relaxation& r, double speed) {
          "the largest speed is " + short_text(speed, 2);
 }
 
+/// Whether nothing holds a solid alone along some axis. After a push it drifts for ever.
+bool drifts(const Case& c) {
+  if (c.fluid || !c.substrate) return false;
+  const auto held = [&](int axis) {
+    for (int d = 0; d < c.dimension(); ++d)
+      for (const Side side : c.boundary.side[d])
+        if (holds(side, d == axis)) return true;
+    return false;
+  };
+  for (int axis = 0; axis < c.dimension(); ++axis)
+    if (!held(axis)) return true;
+  return false;
+}
+
 /// What the rate of the fastest mode says of a state.
-std::string stability_text(const Growth& growth) {
+std::string stability_text(const Case& c, const Growth& growth) {
+  if (drifts(c) && (growth.rates.empty() || growth.rates[0].real() < neutral_rate_of_drift))
+    return "neither stable nor unstable: nothing holds the solid along some axis, and after a push it drifts";
   if (!growth.why.empty()) return "whether that is stable is not known: " + growth.why;
   const double rate = growth.rates[0].real();
   const std::string time = short_text(1 / std::abs(rate), 3) + " units of time";
@@ -83,7 +102,7 @@ bool Simulation<D, P>::come_to_rest(State& state) {
 template <int D, int P>
 void Simulation<D, P>::measure_stability(const State& state) {
   growth_ = growth_at_rest<D, P>(model_, case_, state, [&] { return wish() != Wish::go_on; });
-  progress_->tell(stability_text(*growth_));
+  progress_->tell(stability_text(case_, *growth_));
 }
 
 template <int D, int P>

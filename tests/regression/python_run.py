@@ -48,6 +48,7 @@ refused("a value that is none", lambda: softwet.Case({"name": object()}), 0, "nu
 
 # --- cases -------------------------------------------------------------------------------------------------------------
 pull = softwet.Case(PULL_CASE, SETS)
+check_true("a case as a dict", dict(pull)["time"] == pull["time"] and len(dict(pull)) == len(pull) == len(list(pull)))
 check_true("a case has its defaults", pull["domain"]["degree"] == 2 and pull["fluid"]["capillarity"] == 1 / 16 and "load" in pull)
 check_true("warnings", any("field" in warning for warning in softwet.Case(pull, {"time.end": 3}).warnings))
 again = softwet.Case(pull, {"time.end": 9})

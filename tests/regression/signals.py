@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Signals before the first step: a run hears them from its start on, and says what the second one does. The case comes
-from a pipe, at which the run waits while it is signalled. usage: signals.py SOFTWET"""
+from a pipe, at which the run waits while it is signalled. So do `steady`, which nobody has to read, and `bench`.
+usage: signals.py SOFTWET"""
 
 import os
 import pathlib
@@ -14,14 +15,14 @@ from _scene import RIGID, cases, check_true, environment, hears, record, run, so
 CASE = cases / "static_droplet_rigid_2d.toml"
 
 
-def waiting(settings=()):
+def waiting(settings=(), command=("run", "pipe", "--out", "run")):
     """A run that has not read its case yet."""
     shutil.rmtree("run", ignore_errors=True)
     pathlib.Path("pipe").unlink(missing_ok=True)
     os.mkfifo("pipe")
     words = [word for setting in [*RIGID, *settings] for word in ("--set", setting)]
-    process = subprocess.Popen([softwet, "run", "pipe", "--out", "run", "--threads", "1", *words],
-                               stderr=subprocess.PIPE, text=True, env=environment,
+    process = subprocess.Popen([softwet, *command, "--threads", "1", *words],
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment,
                                preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
     end = time.monotonic() + 30
     while not hears(process.pid, signal.SIGTERM) and time.monotonic() < end:
@@ -36,7 +37,7 @@ def waiting(settings=()):
 def fed(process):
     """The run gets its case. @return its message"""
     pathlib.Path("pipe").write_text(CASE.read_text())
-    return process.communicate(timeout=60)[1]
+    return "".join(process.communicate(timeout=60))
 
 
 for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU):
@@ -73,3 +74,20 @@ message = fed(process)
 check_true("stopped before it is at rest: exit code 0", process.returncode == 0, f"{process.returncode} {message}")
 check_true("stopped before it is at rest: says so", "before the scene was at rest" in message, message)
 check_true("stopped before it is at rest: no folder", not os.path.exists("run"))
+
+for command, told in ((("steady", "pipe", "--out", "run"), "before the scene was at rest"), (("bench", "pipe"), "the lines above are complete")):
+    for number in (signal.SIGINT, signal.SIGTERM):
+        process = waiting(command=command)
+        process.send_signal(number)
+        message = fed(process)
+        name = f"{command[0]}, {number.name}"
+        check_true(f"{name}: exit code 0", process.returncode == 0, f"{process.returncode} {message}")
+        check_true(f"{name}: says so", "softwet: stopping" in message and "stopped by user" in message and told in message, message)
+        check_true(f"{name}: no folder", not os.path.exists("run"))
+
+# Nobody reads what a search for the state of rest says.
+process = waiting(command=("steady", "pipe", "--out", "run"))
+process.stdout.close()
+process.stderr.close()
+pathlib.Path("pipe").write_text(CASE.read_text())
+check_true("steady outlives its reader", process.wait(timeout=60) == 0 and record("run")["stop"]["reason"] == "at rest")

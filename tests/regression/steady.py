@@ -78,20 +78,31 @@ steady("solid_layer_2d", "layer", LAYER)
 check("a solid alone is at rest", record("layer")["rest"]["residual_over_round_off"], 8)
 check_true("and its load acts", last("layer")["energy_elastic"] > 0, str(last("layer")))
 
-# --- a load without a ramp, the default, has the same state as one with a ramp; a body that it pushes and nothing holds has none
+# --- a load without a ramp, the default, has the same state as one with a ramp
 for ramp in (0, 1):
     steady("tensotaxis_pull_2d", f"ramp_{ramp}", [*SMALL, "load.start=0", f"load.ramp={ramp}"])
 sudden, slow = last("ramp_0"), last("ramp_1")
 check("without a ramp: place of the droplet", abs(sudden["x_centre"] - slow["x_centre"]), 1e-7)
 check("without a ramp: elastic energy, relative", abs(sudden["energy_elastic"] / slow["energy_elastic"] - 1), 1e-6)
 check_true("the load moves the droplet", sudden["x_centre"] > 0.6, str(sudden["x_centre"]))
-pathlib.Path("pushed.toml").write_text("""
-name = "pushed"
+
+# --- a body that nothing holds: after a push it drifts, and no disturbance grows by itself; one that a load pushes has no state of rest
+pathlib.Path("body.toml").write_text("""
+name = "body"
 domain = { size = [1.0, 0.5], elements = [8, 4] }
 substrate = { thickness = 0.5, young = 1.0, poisson = 0.3 }
 boundary = { left = "free", right = "free", bottom = "free", top = "free" }
 time = { end = 1.0 }
-load = [ { box = [[0.2, 0.1], [0.5, 0.4]], force = [0.01, 0.0] } ]
+output = { fields = { times = [] } }
+""")
+said = steady("body.toml", "body")
+check_true("a body that nothing holds", "neither stable nor unstable: nothing holds the solid" in said, said)
+said = steady("body.toml", "held", ['boundary.bottom="clamped"'])
+check_true("one that a side holds", "nothing holds" not in said and "not stable" not in said, said)
+pathlib.Path("pushed.toml").write_text(pathlib.Path("body.toml").read_text() + """
+[[load]]
+box = [[0.2, 0.1], [0.5, 0.4]]
+force = [0.01, 0.0]
 """)
 said = steady("pushed.toml", "pushed", code=2)
 check_true("a body that is pushed is not at rest", "no state of rest was found" in said, said)

@@ -90,6 +90,11 @@ for setting, parts in (("substrate.young=1 + 2*foo", ["column 7", "'foo' is not 
     answer = ask("check", str(cases / "tensotaxis_pull_2d.toml"), "--set", setting)
     check_true(f"{setting} is refused", answer.returncode == 1 and all(part in answer.stderr for part in parts), answer.stderr)
 
+pathlib.Path("pictures").mkdir(exist_ok=True)
+answer = ask("check", str(cases / "solid_layer_2d.toml"), "--picture", "pictures")
+check_true("a picture that is a folder is refused", answer.returncode == 1 and "pictures/scene.png" in answer.stderr and
+           not answer.stdout, answer.stderr)
+
 # From the result of another run: on the same mesh and on one of half the elements' size the fields are the same functions.
 SOFT = ["fluid.capillarity=1/16", "output.fields.times=[0]"]
 run("static_droplet_soft_2d", "rest", [*SOFT, "domain.elements=[32,16]", "time.end=2"])
@@ -112,6 +117,14 @@ for time, row in ((0, 0), (2, -1)):
     for key in ("mass", "energy_total", "energy_elastic", "energy_kinetic"):
         bound = 1e-6 * (abs(then["energy_total"][-1]) if key.startswith("energy") else then["mass"][-1])
         check(f"t = {time}: {key}", abs(first[key][0] - then[key][row]), bound)
+# Of a run whose table is gone.
+gone = pathlib.Path("gone.csv")
+gone.write_text("x,value\n0,1\n1,2\n")
+run("solid_layer_2d", "gone", [*LAYER, "time.end=0.5", f"substrate.young={gone.resolve()}"])
+gone.unlink()
+run("solid_layer_2d", "after_gone", [*LAYER, "time.end=0.01", "initial.from=gone", "load.force=[0,0]"])
+then, first = history("gone")["energy_kinetic"][-1], history("after_gone")["energy_kinetic"][0]
+check("from a run whose table is gone: kinetic energy", abs(first / then - 1), 1e-9)
 begin = history("from_64")
 check_true("time begins anew", begin["t"][0] == 0)
 for settings, parts in ((["initial.from=nowhere"], ["initial.from", "nowhere/case.toml"]),

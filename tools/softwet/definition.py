@@ -95,6 +95,13 @@ class Case:
     def __iter__(self):
         return iter(self._tables)
 
+    def __len__(self):
+        return len(self._tables)
+
+    def keys(self):
+        """Names of the tables and of the keys beside them, so that dict(case) has them all."""
+        return self._tables.keys()
+
     def run(self, out=None, threads=None, progress=True, overwrite=False, resume=False):
         """Computes the case: see softwet.run. @return Run"""
         folder = pathlib.Path(out if out is not None else f"out/{self['name']}")

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "cli/core/bench_stop.hpp"
 #include "cli/core/configurations.hpp"
 #include "cli/core/kernel_counts.hpp"
 #include "model/initial.hpp"
@@ -18,7 +19,8 @@
 namespace softwet {
 namespace {
 
-/// Shortest mean time of a call, over a few rounds of about 0.1 s; of several processes, that of the slowest.
+/// Shortest mean time of a call, over a few rounds of about 0.1 s; of several processes, that of the slowest. Throws
+/// BenchStopped.
 template <class Work>
 double seconds_per_call(const Work& work) {
   using Clock = std::chrono::steady_clock;
@@ -28,6 +30,7 @@ double seconds_per_call(const Work& work) {
     Kokkos::fence();
     return std::chrono::duration<double>(Clock::now() - start).count() / calls;
   };
+  go_on_with_bench();
   round(1);
   const int calls = std::max(1, static_cast<int>(0.1 / ranks::largest(round(1))));  // all processes make as many
   double best = std::numeric_limits<double>::max();
@@ -141,7 +144,10 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   State start = initial_state<D, P>(c, model);
   stepper.scheme().initialise(start);
   stepper.start(start);
-  for (int i = 0; i < 40; ++i) stepper.step();
+  for (int i = 0; i < 40; ++i) {
+    go_on_with_bench();
+    stepper.step();
+  }
   Case mixed = c;
   mixed.solver.precision = "mixed";
   const Model<D, P> both(mixed);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "cli/core/bench_stop.hpp"
 #include "model/initial.hpp"
 #include "run/machine.hpp"
 #include "solver/choose.hpp"
@@ -108,6 +109,7 @@ std::string table_row(const std::string& name, Preconditioner& preconditioner, S
   double build = 0, seconds = 0;
   int all = 0;
   const auto count = [&](double tolerance, Answer answer = Answer::renewed) {
+    go_on_with_bench();
     KrylovResult result;
     seconds += seconds_of([&] { result = system.solve(preconditioner, tolerance, answer); });
     all += result.iterations;
@@ -145,7 +147,10 @@ void compare_preconditioners(const Case& asked, std::ostream& out) {
   stepper.scheme().initialise(start);
   stepper.start(start);
   const int steps = std::min<long>(most_steps, c.time.max_steps);
-  for (int i = 0; i < steps; ++i) stepper.step();
+  for (int i = 0; i < steps; ++i) {
+    go_on_with_bench();
+    stepper.step();
+  }
   const int unknowns = model.layout().whole_patch().size();
   out << c.name << ": " << unknowns << " unknowns, " << thread_count() << " threads, after " << steps
       << " steps, t = " << stepper.state().time << "\n"

@@ -7,6 +7,7 @@
 
 #include <softwet_version.hpp>
 #include "cli/core/bench.hpp"
+#include "cli/core/bench_stop.hpp"
 #include "cli/core/bench_variants.hpp"
 #include "cli/core/configurations.hpp"
 #include "cli/core/describe.hpp"
@@ -97,7 +98,11 @@ void bench_case(const Case& given, const RunOptions& options, std::ostream& out)
       using Chosen = decltype(configuration);
       const auto measure = options.preconditioners ? compare_preconditioners<Chosen::dimension, Chosen::degree>
                                                    : bench_model<Chosen::dimension, Chosen::degree>;
-      measure(c, out);
+      try {
+        measure(c, out);
+      } catch (const BenchStopped&) {
+        out << "stopped by user; the lines above are complete" << std::endl;
+      }
     });
   });
 }

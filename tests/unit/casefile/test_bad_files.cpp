@@ -91,11 +91,16 @@ TEST(BadCases, ClearMistakesInTheSyntaxAreCalledByTheirName) {
   told("ramp = .5", {"load[0].ramp = .5", "digits on both sides", "ramp = 0.5"});
   told("ramp = 5 s", {"load[0].ramp = 5 s", "no units", "ramp = 5 ", "softwet units"});
   told("ramp =", {"load[0].ramp", "has no value"});
+  told("factor = sin(2*t)", {"load[0].factor = sin(2*t)", "stands in quotes", "factor = \"sin(2*t)\""});
+  told("factor = 2 per unit", {"load[0].factor = 2 per unit", "no units"});
+  told("path = [0.05*t, max(0, t)]",
+       {"load[0].path = [0.05*t, max(0, t)]", "stands in quotes", "path = [\"0.05*t\", \"max(0, t)\"]"});
   told("ramp: 5", {"load[0].ramp", "joined by '='", "ramp = 5"});
   EXPECT_NE(message_of(replaced(pull_text(), "left = \"slip\"", "left = slip")).find("left = \"slip\""),
             std::string::npos);
   EXPECT_NE(message_of(replaced(pull_text(), "force = [0.16215, 0.0]", "force = [1/8, 0.0]")).find("[\"1/8\", 0.0]"),
             std::string::npos);
+  EXPECT_NE(message_of(pull_text(), {"load.path=[0.05*t,0]"}).find("write path = [\"0.05*t\", 0]"), std::string::npos);
   EXPECT_NE(message_of(pull_text(), {"load.ramp=0,5"}).find("write ramp = 0.5"), std::string::npos);
   EXPECT_NE(message_of(pull_text(), {"droplet.centre=[0,5, 0,125]"}).find("a comma begins the next number"),
             std::string::npos);

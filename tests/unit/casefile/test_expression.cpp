@@ -33,6 +33,9 @@ TEST(Expression, HasVariablesConstantsAndFunctions) {
   EXPECT_DOUBLE_EQ(value("step((x - 0.25)/0.01)"), 0.5);
   EXPECT_DOUBLE_EQ(value("step(x/0.1)"), 0.5 + 0.5 * std::tanh(2.5));
   EXPECT_DOUBLE_EQ(value("ln(exp(3)) + log10(100)"), 5);
+  EXPECT_DOUBLE_EQ(value("log(exp(3)) + 10*log2(8)"), 33);
+  EXPECT_DOUBLE_EQ(value("sum(x, 1, 2) + 10*avg(1, 2, 6)"), 33.25);
+  EXPECT_DOUBLE_EQ(value("asinh(sinh(2)) + acosh(cosh(2)) + atanh(tanh(0.5))"), 4.5);
 }
 
 TEST(Expression, TellsWhetherItVaries) {

@@ -68,6 +68,27 @@ TEST_F(GridTableFile, Hdf5HoldsTheSameFunction) {
   EXPECT_EQ(binary.at({0.3, 1.2, 0}, 0), text.at({0.3, 1.2, 0}, 0));
 }
 
+TEST_F(GridTableFile, WrittenByASpreadsheetIsTheSame) {
+  const std::string plain = GridTable(file("t,value\n0,1\n1,2.5\n"), time_alone).identity();
+  for (const std::string text :
+       {"\xef\xbb\xbft,value\r\n0,1\r\n1,2.5\r\n", "t;value\n0;1\n1;2.5\n", "t\tvalue\n0\t1\n1\t2.5\n",
+        "t,value\r0,1\r1,2.5\r", "\"t\",\"value\"\n0,1\n1,2.5\n", "# pulses\nt;value\n0;1\n1;2.5"})
+    EXPECT_EQ(GridTable(file(text), time_alone).identity(), plain) << text;
+}
+
+TEST_F(GridTableFile, TellsWhatIsNoTextInUtf8) {
+  using namespace std::string_literals;
+  for (const std::string& text : {"\xff\xfet\0,\0v\0\n\0"s, "\xfe\xff\0t\0,\0v\0\n"s, "t\0,\0v\0\n\0"s})
+    EXPECT_NE(told(file(text), time_alone).find("table.csv:1: the file is in UTF-16; save the table as CSV in UTF-8"),
+              std::string::npos);
+  EXPECT_NE(told(file("PK\x03\x04\x14"), time_alone).find("a workbook of Excel"), std::string::npos);
+  EXPECT_NE(told(file("t;value\n0,5;1\n"), time_alone).find("'0,5' is no number; decimal numbers have a point"),
+            std::string::npos);
+  for (const char* name : {"table.xlsx", "a/b.txt", "TABLE.CSV"}) EXPECT_TRUE(GridTable::is_other_file(name)) << name;
+  for (const char* name : {"table.csv", "table.h5", "2*x", ".xlsx"})
+    EXPECT_FALSE(GridTable::is_other_file(name)) << name;
+}
+
 TEST_F(GridTableFile, IdentityFollowsFromTheValues) {
   const std::string one = GridTable(file("x,value\n0,1\n1,2\n"), space).identity();
   EXPECT_EQ(GridTable(file("x,value\n1,2\n0,1\n"), space).identity(), one);

@@ -165,8 +165,46 @@ TEST(Profiles, ACheckpointOfAnOlderProgramHasNoFactor) {
   EXPECT_NO_THROW(check_fingerprint("checkpoint.h5", stored, c));
 }
 
+TEST(Profiles, AContactAngleThatJumpsIsWarnedOf) {
+  const auto told = [](const std::string& angle) {
+    const auto found = warnings(pull_with({"fluid.wall_law=energy", "fluid.contact_angle=" + angle}));
+    return found.empty() ? std::string() : found.front();
+  };
+  EXPECT_NE(told("x < 0.3 ? 60 : 100").find("fluid.contact_angle jumps by 40 degrees at x = 0.3,"), std::string::npos)
+      << told("x < 0.3 ? 60 : 100");
+  for (const char* smooth : {"60 + 40*step((x - 0.3)/h)", "60 + 40*x", "x < 0.3 ? 60 : 60.5", "75"})
+    EXPECT_EQ(told(smooth), "") << smooth;
+}
+
+TEST(Profiles, ATableOverTimeWithManyPointsIsWarnedOf) {
+  const ScratchFolder folder;
+  const auto told = [&](int points) {
+    std::string table = "t,value\n";
+    for (int i = 0; i < points; ++i) table += std::to_string(0.001 * (i + 1)) + ",1\n";
+    overwrite(folder / "pulses.csv", table);
+    const auto found = warnings(pull_with({"load.factor=" + (folder / "pulses.csv")}));
+    return found.empty() ? std::string() : found.front();
+  };
+  EXPECT_NE(told(20000).find("load[0].factor is a table with 20000 points before time.end, and a step ends at each"),
+            std::string::npos);
+  EXPECT_EQ(told(1000), "");
+}
+
+TEST(Profiles, ASceneIsReadWithoutItsTables) {
+  const ScratchFolder folder;
+  overwrite(folder / "young.csv", "x,value\n0,1\n1,2\n");
+  const Case c = pull_with({"substrate.young=" + (folder / "young.csv")});
+  overwrite(folder / "case.toml", write_case(c));
+  std::filesystem::remove(folder / "young.csv");
+  expect_error(Exit::invalid_input, {"young.csv cannot be read"}, [&] { read_case(folder / "case.toml"); });
+  const Case scene = read_scene(folder / "case.toml");
+  EXPECT_EQ(scene.domain.elements, c.domain.elements);
+  EXPECT_EQ(scene.substrate->thickness, c.substrate->thickness);
+}
+
 TEST(Profiles, ExplainTellsWhatIsKnown) {
-  for (const char* part : {"x, y", "Lx", "H (substrate.thickness)", "step(s)", ".csv", "default 90", "(0, 180)"})
+  for (const char* part : {"x, y", "Lx", "H (substrate.thickness)", "step(s)", "log (both of base e)", "avg", ".csv",
+                           "default 90", "(0, 180)"})
     EXPECT_NE(explain("fluid.contact_angle").find(part), std::string::npos) << part;
   EXPECT_NE(explain("load.factor").find("the time t"), std::string::npos);
   EXPECT_EQ(explain("fluid.viscosity").find(".csv"), std::string::npos);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+
 #include "unit/model/scenes.hpp"
 
 namespace softwet::testing_tools {
@@ -19,7 +22,28 @@ Case soft() {
 bool blames(const std::string& advice, const std::string& what) { return advice.find(what) != std::string::npos; }
 
 TEST(Remedy, BlamesASoftSolidWhereTheSettingsAreUsual) {
-  for (auto cause : {Refusal::newton, Refusal::solid_inverted}) EXPECT_TRUE(blames(remedy(soft(), {cause}), "young"));
+  for (auto cause : {Refusal::newton, Refusal::solid_inverted})
+    EXPECT_TRUE(blames(remedy(soft(), {cause}, 0), "young"));
+}
+
+/// A number until a time, and none from then on.
+struct EndsAt final : Formula {
+  explicit EndsAt(double end) : last(end) {}
+  double at(const std::array<double, 3>&, double t) const override { return std::sqrt(last - t); }
+  double last;
+};
+
+TEST(Remedy, ALoadThatIsNoNumberIsCalledByItsName) {
+  Case c = soft();
+  c.loads.resize(2);
+  for (Load& load : c.loads) load.factor = 1;
+  c.loads[1].factor.formula = std::make_shared<EndsAt>(3);
+  EXPECT_TRUE(blames(remedy(c, {Refusal::not_finite}, 3), "load[1].factor is no number after t = 3"));
+  EXPECT_FALSE(blames(remedy(c, {Refusal::not_finite}, 2), "load[1]"));
+  c.loads[1].factor = 1;
+  c.loads[0].path = {Profile(0), Profile(0)};
+  c.loads[0].path[1].formula = std::make_shared<EndsAt>(3);
+  EXPECT_TRUE(blames(remedy(c, {Refusal::newton}, 3), "load[0].path is no number after t = 3"));
 }
 
 TEST(Remedy, ASoftSolidIsBroughtToRestBeforeItIsMadeStiffer) {
@@ -40,11 +64,11 @@ TEST(Remedy, UnusualSettingsComeFirst) {
     few.solver.newton_max = 2;
     long_steps.time.dt_min = 0.6;
     linear.solver.krylov_max = 3;
-    EXPECT_TRUE(blames(remedy(loose, {cause}), "solver.newton.rtol = 0.5 (default 0.001)"));
-    EXPECT_TRUE(blames(remedy(few, {cause}), "solver.newton.max = 2 (default 10)"));
-    EXPECT_TRUE(blames(remedy(long_steps, {cause}), "time.dt_min = 0.6 (default 1e-08)"));
-    EXPECT_TRUE(blames(remedy(linear, {cause}), "solver.krylov.max = 3 (default 200)"));
-    for (const Case& c : {loose, few, long_steps, linear}) EXPECT_FALSE(blames(remedy(c, {cause}), "young"));
+    EXPECT_TRUE(blames(remedy(loose, {cause}, 0), "solver.newton.rtol = 0.5 (default 0.001)"));
+    EXPECT_TRUE(blames(remedy(few, {cause}, 0), "solver.newton.max = 2 (default 10)"));
+    EXPECT_TRUE(blames(remedy(long_steps, {cause}, 0), "time.dt_min = 0.6 (default 1e-08)"));
+    EXPECT_TRUE(blames(remedy(linear, {cause}, 0), "solver.krylov.max = 3 (default 200)"));
+    for (const Case& c : {loose, few, long_steps, linear}) EXPECT_FALSE(blames(remedy(c, {cause}, 0), "young"));
   }
 }
 
@@ -52,7 +76,7 @@ TEST(Remedy, SettingsOfNewtonsMethodDoNotConcernExplicitSchemes) {
   Case c = soft();
   c.time.scheme = "ssp_rk3";
   c.solver.newton_max = 2;
-  EXPECT_FALSE(blames(remedy(c, {Refusal::negative_density}), "newton"));
+  EXPECT_FALSE(blames(remedy(c, {Refusal::negative_density}, 0), "newton"));
 }
 
 }  // namespace
