@@ -67,8 +67,9 @@ const std::string body_array = "history/bodies", event_times = "history/event_ti
 void read_bodies(const SavedEntries& file, const Case& c, SavedRun& run) {
   const std::vector<double> numbers = file.array(body_array, body_numbers * bodies_of(c).size());
   for (auto n = numbers.begin(); n != numbers.end(); n += body_numbers) {
-    if (n[3] < 0 || n[3] > all_touched)
-      file.refuse(body_array, fmt::format("has the sides {}", n[3]), fmt::format("a number in [0, {}]", all_touched));
+    if (!(n[3] >= 0 && n[3] <= all_touched) || (static_cast<unsigned>(n[3]) & ~all_touched) != 0)
+      file.refuse(body_array, fmt::format("has the sides {}", n[3]),
+                  fmt::format("a sum of bits of {} for the sides and ends that a body has reached", all_touched));
     run.bodies.push_back({{n[0], n[1], n[2]}, static_cast<unsigned>(n[3]), n[4] != 0, n[5] != 0, n[6] != 0, n[7] != 0});
   }
 }
