@@ -151,7 +151,9 @@ void Simulation<D, P>::run() {
     if (error.code() == Exit::machine_failed && ranks::count() == 1)
       require_folder();  // somebody may have moved it while a file was being written
     if (error.code() != Exit::computation_failed) throw;
-    const std::string advice = remedy(case_, stepper_.counts().last_rejection, output_time()), failure = error.what();
+    Case asked = case_;
+    if (options_.steady) asked.time.start = "equilibrium";  // what it looks for
+    const std::string advice = remedy(asked, stepper_.counts().last_rejection, output_time()), failure = error.what();
     throw Error(error.code(), failure + "; " + advice + "; the last good state, that of t = " +
                                   short_text(output_time(), 6) + ", " + keep_after(failure));
   } catch (const std::exception& error) {               // memory or the device: the state is still the last good one

@@ -48,13 +48,13 @@ TEST(Remedy, ALoadThatIsNoNumberIsCalledByItsName) {
 
 TEST(Remedy, ASoftSolidIsBroughtToRestBeforeItIsMadeStiffer) {
   Case c = soft();
-  const std::string advice = remedy(c, {Refusal::solid_inverted});
+  const std::string advice = remedy(c, {Refusal::solid_inverted}, 0);
   for (const char* part : {"time.start = \"equilibrium\"", "softwet steady", "substrate.viscosity"})
     EXPECT_LT(advice.find(part), advice.find("raise substrate.young")) << part;
   c.time.start = "equilibrium";
-  EXPECT_FALSE(blames(remedy(c, {Refusal::solid_inverted}), "time.start")) << "it does so already";
+  EXPECT_FALSE(blames(remedy(c, {Refusal::solid_inverted}, 0), "time.start")) << "it does so already";
   c.substrate->young = 1e3;
-  EXPECT_FALSE(blames(remedy(c, {Refusal::solid_inverted}), "substrate.viscosity")) << "it is not soft";
+  EXPECT_FALSE(blames(remedy(c, {Refusal::solid_inverted}, 0), "substrate.viscosity")) << "it is not soft";
 }
 
 TEST(Remedy, UnusualSettingsComeFirst) {
