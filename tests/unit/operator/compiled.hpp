@@ -8,9 +8,19 @@
 #include "kernels/solid/surface_tension.hpp"
 #include "patch.hpp"
 
-#define SOFTWET_COMPILED(D, TERM, MOTION)                                                          \
-  extern template class softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, double>, double>; \
-  extern template class softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, float>, float>;
+// The members that are no part of the class, one by one: compilers need not inline the others.
+#define SOFTWET_COMPILED_IN(D, TERM, MOTION, REAL)                                                      \
+  extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, REAL>, REAL>::residual( \
+      const softwet::Evaluation<D, REAL>&) const;                                                       \
+  extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, REAL>, REAL>::product(  \
+      const softwet::Evaluation<D, REAL>&) const;
+#define SOFTWET_COMPILED(D, TERM, MOTION)                                                                        \
+  SOFTWET_COMPILED_IN(D, TERM, MOTION, double)                                                                   \
+  SOFTWET_COMPILED_IN(D, TERM, MOTION, float)                                                                    \
+  extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, double>, double>::add_integrals( \
+      const softwet::Evaluation<D, double>&, softwet::Integrals&) const;                                         \
+  extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, float>, float>::jacobian(        \
+      const softwet::Evaluation<D, float>&, const softwet::Stencil<D>&, const softwet::StencilValues&) const;
 #define SOFTWET_COMPILED_SOLID(D, MATERIAL) SOFTWET_COMPILED(D, Elastodynamics<softwet::MATERIAL>, Still)
 #define SOFTWET_COMPILED_ALL(D, MOTION)                         \
   SOFTWET_COMPILED(D, NavierStokesKorteweg, MOTION)             \
