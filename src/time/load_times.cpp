@@ -63,7 +63,7 @@ void LoadTimes::add_profile(const Load& load, const Profile& profile, double end
     least = std::min(least, e.at(e.times.back()));
     most = std::max(most, e.at(e.times.back()));
   }
-  e.tolerance = std::max(0.005 * (most - least), 2.5e-4 * std::max(std::abs(least), std::abs(most)));
+  e.tolerance = std::max(0.003 * (most - least), 1.5e-4 * std::max(std::abs(least), std::abs(most)));
   expressions_.push_back(std::move(e));
 }
 
@@ -99,8 +99,8 @@ LoadTimes::Reach LoadTimes::Expression::reach(double t, double wish) const {
 /// ones of the same length must fit as well.
 double LoadTimes::Expression::longest(double t, double wish) const {
   const Reach first = reach(t, wish);
-  if (first.dt == wish || first.jump) return first.dt;
-  constexpr int ahead = 8;
+  if (first.jump) return first.dt;
+  constexpr int ahead = 3;
   double dt = first.dt;
   for (int k = 1; k <= ahead; ++k)
     if (const Reach next = reach(t + k * first.dt, dt); !next.jump) dt = std::min(dt, next.dt);

@@ -27,8 +27,8 @@ class LoadTimes {
   const std::vector<Jump>& jumps() const { return jumps_; }
 
   /// The longest step from t, at most `wish`, that does not step over a change of a factor or of a path that is an expression: between
-  /// the ends of the step, and of the next ones of the same length, each stays within 0.005 of its range over the run of the line
-  /// between its values at both ends (or within 0.00025 of its largest value). For sin(w t) that is about w dt < 0.28. Before a jump it
+  /// the ends of the step, and of the next ones of the same length, each stays within 0.003 of its range over the run of the line
+  /// between its values at both ends (or within 0.00015 of its largest value). For sin(w t) that is about w dt < 0.22. Before a jump it
   /// ends there.
   double longest(double t, double wish) const;
   /// Where time goes on from t: behind a jump that is there; else t.

@@ -64,7 +64,7 @@ time = { end = 20.3 }
 output = { fields = { times = [] } }
 """)
 run_file("shaken.toml", "shaken")
-run_file("shaken.toml", "fine", ["time.dt_max=0.01"])
+run_file("shaken.toml", "fine", ["time.dt_max=0.005", "time.dt_initial=0.005"])
 found, fine = history("shaken"), history("fine")
 check_true("the reference has steps of its own", fine["dt"].max() < 0.2 * found["dt"].max(), f"{found['dt'].max():.3g}")
 check("largest elastic energy, relative", abs(found["energy_elastic"].max() / fine["energy_elastic"].max() - 1), 0.1)

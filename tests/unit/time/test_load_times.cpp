@@ -95,7 +95,7 @@ TEST(LoadTimes, StepsResolveAPeriodHoweverLongTheyWouldBe) {
     for (double t = 1; t < 2; t += 0.0371) {
       const double dt = times.longest(t, wish);
       EXPECT_LT(dt, 0.06 * period) << t;
-      EXPECT_GT(dt, 0.03 * period) << t;
+      EXPECT_GT(dt, 0.025 * period) << t;
     }
   EXPECT_EQ(times.longest(1, 0.01), 0.01);
   const LoadTimes slow(loaded(0, 1, [=](double t) { return std::sin(2 * M_PI * t / 1000); }));
