@@ -99,7 +99,7 @@ LoadTimes::Reach LoadTimes::Expression::reach(double t, double wish) const {
 /// ones of the same length must fit as well.
 double LoadTimes::Expression::longest(double t, double wish) const {
   const Reach first = reach(t, wish);
-  if (first.jump) return first.dt;
+  if (first.jump || t + first.dt <= start) return first.dt;
   constexpr int ahead = 3;
   double dt = first.dt;
   for (int k = 1; k <= ahead; ++k)
