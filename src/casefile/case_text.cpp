@@ -91,7 +91,7 @@ std::string initial_case(const std::string& name) {
       "# A droplet on a soft substrate, pulled by a load on the solid. Change what you need, then\n"
       "#   softwet check FILE     shows what will be computed\n"
       "#   softwet run FILE       computes it\n"
-      "#   softwet explain KEY    tells the meaning, range and default of a key\n"
+      "#   softwet explain KEY    shows the meaning, range and default of a key\n"
       "# Numbers may be written as ratios in quotes. Keys with defaults may be removed; tables select the "
       "physics.\n" +
       write_tables(example_scene(), line, [](const Table& table) { return "  # " + table.help; });

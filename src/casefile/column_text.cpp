@@ -102,10 +102,10 @@ std::string reference_page() {
       "This page is written by `softwet explain --markdown`; do not edit it by hand. `softwet explain KEY` and\n"
       "`softwet explain COLUMN` print the same text in the terminal. The symbols are those of "
       "[theory.md](theory.md).\n"
-      "The last sections tell the columns of `history.csv` and `interface.csv`, and the fields of `fields/*.hdf`.\n\n"
+      "The last sections list the columns of `history.csv` and `interface.csv`, and the fields of `fields/*.hdf`.\n\n"
       "## Keys of a case\n\n"
       "Numbers are 0 or between 1e-30 and 1e30 in size. Ratios in quotes (`\"1/256\"`) are numbers too.\n"
-      "[Numbers that vary](varying_numbers.md) tells how expressions and tables look.\n";
+      "[Numbers that vary](varying_numbers.md) shows how expressions and tables look.\n";
   for (const Table& table : tables()) text += key_section(table);
   for (const ColumnTable& table : column_tables()) text += column_section(table);
   return text;

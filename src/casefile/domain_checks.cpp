@@ -170,7 +170,7 @@ bool check_domain(const Checker& check) {
   check_boundary(check);
   check.with({"domain.coordinates"}, [&] {
     if (c.dimension() == 3 && check.document.entries.count("domain.coordinates"))
-      check.refuse("domain.coordinates", "exists in 2D only, where it tells what the two axes are", "remove it");
+      check.refuse("domain.coordinates", "exists in 2D only, where it says what the two axes are", "remove it");
   });
   if (c.axisymmetric() && c.dimension() == 2) {
     check.with({"domain.coordinates", "boundary", "fluid", "substrate", "load", "droplet"},

@@ -152,7 +152,7 @@ Json with_keys(const Table& table, const std::string& help) {
 }  // namespace
 
 std::string json_schema() {
-  Json root = with_keys(*find_table(""), "A scene of softwet; 'softwet check' tells what this schema cannot.");
+  Json root = with_keys(*find_table(""), "A scene of softwet; 'softwet check' finds what this schema cannot.");
   root["$schema"] = "http://json-schema.org/draft-07/schema#";
   root["title"] = "a case of softwet";
   for (const Table& table : tables()) {

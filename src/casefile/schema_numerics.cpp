@@ -28,10 +28,10 @@ Key side_key(const char* name, Pair pair, std::size_t end, const char* help, con
 std::vector<Key> boundary_keys() {
   std::vector<Key> keys{
       side_key("boundary.left", Pair::left_right, 0,
-               "Low end of the first axis; periodic only together with right. 'softwet explain boundary' tells what "
+               "Low end of the first axis; periodic only together with right. 'softwet explain boundary' shows what "
                "each kind prescribes."),
       side_key("boundary.right", Pair::left_right, 1,
-               "High end of the first axis; periodic only together with left. 'softwet explain boundary' tells what "
+               "High end of the first axis; periodic only together with left. 'softwet explain boundary' shows what "
                "each kind prescribes."),
       side_key("boundary.front", Pair::front_back, 0,
                "Low end of the second axis in 3D; periodic only together with back."),
@@ -68,7 +68,7 @@ std::vector<Key> time_keys() {
            "Mass matrices of the explicit schemes. lumped takes their row sums: the error in space is of second order. "
            "corrected follows that by three products with the masses, which takes nearly all of this error away and "
            "makes steps 1.6 to 1.9 times shorter. consistent solves with the masses by conjugate gradients: many "
-           "times dearer, to compare with. In violent flow of a thin vapour, where rkl2 takes steps that are many "
+           "times more expensive, to compare with. In violent flow of a thin vapour, where rkl2 takes steps that are many "
            "times "
            "longer than viscosity allows, corrected masses let the density fall below zero; lumped ones do not.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.mass; }),
@@ -216,7 +216,7 @@ std::vector<Key> solver_keys() {
            "method, with their products of the Jacobian and their vectors, are in single precision. The results have "
            "the accuracy of double. single: the residuals are in single precision too, which limits how far Newton's "
            "method gets. States, integrals and the mass are always in double precision, and preconditioners "
-           "in single. docs/performance.md tells what each of them costs and where it ends.",
+           "in single. docs/performance.md shows what each of them costs and where it ends.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.precision; })},
   };
 }

@@ -67,7 +67,7 @@ std::vector<Key> domain_keys() {
        .kind = Kind::choice,
        .choices = {"everywhere", "automatic", "box"},
        .help = "Where elements have the length domain.size / domain.elements. Elsewhere they grow towards the sides. "
-               "\"automatic\" chooses a box from droplets and loads; softwet check and case.toml tell which.",
+               "\"automatic\" chooses a box from droplets and loads; softwet check and case.toml show which.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.grading.fine; }),
        .default_note = "\"everywhere\"; \"box\" where a box is given"},
       {.name = "domain.grading.box",

@@ -43,7 +43,7 @@ std::string list_for(const std::string& name) {
   const std::string first = name.substr(0, dot);
   for (const Table& table : tables())
     if (dot != std::string::npos && !first.empty() && plain(table.name) == plain(first))
-      return fmt::format("{}{} has the keys {}; 'softwet explain {}' tells what they mean",
+      return fmt::format("{}{} has the keys {}; 'softwet explain {}' shows what they mean",
                          owner_of(name.substr(dot + 1)), header_of(table), keys_of(table), plain(first));
   std::string list;
   for (const Table& table : tables())
@@ -59,12 +59,12 @@ Suggestion suggest(const std::string& name, const std::vector<std::string>& othe
   const std::string nearest = nearest_name(name, known);
   if (nearest.empty()) return {"", list_for(name)};
   if (const Key* key = find_key(nearest))
-    return {nearest, fmt::format("did you mean {} (for example {} = {})? 'softwet explain {}' tells what it means",
+    return {nearest, fmt::format("did you mean {} (for example {} = {})? 'softwet explain {}' shows what it means",
                                  nearest, key->leaf(), example_text(*key), nearest)};
   if (std::find(others.begin(), others.end(), nearest) != others.end())
-    return {nearest, fmt::format("did you mean {}? 'softwet explain {}' tells what it means", nearest, nearest)};
+    return {nearest, fmt::format("did you mean {}? 'softwet explain {}' shows what it means", nearest, nearest)};
   const Table* table = find_table(nearest) ? find_table(nearest) : find_table(nearest + "[]");
-  return {nearest, fmt::format("did you mean the table {}? 'softwet explain {}' tells what it holds", header_of(*table),
+  return {nearest, fmt::format("did you mean the table {}? 'softwet explain {}' shows what it holds", header_of(*table),
                                nearest)};
 }
 

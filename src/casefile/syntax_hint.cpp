@@ -111,7 +111,7 @@ std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& lea
                                   found.length(3) ? found.str(3) : "0", found.str(4))};
   if (std::regex_match(value, found, unit))
     return SyntaxHint{key, value, "is a number and something else; numbers of a case have no units behind them",
-                      fmt::format("write {} = {} in the unit that 'softwet explain' tells; 'softwet units' converts",
+                      fmt::format("write {} = {} in the unit that 'softwet explain' gives; 'softwet units' converts",
                                   leaf, found.str(1))};
   if (std::regex_match(value, word))
     return SyntaxHint{key, value, "text stands in quotes", fmt::format("write {} = {}", leaf, in_quotes(value))};

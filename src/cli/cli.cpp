@@ -43,7 +43,7 @@ struct Request {
 
 void add_explain(CLI::App& app, Request& request) {
   CLI::App& command =
-      *app.add_subcommand("explain", "tell the meaning of the keys of a case and of the columns of its tables");
+      *app.add_subcommand("explain", "show the meaning of the keys of a case and of the columns of its tables");
   CLI::Option* key =
       command.add_option("TOPIC", request.key,
                          "a key, a table or a column: fluid.viscosity, load, history, history.mass; default: all keys");
@@ -109,12 +109,12 @@ void help_command(const CLI::App& app, const std::string& command) {
 
 /// Commands that tell of the program itself.
 void add_answers(CLI::App& app, Request& request) {
-  app.add_subcommand("info", "tell version, backend and compiled configurations")->callback([] {
+  app.add_subcommand("info", "print version, backend and compiled configurations")->callback([] {
     describe_build(std::cout);
   });
-  app.add_subcommand("version", "tell version and commit")->callback([] { std::cout << version_line() << "\n"; });
+  app.add_subcommand("version", "print version and commit")->callback([] { std::cout << version_line() << "\n"; });
 
-  CLI::App& help = *app.add_subcommand("help", "tell the commands, or the options of one command");
+  CLI::App& help = *app.add_subcommand("help", "list the commands, or the options of one command");
   help.add_option("COMMAND", request.command, "command to explain; default: all commands in a line each")
       ->type_name("");
   help.callback([&app, &request] { help_command(app, request.command); });
@@ -203,7 +203,7 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const Error& error) {
     return report(error.code(), error.what());
   } catch (const std::bad_alloc&) {
-    return report(Exit::machine_failed, "out of memory; 'softwet check CASE' tells how much a case needs");
+    return report(Exit::machine_failed, "out of memory; 'softwet check CASE' shows how much a case needs");
   } catch (const std::filesystem::filesystem_error& error) {
     return report(Exit::machine_failed, error.what());
   } catch (const std::exception& error) {

@@ -94,7 +94,7 @@ std::string manual_page(const CLI::App& app) {
       section("DESCRIPTION") + roff_text(app.get_description()) +
       "\nA case file in TOML describes a scene. The command run computes it and writes an output folder with tables, "
       "field files for ParaView, a record of the run and a checkpoint. "
-      "'softwet explain history' and 'softwet explain interface' tell the columns of the tables.\n";
+      "'softwet explain history' and 'softwet explain interface' list the columns of the tables.\n";
   text += section("COMMANDS");
   for (const CLI::App* command : app.get_subcommands({})) text += command_text(*command);
   text += section("CASE FILES") +

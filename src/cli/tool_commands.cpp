@@ -94,7 +94,7 @@ void add_tradeoff(CLI::App& app, std::vector<std::string>& words) {
 }
 
 void add_status(CLI::App& app, std::vector<std::string>& words) {
-  CLI::App& command = *app.add_subcommand("status", "tell in one line how a run stands");
+  CLI::App& command = *app.add_subcommand("status", "print in one line how a run stands");
   ToolOptions(command, words).names("OUT", "output folders of softwet run, or of softwet sweep")->required();
   command.callback([&words] { start_tool({"status", {}}, words); });
 }

@@ -22,7 +22,7 @@ Outcome outcome_of(const std::function<void()>& work) {
   } catch (const Error& error) {
     return {error.code(), error.what()};
   } catch (const std::bad_alloc&) {
-    return {Exit::machine_failed, "out of memory; 'softwet check CASE' tells how much a case needs"};
+    return {Exit::machine_failed, "out of memory; 'softwet check CASE' shows how much a case needs"};
   } catch (const std::exception& error) {
     return {Exit::machine_failed, error.what()};
   }

@@ -56,7 +56,7 @@ ParallelRuntime::ParallelRuntime(int threads) {
     Kokkos::initialize(settings);
   } catch (const std::exception& error) {
     throw Error(Exit::machine_failed, std::string("the backend ") + Exec::name() + " does not start: " + error.what() +
-                                          "; 'softwet info' tells what this build needs");
+                                          "; 'softwet info' prints what this build needs");
   }
   reserve_team_scratch();
   if (openblas_set_num_threads) openblas_set_num_threads(1);

@@ -35,7 +35,7 @@ void on_machine(int threads, const Work& work) {
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw Error(Exit::machine_failed, "out of memory; 'softwet check CASE' tells how much a case needs");
+    throw Error(Exit::machine_failed, "out of memory; 'softwet check CASE' shows how much a case needs");
   } catch (const std::runtime_error& error) {
     throw backend_error(error.what());
   }
