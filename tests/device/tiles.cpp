@@ -1,0 +1,15 @@
+// The tile kernels whose instructions loops.py counts: the fluid on a moving mesh.
+#include "kernels/fluid/navier_stokes_korteweg.hpp"
+#include "model/piece.hpp"
+
+namespace softwet {
+
+template <int D, class Real>
+using Fluid = PieceOf<D, 2, NavierStokesKorteweg, WallMotion<D, Real>, Real>;
+
+template void Fluid<2, double>::residual(const Evaluation<2, double>&) const;
+template void Fluid<3, double>::residual(const Evaluation<3, double>&) const;
+template void Fluid<2, float>::product(const Evaluation<2, float>&) const;
+template void Fluid<3, float>::product(const Evaluation<3, float>&) const;
+
+}  // namespace softwet
