@@ -136,12 +136,6 @@ void check_joint(const Checker& check) {
   if (std::abs(nearest - joint) > slack * thickness)
     check.refuse("substrate.joint", "must be the end of a row of elements",
                  fmt::format("write joint = {:.10g}, or change domain.elements", nearest));
-  if (c.time.scheme != implicit_scheme)
-    check.refuse("substrate.joint",
-                 fmt::format("needs time.scheme = \"{}\", not \"{}\": the largest explicit step at a "
-                             "joint is not known",
-                             implicit_scheme, c.time.scheme),
-                 fmt::format("write scheme = \"{}\", or remove the joint", implicit_scheme));
 }
 
 void check_material(const Checker& check) {
@@ -192,7 +186,7 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
   check.with({"substrate.fibre.azimuth"}, [&] { check_fibre(check); });
-  check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box", "time.scheme"},
+  check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box"},
              [&] { check_joint(check); });
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);
   check_initial(check);

@@ -68,6 +68,7 @@ EndTies<D>::EndTies(const Layout<D>& l, const ConstArray& device_mask) {
     if (l.has_fluid) add(scalar, D, D + 1, axis, axis == D - 1 ? l.fluid_rows() : extent);
   }
   if (l.has_fluid && l.has_solid) velocity.push_back(make_set(l, mask, 0, D, D - 1, {End::below_wall}));
+  if (l.axis[D - 1].joint() > 0) velocity.push_back(make_set(l, mask, 0, D, D - 1, {End::below_joint}));
   velocity_ = make_group(velocity, l.rows * l.row_size);
   scalar_ = make_group(scalar, std::max(1, l.scalar_size()));
 }
@@ -77,6 +78,14 @@ typename EndTies<D>::Set EndTies<D>::make_set(const Layout<D>& l, const std::vec
                                               int last_component, int axis, const std::vector<End>& ends) const {
   Set set;
   const std::vector<Box<D>> all = boxes(l);
+  const auto place_of = [&](End end, int last) {
+    switch (end) {
+      case End::low: return 0;
+      case End::high: return last;
+      case End::below_wall: return l.wall_row;
+      default: return l.axis[D - 1].span(l.axis[D - 1].joint());
+    }
+  };
   for (int c = first_component; c < last_component; ++c) {
     const Box<D>& box = all[c];
     int stride = 1, size = 1;
@@ -86,7 +95,7 @@ typename EndTies<D>::Set EndTies<D>::make_set(const Layout<D>& l, const std::vec
     for (int i = 0; i < size; ++i) {
       const int place = i / stride % extent, function = axis == D - 1 ? place : l.function(place, axis);
       for (const End end : ends) {
-        const int at_end = end == End::low ? 0 : end == End::high ? last : l.wall_row;
+        const int at_end = place_of(end, last);
         const int way = end == End::low ? stride : -stride, at = box.offset + i;
         if (function != at_end || mask[at] == 0 || mask[at + way] == 0) continue;
         set.push_back({at - all[first_component].offset, way, false});

@@ -16,11 +16,13 @@ using Dense = Eigen::MatrixXd;
 /// vectors (N_i / r, N_j / r) and the mean of (N_i / r, N_j') and its transpose; zero elsewhere.
 struct ElementLine {
   Dense mass, stiffness, slope, hoop, mixed;
+  int at_joint;  ///< the function that is 1 at the joint; 0: there is none
 
-  ElementLine(int elements, int degree, bool radial = false) {
-    const Axis axis(elements, elements, degree);
+  ElementLine(int elements, int degree, bool radial = false, int joint = 0) {
+    const Axis axis(elements, elements, degree, false, 0, joint);
     const Gauss gauss(degree + 1);
     const int n = axis.functions();
+    at_joint = joint > 0 ? axis.span(joint) : 0;
     mass = stiffness = slope = hoop = mixed = Dense::Zero(n, n);
     for (int e = 0; e < elements; ++e)
       for (int q = 0; q <= degree; ++q) {
@@ -47,7 +49,8 @@ T series(const T& one, const T& e) {
 }
 
 /// The inverse of a mass with ties, without the functions that are held: zero rows and columns for these.
-Dense inverse(const Dense& mass, MassKind kind, double kept, bool held_below, bool held_above) {
+/// @param joint  the function there; 0: none
+Dense inverse(const Dense& mass, MassKind kind, double kept, bool held_below, bool held_above, int joint = 0) {
   const int all = static_cast<int>(mass.rows()), first = held_below ? 1 : 0, n = all - first - (held_above ? 1 : 0);
   const Eigen::VectorXd sums = mass.rowwise().sum().segment(first, n);
   const Dense inner = mass.block(first, first, n, n), one = Dense::Identity(n, n);
@@ -64,10 +67,13 @@ Dense inverse(const Dense& mass, MassKind kind, double kept, bool held_below, bo
     const Eigen::VectorXd scaled = along.cwiseQuotient(sums);
     d -= (1 - part) / along.dot(scaled) * scaled * (along.transpose() * d);
   };
-  // As EndTies does it: where both ends share a function, half of one comes before the other and half after it.
-  const bool below = !held_below && n > 1, above = !held_above && n > 1;
+  // As EndTies does it: where ends share a function, halves of all but the last come before it and after it.
+  const bool below = !held_below && n > 1, above = !held_above && n > 1, joined = joint - first > 0;
+  const double last_above = joined ? std::sqrt(kept) : kept;
   if (below) tie(0, 1, std::sqrt(kept));
-  if (above) tie(n - 1, -1, kept);
+  if (above) tie(n - 1, -1, last_above);
+  if (joined) tie(joint - first, -1, kept);
+  if (above && joined) tie(n - 1, -1, last_above);
   if (below) tie(0, 1, std::sqrt(kept));
   found.block(first, first, n, n) = kind == MassKind::lumped ? d : Dense(series<Dense>(one, one - d * inner) * d);
   return found;
@@ -128,6 +134,20 @@ MassSymbols end_symbols(int degree, MassKind kind, int elements, bool radial) {
   }
   s.surface = std::sqrt(s.viscous * layer(layer.rows() - 1, layer.cols() - 1));
   return s;
+}
+
+MassSymbols with_joint(MassSymbols ends, int degree, MassKind kind, JoinedElements elements) {
+  if (elements.below == 0) return ends;
+  const int below = std::min(elements.below, 10), above = std::min(elements.above, 10);
+  const ElementLine line(below + above, degree, false, below);
+  const auto of = [&](bool held_below, bool held_above) {
+    return largest(inverse(line.mass, kind, kept_of_velocities, held_below, held_above, line.at_joint) *
+                   line.stiffness);
+  };
+  const double free = of(false, false);
+  ends.elastic = std::max(ends.elastic, std::sqrt(std::max(free, of(true, false))));
+  ends.viscous = std::max({ends.viscous, free, of(true, true)});
+  return ends;
 }
 
 }  // namespace softwet

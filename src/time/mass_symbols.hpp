@@ -33,5 +33,13 @@ inline int fewest_that_matter(const std::vector<int>& elements) {
 /// @param radial  the line begins at the axis of symmetry of (r, z): masses and stiffnesses have the weight r, and vectors their hoop
 ///   strain v_r / r. These symbols are up to a fifth larger.
 MassSymbols end_symbols(int degree, MassKind, int elements = 10, bool radial = false);
+/// Elements of a solid below and above its joint. Zeros: there is no joint.
+struct JoinedElements {
+  int below = 0, above = 0;
+};
+/// At least `ends`: those that waves of a solid have at a joint as well, where the knot is repeated and a tie holds what is below to the
+/// joint. From the eigenvalues of a line of so many elements, ten of each at most. They hold for any stiffness on either side that is at
+/// most the one that is taken: what is softer has slower waves.
+MassSymbols with_joint(MassSymbols ends, int degree, MassKind, JoinedElements);
 
 }  // namespace softwet

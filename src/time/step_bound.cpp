@@ -40,6 +40,12 @@ int fewest_elements(const Layout<D>& l) {
   return fewest_that_matter(all);
 }
 
+template <int D>
+JoinedElements joined_elements(const Layout<D>& l) {
+  const int joint = l.axis[D - 1].joint();
+  return joint == 0 ? JoinedElements{} : JoinedElements{joint, l.solid_elements - joint};
+}
+
 /// Whether nothing holds the velocity at some control point at an end of an axis.
 template <int D>
 bool has_free_end(const Layout<D>& l, const std::vector<double>& mask, int axis) {
@@ -70,7 +76,8 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
     : model_(model),
       formula_(formula),
       inside_(inside_symbols(P, kind)),
-      end_(end_symbols(P, kind, fewest_elements(model.layout()), model.layout().axisymmetric)),
+      end_(with_joint(end_symbols(P, kind, fewest_elements(model.layout()), model.layout().axisymmetric), P, kind,
+                      joined_elements(model.layout()))),
       adds_axes_(kind == MassKind::consistent) {
   const Layout<D>& l = model.layout();
   length_ = l.axis[0].spacing();

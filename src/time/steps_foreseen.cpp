@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/mesh.hpp"
 #include "model/fluid_of.hpp"
 #include "model/solid_rates.hpp"
 #include "time/step_points.hpp"
@@ -81,12 +82,20 @@ int fewest_elements(const Case& c) {
   return fewest_that_matter(all);
 }
 
+JoinedElements joined_elements(const Case& c) {
+  const int joint = joint_element(c);
+  return joint == 0 ? JoinedElements{} : JoinedElements{joint, solid_elements(c) - joint};
+}
+
 }  // namespace
 
 double explicit_steps_foreseen(const Case& c) {
   double shortest = c.domain.size[0] / c.domain.elements[0];
   for (int d = 1; d < c.dimension(); ++d) shortest = std::min(shortest, c.domain.size[d] / c.domain.elements[d]);
-  const MassSymbols symbols = end_symbols(c.domain.degree, MassKind::corrected, fewest_elements(c), c.axisymmetric());
+  const int degree = c.domain.degree;
+  const MassSymbols symbols =
+      with_joint(end_symbols(degree, MassKind::corrected, fewest_elements(c), c.axisymmetric()), degree,
+                 MassKind::corrected, joined_elements(c));
   double rate = 0;
   if (c.fluid) rate = std::max(rate, rate_of_fluid(c, symbols, shortest));
   if (c.substrate) rate = std::max(rate, rate_of_solid(c, symbols, shortest));

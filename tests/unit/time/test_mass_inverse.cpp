@@ -254,5 +254,19 @@ TEST(MassSymbols, EndsAreNotStifferThanTiesAllow) {
     }
 }
 
+TEST(MassSymbols, AJointIsLittleStifferThanAnEnd) {
+  for (const int degree : {2, 3})
+    for (const MassKind kind : {MassKind::lumped, MassKind::corrected}) {
+      const MassSymbols end = end_symbols(degree, kind);
+      for (const JoinedElements elements : {JoinedElements{10, 10}, {1, 10}, {10, 1}, {1, 1}, {2, 3}}) {
+        const MassSymbols joint = with_joint(end, degree, kind, elements);
+        EXPECT_GE(joint.elastic, end.elastic);
+        EXPECT_LT(joint.elastic, 1.3 * end.elastic) << degree << ": " << elements.below << ", " << elements.above;
+        EXPECT_EQ(joint.acoustic, end.acoustic);
+      }
+      EXPECT_EQ(with_joint(end, degree, kind, {}).elastic, end.elastic);
+    }
+}
+
 }  // namespace
 }  // namespace softwet::testing_tools

@@ -1,6 +1,7 @@
 // The bound of the step against the largest stable step of the linearised scheme.
 #include "time/step_bound.hpp"
 
+#include "unit/model/formulas.hpp"
 #include "unit/time/explicit_run.hpp"
 
 namespace softwet::testing_tools {
@@ -147,6 +148,28 @@ TEST(StepBound, HoldsInSolidsWhoseFreeSidesMeet) {
       const double found = room(block({8, 8}, poisson, false), "kick_drift", kind);
       EXPECT_GE(found, 1) << "a block, " << poisson;
       EXPECT_LE(found, 1.2) << "a block, " << poisson;
+    }
+}
+
+/// Two materials, the lower one `ratio` times as stiff, that are joined at the end of a row of twelve.
+Case joined(Scene kind, int row, double ratio) {
+  Case c = moving_droplet(kind);
+  const double joint = c.domain.size[1] * row / c.domain.elements[1];
+  c.substrate->joint = joint;
+  c.substrate->young =
+      varying([=](const std::array<double, 3>& x, double) { return x[1] < joint ? 2.0 * ratio : 2.0; });
+  return c;
+}
+TEST(StepBound, HoldsWhereMaterialsAreJoined) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
+    for (const double ratio : {0.02, 1.0, 50.0}) {
+      for (const int row : {1, 5, 11}) {
+        const double found = room(joined(Scene::solid, row, ratio), "kick_drift", kind);
+        EXPECT_GE(found, 1) << row << ", " << ratio;
+        EXPECT_LE(found, 1.5) << row << ", " << ratio;
+      }
+      EXPECT_GE(room(joined(Scene::coupled, 2, ratio), "kick_drift", kind), 1) << ratio;
+      EXPECT_GE(room(around_axis(joined(Scene::solid, 4, ratio)), "kick_drift", kind), 1) << ratio;
     }
 }
 
