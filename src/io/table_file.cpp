@@ -99,12 +99,8 @@ TableFile::~TableFile() {
   }
 }
 
-void TableFile::row(const std::vector<std::optional<double>>& values) {
-  if (values.size() != columns_.size()) {
-    throw Error(Exit::computation_failed, path_ + ": a row has " + std::to_string(values.size()) + " values for " +
-                                              std::to_string(columns_.size()) +
-                                              " columns; this is an error in softwet, please report it");
-  }
+void TableFile::row(const TableRow& row) {
+  const std::vector<TableRow::Cell> values = row.in_order_of(columns_);
   std::string line;
   for (std::size_t column = 0; column < values.size(); ++column) {
     if (column > 0) line += ',';

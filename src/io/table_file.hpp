@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
+
+#include "io/table_row.hpp"
 
 namespace softwet {
 
@@ -44,10 +45,11 @@ class TableFile {
   TableFile& operator=(TableFile&&) = delete;
   ~TableFile();
 
-  /// Adds a row. @param values  one per column, std::nullopt: not applicable, an empty cell.
+  /// Adds a row, its cells in the order of the columns.
   /// Reaches the file at most a second later if rows keep coming, else at `flush()` or destruction.
-  /// Throws Error: computation_failed for a number that is not finite or a wrong count, machine_failed.
-  void row(const std::vector<std::optional<double>>& values);
+  /// Throws Error: computation_failed for a number that is not finite, machine_failed; std::logic_error for a column
+  /// without a cell and for a cell without a column.
+  void row(const TableRow&);
 
   /// Makes all rows so far those that a resumed run goes on behind.
   void keep() { kept_ = all_; }

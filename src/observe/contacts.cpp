@@ -3,8 +3,6 @@
 #include <cmath>
 #include <memory>
 
-#include "observe/host/table_columns.hpp"
-
 namespace softwet {
 namespace {
 
@@ -39,10 +37,13 @@ std::optional<Footprint> along(const Snapshot<3>& snapshot, const WettedRegion& 
   return std::nullopt;
 }
 
-/// The columns that tell the shape beside the contact lines.
-std::vector<std::optional<double>> shape_cells(const Footprint& f) {
-  return {f.left.ridge,     f.right.ridge,    f.left.wall_wet, f.left.wall_dry, f.left.liquid,
-          f.right.wall_wet, f.right.wall_dry, f.right.liquid,  f.dimple};
+/// The cells of one end of a footprint. @param end  what the columns call it
+void set_end(const std::string& end, const std::optional<double>& angle, const LineShape& shape, TableRow& cells) {
+  cells.set("angle_" + end, angle);
+  cells.set("ridge_" + end, shape.ridge);
+  cells.set("wall_angle_" + end + "_wet", shape.wall_wet);
+  cells.set("wall_angle_" + end + "_dry", shape.wall_dry);
+  cells.set("liquid_angle_" + end, shape.liquid);
 }
 
 }  // namespace
@@ -57,9 +58,9 @@ std::vector<Contact> find_contacts(const Snapshot<2>& snapshot, const Surface& s
     f.x_left -= turn, f.x_right -= turn;
     if (snapshot.layout().axisymmetric && f.x_left == 0)
       f.x_left = -f.x_right, f.angle_left = f.angle_right, f.left = f.right;
-    std::vector<std::optional<double>> cells{f.x_left,     f.x_right,    f.centre(),
-                                             std::nullopt, f.angle_left, f.angle_right};
-    for (const std::optional<double>& cell : shape_cells(f)) cells.push_back(cell);
+    TableRow cells{{"x_left", f.x_left}, {"x_right", f.x_right}, {"x_centre", f.centre()}, {"dimple", f.dimple}};
+    set_end("left", f.angle_left, f.left, cells);
+    set_end("right", f.angle_right, f.right, cells);
     found.push_back({{f.centre(), 0}, cells, [f, axis](const Place& place) {
                        const double away = place[0] - f.centre();
                        return f.holds(f.centre() + (axis.periodic() ? std::remainder(away, axis.length()) : away));
@@ -75,16 +76,15 @@ std::vector<Contact> find_contacts(const Snapshot<3>& snapshot, const Surface& s
   std::vector<Contact> found;
   for (int r = 0; r < static_cast<int>(wall->regions().size()); ++r) {
     const WettedRegion& region = wall->regions()[r];
-    Contact contact{region.centre,
-                    {region.area, region.centre[0], region.centre[1], std::nullopt},
-                    [wall, r](const Place& place) { return wall->region_at(place) == r; }};
-    contact.cells.resize(contact_names(3).size());
-    if (const auto f = along(snapshot, region, surface, capillarity, track)) {
-      std::vector<std::optional<double>> seen{f->x_left, f->x_right, f->angle_left, f->angle_right};
-      for (const std::optional<double>& cell : shape_cells(*f)) seen.push_back(cell);
-      std::copy(seen.begin(), seen.end(), contact.cells.begin() + velocity_column + 1);
-    }
-    found.push_back(contact);
+    TableRow cells{{"contact_area", region.area}, {"x_centre", region.centre[0]}, {"y_centre", region.centre[1]}};
+    const std::optional<Footprint> section = along(snapshot, region, surface, capillarity, track);
+    cells.set("track_rear", section ? TableRow::Cell(section->x_left) : std::nullopt);
+    cells.set("track_front", section ? TableRow::Cell(section->x_right) : std::nullopt);
+    const Footprint f = section.value_or(Footprint{});
+    set_end("rear", f.angle_left, f.left, cells);
+    set_end("front", f.angle_right, f.right, cells);
+    cells.set("dimple", f.dimple);
+    found.push_back({region.centre, cells, [wall, r](const Place& place) { return wall->region_at(place) == r; }});
   }
   return found;
 }

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <functional>
-#include <optional>
-#include <string>
 
+#include "io/table_row.hpp"
 #include "observe/contact_line.hpp"
 
 namespace softwet {
@@ -19,12 +18,9 @@ struct DropletTrack {
 /// A footprint as a row shows it.
 struct Contact {
   Place centre;
-  std::vector<std::optional<double>> cells;  ///< in the order of contact_names; the velocity is left empty
-  std::function<bool(const Place&)> holds;   ///< whether a place of the wall is under it
+  TableRow cells;                           ///< all of contact_names but the velocity
+  std::function<bool(const Place&)> holds;  ///< whether a place of the wall is under it
 };
-
-/// Place of the velocity among the columns of a droplet (observe/host/table_columns.hpp), in 2D and in 3D.
-constexpr int velocity_column = 3;
 
 /// All footprints. 3D: area and centroid are those of the wetted part of the deformed wall, inside the domain (of the
 /// dry part under a bubble). Contact

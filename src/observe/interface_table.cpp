@@ -88,18 +88,19 @@ void add_interface_rows(TableFile& table, const Snapshot<D>& snapshot,
   std::vector<double> density;
   if (layout.has_fluid) density = snapshot.density(wall);
   const bool loaded = !traction[0].empty();
+  const std::string axis[] = {"x", "y", "z"};
   std::array<std::vector<double>, D> force;
   for (int d = 0; loaded && d < D; ++d) force[d] = on_wall<D>(layout, traction[d], wall);
   for (std::size_t i = 0; i < displacement[0].size(); ++i) {
-    std::vector<std::optional<double>> row{time};
+    TableRow row{{"time", time}};
     std::size_t rest = i;
     for (int d = 0; d < D - 1; ++d) {
-      row.push_back(wall[d][rest % wall[d].size()]);
+      row.set(axis[d] + "_reference", wall[d][rest % wall[d].size()]);
       rest /= wall[d].size();
     }
-    for (int d = 0; d < D; ++d) row.push_back(displacement[d][i]);
-    row.push_back(layout.has_fluid ? std::optional<double>(density[i]) : std::nullopt);
-    for (int d = 0; d < D; ++d) row.push_back(loaded ? std::optional<double>(force[d][i]) : std::nullopt);
+    for (int d = 0; d < D; ++d) row.set("displacement_" + axis[d], displacement[d][i]);
+    row.set("density", layout.has_fluid ? TableRow::Cell(density[i]) : std::nullopt);
+    for (int d = 0; d < D; ++d) row.set("traction_" + axis[d], loaded ? TableRow::Cell(force[d][i]) : std::nullopt);
     table.row(row);
   }
 }

@@ -64,22 +64,29 @@ std::vector<std::string> Scalars<D, P>::columns() const {
 }
 
 template <int D, int P>
-void Scalars<D, P>::add_integrals(long step, const Integrals& sum, double load_power, Row& row) {
-  const double free_energy = sum.energy_bulk + sum.energy_gradient;
-  const bool fluid = model_.layout().has_fluid;
-  const auto of_fluid = [fluid](double x) { return fluid ? std::optional<double>(x) : std::nullopt; };
-  if (step == 0) latest_.mass_start = sum.mass;
-  headline_.energy = sum.energy();
-  headline_.wall_stretch = sum.wall_stretch;
-  headline_.gravity = sum.energy_gravity;
-  headline_.surface = sum.energy_surface;
-  headline_.solid_viscous = sum.solid_viscous;
-  headline_.mass_drift = of_fluid(sum.mass / latest_.mass_start - 1);
-  row.push_back(of_fluid(sum.mass));
-  row.insert(row.end(), sum.momentum, sum.momentum + D);
-  row.insert(row.end(), {sum.energy_kinetic, of_fluid(free_energy), of_fluid(sum.energy_wall), sum.energy_elastic,
-                         load_power, sum.dissipation()});
-  follow_energy(energy_of(latest_.time, load_power, sum));
+void Scalars<D, P>::set(const std::string& column, double value, TableRow& row) const {
+  const Needs needs = history_column(column).needs;
+  const Layout<D>& layout = model_.layout();
+  const bool exists = needs == Needs::fluid ? layout.has_fluid : needs == Needs::solid ? layout.has_solid : true;
+  row.set(column, exists ? TableRow::Cell(value) : std::nullopt);
+}
+
+template <int D, int P>
+void Scalars<D, P>::set_integrals(const Integrals& sum, double load_power, TableRow& row) const {
+  set("mass", sum.mass, row);
+  set("mass_drift", sum.mass / latest_.mass_start - 1, row);
+  for (int d = 0; d < D; ++d) set(std::string("momentum_") + "xyz"[d], sum.momentum[d], row);
+  set("energy_kinetic", sum.energy_kinetic, row);
+  set("energy_free", sum.energy_bulk + sum.energy_gradient, row);
+  set("energy_wall", sum.energy_wall, row);
+  set("energy_elastic", sum.energy_elastic, row);
+  set("energy_surface", sum.energy_surface, row);
+  set("energy_gravity", sum.energy_gravity, row);
+  set("energy_total", sum.energy(), row);
+  set("power_load", load_power, row);
+  set("wall_stretch", sum.wall_stretch, row);
+  set("dissipation", sum.dissipation(), row);
+  set("dissipation_solid", sum.solid_viscous, row);
 }
 
 template <int D, int P>
@@ -92,18 +99,16 @@ void Scalars<D, P>::follow_energy(const EnergyState& state) {
 }
 
 template <int D, int P>
-void Scalars<D, P>::add_extremes(const Extremes& found, Row& row) const {
-  const Layout<D>& layout = model_.layout();
-  if (layout.has_fluid) {
-    row.insert(row.end(), {found.density_min, found.density_max, found.speed_fluid});
-  } else {
-    row.insert(row.end(), 3, std::nullopt);
-  }
-  row.push_back(layout.has_solid ? std::optional<double>(found.speed_solid) : std::nullopt);
+void Scalars<D, P>::set_extremes(const Extremes& found, TableRow& row) const {
+  set("rho_min", found.density_min, row);
+  set("rho_max", found.density_max, row);
+  set("speed_max_fluid", found.speed_fluid, row);
+  set("speed_max_solid", found.speed_solid, row);
+  set("speed_max_liquid", found.speed_liquid, row);
 }
 
 template <int D, int P>
-void Scalars<D, P>::add_droplets(const Snapshot<D>& snapshot, long step, Row& row) {
+void Scalars<D, P>::set_droplets(const Snapshot<D>& snapshot, long step, TableRow& row) {
   std::vector<Contact> found;
   if (!latest_.droplets.empty() && model_.has_wall())
     found = find_contacts(snapshot, surface(), model_.fluid().capillarity, case_.track());
@@ -113,19 +118,17 @@ void Scalars<D, P>::add_droplets(const Snapshot<D>& snapshot, long step, Row& ro
     DropletTrack& track = latest_.droplets[k];
     const bool was_on_wall = track.on_wall;
     track.on_wall = of_droplet[k] >= 0;
-    if (k == 0) headline_.centre.clear(), headline_.velocity.reset();
     if (!track.on_wall) {
-      row.insert(row.end(), contact_names(D).size(), std::nullopt);
+      for (const std::string& name : contact_names(D)) row.set(name + ending_of_body(k), std::nullopt);
       continue;
     }
-    Contact& contact = found[of_droplet[k]];
-    std::optional<double>& velocity = contact.cells[velocity_column];
+    const Contact& contact = found[of_droplet[k]];
+    TableRow::Cell velocity;
     if (step > 0 && was_on_wall && interval > 0)
       velocity = advance(model_.layout(), track.centre, contact.centre, case_.track()) / interval;
     track.centre = contact.centre;
-    if (k == 0)
-      headline_.centre.assign(track.centre.begin(), track.centre.begin() + D - 1), headline_.velocity = velocity;
-    row.insert(row.end(), contact.cells.begin(), contact.cells.end());
+    row.set("velocity" + ending_of_body(k), velocity);
+    row.add(contact.cells, ending_of_body(k));
   }
 }
 
@@ -150,8 +153,8 @@ void Scalars<D, P>::watch(const State& state, const std::string& told) {
   if (!ranks::root()) return;
   latest_ = memory_;
   latest_.time = state.time;
-  Row unused;
-  add_droplets(snapshot, 0, unused);
+  TableRow unused;
+  set_droplets(snapshot, 0, unused);
   watched_ = follow_bodies(snapshot, told);
   if (!latest_.bodies.empty()) last_seen_ = centres_of(latest_.bodies, watched_);
   if (first_seen_.empty()) first_seen_ = last_seen_;
@@ -175,7 +178,7 @@ double Scalars<D, P>::laplace_pressure(const Snapshot<D>& snapshot) const {
 }
 
 template <int D, int P>
-auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& state, const Stage& end) -> Row {
+TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const State& state, const Stage& end) {
   const Layout<D>& layout = model_.layout();
   const Integrals sum = model_.integrals(end);
   const double liquid = liquid_volume<D, P>(model_, end);
@@ -187,27 +190,21 @@ auto Scalars<D, P>::evaluate(long step, const StepReport& report, const State& s
   latest_ = memory_;
   latest_.step = step;
   latest_.time = state.time;
-  Row row{static_cast<double>(step), output_time(state.time, case_.clock_zero()), report.dt,
-          static_cast<double>(report.newton), static_cast<double>(report.krylov)};
-  add_integrals(step, sum, load_power, row);
-  add_extremes(extremes, row);
-  add_droplets(snapshot, step, row);
+  if (step == 0) latest_.mass_start = sum.mass;
+  follow_energy(energy_of(latest_.time, load_power, sum));
+  TableRow row{{"step", step},
+               {"t", output_time(state.time, case_.clock_zero())},
+               {"dt", report.dt},
+               {"newton", report.newton},
+               {"krylov", report.krylov}};
+  set_integrals(sum, load_power, row);
+  set("liquid_volume", liquid, row);
+  set_extremes(extremes, row);
+  set_droplets(snapshot, step, row);
   follow_bodies(snapshot);
-  row.insert(row.end(), {headline_.energy, headline_.mass_drift});
-  if (layout.has_fluid) {
-    row.insert(row.end(), {extremes.speed_liquid, headline_.wall_stretch});
-  } else {
-    row.insert(row.end(), 2, std::nullopt);
-  }
-  row.push_back(headline_.gravity);
-  if (layout.has_solid) {
-    row.insert(row.end(), {headline_.surface, headline_.solid_viscous});
-  } else {
-    row.insert(row.end(), 2, std::nullopt);
-  }
-  row.push_back(layout.has_fluid ? std::optional<double>(liquid) : std::nullopt);
-  if (!case_.droplets.empty()) row.push_back(laplace_pressure(snapshot));
-  for (double number : evaluate_probes<D, P>(case_, model_, snapshot)) row.push_back(number);
+  if (!case_.droplets.empty()) set("laplace", laplace_pressure(snapshot), row);
+  const std::vector<double> probed = evaluate_probes<D, P>(case_, model_, snapshot);
+  for (std::size_t i = 0; i < probed.size(); ++i) row.set(case_.probes[i].name, probed[i]);
   return row;
 }
 

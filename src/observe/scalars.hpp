@@ -27,27 +27,18 @@ struct HistoryMemory {
   EnergyBalance energy;
 };
 
-/// The figures of a row that the progress line shows.
-struct Headline {
-  double energy = 0, wall_stretch = 0, gravity = 0, surface = 0, solid_viscous = 0;
-  std::vector<double> centre;  ///< of the first droplet on the wall; empty: it is not there
-  std::optional<double> velocity, mass_drift;
-};
-
 template <int D, int P>
 class Scalars {
  public:
-  using Row = std::vector<std::optional<double>>;
-
   Scalars(const Case& c, const Model<D, P>& model);
 
-  /// Names in the order of the cells. A cell is empty where its quantity does not exist: densities without a fluid,
-  /// the contact line of a droplet that is not on the wall.
+  /// The columns of history.csv in their order.
   std::vector<std::string> columns() const;
 
-  /// One row. `end` is the stage at the state itself. All processes have to call it; the first one gets the row, and it
-  /// alone follows the droplets from row to row. The others get an empty row.
-  Row evaluate(long step, const StepReport& report, const State& state, const Stage& end);
+  /// One row. `end` is the stage at the state itself. A cell is empty where its quantity does not exist: densities without
+  /// a fluid, the contact line of a droplet that is not on the wall. All processes have to call it; the first one gets the
+  /// row, and it alone follows the droplets from row to row. The others get a row without cells.
+  TableRow evaluate(long step, const StepReport& report, const State& state, const Stage& end);
 
   /// Follows the droplets to a state for which there is no row, before the first row: `told` stands behind the sentence
   /// of each event. All processes have to call it.
@@ -63,12 +54,13 @@ class Scalars {
   void restore(const HistoryMemory& memory);
   /// All that happened to the droplets up to the row last evaluated.
   const std::vector<Event>& events() const { return latest_.events; }
-  const Headline& headline() const { return headline_; }
 
  private:
-  void add_integrals(long step, const Integrals&, double load_power, Row&);
-  void add_extremes(const Extremes&, Row&) const;
-  void add_droplets(const Snapshot<D>&, long step, Row&);
+  /// Sets the cell of a column, empty where the scene lacks what the column needs.
+  void set(const std::string& column, double value, TableRow&) const;
+  void set_integrals(const Integrals&, double load_power, TableRow&) const;
+  void set_extremes(const Extremes&, TableRow&) const;
+  void set_droplets(const Snapshot<D>&, long step, TableRow&);
   PhaseSamples follow_bodies(const Snapshot<D>&, const std::string& told = "");
   /// Tells when the energy rises though nothing feeds it.
   void follow_energy(const EnergyState&);
@@ -78,7 +70,6 @@ class Scalars {
   const Case& case_;
   const Model<D, P>& model_;
   HistoryMemory memory_, latest_;
-  Headline headline_;
   std::vector<Centre> first_seen_, last_seen_;  ///< by `watch`
   PhaseSamples watched_;                        ///< the last of its samples
 };

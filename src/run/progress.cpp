@@ -25,17 +25,18 @@ Progress::Voice Progress::voice(bool quiet) {
   return isatty(STDERR_FILENO) ? Voice::terminal : Voice::lines;
 }
 
-void Progress::step(double t, long step, double dt, const Headline& headline,
-                    const std::optional<double>& seconds_left) {
+void Progress::step(double t, long step, double dt, const TableRow& row, const std::optional<double>& seconds_left) {
   if (!is_due()) return;
   const double share = std::clamp((t - start_) / std::max(end_ - start_, 1e-300), 0.0, 1.0);
   std::string line = formatted(t, "t = %.6g") + formatted(end_, " of %.6g") + formatted(100 * share, " (%.0f %%)");
   if (seconds_left) line += ", " + rough_duration(*seconds_left) + " left";
   line += ", step " + std::to_string(step) + formatted(dt, ", dt = %.3g");
-  for (std::size_t d = 0; d < headline.centre.size(); ++d)
-    line += formatted(headline.centre[d], d == 0 ? ", x = %.4f" : ", y = %.4f");
-  if (headline.velocity) line += formatted(*headline.velocity, ", V = %.2e");
-  if (headline.mass_drift) line += formatted(*headline.mass_drift, ", mass drift %+.0e");
+  const std::pair<const char*, const char*> shown[] = {{"x_centre", ", x = %.4f"},
+                                                       {"y_centre", ", y = %.4f"},
+                                                       {"velocity", ", V = %.2e"},
+                                                       {"mass_drift", ", mass drift %+.0e"}};
+  for (const auto& [column, format] : shown)
+    if (const TableRow::Cell cell = row.cell(column)) line += formatted(*cell, format);
   show(line);
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "observe/scalars.hpp"
+#include "io/table_row.hpp"
 
 namespace softwet {
 
@@ -21,7 +21,8 @@ class Progress {
   Progress(Voice voice, double start, double end) : voice_(voice), start_(start), end_(end) {}
   ~Progress() { finish_line(); }
 
-  void step(double t, long step, double dt, const Headline& headline, const std::optional<double>& seconds_left);
+  /// @param row  the last one of history.csv, of which the line shows some cells
+  void step(double t, long step, double dt, const TableRow& row, const std::optional<double>& seconds_left);
   /// The same of a scene on its way to rest. @param change  of its fields, of their range in a unit of time
   void settle(long step, double change);
   /// A message on a line of its own, also before and after the run.

@@ -94,8 +94,8 @@ class Simulation {
   double speed_at_rest_ = 0, mass_change_ = 0;  ///< the largest one there; of the mass on the way, relative
   std::vector<std::optional<double>> moved_;    ///< how far each body went on the way to rest
   TimeLeft time_left_;
-  std::size_t told_ = 0;  ///< events the user has heard of
-  typename Scalars<D, P>::Row last_row_;
+  std::size_t told_ = 0;       ///< events the user has heard of
+  TableRow last_row_;          ///< of history.csv
   RunSeconds seconds_;         ///< of the whole run
   double seconds_before_ = 0;  ///< the total at the resume
   long first_step_ = 0;

@@ -19,7 +19,7 @@ void Simulation<D, P>::observe(const StepReport& report) {
     if (history_) history_->keep();
   }
   write_fields_due();
-  if (step > 0) progress_->step(output_time(), step, report.dt, scalars_.headline(), time_left_.seconds());
+  if (step > 0) progress_->step(output_time(), step, report.dt, last_row_, time_left_.seconds());
 }
 
 template <int D, int P>
@@ -85,9 +85,8 @@ void Simulation<D, P>::write_record(const std::string& reason, const std::vector
   for (double of_process : memory)
     if (memory.size() > 1) run["peak_memory_of_processes_mib"].append(of_process);
   add_status(run, {reason, output_time(), seconds_.started, time_left_.seconds(), scalars_.events()});
-  const std::vector<std::string> names = scalars_.columns();
-  for (std::size_t i = 0; i < last_row_.size(); ++i)
-    if (last_row_[i]) run["last_row"][names[i]] = *last_row_[i];
+  for (const std::string& column : scalars_.columns())
+    if (const TableRow::Cell cell = last_row_.cell(column)) run["last_row"][column] = *cell;
   if (relaxation_) record_rest(run);
   run.write(path("run.json"));
 }

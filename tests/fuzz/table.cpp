@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     if (!whole.empty()) check_rows(whole, kept, step);
     TableFile again = TableFile::append_after(scratch.path(), columns, step);
     require_property(content_of(scratch.path()) == kept, "opening again changes nothing", kept);
-    again.row({step, 0.5, std::nullopt});
+    again.row({{"step", step}, {"t", 0.5}, {"mass", std::nullopt}});
     again.flush();
     require_property(content_of(scratch.path()).size() > kept.size(), "a row is added behind the others", kept);
   });

@@ -1,6 +1,7 @@
 #include "observe/host/table_columns.hpp"
 
 #include <cctype>
+#include <stdexcept>
 
 #include "observe/host/field_table.hpp"
 
@@ -21,17 +22,20 @@ const std::vector<Column> of_step{
     {"dt", time_unit, "Length of the step that ends at t."},
     {"newton", "", "Newton iterations of the step, without those of attempts that were rejected."},
     {"krylov", "", "GMRES iterations of the step, without those of attempts that were rejected."},
-    {"mass", "b L0^d", "Mass of the fluid, liquid and vapour: the integral of the density rho."},
+    {"mass", "b L0^d", "Mass of the fluid, liquid and vapour: the integral of the density rho.", any_dimension,
+     Needs::fluid},
     {"momentum_x", "b sqrt(ab) L0^d",
      "Momentum along x: the integral of rho v_x over the fluid and of rho_0^s v_x over the solid."},
     {"momentum_y", "b sqrt(ab) L0^d", "The same along y; in 2D this is the vertical one."},
     {"momentum_z", "b sqrt(ab) L0^d", "The same along z, the vertical.", 3},
     {"energy_kinetic", energy_unit,
      "Kinetic energy: the integral of rho |v|^2/2 over the fluid and of rho_0^s |v|^2/2 over the solid."},
-    {"energy_free", energy_unit, "Free energy of the fluid: the integral of W(rho) + g^2 |grad rho|^2/2."},
+    {"energy_free", energy_unit, "Free energy of the fluid: the integral of W(rho) + g^2 |grad rho|^2/2.",
+     any_dimension, Needs::fluid},
     {"energy_wall", energy_unit,
      "Wall energy: the integral of f_w(rho) over the wall, where f_w(rho) = -cos(alpha) g times the integral of sqrt(2 "
-     "D) from rho_v to rho. It is the same formula under both wall laws."},
+     "D) from rho_v to rho. It is the same formula under both wall laws.",
+     any_dimension, Needs::fluid},
     {"energy_elastic", energy_unit,
      "Elastic energy of the solid and its fibres. With saint_venant_kirchhoff that of the solid is the integral of "
      "lambda "
@@ -40,10 +44,14 @@ const std::vector<Column> of_step{
     {"dissipation", power_unit,
      "Energy dissipated per time: the integral of tau : grad v + eps |grad mu|^2. The first part is viscous, the "
      "second belongs to fluid.stabilisation. dissipation_solid is a further part."},
-    {"rho_min", "b", "Smallest control value of the density. The density itself is nowhere smaller."},
-    {"rho_max", "b", "Largest control value of the density. The density itself is nowhere larger."},
-    {"speed_max_fluid", speed_unit, "Largest |v| of a control point of the fluid, the wall included."},
-    {"speed_max_solid", speed_unit, "Largest |v| of a control point of the solid, the wall included."},
+    {"rho_min", "b", "Smallest control value of the density. The density itself is nowhere smaller.", any_dimension,
+     Needs::fluid},
+    {"rho_max", "b", "Largest control value of the density. The density itself is nowhere larger.", any_dimension,
+     Needs::fluid},
+    {"speed_max_fluid", speed_unit, "Largest |v| of a control point of the fluid, the wall included.", any_dimension,
+     Needs::fluid},
+    {"speed_max_solid", speed_unit, "Largest |v| of a control point of the solid, the wall included.", any_dimension,
+     Needs::solid},
 };
 
 /// The columns of a droplet, bubble or film.
@@ -116,13 +124,15 @@ const std::vector<Column> of_droplet{
 const std::vector<Column> of_balance{
     {"energy_total", energy_unit,
      "Sum of energy_kinetic, energy_free, energy_wall, energy_elastic, energy_surface and energy_gravity."},
-    {"mass_drift", "", "mass divided by the mass of step 0, minus 1."},
-    {"speed_max_liquid", speed_unit, "Largest |v| of a control point whose density is above (rho_l + rho_v)/2."},
+    {"mass_drift", "", "mass divided by the mass of step 0, minus 1.", any_dimension, Needs::fluid},
+    {"speed_max_liquid", speed_unit, "Largest |v| of a control point whose density is above (rho_l + rho_v)/2.",
+     any_dimension, Needs::fluid},
     {"wall_stretch", power_unit,
      "Power that the wall energy gains because the wall stretches: the integral of f_w div_Gamma v over the wall. It "
      "is "
      "0 with fluid.wall_tension = \"acts\", where the solid pays for it. With fluid.wall_law = \"energy\" energy_total "
-     "changes at the rate power_load + wall_stretch - dissipation, up to the error of the discretisation."},
+     "changes at the rate power_load + wall_stretch - dissipation, up to the error of the discretisation.",
+     any_dimension, Needs::fluid},
     {"energy_gravity", energy_unit,
      "Potential energy in fluid.gravity and substrate.gravity: minus the integral of rho gravity . x over the fluid, "
      "and of "
@@ -130,15 +140,18 @@ const std::vector<Column> of_balance{
     {"energy_surface", energy_unit,
      "Energy of the solid's surface tension: substrate.surface_tension times what the area of the deformed top face "
      "has "
-     "more than that of the undeformed one."},
+     "more than that of the undeformed one.",
+     any_dimension, Needs::solid},
     {"dissipation_solid", power_unit,
      "Part of dissipation that belongs to substrate.viscosity and substrate.bulk_viscosity: the integral of S_v : E' "
      "over "
-     "the undeformed solid, E' the rate of the Green-Lagrange strain."},
+     "the undeformed solid, E' the rate of the Green-Lagrange strain.",
+     any_dimension, Needs::solid},
     {"liquid_volume", "L0^d",
      "Volume of the liquid: the integral of s^2 (3 - 2 s) over the fluid, where s = (rho - rho_v)/(rho_l - rho_v), not "
      "below 0 and not above 1. It counts liquid as 1, vapour as 0, and an interface up to its middle. Empty without a "
-     "fluid."},
+     "fluid.",
+     any_dimension, Needs::fluid},
     {laplace, "ab",
      "Excess of the chemical potential inside the first droplet, mu - mu_sat. At rest it is sigma/(R (rho_l - rho_v)) "
      "in 2D and twice that in 3D and in axisymmetric scenes."},
@@ -194,11 +207,19 @@ std::vector<std::string> contact_names(int dimension) { return names_of(of_dropl
 std::vector<std::string> history_names(int dimension, std::size_t droplets, std::size_t films) {
   std::vector<std::string> names = names_of(of_step, dimension);
   for (std::size_t k = 0; k < droplets + films; ++k)
-    for (const std::string& name : contact_names(dimension))
-      names.push_back(k == 0 ? name : name + "_" + std::to_string(k + 1));
+    for (const std::string& name : contact_names(dimension)) names.push_back(name + ending_of_body(k));
   for (const std::string& name : names_of(of_balance, dimension))
     if (name != laplace || droplets > 0) names.push_back(name);
   return names;
+}
+
+std::string ending_of_body(std::size_t body) { return body == 0 ? "" : "_" + std::to_string(body + 1); }
+
+const Column& history_column(const std::string& name) {
+  for (const std::vector<Column>* columns : {&of_step, &of_droplet, &of_balance})
+    for (const Column& column : *columns)
+      if (column.name == name) return column;
+  throw std::logic_error("history.csv has no column '" + name + "'");
 }
 
 std::vector<std::string> interface_names(int dimension) { return names_of(of_interface, dimension); }

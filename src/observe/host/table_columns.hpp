@@ -6,13 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "io/table_row.hpp"
+
 namespace softwet {
+
+constexpr int any_dimension = 0;
+/// What a scene has to have, or the cells of a column stay empty.
+enum class Needs { nothing, fluid, solid };
 
 struct Column {
   std::string name;
   std::string unit;  ///< empty: a pure number
   std::string meaning;
-  int dimension = 0;  ///< 2 or 3: only domains of this dimension have the column
+  int dimension = any_dimension;  ///< 2 or 3: only domains of this dimension have the column
+  Needs needs = Needs::nothing;
 };
 
 /// Names of the columns that each droplet, bubble or film has in history.csv.
@@ -20,6 +27,13 @@ std::vector<std::string> contact_names(int dimension);
 
 /// Header of history.csv. The columns of droplet number k = 2, 3, ... end in _k; the films are numbered on behind them.
 std::vector<std::string> history_names(int dimension, std::size_t droplets, std::size_t films = 0);
+
+/// What the names of the columns of a body end in. @param body  0 is the first droplet
+std::string ending_of_body(std::size_t body);
+
+/// The column of history.csv with this name, of a first droplet where it is one's. Throws std::logic_error where there is
+/// none.
+const Column& history_column(const std::string& name);
 
 /// Header of interface.csv.
 std::vector<std::string> interface_names(int dimension);

@@ -67,14 +67,14 @@ TEST(DiskFull, TablesAndRecordsTellIt) {
   const ScratchFolder folder;
   const auto write_table = [&] {
     TableFile table = TableFile::create(folder / "history.csv", {"step", "t"});
-    for (int step = 0; step < 5000; ++step) table.row({double(step), 0.1 * step});
+    for (int step = 0; step < 5000; ++step) table.row({{"step", step}, {"t", 0.1 * step}});
     table.flush();
   };
   EXPECT_EXIT(exit_with_code_on_small_disk(write_table), testing::ExitedWithCode(3), "history.csv.*File too large");
   const auto write_table_and_go_on = [&] {
     TableFile table = TableFile::create(folder / "history.csv", {"step", "t"});
     try {
-      for (int step = 0; step < 5000; ++step) table.row({double(step), 0.1 * step});
+      for (int step = 0; step < 5000; ++step) table.row({{"step", step}, {"t", 0.1 * step}});
       table.flush();
     } catch (const Error&) {
     }

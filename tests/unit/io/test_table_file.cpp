@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <stdexcept>
 
 #include "expect_error.hpp"
 #include "io/number_text.hpp"
@@ -16,6 +17,10 @@ namespace softwet {
 namespace {
 
 const std::vector<std::string> columns = {"step", "t", "angle_left"};
+
+TableRow row(double step, double t, const TableRow::Cell& angle) {
+  return {{"step", step}, {"t", t}, {"angle_left", angle}};
+}
 
 TEST(NumberText, IsShortAndReadsBackEqual) {
   EXPECT_EQ(number_text(0.1), "0.1");
@@ -34,8 +39,8 @@ TEST(TableFile, WritesHeaderNumbersAndEmptyCells) {
   {
     TableFile table = TableFile::create(path, columns);
     EXPECT_EQ(content_of(path), "step,t,angle_left\n");
-    table.row({1.0, 0.1, std::nullopt});
-    table.row({2.0, 1e-20, 74.5});
+    table.row(row(1.0, 0.1, std::nullopt));
+    table.row(row(2.0, 1e-20, 74.5));
   }
   EXPECT_EQ(content_of(path), "step,t,angle_left\n1,0.1,\n2,1e-20,74.5\n");
 }
@@ -44,19 +49,28 @@ TEST(TableFile, FlushHandsOverTheRows) {
   const ScratchFolder folder;
   const std::string path = folder / "history.csv";
   TableFile table = TableFile::create(path, columns);
-  table.row({1.0, 0.1, 2.0});
+  table.row(row(1.0, 0.1, 2.0));
   table.flush();
   EXPECT_EQ(content_of(path), "step,t,angle_left\n1,0.1,2\n");
 }
 
-TEST(TableFile, RefusesNumbersThatAreNotFiniteAndWrongCounts) {
+TEST(TableFile, OrdersTheCellsOfARow) {
+  const ScratchFolder folder;
+  const std::string path = folder / "history.csv";
+  TableFile::create(path, columns).row({{"angle_left", 74.5}, {"step", 2}, {"t", 0.1}});
+  EXPECT_EQ(content_of(path), "step,t,angle_left\n2,0.1,74.5\n");
+}
+
+TEST(TableFile, RefusesNumbersThatAreNotFiniteAndRowsOfAnotherTable) {
   const ScratchFolder folder;
   const std::string path = folder / "history.csv";
   {
     TableFile table = TableFile::create(path, columns);
-    expect_error(Exit::computation_failed, {path, "'t'", "nan", "step 7"}, [&] { table.row({7.0, NAN, 1.0}); });
-    expect_error(Exit::computation_failed, {path, "'angle_left'", "inf"}, [&] { table.row({7.0, 1.0, INFINITY}); });
-    expect_error(Exit::computation_failed, {path, "2 values", "3 columns"}, [&] { table.row({7.0, 1.0}); });
+    expect_error(Exit::computation_failed, {path, "'t'", "nan", "step 7"}, [&] { table.row(row(7.0, NAN, 1.0)); });
+    expect_error(Exit::computation_failed, {path, "'angle_left'", "inf"}, [&] { table.row(row(7.0, 1.0, INFINITY)); });
+    EXPECT_THROW(table.row({{"step", 7}, {"t", 1}}), std::logic_error);
+    EXPECT_THROW(table.row({{"step", 7}, {"t", 1}, {"angle_right", 1}}), std::logic_error);
+    EXPECT_THROW(table.row({{"step", 7}, {"t", 1}, {"angle_left", 1}, {"angle_right", 1}}), std::logic_error);
   }
   EXPECT_EQ(content_of(path), "step,t,angle_left\n");
 }
@@ -70,11 +84,11 @@ struct MarkedTable {
 
   MarkedTable() {
     TableFile table = TableFile::create(path, columns);
-    table.row({0.0, 0.0, 75.0});
-    table.row({2.0, 0.2, std::nullopt});
-    table.row({4.0, 0.4, 74.0});
+    table.row(row(0.0, 0.0, 75.0));
+    table.row(row(2.0, 0.2, std::nullopt));
+    table.row(row(4.0, 0.4, 74.0));
     table.keep();
-    table.row({6.0, 0.6, 73.0});
+    table.row(row(6.0, 0.6, 73.0));
     table.bring_to_disk();
     mark = table.kept();
   }
@@ -90,7 +104,7 @@ TEST(TableFile, ResumeGoesOnBehindTheMark) {
     overwrite(t.path, t.kept + behind);
     TableFile table = TableFile::append_after(t.path, columns, t.mark);
     EXPECT_EQ(table.kept(), t.mark);
-    table.row({6.0, 0.7, 72.0});
+    table.row(row(6.0, 0.7, 72.0));
     table.flush();
     EXPECT_EQ(content_of(t.path), std::string(t.kept) + "6,0.7,72\n");
     table.keep();
@@ -141,7 +155,7 @@ TEST(TableFile, ResumeDropsRowsAfterTheCheckpoint) {
   overwrite(path, "t,x,u_y\n8,0.8,\n10,1,75\n10,1,76\n11,1.1,75\n12,1.2");
   {
     TableFile table = TableFile::append_after(path, of_wall, 10);
-    table.row({11.0, 1.05, 77.0});
+    table.row({{"t", 11}, {"x", 1.05}, {"u_y", 77}});
   }
   EXPECT_EQ(content_of(path), "t,x,u_y\n8,0.8,\n10,1,75\n10,1,76\n11,1.05,77\n");
 }
@@ -190,11 +204,11 @@ TEST(TableFile, ARemovedTableIsPutBackWithAllItsRows) {
   const ScratchFolder folder;
   const std::string path = folder / "history.csv";
   TableFile table = TableFile::create(path, {"step", "t"});
-  table.row({0.0, 0.0});
+  table.row({{"step", 0.0}, {"t", 0.0}});
   EXPECT_TRUE(table.in_place());
   std::filesystem::remove(path);
   EXPECT_FALSE(table.in_place());
-  table.row({1.0, 0.5});
+  table.row({{"step", 1.0}, {"t", 0.5}});
   table.put_back();
   EXPECT_EQ(content_of(path), "step,t\n0,0\n1,0.5\n");
   EXPECT_FALSE(std::filesystem::exists(path + ".replaced"));
@@ -203,9 +217,9 @@ TEST(TableFile, ARemovedTableIsPutBackWithAllItsRows) {
 TEST(TableFile, AReplacedTableIsPutBackAndWhatStoodThereIsKept) {
   const ScratchFolder folder;
   const std::string path = folder / "history.csv", other = folder / "edited";
-  TableFile::create(path, {"step", "t"}).row({0.0, 0.0});
+  TableFile::create(path, {"step", "t"}).row({{"step", 0.0}, {"t", 0.0}});
   TableFile table = TableFile::append_after(path, {"step", "t"}, 0);
-  table.row({1.0, 0.5});
+  table.row({{"step", 1.0}, {"t", 0.5}});
   overwrite(other, "edited\n");
   std::filesystem::rename(other, path);
   EXPECT_FALSE(table.in_place());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 
 #include "observe/host/table_columns.hpp"
 
@@ -65,6 +66,15 @@ TEST(Columns, OfFilmsFollowThoseOfDroplets) {
   EXPECT_TRUE(has(both, "x_left"));
   EXPECT_TRUE(has(both, "x_left_3"));
   EXPECT_TRUE(has(both, "laplace"));
+}
+
+TEST(Columns, AreFoundByName) {
+  for (int dimension : {2, 3})
+    for (const std::string& name : history_names(dimension, 1)) EXPECT_EQ(history_column(name).name, name);
+  EXPECT_EQ(history_column("rho_min").needs, Needs::fluid);
+  EXPECT_EQ(history_column("energy_surface").needs, Needs::solid);
+  EXPECT_EQ(history_column("energy_total").needs, Needs::nothing);
+  EXPECT_THROW(history_column("masss"), std::logic_error);
 }
 
 TEST(Columns, OfTheInterfaceHaveTheAxesOfTheDomain) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "observe/host/table_columns.hpp"
 #include "unit/observe/core/quadric.hpp"
 
 namespace softwet::testing_tools {
@@ -13,24 +16,18 @@ const double angle = 75, rad = M_PI / 180, foot = radius * std::sin(angle * rad)
 
 Quadric cap(double x, double y) { return sphere({x, y, wall - radius * std::cos(angle * rad)}, radius); }
 
-enum Column {
-  area,
-  x,
-  y,
-  velocity,
-  rear,
-  front,
-  angle_rear,
-  angle_front,
-  ridge_rear,
-  ridge_front,
-  rear_wet,
-  rear_dry,
-  liquid_rear,
-  front_wet,
-  front_dry,
-  liquid_front,
-  lowest
+/// The cells of a contact by the names of their columns; nan where they are empty.
+class Cells {
+ public:
+  explicit Cells(const TableRow& row) : row_(row) {}
+  double operator[](const std::string& column) const {
+    const std::vector<std::string> columns = contact_names(3);
+    EXPECT_TRUE(std::find(columns.begin(), columns.end(), column) != columns.end()) << column;
+    return row_.cell(column).value_or(std::nan(""));
+  }
+
+ private:
+  TableRow row_;
 };
 
 /// Linear interpolation between samples h apart lowers a quadratic form of trace T by h^2 T / 4 in the middle of a
@@ -40,30 +37,40 @@ double area_bound(double area, double trace, int n) {
 }
 
 /// The cells of the only contact.
-std::vector<double> only(const Drawing& drawing, const Place& track) {
+Cells only(const Drawing& drawing, const Place& track) {
   const std::vector<Contact> found = find_contacts(drawing.snapshot(), Surface{middle}, capillarity, track);
   EXPECT_EQ(found.size(), 1U);
-  std::vector<double> cells;
-  for (const auto& cell : found.at(0).cells) cells.push_back(cell.value_or(std::nan("")));
-  return cells;
+  return Cells(found.at(0).cells);
+}
+
+// Whoever takes a contact adds the velocity.
+TEST(Contacts, HaveAllTheirCells) {
+  for (const double y : {0.4, 0.0}) {
+    const std::vector<Contact> found =
+        find_contacts(Drawing(16).density(cap(0.8, y)).snapshot(), Surface{middle}, capillarity, {1, 0});
+    ASSERT_EQ(found.size(), 1U);
+    TableRow cells = found[0].cells;
+    cells.set("velocity", 1);
+    EXPECT_EQ(cells.in_order_of(contact_names(3)).size(), 17U);
+  }
 }
 
 TEST(Contacts, CapAtRest) {
   double before = 0;
   for (int n : {8, 16, 32}) {
-    const std::vector<double> c = only(Drawing(n).density(cap(0.4, 0.4)), {diagonal, diagonal});
-    const double error = std::abs(c[area] - M_PI * foot * foot);
+    const Cells c = only(Drawing(n).density(cap(0.4, 0.4)), {diagonal, diagonal});
+    const double error = std::abs(c["contact_area"] - M_PI * foot * foot);
     if (n > 8) {
       EXPECT_GT(before / error, 3.5) << "second order, " << n << " elements";
     }
     before = error;
     EXPECT_LT(error, area_bound(M_PI * foot * foot, 2 / (foot * foot), n));
-    EXPECT_NEAR(c[x], 0.4, 1e-12);
-    EXPECT_NEAR(c[y], 0.4, 1e-12);
-    EXPECT_NEAR(c[front], foot, 1e-12);
-    EXPECT_NEAR(c[rear], -foot, 1e-12);
-    EXPECT_NEAR(c[angle_front], angle, 20.0 / (n * n)) << "points of the fit are of second order; " << n;
-    EXPECT_NEAR(c[angle_rear], angle, 20.0 / (n * n)) << n;
+    EXPECT_NEAR(c["x_centre"], 0.4, 1e-12);
+    EXPECT_NEAR(c["y_centre"], 0.4, 1e-12);
+    EXPECT_NEAR(c["track_front"], foot, 1e-12);
+    EXPECT_NEAR(c["track_rear"], -foot, 1e-12);
+    EXPECT_NEAR(c["angle_front"], angle, 20.0 / (n * n)) << "points of the fit are of second order; " << n;
+    EXPECT_NEAR(c["angle_rear"], angle, 20.0 / (n * n)) << n;
   }
 }
 
@@ -75,32 +82,30 @@ TEST(Contacts, TiltedEllipseOffTheMiddle) {
   q.shape[2] = {0, 0, 100};
   double before[3] = {};
   for (int n : {16, 32}) {
-    const std::vector<double> cells = only(Drawing(n).density(q), {c, s});
-    const double error[3] = {cells[area] - M_PI * a * b, cells[x] - 0.37, cells[y] - 0.43};
+    const Cells cells = only(Drawing(n).density(q), {c, s});
+    const double error[3] = {cells["contact_area"] - M_PI * a * b, cells["x_centre"] - 0.37, cells["y_centre"] - 0.43};
     EXPECT_LT(std::abs(error[0]), area_bound(M_PI * a * b, 1 / (a * a) + 1 / (b * b), n));
     for (int k : {1, 2}) EXPECT_LT(std::abs(error[k]), 0.02 / (n * n));
     if (n == 32) {
       EXPECT_GT(before[0] / error[0], 3.5);
     }
     before[0] = error[0];
-    EXPECT_NEAR(cells[front] - cells[rear], 2 * a, 1e-4) << "the long axis, through a centroid of second order";
-    EXPECT_NEAR(0.5 * (cells[front] + cells[rear]), -0.03 * c + 0.03 * s, 1e-4);
+    EXPECT_NEAR(cells["track_front"] - cells["track_rear"], 2 * a, 1e-4)
+        << "the long axis, through a centroid of second order";
+    EXPECT_NEAR(0.5 * (cells["track_front"] + cells["track_rear"]), -0.03 * c + 0.03 * s, 1e-4);
   }
 }
 
 TEST(Contacts, StretchedWall) {
   Drawing drawing(16);
   drawing.density(cap(0.4, 0.4));
-  const std::vector<double> flat = only(drawing, {1, 0});
-  const std::vector<double> c = only(drawing.moved([](const Point& p) {
-    return Point{0.1 * p[0] - 0.03, 0.02, 0};
-  }),
-                                     {1, 0});
-  EXPECT_NEAR(c[area], 1.1 * flat[area], 1e-12);
-  EXPECT_NEAR(c[x], 0.41, 1e-12);
-  EXPECT_NEAR(c[y], 0.42, 1e-12);
-  EXPECT_NEAR(c[front], 0.01 + 1.1 * foot, 1e-12);
-  EXPECT_NEAR(c[rear], 0.01 - 1.1 * foot, 1e-12);
+  const Cells flat = only(drawing, {1, 0});
+  const Cells c = only(drawing.moved([](const Point& p) { return Point{0.1 * p[0] - 0.03, 0.02, 0}; }), {1, 0});
+  EXPECT_NEAR(c["contact_area"], 1.1 * flat["contact_area"], 1e-12);
+  EXPECT_NEAR(c["x_centre"], 0.41, 1e-12);
+  EXPECT_NEAR(c["y_centre"], 0.42, 1e-12);
+  EXPECT_NEAR(c["track_front"], 0.01 + 1.1 * foot, 1e-12);
+  EXPECT_NEAR(c["track_rear"], 0.01 - 1.1 * foot, 1e-12);
 }
 
 // Lifting the wall by w squeezes the fluid by 1 - w / height; an ellipsoid that is taller by as much becomes a sphere.
@@ -109,79 +114,82 @@ TEST(Contacts, SphereOnALiftedWall) {
   Quadric q = cap(0.4, 0.4);
   q.centre[2] = wall - radius * std::cos(angle * rad) / squeeze;
   q.shape[2][2] *= squeeze * squeeze;
-  const std::vector<double> c = only(Drawing(32).density(q).moved([&](const Point&) {
+  const Cells c = only(Drawing(32).density(q).moved([&](const Point&) {
     return Point{0, 0, lift};
   }),
-                                     {diagonal, diagonal});
-  EXPECT_NEAR(c[angle_front], angle, 0.02);
-  EXPECT_NEAR(c[angle_rear], angle, 0.02);
+                       {diagonal, diagonal});
+  EXPECT_NEAR(c["angle_front"], angle, 0.02);
+  EXPECT_NEAR(c["angle_rear"], angle, 0.02);
 }
 
 // Four capillarities above its foot a circle is steeper or flatter than there, by what its centre tells.
 TEST(Contacts, LocalAngleOfASphere) {
   const double above = 4 * capillarity + radius * std::cos(angle * rad);  // over the centre
   const double local = std::acos(above / radius) / rad;
-  const std::vector<double> c = only(Drawing(32).density(cap(0.4, 0.4)), {1, 0});
+  const Cells c = only(Drawing(32).density(cap(0.4, 0.4)), {1, 0});
   EXPECT_GT(std::abs(local - angle), 5);
-  EXPECT_NEAR(c[liquid_front], local, 0.02);
-  EXPECT_NEAR(c[liquid_rear], local, 0.02);
-  for (Column flat : {ridge_rear, ridge_front, rear_wet, rear_dry, front_wet, front_dry, lowest}) EXPECT_EQ(c[flat], 0);
+  EXPECT_NEAR(c["liquid_angle_front"], local, 0.02);
+  EXPECT_NEAR(c["liquid_angle_rear"], local, 0.02);
+  for (const char* flat : {"ridge_rear", "ridge_front", "wall_angle_rear_wet", "wall_angle_rear_dry",
+                           "wall_angle_front_wet", "wall_angle_front_dry", "dimple"})
+    EXPECT_EQ(c[flat], 0);
 }
 
 // The wall rises along the track by k: towards the front line on the wet side, and beyond it away from it.
 TEST(Contacts, ShapeOfATiltedWall) {
   const double k = 0.1, tilt = std::atan(k) / rad, reach = 4 * capillarity;
-  const std::vector<double> c = only(Drawing(32).density(cap(0.4, 0.4)).moved([&](const Point& p) {
+  const Cells c = only(Drawing(32).density(cap(0.4, 0.4)).moved([&](const Point& p) {
     return Point{0, 0, k * p[0]};
   }),
-                                     {1, 0});
-  EXPECT_NEAR(c[front_wet], tilt, 1e-9);
-  EXPECT_NEAR(c[front_dry], -tilt, 1e-9);
-  EXPECT_NEAR(c[rear_wet], -tilt, 1e-9);
-  EXPECT_NEAR(c[rear_dry], tilt, 1e-9);
-  EXPECT_NEAR(c[ridge_front], k * (0.4 + foot + reach), 1e-12);
-  EXPECT_NEAR(c[ridge_rear], k * (0.4 - foot + reach), 1e-12);
-  EXPECT_NEAR(c[lowest], k * (0.4 - foot), 1e-12);
+                       {1, 0});
+  EXPECT_NEAR(c["wall_angle_front_wet"], tilt, 1e-9);
+  EXPECT_NEAR(c["wall_angle_front_dry"], -tilt, 1e-9);
+  EXPECT_NEAR(c["wall_angle_rear_wet"], -tilt, 1e-9);
+  EXPECT_NEAR(c["wall_angle_rear_dry"], tilt, 1e-9);
+  EXPECT_NEAR(c["ridge_front"], k * (0.4 + foot + reach), 1e-12);
+  EXPECT_NEAR(c["ridge_rear"], k * (0.4 - foot + reach), 1e-12);
+  EXPECT_NEAR(c["dimple"], k * (0.4 - foot), 1e-12);
 }
 
 // Stretched along the track, a wall that rises by k in the undeformed state is less steep.
 TEST(Contacts, ShapeOfAWallThatIsStretchedToo) {
   const double k = 0.1, stretch = 0.25;
-  const std::vector<double> c = only(Drawing(32).density(cap(0.4, 0.4)).moved([&](const Point& p) {
+  const Cells c = only(Drawing(32).density(cap(0.4, 0.4)).moved([&](const Point& p) {
     return Point{stretch * p[0], 0, k * p[0]};
   }),
-                                     {1, 0});
-  EXPECT_NEAR(c[front_wet], std::atan(k / (1 + stretch)) / rad, 1e-9);
-  EXPECT_NEAR(c[rear_wet], -std::atan(k / (1 + stretch)) / rad, 1e-9);
+                       {1, 0});
+  EXPECT_NEAR(c["wall_angle_front_wet"], std::atan(k / (1 + stretch)) / rad, 1e-9);
+  EXPECT_NEAR(c["wall_angle_rear_wet"], -std::atan(k / (1 + stretch)) / rad, 1e-9);
 }
 
 // Around a bubble the dry side is the inner one, and the angle is measured in the liquid.
 TEST(Contacts, ShapeBesideABubble) {
   const auto tilted = [](const Point& p) { return Point{0, 0, 0.1 * p[0]}; };
-  const std::vector<double> wet = only(Drawing(16).density(cap(0.4, 0.4)).moved(tilted), {1, 0});
+  const Cells wet = only(Drawing(16).density(cap(0.4, 0.4)).moved(tilted), {1, 0});
   const Drawing drawing = Drawing(16).density(cap(0.4, 0.4)).mirrored().moved(tilted);
   const auto found = find_contacts(drawing.snapshot(), Surface{middle, Phase::vapour}, capillarity, {1, 0});
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_NEAR(*found[0].cells[front_dry], wet[front_wet], 1e-9);
-  EXPECT_NEAR(*found[0].cells[front_wet], wet[front_dry], 1e-9);
-  EXPECT_NEAR(*found[0].cells[liquid_front], 180 - wet[liquid_front], 1e-9);
-  EXPECT_NEAR(*found[0].cells[ridge_front], wet[ridge_front], 1e-12);
+  EXPECT_NEAR(Cells(found[0].cells)["wall_angle_front_dry"], wet["wall_angle_front_wet"], 1e-9);
+  EXPECT_NEAR(Cells(found[0].cells)["wall_angle_front_wet"], wet["wall_angle_front_dry"], 1e-9);
+  EXPECT_NEAR(Cells(found[0].cells)["liquid_angle_front"], 180 - wet["liquid_angle_front"], 1e-9);
+  EXPECT_NEAR(Cells(found[0].cells)["ridge_front"], wet["ridge_front"], 1e-12);
 }
 
 TEST(Contacts, CutBySides) {
-  const std::vector<double> whole = only(Drawing(16).density(cap(0.4, 0.4)), {1, 0});
-  const std::vector<double> along = only(Drawing(16).density(cap(0.4, 0)), {1, 0});
-  EXPECT_NEAR(along[area], 0.5 * whole[area], 1e-12);
-  EXPECT_NEAR(along[y], 4 * foot / (3 * M_PI), 1e-3) << "the centroid of half a disc";
-  for (Column column : {x, rear, front, angle_rear, angle_front})
+  const Cells whole = only(Drawing(16).density(cap(0.4, 0.4)), {1, 0});
+  const Cells along = only(Drawing(16).density(cap(0.4, 0)), {1, 0});
+  EXPECT_NEAR(along["contact_area"], 0.5 * whole["contact_area"], 1e-12);
+  EXPECT_NEAR(along["y_centre"], 4 * foot / (3 * M_PI), 1e-3) << "the centroid of half a disc";
+  for (const char* column : {"x_centre", "track_rear", "track_front", "angle_rear", "angle_front"})
     EXPECT_NEAR(along[column], whole[column], 1e-9) << "the section is that of the whole droplet, column " << column;
-  const std::vector<double> across = only(Drawing(16).density(cap(0.8, 0.4)), {1, 0});
-  EXPECT_NEAR(across[rear], 0.4 - foot, 1e-12);
-  EXPECT_NEAR(across[front], 0.4, 1e-12);
-  EXPECT_NEAR(across[angle_rear], angle, 0.1);
-  for (Column column : {angle_front, ridge_front, front_wet, front_dry, liquid_front})
+  const Cells across = only(Drawing(16).density(cap(0.8, 0.4)), {1, 0});
+  EXPECT_NEAR(across["track_rear"], 0.4 - foot, 1e-12);
+  EXPECT_NEAR(across["track_front"], 0.4, 1e-12);
+  EXPECT_NEAR(across["angle_rear"], angle, 0.1);
+  for (const char* column :
+       {"angle_front", "ridge_front", "wall_angle_front_wet", "wall_angle_front_dry", "liquid_angle_front"})
     EXPECT_TRUE(std::isnan(across[column])) << "a side is no contact line, column " << column;
-  EXPECT_NEAR(across[liquid_rear], whole[liquid_rear], 0.1);
+  EXPECT_NEAR(across["liquid_angle_rear"], whole["liquid_angle_rear"], 0.1);
 }
 
 // A droplet moved by whole elements of a periodic domain, over its corner, stays the same droplet.
@@ -192,13 +200,13 @@ TEST(Contacts, OverAPeriodicCorner) {
       return middle + 0.3 * std::tanh((0.25 - std::hypot(dx, dy, p[2] - wall + 0.05)) / 0.06);
     };
   };
-  const std::vector<double> whole = only(Drawing(16, true).density_near(droplet(0.4, 0.35)), {diagonal, diagonal});
-  const std::vector<double> moved = only(Drawing(16, true).density_near(droplet(0.0, 0.75)), {diagonal, diagonal});
-  EXPECT_NEAR(moved[area], whole[area], 1e-12);
-  EXPECT_NEAR(std::remainder(moved[x] - whole[x] - 0.4, 0.8), 0, 1e-12);
-  EXPECT_NEAR(moved[y], whole[y] + 0.4, 1e-12);
-  EXPECT_NEAR(moved[front] - moved[rear], whole[front] - whole[rear], 1e-9);
-  EXPECT_NEAR(moved[angle_front], whole[angle_front], 1e-6);
+  const Cells whole = only(Drawing(16, true).density_near(droplet(0.4, 0.35)), {diagonal, diagonal});
+  const Cells moved = only(Drawing(16, true).density_near(droplet(0.0, 0.75)), {diagonal, diagonal});
+  EXPECT_NEAR(moved["contact_area"], whole["contact_area"], 1e-12);
+  EXPECT_NEAR(std::remainder(moved["x_centre"] - whole["x_centre"] - 0.4, 0.8), 0, 1e-12);
+  EXPECT_NEAR(moved["y_centre"], whole["y_centre"] + 0.4, 1e-12);
+  EXPECT_NEAR(moved["track_front"] - moved["track_rear"], whole["track_front"] - whole["track_rear"], 1e-9);
+  EXPECT_NEAR(moved["angle_front"], whole["angle_front"], 1e-6);
   EXPECT_NEAR(advance(Drawing(16, true).layout(), {0.79, 0.4}, {0.01, 0.4}, {1, 0}), 0.02, 1e-12);
 }
 
@@ -206,14 +214,14 @@ TEST(Contacts, OverAPeriodicCorner) {
 /// that of the cap inside.
 TEST(Contacts, BubblesHaveADryFootAndAnAngleInTheLiquid) {
   for (const Place& at : {Place{0.4, 0.4}, Place{0.4, 0.0}}) {
-    const std::vector<double> wet = only(Drawing(16).density(cap(at[0], at[1])), {1, 0});
+    const Cells wet = only(Drawing(16).density(cap(at[0], at[1])), {1, 0});
     const Drawing drawing = Drawing(16).density(cap(at[0], at[1])).mirrored();
     const auto found = find_contacts(drawing.snapshot(), Surface{middle, Phase::vapour}, capillarity, {1, 0});
     ASSERT_EQ(found.size(), 1U);
-    for (Column column : {area, x, y, rear, front})
-      EXPECT_NEAR(*found[0].cells[column], wet[column], 1e-12) << "column " << column;
-    for (Column column : {angle_rear, angle_front})
-      EXPECT_NEAR(*found[0].cells[column], 180 - wet[column], 1e-9) << "column " << column;
+    for (const char* column : {"contact_area", "x_centre", "y_centre", "track_rear", "track_front"})
+      EXPECT_NEAR(Cells(found[0].cells)[column], wet[column], 1e-12) << "column " << column;
+    for (const char* column : {"angle_rear", "angle_front"})
+      EXPECT_NEAR(Cells(found[0].cells)[column], 180 - wet[column], 1e-9) << "column " << column;
     EXPECT_TRUE(found[0].holds({0.4, 0.1 + at[1]}));
   }
 }
@@ -239,8 +247,8 @@ TEST(Contacts, TwoDropletsMerge) {
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(assign_contacts(found, tracks), (std::vector<int>{0, 1}));
   EXPECT_TRUE(tracks[0].on_wall && tracks[1].on_wall);
-  EXPECT_NEAR(*found[0].cells[front], -0.03, 2e-3);
-  EXPECT_NEAR(*found[1].cells[rear], 0.03, 2e-3);
+  EXPECT_NEAR(Cells(found[0].cells)["track_front"], -0.03, 2e-3);
+  EXPECT_NEAR(Cells(found[1].cells)["track_rear"], 0.03, 2e-3);
 
   found = contacts(0.1);
   ASSERT_EQ(found.size(), 1U);
@@ -248,10 +256,11 @@ TEST(Contacts, TwoDropletsMerge) {
   EXPECT_TRUE(tracks[1].merged);
   EXPECT_FALSE(tracks[0].on_wall) << "its centre jumps to that of both: no velocity in this row";
   EXPECT_NEAR(found[0].centre[0], 0.4, 1e-12);
-  EXPECT_NEAR(*found[0].cells[front], 0.22, 2e-3);
+  EXPECT_NEAR(Cells(found[0].cells)["track_front"], 0.22, 2e-3);
   const double half = 0.1, r = 0.12;  // two discs but for the lens they share
   const double both = 2 * M_PI * r * r - 2 * (r * r * std::acos(half / r) - half * std::sqrt(r * r - half * half));
-  EXPECT_NEAR(*found[0].cells[area], both, 0.02 * both) << "the density between control values is no exact maximum";
+  EXPECT_NEAR(Cells(found[0].cells)["contact_area"], both, 0.02 * both)
+      << "the density between control values is no exact maximum";
 }
 
 TEST(Contacts, ADryPlaceIsUnderNoDroplet) {
