@@ -18,7 +18,7 @@ double StepControl::next(double t, double largest) const {
   if (event == events_.end()) return wish;
   double left = *event - t;
   if (t + left > *event) left = std::nextafter(left, 0.0);
-  if (left <= std::min({stretch * wish, (1 + rounding) * limits_.largest, largest})) return left;
+  if (left <= std::min(stretch * wish, (1 + rounding) * std::min(limits_.largest, largest))) return left;
   return left < 2 * wish ? 0.5 * left : wish;
 }
 

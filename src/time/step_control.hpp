@@ -22,7 +22,7 @@ class StepControl {
 
   /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly, where it does not end behind
   /// it by a rounding either. It may be shorter than the smallest one for that, and is never longer than the largest one.
-  /// @param largest  that the scheme can take from there, at least the smallest one; it is not exceeded
+  /// @param largest  that the scheme can take from there, at least the smallest one; it is not exceeded but by a rounding
   double next(double t, double largest = std::numeric_limits<double>::infinity()) const;
 
   /// From now on as from a first state.

@@ -114,6 +114,7 @@ TEST(StepControl, TheLargestStepOfASchemeIsNotExceeded) {
   EXPECT_DOUBLE_EQ(control.next(0.0, 0.011), 0.011);
   EXPECT_DOUBLE_EQ(control.next(0.9895, 0.011), 1.0 - 0.9895) << "to an event";
   EXPECT_NEAR(control.next(0.9885, 0.011), 0.5 * (1.0 - 0.9885), 1e-15) << "not stretched to an event";
+  EXPECT_DOUBLE_EQ(control.next(0.989, 0.011 - 1e-13), 1.0 - 0.989) << "but by a rounding";
   EXPECT_DOUBLE_EQ(control.next(0.0), 0.1) << "the proposal stays";
 }
 
