@@ -68,7 +68,8 @@ std::vector<Key> time_keys() {
            "Mass matrices of the explicit schemes. lumped takes their row sums: the error in space is of second order. "
            "corrected follows that by three products with the masses, which takes nearly all of this error away and "
            "makes steps 1.6 to 1.9 times shorter. consistent solves with the masses by conjugate gradients: many "
-           "times more expensive, to compare with. In violent flow of a thin vapour, where rkl2 takes steps that are many "
+           "times more expensive, to compare with. In violent flow of a thin vapour, where rkl2 takes steps that are "
+           "many "
            "times "
            "longer than viscosity allows, corrected masses let the density fall below zero; lumped ones do not.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.mass; }),

@@ -80,10 +80,14 @@ typename EndTies<D>::Set EndTies<D>::make_set(const Layout<D>& l, const std::vec
   const std::vector<Box<D>> all = boxes(l);
   const auto place_of = [&](End end, int last) {
     switch (end) {
-      case End::low: return 0;
-      case End::high: return last;
-      case End::below_wall: return l.wall_row;
-      default: return l.axis[D - 1].span(l.axis[D - 1].joint());
+      case End::low:
+        return 0;
+      case End::high:
+        return last;
+      case End::below_wall:
+        return l.wall_row;
+      default:
+        return l.axis[D - 1].span(l.axis[D - 1].joint());
     }
   };
   for (int c = first_component; c < last_component; ++c) {

@@ -93,9 +93,8 @@ double explicit_steps_foreseen(const Case& c) {
   double shortest = c.domain.size[0] / c.domain.elements[0];
   for (int d = 1; d < c.dimension(); ++d) shortest = std::min(shortest, c.domain.size[d] / c.domain.elements[d]);
   const int degree = c.domain.degree;
-  const MassSymbols symbols =
-      with_joint(end_symbols(degree, MassKind::corrected, fewest_elements(c), c.axisymmetric()), degree,
-                 MassKind::corrected, joined_elements(c));
+  const MassSymbols symbols = with_joint(end_symbols(degree, MassKind::corrected, fewest_elements(c), c.axisymmetric()),
+                                         degree, MassKind::corrected, joined_elements(c));
   double rate = 0;
   if (c.fluid) rate = std::max(rate, rate_of_fluid(c, symbols, shortest));
   if (c.substrate) rate = std::max(rate, rate_of_solid(c, symbols, shortest));

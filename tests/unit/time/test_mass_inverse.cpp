@@ -261,7 +261,9 @@ TEST(MassSymbols, AJointIsLittleStifferThanAnEnd) {
       for (const JoinedElements elements : {JoinedElements{10, 10}, {1, 10}, {10, 1}, {1, 1}, {2, 3}}) {
         const MassSymbols joint = with_joint(end, degree, kind, elements);
         EXPECT_GE(joint.elastic, end.elastic);
-        EXPECT_LT(joint.elastic, 1.3 * end.elastic) << degree << ": " << elements.below << ", " << elements.above;
+        const double most =
+            std::min(elements.below, elements.above) > 1 ? 1.3 : 1.5;  // a row that has an end, too, is stiffer
+        EXPECT_LT(joint.elastic, most * end.elastic) << degree << ": " << elements.below << ", " << elements.above;
         EXPECT_EQ(joint.acoustic, end.acoustic);
       }
       EXPECT_EQ(with_joint(end, degree, kind, {}).elastic, end.elastic);
