@@ -9,7 +9,7 @@ namespace {
 TEST(BackendError, MissingMemoryIsAQuestionOfTheCase) {
   const Error error = backend_error("Kokkos ERROR: Cuda memory space failed to allocate 3 GiB (label=\"x\").");
   EXPECT_EQ(error.code(), Exit::machine_failed);
-  EXPECT_NE(std::string(error.what()).find("3 GiB (label=\"x\").; 'softwet check CASE' tells"), std::string::npos);
+  EXPECT_NE(std::string(error.what()).find("3 GiB (label=\"x\").; 'softwet check CASE' shows"), std::string::npos);
 }
 
 TEST(BackendError, AKernelThatDoesNotStartIsNot) {
