@@ -28,14 +28,21 @@ void Masses<D, P>::collect(const Array& out) const {
 }
 
 template <int D, int P>
+void Masses<D, P>::add_scalar(const Stage& stage, const Array& z, const Array& out) const {
+  const Layout<D>& l = model_.layout();
+  Stage with_z = stage;
+  with_z.unknown = z;
+  add_fluid(DensityMoment{}, {l, with_z, {}, out});
+  move_ghosts(l, out, GhostAction::add);
+}
+
+template <int D, int P>
 void Masses<D, P>::scalar(const Stage& stage, const Array& z, const Array& out) const {
   const Layout<D>& l = model_.layout();
   Kokkos::deep_copy(Exec(), out, 0.0);
   move_ghosts(l, z, GhostAction::update);
-  Stage with_z = stage;
-  with_z.unknown = z;
-  add_fluid(DensityMoment{}, {l, with_z, {}, out});
-  collect(out);
+  add_scalar(stage, z, out);
+  multiply(out, model_.mask());
 }
 
 template <int D, int P>

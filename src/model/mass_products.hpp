@@ -16,6 +16,9 @@ class Masses {
   /// Part of the density: out_i = (q_i, z J) on the reference domain. Moments are the product with the density.
   void scalar(const Stage&, const Array& z, const Array& out) const;
 
+  /// The same added to `out`, with what is prescribed; the ghosts of z are filled.
+  void add_scalar(const Stage&, const Array& z, const Array& out) const;
+
   /// Velocities: out_i = inertia (w_i, rho z) + (grad w_i, tau(z)) in the fluid, inertia (w_i, rho_0 z) in the solid.
   /// @param inertia    1 for the mass, 0 for the viscous force alone
   /// @param viscosity  in tau

@@ -21,6 +21,35 @@ Columns own_columns(const Axis& axis, const Case& c) {
   return cut_columns(axis, ranks::mine(), count, boxes ? box_width(c.dimension()) - 1 : 0);
 }
 
+/// out -= force weight, by control point of the solid.
+template <int D>
+struct SubtractForce {
+  Array out;
+  ConstArray weight;
+  double minus[D];
+  int apart;  ///< from one velocity to the next
+  KOKKOS_FUNCTION void operator()(int i) const {
+    for (int d = 0; d < D; ++d) out(d * apart + i) += minus[d] * weight(i);
+  }
+};
+template <int D>
+void subtract_force(const Layout<D>& l, const std::vector<double>& force, const ConstArray& weight, const Array& out) {
+  SubtractForce<D> subtract{out, weight, {}, l.rows * l.row_size};
+  bool any = false;
+  for (int d = 0; d < D; ++d) {
+    subtract.minus[d] = -force[d];
+    any = any || force[d] != 0;
+  }
+  if (any) Kokkos::parallel_for("softwet::subtract_force", Items(0, weight.extent(0)), subtract);
+}
+
+/// out = -mask out
+struct TurnRound {
+  Array out;
+  ConstArray mask;
+  KOKKOS_FUNCTION void operator()(int i) const { out(i) = (0.0 - out(i)) * mask(i); }
+};
+
 }  // namespace
 
 template <int D, int P>
@@ -139,12 +168,9 @@ template <int D, int P>
 void Model<D, P>::add_loads(double time, const Array& out) const {
   for (const LoadVector<D>& load : loads_) {
     const std::vector<double> force = load.force(time);
-    const ConstArray weight = load.weight(layout_, time);
-    for (int d = 0; d < D; ++d)
-      if (force[d] != 0) add_scaled(out, layout_.velocity_offset(d), -force[d], weight);
+    subtract_force(layout_, force, load.weight(layout_, time), out);
   }
-  for (std::size_t d = 0; d < gravity_.force.size(); ++d)
-    if (gravity_.force[d] != 0) add_scaled(out, layout_.velocity_offset(d), -gravity_.force[d], gravity_.weight);
+  if (!gravity_.force.empty()) subtract_force(layout_, gravity_.force, gravity_.weight, out);
 }
 
 template <int D, int P>
@@ -157,13 +183,16 @@ void Model<D, P>::finish_residual(double time, const Array& out) const {
 
 template <int D, int P>
 void Model<D, P>::add_forces_of_solid(const Stage& stage, const Array& out) const {
-  const Evaluation<D> at{layout_, stage, {}, out};
+  TileSums<D, double> sums(layout_);
+  Evaluation<D> at{layout_, stage, {}, out};
+  at.sums = &sums;
   for (std::size_t i = 0; i < pieces_.first_of_fluid; ++i)
     if (i != pieces_.solid_viscosity) pieces_.list[i].piece->residual(at);
   for (std::size_t i : pieces_.on_wall) {
     const auto& entry = pieces_.list[i];
     (entry.exact ? entry.exact : entry.piece)->residual(at);
   }
+  sums.add_to(out);
   add_loads(stage.time, out);
   if (source_) source_(stage.time, out);
 }
@@ -189,14 +218,16 @@ void Model<D, P>::residual(const StageOf<float>& stage, const ArrayOf<float>& wo
 
 template <int D, int P>
 void Model<D, P>::potential_moments(const Stage& stage, const Array& out) const {
-  Kokkos::deep_copy(Exec(), out, 0.0);
-  const Evaluation<D> at{layout_, stage, {}, out};
+  if constexpr (host_algorithms) Kokkos::deep_copy(Exec(), out, 0.0);
+  TileSums<D, double> sums(layout_);
+  Evaluation<D> at{layout_, stage, {}, out};
+  at.sums = &sums;
   pieces_.variational_derivative->residual(at);
   if (pieces_.wall_law) pieces_.wall_law->residual(at);
+  if constexpr (!host_algorithms) sums.store(out, {});
   if (source_) source_(stage.time, out);
   move_ghosts(layout_, out, GhostAction::add);
-  combine(out, -1, out, 0);
-  multiply(out, mask_);
+  Kokkos::parallel_for("softwet::turn_round", Items(0, out.extent(0)), TurnRound{out, mask_});
 }
 
 template <int D, int P>

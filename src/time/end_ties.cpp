@@ -1,7 +1,7 @@
 #include "time/end_ties.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace softwet {
 namespace {
@@ -25,29 +25,41 @@ std::vector<int> clusters_of(const std::vector<Set>& sets) {
   return root;
 }
 
-/// Takes a part of the difference of each pair away and keeps its mean, weighted with `weights`.
-struct TieCluster {
-  Kokkos::View<const EndTie*, Exec> ties;
-  Kokkos::View<const int*, Exec> start;
-  int nodes;
-  double half, whole;
+/// The clusters of ties that are sorted by block and cluster, and their values.
+struct InBlocks {
+  int nodes, values, blocks;
+  double kept;
+};
+TieClusters in_order(const std::vector<EndTie>& sequence, const std::vector<int>& cluster,
+                     const std::vector<int>& block, const InBlocks& layout) {
+  std::vector<int> start{0}, member, first_member{0}, of_block(layout.blocks + 1, 0);
+  std::vector<char> tied(layout.values, 0);
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    for (const int value : {sequence[i].first, sequence[i].first + sequence[i].step})
+      if (!std::exchange(tied[value], 1)) member.push_back(value);
+    if (i + 1 < sequence.size() && cluster[sequence[i + 1].first] == cluster[sequence[i].first]) continue;
+    start.push_back(static_cast<int>(i + 1));
+    first_member.push_back(static_cast<int>(member.size()));
+    ++of_block[block[sequence[i].first] + 1];
+  }
+  for (int b = 0; b < layout.blocks; ++b) of_block[b + 1] += of_block[b];
+  using Numbers = Kokkos::View<int*, Exec>;
+  return {to_device<Kokkos::View<EndTie*, Exec>>(sequence, "ties"),
+          to_device<Numbers>(start, "ties"),
+          to_device<Numbers>(member, "ties"),
+          to_device<Numbers>(first_member, "ties"),
+          to_device<Kokkos::View<char*, Exec>>(tied, "ties"),
+          to_device<Numbers>(of_block, "ties"),
+          layout.nodes,
+          layout.kept};
+}
+
+/// Undoes the ties of a cluster: `ties` keep what those have left.
+struct Untie {
+  TieClusters ties;
   Array x;
   ConstArray weights;
-  Array gains;
-
-  KOKKOS_FUNCTION void operator()(int cluster) const {
-    const bool gain = gains.data() != nullptr;
-    for (int k = start(cluster); k < start(cluster + 1); ++k) {
-      const int i = ties(k).first, j = i + ties(k).step;
-      const double a = weights(i % nodes), b = weights(j % nodes);
-      const double part = (ties(k).whole ? whole : half) * (x(i) - x(j)) / (a + b);
-      x(i) -= b * part;
-      x(j) += a * part;
-      if (!gain) continue;
-      gains(i) += b * part;
-      gains(j) -= a * part;
-    }
-  }
+  KOKKOS_FUNCTION void operator()(int cluster) const { ties.smooth(cluster, x.data(), weights.data()); }
 };
 
 }  // namespace
@@ -69,8 +81,8 @@ EndTies<D>::EndTies(const Layout<D>& l, const ConstArray& device_mask) {
   }
   if (l.has_fluid && l.has_solid) velocity.push_back(make_set(l, mask, 0, D, D - 1, {End::below_wall}));
   if (l.axis[D - 1].joint() > 0) velocity.push_back(make_set(l, mask, 0, D, D - 1, {End::below_joint}));
-  velocity_ = make_group(velocity, l.rows * l.row_size);
-  scalar_ = make_group(scalar, std::max(1, l.scalar_size()));
+  velocity_ = clusters(velocity, LineBlocks<D>(l, true), D, kept_of_velocities);
+  scalar_ = clusters(scalar, LineBlocks<D>(l, false), 1, kept_of_scalars);
 }
 
 template <int D>
@@ -110,37 +122,33 @@ typename EndTies<D>::Set EndTies<D>::make_set(const Layout<D>& l, const std::vec
 }
 
 template <int D>
-typename EndTies<D>::Group EndTies<D>::make_group(const std::vector<Set>& all, int nodes) {
+TieClusters EndTies<D>::clusters(const std::vector<Set>& all, const LineBlocks<D>& blocks, int components,
+                                 double kept) {
   std::vector<Set> sets;
   for (const Set& set : all)
     if (!set.empty()) sets.push_back(set);
-  Group group;
-  group.nodes = nodes;
-  if (sets.empty()) return group;
   std::vector<EndTie> sequence;
   for (const Set& set : sets) sequence.insert(sequence.end(), set.begin(), set.end());
-  for (std::size_t i = sequence.size() - sets.back().size(); i < sequence.size(); ++i) sequence[i].whole = true;
-  for (auto set = sets.rbegin() + 1; set != sets.rend(); ++set)
-    sequence.insert(sequence.end(), set->begin(), set->end());
+  for (std::size_t i = sequence.size() - (sets.empty() ? 0 : sets.back().size()); i < sequence.size(); ++i)
+    sequence[i].whole = true;
+  for (auto set = sets.rbegin(); set != sets.rend(); ++set)
+    if (set != sets.rbegin()) sequence.insert(sequence.end(), set->begin(), set->end());
   const std::vector<int> cluster = clusters_of(sets);
-  std::stable_sort(sequence.begin(), sequence.end(),
-                   [&](const EndTie& a, const EndTie& b) { return cluster[a.first] < cluster[b.first]; });
-  std::vector<int> start = {0};
-  for (std::size_t i = 1; i <= sequence.size(); ++i)
-    if (i == sequence.size() || cluster[sequence[i].first] != cluster[sequence[i - 1].first])
-      start.push_back(static_cast<int>(i));
-  group.ties = to_device<Kokkos::View<EndTie*, Exec>>(sequence, "ties");
-  group.start = to_device<Kokkos::View<int*, Exec>>(start, "ties");
-  return group;
+  std::vector<int> block(cluster.size(), 0);
+  for (std::size_t i = 0; i < cluster.size(); ++i)
+    if (cluster[i] >= 0) block[i] = blocks.of(cluster[i]);
+  std::stable_sort(sequence.begin(), sequence.end(), [&](const EndTie& a, const EndTie& b) {
+    return std::pair(block[a.first], cluster[a.first]) < std::pair(block[b.first], cluster[b.first]);
+  });
+  return in_order(sequence, cluster, block,
+                  {blocks.nodes, components * blocks.nodes, components * blocks.count(), kept});
 }
 
 template <int D>
-void EndTies<D>::smooth(const Group& group, double kept, const Array& x, const ConstArray& weights,
-                        const Array& gains) const {
-  if (group.ties.extent(0) == 0) return;
-  const double half = 1 - std::sqrt(kept), whole = 1 - kept;  // twice the half makes a whole tie
-  Kokkos::parallel_for("softwet::ties", Items(0, group.start.extent(0) - 1),
-                       TieCluster{group.ties, group.start, group.nodes, half, whole, x, weights, gains});
+void EndTies<D>::untie_scalars(const Array& x, const ConstArray& weights) const {
+  TieClusters back = scalar_;
+  back.kept = 1 / scalar_.kept;
+  if (back.count() > 0) Kokkos::parallel_for("softwet::ties", Items(0, back.count()), Untie{back, x, weights});
 }
 
 template class EndTies<2>;

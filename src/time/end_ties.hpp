@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/ghosts.hpp"
+#include "solver/krylov/line_blocks.hpp"
 
 namespace softwet {
 
@@ -21,41 +22,57 @@ struct EndTie {
   bool whole;  ///< else the half of a tie that comes twice
 };
 
-/// Tested: tests/unit/time/test_mass_inverse.cpp
+/// Ties of some components in clusters that share no value.
+struct TieClusters {
+  Kokkos::View<const EndTie*, Exec> ties;               ///< in their order
+  Kokkos::View<const int*, Exec> start;                 ///< of the ties of each cluster, and the end
+  Kokkos::View<const int*, Exec> member, first_member;  ///< values of each cluster, once
+  Kokkos::View<const char*, Exec> tied;                 ///< whether a value is in a cluster
+  Kokkos::View<const int*, Exec> of_block;  ///< first cluster of each block of lines, and the end; on the host
+  int nodes = 1;                            ///< of a component
+  double kept = 1;
+
+  KOKKOS_FUNCTION int count() const { return static_cast<int>(start.extent(0)) - 1; }
+
+  /// Takes a part of the difference of each pair of a cluster away and keeps its mean, weighted with `weights`. What x loses is
+  /// added to `gains` where there are some.
+  KOKKOS_FUNCTION void smooth(int cluster, double* x, const double* weights, double* gains = nullptr) const {
+    const bool gain = gains != nullptr;
+    const double half = 1 - Kokkos::sqrt(kept), whole = 1 - kept;  // twice the half makes a whole tie
+    for (int k = start(cluster); k < start(cluster + 1); ++k) {
+      const int i = ties(k).first, j = i + ties(k).step;
+      const double a = weights[i % nodes], b = weights[j % nodes];
+      const double part = (ties(k).whole ? whole : half) * (x[i] - x[j]) / (a + b);
+      x[i] -= b * part;
+      x[j] += a * part;
+      if (!gain) continue;
+      gains[i] += b * part;
+      gains[j] -= a * part;
+    }
+  }
+};
+
+/// The ties of a scene.   Tested: tests/unit/time/test_mass_inverse.cpp
 template <int D>
 class EndTies {
  public:
   EndTies(const Layout<D>&, const ConstArray& mask);
 
-  // Arrays of the components alone; `weights` is a by control point.
-  /// x = W x, and what x loses is added to `gains` unless that is empty.
-  void velocities(const Array& x, const ConstArray& weights, const Array& gains = {}) const {
-    smooth(velocity_, kept_of_velocities, x, weights, gains);
-  }
-  void scalars(const Array& x, const ConstArray& weights, const Array& gains = {}) const {
-    smooth(scalar_, kept_of_scalars, x, weights, gains);
-  }
-  /// x = W^{-1} x for scalars.
-  void untie_scalars(const Array& x, const ConstArray& weights) const {
-    smooth(scalar_, 1 / kept_of_scalars, x, weights, {});
-  }
+  /// W of the components of velocity, and of one scalar.
+  const TieClusters& velocities() const { return velocity_; }
+  const TieClusters& scalars() const { return scalar_; }
+  /// x = W^{-1} x for a scalar, whose array it is alone; `weights` is a by control point.
+  void untie_scalars(const Array& x, const ConstArray& weights) const;
 
  private:
-  /// The ties in their order, in clusters that share no value, each with the ties from its start to that of the next one.
-  struct Group {
-    Kokkos::View<const EndTie*, Exec> ties;
-    Kokkos::View<const int*, Exec> start;
-    int nodes = 1;  ///< of a component
-  };
   enum class End { low, high, below_wall, below_joint };
   using Set = std::vector<EndTie>;  ///< of pairs that share no value
 
-  Set make_set(const Layout<D>&, const std::vector<double>& mask, int first, int last, int axis,
+  Set make_set(const Layout<D>&, const std::vector<double>& mask, int first_component, int last_component, int axis,
                const std::vector<End>& ends) const;
-  static Group make_group(const std::vector<Set>&, int nodes);
-  void smooth(const Group&, double kept, const Array& x, const ConstArray& weights, const Array& gains) const;
+  static TieClusters clusters(const std::vector<Set>&, const LineBlocks<D>&, int components, double kept);
 
-  Group velocity_, scalar_;
+  TieClusters velocity_, scalar_;
 };
 
 }  // namespace softwet

@@ -1,5 +1,7 @@
 #include "time/explicit_scheme.hpp"
 
+#include <chrono>
+
 #include "case/text.hpp"
 #include "time/kick_drift.hpp"
 #include "time/runge_kutta_step.hpp"
@@ -24,8 +26,8 @@ ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, co
       safety_(c.time.safety) {}
 
 template <int D, int P>
-StepRates ExplicitScheme<D, P>::rates_of(const ConstArray& moments) const {
-  return bound_.rates(system_.stage().unknown, system_.stage().displacement, moments, system_.masses().scalar_sums());
+BoundState ExplicitScheme<D, P>::bound_state(const ConstArray& moments) const {
+  return {system_.stage().unknown, system_.stage().displacement, moments, system_.masses().scalar_sums()};
 }
 
 template <int D, int P>
@@ -33,7 +35,7 @@ Refusal ExplicitScheme<D, P>::begin(const State& state) {
   if (begun_) return {};
   const Refusal problem = step_->begin(state);
   begun_ = problem.empty();
-  if (begun_) rates_ = rates_of(step_->moments());
+  if (begun_) rates_ = bound_.rates(bound_state(step_->moments()));
   return problem;
 }
 
@@ -50,19 +52,33 @@ double ExplicitScheme<D, P>::largest_step(const State& state, double wish) {
 template <int D, int P>
 std::string ExplicitScheme<D, P>::limit(const State&) {
   LoneRate most{};
-  for (const LoneRate& lone : lone_rates(rates_of(step_->moments())))  // a checkpoint has two of them
+  for (const LoneRate& lone : lone_rates(bound_.rates(bound_state(step_->moments()))))  // a checkpoint has two of them
     if (lone.rate > most.rate) most = lone;
-  const std::array<double, D> place = bound_.place_of_largest(system_.stage().unknown, system_.stage().displacement,
-                                                              step_->moments(), system_.masses().scalar_sums());
+  const std::array<double, D> place = bound_.place_of_largest(bound_state(step_->moments()));
   std::string text = std::string(most.name ? most.name : "nothing finite") + " limits it, at the place (";
   for (int d = 0; d < D; ++d) text += (d > 0 ? ", " : "") + short_text(place[d]);
   return text + ")";
 }
 
 template <int D, int P>
-StepAttempt ExplicitScheme<D, P>::attempt(const StepHistory& history, double dt) {
+Refusal ExplicitScheme<D, P>::judge_end(const StepHistory& history, double dt, double& indicator) {
   constexpr double change = 1.1;  // of the bound in a step that counts as none
-  Stopwatch watch(counts_.residual_seconds);
+  bound_.ask(bound_state(step_->next_moments()));
+  judge_.ask_indicator(history, system_.stage().unknown, dt / history.previous_dt);
+  HostNumbers::wait();
+  const ValueRanges values = bound_.ranges();
+  Refusal refusal = judge_.of_ranges(values.finite, values.least_density, values.most_density);
+  if (refusal.empty()) refusal = judge_.of_mesh(system_.stage());
+  if (!refusal.empty()) return refusal;
+  next_rates_ = bound_.rates();
+  if (dt * next_rates_.combined > std::max(1.0, change * safety_)) return {Refusal::beyond_bound};
+  indicator = judge_.take_indicator(history, dt);
+  return {};
+}
+
+template <int D, int P>
+StepAttempt ExplicitScheme<D, P>::attempt(const StepHistory& history, double dt) {
+  const auto start = std::chrono::steady_clock::now();
   const long before = system_.counts().iterations();
   StepAttempt attempt;
   attempt.refusal = begin(history.state);
@@ -70,17 +86,12 @@ StepAttempt ExplicitScheme<D, P>::attempt(const StepHistory& history, double dt)
   end_ = history.state.time + dt;
   dt_ = dt;
   attempt.refusal = step_->advance(history.state.time, dt, rates_);
-  const Array unknown = system_.stage().unknown;
-  if (attempt.refusal.empty()) attempt.refusal = judge_.of_values(unknown);
-  if (attempt.refusal.empty()) attempt.refusal = judge_.of_end(system_.stage());
-  if (attempt.refusal.empty()) {
-    next_rates_ = rates_of(step_->next_moments());
-    if (dt * next_rates_.combined > std::max(1.0, change * safety_)) attempt.refusal = {Refusal::beyond_bound};
-  }
+  if (attempt.refusal.empty()) attempt.refusal = judge_end(history, dt, attempt.indicator);
   attempt.krylov = static_cast<int>(system_.counts().iterations() - before);
   ++counts_.residuals;
   counts_.krylov += attempt.krylov;
-  if (attempt.refusal.empty()) attempt.indicator = judge_.indicator(history, unknown, dt / history.previous_dt, dt);
+  counts_.residual_seconds +=  // the judgement of the end has waited for all that the step started
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return attempt;
 }
 

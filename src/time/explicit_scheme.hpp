@@ -30,7 +30,10 @@ class ExplicitScheme final : public Scheme<D, P> {
  private:
   /// The rates that the step begins with, unless they are those of the last accepted step.
   Refusal begin(const State&);
-  StepRates rates_of(const ConstArray& moments) const;
+  /// The stage of the system with its moments.
+  BoundState bound_state(const ConstArray& moments) const;
+  /// Why the end of a step is not admissible. Takes its rates, and the indicator of its error.
+  Refusal judge_end(const StepHistory&, double dt, double& indicator);
 
   const Judge<D, P>& judge_;
   SemiDiscrete<D, P> system_;

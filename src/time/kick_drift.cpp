@@ -1,7 +1,5 @@
 #include "time/kick_drift.hpp"
 
-#include "time/sum_of.hpp"
-
 namespace softwet {
 
 template <int D, int P>
@@ -21,16 +19,16 @@ typename KickDrift<D, P>::Level KickDrift<D, P>::make_level() const {
 
 template <int D, int P>
 Refusal KickDrift<D, P>::begin(const State& s) {
-  Kokkos::deep_copy(system_.velocities_of(now_.y), part(s.unknown, 0, system_.velocities()));
-  Kokkos::deep_copy(system_.displacements_of(now_.y), s.displacement);
-  Kokkos::deep_copy(system_.moments_of(now_.y), s.moment);
+  Kokkos::deep_copy(Exec(), system_.velocities_of(now_.y), part(s.unknown, 0, system_.velocities()));
+  Kokkos::deep_copy(Exec(), system_.displacements_of(now_.y), s.displacement);
+  Kokkos::deep_copy(Exec(), system_.moments_of(now_.y), s.moment);
   multiply(system_.velocities_of(now_.y), part(system_.model().mask(), 0, system_.velocities()));
   system_.place_mesh(s.time, s.displacement);
   system_.place_velocity(system_.velocities_of(now_.y));
   Refusal problem = system_.find_density(system_.moments_of(now_.y));
   if (problem.empty()) problem = system_.find_potential();
   if (!problem.empty()) return problem;
-  if (system_.moments() > 0) Kokkos::deep_copy(now_.density, system_.stage().density_end);
+  if (system_.moments() > 0) Kokkos::deep_copy(Exec(), now_.density, system_.stage().density_end);
   system_.weigh_velocities(system_.moments_of(now_.y));
   problem = system_.pressure(now_.pressure, now_.stabilisation);
   return problem.empty() ? system_.convection(true, now_.convection) : problem;
@@ -39,37 +37,39 @@ Refusal KickDrift<D, P>::begin(const State& s) {
 template <int D, int P>
 Refusal KickDrift<D, P>::drift(double t, double dt) {
   const Array u = system_.displacements_of(next_.y), p = system_.moments_of(now_.y), end = system_.moments_of(next_.y);
-  Kokkos::deep_copy(Exec(), u, system_.displacements_of(now_.y));
-  system_.place_velocity(half_);
-  system_.add_motion(0.5 * dt, u);
-  system_.place_mesh(t + 0.5 * dt, u);
-  system_.place_density(now_.density);
-  system_.move_moments(0.5 * dt, p, now_.stabilisation, middle_);
-  Refusal problem = system_.find_density(middle_);
+  system_.move_mesh(t + 0.5 * dt, 0.5 * dt, system_.displacements_of(now_.y), u);
+  system_.find_flux();
+  const Refusal problem = system_.move_moments(0.5 * dt, p, now_.stabilisation, middle_);
   if (!problem.empty()) return problem;
-  system_.move_moments(dt, p, now_.stabilisation, end);
-  system_.add_motion(0.5 * dt, u);
-  system_.place_mesh(t + dt, u);
-  return system_.find_density(end);
+  system_.find_flux();
+  system_.move_mesh(t + dt, 0.5 * dt, u, u);
+  return system_.move_moments(dt, p, now_.stabilisation, end);
+}
+
+template <int D, int P>
+template <class... Others>
+void KickDrift<D, P>::kick(const SumOf& sum, const ForEach<Others>&... others) {
+  run_fused("softwet::kick", ForEach{system_.velocities(), Kick{sum, system_.placed_velocity()}}, others...);
+  system_.fill_ghosts();
 }
 
 template <int D, int P>
 Refusal KickDrift<D, P>::advance(double t, double dt, const StepRates&) {
   const Array v = system_.velocities_of(next_.y);
-  sum_of(half_, 1, system_.velocities_of(now_.y), 0.5 * dt, now_.pressure, 0.5 * dt, now_.convection);
+  const double half = 0.5 * dt;
+  kick({half_, 1, half, half, system_.velocities_of(now_.y), now_.pressure, now_.convection},
+       copied(system_.placed_density(), now_.density));
   Refusal problem = drift(t, dt);
   if (problem.empty()) problem = system_.find_potential();
   if (!problem.empty()) return problem;
-  if (system_.moments() > 0) Kokkos::deep_copy(Exec(), next_.density, system_.stage().density_end);
   system_.weigh_velocities(system_.moments_of(next_.y));
-  problem = system_.pressure(next_.pressure, next_.stabilisation);
+  problem = system_.pressure(next_.pressure);
   if (!problem.empty()) return problem;
-  sum_of(v, 1, half_, 0.5 * dt, next_.pressure, 0.5 * dt, now_.convection);
-  system_.place_velocity(v);
+  kick({v, 1, half, half, half_, next_.pressure, now_.convection}, system_.taken_rates(next_.stabilisation),
+       copied(next_.density, system_.placed_density()));
   problem = system_.convection(true, next_.convection);
   if (!problem.empty()) return problem;
-  sum_of(v, 1, half_, 0.5 * dt, next_.pressure, 0.5 * dt, next_.convection);
-  system_.place_velocity(v);
+  kick({v, 1, half, half, half_, next_.pressure, next_.convection});
   return {};
 }
 
@@ -78,13 +78,12 @@ void KickDrift<D, P>::accept(double t, double dt, State& s) {
   s.time = t;
   std::swap(now_, next_);
   const Array before = system_.moments_of(next_.y), p = system_.moments_of(now_.y);
-  Kokkos::deep_copy(s.unknown, system_.stage().unknown);
-  Kokkos::deep_copy(s.displacement, system_.stage().displacement);
-  Kokkos::deep_copy(s.moment, p);
-  sum_of(s.moment_rate, 1 / dt, p, -1 / dt, before, 0, p);
-  sum_of(s.velocity_rate, 1, now_.pressure, 1, now_.convection, 0, now_.pressure);
-  Kokkos::deep_copy(s.displacement_rate, 0.0);
-  system_.add_motion(1, s.displacement_rate);
+  run_fused(
+      "softwet::accept", copied(s.unknown, system_.stage().unknown),
+      copied(s.displacement, system_.stage().displacement), copied(s.moment, p),
+      ForEach{system_.moments(), SumOf{s.moment_rate, 1 / dt, -1 / dt, 0, p, before, p}},
+      ForEach{system_.velocities(), SumOf{s.velocity_rate, 1, 1, 0, now_.pressure, now_.convection, now_.pressure}},
+      system_.taken_motion(s.displacement_rate));
   system_.fill_rate_ghosts(s);
 }
 

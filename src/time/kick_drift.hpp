@@ -46,6 +46,9 @@ class KickDrift final : public ExplicitStep<D, P> {
   Level make_level() const;
   /// The drift: displacements, moments and density at the end from the velocity half way.
   Refusal drift(double t, double dt);
+  /// A sum of velocities, which the stage has then, with other parts of its launch.
+  template <class... Others>
+  void kick(const SumOf&, const ForEach<Others>&...);
 
   Level now_, next_;
   Array half_;    ///< vh

@@ -1,7 +1,5 @@
 #include "time/mass_inverse.hpp"
 
-#include "time/mass_kernels.hpp"
-
 namespace softwet {
 namespace {
 
@@ -28,8 +26,10 @@ MassInverse<D, P>::MassInverse(const Model<D, P>& model, MassKind kind)
       solid_sums_("masses.solid", velocity_.nodes()),
       ones_("masses.ones", model.layout().size()),
       scaled_("masses.scaled", model.layout().size()),
+      next_scaled_("masses.scaled", model.layout().size()),
       image_("masses.image", model.layout().size()),
-      first_("masses.first", model.layout().size()) {
+      first_("masses.first", model.layout().size()),
+      rows_("masses.rows", model.layout().has_solid && model.layout().has_fluid ? model.layout().size() : 0) {
   Kokkos::deep_copy(ones_, 1.0);
   for (const Weights& w : {scalar_, velocity_}) {
     if (w.nodes() == 0) continue;
@@ -69,16 +69,12 @@ void MassInverse<D, P>::add_solid_sums() {
 template <int D, int P>
 void MassInverse<D, P>::set_mesh(const Stage& stage) {
   const Layout<D>& l = model_.layout();
+  const Weights& w = scalar_;
   if (!l.has_fluid || (has_mesh_ && !l.has_solid)) return;
   has_mesh_ = true;
-  if (!l.has_solid) {
-    Kokkos::deep_copy(Exec(), scalar_.sums, scalar_.unit);
-  } else {
-    masses_.scalar(stage, ones_, image_);
-    move_ghosts(l, image_, GhostAction::update);
-    Kokkos::deep_copy(Exec(), scalar_.sums, part(image_, scalar_.begin, scalar_.end));
-  }
-  if (kind_ != MassKind::consistent) prepare(scalar_);
+  if (!l.has_solid) return prepare(w, copied(w.sums, w.unit));
+  masses_.add_scalar(stage, ones_, rows_);
+  prepare(w, ForEach{w.nodes(), TakeScalarRows{w.sums, w.of(rows_), part(model_.mask(), w.begin, w.end)}});
 }
 
 template <int D, int P>
@@ -93,53 +89,62 @@ void MassInverse<D, P>::set_weights(const ConstArray& moments, const ConstArray&
 
 template <int D, int P>
 void MassInverse<D, P>::weigh_with(const ConstArray& moments) {
-  sum_velocity_rows(velocity_.sums, solid_sums_, moments, scalar_.sums, model_.fluid().inertia_floor,
-                    model_.layout().fluid_shift());
-  product_.fill_ghosts(velocity_.sums, 0, 1);
-  if (kind_ == MassKind::corrected) prepare(velocity_);
+  const int shift = model_.layout().fluid_shift(), count = scalar_.nodes();
+  prepare(velocity_, ForEach{velocity_.nodes(), SumVelocityRows{velocity_.sums, solid_sums_, moments, scalar_.sums,
+                                                                model_.fluid().inertia_floor, shift, count}});
 }
 
 template <int D, int P>
-void MassInverse<D, P>::prepare(const Weights& w) {
-  const Array image = cut(image_, 0, w.nodes());
+template <class... Bodies>
+void MassInverse<D, P>::prepare(const Weights& w, const ForEach<Bodies>&... sums) {
   constexpr double steepest = 1.2;  // ratio of neighbours
-  find_roots(w.root, w.sums, w.unit);
-  neighbours_.limit(w.root, steepest, w.first == 0);
+  const Array rough = cut(image_, 0, w.nodes());
+  run_fused("softwet::mass_sums", sums..., ForEach{w.nodes(), FindRoots{rough, w.sums, w.unit}});
+  product_.fill_ghosts(w.sums, w.first, w.first + 1);
+  // Products with lumped masses are those of scalars alone.
+  if (kind_ == MassKind::consistent || (kind_ == MassKind::lumped && w.first == 0)) return;
+  product_.fill_ghosts(rough, w.first, w.first + 1);
+  neighbours_.limit(rough, w.root, steepest, w.first == 0);
   product_.fill_ghosts(w.root, w.first, w.first + 1);
-  product_.apply(w.root, image, w.first, w.first + 1);
-  product_.fill_ghosts(image, w.first, w.first + 1);
-  find_factors(w.left, w.right, image, w.root, w.sums);
+  const FindFactors<D, P> factors{product_.of(w.root, w.first == 0), WeightedPointers(w), w.left.data(),
+                                  w.right.data()};
+  Kokkos::parallel_for("softwet::mass_factors", Items(0, factors.product.items(1)), factors);
 }
 
 template <int D, int P>
-int MassInverse<D, P>::solve(const Weights& w, double factor, const ConstArray& b, const Array& z) {
+int MassInverse<D, P>::solve(const Weights& w, double factor, const RightSide& b, const Array& z) {
   const ConstArray mask = part(model_.mask(), w.begin, w.end);
-  const auto tie = [&](const Array& x, const Array& gains) {
-    w.first == 0 ? ties_.velocities(x, w.sums, gains) : ties_.scalars(x, w.sums, gains);
-  };
-  const Array x = kind_ == MassKind::lumped ? z : w.of(first_), image = w.of(image_);
-  divide(x, factor, b, w.sums, mask);
-  tie(x, {});
-  if (kind_ == MassKind::lumped) return 0;
-  product_.fill_ghosts(x, w.first, w.last);
-  for (int k = 0; k < 3; ++k) {  // y = -2 x, and three times y = x + e y
-    product_.step(w, {x, k == 0 ? x : z, k == 0 ? -2.0 : 1.0, mask, image, z}, w.first, w.last);
-    tie(image, z);
-    product_.fill_ghosts(z, w.first, w.last);
+  const bool of_velocity = w.first == 0, lumped = kind_ == MassKind::lumped;
+  const TieClusters& ties = of_velocity ? ties_.velocities() : ties_.scalars();
+  const Array x = lumped ? z : w.of(first_), image = w.of(image_);
+  Array scaled = w.of(scaled_), next = w.of(next_scaled_);
+  const WeightedPointers mass(w);
+  const BandProduct<D, P> product = product_.of(scaled, of_velocity);
+  WithTies<DivideBySums<D>>{{product.blocks, b, factor, mask, mass, x.data(), lumped ? nullptr : scaled.data(), -2.0},
+                            ties}
+      .launch("softwet::mass_divide", w.last - w.first);
+  for (int k = 0; k < 3 && !lumped; ++k) {  // y = -2 x, and three times y = x + e y
+    product_.fill_ghosts(scaled, w.first, w.last);
+    SeriesStep<D, P> step{
+        product_.of(scaled, of_velocity), mass,         mask.data(), k == 0 ? -2.0 : 1.0,           x.data(),
+        k == 0 ? x.data() : z.data(),     image.data(), z.data(),    k == 2 ? nullptr : next.data()};
+    WithTies<SeriesStep<D, P>>{step, ties}.launch("softwet::mass_step", w.last - w.first);
+    std::swap(scaled, next);
   }
+  if (!lumped) product_.fill_ghosts(z, w.first, w.last);
   return 0;
 }
 
 template <int D, int P>
 template <class Apply, class Precondition>
-int MassInverse<D, P>::solve_consistent(const Weights& w, double factor, const ConstArray& b, const Array& z,
+int MassInverse<D, P>::solve_consistent(const Weights& w, double factor, const RightSide& b, const Array& z,
                                         double tolerance, const Apply& apply, const Precondition& precondition) {
   // Conjugate gradients take vectors of unknowns, which are zero elsewhere.
   for (const Array& a : {scaled_, image_}) Kokkos::deep_copy(Exec(), a, 0.0);
   const ConstArray mask = part(model_.mask(), w.begin, w.end);
-  combine(w.of(scaled_), factor, b, 0);
   Kokkos::deep_copy(Exec(), w.of(image_), z);
-  for (const Array& a : {scaled_, image_}) multiply(w.of(a), mask);
+  multiply(w.of(image_), mask);
+  Kokkos::parallel_for("softwet::mass_side", Items(0, z.extent(0)), StoreRightSide{b, factor, mask, w.of(scaled_)});
   const int iterations =
       solver_.solve(apply, precondition, scaled_, image_, w.begin, w.end, tolerance, most_iterations);
   if (iterations >= 0) Kokkos::deep_copy(Exec(), z, w.of(image_));
@@ -147,19 +152,19 @@ int MassInverse<D, P>::solve_consistent(const Weights& w, double factor, const C
 }
 
 template <int D, int P>
-int MassInverse<D, P>::scalar(const Stage& stage, const ConstArray& b, const Array& z, double tolerance) {
+int MassInverse<D, P>::scalar(const Stage& stage, double factor, const RightSide& b, const Array& z, double tolerance) {
   const Weights& w = scalar_;
-  if (kind_ != MassKind::consistent) return solve(w, 1, b, z);
+  if (kind_ != MassKind::consistent) return solve(w, factor, b, z);
   const auto fixed_mesh = [&](const Array& r, const Array& x) {
     Kokkos::deep_copy(Exec(), w.of(x), w.of(r));
     kronecker_.solve(x, w.first, w.last);
   };
   return solve_consistent(
-      w, 1, b, z, tolerance, [&](const Array& x, const Array& out) { masses_.scalar(stage, x, out); }, fixed_mesh);
+      w, factor, b, z, tolerance, [&](const Array& x, const Array& out) { masses_.scalar(stage, x, out); }, fixed_mesh);
 }
 
 template <int D, int P>
-int MassInverse<D, P>::velocity(const Stage& stage, double factor, const ConstArray& b, const Array& z,
+int MassInverse<D, P>::velocity(const Stage& stage, double factor, const RightSide& b, const Array& z,
                                 double tolerance) {
   const Weights& w = velocity_;
   if (kind_ != MassKind::consistent) return solve(w, factor, b, z);
@@ -177,11 +182,13 @@ int MassInverse<D, P>::velocity(const Stage& stage, double factor, const ConstAr
 template <int D, int P>
 void MassInverse<D, P>::multiply_scalar(const ConstArray& z, const Array& out) {
   const Weights& w = scalar_;
-  const ConstArray mask = part(model_.mask(), w.begin, w.end);
-  Kokkos::deep_copy(Exec(), w.of(scaled_), z);
-  product_.fill_ghosts(w.of(scaled_), w.first, w.last);
-  product_.step(w, {z, w.of(scaled_), 1, mask, out, w.of(scaled_)}, w.first, w.last);
-  weigh(out, w.sums);
+  const Array scaled = w.of(scaled_);
+  Kokkos::deep_copy(Exec(), scaled, z);
+  weigh(scaled, w.root);
+  product_.fill_ghosts(scaled, w.first, w.last);
+  const MultiplyByMass<D, P> multiplied{product_.of(scaled, false), WeightedPointers(w), model_.mask().data() + w.begin,
+                                        z.data(), out.data()};
+  Kokkos::parallel_for("softwet::mass_product", Items(0, multiplied.product.items(1)), multiplied);
 }
 
 template <int D, int P>
@@ -194,14 +201,14 @@ void MassInverse<D, P>::invert_scalar(const ConstArray& z, const Array& p) {
   const auto vector = [&] { return Array("masses.search", z.extent(0)); };
   const Array rest = vector(), step = vector(), image = vector(), along = vector();
   multiply_scalar(z, p);
-  solve(scalar_, 1, p, rest);
+  solve(scalar_, 1, RightSide::of(p), rest);
   combine(rest, 1, z, -1);
   multiply(rest, mask);
   multiply_scalar(rest, along);
   double size = dot(space, rest, along);
   const double enough = tolerance * tolerance * std::abs(dot(space, z, p));
   for (int k = 0; k < rounds && size > enough; ++k) {
-    solve(scalar_, 1, along, image);
+    solve(scalar_, 1, RightSide::of(along), image);
     multiply(image, mask);
     const double part_of_step = size / dot(space, along, image);
     add_scaled(p, 0, part_of_step, along);

@@ -4,9 +4,8 @@
 #include "model/mass_products.hpp"
 #include "solver/krylov/conjugate_gradient.hpp"
 #include "solver/krylov/kronecker_mass.hpp"
-#include "solver/krylov/mass_product.hpp"
-#include "time/end_ties.hpp"
 #include "time/mass_kind.hpp"
+#include "time/mass_series.hpp"
 #include "time/smallest_neighbour.hpp"
 
 namespace softwet {
@@ -40,11 +39,12 @@ class MassInverse {
   void set_weights(const ConstArray& moments, const ConstArray& density);
 
   // Arrays of the components alone. `z` is where conjugate gradients begin, which need the stage. They return their
-  // iterations; -1: they failed.
-  /// z = S b for a scalar.
-  int scalar(const Stage&, const ConstArray& b, const Array& z, double tolerance);
+  // iterations; -1: they failed. A right side may be a force, which is taken: zero is left of it.
+  using RightSide = mass_kernels::RightSide;
+  /// z = factor S b for a scalar.
+  int scalar(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance);
   /// z = factor S b for velocities.
-  int velocity(const Stage&, double factor, const ConstArray& b, const Array& z, double tolerance);
+  int velocity(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance);
   /// The moments of which `scalar` finds the density z.
   void find_moments(const Stage&, const ConstArray& z, const Array& out);
 
@@ -59,11 +59,12 @@ class MassInverse {
     Array of(const Array& unknowns) const { return Kokkos::subview(unknowns, Kokkos::make_pair(begin, end)); }
   };
   Weights weights(int begin, int nodes, int first, int last) const;
-  /// Factors from the row sums.
-  void prepare(const Weights&);
-  int solve(const Weights&, double factor, const ConstArray& b, const Array& z);
+  /// Roots and factors from row sums, which the parts of a launch compute by control point.
+  template <class... Bodies>
+  void prepare(const Weights&, const ForEach<Bodies>&... sums);
+  int solve(const Weights&, double factor, const RightSide&, const Array& z);
   template <class Apply, class Precondition>
-  int solve_consistent(const Weights&, double factor, const ConstArray& b, const Array& z, double tolerance,
+  int solve_consistent(const Weights&, double factor, const RightSide& b, const Array& z, double tolerance,
                        const Apply&, const Precondition&);
   /// out = A z for scalars.
   void multiply_scalar(const ConstArray& z, const Array& out);
@@ -82,7 +83,8 @@ class MassInverse {
   SmallestNeighbour<D, P> neighbours_;
   Weights scalar_, velocity_;
   Array solid_sums_;  ///< by control point of the velocity
-  Array ones_, scaled_, image_, first_;
+  Array ones_, scaled_, next_scaled_, image_, first_;
+  Array rows_;  ///< where a moved mesh assembles its row sums; zero in between
   bool has_mesh_ = false;
 };
 

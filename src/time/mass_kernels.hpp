@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "solver/krylov/mass_product.hpp"
+#include "field/fused.hpp"
+#include "field/vector.hpp"
 
 namespace softwet::mass_kernels {
 
@@ -21,22 +22,6 @@ inline void scale_by_root(const Array& x, const ConstArray& a, const ConstArray&
   Kokkos::parallel_for("softwet::scale_by_root", Items(0, x.extent(0)), ScaleByRoot{x, a, b, nodes});
 }
 
-struct Divide {
-  Array z;
-  double factor;
-  ConstArray b, a, mask;
-  int nodes, components;
-  KOKKOS_FUNCTION void operator()(int node) const {
-    const double inverse = factor / a(node);
-    for (int c = 0, i = node; c < components; ++c, i += nodes) z(i) = mask(i) != 0 ? b(i) * inverse : 0.0;
-  }
-};
-/// z = factor mask b / a
-inline void divide(const Array& z, double factor, const ConstArray& b, const ConstArray& a, const ConstArray& mask) {
-  const int nodes = static_cast<int>(a.extent(0)), components = static_cast<int>(z.extent(0)) / std::max(1, nodes);
-  Kokkos::parallel_for("softwet::divide", Items(0, nodes), Divide{z, factor, b, a, mask, nodes, components});
-}
-
 struct Weigh {
   Array y;
   ConstArray a;
@@ -49,6 +34,7 @@ inline void weigh(const Array& y, const ConstArray& a) {
   Kokkos::parallel_for("softwet::weigh", Items(0, y.extent(0)), Weigh{y, a, nodes});
 }
 
+/// Row sums of velocities: those of the solid, and where there is fluid its moments, at least the floor.
 struct SumVelocityRows {
   Array sums;
   ConstArray solid, moments, volume;
@@ -59,36 +45,57 @@ struct SumVelocityRows {
     sums(i) = solid(i) + (k >= 0 && k < count ? Kokkos::max(moments(k), floor * volume(k)) : 0.0);
   }
 };
-/// Row sums of velocities: those of the solid, and where there is fluid its moments, at least the floor.
-inline void sum_velocity_rows(const Array& sums, const ConstArray& solid, const ConstArray& moments,
-                              const ConstArray& volume, double floor, int shift) {
-  const int count = static_cast<int>(volume.extent(0));
-  Kokkos::parallel_for("softwet::velocity_sums", Items(0, sums.extent(0)),
-                       SumVelocityRows{sums, solid, moments, volume, floor, shift, count});
-}
 
+/// Row sums of scalars from an assembled product, of which zero is left.
+struct TakeScalarRows {
+  Array sums, product;
+  ConstArray mask;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    sums(i) = mask(i) * product(i);
+    product(i) = 0;
+  }
+};
+
+/// root = sqrt(sums / unit)
 struct FindRoots {
   Array root;
   ConstArray sums, unit;
   KOKKOS_FUNCTION void operator()(int i) const { root(i) = Kokkos::sqrt(sums(i) / unit(i)); }
 };
-/// root = sqrt(sums / unit)
-inline void find_roots(const Array& root, const ConstArray& sums, const ConstArray& unit) {
-  Kokkos::parallel_for("softwet::mass_roots", Items(0, root.extent(0)), FindRoots{root, sums, unit});
-}
 
-struct FindFactors {
-  Array left, right;
-  ConstArray image, root, sums;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    right(i) = root(i) / sums(i);
-    left(i) = 1 - image(i) * right(i);
+/// The moments b + dt (rates - mask force), or a vector b as it is. A force is taken: zero is left for the next sum of terms.
+struct RightSide {
+  ConstArray b;
+  Array taken;  ///< b itself, or empty
+  double dt = 0;
+  ConstArray rates, force_mask;  ///< empty: no moments
+  Array force, moments;
+
+  static RightSide of(const ConstArray& b) { return {b, {}, 0, {}, {}, {}, {}}; }
+  static RightSide take(const Array& force) { return {force, force, 0, {}, {}, {}, {}}; }
+
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int i) const {
+    if (moments.data()) {
+      const double p = b(i) + dt * (rates(i) - force_mask(i) * force(i));
+      force(i) = 0;
+      return moments(i) = p;
+    }
+    const double value = b(i);
+    if (taken.data()) taken(i) = 0;
+    return value;
   }
 };
-/// From image = M root: the factors of A c = a (left c + right M (root c)).
-inline void find_factors(const Array& left, const Array& right, const ConstArray& image, const ConstArray& root,
-                         const ConstArray& sums) {
-  Kokkos::parallel_for("softwet::mass_factors", Items(0, left.extent(0)), FindFactors{left, right, image, root, sums});
-}
+
+/// out = factor b, and 0 where the mask is.
+struct StoreRightSide {
+  RightSide side;
+  double factor;
+  ConstArray mask;
+  Array out;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    const double value = factor * side(i);
+    out(i) = mask(i) * value;
+  }
+};
 
 }  // namespace softwet::mass_kernels

@@ -28,9 +28,9 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
 
   StepFormula formula() const override { return apart_ ? StepFormula::without_viscosity : StepFormula::runge_kutta; }
   Refusal begin(const State& s) override {
-    Kokkos::deep_copy(system_.velocities_of(y_), part(s.unknown, 0, system_.velocities()));
-    Kokkos::deep_copy(system_.displacements_of(y_), s.displacement);
-    Kokkos::deep_copy(system_.moments_of(y_), s.moment);
+    Kokkos::deep_copy(Exec(), system_.velocities_of(y_), part(s.unknown, 0, system_.velocities()));
+    Kokkos::deep_copy(Exec(), system_.displacements_of(y_), s.displacement);
+    Kokkos::deep_copy(Exec(), system_.moments_of(y_), s.moment);
     multiply(system_.velocities_of(y_), part(system_.model().mask(), 0, system_.velocities()));
     return system_.rates(s.time, y_, rates_);
   }
@@ -54,12 +54,12 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
     s.time = t;
     std::swap(y_, next_);
     std::swap(rates_, next_rates_);
-    Kokkos::deep_copy(s.unknown, system_.stage().unknown);
-    Kokkos::deep_copy(s.displacement, system_.stage().displacement);
-    Kokkos::deep_copy(s.moment, system_.moments_of(y_));
-    Kokkos::deep_copy(s.velocity_rate, system_.velocities_of(rates_));
-    Kokkos::deep_copy(s.displacement_rate, system_.displacements_of(rates_));
-    Kokkos::deep_copy(s.moment_rate, system_.moments_of(rates_));
+    Kokkos::deep_copy(Exec(), s.unknown, system_.stage().unknown);
+    Kokkos::deep_copy(Exec(), s.displacement, system_.stage().displacement);
+    Kokkos::deep_copy(Exec(), s.moment, system_.moments_of(y_));
+    Kokkos::deep_copy(Exec(), s.velocity_rate, system_.velocities_of(rates_));
+    Kokkos::deep_copy(Exec(), s.displacement_rate, system_.displacements_of(rates_));
+    Kokkos::deep_copy(Exec(), s.moment_rate, system_.moments_of(rates_));
     system_.fill_rate_ghosts(s);
   }
   void visit_memory(StepMemory& memory) override {

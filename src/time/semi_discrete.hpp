@@ -5,6 +5,7 @@
 #include "model/explicit_terms.hpp"
 #include "time/evolution.hpp"
 #include "time/mass_inverse.hpp"
+#include "time/step_kernels.hpp"
 
 namespace softwet {
 
@@ -38,19 +39,30 @@ class SemiDiscrete final : public Evolution {
 
   /// Moves the mesh of the stage, with the row sums of scalars.
   void place_mesh(double t, const Array& displacement);
+  /// The same to displacements to = from + dt v, with the velocities of the stage.
+  void move_mesh(double t, double dt, const ConstArray& from, const Array& to);
   /// Velocities of the stage, with their ghosts.
   void place_velocity(const Array& v);
-  void place_density(const ConstArray& density);
-  /// Density and chemical potential of the stage. `find_density` also weights velocities with the moments.
-  Refusal find_density(const ConstArray& moments);
+  // Parts of the stage, for launches that write them.
+  Array placed_velocity() const { return velocities_of(stage_.unknown); }
+  Array placed_density() const { return stage_.density_end; }
+  /// Ghosts of all unknowns of the stage.
+  void fill_ghosts();
+  /// Density and chemical potential of the stage.
+  Refusal find_density(const ConstArray& moments) { return find_density(mass_kernels::RightSide::of(moments)); }
   Refusal find_potential();
   void weigh_velocities(const ConstArray& moments) { masses_.set_weights(moments, density()); }
-  /// Displacements by dt times the velocities of the stage.
-  void add_motion(double dt, const Array& displacement) const;
-  /// out = moments + dt (G + rates), where G are the rates of the moments by the flux of mass.
-  void move_moments(double dt, const ConstArray& moments, const ConstArray& rates, const Array& out);
+  /// The flux of mass G of the stage, which `move_moments` takes before anything else is evaluated.
+  void find_flux();
+  /// out = moments + dt (G + rates), and the density of the stage from these.
+  Refusal move_moments(double dt, const ConstArray& moments, const ConstArray& rates, const Array& out);
   /// Acceleration by pressure, capillarity, elasticity and loads, and rates of the moments by the stabilisation.
   Refusal pressure(const Array& acceleration, const Array& moment_rates);
+  /// The same, where the rates have to be taken before anything else is evaluated: as a part of a launch.
+  Refusal pressure(const Array& acceleration);
+  ForEach<TakeRates> taken_rates(const Array& moment_rates) const;
+  /// Rates of the displacements by the velocities of the stage, as a part of a launch.
+  ForEach<TakeMotion> taken_motion(const Array& rate) const;
   /// Acceleration by convection, and viscosity unless it is treated apart.
   Refusal convection(bool viscous, const Array& acceleration);
   /// Acceleration of velocities by viscosity alone, with the density and mesh of the stage.
@@ -70,9 +82,14 @@ class SemiDiscrete final : public Evolution {
 
  private:
   static Array range(const Array& y, int first, int last) { return Kokkos::subview(y, Kokkos::make_pair(first, last)); }
-  /// The rates of the moments of minus the force that the terms have collected.
-  void take_rates(const Array& out) const;
   ConstArray density() const { return model_.layout().has_fluid ? ConstArray(stage_.density_end) : ConstArray(); }
+  Array scalars_of(const Array& unknowns) const {
+    return range(unknowns, model_.layout().density_offset(), model_.layout().potential_offset());
+  }
+  ConstArray scalar_mask() const {
+    return part(model_.mask(), model_.layout().density_offset(), model_.layout().potential_offset());
+  }
+  Refusal find_density(const mass_kernels::RightSide& moments);
   /// out = the acceleration of minus the force that the terms have collected, where `why` tells that there is none.
   Refusal accelerate(const Array& out, Refusal::Cause why, long& count);
 
@@ -84,7 +101,9 @@ class SemiDiscrete final : public Evolution {
   MassInverse<D, P> masses_;
   Stage stage_;
   bool gentle_ = false;
-  Array force_, velocity_;  ///< vectors of unknowns; of these the velocities, for viscosity
+  Array force_;      ///< of terms, a vector of unknowns; who reads a part leaves zero there, so that terms can be added
+  Array potential_;  ///< moments of the chemical potential, in a vector of unknowns
+  Array velocity_;   ///< a vector of unknowns, of which the velocities count
   MassCounts counts_;
 };
 

@@ -28,49 +28,66 @@ std::vector<int> numbers(int count) {
   return all;
 }
 
-/// The smallest of the values around each along one axis. An item is a row of values along the first axis on the host, and one
-/// value on a device.
-template <int P>
-struct SmallestAlong {
+/// Values cut to `ratio` times the smallest one around each. An item is a line of values along the first axis on the host,
+/// and one value on a device.
+template <int D, int P>
+struct CutToNeighbours {
   static constexpr int width = 2 * P + 1;
   const double* in;
   double* out;
-  double ratio;  ///< above 0: values of `out` are cut to so many times the smallest ones
-  Table table;
-  int row, stride;
+  double ratio;
+  Table table[D];
 
+  KOKKOS_FUNCTION int extent(int d) const { return static_cast<int>(table[d].extent(1)); }
   KOKKOS_FUNCTION void operator()(int item) const {
     if constexpr (host_algorithms) {
-      const int begin = item * row;
-      stride == 1 ? first_axis(begin) : other_axis(begin, place_of(begin));
+      line(item * extent(0));
     } else {
-      const int place = place_of(item);
-      double least = in[item];
-      for (int k = 0; k < width; ++k) least = Kokkos::min(least, in[item + (table(k, place) - place) * stride]);
-      store(item, least);
+      int place[D], rest = item;
+      for (int d = 0; d < D; ++d) {
+        place[d] = rest % extent(d);
+        rest /= extent(d);
+      }
+      store(item, least<D - 1>(item, place));
     }
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION int place_of(int i) const { return i / stride % static_cast<int>(table.extent(1)); }
-  KOKKOS_FORCEINLINE_FUNCTION void store(int i, double least) const {
-    out[i] = ratio > 0 ? Kokkos::min(out[i], ratio * least) : least;
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION void store(int i, double smallest) const {
+    out[i] = Kokkos::min(in[i], ratio * smallest);
   }
-  void first_axis(int begin) const {
-    const int* at[width];
-    for (int k = 0; k < width; ++k) at[k] = &table(k, 0);
-    for (int i = 0; i < row; ++i) {
-      double least = in[begin + i];
-      for (int k = 0; k < width; ++k) least = Kokkos::min(least, in[begin + at[k][i]]);
-      store(begin + i, least);
+  template <int d>
+  KOKKOS_FORCEINLINE_FUNCTION double least(int i, const int (&place)[D]) const {
+    if constexpr (d < 0) {
+      return in[i];
+    } else {
+      int stride = 1;
+      for (int e = 0; e < d; ++e) stride *= extent(e);
+      double smallest = least<d - 1>(i, place);
+      for (int k = 0; k < width; ++k)
+        smallest = Kokkos::min(smallest, least<d - 1>(i + (table[d](k, place[d]) - place[d]) * stride, place));
+      return smallest;
     }
   }
-  void other_axis(int begin, int place) const {
-    int from[width];
-    for (int k = 0; k < width; ++k) from[k] = begin + (table(k, place) - place) * stride;
+
+  /// The smallest of the lines around it first, then of the values around each of these.
+  void line(int begin) const {
+    const int row = extent(0), y = begin / row % extent(1), z = begin / row / extent(1);
+    thread_local std::vector<double> room;
+    room.assign(in + begin, in + begin + row);
+    double* across = room.data();
+    for (int l = 0; l < (D == 3 ? width : 1); ++l)
+      for (int k = 0; k < width; ++k) {
+        const double* beside =
+            in + begin + ((D == 3 ? table[D - 1](l, z) - z : 0) * extent(1) + table[1](k, y) - y) * row;
+        for (int i = 0; i < row; ++i) across[i] = Kokkos::min(across[i], beside[i]);
+      }
+    const int* at[width];
+    for (int k = 0; k < width; ++k) at[k] = &table[0](k, 0);
     for (int i = 0; i < row; ++i) {
-      double least = in[begin + i];
-      for (int k = 0; k < width; ++k) least = Kokkos::min(least, in[from[k] + i]);
-      store(begin + i, least);
+      double smallest = across[i];
+      for (int k = 0; k < width; ++k) smallest = Kokkos::min(smallest, across[at[k][i]]);
+      store(begin + i, smallest);
     }
   }
 };
@@ -91,23 +108,15 @@ SmallestNeighbour<D, P>::SmallestNeighbour(const Layout<D>& l) : layout_(l) {
     velocity_[d] = neighbours(functions, places, P, period);
     scalar_[d] = d < D - 1 ? velocity_[d] : neighbours(numbers(l.fluid_rows()), numbers(l.fluid_rows()), P, period);
   }
-  for (Array& a : scratch_) a = Array("smallest_neighbour", l.rows * l.row_size);
 }
 
 template <int D, int P>
-void SmallestNeighbour<D, P>::limit(const Array& x, double ratio, bool velocities) const {
-  const std::array<Table, D>& tables = velocities ? velocity_ : scalar_;
-  const int row = layout_.extent(0), count = static_cast<int>(x.extent(0)),
-            items = host_algorithms ? count / row : count;
-  int stride = 1;
-  for (int d = 0; d < D; ++d) {
-    const bool last = d == D - 1;
-    const double* from = d == 0 ? x.data() : scratch_[(d - 1) % 2].data();
-    double* to = last ? x.data() : scratch_[d % 2].data();
-    Kokkos::parallel_for("softwet::smallest_neighbour", Items(0, items),
-                         SmallestAlong<P>{from, to, last ? ratio : 0, tables[d], row, stride});
-    stride *= static_cast<int>(tables[d].extent(1));
-  }
+void SmallestNeighbour<D, P>::limit(const ConstArray& x, const Array& out, double ratio, bool velocities) const {
+  CutToNeighbours<D, P> cut{x.data(), out.data(), ratio, {}};
+  for (int d = 0; d < D; ++d) cut.table[d] = velocities ? velocity_[d] : scalar_[d];
+  const int count = static_cast<int>(x.extent(0));
+  Kokkos::parallel_for("softwet::smallest_neighbour", Items(0, host_algorithms ? count / layout_.extent(0) : count),
+                       cut);
 }
 
 template class SmallestNeighbour<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

@@ -12,8 +12,8 @@ class SmallestNeighbour {
  public:
   explicit SmallestNeighbour(const Layout<D>&);
 
-  /// x_i = min(x_i, ratio min_j x_j).
-  void limit(const Array& x, double ratio, bool velocities) const;
+  /// out_i = min(x_i, ratio min_j x_j) in another array.
+  void limit(const ConstArray& x, const Array& out, double ratio, bool velocities) const;
 
  private:
   /// Entry (k, i) is the place of function i + k - degree; at an end or where a process does not store it, i itself.
@@ -21,7 +21,6 @@ class SmallestNeighbour {
 
   Layout<D> layout_;
   std::array<Table, D> velocity_, scalar_;
-  Array scratch_[2];
 };
 
 }  // namespace softwet

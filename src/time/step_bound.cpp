@@ -3,22 +3,12 @@
 #include <cmath>
 #include <limits>
 
-#include "time/step_points.hpp"
+#include "time/largest_rates.hpp"
 
 namespace softwet {
 namespace {
 
 using namespace step_points;
-
-template <class Point>
-StepRates largest_of(const Point& point, int items) {
-  double found[mechanisms] = {};
-  const Kokkos::View<double*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> result(found, mechanisms);
-  LargestRates<Point> largest{mechanisms, point};
-  Kokkos::parallel_reduce("softwet::step_rates", Items(0, items), largest, result);
-  return {found[combined],      found[sound], found[capillarity], found[viscosity],
-          found[stabilisation], found[flow],  found[elasticity]};
-}
 
 using Worst = Kokkos::MaxLoc<double, int>::value_type;
 
@@ -62,13 +52,6 @@ bool has_free_end(const Layout<D>& l, const std::vector<double>& mask, int axis)
   return ranks::largest(found ? 1.0 : 0.0) > 0;
 }
 
-/// The largest rates of all processes.
-StepRates over_all_ranks(StepRates r) {
-  double all[] = {r.combined, r.sound, r.capillarity, r.viscosity, r.stabilisation, r.flow, r.elasticity};
-  ranks::largest(all, 7);
-  return {all[0], all[1], all[2], all[3], all[4], all[5], all[6]};
-}
-
 }  // namespace
 
 template <int D, int P>
@@ -78,7 +61,8 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
       inside_(inside_symbols(P, kind)),
       end_(with_joint(end_symbols(P, kind, fewest_elements(model.layout()), model.layout().axisymmetric), P, kind,
                       joined_elements(model.layout()))),
-      adds_axes_(kind == MassKind::consistent) {
+      adds_axes_(kind == MassKind::consistent),
+      found_("step_bound.found", found_numbers) {
   const Layout<D>& l = model.layout();
   length_ = l.axis[0].spacing();
   for (const Axis& axis : l.axis) length_ = std::min(length_, axis.spacing());
@@ -137,74 +121,84 @@ auto StepBound<D, P>::solid_point(const Solid& solid, const ConstArray& displace
 
 template <int D, int P>
 template <class Visit>
-void StepBound<D, P>::visit_points(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
-                                   const ConstArray& sums, const Visit& visit) const {
+void StepBound<D, P>::visit_points(const BoundState& s, const Visit& visit) const {
   const Layout<D>& l = model_.layout();
   if (l.has_solid && l.has_fluid) {
     StretchOfColumn<D> column{
-        displacement.data() + l.wall_shift(), {}, stretch_, {}, l.solid_rows() * l.row_size, model_.blend().slope()};
+        s.displacement.data() + l.wall_shift(), {}, stretch_, {}, l.solid_rows() * l.row_size, model_.blend().slope()};
     for (int d = 0; d < D; ++d) {
       column.greville[d] = greville_[d];
       column.extent[d] = l.extent(d);
     }
     Kokkos::parallel_for("softwet::stretch", Items(0, l.row_size), column);
   }
-  if (l.has_fluid) {
+  const auto with_fluid = [&](const auto& solid) {
+    if (!l.has_fluid) return visit(NoPoint{}, solid);
     const ConstArray mask = part(model_.mask(), l.density_offset(), l.potential_offset());
-    const FluidPoint<D> point{unknown.data(),
-                              unknown.data() + l.density_offset(),
-                              moments,
-                              sums,
-                              stretch_,
-                              blend_,
-                              mask,
-                              near_end_,
-                              model_.fluid(),
-                              inside_,
-                              end_,
-                              formula_,
-                              l.row_size,
-                              l.rows * l.row_size,
-                              l.fluid_shift(),
-                              adds_axes_ ? D : 1,
-                              length_};
-    visit(point, l.scalar_size(), l.wall_row, false);
-  }
-  if (l.has_solid)
-    std::visit(
-        [&](const auto& solid) {
-          const int items = l.solid_rows() * l.row_size;
-          if constexpr (D == 2)
-            if (l.axisymmetric) return visit(solid_point<true>(solid, displacement), items, 0, true);
-          visit(solid_point<false>(solid, displacement), items, 0, true);
-        },
-        model_.solid());
+    visit(FluidPoint<D>{s.unknown.data(), s.unknown.data() + l.density_offset(), s.moments, s.sums, stretch_, blend_,
+                        mask, near_end_, model_.fluid(), inside_, end_, formula_, l.row_size, l.rows * l.row_size,
+                        l.fluid_shift(), adds_axes_ ? D : 1, length_},
+          solid);
+  };
+  if (!l.has_solid) return with_fluid(NoPoint{});
+  std::visit(
+      [&](const auto& solid) {
+        if constexpr (D == 2)
+          if (l.axisymmetric) return with_fluid(solid_point<true>(solid, s.displacement));
+        with_fluid(solid_point<false>(solid, s.displacement));
+      },
+      model_.solid());
 }
 
 template <int D, int P>
-StepRates StepBound<D, P>::rates(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
-                                 const ConstArray& sums) const {
-  StepRates found;
-  visit_points(unknown, displacement, moments, sums, [&](const auto& point, int items, int, bool of_solid) {
-    const StepRates here = largest_of(point, items);
-    if (!of_solid) {
-      found = here;
-      return;
-    }
-    found.elasticity = here.elasticity;
-    found.viscosity = std::max(found.viscosity, here.viscosity);
-    found.combined = std::max(found.combined, here.combined);
+void StepBound<D, P>::ask(const BoundState& state) const {
+  const Layout<D>& l = model_.layout();
+  const VectorSpace space = l.space();
+  const int width = space.end - space.begin;
+  const ValuePoint values{state.unknown.data(), space.stored,        space.begin, width,
+                          l.density_offset(),   l.potential_offset()};
+  visit_points(state, [&](const auto& fluid, const auto& solid) {
+    const LargestRates<std::decay_t<decltype(fluid)>, std::decay_t<decltype(solid)>> largest{
+        found_numbers,
+        fluid,
+        solid,
+        values,
+        l.scalar_size(),
+        l.solid_rows() * l.row_size,
+        l.size() / space.stored * width};
+    Kokkos::parallel_reduce("softwet::step_rates", Items(0, largest.items()), largest, found_.device);
   });
-  return over_all_ranks(found);
+  found_.ask();
 }
 
 template <int D, int P>
-std::array<double, D> StepBound<D, P>::place_of_largest(const ConstArray& unknown, const ConstArray& displacement,
-                                                        const ConstArray& moments, const ConstArray& sums) const {
+StepRates StepBound<D, P>::rates() const {
+  std::array<double, mechanisms> all;
+  std::copy_n(found_.host.data(), int(mechanisms), all.begin());
+  ranks::largest(all.data(), mechanisms);
+  return {all[combined], all[sound], all[capillarity], all[viscosity], all[stabilisation], all[flow], all[elasticity]};
+}
+
+template <int D, int P>
+ValueRanges StepBound<D, P>::ranges() const {
+  double all[] = {found_.host(not_finite), found_.host(least_density), found_.host(most_density)};
+  ranks::largest(all, 3);
+  return {all[0] == 0, -all[1], all[2]};
+}
+
+template <int D, int P>
+StepRates StepBound<D, P>::rates(const BoundState& state) const {
+  ask(state);
+  HostNumbers::wait();
+  return rates();
+}
+
+template <int D, int P>
+std::array<double, D> StepBound<D, P>::place_of_largest(const BoundState& state) const {
   const Layout<D>& l = model_.layout();
   std::array<double, D> place{};
   double largest = -1;
-  visit_points(unknown, displacement, moments, sums, [&](const auto& point, int items, int first_row, bool) {
+  const auto look = [&](const auto& point, int items, int first_row) {
     const Worst worst = worst_of(point, items);
     if (!(worst.val > largest)) return;
     largest = worst.val;
@@ -215,6 +209,10 @@ std::array<double, D> StepBound<D, P>::place_of_largest(const ConstArray& unknow
       place[d] = l.axis[d].periodic() ? std::fmod(x + side, side) : x;
       rest /= extent;
     }
+  };
+  visit_points(state, [&](const auto& fluid, const auto& solid) {
+    if (l.has_fluid) look(fluid, l.scalar_size(), l.wall_row);
+    if (l.has_solid) look(solid, l.solid_rows() * l.row_size, 0);
   });
   const bool here = ranks::largest(largest) == largest;
   for (double& x : place) x = ranks::largest(here ? x : -std::numeric_limits<double>::max());

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "model/model.hpp"
+#include "time/host_numbers.hpp"
 #include "time/mass_symbols.hpp"
 
 namespace softwet {
@@ -27,6 +28,18 @@ inline std::array<LoneRate, 6> lone_rates(const StepRates& r) {
            {"flow", 0.5 * r.flow},
            {"elasticity", 0.5 * r.elasticity}}};
 }
+
+/// Of the values of a state.
+struct ValueRanges {
+  bool finite = true;
+  double least_density = 0, most_density = 0;  ///< infinite where one is not finite
+};
+
+/// A state as a bound sees it.
+struct BoundState {
+  ConstArray unknown, displacement;  ///< velocities and density, with their ghosts
+  ConstArray moments, sums;          ///< of the density, and row sums of the scalar mass
+};
 
 /// How a scheme adds the rates at a point: w of waves, s of viscosity, e of the stabilisation, u of the flow.
 /// kick_drift: max((sqrt(e^2 + 4 (w + u)^2) + e + s) / 4, s). Without viscosity one wave is stable up to (w dt)^2 + 2 e dt = 4, which is
@@ -53,19 +66,19 @@ class StepBound {
  public:
   StepBound(const Model<D, P>&, MassKind, StepFormula);
 
-  /// @param unknown  velocities and density, with their ghosts
-  /// @param moments, sums  of the density, and row sums of the scalar mass
-  StepRates rates(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
-                  const ConstArray& sums) const;
+  /// Asks for the rates and the ranges of the values of a state, and, after a wait for the numbers of the host, gives them.
+  void ask(const BoundState&) const;
+  StepRates rates() const;
+  ValueRanges ranges() const;
+  /// Asks, waits and gives.
+  StepRates rates(const BoundState&) const;
   /// Where the combined rate is largest, in the undeformed domain.
-  std::array<double, D> place_of_largest(const ConstArray& unknown, const ConstArray& displacement,
-                                         const ConstArray& moments, const ConstArray& sums) const;
+  std::array<double, D> place_of_largest(const BoundState&) const;
 
  private:
-  /// Calls visit(point, items, first row of the mesh, whether it is the solid) for the points of the fluid and of the solid.
+  /// Calls visit(points of the fluid, points of the solid) after the stretches of columns were found.
   template <class Visit>
-  void visit_points(const ConstArray& unknown, const ConstArray& displacement, const ConstArray& moments,
-                    const ConstArray& sums, const Visit& visit) const;
+  void visit_points(const BoundState&, const Visit& visit) const;
   /// Of the solid. @tparam Axial  in the coordinates (r, z), where waves have a hoop strain too
   template <bool Axial, class Solid>
   auto solid_point(const Solid&, const ConstArray& displacement) const;
@@ -80,6 +93,7 @@ class StepBound {
   ConstArray greville_[D];  ///< of stored columns
   ConstArray blend_;        ///< of the rows of the fluid
   Array stretch_;           ///< 1 / smallest stretch of the mesh, by column
+  HostNumbers found_;
 };
 
 }  // namespace softwet

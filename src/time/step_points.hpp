@@ -19,38 +19,6 @@ KOKKOS_INLINE_FUNCTION double combine(StepFormula formula, double w, double s, d
   return Kokkos::sqrt(turn * turn + decay * decay);
 }
 
-/// Largest values of several numbers at once.
-template <class Point>
-struct LargestRates {
-  using value_type = double[];
-  unsigned value_count = mechanisms;
-  Point point;
-
-  KOKKOS_FUNCTION void init(double* best) const {
-    for (int k = 0; k < mechanisms; ++k) best[k] = 0;
-  }
-  KOKKOS_FUNCTION void join(double* best, const double* other) const {
-    for (int k = 0; k < mechanisms; ++k) best[k] = best[k] < other[k] ? other[k] : best[k];
-  }
-  KOKKOS_FUNCTION void operator()(int i, double* best) const {
-    double found[mechanisms] = {};
-    point(i, found);
-    join(best, found);
-  }
-};
-
-/// The largest combined rate and its item.
-template <class Point>
-struct LargestPlace {
-  Point point;
-
-  KOKKOS_FUNCTION void operator()(int i, Kokkos::MaxLoc<double, int>::value_type& best) const {
-    double found[mechanisms] = {};
-    point(i, found);
-    if (found[combined] > best.val) best = {found[combined], i};
-  }
-};
-
 /// Derivative of a field along an axis at a control point, from its neighbour's control value.
 KOKKOS_INLINE_FUNCTION double difference(const double* c, int i, int place, int extent, int stride,
                                          const ConstArray& greville) {

@@ -47,8 +47,8 @@ struct ExplicitRunIn {
     EXPECT_TRUE(step->begin(state).empty());
   }
   StepRates rates() const {
-    return bound.rates(system.stage().unknown, system.stage().displacement, step->moments(),
-                       system.masses().scalar_sums());
+    return bound.rates(
+        {system.stage().unknown, system.stage().displacement, step->moments(), system.masses().scalar_sums()});
   }
   void run(double dt, int steps) {
     for (int n = 0; n < steps; ++n) {

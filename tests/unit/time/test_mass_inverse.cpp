@@ -7,6 +7,8 @@
 namespace softwet::testing_tools {
 namespace {
 
+using mass_kernels::RightSide;
+
 /// The masses of a scene whose mesh is moved by the displacement of its random stage, or not.
 struct Weighed {
   RandomScene scene;
@@ -30,8 +32,12 @@ struct Weighed {
     return Kokkos::subview(a, Kokkos::make_pair(l().density_offset(), l().potential_offset()));
   }
   Array velocities(const Array& a) const { return Kokkos::subview(a, Kokkos::make_pair(0, l().velocity_size())); }
-  void solve_scalar(const Array& b, const Array& z) { inverse.scalar(stage, scalars(b), scalars(z), 0); }
-  void solve_velocity(const Array& b, const Array& z) { inverse.velocity(stage, 1, velocities(b), velocities(z), 0); }
+  void solve_scalar(const Array& b, const Array& z) {
+    inverse.scalar(stage, 1, RightSide::of(scalars(b)), scalars(z), 0);
+  }
+  void solve_velocity(const Array& b, const Array& z) {
+    inverse.velocity(stage, 1, RightSide::of(velocities(b)), velocities(z), 0);
+  }
 };
 
 /// Fluid without an end: periodic along both axes.
@@ -123,6 +129,34 @@ TEST(MassInverse, IsSymmetricAndPositive) {
   }
 }
 
+// A force that is taken leaves zero, and moments are p + dt (rates - mask force) wherever they are kept.
+TEST(MassInverse, TakesForcesAndMovesMoments) {
+  for (const MassKind kind : {MassKind::consistent, MassKind::lumped, MassKind::corrected}) {
+    Weighed w(scene(Scene::coupled), kind);
+    const int count = w.l().scalar_size();
+    const auto draw = [&] { return w.scene.terms.patch.draw(count, 0.5, 1); };
+    const Array p = draw(), rates = draw(), force = draw(), taken = draw();
+    const Array moved("p", count), z("z", count), expected("e", count);
+    const ConstArray mask = part(w.scene.model.mask(), w.l().density_offset(), w.l().potential_offset());
+    std::vector<double> step = to_host(p);
+    const std::vector<double> r = to_host(rates), f = to_host(force), m = to_host(mask), given = to_host(taken);
+    for (int i = 0; i < count; ++i) step[i] += 0.1 * (r[i] - m[i] * f[i]);
+    w.inverse.scalar(w.stage, 1, RightSide{p, {}, 0.1, rates, mask, force, moved}, z, 1e-12);
+    w.inverse.scalar(w.stage, 1, RightSide::of(to_device<Array>(step)), expected, 1e-12);
+    for (int i = 0; i < count; ++i) {
+      ASSERT_NEAR(to_host(moved)[i], step[i], 1e-14);
+      ASSERT_NEAR(to_host(z)[i], to_host(expected)[i], 1e-8);
+      ASSERT_EQ(to_host(force)[i], 0);
+    }
+    w.inverse.scalar(w.stage, -2, RightSide::take(taken), z, 1e-12);
+    w.inverse.scalar(w.stage, -2, RightSide::of(to_device<Array>(given)), expected, 1e-12);
+    for (int i = 0; i < count; ++i) {
+      ASSERT_NEAR(to_host(z)[i], to_host(expected)[i], 1e-8);
+      ASSERT_EQ(to_host(taken)[i], 0);
+    }
+  }
+}
+
 // Weights that jump by any factor from function to function: S stays positive, as it has to for viscosity to damp.
 TEST(MassInverse, StaysPositiveBesideMuchHeavierNeighbours) {
   for (const bool periodic : {false, true}) {
@@ -166,7 +200,7 @@ double error_of_wave(int elements, MassKind kind) {
   const auto scalars = [&l](const Array& a) {
     return Kokkos::subview(a, Kokkos::make_pair(l.density_offset(), l.potential_offset()));
   };
-  inverse.scalar(stage, scalars(b), scalars(z), 0);
+  inverse.scalar(stage, 1, RightSide::of(scalars(b)), scalars(z), 0);
   const std::vector<double> found = to_host(z);
   double error = 0;
   for (int i = l.density_offset(); i < l.potential_offset(); ++i)
