@@ -11,8 +11,8 @@ namespace softwet {
 /// difference,  D = diag(a) + k d d^T  with  d.c = c_0 - c_1.  Then  W = D^{-1} diag(a)  keeps the mean of the two, weighted
 /// with a, and the part 1 / (1 + k / a_0 + k / a_1) of their difference. What is uniform stays so.
 /// Where a velocity is held, its neighbours are not tied to it. Where solid and fluid meet, velocities are tied on the side of
-/// the solid; where two materials are joined, on the lower side. Ties of several sides follow each other: halves of all but the last set, that one, and the other halves in
-/// reverse, which is symmetric in the weights.
+/// the solid; where two materials are joined, on the lower side. Ties of several sides follow each other: halves of all but the last set,
+/// that one, and the other halves in reverse, which is symmetric in the weights.
 /// Smaller parts make steps longer, up to a limit, and cost accuracy where a wall has a contact angle.
 inline constexpr double kept_of_scalars = 0.6, kept_of_velocities = 0.4;
 
