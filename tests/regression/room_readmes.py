@@ -58,3 +58,4 @@ for sentence in ("src/machine has no README.md", "src/time/README.md does not na
                  "src/solver/README.md does not name `krylov/newcomer`", "src/memory/README.md does not name `array`"):
     check_true(f"reported: {sentence}", any(sentence in problem for problem in found), found)
 check_true("nothing else is reported", len(found) == 4, found)
+shutil.rmtree(copy)
