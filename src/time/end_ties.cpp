@@ -1,6 +1,7 @@
 #include "time/end_ties.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace softwet {
@@ -51,7 +52,8 @@ TieClusters in_order(const std::vector<EndTie>& sequence, const std::vector<int>
           to_device<Kokkos::View<char*, Exec>>(tied, "ties"),
           to_device<Numbers>(of_block, "ties"),
           layout.nodes,
-          layout.kept};
+          1 - std::sqrt(layout.kept),
+          1 - layout.kept};
 }
 
 /// Undoes the ties of a cluster: `ties` keep what those have left.
@@ -147,7 +149,8 @@ TieClusters EndTies<D>::clusters(const std::vector<Set>& all, const LineBlocks<D
 template <int D>
 void EndTies<D>::untie_scalars(const Array& x, const ConstArray& weights) const {
   TieClusters back = scalar_;
-  back.kept = 1 / scalar_.kept;
+  back.half = 1 - std::sqrt(1 / kept_of_scalars);
+  back.whole = 1 - 1 / kept_of_scalars;
   if (back.count() > 0) Kokkos::parallel_for("softwet::ties", Items(0, back.count()), Untie{back, x, weights});
 }
 

@@ -30,7 +30,7 @@ struct TieClusters {
   Kokkos::View<const char*, Exec> tied;                 ///< whether a value is in a cluster
   Kokkos::View<const int*, Exec> of_block;  ///< first cluster of each block of lines, and the end; on the host
   int nodes = 1;                            ///< of a component
-  double kept = 1;
+  double half = 0, whole = 0;               ///< parts that are taken away; twice the half makes a whole tie
 
   KOKKOS_FUNCTION int count() const { return static_cast<int>(start.extent(0)) - 1; }
 
@@ -38,7 +38,6 @@ struct TieClusters {
   /// added to `gains` where there are some.
   KOKKOS_FUNCTION void smooth(int cluster, double* x, const double* weights, double* gains = nullptr) const {
     const bool gain = gains != nullptr;
-    const double half = 1 - Kokkos::sqrt(kept), whole = 1 - kept;  // twice the half makes a whole tie
     for (int k = start(cluster); k < start(cluster + 1); ++k) {
       const int i = ties(k).first, j = i + ties(k).step;
       const double a = weights[i % nodes], b = weights[j % nodes];

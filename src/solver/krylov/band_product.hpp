@@ -79,9 +79,9 @@ struct BandProduct {
 
   /// to = the sums along the first axis, of a line.
   void first_line(const double* from, double* to) const;
-  /// to = the sums along axis d at a place, where line(p) are the sums of the axes before at place p.
+  /// to = the sums along axis d at a place, where line(p) are the sums of the axes before at place p. With room for a line.
   template <class LineAt>
-  void next_line(int d, int place, const LineAt& line, double* to) const;
+  void next_line(int d, int place, const LineAt& line, double* to, double* beyond) const;
   template <class LineAt>
   void line_sum(int d, int place, const LineAt& line, double* to) const;
 };
@@ -136,10 +136,9 @@ void BandProduct<D, P>::line_sum(int d, int place, const LineAt& line, double* t
 
 template <int D, int P>
 template <class LineAt>
-void BandProduct<D, P>::next_line(int d, int place, const LineAt& line, double* to) const {
+void BandProduct<D, P>::next_line(int d, int place, const LineAt& line, double* to, double* beyond) const {
   line_sum(d, place, line, to);
   if (owned[d] == extent[d] || place >= P) return;
-  double* beyond = to + extent[0];
   line_sum(d, place + owned[d], line, beyond);
   for (int i = 0; i < extent[0]; ++i) to[i] += beyond[i];
 }
@@ -156,7 +155,8 @@ void BandProduct<D, P>::run_block(int block, const Store& store) const {
   }
   const int high = last[1] - first[1], planes = r[2].count(), lines = r[1].count();
   double* room = thread_room(std::size_t(row) * (planes * (lines + high) + 2));
-  double *sums = room, *of_first = sums + 2 * row, *of_second = of_first + std::size_t(row) * planes * lines;
+  double *sums = room, *beyond = sums + row, *of_first = beyond + row,
+         *of_second = of_first + std::size_t(row) * planes * lines;
   for (int z = 0; z < planes; ++z)
     for (int y = 0; y < lines; ++y)
       first_line(in + component + (r[2].place(z) * extent[1] + r[1].place(y)) * row, of_first + (z * lines + y) * row);
@@ -168,20 +168,20 @@ void BandProduct<D, P>::run_block(int block, const Store& store) const {
   if constexpr (D == 2) {
     for (int y = first[1]; y < last[1]; ++y) {
       next_line(
-          1, y, [&](int p) { return of_first + r[1].index(p) * row; }, sums);
+          1, y, [&](int p) { return of_first + r[1].index(p) * row; }, sums, beyond);
       finish(y, 0);
     }
   } else {
     for (int z = 0; z < planes; ++z)
       for (int y = first[1]; y < last[1]; ++y) {
         next_line(
-            1, y, [&](int p) { return of_first + (z * lines + r[1].index(p)) * row; }, sums);
-        std::copy_n(sums, row, of_second + (z * high + y - first[1]) * row);
+            1, y, [&](int p) { return of_first + (z * lines + r[1].index(p)) * row; },
+            of_second + (z * high + y - first[1]) * row, beyond);
       }
     for (int z = first[2]; z < last[2]; ++z)
       for (int y = first[1]; y < last[1]; ++y) {
         next_line(
-            2, z, [&](int p) { return of_second + (r[2].index(p) * high + y - first[1]) * row; }, sums);
+            2, z, [&](int p) { return of_second + (r[2].index(p) * high + y - first[1]) * row; }, sums, beyond);
         finish(y, z);
       }
   }

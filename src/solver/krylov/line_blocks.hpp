@@ -10,7 +10,7 @@ namespace softwet {
 /// last two of an axis, and those below and on the wall or the joint of the solid.
 template <int D>
 struct LineBlocks {
-  static constexpr int width = D == 2 ? 16 : 8;
+  static constexpr int width = 16;  ///< about
 
   int extent[D] = {}, nodes = 1;             ///< of a component
   int blocks[D] = {};                        ///< along each axis; 1 along the first
@@ -70,7 +70,8 @@ struct LineBlocks {
 
  private:
   static int end_behind(int begin, int extent, int wall, int joint) {
-    int end = std::min(begin + width, extent);
+    const int left = extent - begin, blocks = std::max(1, (left + width / 2) / width);
+    int end = begin + (left + blocks - 1) / blocks;
     while (end < extent && (end == 1 || end == extent - 1 || end == wall || end == joint)) ++end;
     return end;
   }

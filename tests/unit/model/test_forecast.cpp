@@ -105,6 +105,13 @@ TEST(Forecast, SolidTooSoftForItsDroplet) {
   EXPECT_TRUE(forecast(soft(0.7554)).empty());
   Case heavy = soft(0.1);
   EXPECT_TRUE(tells(heavy, "inside out"));
+  EXPECT_FALSE(tells(heavy, "neo_hookean"));
+  Case tense = soft(0.05);
+  tense.substrate->surface_tension = tense.substrate->surface_tension_wet = 0.004;
+  EXPECT_TRUE(tells(tense, "inside out"));
+  EXPECT_TRUE(tells(tense, "write substrate.material = \"neo_hookean\"; or begin at rest"));
+  tense.substrate->material = "neo_hookean";
+  EXPECT_FALSE(tells(tense, "neo_hookean"));
   heavy.substrate->density = 8;
   EXPECT_FALSE(tells(heavy, "inside out"));
   EXPECT_TRUE(tells(heavy, "the Young modulus is 0.8 a b^2"));
