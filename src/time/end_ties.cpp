@@ -137,7 +137,7 @@ TieClusters EndTies<D>::clusters(const std::vector<Set>& all, const LineBlocks<D
     if (set != sets.rbegin()) sequence.insert(sequence.end(), set->begin(), set->end());
   const std::vector<int> cluster = clusters_of(sets);
   std::vector<int> block(cluster.size(), 0);
-  for (std::size_t i = 0; i < cluster.size(); ++i)
+  for (std::size_t i = 0; host_algorithms && i < cluster.size(); ++i)  // a device has no blocks
     if (cluster[i] >= 0) block[i] = blocks.of(cluster[i]);
   std::stable_sort(sequence.begin(), sequence.end(), [&](const EndTie& a, const EndTie& b) {
     return std::pair(block[a.first], cluster[a.first]) < std::pair(block[b.first], cluster[b.first]);

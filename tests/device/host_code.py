@@ -29,7 +29,7 @@ SCENES = {
                                   FLAT + ["fluid.capillarity=1/16", "solver.krylov.launch=graph"]),
     "3D rigid, explicit": ("impact_rigid_3d", FILM + ["fluid.capillarity=1/8", "domain.quadrature=full"]),
     "3D soft, explicit": ("impact_soft_3d", FILM + ["fluid.capillarity=1/8", "domain.quadrature=full"]),
-    "3D soft, implicit": ("fig4_needle_3d_small", FILM + ["fluid.capillarity=0.2"]),
+    "3D soft, implicit": ("fig4_needle_3d_small", ["domain.elements=[8,8,10]", "fluid.capillarity=0.2"]),
 }
 
 
