@@ -22,8 +22,8 @@ struct WeightedPointers {
 
 namespace mass_kernels {
 
-/// A stage of the series with the ties of its ends: each value, the ties between values, and what follows from a value. An
-/// item is a block of lines on the host. On a device it is a cluster of ties with all its values, or a value without ties.
+/// A stage of the series with the ties of its ends: each value, the ties between values, and, where a product follows, its scaled
+/// vector from each value. An item is a block of lines on the host. On a device it is a cluster of ties with all its values, or a value without ties.
 template <class Stage, bool lines = host_algorithms>
 struct WithTies {
   Stage stage;
@@ -34,17 +34,21 @@ struct WithTies {
       stage.run_block(item);
       if (ties.count() > 0)
         for (int c = ties.of_block(item); c < ties.of_block(item + 1); ++c) stage.tie(ties, c);
-      stage.blocks().for_lines(item, [&](int begin, int node) { stage.end_line(begin, node); });
+      if (!stage.scaled) return;
+      stage.blocks().for_lines(item, [&](int begin, int node) {
+        SOFTWET_INDEPENDENT
+        for (int k = 0; k < stage.blocks().extent[0]; ++k) stage.end(begin + k, node + k);
+      });
     } else if (item >= ties.count()) {
       const int i = item - ties.count();
       if (ties.count() > 0 && ties.tied(i)) return;
       stage.run(i);
-      stage.end(i, i % stage.nodes());
+      if (stage.scaled) stage.end(i, i % stage.nodes());
     } else {
       const int first = ties.first_member(item), last = ties.first_member(item + 1);
       for (int m = first; m < last; ++m) stage.run(ties.member(m));
       stage.tie(ties, item);
-      for (int m = first; m < last; ++m) stage.end(ties.member(m), ties.member(m) % stage.nodes());
+      for (int m = first; stage.scaled && m < last; ++m) stage.end(ties.member(m), ties.member(m) % stage.nodes());
     }
   }
 
@@ -82,14 +86,7 @@ struct DivideBySums {
     });
   }
   KOKKOS_FUNCTION void tie(const TieClusters& ties, int cluster) const { ties.smooth(cluster, x, mass.sums); }
-  KOKKOS_FUNCTION void end(int i, int node) const {
-    if (scaled) scaled[i] = start * mass.root[node] * x[i];
-  }
-  void end_line(int begin, int node) const {
-    if (!scaled) return;
-    SOFTWET_INDEPENDENT
-    for (int k = 0; k < lines.extent[0]; ++k) end(begin + k, node + k);
-  }
+  KOKKOS_FUNCTION void end(int i, int node) const { scaled[i] = start * mass.root[node] * x[i]; }
 };
 
 /// One term of the series: next = x + e (factor y) with e y = y - W A y / a.
@@ -117,14 +114,7 @@ struct SeriesStep {
     product.run_block(block, [&](int i, int node, double sum) { finish(i, node, sum); });
   }
   KOKKOS_FUNCTION void tie(const TieClusters& ties, int cluster) const { ties.smooth(cluster, image, mass.sums, next); }
-  KOKKOS_FUNCTION void end(int i, int node) const {
-    if (scaled) scaled[i] = mass.root[node] * next[i];
-  }
-  void end_line(int begin, int node) const {
-    if (!scaled) return;
-    SOFTWET_INDEPENDENT
-    for (int k = 0; k < product.extent[0]; ++k) end(begin + k, node + k);
-  }
+  KOKKOS_FUNCTION void end(int i, int node) const { scaled[i] = mass.root[node] * next[i]; }
 };
 
 /// From the product of the roots: the factors of A c = a (left c + right M (root c)).

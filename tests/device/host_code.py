@@ -4,8 +4,7 @@
 FOLDER is the build, by default build/cuda, and LOG what nvcc printed, which has the registers of kernels; a kernel that it lacks
 counts with 32. `softwet bench` of several scenes runs with a CUDA runtime whose kernels do nothing (the folder cuda). It fails where
 the program crashes, where a kernel asks for more than the chip has, and where a call is made that is forbidden while launches are
-recorded. Numbers of results are not looked at. Graphs are not
-reached: where kernels do nothing GMRES has nothing to solve, and asks no preconditioner. What each scene asked of the device is printed. Exit code 1: something failed; 77: the program is not made for CUDA."""
+recorded. Numbers of results are not looked at. What each scene asked of the device is printed. Exit code 1: something failed; 77: the program is not made for CUDA."""
 
 import os
 import pathlib
@@ -90,7 +89,7 @@ def needs(log):
             name = None
 
 
-def problems(code, text, counts):
+def problems(scene, code, text, counts):
     """What is wrong with the run of a scene."""
     tail = "\n".join(text.splitlines()[-6:])
     if code is None:
@@ -101,6 +100,8 @@ def problems(code, text, counts):
     wrong += [f"{counts[name]} launches or calls were {name}" for name in ("forbidden", "impossible") if counts.get(name)]
     if not counts.get("launches"):
         wrong.append("nothing was launched")
+    if "implicit" in scene and not counts.get("graphs"):
+        wrong.append("no graph was launched")
     return wrong
 
 
@@ -122,7 +123,7 @@ def main():
     runtime, failed = Runtime(build, log), 0
     for scene, (case, settings) in SCENES.items():
         code, text, counts, seconds = runtime.bench(case, settings)
-        wrong = problems(code, text, counts)
+        wrong = problems(scene, code, text, counts)
         failed += bool(wrong)
         print(f"host_code: {scene}: {', '.join(f'{n} {name}' for name, n in counts.items())}; {seconds:.0f} s", flush=True)
         for problem in wrong:

@@ -195,6 +195,7 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
     bench_gmres<float>(sheet, "GMRES iteration, " + name + ", single precision", scheme, right, *preconditioner);
     if (!preconditioner->recordable()) continue;
     preconditioner = record_answers(std::move(preconditioner));
+    sheet.line("  answer, as a graph", seconds_per_call([&] { preconditioner->answer(r, z, {}); }));
     constexpr bool counted = false;  // while kernels are counted they are not recorded
     bench_gmres<float>(sheet, "  the same, preconditioner as a graph", scheme, right, *preconditioner, counted);
   }

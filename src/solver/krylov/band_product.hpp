@@ -1,6 +1,9 @@
 // One value, or one block of lines, of a product with the mass of the fixed mesh: for kernels that go on with it.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "solver/krylov/line_blocks.hpp"
 
 /// Before a loop whose turns do not depend on each other, though arrays may be the same: host compilers vectorise it.
