@@ -1,16 +1,17 @@
 """Curves of history.csv: contact lines, velocity, angles, mass, energies, time step; used by tools/plot and tools/report."""
 
+import itertools
 import math
 
 import matplotlib.pyplot as plt
 import numpy as np
 
-from _outputs import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, UNIT, Problem, letter, markers
+from _fields import is_axisymmetric
+from _outputs import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, UNIT, Problem, letter, markers, with_unit
 
 SPIKE = 0.02  # the part of the time shown that counts as its start
-ENERGIES = (("energy_free", "free", BLUE), ("energy_wall", "wall", GREEN), ("energy_elastic", "elastic", RED),
-            ("energy_surface", "surface of the solid", ORANGE), ("energy_gravity", "gravity", PURPLE),
-            ("energy_kinetic", "kinetic", GREY), ("energy_total", "total", "black"))
+COLOURS = {"kinetic": GREY, "free": BLUE, "wall": GREEN, "elastic": RED, "surface": ORANGE, "gravity": PURPLE, "total": "black"}
+FURTHER = ("tab:cyan", "tab:pink", "tab:olive", "tab:brown")  # energies without a colour of their own
 
 
 class Curves:
@@ -26,6 +27,7 @@ class Curves:
                           f"{table['t'][-1]:g}")
         self.table = {name: values[shown] for name, values in table.items()}
         self.t, self.flat, self.reference = self.table["t"], run.dimension == 2, reference or {}
+        self.of_integrals = 2 if self.flat and not is_axisymmetric(run.case) else 3  # d in the unit of an integral
         self.droplets = [name.removeprefix("x_centre") for name in table if name.startswith("x_centre")]
         if not self.flat:
             self.add_track(run.case)
@@ -71,7 +73,7 @@ def position(ax, curves):
         curves.line(ax, rear + suffix, color=GREY, linewidth=0.9)
         curves.line(ax, centre + suffix, color=BLUE, label="midpoint $X_c$" if curves.flat else "centroid $X_c$")
     curves.compare(ax, "x_centre")
-    ax.set(ylabel=r"position $\;/\; L_0$" if curves.flat else r"place on the track $\;/\; L_0$",
+    ax.set(ylabel=with_unit("position" if curves.flat else "place on the track", centre if curves.flat else rear),
            title="contact lines and their midpoint" if curves.flat else "contact points and centroid")
     make_room(ax)
 
@@ -86,7 +88,7 @@ def velocity(ax, curves):
     for suffix in curves.droplets:
         curves.line(ax, "velocity" + suffix, color=BLUE, label="$V = dX_c/dt$")
     curves.compare(ax, "velocity")
-    ax.set(ylabel=r"$V \;/\; (ab)^{1/2}$", title="droplet velocity")
+    ax.set(ylabel=with_unit("$V$", "velocity"), title="droplet velocity")
     cut_spike(ax, curves)
 
 
@@ -110,19 +112,22 @@ def angles(ax, curves):
     for suffix in curves.droplets:
         for side, colour in zip(("left", "right") if curves.flat else ("rear", "front"), (BLUE, RED)):
             curves.line(ax, f"angle_{side}{suffix}", color=colour, label=side)
-    ax.set(ylabel="angle / degrees", title="apparent contact angles")
+    ax.set(ylabel=with_unit("angle", "angle_left" if curves.flat else "angle_rear"), title="apparent contact angles")
 
 
-def energy_unit(curves):
-    return r"$a b^2 L_0^2$" if curves.flat else r"$a b^2 L_0^3$"
+def energy_label(curves):
+    return with_unit("energy", "energy_total", curves.of_integrals)
 
 
 def energies(ax, curves):
-    for name, label, colour in ENERGIES:
-        values = curves.table.get(name)
-        if values is not None and np.isfinite(values).all() and np.ptp(values) > 0:
-            ax.plot(curves.t, values - values[0], color=colour, label=label, **markers(len(values)))
-    ax.set(ylabel=f"energy / {energy_unit(curves)}", title=f"energies, change since $t = {curves.t[0]:.4g}$")
+    """All columns energy_*, the total last."""
+    further = itertools.cycle(FURTHER)
+    for name in sorted((name for name in curves.table if name.startswith("energy_")), key="energy_total".__eq__):
+        values, label = curves.table[name], name.removeprefix("energy_").replace("_", " ")
+        if np.isfinite(values).all() and np.ptp(values) > 0:
+            ax.plot(curves.t, values - values[0], color=COLOURS.get(label) or next(further), label=label,
+                    **markers(len(values)))
+    ax.set(ylabel=energy_label(curves), title=f"energies, change since $t = {curves.t[0]:.4g}$")
     make_room(ax)
 
 
@@ -134,7 +139,7 @@ def mass(ax, curves):
 def step(ax, curves):
     positive = curves.table["dt"] > 0
     ax.semilogy(curves.t[positive], curves.table["dt"][positive], color=BLUE, **markers(positive.sum()))
-    ax.set(ylabel=r"$\Delta t \;/\; L_0\,(ab)^{-1/2}$", title="time step")
+    ax.set(ylabel=with_unit(r"$\Delta t$", "dt"), title="time step")
 
 
 def finish(ax, number):

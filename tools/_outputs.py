@@ -1,8 +1,11 @@
 """What the tools that draw share: how a picture looks, and small helpers. Output folders are read by softwet/."""
 
+import re
+
 import matplotlib
 import numpy as np
 
+import softwet
 from softwet import Problem
 
 matplotlib.use("Agg")
@@ -21,6 +24,25 @@ def check_number(name, value, low, high):
     """Refuses a number outside of [low, high], and NaN."""
     if not low <= value <= high:
         raise Problem(f"{name} {value:g}: must be a number in [{low:g}, {high:g}]")
+
+
+def unit_of(column, dimension=2):
+    """The unit of a column of history.csv for a label, as the program has it; "" where there is no program to ask.
+    @param dimension  d of the unit"""
+    try:
+        unit = softwet.columns()[column].unit
+    except Problem:
+        return ""
+    if unit in ("", "degrees"):
+        return unit
+    unit = unit.replace("^(d-1)", f"^{dimension - 1}").replace("^d", f"^{dimension}").replace("L0", "L_0")
+    return "$" + re.sub(r"/sqrt\((\w+)\)", r"\\,(\1)^{-1/2}", unit).replace("sqrt(ab)", "(ab)^{1/2}") + "$"
+
+
+def with_unit(text, column, dimension=2):
+    """A label: what is shown, and the unit of its column."""
+    unit = unit_of(column, dimension)
+    return f"{text} / {unit}" if unit else text
 
 
 def markers(count):

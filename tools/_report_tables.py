@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from _curves import energy_unit
+from _curves import energy_label
 
 
 def number(value):
@@ -95,7 +95,7 @@ def result(curves, budget):
     if np.isfinite(table["mass_drift"]).any():
         rows.append(("largest drift of the mass", f"{np.nanmax(np.abs(table['mass_drift'])):.1e}"))
     rows += [(name, f"{values[-1]:.4e}") for name, values in (
-        (f"energy / {energy_unit(curves)}: change", budget.change), ("work of the loads", budget.work),
+        (f"{energy_label(curves)}: change", budget.change), ("work of the loads", budget.work),
         ("work of the stretched wall", budget.stretch), ("dissipated", budget.lost), ("rest of the balance", budget.rest))]
     return rows
 

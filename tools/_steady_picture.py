@@ -4,17 +4,17 @@ import math
 
 import matplotlib
 import softwet
-from _outputs import BLUE, GREEN, RED, STYLE, UNIT, letter
-from _steady_table import FOUND
+from _outputs import BLUE, GREEN, RED, STYLE, UNIT, letter, with_unit
+from _steady_table import FOUND, HISTORY
 from matplotlib import pyplot as plt
 
-PANELS = [  # columns, their names, the label of the axis
-    (("ridge", "dimple"), ("highest", "lowest"), r"rise of the wall $\;/\; L_0$"),
-    (("x_left", "x_right", "x_centre"), ("left", "right", "middle"), r"contact lines $\;/\; L_0$"),
-    (("track_rear", "track_front"), ("rear", "front"), r"contact lines $\;/\; L_0$"),
-    (("angle_left", "angle_right"), ("left", "right"), "apparent angle / degrees"),
-    (("angle_rear", "angle_front"), ("rear", "front"), "apparent angle / degrees"),
-    (("growth_rate",), ("",), r"growth rate $\;/\; (\sqrt{ab}/L_0)$"),
+PANELS = [  # columns, their names, what the axis shows; that of a column of history.csv gets its unit
+    (("ridge", "dimple"), ("highest", "lowest"), r"rise of the wall / $L_0$"),
+    (("x_left", "x_right", "x_centre"), ("left", "right", "middle"), "contact lines"),
+    (("track_rear", "track_front"), ("rear", "front"), "contact lines"),
+    (("angle_left", "angle_right"), ("left", "right"), "apparent angle"),
+    (("angle_rear", "angle_front"), ("rear", "front"), "apparent angle"),
+    (("growth_rate",), ("",), r"growth rate / $(\sqrt{ab}/L_0)$"),
     (("laplace",), ("",), r"$\mu - \mu_{sat}$"),
 ]
 
@@ -54,7 +54,7 @@ def draw_states(path, key, rows):
             for column, name, colour in zip(columns, names, (BLUE, RED, GREEN)):
                 heights = [row.get(column, math.nan) for row in found]
                 axes.plot(places, heights, "o-", ms=3, color=colour, label=name or None)
-            axes.set(xlabel=key, ylabel=label)
+            axes.set(xlabel=key, ylabel=with_unit(label, columns[0]) if columns[0] in HISTORY else label)
             if names[0]:
                 axes.legend(frameon=False)
             if not numbers:

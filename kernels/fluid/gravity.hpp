@@ -24,6 +24,7 @@ struct GravityEnergy {
   double force[3] = {0, 0, 0};  ///< f, scale a b/L0
 
   static constexpr int count = 1;
+  static constexpr const char* column(int) { return "energy_gravity"; }
 
   template <class N, int D, class...>
   using Trial = PlacedDensity<N, D>;

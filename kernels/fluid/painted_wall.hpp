@@ -45,6 +45,8 @@ struct PaintedWallIntegrals {
   WallEnergy wall;
 
   static constexpr int count = 1;
+  static constexpr const char* column(int) { return "energy_wall"; }
+  static constexpr const char* rate_column = "wall_stretch";  ///< of its rate by the motion of the wall
 
   template <class N, int D, class...>
   using Trial = PaintedTrial<N, D>;

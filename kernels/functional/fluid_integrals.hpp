@@ -3,6 +3,7 @@
 
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
 #include "kernels/fluid/wall_energy.hpp"
+#include "kernels/functional/columns.hpp"
 
 namespace softwet {
 
@@ -17,6 +18,24 @@ struct FluidIntegrals {
 
   enum { mass, kinetic, bulk, gradient, viscous, stabilisation, momentum };
   static constexpr int count = 9;
+  static constexpr const char* column(int integral) {
+    switch (integral) {
+      case mass:
+        return "mass";
+      case kinetic:
+        return "energy_kinetic";
+      case bulk:
+        return "energy_free_bulk";
+      case gradient:
+        return "energy_free_gradient";
+      case viscous:
+        return "dissipation_viscous";
+      case stabilisation:
+        return "dissipation_stabilisation";
+      default:
+        return momentum_columns[integral - momentum];
+    }
+  }
 
   template <class N, int D, class M = Matrix<N, D>>
   using Trial = FluidTrial<N, D, M>;
@@ -75,6 +94,8 @@ struct WallIntegrals {
   WallEnergy wall;
 
   static constexpr int count = 1;
+  static constexpr const char* column(int) { return "energy_wall"; }
+  static constexpr const char* rate_column = "wall_stretch";  ///< of its rate by the motion of the wall
 
   template <class N, int D, class...>
   using Trial = DensityTrial<N, D>;

@@ -1,6 +1,7 @@
 // Integrals over the solid: kinetic energy, momentum; and what is turned inside out.
 #pragma once
 
+#include "kernels/functional/columns.hpp"
 #include "kernels/solid/elastodynamics.hpp"
 #include "kernels/solid/isotropic.hpp"
 
@@ -30,6 +31,9 @@ struct SolidMotion {
 
   enum { kinetic, momentum };
   static constexpr int count = 4;
+  static constexpr const char* column(int integral) {
+    return integral == kinetic ? "energy_kinetic" : momentum_columns[integral - momentum];
+  }
 
   template <class N, int D, class...>
   using Trial = SolidVelocity<N, D>;

@@ -1,17 +1,19 @@
-// The energy and the dissipation of a term as functionals.
+// The energy and the dissipation of a term as functionals. A functional names the column of history.csv to which each of its
+// integrals belongs (src/model/integrals.hpp).
 #pragma once
 
 #include "kernels/point/fields.hpp"
 
 namespace softwet {
 
-/// Integrand: the energy of a term, whose residual is its derivative. The term names the column with `energy_part`, and what the
-/// energy reads with `EnergyTrial`.
+/// Integrand: the energy of a term, whose residual is its derivative. The term names the column with `energy_column`, and what
+/// the energy reads with `EnergyTrial`.
 template <class Term>
 struct EnergyOf {
   static constexpr Where where = Term::where;
   static constexpr bool axisymmetric = is_axisymmetric<Term>;
   static constexpr int count = 1;
+  static constexpr const char* column(int) { return Term::energy_column; }
 
   Term term;
 
@@ -24,12 +26,13 @@ struct EnergyOf {
   }
 };
 
-/// Integrand: the power that a term dissipates.
+/// Integrand: the power that a term dissipates. The term names the column with `dissipation_column`.
 template <class Term>
 struct DissipationOf {
   static constexpr Where where = Term::where;
   static constexpr bool axisymmetric = is_axisymmetric<Term>;
   static constexpr int count = 1;
+  static constexpr const char* column(int) { return Term::dissipation_column; }
 
   Term term;
 
@@ -44,11 +47,11 @@ struct DissipationOf {
 
 template <class Term>
 concept HasEnergy = requires {
-  Term::energy_part;
+  Term::energy_column;
 };
 template <class Term>
 concept HasDissipation = requires {
-  Term::dissipates;
+  Term::dissipation_column;
 };
 
 }  // namespace softwet

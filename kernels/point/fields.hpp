@@ -47,9 +47,6 @@ struct Slot {
 enum class Where { solid, top, fluid, wall, beside_wall };
 constexpr bool on_face(Where where) { return where == Where::wall || where == Where::top; }
 
-/// The column of the table of energies that the energy of a term is a part of.
-enum class EnergyPart { elastic, surface };
-
 /// A term or a functional of the plane in the coordinates (r, z): its tensors have a hoop entry, and integrals have the weight r.
 /// A term without tensors takes the weight alone. T stands for Term, so that a name which it lacks is missed where it is used.
 template <class Term>

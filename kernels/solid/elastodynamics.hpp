@@ -10,7 +10,7 @@ namespace softwet {
 template <class Material>
 struct Elastodynamics {
   static constexpr Where where = Where::solid;
-  static constexpr EnergyPart energy_part = EnergyPart::elastic;
+  static constexpr const char* energy_column = "energy_elastic";
 
   Material material;
   double density = 0;  ///< rho_0^s / b

@@ -10,7 +10,7 @@ namespace softwet {
 /// Scale of k: a b^2.   Source: the standard reinforcing model of fibres.   Tested: tests/unit/solid/test_solid_terms.cpp
 struct Fibres {
   static constexpr Where where = Where::solid;
-  static constexpr EnergyPart energy_part = EnergyPart::elastic;
+  static constexpr const char* energy_column = "energy_elastic";
 
   double stiffness = 0;                       ///< k
   Vector<double, 3> direction = {{1, 0, 0}};  ///< a_0, unit vector along the axes

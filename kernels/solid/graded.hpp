@@ -18,7 +18,7 @@ inline ElasticLaw law_of(const NeoHookean&) { return ElasticLaw::neo_hookean; }
 /// Tested: tests/unit/solid/test_solid_terms.cpp
 struct GradedSolid {
   static constexpr Where where = Where::solid;
-  static constexpr EnergyPart energy_part = EnergyPart::elastic;
+  static constexpr const char* energy_column = "energy_elastic";
 
   ElasticLaw law = ElasticLaw::saint_venant_kirchhoff;
   LameParameters stiffness;

@@ -10,7 +10,7 @@ namespace softwet {
 /// Scale of eta and zeta: L0 b sqrt(ab).   Tested: tests/unit/solid/test_solid_terms.cpp
 struct KelvinVoigt {
   static constexpr Where where = Where::solid;
-  static constexpr bool dissipates = true;
+  static constexpr const char* dissipation_column = "dissipation_solid";
 
   double shear = 0;   ///< eta
   double bulk = 0;    ///< zeta

@@ -14,7 +14,7 @@ namespace softwet {
 /// Scale of Ups: a b^2 L0.   Tested: tests/unit/solid/test_solid_terms.cpp
 struct SurfaceTension {
   static constexpr Where where = Where::top;
-  static constexpr EnergyPart energy_part = EnergyPart::surface;
+  static constexpr const char* energy_column = "energy_surface";
 
   double tension = 0;
 

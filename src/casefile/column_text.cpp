@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "casefile/schema.hpp"
+#include "io/run_record.hpp"
 #include "observe/host/table_columns.hpp"
 
 namespace softwet {
@@ -94,6 +95,25 @@ std::vector<std::string> column_names() {
     for (const Column& column : table.columns) names.push_back(table.name + "." + column.name);
   }
   return names;
+}
+
+std::string columns_json() {
+  RecordValue root;
+  for (const ColumnTable& table : column_tables()) {
+    RecordValue& about = root[table.name];
+    about["file"] = table.file;
+    about["meaning"] = table.meaning;
+    for (const Column& column : table.columns) {
+      RecordValue one;
+      one["name"] = column.name;
+      one["unit"] = column.unit;
+      one["meaning"] = column.meaning;
+      if (column.dimension != any_dimension) one["dimension"] = column.dimension;
+      if (column.needs != Needs::nothing) one["needs"] = column.needs == Needs::fluid ? "fluid" : "solid";
+      about["columns"].append(one);
+    }
+  }
+  return root.json() + "\n";
 }
 
 std::string reference_page() {

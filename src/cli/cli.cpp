@@ -34,6 +34,7 @@ struct Request {
   CaseRequest of_case;
   std::string key;
   bool markdown = false;
+  bool json = false;
   bool json_schema = false;
   std::string command;  ///< of which help is wanted
   std::string shell;    ///< whose completion is wanted
@@ -49,12 +50,16 @@ void add_explain(CLI::App& app, Request& request) {
                          "a key, a table or a column: fluid.viscosity, load, history, history.mass; default: all keys");
   CLI::Option* page =
       command.add_flag("--markdown", request.markdown, "print all keys and columns as a page of Markdown");
+  CLI::Option* columns =
+      command.add_flag("--json", request.json, "print names, units and meanings of all columns as JSON");
   CLI::Option* rules = command.add_flag("--json-schema", request.json_schema,
                                         "print the rules of a case file as JSON Schema, for editors");
   page->excludes(key);
   rules->excludes(key)->excludes(page);
+  columns->excludes(key)->excludes(page)->excludes(rules);
   command.callback([&request] {
     std::cout << (request.markdown      ? reference_page()
+                  : request.json        ? columns_json()
                   : request.json_schema ? softwet::json_schema()
                                         : explain(request.key));
   });

@@ -31,18 +31,11 @@ std::array<double, Functional::count> integrate(const Region<D>& region, const F
 template <int D, int P>
 template <class Motion>
 void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) const {
-  const auto sum = integrate<P, Motion>(fluid_region_, FluidIntegrals{fluid_}, at, blend_);
-  result.mass = sum[FluidIntegrals::mass];
-  result.energy_kinetic += sum[FluidIntegrals::kinetic];
-  result.energy_bulk = sum[FluidIntegrals::bulk];
-  result.energy_gradient = sum[FluidIntegrals::gradient];
-  result.viscous = sum[FluidIntegrals::viscous];
-  result.stabilisation = sum[FluidIntegrals::stabilisation];
-  for (int d = 0; d < 3; ++d) result.momentum[d] += sum[FluidIntegrals::momentum + d];
+  result.add<FluidIntegrals>(integrate<P, Motion>(fluid_region_, FluidIntegrals{fluid_}, at, blend_));
   if (has_gravity_) {
     GravityEnergy gravity;
     for (int d = 0; d < D; ++d) gravity.force[d] = fluid_.force[d];
-    result.energy_gravity += integrate<P, Motion>(fluid_region_, gravity, at, blend_)[0];
+    result.add<GravityEnergy>(integrate<P, Motion>(fluid_region_, gravity, at, blend_));
   }
   if (!has_wall_) return;
   if (painted_.values.data()) {
@@ -56,21 +49,20 @@ template <int D, int P>
 template <class Motion, class Functional>
 void Model<D, P>::wall_integrals(const Functional& functional, Evaluation<D> at, Integrals& result) const {
   at.given = painted_.origin();
-  result.energy_wall = integrate<P, Motion>(wall_region_, functional, at, blend_)[0];
+  result.add<Functional>(integrate<P, Motion>(wall_region_, functional, at, blend_));
   if constexpr (std::is_same_v<Motion, WallMotion<D>>)
-    if (wall_feeds_) result.wall_stretch = integrate<P, Motion, true>(wall_region_, functional, at, blend_)[0];
+    if (wall_feeds_)
+      result.part(Functional::rate_column) += integrate<P, Motion, true>(wall_region_, functional, at, blend_)[0];
 }
 
 template <int D, int P>
 void Model<D, P>::solid_integrals(const Evaluation<D>& at, Integrals& result) const {
   const double density = std::visit([](const auto& solid) { return solid.density; }, solid_);
-  const auto sum = integrate<P, NoMotion>(solid_region_, SolidMotion{density}, at, blend_);
-  result.energy_kinetic += sum[SolidMotion::kinetic];
-  for (int d = 0; d < 3; ++d) result.momentum[d] += sum[SolidMotion::momentum + d];
+  result.add<SolidMotion>(integrate<P, NoMotion>(solid_region_, SolidMotion{density}, at, blend_));
   const int count = layout_.solid_rows() * layout_.row_size;
   for (std::size_t d = 0; d < gravity_.force.size(); ++d) {
     const int first = layout_.displacement_offset(static_cast<int>(d));
-    result.energy_gravity -=
+    result.part(SolidGravity::energy_column) -=
         gravity_.force[d] * dot(layout_.space(), gravity_.weight, part(at.stage.displacement, first, first + count));
   }
 }

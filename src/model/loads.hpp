@@ -77,6 +77,8 @@ class LoadVector {
 
 /// A uniform force per unit mass on all of the solid; no force: empty.
 struct SolidGravity {
+  static constexpr const char* energy_column = "energy_gravity";
+
   Array weight;  ///< rho_0^s int N_i dX
   std::vector<double> force;
 };

@@ -202,11 +202,11 @@ class PieceOf final : public Piece<D, Real> {
     return task;
   }
   template <class Functional>
-  double integral(Evaluation<D, Real> at, const Functional& functional) const {
+  void add_integral(Evaluation<D, Real> at, const Functional& functional, Integrals& result) const {
     ReduceTask<D, Functional, Motion> task{region_, functional, {}, {}, {}};
     at.given = given_.origin();
     bind_fields(at, blend_, task);
-    return reduce<P>(task)[0];
+    result.add<Functional>(reduce<P>(task));
   }
 
   using List = ListOf<D, Real, TermOnMesh<Term, Motion>>;
@@ -240,8 +240,8 @@ template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::add_integrals([[maybe_unused]] const Evaluation<D, Real>& at,
                                                       [[maybe_unused]] Integrals& result) const {
   if constexpr (std::is_same_v<Real, double>) {
-    if constexpr (HasEnergy<Term>) result.part(Term::energy_part) += integral(at, EnergyOf<Term>{term_});
-    if constexpr (HasDissipation<Term>) result.solid_viscous += integral(at, DissipationOf<Term>{term_});
+    if constexpr (HasEnergy<Term>) add_integral(at, EnergyOf<Term>{term_}, result);
+    if constexpr (HasDissipation<Term>) add_integral(at, DissipationOf<Term>{term_}, result);
   }
 }
 

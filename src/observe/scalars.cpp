@@ -72,21 +72,11 @@ void Scalars<D, P>::set(const std::string& column, double value, TableRow& row) 
 }
 
 template <int D, int P>
-void Scalars<D, P>::set_integrals(const Integrals& sum, double load_power, TableRow& row) const {
-  set("mass", sum.mass, row);
-  set("mass_drift", sum.mass / latest_.mass_start - 1, row);
-  for (int d = 0; d < D; ++d) set(std::string("momentum_") + "xyz"[d], sum.momentum[d], row);
-  set("energy_kinetic", sum.energy_kinetic, row);
-  set("energy_free", sum.energy_bulk + sum.energy_gradient, row);
-  set("energy_wall", sum.energy_wall, row);
-  set("energy_elastic", sum.energy_elastic, row);
-  set("energy_surface", sum.energy_surface, row);
-  set("energy_gravity", sum.energy_gravity, row);
+void Scalars<D, P>::set_integrals(const Integrals& sum, TableRow& row) const {
+  for (const std::string& column : history_names(D, 0))
+    if (Integrals::has(column)) set(column, sum[column], row);
   set("energy_total", sum.energy(), row);
-  set("power_load", load_power, row);
-  set("wall_stretch", sum.wall_stretch, row);
-  set("dissipation", sum.dissipation(), row);
-  set("dissipation_solid", sum.solid_viscous, row);
+  set("mass_drift", sum["mass"] / latest_.mass_start - 1, row);
 }
 
 template <int D, int P>
@@ -190,14 +180,15 @@ TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const Stat
   latest_ = memory_;
   latest_.step = step;
   latest_.time = state.time;
-  if (step == 0) latest_.mass_start = sum.mass;
+  if (step == 0) latest_.mass_start = sum["mass"];
   follow_energy(energy_of(latest_.time, load_power, sum));
   TableRow row{{"step", step},
                {"t", output_time(state.time, case_.clock_zero())},
                {"dt", report.dt},
                {"newton", report.newton},
                {"krylov", report.krylov}};
-  set_integrals(sum, load_power, row);
+  set_integrals(sum, row);
+  set("power_load", load_power, row);
   set("liquid_volume", liquid, row);
   set_extremes(extremes, row);
   set_droplets(snapshot, step, row);

@@ -42,8 +42,8 @@ void Progress::step(double t, long step, double dt, const TableRow& row, const s
 
 void Progress::settle(long step, double change) {
   if (!is_due()) return;
-  show("on its way to rest: step " + std::to_string(step) +
-       formatted(change, ", the fields change by %.2g of their range in a unit of time"));
+  show("on its way to rest: step " + std::to_string(step) + formatted(change, ", the fields change by %.2g") +
+       " of their range in a unit of time");
 }
 
 bool Progress::is_due() {

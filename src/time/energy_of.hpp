@@ -13,8 +13,8 @@ inline EnergyState energy_of(double time, double load_power, const Integrals& su
   e.time = time;
   e.energy = sum.energy();
   e.size = sum.size();
-  e.kinetic = sum.energy_kinetic;
-  e.fed = load_power + sum.wall_stretch;
+  e.kinetic = sum["energy_kinetic"];
+  e.fed = load_power + sum["wall_stretch"];
   e.lost = sum.dissipation();
   return e;
 }

@@ -50,6 +50,10 @@ check_true("case, record, state", pull.case["substrate"]["young"] == 0.7554 and 
            pull.state == "done" and pull.parts == ["fluid", "solid"] and pull.dimension == 2)
 last = {name: values[-1] for name, values in pull.history.items()}
 check_true("history", last == {**last, **pull.record["last_row"]} and numpy.isnan(pull.history["velocity"][0]))
+columns = softwet.columns()
+check_true("columns", set(pull.history) <= set(columns) and set(pull.interface[0]) <= set(softwet.columns("interface")) and
+           columns["energy_wall"].unit == "a b^2 L0^d" and columns["energy_surface"].needs == "solid" and
+           columns["y_centre"].dimension == 3 and columns["mass"].dimension is None)
 check_true("times", pull.times == [0.0, 10.0] and list(pull.interface) == [0.0, 10.0])
 fluid, solid, wall = pull.fields(10), pull.fields(10.000001, "solid"), pull.interface[10]
 check_true("fields and shapes", {"density", "velocity", "pressure"} <= set(fluid) and fluid.shape == (25, 65) and
@@ -79,6 +83,7 @@ refused("no such key", lambda: pull.case["fluid"]["colour"], "pull/case.toml has
 refused("a place without coordinates", lambda: fluid.at([0.1, 0.2, 0.3]), "2 coordinates")
 refused("a grid of one axis", lambda: fluid.on_grid(10), "2 numbers")
 refused("no output folder", lambda: softwet.open("nowhere"), "nowhere is not an output folder")
+refused("no such table of columns", lambda: softwet.columns("walls"), "'walls'", "history, interface, fields")
 refused("no table", lambda: softwet.read_table(pathlib.Path("nowhere.csv")), "there is no nowhere.csv")
 
 # What a run that is writing now, and one that was cut, leave.

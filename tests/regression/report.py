@@ -19,7 +19,7 @@ import _curves  # noqa: E402
 import _report_tables  # noqa: E402
 import softwet  # noqa: E402
 from _fields import Scene  # noqa: E402
-from _outputs import fraction_of, markers  # noqa: E402
+from _outputs import fraction_of, markers, unit_of  # noqa: E402
 
 
 def report(folder, *words, code=0):
@@ -105,7 +105,11 @@ curves.table["velocity"] = numpy.where(t <= t[0] + 0.01 * numpy.ptp(t), 1.0, 1e-
 _curves.velocity(axes, curves)
 check("the start's spike does not set the scale", axes.get_ylim()[1], 2e-3)
 check_true("but is told", "1.0e+00 at the start" in axes.get_title(loc="right"))
-for name, unit in (("pull", "L_0^2"), ("box", "L_0^3")):
-    check_true(f"{name}: unit of the energy", unit in _curves.energy_unit(_curves.Curves(softwet.open(name), -1.0)))
+for name, unit in (("pull", "$a b^2 L_0^2$"), ("box", "$a b^2 L_0^3$")):
+    check_true(f"{name}: unit of the energy", _curves.energy_label(_curves.Curves(softwet.open(name), -1.0)) ==
+               f"energy / {unit}")
+check_true("units of labels", [unit_of("t"), unit_of("velocity"), unit_of("angle_left"), unit_of("newton"),
+                               unit_of("power_load", 3)] ==
+           [r"$L_0\,(ab)^{-1/2}$", "$(ab)^{1/2}$", "degrees", "", r"$a b^2 (ab)^{1/2} L_0^2$"])
 letters = [axes.get_title(loc="left")[:3] for axes in _curves.draw_curves(pull).axes if axes.get_visible()]
 check_true("letters on the panels", letters == [f"({c})" for c in "abcdef"[:len(letters)]] and len(letters) > 3, str(letters))

@@ -13,6 +13,7 @@
     fluid = run.fields(471.0)                 # the fluid on the points of its file
     fluid["density"], fluid.positions
     fluid.on_grid(200, 100)["density"]        # the same on a uniform grid
+    softwet.columns()["energy_wall"].unit     # what a column of history.csv means, and its unit
     for member in softwet.sweep("out/tensotaxis_pull_2d_sweep"):
         print(member.values, member.run.history["x_centre"][-1])
 
@@ -23,6 +24,7 @@ program refuses or fails to compute raises softwet.Failure, a Problem with its s
 """
 
 from .case import read_case
+from .columns import Column, columns
 from .definition import Case, run
 from .problem import Problem
 from .program import Failure
@@ -30,7 +32,8 @@ from .run import Run
 from .sweep import Member, Sweep
 from .table import read_table
 
-__all__ = ["Case", "Failure", "Member", "Problem", "Run", "Sweep", "open", "read_case", "read_table", "run", "sweep"]
+__all__ = ["Case", "Column", "Failure", "Member", "Problem", "Run", "Sweep", "columns", "open", "read_case", "read_table",
+           "run", "sweep"]
 
 
 def open(folder):

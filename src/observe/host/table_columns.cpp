@@ -122,8 +122,7 @@ const std::vector<Column> of_droplet{
 
 /// The columns of history.csv behind those of the droplets; laplace exists only with droplets.
 const std::vector<Column> of_balance{
-    {"energy_total", energy_unit,
-     "Sum of energy_kinetic, energy_free, energy_wall, energy_elastic, energy_surface and energy_gravity."},
+    {"energy_total", energy_unit, "Sum of all energies: the other columns that begin with energy_."},
     {"mass_drift", "", "mass divided by the mass of step 0, minus 1.", any_dimension, Needs::fluid},
     {"speed_max_liquid", speed_unit, "Largest |v| of a control point whose density is above (rho_l + rho_v)/2.",
      any_dimension, Needs::fluid},

@@ -41,6 +41,16 @@ TEST(ExplainColumns, KnowsNothingElse) {
   }
 }
 
+TEST(ColumnsJson, HasEveryColumnWithItsUnit) {
+  const std::string text = columns_json();
+  for (const ColumnTable& table : column_tables())
+    for (const Column& column : table.columns)
+      EXPECT_NE(text.find("\"name\": \"" + column.name + "\""), std::string::npos) << column.name;
+  EXPECT_NE(text.find("\"unit\": \"b L0^d\""), std::string::npos);
+  EXPECT_NE(text.find("\"needs\": \"solid\""), std::string::npos);
+  EXPECT_NE(text.find("\"dimension\": 3"), std::string::npos);
+}
+
 TEST(ReferencePage, HasEveryKeyAndColumnInRowsOfOneLine) {
   const std::string page = reference_page();
   for (const Key& key : schema()) EXPECT_NE(page.find("| `" + key.leaf() + "` |"), std::string::npos) << key.name;

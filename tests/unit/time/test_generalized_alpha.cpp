@@ -115,7 +115,7 @@ void check_finish(const Case& c) {
   const double shift = y1[first] - (v[first] - (1 - af) * y0[first]) / af;
   for (int i = first; i < l.potential_offset(); ++i) ASSERT_NEAR(y1[i] - shift, (v[i] - (1 - af) * y0[i]) / af, 1e-14);
   for (int i = l.potential_offset(); i < l.size(); ++i) ASSERT_NEAR((1 - af) * y0[i] + af * y1[i], v[i], 1e-14) << "mu";
-  const double found = s.scene.model.integrals(stage_at(s.scene.layout(), end)).mass;
+  const double found = s.scene.model.integrals(stage_at(s.scene.layout(), end))["mass"];
   EXPECT_NEAR(found, after, l.has_solid ? 0.2 * std::abs(shift) : 1e-15) << "the volume is that of the fixed mesh";
   // p1 = M rho1 less the final residual, rho1 before the shift; M rho1 is what a fresh start from these fields takes.
   State fresh = end;
@@ -142,7 +142,7 @@ TEST(GeneralizedAlpha, InitialMomentsAreTheMass) {
     rate += p;
     size += std::abs(p);
   }
-  EXPECT_NEAR(mass, s.scene.model.integrals(stage_at(s.scene.layout(), s.state)).mass, 1e-15);
+  EXPECT_NEAR(mass, s.scene.model.integrals(stage_at(s.scene.layout(), s.state))["mass"], 1e-15);
   EXPECT_GT(size, 1e-4);
   EXPECT_NEAR(rate, 0, 1e-14 * size);
 }

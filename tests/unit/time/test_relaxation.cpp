@@ -11,7 +11,9 @@
 namespace softwet::testing_tools {
 namespace {
 
-double mass_of(const Model<2, 2>& model, const State& s) { return model.integrals(stage_at(model.layout(), s)).mass; }
+double mass_of(const Model<2, 2>& model, const State& s) {
+  return model.integrals(stage_at(model.layout(), s))["mass"];
+}
 
 TEST(Relaxation, ASolidLayerUnderNoLoadReturnsToItsReference) {
   Case c = scene(Scene::solid);

@@ -82,7 +82,7 @@ void check_mass(Scene kind, double drift) {
   State state = initial_state(c, model);
   stepper.scheme().initialise(state);
   stepper.start(state);
-  const auto mass = [&] { return model.integrals(stage_at(model.layout(), stepper.state())).mass; };
+  const auto mass = [&] { return model.integrals(stage_at(model.layout(), stepper.state()))["mass"]; };
   const auto moments = [&] {
     double sum = 0;
     for (double p : to_host(stepper.state().moment)) sum += p;

@@ -35,10 +35,10 @@ State advance(const Case& c, const Model<D, 2>& model) {
   Stepper<D, 2> stepper(model, c, {});
   State state = initial_state<D, 2>(c, model);
   stepper.scheme().initialise(state);
-  const double mass = model.integrals(stage_at(model.layout(), state)).mass;
+  const double mass = model.integrals(stage_at(model.layout(), state))["mass"];
   stepper.start(state);
   for (int n = 0; n < 3; ++n) stepper.step();
-  EXPECT_NEAR(model.integrals(stage_at(model.layout(), stepper.state())).mass / mass, 1, 1e-12);
+  EXPECT_NEAR(model.integrals(stage_at(model.layout(), stepper.state()))["mass"] / mass, 1, 1e-12);
   return stepper.state();
 }
 
