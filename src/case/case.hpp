@@ -212,7 +212,7 @@ struct OutputControl {
 
 struct Case {
   std::string name;
-  std::string quality = "standard";  ///< draft | standard | reference (casefile/quality.hpp)
+  std::string quality = "standard";  ///< draft | standard | reference (casefile/schema/quality.hpp)
   Domain domain;
   std::optional<Fluid> fluid;
   std::optional<Substrate> substrate;

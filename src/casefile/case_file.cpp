@@ -12,12 +12,12 @@
 #include <utility>
 
 #include "case/error.hpp"
-#include "casefile/case_checks.hpp"
-#include "casefile/document.hpp"
-#include "casefile/fine_box.hpp"
-#include "casefile/jumps.hpp"
-#include "casefile/profiles.hpp"
-#include "casefile/quality.hpp"
+#include "casefile/checks/case_checks.hpp"
+#include "casefile/checks/fine_box.hpp"
+#include "casefile/formula/jumps.hpp"
+#include "casefile/formula/profiles.hpp"
+#include "casefile/schema/quality.hpp"
+#include "casefile/text/document.hpp"
 
 namespace softwet {
 namespace {

@@ -14,9 +14,9 @@
 
 #include "case/error.hpp"
 #include "casefile/case_file.hpp"
-#include "casefile/column_text.hpp"
-#include "casefile/json_schema.hpp"
-#include "casefile/nearest.hpp"
+#include "casefile/schema/json_schema.hpp"
+#include "casefile/schema/nearest.hpp"
+#include "casefile/write/column_text.hpp"
 #include "cli/case_commands.hpp"
 #include "cli/completion.hpp"
 #include "cli/core/dispatch.hpp"

@@ -7,8 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
-#include "casefile/column_text.hpp"
-#include "casefile/schema.hpp"
+#include "casefile/schema/schema.hpp"
+#include "casefile/write/column_text.hpp"
 
 namespace softwet {
 namespace {

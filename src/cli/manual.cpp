@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "casefile/case_file.hpp"
-#include "casefile/schema.hpp"
+#include "casefile/schema/schema.hpp"
 
 namespace softwet {
 namespace {

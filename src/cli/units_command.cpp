@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "casefile/problems.hpp"
-#include "casefile/quantity.hpp"
-#include "casefile/schema.hpp"
+#include "casefile/schema/quantity.hpp"
+#include "casefile/schema/schema.hpp"
+#include "casefile/text/problems.hpp"
 #include "cli/core/dispatch.hpp"
 
 namespace softwet {

@@ -134,6 +134,13 @@ struct StripSums {
   }
 };
 
+/// Adds what a kernel has left, and the host has read, to totals from the sum `first` on.
+template <class Real, class Partial>
+void add_partial_sums(StripTotals& totals, const StripSums<Real>& k, int place, const Partial& partial, int first) {
+  for (int i = 0; i < k.items(); ++i)
+    totals.add(k.space.first_strip + i % k.strips(), first + i / k.strips() % k.sums(), partial(place + i));
+}
+
 /// The sums of some kernels on vectors of one space, one after another: a kernel each, one copy to the host, and one
 /// reduction over all processes.
 template <class Real>
@@ -155,10 +162,7 @@ std::vector<double> strip_sums(std::vector<StripSums<Real>> kernels) {
   StripTotals totals(space.strips, sums, space.shared);
   int first = 0;
   for (const StripSums<Real>& k : kernels) {
-    for (int i = 0; i < k.items(); ++i) {
-      const int sum = first + i / k.strips() % k.sums();
-      totals.add(space.first_strip + i % k.strips(), sum, scratch.host(k.place + i));
-    }
+    add_partial_sums(totals, k, k.place, scratch.host, first);
     first += k.sums();
   }
   std::vector<double> all(sums);

@@ -30,10 +30,9 @@ struct MeshFaults {
   double folded = 0, inverted = 0;
 };
 
-/// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its face, and by how much
-/// fibres make it stiffer than its material, over the modulus of pressure waves.
+/// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, and the largest tension of its face.
 struct SolidRates {
-  double viscosity = 0, tension = 0, stiffer = 0;
+  double viscosity = 0, tension = 0;
 };
 
 using Solid = std::variant<Elastodynamics<SaintVenantKirchhoff>, Elastodynamics<Hooke>, Elastodynamics<NeoHookean>>;

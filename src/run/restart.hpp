@@ -20,8 +20,8 @@ struct RunSeconds {
 /// the first one writes; it alone needs `files`.
 ///
 /// Nothing of the run changes by it, and a run that is resumed from it goes on with the bits of one that never stopped:
-/// on any number of threads and processes, whenever and how often it was stopped. An explicit scheme keeps its limit,
-/// its age and the modes of its search. An implicit one keeps the stage from which its preconditioner was built; to
+/// on any number of threads and processes, whenever and how often it was stopped. An explicit scheme keeps what bounded its last steps.
+/// An implicit one keeps the stage from which its preconditioner was built; to
 /// build it from there is deterministic.
 template <int D, int P>
 void write_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, const HistoryMemory&,
@@ -29,7 +29,7 @@ void write_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, cons
 
 /// Puts a stepper, the seconds and the list of files where the checkpoint was written. What the scheme remembered is
 /// left out where a key of the solver has changed since, where this program computes the preconditioner in another way,
-/// and where an older program wrote the checkpoint: a new preconditioner is built then, a new limit searched for, and
+/// and where an older program wrote the checkpoint: a new preconditioner is built then, and
 /// the run agrees with an undisturbed one up to the tolerance of the solver. Throws Error (invalid_input).
 template <int D, int P>
 HistoryMemory read_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, WrittenFiles& files, RunSeconds&);

@@ -5,7 +5,7 @@
 
 #include "case/error.hpp"
 #include "case/text.hpp"
-#include "casefile/field_times.hpp"
+#include "casefile/checks/field_times.hpp"
 #include "field/ranks.hpp"
 #include "field/together.hpp"
 #include "machine/memory.hpp"

@@ -15,8 +15,8 @@
 #include "run/progress.hpp"
 #include "run/record.hpp"
 #include "run/restart.hpp"
-#include "time/growth.hpp"
-#include "time/relaxation.hpp"
+#include "time/rest/growth.hpp"
+#include "time/rest/relaxation.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {

@@ -1,6 +1,6 @@
 // What a run writes: rows of its tables, field files, checkpoints and its record.
 #include "case/text.hpp"
-#include "casefile/field_times.hpp"
+#include "casefile/checks/field_times.hpp"
 #include "field/together.hpp"
 #include "machine/memory.hpp"
 #include "observe/interface_table.hpp"

@@ -9,7 +9,7 @@
 #include "observe/extremes.hpp"
 #include "run/host/run_status.hpp"
 #include "run/simulation.hpp"
-#include "time/rest_control.hpp"
+#include "time/rest/rest_control.hpp"
 
 namespace softwet {
 namespace {

@@ -1,8 +1,8 @@
 // From the name in a case to a time scheme.
 #pragma once
 
-#include "time/explicit_scheme.hpp"
-#include "time/implicit_scheme.hpp"
+#include "time/explicit/explicit_scheme.hpp"
+#include "time/implicit/implicit_scheme.hpp"
 
 namespace softwet {
 

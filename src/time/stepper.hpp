@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "time/judge.hpp"
 #include "time/load_times.hpp"
+#include "time/step/judge.hpp"
 #include "time/step_control.hpp"
 
 namespace softwet {

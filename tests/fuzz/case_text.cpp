@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "casefile/case_file.hpp"
-#include "casefile/problems.hpp"
+#include "casefile/text/problems.hpp"
 #include "property.hpp"
 #include "run/host/fingerprint.hpp"
 

@@ -13,7 +13,7 @@
 #include "solver/choose.hpp"
 #include "solver/recorded_answers.hpp"
 #include "time/choose_scheme.hpp"
-#include "time/kick_drift.hpp"
+#include "time/explicit/kick_drift.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {

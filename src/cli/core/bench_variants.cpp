@@ -8,7 +8,7 @@
 #include "model/initial.hpp"
 #include "run/machine.hpp"
 #include "solver/choose.hpp"
-#include "time/implicit_scheme.hpp"
+#include "time/implicit/implicit_scheme.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {

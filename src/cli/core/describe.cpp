@@ -13,7 +13,7 @@
 #include "run/machine.hpp"
 #include "run/memory_parts.hpp"
 #include "solver/choose.hpp"
-#include "time/explicit_scheme.hpp"
+#include "time/explicit/explicit_scheme.hpp"
 
 namespace softwet {
 namespace {

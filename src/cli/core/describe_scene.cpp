@@ -3,8 +3,8 @@
 
 #include "case/mesh.hpp"
 #include "case/text.hpp"
-#include "casefile/field_times.hpp"
-#include "casefile/profiles.hpp"
+#include "casefile/checks/field_times.hpp"
+#include "casefile/formula/profiles.hpp"
 #include "cli/core/describe.hpp"
 #include "kernels/solid/isotropic.hpp"
 #include "model/equilibrium.hpp"

@@ -21,7 +21,7 @@
 #include "run/machine.hpp"
 #include "run/simulation.hpp"
 #include "solver/choose.hpp"
-#include "time/steps_foreseen.hpp"
+#include "time/explicit/steps_foreseen.hpp"
 
 namespace softwet {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "case/text.hpp"
-#include "casefile/value.hpp"
+#include "casefile/schema/value.hpp"
 #include "cli/core/describe.hpp"
 #include "cli/core/scales.hpp"
 #include "model/equilibrium.hpp"

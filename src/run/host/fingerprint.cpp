@@ -6,8 +6,8 @@
 
 #include "case/error.hpp"
 #include "casefile/case_file.hpp"
-#include "casefile/profiles.hpp"
-#include "casefile/schema.hpp"
+#include "casefile/formula/profiles.hpp"
+#include "casefile/schema/schema.hpp"
 
 namespace softwet {
 namespace {

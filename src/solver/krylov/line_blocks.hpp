@@ -6,7 +6,7 @@
 namespace softwet {
 
 /// Components behind each other, cut into blocks of lines along the first axis. A block has a range of places along each
-/// of the other axes. Ends of blocks never part the values that end ties connect (time/end_ties.hpp): the first two and the
+/// of the other axes. Ends of blocks never part the values that end ties connect (time/masses/end_ties.hpp): the first two and the
 /// last two of an axis, and those below and on the wall or the joint of the solid.
 template <int D>
 struct LineBlocks {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "casefile/problems.hpp"
+#include "casefile/text/problems.hpp"
 #include "unit/casefile/bad_case.hpp"
 
 namespace softwet::testing_tools {

@@ -6,11 +6,11 @@
 
 #include "case/error.hpp"
 #include "casefile/case_file.hpp"
-#include "casefile/document.hpp"
-#include "casefile/field_times.hpp"
-#include "casefile/nearest.hpp"
-#include "casefile/quality.hpp"
-#include "casefile/schema.hpp"
+#include "casefile/checks/field_times.hpp"
+#include "casefile/schema/nearest.hpp"
+#include "casefile/schema/quality.hpp"
+#include "casefile/schema/schema.hpp"
+#include "casefile/text/document.hpp"
 #include "unit/casefile/pull.hpp"
 
 namespace softwet {

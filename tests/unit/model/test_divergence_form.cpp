@@ -1,7 +1,7 @@
 // The capillary force (w, rho grad mu) against its divergence form (grad w, Sigma), a term of this test alone: that one keeps
 // the momentum to round-off, and both are the same force but for an error of the mesh.
 #include "model/initial.hpp"
-#include "time/semi_discrete.hpp"
+#include "time/explicit/semi_discrete.hpp"
 #include "unit/model/scenes.hpp"
 
 namespace softwet::testing_tools {

@@ -5,7 +5,7 @@
 #include "solver/krylov/gmres.hpp"
 #include "solver/schwarz/patches.hpp"
 #include "solver/schwarz/schwarz.hpp"
-#include "time/implicit_scheme.hpp"
+#include "time/implicit/implicit_scheme.hpp"
 #include "time/stepper.hpp"
 #include "unit/field/kept_memory.hpp"
 #include "unit/model/scenes.hpp"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "time/newton.hpp"
+#include "time/implicit/newton.hpp"
 
 namespace softwet::testing_tools {
 

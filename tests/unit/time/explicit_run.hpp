@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/initial.hpp"
-#include "time/kick_drift.hpp"
-#include "time/runge_kutta_step.hpp"
+#include "time/explicit/kick_drift.hpp"
+#include "time/explicit/runge_kutta_step.hpp"
 #include "unit/model/scenes.hpp"
 
 namespace softwet::testing_tools {

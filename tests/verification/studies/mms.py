@@ -195,7 +195,7 @@ EXPLICIT_COURSES = [
 
 
 LAGGED = ("the source of the mass balance counts with the stabilisation, which kick_drift takes from the state before the step; without "
-          "either the scheme is of second order (tests/unit/time/test_kick_drift.cpp)")
+          "either the scheme is of second order (tests/unit/time/explicit/test_kick_drift.cpp)")
 
 
 def explicit_course(lab, measurement):

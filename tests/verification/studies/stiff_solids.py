@@ -2,7 +2,7 @@
 
 Nothing feeds these solids, so that their energy cannot rise. The bound of the steps follows the strain, and swings with the waves.
 Steps that swing with them feed the shortest waves: the energy then grows by a factor of hundreds. So steps shorten at once and lengthen
-late and slowly (`src/time/held_rate.hpp`). What the control of the error asks for swings too, and counts like a bound.
+late and slowly (`src/time/explicit/held_rate.hpp`). What the control of the error asks for swings too, and counts like a bound.
 
 Twenty scenes are sampled: rectangles, solids around an axis of symmetry, and blocks; of both materials of finite strain, with Poisson's
 ratios up to 0.49, most with fibres up to 3000 times as stiff as the material or with a tense face, or with both; with corrected or with

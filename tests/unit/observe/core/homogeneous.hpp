@@ -3,7 +3,7 @@
 
 #include "model/initial.hpp"
 #include "observe/snapshot.hpp"
-#include "time/generalized_alpha.hpp"
+#include "time/implicit/generalized_alpha.hpp"
 #include "unit/model/scenes.hpp"
 
 namespace softwet::testing_tools {

@@ -1,0 +1,198 @@
+// Cross checks of a resolved case.
+#include "casefile/checks/case_checks.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "case/mesh.hpp"
+#include "case/precision.hpp"
+#include "casefile/checks/checker.hpp"
+
+namespace softwet {
+namespace {
+
+void check_name(const Checker& check) {
+  const std::string& name = check.c.name;
+  const std::string& others = find_key("name")->letters;
+  const bool plain = std::all_of(name.begin(), name.end(), [&](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) || others.find(letter) != std::string::npos;
+  });
+  if (plain && !name.empty() && name.front() != '.') return;
+  check.refuse("name", "must be letters, digits, '_', '-' or '.'", "it names the output folder, for example droplet_1");
+}
+
+/// A force on the fluid along a periodic axis would do work for ever: it has no potential energy. That of a solid has one.
+void check_gravity(const Checker& check) {
+  const auto& fluid = check.c.fluid;
+  const auto& substrate = check.c.substrate;
+  const std::string remedy = "write one component for each axis, the last is vertical";
+  if (substrate && !substrate->gravity.empty())
+    check.require_axes("substrate.gravity", substrate->gravity.size(), remedy);
+  if (!fluid || fluid->gravity.empty()) return;
+  check.require_axes("fluid.gravity", fluid->gravity.size(), remedy);
+  for (std::size_t axis = 0; axis < fluid->gravity.size(); ++axis)
+    if (fluid->gravity[axis] != 0 && check.periodic(axis))
+      check.refuse("fluid.gravity", fmt::format("must be 0 along axis {}, whose sides are periodic", axis),
+                   "write 0 there, or other sides");
+}
+
+void check_wall_tension(const Checker& check) {
+  if (!check.c.fluid || check.c.fluid->wall_tension == WallTensionModel::none) return;
+  const std::string key = "fluid.wall_tension";
+  if (!check.c.substrate) check.refuse(key, "needs a solid: a rigid wall does not feel it", "remove it");
+  if (check.c.fluid->wall_law != WallLaw::energy)
+    check.refuse(key, "needs the wall energy, whose derivative it is", "write wall_law = \"energy\"");
+  if (check.c.has_wet_tension_by_hand())
+    check.refuse("substrate.surface_tension_wet",
+                 "counts the tension below liquid twice with fluid.wall_tension = \"acts\"",
+                 "remove it: Young's law gives it");
+}
+
+void check_substrate(const Checker& check) {
+  if (!check.c.substrate) return;
+  const double thickness = check.c.substrate->thickness, height = check.height(), row = check.element_height();
+  if (!check.c.fluid) {
+    if (std::abs(thickness - height) <= slack * height) return;
+    check.refuse("substrate.thickness", "must equal the domain height: without a [fluid] the domain is the solid alone",
+                 fmt::format("write thickness = {} or add a [fluid]", height));
+  }
+  if (thickness >= height * (1 - slack)) {
+    check.refuse("substrate.thickness", fmt::format("must be in (0, {}), below the domain height", height),
+                 "leave room for the fluid, or remove [fluid] for a solid alone");
+  }
+  const double rows = thickness / row;
+  if (std::abs(rows - std::round(rows)) * row <= slack * height && std::round(rows) >= 1) return;
+  const double below = std::max(1.0, std::floor(rows)) * row, above = std::max(1.0, std::ceil(rows)) * row;
+  const std::string choice =
+      below == above ? fmt::format("{:.10g}", below) : fmt::format("{:.10g} or {:.10g}", below, above);
+  check.refuse("substrate.thickness", fmt::format("must be a multiple of the element height {:.10g}", row),
+               fmt::format("write thickness = {}, or change domain.elements", choice));
+}
+
+void check_fibre(const Checker& check) {
+  const std::string key = "substrate.fibre.azimuth";
+  if (check.c.dimension() == 2 && check.document.entries.count(key))
+    check.refuse(key, "exists in 3D only", "remove it: in 2D fibre.angle is the direction");
+}
+
+void check_box_of_load(const Checker& check, std::size_t index) {
+  const std::string box = fmt::format("load[{}].box", index);
+  const Load& load = check.c.loads[index];
+  if (!check.c.substrate) check.refuse(box, "a load acts on the solid", "add a [substrate] or remove the [[load]]");
+  Numbers top = check.c.domain.size;
+  top.back() = check.c.substrate->thickness;
+  check_corners(check, box, load.lower, load.upper, top, "solid");
+}
+
+void check_load(const Checker& check, std::size_t index) {
+  const std::string box = fmt::format("load[{}].box", index), force = fmt::format("load[{}].force", index);
+  check.with({box, "substrate", "substrate.thickness"}, [&] { check_box_of_load(check, index); });
+  check.with({force}, [&] {
+    check.require_axes(force, check.c.loads[index].force.size(),
+                       "write one component for each axis, the last is vertical");
+  });
+  const std::string path = fmt::format("load[{}].path", index);
+  check.with({path}, [&] {
+    if (const std::size_t count = check.c.loads[index].path.size(); count > 0)
+      check.require_axes(path, count, "write one displacement for each axis, the last is vertical");
+  });
+}
+
+void check_steps(const Checker& check) {
+  const TimeControl& time = check.c.time;
+  check.with({"time.dt_min", "time.dt_initial"}, [&] {
+    if (time.dt_min > time.dt_initial)
+      check.refuse("time.dt_initial", fmt::format("must be at least time.dt_min = {}", time.dt_min), "lower dt_min");
+  });
+  check.with({"time.dt_initial", "time.dt_max"}, [&] {
+    if (time.dt_initial > time.dt_max)
+      check.refuse(check.document.entries.count("time.dt_initial") ? "time.dt_initial" : "time.dt_max",
+                   fmt::format("dt_initial = {} must be at most dt_max = {}", time.dt_initial, time.dt_max),
+                   "lower dt_initial or raise dt_max");
+  });
+}
+
+/// Explicit schemes divide by the inertia of the solid.
+void check_inertia(const Checker& check) {
+  if (!check.c.substrate || check.c.substrate->inertia == "full" || check.c.time.scheme == implicit_scheme) return;
+  check.refuse("substrate.inertia", fmt::format("cannot be \"none\" with time.scheme = \"{}\"", check.c.time.scheme),
+               fmt::format("write inertia = \"full\", or time.scheme = \"{}\"", implicit_scheme));
+}
+
+/// Where two materials of the solid meet, elements have to end.
+void check_joint(const Checker& check) {
+  const Case& c = check.c;
+  if (!c.substrate || c.substrate->joint == 0) return;
+  const double joint = c.substrate->joint, thickness = c.substrate->thickness;
+  if (joint >= thickness * (1 - slack))
+    check.refuse("substrate.joint", fmt::format("must be below the thickness {}", thickness), "write a lower joint");
+  if (solid_elements(c) < 2)
+    check.refuse("substrate.joint", "needs two rows of elements in the solid or more", "raise domain.elements");
+  const int row = std::clamp(joint_element(c), 1, solid_elements(c) - 1);
+  const double nearest = end_of_row(c, row);
+  if (std::abs(nearest - joint) > slack * thickness)
+    check.refuse("substrate.joint", "must be the end of a row of elements",
+                 fmt::format("write joint = {:.10g}, or change domain.elements", nearest));
+}
+
+void check_material(const Checker& check) {
+  if (!check.c.substrate || check.c.substrate->strain == "finite" ||
+      check.c.substrate->material == Substrate{}.material)
+    return;
+  check.refuse("substrate.material", "is not used where substrate.strain = \"small\": that is Hooke's law",
+               "write strain = \"finite\", or remove the material");
+}
+
+void check_precision(const Checker& check) {
+  const SolverControl& solver = check.c.solver;
+  if (solver.precision == "double" || solver.precision == "automatic") return;
+  const std::string key = "solver.precision";
+  switch (hindrance_of_single(check.c)) {
+    case Hindrance::none:
+      return;
+    case Hindrance::scheme:
+      check.refuse(key, fmt::format("needs time.scheme = \"{}\", not \"{}\"", implicit_scheme, check.c.time.scheme),
+                   "write \"automatic\": explicit schemes are always in double precision");
+    case Hindrance::difference:
+      check.refuse(key, "needs solver.krylov.jacobian = \"exact\"",
+                   "write \"automatic\": differences of residuals have no digits left in single precision");
+    case Hindrance::tolerance:
+      check.refuse(key,
+                   fmt::format("needs solver.krylov.rtol = {} or more, not {}", least_single_rtol, solver.krylov_rtol),
+                   "write \"automatic\": linear solves in single precision end at its round-off");
+  }
+}
+
+}  // namespace
+
+void check_case(const Case& c, const Document& document, Problems& problems) {
+  const Checker check{c, document, problems};
+  check.with({"fluid", "substrate"}, [&] {
+    if (c.fluid || c.substrate) return;
+    throw CaseError("fluid", fmt::format("{}: there is neither [fluid] nor [substrate]; add the table of at least "
+                                         "one material, see 'softwet explain fluid'",
+                                         document.place));
+  });
+  check.with({"name"}, [&] { check_name(check); });
+  check_steps(check);
+  check.with({"substrate.inertia", "time.scheme"}, [&] { check_inertia(check); });
+  check.with({"substrate.material", "substrate.strain"}, [&] { check_material(check); });
+  check_output(check);
+  if (!check_domain(check)) return;  // what follows needs the axes
+  check.with({"fluid.gravity", "substrate.gravity", "boundary"}, [&] { check_gravity(check); });
+  check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });
+  check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
+  check.with({"substrate.fibre.azimuth"}, [&] { check_fibre(check); });
+  check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box"},
+             [&] { check_joint(check); });
+  for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);
+  check_initial(check);
+  check_probes(check);
+  check.with({"solver.precision", "time.scheme", "solver.krylov.jacobian", "solver.krylov.rtol"},
+             [&] { check_precision(check); });
+}
+
+}  // namespace softwet

@@ -1,0 +1,183 @@
+// Schema, the solid and its loads. Equation numbers are those of Bueno et al. 2017.
+#include "casefile/schema/binding.hpp"
+#include "casefile/schema/schema.hpp"
+
+namespace softwet {
+
+std::vector<Key> substrate_keys() {
+  return {
+      {.name = "substrate.thickness",
+       .unit = "L0",
+       .range = positive,
+       .required = true,
+       .example = "0.125",
+       .source = "[?]",
+       .help =
+           "Height of the solid layer. It is a whole number of rows of elements: less than the height of the domain "
+           "with a fluid, equal to it without.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->thickness; })},
+      {.name = "substrate.density",
+       .unit = "b",
+       .range = positive,
+       .example = "1.0",
+       .source = "[?] rho_0^s / b",
+       .help = "Density rho_0^s of the undeformed solid. It also multiplies substrate.young and load[].force.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->density; })},
+      {.name = "substrate.young",
+       .kind = Kind::profile,
+       .unit = "rho_0^s ab",
+       .range = positive,
+       .required = true,
+       .example = "0.7554",
+       .source = "E-hat, eq. (12): Young modulus / (rho_0^s ab)",
+       .help =
+           "Young modulus divided by rho_0^s ab, the E-hat of eq. (12). The Young modulus in units of ab^2 is "
+           "substrate.density times this number, so another density is another stiffness; 'softwet check' prints it.",
+       .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.substrate->young; }),
+       .support = Support::solid},
+      {.name = "substrate.joint",
+       .unit = "L0",
+       .range = {0, infinity, false, true},
+       .help = "Height in the solid at which two materials are joined: substrate.young may jump there, and the slope "
+               "of the "
+               "displacement with it. It is the end of a row of elements. Without it, 0, a jump is smeared over a row.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->joint; })},
+      {.name = "substrate.poisson",
+       .range = {-1, 0.5, true, true},
+       .required = true,
+       .example = "0.45",
+       .source = "eq. (11)",
+       .help = "Poisson ratio nu, eq. (11).",
+       .reason = "0.5 would be incompressible, choose 0.49 at most for a nearly incompressible solid",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->poisson; })},
+      {.name = "substrate.material",
+       .kind = Kind::choice,
+       .choices = {"saint_venant_kirchhoff", "neo_hookean"},
+       .help = "Law of the solid. saint_venant_kirchhoff is that of the paper; it softens when it is squeezed hard. "
+               "neo_hookean is compressible and stays stiff under any compression. For small strains both are Hooke's "
+               "law, with the same young and poisson.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->material; })},
+      {.name = "substrate.strain",
+       .kind = Kind::choice,
+       .choices = {"finite", "small"},
+       .help = "Strain of the solid. finite is what substrate.material says. small is the limit of linear elasticity, "
+               "Hooke's law, in place of the material: for deformations of a few per cent.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->strain; })},
+      {.name = "substrate.inertia",
+       .kind = Kind::choice,
+       .choices = {"full", "none"},
+       .help =
+           "Inertia of the solid. none leaves the solid in equilibrium with the fluid and the loads at every time: for "
+           "motion that is slow against elastic waves. Explicit schemes need full.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->inertia; })},
+      {.name = "substrate.viscosity",
+       .unit = "L0 b sqrt(ab)",
+       .range = {0, infinity, false, true},
+       .help =
+           "Shear viscosity eta of the solid, beside its elasticity (Kelvin-Voigt): stress 2 eta dev(E') for the rate "
+           "E' "
+           "of the Green-Lagrange strain. A shear wave of wave number k is damped at the rate eta k^2 / (2 rho_0^s).",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->viscosity; })},
+      {.name = "substrate.bulk_viscosity",
+       .unit = "L0 b sqrt(ab)",
+       .range = {0, infinity, false, true},
+       .help = "Bulk viscosity zeta of the solid: stress zeta tr(E').",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->bulk_viscosity; })},
+      {.name = "substrate.surface_tension",
+       .unit = "a b^2 L0",
+       .range = {0, infinity, false, true},
+       .help = "Surface tension of the solid's dry top face, the same at any stretch. Soft gels need it: where the "
+               "elastocapillary length sigma/E is as long as the interface is wide, it holds the ridge at the contact "
+               "line. "
+               "docs/first_gel.md gets it from mN/m.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->surface_tension; })},
+      {.name = "substrate.surface_tension_wet",
+       .unit = "a b^2 L0",
+       .range = {0, infinity, false, true},
+       .help =
+           "Surface tension of the top face below liquid, where it is given by hand. No energy belongs to a difference "
+           "that is given by hand; fluid.wall_tension = \"acts\" gives the one that follows from the contact angle.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->surface_tension_wet; }),
+       .default_note = "that of the dry face"},
+      {.name = "substrate.gravity",
+       .kind = Kind::numbers,
+       .unit = "ab/L0",
+       .help = "Uniform force per unit mass on all of the solid, one component for each axis; the last is vertical.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->gravity; }),
+       .default_note = "[], none"},
+      {.name = "substrate.fibre.stiffness",
+       .unit = "a b^2",
+       .range = {0, infinity, false, true},
+       .help = "Stiffness k of parallel fibres in the solid: energy k/2 (I_4 - 1)^2 of each volume beside that of the "
+               "material, I_4 the square of the fibres' stretch. Small strains along them meet 4 k more.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->fibre.stiffness; })},
+      {.name = "substrate.fibre.angle",
+       .unit = "degrees",
+       .range = {-180, 180, false, false},
+       .help = "Direction of the fibres in the undeformed solid: angle above the plane of the wall, in 2D from x.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->fibre.angle; })},
+      {.name = "substrate.fibre.azimuth",
+       .unit = "degrees",
+       .range = {-180, 180, false, false},
+       .help = "Direction of the fibres in the plane of the wall, from x towards y.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->fibre.azimuth; }),
+       .only_in = 3},
+  };
+}
+
+std::vector<Key> load_keys() {
+  constexpr Range not_negative{0, infinity, false, true};
+  return {
+      {.name = "load[].box",
+       .kind = Kind::box,
+       .unit = "L0",
+       .required = true,
+       .example = "[[0.7, 0.0], [0.8, 0.125]]",
+       .source = "[?]",
+       .help = "Lower and upper corner of the loaded part of the solid, in the undeformed state.",
+       .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.loads[i]; })},
+      {.name = "load[].force",
+       .kind = Kind::numbers,
+       .unit = "ab/L0",
+       .required = true,
+       .example = "[0.16215, 0.0]",
+       .source = "f-hat, eq. (13)",
+       .help = "Force per unit mass f-hat, eq. (13), at its full strength: one component for each axis, the last is "
+               "vertical.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].force; })},
+      {.name = "load[].start",
+       .unit = "L0/sqrt(ab)",
+       .range = not_negative,
+       .example = "30.0",
+       .source = "[?] after relaxation; time zero of the output is the start of the load",
+       .help =
+           "Run time at which the load begins. Run time is 0 at the beginning of the computation; the time t of all "
+           "results is 0 when the first load begins. 'softwet check' prints both.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].start; })},
+      {.name = "load[].ramp",
+       .unit = "L0/sqrt(ab)",
+       .range = not_negative,
+       .example = "5.0",
+       .source = "[?]",
+       .help = "Duration over which the force grows linearly from 0 to its full strength.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].ramp; })},
+      {.name = "load[].factor",
+       .kind = Kind::profile,
+       .help = "Factor of the force over time, beside the ramp: the force is load[].force times the ramp times this. A "
+               "factor "
+               "of \"sin(2*pi*t/5)\" shakes the box with the period 5.",
+       .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.loads[i].factor; }),
+       .support = Support::time},
+      {.name = "load[].path",
+       .kind = Kind::profiles,
+       .unit = "L0",
+       .help = "Displacement of the box over time, one entry for each axis: [\"0.1*t\", 0.0] moves it along x. Round a "
+               "periodic "
+               "axis it comes in on the other side; what leaves the solid elsewhere does not act.",
+       .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.loads[i].path; }),
+       .default_note = "[], the box rests",
+       .support = Support::time},
+  };
+}
+
+}  // namespace softwet

@@ -1,0 +1,117 @@
+#include "time/explicit/explicit_scheme.hpp"
+
+#include <chrono>
+
+#include "case/text.hpp"
+#include "time/explicit/kick_drift.hpp"
+#include "time/explicit/runge_kutta_step.hpp"
+
+namespace softwet {
+namespace {
+
+template <int D, int P>
+std::unique_ptr<ExplicitStep<D, P>> explicit_step(const std::string& name, SemiDiscrete<D, P>& system) {
+  if (name == "kick_drift") return std::make_unique<KickDrift<D, P>>(system);
+  return std::make_unique<RungeKuttaStep<D, P>>(system, name == "rkl2");
+}
+
+}  // namespace
+
+template <int D, int P>
+ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge)
+    : judge_(judge),
+      system_(model, mass_kind(c.time.mass)),
+      step_(explicit_step(c.time.scheme, system_)),
+      bound_(model, mass_kind(c.time.mass), step_->formula()),
+      safety_(c.time.safety) {}
+
+template <int D, int P>
+BoundState ExplicitScheme<D, P>::bound_state(const ConstArray& moments) const {
+  return {system_.stage().unknown, system_.stage().displacement, moments, system_.masses().scalar_sums()};
+}
+
+template <int D, int P>
+Refusal ExplicitScheme<D, P>::begin(const State& state) {
+  if (begun_) return {};
+  const Refusal problem = step_->begin(state);
+  begun_ = problem.empty();
+  if (begun_) rates_ = bound_.rates(bound_state(step_->moments()));
+  return problem;
+}
+
+template <int D, int P>
+double ExplicitScheme<D, P>::largest_step(const State& state, double wish) {
+  if (!begin(state).empty() || !(rates_.combined > 0)) return std::numeric_limits<double>::infinity();
+  const Layout<D>& l = system_.model().layout();
+  const bool damps = step_->formula() != StepFormula::kick_drift || !l.has_solid;  // the waves that swings could feed
+  if (damps) return safety_ / rates_.combined;
+  held_.follow(l.has_fluid ? rates_.combined : std::max(rates_.combined, safety_ / wish));
+  return safety_ / held_.value();
+}
+
+template <int D, int P>
+std::string ExplicitScheme<D, P>::limit(const State&) {
+  LoneRate most{};
+  for (const LoneRate& lone : lone_rates(bound_.rates(bound_state(step_->moments()))))  // a checkpoint has two of them
+    if (lone.rate > most.rate) most = lone;
+  const std::array<double, D> place = bound_.place_of_largest(bound_state(step_->moments()));
+  std::string text = std::string(most.name ? most.name : "nothing finite") + " limits it, at the place (";
+  for (int d = 0; d < D; ++d) text += (d > 0 ? ", " : "") + short_text(place[d]);
+  return text + ")";
+}
+
+template <int D, int P>
+Refusal ExplicitScheme<D, P>::judge_end(const StepHistory& history, double dt, double& indicator) {
+  constexpr double change = 1.1;  // of the bound in a step that counts as none
+  bound_.ask(bound_state(step_->next_moments()));
+  judge_.ask_indicator(history, system_.stage().unknown, dt / history.previous_dt);
+  HostNumbers::wait();
+  const ValueRanges values = bound_.ranges();
+  Refusal refusal = judge_.of_ranges(values.finite, values.least_density, values.most_density);
+  if (refusal.empty()) refusal = judge_.of_mesh(system_.stage());
+  if (!refusal.empty()) return refusal;
+  next_rates_ = bound_.rates();
+  if (dt * next_rates_.combined > std::max(1.0, change * safety_)) return {Refusal::beyond_bound};
+  indicator = judge_.take_indicator(history, dt);
+  return {};
+}
+
+template <int D, int P>
+StepAttempt ExplicitScheme<D, P>::attempt(const StepHistory& history, double dt) {
+  const auto start = std::chrono::steady_clock::now();
+  const long before = system_.counts().iterations();
+  StepAttempt attempt;
+  attempt.refusal = begin(history.state);
+  if (!attempt.refusal.empty()) return attempt;
+  end_ = history.state.time + dt;
+  dt_ = dt;
+  attempt.refusal = step_->advance(history.state.time, dt, rates_);
+  if (attempt.refusal.empty()) attempt.refusal = judge_end(history, dt, attempt.indicator);
+  attempt.krylov = static_cast<int>(system_.counts().iterations() - before);
+  ++counts_.residuals;
+  counts_.krylov += attempt.krylov;
+  counts_.residual_seconds +=  // the judgement of the end has waited for all that the step started
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return attempt;
+}
+
+template <int D, int P>
+void ExplicitScheme<D, P>::accept(State& state) {
+  step_->accept(end_, dt_, state);
+  rates_ = next_rates_;
+}
+
+template <int D, int P>
+void ExplicitScheme<D, P>::visit_memory(StepMemory& memory, const State& state) {
+  memory.flag("bound/known", begun_);
+  system_.visit_memory(memory, state);
+  if (!begun_) return;
+  step_->visit_memory(memory);
+  memory.number("bound/combined", rates_.combined);
+  memory.number("bound/viscosity", rates_.viscosity);
+  held_.visit_memory(memory);
+}
+
+template class ExplicitScheme<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
+
+}  // namespace softwet

@@ -1,0 +1,50 @@
+// Explicit schemes on a scene: largest stable step, states and moments.
+#pragma once
+
+#include "time/explicit/explicit_step.hpp"
+#include "time/explicit/held_rate.hpp"
+#include "time/step/judge.hpp"
+
+namespace softwet {
+
+/// A bound from the state before a step limits it (StepBound), for kick_drift in a solid without its swings (HeldRate). A step whose end has a bound below it is refused, and a
+/// shorter one follows: so contact with a wall or a side, a merger or a squeezed film cannot carry a run beyond its limit.
+template <int D, int P>
+class ExplicitScheme final : public Scheme<D, P> {
+ public:
+  ExplicitScheme(const Model<D, P>&, const Case&, const Judge<D, P>&);
+
+  void initialise(State& state) override { system_.set_moments(state); }
+  StepAttempt attempt(const StepHistory&, double dt) override;
+  void accept(State& state) override;
+  void refuse(const Refusal&) override {}  // what the next attempt begins with is untouched
+  void begin_anew() override { begun_ = false; }
+  double largest_step(const State&, double wish) override;
+  std::string limit(const State&) override;
+  void visit_memory(StepMemory&, const State&) override;
+  SolverCounts& counts() override { return counts_; }
+
+  /// What limits the next step from a state.
+  const StepRates& rates() const { return rates_; }
+
+ private:
+  /// The rates that the step begins with, unless they are those of the last accepted step.
+  Refusal begin(const State&);
+  /// The stage of the system with its moments.
+  BoundState bound_state(const ConstArray& moments) const;
+  /// Why the end of a step is not admissible. Takes its rates, and the indicator of its error.
+  Refusal judge_end(const StepHistory&, double dt, double& indicator);
+
+  const Judge<D, P>& judge_;
+  SemiDiscrete<D, P> system_;
+  std::unique_ptr<ExplicitStep<D, P>> step_;
+  StepBound<D, P> bound_;
+  double safety_;
+  StepRates rates_, next_rates_;
+  HeldRate held_;
+  double end_ = 0, dt_ = 0;  ///< of the last attempt
+  bool begun_ = false;
+  SolverCounts counts_;
+};
+
+}  // namespace softwet

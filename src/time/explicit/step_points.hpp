@@ -1,0 +1,254 @@
+// What the bound of explicit steps sees at a control point of the fluid, of the solid, and in a column of the mesh.
+#pragma once
+
+#include <cmath>
+
+#include "time/explicit/step_bound.hpp"
+
+namespace softwet::step_points {
+
+enum Mechanism { combined, sound, capillarity, viscosity, stabilisation, flow, elasticity, mechanisms };
+
+/// See StepFormula: waves w, viscosity s, stabilisation e, flow u.
+KOKKOS_INLINE_FUNCTION double combine(StepFormula formula, double w, double s, double e, double u) {
+  if (formula == StepFormula::kick_drift) {
+    const double waves = w + u;
+    return Kokkos::max(0.25 * (Kokkos::sqrt(e * e + 4 * waves * waves) + e + s), s);
+  }
+  const double turn = (w + u) / 1.73, decay = (formula == StepFormula::runge_kutta ? s + e : e) / 2.51;
+  return Kokkos::sqrt(turn * turn + decay * decay);
+}
+
+/// Derivative of a field along an axis at a control point, from its neighbour's control value.
+KOKKOS_INLINE_FUNCTION double difference(const double* c, int i, int place, int extent, int stride,
+                                         const ConstArray& greville) {
+  const int from = place + 1 < extent ? place : place - 1, at = i + (from - place) * stride;
+  return (c[at + stride] - c[at]) / (greville(from + 1) - greville(from));
+}
+
+/// Rates of the fluid where it has a density, a mean density of the control point, `inertia`, and a speed over the mesh.
+/// @param many     axes whose symbols add up
+/// @param inverse  of the length of elements
+KOKKOS_INLINE_FUNCTION void rates_of_fluid(const NavierStokesKorteweg& fluid, const MassSymbols& symbols,
+                                           StepFormula formula, double many, double density, double inertia,
+                                           double speed, double inverse, double* rate) {
+  const double square = inverse * inverse;
+  const double rho = Kokkos::max(density, fluid.gas.continuation), c2 = rho * fluid.gas.curvature(rho);
+  const double g2 = fluid.capillarity * fluid.capillarity, c2_on = Kokkos::max(c2, 0.0);
+  rate[sound] = Kokkos::sqrt(many * symbols.acoustic * symbols.acoustic * c2_on * square);
+  rate[capillarity] = many * symbols.capillary * Kokkos::sqrt(g2 * rho) * square;
+  const double wave = Kokkos::sqrt(rate[sound] * rate[sound] + rate[capillarity] * rate[capillarity]);
+  const double k = many * symbols.diffusive * square;
+  rate[viscosity] = 4.0 / 3 * fluid.viscosity / inertia * many * symbols.viscous * square;
+  rate[stabilisation] = fluid.stabilisation * rho * rho * k * (c2_on / rho + g2 * k);
+  rate[flow] = symbols.convective * Kokkos::sqrt(many) * speed * inverse;
+  rate[combined] = combine(formula, wave, rate[viscosity], rate[stabilisation], rate[flow]);
+}
+
+template <int D>
+struct FluidPoint {
+  const double *velocity, *density;
+  ConstArray moments, sums, stretch, blend, mask;
+  Kokkos::View<const int*, Exec> near_end;
+  NavierStokesKorteweg fluid;
+  MassSymbols inside, end;
+  StepFormula formula;
+  int row_size, nodes, shift, axes;
+  double length;
+
+  KOKKOS_FUNCTION void operator()(int i, double* rate) const {
+    if (mask(i) == 0) return;
+    double speed = 0;
+    for (int d = 0; d < D; ++d) {
+      const int at = d * nodes + shift + i, wall = d * nodes + shift + i % row_size;
+      const double slip = velocity[at] - blend(i / row_size) * velocity[wall];
+      speed += slip * slip;
+    }
+    rates_of_fluid(fluid, near_end(i) != 0 ? end : inside, formula, axes, density[i],
+                   Kokkos::max(moments(i) / sums(i), fluid.inertia_floor), Kokkos::sqrt(speed),
+                   stretch(i % row_size) / length, rate);
+  }
+};
+
+/// The solid with what its rates have in common at all points.
+/// @tparam Axial  in the coordinates (r, z)
+template <int D, class Material, bool Axial = false>
+struct SolidBound {
+  template <class N>
+  using Tensor = std::conditional_t<Axial, AxialMatrix<N>, Matrix<N, D>>;
+
+  Material material;
+  Fibres fibres;
+  StepFormula formula;
+  double joined[D][D] = {};  ///< part of dP/dF between two axes that counts
+  double wave = 0;           ///< frequency of elastic waves = wave sqrt(stiffness)
+  double surface = 0;        ///< square of the frequency of capillary waves on the undeformed top face
+  double viscous = 0;        ///< rate of viscosity in the undeformed state
+
+  /// @param symbols    of ends
+  /// @param many       axes whose symbols add up
+  /// @param length     of the shortest side of an element
+  /// @param free_axis  of a solid alone that has a free end along the axis
+  SolidBound(const Elastodynamics<Material>& solid, const Fibres& along, StepFormula f, const SolidRates& more,
+             const MassSymbols& symbols, double many, double length, const bool (&free_axis)[D])
+      : material(solid.material), fibres(along), formula(f) {
+    constexpr double margin = 1.05;                       // waves along free and held sides are a little faster
+    constexpr double face_margin = Axial ? 1.4 : margin;  // and those of a face around the axis, with corrected masses
+    const double symbol = margin * symbols.elastic / length, face_axes = Axial ? 2 : D - 1;
+    const double modulus = many * symbol * symbol / solid.density;  // square of a frequency over the modulus
+    wave = std::sqrt(modulus);
+    surface = face_axes * face_margin * symbols.surface * symbols.surface * more.tension /
+              (solid.density * std::pow(length, 3));
+    viscous = modulus * more.viscosity;
+    for (int d = 0; d < D; ++d)
+      for (int e = 0; e < D; ++e) joined[d][e] = d == e ? 1 : free_axis[d] && free_axis[e] ? 0.5 : 0;
+  }
+
+  /// Rates where the displacement has a gradient. @param on_face  on the top face
+  KOKKOS_FUNCTION void rates(const Tensor<double>& gradient, bool on_face, double* rate) const {
+    const double elastic = wave * wave * (stiffness(gradient) + stiffness_of_fibres(gradient));
+    const double tension = surface > 0 && on_face ? surface * shortening(gradient) : 0;
+    rate[elasticity] = Kokkos::sqrt(elastic + tension);
+    const auto deformed = add_diagonal(gradient, 1.0);
+    const double length = contract(deformed, deformed) / (Axial ? 3 : D);  // |F|^2, 1 where nothing is deformed
+    rate[viscosity] = viscous * Kokkos::max(1.0, length) * Kokkos::max(1.0, length);
+    rate[combined] = combine(formula, rate[elasticity], rate[viscosity], 0, 0);
+  }
+
+ private:
+  /// The gradient as dual numbers, with the tangent 0.
+  KOKKOS_FUNCTION static Tensor<Dual<double>> dual(const Tensor<double>& gradient) {
+    Tensor<Dual<double>> a;
+    for (int c = 0; c < D; ++c)
+      for (int d = 0; d < D; ++d) a(c, d) = Dual<double>(gradient(c, d), 0.0);
+    if constexpr (Axial) a.hoop = Dual<double>(gradient.hoop, 0.0);
+    return a;
+  }
+  /// Largest row of dP/dF.
+  KOKKOS_FUNCTION double stiffness(const Tensor<double>& gradient) const {
+    double row[D][D] = {};  // [component of the force][axis of the wave]
+    for (int along = 0; along < D; ++along)
+      for (int axis = 0; axis < D; ++axis) {
+        Tensor<Dual<double>> moved = dual(gradient);
+        moved(along, axis).tangent = 1;
+        const Tensor<Dual<double>> stress = material.first_piola(moved);
+        for (int c = 0; c < D; ++c)
+          for (int d = 0; d < D; ++d) row[c][d] += joined[d][axis] * Kokkos::abs(stress(c, d).tangent);
+      }
+    double largest = 0;
+    if constexpr (Axial) {
+      Tensor<Dual<double>> moved = dual(gradient);
+      moved.hoop.tangent = 1;
+      largest = Kokkos::abs(material.first_piola(moved).hoop.tangent);
+    }
+    for (int c = 0; c < D; ++c)
+      for (int d = 0; d < D; ++d) largest = Kokkos::max(largest, row[c][d]);
+    return largest;
+  }
+  /// Largest eigenvalue of dP/dF of the fibres, that of F a_0 (x) a_0.
+  KOKKOS_FUNCTION double stiffness_of_fibres(const Tensor<double>& gradient) const {
+    if (fibres.stiffness == 0) return 0;
+    const auto deformed = add_diagonal(gradient, 1.0);
+    double along[D], square = 0;
+    for (int c = 0; c < D; ++c) {
+      along[c] = 0;
+      for (int d = 0; d < D; ++d) along[c] += deformed(c, d) * fibres.direction[d];
+      square += along[c] * along[c];
+    }
+    if (!(square > 0)) return 0;
+    Tensor<Dual<double>> moved = dual(gradient);
+    for (int c = 0; c < D; ++c)
+      for (int d = 0; d < D; ++d) moved(c, d).tangent = along[c] * fibres.direction[d];
+    const auto stress = fibres.residual(SolidStrain<Dual<double>, D, Tensor<Dual<double>>>{moved}).momentum_flux;
+    double sum = 0;
+    for (int c = 0; c < D; ++c)
+      for (int d = 0; d < D; ++d) sum += along[c] * fibres.direction[d] * stress(c, d).tangent;
+    return Kokkos::max(sum / square, 0.0);
+  }
+  /// A face that is shortened carries shorter waves: 1 / its smallest stretch, at most 10, in space and in (r, z) times the
+  /// larger one.
+  KOKKOS_FUNCTION double shortening(const Tensor<double>& gradient) const {
+    double least = 1, most = 1;
+    for (int d = 0; d + 1 < D; ++d) {
+      double square = 0;
+      for (int c = 0; c < D; ++c) square += Kokkos::pow(gradient(c, d) + (c == d ? 1.0 : 0.0), 2);
+      least = Kokkos::min(least, Kokkos::sqrt(square));
+      most = Kokkos::max(most, Kokkos::sqrt(square));
+    }
+    if constexpr (Axial) {
+      least = Kokkos::min(least, Kokkos::abs(1 + gradient.hoop));
+      most = Kokkos::max(most, Kokkos::abs(1 + gradient.hoop));
+    }
+    return (D == 2 && !Axial ? 1 : most) / Kokkos::max(least, 0.1);
+  }
+};
+
+template <int D, class Bound>
+struct SolidPoint {
+  Bound bound;
+  const double* displacement;
+  ConstArray greville[D];
+  int extent[D];
+  int nodes;
+  int row_size;
+
+  KOKKOS_FUNCTION void operator()(int i, double* rate) const {
+    typename Bound::template Tensor<double> gradient;
+    int stride = 1;
+    for (int d = 0; d < D; ++d) {
+      for (int c = 0; c < D; ++c)
+        gradient(c, d) =
+            difference(displacement + c * nodes, i, i / stride % extent[d], extent[d], stride, greville[d]);
+      stride *= extent[d];
+    }
+    if constexpr (is_axial_matrix<decltype(gradient)>) {
+      const double r = greville[0](i % extent[0]);
+      gradient.hoop = r > 0 ? displacement[i] / r : gradient(0, 0);
+    }
+    bound.rates(gradient, i >= nodes - row_size, rate);
+  }
+};
+
+/// stretch = 1 / the smallest singular value of F = I + (beta Grad d, slope d e_D) above a column, at the wall and on top.
+template <int D>
+struct StretchOfColumn {
+  const double* displacement;  ///< of the wall's row
+  ConstArray greville[D];
+  Array stretch;
+  int extent[D];
+  int nodes;
+  double slope;
+
+  KOKKOS_FUNCTION void operator()(int i) const {
+    double worst = 1;
+    for (int wall = 0; wall < 2; ++wall) {
+      Matrix<double, D> f;
+      for (int c = 0; c < D; ++c) {
+        int stride = 1;
+        for (int d = 0; d + 1 < D; ++d) {
+          f(c, d) = (c == d ? 1.0 : 0.0) + wall * difference(displacement + c * nodes, i, i / stride % extent[d],
+                                                             extent[d], stride, greville[d]);
+          stride *= extent[d];
+        }
+        f(c, D - 1) = (c == D - 1 ? 1.0 : 0.0) + slope * displacement[c * nodes + i];
+      }
+      const Matrix<double, D> cofactors = cofactor(f);
+      const double volume = determinant(f, cofactors);
+      // |F^{-1}|^2 is at most the largest row sum of F^{-1} F^{-T}.
+      double largest = 0;
+      for (int r = 0; r < D; ++r) {
+        double sum = 0;
+        for (int s = 0; s < D; ++s) {
+          double entry = 0;
+          for (int k = 0; k < D; ++k) entry += cofactors(k, r) * cofactors(k, s);
+          sum += Kokkos::abs(entry);
+        }
+        largest = Kokkos::max(largest, sum);
+      }
+      worst = Kokkos::max(worst, Kokkos::sqrt(largest) / Kokkos::max(volume, 1e-3));
+    }
+    stretch(i) = worst;
+  }
+};
+
+}  // namespace softwet::step_points

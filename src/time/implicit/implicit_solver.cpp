@@ -1,0 +1,99 @@
+#include "time/implicit/implicit_solver.hpp"
+
+#include "solver/choose.hpp"
+#include "solver/recorded_answers.hpp"
+
+namespace softwet {
+namespace {
+
+NewtonControl newton_control(const Case& c) {
+  NewtonControl n;
+  n.rtol = c.solver.newton_rtol;
+  n.atol = c.solver.newton_atol;
+  n.max = c.solver.newton_max;
+  n.krylov_rtol = c.solver.krylov_rtol;
+  n.krylov_max = c.solver.krylov_max;
+  n.jacobian = c.solver.jacobian == "difference" ? JacobianKind::difference : JacobianKind::exact;
+  return n;
+}
+
+template <int D, int P>
+std::unique_ptr<Preconditioner> preconditioner_of(const Case& c, const Model<D, P>& model) {
+  auto chosen = choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask());
+  return c.solver.launch == "graph" ? record_answers(std::move(chosen)) : std::move(chosen);
+}
+
+/// Products in double precision are there in any precision of the model.
+LinearSolves linear_solves(const Case& c, Precision precision) {
+  return precision == Precision::full || c.solver.precision == "double" ? LinearSolves::full : LinearSolves::single;
+}
+
+}  // namespace
+
+template <int D, int P>
+SolidPart solid_part(const Model<D, P>& model, const Stage& stage) {
+  const Layout<D>& l = model.layout();
+  SolidPart solid;
+  if (!l.has_solid) return solid;
+  for (int d = 0; d < D; ++d)
+    solid.ranges.push_back({l.velocity_offset(d), l.velocity_offset(d) + l.solid_rows() * l.row_size});
+  double h = l.axis[0].spacing();
+  for (const Axis& axis : l.axis) h = std::min(h, axis.spacing());
+  const LameParameters& stiffness = model.stiffness();
+  const double density = std::visit([](const auto& term) { return term.density; }, model.solid());
+  solid.size = density * stage.rate_scale +
+               (stiffness.lambda + 2 * stiffness.shear_modulus) * stage.displacement_scale * 4 / (h * h);
+  return solid;
+}
+
+template <int D, int P>
+ImplicitSolver<D, P>::ImplicitSolver(const Model<D, P>& m, const Case& c, const Judge<D, P>& j)
+    : model(m),
+      judge(j),
+      integrator(m, c.time.rho_inf),
+      newton(m.layout().space(), m.layout().size(), c.solver.krylov_restart, preconditioner_of(c, m),
+             linear_solves(c, m.precision())),
+      control(newton_control(c)),
+      x("implicit.x", m.layout().size()) {
+  double volume = 1;
+  for (const Axis& axis : m.layout().axis) volume *= axis.length() / axis.elements();
+  volume_norm = volume * std::sqrt(entries_of_patch(m.layout(), double(m.layout().rows) * m.layout().row_size));
+}
+
+template <int D, int P>
+std::vector<FieldRange> ImplicitSolver<D, P>::fields() const {
+  const Layout<D>& l = model.layout();
+  const double atol = control.atol, rate = integrator.stage().rate_scale;
+  const LameParameters& solid = model.stiffness();
+  const double stiffness = solid.lambda + 2 * solid.shear_modulus;
+  std::vector<FieldRange> f{{0, l.velocity_size(), atol * volume_norm * std::max({rate, 1.0, stiffness})}};
+  if (l.has_fluid) {
+    f.push_back({l.density_offset(), l.potential_offset(), atol * volume_norm * std::max(rate, 1e-2)});
+    f.push_back({l.potential_offset(), l.size(), atol * volume_norm});
+  }
+  return f;
+}
+
+template <int D, int P>
+NonlinearSystem ImplicitSolver<D, P>::system() {
+  return {[this](const Array& at, const Array& r) { integrator.residual(at, r); },
+          [this](const Array& z, const Array& out) { integrator.product(z, out); },
+          [this](const StencilValues& values) { integrator.jacobian(values); },
+          [this](const Array& at) { return judge.of_values(at); },
+          [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { integrator.product(z, out); },
+          solid_part(model, integrator.stage())};
+}
+
+template <int D, int P>
+StepAttempt ImplicitSolver<D, P>::solve(const NonlinearSystem& system, const std::vector<FieldRange>& ranges) {
+  const NewtonResult result = newton.solve(system, ranges, control, x);
+  StepAttempt attempt{result.refusal, 0, result.iterations, result.krylov, result.iterations + 2 > control.max};
+  if (result.converged) attempt.refusal = judge.of_end(integrator.stage());
+  return attempt;
+}
+
+template SolidPart solid_part<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
+                                                                 const Stage&);
+template struct ImplicitSolver<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
+
+}  // namespace softwet

@@ -1,0 +1,77 @@
+// Ties between the last two functions of an axis: they take away the stiff modes of open knots.
+#pragma once
+
+#include "field/ghosts.hpp"
+#include "solver/krylov/line_blocks.hpp"
+
+namespace softwet {
+
+/// At an open end of an axis the last function has a third of the mass of those inside (degree 2), so that the difference
+/// of the last two control values c_0, c_1 has the highest frequency of all. A tie adds to the lumped mass of this
+/// difference,  D = diag(a) + k d d^T  with  d.c = c_0 - c_1.  Then  W = D^{-1} diag(a)  keeps the mean of the two, weighted
+/// with a, and the part 1 / (1 + k / a_0 + k / a_1) of their difference. What is uniform stays so.
+/// Where a velocity is held, its neighbours are not tied to it. Where solid and fluid meet, velocities are tied on the side of
+/// the solid; where two materials are joined, on the lower side. Ties of several sides follow each other: halves of all but the last set,
+/// that one, and the other halves in reverse, which is symmetric in the weights.
+/// Smaller parts make steps longer, up to a limit, and cost accuracy where a wall has a contact angle.
+inline constexpr double kept_of_scalars = 0.6, kept_of_velocities = 0.4;
+
+/// Takes a part of the difference of two values away: of the one at `first`, and of that `step` further.
+struct EndTie {
+  int first, step;
+  bool whole;  ///< else the half of a tie that comes twice
+};
+
+/// Ties of some components in clusters that share no value.
+struct TieClusters {
+  Kokkos::View<const EndTie*, Exec> ties;               ///< in their order
+  Kokkos::View<const int*, Exec> start;                 ///< of the ties of each cluster, and the end
+  Kokkos::View<const int*, Exec> member, first_member;  ///< values of each cluster, once
+  Kokkos::View<const char*, Exec> tied;                 ///< whether a value is in a cluster
+  Kokkos::View<const int*, Exec> of_block;  ///< first cluster of each block of lines, and the end; on the host
+  int nodes = 1;                            ///< of a component
+  double half = 0, whole = 0;               ///< parts that are taken away; twice the half makes a whole tie
+
+  KOKKOS_FUNCTION int count() const { return static_cast<int>(start.extent(0)) - 1; }
+
+  /// Takes a part of the difference of each pair of a cluster away and keeps its mean, weighted with `weights`. What x loses is
+  /// added to `gains` where there are some.
+  KOKKOS_FUNCTION void smooth(int cluster, double* x, const double* weights, double* gains = nullptr) const {
+    const bool gain = gains != nullptr;
+    for (int k = start(cluster); k < start(cluster + 1); ++k) {
+      const int i = ties(k).first, j = i + ties(k).step;
+      const double a = weights[i % nodes], b = weights[j % nodes];
+      const double part = (ties(k).whole ? whole : half) * (x[i] - x[j]) / (a + b);
+      x[i] -= b * part;
+      x[j] += a * part;
+      if (!gain) continue;
+      gains[i] += b * part;
+      gains[j] -= a * part;
+    }
+  }
+};
+
+/// The ties of a scene.   Tested: tests/unit/time/masses/test_mass_inverse.cpp
+template <int D>
+class EndTies {
+ public:
+  EndTies(const Layout<D>&, const ConstArray& mask);
+
+  /// W of the components of velocity, and of one scalar.
+  const TieClusters& velocities() const { return velocity_; }
+  const TieClusters& scalars() const { return scalar_; }
+  /// x = W^{-1} x for a scalar, whose array it is alone; `weights` is a by control point.
+  void untie_scalars(const Array& x, const ConstArray& weights) const;
+
+ private:
+  enum class End { low, high, below_wall, below_joint };
+  using Set = std::vector<EndTie>;  ///< of pairs that share no value
+
+  Set make_set(const Layout<D>&, const std::vector<double>& mask, int first_component, int last_component, int axis,
+               const std::vector<End>& ends) const;
+  static TieClusters clusters(const std::vector<Set>&, const LineBlocks<D>&, int components, double kept);
+
+  TieClusters velocity_, scalar_;
+};
+
+}  // namespace softwet

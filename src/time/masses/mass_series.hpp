@@ -1,0 +1,162 @@
+// The kernels of the series that inverts a mass: each is one launch, with the ties of its ends.
+#pragma once
+
+#include "solver/krylov/mass_product.hpp"
+#include "time/masses/end_ties.hpp"
+#include "time/masses/mass_kernels.hpp"
+
+namespace softwet {
+
+/// A c = a (left c + right M (root c)), by control point: the mass of a moved mesh (MassInverse).
+struct WeightedMass {
+  Array sums, unit;         ///< a, and the row sums m of M
+  Array root, left, right;  ///< s = sqrt(a / m), and the factors
+};
+
+/// The pointers of that, for kernels.
+struct WeightedPointers {
+  const double *sums, *root, *left, *right;
+  explicit WeightedPointers(const WeightedMass& m)
+      : sums(m.sums.data()), root(m.root.data()), left(m.left.data()), right(m.right.data()) {}
+};
+
+namespace mass_kernels {
+
+/// A stage of the series with the ties of its ends: each value, the ties between values, and, where a product follows, its scaled
+/// vector from each value. An item is a block of lines on the host. On a device it is a cluster of ties with all its values, or a value without ties.
+template <class Stage, bool lines = host_algorithms>
+struct WithTies {
+  Stage stage;
+  TieClusters ties;
+
+  KOKKOS_FUNCTION void operator()(int item) const {
+    if constexpr (lines) {
+      stage.run_block(item);
+      if (ties.count() > 0)
+        for (int c = ties.of_block(item); c < ties.of_block(item + 1); ++c) stage.tie(ties, c);
+      if (!stage.scaled) return;
+      stage.blocks().for_lines(item, [&](int begin, int node) {
+        SOFTWET_INDEPENDENT
+        for (int k = 0; k < stage.blocks().extent[0]; ++k) stage.end(begin + k, node + k);
+      });
+    } else if (item >= ties.count()) {
+      const int i = item - ties.count();
+      if (ties.count() > 0 && ties.tied(i)) return;
+      stage.run(i);
+      if (stage.scaled) stage.end(i, i % stage.nodes());
+    } else {
+      const int first = ties.first_member(item), last = ties.first_member(item + 1);
+      for (int m = first; m < last; ++m) stage.run(ties.member(m));
+      stage.tie(ties, item);
+      for (int m = first; stage.scaled && m < last; ++m) stage.end(ties.member(m), ties.member(m) % stage.nodes());
+    }
+  }
+
+  int items(int components) const {
+    return lines ? components * stage.blocks().count() : ties.count() + components * stage.nodes();
+  }
+  void launch(const char* name, int components) const {
+    Kokkos::parallel_for(name, Items(0, items(components)), *this);
+  }
+};
+
+/// x = W D^{-1} (factor b) with ties W and zeros where the mask has some, and scaled = start root x for the first product.
+template <int D>
+struct DivideBySums {
+  LineBlocks<D> lines;
+  RightSide side;
+  double factor;
+  ConstArray mask;
+  WeightedPointers mass;
+  double *x, *scaled;  ///< the latter null where no product follows
+  double start;        ///< the first y of the series over x
+
+  KOKKOS_FUNCTION int nodes() const { return lines.nodes; }
+  const LineBlocks<D>& blocks() const { return lines; }
+
+  KOKKOS_FORCEINLINE_FUNCTION void divide(int i, int node) const {
+    const double b = side(i);
+    x[i] = mask(i) != 0 ? b * (factor / mass.sums[node]) : 0.0;
+  }
+  KOKKOS_FUNCTION void run(int i) const { divide(i, i % lines.nodes); }
+  void run_block(int block) const {
+    lines.for_lines(block, [&](int begin, int node) {
+      SOFTWET_INDEPENDENT
+      for (int k = 0; k < lines.extent[0]; ++k) divide(begin + k, node + k);
+    });
+  }
+  KOKKOS_FUNCTION void tie(const TieClusters& ties, int cluster) const { ties.smooth(cluster, x, mass.sums); }
+  KOKKOS_FUNCTION void end(int i, int node) const { scaled[i] = start * mass.root[node] * x[i]; }
+};
+
+/// One term of the series: next = x + e (factor y) with e y = y - W A y / a.
+template <int D, int P>
+struct SeriesStep {
+  BandProduct<D, P> product;  ///< of factor root y
+  WeightedPointers mass;
+  const double* mask;
+  double factor;  ///< of y
+  const double *x, *y;
+  double *image, *next;  ///< A (factor y) / a before the ties, and the result, which may be y
+  double* scaled;        ///< root next, or null at the end
+
+  KOKKOS_FUNCTION int nodes() const { return product.nodes; }
+  const LineBlocks<D>& blocks() const { return product.blocks; }
+
+  /// @param sum  of the product at value i, which belongs to a control point
+  KOKKOS_FORCEINLINE_FUNCTION void finish(int i, int node, double sum) const {
+    const double value = factor * y[i], part = mask[i] * (mass.left[node] * value + mass.right[node] * sum);
+    image[i] = part;
+    next[i] = x[i] + value - part;
+  }
+  KOKKOS_FUNCTION void run(int i) const { finish(i, i % product.nodes, product.at(i)); }
+  void run_block(int block) const {
+    product.run_block(block, [&](int i, int node, double sum) { finish(i, node, sum); });
+  }
+  KOKKOS_FUNCTION void tie(const TieClusters& ties, int cluster) const { ties.smooth(cluster, image, mass.sums, next); }
+  KOKKOS_FUNCTION void end(int i, int node) const { scaled[i] = mass.root[node] * next[i]; }
+};
+
+/// From the product of the roots: the factors of A c = a (left c + right M (root c)).
+template <int D, int P>
+struct FindFactors {
+  BandProduct<D, P> product;  ///< of root
+  WeightedPointers mass;
+  double *left, *right;
+
+  KOKKOS_FORCEINLINE_FUNCTION void finish(int i, double sum) const {
+    right[i] = mass.root[i] / mass.sums[i];
+    left[i] = 1 - sum * right[i];
+  }
+  KOKKOS_FUNCTION void operator()(int item) const {
+    if constexpr (host_algorithms) {
+      product.run_block(item, [&](int i, int, double sum) { finish(i, sum); });
+    } else {
+      finish(item, product.at(item));
+    }
+  }
+};
+
+/// out = sums A z / a for a scalar, of which `in` is the product's vector.
+template <int D, int P>
+struct MultiplyByMass {
+  BandProduct<D, P> product;  ///< of root z
+  WeightedPointers mass;
+  const double *mask, *z;
+  double* out;
+
+  KOKKOS_FORCEINLINE_FUNCTION void finish(int i, double sum) const {
+    const double image = mask[i] * (mass.left[i] * z[i] + mass.right[i] * sum);
+    out[i] = image * mass.sums[i];
+  }
+  KOKKOS_FUNCTION void operator()(int item) const {
+    if constexpr (host_algorithms) {
+      product.run_block(item, [&](int i, int, double sum) { finish(i, sum); });
+    } else {
+      finish(item, product.at(item));
+    }
+  }
+};
+
+}  // namespace mass_kernels
+}  // namespace softwet

@@ -1,0 +1,153 @@
+#include "time/masses/mass_symbols.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "spline/axis.hpp"
+#include "time/masses/end_ties.hpp"
+
+namespace softwet {
+namespace {
+
+using Dense = Eigen::MatrixXd;
+
+/// Elements of length 1 in a row: (N_i, N_j), (N_i', N_j') and (N_i, N_j'); in (r, z) with the weight r. Of the hoop strain of radial
+/// vectors (N_i / r, N_j / r) and the mean of (N_i / r, N_j') and its transpose; zero elsewhere.
+struct ElementLine {
+  Dense mass, stiffness, slope, hoop, mixed;
+  int at_joint;  ///< the function that is 1 at the joint; 0: there is none
+
+  ElementLine(int elements, int degree, bool radial = false, int joint = 0) {
+    const Axis axis(elements, elements, degree, false, 0, joint);
+    const Gauss gauss(degree + 1);
+    const int n = axis.functions();
+    at_joint = joint > 0 ? axis.span(joint) : 0;
+    mass = stiffness = slope = hoop = mixed = Dense::Zero(n, n);
+    for (int e = 0; e < elements; ++e)
+      for (int q = 0; q <= degree; ++q) {
+        const double x = e + gauss.point[q], r = radial ? x : 1, weight = gauss.weight[q] * r, on = radial ? 1 : 0;
+        const std::vector<double> value = axis.values(e, x), d = axis.slopes(e, x);
+        for (int a = 0; a <= degree; ++a)
+          for (int b = 0; b <= degree; ++b) {
+            const int i = axis.span(e) + a, j = axis.span(e) + b;
+            mass(i, j) += weight * value[a] * value[b];
+            stiffness(i, j) += weight * d[a] * d[b];
+            slope(i, j) += weight * value[a] * d[b];
+            hoop(i, j) += on * weight * value[a] / r * value[b] / r;
+            mixed(i, j) += on * weight * 0.5 * (value[a] * d[b] + d[a] * value[b]) / r;
+          }
+      }
+  }
+};
+
+/// 1 + e + e^2 - 2 e^3 of a matrix or a number.
+template <class T>
+T series(const T& one, const T& e) {
+  const T square = e * e;
+  return one + e + square - 2 * (square * e);
+}
+
+/// The inverse of a mass with ties, without the functions that are held: zero rows and columns for these.
+/// @param joint  the function there; 0: none
+Dense inverse(const Dense& mass, MassKind kind, double kept, bool held_below, bool held_above, int joint = 0) {
+  const int all = static_cast<int>(mass.rows()), first = held_below ? 1 : 0, n = all - first - (held_above ? 1 : 0);
+  const Eigen::VectorXd sums = mass.rowwise().sum().segment(first, n);
+  const Dense inner = mass.block(first, first, n, n), one = Dense::Identity(n, n);
+  Dense found = Dense::Zero(all, all);
+  if (kind == MassKind::consistent) {
+    found.block(first, first, n, n) = inner.inverse();
+    return found;
+  }
+  Dense d = sums.cwiseInverse().asDiagonal();
+  const auto tie = [&](int end, int way, double part) {
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(n);
+    along[end] = 1;
+    along[end + way] = -1;
+    const Eigen::VectorXd scaled = along.cwiseQuotient(sums);
+    d -= (1 - part) / along.dot(scaled) * scaled * (along.transpose() * d);
+  };
+  // As EndTies does it: where ends share a function, halves of all but the last come before it and after it.
+  const bool below = !held_below && n > 1, above = !held_above && n > 1, joined = joint - first > 0;
+  const double last_above = joined ? std::sqrt(kept) : kept;
+  if (below) tie(0, 1, std::sqrt(kept));
+  if (above) tie(n - 1, -1, last_above);
+  if (joined) tie(joint - first, -1, kept);
+  if (above && joined) tie(n - 1, -1, last_above);
+  if (below) tie(0, 1, std::sqrt(kept));
+  found.block(first, first, n, n) = kind == MassKind::lumped ? d : Dense(series<Dense>(one, one - d * inner) * d);
+  return found;
+}
+
+double largest(const Dense& m) { return m.eigenvalues().cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+MassSymbols inside_symbols(int degree, MassKind kind) {
+  const ElementLine line(4 * degree, degree);
+  const int middle = static_cast<int>(line.mass.rows()) / 2;
+  MassSymbols s;
+  constexpr int waves = 400;
+  for (int w = 1; w <= waves; ++w) {
+    const double angle = M_PI * w / waves;
+    double mass = 0, stiffness = 0, slope = 0;
+    for (int k = -degree; k <= degree; ++k) {
+      mass += line.mass(middle, middle + k) * std::cos(k * angle);
+      stiffness += line.stiffness(middle, middle + k) * std::cos(k * angle);
+      slope += line.slope(middle, middle + k) * std::sin(k * angle);
+    }
+    const double inverse = kind == MassKind::consistent ? 1 / mass
+                           : kind == MassKind::lumped   ? 1
+                                                        : series<double>(1, 1 - mass);
+    s.acoustic = std::max(s.acoustic, std::sqrt(inverse * inverse * inverse * mass) * std::abs(slope));
+    s.capillary = std::max(s.capillary, std::sqrt(inverse * inverse * inverse * stiffness) * std::abs(slope));
+    s.viscous = std::max(s.viscous, inverse * stiffness);
+    s.convective = std::max(s.convective, inverse * std::abs(slope));
+    s.elastic = std::max(s.elastic, std::sqrt(inverse * stiffness));
+  }
+  s.diffusive = s.viscous;
+  return s;
+}
+
+MassSymbols end_symbols(int degree, MassKind kind, int elements, bool radial) {
+  const ElementLine line(elements, degree, radial);
+  const Dense held = inverse(line.mass, kind, kept_of_velocities, true, true);
+  const Dense free = inverse(line.mass, kind, kept_of_velocities, false, false);
+  const Dense layer = inverse(line.mass, kind, kept_of_velocities, true, false);
+  const Dense scalar = inverse(line.mass, kind, kept_of_scalars, false, false);
+  // rho' = - S grad^T v,  mu = S (c^2 M + g^2 K) rho / rho,  v' = - S grad mu
+  const Dense there = scalar * line.slope.transpose(), back = held * line.slope * scalar;
+  MassSymbols s = inside_symbols(degree, kind);
+  s.acoustic = std::max(s.acoustic, std::sqrt(largest(back * line.mass * there)));
+  s.capillary = std::max(s.capillary, std::sqrt(largest(back * line.stiffness * there)));
+  s.viscous = std::max({s.viscous, largest(free * line.stiffness), largest(held * line.stiffness)});
+  s.diffusive = std::max(s.diffusive, largest(scalar * line.stiffness));  // the ties of scalars are weaker
+  s.elastic = std::max(s.elastic, std::sqrt(std::max(largest(layer * line.stiffness), largest(free * line.stiffness))));
+  if (radial) {
+    // tau : grad v = 4/3 m (v'^2 + (v/r)^2 - v' v/r); elastic waves (lambda + 2 mu) (u'^2 + (u/r)^2) + 2 lambda u' u/r
+    for (const Dense& axis : {held, layer}) {
+      s.viscous = std::max(s.viscous, largest(axis * (line.stiffness + line.hoop - line.mixed)));
+      for (const double lambda : {0.0, 0.5, 1.0})  // in parts of lambda + 2 mu
+        s.elastic =
+            std::max(s.elastic, std::sqrt(largest(axis * (line.stiffness + line.hoop + 2 * lambda * line.mixed))));
+    }
+  }
+  s.surface = std::sqrt(s.viscous * layer(layer.rows() - 1, layer.cols() - 1));
+  return s;
+}
+
+MassSymbols with_joint(MassSymbols ends, int degree, MassKind kind, JoinedElements elements) {
+  if (elements.below == 0) return ends;
+  const int below = std::min(elements.below, 10), above = std::min(elements.above, 10);
+  const ElementLine line(below + above, degree, false, below);
+  const auto of = [&](bool held_below, bool held_above) {
+    return largest(inverse(line.mass, kind, kept_of_velocities, held_below, held_above, line.at_joint) *
+                   line.stiffness);
+  };
+  const double free = of(false, false);
+  ends.elastic = std::max(ends.elastic, std::sqrt(std::max(free, of(true, false))));
+  ends.viscous = std::max({ends.viscous, free, of(true, true)});
+  return ends;
+}
+
+}  // namespace softwet

@@ -1,0 +1,45 @@
+// How fast the shortest waves of a mesh are under the masses of explicit schemes.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "time/masses/mass_kind.hpp"
+
+namespace softwet {
+
+/// Largest frequencies and rates on elements of length 1, over all waves that the mesh has:
+///   sound w = acoustic c / h,  capillary waves w = capillary g sqrt(rho) / h^2,  viscosity s = viscous (4/3 m / rho) / h^2,
+///   stabilisation  k = diffusive / h^2,  convection w = convective |v| / h,  elastic waves w = elastic c_p / h,
+///   waves of a face with the tension Ups on a solid w = surface sqrt(Ups / rho_0) / h^(3/2), for each axis of the face.
+/// With lumped and corrected masses they are the same in two and three dimensions. With consistent masses those of the axes
+/// add up (acoustic and elastic: their squares).
+struct MassSymbols {
+  double acoustic = 0, capillary = 0, viscous = 0, diffusive = 0, convective = 0, elastic = 0, surface = 0;
+};
+
+/// Away from the ends of axes: the extremes of the Fourier symbols.
+MassSymbols inside_symbols(int degree, MassKind);
+/// The fewest elements that a material has along an axis with ends, of all of these but zeros; from ten on more make no difference.
+inline int fewest_that_matter(const std::vector<int>& elements) {
+  int fewest = 10;
+  for (const int n : elements)
+    if (n > 0) fewest = std::min(fewest, n);
+  return fewest;
+}
+/// At an end with an open knot, with its ties: from the eigenvalues of a line of so many elements, whose two ends are felt by each
+/// other where it is short. At least those inside. The elastic one is that of a layer that is held below and free above, or
+/// free on both sides.
+/// @param radial  the line begins at the axis of symmetry of (r, z): masses and stiffnesses have the weight r, and vectors their hoop
+///   strain v_r / r. These symbols are up to a fifth larger.
+MassSymbols end_symbols(int degree, MassKind, int elements = 10, bool radial = false);
+/// Elements of a solid below and above its joint. Zeros: there is no joint.
+struct JoinedElements {
+  int below = 0, above = 0;
+};
+/// At least `ends`: those that waves of a solid have at a joint as well, where the knot is repeated and a tie holds what is below to the
+/// joint. From the eigenvalues of a line of so many elements, ten of each at most. They hold for any stiffness on either side that is at
+/// most the one that is taken: what is softer has slower waves.
+MassSymbols with_joint(MassSymbols ends, int degree, MassKind, JoinedElements);
+
+}  // namespace softwet

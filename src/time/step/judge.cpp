@@ -1,0 +1,199 @@
+#include "time/step/judge.hpp"
+
+#include <utility>
+
+#include "field/vector.hpp"
+#include "time/step/sum_of.hpp"
+
+namespace softwet {
+namespace {
+
+/// Smallest and largest value of an array over all processes, each in its own columns; a value that is not finite becomes
+/// the largest, infinity.
+std::pair<double, double> range(const VectorSpace& space, const ConstArray& x) {
+  Kokkos::MinMaxScalar<double> r;
+  const int stored = space.stored, begin = space.begin, width = space.end - space.begin;
+  const bool all = width == stored;
+  Kokkos::parallel_reduce(
+      "softwet::range", Items(0, all ? x.extent(0) : x.extent(0) / stored * width),
+      KOKKOS_LAMBDA(int i, Kokkos::MinMaxScalar<double>& best) {
+        const double v = x(all ? i : i / width * stored + begin + i % width);
+        const double high = Kokkos::isfinite(v) ? v : Kokkos::Experimental::infinity_v<double>;
+        if (v < best.min_val) best.min_val = v;
+        if (high > best.max_val) best.max_val = high;
+      },
+      Kokkos::MinMax<double>(r));
+  double ends[2] = {-r.min_val, r.max_val};
+  ranks::largest(ends, 2);
+  return {-ends[0], ends[1]};
+}
+
+/// A vector less an extrapolation, times the roots of weights where there are some.
+struct Difference {
+  SumOf sum;
+  ConstArray root;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    sum(i);
+    if (root.data()) sum.y(i) *= root(i);
+  }
+};
+
+/// Several sums in one kernel.
+struct SumsInTurn {
+  StripSums<double> first, second;
+  int of_first;
+  KOKKOS_FUNCTION void operator()(int item) const { item < of_first ? first(item) : second(item - of_first); }
+};
+
+int items_of(const std::vector<StripSums<double>>& sums) {
+  int items = 0;
+  for (const StripSums<double>& s : sums) items += s.items();
+  return items;
+}
+
+Refusal density_complaint(double least, double largest, double undershoot) {
+  if (!(largest < 0.999)) return {Refusal::close_packed};
+  // Undershoots of the vapour's small density are admissible: W is continued below it.
+  if (least <= -undershoot) return {Refusal::negative_density};
+  return {};
+}
+
+}  // namespace
+
+template <int D, int P>
+Judge<D, P>::Judge(const Model<D, P>& model, const Case& c)
+    : model_(model),
+      undershoot_(c.solver.newton_undershoot),
+      difference_("judge.difference", model.layout().size()),
+      partial_("judge.partial", items_of(squares())) {
+  const double thickness = model.wall_height(), height = model.layout().axis[D - 1].length() - thickness;
+  length_ = !model.layout().has_fluid ? c.domain.size[D - 1] : thickness > 0 ? std::min(thickness, height) : height;
+  bool graded = false;
+  for (const Axis& axis : model.layout().axis) graded = graded || axis.graded();
+  if (graded) weigh(model.layout());
+}
+
+template <int D, int P>
+void Judge<D, P>::weigh(const Layout<D>& l) {
+  const auto integral = [](const Axis& axis, int function) {
+    return axis.periodic() && function >= axis.owned() ? 0.0 : axis.integral(function);
+  };
+  volume_ = of_scalars_ = 1;
+  for (int d = 0; d < D; ++d) {
+    double all = 0, scalars = 0;
+    for (int i = 0; i < l.axis[d].functions(); ++i) {
+      all += integral(l.axis[d], i);
+      scalars += d < D - 1 || i >= l.wall_row ? integral(l.axis[d], i) : 0.0;
+    }
+    volume_ *= all;
+    of_scalars_ *= scalars;
+  }
+  std::vector<double> root(l.size(), 0.0);
+  const std::vector<Box<D>> all = boxes(l);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    int n = 1;
+    for (int d = 0; d < D; ++d) n *= all[k].extent[d];
+    for (int i = 0; i < n; ++i) {
+      double weight = 1;
+      for (int d = 0, rest = i; d < D; ++d) {
+        const int place = rest % all[k].extent[d], first = k >= D && d == D - 1 ? l.wall_row : 0;
+        weight *= integral(l.axis[d], l.function(place, d) + first);
+        rest /= all[k].extent[d];
+      }
+      root[all[k].offset + i] = std::sqrt(weight);
+    }
+  }
+  root_of_weight_ = to_device<Array>(root, "judge.root_of_weight");
+}
+
+template <int D, int P>
+Refusal Judge<D, P>::of_ranges(bool finite, double least_density, double most_density) const {
+  if (!finite) return {Refusal::not_finite};
+  return model_.layout().has_fluid ? density_complaint(least_density, most_density, undershoot_) : Refusal{};
+}
+
+template <int D, int P>
+Refusal Judge<D, P>::of_values(const ConstArray& x) const {
+  const Layout<D>& l = model_.layout();
+  const bool finite = std::isfinite(range(l.space(), x).second);
+  if (!finite || !l.has_fluid) return of_ranges(finite, 0, 0);
+  const auto [least, most] = range(l.space(), part(x, l.density_offset(), l.potential_offset()));
+  return of_ranges(true, least, most);
+}
+
+template <int D, int P>
+Refusal Judge<D, P>::of_mesh(const Stage& stage) const {
+  const MeshFaults faults = model_.faults(stage);
+  if (faults.inverted > 0) return {Refusal::solid_inverted};
+  if (faults.folded > 0) return {Refusal::mesh_folded};
+  return {};
+}
+
+template <int D, int P>
+Refusal Judge<D, P>::of_end(const Stage& stage) const {
+  const Refusal of_its_mesh = of_mesh(stage);
+  const Layout<D>& l = model_.layout();
+  if (!of_its_mesh.empty() || !l.has_fluid) return of_its_mesh;
+  const auto [least, most] = range(l.space(), stage.density_end);
+  return density_complaint(least, most, undershoot_);
+}
+
+template <int D, int P>
+std::vector<StripSums<double>> Judge<D, P>::squares() const {
+  const Layout<D>& l = model_.layout();
+  std::vector<StripSums<double>> sums;
+  const auto add = [&](int first, int last) {
+    const double* start = difference_.data() + first;
+    sums.push_back({l.space(), start, 0, 1, {start}, false, last - first});
+  };
+  add(0, l.velocity_size());
+  if (l.has_fluid) add(l.density_offset(), l.potential_offset());
+  return sums;
+}
+
+template <int D, int P>
+void Judge<D, P>::ask_indicator(const StepHistory& history, const Array& values, double f) const {
+  if (history.previous_dt <= 0) return;
+  const SumOf sum{difference_, 1, -1 - f, f, values, history.state.unknown, history.previous};
+  Kokkos::parallel_for("softwet::difference", Items(0, difference_.extent(0)), Difference{sum, root_of_weight_});
+  std::vector<StripSums<double>> sums = squares();
+  int items = 0;
+  for (StripSums<double>& s : sums) {
+    s.partial = partial_.device;
+    s.place = std::exchange(items, items + s.items());
+  }
+  Kokkos::parallel_for("softwet::sums", Items(0, items), SumsInTurn{sums.front(), sums.back(), sums.front().items()});
+  partial_.ask();
+}
+
+template <int D, int P>
+double Judge<D, P>::take_indicator(const StepHistory& history, double dt) const {
+  if (history.previous_dt <= 0) return 0;
+  const Layout<D>& l = model_.layout();
+  const VectorSpace space = l.space();
+  std::vector<double> sizes;
+  int place = 0;
+  for (const StripSums<double>& s : squares()) {
+    StripTotals totals(space.strips, 1, space.shared);
+    add_partial_sums(totals, s, place, partial_.host, 0);
+    place += s.items();
+    sizes.push_back(std::sqrt(totals.total(0)));
+  }
+  const bool weighted = volume_ > 0;
+  const double points = weighted ? volume_ : entries_of_patch(l, l.velocity_size()) / D;
+  const double v = sizes[0] / std::sqrt(points) * dt / length_;
+  if (!l.has_fluid) return v;
+  const double jump = model_.state().density_liquid - model_.state().density_vapour;
+  return std::max(v, sizes[1] / std::sqrt(weighted ? of_scalars_ : entries_of_patch(l, l.scalar_size())) / jump);
+}
+
+template <int D, int P>
+double Judge<D, P>::indicator(const StepHistory& history, const Array& values, double f, double dt) const {
+  ask_indicator(history, values, f);
+  HostNumbers::wait();
+  return take_indicator(history, dt);
+}
+
+template class Judge<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
+
+}  // namespace softwet

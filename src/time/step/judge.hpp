@@ -1,0 +1,46 @@
+// Whether values are admissible, and how large the local error of a step is: the same for all schemes.
+#pragma once
+
+#include "model/model.hpp"
+#include "time/step/host_numbers.hpp"
+#include "time/step/scheme.hpp"
+
+namespace softwet {
+
+template <int D, int P>
+class Judge {
+ public:
+  Judge(const Model<D, P>&, const Case&);
+
+  /// Why values of the unknowns are not admissible; empty when they are.
+  Refusal of_values(const ConstArray& unknown) const;
+  /// The same where their ranges are known.
+  Refusal of_ranges(bool finite, double least_density, double most_density) const;
+  /// The same for the mesh of a stage, of which the integrals tell.
+  Refusal of_mesh(const Stage&) const;
+  /// That, and the density at the end of the step.
+  Refusal of_end(const Stage&) const;
+
+  /// Compares values with the extrapolation of the two states before, f = (time from the last state) / previous_dt:
+  ///   max( rms(rho - rho_f) / (rho_l - rho_v),  dt rms(v - v_f) / H )  ~ dt^2,   H the thinner layer
+  /// The means are those of control values. Where elements are graded, these are weighted with the integrals of their
+  /// functions, so that a place counts by its volume, not by how many functions it has.
+  double indicator(const StepHistory&, const Array& values, double f, double dt) const;
+  /// In two halves: asks for the sums, and, after a wait for the numbers of the host, takes them.
+  void ask_indicator(const StepHistory&, const Array& values, double f) const;
+  double take_indicator(const StepHistory&, double dt) const;
+
+ private:
+  void weigh(const Layout<D>&);
+  /// Sums of the squares of the differences, of the velocities and of the density.
+  std::vector<StripSums<double>> squares() const;
+
+  const Model<D, P>& model_;
+  double undershoot_, length_;
+  Array difference_;
+  Array root_of_weight_;                ///< of each control value, where elements are graded; else empty
+  double volume_ = 0, of_scalars_ = 0;  ///< sums of the weights of a component
+  HostNumbers partial_;                 ///< sums of strips
+};
+
+}  // namespace softwet

@@ -1,0 +1,88 @@
+// The automatic box of fine elements around droplets, and the warning about boxes that are too small.
+#include "casefile/checks/fine_box.hpp"
+
+#include <gtest/gtest.h>
+
+#include "case/mesh.hpp"
+#include "unit/casefile/bad_case.hpp"
+
+namespace softwet {
+namespace {
+
+/// A droplet in a box whose other numbers do not matter.
+Case droplet_at(double height, const std::string& fine = "automatic") {
+  Case c;
+  c.domain.size = {2, 1};
+  c.domain.elements = {256, 128};
+  c.domain.grading.fine = fine;
+  c.fluid = Fluid{};
+  c.fluid->capillarity = 1.0 / 64;
+  c.fluid->temperature = 0.39;
+  c.fluid->contact_angle = 75;
+  c.substrate = Substrate{};
+  c.substrate->thickness = 0.125;
+  c.substrate->young = 0.75;
+  c.droplets = {{{1.0, height}, 0.15}};
+  return c;
+}
+
+TEST(FineBox, AnAutomaticOneDoesNotWarnOfItself) {
+  for (double height : {0.125, 0.6}) {
+    Case c = droplet_at(height);
+    choose_fine_box(c);
+    EXPECT_LT(c.domain.grading.upper[1], 1) << "it is smaller than the domain";
+    EXPECT_EQ(warning_about_fine_box(c), "") << height;
+  }
+}
+
+TEST(FineBox, ATooSmallOneIsToldWithItsPlace) {
+  for (double height : {0.125, 0.6}) {
+    Case c = droplet_at(height);
+    choose_fine_box(c);
+    c.domain.grading.upper[1] -= 1.5 * c.fluid->capillarity;
+    EXPECT_NE(warning_about_fine_box(c).find("along axis 1"), std::string::npos) << height;
+  }
+}
+
+/// A droplet on the seam of a periodic axis needs a box that reaches around it.
+TEST(FineBox, AroundAPeriodicEnd) {
+  Case c = droplet_at(0.125, "box");
+  c.boundary.side[0] = {Side::periodic, Side::periodic};
+  c.droplets[0].centre[0] = 0;
+  c.domain.grading.upper = {0.4, 0.6};
+  c.domain.grading.lower = {0, 0};
+  EXPECT_NE(warning_about_fine_box(c).find("along axis 0"), std::string::npos);
+  c.domain.grading.lower[0] = -0.4;
+  EXPECT_EQ(warning_about_fine_box(c), "");
+  c.domain.grading.lower[0] = 1.6, c.domain.grading.upper[0] = 2.4;
+  EXPECT_EQ(warning_about_fine_box(c), "");
+}
+
+std::string answer_to(const std::string& left, const std::string& box, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> settings{"boundary.left=\"" + left + "\"", "boundary.right=\"" + left + "\"",
+                                    "domain.grading.box=" + box};
+  settings.insert(settings.end(), more.begin(), more.end());
+  return testing_tools::message_of(testing_tools::pull_text(), settings);
+}
+
+TEST(FineBox, ReachesAroundPeriodicSidesAlone) {
+  using testing_tools::expect_parts;
+  EXPECT_EQ(answer_to("periodic", "[[-0.2,0],[0.4,0.4]]"), "(accepted)");
+  EXPECT_EQ(answer_to("periodic", "[[0.8,0],[1.4,0.4]]"), "(accepted)");
+  expect_parts(answer_to("slip", "[[-0.2,0],[0.4,0.4]]"), {"domain.grading.box", "outside the domain", "[0, 1]"});
+  expect_parts(answer_to("periodic", "[[-0.2,0],[0.9,0.4]]"),
+               {"domain.grading.box", "longer than the periodic axis 0", "shrink"});
+  expect_parts(answer_to("periodic", "[[-1.2,0],[-0.9,0.4]]"),
+               {"domain.grading.box", "outside [-1, 2]", "move or shrink"});
+  expect_parts(answer_to("periodic", "[[0.2,-0.1],[0.9,0.4]]"), {"domain.grading.box", "outside the domain", "axis 1"});
+}
+
+/// Periodic splines of degree 2 need five elements, also of those that are left.
+TEST(FineBox, LeavesEnoughElementsOfAPeriodicAxis) {
+  testing_tools::expect_parts(
+      answer_to("periodic", "[[0.25,0],[0.375,0.4]]", {"domain.elements=[8,64]", "domain.grading.ratio=2"}),
+      {"domain.grading.box", "leaves 4 elements along the periodic axis 0", "5 or more", "larger box"});
+}
+
+}  // namespace
+}  // namespace softwet

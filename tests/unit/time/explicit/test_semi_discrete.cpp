@@ -1,0 +1,155 @@
+// The equations as y' = f(t, y): against the residual they come from, with all kinds of mass.
+#include "time/explicit/semi_discrete.hpp"
+
+#include "model/initial.hpp"
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+using System = SemiDiscrete<2, 2>;
+constexpr MassKind kinds[] = {MassKind::consistent, MassKind::lumped, MassKind::corrected};
+
+/// A random state of a scene, and f of it.
+struct RandomRates {
+  RandomScene scene;
+  System system;
+  State state;
+  Array y, rates;
+
+  RandomRates(const Case& c, MassKind kind) : scene(c), system(scene.model, kind), state(empty_state(scene.layout())) {
+    Kokkos::deep_copy(state.unknown, scene.stage().unknown);
+    Kokkos::deep_copy(state.displacement, scene.stage().displacement);
+    system.set_moments(state);
+    y = Array("y", system.size());
+    rates = Array("rates", system.size());
+    Kokkos::deep_copy(system.velocities_of(y), part(state.unknown, 0, system.velocities()));
+    Kokkos::deep_copy(system.displacements_of(y), state.displacement);
+    Kokkos::deep_copy(system.moments_of(y), state.moment);
+    EXPECT_TRUE(system.rates(3.0, y, rates).empty());
+  }
+  /// The residual of the equations with these rates.
+  std::vector<double> residual() {
+    Stage s = system.stage();
+    s.acceleration = Array("acceleration", system.velocities());
+    Array full("full", scene.layout().size());
+    Kokkos::deep_copy(system.velocities_of(full), system.velocities_of(rates));
+    move_ghosts(scene.layout(), full, GhostAction::update);
+    Kokkos::deep_copy(s.acceleration, part(full, 0, system.velocities()));
+    return scene.residual(s);
+  }
+};
+
+double largest_between(const std::vector<double>& r, int first, int last) {
+  double m = 0;
+  for (int i = first; i < last; ++i) m = std::max(m, std::abs(r[i]));
+  return m;
+}
+
+void expect_solved(const Case& c) {
+  RandomRates s(c, MassKind::consistent);
+  const Layout<2>& l = s.scene.layout();
+  const std::vector<double> r = s.residual();
+  EXPECT_LT(largest_between(r, 0, l.velocity_size()), 1e-9) << "momentum";
+  if (!l.has_fluid) return;
+  EXPECT_LT(largest_between(r, l.potential_offset(), l.size()), 1e-10) << "chemical potential";
+  const std::vector<double> now = to_host(s.system.stage().unknown), given = to_host(s.state.unknown);
+  for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(now[i], given[i], 1e-10) << "density";
+  for (int i = l.density_offset(), k = l.velocity_size() + l.solid_size(); i < l.potential_offset(); ++i, ++k)
+    ASSERT_NEAR(r[i] + to_host(s.rates)[k], 0, 1e-14) << "moments change by the fluxes";
+}
+
+TEST(SemiDiscrete, RatesSolveTheEquationsOfACoupledScene) { expect_solved(scene(Scene::coupled)); }
+TEST(SemiDiscrete, RatesSolveTheEquationsOfAPeriodicScene) {
+  expect_solved(scene(Scene::rigid, WallLaw::gradient, true));
+}
+TEST(SemiDiscrete, RatesSolveTheEquationsOfASolid) { expect_solved(scene(Scene::solid)); }
+TEST(SemiDiscrete, RatesSolveTheEquationsOfAxisymmetricScenes) {
+  for (const Scene kind : {Scene::coupled, Scene::rigid, Scene::solid}) expect_solved(axisymmetric(scene(kind)));
+}
+
+TEST(SemiDiscrete, RatesAreTheSumOfTheirParts) {
+  for (const MassKind kind : kinds) {
+    RandomRates s(scene(Scene::coupled), kind);
+    System& system = s.system;
+    const Array pressure("p", system.velocities()), convection("c", system.velocities());
+    const Array flux("f", system.moments()), stabilisation("e", system.moments());
+    ASSERT_TRUE(system.pressure(pressure, stabilisation).empty());
+    ASSERT_TRUE(system.convection(true, convection).empty());
+    system.find_flux();
+    ASSERT_TRUE(system.move_moments(1, Array("none", system.moments()), stabilisation, flux).empty());
+    add_scaled(pressure, 0, 1, convection);
+    const std::vector<double> a = to_host(pressure), b = to_host(flux), rates = to_host(s.rates);
+    const int shift = system.velocities() + system.displacements();
+    const double size = largest_between(rates, 0, system.velocities());
+    for (int i = 0; i < system.velocities(); ++i) ASSERT_NEAR(a[i], rates[i], 1e-7 * size);
+    for (int i = 0; i < system.moments(); ++i) ASSERT_NEAR(b[i], rates[shift + i], 1e-13);
+  }
+}
+
+TEST(SemiDiscrete, ConvectionWithoutViscosityAndViscosityAddUp) {
+  RandomRates s(scene(Scene::coupled), MassKind::corrected);
+  System& system = s.system;
+  const Array both("b", system.velocities()), convection("c", system.velocities()), viscous("v", system.velocities());
+  ASSERT_TRUE(system.convection(true, both).empty());
+  ASSERT_TRUE(system.convection(false, convection).empty());
+  ASSERT_TRUE(system.viscosity(system.velocities_of(s.y), viscous).empty());
+  const std::vector<double> sum = to_host(both), a = to_host(convection), b = to_host(viscous);
+  const double size = largest_between(b, 0, system.velocities());
+  EXPECT_GT(size, 1);
+  for (int i = 0; i < system.velocities(); ++i) ASSERT_NEAR(sum[i], a[i] + b[i], 1e-11 * size);
+}
+
+// Velocities without a viscous acceleration: the solve fails, and its iterations are none that count.
+TEST(SemiDiscrete, ViscousRatesThatCannotBeFoundAreRefused) {
+  RandomRates s(scene(Scene::coupled), MassKind::consistent);
+  const Array out("out", s.system.velocities());
+  ASSERT_TRUE(s.system.viscosity(s.system.velocities_of(s.y), out).empty());
+  const long before = s.system.counts().viscous;
+  EXPECT_GT(before, 0);
+  const Array broken =
+      to_device<Array>(std::vector<double>(s.system.velocities(), std::numeric_limits<double>::infinity()));
+  EXPECT_EQ(s.system.viscosity(broken, out).cause, Refusal::viscous_rate);
+  EXPECT_EQ(s.system.counts().viscous, before);
+}
+
+TEST(SemiDiscrete, TheSumOfTheMomentsIsTheMassWithAllMasses) {
+  for (const MassKind kind : kinds)
+    for (const bool periodic : {false, true}) {
+      RandomRates s(scene(Scene::coupled, WallLaw::gradient, periodic), kind);
+      const Array p = s.system.moments_of(s.y);
+      EXPECT_NEAR(s.scene.model.integrals(s.system.stage())["mass"], total(alone, p), 1e-12);
+      EXPECT_NEAR(total(alone, s.system.moments_of(s.rates)), 0, 1e-13) << "fluxes sum to zero";
+    }
+}
+
+/// A run begins with the density of its case: moments of one mass matrix, inverted with the other, would smooth it.
+TEST(SemiDiscrete, TheMomentsOfAStateGiveItsDensityBack) {
+  for (const auto& [kind, error] : {std::pair{MassKind::consistent, 1e-9}, {MassKind::lumped, 1e-12}}) {
+    RandomRates s(scene(Scene::coupled), kind);
+    const Layout<2>& l = s.scene.layout();
+    const std::vector<double> before = to_host(s.state.unknown), after = to_host(s.system.stage().unknown);
+    for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(after[i], before[i], error);
+  }
+}
+
+TEST(SemiDiscrete, TheMomentsOfADropletGiveItsDensityBackWithCorrectedMasses) {
+  for (const bool periodic : {false, true}) {
+    Case c = scene(Scene::coupled, WallLaw::energy, periodic);
+    c.domain.elements = {27, 24};
+    c.droplets = {{{0.45, 0.8 / 3}, 0.2}};
+    c.fluid->capillarity = 0.05;
+    const Model<2, 2> model(c);
+    System system(model, MassKind::corrected);
+    State state = initial_state<2, 2>(c, model);
+    system.set_moments(state);
+    ASSERT_TRUE(system.find_density(state.moment).empty());
+    const std::vector<double> before = to_host(state.unknown), after = to_host(system.stage().unknown);
+    const Layout<2>& l = model.layout();
+    for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(after[i], before[i], 2e-6);
+    EXPECT_NEAR(model.integrals(stage_at(l, state))["mass"], total(alone, state.moment), 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools

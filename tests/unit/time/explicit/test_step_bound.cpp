@@ -1,0 +1,188 @@
+// The bound of the step against the largest stable step of the linearised scheme.
+#include "time/explicit/step_bound.hpp"
+
+#include "unit/model/formulas.hpp"
+#include "unit/time/explicit_run.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+/// Whether differences between two runs from states that hardly differ grow in many steps of the same frozen length.
+bool grows(const Case& c, const std::string& scheme, MassKind kind, double dt) {
+  ExplicitRun base(c, scheme, kind), moved(c, scheme, kind);
+  constexpr double small = 1e-9;
+  std::vector<double> v = to_host(moved.state.unknown);
+  const std::vector<double> mask = to_host(moved.model.mask());
+  const int nv = moved.system.velocities();
+  unsigned seed = 1;
+  for (int i = 0; i < nv; ++i)
+    v[i] += small * mask[i] * (((seed = seed * 1103515245u + 12345u) >> 16) % 1000 / 500.0 - 1);
+  Kokkos::deep_copy(moved.state.unknown, to_device<Array>(v));
+  EXPECT_TRUE(moved.step->begin(moved.state).empty());
+  const StepRates rates = base.rates();
+  constexpr int steps = 90;
+  for (int n = 0; n < steps; ++n)
+    for (ExplicitRun* run : {&base, &moved}) {
+      if (!run->step->advance(run->state.time, dt, rates).empty()) return true;
+      run->step->accept(run->state.time + dt, dt, run->state);
+    }
+  const double now = root_of_squares(base.state.unknown, moved.state.unknown, 0, nv);
+  return !(now < 100 * small);
+}
+
+/// The measured limit over that of the bound, by bisection.
+double room(const Case& c, const std::string& scheme, MassKind kind = MassKind::corrected) {
+  const double bound = 1 / ExplicitRun(c, scheme, kind).rates().combined;
+  double low = 0.5, high = 3;
+  while (high / low > 1.02) {
+    const double middle = std::sqrt(low * high);
+    (grows(c, scheme, kind, middle * bound) ? high : low) = middle;
+  }
+  std::printf("  %s: the limit is %.2f of the bound\n", scheme.c_str(), low);
+  return low;
+}
+
+/// A droplet at rest away from all sides, in a box.
+Case droplet_inside(double temperature) {
+  Case c = moving_droplet(Scene::rigid);
+  c.domain.size = {1, 1};
+  c.domain.elements = {32, 32};
+  c.fluid->temperature = temperature;
+  c.fluid->contact_angle = 90;
+  c.fluid->capillarity = 1.0 / 24;
+  c.fluid->viscosity = 5e-4;
+  c.boundary.side[1] = {Side::slip, Side::slip};
+  c.droplets = {{{0.5, 0.5}, 0.28}};
+  return c;
+}
+
+TEST(StepBound, IsCloseForADropletInside) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
+    const double found = room(droplet_inside(0.85), "kick_drift", kind);
+    EXPECT_GE(found, 1);
+    EXPECT_LE(found, 1.3);
+  }
+}
+TEST(StepBound, HoldsForOtherSchemes) {
+  for (const char* scheme : {"ssp_rk3", "rkl2"}) EXPECT_GE(room(droplet_inside(0.85), scheme), 1) << scheme;
+}
+TEST(StepBound, HoldsForADropletOnAWallAndInACorner) {
+  for (const double x : {0.5, 0.0}) {
+    Case c = droplet_inside(0.85);
+    c.droplets = {{{x, 0.0}, 0.35}};
+    const double found = room(c, "kick_drift");
+    EXPECT_GE(found, 1);
+    EXPECT_LE(found, 1.4);
+  }
+}
+TEST(StepBound, HoldsWhereTheStabilisationLimitsIt) {
+  Case c = droplet_inside(0.85);
+  c.domain.size = {0.5, 0.5};
+  c.droplets = {{{0.0, 0.0}, 0.22}};
+  c.fluid->stabilisation = Fluid{}.stabilisation;
+  for (const double viscosity : {3e-4, 3e-5}) {  // the smaller, the more it stabilises
+    c.fluid->viscosity = viscosity;
+    for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
+      const double found = room(c, "kick_drift", kind);
+      EXPECT_GE(found, 1) << viscosity;
+      EXPECT_LE(found, 1.6) << viscosity;
+    }
+  }
+  EXPECT_GE(room(c, "ssp_rk3"), 1);
+}
+TEST(StepBound, HoldsInASolidAndAboveOne) {
+  EXPECT_GE(room(moving_droplet(Scene::solid), "kick_drift"), 1);
+  EXPECT_GE(room(moving_droplet(Scene::coupled), "kick_drift"), 1);
+}
+
+TEST(StepBound, HoldsAroundAnAxisOfSymmetry) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
+    Case c = axisymmetric(droplet_inside(0.85));
+    c.droplets = {{{0.0, 0.5}, 0.28}};  // a ball
+    EXPECT_GE(room(c, "kick_drift", kind), 1);
+    c.droplets = {{{0.0, 0.0}, 0.35}};  // half of one, on a wall
+    const double found = room(c, "kick_drift", kind);
+    EXPECT_GE(found, 1);
+    EXPECT_LE(found, 1.4);
+    EXPECT_GE(room(around_axis(moving_droplet(Scene::coupled)), "kick_drift", kind), 1);
+    for (const double poisson : {0.0, 0.3, 0.45}) {
+      Case solid = around_axis(moving_droplet(Scene::solid));
+      solid.substrate->poisson = poisson;
+      EXPECT_GE(room(solid, "kick_drift", kind), 1) << poisson;
+      solid.substrate->viscosity = 0.1;
+      EXPECT_GE(room(solid, "kick_drift", kind), 1) << poisson << ", viscous";
+    }
+  }
+}
+
+TEST(StepBound, HoldsForASolidWithTensionOrViscosity) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
+    for (const double tension : {0.0, 0.5})
+      for (const double viscosity : {0.0, 0.1}) {
+        Case c = moving_droplet(Scene::solid);
+        c.substrate->surface_tension = c.substrate->surface_tension_wet = tension;
+        c.substrate->viscosity = viscosity;
+        if (tension + viscosity == 0) continue;
+        const double found = room(c, "kick_drift", kind);
+        EXPECT_GE(found, 1) << tension << ", " << viscosity;
+        EXPECT_LE(found, 2) << tension << ", " << viscosity;
+      }
+}
+
+/// A solid of square elements that is held at its left end, or nowhere.
+Case block(std::vector<int> elements, double poisson, bool held) {
+  Case c = scene(Scene::solid);
+  c.domain.elements = elements;
+  c.domain.size = {0.1 * elements[0], 0.1 * elements[1]};
+  c.substrate->thickness = c.domain.size[1];
+  c.substrate->poisson = poisson;
+  c.loads.clear();
+  c.boundary.side = {{{held ? Side::clamped : Side::free, Side::free}, {Side::free, Side::free}, {}}};
+  return c;
+}
+TEST(StepBound, HoldsInSolidsWhoseFreeSidesMeet) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped})
+    for (const double poisson : {0.0, 0.4, 0.49}) {
+      EXPECT_GE(room(block({12, 2}, poisson, true), "kick_drift", kind), 1) << "a beam, " << poisson;
+      EXPECT_GE(room(block({12, 1}, poisson, true), "kick_drift", kind), 1) << "a thin beam, " << poisson;
+      const double found = room(block({8, 8}, poisson, false), "kick_drift", kind);
+      EXPECT_GE(found, 1) << "a block, " << poisson;
+      EXPECT_LE(found, 1.2) << "a block, " << poisson;
+    }
+}
+
+/// Two materials, the lower one `ratio` times as stiff, that are joined at the end of a row of twelve.
+Case joined(Scene kind, int row, double ratio) {
+  Case c = moving_droplet(kind);
+  const double joint = c.domain.size[1] * row / c.domain.elements[1];
+  c.substrate->joint = joint;
+  c.substrate->young =
+      varying([=](const std::array<double, 3>& x, double) { return x[1] < joint ? 2.0 * ratio : 2.0; });
+  return c;
+}
+TEST(StepBound, HoldsWhereMaterialsAreJoined) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped})
+    for (const double ratio : {0.02, 50.0}) {
+      for (const int row : {1, 11}) {
+        const double found = room(joined(Scene::solid, row, ratio), "kick_drift", kind);
+        EXPECT_GE(found, 1) << row << ", " << ratio;
+        EXPECT_LE(found, 1.7) << row << ", " << ratio;
+      }
+      EXPECT_GE(room(joined(Scene::coupled, 2, ratio), "kick_drift", kind), 1) << ratio;
+      EXPECT_GE(room(around_axis(joined(Scene::solid, 4, ratio)), "kick_drift", kind), 1) << ratio;
+    }
+}
+
+TEST(StepBound, MechanismsFollowTheirNumbers) {
+  const Case c = droplet_inside(0.85);
+  const StepRates before = ExplicitRun(c, "kick_drift").rates();
+  Case viscous = c, thick = c;
+  viscous.fluid->viscosity *= 2;
+  EXPECT_NEAR(ExplicitRun(viscous, "kick_drift").rates().viscosity / before.viscosity, 2, 1e-12);
+  EXPECT_NEAR(ExplicitRun(viscous, "kick_drift").rates().sound / before.sound, 1, 1e-12);
+  thick.domain.elements = {64, 64};
+  EXPECT_NEAR(ExplicitRun(thick, "kick_drift").rates().capillarity / before.capillarity, 4, 0.2);
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools

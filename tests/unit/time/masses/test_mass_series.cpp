@@ -1,0 +1,144 @@
+// The series that inverts a mass: in blocks of lines and value by value; and the blocks, which keep ties together.
+#include "time/masses/mass_series.hpp"
+
+#include <functional>
+#include <set>
+
+#include "unit/model/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+using namespace mass_kernels;
+
+std::vector<Case> scenes_of_ties() {
+  Case closed = scene(Scene::rigid, WallLaw::gradient, true);
+  closed.boundary.side[1] = {Side::periodic, Side::periodic};
+  Case tall = scene(Scene::coupled);  // several blocks, and a last line that would be a block of its own
+  tall.domain.elements = {9, 45};
+  Case flat = scene(Scene::rigid);  // so short an axis that both of its ends share a function
+  flat.domain.elements = {9, 1};
+  return {
+      scene(Scene::rigid), scene(Scene::coupled), scene(Scene::coupled, WallLaw::gradient, true), closed, tall, flat};
+}
+
+template <int D>
+void expect_whole_clusters(const Layout<D>& l, const TieClusters& ties, bool velocities) {
+  const LineBlocks<D> blocks(l, velocities);
+  std::set<int> seen;
+  for (int block = 0; block < (velocities ? D : 1) * blocks.count(); ++block) {
+    std::set<int> values;
+    blocks.for_lines(block, [&](int begin, int) {
+      for (int i = 0; i < blocks.extent[0]; ++i) values.insert(begin + i);
+    });
+    for (const int i : values) EXPECT_TRUE(seen.insert(i).second) << "a value in two blocks";
+    for (int c = ties.count() > 0 ? ties.of_block(block) : 0; ties.count() > 0 && c < ties.of_block(block + 1); ++c)
+      for (int m = ties.first_member(c); m < ties.first_member(c + 1); ++m)
+        EXPECT_TRUE(values.count(ties.member(m))) << "block " << block << ", value " << ties.member(m);
+  }
+  EXPECT_EQ(static_cast<int>(seen.size()), (velocities ? D : 1) * blocks.nodes);
+  if (ties.count() > 0) {
+    EXPECT_EQ(ties.of_block(ties.of_block.extent(0) - 1), ties.count());
+  }
+}
+
+TEST(MassSeries, BlocksHaveEveryValueOnceAndWholeClustersOfTies) {
+  for (const Case& c : scenes_of_ties()) {
+    const Model<2, 2> model(c);
+    const EndTies<2> ties(model.layout(), model.mask());
+    expect_whole_clusters(model.layout(), ties.velocities(), true);
+    expect_whole_clusters(model.layout(), ties.scalars(), false);
+  }
+  for (const Scene kind : {Scene::rigid, Scene::coupled}) {
+    Case c = scene_in_space(kind);
+    c.domain.elements = {5, 8, 24};
+    const Model<3, 2> model(c);
+    const EndTies<3> ties(model.layout(), model.mask());
+    expect_whole_clusters(model.layout(), ties.velocities(), true);
+    expect_whole_clusters(model.layout(), ties.scalars(), false);
+  }
+}
+
+/// Runs the items of a stage with its ties: blocks of lines as on the host, or clusters and values as on a device.
+template <bool lines, class Stage>
+void run_items(const Stage& stage, const TieClusters& ties, int components) {
+  const WithTies<Stage, lines> kernel{stage, ties};
+  for (int item = 0; item < kernel.items(components); ++item) kernel(item);
+}
+
+template <int D>
+struct Series {
+  RandomSceneIn<D> scene;
+  MassProduct<D, 2> product;
+  EndTies<D> ties;
+  WeightedMass mass;
+  int first, count, nodes;
+  bool velocities;
+
+  Series(const Case& c, bool of_velocities)
+      : scene(c),
+        product(l(), scene.model.points()),
+        ties(l(), scene.model.mask()),
+        first(of_velocities ? 0 : l().density_offset()),
+        count(of_velocities ? l().velocity_size() : l().scalar_size()),
+        nodes(of_velocities ? count / D : count),
+        velocities(of_velocities) {
+    for (Array* a : {&mass.sums, &mass.unit, &mass.root, &mass.left, &mass.right})
+      *a = scene.terms.patch.draw(nodes, 1, 2);
+  }
+  const Layout<D>& l() const { return scene.layout(); }
+  Array draw() { return scene.terms.patch.draw(count, -1, 1); }
+  const TieClusters& clusters() const { return velocities ? ties.velocities() : ties.scalars(); }
+
+  /// x, the next vector of the series and what a product reads after that.
+  template <bool lines>
+  std::vector<double> run(const Array& b, const Array& y) {
+    const Array x("x", count), scaled("scaled", count), image("image", count), next("next", count), last("last", count);
+    const int components = velocities ? D : 1;
+    const ConstArray mask = part(scene.model.mask(), first, first + count);
+    const WeightedPointers pointers(mass);
+    run_items<lines>(DivideBySums<D>{LineBlocks<D>(l(), velocities), RightSide::of(b), -1.5, mask, pointers, x.data(),
+                                     scaled.data(), -2.0},
+                     clusters(), components);
+    product.fill_ghosts(scaled, velocities ? 0 : D, velocities ? D : D + 1);
+    run_items<lines>(SeriesStep<D, 2>{product.of(scaled, velocities), pointers, mask.data(), -2, x.data(), y.data(),
+                                      image.data(), next.data(), last.data()},
+                     clusters(), components);
+    std::vector<double> all;
+    const std::vector<double> free = to_host(mask);
+    for (const Array& a : {x, next, last}) {
+      const std::vector<double> v = to_host(a);
+      for (int i = 0; i < count; ++i) all.push_back(free[i] * v[i]);  // at ghosts nothing counts
+    }
+    return all;
+  }
+};
+
+template <int D>
+void expect_same(const Case& c, bool velocities) {
+  Series<D> series(c, velocities);
+  const Array b = series.draw(), y = series.draw();
+  const std::vector<double> lines = series.template run<true>(b, y), values = series.template run<false>(b, y);
+  double largest = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    ASSERT_NEAR(lines[i], values[i], 1e-14) << i;
+    largest = std::max(largest, std::abs(lines[i]));
+  }
+  EXPECT_GT(largest, 0.1);
+}
+
+TEST(MassSeries, IsTheSameInBlocksOfLinesAndValueByValue) {
+  for (const Case& c : scenes_of_ties())
+    for (const bool velocities : {true, false}) expect_same<2>(c, velocities);
+  for (const Scene kind : {Scene::rigid, Scene::coupled})
+    for (const bool velocities : {true, false}) {
+      Case c = scene_in_space(kind);
+      c.domain.elements = {5, 8, 24};
+      expect_same<3>(c, velocities);
+      c.boundary.side[0] = c.boundary.side[1] = {Side::periodic, Side::periodic};
+      expect_same<3>(c, velocities);
+    }
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools
