@@ -7,14 +7,14 @@
 namespace softwet {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// What happens within such a time is a jump.
 double no_time_at(double t) { return 1e-8 * std::max(1.0, std::abs(t)); }
 
 /// A little later than t, also where the time of the results, t - zero, is made of it.
 double just_behind(double t, double zero) {
-  return std::nextafter(t + std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(zero)), infinity);
+  return std::nextafter(t + std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(zero)), unbounded);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ void LoadTimes::add_points(const std::vector<double>& points, const Changes& cha
       jumps_.push_back({points[i], just_behind(points[next], zero_)});
     } else if (i > 0 && changes(i - 1)) {
       const double passed = points[i] - points[i - 1],
-                   ahead = next == last ? infinity : points[next + 1] - points[next];
+                   ahead = next == last ? unbounded : points[next + 1] - points[next];
       if (passed < dt_initial_ && 10 * passed < ahead) jumps_.push_back({points[i], just_behind(points[i], zero_)});
     }
     i = next;
@@ -57,7 +57,7 @@ void LoadTimes::add_profile(const Load& load, const Profile& profile, double end
   Expression e{profile.formula, load.start, zero_, 0, {}};
   constexpr int looks = 20000;
   end = std::max(end, load.start);
-  double least = infinity, most = -infinity;
+  double least = unbounded, most = -unbounded;
   for (int i = 0; i <= looks; ++i) {
     e.times.push_back(load.start + (end - load.start) * i / looks);
     least = std::min(least, e.at(e.times.back()));

@@ -9,52 +9,18 @@
 #include "field/layout.hpp"
 #include "solver/krylov/gmres.hpp"
 #include "solver/preconditioner.hpp"
+#include "time/implicit/convergence.hpp"
 #include "time/implicit/solid_part.hpp"
+#include "time/implicit/wear.hpp"
 #include "time/step/solver_counts.hpp"
 
 namespace softwet {
-
-enum class JacobianKind { exact, difference };
-
-struct NewtonControl {
-  double rtol = 1e-6;   ///< of the weighted residual, relative to the start of the step
-  double atol = 1e-10;  ///< accepted error of velocity and density, sets a floor for the residual
-  int max = 10;
-  double krylov_rtol = 1e-2;  ///< tightest forcing term; early iterations ask for less
-  int krylov_max = 200;
-  JacobianKind jacobian = JacobianKind::exact;
-};
 
 struct NewtonResult {
   bool converged = false;
   int iterations = 0, krylov = 0;
   double reduction = 1;
   Refusal refusal;  ///< why it failed
-};
-
-/// How much a lagged preconditioner has wasted. Linear solves that together gain four digits, about those of a step, make a
-/// window; one solve would be no measure, because those of a step differ. Waste are the iterations of a window above those of
-/// the best one so far and a third more. When it reaches a quarter of the cost of a build a new preconditioner is due
-/// (docs/solver_choices.md tells why). Where a new one is no better than the old one was at its end, it is kept twice as long,
-/// up to four times.
-class Wear {
- public:
-  void renew();
-  void add(const KrylovResult& linear);
-  /// Whether a new preconditioner is due, where a build costs as much as so many iterations.
-  bool due(double cost) const { return waste_ >= allowed(cost); }
-  /// Iterations of a solve to `tolerance` at which one becomes due; the solve is given up then.
-  int patience(double tolerance, double cost) const;
-  void visit_memory(StepMemory&);
-
- private:
-  double allowed(double cost) const { return 0.25 * times_ * cost; }
-
-  double best_ = 0, last_ = 0;          ///< iterations per digit of windows; 0: none is complete
-  double iterations_ = 0, digits_ = 0;  ///< of the window that is not
-  double waste_ = 0;
-  double before_ = 0;  ///< iterations per digit at the end of the preconditioner before; 0: there was none
-  int times_ = 1;      ///< how long a preconditioner is kept, see above
 };
 
 /// GMRES and the vectors of a linear solve, in one precision.
@@ -80,12 +46,10 @@ struct NonlinearSystem {
   SolidPart solid = {};  ///< at this step
 };
 
-/// Fields are weighted so that each starts the step with the same share of the norm of the residual, or is at its floor.
-/// A field whose residual is not much more than round-off has a smaller share, because no solve makes it smaller.
-struct FieldRange {
-  int first, last;
-  double floor;
-  double round_off = 0;  ///< norm of the round-off of the residual, where it is above the floor
+/// A linear solve, and whether its solution is worth a step.
+struct LinearStep {
+  KrylovResult linear;
+  bool moves;
 };
 
 enum class LinearSolves { full, single };
@@ -112,16 +76,15 @@ class Newton {
   void build_again(const Jacobian& jacobian) { preconditioner_->build(jacobian); }
 
  private:
-  /// The norm of all fields from those of each, with their weights.
-  double weighted_norm(const std::vector<double>& sizes) const;
-  double weighted_round_off(const std::vector<FieldRange>&) const;
-  /// @param sizes  the norm of each field of the residual at the start of a step
-  void set_weights(const std::vector<FieldRange>&, const std::vector<double>& sizes);
+  /// The residual at x, and the norms of its fields.
+  std::vector<double> residual(const NonlinearSystem&, const std::vector<FieldRange>&, const Array& x);
+  /// Solves A step = residual as accurately as convergence needs, with a new preconditioner where one is due.
+  LinearStep linear_step(const NonlinearSystem&, const Convergence&, const NewtonControl&, const Array& x);
   /// Solves A step = residual.
-  KrylovResult linear_solve(const NonlinearSystem&, const std::vector<FieldRange>&, const NewtonControl&,
-                            double forcing, int limit, const Array& x);
+  KrylovResult linear_solve(const NonlinearSystem&, const RangeFactors& weights, const NewtonControl&, double forcing,
+                            int limit, const Array& x);
   template <class Real>
-  KrylovResult linear_solve_in(LinearSpace<Real>&, const NonlinearSystem&, const std::vector<FieldRange>&,
+  KrylovResult linear_solve_in(LinearSpace<Real>&, const NonlinearSystem&, const RangeFactors& weights,
                                const NewtonControl&, double forcing, int limit, const Array& x);
   void jacobian_product(const NonlinearSystem&, const NewtonControl&, const Array& x, const Array& z, const Array& out);
   void jacobian_product(const NonlinearSystem&, const NewtonControl&, const Array& x, const ArrayOf<float>& z,
@@ -133,7 +96,6 @@ class Newton {
   std::variant<LinearSpace<double>, LinearSpace<float>> linear_;
   std::unique_ptr<Preconditioner> preconditioner_;
   Array residual_, step_, probe_;
-  std::vector<double> weight_;  ///< of the norm of each field
   Wear wear_;
   bool rebuild_ = true;
   double built_for_ = 1;  ///< size of the solid's part at the last build

@@ -23,7 +23,8 @@ struct WeightedPointers {
 namespace mass_kernels {
 
 /// A stage of the series with the ties of its ends: each value, the ties between values, and, where a product follows, its scaled
-/// vector from each value. An item is a block of lines on the host. On a device it is a cluster of ties with all its values, or a value without ties.
+/// vector from each value. An item is a block of lines on the host. On a device it is a cluster of ties with all its values, or
+/// a value without ties.
 template <class Stage, bool lines = host_algorithms>
 struct WithTies {
   Stage stage;
@@ -35,9 +36,10 @@ struct WithTies {
       if (ties.count() > 0)
         for (int c = ties.of_block(item); c < ties.of_block(item + 1); ++c) stage.tie(ties, c);
       if (!stage.scaled) return;
+      const int count = stage.blocks().extent[0];
       stage.blocks().for_lines(item, [&](int begin, int node) {
         SOFTWET_INDEPENDENT
-        for (int k = 0; k < stage.blocks().extent[0]; ++k) stage.end(begin + k, node + k);
+        for (int k = 0; k < count; ++k) stage.end(begin + k, node + k);
       });
     } else if (item >= ties.count()) {
       const int i = item - ties.count();
@@ -80,9 +82,10 @@ struct DivideBySums {
   }
   KOKKOS_FUNCTION void run(int i) const { divide(i, i % lines.nodes); }
   void run_block(int block) const {
+    const int count = lines.extent[0];
     lines.for_lines(block, [&](int begin, int node) {
       SOFTWET_INDEPENDENT
-      for (int k = 0; k < lines.extent[0]; ++k) divide(begin + k, node + k);
+      for (int k = 0; k < count; ++k) divide(begin + k, node + k);
     });
   }
   KOKKOS_FUNCTION void tie(const TieClusters& ties, int cluster) const { ties.smooth(cluster, x, mass.sums); }
