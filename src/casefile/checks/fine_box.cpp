@@ -12,7 +12,7 @@ namespace softwet {
 namespace {
 
 constexpr double margin = 4, margin_above = 2.2;  ///< in capillarities: along the wall, and above droplets on it
-constexpr int rows_below = 4;                     ///< of the solid below the wall that stay fine
+constexpr int fine_rows_below = 4;                ///< of the solid below the wall that stay fine
 constexpr double part_of_way = 0.8;               ///< to a load that a droplet may go: that of the paper goes 0.76
 
 struct Extent {
@@ -166,7 +166,7 @@ void choose_fine_box(Case& c) {
     grading.upper[axis] = std::min(c.domain.size[axis], span.high);
     const double h = fine_length(c, static_cast<int>(axis));
     if (axis == vertical && c.substrate)
-      grading.lower[axis] = std::max(0.0, wall_of(c) - std::max(rows_below * h, elastocapillary_length(c)));
+      grading.lower[axis] = std::max(0.0, wall_of(c) - std::max(fine_rows_below * h, elastocapillary_length(c)));
   }
 }
 

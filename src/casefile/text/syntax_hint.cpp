@@ -54,7 +54,7 @@ Place find_place(std::string_view text, long line) {
   return place;
 }
 
-const std::string number = R"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)";
+const std::string decimal = R"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)";
 
 /// Entries of a list, at commas outside of parentheses; none where there are quotes or lists in it.
 std::vector<std::string> entries_of_list(std::string_view text) {
@@ -81,7 +81,7 @@ std::optional<SyntaxHint> hint_of_expression(const std::string& key, const std::
   const Key* known = find_key(std::regex_replace(key, std::regex(R"(\[\d*\])"), "[]"));
   if (known == nullptr || value.find_first_of("\"'") != std::string::npos) return {};
   const std::string problem = "an expression stands in quotes";
-  static const std::regex with_unit(number + R"(\s*[A-Za-z%].*)");
+  static const std::regex with_unit(decimal + R"(\s*[A-Za-z%].*)");
   if (known->kind == Kind::profile && value.find_first_of("xyzt(*^") != std::string::npos &&
       !std::regex_match(value, with_unit))
     return SyntaxHint{key, value, problem, fmt::format("write {} = {}", leaf, in_quotes(value))};
@@ -93,8 +93,8 @@ std::optional<SyntaxHint> hint_of_expression(const std::string& key, const std::
 
 /// A mistake that can be told from the value alone.
 std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& leaf, const std::string& value) {
-  static const std::regex ratio(number + R"(\s*/\s*)" + number), comma(R"(([+-]?\d+),(\d+(?:[eE][+-]?\d+)?))"),
-      point(R"(([+-]?)(\d*)\.(\d*)((?:[eE][+-]?\d+)?))"), unit("(" + number + R"()\s*[^\d\s,\]\[{}="'.eE+-].*)"),
+  static const std::regex ratio(decimal + R"(\s*/\s*)" + decimal), comma(R"(([+-]?\d+),(\d+(?:[eE][+-]?\d+)?))"),
+      point(R"(([+-]?)(\d*)\.(\d*)((?:[eE][+-]?\d+)?))"), unit("(" + decimal + R"()\s*[^\d\s,\]\[{}="'.eE+-].*)"),
       word(R"([A-Za-z_][\w .-]*)");
   std::smatch found;
   if (const auto hint = hint_of_expression(key, leaf, value)) return hint;

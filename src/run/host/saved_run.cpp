@@ -82,7 +82,7 @@ void read_events(const SavedEntries& file, SavedRun& run) {
 }
 
 const std::string history_table = "files/history", interface_table = "files/interface";
-const std::string field_count = "files/fields", field_times = "files/field_times";
+const std::string field_count = "files/fields", times_of_fields = "files/field_times";
 
 void write_mark(const std::string& name, const TableMark& mark, CheckpointWriter& file) {
   file.value(name + "/bytes", mark.bytes);
@@ -99,7 +99,7 @@ std::optional<TableMark> read_mark(const SavedEntries& file, const std::string& 
 WrittenFiles read_files(const SavedEntries& file) {
   WrittenFiles files{read_mark(file, history_table), read_mark(file, interface_table), {}};
   if (file.has(field_count))
-    files.field_times = file.array(field_times, static_cast<std::size_t>(file.count(field_count)));
+    files.field_times = file.array(times_of_fields, static_cast<std::size_t>(file.count(field_count)));
   return files;
 }
 
@@ -109,7 +109,7 @@ void write_files(const WrittenFiles& files, CheckpointWriter& file) {
   write_mark(history_table, files.history.value(), file);
   write_mark(interface_table, files.interface.value(), file);
   file.value(field_count, static_cast<std::int64_t>(files.field_times.value().size()));
-  file.array(field_times, files.field_times.value());
+  file.array(times_of_fields, files.field_times.value());
 }
 
 void write_watch(const std::vector<Body>& bodies, const std::vector<Event>& events, CheckpointWriter& file) {
