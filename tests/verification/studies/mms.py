@@ -259,7 +259,7 @@ def study(lab):
              "element rows of each material even (3D) or all numbers even: the potential's error differs between even and "
              "odd numbers of elements, because the wave of the mesh that it does not control fits one and not the other. "
              "Elements of graded axes grow from a box of fine ones in the middle to both sides. A whole number of them has to fit there, so the "
-             "lengths grow a little faster on one mesh than on another, and the order between two such meshes tells that as well: of degree "
+             "lengths grow a little faster on one mesh than on another, and the order between two such meshes shows that as well: of degree "
              "3, 48 and 64 elements with 1 to 3 in length gave 3.1 for the displacement of the solid. The tables take numbers of elements "
              "on which the lengths grow alike within 3 %; h is the short length.")
     space(lab, measurement)
