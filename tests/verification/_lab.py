@@ -223,9 +223,14 @@ class Lab:
         """A table; with a name also <study>_<name>.csv."""
         self.lines += ["", *markdown(columns, rows), ""]
         if name:
-            file = f"{self.name}_{name}.csv"
-            (self.folder / file).write_text("\n".join(",".join(map(plain, row)) for row in [columns, *rows]) + "\n")
-            self.files.append(file)
+            self.numbers(columns, rows, name)
+
+    def numbers(self, columns, rows, name):
+        """A table that is the file <study>_<name>.csv alone. @return that name"""
+        file = f"{self.name}_{name}.csv"
+        (self.folder / file).write_text("\n".join(",".join(map(plain, row)) for row in [columns, *rows]) + "\n")
+        self.files.append(file)
+        return file
 
     def expect(self, what, asked, measured, holds, known=None):
         """A row of the table "asked, measured, holds". A row that does not hold makes the exit code 1, unless it is a
