@@ -4,7 +4,7 @@ from _tradeoff_measures import UNITS
 from _tradeoff_table import rated
 
 COST_NAMES = {"seconds": "seconds of the run", "processor": "seconds of processors"}
-COLOURS = {"base": "black", "dial": "tab:blue", "combination": "tab:red"}
+COLOURS = {"base": "black", "parameter": "tab:blue", "combination": "tab:red"}
 
 
 def draw(path, entries, name, floor, cost, title):

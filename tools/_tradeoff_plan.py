@@ -9,7 +9,7 @@ import tomllib
 from _messages import ERROR, fail, last_line
 from _sweep import Member, ask_check, read_json, write_atomic
 from _sweep_definition import case_difference, one_spelling, option_difference, read_case
-from _tradeoff_dials import elements_times, plain, value_of
+from _tradeoff_parameters import elements_times, plain, value_of
 
 REFERENCE = {"tolerance": 10, "newton": 1e-8, "elements": 2}  # finer by, at most, finer by
 ORDER = 2  # of the error in element size and time step: what Richardson's extrapolation of the reference assumes
@@ -73,7 +73,7 @@ def companion_values(program, path, settings, reference):
 
 
 def check_definition(arguments):
-    """What the folder is made for, as tradeoff.json keeps it; refuses a folder that holds another. Dials and
+    """What the folder is made for, as tradeoff.json keeps it; refuses a folder that holds another. Parameters and
     combinations may change from one command to the next."""
     new = {"case": read_case(arguments.case), "set": arguments.set, "reference": arguments.reference}
     old = read_json(arguments.out / "definition.json")

@@ -19,7 +19,7 @@ NEAR = 1.15  # a member is near the front where none is better by this factor in
 
 
 class Entry:
-    """A member and its results. kind: base, reference, companion, dial or combination"""
+    """A member and its results. kind: base, reference, companion, parameter or combination"""
 
     def __init__(self, kind, setting, member):
         self.kind, self.setting, self.member = kind, setting, member
@@ -38,7 +38,7 @@ class Entry:
     @property
     def label(self):
         """What the tables call it."""
-        return self.setting.label if self.kind in ("dial", "combination") else self.kind
+        return self.setting.label if self.kind in ("parameter", "combination") else self.kind
 
 
 def compare(entries):
@@ -178,8 +178,8 @@ def markdown(entries, floor, notes, cost):
 def records(entries, cost):
     """One dict per member, for CSV and JSON: numbers as they are, None where there is none."""
     base = entries[0]
-    return [{"member": entry.setting.name if entry.kind in ("dial", "combination") else entry.kind, "kind": entry.kind,
-             "dials": " ".join(entry.setting.dials), "settings": entry.setting.label, "status": entry.state,
+    return [{"member": entry.setting.name if entry.kind in ("parameter", "combination") else entry.kind, "kind": entry.kind,
+             "parameters": " ".join(entry.setting.parameters), "settings": entry.setting.label, "status": entry.state,
              "reason": entry.reason, "front": int(entry.front), "ratio": ratio(entry, base, cost), **entry.costs,
              **{name: entry.errors.get(name) for name in MEASURES}} for entry in entries]
 

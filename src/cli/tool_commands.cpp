@@ -76,7 +76,7 @@ void add_tradeoff(CLI::App& app, std::vector<std::string>& words) {
   ToolOptions tool(command, words);
   tool.names("CASE", "case file, for example cases/tensotaxis_pull_2d.toml")->required()->expected(1);
   tool.repeatable(
-      "--dials", "KEY=V1,V2,... or NAMES",
+      "--parameters", "KEY=V1,V2,... or NAMES",
       "settings to try: names, for example tolerance,elements, or a key and its values; default: all names");
   tool.repeatable("--set", "KEY=VALUE", "set a key of the case for all members");
   tool.repeatable("--reference", "KEY=VALUE",

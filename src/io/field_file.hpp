@@ -52,7 +52,7 @@ std::string field_file_name(const std::string& part, std::size_t number);
 /// (invalid_input) for a file that cannot be read.
 std::vector<double> field_file_times(const std::string& folder, const std::string& part);
 
-/// Values of a field of a file, shape (points, components), components fastest; a vector in the plane has three. Throws Error
+/// Values of a field of a file, shape (points, components), components fastest; a vector in 2D has three. Throws Error
 /// (invalid_input) for a file that cannot be read or lacks the field.
 std::vector<double> read_field(const std::string& path, const std::string& name);
 

@@ -19,7 +19,7 @@ double least_radius(const Case&, const Droplet&);
 /// Longest sigma / E that a Saint Venant-Kirchhoff solid bears under a droplet; scale L0: 0.85 capillarities or 0.17
 /// radii of the largest droplet, whichever is longer, times 1 + Upsilon / (2 sigma) with the surface tension Upsilon of the dry
 /// solid. Measured in 2D at temperature 0.39 (docs/limits.md): in the scenes of its tables runs went through below and stopped above,
-/// soon after the start; of eight scenes drawn at random five stopped at 0.85 capillarities already. Only with a fluid and a solid.
+/// soon after the start; of eight scenes sampled at random five stopped at 0.85 capillarities already. Only with a fluid and a solid.
 double longest_elastocapillary_length(const Case&);
 
 /// True where sigma / E is longer.

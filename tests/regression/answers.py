@@ -74,7 +74,7 @@ def test_completion():
         "softwet run a.toml --set fluid.wall_law=g": {"gradient"},
         "softwet run a.toml --over": {"--overwrite"},
         "softwet sweep a.toml --vary substrate.yo": {"substrate.young="},
-        "softwet tradeoff a.toml --dials substrate.yo": {"substrate.young="},
+        "softwet tradeoff a.toml --parameters substrate.yo": {"substrate.young="},
         "softwet run a.toml --threads ": set(),
     }
     for line, words in expected.items():

@@ -48,7 +48,7 @@ check("the studies are those of the installation",
       done.returncode == 0 and "tensotaxis" in done.stdout and "laplace" not in done.stdout, done)
 done = start(softwet, "sweep", prefix / "share/softwet/cases/solid_layer_2d.toml", "--vary", "substrate.poisson=0,0.3", "--dry-run")
 check("sweep", done.returncode == 0 and "2" in done.stdout, done)
-done = start(softwet, "tradeoff", prefix / "share/softwet/cases/solid_layer_2d.toml", "--dials", "tolerance", "--dry-run")
+done = start(softwet, "tradeoff", prefix / "share/softwet/cases/solid_layer_2d.toml", "--parameters", "tolerance", "--dry-run")
 check("tradeoff", done.returncode == 0 and "reference: waiting" in done.stdout, done)
 
 done = start(softwet, "status", "out")

@@ -16,13 +16,13 @@ import _sweep_computation
 CASE = str(cases / "tensotaxis_pull_2d.toml")
 SMALL = [*PULL[:2], "load[0].start=1", "load[0].ramp=0.5", "time.end=2", "output.fields.times=[]", "time.dt_min=0.005"]
 TIME_ONLY = ["domain.elements=[32,16]"]  # of the reference: steps alone are refined
-DIALS = ["time.tolerance=0.1,0.02,0.005", "solver.newton.rtol=1e-2", "solver.newton.max=1", "fluid.contact_angle=200",
+PARAMETERS = ["time.tolerance=0.1,0.02,0.005", "solver.newton.rtol=1e-2", "solver.newton.max=1", "fluid.contact_angle=200",
          "jacobian,quadrature", "domain.elements=[16,8],[24,10]"]
 quiet = {**environment, "OMP_NUM_THREADS": "1"}
 
 
-def tradeoff(*options, case=CASE, settings=SMALL, reference=TIME_ONLY, dials=DIALS, code=0):
-    words = [word for option, values in (("--set", settings), ("--reference", reference), ("--dials", dials))
+def tradeoff(*options, case=CASE, settings=SMALL, reference=TIME_ONLY, parameters=PARAMETERS, code=0):
+    words = [word for option, values in (("--set", settings), ("--reference", reference), ("--parameters", parameters))
              for value in values for word in (option, value)]
     done = subprocess.run([softwet, "tradeoff", case, *words, *options], capture_output=True, text=True, env=quiet,
                           timeout=300)
@@ -97,7 +97,7 @@ check_true("again: no member is started", "started" not in again.stdout and stam
 check_true("again: the same table", pathlib.Path("pull/tradeoff.csv").read_text() == table)
 refused("another end", "holds another comparison", "--out", "pull", settings=[*SMALL, "time.rho_inf=0.6"])
 refused("another reference", "holds another comparison", "--out", "pull", reference=[])
-refused("no such dial", "there is no such dial", "--out", "pull", dials=["toleranse"])
+refused("no such parameter", "there is no such parameter", "--out", "pull", parameters=["toleranse"])
 refused("no case", "no.toml", "--out", "nowhere", case="no.toml")
 refused("a wrong setting", "must be", "--out", "nowhere", settings=["time.rho_inf=7"])
 refused("no number of jobs", "--jobs 0", "--out", "nowhere", "--jobs", "0")

@@ -10,7 +10,7 @@ from _scene import check, check_true
 import _tradeoff_measures as measures
 import _tradeoff_table as table
 from _tradeoff_combine import combinations
-from _tradeoff_dials import Setting, elements_times, same
+from _tradeoff_parameters import Setting, elements_times, same
 from _tradeoff_plan import field_times, reference_values
 from _tradeoff_shapes import contour
 
@@ -97,7 +97,7 @@ solid.history = {"t": fine, "energy_total": fine}
 blank = [name for name, value in measures.measure(solid, solid).items() if np.isnan(value)]
 check_true("a solid alone", blank == ["path", "peak", "advancing", "receding", "density", "interface", "drift"], str(blank))
 
-# --- dials, the front, combinations ---------------------------------------------------------------------------------------
+# --- parameters, the front, combinations ---------------------------------------------------------------------------------------
 case = {"domain": {"size": [1, 0.5], "elements": [32, 16]}, "substrate": {"thickness": 0.125}, "fluid": {}}
 tried = [elements_times(case, factor) for factor in ("1/2", "3/4", "3/2", "1/3")]
 check_true("elements", tried[:3] == [("[16,8]", ""), ("[24,12]", ""), ("[48,24]", "")], str(tried))
@@ -119,8 +119,8 @@ case["output"]["fields"]["times"] = [0.0, 12.0]
 check_true("nor where there are some", field_times(case, []) == [])
 
 
-def entry(dial, cost, error, kind="dial"):
-    setting = Setting([dial] if dial else [], {dial: "1"} if dial else {})
+def entry(parameter, cost, error, kind="parameter"):
+    setting = Setting([parameter] if parameter else [], {parameter: "1"} if parameter else {})
     return types.SimpleNamespace(kind=kind, setting=setting, state="done", costs={"seconds": cost}, errors={"path": error},
                                  front=False)
 
@@ -141,5 +141,5 @@ table.mark_front([*entries, slower], "path", {"path": 0.5}, "seconds")
 check_true("however long it took", slower.front and base.front)
 combined = combinations(points, points[0], 0.5, 6)
 check_true("combinations of what did well", {"a=1__b=1"} <= {s.name for s in combined} and
-           not any("c" in s.dials or "d" in s.dials for s in combined), str([s.name for s in combined]))
+           not any("c" in s.parameters or "d" in s.parameters for s in combined), str([s.name for s in combined]))
 check_true("no more than asked for", len(combinations(points, points[0], 0.5, 1)) == 1)

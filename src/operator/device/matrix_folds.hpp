@@ -6,7 +6,7 @@
 
 namespace softwet {
 
-/// As fold_axis, for a team. In space three folds follow each other, in the plane two.
+/// As fold_axis, for a team. In 3D three folds follow each other, in 2D two.
 template <class Shape>
 struct MatrixFolds {
   using Tables = RowTables<Shape>;

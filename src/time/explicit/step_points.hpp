@@ -165,7 +165,7 @@ struct SolidBound {
       for (int d = 0; d < D; ++d) sum += along[c] * fibres.direction[d] * stress(c, d).tangent;
     return Kokkos::max(sum / square, 0.0);
   }
-  /// A face that is shortened carries shorter waves: 1 / its smallest stretch, at most 10, in space and in (r, z) times the
+  /// A face that is shortened carries shorter waves: 1 / its smallest stretch, at most 10, in 3D and in (r, z) times the
   /// larger one.
   KOKKOS_FUNCTION double shortening(const Tensor<double>& gradient) const {
     double least = 1, most = 1;

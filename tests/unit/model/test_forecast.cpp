@@ -117,7 +117,7 @@ TEST(Forecast, SolidTooSoftForItsDroplet) {
   EXPECT_TRUE(tells(heavy, "the Young modulus is 0.8 a b^2"));
 }
 
-/// Radius, angle and stiffness as in scenes drawn at random (docs/limits.md): at 0.5 capillarities none of eight stopped, at 0.65 one.
+/// Radius, angle and stiffness as in scenes sampled at random (docs/limits.md): at 0.5 capillarities none of eight stopped, at 0.65 one.
 TEST(Forecast, SoftnessThatDependsOnTheScene) {
   const auto doubts = [](double length_over_capillarity) {
     Case c = soft(0.2532027 / length_over_capillarity);

@@ -6,7 +6,7 @@ with a row for every step. Rows in which the energy rises are counted, and the l
 dissipates. The error of the density at the end is the root of the mean square of its difference to a run with `time.safety = 0.2` on the
 same mesh, over that of the density. So it is the error of the steps, without that of the mesh.
 
-Scenes: small forms of the fast cases (docs/fast_scenes.md), a droplet that meets a wall late, one in a corner, and 16 drawn at random: one
+Scenes: small forms of the fast cases (docs/fast_scenes.md), a droplet that meets a wall late, one in a corner, and 16 sampled at random: one
 or two fast droplets between slip sides on a wall with an angle and an energy, at temperatures from 0.6 to 0.95.
 
 Asked: with the default of 0.9 the energy falls in every row."""
@@ -20,7 +20,7 @@ EXPLICIT = "is about the explicit schemes"
 DEFAULT = 0.9
 PARTS = (DEFAULT, 0.8, 0.7)
 FINE = 0.2
-DRAWN = 16
+SAMPLED = 16
 
 
 def box(about, name, elements, end, fluid, droplets, height=1.0):
@@ -37,7 +37,7 @@ CORNER = box("A fast droplet that meets a side and a wall that it does not wet."
              [dict(centre=[0.402, 0.355], radius=0.24, velocity=[-0.185, -0.059])], height=1.1)
 
 
-def drawn(number):
+def sampled(number):
     """A scene of one or two fast droplets, always the same for its number."""
     dice = numpy.random.default_rng(3900 + number)
 
@@ -52,7 +52,7 @@ def drawn(number):
                     dict(centre=[0.72, between(0.3, 0.7)], radius=between(0.15, 0.18), velocity=[-part for part in velocity])]
     fluid = dict(viscosity=between(2, 6) * 1e-4, capillarity=round(between(1.2, 2.0) / n, 4), temperature=between(0.6, 0.95),
                  contact_angle=between(40, 140))
-    return box("Drawn at random.", f"drawn_{number}", [n, n], 3.0, fluid, droplets)
+    return box("Sampled at random.", f"sampled_{number}", [n, n], 3.0, fluid, droplets)
 
 
 FAST = {
@@ -70,9 +70,9 @@ ENDS = {"coalescence": 4, "impact, rigid": 4, "impact, soft": 4, "sound": 6, "os
 def scenes(quick):
     """@return {name: (case, settings, end)}"""
     if quick:
-        return {f"drawn {i}": (drawn(i), [], 3) for i in (1, 4)}
+        return {f"sampled {i}": (sampled(i), [], 3) for i in (1, 4)}
     return {**{name: (*scene, ENDS[name]) for name, scene in FAST.items()},
-            **{f"drawn {i}": (drawn(i), [], 3) for i in range(DRAWN)}}
+            **{f"sampled {i}": (sampled(i), [], 3) for i in range(SAMPLED)}}
 
 
 def end_density(run):

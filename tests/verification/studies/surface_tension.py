@@ -15,7 +15,7 @@ smoothed at its ends.
 
 **Energy.** With "acts" the balance of energy closes without a power that goes into a wall that is stretched.
 
-**Soft.** The glycerol droplet of Style et al. (PRL 110, 066103, 2013) in the plane, on a gel whose elastocapillary length is
+**Soft.** The glycerol droplet of Style et al. (PRL 110, 066103, 2013) in 2D, on a gel whose elastocapillary length is
 four times the capillarity. It has to come to rest, and on a gel that is three times softer too, where a run without surface tension does
 not get there."""
 

@@ -1,6 +1,6 @@
-"""The dials of `softwet tradeoff`: which settings of a case are tried, one at a time.
+"""The parameters of `softwet tradeoff`: which settings of a case are tried, one at a time.
 
-A dial is a row of DIALS: its name, and one of
+A parameter is a row of PARAMETERS: its name, and one of
   key, factors   the number of the base, multiplied by each factor
   key, values    these values
   key, choices   every value that `softwet explain KEY` allows; for keys whose choices the program knows best
@@ -17,7 +17,7 @@ from fractions import Fraction
 from _messages import ERROR, fail, last_line
 from _sweep_definition import member_name, split_values
 
-DIALS = [
+PARAMETERS = [
     {"name": "tolerance", "key": "time.tolerance", "factors": ["10", "3", "3/10", "1/10"]},
     {"name": "scheme", "settings": [
         {"time.scheme": scheme, "time.mass": mass} for scheme in ("kick_drift", "rkl2", "ssp_rk3")
@@ -42,11 +42,11 @@ DIALS = [
 
 
 class Setting:
-    """Some keys with other values than in the base. @param dials  names;  @param values  {key: text};
+    """Some keys with other values than in the base. @param parameters  names;  @param values  {key: text};
     refusal  why it cannot be computed; empty where it can"""
 
-    def __init__(self, dials, values, refusal=""):
-        self.dials, self.values, self.refusal = list(dials), dict(values), refusal
+    def __init__(self, parameters, values, refusal=""):
+        self.parameters, self.values, self.refusal = list(parameters), dict(values), refusal
 
     @property
     def label(self):
@@ -101,57 +101,57 @@ def choices_of(program, key):
         return [], last_line(told.stderr, ERROR).removeprefix("explain: ")
     found = re.search(r'one of ((?:"[^"]*"(?:, )?)+)', told.stdout)
     return (re.findall(r'"([^"]*)"', found[1]), "") if found else ([], f"{key} has no list of choices; give values with "
-                                                                       f"--dials {key}=V1,V2")
+                                                                       f"--parameters {key}=V1,V2")
 
 
-def settings_of(dial, case, program):
-    """The settings of a dial."""
-    name = dial["name"]
-    if "settings" in dial:
-        return [Setting([name], values) for values in dial["settings"]]
-    if "refine" in dial:
-        tried = [elements_times(case, factor) for factor in dial["refine"]]
+def settings_of(parameter, case, program):
+    """The settings of a parameter."""
+    name = parameter["name"]
+    if "settings" in parameter:
+        return [Setting([name], values) for values in parameter["settings"]]
+    if "refine" in parameter:
+        tried = [elements_times(case, factor) for factor in parameter["refine"]]
         return [Setting([name], {"domain.elements": text}, refusal) for text, refusal in tried]
-    key, values = dial["key"], dial.get("values", [])
-    if "choices" in dial:
+    key, values = parameter["key"], parameter.get("values", [])
+    if "choices" in parameter:
         values, refusal = choices_of(program, key)
         if refusal:
             return [Setting([name], {key: "..."}, refusal)]
     base = value_of(case, key)
-    if "factors" in dial:
+    if "factors" in parameter:
         if not isinstance(base, (int, float)):
             return [Setting([name], {key: "..."}, f"the case has no number {key}")]
-        values = [plain(Fraction(factor) * Fraction(plain(base))) for factor in dial["factors"]]
+        values = [plain(Fraction(factor) * Fraction(plain(base))) for factor in parameter["factors"]]
     return [Setting([name], {key: value}) for value in values]
 
 
-def chosen_dials(words):
-    """The rows of DIALS that --dials asks for, all without it; KEY=V1,V2 is a dial of the user's own."""
+def chosen_parameters(words):
+    """The rows of PARAMETERS that --parameters asks for, all without it; KEY=V1,V2 is a parameter of the user's own."""
     if not words:
-        return DIALS
-    known, chosen = {dial["name"]: dial for dial in DIALS}, []
+        return PARAMETERS
+    known, chosen = {parameter["name"]: parameter for parameter in PARAMETERS}, []
     for word in words:
         key, equals, text = word.partition("=")
         if equals:
             values = split_values(text)
             if not key or "" in values:
-                fail(f"--dials {word} is no list of values; write --dials KEY=V1,V2,..., for example --dials "
+                fail(f"--parameters {word} is no list of values; write --parameters KEY=V1,V2,..., for example --parameters "
                      "time.tolerance=1e-2,1e-4")
             chosen.append({"name": key, "key": key, "values": values})
             continue
         for name in word.split(","):
             if name not in known:
-                fail(f"--dials {name}: there is no such dial; there are {', '.join(known)}; values of another key are "
+                fail(f"--parameters {name}: there is no such parameter; there are {', '.join(known)}; values of another key are "
                      "given as KEY=V1,V2,...")
             chosen.append(known[name])
     return chosen
 
 
-def single_settings(dials, case, program):
-    """All settings of the dials that differ from the base, each once."""
+def single_settings(parameters, case, program):
+    """All settings of the parameters that differ from the base, each once."""
     found = {}
-    for dial in dials:
-        for setting in settings_of(dial, case, program):
+    for parameter in parameters:
+        for setting in settings_of(parameter, case, program):
             if not all(same(text, value_of(case, key)) for key, text in setting.values.items()):
                 found.setdefault(setting.name, setting)
     return list(found.values())

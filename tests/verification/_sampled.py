@@ -1,4 +1,4 @@
-"""Pulled droplets of scenes drawn at random: the scenes, their errors against fine steps, and the tables of a study."""
+"""Pulled droplets of scenes sampled at random: the scenes, their errors against fine steps, and the tables of a study."""
 
 import itertools
 import math
@@ -16,7 +16,7 @@ FIRST = 103  # seed
 WINDOW, SETTLED = 5, 20  # of time
 
 
-def drawn(seed):
+def sampled(seed):
     """Numbers of a scene, rounded so that a table can hold them."""
     roll = random.Random(seed)
     angle, half = round(roll.uniform(60, 110), 1), round(roll.uniform(0.12, 0.16), 3)
@@ -68,7 +68,7 @@ def longest_way(run, elements):
 
 def at_rest(lab, seed, elements):
     """Whether the droplet of a scene comes to rest before the load."""
-    run = lab.run(f"{seed}, start", PULL, [*settings(drawn(seed), elements), "time.max_steps=1"], expect=None, limit=3600)
+    run = lab.run(f"{seed}, start", PULL, [*settings(sampled(seed), elements), "time.max_steps=1"], expect=None, limit=3600)
     if run.code not in (0, 2):
         raise StudyError(f"seed {seed}: {run.message.strip()}")
     return run.code == 0
@@ -83,7 +83,7 @@ def compare(lab, elements, count, share, known=None):
     """@param count  scenes; 0: the known one, for a short time.   @param share  of the work of the default that a draft may have
     @param known  what the default is known to miss: (cause, path and peak within which %, way of a step within which)"""
     seeds = itertools.islice((seed for seed in itertools.count(FIRST) if at_rest(lab, seed, elements)), count)
-    scenes, end = {seed: drawn(seed) for seed in seeds} or {"known": KNOWN}, 800 if count else 250
+    scenes, end = {seed: sampled(seed) for seed in seeds} or {"known": KNOWN}, 800 if count else 250
     least = len(scenes) - len(scenes) // 12
     runs = lab.runs({f"{seed}, {form}": (PULL, [*settings(scene, elements), f"time.end={end}", *words])
                      for seed, scene in scenes.items() for form, words in FORMS.items()}, limit=3600)

@@ -1,9 +1,9 @@
-"""Pulled droplets of scenes drawn at random, on the mesh of Fig. 2: path and peak speed against fine steps.
+"""Pulled droplets of scenes sampled at random, on the mesh of Fig. 2: path and peak speed against fine steps.
 
-The scenes of [drawn_pulls](drawn_pulls.md) on 128 x 64 elements, with the capillarity of Fig. 2: a droplet is carried over twice as
-many widths of its interface as there, and the same bounds are asked for. What is drawn, and how it is measured, is told there."""
+The scenes of [sampled_pulls](sampled_pulls.md) on 128 x 64 elements, with the capillarity of Fig. 2: a droplet is carried over twice as
+many widths of its interface as there, and the same bounds are asked for. That page shows what is sampled and how it is measured."""
 
-from _drawn import compare
+from _sampled import compare
 
 MINUTES = {"quick": 1.3, "full": 25}
 EXPLICIT = "takes hundreds of units of time at the temperature 0.39: millions of explicit steps"
