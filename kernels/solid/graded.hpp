@@ -52,4 +52,9 @@ struct GradedSolid {
   }
 };
 
+/// The part of a solid that takes means over its elements: `SelectiveParts::of_means`, without inertia.
+struct SolidOfMeans : GradedSolid {
+  static constexpr Where where = Where::means;
+};
+
 }  // namespace softwet

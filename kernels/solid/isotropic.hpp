@@ -17,6 +17,23 @@ struct LameParameters {
   }
 };
 
+/// A nearly incompressible solid in two parts that add up to it: what is integrated as always, with the first Lame parameter of at most
+/// nu = 0.4, and the rest of that parameter alone, for the mean of the displacement gradient over an element. Splines have two
+/// displacements for each element in 2D and do not lock under the rest; the first part keeps every deformation stiff whose means
+/// are zero.
+/// Measured: docs/limits.md.   Tested: tests/unit/solid/test_selective.cpp
+struct SelectiveParts {
+  static constexpr double poisson = 0.4;
+
+  LameParameters everywhere, of_means;
+
+  static SelectiveParts of(const LameParameters& whole) {
+    const double most = 2 * poisson / (1 - 2 * poisson) * whole.shear_modulus;
+    const double lambda = whole.lambda < most ? whole.lambda : most;
+    return {{lambda, whole.shear_modulus}, {whole.lambda - lambda, 0}};
+  }
+};
+
 /// Green-Lagrange strain E = (F^T F - I)/2 with F = I + Grad u, shape (D, D). 2D: plane strain.
 template <class N, int D>
 KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> green_lagrange_strain(const Matrix<N, D>& grad_u) {

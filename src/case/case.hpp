@@ -40,6 +40,10 @@ inline std::vector<std::string> words_of(WallLaw) { return {"gradient", "energy"
 enum class WallTensionModel { none, acts };
 inline std::vector<std::string> words_of(WallTensionModel) { return {"none", "acts"}; }
 
+/// How the stiffness of the solid against changes of volume is integrated: at all points, or in parts (SelectiveParts).
+enum class VolumeQuadrature { full, selective };
+inline std::vector<std::string> words_of(VolumeQuadrature) { return {"full", "selective"}; }
+
 /// Where elements have the length size / elements, and how they grow beside that. Lengths in L0.
 struct Grading {
   std::string fine = "everywhere";   ///< everywhere | automatic | box; automatic becomes a box when a case is read
@@ -96,6 +100,7 @@ struct Substrate {
   std::string material = "saint_venant_kirchhoff";  ///< saint_venant_kirchhoff | neo_hookean
   std::string strain = "finite";                    ///< finite | small: Hooke's law, in place of the material
   std::string inertia = "full";                     ///< full | none: the solid is in equilibrium at every time
+  VolumeQuadrature volume_quadrature = VolumeQuadrature::full;
 
   double viscosity = 0;              ///< eta of Kelvin and Voigt, scale L0 b sqrt(ab)
   double bulk_viscosity = 0;         ///< zeta

@@ -5,6 +5,7 @@
 
 #include "case/cap.hpp"
 #include "case/text.hpp"
+#include "kernels/solid/isotropic.hpp"
 #include "model/distances.hpp"
 #include "model/equilibrium.hpp"
 #include "model/groups.hpp"
@@ -140,18 +141,26 @@ void add_neumann(const Case& c, std::vector<std::string>& found) {
                   short_text(sigma - wet_tension(c)) + " for a ridge that does not depend on fluid.capillarity");
 }
 
+/// The Poisson ratio whose errors a solid has.
+double locking_poisson(const Substrate& s) {
+  return s.volume_quadrature == VolumeQuadrature::full ? s.poisson : std::min(s.poisson, SelectiveParts::poisson);
+}
+
 void add_locking(const Case& c, std::vector<std::string>& found) {
   const double error = locking_error(c), of_ridge = ridge_error(c);
+  const bool selective = c.substrate->volume_quadrature == VolumeQuadrature::selective;
+  const std::string remedy = selective ? "" : "substrate.volume_quadrature = \"selective\", ";
   if (of_ridge >= std::max(0.01, error)) {
     Case finer = c;
     finer.domain.degree = 3;
+    finer.substrate->volume_quadrature = VolumeQuadrature::full;
     const std::string at_degree_3 =
         c.domain.degree == 2 ? "degree = 3 (" + short_text(100 * ridge_error(finer)) + " %), " : "";
     found.push_back("substrate.poisson = " + short_text(c.substrate->poisson, 6) + " with domain.degree = " +
                     std::to_string(c.domain.degree) + " and " + short_text(c.fluid->capillarity / c.spacing()) +
                     " elements to fluid.capillarity: nearly incompressible, the solid locks at the contact line, where "
                     "its ridge is about " +
-                    short_text(100 * of_ridge) + " % too low; write " + at_degree_3 +
+                    short_text(100 * of_ridge) + " % too low; write " + remedy + at_degree_3 +
                     "more elements, or poisson = 0.49, whose ridge is within 1.3 % of that of 0.4999");
     return;
   }
@@ -159,7 +168,7 @@ void add_locking(const Case& c, std::vector<std::string>& found) {
   found.push_back("substrate.poisson = " + short_text(c.substrate->poisson, 6) + " with domain.degree = 2 and " +
                   std::to_string(std::lround(c.rows_of_solid())) +
                   " rows of elements in the solid: nearly incompressible, it is about " + short_text(100 * error) +
-                  " % too stiff (softwet verify locking); write degree = 3 or take more elements");
+                  " % too stiff (softwet verify locking); write " + remedy + "degree = 3 or take more elements");
 }
 
 void add_density(const Case& c, std::vector<std::string>& found) {
@@ -203,12 +212,12 @@ std::string gentle_start(const Case& c) {
 
 double locking_error(const Case& c) {
   if (!c.substrate || c.domain.degree != 2) return 0;
-  return 0.0094 * std::pow(0.1 / (1 - 2 * c.substrate->poisson), 0.37) * std::pow(2 / c.rows_of_solid(), 2);
+  return 0.0094 * std::pow(0.1 / (1 - 2 * locking_poisson(*c.substrate)), 0.37) * std::pow(2 / c.rows_of_solid(), 2);
 }
 
 double ridge_error(const Case& c) {
   if (!c.fluid || !c.substrate || (c.droplets.empty() && c.films.empty() && !c.gives_density())) return 0;
-  const double across = c.fluid->capillarity / c.spacing(), free = 1 - 2 * c.substrate->poisson;
+  const double across = c.fluid->capillarity / c.spacing(), free = 1 - 2 * locking_poisson(*c.substrate);
   const double of_rows = std::sqrt(8 / c.rows_of_solid());
   return of_rows * (c.domain.degree == 2 ? 1.7 * std::exp(-6 * std::sqrt(across * std::pow(free, 0.3)))
                                          : 0.52 * std::exp(-5 * across * std::pow(free, 0.15)));

@@ -55,10 +55,12 @@ class PieceMaker {
   void add_solid(const Substrate& s) {
     const auto elastic = [&](const auto& solid) {
       if (!model_.graded(0).values.data()) return add<NoMotion>(solid.material.name, solid);
-      const GradedSolid graded{law_of(solid.material), model_.stiffness(), solid.density};
-      for (int part = 0; part < parts(Where::solid); ++part)
-        pieces_.list.push_back(
-            {piece<NoMotion>("graded solid", graded, Instant::stage, model_.graded(part), part), nullptr});
+      if (s.volume_quadrature == VolumeQuadrature::full)
+        return add_graded("graded solid", GradedSolid{law_of(solid.material), model_.stiffness(), solid.density});
+      const SelectiveParts parts = SelectiveParts::of(model_.stiffness());
+      add_graded("solid", GradedSolid{law_of(solid.material), parts.everywhere, solid.density});
+      if (parts.of_means.lambda > 0)
+        add_graded("solid, means of elements", SolidOfMeans{{law_of(solid.material), parts.of_means, 0}});
     };
     std::visit(elastic, model_.solid());
     const double finite = s.strain == "small" ? 0 : 1;
@@ -68,6 +70,12 @@ class PieceMaker {
       pieces_.solid_viscosity = pieces_.list.size();
       add<NoMotion>("viscosity of the solid", KelvinVoigt{s.viscosity, s.bulk_viscosity, finite});
     }
+  }
+
+  template <class Term>
+  void add_graded(const char* name, const Term& term) {
+    for (int part = 0; part < parts(Term::where); ++part)
+      pieces_.list.push_back({piece<NoMotion>(name, term, Instant::stage, model_.graded(part), part), nullptr});
   }
 
   CapillaryTraction traction() const { return {model_.fluid().gas, model_.fluid().capillarity}; }

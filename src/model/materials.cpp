@@ -97,7 +97,7 @@ void Model<D, P>::build_solid(const Case& c) {
   const Substrate& s = *c.substrate;
   young_ = s.young;
   largest_young_ = s.young.number;
-  if (s.young.varies()) grade_solid(s.young);
+  if (s.young.varies() || s.volume_quadrature == VolumeQuadrature::selective) grade_solid(s.young);
   stiffness_ = LameParameters::from(s.density * largest_young_, s.poisson);
   const double density = s.inertia == "none" ? 0.0 : s.density;
   if (s.strain == "small") {

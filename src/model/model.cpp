@@ -104,6 +104,7 @@ template <int D, int P>
 Region<D> Model<D, P>::region(Where where, int points) const {
   const int wall = layout_.solid_elements, all = layout_.axis[D - 1].elements();
   if (where == Where::solid) return region(0, wall, points);
+  if (where == Where::means) return region(0, wall, points, mean_rules);
   if (where == Where::top) {
     Region<D> r = region(wall - 1, wall, points);
     r.axis[D - 1] = r.test = high_face_rule(layout_.axis[D - 1], wall - 1);
@@ -118,18 +119,21 @@ Region<D> Model<D, P>::region(Where where, int points) const {
 template <int D, int P>
 std::vector<Region<D>> Model<D, P>::regions(Where where, int points) const {
   const int joint = layout_.axis[D - 1].joint();
-  if (where != Where::solid || joint == 0) return {region(where, points)};
-  return {region(0, joint, points), region(joint, layout_.solid_elements, points)};
+  const int wall = layout_.solid_elements;
+  if (joint > 0 && where == Where::solid) return {region(0, joint, points), region(joint, wall, points)};
+  if (joint > 0 && where == Where::means)
+    return {region(0, joint, points, mean_rules), region(joint, wall, points, mean_rules)};
+  return {region(where, points)};
 }
 
 template <int D, int P>
-Region<D> Model<D, P>::region(int first, int last, int points) const {
+Region<D> Model<D, P>::region(int first, int last, int points, const RuleMakers& rule) const {
   Region<D> r;
   int stride = 1;
   for (int d = 0; d < D; ++d) {
     const Axis& axis = layout_.axis[d];
     const int low = d < D - 1 ? 0 : first, high = d < D - 1 ? axis.elements() : last;
-    r.axis[d] = d == 0 ? gauss_rule(axis, layout_.columns.elements, points) : gauss_rule(axis, low, high, points);
+    r.axis[d] = d == 0 ? rule.of_columns(axis, layout_.columns.elements, points) : rule.of(axis, low, high, points);
     r.stride[d] = stride;
     stride *= layout_.extent(d);
   }

@@ -73,8 +73,8 @@ class Model {
   bool has_wall() const { return has_wall_; }
   const Region<D>& fluid_region() const { return fluid_region_; }
   const Region<D>& solid_region() const { return solid_region_; }
-  /// Rows of elements [first, last) over the whole width, with Gauss points per element and axis.
-  Region<D> region(int first, int last, int points) const;
+  /// Rows of elements [first, last) over the whole width, with Gauss points or another rule per element and axis.
+  Region<D> region(int first, int last, int points, const RuleMakers& = gauss_rules) const;
   /// Where a term is integrated, with those of the scene or others.
   Region<D> region(Where, int points) const;
   /// The same in parts: the solid below and above its joint, where it has one.

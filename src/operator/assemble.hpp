@@ -57,7 +57,7 @@ struct AssembleColumns {
 template <int P, bool Tangent, int D, class Term, class Motion, class Real>
 void assemble_at_once(const Task<D, Term, Motion, Real>& task) {
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
-    if constexpr (Term::where == Where::solid || Term::where == Where::fluid) {
+    if constexpr (Term::where == Where::solid || Term::where == Where::means || Term::where == Where::fluid) {
       AssembleColumns<D, P, Q, Tangent, Term, Motion, Real>::run(task);
     } else {
       for_colours("softwet::assemble", task.region, P + 1, AssembleBatch<D, P, Q, Tangent, Term, Motion, Real>{task});

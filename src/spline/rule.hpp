@@ -34,6 +34,18 @@ AxisRule gauss_rule(const Axis&, int first, int last, int points);
 /// The same on the elements that a process stores.
 AxisRule gauss_rule(const Axis&, const ElementColumns&, int points);
 
+/// The means of the functions and of their slopes over each element, `points` times with a share of its length: kernels for so many
+/// points then see one point with these means.
+AxisRule mean_rule(const Axis&, int first, int last, int points);
+AxisRule mean_rule(const Axis&, const ElementColumns&, int points);
+
+/// How the rules of a region are made.
+struct RuleMakers {
+  AxisRule (*of)(const Axis&, int first, int last, int points);
+  AxisRule (*of_columns)(const Axis&, const ElementColumns&, int points);
+};
+inline constexpr RuleMakers gauss_rules{gauss_rule, gauss_rule}, mean_rules{mean_rule, mean_rule};
+
 /// One point of weight 1 at the lower end of element `first`: the trace on a face.
 AxisRule low_face_rule(const Axis&, int first);
 

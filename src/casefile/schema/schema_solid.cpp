@@ -50,6 +50,14 @@ std::vector<Key> substrate_keys() {
        .help = "Poisson ratio nu, eq. (11).",
        .reason = "0.5 would be incompressible, choose 0.49 at most for a nearly incompressible solid",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->poisson; })},
+      {.name = "substrate.volume_quadrature",
+       .kind = Kind::choice,
+       .choices = words_of(VolumeQuadrature{}),
+       .help =
+           "How the stiffness against changes of volume is integrated. full: at all points. selective: what a solid "
+           "with nu = 0.4 has at all points, and the rest for the means over elements, so that a nearly incompressible "
+           "solid does not lock. Up to nu = 0.4 both are the same.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->volume_quadrature; })},
       {.name = "substrate.material",
        .kind = Kind::choice,
        .choices = {"saint_venant_kirchhoff", "neo_hookean"},

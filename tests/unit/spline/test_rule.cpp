@@ -39,6 +39,29 @@ TEST(AxisRule, TablesMatchTheAxis) {
   EXPECT_NEAR(cube, (b * b * b * b - a * a * a * a) / 4, 1e-15);
 }
 
+// Each point has the means over its element, of functions and slopes, and they share its length.
+TEST(AxisRule, MeansOfElements) {
+  const Axis axis(0.9, 7, 2, false, 3);
+  const AxisRule rule = mean_rule(axis, 2, 6, 3), gauss = gauss_rule(axis, 2, 6, 4);
+  EXPECT_EQ(rule.elements, 4);
+  EXPECT_EQ(rule.points, 3);
+  const auto w = host(rule.weight), gauss_weight = host(gauss.weight);
+  const auto v = host(rule.value), s = host(rule.slope), gauss_value = host(gauss.value);
+  for (int e = 0; e < 4; ++e) {
+    const double length = axis.size(2 + e);
+    EXPECT_NEAR(w(0, e) + w(1, e) + w(2, e), length, 1e-15);
+    const auto low = axis.values(2 + e, axis.lower(2 + e)), high = axis.values(2 + e, axis.lower(3 + e));
+    for (int a = 0; a < 3; ++a) {
+      double integral = 0;
+      for (int q = 0; q < 4; ++q) integral += gauss_weight(q, e) * gauss_value(q, a, e);
+      for (int q = 0; q < 3; ++q) {
+        EXPECT_NEAR(v(q, a, e), integral / length, 1e-14);
+        EXPECT_NEAR(s(q, a, e), (high[a] - low[a]) / length, 1e-12);
+      }
+    }
+  }
+}
+
 // A pack may read past the last element: the tables repeat it there, without weight.
 TEST(AxisRule, PaddingCarriesNoWeight) {
   const Axis axis(0.9, 7, 2);
