@@ -1,8 +1,10 @@
-/* Refuses to start on a processor that lacks instructions this program is made of. The constructor runs before those of
-   C++; this file is compiled for every processor of the family (src/CMakeLists.txt). */
+/* Refuses to start on a processor that lacks instructions this program is made of, and lets the program for AVX-512 that may lie
+   beside it start in its place (tools/cmake/avx512.cmake). The constructor runs before those of C++; this file is compiled for every
+   processor of the family (src/CMakeLists.txt). */
 #if defined(__x86_64__)
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -40,9 +42,26 @@ static int has(const char* name) {
   return 1;
 }
 
-__attribute__((constructor(101))) static void require_processor(void) {
+/* Goes on as PROGRAM-x86-64-v4, where there is such a file and the processor knows its instructions; SOFTWET_AVX512=0 forbids
+   it. Returns where there is none. */
+static void become_wider(char** argv) {
+  static const char suffix[] = "-x86-64-v4";
+  static const char* const needs[] = {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl", NULL};
+  const char* wanted = getenv("SOFTWET_AVX512");
+  if (wanted && strcmp(wanted, "0") == 0) return;
+  for (const char* const* name = needs; *name; ++name)
+    if (!has(*name)) return;
+  char path[4096];
+  const ssize_t length = readlink("/proc/self/exe", path, sizeof path - sizeof suffix);
+  if (length <= 0 || length >= (ssize_t)(sizeof path - sizeof suffix)) return;
+  memcpy(path + length, suffix, sizeof suffix);
+  execv(path, argv);
+}
+
+__attribute__((constructor(101))) static void require_processor(int argc, char** argv) {
   char missing[256] = "", text[640];
   __builtin_cpu_init();
+  if (argc > 0) become_wider(argv);
   for (const char* const* name = softwet_processor_needs; *name; ++name) {
     if (has(*name) || strlen(missing) + strlen(*name) + 2 > sizeof missing) continue;
     if (missing[0]) strcat(missing, " ");

@@ -2,7 +2,8 @@
 """A processor that lacks what the program was built for is named before anything else runs. usage: processor.py SOFTWET
 
 A program with the check of softwet is made to need "fma4", which few processors have; where qemu-x86_64 is installed,
-softwet itself is started on an old processor."""
+softwet itself is started on an old processor. Where the processor of this machine knows AVX-512, a program with the check starts
+the one of its name for AVX-512 in its place."""
 
 import os
 import pathlib
@@ -33,6 +34,18 @@ def program(need):
     return subprocess.run(["./needs"], capture_output=True, text=True)
 
 
+def take_over(folder):
+    """What ./needs prints with a program for AVX-512 beside it, without SOFTWET_AVX512 and with 0."""
+    wider = folder / "needs-x86-64-v4"
+    wider.write_text("#!/bin/sh\necho wider $1\n")
+    wider.chmod(0o755)
+    calls = ({}, {"SOFTWET_AVX512": "0"})
+    said = [subprocess.run([folder / "needs", "word"], capture_output=True, text=True, env={**os.environ, **extra}).stdout
+            for extra in calls]
+    wider.unlink()
+    return said
+
+
 def refused(done):
     return done.returncode == 3 and not done.stdout and done.stderr.count("\n") == 1 and "error: this softwet" in done.stderr
 
@@ -44,6 +57,10 @@ check("this processor has what it needs", done.returncode == 0, done)
 if shutil.which("cc") and shutil.which("c++"):
     done = program("sse4.2")
     check("nothing is missing", done.returncode == 0 and done.stdout == "early\n", done)
+    flags = pathlib.Path("/proc/cpuinfo").read_text().split()
+    knows = all(f"avx512{part}" in flags for part in ("f", "bw", "cd", "dq", "vl"))
+    said = take_over(pathlib.Path.cwd())
+    check("the program for AVX-512 starts where the processor can", said == ["wider word\n" if knows else "early\n", "early\n"], said)
     if "fma4" not in pathlib.Path("/proc/cpuinfo").read_text():
         done = program("fma4")
         check("fma4 is missing", refused(done) and "lacks fma4;" in done.stderr, done)
