@@ -47,7 +47,10 @@ def scene(case):
     rows += [(f"initial {key}", shortened(value)) for key, value in case.get("initial", {}).items() if value]
     sides = {}
     for side, kind in case.get("boundary", {}).items():
-        sides.setdefault(kind, []).append(side)
+        if side != "foundation":
+            sides.setdefault(kind, []).append(side)
+        elif kind:
+            rows.append(("foundation below the solid", ", ".join(map(number, kind))))
     return rows + [(kind.replace("_", " "), ", ".join(names)) for kind, names in sides.items()]
 
 

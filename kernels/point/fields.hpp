@@ -43,9 +43,10 @@ struct Slot {
 
 /// Where a term is integrated; `beside_wall` is the layer of the fluid that touches the wall Gamma, where the term meets
 /// the wall's basis functions alone. Gamma has two faces: `wall` is that of the fluid, on the moved mesh, and `top` that of the solid
-/// in its undeformed state. `means` are the elements of the solid, where a term sees the means of fields and gradients over an element.
-enum class Where { solid, means, top, fluid, wall, beside_wall };
-constexpr bool on_face(Where where) { return where == Where::wall || where == Where::top; }
+/// in its undeformed state. `bottom` is the lower face of the solid, undeformed too. `means` are the elements of the solid, where a term
+/// sees the means of fields and gradients over an element.
+enum class Where { solid, means, top, bottom, fluid, wall, beside_wall };
+constexpr bool on_face(Where where) { return where == Where::wall || where == Where::top || where == Where::bottom; }
 
 /// A term or a functional of the plane in the coordinates (r, z): its tensors have a hoop entry, and integrals have the weight r.
 /// A term without tensors takes the weight alone. T stands for Term, so that a name which it lacks is missed where it is used.

@@ -39,6 +39,21 @@ struct SolidStrain {
   }
 };
 
+/// Displacement of the solid at a point.
+template <class N, int D>
+struct SolidDisplacement {
+  Vector<N, D> displacement;
+
+  static constexpr int slot_count = D;
+  static constexpr Slot slot(int s) { return {{Field::displacement, s}, true, false}; }
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION SolidDisplacement read(const Reader& at) {
+    SolidDisplacement t;
+    for (int i = 0; i < D; ++i) t.displacement[i] = at.value(i);
+    return t;
+  }
+};
+
 /// Displacement gradient of the solid and its rate.
 template <class N, int D, class M = Matrix<N, D>>
 struct SolidStrainRate {

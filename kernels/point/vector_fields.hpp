@@ -1,4 +1,4 @@
-// Bundles of linear operators that act on a velocity or an acceleration.
+// Bundles of linear operators that act on a velocity or an acceleration, and the integrand against w alone.
 #pragma once
 
 #include "kernels/point/fields.hpp"

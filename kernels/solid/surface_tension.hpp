@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/point/solid_fields.hpp"
+#include "kernels/solid/face.hpp"
 
 namespace softwet {
 
@@ -58,29 +59,6 @@ struct SurfaceTension {
     if constexpr (is_axial_matrix<M>) ratio = ratio * (1.0 + t.displacement_gradient.hoop);
     return tension * (ratio - 1.0);
   }
-
- private:
-  template <class N, int D>
-  struct Face {
-    Vector<N, D> tangent[D - 1];  ///< x_,a
-    N metric[3];                  ///< g_11; in space g_11, g_12, g_22
-    N ratio;                      ///< a; in (r, z) that along r and z alone, |x'|
-
-    template <class M>
-    KOKKOS_FORCEINLINE_FUNCTION explicit Face(const M& grad_u) {
-      SOFTWET_UNROLL
-      for (int a = 0; a + 1 < D; ++a) SOFTWET_UNROLL
-      for (int i = 0; i < D; ++i) tangent[a][i] = i == a ? grad_u(i, a) + 1.0 : grad_u(i, a);
-      metric[0] = dot(tangent[0], tangent[0]);
-      if constexpr (D == 2) {
-        ratio = square_root(metric[0]);
-      } else {
-        metric[1] = dot(tangent[0], tangent[1]);
-        metric[2] = dot(tangent[1], tangent[1]);
-        ratio = square_root(metric[0] * metric[2] - metric[1] * metric[1]);
-      }
-    }
-  };
 };
 
 }  // namespace softwet

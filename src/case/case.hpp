@@ -102,13 +102,18 @@ struct Substrate {
   std::string inertia = "full";                     ///< full | none: the solid is in equilibrium at every time
   VolumeQuadrature volume_quadrature = VolumeQuadrature::full;
 
-  double viscosity = 0;              ///< eta of Kelvin and Voigt, scale L0 b sqrt(ab)
-  double bulk_viscosity = 0;         ///< zeta
-  double surface_tension = 0;        ///< of the dry top face, scale a b^2 L0
-  double surface_tension_wet = 0;    ///< below liquid
-  std::vector<double> gravity = {};  ///< force per unit mass on all of the solid, a b/L0; empty: none
+  double viscosity = 0;                      ///< eta of Kelvin and Voigt, scale L0 b sqrt(ab)
+  double bulk_viscosity = 0;                 ///< zeta
+  double surface_tension = 0;                ///< of the dry top face, scale a b^2 L0
+  double surface_tension_wet = 0;            ///< below liquid
+  std::vector<double> surface_modulus = {};  ///< lambda_s and G_s of the top face, scale a b^2 L0; empty: none
+  std::vector<double> gravity = {};          ///< force per unit mass on all of the solid, a b/L0; empty: none
   Fibre fibre = {};
 
+  /// lambda_s + 2 G_s, which resists stretch of the top face along one direction.
+  double modulus_of_surface() const {
+    return surface_modulus.empty() ? 0 : surface_modulus[0] + 2 * surface_modulus[1];
+  }
   double young_modulus() const { return density * young.least(); }  ///< E, scale a b^2; the smallest where it varies
 };
 
@@ -155,6 +160,7 @@ struct Load {
 struct Boundary {
   std::array<std::array<Side, 2>, 3> side{
       {{Side::slip, Side::slip}, {Side::slip, Side::slip}, {Side::slip, Side::slip}}};
+  std::vector<double> foundation = {};  ///< springs kap_n and kap_t below the solid, scale a b^2/L0; empty: none
 };
 
 /// The scheme without a largest step.

@@ -46,6 +46,15 @@ std::vector<Group> groups(const Case& c) {
     all.push_back({"solid_tension_over_interface", tension / (c.substrate->young_modulus() * 2 * c.fluid->capillarity),
                    "Upsilon / (E 2 gamma): above 1 tension holds the ridge, below elasticity does"});
   }
+  if (c.substrate && c.substrate->modulus_of_surface() > 0)
+    all.push_back({"surface_modulus_over_thickness",
+                   c.substrate->modulus_of_surface() / (c.substrate->young_modulus() * c.substrate->thickness),
+                   "(lambda_s + 2 G_s) / (E Hs): modulus of the solid's surface over that of the layer"});
+  if (c.substrate && !c.boundary.foundation.empty())
+    all.push_back({"foundation_over_layer",
+                   c.boundary.foundation[0] * c.substrate->thickness * (1 - 2 * c.substrate->poisson) /
+                       (2 * shear_modulus(*c.substrate) * (1 - c.substrate->poisson)),
+                   "kap_n Hs / (lambda + 2 G): springs below the layer over its own stiffness"});
   if (c.fluid && radius > 0) {
     const Liquid liquid = liquid_of(c);
     all.push_back({"radius_over_capillarity", radius / c.fluid->capillarity, "R / gamma"});

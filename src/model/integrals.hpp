@@ -16,13 +16,14 @@ namespace softwet {
 class Integrals {
  public:
   /// In the order in which parts are added up.
-  static constexpr std::array<std::string_view, 15> parts{"mass",
+  static constexpr std::array<std::string_view, 16> parts{"mass",
                                                           "energy_kinetic",
                                                           "energy_free_bulk",
                                                           "energy_free_gradient",
                                                           "energy_wall",
                                                           "energy_elastic",
                                                           "energy_surface",
+                                                          "energy_foundation",
                                                           "energy_gravity",
                                                           "momentum_x",
                                                           "momentum_y",

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "kernels/fluid/painted_wall.hpp"
+#include "kernels/solid/foundation.hpp"
 #include "kernels/solid/graded.hpp"
 #include "kernels/solid/kelvin_voigt.hpp"
+#include "kernels/solid/surface_elasticity.hpp"
 #include "kernels/solid/surface_tension.hpp"
 #include "model/model.hpp"
 
@@ -66,6 +68,10 @@ class PieceMaker {
     const double finite = s.strain == "small" ? 0 : 1;
     if (s.fibre.stiffness > 0) add<NoMotion>("fibres", model_.fibres());
     if (s.surface_tension > 0) add<NoMotion>("surface tension of the solid", SurfaceTension{s.surface_tension});
+    if (s.modulus_of_surface() > 0)
+      add<NoMotion>("elasticity of the surface", SurfaceElasticity{s.surface_modulus[0], s.surface_modulus[1]});
+    if (const std::vector<double>& springs = case_.boundary.foundation; !springs.empty())
+      add<NoMotion>("foundation", Foundation{springs[0], springs[1]});
     if (s.viscosity > 0 || s.bulk_viscosity > 0) {
       pieces_.solid_viscosity = pieces_.list.size();
       add<NoMotion>("viscosity of the solid", KelvinVoigt{s.viscosity, s.bulk_viscosity, finite});

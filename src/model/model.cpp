@@ -110,6 +110,11 @@ Region<D> Model<D, P>::region(Where where, int points) const {
     r.axis[D - 1] = r.test = high_face_rule(layout_.axis[D - 1], wall - 1);
     return r;
   }
+  if (where == Where::bottom) {
+    Region<D> r = region(0, 1, points);
+    r.axis[D - 1] = r.test = low_face_rule(layout_.axis[D - 1], 0);
+    return r;
+  }
   Region<D> r = region(wall, where == Where::beside_wall ? wall + 1 : all, points);
   if (where == Where::beside_wall) r.test = restricted_to(r.test, 0);
   if (where == Where::wall) r.axis[D - 1] = r.test = low_face_rule(layout_.axis[D - 1], wall);

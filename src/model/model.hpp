@@ -30,9 +30,10 @@ struct MeshFaults {
   double folded = 0, inverted = 0;
 };
 
-/// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, and the largest tension of its face.
+/// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its top face, the modulus
+/// lambda_s + 2 G_s of this face, and the stiffer springs of its foundation.
 struct SolidRates {
-  double viscosity = 0, tension = 0;
+  double viscosity = 0, tension = 0, modulus = 0, foundation = 0;
 };
 
 using Solid = std::variant<Elastodynamics<SaintVenantKirchhoff>, Elastodynamics<Hooke>, Elastodynamics<NeoHookean>>;

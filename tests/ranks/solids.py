@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Solids with tension, viscosity, weight, fibres, a stiffness and a wetting that vary, under a load that moves: the same bits on any
-number of processes.
+"""Solids with a tense and elastic surface, viscosity, weight, fibres, a foundation, a stiffness and a wetting that vary, under a load
+that moves: the same bits on any number of processes.
 usage: solids.py SOFTWET"""
 
 from _ranks import check_same, run
@@ -9,7 +9,8 @@ SCENE = ["domain.elements=[44,16]", "fluid.capillarity=1/16", "fluid.temperature
          "load[0].ramp=0.01", "output.fields.times=[0,0.02]", "output.history.every=1", "time.end=0.02",
          "fluid.wall_law=energy", "fluid.wall_tension=acts", "fluid.contact_angle=75 + 20*x", "substrate.surface_tension=0.03",
          "substrate.viscosity=0.01", "substrate.gravity=[0.01,-0.02]", "substrate.fibre.stiffness=0.2", "substrate.fibre.angle=30",
-         "substrate.young=0.7*exp(x - 0.5)", 'load[0].path=["5*t",0]', "load[0].factor=cos(t)"]
+         "substrate.young=0.7*exp(x - 0.5)", 'load[0].path=["5*t",0]', "load[0].factor=cos(t)",
+         "substrate.surface_modulus=[0.02,0.01]", "boundary.bottom=free", "boundary.foundation=[5,1]"]
 AROUND = ["boundary.left=periodic", "boundary.right=periodic"]
 EXPLICIT = ["time.scheme=kick_drift"]
 RUNS = {"implicit": [], "explicit": EXPLICIT, "implicit_around": AROUND, "explicit_around": [*AROUND, *EXPLICIT]}
@@ -20,7 +21,7 @@ for name, settings in RUNS.items():
     check_same(f"{name}, 3 processes", f"{name}_3", f"{name}_1")
 SPACE = ["domain.elements=[20,20,14]", "time.end=0.02", "output.fields.times=[]", "substrate.fibre.azimuth=20",
          "substrate.gravity=[0.01,0,-0.02]", *(s for s in SCENE if s.startswith(("fluid.w", "fluid.contact", "substrate.s", "substrate.v",
-                                                                                  "substrate.f", "substrate.y")))]
+                                                                                  "substrate.f", "substrate.y", "boundary")))]
 for count in (1, 2):
     run(count, "static_droplet_soft_3d", f"space_{count}", SPACE)
 check_same("space, 2 processes", "space_2", "space_1")

@@ -78,6 +78,7 @@ check_true("rkl2 takes few steps", len(ends["rkl2"]["t"]) < 0.02 * len(ends["kic
 
 # Foreseen, and taken while nothing is bent much.
 for name, solid in (("fibre", "fibre = { stiffness = 3000.0, angle = 80.0 }"), ("face", "surface_tension = 20.0"),
+                    ("elastic_face", "surface_modulus = [8.0, 6.0]"),
                     ("viscosity", "viscosity = 0.2")):
     case = write(f"foreseen_{name}", f"poisson = 0.3, {solid}", 'end = 0.3, scheme = "automatic"', 1e-6)
     said = run_file(case, f"foreseen_{name}", options=ALOUD)

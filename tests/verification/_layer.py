@@ -2,14 +2,15 @@
 
 **At rest.** With u_x = a(y) sin kx, u_y = b(y) cos kx the solutions of (lambda + G) grad div u + G Lap u = 0 are, with e = 3 - 4 nu,
 
-    a = A cosh ky - D ky sinh ky,   b = -(A + e D) sinh ky + D ky cosh ky   on rollers, b = a' = 0 at y = 0, and
-    a = A ky sinh ky + D (e sinh ky + ky cosh ky),   b = A (e sinh ky - ky cosh ky) - D ky sinh ky   where the base is clamped;
+    a = A cosh ky + B ky sinh ky + A' sinh ky + B' ky cosh ky
+    b = -A sinh ky + B (e sinh ky - ky cosh ky) - A' cosh ky + B' (e cosh ky - ky sinh ky);
 
-sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H give A and D for the tractions t_x sin kx,
-t_y cos kx. On rollers and without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH); k = 0 is uniaxial
-strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)).
-Slip sides make these series exact: cosines for t_y, sines for t_x. The surface
-tension U of the top pulls with U u_y'' there: it adds U k^2 to the inverse of u_y/t_y.
+at y = 0 the base gives two conditions: b = sigma_xy = 0 on rollers, a = b = 0 where it is clamped, sigma_xy = kap_t a and
+sigma_yy = kap_n b on a foundation of springs [kap_n, kap_t]. sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H are the tractions
+t_x sin kx, t_y cos kx. On rollers and without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH);
+k = 0 is uniaxial strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)), and 1/kap_n more on springs.
+Slip sides make these series exact: cosines for t_y, sines for t_x. The surface tension U of the top pulls with U u_y'' there: it adds U k^2
+to the inverse of u_y/t_y. The modulus M of the top pulls with M u_x'': it adds M k^2 to the inverse of u_x/t_x.
 
 **Swinging** on rollers with e^(i w t), from the potentials of Helmholtz: u = grad phi + (psi_y, -psi_x) with phi = A cosh(py) cos kx,
 psi = (B/q) sinh(qy) sin kx, p^2 = k^2 - rho w^2/(lambda + 2 G), q^2 = k^2 - rho w^2/G. The base is held already. The top asks for sigma_xy
@@ -24,21 +25,50 @@ def lame(young, poisson):
     return young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))
 
 
-def compliance(k, height, young, poisson, tension=0.0, clamped=False):
-    """2 x 2: (u_x, u_y) of the surface for tractions (t_x sin kx, t_y cos kx); clamped: the base, else on rollers."""
-    first, shear = lame(young, poisson)
+class Waves:
+    """Displacements and stresses of the two solutions that the base allows, over cosh kH."""
+
+    def __init__(self, k, height, young, poisson, clamped, foundation):
+        self.k, self.height, self.e = k, height, 3 - 4 * poisson
+        self.first, self.shear = lame(young, poisson)
+        below = self.all(0.0)
+        if foundation:
+            base = numpy.array([below[3] - foundation[0] * below[1], below[2] - foundation[1] * below[0]])
+        else:
+            base = below[[0, 1]] if clamped else below[[1, 2]]
+        self.allowed = numpy.linalg.svd(base / numpy.abs(base).max(axis=1, keepdims=True))[2][2:].T
+
+    def all(self, y):
+        """4 x 4: (u_x / sin kx, u_y / cos kx, sigma_xy / sin kx, sigma_yy / cos kx) at a height, of A, B, A', B'."""
+        k, e, z = self.k, self.e, self.k * y
+        up, down = 0.5 * numpy.exp(z - k * self.height), 0.5 * numpy.exp(-z - k * self.height)
+        c, s = up + down, up - down
+        a, da = numpy.array([c, z * s, s, z * c]), k * numpy.array([s, s + z * c, c, c + z * s])
+        b = numpy.array([-s, e * s - z * c, -c, e * c - z * s])
+        db = k * numpy.array([-c, (e - 1) * c - z * s, -s, (e - 1) * s - z * c])
+        return numpy.array([a, b, self.shear * (da - k * b), self.first * (k * a + db) + 2 * self.shear * db])
+
+    def at(self, y):
+        """The same of the two solutions."""
+        return self.all(y) @ self.allowed
+
+
+def displacement(heights, k, height, young, poisson, tension=0.0, clamped=False, modulus=0.0, foundation=None):
+    """2 x 2 at each of the heights: (u_x / sin kx, u_y / cos kx) for tractions (t_x sin kx, t_y cos kx) on the top."""
     if k == 0:
-        return numpy.diag([0.0, height / (first + 2 * shear)])
-    z = k * height
-    c, s, e = 1.0, numpy.tanh(z), 3 - 4 * poisson  # cosh and sinh over cosh(z)
-    if clamped:  # factors of A and D
-        a, da = numpy.array([z * s, e * s + z * c]), k * numpy.array([s + z * c, (e + 1) * c + z * s])
-        b, db = numpy.array([e * s - z * c, -z * s]), k * numpy.array([(e - 1) * c - z * s, -s - z * c])
-    else:
-        a, da = numpy.array([c, -z * s]), k * numpy.array([s, -s - z * c])
-        b, db = numpy.array([-s, -e * s + z * c]), k * numpy.array([-c, -e * c + c + z * s])
-    free = numpy.array([a, b]) @ numpy.linalg.inv(numpy.array([shear * (da - k * b), first * (k * a + db) + 2 * shear * db]))
-    return numpy.linalg.inv(numpy.linalg.inv(free) + numpy.diag([0.0, tension * k**2])) if tension else free
+        first, shear = lame(young, poisson)
+        return numpy.array([numpy.diag([0.0, y / (first + 2 * shear) + (1 / foundation[0] if foundation else 0)])
+                            for y in heights])
+    waves = Waves(k, height, young, poisson, clamped, foundation)
+    top = waves.at(height)
+    parts = numpy.linalg.inv(top[2:] + numpy.diag([modulus * k**2, tension * k**2]) @ top[:2])
+    return numpy.array([waves.at(y)[:2] @ parts for y in heights])
+
+
+def compliance(k, height, young, poisson, tension=0.0, clamped=False, modulus=0.0, foundation=None):
+    """2 x 2: (u_x, u_y) of the surface for tractions (t_x sin kx, t_y cos kx); clamped: the base; foundation: [kap_n, kap_t] below it;
+    else on rollers."""
+    return displacement([height], k, height, young, poisson, tension, clamped, modulus, foundation)[0]
 
 
 class SlowestWave:

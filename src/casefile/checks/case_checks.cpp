@@ -72,6 +72,14 @@ void check_substrate(const Checker& check) {
                fmt::format("write thickness = {}, or change domain.elements", choice));
 }
 
+void check_surface_modulus(const Checker& check) {
+  if (!check.c.substrate) return;
+  const Numbers& moduli = check.c.substrate->surface_modulus;
+  if (moduli.empty() || moduli.size() == 2) return;
+  check.refuse("substrate.surface_modulus", "must be 2 numbers, lambda_s and G_s",
+               "write for example surface_modulus = [0.004, 0.002]");
+}
+
 void check_fibre(const Checker& check) {
   const std::string key = "substrate.fibre.azimuth";
   if (check.c.dimension() == 2 && check.document.entries.count(key))
@@ -186,6 +194,7 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
   check.with({"substrate.fibre.azimuth"}, [&] { check_fibre(check); });
+  check.with({"substrate.surface_modulus"}, [&] { check_surface_modulus(check); });
   check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box"},
              [&] { check_joint(check); });
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);

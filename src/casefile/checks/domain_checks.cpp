@@ -106,6 +106,26 @@ void check_periodic(const Checker& check, std::size_t axis) {
   }
 }
 
+/// Springs below the solid act where nothing holds its bottom.
+void check_foundation(const Checker& check) {
+  const Numbers& springs = check.c.boundary.foundation;
+  const std::string key = "boundary.foundation";
+  if (springs.empty()) return;
+  if (springs.size() != 2)
+    check.refuse(key, "must be 2 numbers, kap_n and kap_t", "write for example foundation = [10.0, 0.0]");
+  if (!check.c.substrate) check.refuse(key, "needs a solid, which rests on it", "add a [substrate] or remove it");
+  const Side bottom = check.c.boundary.side[check.vertical()][0];
+  if (bottom == Side::free || (bottom == Side::slip && springs[0] == 0)) return;
+  if (bottom == Side::slip)
+    check.refuse(
+        key, "has springs against motion through a bottom that is held: boundary.bottom is \"slip\"",
+        fmt::format("write bottom = \"free\", or foundation = [0, {}] for springs along a roller", springs[1]));
+  check.refuse(key,
+               fmt::format("has springs below a bottom that is held: boundary.bottom is \"{}\"",
+                           words_of(bottom)[static_cast<std::size_t>(bottom)]),
+               "write bottom = \"free\", or remove the foundation");
+}
+
 void check_boundary(const Checker& check) {
   if (check.c.dimension() == 2) {
     for (const char* key : {"boundary.front", "boundary.back"})
@@ -168,6 +188,7 @@ bool check_domain(const Checker& check) {
               "domain.elements", "domain.degree", "substrate", "substrate.thickness", "boundary"},
              [&] { check_grading(check); });
   check_boundary(check);
+  check.with({"boundary.foundation", "boundary.bottom", "substrate"}, [&] { check_foundation(check); });
   check.with({"domain.coordinates"}, [&] {
     if (c.dimension() == 3 && check.document.entries.count("domain.coordinates"))
       check.refuse("domain.coordinates", "exists in 2D only, where it says what the two axes are", "remove it");

@@ -43,6 +43,16 @@ std::vector<Key> boundary_keys() {
                "\"no_slip\""),
   };
   keys.back().default_note = "\"no_slip\" with a fluid, \"free\" for a solid alone";
+  keys.push_back(
+      {.name = "boundary.foundation",
+       .kind = Kind::numbers,
+       .unit = "a b^2/L0",
+       .range = {0, infinity, false, true},
+       .help = "Springs [kap_n, kap_t] below the solid, on each undeformed area of its bottom: the stress kap_n u_n "
+               "against motion through it and kap_t u_t against motion along it. Needs bottom = \"free\"; with bottom "
+               "= \"slip\" springs along a roller, [0, kap_t].",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.boundary.foundation; }),
+       .default_note = "[], none"});
   return keys;
 }
 

@@ -107,6 +107,17 @@ std::vector<Key> substrate_keys() {
            "that is given by hand; fluid.wall_tension = \"acts\" gives the one that follows from the contact angle.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->surface_tension_wet; }),
        .default_note = "that of the dry face"},
+      {.name = "substrate.surface_modulus",
+       .kind = Kind::numbers,
+       .unit = "a b^2 L0",
+       .range = {0, infinity, false, true},
+       .help =
+           "Moduli [lambda_s, G_s] of the solid's top face, which then resists stretch along itself: energy "
+           "lambda_s/2 (tr E_s)^2 + G_s E_s : E_s of each undeformed area, with the Green strain E_s of the face, "
+           "whose stress is the "
+           "second Piola-Kirchhoff stress. In 2D only lambda_s + 2 G_s counts. Its energy is part of energy_surface.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->surface_modulus; }),
+       .default_note = "[], none"},
       {.name = "substrate.gravity",
        .kind = Kind::numbers,
        .unit = "ab/L0",

@@ -137,9 +137,12 @@ const std::vector<Column> of_balance{
      "and of "
      "rho_0^s gravity . u over the solid, u its displacement. 0 without gravity."},
     {"energy_surface", energy_unit,
-     "Energy of the solid's surface tension: substrate.surface_tension times what the area of the deformed top face "
-     "has "
-     "more than that of the undeformed one.",
+     "Energy of the solid's top face: substrate.surface_tension times what the area of the deformed face has more than "
+     "that of the undeformed one, and the elastic energy of substrate.surface_modulus.",
+     any_dimension, Needs::solid},
+    {"energy_foundation", energy_unit,
+     "Energy of the springs of boundary.foundation: the integral of (kap_n u_n^2 + kap_t u_t^2)/2 over the undeformed "
+     "bottom of the solid.",
      any_dimension, Needs::solid},
     {"dissipation_solid", power_unit,
      "Part of dissipation that belongs to substrate.viscosity and substrate.bulk_viscosity: the integral of S_v : E' "

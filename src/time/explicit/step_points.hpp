@@ -83,6 +83,8 @@ struct SolidBound {
   double joined[D][D] = {};  ///< part of dP/dF between two axes that counts
   double wave = 0;           ///< frequency of elastic waves = wave sqrt(stiffness)
   double surface = 0;        ///< square of the frequency of capillary waves on the undeformed top face
+  double along_face = 0;     ///< the same of waves along it, by its modulus
+  double springs = 0;        ///< that of the bottom on its springs
   double viscous = 0;        ///< rate of viscosity in the undeformed state
 
   /// @param symbols    of ends
@@ -92,23 +94,27 @@ struct SolidBound {
   SolidBound(const Elastodynamics<Material>& solid, const Fibres& along, StepFormula f, const SolidRates& more,
              const MassSymbols& symbols, double many, double length, const bool (&free_axis)[D])
       : material(solid.material), fibres(along), formula(f) {
-    constexpr double margin = 1.05;                       // waves along free and held sides are a little faster
-    constexpr double face_margin = Axial ? 1.4 : margin;  // and those of a face around the axis, with corrected masses
-    const double symbol = margin * symbols.elastic / length, face_axes = Axial ? 2 : D - 1;
+    constexpr double margin = 1.05;  // waves along free and held sides are a little faster
+    const double symbol = margin * symbols.elastic / length;
     const double modulus = many * symbol * symbol / solid.density;  // square of a frequency over the modulus
     wave = std::sqrt(modulus);
-    surface = face_axes * face_margin * symbols.surface * symbols.surface * more.tension /
-              (solid.density * std::pow(length, 3));
+    const auto of_face = [&](double stiffness) {
+      return (D - 1) * margin * symbols.surface * symbols.surface * stiffness / (solid.density * std::pow(length, 3));
+    };
+    surface = of_face(more.tension);
+    along_face = of_face(more.modulus);
+    springs = margin * symbols.springs * symbols.springs * more.foundation / (solid.density * length);
     viscous = modulus * more.viscosity;
     for (int d = 0; d < D; ++d)
       for (int e = 0; e < D; ++e) joined[d][e] = d == e ? 1 : free_axis[d] && free_axis[e] ? 0.5 : 0;
   }
 
-  /// Rates where the displacement has a gradient. @param on_face  on the top face
-  KOKKOS_FUNCTION void rates(const Tensor<double>& gradient, bool on_face, double* rate) const {
+  /// Rates where the displacement has a gradient. @param on_face  on the top face;  @param below  on the bottom
+  KOKKOS_FUNCTION void rates(const Tensor<double>& gradient, bool on_face, bool below, double* rate) const {
     const double elastic = wave * wave * (stiffness(gradient) + stiffness_of_fibres(gradient));
     const double tension = surface > 0 && on_face ? surface * shortening(gradient) : 0;
-    rate[elasticity] = Kokkos::sqrt(elastic + tension);
+    const double face = along_face > 0 && on_face ? stiffened(tension, gradient) : tension;
+    rate[elasticity] = Kokkos::sqrt(elastic + face + (below ? springs : 0));
     const auto deformed = add_diagonal(gradient, 1.0);
     const double length = contract(deformed, deformed) / (Axial ? 3 : D);  // |F|^2, 1 where nothing is deformed
     rate[viscosity] = viscous * Kokkos::max(1.0, length) * Kokkos::max(1.0, length);
@@ -181,6 +187,28 @@ struct SolidBound {
     }
     return (D == 2 && !Axial ? 1 : most) / Kokkos::max(least, 0.1);
   }
+  /// The face with its modulus too. Tension meets motion across the face and the modulus, times the square of the largest stretch,
+  /// motion along it: the larger counts. Strains that pull the face tight are a tension of their own.
+  KOKKOS_FUNCTION double stiffened(double tension, const Tensor<double>& gradient) const {
+    double most = 1, tight = 0;
+    for (int d = 0; d + 1 < D; ++d) {
+      double row = 0;
+      for (int e = 0; e + 1 < D; ++e) {
+        double product = 0;
+        for (int c = 0; c < D; ++c)
+          product += (gradient(c, d) + (c == d ? 1.0 : 0.0)) * (gradient(c, e) + (c == e ? 1.0 : 0.0));
+        row += Kokkos::abs(product);
+      }
+      most = Kokkos::max(most, row);
+      tight += Kokkos::max(0.0, 0.5 * (row - 1));
+    }
+    if constexpr (Axial) {
+      const double square = (1 + gradient.hoop) * (1 + gradient.hoop);
+      most = Kokkos::max(most, square);
+      tight += Kokkos::max(0.0, 0.5 * (square - 1));
+    }
+    return Kokkos::max(tension, along_face * most) + along_face * tight;
+  }
 };
 
 template <int D, class Bound>
@@ -205,7 +233,7 @@ struct SolidPoint {
       const double r = greville[0](i % extent[0]);
       gradient.hoop = r > 0 ? displacement[i] / r : gradient(0, 0);
     }
-    bound.rates(gradient, i >= nodes - row_size, rate);
+    bound.rates(gradient, i >= nodes - row_size, i < row_size, rate);
   }
 };
 

@@ -62,9 +62,12 @@ double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest)
   for (int d = 0; d < D; ++d) free_axis[d] = has_free_end(c, d);
   const Bound bound({{LameParameters::from(s.density * s.young.most(), s.poisson)}, s.density}, fibres_of(s, D),
                     StepFormula::kick_drift, solid_rates(c), symbols, 1, shortest, free_axis);
-  double found[step_points::mechanisms] = {};
-  bound.rates({}, true, found);
-  return found[step_points::combined];
+  const auto rate = [&](bool on_face) {
+    double found[step_points::mechanisms] = {};
+    bound.rates({}, on_face, !on_face, found);
+    return found[step_points::combined];
+  };
+  return std::max(rate(true), rate(false));
 }
 
 double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest) {

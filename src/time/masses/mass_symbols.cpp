@@ -132,7 +132,12 @@ MassSymbols end_symbols(int degree, MassKind kind, int elements, bool radial) {
             std::max(s.elastic, std::sqrt(largest(axis * (line.stiffness + line.hoop + 2 * lambda * line.mixed))));
     }
   }
-  s.surface = std::sqrt(s.viscous * layer(layer.rows() - 1, layer.cols() - 1));
+  // Faces lie across the vertical axis, whose line has no weight.
+  const Dense upwards = radial ? ElementLine(elements, degree).mass : line.mass;
+  const Dense held_below = inverse(upwards, kind, kept_of_velocities, true, false);
+  const double along = radial ? std::max(s.viscous, s.elastic * s.elastic) : s.viscous;
+  s.surface = std::sqrt(along * held_below(held_below.rows() - 1, held_below.cols() - 1));
+  s.springs = std::sqrt(inverse(upwards, kind, kept_of_velocities, false, false)(0, 0));
   return s;
 }
 
@@ -140,13 +145,16 @@ MassSymbols with_joint(MassSymbols ends, int degree, MassKind kind, JoinedElemen
   if (elements.below == 0) return ends;
   const int below = std::min(elements.below, 10), above = std::min(elements.above, 10);
   const ElementLine line(below + above, degree, false, below);
+  const auto inverse_of = [&](bool held_below, bool held_above) {
+    return inverse(line.mass, kind, kept_of_velocities, held_below, held_above, line.at_joint);
+  };
   const auto of = [&](bool held_below, bool held_above) {
-    return largest(inverse(line.mass, kind, kept_of_velocities, held_below, held_above, line.at_joint) *
-                   line.stiffness);
+    return largest(inverse_of(held_below, held_above) * line.stiffness);
   };
   const double free = of(false, false);
   ends.elastic = std::max(ends.elastic, std::sqrt(std::max(free, of(true, false))));
   ends.viscous = std::max({ends.viscous, free, of(true, true)});
+  ends.springs = std::max(ends.springs, std::sqrt(inverse_of(false, false)(0, 0)));
   return ends;
 }
 

@@ -11,11 +11,12 @@ namespace softwet {
 /// Largest frequencies and rates on elements of length 1, over all waves that the mesh has:
 ///   sound w = acoustic c / h,  capillary waves w = capillary g sqrt(rho) / h^2,  viscosity s = viscous (4/3 m / rho) / h^2,
 ///   stabilisation  k = diffusive / h^2,  convection w = convective |v| / h,  elastic waves w = elastic c_p / h,
-///   waves of a face with the tension Ups on a solid w = surface sqrt(Ups / rho_0) / h^(3/2), for each axis of the face.
+///   waves of a face with the tension Ups on a solid w = surface sqrt(Ups / rho_0) / h^(3/2), for each axis of the face,
+///   a face on springs, which is free otherwise, w = springs sqrt(kap / rho_0 / h).
 /// With lumped and corrected masses they are the same in two and three dimensions. With consistent masses those of the axes
 /// add up (acoustic and elastic: their squares).
 struct MassSymbols {
-  double acoustic = 0, capillary = 0, viscous = 0, diffusive = 0, convective = 0, elastic = 0, surface = 0;
+  double acoustic = 0, capillary = 0, viscous = 0, diffusive = 0, convective = 0, elastic = 0, surface = 0, springs = 0;
 };
 
 /// Away from the ends of axes: the extremes of the Fourier symbols.

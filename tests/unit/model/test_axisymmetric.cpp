@@ -14,6 +14,9 @@ Case rich(Scene kind) {
     c.substrate->viscosity = 0.2;
     c.substrate->bulk_viscosity = 0.1;
     c.substrate->surface_tension = c.substrate->surface_tension_wet = 0.4;
+    c.substrate->surface_modulus = {0.3, 0.2};
+    c.boundary.side[1][0] = Side::free;
+    c.boundary.foundation = {0.6, 0.3};
     c.substrate->gravity = {0, -0.8};
     c.substrate->fibre = {0.5, 30, 0};
   }
@@ -38,6 +41,10 @@ std::vector<double> naive_solid(RandomScene& s) {
   std::vector<double> sum =
       std::visit([&](const auto& term) { return naive(s, term, 0, wall, false); }, s.model.solid());
   if (solid.surface_tension > 0) add(sum, naive(s, SurfaceTension{solid.surface_tension}, wall - 1, wall, false));
+  if (!solid.surface_modulus.empty())
+    add(sum, naive(s, SurfaceElasticity{solid.surface_modulus[0], solid.surface_modulus[1]}, wall - 1, wall, false));
+  if (const std::vector<double>& springs = s.data.boundary.foundation; !springs.empty())
+    add(sum, naive(s, Foundation{springs[0], springs[1]}, 0, 1, false));
   if (solid.viscosity > 0) add(sum, naive(s, KelvinVoigt{solid.viscosity, solid.bulk_viscosity}, 0, wall, false));
   if (solid.fibre.stiffness > 0) {
     const double angle = solid.fibre.angle * M_PI / 180;
@@ -150,6 +157,7 @@ TEST(Axisymmetric, EnergyLawOfARichSolid) {
     };
     const Integrals now = s.model.integrals(s.stage());
     EXPECT_GT(std::abs(now["energy_surface"]), 1e-6);
+    EXPECT_GT(now["energy_foundation"], 1e-6);
     EXPECT_GT(now["dissipation_solid"], 1e-3);
     const double power = s.model.load_power(s.stage().time, s.stage().unknown);
     EXPECT_GT(std::abs(power), 1e-6);

@@ -94,6 +94,9 @@ Case rich_solid(Scene kind) {
   c.substrate->viscosity = 0.2;
   c.substrate->bulk_viscosity = 0.1;
   c.substrate->surface_tension = c.substrate->surface_tension_wet = 0.4;
+  c.substrate->surface_modulus = {0.3, 0.2};
+  c.boundary.side[1][0] = Side::free;
+  c.boundary.foundation = {0.6, 0.3};
   c.substrate->gravity = {0.3, -0.8};
   c.substrate->fibre = {0.5, 30, 0};
   return c;
@@ -117,6 +120,7 @@ TEST(EnergyLaw, OfARichSolid) {
     const Integrals now = s.model.integrals(s.stage());
     EXPECT_GT(std::abs(now["energy_gravity"]), 1e-6);
     EXPECT_GT(std::abs(now["energy_surface"]), 1e-6);
+    EXPECT_GT(now["energy_foundation"], 1e-6);
     EXPECT_GT(now["dissipation_solid"], 1e-3);
     const double power = s.model.load_power(s.stage().time, s.stage().unknown);
     const double expected = slope(energy, 1e-3) - power + now.dissipation();

@@ -24,17 +24,17 @@ TEST(Integrals, OfAColumnAreTheSumOfItsParts) {
   EXPECT_EQ(all["mass"], 1);
   EXPECT_EQ(all["energy_free"], all.part("energy_free_bulk") + all.part("energy_free_gradient"));
   EXPECT_EQ(all["energy_surface"], all.part("energy_surface"));
-  EXPECT_EQ(all.energy(), 2 + 4 + 8 + 16 + 32 + 64 + 128);
-  EXPECT_EQ(all.dissipation(), 2048 + 4096 + 8192);
+  EXPECT_EQ(all.energy(), 2 + 4 + 8 + 16 + 32 + 64 + 128 + 256);
+  EXPECT_EQ(all.dissipation(), 4096 + 8192 + 16384);
   EXPECT_EQ(all["dissipation"], all.dissipation());
-  EXPECT_EQ(all["dissipation_solid"], 8192);
+  EXPECT_EQ(all["dissipation_solid"], 16384);
 }
 
 TEST(Integrals, SizeOfEnergiesKnowsNoSigns) {
   Integrals all = of_powers();
   all.part("energy_wall") *= -1;
-  EXPECT_EQ(all.size(), 254);
-  EXPECT_EQ(all.energy(), 254 - 2 * 16);
+  EXPECT_EQ(all.size(), 510);
+  EXPECT_EQ(all.energy(), 510 - 2 * 16);
 }
 
 TEST(Integrals, OfAWholeTurnHaveNoMomentumFromTheAxis) {

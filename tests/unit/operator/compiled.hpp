@@ -3,8 +3,10 @@
 
 #include "kernels/fluid/painted_wall.hpp"
 #include "kernels/solid/fibres.hpp"
+#include "kernels/solid/foundation.hpp"
 #include "kernels/solid/graded.hpp"
 #include "kernels/solid/kelvin_voigt.hpp"
+#include "kernels/solid/surface_elasticity.hpp"
 #include "kernels/solid/surface_tension.hpp"
 #include "patch.hpp"
 
@@ -36,9 +38,11 @@
 #define SOFTWET_COMPILED_ONCE(D)               \
   SOFTWET_COMPILED(D, WallTension, WallMotion) \
   SOFTWET_COMPILED(D, GradedSolid, Still)      \
+  SOFTWET_COMPILED(D, Foundation, Still)       \
   SOFTWET_COMPILED(D, Fibres, Still)           \
   SOFTWET_COMPILED(D, KelvinVoigt, Still)      \
-  SOFTWET_COMPILED(D, SurfaceTension, Still)
+  SOFTWET_COMPILED(D, SurfaceTension, Still)   \
+  SOFTWET_COMPILED(D, SurfaceElasticity, Still)
 namespace softwet {
 template <int, class>
 using Still = NoMotion;

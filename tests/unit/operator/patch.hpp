@@ -119,6 +119,12 @@ struct Patch {
     return r;
   }
 
+  Region<D> bottom() const {
+    Region<D> r = region(0, 1);
+    r.axis[D - 1] = r.test = low_face_rule(layout.axis[D - 1], 0);
+    return r;
+  }
+
   std::vector<double> residual(const Piece<D>& piece, const Stage& at) const {
     Array out("out", layout.size());
     piece.residual(Evaluation<D>{layout, at, {}, out});

@@ -58,6 +58,8 @@ struct TermCases {
   }
   std::vector<Grid> slots(const WallTension&) const { return {unknown(D), of_given()}; }
   std::vector<Grid> slots(const SurfaceTension&) const { return each(patch.stage.displacement, true); }
+  std::vector<Grid> slots(const SurfaceElasticity&) const { return each(patch.stage.displacement, true); }
+  std::vector<Grid> slots(const Foundation&) const { return each(patch.stage.displacement, true); }
   std::vector<Grid> slots(const Fibres&) const { return each(patch.stage.displacement, true); }
   std::vector<Grid> slots(const KelvinVoigt&) const {
     std::vector<Grid> s = each(patch.stage.displacement, true);
@@ -111,9 +113,9 @@ struct TermCases {
     for (int c : equations(term)) tests.push_back(unknown(c));
     const NaiveMotion<D> mesh = moves ? motion(patch.stage.displacement) : NaiveMotion<D>{};
     return naive_residual<D, Term>(patch.layout, patch.points, term, slots(term), tests, first, last,
-                                   Term::where == Where::wall  ? low_face
-                                   : Term::where == Where::top ? high_face
-                                                               : no_face,
+                                   Term::where == Where::wall || Term::where == Where::bottom ? low_face
+                                   : Term::where == Where::top                                ? high_face
+                                                                                              : no_face,
                                    moves ? &mesh : nullptr, only_row);
   }
   /// Moments of the density at the end of the step, times their rate.
@@ -209,6 +211,8 @@ struct TermCases {
     check<Still>("fibres", Fibres{0.7, {{0.6, 0, 0.8}}}, patch.solid(), 0, top);
     check<Still>("viscosity", KelvinVoigt{0.4, 0.3}, patch.solid(), 0, top);
     check<Still>("surface tension", SurfaceTension{0.6}, patch.top(), top - 1, top);
+    check<Still>("foundation", Foundation{0.6, 0.4}, patch.bottom(), 0, 1);
+    check<Still>("surface elasticity", SurfaceElasticity{0.6, 0.4}, patch.top(), top - 1, top);
   }
 };
 

@@ -4,8 +4,10 @@
 #include <random>
 
 #include "kernels/solid/fibres.hpp"
+#include "kernels/solid/foundation.hpp"
 #include "kernels/solid/graded.hpp"
 #include "kernels/solid/kelvin_voigt.hpp"
+#include "kernels/solid/surface_elasticity.hpp"
 #include "kernels/solid/surface_tension.hpp"
 
 namespace softwet::solid_terms {
@@ -60,6 +62,19 @@ void expect_derivative(const char* name, const Term& term) {
       name, [&](const auto& g) { return term.energy(SolidStrain<std::remove_cvref_t<decltype(g(0, 0))>, D>{g}); },
       [&](const Matrix<double, D>& g) { return term.residual(SolidStrain<double, D>{g}).momentum_flux; });
 }
+/// The same in the coordinates (r, z).
+template <class Term>
+void expect_derivative_around_axis(const char* name, const Term& term) {
+  using M = AxialMatrix<double>;
+  using Moved = AxialMatrix<Dual<double>>;
+  for (int k = 0; k < 20; ++k) {
+    const M g{random_matrix<2>(0.3), random_matrix<2>(0.3)(0, 0)}, by{random_matrix<2>(1), random_matrix<2>(1)(0, 0)};
+    const Moved both{moved(g.plane, by.plane), {g.hoop, by.hoop}};
+    const auto r = term.residual(SolidStrain<double, 2, M>{g});
+    EXPECT_NEAR(term.energy(SolidStrain<Dual<double>, 2, Moved>{both}).tangent, contract(r.momentum_flux, by), 1e-14)
+        << name;
+  }
+}
 template <int D>
 void expect_derivative_of_graded(ElasticLaw law) {
   const GradedSolid term{law, {1.5, 0.7}, 2};
@@ -77,6 +92,10 @@ void expect_derivative_of_graded(ElasticLaw law) {
 TEST(SolidTerms, ResidualIsTheDerivativeOfTheEnergy) {
   expect_derivative<2>("surface tension", SurfaceTension{0.7});
   expect_derivative<3>("surface tension", SurfaceTension{0.7});
+  expect_derivative_around_axis("surface tension", SurfaceTension{0.7});
+  expect_derivative<2>("surface elasticity", SurfaceElasticity{0.7, 0.4});
+  expect_derivative<3>("surface elasticity", SurfaceElasticity{0.7, 0.4});
+  expect_derivative_around_axis("surface elasticity", SurfaceElasticity{0.7, 0.4});
   for (double finite : {0.0, 1.0}) {
     expect_derivative<2>("fibres", Fibres{0.7, {{0.6, 0.8, 0}}, finite});
     expect_derivative<3>("fibres", Fibres{0.7, {{0.48, 0.6, 0.64}}, finite});
@@ -99,6 +118,8 @@ void expect_objective(const Term& term) {
 TEST(SolidTerms, EnergiesDoNotFeelRotations) {
   expect_objective<2>(SurfaceTension{0.7});
   expect_objective<3>(SurfaceTension{0.7});
+  expect_objective<2>(SurfaceElasticity{0.7, 0.4});
+  expect_objective<3>(SurfaceElasticity{0.7, 0.4});
   expect_objective<2>(Fibres{0.7, {{0.6, 0.8, 0}}});
   expect_objective<3>(Fibres{0.7, {{0.48, 0.6, 0.64}}});
 }
@@ -118,6 +139,61 @@ TEST(SurfaceTension, ByHand) {
   EXPECT_NEAR(s.momentum_flux(0, 0), 3 * 2.6, 1e-14);
   EXPECT_NEAR(s.momentum_flux(1, 1), 2 * 2.6, 1e-14);
   EXPECT_NEAR(term.energy(plane), 5 * 2.6, 1e-14);
+}
+
+TEST(SurfaceElasticity, ByHand) {
+  const SurfaceElasticity term{0.5, 0.75};
+  // x' = (1.2, 0.5): E = 0.345, S = 2 E
+  const SolidStrain<double, 2> t{{{{0.2, 7}, {0.5, -3}}}};
+  const auto r = term.residual(t);
+  EXPECT_NEAR(r.momentum_flux(0, 0), 0.69 * 1.2, 1e-15);
+  EXPECT_NEAR(r.momentum_flux(1, 0), 0.69 * 0.5, 1e-15);
+  EXPECT_EQ(r.momentum_flux(0, 1), 0) << "slopes across the face do not count";
+  EXPECT_NEAR(term.energy(t), 0.345 * 0.345, 1e-15);
+  // Stretches 2 and 3: E = 1.5 and 4, S = 5 and 8.75.
+  const SolidStrain<double, 3> plane{{{{1, 0, 0}, {0, 2, 0}, {0, 0, 0}}}};
+  EXPECT_NEAR(term.residual(plane).momentum_flux(0, 0), 10, 1e-13);
+  EXPECT_NEAR(term.residual(plane).momentum_flux(1, 1), 26.25, 1e-13);
+  EXPECT_NEAR(term.energy(plane), 21.25, 1e-13);
+  // Simple shear by 0.4: E_12 = 0.2, E_22 = 0.08, S = ((0.04, 0.3), (0.3, 0.16)).
+  const auto shear = term.residual(SolidStrain<double, 3>{{{{0, 0.4, 0}, {0, 0, 0}, {0, 0, 0}}}}).momentum_flux;
+  EXPECT_NEAR(shear(0, 0), 0.04 + 0.4 * 0.3, 1e-15);
+  EXPECT_NEAR(shear(0, 1), 0.3 + 0.4 * 0.16, 1e-15);
+  EXPECT_NEAR(shear(1, 0), 0.3, 1e-15);
+  EXPECT_NEAR(shear(1, 1), 0.16, 1e-15);
+}
+
+// A stretch along r and about the axis is that of a face in 3D along two axes.
+TEST(SurfaceElasticity, AroundAnAxisIsThatOfTwoAxes) {
+  const SurfaceElasticity term{0.5, 0.75};
+  const SolidStrain<double, 2, AxialMatrix<double>> around{{{{{0.3, 7}, {0.2, -3}}}, -0.1}};
+  const SolidStrain<double, 3> plane{{{{0.3, 0, 7}, {0, -0.1, 0}, {0.2, 0, -3}}}};
+  const auto r = term.residual(around).momentum_flux;
+  const auto s = term.residual(plane).momentum_flux;
+  EXPECT_NEAR(r(0, 0), s(0, 0), 1e-15);
+  EXPECT_NEAR(r(1, 0), s(2, 0), 1e-15);
+  EXPECT_NEAR(r.hoop, s(1, 1), 1e-15);
+  EXPECT_NEAR(term.energy(around), term.energy(plane), 1e-15);
+}
+
+// The forces of springs on 1 x 1 of the bottom are the slopes of their energy: 2 along the face, 5 across it.
+template <int D>
+void expect_springs() {
+  const Foundation term{5, 2};
+  Vector<double, D> u;
+  for (int i = 0; i < D; ++i) u[i] = 0.3 - 0.7 * i;
+  const Vector<double, D> force = term.residual(SolidDisplacement<double, D>{u}).value;
+  for (int i = 0; i < D; ++i) {
+    EXPECT_NEAR(force[i], (i == D - 1 ? 5 : 2) * u[i], 1e-15);
+    Vector<Dual<double>, D> moved;
+    for (int j = 0; j < D; ++j) moved[j] = {u[j], i == j ? 1.0 : 0.0};
+    EXPECT_NEAR(term.energy(SolidDisplacement<Dual<double>, D>{moved}).tangent, force[i], 1e-15);
+  }
+}
+TEST(Foundation, ForcesAreTheSlopesOfItsEnergy) {
+  expect_springs<2>();
+  expect_springs<3>();
+  EXPECT_NEAR((Foundation{5, 2}.energy(SolidDisplacement<double, 2>{{{0.3, -0.4}}})), 0.09 + 0.4, 1e-15);
 }
 
 TEST(Fibres, UniaxialStretchByHand) {

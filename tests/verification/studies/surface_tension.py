@@ -130,8 +130,8 @@ def stiff(ratio, wall_tension, **surface):
                 wall_tension=wall_tension)
 
 
-def linear_theory(x, drop, young, surface_tension, acts):
-    """Displacement (u_x, u_y) of the wall at the points x; acts: f_w is part of the tension."""
+def linear_theory(x, drop, young, surface_tension, acts, modulus=0.0):
+    """Displacement (u_x, u_y) of the wall at the points x; acts: f_w is part of the tension; modulus: lambda_s + 2 G_s of the wall."""
     count, modes = 4000, 400
     s = (numpy.arange(count) + 0.5) * drop.length / count
     across, down = ridge_locking.tractions(s, drop.capillarity, drop.radius, numpy.radians(drop.angle), 0.0)
@@ -144,7 +144,7 @@ def linear_theory(x, drop, young, surface_tension, acts):
     norm = numpy.where(k > 0, 2, 1) / drop.length
     stiffness = numpy.zeros((2 * modes, 2 * modes))
     for m in range(modes):
-        layer = _layer.compliance(k[m], drop.height, young, drop.poisson, clamped=drop.clamped)
+        layer = _layer.compliance(k[m], drop.height, young, drop.poisson, clamped=drop.clamped, modulus=modulus)
         stiffness[m::modes, m::modes] = numpy.linalg.inv(layer + (m == 0) * numpy.diag([1.0, 0.0]))
     # (tension u_y', w_y'), for each wave over its norm
     stiffness[modes:, modes:] += norm[:, None] * numpy.outer(k, k) * ((sine * tension) @ sine.T) * drop.length / count

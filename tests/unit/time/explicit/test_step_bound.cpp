@@ -129,6 +129,50 @@ TEST(StepBound, HoldsForASolidWithTensionOrViscosity) {
       }
 }
 
+Case with_face(Case c, double tension, double modulus) {
+  c.substrate->surface_tension = c.substrate->surface_tension_wet = tension;
+  c.substrate->surface_modulus = {0.4 * modulus, 0.3 * modulus};
+  return c;
+}
+TEST(StepBound, HoldsForASolidWithAnElasticSurface) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent}) {
+    for (const auto& [tension, modulus] : {std::pair{0.0, 0.5}, {0.0, 20.0}, {20.0, 0.0}, {20.0, 20.0}}) {
+      const double found = room(with_face(moving_droplet(Scene::solid), tension, modulus), "kick_drift", kind);
+      EXPECT_GE(found, 1) << tension << ", " << modulus;
+      EXPECT_LE(found, 1.8) << tension << ", " << modulus;
+    }
+    // A face that is bent is stretched everywhere; tension keeps it from buckling when it swings back.
+    Case bent = with_face(moving_droplet(Scene::solid), 20, 20);
+    bent.waves = {{"displacement_y", 0.05, {2, 0.5}}};
+    EXPECT_GE(room(bent, "kick_drift", kind), 1) << "bent";
+  }
+}
+TEST(StepBound, HoldsForFacesAroundAnAxis) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
+    for (const auto& [tension, modulus] : {std::pair{20.0, 0.0}, {0.0, 20.0}}) {
+      const double found =
+          room(with_face(around_axis(moving_droplet(Scene::solid)), tension, modulus), "kick_drift", kind);
+      EXPECT_GE(found, 1) << tension << ", " << modulus;
+      EXPECT_LE(found, 1.8) << tension << ", " << modulus;
+    }
+}
+
+Case on_springs(Case c, double across, double along) {
+  c.boundary.side[1][0] = Side::free;
+  c.boundary.foundation = {across, along};
+  return c;
+}
+TEST(StepBound, HoldsForASolidOnAFoundation) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
+    for (const auto& [across, along] : {std::pair{5.0, 1.0}, {500.0, 0.0}, {0.0, 500.0}}) {
+      for (const Case& c : {moving_droplet(Scene::solid), around_axis(moving_droplet(Scene::solid))}) {
+        const double found = room(on_springs(c, across, along), "kick_drift", kind);
+        EXPECT_GE(found, 1) << across << ", " << along;
+        EXPECT_LE(found, 1.7) << across << ", " << along;
+      }
+    }
+}
+
 /// A solid of square elements that is held at its left end, or nowhere.
 Case block(std::vector<int> elements, double poisson, bool held) {
   Case c = scene(Scene::solid);

@@ -42,7 +42,7 @@ TEST(StepsForeseen, AreAtLeastThoseOfTheFirstState) {
 // Each makes the steps of a solid many times shorter than its elasticity does. The first state is not deformed.
 TEST(StepsForeseen, KnowAllThatLimitsASolid) {
   const auto solids = [](const Case& plain) {
-    std::vector<Case> all(6, plain);
+    std::vector<Case> all(8, plain);
     for (Case& c : all) c.loads.clear();
     for (const int k : {0, 2}) all[k].substrate->fibre = {300, 80, 30};
     for (const int k : {1, 2}) all[k].substrate->surface_tension = all[k].substrate->surface_tension_wet = 20;
@@ -50,6 +50,9 @@ TEST(StepsForeseen, KnowAllThatLimitsASolid) {
     all[3].substrate->bulk_viscosity = 1;
     all[4].boundary.side[0] = {Side::free, Side::free};
     all[5].domain.elements.back() = 2;
+    all[6].substrate->surface_modulus = {10, 5};
+    all[7].boundary.side[plain.dimension() - 1][0] = Side::free;
+    all[7].boundary.foundation = {10, 500};
     return all;
   };
   for (const Case& c : solids(scene(Scene::solid))) {
