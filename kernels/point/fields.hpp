@@ -14,10 +14,10 @@
 namespace softwet {
 
 /// Unknowns are velocity, density and potential; each has an equation: momentum, mass, and that of the potential.
-/// Acceleration and displacement follow from the velocity. An operand is the vector that a linear operator acts on; its
+/// Acceleration and displacement follow from the velocity, the rate of the density beside the wall from the density. An operand is the vector that a linear operator acts on; its
 /// components are numbered as those of the unknowns. A given field is known before the run, such as a stiffness that varies in space;
 /// a term reads at most one.
-enum class Field { velocity, density, potential, acceleration, displacement, operand, given };
+enum class Field { velocity, density, potential, acceleration, displacement, density_rate, operand, given };
 
 /// A component of a field.
 struct Component {
@@ -28,7 +28,7 @@ struct Component {
   /// potential D + 1. A given field follows from none of them, D + 2.
   constexpr int unknown(int dimension) const {
     if (field == Field::given) return dimension + 2;
-    if (field == Field::density) return dimension;
+    if (field == Field::density || field == Field::density_rate) return dimension;
     if (field == Field::potential) return dimension + 1;
     return index;
   }

@@ -82,6 +82,22 @@ struct Fluid {
   double smoothing = 1e-4;        ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
   Phase ambient = Phase::vapour;  ///< what is around the droplets; liquid makes them bubbles
   std::vector<double> initial;    ///< densities of vapour and liquid at the start; empty: those of the equilibrium
+
+  std::vector<double> contact_angle_range = {};  ///< receding and advancing angle, degrees; empty: no hysteresis
+  double line_friction = 0;                      ///< mu_f, scale L0 b sqrt(ab)
+  double creep_speed = 1e-4;                     ///< below which a line with hysteresis counts as at rest
+
+  /// Half of cos(receding) - cos(advancing).
+  double hysteresis() const {
+    if (contact_angle_range.size() != 2) return 0;
+    return 0.5 * (std::cos(contact_angle_range[0] * M_PI / 180) - std::cos(contact_angle_range[1] * M_PI / 180));
+  }
+  /// The angle whose cosine is the mean of those of the range, degrees.
+  double middle_of_range() const {
+    return std::acos(std::cos(contact_angle_range[0] * M_PI / 180) - hysteresis()) * 180 / M_PI;
+  }
+  /// Whether a contact line loses energy as it moves, beside what the viscosity takes.
+  bool resists_lines() const { return line_friction > 0 || !contact_angle_range.empty(); }
 };
 
 /// Parallel fibres in the solid, straight in its undeformed state.

@@ -90,8 +90,12 @@ Case resolve(const Document& document, Problems& problems) {
   if (!document.entries.count("boundary.top")) {
     find_key("boundary.top")->bind.set(c, 0, std::string(c.fluid ? "no_slip" : "free"));
   }
+  if (c.fluid && c.fluid->contact_angle_range.size() == 2 && !document.entries.count("fluid.contact_angle"))
+    c.fluid->contact_angle = c.fluid->middle_of_range();
   if (c.substrate && !document.entries.count("substrate.surface_tension_wet"))
     c.substrate->surface_tension_wet = c.substrate->surface_tension;
+  // Lines that begin to move or to stick need more iterations.
+  if (c.fluid && c.fluid->resists_lines() && !document.entries.count("solver.newton.max")) c.solver.newton_max = 25;
   // Where the scheme hardly damps, what Newton's method leaves in the shortest waves adds up from step to step.
   if (c.time.rho_inf > 0.9 && !document.entries.count("solver.newton.rtol"))
     c.solver.newton_rtol = std::min(c.solver.newton_rtol, 1e-6);

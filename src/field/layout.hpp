@@ -24,7 +24,8 @@ struct Layout {
   bool has_fluid = true, has_solid = true;
   bool axisymmetric = false;  ///< the axes are r and z, and all integrals have the weight r
   int row_size = 0, rows = 0;
-  int wall_row = 0;  ///< last row of the solid = first row of the fluid
+  int wall_row = 0;   ///< last row of the solid = first row of the fluid
+  int rate_rows = 0;  ///< rows of the density, from the wall on, whose rates are kept behind those of the velocity
 
   /// Stored control points along an axis; for the last one those of the whole patch.
   int extent(int d) const { return d == 0 && columns.stored() > 0 ? columns.stored() : axis[d].functions(); }
@@ -57,6 +58,8 @@ struct Layout {
   int fluid_rows() const { return has_fluid ? rows - wall_row : 0; }
   int velocity_size() const { return D * rows * row_size; }
   int scalar_size() const { return fluid_rows() * row_size; }
+  /// Of the rates of the first unknowns: of the velocity, and of the rows of the density that have some.
+  int rate_size() const { return velocity_size() + rate_rows * row_size; }
   int solid_size() const { return D * solid_rows() * row_size; }
   int size() const { return velocity_size() + 2 * scalar_size(); }
 

@@ -10,7 +10,7 @@ namespace softwet {
 struct State {
   double time = 0;
   Array unknown;            ///< velocity, density, chemical potential (layout of the unknowns)
-  Array velocity_rate;      ///< dv/dt
+  Array velocity_rate;      ///< dv/dt, and d rho/dt in the rows of Layout::rate_rows
   Array displacement;       ///< solid rows
   Array displacement_rate;  ///< du/dt
   Array moment;             ///< p_i = (q_i, rho J)
@@ -22,7 +22,7 @@ template <class Real>
 struct StageOf {
   double time = 0;                 ///< t_{n+af}
   ArrayOf<Real> unknown;           ///< v, rho, mu at n+af
-  ArrayOf<Real> acceleration;      ///< dv/dt at n+am
+  ArrayOf<Real> acceleration;      ///< dv/dt at n+am, and d rho/dt in the rows of Layout::rate_rows
   ArrayOf<Real> displacement;      ///< at n+af
   ArrayOf<Real> displacement_end;  ///< at n+1
   ArrayOf<Real> density_end;       ///< at n+1
@@ -30,6 +30,7 @@ struct StageOf {
   double displacement_scale = 0;   ///< d displacement / d velocity
   double end_scale = 1;            ///< d density_end / d density = d displacement_end / d displacement
   double moment_rate = 0;          ///< am / (ga dt), factor of the moments at n+1; 0: fluxes alone
+  double density_rate_scale = 0;   ///< d (d rho/dt) / d rho; 0 where the rates count as 0
 };
 using Stage = StageOf<double>;
 
@@ -38,7 +39,7 @@ template <class Real, int D>
 StageOf<Real> make_stage(const Layout<D>& l) {
   StageOf<Real> s;
   s.unknown = ArrayOf<Real>("stage.unknown", l.size());
-  s.acceleration = ArrayOf<Real>("stage.acceleration", l.velocity_size());
+  s.acceleration = ArrayOf<Real>("stage.acceleration", l.rate_size());
   s.displacement = ArrayOf<Real>("stage.displacement", l.solid_size());
   s.displacement_end = ArrayOf<Real>("stage.displacement_end", l.solid_size());
   s.density_end = ArrayOf<Real>("stage.density_end", l.scalar_size());
@@ -57,6 +58,7 @@ inline void round_stage(StageOf<float>& to, const Stage& from) {
   to.displacement_scale = from.displacement_scale;
   to.end_scale = from.end_scale;
   to.moment_rate = from.moment_rate;
+  to.density_rate_scale = from.density_rate_scale;
 }
 
 /// The stage at a state itself, for integrals and output: its values, and no scales of a scheme.

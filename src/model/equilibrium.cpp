@@ -21,6 +21,26 @@ double bisect(const F& f, double lo, double hi) {
   return 0.5 * (lo + hi);
 }
 
+/// Integral of f(sqrt(2 D(rho))) over the density, from vapour to liquid.
+template <class F>
+double integral_over_interface(const Fluid& fluid, const F& f) {
+  const VanDerWaals gas{fluid.temperature, 0};
+  const Coexistence s = coexistence(fluid.temperature);
+  const Gauss rule(12);
+  // D vanishes quadratically at both ends: the substitution rho = middle - half cos(phi) keeps the integrand smooth.
+  const double middle = 0.5 * (s.density_vapour + s.density_liquid), half = 0.5 * (s.density_liquid - s.density_vapour);
+  double sum = 0;
+  const int panels = 64;
+  for (int p = 0; p < panels; ++p)
+    for (int q = 0; q < 12; ++q) {
+      const double phi = M_PI * (p + rule.point[q]) / panels;
+      const double rho = middle - half * std::cos(phi);
+      sum +=
+          rule.weight[q] * M_PI / panels * half * std::sin(phi) * f(std::sqrt(2 * std::max(s.excess(gas, rho), 0.0)));
+    }
+  return sum;
+}
+
 }  // namespace
 
 PhaseDensities spinodal(double theta) {
@@ -57,20 +77,11 @@ Coexistence coexistence(double theta) {
 }
 
 double surface_tension(const Fluid& fluid) {
-  const VanDerWaals gas{fluid.temperature, 0};
-  const Coexistence s = coexistence(fluid.temperature);
-  const Gauss rule(12);
-  // D vanishes quadratically at both ends: the substitution rho = middle - half cos(phi) keeps the integrand smooth.
-  const double middle = 0.5 * (s.density_vapour + s.density_liquid), half = 0.5 * (s.density_liquid - s.density_vapour);
-  double sum = 0;
-  const int panels = 64;
-  for (int p = 0; p < panels; ++p)
-    for (int q = 0; q < 12; ++q) {
-      const double phi = M_PI * (p + rule.point[q]) / panels;
-      const double rho = middle - half * std::cos(phi);
-      sum += rule.weight[q] * M_PI / panels * half * std::sin(phi) * std::sqrt(2 * std::max(s.excess(gas, rho), 0.0));
-    }
-  return fluid.capillarity * sum;
+  return fluid.capillarity * integral_over_interface(fluid, [](double root) { return root; });
+}
+
+double mean_interface_slope(const Fluid& fluid) {
+  return integral_over_interface(fluid, [](double root) { return root * root; }) / surface_tension(fluid);
 }
 
 double interface_half_width(const Fluid& fluid) {

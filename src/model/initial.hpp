@@ -11,7 +11,7 @@ template <int D>
 State empty_state(const Layout<D>& l) {
   State s;
   s.unknown = Array("state.unknown", l.size());
-  s.velocity_rate = Array("state.velocity_rate", l.velocity_size());
+  s.velocity_rate = Array("state.velocity_rate", l.rate_size());
   s.displacement = Array("state.displacement", l.solid_size());
   s.displacement_rate = Array("state.displacement_rate", l.solid_size());
   s.moment = Array("state.moment", l.scalar_size());

@@ -11,7 +11,7 @@ namespace softwet {
 
 /// Scales: energies a b^2 L0^D, mass b L0^D; in the coordinates (r, z) those of space, L0^3.
 /// A name that continues that of a column, after "_", is a part of the column: energy_free_bulk of energy_free, and each energy
-/// of "energy", their total. So is dissipation_solid, a column itself, of dissipation.
+/// of "energy", their total. So are dissipation_solid and dissipation_wall, columns themselves, of dissipation.
 /// Tested: tests/unit/model/test_integrals.cpp
 class Integrals {
  public:
@@ -31,6 +31,7 @@ class Integrals {
                                                           "dissipation_viscous",
                                                           "dissipation_stabilisation",
                                                           "dissipation_solid",
+                                                          "dissipation_wall",
                                                           "wall_stretch"};
 
   static constexpr bool belongs(std::string_view part, std::string_view column) {

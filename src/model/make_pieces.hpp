@@ -96,6 +96,10 @@ class PieceMaker {
     }
     if (!model_.has_wall()) return;
     if (std::abs(model_.wall().cosine) > 1e-14) add_wall<Motion>();  // 90 degrees: nothing to integrate
+    if (model_.layout().rate_rows > 0) {
+      add<Motion>("friction of the contact line", model_.line_friction());
+      pieces_.friction_bend = piece<Motion>("bend of the friction", LineFrictionBend{model_.line_friction()});
+    }
     add_traction<Motion>();
   }
 

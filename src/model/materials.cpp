@@ -9,6 +9,7 @@
 #include "model/beside_joint.hpp"
 #include "model/fluid_of.hpp"
 #include "model/greville_points.hpp"
+#include "model/line_friction.hpp"
 #include "model/model.hpp"
 #include "model/solid_rates.hpp"
 
@@ -47,6 +48,7 @@ void Model<D, P>::build_wall(const Case& c) {
   const auto cosine = [](double degrees) { return degrees == 90.0 ? 0.0 : std::cos(degrees * M_PI / 180.0); };
   const double uniform = angle.varies() ? 1 : cosine(angle.number);
   wall_ = WallEnergy::of({c.fluid->capillarity, uniform, 1e-5, fluid_.gas, coexistence_});
+  if (layout_.rate_rows > 0) line_friction_ = line_friction_of(*c.fluid, wall_.law);
   std::vector<double> cosines = control_values(layout_, angle, layout_.has_solid ? layout_.wall_row : 0, 1);
   for (double& x : cosines) x = cosine(x);
   if (angle.varies()) painted_ = on_wall(cosines);

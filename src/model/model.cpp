@@ -92,6 +92,7 @@ void Model<D, P>::build_axes(const Case& c) {
   layout_.rows = vertical.functions();
   if (layout_.has_solid)
     layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
+  if (c.fluid && c.fluid->resists_lines() && c.boundary.side[D - 1][0] != Side::periodic) layout_.rate_rows = P + 1;
   blend_.low = vertical.lower(layout_.solid_elements);
   blend_.height = vertical.length() - blend_.low;
   if (layout_.has_solid) solid_region_ = region(Where::solid, points_);
@@ -250,25 +251,33 @@ void Model<D, P>::fluid_residual(const Stage& stage, const Array& out) const {
 template <int D, int P>
 template <class Real>
 void Model<D, P>::run_product(const Pieces<D, Real>& pieces, const StageOf<Real>& stage, const ArrayOf<Real>& direction,
-                              const ArrayOf<Real>& out, Geometry geometry) const {
-  const Evaluation<D, Real> at{layout_, stage, direction, out, geometry};
-  if (!has_ghosts(layout_)) return pieces.run(at, 0, mask_);
+                              const ArrayOf<Real>& out, Geometry geometry, const ConstArrayOf<Real>& unbalanced) const {
+  const Evaluation<D, Real> at{layout_, stage, direction, out, geometry, unbalanced};
+  const auto bend = [&] {
+    if (unbalanced.data()) pieces.friction_bend->product(at);
+  };
+  if (!has_ghosts(layout_)) {
+    pieces.run(at, 0, mask_);
+    return bend();
+  }
   move_ghosts(layout_, direction, GhostAction::update);
   pieces.run(at);
+  bend();
   move_ghosts(layout_, out, GhostAction::add);
   multiply(out, mask_);
   multiply(direction, mask_);
 }
 
 template <int D, int P>
-void Model<D, P>::product(const Stage& stage, const Array& direction, const Array& out, Geometry geometry) const {
-  run_product(pieces_, stage, direction, out, geometry);
+void Model<D, P>::product(const Stage& stage, const Array& direction, const Array& out, Geometry geometry,
+                          const ConstArray& unbalanced) const {
+  run_product(pieces_, stage, direction, out, geometry, unbalanced);
 }
 
 template <int D, int P>
 void Model<D, P>::product(const StageOf<float>& stage, const ArrayOf<float>& direction, const ArrayOf<float>& out,
-                          Geometry geometry) const {
-  run_product(single_, stage, direction, out, geometry);
+                          Geometry geometry, const ConstArrayOf<float>& unbalanced) const {
+  run_product(single_, stage, direction, out, geometry, unbalanced);
 }
 
 template <int D, int P>

@@ -9,6 +9,7 @@
 #include "case/case.hpp"
 #include "case/precision.hpp"
 #include "field/ghosts.hpp"
+#include "kernels/fluid/line_friction.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
 #include "kernels/solid/fibres.hpp"
@@ -55,6 +56,7 @@ class Model {
   Matrix<double, 3> first_piola(const Matrix<double, 3>& grad_u, const std::array<double, 3>& x) const;
   /// Also of the gradient law: its capillarity and cosine. Where the angle varies along the wall the cosine is 1.
   const EnergyWall& wall() const { return wall_.law; }
+  const LineFriction& line_friction() const { return line_friction_; }  ///< only where Layout::rate_rows > 0
   /// Stiffness over that of `solid`, below and above a joint; empty where it does not vary.
   const GivenField<double>& graded(int part) const { return graded_[part]; }
   /// Cosine of the contact angle; empty where it does not vary.
@@ -101,11 +103,14 @@ class Model {
   bool has_viscous_solid() const { return pieces_.solid_viscosity != pieces_.none; }
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen. The direction is zero where
   /// values are prescribed. Its ghosts, where there are some, are filled for the product and then set to zero again.
-  void product(const Stage&, const Array& direction, const Array& out, Geometry) const;
+  /// @param unbalanced  where it is given, with what LineFrictionBend adds: of the rows of the potential, for each area of the wall
+  void product(const Stage&, const Array& direction, const Array& out, Geometry,
+               const ConstArray& unbalanced = {}) const;
 
   // The same in single precision.
   void residual(const StageOf<float>&, const ArrayOf<float>& work, const Array& out) const;
-  void product(const StageOf<float>&, const ArrayOf<float>& direction, const ArrayOf<float>& out, Geometry) const;
+  void product(const StageOf<float>&, const ArrayOf<float>& direction, const ArrayOf<float>& out, Geometry,
+               const ConstArrayOf<float>& unbalanced = {}) const;
 
   /// values = dR/d(unknown) with the geometry frozen, and always with the traction of one layer. Prescribed values count
   /// as free here, and rows of ghosts are empty.
@@ -128,7 +133,7 @@ class Model {
   GivenField<double> on_wall(const std::vector<double>& of_row) const;
   template <class Real>
   void run_product(const Pieces<D, Real>&, const StageOf<Real>&, const ArrayOf<Real>& direction,
-                   const ArrayOf<Real>& out, Geometry) const;
+                   const ArrayOf<Real>& out, Geometry, const ConstArrayOf<Real>& unbalanced) const;
   /// What follows the terms in a residual: loads, the source, ghosts, and prescribed values.
   void finish_residual(double time, const Array& out) const;
   template <class Real>
@@ -147,6 +152,7 @@ class Model {
   Coexistence coexistence_;
   NavierStokesKorteweg fluid_;
   WallEnergy wall_;
+  LineFriction line_friction_;
   Solid solid_;
   LameParameters stiffness_;
   SolidRates solid_rates_;

@@ -65,6 +65,8 @@ struct Evaluation {
     switch (c.field) {
       case Field::acceleration:
         return stage.acceleration.data() + layout.velocity_offset(c.index);
+      case Field::density_rate:
+        return component(stage.acceleration, D);
       case Field::displacement:
         return (end ? stage.displacement_end : stage.displacement).data() + layout.displacement_offset(c.index);
       case Field::operand:
@@ -83,6 +85,7 @@ struct Evaluation {
   Real scale(Field f) const {
     const double later = instant == Instant::end ? stage.end_scale : 1.0;
     if (f == Field::acceleration) return static_cast<Real>(stage.rate_scale);
+    if (f == Field::density_rate) return static_cast<Real>(stage.density_rate_scale);
     return static_cast<Real>(f == Field::displacement ? stage.displacement_scale * later : later);
   }
 

@@ -25,6 +25,7 @@ struct Pieces {
   std::vector<std::size_t> on_wall;                        ///< forces of the fluid on a soft wall, in the list
   std::unique_ptr<Piece<D, Real>> variational_derivative;  ///< with the wall's law it gives the potential; double alone
   const Piece<D, Real>* wall_law = nullptr;                ///< one of the list, or none at 90 degrees
+  std::unique_ptr<Piece<D, Real>> friction_bend;           ///< what Newton's method adds where lines have friction
   std::unique_ptr<Piece<D, Real>> rigid_traction;          ///< of a rigid wall, for output alone
 
   /// Sets the result of an evaluation to the sum of the pieces from number `first` on: of their products where it has a

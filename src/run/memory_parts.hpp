@@ -27,7 +27,7 @@ double sums_of_tiles(int degree) {
 template <int D>
 std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const Layout<D>& l,
                                                          const Preconditioner* preconditioner) {
-  const double n = l.size(), rate = l.velocity_size(), solid = l.solid_size(), scalar = l.scalar_size();
+  const double n = l.size(), rate = l.rate_size(), solid = l.solid_size(), scalar = l.scalar_size();
   const double state = n + rate + 2 * solid + 2 * scalar;
   const double stage = n + rate + 2 * solid + scalar;
   std::vector<std::pair<std::string, double>> parts{{program_part, 34.0 * 1048576},
@@ -38,7 +38,8 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
   if (preconditioner) {
     // Rounded stages: that of products in single precision, and that of the last build, for a checkpoint.
     const int rounded = (mixed ? 1 : 0) + (preconditioner->name() == "none" ? 0 : 1);
-    const double work = precision_of(c) == Precision::single ? 12 * n : 8 * n;
+    const double friction = l.rate_rows > 0 ? 20 * n : 0;  // what Newton's method knows of it, and a mass
+    const double work = (precision_of(c) == Precision::single ? 12 * n : 8 * n) + friction;
     parts.insert(parts.end(), {{"stage", (8 + 4 * rounded) * stage + work},
                                {"Newton", 8 * (mixed ? 6 : 5) * n},
                                {"Krylov basis", (mixed ? 4 : 8) * n * (2.0 * c.solver.krylov_restart + 2)},

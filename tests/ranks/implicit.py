@@ -23,6 +23,8 @@ SCENES = {
                                        "boundary.left=periodic", "boundary.right=periodic"], (2, 4)),
     "rigid": ("static_droplet_rigid_2d", ["domain.elements=[44,16]", "fluid.capillarity=1/16", "time.max_steps=12"],
               (2, 3)),
+    "sticking": ("sticking_droplet_2d", ["domain.elements=[44,22]", "fluid.capillarity=1/32", "fluid.line_friction=0.01",
+                                         "time.max_steps=12"], (2, 3)),
     "solid": ("solid_layer_2d", ["time.max_steps=12"], (2,)),
 }
 

@@ -51,6 +51,61 @@ void check_wall_tension(const Checker& check) {
                  "remove it: Young's law gives it");
 }
 
+/// Receding and advancing angle, and the static angle beside them.
+void check_angle_range(const Checker& check) {
+  if (!check.c.fluid || check.c.fluid->contact_angle_range.empty()) return;
+  const std::string key = "fluid.contact_angle_range";
+  const Fluid& fluid = *check.c.fluid;
+  const Numbers& range = fluid.contact_angle_range;
+  if (range.size() != 2)
+    check.refuse(key, fmt::format("must be 2 numbers, not {}", range.size()),
+                 "write the receding and the advancing angle, for example [65, 85]");
+  if (range[0] >= range[1])
+    check.refuse(key, "must have the receding angle first, below the advancing one",
+                 range[0] > range[1] ? fmt::format("write [{}, {}]", range[1], range[0])
+                                     : fmt::format("without hysteresis write contact_angle = {}", range[0]));
+  if (fluid.contact_angle.varies())
+    check.refuse(key, "cannot stand beside a fluid.contact_angle that varies along the wall", "write one of them");
+  constexpr double digits = 1e-6;  // degrees
+  const double middle = fluid.middle_of_range();
+  if (std::abs(fluid.contact_angle.number - middle) > digits)
+    check.refuse("fluid.contact_angle",
+                 fmt::format("contradicts fluid.contact_angle_range = [{}, {}]: the static angle has the mean of their "
+                             "cosines, {:.10g} degrees",
+                             range[0], range[1], middle),
+                 "remove contact_angle, or write that number");
+}
+
+/// The rate of the density at the wall stands in the equation of the potential.
+void check_line_friction(const Checker& check) {
+  if (!check.c.fluid || !check.c.fluid->resists_lines()) return;
+  const Fluid& fluid = *check.c.fluid;
+  const std::string key = fluid.line_friction > 0 ? "fluid.line_friction" : "fluid.contact_angle_range";
+  if (fluid.wall_law != WallLaw::energy)
+    check.refuse(key, "needs the wall energy: the law \"gradient\" has no energy that a moving line could lose",
+                 "write wall_law = \"energy\"");
+  if (check.c.time.scheme != implicit_scheme)
+    check.refuse(key,
+                 fmt::format("needs time.scheme = \"{}\", not \"{}\": explicit steps compute the potential before they "
+                             "know the rate of the density at the wall, on which it then depends",
+                             implicit_scheme, check.c.time.scheme),
+                 fmt::format("write scheme = \"{}\"", implicit_scheme));
+  if (check.periodic(check.vertical()))
+    check.refuse(key, "needs a wall, and the bottom is periodic", "remove it, or write another boundary.bottom");
+  if (fluid.contact_angle.varies())
+    check.refuse(key,
+                 "needs the same contact angle along the whole wall: its friction is made with the sine of that angle",
+                 "write a number as contact_angle");
+  constexpr double least = 5;  // degrees
+  const double angle = fluid.contact_angle.number;
+  if (fluid.line_friction > 0 && (angle < least || angle > 180 - least))
+    check.refuse(key,
+                 fmt::format("needs a contact angle in [{0}, {1}], not {2:.6g}: a flatter wedge spreads its friction "
+                             "over a line without bounds",
+                             least, 180 - least, angle),
+                 "write such a contact_angle");
+}
+
 void check_substrate(const Checker& check) {
   if (!check.c.substrate) return;
   const double thickness = check.c.substrate->thickness, height = check.height(), row = check.element_height();
@@ -192,6 +247,10 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   if (!check_domain(check)) return;  // what follows needs the axes
   check.with({"fluid.gravity", "substrate.gravity", "boundary"}, [&] { check_gravity(check); });
   check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });
+  check.with({"fluid.contact_angle_range", "fluid.contact_angle"}, [&] { check_angle_range(check); });
+  check.with({"fluid.contact_angle_range", "fluid.contact_angle", "fluid.line_friction", "fluid.wall_law",
+              "time.scheme", "boundary"},
+             [&] { check_line_friction(check); });
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
   check.with({"substrate.fibre.azimuth"}, [&] { check_fibre(check); });
   check.with({"substrate.surface_modulus"}, [&] { check_surface_modulus(check); });

@@ -131,7 +131,33 @@ std::vector<Key> fluid_keys() {
                "the undeformed wall; it must stay smooth over two elements.",
        .reason = "the liquid wets for angles below 90 and is repelled above",
        .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.fluid->contact_angle; }),
+       .default_note = "90; with a contact_angle_range the angle of the mean cosine",
        .support = Support::wall},
+      {.name = "fluid.contact_angle_range",
+       .kind = Kind::numbers,
+       .unit = "degrees",
+       .range = {0, 180, true, true},
+       .help =
+           "Hysteresis: receding and advancing contact angle, two numbers in this order. A line between these angles "
+           "sticks, up to the creep of fluid.creep_speed. The static angle fluid.contact_angle is then the one whose "
+           "cosine is the mean of theirs. It needs wall_law = \"energy\" and implicit steps.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->contact_angle_range; }),
+       .default_note = "[], no hysteresis"},
+      {.name = "fluid.creep_speed",
+       .unit = "sqrt(ab)",
+       .range = {1e-9, 1, false, false},
+       .help =
+           "Speed below which a contact line with a contact_angle_range counts as at rest. A load of x times the one "
+           "at which the line comes loose lets it creep at about x / sqrt(1 - x^2) times this speed: choose it a "
+           "hundred times smaller than the speeds of interest. The smaller it is, the shorter are steps in which a "
+           "line stops or turns.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->creep_speed; })},
+      {.name = "fluid.line_friction",
+       .unit = "L0 b sqrt(ab)",
+       .range = {0, infinity, false, true},
+       .help = "Friction mu_f of a contact line that moves with the speed U, so that sigma (cos(static angle) - "
+               "cos(dynamic angle)) = mu_f U; 0: none. It needs wall_law = \"energy\" and implicit steps.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->line_friction; })},
       {.name = "fluid.wall_law",
        .kind = Kind::choice,
        .choices = words_of(WallLaw{}),

@@ -30,6 +30,22 @@ std::vector<Line> equilibrium(const Fluid& fluid) {
           {"surface tension", formatted(surface_tension(fluid), "%.10g") + " a b^2 L0"}};
 }
 
+/// What contact lines resist with.
+std::vector<Line> contact_lines(const Fluid& fluid) {
+  std::vector<Line> lines;
+  const double sigma = surface_tension(fluid);
+  if (fluid.hysteresis() > 0) {
+    lines.push_back({"static contact angle", formatted(fluid.contact_angle.number, "%.6g") + " degrees"});
+    lines.push_back({"force that a droplet holds (2D)", formatted(2 * sigma * fluid.hysteresis(), "%.4g") +
+                                                            " a b^2 L0, sigma (cos(receding) - cos(advancing))"});
+    lines.push_back({"creep at half of that force", formatted(fluid.creep_speed / std::sqrt(3), "%.2g") + " sqrt(ab)"});
+  }
+  if (fluid.line_friction > 0)
+    lines.push_back({"cosine lost to line friction",
+                     formatted(fluid.line_friction / sigma, "%.4g") + " for a speed of sqrt(ab), mu_f / sigma"});
+  return lines;
+}
+
 std::vector<Line> profiles(const Case& c) {
   std::vector<Line> lines;
   for (const ProfileRange& range : profile_ranges(c))
@@ -108,6 +124,7 @@ void print_section(std::ostream& out, const std::string& title, const std::vecto
 void describe_scene(const Case& c, std::ostream& out) {
   if (c.substrate) print_section(out, "stiffness of the solid", stiffness(*c.substrate));
   if (c.fluid) print_section(out, "equilibrium", equilibrium(*c.fluid));
+  if (c.fluid && c.fluid->resists_lines()) print_section(out, "contact lines", contact_lines(*c.fluid));
   if (const auto lines = profiles(c); !lines.empty()) print_section(out, "numbers that vary", lines);
   if (const auto lines = grading(c); !lines.empty()) print_section(out, "graded elements", lines);
   print_groups(c, out);

@@ -43,7 +43,7 @@ const std::vector<Column> of_step{
     {"power_load", power_unit, "Power of the loads: the integral of rho_0^s f.v over their boxes, at time t."},
     {"dissipation", power_unit,
      "Energy dissipated per time: the integral of tau : grad v + eps |grad mu|^2. The first part is viscous, the "
-     "second belongs to fluid.stabilisation. dissipation_solid is a further part."},
+     "second belongs to fluid.stabilisation. dissipation_solid and dissipation_wall are further parts."},
     {"rho_min", "b", "Smallest control value of the density. The density itself is nowhere smaller.", any_dimension,
      Needs::fluid},
     {"rho_max", "b", "Largest control value of the density. The density itself is nowhere larger.", any_dimension,
@@ -149,6 +149,11 @@ const std::vector<Column> of_balance{
      "over "
      "the undeformed solid, E' the rate of the Green-Lagrange strain.",
      any_dimension, Needs::solid},
+    {"dissipation_wall", power_unit,
+     "Part of dissipation that belongs to fluid.line_friction and fluid.contact_angle_range: the integral of r' (B r' "
+     "+ k "
+     "g sqrt(2 D) h(r'/r0)) over the wall, r' the rate of the density at a point of the wall.",
+     any_dimension, Needs::fluid},
     {"liquid_volume", "L0^d",
      "Volume of the liquid: the integral of s^2 (3 - 2 s) over the fluid, where s = (rho - rho_v)/(rho_l - rho_v), not "
      "below 0 and not above 1. It counts liquid as 1, vapour as 0, and an interface up to its middle. Empty without a "

@@ -69,6 +69,8 @@ bool Convergence::reached() const {
 
 bool Convergence::diverges() {
   if (iteration_ <= 2) return false;
+  constexpr double far = 1e4;
+  if (control_.bends) return size_ > far * start_;
   const double ratio = size_ / previous_;
   const bool again = risen_ && ratio > 2;
   risen_ = risen_ || ratio > 2;

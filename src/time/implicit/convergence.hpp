@@ -16,6 +16,7 @@ struct NewtonControl {
   double krylov_rtol = 1e-2;  ///< tightest forcing term; early iterations ask for less
   int krylov_max = 200;
   JacobianKind jacobian = JacobianKind::exact;
+  bool bends = false;  ///< contact lines have friction, whose bend lets residuals rise on the way
 };
 
 /// Fields are weighted so that each starts the step with the same share of the norm of the residual, or is at its floor.

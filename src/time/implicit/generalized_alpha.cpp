@@ -37,7 +37,11 @@ Array piece_of(const Array& a, int first, int count) {
 
 template <int D, int P>
 GeneralizedAlpha<D, P>::GeneralizedAlpha(const Model<D, P>& model, double rho_inf)
-    : model_(model), scheme_(rho_inf), alpha_(rho_inf), work_("work", model.layout().size()) {
+    : model_(model),
+      scheme_(rho_inf),
+      alpha_(rho_inf),
+      friction_(model.layout(), model.points(), model.mask()),
+      work_("work", model.layout().size()) {
   const Layout<D>& l = model.layout();
   stage_ = make_stage<double>(l);
   if (model.precision() != Precision::full) single_stage_ = make_stage<float>(l);
@@ -55,12 +59,14 @@ void GeneralizedAlpha<D, P>::begin(const State& state, double dt, Rates rates) {
   stage_.displacement_scale = dt * alpha_.af * alpha_.ga / alpha_.am;
   stage_.end_scale = 1 / alpha_.af;
   stage_.moment_rate = alpha_.am / (alpha_.ga * dt);
+  stage_.density_rate_scale = stage_.rate_scale;
 }
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::begin_still(const State& state, double dt) {
   begin(state, dt, Rates::unknown);
   stage_.time = end_time_ = state.time;
+  stage_.density_rate_scale = 0;
 }
 
 template <int D, int P>
@@ -72,6 +78,8 @@ void GeneralizedAlpha<D, P>::fill_stage(const Array& x) {
   const ConstArray u = stage_.unknown;
   const double rate = stage_.rate_scale, af = alpha_.af, ratio = alpha_.ga / alpha_.am;
   sum_of(stage_.acceleration, rate, u, -rate, n.unknown, 1 - alpha_.am / alpha_.ga, n.velocity_rate);
+  if (l.rate_rows > 0 && stage_.density_rate_scale == 0)
+    Kokkos::deep_copy(Exec(), piece_of(stage_.acceleration, l.velocity_size(), l.rate_rows * l.row_size), 0.0);
   const int count = l.solid_rows() * l.row_size;
   for (int d = 0; d < D && l.has_solid; ++d) {
     const int o = l.displacement_offset(d);
@@ -101,6 +109,7 @@ void GeneralizedAlpha<D, P>::residual(const Array& x, const Array& r) {
   if (!l.has_fluid) return;
   add_scaled(r, l.density_offset(), 1 - alpha_.am / alpha_.ga, start_.moment_rate);
   add_scaled(r, l.density_offset(), -stage_.moment_rate, start_.moment);
+  friction_.set(r);
 }
 
 template <int D, int P>
@@ -129,12 +138,12 @@ void GeneralizedAlpha<D, P>::last_digits(const Array& x, const Array& near, cons
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::product(const Array& z, const Array& out) const {
-  model_.product(stage_, z, out, Geometry::exact);
+  model_.product(stage_, z, out, Geometry::exact, friction_.unbalanced());
 }
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::product(const ArrayOf<float>& z, const ArrayOf<float>& out) const {
-  model_.product(single_stage_, z, out, Geometry::exact);
+  model_.product(single_stage_, z, out, Geometry::exact, friction_.single_unbalanced());
 }
 
 template <int D, int P>
@@ -143,6 +152,7 @@ void GeneralizedAlpha<D, P>::jacobian(const StencilValues& values, double stretc
   round_stage(jacobian_stage_, stage_);
   jacobian_stage_.moment_rate *= stretch;
   jacobian_stage_.rate_scale *= stretch;
+  jacobian_stage_.density_rate_scale *= stretch;
   jacobian_stage_.displacement_scale /= stretch;
   last_jacobian(values);
 }
@@ -156,6 +166,7 @@ void GeneralizedAlpha<D, P>::visit_memory(StepMemory& memory) {
   memory.number("jacobian/displacement_scale", s.displacement_scale);
   memory.number("jacobian/end_scale", s.end_scale);
   memory.number("jacobian/moment_rate", s.moment_rate);
+  if (model_.layout().rate_rows > 0) memory.number("jacobian/density_rate_scale", s.density_rate_scale);
   memory.vector("jacobian/unknown", s.unknown);
   memory.vector("jacobian/acceleration", s.acceleration);
   memory.vector("jacobian/displacement", s.displacement);

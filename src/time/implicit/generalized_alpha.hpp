@@ -4,6 +4,7 @@
 #include "field/step_memory.hpp"
 #include "field/vector.hpp"
 #include "model/model.hpp"
+#include "time/implicit/line_friction_newton.hpp"
 
 namespace softwet {
 
@@ -42,7 +43,7 @@ class GeneralizedAlpha {
   /// Starts a step from `state` to state.time + dt; with unknown rates it is one of backward Euler.
   void begin(const State& state, double dt, Rates rates = Rates::known);
   /// Starts a step of backward Euler, as long as one likes, in which time stands still: loads are those of the time of
-  /// the state, at which the step ends too.
+  /// the state, at which the step ends too. Rates of the density beside the wall count as 0: contact lines have no friction.
   void begin_still(const State& state, double dt);
 
   void residual(const Array& x, const Array& r);
@@ -53,7 +54,7 @@ class GeneralizedAlpha {
   /// height.
   /// @param near  a vector to work in
   void last_digits(const Array& x, const Array& near, const Array& out);
-  /// dR/dx z at the point of the last residual.
+  /// dR/dx z at the point of the last residual. Where contact lines have friction, with what LineFrictionBend adds.
   void product(const Array& z, const Array& out) const;
   /// The same in single precision. Only for models that have it.
   void product(const ArrayOf<float>& z, const ArrayOf<float>& out) const;
@@ -84,6 +85,7 @@ class GeneralizedAlpha {
 
   const Model<D, P>& model_;
   AlphaParameters scheme_, alpha_;  ///< of rho_inf, and of the current step
+  LineFrictionNewton<D> friction_;
   Stage stage_;
   StageOf<float> single_stage_;    ///< the stage, rounded; not in double precision
   StageOf<float> jacobian_stage_;  ///< that of the last Jacobian as a matrix; allocated by the first one

@@ -14,6 +14,7 @@ NewtonControl newton_control(const Case& c) {
   n.krylov_rtol = c.solver.krylov_rtol;
   n.krylov_max = c.solver.krylov_max;
   n.jacobian = c.solver.jacobian == "difference" ? JacobianKind::difference : JacobianKind::exact;
+  n.bends = c.fluid && c.fluid->resists_lines();
   return n;
 }
 

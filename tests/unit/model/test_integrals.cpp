@@ -25,9 +25,10 @@ TEST(Integrals, OfAColumnAreTheSumOfItsParts) {
   EXPECT_EQ(all["energy_free"], all.part("energy_free_bulk") + all.part("energy_free_gradient"));
   EXPECT_EQ(all["energy_surface"], all.part("energy_surface"));
   EXPECT_EQ(all.energy(), 2 + 4 + 8 + 16 + 32 + 64 + 128 + 256);
-  EXPECT_EQ(all.dissipation(), 4096 + 8192 + 16384);
+  EXPECT_EQ(all.dissipation(), 4096 + 8192 + 16384 + 32768);
   EXPECT_EQ(all["dissipation"], all.dissipation());
   EXPECT_EQ(all["dissipation_solid"], 16384);
+  EXPECT_EQ(all["dissipation_wall"], 32768);
 }
 
 TEST(Integrals, SizeOfEnergiesKnowsNoSigns) {

@@ -1,6 +1,7 @@
 // The pieces that the program has compiled, in src/model/pieces.cpp and pieces_single.cpp: it is these that tests are to test.
 #pragma once
 
+#include "kernels/fluid/line_friction.hpp"
 #include "kernels/fluid/painted_wall.hpp"
 #include "kernels/solid/fibres.hpp"
 #include "kernels/solid/foundation.hpp"
@@ -29,6 +30,7 @@
   SOFTWET_COMPILED(D, DensityMoment, MOTION)                    \
   SOFTWET_COMPILED(D, GradientWall, MOTION)                     \
   SOFTWET_COMPILED(D, EnergyWall, MOTION)                       \
+  SOFTWET_COMPILED(D, LineFriction, MOTION)                     \
   SOFTWET_COMPILED(D, CapillaryTraction, MOTION)                \
   SOFTWET_COMPILED_SOLID(D, SaintVenantKirchhoff)               \
   SOFTWET_COMPILED_SOLID(D, Hooke)                              \

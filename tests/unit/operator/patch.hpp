@@ -58,7 +58,7 @@ struct Patch {
     for (int i = layout.density_offset(); i < layout.potential_offset(); ++i) x[i] = density(random);
     repeat(x);
     stage.unknown = to_device<Array>(x);
-    stage.acceleration = draw(layout.velocity_size(), -2, 2);
+    stage.acceleration = draw(layout.rate_size(), -2, 2);
     stage.displacement = draw(layout.solid_size(), -0.012, 0.012);
     stage.displacement_end = draw(layout.solid_size(), -0.012, 0.012);
     stage.density_end = draw(layout.scalar_size(), 0.15, 0.8);
@@ -66,6 +66,15 @@ struct Patch {
     stage.displacement_scale = 0.03;
     stage.end_scale = 1.5;
     stage.moment_rate = 5;
+    stage.density_rate_scale = stage.rate_scale;
+  }
+
+  /// The same patch with rates of the density beside the wall.
+  Patch with_rates() const {
+    Patch p = *this;
+    p.layout.rate_rows = p.layout.axis[D - 1].degree() + 1;
+    p.stage.acceleration = p.draw(p.layout.rate_size(), -2, 2);
+    return p;
   }
 
   Array draw(int n, double low, double high) {
@@ -146,7 +155,7 @@ struct Patch {
     };
     Stage s = stage;
     s.unknown = shift(stage.unknown, 0, 1, layout.size(), 0);
-    s.acceleration = shift(stage.acceleration, 0, stage.rate_scale, layout.velocity_size(), 0);
+    s.acceleration = shift(stage.acceleration, 0, stage.rate_scale, layout.rate_size(), 0);
     s.density_end = shift(stage.density_end, layout.density_offset(), stage.end_scale, layout.scalar_size(), 0);
     const int count = layout.solid_rows() * layout.row_size;
     for (int d = 0; d < D; ++d) {
@@ -182,7 +191,8 @@ inline StageOf<float> single_stage(const Stage& s) {
           s.rate_scale,
           s.displacement_scale,
           s.end_scale,
-          s.moment_rate};
+          s.moment_rate,
+          s.density_rate_scale};
 }
 
 inline double largest(const std::vector<double>& v) {

@@ -51,6 +51,9 @@ struct TermCases {
   std::vector<Grid> slots(const VariationalDerivative&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const GradientWall&) const { return {unknown(D)}; }
   std::vector<Grid> slots(const EnergyWall&) const { return {unknown(D)}; }
+  std::vector<Grid> slots(const LineFriction&) const {
+    return {unknown(D), {to_host(patch.stage.acceleration), patch.layout.density_offset(), patch.layout.wall_row}};
+  }
   std::vector<Grid> slots(const CapillaryTraction&) const { return {unknown(D), unknown(D + 1)}; }
   template <class Law>
   std::vector<Grid> slots(const PaintedWall<Law>&) const {
@@ -87,6 +90,7 @@ struct TermCases {
   static std::vector<int> equations(const VariationalDerivative&) { return {D + 1}; }
   static std::vector<int> equations(const GradientWall&) { return {D + 1}; }
   static std::vector<int> equations(const EnergyWall&) { return {D + 1}; }
+  static std::vector<int> equations(const LineFriction&) { return {D + 1}; }
   template <class Law>
   static std::vector<int> equations(const PaintedWall<Law>&) {
     return {D + 1};
@@ -196,6 +200,8 @@ struct TermCases {
     check<Motion>("energy_wall", terms.energy_wall, patch.face(), low, low + 1);
     check<Motion>("capillary_traction", terms.traction, patch.layer(), low, low + 1, patch.layout.wall_row);
     const EnergyWall of_one{0.4, 1, 1e-2, terms.gas, terms.state};
+    TermCases(patch.with_rates())
+        .template check<Motion>("line_friction", LineFriction{0.3, 0.8, terms.energy_wall}, patch.face(), low, low + 1);
     check<Motion>("painted gradient_wall", PaintedWall<GradientWall>{{0.4, 1, 1e-2}}, patch.face(), low, low + 1);
     check<Motion>("painted energy_wall", PaintedWall<EnergyWall>{of_one}, patch.face(), low, low + 1);
     if constexpr (!std::is_same_v<Motion<D, double>, NoMotion>)

@@ -47,6 +47,28 @@ struct RandomState {
   }
 };
 
+/// The product of a step is that of the Jacobian, but where contact lines have friction: there the rows of the potential at the wall are
+/// stiffer, the more the larger their residual is. @param exact  the product of the Jacobian with z at x
+void check_product(RandomState& s, const Array& x, const Array& z, const std::vector<double>& exact) {
+  const Layout<2>& l = s.scene.layout();
+  const Array r("r", l.size()), out("out", l.size());
+  s.integrator.residual(x, r);
+  s.integrator.product(z, out);
+  const std::vector<double> found = to_host(out), direction = to_host(z);
+  if (l.rate_rows == 0) {
+    EXPECT_EQ(found, exact);
+    return;
+  }
+  double power = 0;
+  for (int i = 0; i < l.size(); ++i) {
+    const int k = i - l.potential_offset();
+    const bool at_wall = k >= 0 && k < l.row_size;
+    if (at_wall) power += (found[i] - exact[i]) * direction[l.density_offset() + k];
+    if (!at_wall) ASSERT_EQ(found[i], exact[i]) << i;
+  }
+  EXPECT_LT(power, -1e-6);
+}
+
 void check_tangent(const Case& c) {
   RandomState s(c);
   s.integrator.begin(s.state, 0.02);
@@ -64,13 +86,48 @@ void check_tangent(const Case& c) {
   for (int i = 0; i < n; ++i) difference[i] = (8 * (a[i] - b[i]) - (d[i] - f[i])) / (12 * e);
   residual(0);
   const Array out("out", n);
-  s.integrator.product(z, out);
+  s.integrator.model().product(s.integrator.stage(), z, out, Geometry::exact);
   const double error = distance(to_host(out), difference);
   std::printf("  tangent of a step against differences: %.1e\n", error);
   EXPECT_LT(error, 1e-9);
+  check_product(s, x, z, to_host(out));
 }
 TEST(GeneralizedAlpha, TangentOfACoupledStep) { check_tangent(scene(Scene::coupled)); }
 TEST(GeneralizedAlpha, TangentOfAPeriodicStep) { check_tangent(scene(Scene::rigid, WallLaw::gradient, true)); }
+/// A scene that keeps the rates of the density beside the wall.
+Case scene_with_rates(Scene kind, bool periodic = false) {
+  Case c = scene(kind, WallLaw::energy, periodic);
+  c.fluid->line_friction = 0.3;
+  c.fluid->contact_angle_range = {50, 70};
+  c.fluid->contact_angle = c.fluid->middle_of_range();
+  c.fluid->creep_speed = 0.5;
+  return c;
+}
+TEST(GeneralizedAlpha, TangentOfAStepWithRatesOfTheDensity) {
+  check_tangent(scene_with_rates(Scene::coupled));
+  check_tangent(scene_with_rates(Scene::rigid, true));
+}
+TEST(GeneralizedAlpha, LinesHaveNoFrictionWhereTimeStandsStill) {
+  Case c = scene_with_rates(Scene::coupled);
+  RandomState with(c);
+  c.fluid->line_friction = 0;
+  c.fluid->contact_angle_range = {};
+  RandomState without(c);
+  for (RandomState* s : {&with, &without}) {
+    s->state.unknown = with.state.unknown;
+    s->state.displacement = with.state.displacement;
+    s->state.displacement_rate = with.state.displacement_rate;
+    s->state.moment = with.state.moment;
+    s->integrator.begin_still(s->state, 0.02);
+  }
+  const Array x = with.values(), z = with.scene.direction(), a("a", x.extent(0)), b("b", x.extent(0));
+  with.integrator.residual(x, a);
+  without.integrator.residual(x, b);
+  EXPECT_EQ(to_host(a), to_host(b));
+  with.integrator.product(z, a);
+  without.integrator.product(z, b);
+  EXPECT_EQ(to_host(a), to_host(b));
+}
 TEST(GeneralizedAlpha, TangentOfASolidStep) { check_tangent(scene(Scene::solid)); }
 
 /// y1 = y0 + dt ((1 - ga) y0' + ga y1')
@@ -114,6 +171,9 @@ void check_finish(const Case& c) {
   const int first = l.density_offset();
   const double shift = y1[first] - (v[first] - (1 - af) * y0[first]) / af;
   for (int i = first; i < l.potential_offset(); ++i) ASSERT_NEAR(y1[i] - shift, (v[i] - (1 - af) * y0[i]) / af, 1e-14);
+  const std::vector<double> rate0 = to_host(s.state.velocity_rate), rate1 = to_host(end.velocity_rate);
+  for (int i = first; i < l.rate_size(); ++i)
+    ASSERT_NEAR(y1[i] - shift, y0[i] + dt * ((1 - ga) * rate0[i] + ga * rate1[i]), 1e-14) << "of the density";
   for (int i = l.potential_offset(); i < l.size(); ++i) ASSERT_NEAR((1 - af) * y0[i] + af * y1[i], v[i], 1e-14) << "mu";
   const double found = s.scene.model.integrals(stage_at(s.scene.layout(), end))["mass"];
   EXPECT_NEAR(found, after, l.has_solid ? 0.2 * std::abs(shift) : 1e-15) << "the volume is that of the fixed mesh";
@@ -131,6 +191,10 @@ void check_finish(const Case& c) {
 }
 TEST(GeneralizedAlpha, FinishOfACoupledStep) { check_finish(scene(Scene::coupled)); }
 TEST(GeneralizedAlpha, FinishOfARigidStep) { check_finish(scene(Scene::rigid)); }
+TEST(GeneralizedAlpha, FinishOfAStepWithRatesOfTheDensity) {
+  check_finish(scene_with_rates(Scene::coupled));
+  check_finish(scene_with_rates(Scene::rigid));
+}
 TEST(GeneralizedAlpha, FinishOfASolidStep) { check_finish(scene(Scene::solid)); }
 
 TEST(GeneralizedAlpha, InitialMomentsAreTheMass) {
