@@ -106,7 +106,7 @@ class Scene:
         axes.plot(self.solid.x[-1], self.solid.y[-1], color="0.2", linewidth=0.8)
 
     def load_ring(self, load):
-        """Columns and rows of points around the box of a load."""
+        """Columns and rows of points around the box of a load or a needle."""
         size, wall = self.case["domain"]["size"], self.case["substrate"]["thickness"]
         rows, last = self.solid.x.shape[0], self.solid.x.shape[1] - 1
         axis = last // 2 if self.solid.mirrored else 0  # the column of x = 0
@@ -119,7 +119,10 @@ class Scene:
 
     def draw_loads(self, axes, colour=RED):
         """The loaded boxes where the solid has carried them, and the direction of the force: an arrow while the load
-        acts, shorter while it grows."""
+        acts, shorter while it grows. The boxes of needles have a full line."""
+        for needle in self.case.get("needle", []):
+            j, i = np.array(self.load_ring(needle)[0]).T
+            axes.plot(self.solid.x[j, i], self.solid.y[j, i], color=colour, linewidth=1.1)
         for load in self.case.get("load", []):
             ring, middle = self.load_ring(load)
             j, i = np.array(ring).T

@@ -44,6 +44,9 @@ def scene(case):
         factor = load.get("factor", 1)
         varies = f", times {shortened(factor)}" if factor != 1 else ""
         rows.append(("load: force, ramp", f"({', '.join(map(number, load['force']))}), {number(load['ramp'])}{varies}"))
+    for needle in case.get("needle", []):
+        rows.append(("needle: stiffness, path", f"{number(needle['stiffness'])}, "
+                                                f"({', '.join(map(shortened, needle['path'] or ['rests']))})"))
     rows += [(f"initial {key}", shortened(value)) for key, value in case.get("initial", {}).items() if value]
     sides = {}
     for side, kind in case.get("boundary", {}).items():
@@ -64,7 +67,7 @@ def groups(record):
 class Budget:
     """Energy since the first row shown: {name: array over the rows}.
 
-    change of the energy = work of the loads + work of the wall's stretch - what is dissipated + rest; the rest is the
+    change of the energy = work of the loads and needles + work of the wall's stretch - what is dissipated + rest; the rest is the
     error of the discretisation, and with the paper's wall law what that law takes or gives at the contact line."""
 
     def __init__(self, curves):
@@ -76,6 +79,8 @@ class Budget:
 
         self.change = table["energy_total"] - table["energy_total"][0]
         self.work, self.stretch, self.lost = map(integral, ("power_load", "wall_stretch", "dissipation"))
+        if "power_needle" in table:
+            self.work = self.work + integral("power_needle")
         self.rest = self.change - self.work - self.stretch + self.lost
 
 

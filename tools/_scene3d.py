@@ -162,13 +162,12 @@ class Scene:
 
     def draw_loads(self, axes):
         """Boxes where the solid has carried them, and the direction of the force: an arrow while the load acts, shorter
-        while it grows."""
+        while it grows. The boxes of needles have full lines."""
+        for needle in self.output.case.get("needle", []):
+            self.draw_box(axes, *np.array(needle["box"], dtype=float), "-")
         for load in self.output.case.get("load", []):
             low, high = np.array(load["box"], dtype=float)
-            for start, end in box_edges(low, high):
-                line = start + np.linspace(0, 1, 25)[:, None] * (end - start)
-                axes.plot(*self.view.flat(self.carried(line)).T, color=RED, linewidth=0.9, linestyle=(0, (3, 1.5)),
-                          zorder=3.5)
+            self.draw_box(axes, low, high, (0, (3, 1.5)))
             force = np.array(load["force"], dtype=float)
             part = outputs.fraction_of(load, self.output.case, self.time)
             if not force.any() or part == 0:
@@ -179,6 +178,11 @@ class Scene:
             axes.annotate("", head, tail, zorder=6, arrowprops={"arrowstyle": "-|>,head_width=0.28,head_length=0.55",
                                                                 "color": RED, "linewidth": 1.8, "shrinkA": 0,
                                                                 "shrinkB": 0})
+
+    def draw_box(self, axes, low, high, style):
+        for start, end in box_edges(low, high):
+            line = start + np.linspace(0, 1, 25)[:, None] * (end - start)
+            axes.plot(*self.view.flat(self.carried(line)).T, color=RED, linewidth=0.9, linestyle=style, zorder=3.5)
 
     def carried(self, points):
         """Where reference points of the solid are now."""

@@ -144,6 +144,8 @@ class Plane:
         for number, load in enumerate(self.state.case.get("load", [])):
             low, high = np.array(load["box"], dtype=float)[:, [0, -1]]
             draw_load(self.axes, low, high, np.array(load["force"], dtype=float)[[0, -1]], self.width, number)
+        for number, needle in enumerate(self.state.case.get("needle", [])):
+            draw_needle(self.axes, *np.array(needle["box"], dtype=float)[:, [0, -1]], number)
 
     def draw_probes(self):
         """Points, lines and boxes of the probes, with their names. In space they are seen from the front."""
@@ -193,6 +195,12 @@ def draw_load(axes, low, high, force, width, number):
     axes.annotate("", centre + half, centre - half, arrowprops={"arrowstyle": "-|>", "color": RED, "linewidth": 1.3}, zorder=5)
 
 
+def draw_needle(axes, low, high, number):
+    """The box that a needle holds."""
+    axes.add_patch(Rectangle(low, *(high - low), facecolor="none", edgecolor=RED, linewidth=1.1, hatch="///", zorder=4))
+    axes.text(low[0], high[1], f" needle {number}", color=RED, fontsize=7, ha="left", va="bottom", zorder=4)
+
+
 def frame(axes, width, height, kinds, names):
     """The box, and what holds on its sides in words. @param names  of the sides at the left, right, bottom and top"""
     axes.add_patch(Rectangle((0, 0), width, height, facecolor="none", edgecolor="0.2", linewidth=0.9, zorder=2))
@@ -226,6 +234,8 @@ def draw_above(axes, state):
     for number, load in enumerate(state.case.get("load", [])):
         low, high = np.array(load["box"], dtype=float)[:, :2]
         draw_load(axes, low, high, np.array(load["force"], dtype=float)[:2], width, number)
+    for number, needle in enumerate(state.case.get("needle", [])):
+        draw_needle(axes, *np.array(needle["box"], dtype=float)[:, :2], number)
     axes.plot([0, width], [state.middle()[1]] * 2, color=GREY, linewidth=0.6, linestyle=(0, (6, 3, 1, 3)))
     frame(axes, width, depth, state.case["boundary"], ("left", "right", "front", "back"))
     return images

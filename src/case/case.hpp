@@ -172,6 +172,18 @@ struct Load {
   std::vector<Profile> path = {};    ///< displacement of the box over that time, one for each axis; empty: it rests
 };
 
+/// Springs that hold a box of the solid at a place that moves.
+struct Needle {
+  std::vector<double> lower, upper;  ///< box in reference coordinates, inside the solid: what is held
+  double stiffness = 0;              ///< k of the force k (U - u) for each volume, scale a b^2/L0^2
+  std::vector<Profile> path = {};    ///< U over the time of the results, one for each axis; empty: it rests
+
+  /// Where it is along an axis; before t = 0 where it is then.
+  double place(std::size_t axis, double t) const {
+    return path.empty() ? 0 : path[axis].at({0, 0, 0}, std::max(t, 0.0));
+  }
+};
+
 /// Sides of the patch, [axis][0: low, 1: high]. Unused axes stay at slip.
 struct Boundary {
   std::array<std::array<Side, 2>, 3> side{
@@ -248,6 +260,7 @@ struct Case {
   std::vector<Wave> waves;
   std::optional<Initial> initial;
   std::vector<Load> loads;
+  std::vector<Needle> needles;
   std::vector<Probe> probes;
   Boundary boundary;
   TimeControl time;

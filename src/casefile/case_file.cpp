@@ -137,6 +137,8 @@ void warn_of_long_tables(const Case& c, std::vector<std::string>& found) {
     look(fmt::format("load[{}].factor", k), c.loads[k].factor, begin);
     for (const Profile& shift : c.loads[k].path) look(fmt::format("load[{}].path", k), shift, begin);
   }
+  for (std::size_t k = 0; k < c.needles.size(); ++k)
+    for (const Profile& shift : c.needles[k].path) look(fmt::format("needle[{}].path", k), shift, 0);
 }
 
 constexpr std::size_t largest_file = 16 << 20;  ///< bytes; of a case with a hundred thousand droplets

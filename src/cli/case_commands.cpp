@@ -63,9 +63,18 @@ void require_rest(const Case& c) {
                 fmt::format("steady: time.scheme = \"{}\" is explicit, and a state of rest is found by "
                             "implicit steps of any length; give --set time.scheme={}",
                             c.time.scheme, implicit_scheme));
+  const auto goes = [](const std::vector<Profile>& path) {
+    return std::any_of(path.begin(), path.end(), [](const Profile& p) { return p.varies(); });
+  };
+  for (std::size_t k = 0; k < c.needles.size(); ++k)
+    if (goes(c.needles[k].path))
+      throw Error(Exit::invalid_input,
+                  fmt::format("steady: needle[{0}].path varies in time, and a scene with a needle that moves has no "
+                              "state of rest; set it to where it is at one time, for example --set "
+                              "'needle[{0}].path=[{1}]'",
+                              k, c.dimension() == 2 ? "0.1,0" : "0.1,0,0"));
   for (std::size_t k = 0; k < c.loads.size(); ++k) {
-    const bool moves =
-        std::any_of(c.loads[k].path.begin(), c.loads[k].path.end(), [](const Profile& p) { return p.varies(); });
+    const bool moves = goes(c.loads[k].path);
     if (!moves && !c.loads[k].factor.varies()) continue;
     throw Error(
         Exit::invalid_input,

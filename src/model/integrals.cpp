@@ -68,6 +68,17 @@ void Model<D, P>::solid_integrals(const Evaluation<D>& at, Integrals& result) co
 }
 
 template <int D, int P>
+std::vector<NeedleReading> Model<D, P>::needle_readings(const Stage& stage) const {
+  std::vector<NeedleReading> readings = needles_.readings(layout_, stage);
+  for (NeedleReading& reading : readings) {
+    for (double* number : {&reading.energy, &reading.power, &reading.power_on_solid}) *number *= turn();
+    for (double& force : reading.force) force *= turn();
+    if (layout_.axisymmetric) reading.force[0] = 0;  // what points away from the axis cancels
+  }
+  return readings;
+}
+
+template <int D, int P>
 Integrals Model<D, P>::integrals(const Stage& stage) const {
   Integrals result;
   const Evaluation<D> at{layout_, stage, {}, {}};
@@ -76,6 +87,7 @@ Integrals Model<D, P>::integrals(const Stage& stage) const {
   if (layout_.has_fluid)
     layout_.has_solid ? fluid_integrals<WallMotion<D>>(at, result) : fluid_integrals<NoMotion>(at, result);
   if (layout_.axisymmetric) result.turn(turn());
+  for (const NeedleReading& reading : needle_readings(stage)) result.part(Needles<D>::energy_column) += reading.energy;
   return result;
 }
 
@@ -129,6 +141,7 @@ double Model<D, P>::load_power(double time, const ConstArray& unknown) const {
 }
 
 template Integrals Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::integrals(const Stage&) const;
+template std::vector<NeedleReading> Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::needle_readings(const Stage&) const;
 template double liquid_volume(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Stage&);
 template Filling Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::filling(const Stage&) const;
 template MeshFaults Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::faults(const Stage&) const;

@@ -25,6 +25,7 @@ class Integrals {
                                                           "energy_surface",
                                                           "energy_foundation",
                                                           "energy_gravity",
+                                                          "energy_needle",
                                                           "momentum_x",
                                                           "momentum_y",
                                                           "momentum_z",

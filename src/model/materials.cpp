@@ -112,6 +112,7 @@ void Model<D, P>::build_solid(const Case& c) {
   fibres_ = fibres_of(s, D);
   solid_rates_ = solid_rates(c);
   for (const Load& load : c.loads) loads_.emplace_back(layout_, load, s.density, c.clock_zero());
+  needles_ = Needles<D>(layout_, c);
   if (!s.gravity.empty()) {
     std::vector<double> upper = c.domain.size;
     upper[D - 1] = s.thickness;

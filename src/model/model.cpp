@@ -184,9 +184,11 @@ void Model<D, P>::add_loads(double time, const Array& out) const {
 }
 
 template <int D, int P>
-void Model<D, P>::finish_residual(double time, const Array& out) const {
-  add_loads(time, out);
-  if (source_) source_(time, out);
+template <class Real>
+void Model<D, P>::finish_residual(const StageOf<Real>& stage, const Array& out) const {
+  add_loads(stage.time, out);
+  needles_.add_to_residual(layout_, stage.time, stage.displacement, out);
+  if (source_) source_(stage.time, out);
   move_ghosts(layout_, out, GhostAction::add);
   multiply(out, mask_);
 }
@@ -204,6 +206,7 @@ void Model<D, P>::add_forces_of_solid(const Stage& stage, const Array& out) cons
   }
   sums.add_to(out);
   add_loads(stage.time, out);
+  needles_.add_to_residual(layout_, stage.time, stage.displacement, out);
   if (source_) source_(stage.time, out);
 }
 
@@ -216,14 +219,14 @@ void Model<D, P>::add_viscosity_of_solid(const Stage& stage, const Array& out) c
 template <int D, int P>
 void Model<D, P>::residual(const Stage& stage, const Array& out) const {
   pieces_.run({layout_, stage, {}, out});
-  finish_residual(stage.time, out);
+  finish_residual(stage, out);
 }
 
 template <int D, int P>
 void Model<D, P>::residual(const StageOf<float>& stage, const ArrayOf<float>& work, const Array& out) const {
   single_.run({layout_, stage, {}, work});
   convert(out, work);
-  finish_residual(stage.time, out);
+  finish_residual(stage, out);
 }
 
 template <int D, int P>
@@ -253,16 +256,17 @@ template <class Real>
 void Model<D, P>::run_product(const Pieces<D, Real>& pieces, const StageOf<Real>& stage, const ArrayOf<Real>& direction,
                               const ArrayOf<Real>& out, Geometry geometry, const ConstArrayOf<Real>& unbalanced) const {
   const Evaluation<D, Real> at{layout_, stage, direction, out, geometry, unbalanced};
-  const auto bend = [&] {
+  const auto further = [&] {
     if (unbalanced.data()) pieces.friction_bend->product(at);
+    needles_.add_to_product(layout_, stage.displacement_scale, direction, out);
   };
   if (!has_ghosts(layout_)) {
     pieces.run(at, 0, mask_);
-    return bend();
+    return further();
   }
   move_ghosts(layout_, direction, GhostAction::update);
   pieces.run(at);
-  bend();
+  further();
   move_ghosts(layout_, out, GhostAction::add);
   multiply(out, mask_);
   multiply(direction, mask_);
@@ -286,6 +290,7 @@ void Model<D, P>::jacobian(const StageOf<float>& stage, const StencilValues& val
   const Stencil<D> stencil(layout_);
   for (const auto& entry : single_.list)
     entry.piece->jacobian({layout_, stage, {}, stage.unknown, Geometry::frozen}, stencil, values);
+  needles_.add_to_matrix(stage.displacement_scale, stencil, values);
   fold_ghosts(layout_, stencil, values);
 }
 

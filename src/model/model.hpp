@@ -18,6 +18,7 @@
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
 #include "model/integrals.hpp"
 #include "model/loads.hpp"
+#include "model/needles.hpp"
 #include "model/pieces.hpp"
 
 namespace softwet {
@@ -32,9 +33,9 @@ struct MeshFaults {
 };
 
 /// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its top face, the modulus
-/// lambda_s + 2 G_s of this face, and the stiffer springs of its foundation.
+/// lambda_s + 2 G_s of this face, the stiffer springs of its foundation, and the largest stiffness of needles.
 struct SolidRates {
-  double viscosity = 0, tension = 0, modulus = 0, foundation = 0;
+  double viscosity = 0, tension = 0, modulus = 0, foundation = 0, held = 0;
 };
 
 using Solid = std::variant<Elastodynamics<SaintVenantKirchhoff>, Elastodynamics<Hooke>, Elastodynamics<NeoHookean>>;
@@ -68,6 +69,7 @@ class Model {
   Precision precision() const { return precision_; }
   int points() const { return points_; }  ///< Gauss points per element and axis
   const std::vector<LoadVector<D>>& loads() const { return loads_; }
+  const Needles<D>& needles() const { return needles_; }
   ConstArray mask() const { return mask_; }  ///< 1 free, 0 prescribed or ghost
   double wall_height() const { return blend_.low; }
   /// What integrals of the equations have to be multiplied by for those of the whole scene: in the coordinates (r, z) they are
@@ -121,6 +123,8 @@ class Model {
   MeshFaults faults(const Stage&) const;
   /// Power of the loads on a velocity field at a time.
   double load_power(double time, const ConstArray& unknown) const;
+  /// What each needle measures of a state, of the whole scene.
+  std::vector<NeedleReading> needle_readings(const Stage&) const;
 
  private:
   void build_axes(const Case&);
@@ -134,8 +138,9 @@ class Model {
   template <class Real>
   void run_product(const Pieces<D, Real>&, const StageOf<Real>&, const ArrayOf<Real>& direction,
                    const ArrayOf<Real>& out, Geometry, const ConstArrayOf<Real>& unbalanced) const;
-  /// What follows the terms in a residual: loads, the source, ghosts, and prescribed values.
-  void finish_residual(double time, const Array& out) const;
+  /// What follows the terms in a residual: loads, needles, the source, ghosts, and prescribed values.
+  template <class Real>
+  void finish_residual(const StageOf<Real>&, const Array& out) const;
   template <class Real>
   Pieces<D, Real> pieces_of(const Case&) const;
   template <class Motion>
@@ -166,6 +171,7 @@ class Model {
   Pieces<D, double> pieces_;
   Pieces<D, float> single_;
   std::vector<LoadVector<D>> loads_;
+  Needles<D> needles_;
   SolidGravity gravity_;
   std::function<void(double, const Array&)> source_;
   Array mask_;

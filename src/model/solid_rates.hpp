@@ -9,6 +9,22 @@
 
 namespace softwet {
 
+/// At least the largest stiffness of springs at a point of the solid: those of needles whose boxes overlap add up.
+inline double stiffness_of_needles(const Case& c) {
+  const auto overlap = [](const Needle& a, const Needle& b) {
+    for (std::size_t d = 0; d < a.lower.size(); ++d)
+      if (a.upper[d] <= b.lower[d] || b.upper[d] <= a.lower[d]) return false;
+    return true;
+  };
+  double most = 0;
+  for (const Needle& needle : c.needles) {
+    double sum = 0;
+    for (const Needle& other : c.needles) sum += overlap(needle, other) ? other.stiffness : 0;
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
 inline SolidRates solid_rates(const Case& c) {
   const Substrate& s = *c.substrate;
   const bool acts = c.fluid && c.fluid->wall_tension == WallTensionModel::acts;
@@ -16,7 +32,7 @@ inline SolidRates solid_rates(const Case& c) {
       acts ? s.surface_tension + surface_tension(*c.fluid) : std::max(s.surface_tension, s.surface_tension_wet);
   const std::vector<double>& springs = c.boundary.foundation;
   return {4.0 / 3 * s.viscosity + s.bulk_viscosity, tension, s.modulus_of_surface(),
-          springs.empty() ? 0 : std::max(springs[0], springs[1])};
+          springs.empty() ? 0 : std::max(springs[0], springs[1]), stiffness_of_needles(c)};
 }
 
 inline Fibres fibres_of(const Substrate& s, int dimension) {

@@ -58,7 +58,7 @@ Surface Scalars<D, P>::surface() const {
 template <int D, int P>
 std::vector<std::string> Scalars<D, P>::columns() const {
   std::vector<std::string> names =
-      history_names(D, case_.droplets.size(), memory_.bodies.size() - case_.droplets.size());
+      history_names(D, case_.droplets.size(), memory_.bodies.size() - case_.droplets.size(), case_.needles.size());
   for (const Probe& probe : case_.probes) names.push_back(probe.name);
   return names;
 }
@@ -73,10 +73,20 @@ void Scalars<D, P>::set(const std::string& column, double value, TableRow& row) 
 
 template <int D, int P>
 void Scalars<D, P>::set_integrals(const Integrals& sum, TableRow& row) const {
-  for (const std::string& column : history_names(D, 0))
+  for (const std::string& column : history_names(D, 0, 0, case_.needles.size()))
     if (Integrals::has(column)) set(column, sum[column], row);
   set("energy_total", sum.energy(), row);
   set("mass_drift", sum["mass"] / latest_.mass_start - 1, row);
+}
+
+template <int D, int P>
+void Scalars<D, P>::set_needles(const std::vector<NeedleReading>& needles, TableRow& row) const {
+  double power = 0;
+  for (const NeedleReading& needle : needles) power += needle.power;
+  if (!needles.empty()) row.set("power_needle", power);
+  for (std::size_t k = 0; k < needles.size(); ++k)
+    for (int d = 0; d < D; ++d)
+      row.set(std::string("needle_force_") + "xyz"[d] + ending_of_body(k), needles[k].force[d]);
 }
 
 template <int D, int P>
@@ -173,6 +183,7 @@ TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const Stat
   const Integrals sum = model_.integrals(end);
   const double liquid = liquid_volume<D, P>(model_, end);
   const double load_power = model_.load_power(state.time, state.unknown);
+  const std::vector<NeedleReading> needles = model_.needle_readings(end);
   const Extremes extremes = find_extremes(layout, state, layout.has_fluid ? surface().level : 0);
   const Snapshot<D> snapshot(layout, state,
                              probes_need_velocity(case_) ? SnapshotOf::all_fields : SnapshotOf::all_but_velocity);
@@ -181,7 +192,9 @@ TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const Stat
   latest_.step = step;
   latest_.time = state.time;
   if (step == 0) latest_.mass_start = sum["mass"];
-  follow_energy(energy_of(latest_.time, load_power, sum));
+  double from_outside = load_power;
+  for (const NeedleReading& needle : needles) from_outside += needle.power_on_solid;
+  follow_energy(energy_of(latest_.time, from_outside, sum));
   TableRow row{{"step", step},
                {"t", output_time(state.time, case_.clock_zero())},
                {"dt", report.dt},
@@ -189,6 +202,7 @@ TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const Stat
                {"krylov", report.krylov}};
   set_integrals(sum, row);
   set("power_load", load_power, row);
+  set_needles(needles, row);
   set("liquid_volume", liquid, row);
   set_extremes(extremes, row);
   set_droplets(snapshot, step, row);

@@ -59,6 +59,7 @@ class Scalars {
   /// Sets the cell of a column, empty where the scene lacks what the column needs.
   void set(const std::string& column, double value, TableRow&) const;
   void set_integrals(const Integrals&, TableRow&) const;
+  void set_needles(const std::vector<NeedleReading>&, TableRow&) const;
   void set_extremes(const Extremes&, TableRow&) const;
   void set_droplets(const Snapshot<D>&, long step, TableRow&);
   PhaseSamples follow_bodies(const Snapshot<D>&, const std::string& told = "");

@@ -41,6 +41,8 @@ std::string softer_than_its_loads(const Case& c) {
                                       short_text(c.substrate->thickness) + " thick; "
                                 : "";
   if (too_soft(c)) soft += gentle_start(c) + "; or ";
+  if (c.loads.empty() && !c.needles.empty())
+    return soft + "raise substrate.young, or move the needle more slowly and less far (needle[].path)";
   if (c.loads.empty()) return soft + "raise substrate.young";
   const std::string gentler = "raise substrate.young, lower load[].force or lengthen load[].ramp";
   if (c.substrate->material != "saint_venant_kirchhoff") return soft + gentler;
@@ -63,7 +65,7 @@ std::string for_the_density(const Case& c) {
   return "a softer load ramp, a larger fluid.viscosity or a tighter time.tolerance may help";
 }
 
-/// The key of a load that is no number within the smallest steps after a time; empty where all are.
+/// The key of a load or needle that is no number within the smallest steps after a time; empty where all are.
 std::string load_without_value(const Case& c, double time) {
   constexpr int looks = 64;
   for (int i = 1; i <= looks; ++i) {
@@ -74,6 +76,9 @@ std::string load_without_value(const Case& c, double time) {
       for (const Profile& shift : c.loads[k].path)
         if (!std::isfinite(shift.at({0, 0, 0}, t))) return load + "path";
     }
+    for (std::size_t k = 0; k < c.needles.size(); ++k)
+      for (std::size_t d = 0; d < c.needles[k].path.size(); ++d)
+        if (!std::isfinite(c.needles[k].place(d, t))) return "needle[" + std::to_string(k) + "].path";
   }
   return "";
 }

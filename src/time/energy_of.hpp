@@ -6,12 +6,13 @@
 
 namespace softwet {
 
-/// @param load_power  of the loads on the state's velocities
+/// Springs of needles count as forces from outside, without their energy: a needle that jumps does no work on the solid in no time.
+/// @param load_power  of the loads, and of such springs, on the state's velocities
 /// @param sum         the integrals of the state
 inline EnergyState energy_of(double time, double load_power, const Integrals& sum) {
   EnergyState e;
   e.time = time;
-  e.energy = sum.energy();
+  e.energy = sum.energy() - sum["energy_needle"];
   e.size = sum.size();
   e.kinetic = sum["energy_kinetic"];
   e.fed = load_power + sum["wall_stretch"];

@@ -22,9 +22,11 @@ double just_behind(double t, double zero) {
 LoadTimes::LoadTimes(const Case& c) : zero_(c.clock_zero()), dt_initial_(c.time.dt_initial) {
   for (const Load& load : c.loads) {
     add_points({load.start, load.start + load.ramp}, [](int) { return true; });
-    add_profile(load, load.factor, zero_ + c.time.end);
-    for (const Profile& path : load.path) add_profile(load, path, zero_ + c.time.end);
+    add_profile(load.start, load.factor, zero_ + c.time.end);
+    for (const Profile& path : load.path) add_profile(load.start, path, zero_ + c.time.end);
   }
+  for (const Needle& needle : c.needles)
+    for (const Profile& path : needle.path) add_profile(zero_, path, zero_ + c.time.end);
 }
 
 template <class Changes>
@@ -46,20 +48,20 @@ void LoadTimes::add_points(const std::vector<double>& points, const Changes& cha
   }
 }
 
-void LoadTimes::add_profile(const Load& load, const Profile& profile, double end) {
+void LoadTimes::add_profile(double start, const Profile& profile, double end) {
   if (!profile.varies()) return;
   std::vector<double> points;
   for (const double t : profile.formula->kinks())
-    if (zero_ + t > load.start) points.push_back(zero_ + t);
+    if (zero_ + t > start) points.push_back(zero_ + t);
   const auto value = [&](int i) { return profile.at({0, 0, 0}, points[i] - zero_); };
   add_points(points, [&](int i) { return value(i) != value(i + 1); });
   if (!profile.formula->kinks().empty()) return;
-  Expression e{profile.formula, load.start, zero_, 0, {}};
+  Expression e{profile.formula, start, zero_, 0, {}};
   constexpr int looks = 20000;
-  end = std::max(end, load.start);
+  end = std::max(end, start);
   double least = unbounded, most = -unbounded;
   for (int i = 0; i <= looks; ++i) {
-    e.times.push_back(load.start + (end - load.start) * i / looks);
+    e.times.push_back(start + (end - start) * i / looks);
     least = std::min(least, e.at(e.times.back()));
     most = std::max(most, e.at(e.times.back()));
   }

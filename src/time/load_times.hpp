@@ -1,4 +1,4 @@
-// How loads vary over time: which times steps meet, behind which a run begins anew, and how long steps may be in between (host).
+// How loads and needles vary over time: which times steps meet, behind which a run begins anew, and how long steps may be in between (host).
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ struct Jump {
   double time, behind;
 };
 
-/// The ramps, factors and paths of the loads of a case. Ramps and tables say where they are not smooth. Expressions are looked at.
+/// The ramps, factors and paths of the loads of a case, and the paths of its needles. Ramps and tables say where they are not smooth. Expressions are looked at.
 /// Tested: tests/unit/time/test_load_times.cpp
 class LoadTimes {
  public:
@@ -51,7 +51,8 @@ class LoadTimes {
     double longest(double t, double wish) const;
   };
 
-  void add_profile(const Load&, const Profile&, double end);
+  /// @param start  from which on it acts
+  void add_profile(double start, const Profile&, double end);
   /// Points of something piecewise smooth. @param changes  whether it changes from point i to the next one
   template <class Changes>
   void add_points(const std::vector<double>& points, const Changes& changes);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Solids with a tense and elastic surface, viscosity, weight, fibres, a foundation, a stiffness and a wetting that vary, under a load
-that moves: the same bits on any number of processes.
+or a needle that moves: the same bits on any number of processes.
 usage: solids.py SOFTWET"""
 
 from _ranks import check_same, run
@@ -18,6 +18,12 @@ RUNS = {"implicit": [], "explicit": EXPLICIT, "implicit_around": AROUND, "explic
 for name, settings in RUNS.items():
     for count in (1, 3):
         run(count, "tensotaxis_pull_2d", f"{name}_{count}", [*SCENE, *settings])
+    check_same(f"{name}, 3 processes", f"{name}_3", f"{name}_1")
+NEEDLE = ["domain.elements=[44,16]", "fluid.capillarity=1/16", "fluid.temperature=0.7", "output.fields.times=[0,0.02]",
+          "output.history.every=1", "time.end=0.02", "time.start=initial", 'needle.path=["0.1*t","-0.05*t"]']
+for name, settings in {"needle": [], "needle_explicit": [*AROUND, *EXPLICIT]}.items():
+    for count in (1, 3):
+        run(count, "pulled_needle_2d", f"{name}_{count}", [*NEEDLE, *settings])
     check_same(f"{name}, 3 processes", f"{name}_3", f"{name}_1")
 SPACE = ["domain.elements=[20,20,14]", "time.end=0.02", "output.fields.times=[]", "substrate.fibre.azimuth=20",
          "substrate.gravity=[0.01,0,-0.02]", *(s for s in SCENE if s.startswith(("fluid.w", "fluid.contact", "substrate.s", "substrate.v",

@@ -141,26 +141,46 @@ void check_fibre(const Checker& check) {
     check.refuse(key, "exists in 3D only", "remove it: in 2D fibre.angle is the direction");
 }
 
-void check_box_of_load(const Checker& check, std::size_t index) {
-  const std::string box = fmt::format("load[{}].box", index);
-  const Load& load = check.c.loads[index];
-  if (!check.c.substrate) check.refuse(box, "a load acts on the solid", "add a [substrate] or remove the [[load]]");
+/// A box of the solid that something acts on. @param acts  "a load acts on"
+void check_box_of_solid(const Checker& check, const std::string& table, const std::string& acts, const Numbers& lower,
+                        const Numbers& upper) {
+  const std::string box = table + ".box";
+  if (!check.c.substrate)
+    check.refuse(box, acts + " the solid",
+                 fmt::format("add a [substrate] or remove the [[{}]]", table.substr(0, table.find('['))));
   Numbers top = check.c.domain.size;
   top.back() = check.c.substrate->thickness;
-  check_corners(check, box, load.lower, load.upper, top, "solid");
+  check_corners(check, box, lower, upper, top, "solid");
+}
+
+void check_path(const Checker& check, const std::string& path, const std::vector<Profile>& entries) {
+  check.with({path}, [&] {
+    if (!entries.empty())
+      check.require_axes(path, entries.size(), "write one displacement for each axis, the last is vertical");
+  });
 }
 
 void check_load(const Checker& check, std::size_t index) {
-  const std::string box = fmt::format("load[{}].box", index), force = fmt::format("load[{}].force", index);
-  check.with({box, "substrate", "substrate.thickness"}, [&] { check_box_of_load(check, index); });
+  const Load& load = check.c.loads[index];
+  const std::string table = fmt::format("load[{}]", index), force = table + ".force";
+  check.with({table + ".box", "substrate", "substrate.thickness"},
+             [&] { check_box_of_solid(check, table, "a load acts on", load.lower, load.upper); });
   check.with({force}, [&] {
-    check.require_axes(force, check.c.loads[index].force.size(),
-                       "write one component for each axis, the last is vertical");
+    check.require_axes(force, load.force.size(), "write one component for each axis, the last is vertical");
   });
-  const std::string path = fmt::format("load[{}].path", index);
-  check.with({path}, [&] {
-    if (const std::size_t count = check.c.loads[index].path.size(); count > 0)
-      check.require_axes(path, count, "write one displacement for each axis, the last is vertical");
+  check_path(check, table + ".path", load.path);
+}
+
+void check_needle(const Checker& check, std::size_t index) {
+  const Needle& needle = check.c.needles[index];
+  const std::string table = fmt::format("needle[{}]", index), path = table + ".path";
+  check.with({table + ".box", "substrate", "substrate.thickness"},
+             [&] { check_box_of_solid(check, table, "a needle holds a part of", needle.lower, needle.upper); });
+  check_path(check, path, needle.path);
+  check.with({path, "domain.coordinates"}, [&] {
+    if (check.c.axisymmetric() && !needle.path.empty() && (needle.path[0].varies() || needle.path[0].number != 0))
+      check.refuse(path, "must be 0 along the first axis with domain.coordinates = \"axisymmetric\"",
+                   "write 0 there: a needle moves along the axis of symmetry alone");
   });
 }
 
@@ -213,6 +233,9 @@ void check_precision(const Checker& check) {
   const SolverControl& solver = check.c.solver;
   if (solver.precision == "double" || solver.precision == "automatic") return;
   const std::string key = "solver.precision";
+  if (solver.precision == "single" && !check.c.needles.empty())
+    check.refuse(key, "has not the digits that the stiff springs of a [[needle]] need in residuals",
+                 "write \"automatic\": linear solves are in single precision then");
   switch (hindrance_of_single(check.c)) {
     case Hindrance::none:
       return;
@@ -257,6 +280,7 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box"},
              [&] { check_joint(check); });
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);
+  for (std::size_t i = 0; i < c.needles.size(); ++i) check_needle(check, i);
   check_initial(check);
   check_probes(check);
   check.with({"solver.precision", "time.scheme", "solver.krylov.jacobian", "solver.krylov.rtol"},

@@ -42,7 +42,8 @@ double half_width(const Case& c, const Droplet& droplet) {
 
 /// Whether droplets will leave where they are, in ways that the box does not follow.
 bool goes_anywhere(const Case& c) {
-  if (!c.fluid || c.initial || !c.waves.empty() || (c.droplets.empty() && c.films.empty())) return true;
+  if (!c.fluid || c.initial || !c.waves.empty() || (c.droplets.empty() && c.films.empty()) || !c.needles.empty())
+    return true;
   for (const Load& load : c.loads)
     if (!load.path.empty()) return true;
   for (const Droplet& droplet : c.droplets) {

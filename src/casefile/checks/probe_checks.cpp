@@ -16,7 +16,8 @@ void check_name_of_probe(const Checker& check, std::size_t index) {
   if (name.empty() || !std::isalpha(static_cast<unsigned char>(name[0])) ||
       !std::all_of(name.begin(), name.end(), fits))
     check.refuse(key, "must be letters, digits or '_', and begin with a letter", "it names a column of history.csv");
-  const std::vector<std::string> others = history_names(c.dimension(), c.droplets.size(), c.films.size());
+  const std::vector<std::string> others =
+      history_names(c.dimension(), c.droplets.size(), c.films.size(), c.needles.size());
   if (std::find(others.begin(), others.end(), name) != others.end())
     check.refuse(key, "is the name of a column that history.csv has already", "choose another name");
   for (std::size_t before = 0; before < index; ++before)

@@ -68,10 +68,14 @@ void visit_space(const Case& c, Support support, const Visit& visit) {
       for (const double x : spans[0].points(density)) visit({x, y, z}, 0.0);
 }
 
-/// Times of the results at which a load acts.
+/// Time of the results at which a load begins to act; a needle does so at t = 0.
+double first_time(const Case& c, const Key& key, std::size_t index) {
+  return key.table() == "load[]" ? c.loads[index].start - c.clock_zero() : 0;
+}
+
 template <class Visit>
-void visit_time(const Case& c, const Load& load, const std::vector<double>& kinks, const Visit& visit) {
-  const double begin = load.start - c.clock_zero(), end = std::max(c.time.end, begin);
+void visit_time(const Case& c, double begin, const std::vector<double>& kinks, const Visit& visit) {
+  const double end = std::max(c.time.end, begin);
   for (int i = 0; i < points_in_time; ++i) visit({0, 0, 0}, begin + (end - begin) * i / (points_in_time - 1));
   for (const double t : kinks)
     if (t >= begin && t <= end) visit({0, 0, 0}, t);
@@ -139,7 +143,7 @@ class ProfileBuilder {
     if (!profile.varies()) {
       look({0, 0, 0}, 0);
     } else if (key.support == Support::time) {
-      visit_time(c_, c_.loads[index], profile.formula->kinks(), look);
+      visit_time(c_, first_time(c_, key, index), profile.formula->kinks(), look);
     } else {
       visit_space(c_, key.support, look);
     }
@@ -227,8 +231,8 @@ std::vector<ProfileRange> profile_ranges(const Case& c) {
     const std::vector<Profile*> all = key.bind.profiles(copy, index);
     for (std::size_t i = 0; i < all.size(); ++i)
       if (all[i]->varies())
-        ranges.push_back(
-            {name_of_component(key, index, i), all[i]->least(), all[i]->most(), over[static_cast<int>(key.support)]});
+        ranges.push_back({name_of_component(key, index, i), all[i]->least(), all[i]->most(),
+                          key.table() == "needle[]" ? "from t = 0 on" : over[static_cast<int>(key.support)]});
   });
   return ranges;
 }

@@ -84,6 +84,8 @@ const std::vector<Table>& tables() {
        }},
       {"load[]", "Force per unit mass on a box of the solid; one [[load]] each", true, true,
        [](const Case& c) { return c.loads.size(); }, [](Case& c, std::size_t i) { grow(c.loads, i); }},
+      {"needle[]", "Holds a box of the solid and moves it; one [[needle]] each", true, false,
+       [](const Case& c) { return c.needles.size(); }, [](Case& c, std::size_t i) { grow(c.needles, i); }},
       {"probe[]", "A number of each row of history.csv, from a place of your choice; one [[probe]] each", true, false,
        [](const Case& c) { return c.probes.size(); }, [](Case& c, std::size_t i) { grow(c.probes, i); }},
       {"boundary", "What holds on the sides of the domain", false, true, always, nothing, boundary_notes},

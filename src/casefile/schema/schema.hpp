@@ -102,6 +102,7 @@ std::vector<Key> scene_keys();
 std::vector<Key> substrate_keys();
 std::vector<Key> initial_keys();
 std::vector<Key> load_keys();
+std::vector<Key> needle_keys();
 std::vector<Key> numerics_keys();
 std::vector<Key> output_keys();
 

@@ -1,4 +1,4 @@
-// Schema, the solid and its loads. Equation numbers are those of Bueno et al. 2017.
+// Schema, the solid, its loads and needles. Equation numbers are those of Bueno et al. 2017.
 #include "casefile/schema/binding.hpp"
 #include "casefile/schema/schema.hpp"
 
@@ -195,6 +195,41 @@ std::vector<Key> load_keys() {
                "axis it comes in on the other side; what leaves the solid elsewhere does not act.",
        .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.loads[i].path; }),
        .default_note = "[], the box rests",
+       .support = Support::time},
+  };
+}
+
+std::vector<Key> needle_keys() {
+  return {
+      {.name = "needle[].box",
+       .kind = Kind::box,
+       .unit = "L0",
+       .required = true,
+       .example = "[[0.7, 0.0], [0.8, 0.125]]",
+       .help =
+           "Lower and upper corner of the part of the solid that the needle holds, in the undeformed state. It goes "
+           "with the needle.",
+       .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.needles[i]; })},
+      {.name = "needle[].stiffness",
+       .unit = "a b^2/L0^2",
+       .range = positive,
+       .required = true,
+       .example = "1e5",
+       .help =
+           "Stiffness k of the springs between the needle and its box: force k (U - u) for each volume, U the place "
+           "of the needle and u the displacement. With the Young modulus E, elements of h and a box of the width w, "
+           "100 E/h^2 holds rigidly, and E/w^2 gives way as much as the solid. An explicit step is at most about "
+           "1.8 sqrt(rho_0^s/k).",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.needles[i].stiffness; })},
+      {.name = "needle[].path",
+       .kind = Kind::profiles,
+       .unit = "L0",
+       .help =
+           "Displacement U of the needle over time, one entry for each axis: [\"0.1*t\", 0.0] draws the box along x. "
+           "Before t = 0 the needle stands where it is then. In axisymmetric scenes it moves along the second axis "
+           "alone.",
+       .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.needles[i].path; }),
+       .default_note = "[], the needle holds the box where it is",
        .support = Support::time},
   };
 }

@@ -51,6 +51,7 @@ Part part_of(const Case& c) {
     p.part.domain.size[axis] *= elements / before;
     p.times *= before / elements;
     p.part.loads.clear();
+    p.part.needles.clear();
   }
   return p;
 }
@@ -64,6 +65,8 @@ std::vector<Line> terms(const Case& c, const Model<D, P>& model, double times) {
     lines.push_back({entry.piece->name(), count(times * entry.piece->region().elements()) + " elements"});
   if (!c.loads.empty())
     lines.push_back({"body_force", std::to_string(c.loads.size()) + (c.loads.size() == 1 ? " box" : " boxes")});
+  if (!c.needles.empty())
+    lines.push_back({"needles", std::to_string(c.needles.size()) + (c.needles.size() == 1 ? " box" : " boxes")});
   return lines;
 }
 

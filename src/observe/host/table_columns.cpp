@@ -164,6 +164,24 @@ const std::vector<Column> of_balance{
      "in 2D and twice that in 3D and in axisymmetric scenes."},
 };
 
+/// Those of a scene with needles: of all of them, and the force of each.
+const std::vector<Column> of_needles{
+    {"energy_needle", energy_unit,
+     "Energy in the springs of the needles: the sum of k w_i |U - u_i|^2/2 over the control values u_i of the "
+     "displacement, w_i the "
+     "integral of their functions over the box of a needle. Exists with a [[needle]], and is a part of energy_total."},
+    {"power_needle", power_unit,
+     "Power of the needles that move: their force times the velocity of their paths. energy_total changes by it as by "
+     "power_load; where a path jumps it jumps too."},
+};
+const std::vector<Column> of_needle{
+    {"needle_force_x", "a b^2 L0^(d-1)",
+     "Force of the needle on the solid along x: its reading. That of the second needle is needle_force_x_2. In "
+     "axisymmetric scenes it is 0, and the one along y is along the axis of symmetry."},
+    {"needle_force_y", "a b^2 L0^(d-1)", "The same along y; in 2D this is the vertical one."},
+    {"needle_force_z", "a b^2 L0^(d-1)", "The same along z, the vertical.", 3},
+};
+
 const std::vector<Column> of_interface{
     {"time", time_unit, "Time of the row, when field files are written too; the same clock as t in history.csv."},
     {"x_reference", "L0", "Position of the point of the wall along x before any deformation."},
@@ -180,10 +198,10 @@ const std::vector<Column> of_interface{
     {"traction_z", "a b^2", "The same along z, the vertical.", 3},
 };
 
-std::vector<Column> joined(std::vector<Column> all, const std::vector<Column>& droplet,
-                           const std::vector<Column>& balance) {
-  all.insert(all.end(), droplet.begin(), droplet.end());
-  all.insert(all.end(), balance.begin(), balance.end());
+std::vector<Column> all_of_history() {
+  std::vector<Column> all;
+  for (const std::vector<Column>* columns : {&of_step, &of_droplet, &of_balance, &of_needles, &of_needle})
+    all.insert(all.end(), columns->begin(), columns->end());
   return all;
 }
 
@@ -211,19 +229,23 @@ std::vector<std::string> names_of(const std::vector<Column>& columns, int dimens
 
 std::vector<std::string> contact_names(int dimension) { return names_of(of_droplet, dimension); }
 
-std::vector<std::string> history_names(int dimension, std::size_t droplets, std::size_t films) {
+std::vector<std::string> history_names(int dimension, std::size_t droplets, std::size_t films, std::size_t needles) {
   std::vector<std::string> names = names_of(of_step, dimension);
   for (std::size_t k = 0; k < droplets + films; ++k)
     for (const std::string& name : contact_names(dimension)) names.push_back(name + ending_of_body(k));
   for (const std::string& name : names_of(of_balance, dimension))
     if (name != laplace || droplets > 0) names.push_back(name);
+  if (needles > 0)
+    for (const std::string& name : names_of(of_needles, dimension)) names.push_back(name);
+  for (std::size_t k = 0; k < needles; ++k)
+    for (const std::string& name : names_of(of_needle, dimension)) names.push_back(name + ending_of_body(k));
   return names;
 }
 
 std::string ending_of_body(std::size_t body) { return body == 0 ? "" : "_" + std::to_string(body + 1); }
 
 const Column& history_column(const std::string& name) {
-  for (const std::vector<Column>* columns : {&of_step, &of_droplet, &of_balance})
+  for (const std::vector<Column>* columns : {&of_step, &of_droplet, &of_balance, &of_needles, &of_needle})
     for (const Column& column : *columns)
       if (column.name == name) return column;
   throw std::logic_error("history.csv has no column '" + name + "'");
@@ -237,11 +259,11 @@ const std::vector<ColumnTable>& column_tables() {
        "A row for every output.history.every steps, and one for the last step. An empty cell means that the quantity "
        "does not exist there: no fluid, no solid, no contact line. d is the dimension of the domain; in 2D integrals "
        "are per depth, and in axisymmetric scenes those of the whole turn, with d = 3. The columns of the second "
-       "droplet or bubble end in _2, of the third in _3, and so on; films are "
+       "droplet, bubble or needle end in _2, of the third in _3, and so on; films are "
        "numbered on behind the droplets (around bubbles they have none). When droplets merge, the first one goes on "
        "and "
        "the others stay empty. The columns of probes ([[probe]]) come last.",
-       joined(of_step, of_droplet, of_balance)},
+       all_of_history()},
       {"interface", "interface.csv",
        "The wall at the field times: two points for each element along each axis, and the ends. Without a fluid it is "
        "the top of the solid.",

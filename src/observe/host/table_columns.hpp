@@ -25,8 +25,10 @@ struct Column {
 /// Names of the columns that each droplet, bubble or film has in history.csv.
 std::vector<std::string> contact_names(int dimension);
 
-/// Header of history.csv. The columns of droplet number k = 2, 3, ... end in _k; the films are numbered on behind them.
-std::vector<std::string> history_names(int dimension, std::size_t droplets, std::size_t films = 0);
+/// Header of history.csv. The columns of droplet number k = 2, 3, ... end in _k; the films are numbered on behind them. Those of
+/// needles are numbered alike, and are not there without one.
+std::vector<std::string> history_names(int dimension, std::size_t droplets, std::size_t films = 0,
+                                       std::size_t needles = 0);
 
 /// What the names of the columns of a body end in. @param body  0 is the first droplet
 std::string ending_of_body(std::size_t body);

@@ -85,6 +85,7 @@ struct SolidBound {
   double surface = 0;        ///< square of the frequency of capillary waves on the undeformed top face
   double along_face = 0;     ///< the same of waves along it, by its modulus
   double springs = 0;        ///< that of the bottom on its springs
+  double held = 0;           ///< square of the frequency of the springs of needles
   double viscous = 0;        ///< rate of viscosity in the undeformed state
 
   /// @param symbols    of ends
@@ -104,6 +105,7 @@ struct SolidBound {
     surface = of_face(more.tension);
     along_face = of_face(more.modulus);
     springs = margin * symbols.springs * symbols.springs * more.foundation / (solid.density * length);
+    held = std::pow(symbols.held, many) * more.held / solid.density;
     viscous = modulus * more.viscosity;
     for (int d = 0; d < D; ++d)
       for (int e = 0; e < D; ++e) joined[d][e] = d == e ? 1 : free_axis[d] && free_axis[e] ? 0.5 : 0;
@@ -114,7 +116,7 @@ struct SolidBound {
     const double elastic = wave * wave * (stiffness(gradient) + stiffness_of_fibres(gradient));
     const double tension = surface > 0 && on_face ? surface * shortening(gradient) : 0;
     const double face = along_face > 0 && on_face ? stiffened(tension, gradient) : tension;
-    rate[elasticity] = Kokkos::sqrt(elastic + face + (below ? springs : 0));
+    rate[elasticity] = Kokkos::sqrt(elastic + face + (below ? springs : 0) + held);
     const auto deformed = add_diagonal(gradient, 1.0);
     const double length = contract(deformed, deformed) / (Axial ? 3 : D);  // |F|^2, 1 where nothing is deformed
     rate[viscosity] = viscous * Kokkos::max(1.0, length) * Kokkos::max(1.0, length);

@@ -29,6 +29,15 @@ LinearSolves linear_solves(const Case& c, Precision precision) {
   return precision == Precision::full || c.solver.precision == "double" ? LinearSolves::full : LinearSolves::single;
 }
 
+/// Of the solid without its needles in its part of the Jacobian, 1 without needles. Residuals begin as large as stiff springs make them:
+/// to be so many times smaller is not enough for what is not held.
+template <int D, int P>
+double share_of_solid(const Model<D, P>& model, const Stage& stage) {
+  if (model.needles().empty()) return 1;
+  const double free = solid_part(model, stage).size;
+  return free / (free + model.rates_of_solid().held * stage.displacement_scale);
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -67,7 +76,10 @@ std::vector<FieldRange> ImplicitSolver<D, P>::fields() const {
   const double atol = control.atol, rate = integrator.stage().rate_scale;
   const LameParameters& solid = model.stiffness();
   const double stiffness = solid.lambda + 2 * solid.shear_modulus;
-  std::vector<FieldRange> f{{0, l.velocity_size(), atol * volume_norm * std::max({rate, 1.0, stiffness})}};
+  constexpr double digits = 1e-15;  // of the forces of needles, whose stiffness takes them from displacements
+  const double held = digits * model.rates_of_solid().held * l.axis[D - 1].length();
+  std::vector<FieldRange> f{
+      {0, l.velocity_size(), volume_norm * std::max(atol * std::max({rate, 1.0, stiffness}), held)}};
   if (l.has_fluid) {
     f.push_back({l.density_offset(), l.potential_offset(), atol * volume_norm * std::max(rate, 1e-2)});
     f.push_back({l.potential_offset(), l.size(), atol * volume_norm});
@@ -87,7 +99,9 @@ NonlinearSystem ImplicitSolver<D, P>::system() {
 
 template <int D, int P>
 StepAttempt ImplicitSolver<D, P>::solve(const NonlinearSystem& system, const std::vector<FieldRange>& ranges) {
-  const NewtonResult result = newton.solve(system, ranges, control, x);
+  NewtonControl of_step = control;
+  of_step.rtol *= share_of_solid(model, integrator.stage());
+  const NewtonResult result = newton.solve(system, ranges, of_step, x);
   StepAttempt attempt{result.refusal, 0, result.iterations, result.krylov, result.iterations + 2 > control.max};
   if (result.converged) attempt.refusal = judge.of_end(integrator.stage());
   return attempt;

@@ -81,6 +81,14 @@ Dense inverse(const Dense& mass, MassKind kind, double kept, bool held_below, bo
 
 double largest(const Dense& m) { return m.eigenvalues().cwiseAbs().maxCoeff(); }
 
+/// Largest factor between what is lumped, as springs at control values are, and a mass. Ties make lumped masses larger. So
+/// the eigenvalues of e in the series lie in [0, 1], in any dimension, and the largest value of it there bounds corrected masses.
+double held_factor(const ElementLine& line, MassKind kind) {
+  if (kind == MassKind::lumped) return 1;
+  if (kind == MassKind::corrected) return series<double>(1, (1 + std::sqrt(7.0)) / 6);
+  return largest(line.mass.inverse() * Dense(line.mass.rowwise().sum().asDiagonal()));
+}
+
 }  // namespace
 
 MassSymbols inside_symbols(int degree, MassKind kind) {
@@ -104,6 +112,7 @@ MassSymbols inside_symbols(int degree, MassKind kind) {
     s.viscous = std::max(s.viscous, inverse * stiffness);
     s.convective = std::max(s.convective, inverse * std::abs(slope));
     s.elastic = std::max(s.elastic, std::sqrt(inverse * stiffness));
+    if (kind == MassKind::consistent) s.held = std::max(s.held, 1 / mass);
   }
   s.diffusive = s.viscous;
   return s;
@@ -138,6 +147,7 @@ MassSymbols end_symbols(int degree, MassKind kind, int elements, bool radial) {
   const double along = radial ? std::max(s.viscous, s.elastic * s.elastic) : s.viscous;
   s.surface = std::sqrt(along * held_below(held_below.rows() - 1, held_below.cols() - 1));
   s.springs = std::sqrt(inverse(upwards, kind, kept_of_velocities, false, false)(0, 0));
+  s.held = std::max(s.held, held_factor(line, kind));
   return s;
 }
 
@@ -155,6 +165,7 @@ MassSymbols with_joint(MassSymbols ends, int degree, MassKind kind, JoinedElemen
   ends.elastic = std::max(ends.elastic, std::sqrt(std::max(free, of(true, false))));
   ends.viscous = std::max({ends.viscous, free, of(true, true)});
   ends.springs = std::max(ends.springs, std::sqrt(inverse_of(false, false)(0, 0)));
+  ends.held = std::max(ends.held, held_factor(line, kind));
   return ends;
 }
 

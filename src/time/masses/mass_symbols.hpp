@@ -12,11 +12,13 @@ namespace softwet {
 ///   sound w = acoustic c / h,  capillary waves w = capillary g sqrt(rho) / h^2,  viscosity s = viscous (4/3 m / rho) / h^2,
 ///   stabilisation  k = diffusive / h^2,  convection w = convective |v| / h,  elastic waves w = elastic c_p / h,
 ///   waves of a face with the tension Ups on a solid w = surface sqrt(Ups / rho_0) / h^(3/2), for each axis of the face,
-///   a face on springs, which is free otherwise, w = springs sqrt(kap / rho_0 / h).
+///   a face on springs, which is free otherwise, w = springs sqrt(kap / rho_0 / h),
+///   springs of the stiffness k at control values  w = sqrt(held k / rho_0).
 /// With lumped and corrected masses they are the same in two and three dimensions. With consistent masses those of the axes
-/// add up (acoustic and elastic: their squares).
+/// add up (acoustic and elastic: their squares), but for `held`: factors of the axes multiply.
 struct MassSymbols {
-  double acoustic = 0, capillary = 0, viscous = 0, diffusive = 0, convective = 0, elastic = 0, surface = 0, springs = 0;
+  double acoustic = 0, capillary = 0, viscous = 0, diffusive = 0, convective = 0, elastic = 0, surface = 0, springs = 0,
+         held = 0;
 };
 
 /// Away from the ends of axes: the extremes of the Fourier symbols.

@@ -24,11 +24,11 @@ TEST(Integrals, OfAColumnAreTheSumOfItsParts) {
   EXPECT_EQ(all["mass"], 1);
   EXPECT_EQ(all["energy_free"], all.part("energy_free_bulk") + all.part("energy_free_gradient"));
   EXPECT_EQ(all["energy_surface"], all.part("energy_surface"));
-  EXPECT_EQ(all.energy(), 2 + 4 + 8 + 16 + 32 + 64 + 128 + 256);
-  EXPECT_EQ(all.dissipation(), 4096 + 8192 + 16384 + 32768);
+  EXPECT_EQ(all.energy(), 2 + 4 + 8 + 16 + 32 + 64 + 128 + 256 + 512);
+  EXPECT_EQ(all.dissipation(), 8192 + 16384 + 32768 + 65536);
   EXPECT_EQ(all["dissipation"], all.dissipation());
-  EXPECT_EQ(all["dissipation_solid"], 16384);
-  EXPECT_EQ(all["dissipation_wall"], 32768);
+  EXPECT_EQ(all["dissipation_solid"], 32768);
+  EXPECT_EQ(all["dissipation_wall"], 65536);
 }
 
 TEST(Integrals, SizeOfEnergiesKnowsNoSigns) {
@@ -72,7 +72,7 @@ TEST(Integrals, RefuseForeignNames) {
 }
 
 TEST(Integrals, AreAllShown) {
-  const std::vector<std::string> columns = history_names(3, 0);
+  const std::vector<std::string> columns = history_names(3, 0, 0, 1);
   for (const std::string_view part : Integrals::parts) {
     bool shown = false;
     for (const std::string& column : columns) shown = shown || Integrals::belongs(part, column);

@@ -68,9 +68,19 @@ TEST(Columns, OfFilmsFollowThoseOfDroplets) {
   EXPECT_TRUE(has(both, "laplace"));
 }
 
+TEST(Columns, OfNeedlesComeLastAndOnlyWithOne) {
+  const std::vector<std::string> none = history_names(3, 1), two = history_names(2, 1, 0, 2);
+  EXPECT_FALSE(has(none, "energy_needle") || has(none, "needle_force_x"));
+  EXPECT_TRUE(has(two, "energy_needle") && has(two, "power_needle"));
+  EXPECT_TRUE(has(two, "needle_force_x") && has(two, "needle_force_y_2"));
+  EXPECT_FALSE(has(two, "needle_force_z"));
+  EXPECT_EQ(two.back(), "needle_force_y_2");
+  EXPECT_TRUE(has(history_names(3, 0, 0, 1), "needle_force_z"));
+}
+
 TEST(Columns, AreFoundByName) {
   for (int dimension : {2, 3})
-    for (const std::string& name : history_names(dimension, 1)) EXPECT_EQ(history_column(name).name, name);
+    for (const std::string& name : history_names(dimension, 1, 0, 1)) EXPECT_EQ(history_column(name).name, name);
   EXPECT_EQ(history_column("rho_min").needs, Needs::fluid);
   EXPECT_EQ(history_column("energy_surface").needs, Needs::solid);
   EXPECT_EQ(history_column("energy_total").needs, Needs::nothing);

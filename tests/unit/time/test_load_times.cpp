@@ -126,6 +126,29 @@ TEST(LoadTimes, AJumpOfAnExpressionIsFound) {
   EXPECT_EQ(times.longest(times.behind(t), 5), 5);
 }
 
+/// A needle beside a load that begins at run time 3, where t is 0.
+Case with_needle(std::function<double(double)> path, std::vector<double> points = {}) {
+  Case c = loaded(3, 5);
+  auto formula = std::make_shared<Given>();
+  formula->value = std::move(path);
+  formula->points = std::move(points);
+  Needle needle{{0, 0}, {1, 1}, 1, {0, 0}};
+  needle.path[0].formula = formula;
+  c.needles = {needle};
+  return c;
+}
+
+TEST(LoadTimes, PathsOfNeedlesCountFromTheClockOfResultsOn) {
+  const LoadTimes points(with_needle(table({-1, 2, 4, 4 + 1e-12, 6}, {0, 0, 1, 3, 3}), {-1, 2, 4, 4 + 1e-12, 6}));
+  EXPECT_EQ(points.kinks(), (std::vector<double>{3, 8, 5, 7, 9}));
+  ASSERT_EQ(points.jumps().size(), 1);
+  EXPECT_EQ(points.jumps()[0].time, 7);
+  EXPECT_GT(points.behind(7), 7);
+  const LoadTimes swing(with_needle([](double t) { return std::sin(t); }));
+  EXPECT_EQ(swing.longest(0, 2), 2) << "it stands still before";
+  EXPECT_LT(swing.longest(3, 50), 1);
+}
+
 TEST(LoadTimes, ALoadThatBeginsLaterBoundsNoStepBefore) {
   const LoadTimes times(loaded(10, 1, [](double t) { return std::sin(20 * t); }));
   EXPECT_EQ(times.longest(0, 10), 10);

@@ -173,6 +173,23 @@ TEST(StepBound, HoldsForASolidOnAFoundation) {
     }
 }
 
+TEST(StepBound, HoldsForASolidThatNeedlesHold) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
+    for (const double stiffness : {2e3, 1e5}) {
+      Case c = moving_droplet(Scene::solid);
+      c.needles = {{{0.3, 0.2}, {0.75, 0.8}, stiffness, {0.01, 0}}};
+      const double found = room(c, "kick_drift", kind);
+      EXPECT_GE(found, 1) << stiffness;
+      EXPECT_LE(found, 1.7) << stiffness;
+    }
+  Case coupled = moving_droplet(Scene::coupled);
+  coupled.needles = {{{0.3, 0}, {0.75, 0.8 / 3}, 1e5, {0.01, 0}}};
+  EXPECT_GE(room(coupled, "kick_drift"), 1);
+  Case round = around_axis(moving_droplet(Scene::solid));
+  round.needles = {{{0.3, 0.2}, {0.75, 0.8}, 1e5, {0, 0.01}}};
+  EXPECT_GE(room(round, "kick_drift"), 1);
+}
+
 /// A solid of square elements that is held at its left end, or nowhere.
 Case block(std::vector<int> elements, double poisson, bool held) {
   Case c = scene(Scene::solid);

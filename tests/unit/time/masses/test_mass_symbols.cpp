@@ -32,6 +32,19 @@ TEST(MassSymbols, AreTheExtremesOfTheSymbolsOfQuadraticSplines) {
   EXPECT_NEAR(b.elastic, corrected.elastic, 1e-4);
 }
 
+TEST(MassSymbols, SpringsAtControlValuesMeetLumpedMasses) {
+  EXPECT_NEAR(inside_symbols(2, MassKind::consistent).held, 7.5, 1e-9);  // 1 / m at x = pi
+  EXPECT_EQ(end_symbols(2, MassKind::lumped).held, 1);
+  double most = 0;
+  for (int n = 0; n <= 10000; ++n) {
+    const double e = n / 10000.0;
+    most = std::max(most, 1 + e + e * e - 2 * e * e * e);
+  }
+  EXPECT_NEAR(end_symbols(3, MassKind::corrected).held, most, 1e-7);
+  // One element of degree 2: row sums 1/3 over the smallest eigenvalue 1/30 of its mass.
+  EXPECT_NEAR(end_symbols(2, MassKind::consistent, 1).held, 10, 1e-9);
+}
+
 TEST(MassSymbols, AnAxisOfSymmetryIsUpToAFifthStifferThanAnEnd) {
   for (const int degree : {2, 3})
     for (const MassKind kind : {MassKind::lumped, MassKind::corrected}) {
