@@ -1,7 +1,10 @@
 // Fibres in the solid: a family with one direction, which resists stretch along it.
 #pragma once
 
+#include <cmath>
+
 #include "kernels/point/solid_fields.hpp"
+#include "kernels/solid/prestretch.hpp"
 
 namespace softwet {
 
@@ -15,6 +18,23 @@ struct Fibres {
   double stiffness = 0;                       ///< k
   Vector<double, 3> direction = {{1, 0, 0}};  ///< a_0, unit vector along the axes
   double finite = 1;  ///< 0 where strains are small: F = I in P, and I_4 - 1 = 2 a_0 . Grad u a_0
+  double excess = 0;  ///< added to I_4 - 1: 1 - 1/l^2 of fibres that are stretched by l where u = 0
+
+  /// The same fibres in a solid that was stretched before. With F_0 a_0 = l e their energy for each stretched volume is
+  ///   k/2 (l^2 |F e|^2 - 1)^2 / J_0 = (k l^4 / J_0)/2 (|F e|^2 - 1/l^2)^2
+  Fibres after(const Prestretch& before) const {
+    if (!before.acts) return *this;
+    Fibres r = *this;
+    double square = 0;
+    for (int d = 0; d < 3; ++d) {
+      r.direction[d] = before.stretch[d] * direction[d];
+      square += r.direction[d] * r.direction[d];
+    }
+    r.direction = (1 / std::sqrt(square)) * r.direction;
+    r.stiffness = stiffness * square * square / before.volume_ratio();
+    r.excess = 1 - 1 / square;
+    return r;
+  }
 
   template <class N, int D, class M = Matrix<N, D>>
   using Trial = SolidStrain<N, D, M>;
@@ -26,7 +46,7 @@ struct Fibres {
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const SolidStrain<N, D, M>& t) const {
     const Vector<N, D> moved = along<N, D>(t.displacement_gradient);
-    const N tension = (2.0 * stiffness) * stretch(moved);
+    const N tension = (2.0 * stiffness) * (stretch(moved) + excess);
     MomentumTest<N, D, M> r;
     if constexpr (is_axial_matrix<M>) r.momentum_flux.hoop = N(0.0);
     SOFTWET_UNROLL
@@ -42,7 +62,7 @@ struct Fibres {
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidStrain<N, D, M>& t) const {
     const N more = stretch(along<N, D>(t.displacement_gradient));
-    return (0.5 * stiffness) * (more * more);
+    return (0.5 * stiffness) * (more * (more + 2.0 * excess));
   }
 
  private:
@@ -58,7 +78,7 @@ struct Fibres {
     }
     return r;
   }
-  /// I_4 - 1
+  /// I_4 - 1, and that where u = 0 is 0
   template <class N, int D>
   KOKKOS_FORCEINLINE_FUNCTION N stretch(const Vector<N, D>& moved) const {
     N sum = finite * dot(moved, moved);

@@ -9,6 +9,7 @@
 #include "model/distances.hpp"
 #include "model/equilibrium.hpp"
 #include "model/groups.hpp"
+#include "model/prestretch.hpp"
 
 namespace softwet {
 namespace {
@@ -195,7 +196,8 @@ double least_radius(const Case& c, const Droplet& droplet) { return least_radius
 
 double longest_elastocapillary_length(const Case& c) {
   const double without = std::max(0.85 * c.fluid->capillarity, 0.17 * largest_radius(c));
-  return without * (1 + 0.5 * c.substrate->surface_tension / surface_tension(*c.fluid));
+  const double face = stiffness_of_face(c, prestretch_of(c, stiffest_of(*c.substrate)));
+  return std::clamp(face, 0.05, 1.0) * without * (1 + 0.5 * c.substrate->surface_tension / surface_tension(*c.fluid));
 }
 
 bool too_soft(const Case& c) {
@@ -233,6 +235,7 @@ std::vector<std::string> forecast(const Case& c) {
   if (!c.substrate) return found;
   if (c.fluid) add_softness(c, found);
   if (c.fluid) add_neumann(c, found);
+  for (const std::string& told : forecast_of_prestretch(c)) found.push_back(told);
   add_locking(c, found);
   add_density(c, found);
   return found;

@@ -19,7 +19,8 @@ double least_radius(const Case&, const Droplet&);
 /// Longest sigma / E that a Saint Venant-Kirchhoff solid bears under a droplet; scale L0: 0.85 capillarities or 0.17
 /// radii of the largest droplet, whichever is longer, times 1 + Upsilon / (2 sigma) with the surface tension Upsilon of the dry
 /// solid. Measured in 2D at temperature 0.39 (docs/limits.md): in the scenes of its tables runs went through below and stopped above,
-/// soon after the start; of eight scenes sampled at random five stopped at 0.85 capillarities already. Only with a fluid and a solid.
+/// soon after the start; of eight scenes sampled at random five stopped at 0.85 capillarities already. A layer that was compressed before
+/// has the stiffness of its face less (`stiffness_of_face`); that factor is from theory, not measured. Only with a fluid and a solid.
 double longest_elastocapillary_length(const Case&);
 
 /// True where sigma / E is longer.
@@ -47,7 +48,7 @@ double ridge_error(const Case&);
 double least_gap(const Fluid&);
 
 /// Sentences for the user, each with key, value, bound and remedy: droplets that dissolve or are near each other or a
-/// side, a fluid without any, a solid too soft for its droplet, one that locks, a density that changes its stiffness, a
+/// side, a fluid without any, a solid too soft for its droplet, one whose prestretch asks for another law or folds, one that locks, a density that changes its stiffness, a
 /// tolerance that costs steps. Empty when nothing is known.
 std::vector<std::string> forecast(const Case&);
 

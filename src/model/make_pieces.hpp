@@ -57,12 +57,16 @@ class PieceMaker {
   void add_solid(const Substrate& s) {
     const auto elastic = [&](const auto& solid) {
       if (!model_.graded(0).values.data()) return add<NoMotion>(solid.material.name, solid);
+      const char* name = model_.prestretch().acts ? "stretched solid" : "graded solid";
+      const ElasticLaw law = law_of(solid.material);
       if (s.volume_quadrature == VolumeQuadrature::full)
-        return add_graded("graded solid", GradedSolid{law_of(solid.material), model_.stiffness(), solid.density});
+        return add_graded(name, GradedSolid{law, model_.stiffness(), solid.density, model_.prestretch()});
       const SelectiveParts parts = SelectiveParts::of(model_.stiffness());
-      add_graded("solid", GradedSolid{law_of(solid.material), parts.everywhere, solid.density});
+      add_graded(name, GradedSolid{law, parts.everywhere, solid.density, model_.prestretch()});
+      Prestretch of_means = model_.prestretch();
+      of_means.energy_at_rest = 0;  // the other part has that of both
       if (parts.of_means.lambda > 0)
-        add_graded("solid, means of elements", SolidOfMeans{{law_of(solid.material), parts.of_means, 0}});
+        add_graded("solid, means of elements", SolidOfMeans{{law, parts.of_means, 0, of_means}});
     };
     std::visit(elastic, model_.solid());
     const double finite = s.strain == "small" ? 0 : 1;

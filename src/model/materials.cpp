@@ -11,6 +11,7 @@
 #include "model/greville_points.hpp"
 #include "model/line_friction.hpp"
 #include "model/model.hpp"
+#include "model/prestretch.hpp"
 #include "model/solid_rates.hpp"
 
 namespace softwet {
@@ -99,7 +100,8 @@ void Model<D, P>::build_solid(const Case& c) {
   const Substrate& s = *c.substrate;
   young_ = s.young;
   largest_young_ = s.young.number;
-  if (s.young.varies() || s.volume_quadrature == VolumeQuadrature::selective) grade_solid(s.young);
+  // One kernel serves stiffness that varies, prestretch and selective integration, so that there is no kernel more.
+  if (s.young.varies() || !s.prestretch.empty() || s.volume_quadrature == VolumeQuadrature::selective) grade_solid(s.young);
   stiffness_ = LameParameters::from(s.density * largest_young_, s.poisson);
   const double density = s.inertia == "none" ? 0.0 : s.density;
   if (s.strain == "small") {
@@ -109,7 +111,8 @@ void Model<D, P>::build_solid(const Case& c) {
   } else {
     solid_ = Elastodynamics<SaintVenantKirchhoff>{{stiffness_}, density};
   }
-  fibres_ = fibres_of(s, D);
+  prestretch_ = prestretch_of(c, stiffness_);
+  fibres_ = fibres_of(s, D).after(prestretch_);
   solid_rates_ = solid_rates(c);
   for (const Load& load : c.loads) loads_.emplace_back(layout_, load, s.density, c.clock_zero());
   needles_ = Needles<D>(layout_, c);
@@ -123,7 +126,9 @@ void Model<D, P>::build_solid(const Case& c) {
 
 template <int D, int P>
 Matrix<double, 3> Model<D, P>::first_piola(const Matrix<double, 3>& grad_u, const std::array<double, 3>& x) const {
-  Matrix<double, 3> p = std::visit([&](const auto& solid) { return solid.material.first_piola(grad_u); }, solid_);
+  const Matrix<double, 3> whole = prestretch_.whole(grad_u);
+  Matrix<double, 3> p =
+      std::visit([&](const auto& solid) { return prestretch_.first_piola(solid.material.first_piola(whole)); }, solid_);
   if (young_.varies()) p = (young_.at(x) / largest_young_) * p;
   if (fibres_.stiffness > 0) p = p + fibres_.residual(SolidStrain<double, 3>{grad_u}).momentum_flux;
   return p;

@@ -15,6 +15,7 @@
 #include "kernels/solid/fibres.hpp"
 #include "kernels/solid/hooke.hpp"
 #include "kernels/solid/neo_hookean.hpp"
+#include "kernels/solid/prestretch.hpp"
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
 #include "model/integrals.hpp"
 #include "model/loads.hpp"
@@ -52,13 +53,14 @@ class Model {
   const SolidRates& rates_of_solid() const { return solid_rates_; }
   const LameParameters& stiffness() const { return stiffness_; }  ///< the same
   const Fibres& fibres() const { return fibres_; }                ///< of stiffness 0 where there are none
+  const Prestretch& prestretch() const { return prestretch_; }    ///< of the material; that of fibres is part of them
   /// First Piola-Kirchhoff stress of the material, as stiff as it is at the point x of the undeformed solid, and of its
-  /// fibres; without its viscosity. On the host. In 2D Grad u has the third axis too.
+  /// fibres, with the prestretch; without its viscosity. On the host. In 2D Grad u has the third axis too.
   Matrix<double, 3> first_piola(const Matrix<double, 3>& grad_u, const std::array<double, 3>& x) const;
   /// Also of the gradient law: its capillarity and cosine. Where the angle varies along the wall the cosine is 1.
   const EnergyWall& wall() const { return wall_.law; }
   const LineFriction& line_friction() const { return line_friction_; }  ///< only where Layout::rate_rows > 0
-  /// Stiffness over that of `solid`, below and above a joint; empty where it does not vary.
+  /// Stiffness over that of `solid`, below and above a joint; empty where the solid has a kernel of its own (grade_solid).
   const GivenField<double>& graded(int part) const { return graded_[part]; }
   /// Cosine of the contact angle; empty where it does not vary.
   const GivenField<double>& painted() const { return painted_; }
@@ -162,6 +164,7 @@ class Model {
   LameParameters stiffness_;
   SolidRates solid_rates_;
   Fibres fibres_;
+  Prestretch prestretch_;
   Profile young_;
   double largest_young_ = 0;
   GivenField<double> graded_[2], painted_, tension_;

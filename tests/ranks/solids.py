@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Solids with a tense and elastic surface, viscosity, weight, fibres, a foundation, a stiffness and a wetting that vary, under a load
-or a needle that moves: the same bits on any number of processes.
+or a needle that moves: the same bits on any number of processes; and of solids that are stretched before.
 usage: solids.py SOFTWET"""
 
 from _ranks import check_same, run
@@ -13,7 +13,9 @@ SCENE = ["domain.elements=[44,16]", "fluid.capillarity=1/16", "fluid.temperature
          "substrate.surface_modulus=[0.02,0.01]", "boundary.bottom=free", "boundary.foundation=[5,1]"]
 AROUND = ["boundary.left=periodic", "boundary.right=periodic"]
 EXPLICIT = ["time.scheme=kick_drift"]
-RUNS = {"implicit": [], "explicit": EXPLICIT, "implicit_around": AROUND, "explicit_around": [*AROUND, *EXPLICIT]}
+STRETCHED = ["substrate.prestretch=[1.2]", 'substrate.material="neo_hookean"', "substrate.fibre.angle=0"]
+RUNS = {"implicit": [], "explicit": EXPLICIT, "implicit_around": AROUND, "explicit_around": [*AROUND, *EXPLICIT],
+        "stretched": STRETCHED, "stretched_explicit": [*STRETCHED, *EXPLICIT]}
 
 for name, settings in RUNS.items():
     for count in (1, 3):

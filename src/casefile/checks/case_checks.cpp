@@ -277,6 +277,7 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
   check.with({"substrate.fibre.azimuth"}, [&] { check_fibre(check); });
   check.with({"substrate.surface_modulus"}, [&] { check_surface_modulus(check); });
+  check_prestretch(check);
   check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box"},
              [&] { check_joint(check); });
   for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);

@@ -69,5 +69,7 @@ void check_initial(const Checker& check);
 /// What is written and when.
 void check_output(const Checker& check);
 void check_probes(const Checker& check);
+/// A solid that is stretched before the scene begins.
+void check_prestretch(const Checker& check);
 
 }  // namespace softwet

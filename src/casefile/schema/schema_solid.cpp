@@ -78,6 +78,17 @@ std::vector<Key> substrate_keys() {
            "Inertia of the solid. none leaves the solid in equilibrium with the fluid and the loads at every time: for "
            "motion that is slow against elastic waves. Explicit schemes need full.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->inertia; })},
+      {.name = "substrate.prestretch",
+       .kind = Kind::numbers,
+       .range = {0.4, 3, false, false},
+       .help =
+           "Stretch along the wall before the scene begins: [l_1] in 2D, where the strain stays plane, [l_1, l_2] "
+           "along x and y in 3D, [l] along r and around the axis in (r, z). Upright the layer thins so far that its "
+           "top is free of stress. All lengths, the density and the viscosity are those of the stretched layer, "
+           "young is that of the material before, and the displacement counts from the stretched state. The sides "
+           "have to hold the stretch. With it choose material = \"neo_hookean\".",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->prestretch; }),
+       .default_note = "[], none"},
       {.name = "substrate.viscosity",
        .unit = "L0 b sqrt(ab)",
        .range = {0, infinity, false, true},

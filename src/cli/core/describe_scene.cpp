@@ -9,6 +9,7 @@
 #include "kernels/solid/isotropic.hpp"
 #include "model/equilibrium.hpp"
 #include "model/groups.hpp"
+#include "model/prestretch.hpp"
 
 namespace softwet {
 namespace {
@@ -21,6 +22,28 @@ std::vector<Line> stiffness(const Substrate& s) {
   return {{"Young modulus", formatted(s.young_modulus(), "%.4g") + " a b^2 (density x young)"},
           {"shear modulus", formatted(solid.shear_modulus, "%.4g") + " a b^2"},
           {"first Lame parameter lambda", formatted(solid.lambda, "%.4g") + " a b^2"}};
+}
+
+/// Of the layer where its displacement is 0.
+std::vector<Line> prestretch(const Case& c) {
+  const Substrate& s = *c.substrate;
+  const LameParameters solid = stiffest_of(s);
+  const Prestretch p = prestretch_of(c, solid);
+  const Matrix<double, 3> stress = stress_at_rest(c, solid);
+  const int up = c.dimension() - 1;
+  const std::string names = c.axisymmetric() ? "r" : "xy";
+  std::string stretches;
+  std::vector<Line> lines;
+  for (int d = 0; d < up; ++d) stretches += formatted(p.stretch[d], "%.5g") + " along " + names[d] + ", ";
+  lines.push_back({"stretch", stretches + formatted(p.stretch[up], "%.5f") + " upright"});
+  lines.push_back({"volume over that before", formatted(p.volume_ratio(), "%.5f")});
+  lines.push_back({"thickness before", formatted(s.thickness / p.stretch[up], "%.5g") + " L0"});
+  for (int d = 0; d < up; ++d)
+    lines.push_back(
+        {std::string("stress along ") + names[d], formatted(stress(d, d), "%.4g") + " a b^2 (" +
+                                                      formatted(stress(d, d) / solid.shear_modulus, "%.4g") + " G" +
+                                                      (s.young.varies() ? ", where the solid is stiffest)" : ")")});
+  return lines;
 }
 
 std::vector<Line> equilibrium(const Fluid& fluid) {
@@ -123,6 +146,8 @@ void print_section(std::ostream& out, const std::string& title, const std::vecto
 
 void describe_scene(const Case& c, std::ostream& out) {
   if (c.substrate) print_section(out, "stiffness of the solid", stiffness(*c.substrate));
+  if (c.substrate && !c.substrate->prestretch.empty())
+    print_section(out, "prestretch of the solid, where the displacement is 0", prestretch(c));
   if (c.fluid) print_section(out, "equilibrium", equilibrium(*c.fluid));
   if (c.fluid && c.fluid->resists_lines()) print_section(out, "contact lines", contact_lines(*c.fluid));
   if (const auto lines = profiles(c); !lines.empty()) print_section(out, "numbers that vary", lines);

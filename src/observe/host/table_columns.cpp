@@ -39,7 +39,8 @@ const std::vector<Column> of_step{
     {"energy_elastic", energy_unit,
      "Elastic energy of the solid and its fibres. With saint_venant_kirchhoff that of the solid is the integral of "
      "lambda "
-     "tr(E)^2/2 + G E:E."},
+     "tr(E)^2/2 + G E:E. With substrate.prestretch it is what the stretched layer has more than where its displacement "
+     "is 0, and may be negative."},
     {"power_load", power_unit, "Power of the loads: the integral of rho_0^s f.v over their boxes, at time t."},
     {"dissipation", power_unit,
      "Energy dissipated per time: the integral of tau : grad v + eps |grad mu|^2. The first part is viscous, the "

@@ -112,6 +112,7 @@ auto StepBound<D, P>::solid_point(const Solid& solid, const ConstArray& displace
       {},
       l.solid_rows() * l.row_size,
       l.row_size};
+  point.bound.prestretch = model_.prestretch();
   for (int d = 0; d < D; ++d) {
     point.greville[d] = greville_[d];
     point.extent[d] = d == D - 1 ? l.solid_rows() : l.extent(d);

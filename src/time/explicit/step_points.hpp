@@ -80,6 +80,7 @@ struct SolidBound {
   Material material;
   Fibres fibres;
   StepFormula formula;
+  Prestretch prestretch = {};
   double joined[D][D] = {};  ///< part of dP/dF between two axes that counts
   double wave = 0;           ///< frequency of elastic waves = wave sqrt(stiffness)
   double surface = 0;        ///< square of the frequency of capillary waves on the undeformed top face
@@ -132,6 +133,9 @@ struct SolidBound {
     if constexpr (Axial) a.hoop = Dual<double>(gradient.hoop, 0.0);
     return a;
   }
+  KOKKOS_FUNCTION Tensor<Dual<double>> first_piola(const Tensor<Dual<double>>& gradient) const {
+    return prestretch.first_piola(material.first_piola(prestretch.whole(gradient)));
+  }
   /// Largest row of dP/dF.
   KOKKOS_FUNCTION double stiffness(const Tensor<double>& gradient) const {
     double row[D][D] = {};  // [component of the force][axis of the wave]
@@ -139,7 +143,7 @@ struct SolidBound {
       for (int axis = 0; axis < D; ++axis) {
         Tensor<Dual<double>> moved = dual(gradient);
         moved(along, axis).tangent = 1;
-        const Tensor<Dual<double>> stress = material.first_piola(moved);
+        const Tensor<Dual<double>> stress = first_piola(moved);
         for (int c = 0; c < D; ++c)
           for (int d = 0; d < D; ++d) row[c][d] += joined[d][axis] * Kokkos::abs(stress(c, d).tangent);
       }
@@ -147,7 +151,7 @@ struct SolidBound {
     if constexpr (Axial) {
       Tensor<Dual<double>> moved = dual(gradient);
       moved.hoop.tangent = 1;
-      largest = Kokkos::abs(material.first_piola(moved).hoop.tangent);
+      largest = Kokkos::abs(first_piola(moved).hoop.tangent);
     }
     for (int c = 0; c < D; ++c)
       for (int d = 0; d < D; ++d) largest = Kokkos::max(largest, row[c][d]);

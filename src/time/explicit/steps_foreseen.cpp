@@ -5,6 +5,7 @@
 
 #include "case/mesh.hpp"
 #include "model/fluid_of.hpp"
+#include "model/prestretch.hpp"
 #include "model/solid_rates.hpp"
 #include "time/explicit/step_points.hpp"
 
@@ -53,21 +54,32 @@ bool has_free_end(const Case& c, int axis) {
   return !c.fluid && (ends[0] == Side::free || ends[1] == Side::free);
 }
 
-/// Of a solid that is not deformed, where all materials are alike.
-template <int D, bool Axial>
-double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest) {
-  using Bound = step_points::SolidBound<D, SaintVenantKirchhoff, Axial>;
+/// Of a solid whose displacement is 0.
+template <int D, bool Axial, class Material>
+double rate_of_material(const Case& c, const MassSymbols& symbols, double shortest) {
+  using Bound = step_points::SolidBound<D, Material, Axial>;
   const Substrate& s = *c.substrate;
   bool free_axis[D];
   for (int d = 0; d < D; ++d) free_axis[d] = has_free_end(c, d);
-  const Bound bound({{LameParameters::from(s.density * s.young.most(), s.poisson)}, s.density}, fibres_of(s, D),
-                    StepFormula::kick_drift, solid_rates(c), symbols, 1, shortest, free_axis);
+  const LameParameters stiffness = stiffest_of(s);
+  const Prestretch prestretch = prestretch_of(c, stiffness);
+  Bound bound({{stiffness}, s.density}, fibres_of(s, D).after(prestretch), StepFormula::kick_drift, solid_rates(c),
+              symbols, 1, shortest, free_axis);
+  bound.prestretch = prestretch;
   const auto rate = [&](bool on_face) {
     double found[step_points::mechanisms] = {};
     bound.rates({}, on_face, !on_face, found);
     return found[step_points::combined];
   };
   return std::max(rate(true), rate(false));
+}
+
+/// All materials are alike where nothing is stretched.
+template <int D, bool Axial>
+double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest) {
+  if (c.substrate->prestretch.empty() || c.substrate->material != "neo_hookean")
+    return rate_of_material<D, Axial, SaintVenantKirchhoff>(c, symbols, shortest);
+  return rate_of_material<D, Axial, NeoHookean>(c, symbols, shortest);
 }
 
 double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest) {

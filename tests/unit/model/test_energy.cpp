@@ -128,6 +128,32 @@ TEST(EnergyLaw, OfARichSolid) {
   }
 }
 
+// The same for solids that are stretched before: their energy counts from where nothing is displaced.
+TEST(EnergyLaw, OfAStretchedSolid) {
+  for (const char* material : {"neo_hookean", "saint_venant_kirchhoff"})
+    for (const bool around : {false, true}) {
+      Case c = scene(Scene::solid);
+      c.substrate->prestretch = {1.15};
+      c.substrate->material = material;
+      if (!around) c.substrate->fibre = {0.5, 0, 0};
+      RandomScene s(around ? axisymmetric(c) : c);
+      const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
+      const auto energy = [&](double e) {
+        Stage moved = s.stage();
+        moved.unknown = plus(moved.unknown, e, to_host(s.stage().acceleration));
+        moved.displacement = plus(moved.displacement, e, x);
+        return s.model.integrals(moved).energy();
+      };
+      const double power = s.model.load_power(s.stage().time, s.stage().unknown);
+      const double expected = slope(energy, 1e-3) - power;
+      EXPECT_NEAR(s.model.turn() * contract(r, x, 0, s.layout().size()), expected, 1e-9 * std::abs(expected))
+          << material;
+      Stage still = s.stage();
+      still.displacement = Array("still", still.displacement.extent(0));
+      EXPECT_NEAR(s.model.integrals(still)["energy_elastic"], 0, 1e-15) << material;
+    }
+}
+
 // What the wall energy gains by the stretch of the wall is what the tension of the wall costs the solid.
 TEST(EnergyLaw, OfTheTensionOfTheWall) {
   Case c = rich_solid(Scene::coupled);

@@ -12,14 +12,16 @@ Case nearly_incompressible(Case c, double poisson, VolumeQuadrature quadrature) 
   return c;
 }
 
-/// Of each law, in 2D, (r, z) and with a joint.
+/// Of each law, in 2D, (r, z), with a joint and with a prestretch.
 std::vector<Case> solids() {
-  std::vector<Case> all(5, scene(Scene::solid));
+  std::vector<Case> all(6, scene(Scene::solid));
   all[1].substrate->material = "neo_hookean";
   all[2].substrate->strain = "small";
   all[3] = axisymmetric(all[3]);
   all[4].substrate->joint = 0.4;
   all[4].substrate->young = varying([](const std::array<double, 3>& x, double) { return 2 + x[0] - x[1]; });
+  all[5].substrate->material = "neo_hookean";
+  all[5].substrate->prestretch = {1.2};
   return all;
 }
 

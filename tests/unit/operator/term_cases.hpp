@@ -213,7 +213,8 @@ struct TermCases {
     check<Still>("neo_hookean", terms.neo_hookean, patch.solid(), 0, patch.layout.solid_elements);
     const int top = patch.layout.solid_elements;
     for (ElasticLaw law : {ElasticLaw::saint_venant_kirchhoff, ElasticLaw::hooke, ElasticLaw::neo_hookean})
-      check<Still>("graded solid", GradedSolid{law, {0.8, 0.5}, 1.3}, patch.solid(), 0, top);
+      for (const Prestretch& before : {Prestretch{}, Prestretch{true, {{1.2, 0.9, D == 2 ? 1 : 0.95}}, 0.1}})
+        check<Still>("graded solid", GradedSolid{law, {0.8, 0.5}, 1.3, before}, patch.solid(), 0, top);
     check<Still>("fibres", Fibres{0.7, {{0.6, 0, 0.8}}}, patch.solid(), 0, top);
     check<Still>("viscosity", KelvinVoigt{0.4, 0.3}, patch.solid(), 0, top);
     check<Still>("surface tension", SurfaceTension{0.6}, patch.top(), top - 1, top);

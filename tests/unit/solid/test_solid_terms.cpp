@@ -76,8 +76,8 @@ void expect_derivative_around_axis(const char* name, const Term& term) {
   }
 }
 template <int D>
-void expect_derivative_of_graded(ElasticLaw law) {
-  const GradedSolid term{law, {1.5, 0.7}, 2};
+void expect_derivative_of_graded(ElasticLaw law, const Prestretch& prestretch = {}) {
+  const GradedSolid term{law, {1.5, 0.7}, 2, prestretch};
   expect_derivative<D>(
       "graded",
       [&](const auto& g) {
@@ -103,6 +103,8 @@ TEST(SolidTerms, ResidualIsTheDerivativeOfTheEnergy) {
   for (ElasticLaw law : {ElasticLaw::saint_venant_kirchhoff, ElasticLaw::hooke, ElasticLaw::neo_hookean}) {
     expect_derivative_of_graded<2>(law);
     expect_derivative_of_graded<3>(law);
+    expect_derivative_of_graded<2>(law, {true, {{1.2, 0.9, 1}}, 0.1});
+    expect_derivative_of_graded<3>(law, {true, {{1.2, 0.8, 0.9}}, 0.1});
   }
 }
 

@@ -80,6 +80,22 @@ TEST(FieldFiles, StressWhereTheStiffnessVaries) {
   }
 }
 
+// x = 1.2 X, y = 0.9 Y of a layer that was stretched by 1.1 before: sigma is that of the stretches 1.32 and 0.9 l_v, where the layer alone
+// has no stress upright: (l_v^2 - 1) (lambda + 2 G) = -lambda (1.1^2 - 1). Strain and volume ratio count from the stretched layer.
+TEST(FieldFiles, StressOfAStretchedLayer) {
+  Case c = scene(Scene::solid);
+  c.substrate->prestretch = {1.1};
+  const Written written(Homogeneous(c, {{{0.2, 0}, {0, -0.1}}}));
+  const Hdf5File file = written.open("solid");
+  const double up = std::sqrt(1 - 1.5 / 3.5 * 0.21), fx = 1.32, fy = 0.9 * up, j = fx * fy, j0 = 1.1 * up;
+  const double ex = 0.5 * (fx * fx - 1), ey = 0.5 * (fy * fy - 1), tr = ex + ey;
+  const double sx = 1.5 * tr + 2 * ex, sy = 1.5 * tr + 2 * ey, sz = 1.5 * tr;
+  expect_everywhere(file, "cauchy_stress", {fx * fx * sx / j, 0, 0, 0, fy * fy * sy / j, 0, 0, 0, sz / j});
+  expect_everywhere(file, "first_piola_stress", {fx * sx * 1.1 / j0, 0, 0, 0, fy * sy * up / j0, 0, 0, 0, sz / j0});
+  expect_everywhere(file, "green_lagrange_strain", {0.22, 0, 0, 0, -0.095, 0, 0, 0, 0});
+  for (double ratio : file.read<double>("/VTKHDF/PointData/volume_ratio")) ASSERT_NEAR(ratio, 1.2 * 0.9, 1e-13);
+}
+
 // Fibres along x add 2 k (I_4 - 1) F a_0 to the first column of P, and to sigma that times F^T / J.
 TEST(FieldFiles, StressOfFibres) {
   Case with = scene(Scene::solid);

@@ -173,6 +173,21 @@ TEST(StepBound, HoldsForASolidOnAFoundation) {
     }
 }
 
+TEST(StepBound, HoldsForAStretchedSolid) {
+  for (const double stretch : {0.7, 0.85, 1.15, 1.5})
+    for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
+      Case c = moving_droplet(Scene::solid);
+      c.loads.clear();
+      c.substrate->material = "neo_hookean";
+      c.substrate->prestretch = {stretch};
+      for (const Case& one : {c, axisymmetric(c)}) {
+        const double found = room(one, "kick_drift", kind);
+        EXPECT_GE(found, 1) << stretch;
+        EXPECT_LE(found, 1.4) << stretch;
+      }
+    }
+}
+
 TEST(StepBound, HoldsForASolidThatNeedlesHold) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const double stiffness : {2e3, 1e5}) {

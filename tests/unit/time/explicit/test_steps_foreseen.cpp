@@ -60,6 +60,18 @@ TEST(StepsForeseen, KnowAllThatLimitsASolid) {
     EXPECT_NEAR(ratio(axisymmetric(c)), 1, 1e-12);
   }
   for (const Case& c : solids(scene_in_space(Scene::solid))) EXPECT_NEAR(ratio<3>(c), 1, 1e-12);
+  for (const char* material : {"neo_hookean", "saint_venant_kirchhoff"}) {
+    Case c = scene(Scene::solid), deep = scene_in_space(Scene::solid);
+    c.loads.clear(), deep.loads.clear();
+    c.substrate->material = deep.substrate->material = material;
+    const double plain = explicit_steps_foreseen(c);
+    c.substrate->prestretch = {1.15}, deep.substrate->prestretch = {1.15, 0.9};
+    EXPECT_NEAR(ratio(c), 1, 1e-12) << material;
+    EXPECT_NEAR(ratio(axisymmetric(c)), 1, 1e-12) << material;
+    EXPECT_NEAR(ratio<3>(deep), 1, 1e-12) << material;
+    EXPECT_GT(explicit_steps_foreseen(c), 1.05 * plain)
+        << "a stretched layer is stiffer along the stretch, " << material;
+  }
   for (Case c : {moving_droplet(Scene::coupled), around_axis(moving_droplet(Scene::coupled))}) {
     c.substrate->fibre = {3000, 80, 0};
     EXPECT_NEAR(ratio(c), 1, 1e-12) << "below a droplet";

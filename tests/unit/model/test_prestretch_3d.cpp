@@ -1,0 +1,30 @@
+// A stretched layer in 3D: it is at rest where its displacement is 0, and testing with v gives the rate of its energy.
+#include "unit/model/rates.hpp"
+#include "unit/model/stretched.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+TEST(PrestretchedLayer3D, IsAtRestWhereItsDisplacementIsZero) {
+  for (const char* material : {"neo_hookean", "saint_venant_kirchhoff"})
+    EXPECT_LT(largest_at_rest<3>(stretched(scene_in_space(Scene::solid), {1.15, 0.95}, material)), 1e-15) << material;
+}
+
+TEST(PrestretchedLayer3D, EnergyLaw) {
+  Case c = stretched(scene_in_space(Scene::solid), {1.3, 0.9});
+  c.substrate->fibre = {0.5, 0, 90};
+  RandomSceneIn<3> s(c);
+  const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
+  const auto energy = [&](double e) {
+    Stage moved = s.stage();
+    moved.unknown = plus(moved.unknown, e, to_host(s.stage().acceleration));
+    moved.displacement = plus(moved.displacement, e, x);
+    return s.model.integrals(moved).energy();
+  };
+  const double e = 1e-3, rate = (8 * (energy(e) - energy(-e)) - energy(2 * e) + energy(-2 * e)) / (12 * e);
+  const double expected = rate - s.model.load_power(s.stage().time, s.stage().unknown);
+  EXPECT_NEAR(contract(r, x, 0, s.layout().size()), expected, 1e-9 * std::abs(expected));
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools
