@@ -29,6 +29,7 @@ from typing import NamedTuple
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
 import softwet  # noqa: E402
+from _page import asked_rows, markdown, named_table, plain  # noqa: E402
 
 # Threads that wait without spinning: runs share the machine with each other.
 ENVIRONMENT = {**os.environ, "OMP_WAIT_POLICY": "passive", "OMP_PROC_BIND": "false"}
@@ -221,9 +222,10 @@ class Lab:
 
     def table(self, columns, rows, name=None):
         """A table; with a name also <study>_<name>.csv."""
-        self.lines += ["", *markdown(columns, rows), ""]
         if name:
-            self.numbers(columns, rows, name)
+            self.lines += named_table(columns, rows, self.numbers(columns, rows, name))
+        else:
+            self.lines += ["", *markdown(columns, rows), ""]
 
     def numbers(self, columns, rows, name):
         """A table that is the file <study>_<name>.csv alone. @return that name"""
@@ -289,23 +291,14 @@ class Lab:
             causes = list(dict.fromkeys(cause for *_, holds, cause in self.asked if cause and not holds))
             rows = [(what, asked, measured, "yes" if holds else f"**no** ({causes.index(cause) + 1})" if cause else "**no**")
                     for what, asked, measured, holds, cause in self.asked]
-            lines += ["## Asked and measured", "", *markdown(("what", "asked", "measured", "holds"), rows), ""]
+            columns, shown = ("what", "asked", "measured", "holds"), asked_rows(rows)
+            lines += ["## Asked and measured", "", *markdown(columns, shown), ""]
+            if len(shown) < len(rows):
+                file = self.numbers(columns, rows, "asked")
+                lines += [f"The other {len(rows) - len(shown)} rows hold; all are in [{file}]({file}).", ""]
             lines += [f"({i}) {cause}." for i, cause in enumerate(causes, 1)] + [""]
         lines += self.lines
         if self.commands:
             file = self.write_commands()
             lines += ["", f"The commands of all runs: [{file}]({file})."]
         return re.sub(r"\n{3,}", "\n\n", "\n".join(lines).strip()) + "\n"
-
-
-def plain(value):
-    return f"{value:.10g}" if isinstance(value, float) else str(value).replace(",", ";")
-
-
-def cell(value):
-    return f"{value:.6g}" if isinstance(value, float) else re.sub(r"(?<!\\)\|", r"\\|", str(value))
-
-
-def markdown(columns, rows):
-    return ["| " + " | ".join(map(cell, columns)) + " |", "|" + "---|" * len(columns),
-            *("| " + " | ".join(map(cell, row)) + " |" for row in rows)]

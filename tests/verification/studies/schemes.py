@@ -8,7 +8,8 @@ EXPLICIT says why not, a function explicit(lab) is the form that suits them. Her
 import importlib.util
 import pathlib
 
-from _lab import Known, markdown
+from _lab import Known
+from _page import markdown
 from _scheme_lab import SchemeLab
 
 MINUTES = {"quick": 0.3, "full": 10}
