@@ -117,7 +117,7 @@ struct Substrate {
   std::string strain = "finite";                    ///< finite | small: Hooke's law, in place of the material
   std::string inertia = "full";                     ///< full | none: the solid is in equilibrium at every time
   VolumeQuadrature volume_quadrature = VolumeQuadrature::full;
-  std::vector<double> prestretch = {};              ///< along x, and y in 3D, before the scene begins; empty: none
+  std::vector<double> prestretch = {};  ///< along x, and y in 3D, before the scene begins; empty: none
 
   double viscosity = 0;                      ///< eta of Kelvin and Voigt, scale L0 b sqrt(ab)
   double bulk_viscosity = 0;                 ///< zeta

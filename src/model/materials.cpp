@@ -101,7 +101,8 @@ void Model<D, P>::build_solid(const Case& c) {
   young_ = s.young;
   largest_young_ = s.young.number;
   // One kernel serves stiffness that varies, prestretch and selective integration, so that there is no kernel more.
-  if (s.young.varies() || !s.prestretch.empty() || s.volume_quadrature == VolumeQuadrature::selective) grade_solid(s.young);
+  if (s.young.varies() || !s.prestretch.empty() || s.volume_quadrature == VolumeQuadrature::selective)
+    grade_solid(s.young);
   stiffness_ = LameParameters::from(s.density * largest_young_, s.poisson);
   const double density = s.inertia == "none" ? 0.0 : s.density;
   if (s.strain == "small") {

@@ -35,8 +35,9 @@ TEST(BadCases, ARangeOfAnglesHasOneStaticAngle) {
   const Case again = parse_case(write_case(c), "case.toml");
   EXPECT_EQ(again.fluid->contact_angle.number, c.fluid->contact_angle.number);
   EXPECT_EQ(write_case(again), write_case(c));
-  expect_parts(message_of(rigid, {"fluid.contact_angle_range=[65,85]", "fluid.contact_angle=75"}),
-               {"fluid.contact_angle = 75", "contradicts fluid.contact_angle_range = [65, 85]", "75.23311039", "remove"});
+  expect_parts(
+      message_of(rigid, {"fluid.contact_angle_range=[65,85]", "fluid.contact_angle=75"}),
+      {"fluid.contact_angle = 75", "contradicts fluid.contact_angle_range = [65, 85]", "75.23311039", "remove"});
   expect_parts(message_of(rigid, {"fluid.contact_angle_range=[65,85]", "fluid.contact_angle=60+10*x"}),
                {"fluid.contact_angle_range", "varies along the wall"});
 }

@@ -131,7 +131,7 @@ void check_matrix(const Case& plain) {
           found += std::abs(more);
         }
       }
-  EXPECT_GT(found, 0.1);
+  EXPECT_GT(found, 0.01);
 }
 
 }  // namespace softwet::testing_tools

@@ -34,8 +34,8 @@ TEST(Integrals, OfAColumnAreTheSumOfItsParts) {
 TEST(Integrals, SizeOfEnergiesKnowsNoSigns) {
   Integrals all = of_powers();
   all.part("energy_wall") *= -1;
-  EXPECT_EQ(all.size(), 510);
-  EXPECT_EQ(all.energy(), 510 - 2 * 16);
+  EXPECT_EQ(all.size(), 1022);
+  EXPECT_EQ(all.energy(), 1022 - 2 * 16);
 }
 
 TEST(Integrals, OfAWholeTurnHaveNoMomentumFromTheAxis) {

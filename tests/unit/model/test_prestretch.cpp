@@ -50,7 +50,9 @@ TEST(PrestretchedLayer, IsFreeOfStressUpright) {
     EXPECT_TRUE(p.acts);
     const int up = in_space ? 2 : 1;
     EXPECT_NEAR(p.stretch[up], k.upright, 2e-12) << k.material << " " << k.along[0];
-    if (!in_space) EXPECT_EQ(p.stretch[2], 1) << "plane strain";
+    if (!in_space) {
+      EXPECT_EQ(p.stretch[2], 1) << "plane strain";
+    }
     const auto stress = stress_at_rest(c, stiffness);
     EXPECT_NEAR(stress(up, up), 0, 1e-15) << k.material << " " << k.along[0];
     EXPECT_NEAR(stress(0, 0), k.stress, 1e-9) << k.material << " " << k.along[0];
@@ -68,7 +70,9 @@ TEST(PrestretchedLayer, ExistsForAllMaterials) {
       c.substrate->poisson = poisson;
       const LameParameters stiffness = stiffest_of(*c.substrate);
       EXPECT_NEAR(stress_at_rest(c, stiffness)(1, 1), 0, 1e-14 * (stiffness.lambda + 1)) << poisson << " " << stretch;
-      if (poisson == 0) EXPECT_NEAR(prestretch_of(c, stiffness).stretch[1], 1, 1e-15);
+      if (poisson == 0) {
+        EXPECT_NEAR(prestretch_of(c, stiffness).stretch[1], 1, 1e-15);
+      }
     }
   Case c = layer({0.4}, "neo_hookean");
   c.substrate->poisson = -0.99;
