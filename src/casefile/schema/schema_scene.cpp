@@ -145,12 +145,12 @@ std::vector<Key> fluid_keys() {
        .default_note = "[], no hysteresis"},
       {.name = "fluid.creep_speed",
        .unit = "sqrt(ab)",
-       .range = {1e-9, 1, false, false},
+       .range = {1e-5, 1, false, false},
        .help =
            "Speed below which a contact line with a contact_angle_range counts as at rest. A load of x times the one "
            "at which the line comes loose lets it creep at about x / sqrt(1 - x^2) times this speed: choose it a "
-           "hundred times smaller than the speeds of interest. The smaller it is, the shorter are steps in which a "
-           "line stops or turns.",
+           "hundred times smaller than the speeds of interest.",
+       .reason = "with less, Newton's method does not find where lines stick",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->creep_speed; })},
       {.name = "fluid.line_friction",
        .unit = "L0 b sqrt(ab)",
