@@ -133,7 +133,8 @@ struct SolidBound {
     if constexpr (Axial) a.hoop = Dual<double>(gradient.hoop, 0.0);
     return a;
   }
-  KOKKOS_FUNCTION Tensor<Dual<double>> first_piola(const Tensor<Dual<double>>& gradient) const {
+  KOKKOS_FORCEINLINE_FUNCTION Tensor<Dual<double>> first_piola(const Tensor<Dual<double>>& gradient) const {
+    if (!prestretch.acts) return material.first_piola(gradient);
     return prestretch.first_piola(material.first_piola(prestretch.whole(gradient)));
   }
   /// Largest row of dP/dF.
