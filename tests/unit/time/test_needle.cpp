@@ -6,7 +6,7 @@
 namespace softwet::testing_tools {
 namespace {
 
-constexpr double jump = 0.02, stiffness = 60, end = 0.5;
+constexpr double jump = 0.02, stiffness = 60, end_of_swing = 0.5;
 
 Case held_layer() {
   Case c = scene(Scene::solid, WallLaw::energy, true);
@@ -35,7 +35,7 @@ double error_of(const Case& c, const Layout<2>& l, const State& state) {
 
 double implicit_error(int steps) {
   Case c = held_layer();
-  c.time.dt_initial = c.time.dt_min = c.time.dt_max = end / steps;
+  c.time.dt_initial = c.time.dt_min = c.time.dt_max = end_of_swing / steps;
   const Model<2, 2> model(c);
   Stepper<2, 2> stepper(model, c, {});
   State state = initial_state<2, 2>(c, model);
@@ -48,7 +48,7 @@ double implicit_error(int steps) {
 double explicit_error(const std::string& scheme, MassKind kind, int steps) {
   const Case c = held_layer();
   ExplicitRun run(c, scheme, kind);
-  run.run(end / steps, steps);
+  run.run(end_of_swing / steps, steps);
   const double energy = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
   const double first = 0.5 * stiffness * jump * jump * c.domain.size[0] * c.domain.size[1];
   EXPECT_NEAR(energy, first, 0.02 * first) << scheme;
