@@ -132,6 +132,10 @@ struct RandomSceneIn {
 
 using RandomScene = RandomSceneIn<2>;
 
+inline void add(std::vector<double>& sum, const std::vector<double>& part) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
+}
+
 inline double contract(const std::vector<double>& a, const std::vector<double>& b, int first, int last) {
   double sum = 0;
   for (int i = first; i < last; ++i) sum += a[i] * b[i];

@@ -25,10 +25,6 @@ Case rich(Scene kind) {
   return c;
 }
 
-void add(std::vector<double>& sum, const std::vector<double>& part) {
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
-}
-
 template <class Term>
 std::vector<double> naive(const RandomScene& s, const Term& term, int first, int last, bool moves, int row = -1) {
   return s.terms.naive(Axisymmetric<Term>{term}, first, last, moves, row);
@@ -77,7 +73,7 @@ std::vector<double> naive_fluid(RandomScene& s) {
 }
 
 /// @param all  terms of the scene have their reference here; that of the wall's tension depends on a field of the test
-void check_scene(const Case& c, bool all = true) {
+void check_axial_scene(const Case& c, bool all = true) {
   RandomScene s(c);
   std::vector<double> expected(s.layout().size(), 0.0);
   if (c.substrate) add(expected, naive_solid(s));
@@ -103,25 +99,25 @@ void check_scene(const Case& c, bool all = true) {
   EXPECT_LT(distance(to_host(y), s.product(z, Geometry::frozen)), 1e-5);
 }
 
-TEST(Axisymmetric, Rigid) { check_scene(axisymmetric(scene(Scene::rigid))); }
+TEST(Axisymmetric, Rigid) { check_axial_scene(axisymmetric(scene(Scene::rigid))); }
 TEST(Axisymmetric, RigidWithWallEnergyAndGravity) {
-  check_scene(axisymmetric(scene(Scene::rigid, WallLaw::energy)));
-  check_scene(rich(Scene::rigid));
+  check_axial_scene(axisymmetric(scene(Scene::rigid, WallLaw::energy)));
+  check_axial_scene(rich(Scene::rigid));
 }
-TEST(Axisymmetric, Coupled) { check_scene(axisymmetric(scene(Scene::coupled))); }
+TEST(Axisymmetric, Coupled) { check_axial_scene(axisymmetric(scene(Scene::coupled))); }
 TEST(Axisymmetric, CoupledWithNeoHookeanSolid) {
   Case c = axisymmetric(scene(Scene::coupled, WallLaw::energy));
   c.substrate->material = "neo_hookean";
-  check_scene(c);
+  check_axial_scene(c);
 }
-TEST(Axisymmetric, RichSolid) { check_scene(rich(Scene::solid)); }
-TEST(Axisymmetric, CoupledWithAllThatAWallCanHave) { check_scene(rich(Scene::coupled), false); }
+TEST(Axisymmetric, RichSolid) { check_axial_scene(rich(Scene::solid)); }
+TEST(Axisymmetric, CoupledWithAllThatAWallCanHave) { check_axial_scene(rich(Scene::coupled), false); }
 TEST(Axisymmetric, CoupledWithBlendedTraction) {
   Case c = rich(Scene::coupled);
   c.fluid->traction = Traction::blended;
   c.fluid->contact_angle = varying([](const std::array<double, 3>& x, double) { return 80 + 30 * x[0]; });
   c.substrate->young = varying([](const std::array<double, 3>& x, double) { return 2 + x[0] - x[1]; });
-  check_scene(c, false);
+  check_axial_scene(c, false);
 }
 
 // The flux part of the mass equation only moves mass about.

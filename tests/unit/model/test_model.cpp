@@ -4,10 +4,6 @@
 namespace softwet::testing_tools {
 namespace {
 
-void add(std::vector<double>& sum, const std::vector<double>& part) {
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
-}
-
 /// Body force, for the reference assembly: the box is cut along element borders.
 struct BoxForce {
   double force[2];
