@@ -7,7 +7,7 @@ in per cent, and the rows of docs/limits.md. No code of softwet."""
 
 import numpy
 import scipy.sparse as sparse
-from ridge_locking import HEIGHT, LENGTH, YOUNG, Splines, tractions
+from ridge_locking import HEIGHT, LENGTH, YOUNG, Splines, highest_point
 from scipy.sparse.linalg import spsolve
 
 
@@ -68,16 +68,7 @@ def ridge(elements, rows, poisson, capillarity, way=("full",), degree=2):
         stiffness = elastic(x, y, part, shear, degree + 1) + elastic(x, y, first - part, 0, way[2] if way[2:] else 0)
     else:
         stiffness = with_pressure(x, y, first, shear, degree + 1)
-    top = numpy.zeros(y.count)
-    top[-1] = 1
-    load = numpy.concatenate([numpy.kron(x.vector(t), top) for t in tractions(x.points, capillarity)])
-    number = numpy.arange(x.count * y.count).reshape(x.count, y.count)
-    free = numpy.ones(2 * number.size, bool)
-    free[numpy.concatenate((number[0], number[-1], number.size + number[:, 0]))] = False
-    u, stiffness = numpy.zeros(2 * number.size), stiffness.tocsr()
-    u[free] = spsolve(stiffness[free][:, free].tocsc(), load[free])
-    surface = u[number.size:].reshape(number.shape)[:, -1]
-    return (x.at(numpy.linspace(0, LENGTH / 2, 2001)) @ surface).max()
+    return highest_point(x, y, stiffness, capillarity)
 
 
 if __name__ == "__main__":

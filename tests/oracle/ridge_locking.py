@@ -69,6 +69,21 @@ def tractions(x, capillarity, radius=RADIUS, angle=ANGLE, middle=0.5 * LENGTH):
             tension * numpy.sin(angle) * (kernel[0] + kernel[1]) - tension / radius * (inside[0] + inside[1] - 1))
 
 
+def highest_point(x, y, stiffness, capillarity):
+    """Largest vertical displacement of the top of a layer with this stiffness under the droplet."""
+    top = numpy.zeros(y.count)
+    top[-1] = 1
+    load = numpy.concatenate([numpy.kron(x.vector(t), top) for t in tractions(x.points, capillarity)])
+    number = numpy.arange(x.count * y.count).reshape(x.count, y.count)
+    free = numpy.ones(2 * number.size, bool)
+    free[numpy.concatenate((number[0], number[-1], number.size + number[:, 0]))] = False
+    stiffness = stiffness.tocsr()
+    u = numpy.zeros(2 * number.size)
+    u[free] = spsolve(stiffness[free][:, free].tocsc(), load[free])
+    surface = u[number.size:].reshape(number.shape)[:, -1]
+    return (x.at(numpy.linspace(0, LENGTH / 2, 2001)) @ surface).max()
+
+
 def ridge(elements, rows, degree, poisson, capillarity):
     """Largest vertical displacement of the top."""
     first, shear = YOUNG * poisson / ((1 + poisson) * (1 - 2 * poisson)), YOUNG / (2 * (1 + poisson))
@@ -77,17 +92,7 @@ def ridge(elements, rows, degree, poisson, capillarity):
     xx = (first + 2 * shear) * sparse.kron(kx, my) + shear * sparse.kron(mx, ky)
     yy = (first + 2 * shear) * sparse.kron(mx, ky) + shear * sparse.kron(kx, my)
     xy = first * sparse.kron(bx.T, by) + shear * sparse.kron(bx, by.T)
-    top = numpy.zeros(y.count)
-    top[-1] = 1
-    load = numpy.concatenate([numpy.kron(x.vector(t), top) for t in tractions(x.points, capillarity)])
-    number = numpy.arange(x.count * y.count).reshape(x.count, y.count)
-    free = numpy.ones(2 * number.size, bool)
-    free[numpy.concatenate((number[0], number[-1], number.size + number[:, 0]))] = False
-    stiffness = sparse.bmat([[xx, xy], [xy.T, yy]]).tocsc()
-    u = numpy.zeros(2 * number.size)
-    u[free] = spsolve(stiffness[free][:, free], load[free])
-    surface = u[number.size:].reshape(number.shape)[:, -1]
-    return (x.at(numpy.linspace(0, LENGTH / 2, 2001)) @ surface).max()
+    return highest_point(x, y, sparse.bmat([[xx, xy], [xy.T, yy]]), capillarity)
 
 
 if __name__ == "__main__":
