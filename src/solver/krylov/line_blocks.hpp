@@ -1,10 +1,6 @@
 // Blocks of neighbouring lines of values: the items of kernels on the host.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <vector>
-
 #include "field/layout.hpp"
 
 namespace softwet {
@@ -14,7 +10,7 @@ namespace softwet {
 /// last two of an axis, and those below and on the wall or the joint of the solid.
 template <int D>
 struct LineBlocks {
-  static constexpr int widest = 32, narrowest = 8;  ///< about, in lines along an axis
+  static constexpr int width = 16;  ///< about
 
   int extent[D] = {}, nodes = 1;             ///< of a component
   int blocks[D] = {};                        ///< along each axis; 1 along the first
@@ -23,14 +19,14 @@ struct LineBlocks {
   LineBlocks() = default;
   LineBlocks(const Layout<D>& l, bool velocities) {
     const int joint = l.axis[D - 1].joint(), joint_row = joint > 0 ? l.axis[D - 1].span(joint) : 0;
-    for (int d = 0; d < D; ++d) extent[d] = d < D - 1 ? l.extent(d) : velocities ? l.rows : l.fluid_rows();
-    const std::array<int, D> parts = parts_for(Exec().concurrency(), velocities ? D : 1);
     for (int d = 0; d < D; ++d) {
+      extent[d] = d < D - 1 ? l.extent(d) : velocities ? l.rows : l.fluid_rows();
       nodes *= extent[d];
       std::vector<int> places{0};
-      for (int left = parts[d]; places.back() < extent[d]; left = std::max(left - 1, 1))
-        places.push_back(d < D - 1 ? end_behind(places.back(), extent[d], left, 0, 0)
-                                   : end_behind(places.back(), extent[d], left, l.wall_row, joint_row));
+      while (places.back() < extent[d])
+        places.push_back(d == 0      ? extent[d]
+                         : d < D - 1 ? end_behind(places.back(), extent[d], 0, 0)
+                                     : end_behind(places.back(), extent[d], l.wall_row, joint_row));
       blocks[d] = static_cast<int>(places.size()) - 1;
       starts[d] = to_device<Kokkos::View<int*, Exec>>(places, "line blocks");
     }
@@ -73,22 +69,9 @@ struct LineBlocks {
   }
 
  private:
-  /// Blocks along each axis, so that all threads have some. Neighbouring blocks both make the sums along the first axis of the
-  /// lines that they share, so that wide blocks make fewer.
-  std::array<int, D> parts_for(int threads, int components) const {
-    std::array<int, D> parts;
-    for (int d = 0; d < D; ++d) parts[d] = d == 0 ? 1 : std::max(1, (extent[d] + widest / 2) / widest);
-    for (;;) {
-      int all = components, cut = D - 1;
-      for (int d = 0; d < D; ++d) all *= parts[d];
-      for (int d = 1; d < D; ++d)
-        if (extent[d] / parts[d] > extent[cut] / parts[cut]) cut = d;
-      if (all >= 2 * threads || extent[cut] < 2 * narrowest * parts[cut]) return parts;
-      ++parts[cut];
-    }
-  }
-  static int end_behind(int begin, int extent, int blocks, int wall, int joint) {
-    int end = begin + (extent - begin + blocks - 1) / blocks;
+  static int end_behind(int begin, int extent, int wall, int joint) {
+    const int left = extent - begin, blocks = std::max(1, (left + width / 2) / width);
+    int end = begin + (left + blocks - 1) / blocks;
     while (end < extent && (end == 1 || end == extent - 1 || end == wall || end == joint)) ++end;
     return end;
   }
