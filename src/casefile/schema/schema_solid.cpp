@@ -236,7 +236,7 @@ std::vector<Key> needle_keys() {
        .kind = Kind::profiles,
        .unit = "L0",
        .help =
-           "Displacement U of the needle over time, one entry for each axis: [\"0.1*t\", 0.0] draws the box along x. "
+           "Displacement U of the needle over time, one entry for each axis: [\"0.1*t\", 0.0] moves the box along x. "
            "Before t = 0 the needle stands where it is then. In axisymmetric scenes it moves along the second axis "
            "alone.",
        .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.needles[i].path; }),

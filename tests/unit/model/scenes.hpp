@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/model.hpp"
+#include "unit/model/rates.hpp"
 #include "unit/operator/term_cases.hpp"
 
 namespace softwet::testing_tools {
@@ -117,6 +118,18 @@ struct RandomSceneIn {
     Array out("out", layout().size()), copy = to_device<Array>(to_host(z));
     model.product(terms.patch.stage, copy, out, geometry);
     return to_host(out);
+  }
+  /// Rate of the energies while the solid moves with the velocities and these change with the accelerations of the stage; the other
+  /// fields rest. @param e  step of the differences
+  double rate_of_energy(double e) {
+    const std::vector<double> velocity = to_host(stage().unknown), acceleration = to_host(stage().acceleration);
+    const auto energy = [&](double time) {
+      Stage moved = stage();
+      moved.unknown = plus(moved.unknown, time, acceleration);
+      moved.displacement = plus(moved.displacement, time, velocity);
+      return model.integrals(moved).energy();
+    };
+    return slope(energy, e);
   }
   /// Fourth-order central difference of the residual along z.
   std::vector<double> difference(const Array& z, double e) const {
