@@ -11,62 +11,29 @@
 #include <string>
 #include <vector>
 
+#include "case/choices.hpp"
 #include "case/profile.hpp"
 
 namespace softwet {
 
-// Behind each enumeration its words in a case file, in the order of the enumerators.
-
-enum class Side { slip, no_slip, clamped, free, periodic };
-inline std::vector<std::string> words_of(Side) { return {"slip", "no_slip", "clamped", "free", "periodic"}; }
-
-/// Whether a side prescribes a component of velocity and displacement. @param through  the component along the side's normal
-inline bool holds(Side side, bool through) {
-  return side == Side::no_slip || side == Side::clamped || (side == Side::slip && through);
-}
-
-/// Test functions of the wall in the capillary force: next to the wall only, or blended over the fluid like the mesh.
-enum class Traction { layer, blended };
-inline std::vector<std::string> words_of(Traction) { return {"layer", "blended"}; }
-
-enum class Phase { vapour, liquid };
-inline std::vector<std::string> words_of(Phase) { return {"vapour", "liquid"}; }
-
-/// g^2 |grad rho| cos(alpha) of the paper, or the variational wall energy.
-enum class WallLaw { gradient, energy };
-inline std::vector<std::string> words_of(WallLaw) { return {"gradient", "energy"}; }
-
-/// Whether the wall energy is a tension of the wall too, as its derivative by the wall's place says.
-enum class WallTensionModel { none, acts };
-inline std::vector<std::string> words_of(WallTensionModel) { return {"none", "acts"}; }
-
-/// How the stiffness of the solid against changes of volume is integrated: at all points, or in parts (SelectiveParts).
-enum class VolumeQuadrature { full, selective };
-inline std::vector<std::string> words_of(VolumeQuadrature) { return {"full", "selective"}; }
-
 /// Where elements have the length size / elements, and how they grow beside that. Lengths in L0.
 struct Grading {
-  std::string fine = "everywhere";   ///< everywhere | automatic | box; automatic becomes a box when a case is read
+  FineElements fine = FineElements::everywhere;
   std::vector<double> lower, upper;  ///< corners of the box; empty: elements are equal
   double coarsest = 4;               ///< longest element over the fine ones
   double ratio = 1.3;                ///< most by which an element is longer than its neighbour
 };
-
-/// What the two axes of a 2D scene are: x and y of a state that is the same at any depth, or the distance r from an axis of symmetry,
-/// which is the left side, and the height.
-enum class Coordinates { plane, axisymmetric };
-inline std::vector<std::string> words_of(Coordinates) { return {"plane", "axisymmetric"}; }
 
 struct Domain {
   std::vector<double> size;   ///< extents, 2 or 3 numbers; the last axis is vertical (solid below, fluid above)
   std::vector<int> elements;  ///< elements per axis
   Coordinates coordinates = Coordinates::plane;  ///< of a 2D scene
   int degree = 2;                                ///< B-spline degree, C^(degree-1) inside each material
-  std::string quadrature = "full";               ///< full | reduced
+  Quadrature quadrature = Quadrature::full;
   Grading grading = {};
 
   /// Gauss points of an element along each axis.
-  int points() const { return quadrature == "reduced" ? degree : degree + 1; }
+  int points() const { return quadrature == Quadrature::reduced ? degree : degree + 1; }
 };
 
 struct Fluid {
@@ -108,14 +75,14 @@ struct Fibre {
 };
 
 struct Substrate {
-  double thickness = 0;                             ///< Hs; a whole number of element rows
-  double density = 1;                               ///< rho_0^s / b
-  Profile young = 0;                                ///< E_hat, eq. (12): Young modulus / (rho_0^s a b)
-  double joint = 0;                                 ///< height at which stiffness may jump; 0: none
-  double poisson = 0;                               ///< nu
-  std::string material = "saint_venant_kirchhoff";  ///< saint_venant_kirchhoff | neo_hookean
-  std::string strain = "finite";                    ///< finite | small: Hooke's law, in place of the material
-  std::string inertia = "full";                     ///< full | none: the solid is in equilibrium at every time
+  double thickness = 0;  ///< Hs; a whole number of element rows
+  double density = 1;    ///< rho_0^s / b
+  Profile young = 0;     ///< E_hat, eq. (12): Young modulus / (rho_0^s a b)
+  double joint = 0;      ///< height at which stiffness may jump; 0: none
+  double poisson = 0;    ///< nu
+  MaterialModel material = MaterialModel::saint_venant_kirchhoff;
+  Strain strain = Strain::finite;
+  Inertia inertia = Inertia::full;
   VolumeQuadrature volume_quadrature = VolumeQuadrature::full;
   std::vector<double> prestretch = {};  ///< along x, and y in 3D, before the scene begins; empty: none
 
@@ -148,7 +115,7 @@ struct Film {
 
 /// amplitude prod_d cos(mode_d pi x_d / L_d), added to a field at the start; sin along the field's own direction.
 struct Wave {
-  std::string field = "density";  ///< density | velocity_x, _y, _z | displacement_x, _y, _z
+  WaveField field = WaveField::density;
   double amplitude = 0;
   std::vector<double> mode;
 };
@@ -192,15 +159,12 @@ struct Boundary {
   std::vector<double> foundation = {};  ///< springs kap_n and kap_t below the solid, scale a b^2/L0; empty: none
 };
 
-/// The scheme without a largest step.
-inline constexpr const char* implicit_scheme = "generalized_alpha";
-
 struct TimeControl {
-  std::string scheme = implicit_scheme;  ///< generalized_alpha | kick_drift | rkl2 | ssp_rk3
-  bool automatic = false;                ///< generalized_alpha or kick_drift, whichever takes less time
-  std::string mass = "corrected";        ///< of explicit schemes: corrected | lumped | consistent
-  double safety = 0.9;                   ///< of explicit schemes: step over the largest stable one
-  std::string start = "initial";         ///< initial | equilibrium: brought to rest before the first step
+  TimeScheme scheme = TimeScheme::generalized_alpha;
+  bool automatic = false;               ///< generalized_alpha or kick_drift, whichever takes less time
+  MassKind mass = MassKind::corrected;  ///< of explicit schemes
+  double safety = 0.9;                  ///< of explicit schemes: step over the largest stable one
+  StartState start = StartState::initial;
   double rho_inf = 0.5;
   double end = 0;  ///< in t, the time of all results, which is 0 at the start of the first load
   double dt_initial = 1e-2;
@@ -208,6 +172,8 @@ struct TimeControl {
   double dt_max = 50;
   double tolerance = 2e-3;  ///< of the error indicator that sets the step (src/time/step_control.hpp)
   long max_steps = 1000000;
+
+  bool implicit() const { return scheme == TimeScheme::generalized_alpha; }
 };
 
 struct SolverControl {
@@ -218,15 +184,11 @@ struct SolverControl {
   double krylov_rtol = 1e-2;
   int krylov_restart = 30;
   int krylov_max = 200;
-  std::string jacobian = "exact";            ///< exact | difference
-  std::string preconditioner = "automatic";  ///< automatic | lu | umfpack | schwarz | none
-  std::string launch = "kernels";            ///< kernels | graph: how a device starts the preconditioner
-  std::string precision = "automatic";       ///< automatic | double | mixed | single
+  JacobianKind jacobian = JacobianKind::exact;
+  PreconditionerKind preconditioner = PreconditionerKind::automatic;
+  Launch launch = Launch::kernels;
+  PrecisionChoice precision = PrecisionChoice::automatic;
 };
-
-/// What a probe makes of its values.
-enum class ProbeOperation { value, mean, integral, max, min };
-inline std::vector<std::string> words_of(ProbeOperation) { return {"value", "mean", "integral", "max", "min"}; }
 
 /// A number of each row of history.csv: of a quantity at a point, on a line, a face or in a box of the undeformed domain.
 struct Probe {
@@ -252,7 +214,7 @@ struct OutputControl {
 
 struct Case {
   std::string name;
-  std::string quality = "standard";  ///< draft | standard | reference (casefile/schema/quality.hpp)
+  Quality quality = Quality::standard;
   Domain domain;
   std::optional<Fluid> fluid;
   std::optional<Substrate> substrate;
@@ -291,7 +253,7 @@ struct Case {
   }
   /// Whether the energy of the tables is the one that steps keep. Of an elastic solid alone with lumped or corrected masses it is not: it
   /// has consistent masses, and swings by the difference where a wave trades kinetic for elastic energy.
-  bool keeps_shown_energy() const { return fluid || time.scheme == implicit_scheme || time.mass == "consistent"; }
+  bool keeps_shown_energy() const { return fluid || time.implicit() || time.mass == MassKind::consistent; }
   bool gives_density() const { return initial && (initial->density || !initial->from.empty()); }
   int dimension() const { return static_cast<int>(domain.size.size()); }
   bool axisymmetric() const { return domain.coordinates == Coordinates::axisymmetric; }
@@ -310,7 +272,7 @@ struct Case {
     return zero;
   }
   /// Run time of the first state: that of the first load where the scene starts from its equilibrium.
-  double run_start() const { return time.start == "equilibrium" ? clock_zero() : 0; }
+  double run_start() const { return time.start == StartState::equilibrium ? clock_zero() : 0; }
 };
 
 }  // namespace softwet

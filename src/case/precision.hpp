@@ -21,17 +21,25 @@ enum class Hindrance {
 };
 
 inline Hindrance hindrance_of_single(const Case& c) {
-  if (c.time.scheme != implicit_scheme) return Hindrance::scheme;
-  if (c.solver.jacobian == "difference") return Hindrance::difference;
+  if (!c.time.implicit()) return Hindrance::scheme;
+  if (c.solver.jacobian == JacobianKind::difference) return Hindrance::difference;
   return c.solver.krylov_rtol < least_single_rtol ? Hindrance::tolerance : Hindrance::none;
 }
 
 /// Automatic is mixed where nothing hinders it: it changes nothing but the cost. A case file that asks for single precision
 /// in spite of a hindrance is refused.
 inline Precision precision_of(const Case& c) {
-  const std::string& asked = c.solver.precision;
-  if (asked == "automatic") return hindrance_of_single(c) == Hindrance::none ? Precision::mixed : Precision::full;
-  return asked == "single" ? Precision::single : asked == "mixed" ? Precision::mixed : Precision::full;
+  switch (c.solver.precision) {
+    case PrecisionChoice::automatic:
+      return hindrance_of_single(c) == Hindrance::none ? Precision::mixed : Precision::full;
+    case PrecisionChoice::mixed:
+      return Precision::mixed;
+    case PrecisionChoice::single:
+      return Precision::single;
+    case PrecisionChoice::full:
+      return Precision::full;
+  }
+  return Precision::full;
 }
 
 inline const char* name_of(Precision p) {

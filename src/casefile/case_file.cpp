@@ -51,9 +51,9 @@ Numbers line_of_loads(const Case& c) {
 /// The values that the case's quality sets; those of the file come after them.
 void apply_quality(const Document& document, Case& c) {
   const auto chosen = document.entries.find("quality");
-  const std::string name = chosen == document.entries.end() ? c.quality : std::get<std::string>(chosen->second.value);
-  for (const Quality& quality : qualities())
-    if (quality.name == name)
+  if (chosen != document.entries.end()) find_key("quality")->bind.set(c, 0, chosen->second.value);
+  for (const QualityValues& quality : qualities())
+    if (quality.quality == c.quality)
       for (const QualityValue& value : quality.values) {
         const Key& key = *find_key(value.key);
         key.bind.set(c, 0, value_from_text(key, value.text));
@@ -83,8 +83,8 @@ Case resolve(const Document& document, Problems& problems) {
         problems.keep([&] { reject_missing(document, key, i); });
     }
   }
-  if (c.time.scheme == "automatic") {
-    c.time.scheme = implicit_scheme;
+  if (c.time.scheme == TimeScheme::automatic) {
+    c.time.scheme = TimeScheme::generalized_alpha;
     c.time.automatic = true;
   }
   if (!document.entries.count("boundary.top")) {
@@ -99,12 +99,13 @@ Case resolve(const Document& document, Problems& problems) {
   // Where the scheme hardly damps, what Newton's method leaves in the shortest waves adds up from step to step.
   if (c.time.rho_inf > 0.9 && !document.entries.count("solver.newton.rtol"))
     c.solver.newton_rtol = std::min(c.solver.newton_rtol, 1e-6);
-  if (c.time.scheme != implicit_scheme) {  // what an explicit step costs, and what may be added to it
-    if (!document.entries.count("domain.quadrature") && has_reduced_points) c.domain.quadrature = "reduced";
-    if (!document.entries.count("time.mass") && c.time.scheme == "rkl2") c.time.mass = "lumped";
+  if (!c.time.implicit()) {  // what an explicit step costs, and what may be added to it
+    if (!document.entries.count("domain.quadrature") && has_reduced_points) c.domain.quadrature = Quadrature::reduced;
+    if (!document.entries.count("time.mass") && c.time.scheme == TimeScheme::rkl2) c.time.mass = MassKind::lumped;
     if (!document.entries.count("output.history.every")) c.output.history_every = explicit_history_every;
   }
-  if (!c.domain.grading.lower.empty() && !document.entries.count("domain.grading.fine")) c.domain.grading.fine = "box";
+  if (!c.domain.grading.lower.empty() && !document.entries.count("domain.grading.fine"))
+    c.domain.grading.fine = FineElements::box;
   if (c.dimension() == 3 && !document.entries.count("output.history.track")) c.output.track = line_of_loads(c);
   return c;
 }

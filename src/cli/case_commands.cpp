@@ -58,11 +58,11 @@ Case load_case(const CaseRequest& request) {
 
 /// Refuses what has no state of rest, or none that is found. A scene does not rest under loads that change for ever.
 void require_rest(const Case& c) {
-  if (c.time.scheme != implicit_scheme)
+  if (!c.time.implicit())
     throw Error(Exit::invalid_input,
                 fmt::format("steady: time.scheme = \"{}\" is explicit, and a state of rest is found by "
-                            "implicit steps of any length; give --set time.scheme={}",
-                            c.time.scheme, implicit_scheme));
+                            "implicit steps of any length; give --set time.scheme=generalized_alpha",
+                            word_of(c.time.scheme)));
   const auto goes = [](const std::vector<Profile>& path) {
     return std::any_of(path.begin(), path.end(), [](const Profile& p) { return p.varies(); });
   };

@@ -23,31 +23,32 @@ std::string folder_of(const CaseRequest& request, const Case& c) {
 Case read_case_of(const CaseRequest& request) {
   const Case c = read_case(request.case_path, request.overrides);
   if (!c.time.automatic || request.options.steady) return c;
-  const auto with_scheme = [&](const std::string& scheme) {
+  const auto with_scheme = [&](TimeScheme scheme) {
     std::vector<std::string> overrides = request.overrides;
-    overrides.push_back("time.scheme=" + scheme);
+    overrides.push_back("time.scheme=" + word_of(scheme));
     return read_case(request.case_path, overrides);
   };
   const std::string before = folder_of(request, c) + "/case.toml";  // a run goes on with the scheme that it began with
   if (request.options.resume && std::filesystem::exists(before)) return with_scheme(read_case(before).time.scheme);
   const StepsForeseen foreseen = foresee_steps(c);
-  const auto tell = [&](const char* scheme, const std::string& why) {
-    if (ranks::root()) std::cerr << fmt::format("softwet: time.scheme = \"automatic\" takes {}: {}\n", scheme, why);
+  const auto tell = [&](TimeScheme scheme, const std::string& why) {
+    if (ranks::root())
+      std::cerr << fmt::format("softwet: time.scheme = \"automatic\" takes {}: {}\n", word_of(scheme), why);
   };
   const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(foreseen.steps, 1.0))) - 1));
   const std::string steps =
       fmt::format("about {:.0f} explicit steps, of which up to {:.0f} take less time than implicit ones",
                   std::round(foreseen.steps / unit) * unit, foreseen.most);
   if (foreseen.steps > foreseen.most) {
-    tell(implicit_scheme, steps);
+    tell(TimeScheme::generalized_alpha, steps);
     return c;
   }
   try {
-    const Case chosen = with_scheme("kick_drift");
-    tell("kick_drift", steps);
+    const Case chosen = with_scheme(TimeScheme::kick_drift);
+    tell(TimeScheme::kick_drift, steps);
     return chosen;
   } catch (const Error&) {
-    tell(implicit_scheme, "explicit steps do not know what this case asks for");
+    tell(TimeScheme::generalized_alpha, "explicit steps do not know what this case asks for");
     return c;
   }
 }

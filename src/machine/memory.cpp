@@ -64,7 +64,7 @@ void refuse_above(const Case& c, double needed, double available, const char* me
                           "solver.krylov.restart = {}, solver.krylov.preconditioner = \"{}\"); take fewer elements, a "
                           "smaller restart, the preconditioner \"schwarz\", or a machine with more memory",
                           bytes_text(needed), memory, bytes_text(available), mesh, c.solver.krylov_restart,
-                          c.solver.preconditioner));
+                          word_of(c.solver.preconditioner)));
 }
 
 }  // namespace

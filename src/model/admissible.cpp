@@ -28,11 +28,12 @@ std::array<double, D> place_of(const Layout<D>& l, int i) {
 /// What one process knows, on all of them.
 double told_by(int speaker, double value) { return ranks::largest(ranks::mine() == speaker ? value : -infinite); }
 
-/// Names and amplitudes of the waves on a field: "wave[0].amplitude = 0.3, wave[2].amplitude = 0.1".
-std::string waves_on(const Case& c, const std::string& field) {
+/// Names and amplitudes of the waves on chosen fields: "wave[0].amplitude = 0.3, wave[2].amplitude = 0.1".
+template <class Chosen>
+std::string waves_on(const Case& c, const Chosen& chosen) {
   std::string names;
   for (std::size_t k = 0; k < c.waves.size(); ++k)
-    if (c.waves[k].field.rfind(field, 0) == 0)
+    if (chosen(c.waves[k].field))
       names += (names.empty() ? "wave[" : ", wave[") + std::to_string(k) +
                "].amplitude = " + short_text(c.waves[k].amplitude, 4);
   return names;
@@ -54,7 +55,7 @@ double factor_that_fits(const std::vector<double>& without_waves, const std::vec
 template <int D, int P>
 void require_density(const Case& c, const Model<D, P>& model, const std::vector<double>& without_waves,
                      const std::vector<double>& density) {
-  const std::string waves = waves_on(c, "density");
+  const std::string waves = waves_on(c, [](WaveField field) { return field == WaveField::density; });
   if (waves.empty() && !c.gives_density())
     return;  // droplets and films have densities of the two phases, or between them
   std::size_t worst = 0;
@@ -87,7 +88,7 @@ void require_density(const Case& c, const Model<D, P>& model, const std::vector<
 
 template <int D, int P>
 void require_upright(const Case& c, const Model<D, P>& model, const State& state) {
-  const std::string waves = waves_on(c, "displacement");
+  const std::string waves = waves_on(c, is_displacement);
   const bool given = c.initial && (!c.initial->displacement.empty() || c.initial->earlier);
   if (waves.empty() && !given) return;
   const MeshFaults faults = model.faults(stage_at(model.layout(), state));

@@ -100,7 +100,7 @@ constexpr double surely_held = 0.59;
 
 /// Sampled soft solids with a tension bore their droplets with this material alone (docs/limits.md).
 std::string material_that_bears(const Case& c) {
-  if (c.substrate->material == "neo_hookean" || c.substrate->surface_tension == 0) return "";
+  if (c.substrate->material == MaterialModel::neo_hookean || c.substrate->surface_tension == 0) return "";
   return "write substrate.material = \"neo_hookean\"; or ";
 }
 
@@ -182,7 +182,7 @@ void add_density(const Case& c, std::vector<std::string>& found) {
 
 void add_tolerance(const Case& c, std::vector<std::string>& found) {
   constexpr double loose = 1e-5;
-  if (c.time.scheme != implicit_scheme || c.solver.newton_atol <= loose) return;
+  if (!c.time.implicit() || c.solver.newton_atol <= loose) return;
   found.push_back(
       "solver.newton.atol = " + short_text(c.solver.newton_atol) + ": above " + short_text(loose) +
       " the errors that Newton's method leaves make the steps shorter, and a run takes more of them (six times as "
@@ -206,7 +206,7 @@ bool too_soft(const Case& c) {
 
 std::string gentle_start(const Case& c) {
   const std::string viscous = "a little substrate.viscosity, which slows the first motion down";
-  if (c.time.start == "equilibrium") return "write " + viscous;
+  if (c.time.start == StartState::equilibrium) return "write " + viscous;
   return "begin at rest with time.start = \"equilibrium\", look for the state of rest alone with softwet steady, or "
          "write " +
          viscous;

@@ -174,10 +174,10 @@ void add_wave(const Case& c, const Layout<D>& l, const Wave& wave, int own, int 
 template <int D>
 void add_waves(const Case& c, const Layout<D>& l, std::vector<double>& unknown, std::vector<double>& displacement) {
   for (const Wave& wave : c.waves) {
-    const int own = wave.field == "density" ? -1 : wave.field.back() - 'x';
-    if (own < 0) {
+    const int own = axis_of(wave.field);
+    if (wave.field == WaveField::density) {
       add_wave(c, l, wave, own, l.wall_row, l.fluid_rows(), &unknown[l.density_offset()]);
-    } else if (wave.field.rfind("velocity", 0) == 0) {
+    } else if (is_velocity(wave.field)) {
       add_wave(c, l, wave, own, 0, l.rows, &unknown[l.velocity_offset(own)]);
     } else {
       add_wave(c, l, wave, own, 0, l.solid_rows(), &displacement[l.displacement_offset(own)]);

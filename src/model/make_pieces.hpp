@@ -69,7 +69,7 @@ class PieceMaker {
         add_graded("solid, means of elements", SolidOfMeans{{law, parts.of_means, 0, of_means}});
     };
     std::visit(elastic, model_.solid());
-    const double finite = s.strain == "small" ? 0 : 1;
+    const double finite = s.strain == Strain::small ? 0 : 1;
     if (s.fibre.stiffness > 0) add<NoMotion>("fibres", model_.fibres());
     if (s.surface_tension > 0) add<NoMotion>("surface tension of the solid", SurfaceTension{s.surface_tension});
     if (s.modulus_of_surface() > 0)

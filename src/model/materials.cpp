@@ -104,10 +104,10 @@ void Model<D, P>::build_solid(const Case& c) {
   if (s.young.varies() || !s.prestretch.empty() || s.volume_quadrature == VolumeQuadrature::selective)
     grade_solid(s.young);
   stiffness_ = LameParameters::from(s.density * largest_young_, s.poisson);
-  const double density = s.inertia == "none" ? 0.0 : s.density;
-  if (s.strain == "small") {
+  const double density = s.inertia == Inertia::none ? 0.0 : s.density;
+  if (s.strain == Strain::small) {
     solid_ = Elastodynamics<Hooke>{{stiffness_}, density};
-  } else if (s.material == "neo_hookean") {
+  } else if (s.material == MaterialModel::neo_hookean) {
     solid_ = Elastodynamics<NeoHookean>{{stiffness_}, density};
   } else {
     solid_ = Elastodynamics<SaintVenantKirchhoff>{{stiffness_}, density};

@@ -11,7 +11,7 @@ namespace {
 
 /// This process's columns of an axis, with those beside them that the boxes of `schwarz` reach where it may be chosen.
 Columns own_columns(const Axis& axis, const Case& c) {
-  const bool boxes = c.dimension() == 3 || c.solver.preconditioner == "schwarz";
+  const bool boxes = c.dimension() == 3 || c.solver.preconditioner == PreconditionerKind::schwarz;
   const int count = ranks::count(), most = most_ranks(axis);
   if (count > most)
     throw Error(Exit::invalid_input, std::to_string(count) + " processes: this scene has " + std::to_string(most) +

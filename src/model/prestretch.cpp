@@ -23,7 +23,8 @@ Matrix<double, 3> stretched(const Vector<double, 3>& stretch) {
 /// Calls visit(law) with the material of a case.
 template <class Visit>
 auto with_law(const Case& c, const LameParameters& stiffness, const Visit& visit) {
-  return c.substrate->material == "neo_hookean" ? visit(NeoHookean{stiffness}) : visit(SaintVenantKirchhoff{stiffness});
+  return c.substrate->material == MaterialModel::neo_hookean ? visit(NeoHookean{stiffness})
+                                                             : visit(SaintVenantKirchhoff{stiffness});
 }
 
 /// The stretch along an axis that leaves no stress along it: Newton's method for l_v P_vv = 0 in ln l_v. Of both laws this is convex above
@@ -109,9 +110,9 @@ std::vector<std::string> forecast_of_prestretch(const Case& c) {
   const LameParameters stiffest = stiffest_of(s);
   const Prestretch here = prestretch_of(c, stiffest);
   const std::string key = "substrate.prestretch = " + short_text(s.prestretch.front(), 6);
-  if (s.material == "saint_venant_kirchhoff") {
+  if (s.material == MaterialModel::saint_venant_kirchhoff) {
     Case other = c;
-    other.substrate->material = "neo_hookean";
+    other.substrate->material = MaterialModel::neo_hookean;
     const int up = c.dimension() - 1;
     found.push_back(key + ": a Saint Venant-Kirchhoff solid is " + short_text(here.stretch[up], 4) +
                     " of its height then, a neo-Hookean one, as gels and rubbers are, " +

@@ -41,7 +41,7 @@ inline Fibres fibres_of(const Substrate& s, int dimension) {
       dimension == 2
           ? Vector<double, 3>{{std::cos(up), std::sin(up), 0}}
           : Vector<double, 3>{{std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)}};
-  return {s.fibre.stiffness, direction, s.strain == "small" ? 0.0 : 1.0};
+  return {s.fibre.stiffness, direction, s.strain == Strain::small ? 0.0 : 1.0};
 }
 
 }  // namespace softwet

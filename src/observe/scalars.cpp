@@ -91,7 +91,7 @@ void Scalars<D, P>::set_needles(const std::vector<NeedleReading>& needles, Table
 
 template <int D, int P>
 void Scalars<D, P>::follow_energy(const EnergyState& state) {
-  const bool law = case_.has_energy_law(), implicit = case_.time.scheme == implicit_scheme;
+  const bool law = case_.has_energy_law(), implicit = case_.time.implicit();
   const EnergyRule& rule = !case_.keeps_shown_energy() ? with_other_masses : law ? with_energy_law : without_energy_law;
   const double rise = latest_.energy.follow(state, rule);
   if (rise > 0)

@@ -28,8 +28,7 @@ void require_same_box(const Case& now, const Case& then) {
   const auto same = [&](double a, double b) { return std::abs(a - b) <= 1e-9 * now.domain.size.back(); };
   if (now.domain.coordinates != then.domain.coordinates)
     throw Error(Exit::invalid_input, "initial.from = \"" + now.initial->from +
-                                         "\": that run has domain.coordinates = \"" +
-                                         words_of(Coordinates{})[static_cast<int>(then.domain.coordinates)] +
+                                         "\": that run has domain.coordinates = \"" + word_of(then.domain.coordinates) +
                                          "\", this case has another value; write the same");
   bool equal = now.dimension() == then.dimension() && same(height_of_wall(now), height_of_wall(then));
   for (int d = 0; d < now.dimension() && equal; ++d) equal = same(now.domain.size[d], then.domain.size[d]);

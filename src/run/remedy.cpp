@@ -20,7 +20,7 @@ std::string unusual_settings(const Case& c) {
     if (!unusual) return;
     found += (found.empty() ? "" : ", ") + key + " = " + short_text(value) + " (default " + short_text(usual) + ")";
   };
-  if (c.time.scheme == implicit_scheme) {
+  if (c.time.implicit()) {
     tell(c.solver.newton_rtol > 10 * solver.newton_rtol, "solver.newton.rtol", c.solver.newton_rtol,
          solver.newton_rtol);
     tell(c.solver.newton_atol > 1e4 * solver.newton_atol, "solver.newton.atol", c.solver.newton_atol,
@@ -45,7 +45,7 @@ std::string softer_than_its_loads(const Case& c) {
     return soft + "raise substrate.young, or move the needle more slowly and less far (needle[].path)";
   if (c.loads.empty()) return soft + "raise substrate.young";
   const std::string gentler = "raise substrate.young, lower load[].force or lengthen load[].ramp";
-  if (c.substrate->material != "saint_venant_kirchhoff") return soft + gentler;
+  if (c.substrate->material != MaterialModel::saint_venant_kirchhoff) return soft + gentler;
   return soft +
          "a Saint Venant-Kirchhoff solid loses its stiffness under strong compression, \"neo_hookean\" "
          "(substrate.material) does not: " +
@@ -89,7 +89,7 @@ std::string remedy(const Case& c, const Refusal& refusal, double time) {
   if (const std::string key = load_without_value(c, time); !key.empty())
     return key + " is no number after t = " + short_text(time, 10) +
            ": bound what it divides by or takes a root of, for example with max";
-  if (c.time.scheme != implicit_scheme && c.time.safety > 1)
+  if (!c.time.implicit() && c.time.safety > 1)
     return "with time.safety = " + short_text(c.time.safety) +
            " the steps may be longer than the largest stable one: write time.safety = 0.9";
   if (const std::string settings = unusual_settings(c); !settings.empty())

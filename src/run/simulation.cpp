@@ -65,7 +65,7 @@ bool Simulation<D, P>::begin() {
   State state = initial_state<D, P>(case_, model_);
   state.time = options_.steady ? full_load_time(case_) : case_.run_start();
   if (options_.steady) field_times_ = {softwet::output_time(state.time, case_.clock_zero())};
-  if ((options_.steady || case_.time.start == "equilibrium") && !come_to_rest(state)) return false;
+  if ((options_.steady || case_.time.start == StartState::equilibrium) && !come_to_rest(state)) return false;
   stepper_.scheme().initialise(state);
   stepper_.start(state);
   on_root([this] {
@@ -152,7 +152,7 @@ void Simulation<D, P>::run() {
       require_folder();  // somebody may have moved it while a file was being written
     if (error.code() != Exit::computation_failed) throw;
     Case asked = case_;
-    if (options_.steady) asked.time.start = "equilibrium";  // what it looks for
+    if (options_.steady) asked.time.start = StartState::equilibrium;  // what it looks for
     const std::string advice = remedy(asked, stepper_.counts().last_rejection, output_time()), failure = error.what();
     throw Error(error.code(), failure + "; " + advice + "; the last good state, that of t = " +
                                   short_text(output_time(), 6) + ", " + keep_after(failure));

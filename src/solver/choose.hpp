@@ -1,6 +1,7 @@
-// From the name in a case to a preconditioner.
+// From the choice of a case to a preconditioner.
 #pragma once
 
+#include "case/choices.hpp"
 #include "case/error.hpp"
 #include "solver/direct/device/level_lu.hpp"
 #include "solver/direct/host/block_lu.hpp"
@@ -11,11 +12,11 @@
 namespace softwet {
 
 /// Those that this build has.
-inline std::vector<std::string> preconditioner_names() {
+inline std::vector<PreconditionerKind> preconditioners() {
 #ifdef SOFTWET_HAVE_UMFPACK
-  return {"lu", "umfpack", "schwarz"};
+  return {PreconditionerKind::lu, PreconditionerKind::umfpack, PreconditionerKind::schwarz};
 #else
-  return {"lu", "schwarz"};
+  return {PreconditionerKind::lu, PreconditionerKind::schwarz};
 #endif
 }
 
@@ -32,13 +33,14 @@ std::unique_ptr<StencilSolver<D>> make_lu(const Layout<D>& layout, const ConstAr
 /// fastest on a processor. umfpack: the matrix is factorised by that library, on the host and in double precision.
 template <int D>
 std::unique_ptr<Preconditioner> choose_preconditioner(
-    const std::string& name, const Layout<D>& layout, const ConstArray& mask,
+    PreconditionerKind kind, const Layout<D>& layout, const ConstArray& mask,
     const SchwarzControl& control = SchwarzControl::for_dimension(D)) {
-  if (name == "none") return std::make_unique<NoPreconditioner>();
+  if (kind == PreconditionerKind::none) return std::make_unique<NoPreconditioner>();
   const Layout<D> all = layout.whole_patch();
-  const bool schwarz = name == "schwarz" || (name == "automatic" && D == 3 && all.size() > small_in_3d);
+  const bool schwarz = kind == PreconditionerKind::schwarz ||
+                       (kind == PreconditionerKind::automatic && D == 3 && all.size() > small_in_3d);
   const auto factors = [&](const ConstArray& free) {
-    return name == "umfpack" ? make_sparse_lu<D>(all, free) : make_lu<D>(all, free);
+    return kind == PreconditionerKind::umfpack ? make_sparse_lu<D>(all, free) : make_lu<D>(all, free);
   };
   const auto assembled = [&](const ConstArray& free, auto solver) {
     return std::make_unique<Assembled<D>>(layout, free, std::move(solver));

@@ -8,7 +8,7 @@ namespace softwet {
 
 template <int D, int P>
 std::unique_ptr<Scheme<D, P>> choose_scheme(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge) {
-  if (c.time.scheme == implicit_scheme) return std::make_unique<ImplicitScheme<D, P>>(model, c, judge);
+  if (c.time.implicit()) return std::make_unique<ImplicitScheme<D, P>>(model, c, judge);
   return std::make_unique<ExplicitScheme<D, P>>(model, c, judge);
 }
 

@@ -84,12 +84,14 @@ void check_line_friction(const Checker& check) {
   if (fluid.wall_law != WallLaw::energy)
     check.refuse(key, "needs the wall energy: the law \"gradient\" has no energy that a moving line could lose",
                  "write wall_law = \"energy\"");
-  if (check.c.time.scheme != implicit_scheme)
-    check.refuse(key,
-                 fmt::format("needs time.scheme = \"{}\", not \"{}\": explicit steps compute the potential before they "
-                             "know the rate of the density at the wall, on which it then depends",
-                             implicit_scheme, check.c.time.scheme),
-                 fmt::format("write scheme = \"{}\"", implicit_scheme));
+  if (!check.c.time.implicit())
+    check.refuse(
+        key,
+        fmt::format(
+            "needs time.scheme = \"generalized_alpha\", not \"{}\": explicit steps compute the potential before they "
+            "know the rate of the density at the wall, on which it then depends",
+            word_of(check.c.time.scheme)),
+        "write scheme = \"generalized_alpha\"");
   if (check.periodic(check.vertical()))
     check.refuse(key, "needs a wall, and the bottom is periodic", "remove it, or write another boundary.bottom");
   if (fluid.contact_angle.varies())
@@ -200,9 +202,10 @@ void check_steps(const Checker& check) {
 
 /// Explicit schemes divide by the inertia of the solid.
 void check_inertia(const Checker& check) {
-  if (!check.c.substrate || check.c.substrate->inertia == "full" || check.c.time.scheme == implicit_scheme) return;
-  check.refuse("substrate.inertia", fmt::format("cannot be \"none\" with time.scheme = \"{}\"", check.c.time.scheme),
-               fmt::format("write inertia = \"full\", or time.scheme = \"{}\"", implicit_scheme));
+  if (!check.c.substrate || check.c.substrate->inertia == Inertia::full || check.c.time.implicit()) return;
+  check.refuse("substrate.inertia",
+               fmt::format("cannot be \"none\" with time.scheme = \"{}\"", word_of(check.c.time.scheme)),
+               "write inertia = \"full\", or time.scheme = \"generalized_alpha\"");
 }
 
 /// Where two materials of the solid meet, elements have to end.
@@ -222,7 +225,7 @@ void check_joint(const Checker& check) {
 }
 
 void check_material(const Checker& check) {
-  if (!check.c.substrate || check.c.substrate->strain == "finite" ||
+  if (!check.c.substrate || check.c.substrate->strain == Strain::finite ||
       check.c.substrate->material == Substrate{}.material)
     return;
   check.refuse("substrate.material", "is not used where substrate.strain = \"small\": that is Hooke's law",
@@ -231,16 +234,17 @@ void check_material(const Checker& check) {
 
 void check_precision(const Checker& check) {
   const SolverControl& solver = check.c.solver;
-  if (solver.precision == "double" || solver.precision == "automatic") return;
+  if (solver.precision == PrecisionChoice::full || solver.precision == PrecisionChoice::automatic) return;
   const std::string key = "solver.precision";
-  if (solver.precision == "single" && !check.c.needles.empty())
+  if (solver.precision == PrecisionChoice::single && !check.c.needles.empty())
     check.refuse(key, "has not the digits that the stiff springs of a [[needle]] need in residuals",
                  "write \"automatic\": linear solves are in single precision then");
   switch (hindrance_of_single(check.c)) {
     case Hindrance::none:
       return;
     case Hindrance::scheme:
-      check.refuse(key, fmt::format("needs time.scheme = \"{}\", not \"{}\"", implicit_scheme, check.c.time.scheme),
+      check.refuse(key,
+                   fmt::format("needs time.scheme = \"generalized_alpha\", not \"{}\"", word_of(check.c.time.scheme)),
                    "write \"automatic\": explicit schemes are always in double precision");
     case Hindrance::difference:
       check.refuse(key, "needs solver.krylov.jacobian = \"exact\"",

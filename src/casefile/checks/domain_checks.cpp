@@ -62,9 +62,9 @@ void check_periodic_elements(const Checker& check, const std::string& key) {
 void check_grading(const Checker& check) {
   const Grading& grading = check.c.domain.grading;
   const std::string key = "domain.grading.box";
-  if (grading.fine != "box") {
+  if (grading.fine != FineElements::box) {
     if (!grading.lower.empty())
-      check.refuse(key, fmt::format("is not used with fine = \"{}\"", grading.fine), "write fine = \"box\"");
+      check.refuse(key, fmt::format("is not used with fine = \"{}\"", word_of(grading.fine)), "write fine = \"box\"");
     return;
   }
   check_fine_corners(check, key);
@@ -120,9 +120,7 @@ void check_foundation(const Checker& check) {
     check.refuse(
         key, "has springs against motion through a bottom that is held: boundary.bottom is \"slip\"",
         fmt::format("write bottom = \"free\", or foundation = [0, {}] for springs along a roller", springs[1]));
-  check.refuse(key,
-               fmt::format("has springs below a bottom that is held: boundary.bottom is \"{}\"",
-                           words_of(bottom)[static_cast<std::size_t>(bottom)]),
+  check.refuse(key, fmt::format("has springs below a bottom that is held: boundary.bottom is \"{}\"", word_of(bottom)),
                "write bottom = \"free\", or remove the foundation");
 }
 

@@ -154,8 +154,8 @@ FinePart nearest_fine_part(const Case& c, std::size_t axis, double x) {
 
 void choose_fine_box(Case& c) {
   Grading& grading = c.domain.grading;
-  if (grading.fine != "automatic") return;
-  grading.fine = "box";
+  if (grading.fine != FineElements::automatic) return;
+  grading.fine = FineElements::box;
   const std::size_t axes = c.domain.size.size(), vertical = axes - 1;
   grading.lower.assign(axes, 0);
   grading.upper = c.domain.size;

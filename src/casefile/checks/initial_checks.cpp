@@ -84,10 +84,10 @@ void check_film(const Checker& check, std::size_t index) {
 void check_field_of_wave(const Checker& check, std::size_t index) {
   const std::string field = fmt::format("wave[{}].field", index);
   const Wave& wave = check.c.waves[index];
-  const bool in_solid = wave.field.rfind("displacement", 0) == 0;
+  const bool in_solid = is_displacement(wave.field);
   if (in_solid && !check.c.substrate) check.refuse(field, "needs a solid", "add a [substrate] or choose a velocity");
-  if (wave.field == "density" && !check.c.fluid) check.refuse(field, "needs a fluid", "add a [fluid]");
-  if (wave.field.back() == 'z' && check.c.dimension() == 2) {
+  if (wave.field == WaveField::density && !check.c.fluid) check.refuse(field, "needs a fluid", "add a [fluid]");
+  if (axis_of(wave.field) == 2 && check.c.dimension() == 2) {
     check.refuse(field, "exists in 3D only", "the directions of a 2D case are x and y");
   }
 }

@@ -44,8 +44,8 @@ void check_field_times(const Checker& check) {
   const double beginning = check.c.run_start() - check.c.clock_zero();
   if (!times.empty() && times.front() < beginning) {
     check.refuse("output.fields.times", fmt::format("must be at least {}, the start of the computation", beginning),
-                 check.c.time.start == "equilibrium" ? "with time.start = \"equilibrium\" it begins at zero"
-                                                     : "zero is the start of the first load");
+                 check.c.time.start == StartState::equilibrium ? "with time.start = \"equilibrium\" it begins at zero"
+                                                               : "zero is the start of the first load");
   }
 }
 

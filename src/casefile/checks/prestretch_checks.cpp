@@ -27,13 +27,13 @@ void check_stretches(const Checker& check) {
 /// In a Saint Venant-Kirchhoff solid a stretch acts on the next one far more or less than in a gel.
 void check_prestretched_law(const Checker& check) {
   const Substrate& s = *check.c.substrate;
-  if (s.strain == "small")
+  if (s.strain == Strain::small)
     check.refuse(prestretch_key,
                  "needs strain = \"finite\": in small strains a stretch changes neither the stiffness nor the "
                  "stress that a rotation carries along, so the layer would not feel it",
                  "write strain = \"finite\" and material = \"neo_hookean\", or remove the prestretch");
   constexpr double most = 0.15;
-  if (s.material != "saint_venant_kirchhoff") return;
+  if (s.material != MaterialModel::saint_venant_kirchhoff) return;
   for (const double stretch : s.prestretch)
     if (std::abs(stretch - 1) > most + slack)
       check.refuse(prestretch_key,

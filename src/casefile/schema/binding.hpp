@@ -66,9 +66,7 @@ inline Value load(const std::vector<Profile>& member) {
   return texts;
 }
 template <class Enumeration>
-  requires std::is_enum_v<Enumeration> Value load(Enumeration member) {
-    return words_of(member)[static_cast<std::size_t>(member)];
-  }
+  requires std::is_enum_v<Enumeration> Value load(Enumeration member) { return word_of(member); }
 
 // The profiles in a member.
 inline std::vector<Profile*> profiles_in(Profile& member) { return {&member}; }

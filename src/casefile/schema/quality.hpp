@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "case/choices.hpp"
+
 namespace softwet {
 
 struct QualityValue {
@@ -11,14 +13,14 @@ struct QualityValue {
   const char* text;  ///< TOML text
 };
 
-struct Quality {
-  const char* name;
+struct QualityValues {
+  Quality quality;
   const char* purpose;
   std::vector<QualityValue> values;  ///< "standard" has none: it is what the defaults are
 };
 
 /// Their errors and costs are measured: docs/tradeoff.md.
-const std::vector<Quality>& qualities();
+const std::vector<QualityValues>& qualities();
 
 /// True for the keys that some quality sets.
 bool set_by_quality(const std::string& key);

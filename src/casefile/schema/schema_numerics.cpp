@@ -60,7 +60,7 @@ std::vector<Key> time_keys() {
   return {
       {.name = "time.scheme",
        .kind = Kind::choice,
-       .choices = {"generalized_alpha", "kick_drift", "rkl2", "ssp_rk3", "automatic"},
+       .choices = words_of(TimeScheme{}),
        .help =
            "Time scheme. generalized_alpha is implicit and takes steps of any size; it is the one for slow motion. The "
            "others are explicit: their steps are limited by sound, capillarity, elasticity and the viscosity of the "
@@ -73,7 +73,7 @@ std::vector<Key> time_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.scheme; })},
       {.name = "time.mass",
        .kind = Kind::choice,
-       .choices = {"corrected", "lumped", "consistent"},
+       .choices = words_of(MassKind{}),
        .help =
            "Mass matrices of the explicit schemes. lumped takes their row sums: the error in space is of second order. "
            "corrected follows that by three products with the masses, which takes nearly all of this error away and "
@@ -91,7 +91,7 @@ std::vector<Key> time_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.safety; })},
       {.name = "time.start",
        .kind = Kind::choice,
-       .choices = {"initial", "equilibrium"},
+       .choices = words_of(StartState{}),
        .help =
            "State that the computation begins with. initial is the state of the case file, which moves until it is at "
            "rest. equilibrium brings it to rest first, without loads, by implicit steps that grow quickly and are not "
@@ -199,18 +199,18 @@ std::vector<Key> solver_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.krylov_max; })},
       {.name = "solver.krylov.jacobian",
        .kind = Kind::choice,
-       .choices = {"exact", "difference"},
+       .choices = words_of(JacobianKind{}),
        .help = "Jacobian-vector product: exact (dual numbers), or a finite difference of residuals.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.jacobian; })},
       {.name = "solver.krylov.preconditioner",
        .kind = Kind::choice,
-       .choices = {"automatic", "lu", "umfpack", "schwarz", "none"},
+       .choices = words_of(PreconditionerKind{}),
        .help = "Lagged LU by nested dissection (lu), the library UMFPACK in double precision, "
                "multilevel Schwarz, none, or automatic: lu in 2D and to 3000 unknowns in 3D, else schwarz.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.preconditioner; })},
       {.name = "solver.krylov.launch",
        .kind = Kind::choice,
-       .choices = {"kernels", "graph"},
+       .choices = words_of(Launch{}),
        .help =
            "How a GPU starts the preconditioner: kernel by kernel (kernels), or recorded and started as one (graph), "
            "which was hardly faster on the one GPU that was tried. On a processor, and where several processes share a "
@@ -218,7 +218,7 @@ std::vector<Key> solver_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.launch; })},
       {.name = "solver.precision",
        .kind = Kind::choice,
-       .choices = {"automatic", "double", "mixed", "single"},
+       .choices = words_of(PrecisionChoice{}),
        .help =
            "Precision of the numbers in the computation with generalized_alpha. automatic: mixed, except for explicit "
            "schemes, for solver.krylov.jacobian = \"difference\" and for solver.krylov.rtol below 1e-5, which need "

@@ -18,7 +18,7 @@ std::vector<Key> domain_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.name; })},
       {.name = "quality",
        .kind = Kind::choice,
-       .choices = {"draft", "standard", "reference"},
+       .choices = words_of(Quality{}),
        .help = "Accuracy for speed, measured in docs/tradeoff.md: the values of some keys where the case does not give "
                "them. " +
                describe_qualities(),
@@ -57,7 +57,7 @@ std::vector<Key> domain_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.degree; })},
       {.name = "domain.quadrature",
        .kind = Kind::choice,
-       .choices = {"full", "reduced"},
+       .choices = words_of(Quadrature{}),
        .example = "\"full\"",
        .help = "Gauss points of an element along each axis: full has degree + 1, reduced has as many as the degree, "
                "which computes less at each evaluation of the equations.",
@@ -65,7 +65,7 @@ std::vector<Key> domain_keys() {
        .default_note = "\"full\"; \"reduced\" with an explicit time.scheme"},
       {.name = "domain.grading.fine",
        .kind = Kind::choice,
-       .choices = {"everywhere", "automatic", "box"},
+       .choices = words_of(FineElements{}),
        .help = "Where elements have the length domain.size / domain.elements. Elsewhere they grow towards the sides. "
                "\"automatic\" chooses a box from droplets and loads; softwet check and case.toml show which.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.grading.fine; }),

@@ -60,20 +60,20 @@ std::vector<Key> substrate_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->volume_quadrature; })},
       {.name = "substrate.material",
        .kind = Kind::choice,
-       .choices = {"saint_venant_kirchhoff", "neo_hookean"},
+       .choices = words_of(MaterialModel{}),
        .help = "Law of the solid. saint_venant_kirchhoff is that of the paper; it softens when it is squeezed hard. "
                "neo_hookean is compressible and stays stiff under any compression. For small strains both are Hooke's "
                "law, with the same young and poisson.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->material; })},
       {.name = "substrate.strain",
        .kind = Kind::choice,
-       .choices = {"finite", "small"},
+       .choices = words_of(Strain{}),
        .help = "Strain of the solid. finite is what substrate.material says. small is the limit of linear elasticity, "
                "Hooke's law, in place of the material: for deformations of a few per cent.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->strain; })},
       {.name = "substrate.inertia",
        .kind = Kind::choice,
-       .choices = {"full", "none"},
+       .choices = words_of(Inertia{}),
        .help =
            "Inertia of the solid. none leaves the solid in equilibrium with the fluid and the loads at every time: for "
            "motion that is slow against elastic waves. Explicit schemes need full.",

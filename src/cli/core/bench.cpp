@@ -83,7 +83,7 @@ void bench_terms(const Sheet& sheet, const Layout<D>& layout, const Pieces<D, Re
 /// Residual and product in single precision.
 template <int D, int P>
 void bench_single(const Sheet& sheet, Case c, const State& state) {
-  c.solver.precision = "single";
+  c.solver.precision = PrecisionChoice::single;
   const Model<D, P> model(c);
   GeneralizedAlpha<D, P> scheme(model, c.time.rho_inf);
   scheme.begin(state, 1.0);
@@ -149,7 +149,7 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
     stepper.step();
   }
   Case mixed = c;
-  mixed.solver.precision = "mixed";
+  mixed.solver.precision = PrecisionChoice::mixed;
   const Model<D, P> both(mixed);
   GeneralizedAlpha<D, P> scheme(both, c.time.rho_inf);
   const Array r("r", scheme.size()), z("z", scheme.size());
@@ -157,17 +157,20 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   Gmres gmres(scheme.model().layout().space(), scheme.size(), 200);
   constexpr int largest_factorised = 20000;
   const double product = seconds_per_call([&] { scheme.product(z, r); });
-  for (const std::string& name : preconditioner_names()) {
-    if (name != "schwarz" && name != c.solver.preconditioner && D == 3 && sheet.unknowns > largest_factorised) {
+  for (const PreconditionerKind kind : preconditioners()) {
+    const std::string name = word_of(kind);
+    if (kind != PreconditionerKind::schwarz && kind != c.solver.preconditioner && D == 3 &&
+        sheet.unknowns > largest_factorised) {
       sheet.out << "preconditioner " << name << ": left out, too large; name it in solver.krylov.preconditioner\n";
       continue;
     }
-    if (name == "schwarz" && !model.layout().whole() && model.layout().columns.beside < box_width(D) - 1) {
+    if (kind == PreconditionerKind::schwarz && !model.layout().whole() &&
+        model.layout().columns.beside < box_width(D) - 1) {
       sheet.out << "preconditioner " << name
                 << ": left out on several processes; name it in solver.krylov.preconditioner\n";
       continue;
     }
-    auto preconditioner = choose_preconditioner<D>(name, model.layout(), model.mask());
+    auto preconditioner = choose_preconditioner<D>(kind, model.layout(), model.mask());
     std::string counts;
     for (const double dt : {0.01, 0.1, 1.0, 5.0}) {
       scheme.begin(stepper.state(), dt);
@@ -204,9 +207,8 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
 /// Whole steps of kick_drift with each kind of mass, and what they are made of.
 template <int D, int P>
 void bench_explicit(const Sheet& sheet, const Model<D, P>& model, State state) {
-  for (const auto& [kind, name] : {std::pair{MassKind::consistent, "consistent"},
-                                   {MassKind::lumped, "lumped"},
-                                   {MassKind::corrected, "corrected"}}) {
+  for (const MassKind kind : {MassKind::consistent, MassKind::lumped, MassKind::corrected}) {
+    const std::string name = word_of(kind);
     SemiDiscrete<D, P> system(model, kind);
     system.set_moments(state);
     KickDrift<D, P> step(system);
@@ -240,7 +242,7 @@ void bench_explicit(const Sheet& sheet, const Model<D, P>& model, State state) {
 template <int D, int P>
 void bench_model(const Case& asked, std::ostream& out) {
   Case c = asked;
-  c.solver.precision = "double";  // single precision is measured beside it
+  c.solver.precision = PrecisionChoice::full;  // single precision is measured beside it
   const Model<D, P> model(c);
   const Layout<D>& layout = model.layout();
   GeneralizedAlpha<D, P> scheme(model, c.time.rho_inf);
@@ -273,7 +275,7 @@ void bench_model(const Case& asked, std::ostream& out) {
   bench_single<D, P>(sheet, c, state);
 
   bench_explicit(sheet, model, state);
-  if (c.time.scheme == implicit_scheme) bench_preconditioners(sheet, c, model);
+  if (c.time.implicit()) bench_preconditioners(sheet, c, model);
   out << "peak memory";
   for (double memory : peak_memory_of_processes()) out << " " << memory << " MiB";
   out << "\n";

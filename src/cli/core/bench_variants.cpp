@@ -16,7 +16,8 @@ namespace {
 
 /// A form of a preconditioner.
 struct Variant {
-  std::string name, kind;
+  std::string name;
+  PreconditionerKind kind;
   SchwarzControl control;
 };
 
@@ -26,11 +27,11 @@ std::vector<Variant> variants(int unknowns) {
   constexpr int largest_factorised = 30000;
   const SchwarzControl usual = SchwarzControl::for_dimension(D);
   std::vector<Variant> all;
-  if (D == 2 || unknowns < largest_factorised) all.push_back({"lu", "lu", usual});
+  if (D == 2 || unknowns < largest_factorised) all.push_back({"lu", PreconditionerKind::lu, usual});
   const auto form = [&](const char* name, auto&& change) {
     SchwarzControl control = usual;
     change(control);
-    all.push_back({std::string("schwarz") + name, "schwarz", control});
+    all.push_back({std::string("schwarz") + name, PreconditionerKind::schwarz, control});
   };
   form("", [](SchwarzControl&) {});
   form(", without coarse levels", [](SchwarzControl& c) { c.coarse = false; });
@@ -139,8 +140,8 @@ void compare_preconditioners(const Case& asked, std::ostream& out) {
   if (ranks::count() > 1)
     throw Error(Exit::invalid_input, "softwet bench --preconditioners: several processes; start one");
   Case c = asked;
-  c.time.scheme = implicit_scheme;
-  c.solver.precision = "mixed";
+  c.time.scheme = TimeScheme::generalized_alpha;
+  c.solver.precision = PrecisionChoice::mixed;
   const Model<D, P> model(c);
   Stepper<D, P> stepper(model, c, {});
   State start = initial_state<D, P>(c, model);

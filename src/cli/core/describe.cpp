@@ -85,11 +85,12 @@ std::vector<Line> unknowns(const Layout<D>& l, double times) {
 template <int D, int P>
 void print_memory(const Case& c, const Model<D, P>& model, double times, std::ostream& out) {
   const bool large = D == 3 && times * model.layout().size() > small_in_3d;
-  const std::string& asked = c.solver.preconditioner;
+  const PreconditionerKind asked = c.solver.preconditioner;
   std::unique_ptr<Preconditioner> preconditioner;
-  if (c.time.scheme == implicit_scheme)
+  if (c.time.implicit())
     preconditioner =
-        choose_preconditioner<D>(large && asked == "automatic" ? "schwarz" : asked, model.layout(), model.mask());
+        choose_preconditioner<D>(large && asked == PreconditionerKind::automatic ? PreconditionerKind::schwarz : asked,
+                                 model.layout(), model.mask());
   const double here = bytes_to_be_had();
   double total = 0;
   std::vector<Line> lines;
@@ -114,14 +115,15 @@ std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
     lines.push_back({name, "dt <= " + formatted(dt, "%.3g")});
   };
   Case probe = c;
-  for (const char* scheme : {"kick_drift", "rkl2", "ssp_rk3"}) {
+  for (const TimeScheme scheme : {TimeScheme::kick_drift, TimeScheme::rkl2, TimeScheme::ssp_rk3}) {
     probe.time.scheme = scheme;
     const Judge<D, P> judge(model, probe);
     ExplicitScheme<D, P> explicit_scheme(model, probe, judge);
     State state = initial_state<D, P>(probe, model);
     explicit_scheme.initialise(state);
-    limit(scheme, explicit_scheme.largest_step(state, std::numeric_limits<double>::infinity()) / c.time.safety);
-    if (std::string(scheme) != "kick_drift") continue;
+    limit(word_of(scheme),
+          explicit_scheme.largest_step(state, std::numeric_limits<double>::infinity()) / c.time.safety);
+    if (scheme != TimeScheme::kick_drift) continue;
     for (const auto& [name, rate] : lone_rates(explicit_scheme.rates()))
       if (rate > 0) limit("  " + std::string(name) + " alone", 1 / rate);
   }
@@ -142,7 +144,7 @@ void describe_model(const Case& c, std::ostream& out) {
   print_section(out, "unknowns", unknowns(model.layout(), p.times));
   print_memory<D, P>(c, model, p.times, out);
   if (p.times == 1)
-    print_section(out, "explicit steps, bounded at the first state (time.mass = \"" + c.time.mass + "\")",
+    print_section(out, "explicit steps, bounded at the first state (time.mass = \"" + word_of(c.time.mass) + "\")",
                   step_limits(c, model));
   print_section(out, "kernel",
                 {{"configuration", std::to_string(D) + (c.axisymmetric() ? "D, axisymmetric, degree " : "D, degree ") +

@@ -116,7 +116,7 @@ void describe_build(std::ostream& out) {
       << "MPI             " << (ranks::has_mpi() ? "yes" : "no") << "\n"
       << "instructions    " << instruction_set() << ", " << lanes() << " elements per pack\n"
       << "preconditioners ";
-  for (const std::string& name : preconditioner_names()) out << name << ", ";
+  for (const PreconditionerKind kind : preconditioners()) out << word_of(kind) << ", ";
   out << "none\n"
       << "Kokkos          " << KOKKOS_VERSION / 10000 << "." << KOKKOS_VERSION / 100 % 100 << "."
       << KOKKOS_VERSION % 100 << "\n";

@@ -10,9 +10,10 @@ namespace softwet {
 namespace {
 
 template <int D, int P>
-std::unique_ptr<ExplicitStep<D, P>> explicit_step(const std::string& name, SemiDiscrete<D, P>& system) {
-  if (name == "kick_drift") return std::make_unique<KickDrift<D, P>>(system);
-  return std::make_unique<RungeKuttaStep<D, P>>(system, name == "rkl2");
+std::unique_ptr<ExplicitStep<D, P>> explicit_step(TimeScheme scheme, SemiDiscrete<D, P>& system) {
+  if (scheme == TimeScheme::kick_drift) return std::make_unique<KickDrift<D, P>>(system);
+  return std::make_unique<RungeKuttaStep<D, P>>(system,
+                                                scheme == TimeScheme::rkl2 ? Viscosity::apart : Viscosity::among_all);
 }
 
 }  // namespace
@@ -20,9 +21,9 @@ std::unique_ptr<ExplicitStep<D, P>> explicit_step(const std::string& name, SemiD
 template <int D, int P>
 ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge)
     : judge_(judge),
-      system_(model, mass_kind(c.time.mass)),
+      system_(model, c.time.mass),
       step_(explicit_step(c.time.scheme, system_)),
-      bound_(model, mass_kind(c.time.mass), step_->formula()),
+      bound_(model, c.time.mass, step_->formula()),
       safety_(c.time.safety) {}
 
 template <int D, int P>

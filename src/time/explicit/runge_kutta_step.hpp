@@ -6,7 +6,10 @@
 
 namespace softwet {
 
-/// A step of SspRk3. With `apart` it leaves viscosity out, and half a step of viscosity by Rkl2 comes before and after it (Strang). Where a
+/// Whether a step takes viscosity among all other rates, or apart from them.
+enum class Viscosity { among_all, apart };
+
+/// A step of SspRk3. With Viscosity::apart it leaves viscosity out, and half a step of viscosity by Rkl2 comes before and after it (Strang). Where a
 /// solid is viscous, these have the acceleration c by all else at the start of the step, and what is between has c less:
 ///   v' = V(v) + c for dt/2,   y' = f(y) - (c, 0, 0) for dt,   v' = V(v) + c for dt/2,   c = the acceleration in f(y_0)
 /// Of second order, and as long as waves allow however viscous the solid or thin the vapour is: where viscosity balances c, both
@@ -16,9 +19,10 @@ namespace softwet {
 template <int D, int P>
 class RungeKuttaStep final : public ExplicitStep<D, P> {
  public:
-  RungeKuttaStep(SemiDiscrete<D, P>& system, bool apart)
+  RungeKuttaStep(SemiDiscrete<D, P>& system, Viscosity viscosity)
       : ExplicitStep<D, P>(system),
-        apart_(apart && (system.model().layout().has_fluid || system.model().has_viscous_solid())),
+        apart_(viscosity == Viscosity::apart &&
+               (system.model().layout().has_fluid || system.model().has_viscous_solid())),
         balanced_(apart_ && system.model().has_viscous_solid()),
         scheme_(system.size()) {
     for (Array* a : {&y_, &rates_, &next_, &next_rates_}) *a = Array("ssp_rk3.vector", system.size());

@@ -77,7 +77,7 @@ double rate_of_material(const Case& c, const MassSymbols& symbols, double shorte
 /// All materials are alike where nothing is stretched.
 template <int D, bool Axial>
 double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest) {
-  if (c.substrate->prestretch.empty() || c.substrate->material != "neo_hookean")
+  if (c.substrate->prestretch.empty() || c.substrate->material != MaterialModel::neo_hookean)
     return rate_of_material<D, Axial, SaintVenantKirchhoff>(c, symbols, shortest);
   return rate_of_material<D, Axial, NeoHookean>(c, symbols, shortest);
 }

@@ -3,11 +3,10 @@
 
 #include <vector>
 
+#include "case/choices.hpp"
 #include "field/range_factors.hpp"
 
 namespace softwet {
-
-enum class JacobianKind { exact, difference };
 
 struct NewtonControl {
   double rtol = 1e-6;   ///< of the weighted residual, relative to the start of the step

@@ -13,7 +13,7 @@ NewtonControl newton_control(const Case& c) {
   n.max = c.solver.newton_max;
   n.krylov_rtol = c.solver.krylov_rtol;
   n.krylov_max = c.solver.krylov_max;
-  n.jacobian = c.solver.jacobian == "difference" ? JacobianKind::difference : JacobianKind::exact;
+  n.jacobian = c.solver.jacobian;
   n.bends = c.fluid && c.fluid->resists_lines();
   return n;
 }
@@ -21,12 +21,13 @@ NewtonControl newton_control(const Case& c) {
 template <int D, int P>
 std::unique_ptr<Preconditioner> preconditioner_of(const Case& c, const Model<D, P>& model) {
   auto chosen = choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask());
-  return c.solver.launch == "graph" ? record_answers(std::move(chosen)) : std::move(chosen);
+  return c.solver.launch == Launch::graph ? record_answers(std::move(chosen)) : std::move(chosen);
 }
 
 /// Products in double precision are there in any precision of the model.
 LinearSolves linear_solves(const Case& c, Precision precision) {
-  return precision == Precision::full || c.solver.precision == "double" ? LinearSolves::full : LinearSolves::single;
+  return precision == Precision::full || c.solver.precision == PrecisionChoice::full ? LinearSolves::full
+                                                                                     : LinearSolves::single;
 }
 
 /// Of the solid without its needles in its part of the Jacobian, 1 without needles. Residuals begin as large as stiff springs make them:

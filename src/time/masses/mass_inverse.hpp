@@ -1,10 +1,10 @@
 // The inverses of the masses that explicit schemes need: of density, chemical potential and velocity.
 #pragma once
 
+#include "case/choices.hpp"
 #include "model/mass_products.hpp"
 #include "solver/krylov/conjugate_gradient.hpp"
 #include "solver/krylov/kronecker_mass.hpp"
-#include "time/masses/mass_kind.hpp"
 #include "time/masses/mass_series.hpp"
 #include "time/masses/smallest_neighbour.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "time/masses/mass_kind.hpp"
+#include "case/choices.hpp"
 
 namespace softwet {
 

@@ -14,9 +14,9 @@ inline constexpr double digits_of_rest = 8;
 /// the modes of a scene near rest differ by many powers of ten.
 inline Case rest_control(const Case& c) {
   Case loose = c;
-  loose.time.scheme = implicit_scheme;
-  loose.solver.jacobian = "exact";
-  loose.solver.precision = "double";
+  loose.time.scheme = TimeScheme::generalized_alpha;
+  loose.solver.jacobian = JacobianKind::exact;
+  loose.solver.precision = PrecisionChoice::full;
   loose.solver.newton_rtol = 1e-3;
   loose.solver.newton_max = std::max(c.solver.newton_max, 15);
   loose.solver.krylov_rtol = std::min(c.solver.krylov_rtol, 1e-2);

@@ -12,7 +12,7 @@ Case graded(double low, double high, double coarsest = 4, double ratio = 1.3) {
   Case c;
   c.domain.size = {1.0, 0.5};
   c.domain.elements = {128, 64};
-  c.domain.grading = {"box", {low, 0.1}, {high, 0.27}, coarsest, ratio};
+  c.domain.grading = {FineElements::box, {low, 0.1}, {high, 0.27}, coarsest, ratio};
   return c;
 }
 

@@ -81,7 +81,7 @@ TEST(CaseFile, QualitySetsWhatTheFileLeavesOut) {
 }
 
 TEST(CaseFile, QualitiesNameKeysAndValuesThatExist) {
-  for (const Quality& quality : qualities())
+  for (const QualityValues& quality : qualities())
     for (const QualityValue& value : quality.values) {
       ASSERT_NE(find_key(value.key), nullptr) << value.key;
       EXPECT_NO_THROW(value_from_text(*find_key(value.key), value.text)) << value.key;

@@ -27,7 +27,7 @@ TEST(Memory, LeastGrowsWithTheMeshAndTheKrylovBasis) {
   c.solver.krylov_restart += 10;
   EXPECT_NEAR(least_bytes(c) - coarse, 8 * 20 * unknowns, 1e-6);
   const double full = least_bytes(c);
-  c.solver.precision = "mixed";
+  c.solver.precision = PrecisionChoice::mixed;
   EXPECT_NEAR(full - least_bytes(c), 4 * 2 * c.solver.krylov_restart * unknowns, 1e-6);
 }
 

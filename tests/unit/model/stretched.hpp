@@ -5,7 +5,7 @@
 
 namespace softwet::testing_tools {
 
-inline Case stretched(Case c, std::vector<double> along, const char* material = "neo_hookean") {
+inline Case stretched(Case c, std::vector<double> along, MaterialModel material = MaterialModel::neo_hookean) {
   c.substrate->prestretch = std::move(along);
   c.substrate->material = material;
   return c;

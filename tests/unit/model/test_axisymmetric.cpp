@@ -107,7 +107,7 @@ TEST(Axisymmetric, RigidWithWallEnergyAndGravity) {
 TEST(Axisymmetric, Coupled) { check_axial_scene(axisymmetric(scene(Scene::coupled))); }
 TEST(Axisymmetric, CoupledWithNeoHookeanSolid) {
   Case c = axisymmetric(scene(Scene::coupled, WallLaw::energy));
-  c.substrate->material = "neo_hookean";
+  c.substrate->material = MaterialModel::neo_hookean;
   check_axial_scene(c);
 }
 TEST(Axisymmetric, RichSolid) { check_axial_scene(rich(Scene::solid)); }
@@ -139,7 +139,7 @@ TEST(Axisymmetric, FluxesOfMassSumToZero) {
 // Testing momentum with v gives the rate of the energies less the power of the load and what is dissipated; integrals of the scene
 // are those of a whole turn, those of the residual of a radian.
 TEST(Axisymmetric, EnergyLawOfARichSolid) {
-  for (const char* material : {"saint_venant_kirchhoff", "neo_hookean"}) {
+  for (const MaterialModel material : {MaterialModel::saint_venant_kirchhoff, MaterialModel::neo_hookean}) {
     Case c = rich(Scene::solid);
     c.substrate->material = material;
     RandomScene s(c);
@@ -152,7 +152,7 @@ TEST(Axisymmetric, EnergyLawOfARichSolid) {
     const double power = s.model.load_power(s.stage().time, s.stage().unknown);
     EXPECT_GT(std::abs(power), 1e-6);
     const double expected = s.rate_of_energy(1e-3) - power + now.dissipation();
-    EXPECT_NEAR(2 * M_PI * contract(r, x, 0, l.size()), expected, 1e-9 * std::abs(expected)) << material;
+    EXPECT_NEAR(2 * M_PI * contract(r, x, 0, l.size()), expected, 1e-9 * std::abs(expected)) << word_of(material);
   }
 }
 

@@ -21,7 +21,7 @@ Case periodic(int elements) {
 Case wave(int elements) {
   Case c = periodic(elements);
   c.fluid->ambient = Phase::liquid;
-  c.waves.push_back({"density", 0.1, {2, 2}});
+  c.waves.push_back({WaveField::density, 0.1, {2, 2}});
   return c;
 }
 

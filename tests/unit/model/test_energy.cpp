@@ -99,7 +99,7 @@ Case rich_solid(Scene kind) {
 TEST(EnergyLaw, OfARichSolid) {
   for (bool small : {false, true}) {
     Case c = rich_solid(Scene::solid);
-    if (small) c.substrate->strain = "small";
+    if (small) c.substrate->strain = Strain::small;
     if (!small) c.substrate->young = varying([](const std::array<double, 3>& x, double) { return 2 + x[0] - x[1]; });
     RandomScene s(c);
     const Layout<2>& l = s.layout();
@@ -117,7 +117,7 @@ TEST(EnergyLaw, OfARichSolid) {
 
 // The same for solids that are stretched before: their energy counts from where nothing is displaced.
 TEST(EnergyLaw, OfAStretchedSolid) {
-  for (const char* material : {"neo_hookean", "saint_venant_kirchhoff"})
+  for (const MaterialModel material : {MaterialModel::neo_hookean, MaterialModel::saint_venant_kirchhoff})
     for (const bool around : {false, true}) {
       Case c = scene(Scene::solid);
       c.substrate->prestretch = {1.15};
@@ -128,10 +128,10 @@ TEST(EnergyLaw, OfAStretchedSolid) {
       const double power = s.model.load_power(s.stage().time, s.stage().unknown);
       const double expected = s.rate_of_energy(2e-4) - power;
       EXPECT_NEAR(s.model.turn() * contract(r, x, 0, s.layout().size()), expected, 1e-9 * std::abs(expected))
-          << material;
+          << word_of(material);
       Stage still = s.stage();
       still.displacement = Array("still", still.displacement.extent(0));
-      EXPECT_NEAR(s.model.integrals(still)["energy_elastic"], 0, 1e-15) << material;
+      EXPECT_NEAR(s.model.integrals(still)["energy_elastic"], 0, 1e-15) << word_of(material);
     }
 }
 

@@ -48,7 +48,7 @@ TEST(Forecast, ASoftSolidIsBroughtToRestBeforeItIsMadeStiffer) {
   ASSERT_NE(of_young, said.end());
   for (const char* part : {"time.start = \"equilibrium\"", "softwet steady", "substrate.viscosity"})
     EXPECT_LT(of_young->find(part), of_young->find("write young")) << part;
-  c.time.start = "equilibrium";
+  c.time.start = StartState::equilibrium;
   EXPECT_FALSE(tells(c, "time.start"));
 }
 
@@ -110,7 +110,7 @@ TEST(Forecast, SolidTooSoftForItsDroplet) {
   tense.substrate->surface_tension = tense.substrate->surface_tension_wet = 0.004;
   EXPECT_TRUE(tells(tense, "inside out"));
   EXPECT_TRUE(tells(tense, "write substrate.material = \"neo_hookean\"; or begin at rest"));
-  tense.substrate->material = "neo_hookean";
+  tense.substrate->material = MaterialModel::neo_hookean;
   EXPECT_FALSE(tells(tense, "neo_hookean"));
   heavy.substrate->density = 8;
   EXPECT_FALSE(tells(heavy, "inside out"));
@@ -292,7 +292,7 @@ TEST(Forecast, ToleranceOfNewtonThatCostsSteps) {
   EXPECT_FALSE(tells(c, "solver.newton.atol"));
   c.solver.newton_atol = 1e-4;
   EXPECT_TRUE(tells(c, "solver.newton.atol = 0.0001"));
-  c.time.scheme = "ssp_rk3";
+  c.time.scheme = TimeScheme::ssp_rk3;
   EXPECT_FALSE(tells(c, "solver.newton.atol"));
 }
 

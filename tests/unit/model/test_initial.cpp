@@ -199,15 +199,16 @@ std::string refusal_of(const Case& c) {
 TEST(InitialState, DensityOutsideOfItsRangeIsRefused) {
   Case c = fluid_box();
   c.films = {{{0.0, 0.0}, {0.4, 2.0}}};
-  c.waves = {{"density", 0.1, {0, 0}}};
+  c.waves = {{WaveField::density, 0.1, {0, 0}}};
   EXPECT_EQ(refusal_of(c), "");
-  c.waves = {{"density", 0.3, {0, 0}}, {"velocity_x", 0.1, {1, 0}}, {"density", 0.2, {0, 0}}};
+  c.waves = {
+      {WaveField::density, 0.3, {0, 0}}, {WaveField::velocity_x, 0.1, {1, 0}}, {WaveField::density, 0.2, {0, 0}}};
   const std::string high = refusal_of(c);
   for (const char* part : {"is 1.1", "at (0, ", "[0, 0.999)", "is 0.6024 there without", "wave[0].amplitude = 0.3",
                            "wave[2].amplitude = 0.2", "by at most 0.78"})
     EXPECT_NE(high.find(part), std::string::npos) << part << " in " << high;
   EXPECT_EQ(high.find("wave[1]"), std::string::npos) << high;
-  c.waves = {{"density", -0.2, {0, 0}}};
+  c.waves = {{WaveField::density, -0.2, {0, 0}}};
   const std::string low = refusal_of(c);
   for (const char* part : {"is -0.09", "by at most 0.5"}) EXPECT_NE(low.find(part), std::string::npos) << low;
   c.waves[0].amplitude *= 0.52;
@@ -216,17 +217,17 @@ TEST(InitialState, DensityOutsideOfItsRangeIsRefused) {
 
 TEST(InitialState, WavesThatTurnTheSolidInsideOutAreRefused) {
   Case c = scene(Scene::coupled);
-  c.waves = {{"displacement_x", 0.02, {1, 0}}};
+  c.waves = {{WaveField::displacement_x, 0.02, {1, 0}}};
   EXPECT_EQ(refusal_of(c), "");
-  c.waves[0] = {"displacement_x", -0.5, {1, 0}};
+  c.waves[0] = {WaveField::displacement_x, -0.5, {1, 0}};
   EXPECT_NE(refusal_of(c).find("wave[0].amplitude = -0.5) turn the solid inside out"), std::string::npos);
-  c.waves[0] = {"displacement_y", 0.7, {0, 1}};  // lifts the wall beyond the top
+  c.waves[0] = {WaveField::displacement_y, 0.7, {0, 1}};  // lifts the wall beyond the top
   EXPECT_NE(refusal_of(c).find("fold the mesh"), std::string::npos) << refusal_of(c);
 }
 
 TEST(InitialState, WavesAddTheirProducts) {
   Case c = scene(Scene::coupled);
-  c.waves = {{"velocity_x", 0.2, {1, 0}}, {"displacement_y", 0.01, {2, 1}}};
+  c.waves = {{WaveField::velocity_x, 0.2, {1, 0}}, {WaveField::displacement_y, 0.01, {2, 1}}};
   const Model<2, 2> model(c);
   const Layout<2>& l = model.layout();
   const State s = initial_state(c, model);

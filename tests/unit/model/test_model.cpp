@@ -97,7 +97,7 @@ TEST(Model, RigidPeriodicWithWallEnergy) { check_scene(scene(Scene::rigid, WallL
 TEST(Model, CoupledWithGravityAndNeoHookeanSolid) {
   Case c = scene(Scene::coupled);
   c.fluid->gravity = {0.2, -0.6};
-  c.substrate->material = "neo_hookean";
+  c.substrate->material = MaterialModel::neo_hookean;
   check_scene(c);
 }
 TEST(Model, SolidAlone) { check_scene(scene(Scene::solid)); }

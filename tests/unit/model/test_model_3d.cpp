@@ -27,7 +27,7 @@ TEST(Model3D, Coupled) { check_product(scene_in_space(Scene::coupled)); }
 TEST(Model3D, CoupledWithWallEnergyAndGravity) {
   Case c = scene_in_space(Scene::coupled, WallLaw::energy);
   c.fluid->gravity = {0.1, 0.2, -0.5};
-  c.substrate->material = "neo_hookean";
+  c.substrate->material = MaterialModel::neo_hookean;
   check_product(c);
 }
 TEST(Model3D, Rigid) { check_product(scene_in_space(Scene::rigid)); }

@@ -10,7 +10,7 @@ namespace softwet::testing_tools {
 namespace {
 
 /// A layer of Young's modulus 0.7554 and Poisson's ratio 0.45.
-Case layer(std::vector<double> along, const char* material, bool in_space = false) {
+Case layer(std::vector<double> along, MaterialModel material, bool in_space = false) {
   Case c = in_space ? scene_in_space(Scene::solid) : scene(Scene::solid);
   c.substrate->density = 1;
   c.substrate->young = 0.7554;
@@ -22,11 +22,11 @@ Case layer(std::vector<double> along, const char* material, bool in_space = fals
 // Roots of P_vv by Brent's method and stresses from the laws written in Python, to all of their digits.
 TEST(PrestretchedLayer, IsFreeOfStressUpright) {
   struct Known {
-    const char* material;
+    MaterialModel material;
     std::vector<double> along;
     double upright, stress;
   };
-  const char *neo = "neo_hookean", *svk = "saint_venant_kirchhoff";
+  const MaterialModel neo = MaterialModel::neo_hookean, svk = MaterialModel::saint_venant_kirchhoff;
   for (const Known& k : std::vector<Known>{{neo, {0.8}, 1.192678036263, -0.2136188233},
                                            {neo, {0.9}, 1.088519815381, -0.0996751878},
                                            {neo, {1.0}, 1, 0},
@@ -49,13 +49,13 @@ TEST(PrestretchedLayer, IsFreeOfStressUpright) {
     const Prestretch p = prestretch_of(c, stiffness);
     EXPECT_TRUE(p.acts);
     const int up = in_space ? 2 : 1;
-    EXPECT_NEAR(p.stretch[up], k.upright, 2e-12) << k.material << " " << k.along[0];
+    EXPECT_NEAR(p.stretch[up], k.upright, 2e-12) << word_of(k.material) << " " << k.along[0];
     if (!in_space) {
       EXPECT_EQ(p.stretch[2], 1) << "plane strain";
     }
     const auto stress = stress_at_rest(c, stiffness);
-    EXPECT_NEAR(stress(up, up), 0, 1e-15) << k.material << " " << k.along[0];
-    EXPECT_NEAR(stress(0, 0), k.stress, 1e-9) << k.material << " " << k.along[0];
+    EXPECT_NEAR(stress(up, up), 0, 1e-15) << word_of(k.material) << " " << k.along[0];
+    EXPECT_NEAR(stress(0, 0), k.stress, 1e-9) << word_of(k.material) << " " << k.along[0];
   }
   const Prestretch around = prestretch_of(axisymmetric(layer({1.1}, neo)), LameParameters::from(0.7554, 0.45));
   EXPECT_NEAR(around.stretch[1], 0.852002570470, 2e-12);
@@ -66,7 +66,7 @@ TEST(PrestretchedLayer, IsFreeOfStressUpright) {
 TEST(PrestretchedLayer, ExistsForAllMaterials) {
   for (const double poisson : {-0.2, 0.0, 0.3, 0.4999})
     for (const double stretch : {0.4, 0.7, 1.0, 1.6, 3.0}) {
-      Case c = layer({stretch}, "neo_hookean");
+      Case c = layer({stretch}, MaterialModel::neo_hookean);
       c.substrate->poisson = poisson;
       const LameParameters stiffness = stiffest_of(*c.substrate);
       EXPECT_NEAR(stress_at_rest(c, stiffness)(1, 1), 0, 1e-14 * (stiffness.lambda + 1)) << poisson << " " << stretch;
@@ -74,13 +74,13 @@ TEST(PrestretchedLayer, ExistsForAllMaterials) {
         EXPECT_NEAR(prestretch_of(c, stiffness).stretch[1], 1, 1e-15);
       }
     }
-  Case c = layer({0.4}, "neo_hookean");
+  Case c = layer({0.4}, MaterialModel::neo_hookean);
   c.substrate->poisson = -0.99;
   EXPECT_THROW(prestretch_of(c, stiffest_of(*c.substrate)), Error);
 }
 
 TEST(PrestretchedLayer, IsAtRestWhereItsDisplacementIsZero) {
-  for (const char* material : {"neo_hookean", "saint_venant_kirchhoff"})
+  for (const MaterialModel material : {MaterialModel::neo_hookean, MaterialModel::saint_venant_kirchhoff})
     for (const double stretch : {0.85, 1.15}) {
       EXPECT_LT(largest_at_rest<2>(stretched(scene(Scene::solid), {stretch}, material)), 1e-15);
       EXPECT_LT(largest_at_rest<2>(stretched(scene(Scene::solid, WallLaw::energy, true), {stretch}, material)), 1e-15);
@@ -98,8 +98,8 @@ TEST(PrestretchedLayer, IsAtRestWhereItsDisplacementIsZero) {
 
 TEST(PrestretchedLayer, StiffnessOfItsFace) {
   const auto face = [](double stretch, double poisson, bool in_space = false) {
-    Case c =
-        layer(in_space ? std::vector<double>{stretch, stretch} : std::vector<double>{stretch}, "neo_hookean", in_space);
+    Case c = layer(in_space ? std::vector<double>{stretch, stretch} : std::vector<double>{stretch},
+                   MaterialModel::neo_hookean, in_space);
     c.substrate->poisson = poisson;
     return stiffness_of_face(c, prestretch_of(c, stiffest_of(*c.substrate)));
   };
@@ -121,14 +121,14 @@ TEST(PrestretchedLayer, WhatIsKnownBeforeARun) {
       if (sentence.find(part) != std::string::npos) return true;
     return false;
   };
-  const Case svk = layer({1.1}, "saint_venant_kirchhoff");
+  const Case svk = layer({1.1}, MaterialModel::saint_venant_kirchhoff);
   EXPECT_TRUE(tells(svk, "0.91 of its height")) << "with the numbers of both laws";
   EXPECT_TRUE(tells(svk, "0.924; write substrate.material = \"neo_hookean\""));
-  EXPECT_FALSE(tells(layer({1.1}, "neo_hookean"), "prestretch"));
-  EXPECT_FALSE(tells(layer({0.7}, "neo_hookean"), "creases"));
-  EXPECT_TRUE(tells(layer({0.6}, "neo_hookean"), "creases"));
-  EXPECT_TRUE(tells(layer({1.3, 0.5}, "neo_hookean", true), "creases"));
-  Case graded = layer({1.2}, "neo_hookean");
+  EXPECT_FALSE(tells(layer({1.1}, MaterialModel::neo_hookean), "prestretch"));
+  EXPECT_FALSE(tells(layer({0.7}, MaterialModel::neo_hookean), "creases"));
+  EXPECT_TRUE(tells(layer({0.6}, MaterialModel::neo_hookean), "creases"));
+  EXPECT_TRUE(tells(layer({1.3, 0.5}, MaterialModel::neo_hookean, true), "creases"));
+  Case graded = layer({1.2}, MaterialModel::neo_hookean);
   graded.substrate->young = varying([](const std::array<double, 3>& x, double) { return 2 + x[1]; });
   graded.substrate->young.lowest = 2, graded.substrate->young.highest = 3;
   EXPECT_FALSE(tells(graded, "prestretch"));

@@ -6,8 +6,9 @@ namespace softwet::testing_tools {
 namespace {
 
 TEST(PrestretchedLayer3D, IsAtRestWhereItsDisplacementIsZero) {
-  for (const char* material : {"neo_hookean", "saint_venant_kirchhoff"})
-    EXPECT_LT(largest_at_rest<3>(stretched(scene_in_space(Scene::solid), {1.15, 0.95}, material)), 1e-15) << material;
+  for (const MaterialModel material : {MaterialModel::neo_hookean, MaterialModel::saint_venant_kirchhoff})
+    EXPECT_LT(largest_at_rest<3>(stretched(scene_in_space(Scene::solid), {1.15, 0.95}, material)), 1e-15)
+        << word_of(material);
 }
 
 TEST(PrestretchedLayer3D, EnergyLaw) {

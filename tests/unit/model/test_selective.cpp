@@ -15,12 +15,12 @@ Case nearly_incompressible(Case c, double poisson, VolumeQuadrature quadrature) 
 /// Of each law, in 2D, (r, z), with a joint and with a prestretch.
 std::vector<Case> solids() {
   std::vector<Case> all(6, scene(Scene::solid));
-  all[1].substrate->material = "neo_hookean";
-  all[2].substrate->strain = "small";
+  all[1].substrate->material = MaterialModel::neo_hookean;
+  all[2].substrate->strain = Strain::small;
   all[3] = axisymmetric(all[3]);
   all[4].substrate->joint = 0.4;
   all[4].substrate->young = varying([](const std::array<double, 3>& x, double) { return 2 + x[0] - x[1]; });
-  all[5].substrate->material = "neo_hookean";
+  all[5].substrate->material = MaterialModel::neo_hookean;
   all[5].substrate->prestretch = {1.2};
   return all;
 }
@@ -64,7 +64,8 @@ TEST(Selective, DiffersWhereTheStrainVaries) {
 
 template <int D>
 void expect_energy_and_product(const Case& c) {
-  SCOPED_TRACE(c.substrate->material + (c.axisymmetric() ? " axisymmetric" : "") + " " + c.substrate->strain);
+  SCOPED_TRACE(word_of(c.substrate->material) + (c.axisymmetric() ? " axisymmetric" : "") + " " +
+               word_of(c.substrate->strain));
   RandomSceneIn<D> s(nearly_incompressible(c, 0.49, VolumeQuadrature::selective));
   std::vector<double> u = to_host(s.stage().displacement);
   for (double& x : u) x *= 0.2;  // no element is turned inside out, which a logarithm does not bear

@@ -10,7 +10,7 @@ namespace {
 constexpr double allowed = 1e-6;
 
 Case in_single(Case c) {
-  c.solver.precision = "single";
+  c.solver.precision = PrecisionChoice::single;
   return c;
 }
 

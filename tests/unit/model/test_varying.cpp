@@ -82,7 +82,7 @@ TEST(Varying, GivenDensityIsTheOneOfTheControlPoints) {
 TEST(Varying, WavesAreAddedToGivenFields) {
   Case c = scene(Scene::rigid);
   c.initial.emplace().density = 0.3;
-  c.waves = {{"density", 0.05, {0, 0}}};
+  c.waves = {{WaveField::density, 0.05, {0, 0}}};
   const Model<2, 2> model(c);
   const std::vector<double> unknown = to_host(initial_state(c, model).unknown);
   EXPECT_DOUBLE_EQ(unknown[model.layout().density_offset()], 0.35);
@@ -167,7 +167,7 @@ struct Column {
   Column(double where, bool has_joint) : c(scene(Scene::solid)), joint(where) {
     c.loads.clear();
     c.substrate->density = 1;
-    c.substrate->strain = "small";
+    c.substrate->strain = Strain::small;
     c.substrate->poisson = poisson;
     c.substrate->joint = has_joint ? where : 0;
     c.substrate->gravity = {0, -weight};

@@ -51,7 +51,7 @@ TEST(Remedy, ASoftSolidIsBroughtToRestBeforeItIsMadeStiffer) {
   const std::string advice = remedy(c, {Refusal::solid_inverted}, 0);
   for (const char* part : {"time.start = \"equilibrium\"", "softwet steady", "substrate.viscosity"})
     EXPECT_LT(advice.find(part), advice.find("raise substrate.young")) << part;
-  c.time.start = "equilibrium";
+  c.time.start = StartState::equilibrium;
   EXPECT_FALSE(blames(remedy(c, {Refusal::solid_inverted}, 0), "time.start")) << "it does so already";
   c.substrate->young = 1e3;
   EXPECT_FALSE(blames(remedy(c, {Refusal::solid_inverted}, 0), "substrate.viscosity")) << "it is not soft";
@@ -74,7 +74,7 @@ TEST(Remedy, UnusualSettingsComeFirst) {
 
 TEST(Remedy, SettingsOfNewtonsMethodDoNotConcernExplicitSchemes) {
   Case c = soft();
-  c.time.scheme = "ssp_rk3";
+  c.time.scheme = TimeScheme::ssp_rk3;
   c.solver.newton_max = 2;
   EXPECT_FALSE(blames(remedy(c, {Refusal::negative_density}, 0), "newton"));
 }

@@ -95,18 +95,18 @@ TEST_F(Recorded, ItIsOtherwiseThePreconditionerThatItRecords) {
 
 TEST(RecordAnswers, LeavesOutWhatWorksOnTheHost) {
   RandomMatrix<2> m({{16, 12}, 4});
-  const auto recorded = [&](const char* name) {
+  const auto recorded = [&](PreconditionerKind name) {
     return dynamic_cast<RecordedAnswers*>(record_answers(choose_preconditioner<2>(name, m.layout, m.mask)).get()) !=
            nullptr;
   };
-  EXPECT_FALSE(recorded("none"));
-  EXPECT_EQ(recorded("lu"), !host_algorithms);
-  EXPECT_EQ(recorded("schwarz"), !host_algorithms);
+  EXPECT_FALSE(recorded(PreconditionerKind::none));
+  EXPECT_EQ(recorded(PreconditionerKind::lu), !host_algorithms);
+  EXPECT_EQ(recorded(PreconditionerKind::schwarz), !host_algorithms);
 }
 
 /// The second and third answer of the first build, and all of the second one, are recorded: on a device as graphs.
 template <class Real>
-void expect_same_bits(const char* name, RandomMatrix<2>& m) {
+void expect_same_bits(PreconditionerKind name, RandomMatrix<2>& m) {
   const Jacobian jacobian = [&](const StencilValues& values) {
     Kokkos::deep_copy(values, Kokkos::subview(m.matrix.values(), Kokkos::make_pair(std::size_t(0), values.extent(0))));
   };
@@ -124,7 +124,7 @@ void expect_same_bits(const char* name, RandomMatrix<2>& m) {
       recorded->answer(r, z, {});
       convert(expected, plain);
       convert(wide, z);
-      EXPECT_EQ(to_host(wide), to_host(expected)) << name << ", build " << builds << ", answer " << answers;
+      EXPECT_EQ(to_host(wide), to_host(expected)) << word_of(name) << ", build " << builds << ", answer " << answers;
     }
   }
 }
@@ -132,7 +132,7 @@ void expect_same_bits(const char* name, RandomMatrix<2>& m) {
 TEST(RecordAnswers, KeepTheirBits) {
   if (host_algorithms) GTEST_SKIP() << "on the host nothing is recorded";
   RandomMatrix<2> m({{32, 24}, 8});
-  for (const char* name : {"lu", "schwarz"}) {
+  for (const PreconditionerKind name : {PreconditionerKind::lu, PreconditionerKind::schwarz}) {
     expect_same_bits<double>(name, m);
     expect_same_bits<float>(name, m);
   }

@@ -37,7 +37,7 @@ struct ExplicitRunIn {
   StepBound<D, 2> bound;
   State state;
 
-  ExplicitRunIn(const Case& c, const std::string& scheme, MassKind kind = MassKind::corrected)
+  ExplicitRunIn(const Case& c, TimeScheme scheme, MassKind kind = MassKind::corrected)
       : model(c),
         system(model, kind),
         step(make(scheme)),
@@ -58,9 +58,10 @@ struct ExplicitRunIn {
   }
 
  private:
-  std::unique_ptr<ExplicitStep<D, 2>> make(const std::string& scheme) {
-    if (scheme == "kick_drift") return std::make_unique<KickDrift<D, 2>>(system);
-    return std::make_unique<RungeKuttaStep<D, 2>>(system, scheme == "rkl2");
+  std::unique_ptr<ExplicitStep<D, 2>> make(TimeScheme scheme) {
+    if (scheme == TimeScheme::kick_drift) return std::make_unique<KickDrift<D, 2>>(system);
+    return std::make_unique<RungeKuttaStep<D, 2>>(system,
+                                                  scheme == TimeScheme::rkl2 ? Viscosity::apart : Viscosity::among_all);
   }
 };
 using ExplicitRun = ExplicitRunIn<2>;

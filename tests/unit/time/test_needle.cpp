@@ -45,13 +45,13 @@ double implicit_error(int steps) {
   return error_of(c, model.layout(), stepper.state());
 }
 
-double explicit_error(const std::string& scheme, MassKind kind, int steps) {
+double explicit_error(TimeScheme scheme, MassKind kind, int steps) {
   const Case c = held_layer();
   ExplicitRun run(c, scheme, kind);
   run.run(end_of_swing / steps, steps);
   const double energy = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
   const double first = 0.5 * stiffness * jump * jump * c.domain.size[0] * c.domain.size[1];
-  EXPECT_NEAR(energy, first, 0.02 * first) << scheme;
+  EXPECT_NEAR(energy, first, 0.02 * first) << word_of(scheme);
   return error_of(c, run.model.layout(), run.state);
 }
 
@@ -64,12 +64,13 @@ TEST(Needle, ALayerSwingsAsAWholeWithImplicitSteps) {
 
 TEST(Needle, ALayerSwingsAsAWholeWithExplicitSteps) {
   for (const MassKind kind : {MassKind::lumped, MassKind::corrected, MassKind::consistent}) {
-    const double a = explicit_error("kick_drift", kind, 40), b = explicit_error("kick_drift", kind, 80);
+    const double a = explicit_error(TimeScheme::kick_drift, kind, 40),
+                 b = explicit_error(TimeScheme::kick_drift, kind, 80);
     std::printf("  errors with 40 and 80 steps: %.2e %.2e\n", a, b);
     EXPECT_LT(b, 0.01 * jump);
     EXPECT_NEAR(std::log2(a / b), 2, 0.2);
   }
-  EXPECT_LT(explicit_error("ssp_rk3", MassKind::lumped, 80), 1e-4 * jump);
+  EXPECT_LT(explicit_error(TimeScheme::ssp_rk3, MassKind::lumped, 80), 1e-4 * jump);
 }
 
 // A rigid needle that jumps: what Newton's method leaves is small where nothing is held, too. It is as small as the default tolerance,
@@ -79,7 +80,7 @@ TEST(Needle, AStiffOneDoesNotLoosenTheRest) {
   for (const double rtol : {1e-3, 1e-11}) {
     Case c = scene(Scene::solid);
     c.loads.clear();
-    c.substrate->strain = "small";
+    c.substrate->strain = Strain::small;
     c.boundary.side[1][0] = Side::clamped;
     c.needles = {{{0.3, 0.4}, {0.6, 0.8}, 1e6, {0.02, -0.01}}};
     c.time.dt_initial = c.time.dt_min = c.time.dt_max = 0.02;

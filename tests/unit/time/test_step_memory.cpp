@@ -68,13 +68,13 @@ long expect_same_bits(const Case& c, int steps) {
 
 TEST(StepMemory, ImplicitRunsGoOnWithTheirPreconditioner) {
   constexpr int steps = 12;
-  for (const char* preconditioner : {"lu", "schwarz"})
-    for (const char* precision : {"double", "mixed", "single"}) {
-      SCOPED_TRACE(std::string(preconditioner) + ", " + precision);
+  for (const PreconditionerKind preconditioner : {PreconditionerKind::lu, PreconditionerKind::schwarz})
+    for (const PrecisionChoice precision : {PrecisionChoice::full, PrecisionChoice::mixed, PrecisionChoice::single}) {
+      SCOPED_TRACE(word_of(preconditioner) + ", " + word_of(precision));
       Case c = restless_droplet(Scene::coupled);
       c.solver.preconditioner = preconditioner;
       c.solver.precision = precision;
-      if (c.solver.precision == "single") c.solver.newton_rtol = 1e-2;
+      if (c.solver.precision == PrecisionChoice::single) c.solver.newton_rtol = 1e-2;
       EXPECT_LT(expect_same_bits(c, steps), steps) << "no preconditioner was kept";
     }
 }
@@ -97,9 +97,9 @@ TEST(StepMemory, WhatIsForgottenIsBuiltAnew) {
 }
 
 /// Steps follow the bound from the state, so that any change of it shows.
-void expect_same_explicit_bits(const std::string& scheme, Scene kind, bool periodic) {
-  for (const char* mass : {"lumped", "corrected", "consistent"}) {
-    SCOPED_TRACE(scheme + ", " + mass);
+void expect_same_explicit_bits(TimeScheme scheme, Scene kind, bool periodic) {
+  for (const MassKind mass : {MassKind::lumped, MassKind::corrected, MassKind::consistent}) {
+    SCOPED_TRACE(word_of(scheme) + ", " + word_of(mass));
     Case c = restless_droplet(kind, periodic);
     c.domain.elements = {6, 6};
     c.time.scheme = scheme;
@@ -110,13 +110,15 @@ void expect_same_explicit_bits(const std::string& scheme, Scene kind, bool perio
   }
 }
 
-TEST(StepMemory, SspRk3GoesOnWithItsBound) { expect_same_explicit_bits("ssp_rk3", Scene::coupled, false); }
-TEST(StepMemory, Rkl2GoesOnWithItsStages) { expect_same_explicit_bits("rkl2", Scene::coupled, false); }
+TEST(StepMemory, SspRk3GoesOnWithItsBound) { expect_same_explicit_bits(TimeScheme::ssp_rk3, Scene::coupled, false); }
+TEST(StepMemory, Rkl2GoesOnWithItsStages) { expect_same_explicit_bits(TimeScheme::rkl2, Scene::coupled, false); }
 TEST(StepMemory, KickDriftGoesOnWithItsAccelerations) {
-  expect_same_explicit_bits("kick_drift", Scene::coupled, false);
+  expect_same_explicit_bits(TimeScheme::kick_drift, Scene::coupled, false);
 }
-TEST(StepMemory, ExplicitRunsGoOnAroundAPeriodicAxis) { expect_same_explicit_bits("kick_drift", Scene::rigid, true); }
-TEST(StepMemory, ExplicitRunsOfASolidGoOn) { expect_same_explicit_bits("kick_drift", Scene::solid, false); }
+TEST(StepMemory, ExplicitRunsGoOnAroundAPeriodicAxis) {
+  expect_same_explicit_bits(TimeScheme::kick_drift, Scene::rigid, true);
+}
+TEST(StepMemory, ExplicitRunsOfASolidGoOn) { expect_same_explicit_bits(TimeScheme::kick_drift, Scene::solid, false); }
 
 }  // namespace
 }  // namespace softwet::testing_tools

@@ -14,7 +14,7 @@ Case driven_3d(Case c) {
   c.solver.newton_rtol = 1e-10;
   c.solver.newton_atol = 1e-13;
   c.solver.krylov_rtol = 1e-4;
-  c.solver.precision = "double";
+  c.solver.precision = PrecisionChoice::full;
   c.solver.newton_max = 30;
   c.domain.elements.front() = 5;
   c.droplets = {};

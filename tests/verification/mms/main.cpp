@@ -81,16 +81,11 @@ Settings read(Arguments& a) {
   s.end = a.number("end", 0.2, 1e-8, 1e3);
   s.rho_inf = a.number("rho_inf", 0.5, 0, 1);
   s.stabilisation = a.number("stabilisation", 0.002, 0, 1e6);
-  std::vector<std::string> preconditioners = preconditioner_names();
-  preconditioners.insert(preconditioners.begin(), {"automatic", "none"});
-  s.preconditioner = preconditioners[a.choice("preconditioner", preconditioners)];
-  const std::vector<std::string> schemes{implicit_scheme, "kick_drift", "rkl2", "ssp_rk3"},
-      masses{"corrected", "lumped", "consistent"};
-  s.scheme = schemes[a.choice("scheme", schemes)];
-  s.mass = masses[a.choice("mass", masses)];
+  s.preconditioner = static_cast<PreconditionerKind>(a.choice("preconditioner", words_of(PreconditionerKind{})));
+  s.scheme = static_cast<TimeScheme>(a.choice("scheme", {"generalized_alpha", "kick_drift", "rkl2", "ssp_rk3"}));
+  s.mass = static_cast<MassKind>(a.choice("mass", words_of(MassKind{})));
   s.against = a.number("against", 0, 0, 1e3);
-  const std::vector<std::string> quadratures{"full", "reduced"};
-  s.quadrature = quadratures[a.choice("quadrature", quadratures)];
+  s.quadrature = static_cast<softwet::Quadrature>(a.choice("quadrature", words_of(softwet::Quadrature{})));
   if (s.scene == Scene::coupled && s.elements % 2)
     throw Error(Exit::invalid_input, "elements = " + std::to_string(s.elements) + ": expected an even number");
   if (s.coarsest > 1 && s.elements % 8)

@@ -13,7 +13,10 @@ struct Settings {
   Course course = Course::linear;
   int dimension = 2, degree = 2, elements = 8;
   double dt = 0.1, end = 0.2, rho_inf = 0.5, stabilisation = 0.002;
-  std::string preconditioner = "automatic", scheme = implicit_scheme, mass = "corrected", quadrature = "full";
+  PreconditionerKind preconditioner = PreconditionerKind::automatic;
+  TimeScheme scheme = TimeScheme::generalized_alpha;
+  MassKind mass = MassKind::corrected;
+  softwet::Quadrature quadrature = softwet::Quadrature::full;
   double coarsest = 1;  ///< longest element over the shortest; above 1: graded
   double against = 0;   ///< above 0: step of a second computation that takes the place of the exact solution
 };
@@ -23,7 +26,7 @@ struct Settings {
 inline Grading grading_of(const Settings& s, const std::vector<double>& size) {
   Grading grading;
   if (s.coarsest == 1) return grading;
-  grading.fine = "box";
+  grading.fine = FineElements::box;
   grading.coarsest = s.coarsest;
   grading.ratio = std::pow(s.coarsest, 8.0 / s.elements);
   for (const double length : size) {

@@ -10,7 +10,7 @@ namespace softwet {
 namespace {
 
 /// A droplet in a box whose other numbers do not matter.
-Case droplet_at(double height, const std::string& fine = "automatic") {
+Case droplet_at(double height, FineElements fine = FineElements::automatic) {
   Case c;
   c.domain.size = {2, 1};
   c.domain.elements = {256, 128};
@@ -46,7 +46,7 @@ TEST(FineBox, ATooSmallOneIsToldWithItsPlace) {
 
 /// A droplet on the seam of a periodic axis needs a box that reaches around it.
 TEST(FineBox, AroundAPeriodicEnd) {
-  Case c = droplet_at(0.125, "box");
+  Case c = droplet_at(0.125, FineElements::box);
   c.boundary.side[0] = {Side::periodic, Side::periodic};
   c.droplets[0].centre[0] = 0;
   c.domain.grading.upper = {0.4, 0.6};

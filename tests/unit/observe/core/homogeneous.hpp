@@ -73,7 +73,7 @@ struct Joined : Homogeneous {
   };
   static Case joined(int row) {
     Case c = scene(Scene::solid);
-    c.substrate->strain = "small";
+    c.substrate->strain = Strain::small;
     c.substrate->joint = height * row / 6;
     Profile& young = c.substrate->young;
     young.text = "jump", young.formula = std::make_shared<Jump>(c.substrate->joint), young.lowest = 2,

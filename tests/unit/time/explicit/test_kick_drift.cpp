@@ -7,36 +7,36 @@ namespace softwet::testing_tools {
 namespace {
 
 /// Differences to a run of ssp_rk3 with many steps, of all unknowns at one time.
-double error_of(const Case& c, const std::string& scheme, int steps, const Array& exact) {
+double error_of(const Case& c, TimeScheme scheme, int steps, const Array& exact) {
   ExplicitRun run(c, scheme);
   run.run(0.2 / steps, steps);
   return root_of_squares(run.state.unknown, exact, 0, static_cast<int>(exact.extent(0)));
 }
 
 /// @param most  the order may seem higher where terms of higher order are larger
-void expect_second_order(const Case& c, const std::string& scheme, double most = 2.35) {
-  ExplicitRun exact(c, "ssp_rk3");
+void expect_second_order(const Case& c, TimeScheme scheme, double most = 2.35) {
+  ExplicitRun exact(c, TimeScheme::ssp_rk3);
   exact.run(0.2 / 320, 320);
   const double a = error_of(c, scheme, 40, exact.state.unknown), b = error_of(c, scheme, 80, exact.state.unknown);
-  std::printf("  %s: errors %.2e, %.2e, order %.2f\n", scheme.c_str(), a, b, std::log2(a / b));
+  std::printf("  %s: errors %.2e, %.2e, order %.2f\n", word_of(scheme).c_str(), a, b, std::log2(a / b));
   EXPECT_GT(std::log2(a / b), 1.65);
   EXPECT_LT(std::log2(a / b), most);
 }
 
 TEST(KickDrift, IsOfSecondOrderWithASoftLayerAndALoad) {
-  expect_second_order(moving_droplet(Scene::coupled), "kick_drift");
+  expect_second_order(moving_droplet(Scene::coupled), TimeScheme::kick_drift);
 }
 TEST(KickDrift, IsOfSecondOrderAroundAnAxisOfSymmetry) {
-  expect_second_order(around_axis(moving_droplet(Scene::coupled)), "kick_drift");
+  expect_second_order(around_axis(moving_droplet(Scene::coupled)), TimeScheme::kick_drift);
 }
-TEST(KickDrift, IsOfSecondOrderInASolid) { expect_second_order(moving_droplet(Scene::solid), "kick_drift"); }
+TEST(KickDrift, IsOfSecondOrderInASolid) { expect_second_order(moving_droplet(Scene::solid), TimeScheme::kick_drift); }
 TEST(KickDrift, SspRk3WithViscosityApartIsOfSecondOrderOrMore) {
-  expect_second_order(moving_droplet(Scene::rigid), "rkl2", 3.2);
+  expect_second_order(moving_droplet(Scene::rigid), TimeScheme::rkl2, 3.2);
 }
 
 /// Differences between rkl2 and fine steps of ssp_rk3 after a while, of velocities and displacements, over the size of these.
 std::pair<double, double> errors_of_rkl2(const Case& c, MassKind kind, double dt, int steps) {
-  ExplicitRun exact(c, "ssp_rk3", kind), run(c, "rkl2", kind);
+  ExplicitRun exact(c, TimeScheme::ssp_rk3, kind), run(c, TimeScheme::rkl2, kind);
   const int fine = 1 + static_cast<int>(dt * steps * exact.rates().combined / 0.5);
   exact.run(dt * steps / fine, fine);
   run.run(dt, steps);
@@ -57,7 +57,7 @@ TEST(KickDrift, ViscosityApartFindsTheSpeedOfCreep) {
          {moving_droplet(Scene::solid), around_axis(moving_droplet(Scene::solid)), moving_droplet(Scene::coupled)}) {
       c.substrate->viscosity = 3;
       c.substrate->bulk_viscosity = 1;
-      ExplicitRun first(c, "rkl2", kind);
+      ExplicitRun first(c, TimeScheme::rkl2, kind);
       const double dt = 0.8 / first.rates().combined;
       const auto [v, u] = errors_of_rkl2(c, kind, dt, 16);
       const auto [half_v, half_u] = errors_of_rkl2(c, kind, dt / 2, 32);
@@ -72,7 +72,7 @@ TEST(KickDrift, ViscosityApartFindsTheSpeedOfCreep) {
 TEST(KickDrift, KeepsTheMomentsOnAMovingMesh) {
   for (const Case& c : {moving_droplet(Scene::coupled, false), moving_droplet(Scene::coupled, true),
                         around_axis(moving_droplet(Scene::coupled))}) {
-    ExplicitRun run(c, "kick_drift");
+    ExplicitRun run(c, TimeScheme::kick_drift);
     const double before = total(alone, run.state.moment);
     run.run(0.9 / run.rates().combined, 50);
     EXPECT_NEAR(total(alone, run.state.moment), before, 1e-14 * before);
@@ -81,7 +81,7 @@ TEST(KickDrift, KeepsTheMomentsOnAMovingMesh) {
 
 TEST(KickDrift, TheEnergyFallsAtItsBound) {
   for (const Case& c : {moving_droplet(Scene::rigid), around_axis(moving_droplet(Scene::rigid))}) {
-    ExplicitRun run(c, "kick_drift");
+    ExplicitRun run(c, TimeScheme::kick_drift);
     double before = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
     for (int n = 0; n < 60; ++n) {
       run.run(0.9 / run.rates().combined, 1);
@@ -93,7 +93,7 @@ TEST(KickDrift, TheEnergyFallsAtItsBound) {
 }
 
 TEST(KickDrift, AStepThatIsNotAcceptedLeavesNoTrace) {
-  for (const char* scheme : {"kick_drift", "rkl2", "ssp_rk3"}) {
+  for (const TimeScheme scheme : {TimeScheme::kick_drift, TimeScheme::rkl2, TimeScheme::ssp_rk3}) {
     const Case c = moving_droplet(Scene::coupled);
     ExplicitRun once(c, scheme), twice(c, scheme);
     const double dt = 0.5 / once.rates().combined;
@@ -103,8 +103,8 @@ TEST(KickDrift, AStepThatIsNotAcceptedLeavesNoTrace) {
     ASSERT_TRUE(twice.step->advance(twice.state.time, 1.7 * dt, rates).empty());
     ASSERT_TRUE(twice.step->advance(twice.state.time, dt, rates).empty());
     twice.step->accept(twice.state.time + dt, dt, twice.state);
-    EXPECT_EQ(to_host(once.state.unknown), to_host(twice.state.unknown)) << scheme;
-    EXPECT_EQ(to_host(once.state.displacement), to_host(twice.state.displacement)) << scheme;
+    EXPECT_EQ(to_host(once.state.unknown), to_host(twice.state.unknown)) << word_of(scheme);
+    EXPECT_EQ(to_host(once.state.displacement), to_host(twice.state.displacement)) << word_of(scheme);
   }
 }
 

@@ -35,7 +35,7 @@ struct Counts {
   std::map<std::string, int> started, fences;
 };
 Counts counts_of_a_step(Case c) {
-  c.time.scheme = "kick_drift";
+  c.time.scheme = TimeScheme::kick_drift;
   c.time.end = 1;
   const Model<2, 2> model(c);
   Stepper<2, 2> stepper(model, c, {});

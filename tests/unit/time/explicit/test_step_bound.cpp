@@ -8,7 +8,7 @@ namespace softwet::testing_tools {
 namespace {
 
 /// Whether differences between two runs from states that hardly differ grow in many steps of the same frozen length.
-bool grows(const Case& c, const std::string& scheme, MassKind kind, double dt) {
+bool grows(const Case& c, TimeScheme scheme, MassKind kind, double dt) {
   ExplicitRun base(c, scheme, kind), moved(c, scheme, kind);
   constexpr double small = 1e-9;
   std::vector<double> v = to_host(moved.state.unknown);
@@ -31,14 +31,14 @@ bool grows(const Case& c, const std::string& scheme, MassKind kind, double dt) {
 }
 
 /// The measured limit over that of the bound, by bisection.
-double room(const Case& c, const std::string& scheme, MassKind kind = MassKind::corrected) {
+double room(const Case& c, TimeScheme scheme, MassKind kind = MassKind::corrected) {
   const double bound = 1 / ExplicitRun(c, scheme, kind).rates().combined;
   double low = 0.5, high = 3;
   while (high / low > 1.02) {
     const double middle = std::sqrt(low * high);
     (grows(c, scheme, kind, middle * bound) ? high : low) = middle;
   }
-  std::printf("  %s: the limit is %.2f of the bound\n", scheme.c_str(), low);
+  std::printf("  %s: the limit is %.2f of the bound\n", word_of(scheme).c_str(), low);
   return low;
 }
 
@@ -58,19 +58,20 @@ Case droplet_inside(double temperature) {
 
 TEST(StepBound, IsCloseForADropletInside) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
-    const double found = room(droplet_inside(0.85), "kick_drift", kind);
+    const double found = room(droplet_inside(0.85), TimeScheme::kick_drift, kind);
     EXPECT_GE(found, 1);
     EXPECT_LE(found, 1.3);
   }
 }
 TEST(StepBound, HoldsForOtherSchemes) {
-  for (const char* scheme : {"ssp_rk3", "rkl2"}) EXPECT_GE(room(droplet_inside(0.85), scheme), 1) << scheme;
+  for (const TimeScheme scheme : {TimeScheme::ssp_rk3, TimeScheme::rkl2})
+    EXPECT_GE(room(droplet_inside(0.85), scheme), 1) << word_of(scheme);
 }
 TEST(StepBound, HoldsForADropletOnAWallAndInACorner) {
   for (const double x : {0.5, 0.0}) {
     Case c = droplet_inside(0.85);
     c.droplets = {{{x, 0.0}, 0.35}};
-    const double found = room(c, "kick_drift");
+    const double found = room(c, TimeScheme::kick_drift);
     EXPECT_GE(found, 1);
     EXPECT_LE(found, 1.4);
   }
@@ -83,34 +84,34 @@ TEST(StepBound, HoldsWhereTheStabilisationLimitsIt) {
   for (const double viscosity : {3e-4, 3e-5}) {  // the smaller, the more it stabilises
     c.fluid->viscosity = viscosity;
     for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
-      const double found = room(c, "kick_drift", kind);
+      const double found = room(c, TimeScheme::kick_drift, kind);
       EXPECT_GE(found, 1) << viscosity;
       EXPECT_LE(found, 1.6) << viscosity;
     }
   }
-  EXPECT_GE(room(c, "ssp_rk3"), 1);
+  EXPECT_GE(room(c, TimeScheme::ssp_rk3), 1);
 }
 TEST(StepBound, HoldsInASolidAndAboveOne) {
-  EXPECT_GE(room(moving_droplet(Scene::solid), "kick_drift"), 1);
-  EXPECT_GE(room(moving_droplet(Scene::coupled), "kick_drift"), 1);
+  EXPECT_GE(room(moving_droplet(Scene::solid), TimeScheme::kick_drift), 1);
+  EXPECT_GE(room(moving_droplet(Scene::coupled), TimeScheme::kick_drift), 1);
 }
 
 TEST(StepBound, HoldsAroundAnAxisOfSymmetry) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
     Case c = axisymmetric(droplet_inside(0.85));
     c.droplets = {{{0.0, 0.5}, 0.28}};  // a ball
-    EXPECT_GE(room(c, "kick_drift", kind), 1);
+    EXPECT_GE(room(c, TimeScheme::kick_drift, kind), 1);
     c.droplets = {{{0.0, 0.0}, 0.35}};  // half of one, on a wall
-    const double found = room(c, "kick_drift", kind);
+    const double found = room(c, TimeScheme::kick_drift, kind);
     EXPECT_GE(found, 1);
     EXPECT_LE(found, 1.4);
-    EXPECT_GE(room(around_axis(moving_droplet(Scene::coupled)), "kick_drift", kind), 1);
+    EXPECT_GE(room(around_axis(moving_droplet(Scene::coupled)), TimeScheme::kick_drift, kind), 1);
     for (const double poisson : {0.0, 0.3, 0.45}) {
       Case solid = around_axis(moving_droplet(Scene::solid));
       solid.substrate->poisson = poisson;
-      EXPECT_GE(room(solid, "kick_drift", kind), 1) << poisson;
+      EXPECT_GE(room(solid, TimeScheme::kick_drift, kind), 1) << poisson;
       solid.substrate->viscosity = 0.1;
-      EXPECT_GE(room(solid, "kick_drift", kind), 1) << poisson << ", viscous";
+      EXPECT_GE(room(solid, TimeScheme::kick_drift, kind), 1) << poisson << ", viscous";
     }
   }
 }
@@ -123,7 +124,7 @@ TEST(StepBound, HoldsForASolidWithTensionOrViscosity) {
         c.substrate->surface_tension = c.substrate->surface_tension_wet = tension;
         c.substrate->viscosity = viscosity;
         if (tension + viscosity == 0) continue;
-        const double found = room(c, "kick_drift", kind);
+        const double found = room(c, TimeScheme::kick_drift, kind);
         EXPECT_GE(found, 1) << tension << ", " << viscosity;
         EXPECT_LE(found, 2) << tension << ", " << viscosity;
       }
@@ -137,21 +138,22 @@ Case with_face(Case c, double tension, double modulus) {
 TEST(StepBound, HoldsForASolidWithAnElasticSurface) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent}) {
     for (const auto& [tension, modulus] : {std::pair{0.0, 0.5}, {0.0, 20.0}, {20.0, 0.0}, {20.0, 20.0}}) {
-      const double found = room(with_face(moving_droplet(Scene::solid), tension, modulus), "kick_drift", kind);
+      const double found =
+          room(with_face(moving_droplet(Scene::solid), tension, modulus), TimeScheme::kick_drift, kind);
       EXPECT_GE(found, 1) << tension << ", " << modulus;
       EXPECT_LE(found, 1.8) << tension << ", " << modulus;
     }
     // A face that is bent is stretched everywhere; tension keeps it from buckling when it swings back.
     Case bent = with_face(moving_droplet(Scene::solid), 20, 20);
-    bent.waves = {{"displacement_y", 0.05, {2, 0.5}}};
-    EXPECT_GE(room(bent, "kick_drift", kind), 1) << "bent";
+    bent.waves = {{WaveField::displacement_y, 0.05, {2, 0.5}}};
+    EXPECT_GE(room(bent, TimeScheme::kick_drift, kind), 1) << "bent";
   }
 }
 TEST(StepBound, HoldsForFacesAroundAnAxis) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const auto& [tension, modulus] : {std::pair{20.0, 0.0}, {0.0, 20.0}}) {
       const double found =
-          room(with_face(around_axis(moving_droplet(Scene::solid)), tension, modulus), "kick_drift", kind);
+          room(with_face(around_axis(moving_droplet(Scene::solid)), tension, modulus), TimeScheme::kick_drift, kind);
       EXPECT_GE(found, 1) << tension << ", " << modulus;
       EXPECT_LE(found, 1.8) << tension << ", " << modulus;
     }
@@ -166,7 +168,7 @@ TEST(StepBound, HoldsForASolidOnAFoundation) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const auto& [across, along] : {std::pair{5.0, 1.0}, {500.0, 0.0}, {0.0, 500.0}}) {
       for (const Case& c : {moving_droplet(Scene::solid), around_axis(moving_droplet(Scene::solid))}) {
-        const double found = room(on_springs(c, across, along), "kick_drift", kind);
+        const double found = room(on_springs(c, across, along), TimeScheme::kick_drift, kind);
         EXPECT_GE(found, 1) << across << ", " << along;
         EXPECT_LE(found, 1.7) << across << ", " << along;
       }
@@ -178,10 +180,10 @@ TEST(StepBound, HoldsForAStretchedSolid) {
     for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
       Case c = moving_droplet(Scene::solid);
       c.loads.clear();
-      c.substrate->material = "neo_hookean";
+      c.substrate->material = MaterialModel::neo_hookean;
       c.substrate->prestretch = {stretch};
       for (const Case& one : {c, axisymmetric(c)}) {
-        const double found = room(one, "kick_drift", kind);
+        const double found = room(one, TimeScheme::kick_drift, kind);
         EXPECT_GE(found, 1) << stretch;
         EXPECT_LE(found, 1.4) << stretch;
       }
@@ -193,16 +195,16 @@ TEST(StepBound, HoldsForASolidThatNeedlesHold) {
     for (const double stiffness : {2e3, 1e5}) {
       Case c = moving_droplet(Scene::solid);
       c.needles = {{{0.3, 0.2}, {0.75, 0.8}, stiffness, {0.01, 0}}};
-      const double found = room(c, "kick_drift", kind);
+      const double found = room(c, TimeScheme::kick_drift, kind);
       EXPECT_GE(found, 1) << stiffness;
       EXPECT_LE(found, 1.7) << stiffness;
     }
   Case coupled = moving_droplet(Scene::coupled);
   coupled.needles = {{{0.3, 0}, {0.75, 0.8 / 3}, 1e5, {0.01, 0}}};
-  EXPECT_GE(room(coupled, "kick_drift"), 1);
+  EXPECT_GE(room(coupled, TimeScheme::kick_drift), 1);
   Case round = around_axis(moving_droplet(Scene::solid));
   round.needles = {{{0.3, 0.2}, {0.75, 0.8}, 1e5, {0, 0.01}}};
-  EXPECT_GE(room(round, "kick_drift"), 1);
+  EXPECT_GE(room(round, TimeScheme::kick_drift), 1);
 }
 
 /// A solid of square elements that is held at its left end, or nowhere.
@@ -219,9 +221,9 @@ Case block(std::vector<int> elements, double poisson, bool held) {
 TEST(StepBound, HoldsInSolidsWhoseFreeSidesMeet) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped})
     for (const double poisson : {0.0, 0.4, 0.49}) {
-      EXPECT_GE(room(block({12, 2}, poisson, true), "kick_drift", kind), 1) << "a beam, " << poisson;
-      EXPECT_GE(room(block({12, 1}, poisson, true), "kick_drift", kind), 1) << "a thin beam, " << poisson;
-      const double found = room(block({8, 8}, poisson, false), "kick_drift", kind);
+      EXPECT_GE(room(block({12, 2}, poisson, true), TimeScheme::kick_drift, kind), 1) << "a beam, " << poisson;
+      EXPECT_GE(room(block({12, 1}, poisson, true), TimeScheme::kick_drift, kind), 1) << "a thin beam, " << poisson;
+      const double found = room(block({8, 8}, poisson, false), TimeScheme::kick_drift, kind);
       EXPECT_GE(found, 1) << "a block, " << poisson;
       EXPECT_LE(found, 1.2) << "a block, " << poisson;
     }
@@ -240,24 +242,24 @@ TEST(StepBound, HoldsWhereMaterialsAreJoined) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped})
     for (const double ratio : {0.02, 50.0}) {
       for (const int row : {1, 11}) {
-        const double found = room(joined(Scene::solid, row, ratio), "kick_drift", kind);
+        const double found = room(joined(Scene::solid, row, ratio), TimeScheme::kick_drift, kind);
         EXPECT_GE(found, 1) << row << ", " << ratio;
         EXPECT_LE(found, 1.7) << row << ", " << ratio;
       }
-      EXPECT_GE(room(joined(Scene::coupled, 2, ratio), "kick_drift", kind), 1) << ratio;
-      EXPECT_GE(room(around_axis(joined(Scene::solid, 4, ratio)), "kick_drift", kind), 1) << ratio;
+      EXPECT_GE(room(joined(Scene::coupled, 2, ratio), TimeScheme::kick_drift, kind), 1) << ratio;
+      EXPECT_GE(room(around_axis(joined(Scene::solid, 4, ratio)), TimeScheme::kick_drift, kind), 1) << ratio;
     }
 }
 
 TEST(StepBound, MechanismsFollowTheirNumbers) {
   const Case c = droplet_inside(0.85);
-  const StepRates before = ExplicitRun(c, "kick_drift").rates();
+  const StepRates before = ExplicitRun(c, TimeScheme::kick_drift).rates();
   Case viscous = c, thick = c;
   viscous.fluid->viscosity *= 2;
-  EXPECT_NEAR(ExplicitRun(viscous, "kick_drift").rates().viscosity / before.viscosity, 2, 1e-12);
-  EXPECT_NEAR(ExplicitRun(viscous, "kick_drift").rates().sound / before.sound, 1, 1e-12);
+  EXPECT_NEAR(ExplicitRun(viscous, TimeScheme::kick_drift).rates().viscosity / before.viscosity, 2, 1e-12);
+  EXPECT_NEAR(ExplicitRun(viscous, TimeScheme::kick_drift).rates().sound / before.sound, 1, 1e-12);
   thick.domain.elements = {64, 64};
-  EXPECT_NEAR(ExplicitRun(thick, "kick_drift").rates().capillarity / before.capillarity, 4, 0.2);
+  EXPECT_NEAR(ExplicitRun(thick, TimeScheme::kick_drift).rates().capillarity / before.capillarity, 4, 0.2);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ double ratio(Case c) {
   c.time.end = 1;
   const double start = c.run_start() - c.clock_zero();
   return explicit_steps_foreseen(c) * c.time.safety /
-         ((c.time.end - start) * ExplicitRunIn<D>(c, "kick_drift").rates().combined);
+         ((c.time.end - start) * ExplicitRunIn<D>(c, TimeScheme::kick_drift).rates().combined);
 }
 
 // In so small a box the vapour around a droplet is denser than foreseen, the more so the colder it is.
@@ -60,18 +60,18 @@ TEST(StepsForeseen, KnowAllThatLimitsASolid) {
     EXPECT_NEAR(ratio(axisymmetric(c)), 1, 1e-12);
   }
   for (const Case& c : solids(scene_in_space(Scene::solid))) EXPECT_NEAR(ratio<3>(c), 1, 1e-12);
-  for (const char* material : {"neo_hookean", "saint_venant_kirchhoff"}) {
+  for (const MaterialModel material : {MaterialModel::neo_hookean, MaterialModel::saint_venant_kirchhoff}) {
     Case c = scene(Scene::solid), deep = scene_in_space(Scene::solid);
     c.loads.clear(), deep.loads.clear();
     c.time.end = 1;
     c.substrate->material = deep.substrate->material = material;
     const double plain = explicit_steps_foreseen(c);
     c.substrate->prestretch = {1.15}, deep.substrate->prestretch = {1.15, 0.9};
-    EXPECT_NEAR(ratio(c), 1, 1e-12) << material;
-    EXPECT_NEAR(ratio(axisymmetric(c)), 1, 1e-12) << material;
-    EXPECT_NEAR(ratio<3>(deep), 1, 1e-12) << material;
+    EXPECT_NEAR(ratio(c), 1, 1e-12) << word_of(material);
+    EXPECT_NEAR(ratio(axisymmetric(c)), 1, 1e-12) << word_of(material);
+    EXPECT_NEAR(ratio<3>(deep), 1, 1e-12) << word_of(material);
     // Along the stretch a layer becomes stiffer by this law, and a little softer by the other.
-    if (c.substrate->material == "saint_venant_kirchhoff") {
+    if (c.substrate->material == MaterialModel::saint_venant_kirchhoff) {
       EXPECT_GT(explicit_steps_foreseen(c), 1.05 * plain);
     }
   }

@@ -70,7 +70,7 @@ double rate_of_run(const Resting& rest, double dt, int steps) {
   c.time.tolerance = 1e30;
   c.solver.newton_rtol = 1e-9;
   c.solver.newton_atol = 1e-14;
-  c.waves = {{"density", 1e-6, {1, 0}}};
+  c.waves = {{WaveField::density, 1e-6, {1, 0}}};
   const Layout<2>& l = rest.model.layout();
   State with_wave = initial_state<2, 2>(c, rest.model);
   c.waves.clear();

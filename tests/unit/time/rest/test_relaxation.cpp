@@ -18,7 +18,7 @@ double mass_of(const Model<2, 2>& model, const State& s) {
 TEST(Relaxation, ASolidLayerUnderNoLoadReturnsToItsReference) {
   Case c = scene(Scene::solid);
   c.loads.clear();
-  c.waves = {{"displacement_x", 1e-3, {1, 1}}};
+  c.waves = {{WaveField::displacement_x, 1e-3, {1, 1}}};
   const Model<2, 2> model(c);
   State s = initial_state<2, 2>(c, model);
   s.time = 7;

@@ -182,15 +182,15 @@ TEST(LevelLu, ASingularMatrixGivesNoNumbers) {
 
 TEST(LevelLu, IsTheLuOfADevice) {
   RandomMatrix<2> plane({{20, 9}, 3});
-  const auto chosen = choose_preconditioner<2>("automatic", plane.layout, plane.mask);
+  const auto chosen = choose_preconditioner<2>(PreconditionerKind::automatic, plane.layout, plane.mask);
   const auto lu =
       host_algorithms ? make_block_lu<2>(plane.layout, plane.mask) : make_level_lu<2>(plane.layout, plane.mask);
   EXPECT_EQ(chosen->name(), "lu");
   EXPECT_EQ(chosen->bytes(), plane.matrix.bytes() + lu->bytes());
   RandomMatrix<3> space({{8, 8, 8}, 3});
-  EXPECT_EQ(choose_preconditioner<3>("automatic", space.layout, space.mask)->name(), "schwarz");
+  EXPECT_EQ(choose_preconditioner<3>(PreconditionerKind::automatic, space.layout, space.mask)->name(), "schwarz");
   RandomMatrix<3> small({{5, 4, 4}, 2});
-  EXPECT_EQ(choose_preconditioner<3>("automatic", small.layout, small.mask)->name(), "lu");
+  EXPECT_EQ(choose_preconditioner<3>(PreconditionerKind::automatic, small.layout, small.mask)->name(), "lu");
 }
 
 template <int D>
