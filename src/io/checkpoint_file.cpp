@@ -6,7 +6,7 @@
 namespace softwet {
 namespace {
 
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 const std::string format_name = "softwet checkpoint";
 const std::string values_group = "/values";
 const std::string texts_group = "/texts/";
@@ -63,8 +63,11 @@ CheckpointReader::CheckpointReader(const std::string& path)
   }
   const std::int64_t version = file_->read_integer("/", "format_version");
   if (version != format_version) {
-    refuse(path, "has checkpoint format " + std::to_string(version) + ", this program reads format " +
-                     std::to_string(format_version) + " (resume with the program that wrote it)");
+    refuse(path,
+           "has checkpoint format " + std::to_string(version) + ", this program reads format " +
+               std::to_string(format_version) +
+               " (resume with the program that wrote it, or begin a new run from its field files: initial.from with "
+               "initial.time)");
   }
 }
 

@@ -85,12 +85,6 @@ TableFile TableFile::append_after(const std::string& path, const std::vector<std
   return go_on(path, columns, *text, rows_up_to_mark(path, *text, columns, mark));
 }
 
-TableFile TableFile::append_after(const std::string& path, const std::vector<std::string>& columns, double last) {
-  const std::string text = existing_text(path).value_or("");
-  if (text.empty()) return create(path, columns);
-  return go_on(path, columns, text, rows_up_to(path, text, columns, last));
-}
-
 TableFile::~TableFile() {
   try {
     if (file_ != nullptr) flush();

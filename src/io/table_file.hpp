@@ -36,11 +36,6 @@ class TableFile {
   /// line that cannot be from a run; machine_failed.
   static TableFile append_after(const std::string& path, const std::vector<std::string>& columns, const TableMark&);
 
-  /// The same for a checkpoint without a mark, of an older program: rows whose first number is greater than `last` and
-  /// a last row cut short are dropped. A missing or empty file begins a new table.
-  /// Throws Error: invalid_input when the header differs or a row cannot be from a run, machine_failed.
-  static TableFile append_after(const std::string& path, const std::vector<std::string>& columns, double last);
-
   TableFile(TableFile&&) = default;
   TableFile& operator=(TableFile&&) = delete;
   ~TableFile();

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "case/error.hpp"
 #include "io/number_text.hpp"
@@ -23,10 +22,10 @@ class Rows {
                                     header.substr(0, header.size() - 1) + "'");
   }
 
-  /// The first number of the next row, which is then `line()`; none behind the last one that is whole.
-  std::optional<double> next() {
+  /// Goes on to the next row. False behind the last one that is whole.
+  bool next() {
     const std::size_t end = text_.find('\n', begin_);
-    if (end == std::string::npos) return std::nullopt;
+    if (end == std::string::npos) return false;
     line_ = text_.substr(begin_, end + 1 - begin_);
     begin_ = end + 1;
     ++number_;
@@ -41,9 +40,8 @@ class Rows {
       refuse(columns_[0] + " " + number_text(first) + " follows " + number_text(last_) + " where a run writes rows " +
              (steps ? "whose step rises" : "in their order"));
     last_ = first;
-    return first;
+    return true;
   }
-  const std::string& line() const { return line_; }
   int number() const { return number_; }  ///< of the last line
 
  private:
@@ -97,15 +95,6 @@ std::string rows_up_to_mark(const std::string& path, const std::string& text, co
                  "the file ends here, after " + std::to_string(count) + " of the " + written);
   refuse_table(path, "the rows in lines 2 to " + std::to_string(rows.number()) + " are not the " + written +
                          ": their checksum is another one");
-}
-
-std::string rows_up_to(const std::string& path, const std::string& text, const std::vector<std::string>& columns,
-                       double last) {
-  Rows rows(path, text, columns);
-  std::string kept = header_line(columns);
-  while (const std::optional<double> first = rows.next())
-    if (*first <= last) kept += rows.line();
-  return kept;
 }
 
 }  // namespace softwet

@@ -15,11 +15,6 @@ std::string header_line(const std::vector<std::string>& columns);
 std::string rows_up_to_mark(const std::string& path, const std::string& text, const std::vector<std::string>& columns,
                             const TableMark&);
 
-/// The header and the rows whose first number is at most `last`; the last line only when it is whole.
-/// Throws Error (invalid_input) for a line that cannot be from a run.
-std::string rows_up_to(const std::string& path, const std::string& text, const std::vector<std::string>& columns,
-                       double last);
-
 [[noreturn]] void refuse_table(const std::string& place, const std::string& problem);
 
 }  // namespace softwet

@@ -5,15 +5,9 @@
 
 #include "io/table_row.hpp"
 #include "observe/contact_line.hpp"
+#include "observe/host/history_memory.hpp"
 
 namespace softwet {
-
-/// One droplet, bubble or film of the case, from row to row.
-struct DropletTrack {
-  Place centre{};        ///< of the footprint when last seen; before that, of the droplet or film in the case
-  bool on_wall = false;  ///< it had a footprint in the last row
-  bool merged = false;   ///< taken over by another droplet of the case; stays so
-};
 
 /// A footprint as a row shows it.
 struct Contact {

@@ -9,10 +9,10 @@
 #include "field/ranks.hpp"
 #include "io/output_time.hpp"
 #include "model/liquid_volume.hpp"
+#include "observe/energy_of.hpp"
 #include "observe/host/probe_quantity.hpp"
 #include "observe/host/table_columns.hpp"
 #include "observe/probes.hpp"
-#include "time/energy_of.hpp"
 
 namespace softwet {
 namespace {
@@ -45,7 +45,6 @@ Scalars<D, P>::Scalars(const Case& c, const Model<D, P>& model) : case_(c), mode
 template <int D, int P>
 void Scalars<D, P>::restore(const HistoryMemory& memory) {
   memory_ = memory;
-  if (memory_.bodies.empty()) memory_.bodies = bodies_of(case_);
   latest_ = memory_;
 }
 

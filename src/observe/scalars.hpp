@@ -9,23 +9,11 @@
 #include "model/model.hpp"
 #include "observe/contacts.hpp"
 #include "observe/extremes.hpp"
-#include "observe/host/bodies.hpp"
+#include "observe/host/history_memory.hpp"
 #include "observe/phase_samples.hpp"
-#include "time/energy_balance.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
-
-/// What the next row needs to know of the rows before; part of the checkpoint.
-struct HistoryMemory {
-  long step = 0;                       ///< of the last row that follows output.history.every
-  double time = 0;                     ///< of that row, on the clock of the computation
-  double mass_start = 0;               ///< at step 0
-  std::vector<DropletTrack> droplets;  ///< of each body
-  std::vector<Body> bodies;
-  std::vector<Event> events;  ///< of the whole run
-  EnergyBalance energy;
-};
 
 template <int D, int P>
 class Scalars {
@@ -50,7 +38,7 @@ class Scalars {
   void keep() { memory_ = latest_; }
 
   const HistoryMemory& memory() const { return memory_; }
-  /// Goes on behind a row of an earlier process. A memory without bodies gets those of the case.
+  /// Goes on behind a row of an earlier process.
   void restore(const HistoryMemory& memory);
   /// All that happened to the droplets up to the row last evaluated.
   const std::vector<Event>& events() const { return latest_.events; }

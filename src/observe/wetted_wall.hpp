@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-namespace softwet {
+#include "observe/host/history_memory.hpp"
 
-using Place = std::array<double, 2>;  ///< a point or direction in the plane of the wall, (x, y); 2D: y = 0
+namespace softwet {
 
 /// Depth (Surface::depth) and displacement on an equidistant grid of the undeformed wall, first axis fastest. An axis
 /// of n cells has n + 1 points, a periodic one n.

@@ -9,18 +9,19 @@
 #include "io/checkpoint_file.hpp"
 #include "io/number_text.hpp"
 #include "model/initial.hpp"
+#include "run/host/checkpoint_entries.hpp"
 #include "run/host/fingerprint.hpp"
-#include "run/host/saved_run.hpp"
-#include "solver/direct/host/packed_block.hpp"
 
 namespace softwet {
 namespace {
 
-/// What the memory of a scheme fits to: the settings of the solver, and how this program builds preconditioners. The
-/// number at the beginning is raised when the schemes visit something else.
-std::string memory_settings(const Case& c) {
-  return "memory 2, algorithms of a " + std::string(host_algorithms ? "processor" : "device") + ", factors of " +
-         std::to_string(sizeof(FactorNumber)) + " bytes\n" + solver_settings(c);
+const std::string of_scheme = "memory/", settings_entry = "memory/settings";
+
+/// What the memory of a scheme fits to: the settings of the solver, and how this program computes. The number at the beginning is raised
+/// when the schemes visit something else.
+template <int D, int P>
+std::string memory_settings(const Case& c, Stepper<D, P>& stepper) {
+  return "memory 3, " + stepper.scheme().memory_format() + "\n" + solver_settings(c);
 }
 
 /// Writes what a scheme remembers. All processes collect it, and the first one has the file.
@@ -31,20 +32,20 @@ class MemoryToFile final : public StepMemory {
 
   bool restores() const override { return false; }
   void number(const std::string& name, double& value) override {
-    on_root([&] { file_->value(SavedMemory::name(name), value); });
+    on_root([&] { file_->value(of_scheme + name, value); });
   }
   void count(const std::string& name, int& value) override {
-    on_root([&] { file_->value(SavedMemory::name(name), value); });
+    on_root([&] { file_->value(of_scheme + name, value); });
   }
   void vector(const std::string& name, const Array& values) override {
     const std::vector<double> all = to_host_on_root(layout_, values);
-    on_root([&] { file_->array(SavedMemory::name(name), all); });
+    on_root([&] { file_->array(of_scheme + name, all); });
   }
   void vector(const std::string& name, const ArrayOf<float>& values) override {
     const Array wide("checkpoint.wide", values.extent(0));
     convert(wide, values);
     const std::vector<double> all = to_host_on_root(layout_, wide);
-    on_root([&] { file_->single_array(SavedMemory::name(name), std::vector<float>(all.begin(), all.end())); });
+    on_root([&] { file_->single_array(of_scheme + name, std::vector<float>(all.begin(), all.end())); });
   }
 
  private:
@@ -56,11 +57,11 @@ class MemoryToFile final : public StepMemory {
 template <int D>
 class MemoryFromFile final : public StepMemory {
  public:
-  MemoryFromFile(const Layout<D>& layout, const SavedMemory& file) : layout_(layout), file_(file) {}
+  MemoryFromFile(const Layout<D>& layout, EntriesFromFile& file) : layout_(layout), file_(file) {}
 
   bool restores() const override { return true; }
-  void number(const std::string& name, double& value) override { value = file_.number(name); }
-  void count(const std::string& name, int& value) override { value = file_.count(name); }
+  void number(const std::string& name, double& value) override { file_.number(of_scheme + name, value); }
+  void count(const std::string& name, int& value) override { file_.count(of_scheme + name, value); }
   void vector(const std::string& name, const Array& values) override {
     Kokkos::deep_copy(values, read(name, values.extent(0)));
   }
@@ -71,11 +72,11 @@ class MemoryFromFile final : public StepMemory {
  private:
   Array read(const std::string& name, std::size_t stored) const {
     const double entries = entries_of_patch(layout_, static_cast<double>(stored));
-    return from_patch(layout_, file_.array(name, static_cast<std::size_t>(entries)));
+    return from_patch(layout_, file_.array(of_scheme + name, static_cast<std::size_t>(entries)));
   }
 
   const Layout<D>& layout_;
-  const SavedMemory& file_;
+  EntriesFromFile& file_;
 };
 
 /// The arrays of a state under the names they have in the file.
@@ -88,74 +89,56 @@ std::vector<std::pair<std::string, Array>> arrays_of(const State& s) {
           {"state/moment_rate", s.moment_rate}};
 }
 
-/// Visits what a run has cost, in the order of the file.
-template <class Visit>
-void each_cost(SolverCounts& k, RunSeconds& s, const Visit& visit) {
-  for (long* count : {&k.newton, &k.krylov, &k.residuals, &k.products, &k.builds, &k.applications}) visit(*count);
-  for (double* seconds : {&k.residual_seconds, &k.product_seconds, &k.build_seconds, &k.apply_seconds,
-                          &k.krylov_seconds, &s.setup, &s.observers, &s.output, &s.total})
-    visit(*seconds);
+/// What a run has cost.
+void visit_costs(RunEntries& run, SolverCounts& k, RunSeconds& s) {
+  run.count("costs/newton", k.newton);
+  run.count("costs/krylov", k.krylov);
+  run.count("costs/residuals", k.residuals);
+  run.count("costs/products", k.products);
+  run.count("costs/builds", k.builds);
+  run.count("costs/applications", k.applications);
+  const std::string seconds = "costs/seconds/";
+  run.not_negative(seconds + "residual", k.residual_seconds);
+  run.not_negative(seconds + "product", k.product_seconds);
+  run.not_negative(seconds + "build", k.build_seconds);
+  run.not_negative(seconds + "apply", k.apply_seconds);
+  run.not_negative(seconds + "krylov", k.krylov_seconds);
+  run.not_negative(seconds + "setup", s.setup);
+  run.not_negative(seconds + "observers", s.observers);
+  run.not_negative(seconds + "output", s.output);
+  run.not_negative(seconds + "total", s.total);
+  run.number("run/started", s.started);
 }
 
-std::vector<double> costs(SolverCounts& k, RunSeconds& s) {
-  std::vector<double> numbers;
-  each_cost(k, s, [&](auto cost) { numbers.push_back(static_cast<double>(cost)); });
-  return numbers;
-}
-
-/// What the balance of the energy remembers, in the order of the file.
-std::vector<double> numbers_of(const EnergyBalance& e) {
-  const EnergyState& s = e.last;
-  return {double(e.begun), double(e.told), e.rise, e.lost, e.fed, s.time, s.energy, s.size, s.kinetic, s.fed, s.lost};
-}
-
-EnergyBalance balance_of(const std::vector<double>& n, double moving) {
-  if (n.size() != energy_numbers) return {};  // of an older program
-  return {n[0] != 0, n[1] != 0, {n[5], n[6], n[7], n[8], n[9], n[10]}, n[2], n[3], n[4], moving};
-}
-
-template <int D, int P>
-void write_values(CheckpointWriter& file, const Case& c, Stepper<D, P>& stepper, const HistoryMemory& history,
-                  const WrittenFiles& files, RunSeconds seconds) {
-  file.value("case", fingerprint(c));
-  file.value("time", stepper.state().time);
-  file.value("previous/dt", stepper.previous_dt());
-  file.value("step_control/proposed", stepper.control().proposed());
-  file.value("steps/accepted", std::int64_t(stepper.counts().steps));
-  file.value("steps/rejected_newton", std::int64_t(stepper.counts().rejected_newton));
-  file.value("steps/rejected_error", std::int64_t(stepper.counts().rejected_error));
-  file.value("history/step", std::int64_t(history.step));
-  file.value("history/time", history.time);
-  file.value("history/mass_start", history.mass_start);
-  std::vector<double> droplets;
-  for (const DropletTrack& track : history.droplets) {
-    droplets.insert(droplets.end(), track.centre.begin(), track.centre.begin() + D - 1);
-    droplets.insert(droplets.end(), {track.on_wall ? 1.0 : 0.0, track.merged ? 1.0 : 0.0});
-  }
-  file.array("history/droplets", droplets);
-  file.array("history/energy", numbers_of(history.energy));
-  file.value("history/largest_kinetic_energy", history.energy.moving);
-  write_watch(history.bodies, history.events, file);
-  write_files(files, file);
-  file.value(SavedMemory::settings, memory_settings(c));
-  file.value("run/started", seconds.started);
-  file.array("costs", costs(stepper.scheme().counts(), seconds));
-  file.commit();
-}
-
-/// All processes read the file, and have to find the same state in it.
-SavedRun read_together(const std::string& path, const Case& c, const std::vector<ArraySize>& sizes) {
-  SavedRun saved;
-  together([&] { saved = read_saved_run(path, c, sizes); });
-  const double time = ranks::of_root(saved.time);
+/// Whether all processes have found the same state in the file.
+void require_same_time(const std::string& path, double time) {
+  const double of_root = ranks::of_root(time);
   together([&] {
-    if (saved.time != time)
-      throw Error(Exit::machine_failed, path + ": this process reads the state of time " + number_text(saved.time) +
-                                            ", the first one that of " + number_text(time) +
+    if (time != of_root)
+      throw Error(Exit::machine_failed, path + ": this process reads the state of time " + number_text(time) +
+                                            ", the first one that of " + number_text(of_root) +
                                             "; put the output folder where all machines see the same files");
   });
-  return saved;
 }
+
+/// The arrays of a checkpoint, in the order in which they are asked for.
+struct SavedArrays {
+  std::vector<std::pair<std::string, Array>> targets;
+  std::vector<std::vector<double>> values;
+
+  template <int D>
+  void read(const EntriesFromFile& file, const Layout<D>& layout) {
+    for (const auto& [name, array] : targets) {
+      const double entries = entries_of_patch(layout, static_cast<double>(array.extent(0)));
+      values.push_back(file.array(name, static_cast<std::size_t>(entries)));
+    }
+  }
+  template <int D>
+  void put_back(const Layout<D>& layout) const {
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      Kokkos::deep_copy(targets[i].second, from_patch(layout, values[i]));
+  }
+};
 
 }  // namespace
 
@@ -172,56 +155,63 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
   }
   MemoryToFile<D> memory(stepper.model().layout(), file);
   stepper.scheme().visit_memory(memory, stepper.state());
-  on_root([&] { write_values(*file, c, stepper, history, files, seconds); });
+  on_root([&] {
+    EntriesToFile entries(*file);
+    RunMemory run{stepper.state().time,
+                  stepper.previous_dt(),
+                  stepper.control().proposed(),
+                  stepper.counts().steps,
+                  stepper.counts().rejected_newton,
+                  stepper.counts().rejected_error,
+                  history,
+                  files};
+    visit(entries, run);
+    visit_costs(entries, stepper.scheme().counts(), seconds);
+    file->value("case", fingerprint(c));
+    file->value(settings_entry, memory_settings(c, stepper));
+    file->commit();
+  });
 }
 
 template <int D, int P>
-HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper, WrittenFiles& files,
-                              RunSeconds& seconds) {
+HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper,
+                              const HistoryMemory& at_start, WrittenFiles& files, RunSeconds& seconds) {
   const Layout<D>& layout = stepper.model().layout();
   State state = empty_state(layout);
   const Array previous("previous", state.unknown.extent(0));
-  auto targets = arrays_of(state);
-  targets.emplace_back("previous/unknown", previous);
-  std::vector<ArraySize> sizes;
-  for (const auto& [name, array] : targets)
-    sizes.emplace_back(name, static_cast<std::size_t>(entries_of_patch(layout, static_cast<double>(array.extent(0)))));
-  SolverCounts& counts = stepper.scheme().counts();
-  sizes.emplace_back("costs", costs(counts, seconds).size());
-  const SavedRun saved = read_together(path, c, sizes);
-  auto cost = saved.arrays.back().begin();
-  each_cost(counts, seconds, [&](auto& number) { number = static_cast<std::decay_t<decltype(number)>>(*cost++); });
-  state.time = saved.time;
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    Kokkos::deep_copy(targets[i].second, from_patch(layout, saved.arrays[i]));
-  stepper.restore(state, previous, saved.previous_dt, saved.proposed_dt);
-  stepper.counts().steps = saved.steps;
-  stepper.counts().rejected_newton = saved.rejected_newton;
-  stepper.counts().rejected_error = saved.rejected_error;
-  if (saved.started) seconds.started = *saved.started;
-  files = saved.files;
-  if (const SavedMemory memory(path); memory.fits(memory_settings(c))) {
-    MemoryFromFile<D> visit(layout, memory);
-    stepper.scheme().visit_memory(visit, stepper.state());
+  SavedArrays saved{arrays_of(state), {}};
+  saved.targets.emplace_back("previous/unknown", previous);
+  RunMemory run;
+  run.history = at_start;
+  SolverCounts counts;
+  std::optional<EntriesFromFile> file;
+  together([&] {
+    file.emplace(path);
+    file->require_case(c);
+    visit(*file, run);
+    visit_costs(*file, counts, seconds);
+    saved.read(*file, layout);
+  });
+  require_same_time(path, run.time);
+  saved.put_back(layout);
+  state.time = run.time;
+  stepper.restore(state, previous, run.previous_dt, run.proposed_dt);
+  stepper.counts().steps = run.steps;
+  stepper.counts().rejected_newton = run.rejected_newton;
+  stepper.counts().rejected_error = run.rejected_error;
+  stepper.scheme().counts() = counts;
+  files = run.files;
+  if (file->says(settings_entry, memory_settings(c, stepper))) {
+    MemoryFromFile<D> memory(layout, *file);
+    stepper.scheme().visit_memory(memory, stepper.state());
   }
-  HistoryMemory history{saved.history_step,
-                        saved.history_time,
-                        saved.mass_start,
-                        {},
-                        saved.bodies,
-                        saved.events,
-                        balance_of(saved.energy, saved.largest_kinetic_energy)};
-  for (const std::vector<double>& saved_track : saved.droplets) {
-    DropletTrack track{{}, saved_track[D - 1] != 0, saved_track[D] != 0};
-    std::copy_n(saved_track.begin(), D - 1, track.centre.begin());
-    history.droplets.push_back(track);
-  }
-  return history;
+  return run.history;
 }
 
 using Steps = Stepper<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 template void write_checkpoint(const std::string&, const Case&, Steps&, const HistoryMemory&, const WrittenFiles&,
                                RunSeconds);
-template HistoryMemory read_checkpoint(const std::string&, const Case&, Steps&, WrittenFiles&, RunSeconds&);
+template HistoryMemory read_checkpoint(const std::string&, const Case&, Steps&, const HistoryMemory&, WrittenFiles&,
+                                       RunSeconds&);
 
 }  // namespace softwet

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "observe/scalars.hpp"
-#include "run/host/saved_run.hpp"
+#include "run/host/run_memory.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
@@ -28,10 +28,12 @@ void write_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, cons
                       const WrittenFiles& files, RunSeconds);
 
 /// Puts a stepper, the seconds and the list of files where the checkpoint was written. What the scheme remembered is
-/// left out where a key of the solver has changed since, where this program computes the preconditioner in another way,
-/// and where an older program wrote the checkpoint: a new preconditioner is built then, and
-/// the run agrees with an undisturbed one up to the tolerance of the solver. Throws Error (invalid_input).
+/// left out where a key of the solver has changed since, and where this program computes the preconditioner in another way: a new
+/// preconditioner is built then, and the run agrees with an undisturbed one up to the tolerance of the solver.
+/// @param at_start  what a row of history.csv knows at the start of this case
+/// Throws Error (invalid_input), and leaves the stepper as it was, where the checkpoint is damaged, of another case or of another format.
 template <int D, int P>
-HistoryMemory read_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, WrittenFiles& files, RunSeconds&);
+HistoryMemory read_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, const HistoryMemory& at_start,
+                              WrittenFiles& files, RunSeconds&);
 
 }  // namespace softwet

@@ -78,7 +78,7 @@ bool Simulation<D, P>::begin() {
 
 template <int D, int P>
 void Simulation<D, P>::restore() {
-  scalars_.restore(read_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, found_, seconds_));
+  scalars_.restore(read_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory(), found_, seconds_));
   seconds_before_ = seconds_.total;
   first_step_ = stepper_.counts().steps;
   told_ = scalars_.events().size();
@@ -90,33 +90,17 @@ void Simulation<D, P>::resume() {
   on_root([&] {
     open_tables();  // may be refused: before anything changes
     if (options_.begin) options_.begin();
-    written = found_.field_times ? *found_.field_times : times_of_field_files();
+    written = found_.field_times;
   });
   written_ = ranks::shared(written);
   write_fields_due();  // of a time that is new in the case
 }
 
-/// Of a checkpoint that does not tell them.
-template <int D, int P>
-std::vector<double> Simulation<D, P>::times_of_field_files() const {
-  const double t = output_time();
-  std::vector<double> times;
-  for (double written : field_file_times(path("fields"), model_.layout().has_fluid ? "fluid" : "solid"))
-    if (written <= t || same_time(written, t)) times.push_back(written);
-  return times;
-}
-
 template <int D, int P>
 void Simulation<D, P>::open_tables() {
   // The row of a last step that is no multiple of output.history.every is dropped: the run goes on behind it.
-  const auto open = [](const std::string& path, const std::vector<std::string>& columns,
-                       const std::optional<TableMark>& mark, double last) {
-    return mark ? TableFile::append_after(path, columns, *mark) : TableFile::append_after(path, columns, last);
-  };
-  const double t = output_time(), step = static_cast<double>(scalars_.memory().step);
-  history_.emplace(open(path("history.csv"), scalars_.columns(), found_.history, step));
-  interface_.emplace(
-      open(path("interface.csv"), interface_columns<D>(), found_.interface, t + 1e-9 * std::max(1.0, std::abs(t))));
+  history_.emplace(TableFile::append_after(path("history.csv"), scalars_.columns(), found_.history));
+  interface_.emplace(TableFile::append_after(path("interface.csv"), interface_columns<D>(), found_.interface));
 }
 
 template <int D, int P>

@@ -45,7 +45,6 @@ class Simulation {
   void restore();
   void resume();
   void open_tables();
-  std::vector<double> times_of_field_files() const;
   void advance();
   void observe(const StepReport& report);
   void write_row(const StepReport& report);

@@ -12,8 +12,8 @@
 #include "casefile/case_file.hpp"
 #include "io/hdf5_file.hpp"
 #include "property.hpp"
+#include "run/host/checkpoint_entries.hpp"
 #include "run/host/fingerprint.hpp"
-#include "run/host/saved_run.hpp"
 
 namespace softwet {
 namespace {
@@ -23,21 +23,28 @@ const Case& small_case() {
   return c;
 }
 
+using ArraySize = std::pair<std::string, std::size_t>;
 const std::vector<ArraySize> arrays{{"state/unknown", 24},
                                     {"state/velocity_rate", 12},
                                     {"state/displacement", 8},
                                     {"state/moment", 6},
                                     {"previous/unknown", 24}};
-const char* const reals[] = {"time",         "previous/dt",        "step_control/proposed",
-                             "history/time", "history/mass_start", "run/started"};
-const char* const counts[] = {"steps/accepted",      "steps/rejected_newton", "steps/rejected_error",   "history/step",
-                              "files/history/bytes", "files/history/rows",    "files/history/checksum", "files/fields"};
 
 // What schemes remember: kick_drift, the Runge-Kutta schemes, and Newton's method.
 const std::vector<ArraySize> remembered{{"kick_drift/at", 26}, {"kick_drift/pressure", 12}, {"rates/values", 26}};
 const char* const remembered_reals[] = {"bound/combined", "bound/held", "newton/built_for"};
 const char* const remembered_counts[] = {"bound/known", "wear/times"};
 const char* const settings = "settings of a scheme";
+const std::string of_scheme = "memory/";
+
+/// With the bodies of the case.
+RunMemory at_start() {
+  RunMemory run;
+  run.proposed_dt = 0.5;
+  run.history.bodies = bodies_of(small_case());
+  run.history.droplets.resize(run.history.bodies.size());
+  return run;
+}
 
 double any_number(FuzzedDataProvider& input) {
   const double special[] = {0.0,
@@ -115,13 +122,54 @@ void write_array(Hdf5File& file, hid_t id, const std::string& name, std::size_t 
 }
 
 void write_settings(Hdf5File& file, hid_t id, FuzzedDataProvider& input) {
-  const std::string place = std::string("/texts/") + SavedMemory::settings;
+  const std::string place = "/texts/memory/settings";
   const Fate fate = any_fate(input);
   if (fate == Fate::absent) return;
   if (fate == Fate::foreign) return any_dataset(id, place, input);
   const std::string text = fate == Fate::usual ? settings : input.ConsumeRandomLengthString(30);
   file.write(place, std::vector<std::uint8_t>(text.begin(), text.end()), {text.size()});
 }
+
+/// Writes what a run visits, entry by entry as the input decides.
+class FuzzedEntries final : public RunEntries {
+ public:
+  FuzzedEntries(Hdf5File& file, hid_t id, FuzzedDataProvider& input) : file_(file), id_(id), input_(input) {}
+
+  bool restores() const override { return false; }
+  void number(const std::string& name, double& value) override { attribute(name, value, any_number(input_)); }
+  using RunEntries::count;
+  void count(const std::string& name, std::int64_t& value) override {
+    attribute(name, value, input_.ConsumeIntegral<std::int64_t>());
+  }
+  void text(const std::string& name, std::string& value) override {
+    if (any_fate(input_) == Fate::usual)
+      file_.write("/texts/" + name, std::vector<std::uint8_t>(value.begin(), value.end()), {value.size()});
+  }
+  void numbers(const std::string& name, std::vector<double>& values) override {
+    write_array(file_, id_, name, values.size(), input_);
+  }
+  void list(const std::string& name, std::vector<double>& values) override {
+    std::int64_t size = static_cast<std::int64_t>(values.size());
+    count(name + "/count", size);
+    write_array(file_, id_, name + "/values", values.size(), input_);
+  }
+  [[noreturn]] void refuse(const std::string& name, const std::string&, const std::string&) const override {
+    throw std::logic_error(name);
+  }
+
+ private:
+  template <class Value>
+  void attribute(const std::string& name, const Value& value, const Value& other) {
+    const Fate fate = any_fate(input_);
+    if (fate == Fate::foreign) any_attribute(id_, "/values", name.c_str(), input_);
+    if (fate == Fate::usual) file_.write_attribute("/values", name.c_str(), value);
+    if (fate == Fate::number) file_.write_attribute("/values", name.c_str(), other);
+  }
+
+  Hdf5File& file_;
+  hid_t id_;
+  FuzzedDataProvider& input_;
+};
 
 void write_file(const std::string& path, FuzzedDataProvider& input) {
   Hdf5File file = Hdf5File::create(path, Hdf5Format::checksummed);
@@ -134,25 +182,19 @@ void write_file(const std::string& path, FuzzedDataProvider& input) {
   };
   const std::string format = "softwet checkpoint";
   attribute("/", "format", format, input.ConsumeRandomLengthString(30));
-  attribute("/", "format_version", std::int64_t{1}, input.ConsumeIntegral<std::int64_t>());
+  attribute("/", "format_version", std::int64_t{2}, input.ConsumeIntegral<std::int64_t>());
   file.make_group("/values");
-  for (const char* name : reals) attribute("/values", name, 0.5, any_number(input));
-  for (const char* name : counts) attribute("/values", name, std::int64_t{3}, input.ConsumeIntegral<std::int64_t>());
-  for (const char* name : remembered_reals)
-    attribute("/values", SavedMemory::name(name).c_str(), 0.5, any_number(input));
+  FuzzedEntries entries(file, id, input);
+  RunMemory run = at_start();
+  run.history.events = {{0.5, "the droplet vanished"}};
+  run.files.field_times = {0.5, 0.5, 0.5};
+  visit(entries, run);
+  for (const char* name : remembered_reals) attribute("/values", (of_scheme + name).c_str(), 0.5, any_number(input));
   for (const char* name : remembered_counts)
-    attribute("/values", SavedMemory::name(name).c_str(), std::int64_t{3}, input.ConsumeIntegral<std::int64_t>());
+    attribute("/values", (of_scheme + name).c_str(), std::int64_t{3}, input.ConsumeIntegral<std::int64_t>());
   for (const auto& [name, size] : arrays) write_array(file, id, name, size, input);
-  for (const auto& [name, size] : remembered) write_array(file, id, SavedMemory::name(name), size, input);
+  for (const auto& [name, size] : remembered) write_array(file, id, of_scheme + name, size, input);
   write_settings(file, id, input);
-  write_array(file, id, "history/droplets", 3 * small_case().droplets.size(), input);
-  write_array(file, id, "history/bodies", 8 * small_case().droplets.size(), input);
-  write_array(file, id, "history/event_times", 1, input);
-  write_array(file, id, "files/field_times", 3, input);
-  if (any_fate(input) == Fate::usual) {
-    const std::string events = "the droplet vanished\n";
-    file.write("/texts/history/events", std::vector<std::uint8_t>(events.begin(), events.end()), {events.size()});
-  }
   const Fate fate = any_fate(input);
   std::string text = fingerprint(small_case());
   if (fate == Fate::number)
@@ -162,37 +204,45 @@ void write_file(const std::string& path, FuzzedDataProvider& input) {
   file.write("/texts/case", std::vector<std::uint8_t>(text.begin(), text.end()), {text.size()});
 }
 
-void check_accepted(const SavedRun& run) {
-  for (std::size_t i = 0; i < arrays.size(); ++i) {
-    require_property(run.arrays[i].size() == arrays[i].second, "an array has its size", arrays[i].first);
-    for (double value : run.arrays[i]) require_property(std::isfinite(value), "arrays are finite", arrays[i].first);
+void check_arrays(const EntriesFromFile& file) {
+  for (const auto& [name, size] : arrays) {
+    const std::vector<double> values = file.array(name, size);
+    require_property(values.size() == size, "an array has its size", name);
+    for (double value : values) require_property(std::isfinite(value), "arrays are finite", name);
   }
+}
+
+void check_accepted(const RunMemory& run) {
   require_property(run.time >= 0 && std::isfinite(run.time), "the time is one", std::to_string(run.time));
   require_property(run.previous_dt >= 0 && std::isfinite(run.previous_dt), "the last step is one", "");
   require_property(run.proposed_dt > 0 && std::isfinite(run.proposed_dt), "the next step is one", "");
-  require_property(run.steps >= 0 && run.rejected_newton >= 0 && run.rejected_error >= 0 && run.history_step >= 0,
+  require_property(run.steps >= 0 && run.rejected_newton >= 0 && run.rejected_error >= 0 && run.history.step >= 0,
                    "counts are not negative", "");
-  require_property(std::isfinite(run.mass_start) && run.history_time >= 0, "the history is one", "");
-  for (const auto& droplet : run.droplets) require_property(std::isfinite(droplet[0]), "a droplet has a place", "");
-  for (const Body& body : run.bodies)
-    require_property(std::isfinite(body.place[0]) && body.touched < 64, "a body has a place", "");
-  for (const Event& event : run.events) require_property(std::isfinite(event.time), "an event has a time", event.what);
-  require_property(std::isfinite(run.started.value_or(0)), "the start is a time", "");
-  for (double t : run.files.field_times.value_or(std::vector<double>()))
-    require_property(std::isfinite(t), "a time is one", "");
+  require_property(std::isfinite(run.history.mass_start) && run.history.time >= 0, "the history is one", "");
+  for (const DropletTrack& track : run.history.droplets)
+    require_property(std::isfinite(track.centre[0]), "a droplet has a place", "");
+  for (const Body& body : run.history.bodies)
+    require_property(std::isfinite(body.place[0]) && (body.touched & ~all_touched) == 0, "a body has a place", "");
+  for (const Event& event : run.history.events)
+    require_property(std::isfinite(event.time), "an event has a time", event.what);
+  for (double t : run.files.field_times) require_property(std::isfinite(t), "a time is one", "");
 }
 
-void check_memory(const SavedMemory& memory) {
-  if (!memory.fits(settings)) return;
-  for (const char* name : remembered_reals)
-    require_property(std::isfinite(memory.number(name)), "what is remembered is finite", name);
-  for (const char* name : remembered_counts)
-    require_property(memory.count(name) >= 0, "what is counted is not negative", name);
-  for (const auto& [name, size] : remembered) {
-    const std::vector<double> values = memory.array(name, size);
-    require_property(values.size() == size, "what is remembered has its size", name);
-    for (double value : values) require_property(std::isfinite(value), "what is remembered is finite", name);
+void check_memory(EntriesFromFile& file) {
+  if (!file.says("memory/settings", settings)) return;
+  for (const char* name : remembered_reals) {
+    double value = 0;
+    file.number(of_scheme + name, value);
+    require_property(std::isfinite(value), "what is remembered is finite", name);
   }
+  for (const char* name : remembered_counts) {
+    int value = 0;
+    file.count(of_scheme + name, value);
+    require_property(value >= 0, "what is counted is not negative", name);
+  }
+  for (const auto& [name, size] : remembered)
+    for (double value : file.array(of_scheme + name, size))
+      require_property(std::isfinite(value), "what is remembered is finite", name);
 }
 
 }  // namespace
@@ -203,7 +253,17 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   static const ScratchFile scratch(".h5");
   FuzzedDataProvider input(data, size);
   write_file(scratch.path(), input);
-  only_bad_input(scratch.path(), [&] { check_accepted(read_saved_run(scratch.path(), small_case(), arrays)); });
-  only_bad_input(scratch.path(), [&] { check_memory(SavedMemory(scratch.path())); });
+  only_bad_input(scratch.path(), [&] {
+    EntriesFromFile file(scratch.path());
+    file.require_case(small_case());
+    RunMemory run = at_start();
+    visit(file, run);
+    check_accepted(run);
+    check_arrays(file);
+  });
+  only_bad_input(scratch.path(), [&] {
+    EntriesFromFile file(scratch.path());
+    check_memory(file);
+  });
   return 0;
 }

@@ -85,5 +85,10 @@ for name, change, value in [("state/unknown", set_entry, float("nan")), ("state/
     refused(f"{name} = {value}", SHORT, ["checkpoint.h5", f"'{name}'", str(value).removesuffix(".0"), "--resume"])
 
 checkpoint.write_bytes(good)
+with h5py.File(checkpoint, "r+") as file:
+    file.attrs["format_version"] = 1
+refused("a checkpoint of an older program", SHORT, ["checkpoint.h5", "format 1", "the program that wrote it", "initial.from"])
+
+checkpoint.write_bytes(good)
 run("tensotaxis_pull_2d", "run", PULL + ["time.max_steps=5", "solver.newton.rtol=1e-5", "time.dt_max=3"], RESUME)
 print("ok    solver and step control may change")

@@ -1,5 +1,7 @@
 #include "time/implicit/implicit_scheme.hpp"
 
+#include "solver/format.hpp"
+
 namespace softwet {
 namespace {
 
@@ -77,6 +79,11 @@ void ImplicitScheme<D, P>::visit_memory(StepMemory& memory, const State&) {
   solver_.integrator.visit_memory(memory);
   if (memory.restores())
     newton.build_again([this](const StencilValues& values) { solver_.integrator.last_jacobian(values); });
+}
+
+template <int D, int P>
+std::string ImplicitScheme<D, P>::memory_format() const {
+  return preconditioner_format();
 }
 
 template class ImplicitScheme<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

@@ -19,6 +19,7 @@ class ImplicitScheme final : public Scheme<D, P> {
     if (!why.empty()) solver_.newton.forget_preconditioner();
   }
   void visit_memory(StepMemory&, const State&) override;
+  std::string memory_format() const override;
   SolverCounts& counts() override { return solver_.newton.counts(); }
   const Preconditioner* preconditioner() const override { return &solver_.newton.preconditioner(); }
 

@@ -53,6 +53,9 @@ class Scheme {
   /// is put back
   virtual void visit_memory(StepMemory&, const State& state) = 0;
 
+  /// How this program computes what it remembers: the memory of another one would have other bits.
+  virtual std::string memory_format() const { return {}; }
+
   virtual SolverCounts& counts() = 0;
   /// What limits the largest step, and where: the words behind "for".
   virtual std::string limit(const State&) { return {}; }

@@ -146,57 +146,14 @@ TEST(TableFile, ResumeRefusesAMissingTableAndTakesAnEmptyOne) {
   EXPECT_EQ(content_of(t.path), "step,t,angle_left\n");
 }
 
-// Checkpoints of older programs have no mark.
-
-TEST(TableFile, ResumeDropsRowsAfterTheCheckpoint) {
-  const ScratchFolder folder;
-  const std::string path = folder / "interface.csv";
-  const std::vector<std::string> of_wall = {"t", "x", "u_y"};
-  overwrite(path, "t,x,u_y\n8,0.8,\n10,1,75\n10,1,76\n11,1.1,75\n12,1.2");
-  {
-    TableFile table = TableFile::append_after(path, of_wall, 10);
-    table.row({{"t", 11}, {"x", 1.05}, {"u_y", 77}});
-  }
-  EXPECT_EQ(content_of(path), "t,x,u_y\n8,0.8,\n10,1,75\n10,1,76\n11,1.05,77\n");
-}
-
-TEST(TableFile, ResumeDropsALastRowCutShort) {
-  const ScratchFolder folder;
-  const std::string path = folder / "history.csv";
-  overwrite(path, "step,t,angle_left\n1,0.1,\n2,0");
-  TableFile::append_after(path, columns, 10);
-  EXPECT_EQ(content_of(path), "step,t,angle_left\n1,0.1,\n");
-}
-
-TEST(TableFile, ResumeStartsAnewWhereThereIsNoTable) {
-  const ScratchFolder folder;
-  const std::string path = folder / "history.csv";
-  TableFile::append_after(path, columns, 10);
-  EXPECT_EQ(content_of(path), "step,t,angle_left\n");
-}
-
-TEST(TableFile, ResumeRefusesAnotherTable) {
-  const ScratchFolder folder;
-  const std::string path = folder / "history.csv";
-  for (const std::string header : {"step,t", "step,t,angle_left,angle_right\n", "t,step,angle_left\n"}) {
-    overwrite(path, header);
-    expect_error(Exit::invalid_input, {path + ":1", "header", "step,t,angle_left"},
-                 [&] { TableFile::append_after(path, columns, 1); });
-    EXPECT_EQ(content_of(path), header);
-  }
-  overwrite(path, "step,t,angle_left\n1,0.1,\nx,0.2,\n");
-  expect_error(Exit::invalid_input, {path + ":3", "step number"}, [&] { TableFile::append_after(path, columns, 1); });
-}
-
-TEST(TableFile, ResumeRefusesARowThatIsNotOne) {
-  const ScratchFolder folder;
-  const std::string path = folder / "history.csv";
+TEST(TableFile, ResumeNamesTheRowThatIsNotOne) {
+  const MarkedTable t;
   for (const std::string row :
        {"2,0.2", "2", "2,0.2,75,75", "nan,0.2,75", "inf,0.2,75", ",,", "", "1,0.2,75", "0,0.2,75", "1.5,0.2,75"}) {
     const std::string text = "step,t,angle_left\n1,0.1,\n" + row + "\n";
-    overwrite(path, text);
-    expect_error(Exit::invalid_input, {path + ":3"}, [&] { TableFile::append_after(path, columns, 5); });
-    EXPECT_EQ(content_of(path), text);
+    overwrite(t.path, text);
+    expect_error(Exit::invalid_input, {t.path + ":3"}, [&] { TableFile::append_after(t.path, columns, t.mark); });
+    EXPECT_EQ(content_of(t.path), text);
   }
 }
 
@@ -218,7 +175,9 @@ TEST(TableFile, AReplacedTableIsPutBackAndWhatStoodThereIsKept) {
   const ScratchFolder folder;
   const std::string path = folder / "history.csv", other = folder / "edited";
   TableFile::create(path, {"step", "t"}).row({{"step", 0.0}, {"t", 0.0}});
-  TableFile table = TableFile::append_after(path, {"step", "t"}, 0);
+  TableMark mark;
+  mark.add(content_of(path));
+  TableFile table = TableFile::append_after(path, {"step", "t"}, mark);
   table.row({{"step", 1.0}, {"t", 0.5}});
   overwrite(other, "edited\n");
   std::filesystem::rename(other, path);
@@ -232,7 +191,7 @@ TEST(TableFile, APipeIsNotWaitedFor) {
   const ScratchFolder folder;
   const std::string path = folder / "history.csv";
   ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
-  expect_error(Exit::invalid_input, {path, "a pipe"}, [&] { TableFile::append_after(path, {"step", "t"}, 0); });
+  expect_error(Exit::invalid_input, {path, "a pipe"}, [&] { TableFile::append_after(path, {"step", "t"}, {}); });
   TableFile::create(path, {"step", "t"});
   EXPECT_EQ(content_of(path), "step,t\n");
 }

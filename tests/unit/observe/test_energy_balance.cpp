@@ -1,5 +1,5 @@
 // When the energy of a run counts as having risen though nothing fed it.
-#include "time/energy_balance.hpp"
+#include "observe/host/energy_balance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/model.hpp"
-#include "time/energy_balance.hpp"
+#include "observe/host/energy_balance.hpp"
 
 namespace softwet {
 

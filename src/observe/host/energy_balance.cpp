@@ -1,4 +1,4 @@
-#include "time/energy_balance.hpp"
+#include "observe/host/energy_balance.hpp"
 
 #include <algorithm>
 #include <cmath>
