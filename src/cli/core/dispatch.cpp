@@ -19,7 +19,8 @@
 #include "model/forecast.hpp"
 #include "run/earlier_run.hpp"
 #include "run/machine.hpp"
-#include "run/simulation.hpp"
+#include "run/motion.hpp"
+#include "run/rest.hpp"
 #include "solver/choose.hpp"
 #include "time/explicit/steps_foreseen.hpp"
 
@@ -58,7 +59,8 @@ void run_case(const Case& given, const RunOptions& options) {
     warn_of_threads();
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
-      Simulation<Chosen::dimension, Chosen::degree>(c, options).run();
+      if (options.steady) return Rest<Chosen::dimension, Chosen::degree>(c, options).run();
+      Motion<Chosen::dimension, Chosen::degree>(c, options).run();
     });
   });
 }

@@ -5,11 +5,11 @@
 #include "case/text.hpp"
 #include "field/ranks.hpp"
 #include "field/together.hpp"
-#include "run/simulation.hpp"
+#include "run/journal.hpp"
 
 namespace softwet {
 template <int D, int P>
-void Simulation<D, P>::require_folder() {
+void Journal<D, P>::require_folder() {
   const std::string place = options_.place ? options_.place() : options_.out;
   enum Found { in_place, moved, removed };
   const Found found = place == options_.out ? in_place : place.empty() ? removed : moved;
@@ -33,7 +33,7 @@ void Simulation<D, P>::require_folder() {
 }
 
 template <int D, int P>
-void Simulation<D, P>::require_tables() {
+void Journal<D, P>::require_tables() {
   std::string lost;
   on_root([&] {
     for (std::optional<TableFile>* table : {&history_, &interface_}) {
@@ -53,7 +53,7 @@ void Simulation<D, P>::require_tables() {
                   path("checkpoint.h5") + "; to go on, give the same command with --resume");
 }
 
-template void Simulation<SOFTWET_DIMENSION, SOFTWET_DEGREE>::require_folder();
-template void Simulation<SOFTWET_DIMENSION, SOFTWET_DEGREE>::require_tables();
+template void Journal<SOFTWET_DIMENSION, SOFTWET_DEGREE>::require_folder();
+template void Journal<SOFTWET_DIMENSION, SOFTWET_DEGREE>::require_tables();
 
 }  // namespace softwet
