@@ -21,7 +21,7 @@ inline double cap_cosine(const Fluid& fluid, const Droplet& droplet) {
 
 /// Whether a droplet is centred on the wall, where it becomes a cap.
 inline bool sits_on_wall(const Case& c, const Droplet& droplet) {
-  const double wall = c.substrate ? c.substrate->thickness : 0;
+  const double wall = c.wall_height();
   return std::abs(droplet.centre.back() - wall) <= 1e-9 * c.domain.size.back();
 }
 

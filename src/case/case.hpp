@@ -238,6 +238,14 @@ struct Case {
       largest = std::max(largest, domain.size[d] / domain.elements[d]);
     return largest;
   }
+  /// Smallest extent of an element, in the same sense.
+  double shortest() const {
+    double least = domain.size[0] / domain.elements[0];
+    for (std::size_t d = 1; d < domain.size.size(); ++d) least = std::min(least, domain.size[d] / domain.elements[d]);
+    return least;
+  }
+  /// Height of the undeformed wall above the bottom.
+  double wall_height() const { return substrate ? substrate->thickness : 0; }
   /// Rows of elements in the solid, were all as high as at the wall. Only with a solid.
   double rows_of_solid() const { return substrate->thickness * domain.elements.back() / domain.size.back(); }
   /// Whether nothing but loads and a wall that stretches can feed the energy. The wall law "gradient" can, except at 90 degrees.

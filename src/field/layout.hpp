@@ -27,6 +27,12 @@ struct Layout {
   int wall_row = 0;   ///< last row of the solid = first row of the fluid
   int rate_rows = 0;  ///< rows of the density, from the wall on, whose rates are kept behind those of the velocity
 
+  /// Length of the shortest element along any axis.
+  double shortest() const {
+    double least = axis[0].spacing();
+    for (const Axis& one : axis) least = std::min(least, one.spacing());
+    return least;
+  }
   /// Stored control points along an axis; for the last one those of the whole patch.
   int extent(int d) const { return d == 0 && columns.stored() > 0 ? columns.stored() : axis[d].functions(); }
   /// The axis function that column i of axis d belongs to.

@@ -47,7 +47,7 @@ struct Shape {
   double in_box(const Case& c, const double* x, const InterfaceProfile& profile) const {
     double inside = 1;
     for (std::size_t d = 0; d < lower.size(); ++d) {
-      const double low = d + 1 == lower.size() && c.substrate ? c.substrate->thickness : 0, high = c.domain.size[d];
+      const double low = d + 1 == lower.size() ? c.wall_height() : 0, high = c.domain.size[d];
       const double middle = 0.5 * (lower[d] + upper[d]), half = 0.5 * (upper[d] - lower[d]);
       if (c.boundary.side[d][0] == Side::periodic) {
         if (2 * half < high - 1e-9) inside *= step_down(std::abs(std::remainder(x[d] - middle, high)) - half, profile);

@@ -34,8 +34,7 @@ void require_tension(const Fluid& fluid, double dry, double largest_cosine) {
 template <int D, int P>
 void Model<D, P>::build_fluid(const Case& c) {
   coexistence_ = coexistence(c.fluid->temperature);
-  double h = layout_.axis[0].spacing();
-  for (const Axis& axis : layout_.axis) h = std::min(h, axis.spacing());
+  const double h = layout_.shortest();
   fluid_ = fluid_of(*c.fluid, coexistence_, h);
   for (const double force : fluid_.force) has_gravity_ = has_gravity_ || force != 0;
   has_wall_ = c.boundary.side[D - 1][0] != Side::periodic;

@@ -26,7 +26,7 @@ std::string energy_sentence(double rise, bool law, bool implicit) {
 /// Of a droplet or, behind these, a film.
 bool begins_on_wall(const Case& c, std::size_t body) {
   if (body < c.droplets.size()) return sits_on_wall(c, c.droplets[body]);
-  const double wall = c.substrate ? c.substrate->thickness : 0;
+  const double wall = c.wall_height();
   return c.films[body - c.droplets.size()].lower.back() <= wall + 1e-9 * c.domain.size.back();
 }
 

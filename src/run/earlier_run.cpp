@@ -16,8 +16,6 @@
 namespace softwet {
 namespace {
 
-double height_of_wall(const Case& c) { return c.substrate ? c.substrate->thickness : 0; }
-
 std::string box_text(const Case& c) {
   std::string text;
   for (const double size : c.domain.size) text += (text.empty() ? "" : " x ") + short_text(size, 6);
@@ -30,13 +28,13 @@ void require_same_box(const Case& now, const Case& then) {
     throw Error(Exit::invalid_input, "initial.from = \"" + now.initial->from +
                                          "\": that run has domain.coordinates = \"" + word_of(then.domain.coordinates) +
                                          "\", this case has another value; write the same");
-  bool equal = now.dimension() == then.dimension() && same(height_of_wall(now), height_of_wall(then));
+  bool equal = now.dimension() == then.dimension() && same(now.wall_height(), then.wall_height());
   for (int d = 0; d < now.dimension() && equal; ++d) equal = same(now.domain.size[d], then.domain.size[d]);
   if (equal) return;
   throw Error(Exit::invalid_input, "initial.from = \"" + now.initial->from + "\": the box of that run is " +
-                                       box_text(then) + " with the wall at " + short_text(height_of_wall(then), 6) +
+                                       box_text(then) + " with the wall at " + short_text(then.wall_height(), 6) +
                                        ", this one is " + box_text(now) + " with the wall at " +
-                                       short_text(height_of_wall(now), 6) +
+                                       short_text(now.wall_height(), 6) +
                                        "; write the same domain.size and substrate.thickness");
 }
 

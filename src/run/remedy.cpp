@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "case/text.hpp"
-#include "model/forecast.hpp"
+#include "foresight/forecast.hpp"
 #include "model/groups.hpp"
 
 namespace softwet {

@@ -45,7 +45,7 @@ struct Checker {
   std::size_t vertical() const { return c.domain.size.size() - 1; }
   double height() const { return c.domain.size.back(); }
   double element_height() const { return height() / c.domain.elements.back(); }
-  double interface() const { return c.substrate ? c.substrate->thickness : 0.0; }
+  double interface() const { return c.wall_height(); }
   bool periodic(std::size_t axis) const { return c.boundary.side[axis][0] == Side::periodic; }
 };
 

@@ -24,8 +24,6 @@ struct Extent {
   }
 };
 
-double wall_of(const Case& c) { return c.substrate ? c.substrate->thickness : 0; }
-
 double largest_radius(const Droplet& droplet) {
   double largest = 1;
   for (const double stretch : droplet.stretch) largest = std::max(largest, stretch);
@@ -49,7 +47,7 @@ bool goes_anywhere(const Case& c) {
   for (const Droplet& droplet : c.droplets) {
     for (const double v : droplet.velocity)
       if (v != 0) return true;
-    const double gap = droplet.centre.back() - largest_radius(droplet) - wall_of(c);
+    const double gap = droplet.centre.back() - largest_radius(droplet) - c.wall_height();
     if (!sits_on_wall(c, droplet) && gap < margin * c.fluid->capillarity) return true;  // it spreads
   }
   return false;
@@ -118,16 +116,16 @@ Extent along_wall(const Case& c, std::size_t axis) {
   return span;
 }
 
-/// Surface tension over Young's modulus. sigma = 0.55 g (1 - theta)^(3/2) is the law of a van der Waals fluid near its critical
+/// Surface tension over Young's modulus, without the integral of elastocapillary_length (model/groups). sigma = 0.55 g (1 - theta)^(3/2) is the law of a van der Waals fluid near its critical
 /// point, with the factor of theta = 0.39.
-double elastocapillary_length(const Case& c) {
+double rough_elastocapillary_length(const Case& c) {
   return 0.55 * c.fluid->capillarity * std::pow(1 - c.fluid->temperature, 1.5) / c.substrate->young_modulus();
 }
 
 Extent height_of(const Case& c, const Droplet& droplet) {
   const double radius = largest_radius(droplet), middle = droplet.centre.back();
   if (!sits_on_wall(c, droplet)) return {middle - radius, middle + radius};
-  return {wall_of(c), wall_of(c) + radius * (1 - cap_cosine(*c.fluid, droplet))};
+  return {c.wall_height(), c.wall_height() + radius * (1 - cap_cosine(*c.fluid, droplet))};
 }
 
 Extent upwards(const Case& c) {
@@ -167,7 +165,8 @@ void choose_fine_box(Case& c) {
     grading.upper[axis] = std::min(c.domain.size[axis], span.high);
     const double h = fine_length(c, static_cast<int>(axis));
     if (axis == vertical && c.substrate)
-      grading.lower[axis] = std::max(0.0, wall_of(c) - std::max(fine_rows_below * h, elastocapillary_length(c)));
+      grading.lower[axis] =
+          std::max(0.0, c.wall_height() - std::max(fine_rows_below * h, rough_elastocapillary_length(c)));
   }
 }
 

@@ -34,7 +34,7 @@ std::optional<Jump> jump_along_wall(const Case& c, const Profile& profile) {
   if (!profile.varies()) return {};
   std::optional<Jump> largest;
   const int axes = c.dimension() - 1;
-  const double wall = c.substrate ? c.substrate->thickness : 0;
+  const double wall = c.wall_height();
   for (int axis = 0; axis < axes; ++axis) {
     const int other = 1 - axis, elements = c.domain.elements[axis];
     const int lines = axes == 1 ? 1 : std::min(most_lines, c.domain.elements[other]);

@@ -26,7 +26,7 @@ Vocabulary vocabulary(const Case& c, Support support) {
   if (support != Support::time) known.variables.assign(axes.begin(), axes.begin() + dimension);
   known.constants = {{"pi", std::acos(-1.0)}};
   for (std::size_t d = 0; d < dimension; ++d) known.constants.emplace_back(lengths[d], c.domain.size[d]);
-  known.constants.emplace_back("H", c.substrate ? c.substrate->thickness : 0);
+  known.constants.emplace_back("H", c.wall_height());
   if (c.fluid) known.constants.emplace_back("g", c.fluid->capillarity);
   known.constants.emplace_back("h", c.spacing());
   return known;
@@ -49,7 +49,7 @@ std::array<Span, 3> spans_of(const Case& c, Support support) {
   std::array<Span, 3> spans{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
   const std::size_t vertical = c.domain.size.size() - 1;
   for (std::size_t d = 0; d < vertical; ++d) spans[d] = {0, c.domain.size[d], c.domain.elements[d]};
-  const double wall = c.substrate ? c.substrate->thickness : 0, height = c.domain.size[vertical];
+  const double wall = c.wall_height(), height = c.domain.size[vertical];
   const int all = c.domain.elements[vertical], below = static_cast<int>(std::lround(wall / height * all));
   if (support == Support::solid) spans[vertical] = {0, wall, below};
   if (support == Support::fluid) spans[vertical] = {wall, height, all - below};

@@ -14,15 +14,15 @@
 #include "cli/core/first_fields.hpp"
 #include "cli/core/units.hpp"
 #include "field/ranks.hpp"
+#include "foresight/forecast.hpp"
+#include "foresight/steps_foreseen.hpp"
 #include "machine/backend_error.hpp"
 #include "machine/threads.hpp"
-#include "model/forecast.hpp"
 #include "run/earlier_run.hpp"
 #include "run/machine.hpp"
 #include "run/motion.hpp"
 #include "run/rest.hpp"
 #include "solver/choose.hpp"
-#include "time/explicit/steps_foreseen.hpp"
 
 namespace softwet {
 namespace {

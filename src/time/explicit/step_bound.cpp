@@ -64,8 +64,7 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
       adds_axes_(kind == MassKind::consistent),
       found_("step_bound.found", found_numbers) {
   const Layout<D>& l = model.layout();
-  length_ = l.axis[0].spacing();
-  for (const Axis& axis : l.axis) length_ = std::min(length_, axis.spacing());
+  length_ = l.shortest();
   std::vector<int> near(l.scalar_size(), 0);
   constexpr int reach = P + 1;
   for (int i = 0; i < l.scalar_size(); ++i) {

@@ -48,8 +48,7 @@ SolidPart solid_part(const Model<D, P>& model, const Stage& stage) {
   if (!l.has_solid) return solid;
   for (int d = 0; d < D; ++d)
     solid.ranges.push_back({l.velocity_offset(d), l.velocity_offset(d) + l.solid_rows() * l.row_size});
-  double h = l.axis[0].spacing();
-  for (const Axis& axis : l.axis) h = std::min(h, axis.spacing());
+  const double h = l.shortest();
   const LameParameters& stiffness = model.stiffness();
   const double density = std::visit([](const auto& term) { return term.density; }, model.solid());
   solid.size = density * stage.rate_scale +

@@ -2,7 +2,7 @@
 #include "model/prestretch.hpp"
 
 #include "case/error.hpp"
-#include "model/forecast.hpp"
+#include "foresight/forecast.hpp"
 #include "unit/model/formulas.hpp"
 #include "unit/model/stretched.hpp"
 

@@ -1,12 +1,13 @@
-#include "model/forecast.hpp"
+#include "foresight/forecast.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "case/cap.hpp"
 #include "case/text.hpp"
+#include "foresight/distances.hpp"
+#include "foresight/measured.hpp"
 #include "kernels/solid/isotropic.hpp"
-#include "model/distances.hpp"
 #include "model/equilibrium.hpp"
 #include "model/groups.hpp"
 #include "model/prestretch.hpp"
@@ -30,7 +31,7 @@ double growth(const Case& c, const Droplet& droplet) {
 }
 
 double volume_of_fluid(const Case& c) {
-  double volume = c.domain.size.back() - (c.substrate ? c.substrate->thickness : 0);
+  double volume = c.domain.size.back() - c.wall_height();
   for (int axis = 0; axis + 1 < c.dimension(); ++axis) volume *= c.domain.size[axis];
   return c.axisymmetric() ? M_PI * c.domain.size[0] * volume : volume;
 }
@@ -52,7 +53,7 @@ double least_radius_between(const PhasesOfCase& phases, const Case& c, const Dro
   const double stiffness = VanDerWaals{c.fluid->temperature, 0}.curvature(around);
   const double sharp = std::pow(
       (D - 1) * phases.tension * volume_of_fluid(c) / (stiffness * jump * jump * growth(c, droplet)), 1 / (D + 1));
-  return std::max(1.75 * phases.half_width, sharp + 0.5 * phases.half_width);
+  return std::max(measured::least_radius * phases.half_width, sharp + measured::radius_of_flank * phases.half_width);
 }
 
 constexpr std::size_t most_told = 5;  ///< droplets that dissolve
@@ -95,9 +96,6 @@ void add_gaps(const Case& c, std::vector<std::string>& found) {
       short_text(c.fluid->capillarity) + " with more elements");
 }
 
-/// Of eight scenes sampled at random one stopped at 0.76 of the longest length that was seen to work elsewhere, none at 0.59.
-constexpr double surely_held = 0.59;
-
 /// Sampled soft solids with a tension bore their droplets with this material alone (docs/limits.md).
 std::string material_that_bears(const Case& c) {
   if (c.substrate->material == MaterialModel::neo_hookean || c.substrate->surface_tension == 0) return "";
@@ -106,14 +104,14 @@ std::string material_that_bears(const Case& c) {
 
 void add_softness(const Case& c, std::vector<std::string>& found) {
   const double length = elastocapillary_length(c), bound = longest_elastocapillary_length(c);
-  if (length > surely_held * bound && length <= bound)
+  if (length > measured::surely_held * bound && length <= bound)
     found.push_back(
         "substrate.young = " + short_text(c.substrate->young.least()) + ": the elastocapillary length sigma/E is " +
-        short_text(length) + ", between " + short_text(surely_held * bound) + " and " + short_text(bound) +
+        short_text(length) + ", between " + short_text(measured::surely_held * bound) + " and " + short_text(bound) +
         ", where it depends on the scene whether the solid bears the droplet: some of those sampled at random "
         "folded at the contact line; if this one stops, " +
-        material_that_bears(c) + gentle_start(c) +
-        ", or write young = " + short_text(1.05 * c.substrate->young.least() * length / (surely_held * bound)) +
+        material_that_bears(c) + gentle_start(c) + ", or write young = " +
+        short_text(1.05 * c.substrate->young.least() * length / (measured::surely_held * bound)) +
         " or more, or the surface_tension that the solid has");
   if (length <= bound) return;
   found.push_back(
@@ -151,7 +149,7 @@ void add_locking(const Case& c, std::vector<std::string>& found) {
   const double error = locking_error(c), of_ridge = ridge_error(c);
   const bool selective = c.substrate->volume_quadrature == VolumeQuadrature::selective;
   const std::string remedy = selective ? "" : "substrate.volume_quadrature = \"selective\", ";
-  if (of_ridge >= std::max(0.01, error)) {
+  if (of_ridge >= std::max(measured::error_to_tell, error)) {
     Case finer = c;
     finer.domain.degree = 3;
     finer.substrate->volume_quadrature = VolumeQuadrature::full;
@@ -165,7 +163,7 @@ void add_locking(const Case& c, std::vector<std::string>& found) {
                     "more elements, or poisson = 0.49, whose ridge is within 1.3 % of that of 0.4999");
     return;
   }
-  if (error < 0.01) return;
+  if (error < measured::error_to_tell) return;
   found.push_back("substrate.poisson = " + short_text(c.substrate->poisson, 6) + " with domain.degree = 2 and " +
                   std::to_string(std::lround(c.rows_of_solid())) +
                   " rows of elements in the solid: nearly incompressible, it is about " + short_text(100 * error) +
@@ -181,7 +179,7 @@ void add_density(const Case& c, std::vector<std::string>& found) {
 }
 
 void add_tolerance(const Case& c, std::vector<std::string>& found) {
-  constexpr double loose = 1e-5;
+  constexpr double loose = measured::loose_tolerance;
   if (!c.time.implicit() || c.solver.newton_atol <= loose) return;
   found.push_back(
       "solver.newton.atol = " + short_text(c.solver.newton_atol) + ": above " + short_text(loose) +
@@ -195,9 +193,11 @@ void add_tolerance(const Case& c, std::vector<std::string>& found) {
 double least_radius(const Case& c, const Droplet& droplet) { return least_radius_between(phases_of(c), c, droplet); }
 
 double longest_elastocapillary_length(const Case& c) {
-  const double without = std::max(0.85 * c.fluid->capillarity, 0.17 * largest_radius(c));
+  const double without = std::max(measured::softness_of_interface * c.fluid->capillarity,
+                                  measured::softness_of_droplet * largest_radius(c));
   const double face = stiffness_of_face(c, prestretch_of(c, stiffest_of(*c.substrate)));
-  return std::clamp(face, 0.05, 1.0) * without * (1 + 0.5 * c.substrate->surface_tension / surface_tension(*c.fluid));
+  return std::clamp(face, 0.05, 1.0) * without *
+         (1 + measured::softness_by_tension * c.substrate->surface_tension / surface_tension(*c.fluid));
 }
 
 bool too_soft(const Case& c) {
@@ -214,18 +214,22 @@ std::string gentle_start(const Case& c) {
 
 double locking_error(const Case& c) {
   if (!c.substrate || c.domain.degree != 2) return 0;
-  return 0.0094 * std::pow(0.1 / (1 - 2 * locking_poisson(*c.substrate)), 0.37) * std::pow(2 / c.rows_of_solid(), 2);
+  return measured::locking * std::pow(0.1 / (1 - 2 * locking_poisson(*c.substrate)), measured::locking_exponent) *
+         std::pow(2 / c.rows_of_solid(), 2);
 }
 
 double ridge_error(const Case& c) {
   if (!c.fluid || !c.substrate || (c.droplets.empty() && c.films.empty() && !c.gives_density())) return 0;
   const double across = c.fluid->capillarity / c.spacing(), free = 1 - 2 * locking_poisson(*c.substrate);
+  using namespace measured;
   const double of_rows = std::sqrt(8 / c.rows_of_solid());
-  return of_rows * (c.domain.degree == 2 ? 1.7 * std::exp(-6 * std::sqrt(across * std::pow(free, 0.3)))
-                                         : 0.52 * std::exp(-5 * across * std::pow(free, 0.15)));
+  if (c.domain.degree == 2)
+    return of_rows * ridge_degree_2 *
+           std::exp(-ridge_degree_2_rate * std::sqrt(across * std::pow(free, ridge_degree_2_exponent)));
+  return of_rows * ridge_degree_3 * std::exp(-ridge_degree_3_rate * across * std::pow(free, ridge_degree_3_exponent));
 }
 
-double least_gap(const Fluid& fluid) { return 4 * interface_half_width(fluid); }
+double least_gap(const Fluid& fluid) { return measured::least_gap * interface_half_width(fluid); }
 
 std::vector<std::string> forecast(const Case& c) {
   std::vector<std::string> found;

@@ -1,5 +1,5 @@
 // The number of explicit steps that is foreseen from the numbers of a case, against the bound of its first state.
-#include "time/explicit/steps_foreseen.hpp"
+#include "foresight/steps_foreseen.hpp"
 
 #include "unit/time/explicit_run.hpp"
 

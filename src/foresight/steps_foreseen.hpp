@@ -7,7 +7,7 @@ namespace softwet {
 
 /// Steps of kick_drift with corrected masses from the first state to time.end, with time.safety. The bound of StepBound, where
 /// the densities are those of the two phases, the solid is not deformed, and the flow is as fast as the fastest droplet at the start.
-/// Tested against the bound of the first state: tests/unit/time/explicit/test_steps_foreseen.cpp
+/// Tested against the bound of the first state: tests/unit/foresight/test_steps_foreseen.cpp
 double explicit_steps_foreseen(const Case&);
 
 /// Up to so many explicit steps are cheaper than the implicit ones of the same scene. In space an implicit step costs more of them.

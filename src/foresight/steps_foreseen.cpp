@@ -1,9 +1,10 @@
-#include "time/explicit/steps_foreseen.hpp"
+#include "foresight/steps_foreseen.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "case/mesh.hpp"
+#include "foresight/measured.hpp"
 #include "model/fluid_of.hpp"
 #include "model/prestretch.hpp"
 #include "model/solid_rates.hpp"
@@ -26,7 +27,7 @@ double fastest_droplet(const Case& c) {
 bool stays_inside(const Case& c) {
   const auto inside = [&](const Droplet& droplet) {
     for (int d = 0; d < c.dimension(); ++d) {
-      const double low = d == c.dimension() - 1 && c.substrate ? c.substrate->thickness : 0, x = droplet.centre[d];
+      const double low = d == c.dimension() - 1 ? c.wall_height() : 0, x = droplet.centre[d];
       if (x - droplet.radius < low || x + droplet.radius > c.domain.size[d]) return false;
     }
     return true;
@@ -105,8 +106,7 @@ JoinedElements joined_elements(const Case& c) {
 }  // namespace
 
 double explicit_steps_foreseen(const Case& c) {
-  double shortest = c.domain.size[0] / c.domain.elements[0];
-  for (int d = 1; d < c.dimension(); ++d) shortest = std::min(shortest, c.domain.size[d] / c.domain.elements[d]);
+  const double shortest = c.shortest();
   const int degree = c.domain.degree;
   const MassSymbols symbols = with_joint(end_symbols(degree, MassKind::corrected, fewest_elements(c), c.axisymmetric()),
                                          degree, MassKind::corrected, joined_elements(c));
@@ -117,6 +117,8 @@ double explicit_steps_foreseen(const Case& c) {
   return (c.time.end - start) * rate / c.time.safety;
 }
 
-double most_explicit_steps(int dimension) { return dimension == 2 ? 1300 : 2000; }
+double most_explicit_steps(int dimension) {
+  return dimension == 2 ? measured::most_explicit_steps_2d : measured::most_explicit_steps_3d;
+}
 
 }  // namespace softwet

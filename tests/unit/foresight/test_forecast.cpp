@@ -1,5 +1,5 @@
 // What is foretold against what was measured: docs/verification/extremes.md, locking.md, and runs of single droplets.
-#include "model/forecast.hpp"
+#include "foresight/forecast.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "model/distances.hpp"
+#include "foresight/distances.hpp"
 #include "model/equilibrium.hpp"
 
 namespace softwet {

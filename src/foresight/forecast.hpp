@@ -40,7 +40,7 @@ double locking_error(const Case&);
 ///   degree 2: 1.7 exp(-6 sqrt(m (1 - 2 nu)^0.3)) sqrt(8 / rows)
 ///   degree 3: 0.52 exp(-5 m (1 - 2 nu)^0.15) sqrt(8 / rows)
 /// fit tests/oracle/ridge_locking.py (4 to 32 rows, m from 1.5 to 4) within 40 % where it is above 1 %. 0 without a
-/// droplet or film on a solid. Tested: tests/unit/model/test_forecast.cpp
+/// droplet or film on a solid. Tested: tests/unit/foresight/test_forecast.cpp
 double ridge_error(const Case&);
 
 /// Width of fluid between two droplets, or a droplet and a side, below which they are told to be near; scale L0: four

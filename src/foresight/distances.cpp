@@ -1,4 +1,4 @@
-#include "model/distances.hpp"
+#include "foresight/distances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,6 @@ struct Outline {
   std::vector<double> centre, semi_axis;  ///< of a droplet; of a cap, those of its footprint
   bool cap = false;
 };
-
-double wall_of(const Case& c) { return c.substrate ? c.substrate->thickness : 0; }
 
 Outline outline_of(const Case& c, const Droplet& droplet, std::size_t k) {
   Outline o{"droplet[" + std::to_string(k) + "]", {}, {}, droplet.centre, {}, sits_on_wall(c, droplet)};
@@ -86,7 +84,7 @@ void add_sides(const Case& c, const Outline& o, double width, std::vector<Gap>& 
   const std::size_t axes = c.domain.size.size();
   for (std::size_t d = 0; d < axes; ++d) {
     if (c.boundary.side[d][0] == Side::periodic) continue;
-    const double low = d + 1 == axes ? wall_of(c) : 0, high = c.domain.size[d], slack = 1e-9 * high;
+    const double low = d + 1 == axes ? c.wall_height() : 0, high = c.domain.size[d], slack = 1e-9 * high;
     const double centre = o.centre.empty() ? 0.5 * (low + high) : o.centre[d];
     const double gap[2] = {o.lower[d] - low, high - o.upper[d]}, inside[2] = {centre - low, high - centre};
     for (int end : {0, 1}) {
