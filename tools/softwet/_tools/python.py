@@ -1,8 +1,8 @@
 """Which python3 a tool runs in: the same choice for all of them.
 
 A tool begins with `need(modules)`. Where this interpreter lacks one, or where SOFTWET_PYTHON names another, the tool
-starts again in SOFTWET_PYTHON, or else in python3, or else in /usr/bin/python3. `softwet verify` and its like choose in
-the same way."""
+starts again in SOFTWET_PYTHON, or else in python3, or else in /usr/bin/python3. `softwet verify` and its like start it in
+the first of these that starts at all."""
 
 import atexit
 import importlib.util
@@ -14,16 +14,17 @@ import subprocess
 import sys
 import tempfile
 
+NEWEST = "tomllib"  # the module that Python has since 3.11
 STARTED = "SOFTWET_PYTHON_STARTED"  # in the environment of a tool that was started again
 
 
 def need(*modules):
-    """Goes on in a python3 that has the modules; ends with exit code 1 or 3 and a sentence where there is none."""
+    """Goes on in a python3 of 3.11 or newer that has the modules; ends with exit code 1 or 3 and a sentence where there is none."""
     atexit.register(flush)
     sys.excepthook = tell
     chosen = os.environ.get("SOFTWET_PYTHON", "")
     started = os.environ.pop(STARTED, None) is not None
-    missing = [module for module in modules if importlib.util.find_spec(module) is None]
+    missing = [module for module in (NEWEST, *modules) if importlib.util.find_spec(module) is None]
     if not missing and (started or not chosen or shutil.which(chosen) == sys.executable):
         if "matplotlib" in modules:
             give_folder_to_matplotlib()
@@ -32,16 +33,16 @@ def need(*modules):
         if not started and serves(python, modules):
             start_again(python)
     if chosen:
-        has_no = f" or has no {' and '.join(modules)}" if modules else ""
-        end(f"SOFTWET_PYTHON = '{chosen}' does not start{has_no}; give a python3 that does, or unset it", 1)
-    packages = " ".join(f"python3-{module}" for module in modules)
-    end(f"no python3 with {' and '.join(modules)}; on Debian: apt-get install {packages}, elsewhere set SOFTWET_PYTHON "
-        "to one", 3)
+        has_no = f", has no {' and '.join(modules)}," if modules else ""
+        end(f"SOFTWET_PYTHON = '{chosen}' does not start{has_no} or is older than 3.11; give a python3 that serves, or unset it", 1)
+    packages = " ".join(f"python3-{module}" for module in modules) or "python3"
+    with_them = f" with {' and '.join(modules)}" if modules else ""
+    end(f"no python3 of 3.11 or newer{with_them}; on Debian: apt-get install {packages}, elsewhere set SOFTWET_PYTHON to one", 3)
 
 
 def serves(python, modules):
     """Whether the interpreter starts and has the modules."""
-    imports = "".join(f"import {module}\n" for module in modules)
+    imports = "".join(f"import {module}\n" for module in (NEWEST, *modules))
     try:
         return subprocess.run([python, "-c", imports], capture_output=True).returncode == 0
     except OSError:
@@ -96,5 +97,7 @@ def tell(kind, error, trace):
 
 
 def end(message, code):
-    print(f"{os.path.basename(sys.argv[0])}: error: {message}", file=sys.stderr)
+    """Ends the tool with a sentence, which begins as those of softwet where that has started it."""
+    name, by_softwet = os.path.basename(sys.argv[0]), "--softwet" in sys.argv[1:2]
+    print(f"softwet: error: {name}: {message}" if by_softwet else f"{name}: error: {message}", file=sys.stderr)
     raise SystemExit(code)
