@@ -2,26 +2,17 @@
 states.."""
 
 import csv
-import fcntl
-import json
 import math
 import os
 import shutil
-import time
 
+from .._store.definition import Definition
+from .._store.files import take
+from .._store.values import member_name
 from .._tools.messages import fail
-from .._store.member import lock, read_json, write_atomic
-from .._store.definition import case_difference, member_name, option_difference, read_case
 
-DEFINITION, TABLE, LOG = "along.json", "states.csv", "steady.log"
+TABLE, LOG = "states.csv", "steady.log"
 OTHERS = "replace it with --overwrite, or choose another folder with --out"
-
-
-def difference(old, new):
-    """What forbids the states `new` in the folder of `old`, in words; empty where nothing does."""
-    if old["case"] != new["case"]:
-        return case_difference(old, new)
-    return next(filter(None, (option_difference(old, new, option) for option in ("along", "set"))), "")
 
 
 class StatesFolder:
@@ -30,7 +21,7 @@ class StatesFolder:
 
     def __init__(self, arguments, key, values):
         self.path, self.key, self.names = arguments.out, key, set()
-        definition = {"case": read_case(arguments.case), "along": [arguments.along], "set": arguments.set}
+        definition = Definition(self.path / "along.json", arguments.case, along=[arguments.along], set=arguments.set)
         if (self.path / "sweep.json").exists():
             fail(f"{self.path} holds a sweep; choose another folder with --out")
         if not arguments.overwrite:
@@ -40,29 +31,25 @@ class StatesFolder:
         if arguments.overwrite:
             self.remove_states()
         self.kept = self.read_states()
-        write_atomic(self.path / DEFINITION, json.dumps(definition, indent=1) + "\n")
+        definition.keep()
 
     def refuse_others(self, definition, values):
         """Refuses a folder that holds something else, before anything changes."""
-        old = read_json(self.path / DEFINITION)
-        told = difference(old, definition) if old else ""
+        told = definition.difference("along", "set")
         if told:
             fail(f"{self.path} holds the states of another command: {told}; give the same case and options to go on, or "
                  f"{OTHERS}")
-        if not old and (self.path / TABLE).exists():
+        if not definition.old and (self.path / TABLE).exists():
             fail(f"{self.path} holds the states of an earlier command; {OTHERS}")
         for folder in (self.path / member_name([self.key], [value]) for value in values):
-            if folder.exists() and not old:
+            if folder.exists() and not definition.old:
                 fail(f"{folder} is there already, and is no state of this command; {OTHERS}")
 
     def hold(self):
         self.descriptor = os.open(self.path, os.O_RDONLY)
-        for _ in range(5):  # who only looks at the folder has the lock for an instant
-            if lock(self.descriptor, fcntl.LOCK_EX):
-                return
-            time.sleep(0.05)
-        fail(f"another command is writing to {self.path} at this moment; wait for its end, or choose another folder with "
-             "--out")
+        if not take(self.descriptor):
+            fail(f"another command is writing to {self.path} at this moment; wait for its end, or choose another folder with "
+                 "--out")
 
     def remove_states(self):
         for old in self.path.iterdir():

@@ -3,7 +3,7 @@
 import re
 
 from .._tools.messages import fail
-from .._store.definition import one_spelling
+from .._store.values import one_spelling
 
 # Keys of the start alone: a state that starts from another one knows nothing of them.
 OF_START = ("droplet", "film", "wave", "initial", "fluid.initial")

@@ -4,6 +4,7 @@ import math
 
 import matplotlib
 import softwet
+from .._store.values import number
 from .._drawing.look import BLUE, GREEN, RED, STYLE, UNIT, letter, with_unit
 from .table import FOUND, HISTORY
 from matplotlib import pyplot as plt
@@ -19,10 +20,10 @@ PANELS = [  # columns, their names, what the axis shows; that of a column of his
 ]
 
 
-def number(text):
-    above, _, below = text.partition("/")
+def place_of(text):
+    """The number that a value means; None where it means none."""
     try:
-        return float(above) / float(below or 1)
+        return number(text)
     except ValueError:
         return None
 
@@ -42,7 +43,7 @@ def draw_walls(axes, folder, rows, key):
 
 def draw_states(path, key, rows):
     found = [row for row in rows if row["state"] == FOUND]
-    values = [number(row["value"]) for row in found]
+    values = [place_of(row["value"]) for row in found]
     numbers = None not in values
     places = values if numbers else list(range(len(found)))
     panels = [panel for panel in PANELS if any(math.isfinite(row.get(panel[0][0], math.nan)) for row in found)]

@@ -1,10 +1,7 @@
 """The states that `softwet steady --along` has found, as a table."""
 
-import csv
-import io
-
 import softwet
-from .._store.member import write_atomic
+from .._store.files import write_csv
 
 FOUND, NOT_FOUND = "at rest", "not at rest"
 HISTORY = ["mass", "energy_total", "x_centre", "y_centre", "x_left", "x_right", "track_rear", "track_front",
@@ -41,9 +38,8 @@ def row_of(folder, value, state):
 
 def write_table(path, key, rows):
     names = list(dict.fromkeys(name for row in rows for name in row))
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow([key, *names[1:]])
-    for row in rows:
-        table.writerow(["" if row.get(name) is None or row[name] != row[name] else row[name] for name in names])
-    write_atomic(path, text.getvalue())
+    write_csv(path, [[key, *names[1:]], *([cell(row.get(name)) for name in names] for row in rows)])
+
+
+def cell(value):
+    return "" if value is None or value != value else value

@@ -1,6 +1,5 @@
-"""The computation of members, several at once, with notes of how they ended. Used by tools/sweep and tools/tradeoff."""
+"""The computation of members, several at once, with notes of how they ended."""
 
-import fcntl
 import json
 import os
 import re
@@ -10,8 +9,9 @@ import subprocess
 import time
 
 from .._tools.messages import ERROR, last_line, say
-from .member import STOPPED, lock, read_json, write_atomic
-
+from . import process
+from .files import read_json, take, write_atomic
+from .member import STOPPED
 
 MACHINE = 3  # exit code
 TOO_LARGE = ("can be had here", "out of memory")  # in what the machine refuses however often it is asked
@@ -57,7 +57,6 @@ class Job:
         say(f"{member.name}: {state}, " + (note["reason"] if state == "failed" else
                                            f"{counts.get('steps', 0)} steps, {note['seconds']:.1f} s"))
 
-
     def reason(self, code):
         """Why the run ended: run.json tells it without the remedies that the log has, but that of an earlier run may be
         there where this one was stopped before its first row."""
@@ -78,16 +77,6 @@ def cores(program):
     return int(found[1]) if found else len(os.sched_getaffinity(0))
 
 
-def end_when_asked():
-    """Until members run, SIGTERM and SIGHUP end the tool as Ctrl-C does."""
-    def stop(*_):
-        raise KeyboardInterrupt
-
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, stop)
-
-
 class Computation:
     """Computes members, `jobs` at once. The first SIGINT, SIGTERM or SIGHUP asks the runs to write their checkpoints
     and end, the next one ends them at once.
@@ -106,9 +95,7 @@ class Computation:
             self.environment["OMP_PROC_BIND"] = "false"  # else all of them bind to the same cores
 
     def run(self, members):
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            if signal.getsignal(number) != signal.SIG_IGN:
-                signal.signal(number, self.count_signal)
+        process.when_asked_to_stop(self.count_signal)
         waiting = [member for member in members if member.status()[0] in (*self.wanted, "running")]
         try:
             while self.running or (waiting and not self.signals):
@@ -148,11 +135,7 @@ class Computation:
         """Starts a member, unless someone else has it or has had it. @return whether it was started"""
         member.folder.mkdir(parents=True, exist_ok=True)
         log = open(member.log_path, "ab")
-        for _ in range(5):  # who only looks at the state has the lock for an instant
-            if lock(log, fcntl.LOCK_EX):
-                break
-            time.sleep(0.02)
-        else:
+        if not take(log):
             log.close()
             say(f"{member.name}: runs already, started by another sweep; left alone")
             return False
@@ -170,8 +153,5 @@ class Computation:
         begun = {"exit": None, "seconds": seconds, "processor": note.get("processor", 0)}
         write_atomic(member.note_path, json.dumps(begun) + "\n")
         words = [self.program, "run", self.case, *member.words(), "--out", str(member.folder), *options]
-        # A session of its own: Ctrl-C reaches the sweep alone, which passes it on.
-        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=self.environment,
-                                   start_new_session=True)
-        self.running.append(Job(member, log, process, begun))
+        self.running.append(Job(member, log, process.start(words, log, env=self.environment), begun))
         say(f"{member.name}: {'resumed' if '--resume' in options else 'started'}")

@@ -1,55 +1,16 @@
-"""Members of a sweep: their folders and their table. Used by tools/sweep and tools/tradeoff.
+"""One run of several that are kept in a folder.
 
 The folder of a member is the output folder of its run, with two more files: member.log, what the run says, and
-member.json, how it ended. The log is locked as long as the run, or the sweep that started it, lives; so several sweeps,
-on several machines too, may work on the same folder, and a sweep that is killed leaves nothing that says "running"."""
+member.json, how it ended. The log is locked as long as the run, or the tool that started it, lives; so several tools,
+on several machines too, may work on the same folder, and a tool that is killed leaves nothing that says "running"."""
 
-import csv
-import difflib
-import errno
 import fcntl
-import io
-import json
 import os
-import socket
 import subprocess
-import sys
 
-from .._tools.messages import WARNING
+from .files import lock, read_json
 
 STOPPED = "stopped by user"  # the reason of run.json
-# The default ones: those of a droplet.
-COLUMNS = ["x_centre", "velocity", "angle_left", "angle_right", "ridge_left", "ridge_right", "dimple", "mass_drift"]
-
-
-def write_atomic(path, text):
-    """The file appears whole or not at all, whoever else writes it. A failure names the file itself."""
-    partial = path.with_name(f"{path.name}.{socket.gethostname()}.{os.getpid()}.partial")
-    try:
-        with open(partial, "w", encoding="utf-8", errors="surrogateescape", newline="") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(partial, path)
-    except OSError as error:
-        raise OSError(error.errno, error.strerror, str(path)) from error
-
-
-def read_json(path):
-    """Contents of a file; empty where there is none."""
-    try:
-        return json.loads(path.read_text())
-    except (FileNotFoundError, NotADirectoryError, json.JSONDecodeError):
-        return {}
-
-
-def lock(file, kind):
-    """@return whether no one else holds a lock; true where the file system has none"""
-    try:
-        fcntl.flock(file, kind | fcntl.LOCK_NB)
-    except OSError as error:
-        return error.errno in (errno.ENOSYS, errno.EOPNOTSUPP, errno.ENOLCK)
-    return True
 
 
 class Member:
@@ -98,56 +59,3 @@ def ask_check(program, case, member):
     """What `softwet check` says of a member. @return CompletedProcess, with its stdout and stderr"""
     words = [str(program), "check", str(case), *member.words()]
     return subprocess.run(words, text=True, capture_output=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
-
-
-class Table:
-    """sweep.csv: a row per member, in the order of the members."""
-
-    def __init__(self, path, keys, members, columns):
-        self.path, self.keys, self.members, self.columns = path, keys, members, columns
-        self.kept, self.warned = {}, set()  # rows of ended members; columns that are missing
-
-    def write(self):
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow(["member", *self.keys, "status", "exit", "reason", "seconds", "steps", "t", *self.columns,
-                         "velocity_peak"])
-        for member in self.members:
-            writer.writerow(self.row(member))
-        write_atomic(self.path, text.getvalue())
-
-    def row(self, member):
-        state, note = member.status()
-        ended = state in ("done", "failed")
-        if ended and self.kept.get(member.name, (None,))[0] == note:
-            return self.kept[member.name][1]
-        record = member.record() if note else {}
-        end = ["", ""] if state == "running" else [note.get("exit"), note.get("reason")]
-        row = [member.name, *member.values, state, *end,
-               f"{note['seconds']:.2f}" if note else "", record.get("counts", {}).get("steps"),
-               record.get("stop", {}).get("t"), *self.from_history(member, bool(record))]
-        if ended:
-            self.kept[member.name] = (note, row)
-        return row
-
-    def from_history(self, member, begun):
-        """Last values of the columns, and the largest |velocity| at t >= 0, the start of the load."""
-        rows = []
-        if begun:
-            try:
-                with open(member.folder / "history.csv", newline="") as file:
-                    rows = [row for row in csv.DictReader(file) if None not in row.values()]  # whole rows
-            except FileNotFoundError:  # a run that starts anew has just removed it
-                pass
-        if not rows:
-            return [""] * (len(self.columns) + 1)
-        self.warn(member, list(rows[0]))
-        speeds = [abs(float(row["velocity"])) for row in rows if row.get("velocity") and float(row["t"]) >= 0]
-        return [*(rows[-1].get(name, "") for name in self.columns), max(speeds, default="")]
-
-    def warn(self, member, names):
-        for name in sorted(set(self.columns) - set(names) - set(COLUMNS) - self.warned):
-            self.warned.add(name)
-            near = difflib.get_close_matches(name, names, 1, 0)[0]
-            print(f"{WARNING}--columns {name}: history.csv of {member.name} has no such column; did you mean '{near}'?",
-                  file=sys.stderr)

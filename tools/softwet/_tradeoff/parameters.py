@@ -15,7 +15,7 @@ import tomllib
 from fractions import Fraction
 
 from .._tools.messages import ERROR, fail, last_line
-from .._store.definition import member_name, split_values
+from .._store.values import member_name, split_values
 
 PARAMETERS = [
     {"name": "tolerance", "key": "time.tolerance", "factors": ["10", "3", "3/10", "1/10"]},

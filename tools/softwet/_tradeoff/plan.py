@@ -1,14 +1,14 @@
 """What `softwet tradeoff` computes: the case with all its values, the reference, and what the folder keeps."""
 
 import itertools
-import json
 import re
 import subprocess
 import tomllib
 
 from .._tools.messages import ERROR, fail, last_line
-from .._store.member import Member, ask_check, read_json, write_atomic
-from .._store.definition import case_difference, one_spelling, option_difference, read_case
+from .._store.definition import Definition
+from .._store.member import Member, ask_check
+from .._store.values import one_spelling
 from .parameters import elements_times, plain, value_of
 
 REFERENCE = {"tolerance": 10, "newton": 1e-8, "elements": 2}  # finer by, at most, finer by
@@ -72,28 +72,15 @@ def companion_values(program, path, settings, reference):
     return (values if refined else {}), (ORDER if refined and not other else None)
 
 
-def check_definition(arguments):
-    """What the folder is made for, as tradeoff.json keeps it; refuses a folder that holds another. Parameters and
-    combinations may change from one command to the next."""
-    new = {"case": read_case(arguments.case), "set": arguments.set, "reference": arguments.reference}
-    old = read_json(arguments.out / "definition.json")
-    told = ""
-    if old and old["case"] != new["case"]:
-        told = case_difference(old, new)
-    elif old:
-        told = option_difference(old, new, "set") or option_difference(old, new, "reference")
+def read_definition(arguments):
+    """What the folder is made for; refuses a folder that holds another. Parameters and combinations may change from one
+    command to the next."""
+    definition = Definition(arguments.out / "definition.json", arguments.case, set=arguments.set, reference=arguments.reference)
+    told = definition.difference("set", "reference")
     if told:
         fail(f"{arguments.out} holds another comparison: {told}; give the same case, --set and --reference, or a new "
              "folder with --out")
-    return new
-
-
-def keep_definition(arguments, definition):
-    """Keeps a copy of the case, from which all members are computed."""
-    arguments.out.mkdir(parents=True, exist_ok=True)
-    if not read_json(arguments.out / "definition.json"):
-        write_atomic(arguments.out / "tradeoff.toml", definition["case"])
-        write_atomic(arguments.out / "definition.json", json.dumps(definition, indent=1) + "\n")
+    return definition
 
 
 def commit_of(program):

@@ -1,12 +1,10 @@
 """Results of `softwet tradeoff`: one row per member, the Pareto front, and the table as text, CSV, JSON and Markdown."""
 
-import csv
 import functools
-import io
 import json
 import math
 
-from .._store.member import write_atomic
+from .._store.files import write_atomic, write_csv
 from .measures import MEASURES, OWN, UNITS, about, measure
 from softwet import open as open_output
 
@@ -184,14 +182,9 @@ def records(entries, cost):
              **{name: entry.errors.get(name) for name in MEASURES}} for entry in entries]
 
 
-def write_csv(path, entries, cost):
-    text = io.StringIO()
+def write_table(path, entries, cost):
     rows = records(entries, cost)
-    writer = csv.DictWriter(text, rows[0], lineterminator="\n")
-    writer.writeheader()
-    writer.writerows({key: f"{value:.6g}" if isinstance(value, float) else value for key, value in row.items()}
-                     for row in rows)
-    write_atomic(path, text.getvalue())
+    write_csv(path, [rows[0], *([f"{value:.6g}" if isinstance(value, float) else value for value in row.values()] for row in rows)])
 
 
 def write_json(path, entries, floor, facts, cost):
