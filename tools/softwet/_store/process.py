@@ -2,6 +2,10 @@
 
 import signal
 import subprocess
+import sys
+
+from .._tools.messages import fail_of_machine
+from .._tools.python import end_unread
 
 
 def start(words, log, **options):
@@ -18,9 +22,20 @@ def when_asked_to_stop(action):
             signal.signal(number, action)
 
 
-def end_when_asked():
-    """Until runs are under way, a wish to stop ends the tool as Ctrl-C does."""
+def carry_out(main, interrupted):
+    """Runs a tool to its end, with a sentence for what ends it early. Until runs are under way, a wish to stop ends it as
+    Ctrl-C does. @param main  gives the exit code;  @param interrupted  called where it was asked to stop"""
     def stop(*_):
         raise KeyboardInterrupt
 
     when_asked_to_stop(stop)
+    try:
+        code = main()
+        sys.stdout.flush()
+        raise SystemExit(code)
+    except BrokenPipeError:
+        end_unread()
+    except KeyboardInterrupt:
+        interrupted()
+    except OSError as error:
+        fail_of_machine(error)
