@@ -8,7 +8,8 @@ import signal
 import subprocess
 import time
 
-from .._tools.messages import ERROR, last_line, say
+from .._tools.messages import last_line, say
+from ..program import ERROR
 from . import process
 from .files import read_json, take, write_atomic
 from .member import STOPPED

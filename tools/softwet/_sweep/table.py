@@ -5,7 +5,7 @@ import difflib
 import sys
 
 from .._store.files import write_csv
-from .._tools.messages import WARNING
+from ..program import WARNING
 
 # The columns of history.csv without --columns: those of a droplet.
 COLUMNS = ["x_centre", "velocity", "angle_left", "angle_right", "ridge_left", "ridge_right", "dimple", "mass_drift"]

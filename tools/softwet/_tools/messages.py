@@ -1,11 +1,13 @@
-"""How sweep and tradeoff speak to the user: one sentence for each error, one line for each event."""
+"""How tools speak to the user: one sentence for each error, one line for each event."""
 
 import errno
 import os
+import pathlib
 import sys
 
-ERROR = "softwet: error: "
-WARNING = "softwet: warning: "
+from ..problem import Problem
+from ..program import ERROR, find_program
+
 REMEDIES = {
     errno.EEXIST: "a file has that name; choose another folder, or move the file",
     errno.ENOTDIR: "a part of the path is a file; choose another path",
@@ -46,7 +48,11 @@ def last_line(text, start):
 
 
 def need_program(path):
-    """The path of softwet, resolved; refuses what is no program."""
+    """The path of softwet, resolved: the given one, else the one that the Python package starts. Refuses what is no program."""
+    try:
+        path = path or pathlib.Path(find_program())
+    except Problem as problem:
+        fail(problem, 3)
     if not path.exists():
         fail(f"{path} is not there; build it with tools/setup", 3)
     if not path.is_file() or not os.access(path, os.X_OK):

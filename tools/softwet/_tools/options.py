@@ -1,14 +1,12 @@
 """The options of a command, as commands.toml declares them for the command line of softwet too."""
 
 import argparse
-import os
 import pathlib
 import tomllib
 
 from .messages import fail
 
 PACKAGE = pathlib.Path(__file__).resolve().parent.parent
-BUILT = PACKAGE.parent.parent / "build" / os.environ.get("SOFTWET_PRESET", "release") / "softwet"
 KINDS = {"path": pathlib.Path, "integer": int, "number": float, "list": lambda text: text.split(",")}
 
 
@@ -23,9 +21,13 @@ def parse(command, about):
     group = parser.add_mutually_exclusive_group() if alone else None
     for option in options:
         add(group if option in alone else parser, option)
-    parser.add_argument("--softwet", type=pathlib.Path, metavar="PROGRAM", default=BUILT,
-                        help="the program; default: that of the build")
+    add_program(parser)
     return parser.parse_args()
+
+
+def add_program(parser):
+    parser.add_argument("--softwet", type=pathlib.Path, metavar="PROGRAM",
+                        help="the program; default: SOFTWET_PROGRAM, else that of the installation or of the build")
 
 
 def add(parser, option):

@@ -14,7 +14,8 @@ import subprocess
 import tomllib
 from fractions import Fraction
 
-from .._tools.messages import ERROR, fail, last_line
+from .._tools.messages import fail, last_line
+from ..program import ERROR
 from .._store.values import member_name, split_values
 
 PARAMETERS = [

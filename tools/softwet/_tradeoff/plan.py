@@ -5,7 +5,8 @@ import re
 import subprocess
 import tomllib
 
-from .._tools.messages import ERROR, fail, last_line
+from .._tools.messages import fail, last_line
+from ..program import ERROR
 from .._store.definition import Definition
 from .._store.member import Member, ask_check
 from .._store.values import one_spelling
