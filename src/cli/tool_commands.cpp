@@ -42,10 +42,11 @@ void add_option(CLI::App& command, const toml::table& declared, std::vector<std:
 void add_command(CLI::App& app, const toml::table& declared, std::vector<std::string>& words) {
   const std::string name = text_of(declared, "name");
   CLI::App& command = *app.add_subcommand(name, text_of(declared, "help"));
-  declared["option"].as_array()->for_each([&](const toml::table& option) {
+  for (const toml::node& node : *declared["option"].as_array()) {
+    const toml::table& option = *node.as_table();
     const auto add = text_of(option, "name").front() == '-' ? add_option : add_argument;
     add(command, option, words);
-  });
+  }
   command.callback([name, &words] { start_tool(name, words); });
 }
 
@@ -53,7 +54,7 @@ void add_command(CLI::App& app, const toml::table& declared, std::vector<std::st
 
 void add_tool_commands(CLI::App& app, std::vector<std::string>& words) {
   const toml::table declared = toml::parse(std::string_view(commands_of_tools));
-  declared["command"].as_array()->for_each([&](const toml::table& command) { add_command(app, command, words); });
+  for (const toml::node& node : *declared["command"].as_array()) add_command(app, *node.as_table(), words);
 }
 
 }  // namespace softwet
