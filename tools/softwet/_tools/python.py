@@ -42,9 +42,9 @@ def need(*modules):
 
 def serves(python, modules):
     """Whether the interpreter starts and has the modules."""
-    imports = "".join(f"import {module}\n" for module in (NEWEST, *modules))
+    question = f"from importlib.util import find_spec; raise SystemExit(None in map(find_spec, {[NEWEST, *modules]}))"
     try:
-        return subprocess.run([python, "-c", imports], capture_output=True).returncode == 0
+        return subprocess.run([python, "-c", question], capture_output=True).returncode == 0
     except OSError:
         return False
 
