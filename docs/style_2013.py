@@ -8,9 +8,9 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tools"))
 import matplotlib.pyplot as plt  # noqa: E402
-from _outputs import BLUE, GREEN, RED, STYLE  # noqa: E402
 
 import softwet  # noqa: E402
+from softwet._drawing.look import BLUE, GREEN, RED, STYLE  # noqa: E402
 
 MICROMETRES = 500.0  # a length of 1
 

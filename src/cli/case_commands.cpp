@@ -134,7 +134,7 @@ void steady_command(CaseRequest& request, std::vector<std::string>& words) {
   if (!request.options.out.empty()) words.push_back("--out=" + request.options.out);
   if (request.options.threads > 0) words.push_back("--threads=" + std::to_string(request.options.threads));
   if (request.overwrite) words.push_back("--overwrite");
-  start_tool({"steady", {"numpy"}}, words);
+  start_tool("steady", words);
 }
 
 void check_command(const CaseRequest& request) {
@@ -152,7 +152,7 @@ void check_command(const CaseRequest& request) {
   std::vector<std::string> words{request.case_path, "--out", request.picture};
   for (const std::string& assignment : request.overrides) words.push_back("--set=" + assignment);
   std::cout << std::flush;
-  start_tool({"plot", {"numpy", "h5py", "matplotlib"}}, words);
+  start_tool("plot", words);
 }
 
 void write_text(const std::string& path, const std::string& text) {

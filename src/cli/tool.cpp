@@ -1,7 +1,7 @@
 // Finding a file of the folder tools and a python3 for it.
 #include "cli/tool.hpp"
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -41,44 +41,41 @@ std::string find_file(const std::string& name, const std::filesystem::path& prog
                           name, file));
 }
 
-/// True where the interpreter starts and imports the modules.
-bool serves(const std::string& python, const std::vector<std::string>& modules) {
+/// True where the interpreter starts.
+bool starts(const std::string& python) {
   std::string quoted;
   for (char c : python) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  const std::string imports = fmt::format("import {}", fmt::join(modules, ", "));
-  return std::system(fmt::format("'{}' -c '{}' >/dev/null 2>&1", quoted, modules.empty() ? "" : imports).c_str()) == 0;
+  return std::system(fmt::format("'{}' -c '' >/dev/null 2>&1", quoted).c_str()) == 0;
 }
 
-std::string find_python(const Tool& tool) {
+/// The program chooses another one where it needs modules that this one lacks (tools/softwet/_tools/python.py).
+std::string find_python(const std::string& name) {
   const std::string chosen = environment("SOFTWET_PYTHON");
-  const std::string needed = fmt::format("{}", fmt::join(tool.modules, " and "));
   if (!chosen.empty()) {
-    if (serves(chosen, tool.modules)) return chosen;
-    throw Error(Exit::invalid_input,
-                fmt::format("{}: SOFTWET_PYTHON = '{}' does not start{}; give a python3 that does, or unset it",
-                            tool.name, chosen, needed.empty() ? "" : " or has no " + needed));
+    if (starts(chosen)) return chosen;
+    throw Error(
+        Exit::invalid_input,
+        fmt::format("{}: SOFTWET_PYTHON = '{}' does not start; give a python3 that does, or unset it", name, chosen));
   }
   for (const char* python : {"python3", "/usr/bin/python3"}) {
-    if (serves(python, tool.modules)) return python;
+    if (starts(python)) return python;
   }
-  std::string packages = tool.modules.empty() ? " python3" : "";
-  for (const std::string& module : tool.modules) packages += " python3-" + module;
-  throw Error(Exit::machine_failed,
-              fmt::format("{}: no python3{}; on Debian: apt-get install{}, elsewhere set SOFTWET_PYTHON to one",
-                          tool.name, needed.empty() ? "" : " with " + needed, packages));
+  throw Error(
+      Exit::machine_failed,
+      fmt::format("{}: no python3; on Debian: apt-get install python3, elsewhere set SOFTWET_PYTHON to one", name));
 }
 
 }  // namespace
 
-void start_tool(const Tool& tool, const std::vector<std::string>& words) {
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string(), file = find_file(tool.name, self);
-  std::vector<std::string> line = {find_python(tool), file, "--softwet", self};
+void start_tool(const std::string& name, const std::vector<std::string>& words) {
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string(), file = find_file(name, self);
+  std::vector<std::string> line = {find_python(name), file, "--softwet", self};
   line.insert(line.end(), words.begin(), words.end());
   std::vector<char*> pointers;
   for (std::string& word : line) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   execvp(pointers[0], pointers.data());
-  throw Error(Exit::machine_failed, fmt::format("{}: cannot start '{}': {}", tool.name, line[0], std::strerror(errno)));
+  throw Error(Exit::machine_failed, fmt::format("{}: cannot start '{}': {}", name, line[0], std::strerror(errno)));
 }
 
 }  // namespace softwet

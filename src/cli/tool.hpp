@@ -6,17 +6,11 @@
 
 namespace softwet {
 
-/// What a command of the folder tools needs.
-struct Tool {
-  std::string name;                  ///< of the command and of its file in tools
-  std::vector<std::string> modules;  ///< Python modules that do not come with Python
-};
-
-/// Replaces this program by a python3 with the modules that runs tools/<name> with `words` and the path of this
-/// program. tools/ is SOFTWET_TOOLS, else share/softwet/tools of the installation this program is part of, else that of
-/// the sources it was built from; python3 is SOFTWET_PYTHON, else python3, else /usr/bin/python3. Throws Error:
+/// Replaces this program by a python3 that runs tools/<name> with `words` and the path of this program. tools/ is
+/// SOFTWET_TOOLS, else share/softwet/tools of the installation this program is part of, else that of the sources it was
+/// built from; python3 is SOFTWET_PYTHON, else python3, else /usr/bin/python3: the first that starts. Throws Error:
 /// invalid_input where SOFTWET_TOOLS or SOFTWET_PYTHON name nothing of use, machine_failed where tools or Python are
 /// missing.
-[[noreturn]] void start_tool(const Tool& tool, const std::vector<std::string>& words);
+[[noreturn]] void start_tool(const std::string& name, const std::vector<std::string>& words);
 
 }  // namespace softwet

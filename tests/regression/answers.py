@@ -98,7 +98,21 @@ def test_cut_output():
     check_true("a run goes on", done.returncode == 0 and len(pathlib.Path("cut/history.csv").read_text().splitlines()) > 3, done)
 
 
+def test_help_of_tools():
+    """The options of the commands that are programs of tools/ are those of the programs, which say the same of them."""
+    for name in ("verify", "sweep", "tradeoff", "status", "watch"):
+        told = subprocess.run([softwet, name, "--help"], capture_output=True, text=True, env=environment).stdout
+        tool = subprocess.run([str(ROOT / "tools" / name), "--help"], capture_output=True, text=True,
+                              env={**environment, "COLUMNS": "400"}).stdout
+        options = dict(re.findall(r"^ +(--[a-z-]+)(?: [^a-z ]\S*(?: or NAMES)?)? +(.*)$", tool, re.MULTILINE))
+        options.pop("--softwet")
+        there = {option for option in re.findall(r"^ +(--[a-z-]+)", told, re.MULTILINE)}
+        check_true(f"options of {name}", set(options) == there and all(about in told for about in options.values()),
+                   f"{sorted(options)} {sorted(there)}")
+
+
 test_help_and_version()
+test_help_of_tools()
 test_manual()
 test_completion()
 test_cut_output()

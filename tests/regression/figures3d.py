@@ -15,8 +15,7 @@ except ImportError:
     print("no matplotlib, no pictures: nothing to test")
     sys.exit(0)
 
-import _output3d  # noqa: E402
-import _scene3d  # noqa: E402
+from softwet._drawing import output3d, scene3d  # noqa: E402
 
 
 # --- surfaces: a sphere in a box of cells that are no cubes ----------------------------------------------------------
@@ -24,7 +23,7 @@ def sphere_area(n):
     z, y, x = numpy.meshgrid(*(numpy.linspace(-1, 1, m) for m in (n, n + 3, 2 * n)), indexing="ij")
     place = numpy.stack([x, y, z], axis=-1)
     radius = numpy.linalg.norm(place, axis=-1)
-    corners, carried = _output3d.level_set(0.7 - radius, 0.0, place, radius[..., None])
+    corners, carried = output3d.level_set(0.7 - radius, 0.0, place, radius[..., None])
     check(f"carried values belong to the level, {n} points", abs(carried - 0.7).max(), 1e-12)
     across = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return 0.5 * numpy.linalg.norm(across, axis=1).sum()
@@ -52,9 +51,9 @@ end = 0.1
 fields = { times = [0.0, 0.1] }
 """)
 run_file("small.toml", "small")
-output = _output3d.Output("small")
+output = output3d.Output("small")
 check("the track is the line of the load", abs(output.track - 0.5 ** 0.5).max(), 1e-15)
-s, lift = _output3d.profile(output, 0.1)
+s, lift = output3d.profile(output, 0.1)
 check_true("the surface has moved", abs(lift).max() > 1e-6)
 
 # Points of the diagonal in interface.csv: there the profile has to have their values.
@@ -66,7 +65,7 @@ known = wall["displacement_z"][on]
 check("profile and interface.csv agree", abs(numpy.interp(place, s, lift) - known).max(), 1e-3 * abs(lift).max())
 
 # The contact line of the picture against the contact points of history.csv.
-scene = _scene3d.Scene(output, 0.1, 1.0, _scene3d.View(output.track))
+scene = scene3d.Scene(output, 0.1, 1.0, scene3d.View(output.track))
 line = numpy.concatenate(scene.contact_lines()) - 0.4
 along, across = (line[:, 0] + line[:, 1]) / 2 ** 0.5, (line[:, 0] - line[:, 1]) / 2 ** 0.5
 order = numpy.argsort(across[along > 0])

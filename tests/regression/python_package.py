@@ -171,5 +171,10 @@ check_true("SOFTWET_PYTHON without the modules", result.returncode == 1 and "num
 result = plot(SOFTWET_PYTHON="/nowhere/python3")
 check_true("SOFTWET_PYTHON that is none", result.returncode == 1 and "'/nowhere/python3' does not start" in result.stderr,
            result.stderr)
+rooms = [f"softwet.{room}.{path.stem}" for room in ("_tools", "_store", "_terminal")
+         for path in (tools / "softwet" / room).glob("[!_]*.py")]
+result = subprocess.run([str(bare), "-c", f"import {', '.join(rooms)}"], capture_output=True, text=True,
+                        env={**changed, "PYTHONPATH": str(tools)})
+check_true("the package needs no others before arrays are asked for", result.returncode == 0 and len(rooms) > 6, result.stderr)
 result = subprocess.run([str(bare), str(tools / "status"), "pull"], capture_output=True, text=True, env=changed)
 check_true("status needs no packages", result.returncode == 0 and "pull: done" in result.stdout, result.stderr)

@@ -15,11 +15,11 @@ try:
 except ImportError:
     sys.exit(print("no matplotlib: no page is drawn here"))
 
-import _curves  # noqa: E402
-import _report_tables  # noqa: E402
 import softwet  # noqa: E402
-from _fields import Scene  # noqa: E402
-from _outputs import fraction_of, markers, unit_of  # noqa: E402
+from softwet._drawing import history_curves  # noqa: E402
+from softwet._drawing.fields import Scene  # noqa: E402
+from softwet._drawing.look import fraction_of, markers, unit_of  # noqa: E402
+from softwet._report import tables  # noqa: E402
 
 
 def report(folder, *words, code=0):
@@ -78,13 +78,13 @@ check_true("a run without rows", "has no rows yet" in report("solid", code=1))
 
 # --- numbers ---------------------------------------------------------------------------------------------------------
 pull = softwet.open("pull")
-curves = _curves.Curves(pull)
-budget = _report_tables.Budget(curves)
+curves = history_curves.Curves(pull)
+budget = tables.Budget(curves)
 t, power = curves.t, curves.table["power_load"]
 check("work of the loads", abs(budget.work[-1] - numpy.trapz(power, t)), 1e-15)
 check("the budget adds up", abs(budget.change - budget.work - budget.stretch + budget.lost - budget.rest).max(), 1e-15)
-check_true("groups as run.json tells them", _report_tables.groups(told) == [("elastocapillary over radius", "0.034")] and
-           _report_tables.groups({}) == [])
+check_true("groups as run.json tells them", tables.groups(told) == [("elastocapillary over radius", "0.034")] and
+           tables.groups({}) == [])
 
 # --- how pictures show things ----------------------------------------------------------------------------------------
 check_true("few points are marked, many are not", markers(24) and not markers(25))
@@ -102,14 +102,14 @@ def arrows(time):
 check_true("an arrow only while the load acts", (arrows(0), arrows(10)) == (0, 1))
 figure, axes = plt.subplots()
 curves.table["velocity"] = numpy.where(t <= t[0] + 0.01 * numpy.ptp(t), 1.0, 1e-3 * numpy.sin(t))
-_curves.velocity(axes, curves)
+history_curves.velocity(axes, curves)
 check("the start's spike does not set the scale", axes.get_ylim()[1], 2e-3)
 check_true("but is told", "1.0e+00 at the start" in axes.get_title(loc="right"))
 for name, unit in (("pull", "$a b^2 L_0^2$"), ("box", "$a b^2 L_0^3$")):
-    check_true(f"{name}: unit of the energy", _curves.energy_label(_curves.Curves(softwet.open(name), -1.0)) ==
+    check_true(f"{name}: unit of the energy", history_curves.energy_label(history_curves.Curves(softwet.open(name), -1.0)) ==
                f"energy / {unit}")
 check_true("units of labels", [unit_of("t"), unit_of("velocity"), unit_of("angle_left"), unit_of("newton"),
                                unit_of("power_load", 3)] ==
            [r"$L_0\,(ab)^{-1/2}$", "$(ab)^{1/2}$", "degrees", "", r"$a b^2 (ab)^{1/2} L_0^2$"])
-letters = [axes.get_title(loc="left")[:3] for axes in _curves.draw_curves(pull).axes if axes.get_visible()]
+letters = [axes.get_title(loc="left")[:3] for axes in history_curves.draw_curves(pull).axes if axes.get_visible()]
 check_true("letters on the panels", letters == [f"({c})" for c in "abcdef"[:len(letters)]] and len(letters) > 3, str(letters))

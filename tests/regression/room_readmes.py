@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Every room of src/ has a README that names each of its files, and a file that is missing there is reported.
-usage: room_readmes.py SOFTWET
+"""Every room of src/, and the Python package of tools/, has a README that names each of its files, and a file that is
+missing there is reported. usage: room_readmes.py SOFTWET
 
 A room is a folder of src/ with all that lies below it. A file is named by its path in the room without the ending, as code in the
 first column of a table of the README: `newton`, `host/options`. Header and source of one name are one file. A README may name files
@@ -14,12 +14,13 @@ import shutil
 from _scene import check_true
 
 ROOT = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"])
-ENDINGS = {".hpp", ".cpp", ".c"}
+ENDINGS = {".hpp", ".cpp", ".c", ".py"}
 
 
 def files_of(room):
     """Paths of the files of a room, without their endings."""
-    return {str(path.relative_to(room).with_suffix("")) for path in room.rglob("*") if path.suffix in ENDINGS}
+    return {str(path.relative_to(room).with_suffix("")) for path in room.rglob("*")
+            if path.suffix in ENDINGS and path.stem != "__init__"}
 
 
 def names_in(text):
@@ -43,6 +44,9 @@ def missing(source):
 
 problems = missing(ROOT / "src")
 check_true("every README of a room names its files", not problems, "\n" + "\n".join(problems))
+package = ROOT / "tools/softwet"
+unnamed = files_of(package) ^ names_in((package / "README.md").read_text())
+check_true("the README of the Python package names its files, and no others", not unnamed, unnamed)
 
 # A copy in which each kind of mistake is made once.
 copy = pathlib.Path("copy").resolve()

@@ -15,7 +15,7 @@ try:
 except ImportError:
     sys.exit(print("no matplotlib: no picture is drawn here"))
 
-import _scene_picture  # noqa: E402
+from softwet._drawing import scene_picture  # noqa: E402
 
 PULL_CASE = str(cases / "tensotaxis_pull_2d.toml")
 SETS = [word for setting in PULL for word in ("--set", setting)]
@@ -38,7 +38,7 @@ def picture(name, *words):
 def texts(state):
     """All that stands in the picture of a state."""
     figure = plt.figure()
-    _scene_picture.draw(figure, state)
+    scene_picture.draw(figure, state)
     figure.canvas.draw()
     return {text.get_text() for text in figure.findobj(plt.Text)}
 
@@ -47,9 +47,9 @@ def texts(state):
 for folder in ("state", "first", "stripes", "deep"):
     shutil.rmtree(folder, ignore_errors=True)
 start(softwet, "check", PULL_CASE, *SETS, "--scene", "state")
-state = _scene_picture.FirstState("state")
+state = scene_picture.FirstState("state")
 run("tensotaxis_pull_2d", "first", [*PULL, "output.fields.times=[-2]", "time.max_steps=1"])
-same = _scene_picture.softwet.open("first").fields(-2)
+same = scene_picture.softwet.open("first").fields(-2)
 check("the state is that with which a run begins", abs(state.fields("fluid")["density"] - same["density"]).max(), 0.0)
 check_true("its time", state.time == -2.0)
 check("lines of the mesh", max(abs(lines - numpy.linspace(0, length, count + 1)).max() for lines, length, count in
@@ -63,7 +63,7 @@ start(softwet, "check", PULL_CASE, *SETS, "--scene", "first", code=1)  # there i
 # --- given fields ----------------------------------------------------------------------------------------------------
 varying = [*SETS, "--set", "substrate.young=0.5 + x*y", "--set", "fluid.contact_angle=60 + 30*sin(2*pi*x)"]
 start(softwet, "check", PULL_CASE, *varying, "--scene", "stripes")
-state = _scene_picture.FirstState("stripes")
+state = scene_picture.FirstState("stripes")
 (x, y, z), young = state.samples["substrate.young"]
 check_true("where Young's modulus is given", (x[0], x[-1], y[0], y[-1], z) == (0, 1, 0, 0.125, [0]))
 check("its values", abs(young[0] - (0.5 + numpy.outer(y, x))).max(), 1e-12)
@@ -71,17 +71,17 @@ check("its values", abs(young[0] - (0.5 + numpy.outer(y, x))).max(), 1e-12)
 check("the contact angle along the wall", abs(angle[0, 0] - 60 - 30 * numpy.sin(2 * numpy.pi * numpy.array(x))).max() +
       abs(y[0] - 0.125), 1e-10)
 told = texts(state)
-check_true("scales of colours", set(_scene_picture.SYMBOLS.values()) <= told, str(told))
+check_true("scales of colours", set(scene_picture.SYMBOLS.values()) <= told, str(told))
 
 # --- a mesh that is graded: the same state with its points moved -------------------------------------------------------
-class Graded(_scene_picture.FirstState):
+class Graded(scene_picture.FirstState):
     def mesh_lines(self):
         return [lines**2 for lines in super().mesh_lines()]
 
 
 state = Graded("stripes")
 figure = plt.figure()
-axes = _scene_picture.draw(figure, state)[0]
+axes = scene_picture.draw(figure, state)[0]
 drawn = sorted(line.get_xdata()[0] for line in axes.lines if len(set(line.get_xdata())) == 1)
 check_true("lines of a graded mesh", state.is_graded and len(drawn) == 33 and abs(drawn[1] - (1 / 32)**2) < 1e-12, str(drawn))
 
@@ -106,7 +106,7 @@ end = 1.0
 """)
 picture("deep.png", softwet, "check", "deep.toml", "--set", "fluid.contact_angle=60 + 40*x*y", "--picture", "deep.png")
 start(softwet, "check", "deep.toml", "--scene", "deep")
-told = texts(_scene_picture.FirstState("deep"))
+told = texts(scene_picture.FirstState("deep"))
 check_true("three dimensions: all six sides", {"left: slip", "front: slip", "back: slip", "top: no slip"} <= told, str(told))
 
 # --- what is wrong ---------------------------------------------------------------------------------------------------

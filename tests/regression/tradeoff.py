@@ -10,8 +10,8 @@ import subprocess
 
 from _scene import PULL, cases, check_true, environment, softwet
 
-import _sweep
-import _sweep_computation
+from softwet._store.computation import Computation
+from softwet._store.member import Member
 
 CASE = str(cases / "tensotaxis_pull_2d.toml")
 SMALL = [*PULL[:2], "load[0].start=1", "load[0].ramp=0.5", "time.end=2", "output.fields.times=[]", "time.dt_min=0.005"]
@@ -105,9 +105,9 @@ check_true("refusals write nothing", not pathlib.Path("nowhere").exists())
 
 # A member that takes too long is asked to end, counts as failed, and is not computed again.
 folder = pathlib.Path("limited").resolve() / "long"
-member = _sweep.Member("long", (), ["time.dt_initial=1e-4", "time.dt_max=1e-4", *SMALL[:2]], folder)
+member = Member("long", (), ["time.dt_initial=1e-4", "time.dt_max=1e-4", *SMALL[:2]], folder)
 for _ in range(2):
-    _sweep_computation.Computation(softwet, CASE, 1, False, lambda: None, limit=1).run([member])
+    Computation(softwet, CASE, 1, False, lambda: None, limit=1).run([member])
     state, note = member.status()
     check_true("a member that is too slow", state == "failed" and "slower than its limit" in note["reason"] and
                note["seconds"] < 20 and 0 < note["processor"] < 20, str(note))

@@ -7,12 +7,11 @@ import types
 import numpy as np
 from _scene import check, check_true
 
-import _tradeoff_measures as measures
-import _tradeoff_table as table
-from _tradeoff_combine import combinations
-from _tradeoff_parameters import Setting, elements_times, same
-from _tradeoff_plan import field_times, reference_values
-from _tradeoff_shapes import contour
+from softwet._tradeoff import measures, table
+from softwet._tradeoff.combine import combinations
+from softwet._tradeoff.parameters import Setting, elements_times, same
+from softwet._tradeoff.plan import field_times, reference_values
+from softwet._tradeoff.shapes import contour
 
 SIZE, RADIUS, WIDTH = (1.0, 0.5), 0.2, 1 / 64
 LIQUID, VAPOUR = 0.8, 0.002

@@ -59,6 +59,10 @@ fails("jobs is a word", verify("--jobs", "many"), 1, "--jobs", "many")
 fails("unknown option", verify("--fast"), 1, "--fast")
 fails("no tools", verify(tools="/nowhere"), 1, "SOFTWET_TOOLS", "/nowhere")
 fails("no Python", verify(SOFTWET_PYTHON="/nowhere/python3"), 1, "SOFTWET_PYTHON", "/nowhere/python3")
+bare = pathlib.Path("bare_python3").resolve()  # it finds no packages
+bare.write_text(f'#!/bin/sh\nexec {sys.executable} -S "$@"\n')
+bare.chmod(0o755)
+fails("Python without the modules", verify("--list", SOFTWET_PYTHON=str(bare)), 1, "verify: SOFTWET_PYTHON", "numpy and scipy and h5py")
 
 shutil.rmtree("result", ignore_errors=True)
 good = verify("layer", "--out", "result", "--docs", "result/docs", tools=copy_with(2))

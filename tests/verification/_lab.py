@@ -11,28 +11,19 @@ A study is a file of tests/verification/studies:
 tools/verify calls study(lab) and writes <out>/<name>/<name>.md with the tables and pictures beside it."""
 
 import csv
-import hashlib
-import json
-import os
 import pathlib
 import re
 import shlex
 import subprocess
 import sys
-import tempfile
-import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
-from functools import cached_property
 from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
-import softwet  # noqa: E402
 from _page import asked_rows, markdown, named_table, plain  # noqa: E402
-
-# Threads that wait without spinning: runs share the machine with each other.
-ENVIRONMENT = {**os.environ, "OMP_WAIT_POLICY": "passive", "OMP_PROC_BIND": "false"}
+from softwet._store.kept import ENVIRONMENT  # noqa: E402
 
 
 class StudyError(Exception):
@@ -46,97 +37,8 @@ class Known(NamedTuple):
     within: bool
 
 
-class Run:
-    """A finished run: .folder, .code, .message (stderr), .seconds (wall), .processor_seconds, .commandline,
-    .output, .history, .record."""
-
-    def __init__(self, folder, note):
-        self.folder, self.code, self.message = folder, note["code"], note["message"]
-        self.seconds, self.commandline = note["seconds"], note["command"]
-        self.processor_seconds = note.get("processor_seconds", self.seconds)
-
-    @cached_property
-    def output(self):
-        """The output folder, a softwet.Run."""
-        return softwet.open(self.folder)
-
-    @property
-    def history(self):
-        """Columns of history.csv by name; an empty cell is nan."""
-        return self.output.history
-
-    @property
-    def record(self):
-        return self.output.record
-
-
-class Store:
-    """Runs of one program under a folder. A run with the command, case and program of an earlier one is that one."""
-
-    def __init__(self, program, folder):
-        self.program, self.folder = pathlib.Path(program), folder
-        self.content = hashlib.sha1(self.program.read_bytes()).hexdigest()
-        self.running, self.stopped = set(), False
-
-    def stop(self):
-        """Kills the runs under way, which are not kept; no other starts. Takes no lock: for a signal handler."""
-        self.stopped = True
-        for process in list(self.running):
-            process.kill()
-
-    def get(self, case, shown, settings, options, limit):
-        """@param case   path of the case; @param shown  how the command names it
-        @return the run, whatever its exit code"""
-        self.go_on()
-        words = [word for setting in settings for word in ("--set", setting)] + list(options)
-        if "--threads" not in words:
-            words += ["--threads", "1"]
-        told = [self.content, case.read_text(), *words]
-        key = hashlib.sha1("\0".join(told).encode()).hexdigest()[:12]
-        folder = self.folder / f"{case.stem}_{key}"
-        file = self.folder / f"{case.stem}_{key}.json"
-        if not file.exists():
-            note = self.compute(
-                [str(self.program), "run", str(case), *words, "--out", str(folder), "--quiet", "--overwrite"], limit)
-            self.go_on()
-            note["command"] = shlex.join(["softwet", "run", shown, *words])
-            if note["code"] not in (0, 1, 2):
-                return Run(folder, note)  # the machine's fault, or too slow: not kept
-            part = file.with_suffix(".part")
-            part.write_text(json.dumps(note))
-            part.rename(file)  # whole or not at all
-        return Run(folder, {**json.loads(file.read_text()), "command": shlex.join(["softwet", "run", shown, *words])})
-
-    def go_on(self):
-        if self.stopped:
-            raise StudyError("interrupted")
-
-    def compute(self, words, limit):
-        start = time.monotonic()
-        with tempfile.TemporaryFile("w+") as errors:
-            # In a session of its own: Ctrl-C does not reach it, which it would take as the order to end early and well.
-            process = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=errors, env=ENVIRONMENT,
-                                       start_new_session=True)
-            self.running.add(process)
-            if self.stopped:  # since go_on()
-                process.kill()
-            timer = threading.Timer(limit, process.kill)
-            timer.start()
-            _, status, usage = os.wait4(process.pid, 0)
-            timer.cancel()
-            self.running.discard(process)
-            process.returncode = os.waitstatus_to_exitcode(status)
-            errors.seek(0)
-            message = errors.read()
-        wall = time.monotonic() - start
-        if process.returncode < 0:
-            message += f"ended by signal {-process.returncode} after {wall:.0f} s (limit {limit} s)"
-        return {"code": process.returncode, "message": message, "seconds": wall,
-                "processor_seconds": usage.ru_utime + usage.ru_stime}
-
-
 class Lab:
-    """@param name  of the study;  @param store  of the runs;  @param folder  what the study writes
+    """@param name  of the study;  @param store  of the runs, softwet._store.kept.KeptRuns;  @param folder  what the study writes
     @param jobs  runs at once"""
 
     prefix = ""  # of the files of cases
@@ -168,7 +70,7 @@ class Lab:
         return run
 
     def runs(self, wanted, **keywords):
-        """@param wanted  {label: (case, settings)};  @return {label: Run}, computed side by side (--jobs)
+        """@param wanted  {label: (case, settings)};  @return {label: KeptRun}, computed side by side (--jobs)
 
         Runs are started by the threads of the pool only: the main thread is the one that a signal stops anywhere."""
         for case, *_ in wanted.values():

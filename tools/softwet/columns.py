@@ -1,5 +1,7 @@
 """What the columns of history.csv and interface.csv, and the fields of fields/*.hdf, are: as `softwet explain` has them."""
 
+from __future__ import annotations  # an older Python goes on as far as the choice of another one
+
 import functools
 import json
 from dataclasses import dataclass

@@ -1,0 +1,1 @@
+"""What every tool begins with: the choice of the interpreter, and how a tool speaks to its user."""
