@@ -14,10 +14,11 @@
 namespace softwet {
 
 /// Unknowns are velocity, density and potential; each has an equation: momentum, mass, and that of the potential.
-/// Acceleration and displacement follow from the velocity, the rate of the density beside the wall from the density. An operand is the vector that a linear operator acts on; its
-/// components are numbered as those of the unknowns. A given field is known before the run, such as a stiffness that varies in space;
+/// Acceleration and displacement follow from the velocity, and so does the lag, what the displacement of a viscoelastic solid is ahead
+/// of its branches; the rate of the density beside the wall follows from the density. An operand is the vector that a linear operator
+/// acts on; its components are numbered as those of the unknowns. A given field is known before the run, such as a stiffness that varies in space;
 /// a term reads at most one.
-enum class Field { velocity, density, potential, acceleration, displacement, density_rate, operand, given };
+enum class Field { velocity, density, potential, acceleration, displacement, lag, density_rate, operand, given };
 
 /// A component of a field.
 struct Component {

@@ -31,7 +31,7 @@ std::size_t entries_of(const Document& document, const std::string& table) {
 
 [[noreturn]] void reject_missing(const Document& document, const Key& key, std::size_t index) {
   const std::string name = indexed_name(key.name, index);
-  const auto table = document.table_place.find(name.substr(0, name.find('.')));
+  const auto table = document.table_place.find(indexed_name(key.table(), index));
   const std::string& place = table == document.table_place.end() ? document.place : table->second;
   throw CaseError(name, fmt::format("{}: {} is missing (a {}: {}); write for example {} = {}", place, name,
                                     allowed_text(key), key.help, key.leaf(), example_text(key)));

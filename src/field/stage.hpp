@@ -15,22 +15,29 @@ struct State {
   Array displacement_rate;  ///< du/dt
   Array moment;             ///< p_i = (q_i, rho J)
   Array moment_rate;        ///< dp_i/dt
+  Array memory = {};        ///< displacements of the branches of a viscoelastic solid, one behind the other
+  Array memory_rate = {};   ///< their rates, of a time memory_shift before
+  double memory_shift = 0;  ///< of the last step, of use for what is reported alone; 0 behind a checkpoint
 };
 
 /// Fields at the generalized-alpha point and at the end of the step. Unknowns are the values at n + af.
 template <class Real>
 struct StageOf {
-  double time = 0;                 ///< t_{n+af}
-  ArrayOf<Real> unknown;           ///< v, rho, mu at n+af
-  ArrayOf<Real> acceleration;      ///< dv/dt at n+am, and d rho/dt in the rows of Layout::rate_rows
-  ArrayOf<Real> displacement;      ///< at n+af
-  ArrayOf<Real> displacement_end;  ///< at n+1
-  ArrayOf<Real> density_end;       ///< at n+1
-  double rate_scale = 0;           ///< d acceleration / d velocity
-  double displacement_scale = 0;   ///< d displacement / d velocity
-  double end_scale = 1;            ///< d density_end / d density = d displacement_end / d displacement
-  double moment_rate = 0;          ///< am / (ga dt), factor of the moments at n+1; 0: fluxes alone
-  double density_rate_scale = 0;   ///< d (d rho/dt) / d rho; 0 where the rates count as 0
+  double time = 0;                           ///< t_{n+af}
+  ArrayOf<Real> unknown;                     ///< v, rho, mu at n+af
+  ArrayOf<Real> acceleration;                ///< dv/dt at n+am, and d rho/dt in the rows of Layout::rate_rows
+  ArrayOf<Real> displacement;                ///< at n+af
+  ArrayOf<Real> displacement_end;            ///< at n+1
+  ArrayOf<Real> density_end;                 ///< at n+1
+  double rate_scale = 0;                     ///< d acceleration / d velocity
+  double displacement_scale = 0;             ///< d displacement / d velocity
+  double end_scale = 1;                      ///< d density_end / d density = d displacement_end / d displacement
+  double moment_rate = 0;                    ///< am / (ga dt), factor of the moments at n+1; 0: fluxes alone
+  double density_rate_scale = 0;             ///< d (d rho/dt) / d rho; 0 where the rates count as 0
+  ArrayOf<Real> lag = {};                    ///< q of BranchStress at n+af
+  double lag_scale = 0;                      ///< d lag / d velocity; 0 where the branches carry nothing
+  ConstArray memory = {}, memory_rate = {};  ///< of the branches, where the stage is that of a state
+  double memory_shift = 0;
 };
 using Stage = StageOf<double>;
 
@@ -43,6 +50,7 @@ StageOf<Real> make_stage(const Layout<D>& l) {
   s.displacement = ArrayOf<Real>("stage.displacement", l.solid_size());
   s.displacement_end = ArrayOf<Real>("stage.displacement_end", l.solid_size());
   s.density_end = ArrayOf<Real>("stage.density_end", l.scalar_size());
+  if (l.branches > 0) s.lag = ArrayOf<Real>("stage.lag", l.solid_size());
   return s;
 }
 
@@ -59,6 +67,8 @@ inline void round_stage(StageOf<float>& to, const Stage& from) {
   to.end_scale = from.end_scale;
   to.moment_rate = from.moment_rate;
   to.density_rate_scale = from.density_rate_scale;
+  if (from.lag.extent(0) > 0) convert(to.lag, from.lag);
+  to.lag_scale = from.lag_scale;
 }
 
 /// The stage at a state itself, for integrals and output: its values, and no scales of a scheme.
@@ -69,6 +79,9 @@ Stage stage_at(const Layout<D>& l, const State& state) {
   s.unknown = state.unknown;
   s.acceleration = state.velocity_rate;
   s.displacement = s.displacement_end = state.displacement;
+  s.memory = state.memory;
+  s.memory_rate = state.memory_rate;
+  s.memory_shift = state.memory_shift;
   if (l.has_fluid)
     s.density_end = Kokkos::subview(state.unknown, Kokkos::make_pair(l.density_offset(), l.potential_offset()));
   return s;

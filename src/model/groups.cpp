@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/gel.hpp"
 #include "model/equilibrium.hpp"
 
 namespace softwet {
@@ -26,9 +27,7 @@ double elastocapillary_length(const Case& c) {
   return c.fluid && c.substrate ? surface_tension(*c.fluid) / c.substrate->young_modulus() : 0;
 }
 
-double shear_modulus(const Substrate& s) { return s.young_modulus() / (2 * (1 + s.poisson)); }
-
-double time_elasticity(const Substrate& s) { return s.thickness / std::sqrt(shear_modulus(s) / s.density); }
+double time_elasticity(const Substrate& s) { return s.thickness / std::sqrt(s.shear_modulus() / s.density); }
 
 std::vector<Group> groups(const Case& c) {
   std::vector<Group> all;
@@ -53,7 +52,7 @@ std::vector<Group> groups(const Case& c) {
   if (c.substrate && !c.boundary.foundation.empty())
     all.push_back({"foundation_over_layer",
                    c.boundary.foundation[0] * c.substrate->thickness * (1 - 2 * c.substrate->poisson) /
-                       (2 * shear_modulus(*c.substrate) * (1 - c.substrate->poisson)),
+                       (2 * c.substrate->shear_modulus() * (1 - c.substrate->poisson)),
                    "kap_n Hs / (lambda + 2 G): springs below the layer over its own stiffness"});
   if (c.fluid && radius > 0) {
     const Liquid liquid = liquid_of(c);
@@ -69,8 +68,8 @@ std::vector<Group> groups(const Case& c) {
   if (c.substrate)
     all.push_back(
         {"time_elasticity", time_elasticity(*c.substrate), "Hs / sqrt(G / rho_0^s): a shear wave in the layer"});
-  if (c.substrate && c.substrate->viscosity > 0)
-    all.push_back({"time_creep", c.substrate->viscosity / shear_modulus(*c.substrate),
+  if (c.substrate && shear_viscosity(*c.substrate) > 0)
+    all.push_back({"time_creep", shear_viscosity(*c.substrate) / c.substrate->shear_modulus(),
                    "eta / G: the solid's viscosity against its elasticity"});
   return all;
 }

@@ -35,9 +35,6 @@ double largest_radius(const Case&);
 /// sigma / E, the length over which capillary forces deform the solid; scale L0. 0 without a fluid or a solid.
 double elastocapillary_length(const Case&);
 
-/// G, scale a b^2.
-double shear_modulus(const Substrate&);
-
 /// Time in which a shear wave crosses the layer, Hs / sqrt(G / rho_0^s); scale L0/sqrt(ab). Only with a solid.
 double time_elasticity(const Substrate&);
 

@@ -16,6 +16,9 @@ State empty_state(const Layout<D>& l) {
   s.displacement_rate = Array("state.displacement_rate", l.solid_size());
   s.moment = Array("state.moment", l.scalar_size());
   s.moment_rate = Array("state.moment_rate", l.scalar_size());
+  if (l.branches == 0) return s;
+  s.memory = Array("state.memory", l.memory_size());
+  s.memory_rate = Array("state.memory_rate", l.memory_size());
   return s;
 }
 

@@ -68,6 +68,27 @@ void Model<D, P>::solid_integrals(const Evaluation<D>& at, Integrals& result) co
 }
 
 template <int D, int P>
+void Model<D, P>::branch_integrals(const Stage& stage, Integrals& result) const {
+  if (!stage.memory.data()) return;
+  const int size = layout_.solid_size();
+  Stage of_branch = stage;
+  of_branch.lag = Array("integrals.lag", size);
+  const Evaluation<D> at{layout_, of_branch, {}, {}};
+  const auto square = [&] { return integrate<P, NoMotion>(solid_region_, ShearSquare{}, at, blend_)[0]; };
+  for (int i = 0; i < branches_.count; ++i) {
+    Kokkos::deep_copy(Exec(), of_branch.lag, stage.displacement);
+    add_scaled(of_branch.lag, 0, -1, part(stage.memory, i * size, (i + 1) * size));
+    result.part(ShearSquare::energy_column) += branches_.modulus[i] * square();
+    const double moving = branches_.share_of_velocity(i, stage.memory_shift);
+    combine(of_branch.lag, 1 - moving, part(stage.memory_rate, i * size, (i + 1) * size), 0);
+    for (int d = 0; d < D; ++d)
+      add_scaled(of_branch.lag, layout_.displacement_offset(d), moving,
+                 part(stage.unknown, layout_.velocity_offset(d), layout_.velocity_offset(d) + size / D));
+    result.part(ShearSquare::dissipation_column) += 2 * branches_.modulus[i] * branches_.time[i] * square();
+  }
+}
+
+template <int D, int P>
 std::vector<NeedleReading> Model<D, P>::needle_readings(const Stage& stage) const {
   std::vector<NeedleReading> readings = needles_.readings(layout_, stage);
   for (NeedleReading& reading : readings) {
@@ -84,6 +105,7 @@ Integrals Model<D, P>::integrals(const Stage& stage) const {
   const Evaluation<D> at{layout_, stage, {}, {}};
   for (const auto& entry : pieces_.list) entry.piece->add_integrals(at, result);
   if (layout_.has_solid) solid_integrals(at, result);
+  if (branches_.count > 0) branch_integrals(stage, result);
   if (layout_.has_fluid)
     layout_.has_solid ? fluid_integrals<WallMotion<D>>(at, result) : fluid_integrals<NoMotion>(at, result);
   if (layout_.axisymmetric) result.turn(turn());

@@ -16,7 +16,7 @@ namespace softwet {
 class Integrals {
  public:
   /// In the order in which parts are added up.
-  static constexpr std::array<std::string_view, 18> parts{"mass",
+  static constexpr std::array<std::string_view, 19> parts{"mass",
                                                           "energy_kinetic",
                                                           "energy_free_bulk",
                                                           "energy_free_gradient",
@@ -24,6 +24,7 @@ class Integrals {
                                                           "energy_elastic",
                                                           "energy_surface",
                                                           "energy_foundation",
+                                                          "energy_branches",
                                                           "energy_gravity",
                                                           "energy_needle",
                                                           "momentum_x",

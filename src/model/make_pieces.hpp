@@ -1,7 +1,9 @@
 // How the list of terms of a scene is made, for the sources that compile it in one precision each.
 #pragma once
 
+#include "case/gel.hpp"
 #include "kernels/fluid/painted_wall.hpp"
+#include "kernels/solid/branches.hpp"
 #include "kernels/solid/foundation.hpp"
 #include "kernels/solid/graded.hpp"
 #include "kernels/solid/kelvin_voigt.hpp"
@@ -76,10 +78,11 @@ class PieceMaker {
       add<NoMotion>("elasticity of the surface", SurfaceElasticity{s.surface_modulus[0], s.surface_modulus[1]});
     if (const std::vector<double>& springs = case_.boundary.foundation; !springs.empty())
       add<NoMotion>("foundation", Foundation{springs[0], springs[1]});
-    if (s.viscosity > 0 || s.bulk_viscosity > 0) {
+    if (const double viscosity = shear_viscosity(s); viscosity > 0 || s.bulk_viscosity > 0) {
       pieces_.solid_viscosity = pieces_.list.size();
-      add<NoMotion>("viscosity of the solid", KelvinVoigt{s.viscosity, s.bulk_viscosity, finite});
+      add<NoMotion>("viscosity of the solid", KelvinVoigt{viscosity, s.bulk_viscosity, finite});
     }
+    if (s.has_branches()) add<NoMotion>("branches of the solid", BranchStress{});
   }
 
   template <class Term>

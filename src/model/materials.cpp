@@ -113,6 +113,7 @@ void Model<D, P>::build_solid(const Case& c) {
   }
   prestretch_ = prestretch_of(c, stiffness_);
   fibres_ = fibres_of(s, D).after(prestretch_);
+  branches_ = branches_of(s);
   solid_rates_ = solid_rates(c);
   for (const Load& load : c.loads) loads_.emplace_back(layout_, load, s.density, c.clock_zero());
   needles_ = Needles<D>(layout_, c);

@@ -1,6 +1,7 @@
 #include "model/model.hpp"
 
 #include "case/error.hpp"
+#include "case/gel.hpp"
 #include "field/exchange.hpp"
 #include "field/ranks.hpp"
 #include "field/vector.hpp"
@@ -93,6 +94,7 @@ void Model<D, P>::build_axes(const Case& c) {
   if (layout_.has_solid)
     layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
   if (c.fluid && c.fluid->resists_lines() && c.boundary.side[D - 1][0] != Side::periodic) layout_.rate_rows = P + 1;
+  if (c.substrate) layout_.branches = static_cast<int>(all_branches(*c.substrate).size());
   blend_.low = vertical.lower(layout_.solid_elements);
   blend_.height = vertical.length() - blend_.low;
   if (layout_.has_solid) solid_region_ = region(Where::solid, points_);

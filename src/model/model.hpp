@@ -12,6 +12,7 @@
 #include "kernels/fluid/line_friction.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/solid/branches.hpp"
 #include "kernels/solid/fibres.hpp"
 #include "kernels/solid/hooke.hpp"
 #include "kernels/solid/neo_hookean.hpp"
@@ -34,9 +35,10 @@ struct MeshFaults {
 };
 
 /// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its top face, the modulus
-/// lambda_s + 2 G_s of this face, the stiffer springs of its foundation, and the largest stiffness of needles.
+/// lambda_s + 2 G_s of this face, the stiffer springs of its foundation, the largest stiffness of needles, and what its branches add to the
+/// stiffness against fast waves.
 struct SolidRates {
-  double viscosity = 0, tension = 0, modulus = 0, foundation = 0, held = 0;
+  double viscosity = 0, tension = 0, modulus = 0, foundation = 0, held = 0, branches = 0;
 };
 
 using Solid = std::variant<Elastodynamics<SaintVenantKirchhoff>, Elastodynamics<Hooke>, Elastodynamics<NeoHookean>>;
@@ -53,9 +55,10 @@ class Model {
   const SolidRates& rates_of_solid() const { return solid_rates_; }
   const LameParameters& stiffness() const { return stiffness_; }  ///< the same
   const Fibres& fibres() const { return fibres_; }                ///< of stiffness 0 where there are none
+  const Branches& branches() const { return branches_; }          ///< none, or those of a viscoelastic solid
   const Prestretch& prestretch() const { return prestretch_; }    ///< of the material; that of fibres is part of them
   /// First Piola-Kirchhoff stress of the material, as stiff as it is at the point x of the undeformed solid, and of its
-  /// fibres, with the prestretch; without its viscosity. On the host. In 2D Grad u has the third axis too.
+  /// fibres, with the prestretch; without its viscosity and its branches. On the host. In 2D Grad u has the third axis too.
   Matrix<double, 3> first_piola(const Matrix<double, 3>& grad_u, const std::array<double, 3>& x) const;
   /// Also of the gradient law: its capillarity and cosine. Where the angle varies along the wall the cosine is 1.
   const EnergyWall& wall() const { return wall_.law; }
@@ -150,6 +153,7 @@ class Model {
   template <class Motion, class Functional>
   void wall_integrals(const Functional&, Evaluation<D>, Integrals&) const;
   void solid_integrals(const Evaluation<D>&, Integrals&) const;
+  void branch_integrals(const Stage&, Integrals&) const;
   std::array<double, FluidContents::count> fluid_contents(const Stage&) const;
   void add_loads(double time, const Array& out) const;
 
@@ -164,6 +168,7 @@ class Model {
   LameParameters stiffness_;
   SolidRates solid_rates_;
   Fibres fibres_;
+  Branches branches_;
   Prestretch prestretch_;
   Profile young_;
   double largest_young_ = 0;

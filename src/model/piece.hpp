@@ -69,6 +69,8 @@ struct Evaluation {
         return component(stage.acceleration, D);
       case Field::displacement:
         return (end ? stage.displacement_end : stage.displacement).data() + layout.displacement_offset(c.index);
+      case Field::lag:
+        return stage.lag.data() + layout.displacement_offset(c.index);
       case Field::operand:
         return component(operand, c.index);
       case Field::given:
@@ -86,6 +88,7 @@ struct Evaluation {
     const double later = instant == Instant::end ? stage.end_scale : 1.0;
     if (f == Field::acceleration) return static_cast<Real>(stage.rate_scale);
     if (f == Field::density_rate) return static_cast<Real>(stage.density_rate_scale);
+    if (f == Field::lag) return static_cast<Real>(stage.lag_scale);
     return static_cast<Real>(f == Field::displacement ? stage.displacement_scale * later : later);
   }
 
@@ -194,8 +197,19 @@ class PieceOf final : public Piece<D, Real> {
   const Region<D, Real>& region() const override { return region_; }
 
  private:
-  /// Moments at the end of the step count by their rate, which is 0 where only the fluxes are wanted.
-  bool idle(const Evaluation<D, Real>& at) const { return instant_ == Instant::end && at.stage.moment_rate == 0; }
+  static constexpr bool reads_lag = [] {
+    using Trial = typename Term::template Trial<Real, D>;
+    for (int s = 0; s < Trial::slot_count; ++s)
+      if (Trial::slot(s).from.field == Field::lag) return true;
+    return false;
+  }();
+
+  /// Moments at the end of the step count by their rate, which is 0 where only the fluxes are wanted. Branches of a solid count where a
+  /// stage lets them carry something.
+  bool idle(const Evaluation<D, Real>& at) const {
+    if constexpr (reads_lag) return at.stage.lag_scale == 0;
+    return instant_ == Instant::end && at.stage.moment_rate == 0;
+  }
 
   Task<D, Term, Motion, Real> task(Evaluation<D, Real> at, const Region<D, Real>& region) const {
     at.instant = instant_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/gel.hpp"
 #include "model/equilibrium.hpp"
 #include "model/model.hpp"
 
@@ -25,14 +26,27 @@ inline double stiffness_of_needles(const Case& c) {
   return most;
 }
 
+inline Branches branches_of(const Substrate& s) {
+  Branches all;
+  for (const Branch& branch : all_branches(s)) {
+    all.modulus[all.count] = branch.modulus;
+    all.time[all.count++] = branch.time;
+  }
+  return all;
+}
+
 inline SolidRates solid_rates(const Case& c) {
   const Substrate& s = *c.substrate;
   const bool acts = c.fluid && c.fluid->wall_tension == WallTensionModel::acts;
   const double tension =
       acts ? s.surface_tension + surface_tension(*c.fluid) : std::max(s.surface_tension, s.surface_tension_wet);
   const std::vector<double>& springs = c.boundary.foundation;
-  return {4.0 / 3 * s.viscosity + s.bulk_viscosity, tension, s.modulus_of_surface(),
-          springs.empty() ? 0 : std::max(springs[0], springs[1]), stiffness_of_needles(c)};
+  return {4.0 / 3 * shear_viscosity(s) + s.bulk_viscosity,
+          tension,
+          s.modulus_of_surface(),
+          springs.empty() ? 0 : std::max(springs[0], springs[1]),
+          stiffness_of_needles(c),
+          branches_of(s).weight(0)};
 }
 
 inline Fibres fibres_of(const Substrate& s, int dimension) {

@@ -81,12 +81,17 @@ class MemoryFromFile final : public StepMemory {
 
 /// The arrays of a state under the names they have in the file.
 std::vector<std::pair<std::string, Array>> arrays_of(const State& s) {
-  return {{"state/unknown", s.unknown},
-          {"state/velocity_rate", s.velocity_rate},
-          {"state/displacement", s.displacement},
-          {"state/displacement_rate", s.displacement_rate},
-          {"state/moment", s.moment},
-          {"state/moment_rate", s.moment_rate}};
+  std::vector<std::pair<std::string, Array>> all{{"state/unknown", s.unknown},
+                                                 {"state/velocity_rate", s.velocity_rate},
+                                                 {"state/displacement", s.displacement},
+                                                 {"state/displacement_rate", s.displacement_rate},
+                                                 {"state/moment", s.moment},
+                                                 {"state/moment_rate", s.moment_rate}};
+  if (s.memory.extent(0) > 0) {
+    all.emplace_back("state/memory", s.memory);
+    all.emplace_back("state/memory_rate", s.memory_rate);
+  }
+  return all;
 }
 
 /// What a run has cost.
@@ -163,6 +168,7 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
                   stepper.counts().steps,
                   stepper.counts().rejected_newton,
                   stepper.counts().rejected_error,
+                  stepper.state().memory_shift,
                   history,
                   files};
     visit(entries, run);
@@ -195,6 +201,7 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
   require_same_time(path, run.time);
   saved.put_back(layout);
   state.time = run.time;
+  state.memory_shift = run.memory_shift;
   stepper.restore(state, previous, run.previous_dt, run.proposed_dt);
   stepper.counts().steps = run.steps;
   stepper.counts().rejected_newton = run.rejected_newton;

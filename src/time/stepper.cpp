@@ -19,6 +19,10 @@ void copy_state(State& to, const State& from) {
   Kokkos::deep_copy(to.displacement_rate, from.displacement_rate);
   Kokkos::deep_copy(to.moment, from.moment);
   Kokkos::deep_copy(to.moment_rate, from.moment_rate);
+  if (from.memory.extent(0) == 0) return;
+  Kokkos::deep_copy(to.memory, from.memory);
+  Kokkos::deep_copy(to.memory_rate, from.memory_rate);
+  to.memory_shift = from.memory_shift;
 }
 
 /// A droplet swings in about sqrt(rho_l R^3 / sigma).

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Solids with a tense and elastic surface, viscosity, weight, fibres, a foundation, a stiffness and a wetting that vary, under a load
-or a needle that moves: the same bits on any number of processes; and of solids that are stretched before.
+or a needle that moves: the same bits on any number of processes; and of solids that are stretched before or viscoelastic.
 usage: solids.py SOFTWET"""
 
 from _ranks import check_same, run
@@ -26,6 +26,11 @@ NEEDLE = ["domain.elements=[44,16]", "fluid.capillarity=1/16", "fluid.temperatur
 for name, settings in {"needle": [], "needle_explicit": [*AROUND, *EXPLICIT]}.items():
     for count in (1, 3):
         run(count, "pulled_needle_2d", f"{name}_{count}", [*NEEDLE, *settings])
+    check_same(f"{name}, 3 processes", f"{name}_3", f"{name}_1")
+SLOW = [s for s in SCENE if "substrate.young" not in s] + ["substrate.strain=small", "substrate.gel.exponent=0.5", "substrate.gel.time=0.01"]
+for name, settings in {"gel": [], "gel_around": [*AROUND, "substrate.viscosity=0"], "gel_explicit": [*AROUND, *EXPLICIT]}.items():
+    for count in (1, 3):
+        run(count, "tensotaxis_pull_2d", f"{name}_{count}", [*SLOW, *settings])
     check_same(f"{name}, 3 processes", f"{name}_3", f"{name}_1")
 SPACE = ["domain.elements=[20,20,14]", "time.end=0.02", "output.fields.times=[]", "substrate.fibre.azimuth=20",
          "substrate.gravity=[0.01,0,-0.02]", *(s for s in SCENE if s.startswith(("fluid.w", "fluid.contact", "substrate.s", "substrate.v",

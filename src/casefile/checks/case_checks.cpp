@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "case/gel.hpp"
 #include "case/mesh.hpp"
 #include "case/precision.hpp"
 #include "casefile/checks/checker.hpp"
@@ -135,6 +136,53 @@ void check_surface_modulus(const Checker& check) {
   if (moduli.empty() || moduli.size() == 2) return;
   check.refuse("substrate.surface_modulus", "must be 2 numbers, lambda_s and G_s",
                "write for example surface_modulus = [0.004, 0.002]");
+}
+
+/// What a viscoelastic solid goes with. @param key  of what makes it one
+void check_company_of_branches(const Checker& check, const std::string& key) {
+  const Substrate& s = *check.c.substrate;
+  if (s.strain != Strain::small)
+    check.refuse(key, "needs substrate.strain = \"small\", where branches follow the displacement",
+                 "write strain = \"small\", or substrate.viscosity in place of branches");
+  if (!check.c.time.implicit() && check.c.time.scheme != TimeScheme::kick_drift)
+    check.refuse(
+        key,
+        fmt::format("needs time.scheme = \"generalized_alpha\" or \"kick_drift\", not \"{}\", which does not move "
+                    "branches",
+                    word_of(check.c.time.scheme)),
+        "write scheme = \"generalized_alpha\"");
+  if (s.young.varies())
+    check.refuse(key, "needs the same substrate.young in all of the solid: branches are the same everywhere",
+                 "write a number as young");
+}
+
+void check_gel(const Checker& check) {
+  const PowerLaw& gel = check.c.substrate->gel;
+  const std::string key = "substrate.gel.decades";
+  if (gel.decades.size() != 2)
+    check.refuse(key, fmt::format("must be 2 numbers, not {}", gel.decades.size()),
+                 "write the lowest and the highest decade, for example [-2, 2]");
+  const double width = gel.decades[1] - gel.decades[0];
+  if (width < 1 || width > 8)
+    check.refuse(key, fmt::format("must span 1 to 8 decades, not {:.4g}", width),
+                 "write the lowest decade first, for example [-2, 2]");
+  if (gel.time == 0)
+    check.refuse("substrate.gel.time", "must be above 0 with gel.exponent",
+                 "write the time at which the modulus begins to grow, for example gel.time = 0.1");
+}
+
+void check_branches(const Checker& check) {
+  if (!check.c.substrate || !check.c.substrate->has_branches()) return;
+  const Substrate& s = *check.c.substrate;
+  const std::string key = s.gel.acts() ? "substrate.gel.exponent" : "substrate.branch[0].modulus";
+  check_company_of_branches(check, key);
+  if (s.gel.acts()) check_gel(check);
+  if (const std::size_t count = all_branches(s).size(); count > most_branches)
+    check.refuse(key,
+                 fmt::format("with {} branches in all, of which substrate.gel makes {}: there may be {}", count,
+                             count - s.branches.size(), most_branches),
+                 s.gel.acts() ? "write fewer substrate.gel.decades, or fewer [[substrate.branch]]"
+                              : "write fewer [[substrate.branch]]");
 }
 
 void check_fibre(const Checker& check) {
@@ -280,6 +328,9 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
              [&] { check_line_friction(check); });
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
   check.with({"substrate.fibre.azimuth"}, [&] { check_fibre(check); });
+  check.with(
+      {"substrate.branch", "substrate.gel", "substrate.young", "substrate.poisson", "substrate.strain", "time.scheme"},
+      [&] { check_branches(check); });
   check.with({"substrate.surface_modulus"}, [&] { check_surface_modulus(check); });
   check_prestretch(check);
   check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box"},

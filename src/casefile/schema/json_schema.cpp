@@ -157,9 +157,14 @@ std::string json_schema() {
   root["title"] = "a case of softwet";
   for (const Table& table : tables()) {
     if (table.name.empty()) continue;
-    const std::string name = table.name.substr(0, table.name.find('['));
+    std::string name = table.name.substr(0, table.name.find('['));
     const Json one = with_keys(table, table.help + ".");
-    root["properties"][name] = table.repeated ? list_of(one) : one;
+    Json* parent = &root;
+    if (const auto dot = name.find('.'); dot != std::string::npos) {  // a table in a table, which comes first
+      parent = &root["properties"][name.substr(0, dot)];
+      name = name.substr(dot + 1);
+    }
+    (*parent)["properties"][name] = table.repeated ? list_of(one) : one;
     if (is_required(table)) root["required"].append(name);
   }
   for (const char* material : {"fluid", "substrate"}) {

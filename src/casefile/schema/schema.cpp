@@ -37,6 +37,12 @@ A solid whose bottom is free may rest on springs, boundary.foundation.
 
 std::string bound_text(double number) { return fmt::format("{}", number); }
 
+/// Place of the dot behind the table in a name; npos where there is none.
+std::size_t end_of_table(const std::string& name) {
+  const auto bracket = name.find("[]");
+  return name.find('.', bracket == std::string::npos ? 0 : bracket);
+}
+
 /// A case with one of everything, all members at their defaults.
 Case default_case() {
   Case c;
@@ -70,6 +76,13 @@ const std::vector<Table>& tables() {
        [](const Case& c) -> std::size_t { return c.substrate ? 1 : 0; },
        [](Case& c, std::size_t) {
          if (!c.substrate) c.substrate.emplace();
+       }},
+      {"substrate.branch[]",
+       "A spring and a dashpot in series beside the elasticity of the solid; one [[substrate.branch]] each", true,
+       false, [](const Case& c) -> std::size_t { return c.substrate ? c.substrate->branches.size() : 0; },
+       [](Case& c, std::size_t i) {
+         if (!c.substrate) c.substrate.emplace();
+         grow(c.substrate->branches, i);
        }},
       {"droplet[]", "Liquid at the start (or vapour: fluid.ambient); one [[droplet]] each", true, true,
        [](const Case& c) { return c.droplets.size(); }, [](Case& c, std::size_t i) { grow(c.droplets, i); }},
@@ -107,12 +120,12 @@ const std::vector<Key>& schema() {
 }
 
 std::string Key::table() const {
-  const auto dot = name.find('.');
+  const auto dot = end_of_table(name);
   return dot == std::string::npos ? std::string{} : name.substr(0, dot);
 }
 
 std::string Key::leaf() const {
-  const auto dot = name.find('.');
+  const auto dot = end_of_table(name);
   return dot == std::string::npos ? name : name.substr(dot + 1);
 }
 

@@ -68,8 +68,9 @@ struct Key {
   std::string default_note{};  ///< when the default depends on the scene
   Support support{};           ///< of a profile
 
-  std::string table() const;  ///< "droplet[]" of "droplet[].radius", "solver" of "solver.newton.rtol"
-  std::string leaf() const;   ///< "radius", "newton.rtol": the name inside its table
+  std::string table()
+      const;  ///< "droplet[]" of "droplet[].radius", "solver" of "solver.newton.rtol", "a.b[]" of "a.b[].c"
+  std::string leaf() const;  ///< "radius", "newton.rtol": the name inside its table
 };
 
 const std::vector<Table>& tables();
@@ -100,6 +101,7 @@ std::string example_text(const Key& key);
 // The parts of the schema.
 std::vector<Key> scene_keys();
 std::vector<Key> substrate_keys();
+std::vector<Key> branch_keys();
 std::vector<Key> initial_keys();
 std::vector<Key> load_keys();
 std::vector<Key> needle_keys();

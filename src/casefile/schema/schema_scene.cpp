@@ -220,7 +220,7 @@ std::vector<Key> fluid_keys() {
 
 std::vector<Key> scene_keys() {
   std::vector<Key> keys;
-  for (auto part : {domain_keys, fluid_keys, substrate_keys, initial_keys, load_keys, needle_keys}) {
+  for (auto part : {domain_keys, fluid_keys, substrate_keys, branch_keys, initial_keys, load_keys, needle_keys}) {
     for (Key& key : part()) keys.push_back(std::move(key));
   }
   return keys;

@@ -152,6 +152,47 @@ std::vector<Key> substrate_keys() {
        .help = "Direction of the fibres in the plane of the wall, from x towards y.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->fibre.azimuth; }),
        .only_in = 3},
+      {.name = "substrate.gel.exponent",
+       .range = {0, 1, false, true},
+       .help =
+           "Exponent n of a gel whose shear modulus grows with the angular frequency w, G (1 + (i w time)^n), G that "
+           "of young and poisson; 0: none. It stands for the branches and the viscosity that come nearest to it in "
+           "gel.decades, beside those that are given. 'softwet check' prints them and how near they come.",
+       .reason = "1 would be substrate.viscosity = G time",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->gel.exponent; })},
+      {.name = "substrate.gel.time",
+       .unit = "L0/sqrt(ab)",
+       .range = {0, infinity, false, true},
+       .help = "Time of gel.exponent: at w = 1/time the growing part of the modulus is as large as G.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->gel.time; })},
+      {.name = "substrate.gel.decades",
+       .kind = Kind::numbers,
+       .range = {-12, 12, false, false},
+       .help = "Decades of w time between which gel.exponent has to hold: [-2, 2] is 0.01 < w time < 100. 1.5 branches "
+               "stand for a decade, and for one more on both sides, up to 12 in all. A motion of the speed V over the "
+               "length l has w = V/l.",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->gel.decades; })},
+  };
+}
+
+std::vector<Key> branch_keys() {
+  return {
+      {.name = "substrate.branch[].modulus",
+       .unit = "a b^2",
+       .range = positive,
+       .required = true,
+       .example = "0.26",
+       .help =
+           "Shear modulus G_i of the branch. A deformation that is faster than its time meets it beside that of the "
+           "solid at rest, E / (2 (1 + nu)).",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.substrate->branches[i].modulus; })},
+      {.name = "substrate.branch[].time",
+       .unit = "L0/sqrt(ab)",
+       .range = positive,
+       .required = true,
+       .example = "1.0",
+       .help = "Time tau_i in which the stress of the branch fades. The viscosity of a slow motion is G_i tau_i.",
+       .bind = at([](Case & c, std::size_t i) -> auto& { return c.substrate->branches[i].time; })},
   };
 }
 

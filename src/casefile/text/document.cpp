@@ -52,7 +52,7 @@ class Walker {
   void enter(const std::string& name, const toml::node& node, const std::string& prefix, std::size_t index) {
     if (const Key* key = find_key(name)) {
       document_.entries[indexed_name(key->name, index)] = make_entry(*key, index, node, at(node));
-    } else if (prefix.empty() && find_table(name + "[]")) {
+    } else if (find_table(name + "[]")) {
       walk_entries(node, name);
     } else if (begins_a_key(name)) {
       walk_table(node, name, index);
@@ -95,10 +95,8 @@ class Walker {
 std::pair<std::string, std::size_t> split_index(const std::string& name, const std::string& place) {
   const auto open = name.find('['), close = name.find(']');
   if (open == std::string::npos) {
-    const auto dot = name.find('.');
-    if (dot != std::string::npos && find_table(name.substr(0, dot) + "[]")) {
-      return {name.substr(0, dot) + "[]" + name.substr(dot), 0};
-    }
+    for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1))
+      if (find_table(name.substr(0, dot) + "[]")) return {name.substr(0, dot) + "[]" + name.substr(dot), 0};
     return {name, 0};
   }
   const std::string digits = close == std::string::npos ? "" : name.substr(open + 1, close - open - 1);

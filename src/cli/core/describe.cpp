@@ -78,6 +78,7 @@ std::vector<Line> unknowns(const Layout<D>& l, double times) {
     lines.push_back({"chemical_potential", count(times * l.scalar_size())});
   }
   if (l.has_solid) lines.push_back({"displacement (eliminated)", count(times * l.solid_size())});
+  if (l.branches > 0) lines.push_back({"branches (eliminated)", count(times * l.memory_size())});
   lines.push_back({"solved", count(times * l.size())});
   return lines;
 }
@@ -116,6 +117,7 @@ std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
   };
   Case probe = c;
   for (const TimeScheme scheme : {TimeScheme::kick_drift, TimeScheme::rkl2, TimeScheme::ssp_rk3}) {
+    if (model.branches().count > 0 && scheme != TimeScheme::kick_drift) continue;  // refused
     probe.time.scheme = scheme;
     const Judge<D, P> judge(model, probe);
     ExplicitScheme<D, P> explicit_scheme(model, probe, judge);

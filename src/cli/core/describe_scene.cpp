@@ -1,6 +1,7 @@
 #include <cmath>
 #include <iomanip>
 
+#include "case/gel.hpp"
 #include "case/mesh.hpp"
 #include "case/text.hpp"
 #include "casefile/checks/field_times.hpp"
@@ -22,6 +23,26 @@ std::vector<Line> stiffness(const Substrate& s) {
   return {{"Young modulus", formatted(s.young_modulus(), "%.4g") + " a b^2 (density x young)"},
           {"shear modulus", formatted(solid.shear_modulus, "%.4g") + " a b^2"},
           {"first Lame parameter lambda", formatted(solid.lambda, "%.4g") + " a b^2"}};
+}
+
+std::vector<Line> branches(const Substrate& s) {
+  std::vector<Line> lines;
+  double sum = s.shear_modulus();
+  int number = 0;
+  for (const Branch& branch : all_branches(s)) {
+    sum += branch.modulus;
+    lines.push_back({"branch " + std::to_string(++number),
+                     formatted(branch.modulus, "%.4g") + " a b^2, fades in " + formatted(branch.time, "%.4g")});
+  }
+  lines.push_back({"shear modulus at once", formatted(sum, "%.4g") + " a b^2, where the viscosity allows that"});
+  if (!s.gel.acts()) return lines;
+  const GelFit fit = GelFit::of(s.shear_modulus(), s.gel);
+  lines.push_back({"viscosity of the power law", formatted(fit.viscosity, "%.4g") + " L0 b sqrt(ab)"});
+  lines.push_back({"largest error of its modulus",
+                   formatted(100 * fit.error(s.shear_modulus(), s.gel), "%.1f") + " % at angular frequencies from " +
+                       formatted(std::pow(10, s.gel.decades[0]) / s.gel.time, "%.3g") + " to " +
+                       formatted(std::pow(10, s.gel.decades[1]) / s.gel.time, "%.3g") + " sqrt(ab)/L0"});
+  return lines;
 }
 
 /// Of the layer where its displacement is 0.
@@ -146,6 +167,8 @@ void print_section(std::ostream& out, const std::string& title, const std::vecto
 
 void describe_scene(const Case& c, std::ostream& out) {
   if (c.substrate) print_section(out, "stiffness of the solid", stiffness(*c.substrate));
+  if (c.substrate && c.substrate->has_branches())
+    print_section(out, "viscoelastic branches of the solid", branches(*c.substrate));
   if (c.substrate && !c.substrate->prestretch.empty())
     print_section(out, "prestretch of the solid, where the displacement is 0", prestretch(c));
   if (c.fluid) print_section(out, "equilibrium", equilibrium(*c.fluid));

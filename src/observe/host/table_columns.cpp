@@ -145,10 +145,14 @@ const std::vector<Column> of_balance{
      "Energy of the springs of boundary.foundation: the integral of (kap_n u_n^2 + kap_t u_t^2)/2 over the undeformed "
      "bottom of the solid.",
      any_dimension, Needs::solid},
+    {"energy_branches", energy_unit,
+     "Energy in the springs of [[substrate.branch]] and substrate.gel: the sum of the integrals of G_i dev e : dev e "
+     "over the solid, e the strain of u - a_i, with the displacement a_i of the dashpot of a branch.",
+     any_dimension, Needs::solid},
     {"dissipation_solid", power_unit,
-     "Part of dissipation that belongs to substrate.viscosity and substrate.bulk_viscosity: the integral of S_v : E' "
-     "over "
-     "the undeformed solid, E' the rate of the Green-Lagrange strain.",
+     "Part of dissipation that belongs to substrate.viscosity and substrate.bulk_viscosity, the integral of S_v : E' "
+     "over the undeformed solid with the rate E' of the Green-Lagrange strain, and to the dashpots of branches, the "
+     "sum of the integrals of 2 G_i tau_i dev e' : dev e' with the strain rate e' of a_i'.",
      any_dimension, Needs::solid},
     {"dissipation_wall", power_unit,
      "Part of dissipation that belongs to fluid.line_friction and fluid.contact_angle_range: the integral of r' (B r' "

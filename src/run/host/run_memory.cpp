@@ -93,6 +93,7 @@ void visit_mark(RunEntries& run, const std::string& table, TableMark& mark) {
 void visit(RunEntries& run, RunMemory& m) {
   run.not_negative("time", m.time);
   run.not_negative("previous/dt", m.previous_dt);
+  run.number("state/memory_shift", m.memory_shift);
   run.positive("step_control/proposed", m.proposed_dt);
   run.count("steps/accepted", m.steps);
   run.count("steps/rejected_newton", m.rejected_newton);

@@ -63,7 +63,8 @@ struct RunMemory {
   double previous_dt = 0;  ///< 0 before the first step
   double proposed_dt = 0;
   long steps = 0, rejected_newton = 0, rejected_error = 0;
-  HistoryMemory history;  ///< with the bodies of the case: their number is no part of the file
+  double memory_shift = 0;  ///< of the state (field/stage.hpp)
+  HistoryMemory history;    ///< with the bodies of the case: their number is no part of the file
   WrittenFiles files;
 };
 

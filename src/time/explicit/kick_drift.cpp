@@ -13,8 +13,8 @@ KickDrift<D, P>::KickDrift(SemiDiscrete<D, P>& system)
 template <int D, int P>
 typename KickDrift<D, P>::Level KickDrift<D, P>::make_level() const {
   const auto vector = [](int size) { return Array("kick_drift.vector", size); };
-  return {vector(system_.size()), vector(system_.moments()), vector(system_.velocities()), vector(system_.velocities()),
-          vector(system_.moments())};
+  return {vector(system_.size()),       vector(system_.moments()), vector(system_.velocities()),
+          vector(system_.velocities()), vector(system_.moments()), vector(system_.memory())};
 }
 
 template <int D, int P>
@@ -24,6 +24,8 @@ Refusal KickDrift<D, P>::begin(const State& s) {
   Kokkos::deep_copy(Exec(), system_.moments_of(now_.y), s.moment);
   multiply(system_.velocities_of(now_.y), part(system_.model().mask(), 0, system_.velocities()));
   system_.place_mesh(s.time, s.displacement);
+  if (system_.memory() > 0) Kokkos::deep_copy(Exec(), now_.memory, s.memory);
+  system_.place_branches(now_.memory);
   system_.place_velocity(system_.velocities_of(now_.y));
   Refusal problem = system_.find_density(system_.moments_of(now_.y));
   if (problem.empty()) problem = system_.find_potential();
@@ -43,6 +45,7 @@ Refusal KickDrift<D, P>::drift(double t, double dt) {
   if (!problem.empty()) return problem;
   system_.find_flux();
   system_.move_mesh(t + dt, 0.5 * dt, u, u);
+  system_.move_branches(dt, system_.displacements_of(now_.y), now_.memory, next_.memory);
   return system_.move_moments(dt, p, now_.stabilisation, end);
 }
 
@@ -84,6 +87,7 @@ void KickDrift<D, P>::accept(double t, double dt, State& s) {
       ForEach{system_.moments(), SumOf{s.moment_rate, 1 / dt, -1 / dt, 0, p, before, p}},
       ForEach{system_.velocities(), SumOf{s.velocity_rate, 1, 1, 0, now_.pressure, now_.convection, now_.pressure}},
       system_.taken_motion(s.displacement_rate));
+  system_.take_branches(now_.memory, s);
   system_.fill_rate_ghosts(s);
 }
 
@@ -94,6 +98,7 @@ void KickDrift<D, P>::visit_memory(StepMemory& memory) {
   memory.vector("kick_drift/pressure", now_.pressure);
   memory.vector("kick_drift/convection", now_.convection);
   if (system_.moments() > 0) memory.vector("kick_drift/stabilisation", now_.stabilisation);
+  if (system_.memory() > 0) memory.vector("kick_drift/memory", now_.memory);
 }
 
 template class KickDrift<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

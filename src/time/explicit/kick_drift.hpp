@@ -11,7 +11,7 @@ namespace softwet {
 /// the stabilisation:
 ///
 ///   vh  = v + dt/2 (P + C)                                   first kick
-///   u1  = u + dt vh                                          drift
+///   u1  = u + dt vh                                          drift, with which branches of the solid go
 ///   pm  = p + dt/2 (G(rho, vh) + F),   rhom = S pm           on the mesh half way; G is the flux of mass
 ///   p1  = p + dt (G(rhom, vh) + F),    rho1 = S p1           on the mesh at the end
 ///   P1, F1 from rho1, mu1 and u1
@@ -42,6 +42,7 @@ class KickDrift final : public ExplicitStep<D, P> {
     Array y, density;
     Array pressure, convection;  ///< accelerations
     Array stabilisation;         ///< rates of the moments
+    Array memory;                ///< of branches of the solid
   };
   Level make_level() const;
   /// The drift: displacements, moments and density at the end from the velocity half way.

@@ -10,6 +10,7 @@ SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
       terms_(model),
       viscous_(model),
       masses_(model, kind),
+      branches_(model.branches(), model.layout().solid_size()),
       force_("explicit.force", model.layout().size()),
       potential_("explicit.potential", model.layout().has_fluid ? model.layout().size() : 0),
       velocity_("explicit.velocity", model.layout().size()) {
@@ -17,6 +18,10 @@ SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
   stage_.unknown = Array("explicit.unknown", l.size());
   stage_.acceleration = Array("explicit.zero", l.velocity_size());
   stage_.displacement = stage_.displacement_end = Array("explicit.displacement", l.solid_size());
+  if (l.branches > 0) {
+    stage_.lag = Array("explicit.lag", l.solid_size());
+    stage_.lag_scale = 1;
+  }
   if (l.has_fluid) stage_.density_end = range(stage_.unknown, l.density_offset(), l.potential_offset());
 }
 
@@ -24,6 +29,7 @@ template <int D, int P>
 void SemiDiscrete<D, P>::set_moments(State& s) {
   const Layout<D>& l = model_.layout();
   move_ghosts(l, s.unknown, GhostAction::update);
+  branches_.rest(s);
   if (!l.has_fluid) return;
   place_mesh(s.time, s.displacement);
   Kokkos::deep_copy(Exec(), stage_.unknown, s.unknown);  // where the searches for density and potential begin
@@ -45,6 +51,25 @@ void SemiDiscrete<D, P>::move_mesh(double t, double dt, const ConstArray& from, 
             ForEach{nodes, MoveMesh{to, stage_.displacement, dt, from, stage_.unknown, D, nodes, l.rows * l.row_size}});
   stage_.time = t;
   masses_.set_mesh(stage_);
+}
+
+template <int D, int P>
+void SemiDiscrete<D, P>::place_branches(const ConstArray& memory) {
+  if (!branches_.empty()) branches_.set_lag(stage_.displacement, memory, stage_.lag);
+}
+
+template <int D, int P>
+void SemiDiscrete<D, P>::move_branches(double dt, const ConstArray& from, const ConstArray& memory, const Array& out) {
+  if (branches_.empty()) return;
+  branches_.follow(dt, from, stage_.displacement, memory, out);
+  place_branches(out);
+}
+
+template <int D, int P>
+void SemiDiscrete<D, P>::take_branches(const ConstArray& memory, const State& state) const {
+  if (branches_.empty()) return;
+  Kokkos::deep_copy(Exec(), state.memory, memory);
+  branches_.set_rate(stage_.displacement, memory, state.memory_rate);
 }
 
 template <int D, int P>

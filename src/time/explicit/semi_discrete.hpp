@@ -6,6 +6,7 @@
 #include "time/explicit/evolution.hpp"
 #include "time/explicit/step_kernels.hpp"
 #include "time/masses/mass_inverse.hpp"
+#include "time/step/branch_memory.hpp"
 
 namespace softwet {
 
@@ -28,6 +29,7 @@ class SemiDiscrete final : public Evolution {
   int velocities() const { return model_.layout().velocity_size(); }
   int displacements() const { return model_.layout().solid_size(); }
   int moments() const { return model_.layout().scalar_size(); }
+  int memory() const { return branches_.size(); }  ///< of the branches of a solid, which is no part of y
   // Parts of y.
   Array velocities_of(const Array& y) const { return range(y, 0, velocities()); }
   Array displacements_of(const Array& y) const { return range(y, velocities(), velocities() + displacements()); }
@@ -41,6 +43,10 @@ class SemiDiscrete final : public Evolution {
   void place_mesh(double t, const Array& displacement);
   /// The same to displacements to = from + dt v, with the velocities of the stage.
   void move_mesh(double t, double dt, const ConstArray& from, const Array& to);
+  /// Branches of the solid in the mesh of the stage.
+  void place_branches(const ConstArray& memory);
+  /// The same at the end of a step: they follow the solid from the displacements `from` to those of the stage, at one speed.
+  void move_branches(double dt, const ConstArray& from, const ConstArray& memory, const Array& out);
   /// Velocities of the stage, with their ghosts.
   void place_velocity(const Array& v);
   // Parts of the stage, for launches that write them.
@@ -70,7 +76,10 @@ class SemiDiscrete final : public Evolution {
 
   /// Rates are zero at ghosts, those of a state are not.
   void fill_rate_ghosts(State&);
-  /// Moments of a state that is given by its unknowns and displacements: those that give its density back.
+  /// What the state of a branch tells beside its displacement, of the stage.
+  void take_branches(const ConstArray& memory, const State& state) const;
+  /// Moments of a state that is given by its unknowns and displacements: those that give its density back. Branches of the solid carry
+  /// nothing.
   void set_moments(State&);
   /// Where solves begin. @param state  the one that was accepted last
   void visit_memory(StepMemory&, const State& state);
@@ -99,6 +108,7 @@ class SemiDiscrete final : public Evolution {
   ExplicitTerms<D, P> terms_;
   Masses<D, P> viscous_;
   MassInverse<D, P> masses_;
+  BranchMemory branches_;
   Stage stage_;
   bool gentle_ = false;
   Array force_;      ///< of terms, a vector of unknowns; who reads a part leaves zero there, so that terms can be added

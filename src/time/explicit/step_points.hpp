@@ -88,6 +88,7 @@ struct SolidBound {
   double springs = 0;        ///< that of the bottom on its springs
   double held = 0;           ///< square of the frequency of the springs of needles
   double viscous = 0;        ///< rate of viscosity in the undeformed state
+  double branches = 0;       ///< stiffness of branches, at least the largest row of its part in any solid
 
   /// @param symbols    of ends
   /// @param many       axes whose symbols add up
@@ -108,13 +109,14 @@ struct SolidBound {
     springs = margin * symbols.springs * symbols.springs * more.foundation / (solid.density * length);
     held = std::pow(symbols.held, many) * more.held / solid.density;
     viscous = modulus * more.viscosity;
+    branches = more.branches;
     for (int d = 0; d < D; ++d)
       for (int e = 0; e < D; ++e) joined[d][e] = d == e ? 1 : free_axis[d] && free_axis[e] ? 0.5 : 0;
   }
 
   /// Rates where the displacement has a gradient. @param on_face  on the top face;  @param below  on the bottom
   KOKKOS_FUNCTION void rates(const Tensor<double>& gradient, bool on_face, bool below, double* rate) const {
-    const double elastic = wave * wave * (stiffness(gradient) + stiffness_of_fibres(gradient));
+    const double elastic = wave * wave * (stiffness(gradient) + stiffness_of_fibres(gradient) + branches);
     const double tension = surface > 0 && on_face ? surface * shortening(gradient) : 0;
     const double face = along_face > 0 && on_face ? stiffened(tension, gradient) : tension;
     rate[elasticity] = Kokkos::sqrt(elastic + face + (below ? springs : 0) + held);

@@ -5,6 +5,7 @@
 #include "field/vector.hpp"
 #include "model/model.hpp"
 #include "time/implicit/line_friction_newton.hpp"
+#include "time/step/branch_memory.hpp"
 
 namespace softwet {
 
@@ -37,13 +38,15 @@ class GeneralizedAlpha {
  public:
   GeneralizedAlpha(const Model<D, P>& model, double rho_inf);
 
-  /// Moments and rates of a state given by its unknowns and displacements alone: v' = 0, u' = v, p = M rho, p' = -F.
+  /// Moments and rates of a state given by its unknowns and displacements alone: v' = 0, u' = v, p = M rho, p' = -F. Branches of the solid
+  /// carry nothing.
   void initialise(State& state);
 
   /// Starts a step from `state` to state.time + dt; with unknown rates it is one of backward Euler.
   void begin(const State& state, double dt, Rates rates = Rates::known);
   /// Starts a step of backward Euler, as long as one likes, in which time stands still: loads are those of the time of
-  /// the state, at which the step ends too. Rates of the density beside the wall count as 0: contact lines have no friction.
+  /// the state, at which the step ends too. Rates of the density beside the wall count as 0: contact lines have no friction. Branches of
+  /// the solid carry nothing.
   void begin_still(const State& state, double dt);
 
   void residual(const Array& x, const Array& r);
@@ -86,6 +89,7 @@ class GeneralizedAlpha {
   const Model<D, P>& model_;
   AlphaParameters scheme_, alpha_;  ///< of rho_inf, and of the current step
   LineFrictionNewton<D> friction_;
+  BranchMemory branches_;
   Stage stage_;
   StageOf<float> single_stage_;    ///< the stage, rounded; not in double precision
   StageOf<float> jacobian_stage_;  ///< that of the last Jacobian as a matrix; allocated by the first one

@@ -51,8 +51,10 @@ SolidPart solid_part(const Model<D, P>& model, const Stage& stage) {
   const double h = l.shortest();
   const LameParameters& stiffness = model.stiffness();
   const double density = std::visit([](const auto& term) { return term.density; }, model.solid());
-  solid.size = density * stage.rate_scale +
-               (stiffness.lambda + 2 * stiffness.shear_modulus) * stage.displacement_scale * 4 / (h * h);
+  const double of_branches = 2.0 / 3 * stage.lag_scale;  // 4/3 of a shear modulus resists such waves
+  solid.size =
+      density * stage.rate_scale +
+      ((stiffness.lambda + 2 * stiffness.shear_modulus) * stage.displacement_scale + of_branches) * 4 / (h * h);
   return solid;
 }
 
@@ -75,7 +77,7 @@ std::vector<FieldRange> ImplicitSolver<D, P>::fields() const {
   const Layout<D>& l = model.layout();
   const double atol = control.atol, rate = integrator.stage().rate_scale;
   const LameParameters& solid = model.stiffness();
-  const double stiffness = solid.lambda + 2 * solid.shear_modulus;
+  const double stiffness = solid.lambda + 2 * solid.shear_modulus + 2.0 / 3 * model.branches().weight(0);
   constexpr double digits = 1e-15;  // of the forces of needles, whose stiffness takes them from displacements
   const double held = digits * model.rates_of_solid().held * l.axis[D - 1].length();
   std::vector<FieldRange> f{

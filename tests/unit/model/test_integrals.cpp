@@ -24,18 +24,18 @@ TEST(Integrals, OfAColumnAreTheSumOfItsParts) {
   EXPECT_EQ(all["mass"], 1);
   EXPECT_EQ(all["energy_free"], all.part("energy_free_bulk") + all.part("energy_free_gradient"));
   EXPECT_EQ(all["energy_surface"], all.part("energy_surface"));
-  EXPECT_EQ(all.energy(), 2 + 4 + 8 + 16 + 32 + 64 + 128 + 256 + 512);
-  EXPECT_EQ(all.dissipation(), 8192 + 16384 + 32768 + 65536);
+  EXPECT_EQ(all.energy(), 2 + 4 + 8 + 16 + 32 + 64 + 128 + 256 + 512 + 1024);
+  EXPECT_EQ(all.dissipation(), 16384 + 32768 + 65536 + 131072);
   EXPECT_EQ(all["dissipation"], all.dissipation());
-  EXPECT_EQ(all["dissipation_solid"], 32768);
-  EXPECT_EQ(all["dissipation_wall"], 65536);
+  EXPECT_EQ(all["dissipation_solid"], 65536);
+  EXPECT_EQ(all["dissipation_wall"], 131072);
 }
 
 TEST(Integrals, SizeOfEnergiesKnowsNoSigns) {
   Integrals all = of_powers();
   all.part("energy_wall") *= -1;
-  EXPECT_EQ(all.size(), 1022);
-  EXPECT_EQ(all.energy(), 1022 - 2 * 16);
+  EXPECT_EQ(all.size(), 2046);
+  EXPECT_EQ(all.energy(), 2046 - 2 * 16);
 }
 
 TEST(Integrals, OfAWholeTurnHaveNoMomentumFromTheAxis) {

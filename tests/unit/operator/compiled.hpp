@@ -3,6 +3,7 @@
 
 #include "kernels/fluid/line_friction.hpp"
 #include "kernels/fluid/painted_wall.hpp"
+#include "kernels/solid/branches.hpp"
 #include "kernels/solid/fibres.hpp"
 #include "kernels/solid/foundation.hpp"
 #include "kernels/solid/graded.hpp"
@@ -43,6 +44,7 @@
   SOFTWET_COMPILED(D, Foundation, Still)       \
   SOFTWET_COMPILED(D, Fibres, Still)           \
   SOFTWET_COMPILED(D, KelvinVoigt, Still)      \
+  SOFTWET_COMPILED(D, BranchStress, Still)     \
   SOFTWET_COMPILED(D, SurfaceTension, Still)   \
   SOFTWET_COMPILED(D, SurfaceElasticity, Still)
 namespace softwet {

@@ -67,6 +67,12 @@ struct Patch {
     stage.end_scale = 1.5;
     stage.moment_rate = 5;
     stage.density_rate_scale = stage.rate_scale;
+    if (layout.branches > 0) fill_lag();
+  }
+
+  void fill_lag() {
+    stage.lag = draw(layout.solid_size(), -0.012, 0.012);
+    stage.lag_scale = 0.02;
   }
 
   /// The same patch with rates of the density beside the wall.
@@ -74,6 +80,14 @@ struct Patch {
     Patch p = *this;
     p.layout.rate_rows = p.layout.axis[D - 1].degree() + 1;
     p.stage.acceleration = p.draw(p.layout.rate_size(), -2, 2);
+    return p;
+  }
+
+  /// The same patch with branches of the solid.
+  Patch with_branches() const {
+    Patch p = *this;
+    p.layout.branches = 1;
+    p.fill_lag();
     return p;
   }
 
@@ -162,6 +176,7 @@ struct Patch {
       const int from = layout.velocity_offset(d), to = layout.displacement_offset(d);
       s.displacement = shift(s.displacement, from, stage.displacement_scale, count, to);
       s.displacement_end = shift(s.displacement_end, from, stage.displacement_scale * stage.end_scale, count, to);
+      if (layout.branches > 0) s.lag = shift(s.lag, from, stage.lag_scale, count, to);
     }
     return s;
   }
@@ -192,7 +207,9 @@ inline StageOf<float> single_stage(const Stage& s) {
           s.displacement_scale,
           s.end_scale,
           s.moment_rate,
-          s.density_rate_scale};
+          s.density_rate_scale,
+          copy(s.lag),
+          s.lag_scale};
 }
 
 inline double largest(const std::vector<double>& v) {

@@ -69,6 +69,7 @@ struct TermCases {
     for (const Grid& g : each(patch.stage.unknown, false)) s.push_back(g);
     return s;
   }
+  std::vector<Grid> slots(const BranchStress&) const { return each(patch.stage.lag, true); }
   std::vector<Grid> slots(const GradedSolid&) const {
     std::vector<Grid> s = slots(terms.solid);
     s.push_back(of_given());
@@ -217,6 +218,7 @@ struct TermCases {
         check<Still>("graded solid", GradedSolid{law, {0.8, 0.5}, 1.3, before}, patch.solid(), 0, top);
     check<Still>("fibres", Fibres{0.7, {{0.6, 0, 0.8}}}, patch.solid(), 0, top);
     check<Still>("viscosity", KelvinVoigt{0.4, 0.3}, patch.solid(), 0, top);
+    TermCases(patch.with_branches()).template check<Still>("branches", BranchStress{}, patch.solid(), 0, top);
     check<Still>("surface tension", SurfaceTension{0.6}, patch.top(), top - 1, top);
     check<Still>("foundation", Foundation{0.6, 0.4}, patch.bottom(), 0, 1);
     check<Still>("surface elasticity", SurfaceElasticity{0.6, 0.4}, patch.top(), top - 1, top);

@@ -46,7 +46,8 @@ std::vector<double> step_of(Steps& stepper) {
   const StepReport r = stepper.step();
   const State& s = stepper.state();
   std::vector<double> all{r.dt, double(r.newton), double(r.krylov), r.indicator, s.time};
-  for (const Array& a : {s.unknown, s.velocity_rate, s.displacement, s.displacement_rate, s.moment, s.moment_rate}) {
+  for (const Array& a : {s.unknown, s.velocity_rate, s.displacement, s.displacement_rate, s.moment, s.moment_rate,
+                         s.memory, s.memory_rate}) {
     const std::vector<double> values = to_host(a);
     all.insert(all.end(), values.begin(), values.end());
   }
@@ -85,6 +86,19 @@ TEST(StepMemory, ImplicitRunsGoOnInAllScenes) {
     expect_same_bits(c, 8);
 }
 
+TEST(StepMemory, ImplicitRunsGoOnWithTheirBranches) {
+  for (const PrecisionChoice precision : {PrecisionChoice::full, PrecisionChoice::mixed, PrecisionChoice::single})
+    for (const Scene kind : {Scene::coupled, Scene::solid}) {
+      SCOPED_TRACE(word_of(precision));
+      Case c = restless_droplet(kind);
+      c.substrate->strain = Strain::small;
+      c.substrate->branches = {{0.9, 0.3}, {1.7, 0.004}};
+      c.solver.precision = precision;
+      if (c.solver.precision == PrecisionChoice::single) c.solver.newton_rtol = 1e-2;
+      expect_same_bits(c, 8);
+    }
+}
+
 TEST(StepMemory, WhatIsForgottenIsBuiltAnew) {
   const Case c = restless_droplet(Scene::coupled);
   const Model<2, 2> model(c);
@@ -117,6 +131,18 @@ TEST(StepMemory, KickDriftGoesOnWithItsAccelerations) {
 }
 TEST(StepMemory, ExplicitRunsGoOnAroundAPeriodicAxis) {
   expect_same_explicit_bits(TimeScheme::kick_drift, Scene::rigid, true);
+}
+TEST(StepMemory, ExplicitRunsGoOnWithTheirBranches) {
+  for (const Scene kind : {Scene::solid, Scene::coupled}) {
+    Case c = restless_droplet(kind);
+    c.domain.elements = {6, 6};
+    c.substrate->strain = Strain::small;
+    c.substrate->branches = {{0.9, 0.3}, {1.7, 0.004}};
+    c.time.scheme = TimeScheme::kick_drift;
+    c.time.tolerance = 1e30;
+    c.time.dt_initial = 1;
+    expect_same_bits(c, 8);
+  }
 }
 TEST(StepMemory, ExplicitRunsOfASolidGoOn) { expect_same_explicit_bits(TimeScheme::kick_drift, Scene::solid, false); }
 

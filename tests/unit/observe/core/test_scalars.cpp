@@ -61,7 +61,7 @@ TEST(Scalars, LeaveEmptyWhatTheSceneLacks) {
     for (const char* of_fluid : {"mass", "energy_free", "energy_wall", "rho_min", "rho_max", "speed_max_fluid",
                                  "mass_drift", "speed_max_liquid", "wall_stretch", "dissipation_wall", "liquid_volume"})
       EXPECT_EQ(first.has(of_fluid), kind != Scene::solid) << of_fluid;
-    for (const char* of_solid : {"speed_max_solid", "energy_surface", "dissipation_solid"})
+    for (const char* of_solid : {"speed_max_solid", "energy_surface", "energy_branches", "dissipation_solid"})
       EXPECT_EQ(first.has(of_solid), kind != Scene::rigid) << of_solid;
   }
 }

@@ -72,7 +72,7 @@ class ChangedEntries final : public RunEntries {
 
 /// No two values are equal.
 RunMemory some_run() {
-  RunMemory run{2.5, 0.5, 0.25, 7, 1, 2, {}, {}};
+  RunMemory run{2.5, 0.5, 0.25, 7, 1, 2, -0.03125, {}, {}};
   run.history.step = 6;
   run.history.time = 2;
   run.history.mass_start = 0.1;
@@ -112,6 +112,7 @@ TEST(RunMemory, ComesBackAsItWas) {
   EXPECT_EQ(run.previous_dt, was.previous_dt);
   EXPECT_EQ(run.proposed_dt, was.proposed_dt);
   EXPECT_EQ(run.steps, was.steps);
+  EXPECT_EQ(run.memory_shift, was.memory_shift);
   EXPECT_EQ(run.rejected_newton, was.rejected_newton);
   EXPECT_EQ(run.rejected_error, was.rejected_error);
   EXPECT_EQ(run.history.step, was.history.step);
@@ -164,7 +165,7 @@ TEST(RunMemory, RefusesNumbersThatAreNone) {
   const ScratchFolder folder;
   const ChangedEntries usual = write(folder / "checkpoint.h5", {});
   const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(usual.numbers_visited.size(), 15U);
+  EXPECT_EQ(usual.numbers_visited.size(), 16U);
   EXPECT_EQ(usual.arrays_visited.size(), 13U);
   for (const std::string& name : usual.numbers_visited)
     for (const double bad : {nan, inf, -inf}) expect_refused(name, {{{name, bad}}, {}, {}});

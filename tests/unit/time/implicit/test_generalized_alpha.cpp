@@ -37,6 +37,9 @@ struct RandomState {
              p.draw(scene.layout().solid_size(), -0.3, 0.3),
              p.draw(scene.layout().scalar_size(), 0.0, 0.01),
              p.draw(scene.layout().scalar_size(), -0.01, 0.01)};
+    if (scene.layout().branches == 0) return;
+    state.memory = p.draw(scene.layout().memory_size(), -0.01, 0.01);
+    state.memory_rate = p.draw(scene.layout().memory_size(), -0.3, 0.3);
   }
   /// Admissible values for the middle of a step.
   Array values() {
@@ -131,6 +134,47 @@ TEST(GeneralizedAlpha, LinesHaveNoFrictionWhereTimeStandsStill) {
   EXPECT_EQ(to_host(a), to_host(b));
 }
 TEST(GeneralizedAlpha, TangentOfASolidStep) { check_tangent(scene(Scene::solid)); }
+/// A viscoelastic solid: one branch is slower than a step, the other one faster.
+Case scene_with_branches(Scene kind) {
+  Case c = scene(kind);
+  c.substrate->strain = Strain::small;
+  c.substrate->branches = {{0.9, 0.3}, {1.7, 0.004}};
+  return c;
+}
+TEST(GeneralizedAlpha, TangentOfAStepWithBranches) {
+  check_tangent(scene_with_branches(Scene::solid));
+  check_tangent(scene_with_branches(Scene::coupled));
+  check_tangent(axisymmetric(scene_with_branches(Scene::coupled)));
+}
+
+// Branches act on the momentum of the solid, and not at all where time stands still.
+TEST(GeneralizedAlpha, BranchesCarryNothingWhereTimeStandsStill) {
+  Case c = scene_with_branches(Scene::coupled);
+  RandomState with(c);
+  c.substrate->branches = {};
+  RandomState without(c);
+  State plain = with.state;
+  plain.memory = plain.memory_rate = {};
+  const Array x = with.values(), a("a", x.extent(0)), b("b", x.extent(0));
+  for (const bool still : {false, true}) {
+    still ? with.integrator.begin_still(with.state, 0.02) : with.integrator.begin(with.state, 0.02);
+    still ? without.integrator.begin_still(plain, 0.02) : without.integrator.begin(plain, 0.02);
+    with.integrator.residual(x, a);
+    without.integrator.residual(x, b);
+    if (still) {
+      EXPECT_EQ(to_host(a), to_host(b));
+    } else {
+      EXPECT_GT(distance(to_host(a), to_host(b)), 1e-3);
+    }
+  }
+  State end = RandomState(c).state;
+  end.memory = Array("memory", with.scene.layout().memory_size());
+  end.memory_rate = with.scene.terms.patch.draw(with.scene.layout().memory_size(), -1, 1);
+  with.integrator.finish(x, end);
+  const std::vector<double> u = to_host(end.displacement), memory = to_host(end.memory);
+  for (std::size_t i = 0; i < memory.size(); ++i) ASSERT_EQ(memory[i], u[i % u.size()]) << i;
+  for (const double rate : to_host(end.memory_rate)) ASSERT_EQ(rate, 0);
+}
 
 /// y1 = y0 + dt ((1 - ga) y0' + ga y1')
 void expect_newmark(const Array& y0, const Array& r0, const Array& y1, const Array& r1, double dt, int count) {
@@ -198,6 +242,25 @@ TEST(GeneralizedAlpha, FinishOfAStepWithRatesOfTheDensity) {
   check_finish(scene_with_rates(Scene::rigid));
 }
 TEST(GeneralizedAlpha, FinishOfASolidStep) { check_finish(scene(Scene::solid)); }
+
+// tau a' = u - a, with a' at n + am and both displacements at n + af.
+TEST(GeneralizedAlpha, FinishOfAStepWithBranches) {
+  const Case c = scene_with_branches(Scene::coupled);
+  check_finish(c);
+  RandomState s(c), e(c);
+  const double dt = 0.02, am = 5.0 / 6, af = 2.0 / 3;
+  s.integrator.begin(s.state, dt);
+  const Array x = s.values();
+  s.integrator.finish(x, e.state);
+  const int size = s.scene.layout().solid_size();
+  expect_newmark(s.state.memory, s.state.memory_rate, e.state.memory, e.state.memory_rate, dt, 2 * size);
+  const std::vector<double> u = to_host(s.integrator.stage().displacement), a0 = to_host(s.state.memory),
+                            a1 = to_host(e.state.memory), r0 = to_host(s.state.memory_rate),
+                            r1 = to_host(e.state.memory_rate);
+  for (int k = 0; k < 2 * size; ++k)
+    ASSERT_NEAR(c.substrate->branches[k / size].time * ((1 - am) * r0[k] + am * r1[k]),
+                u[k % size] - (1 - af) * a0[k] - af * a1[k], 1e-14);
+}
 
 TEST(GeneralizedAlpha, InitialMomentsAreTheMass) {
   RandomState s(scene(Scene::coupled));

@@ -1,0 +1,125 @@
+#include "time/step/branch_memory.hpp"
+
+#include <cmath>
+
+namespace softwet {
+namespace {
+
+/// h = a_n + af kept a'_n
+KOKKOS_FORCEINLINE_FUNCTION double held_value(const AlphaStep& step, double memory, double rate) {
+  return memory + step.af * step.kept * rate;
+}
+
+/// pull = sum w_i h_i
+struct SumPulls {
+  Array pull;
+  ConstArray memory, rate;
+  Branches branches;
+  AlphaStep step;
+  int size;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    double sum = 0;
+    for (int b = 0; b < branches.count; ++b)
+      sum += branches.weight(b, step.af * step.taken) * held_value(step, memory(b * size + i), rate(b * size + i));
+    pull(i) = sum;
+  }
+};
+
+/// The memory and its rate at n + 1.
+struct MoveMemory {
+  Array memory, rate;
+  ConstArray memory_before, rate_before, displacement;
+  Branches branches;
+  AlphaStep step;
+  int size;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    for (int b = 0; b < branches.count; ++b) {
+      const int k = b * size + i;
+      const double a = memory_before(k), r = rate_before(k);
+      const double middle = (displacement(i) - held_value(step, a, r)) / (branches.time[b] + step.af * step.taken);
+      memory(k) = a + step.kept * r + step.taken * middle;
+      rate(k) = step.old * r + step.fresh * middle;
+    }
+  }
+};
+
+/// a + faded (u_0 - a) + followed (u_1 - u_0)
+struct FollowMemory {
+  Array out;
+  ConstArray before, after, memory;
+  int count, size;
+  double faded[Branches::most], followed[Branches::most];
+  KOKKOS_FUNCTION void operator()(int i) const {
+    for (int b = 0; b < count; ++b) {
+      const double a = memory(b * size + i);
+      out(b * size + i) = a + faded[b] * (before(i) - a) + followed[b] * (after(i) - before(i));
+    }
+  }
+};
+
+struct SumLags {
+  Array lag;
+  ConstArray displacement, memory;
+  Branches branches;
+  int size;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    double sum = 0;
+    for (int b = 0; b < branches.count; ++b) sum += 2 * branches.modulus[b] * (displacement(i) - memory(b * size + i));
+    lag(i) = sum;
+  }
+};
+
+struct RateOfMemory {
+  Array rate;
+  ConstArray displacement, memory;
+  Branches branches;
+  int size;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    for (int b = 0; b < branches.count; ++b)
+      rate(b * size + i) = (displacement(i) - memory(b * size + i)) / branches.time[b];
+  }
+};
+
+}  // namespace
+
+void BranchMemory::rest(const State& state) const {
+  if (empty()) return;
+  for (int b = 0; b < branches_.count; ++b)
+    Kokkos::deep_copy(Exec(), Kokkos::subview(state.memory, Kokkos::make_pair(b * size_, (b + 1) * size_)),
+                      state.displacement);
+  Kokkos::deep_copy(Exec(), state.memory_rate, 0.0);
+}
+
+void BranchMemory::begin(const State& state, const AlphaStep& step) {
+  step_ = step;
+  Kokkos::parallel_for("softwet::sum_pulls", Items(0, size_),
+                       SumPulls{pull_, state.memory, state.memory_rate, branches_, step_, size_});
+}
+
+void BranchMemory::finish(const State& start, const ConstArray& displacement, const State& end) const {
+  Kokkos::parallel_for(
+      "softwet::move_memory", Items(0, size_),
+      MoveMemory{end.memory, end.memory_rate, start.memory, start.memory_rate, displacement, branches_, step_, size_});
+}
+
+void BranchMemory::follow(double dt, const ConstArray& before, const ConstArray& after, const ConstArray& memory,
+                          const Array& out) const {
+  FollowMemory follow{out, before, after, memory, branches_.count, size_, {}, {}};
+  for (int b = 0; b < branches_.count; ++b) {
+    const double times = dt / branches_.time[b];
+    follow.faded[b] = -std::expm1(-times);
+    follow.followed[b] = 1 - follow.faded[b] / times;
+  }
+  Kokkos::parallel_for("softwet::follow_memory", Items(0, size_), follow);
+}
+
+void BranchMemory::set_lag(const ConstArray& displacement, const ConstArray& memory, const Array& lag) const {
+  Kokkos::parallel_for("softwet::sum_lags", Items(0, size_), SumLags{lag, displacement, memory, branches_, size_});
+}
+
+void BranchMemory::set_rate(const ConstArray& displacement, const ConstArray& memory, const Array& rate) const {
+  Kokkos::parallel_for("softwet::rate_of_memory", Items(0, size_),
+                       RateOfMemory{rate, displacement, memory, branches_, size_});
+}
+
+}  // namespace softwet
