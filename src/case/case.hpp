@@ -190,6 +190,7 @@ struct Boundary {
   std::array<std::array<Side, 2>, 3> side{
       {{Side::slip, Side::slip}, {Side::slip, Side::slip}, {Side::slip, Side::slip}}};
   std::vector<double> foundation = {};  ///< springs kap_n and kap_t below the solid, scale a b^2/L0; empty: none
+  std::vector<double> foundation_damping = {};  ///< dashpots c_n and c_t beside them, scale b sqrt(ab); empty: none
 };
 
 /// The scheme without a largest step.

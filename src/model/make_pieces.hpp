@@ -76,10 +76,11 @@ class PieceMaker {
       add<NoMotion>("elasticity of the surface", SurfaceElasticity{s.surface_modulus[0], s.surface_modulus[1]});
     if (const std::vector<double>& springs = case_.boundary.foundation; !springs.empty())
       add<NoMotion>("foundation", Foundation{springs[0], springs[1]});
-    if (s.viscosity > 0 || s.bulk_viscosity > 0) {
-      pieces_.solid_viscosity = pieces_.list.size();
+    pieces_.first_viscous = pieces_.list.size();
+    if (s.viscosity > 0 || s.bulk_viscosity > 0)
       add<NoMotion>("viscosity of the solid", KelvinVoigt{s.viscosity, s.bulk_viscosity, finite});
-    }
+    if (const std::vector<double>& dashpots = case_.boundary.foundation_damping; !dashpots.empty())
+      add<NoMotion>("dashpots of the foundation", Dashpots{dashpots[0], dashpots[1]});
   }
 
   template <class Term>

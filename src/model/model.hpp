@@ -34,9 +34,9 @@ struct MeshFaults {
 };
 
 /// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its top face, the modulus
-/// lambda_s + 2 G_s of this face, the stiffer springs of its foundation, and the largest stiffness of needles.
+/// lambda_s + 2 G_s of this face, the stiffer springs and the stronger dashpots of its foundation, and the largest stiffness of needles.
 struct SolidRates {
-  double viscosity = 0, tension = 0, modulus = 0, foundation = 0, held = 0;
+  double viscosity = 0, tension = 0, modulus = 0, foundation = 0, dashpots = 0, held = 0;
 };
 
 using Solid = std::variant<Elastodynamics<SaintVenantKirchhoff>, Elastodynamics<Hooke>, Elastodynamics<NeoHookean>>;
@@ -102,9 +102,9 @@ class Model {
   /// Adds to a residual what the solid without its viscosity, the forces of the fluid on the wall, loads and the source contribute,
   /// before ghosts are summed. The acceleration of the stage counts as it is.
   void add_forces_of_solid(const Stage&, const Array& out) const;
-  /// Adds the viscosity of the solid, where it has one. It is linear in the velocities of the stage.
+  /// Adds the viscosity of the solid and the dashpots below it, where it has some. They are linear in the velocities of the stage.
   void add_viscosity_of_solid(const Stage&, const Array& out) const;
-  bool has_viscous_solid() const { return pieces_.solid_viscosity != pieces_.none; }
+  bool has_viscous_solid() const { return pieces_.first_viscous < pieces_.first_of_fluid; }
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen. The direction is zero where
   /// values are prescribed. Its ghosts, where there are some, are filled for the product and then set to zero again.
   /// @param unbalanced  where it is given, with what LineFrictionBend adds: of the rows of the potential, for each area of the wall

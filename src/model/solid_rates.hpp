@@ -30,9 +30,13 @@ inline SolidRates solid_rates(const Case& c) {
   const bool acts = c.fluid && c.fluid->wall_tension == WallTensionModel::acts;
   const double tension =
       acts ? s.surface_tension + surface_tension(*c.fluid) : std::max(s.surface_tension, s.surface_tension_wet);
-  const std::vector<double>& springs = c.boundary.foundation;
-  return {4.0 / 3 * s.viscosity + s.bulk_viscosity, tension, s.modulus_of_surface(),
-          springs.empty() ? 0 : std::max(springs[0], springs[1]), stiffness_of_needles(c)};
+  const auto larger = [](const std::vector<double>& two) { return two.empty() ? 0 : std::max(two[0], two[1]); };
+  return {4.0 / 3 * s.viscosity + s.bulk_viscosity,
+          tension,
+          s.modulus_of_surface(),
+          larger(c.boundary.foundation),
+          larger(c.boundary.foundation_damping),
+          stiffness_of_needles(c)};
 }
 
 inline Fibres fibres_of(const Substrate& s, int dimension) {

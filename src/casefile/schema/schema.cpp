@@ -32,7 +32,7 @@ periodic  goes on at the opposite side, which must   the same; not from bottom t
 
 On every side of the fluid no mass passes and the density has no normal derivative, which is a contact angle of 90
 degrees. fluid.contact_angle holds on the wall alone: on top of the solid, or at boundary.bottom where there is none.
-A solid whose bottom is free may rest on springs, boundary.foundation.
+A solid whose bottom is free may rest on springs, boundary.foundation, and dashpots, boundary.foundation_damping.
 )";
 
 std::string bound_text(double number) { return fmt::format("{}", number); }

@@ -146,9 +146,9 @@ const std::vector<Column> of_balance{
      "bottom of the solid.",
      any_dimension, Needs::solid},
     {"dissipation_solid", power_unit,
-     "Part of dissipation that belongs to substrate.viscosity and substrate.bulk_viscosity: the integral of S_v : E' "
-     "over "
-     "the undeformed solid, E' the rate of the Green-Lagrange strain.",
+     "Part of dissipation that belongs to the solid: to substrate.viscosity and substrate.bulk_viscosity, the integral "
+     "of S_v : E' over the undeformed solid, E' the rate of the Green-Lagrange strain, and to "
+     "boundary.foundation_damping, that of c_n v_n^2 + c_t v_t^2 over its undeformed bottom.",
      any_dimension, Needs::solid},
     {"dissipation_wall", power_unit,
      "Part of dissipation that belongs to fluid.line_friction and fluid.contact_angle_range: the integral of r' (B r' "

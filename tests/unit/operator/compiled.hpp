@@ -41,6 +41,7 @@
   SOFTWET_COMPILED(D, WallTension, WallMotion) \
   SOFTWET_COMPILED(D, GradedSolid, Still)      \
   SOFTWET_COMPILED(D, Foundation, Still)       \
+  SOFTWET_COMPILED(D, Dashpots, Still)         \
   SOFTWET_COMPILED(D, Fibres, Still)           \
   SOFTWET_COMPILED(D, KelvinVoigt, Still)      \
   SOFTWET_COMPILED(D, SurfaceTension, Still)   \

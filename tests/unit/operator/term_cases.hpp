@@ -63,6 +63,7 @@ struct TermCases {
   std::vector<Grid> slots(const SurfaceTension&) const { return each(patch.stage.displacement, true); }
   std::vector<Grid> slots(const SurfaceElasticity&) const { return each(patch.stage.displacement, true); }
   std::vector<Grid> slots(const Foundation&) const { return each(patch.stage.displacement, true); }
+  std::vector<Grid> slots(const Dashpots&) const { return each(patch.stage.unknown, false); }
   std::vector<Grid> slots(const Fibres&) const { return each(patch.stage.displacement, true); }
   std::vector<Grid> slots(const KelvinVoigt&) const {
     std::vector<Grid> s = each(patch.stage.displacement, true);
@@ -219,6 +220,7 @@ struct TermCases {
     check<Still>("viscosity", KelvinVoigt{0.4, 0.3}, patch.solid(), 0, top);
     check<Still>("surface tension", SurfaceTension{0.6}, patch.top(), top - 1, top);
     check<Still>("foundation", Foundation{0.6, 0.4}, patch.bottom(), 0, 1);
+    check<Still>("dashpots", Dashpots{0.6, 0.4}, patch.bottom(), 0, 1);
     check<Still>("surface elasticity", SurfaceElasticity{0.6, 0.4}, patch.top(), top - 1, top);
   }
 };

@@ -45,6 +45,7 @@ TEST(Tiles2D, GivenFieldsAndFaces) {
   c.check<NoMotion>("viscosity", KelvinVoigt{0.4, 0.3}, c.patch.solid());
   c.check<NoMotion>("surface tension", SurfaceTension{0.6}, c.patch.top());
   c.check<NoMotion>("foundation", Foundation{0.6, 0.4}, c.patch.bottom());
+  c.check<NoMotion>("dashpots", Dashpots{0.6, 0.4}, c.patch.bottom());
   c.check<NoMotion>("surface elasticity", SurfaceElasticity{0.6, 0.4}, c.patch.top());
   c.check<WallMotion<2>>("painted energy_wall", PaintedWall<EnergyWall>{of_one}, c.patch.face());
   c.check<WallMotion<2>>("wall_tension", WallTension{WallEnergy::of(of_one)}, c.patch.face());
