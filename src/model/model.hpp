@@ -57,13 +57,16 @@ class Model {
   /// First Piola-Kirchhoff stress of the material, as stiff as it is at the point x of the undeformed solid, and of its
   /// fibres, with the prestretch; without its viscosity. On the host. In 2D Grad u has the third axis too.
   Matrix<double, 3> first_piola(const Matrix<double, 3>& grad_u, const std::array<double, 3>& x) const;
-  /// Also of the gradient law: its capillarity and cosine. Where the angle varies along the wall the cosine is 1.
+  /// Also of the gradient law: its capillarity and cosine. Where there is a field `painted` the cosine is 1.
   const EnergyWall& wall() const { return wall_.law; }
+  /// The wall energy of the cosine 1.
+  WallEnergy wall_of_one() const;
   const LineFriction& line_friction() const { return line_friction_; }  ///< only where Layout::rate_rows > 0
   /// Stiffness over that of `solid`, below and above a joint; empty where the solid has a kernel of its own (grade_solid).
   const GivenField<double>& graded(int part) const { return graded_[part]; }
-  /// Cosine of the contact angle; empty where it does not vary.
+  /// Cosine of the contact angle; empty where it does not vary and the wall has no exponent.
   const GivenField<double>& painted() const { return painted_; }
+  double wall_stretch_exponent() const { return wall_stretch_exponent_; }
   /// Tension that the fluid gives the wall over the wall energy of the cosine 1; empty where it gives none.
   const GivenField<double>& wall_tension() const { return tension_; }
   const Pieces<D, double>& pieces() const { return pieces_; }
@@ -166,7 +169,7 @@ class Model {
   Fibres fibres_;
   Prestretch prestretch_;
   Profile young_;
-  double largest_young_ = 0;
+  double largest_young_ = 0, wall_stretch_exponent_ = 0;
   GivenField<double> graded_[2], painted_, tension_;
   bool has_wall_ = false, has_gravity_ = false, wall_feeds_ = false;
   Precision precision_;

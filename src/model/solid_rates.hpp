@@ -30,13 +30,11 @@ inline SolidRates solid_rates(const Case& c) {
   const bool acts = c.fluid && c.fluid->wall_tension == WallTensionModel::acts;
   const double tension =
       acts ? s.surface_tension + surface_tension(*c.fluid) : std::max(s.surface_tension, s.surface_tension_wet);
+  const double of_wetting = acts ? c.wetted_modulus() * surface_tension(*c.fluid) : 0;
   const auto larger = [](const std::vector<double>& two) { return two.empty() ? 0 : std::max(two[0], two[1]); };
-  return {4.0 / 3 * s.viscosity + s.bulk_viscosity,
-          tension,
-          s.modulus_of_surface(),
-          larger(c.boundary.foundation),
-          larger(c.boundary.foundation_damping),
-          stiffness_of_needles(c)};
+  return {4.0 / 3 * s.viscosity + s.bulk_viscosity, tension,
+          s.modulus_of_surface() + of_wetting,      larger(c.boundary.foundation),
+          larger(c.boundary.foundation_damping),    stiffness_of_needles(c)};
 }
 
 inline Fibres fibres_of(const Substrate& s, int dimension) {

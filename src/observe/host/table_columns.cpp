@@ -34,7 +34,9 @@ const std::vector<Column> of_step{
      any_dimension, Needs::fluid},
     {"energy_wall", energy_unit,
      "Wall energy: the integral of f_w(rho) over the wall, where f_w(rho) = -cos(alpha) g times the integral of sqrt(2 "
-     "D) from rho_v to rho. It is the same formula under both wall laws.",
+     "D) from rho_v to rho. It is the same formula under both wall laws; with fluid.wall_stretch_exponent the "
+     "integrand "
+     "has the factor a^(-beta).",
      any_dimension, Needs::fluid},
     {"energy_elastic", energy_unit,
      "Elastic energy of the solid and its fibres. With saint_venant_kirchhoff that of the solid is the integral of "
@@ -128,8 +130,8 @@ const std::vector<Column> of_balance{
     {"speed_max_liquid", speed_unit, "Largest |v| of a control point whose density is above (rho_l + rho_v)/2.",
      any_dimension, Needs::fluid},
     {"wall_stretch", power_unit,
-     "Power that the wall energy gains because the wall stretches: the integral of f_w div_Gamma v over the wall. It "
-     "is "
+     "Power that the wall energy gains because the wall stretches: the integral of f_w div_Gamma v over the wall, with "
+     "fluid.wall_stretch_exponent that of (1 - beta) a^(-beta) f_w div_Gamma v. It is "
      "0 with fluid.wall_tension = \"acts\", where the solid pays for it. With fluid.wall_law = \"energy\" energy_total "
      "changes at the rate power_load + wall_stretch - dissipation, up to the error of the discretisation.",
      any_dimension, Needs::fluid},
