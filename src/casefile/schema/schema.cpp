@@ -165,9 +165,11 @@ std::string allowed_text(const Key& key) {
       break;
     case Kind::profile:
       text = "number, expression or table (quoted)";
+      if (key.support == Support::time) text += ", or a table [[t, value], ...]";
       break;
     case Kind::profiles:
       text = "list of numbers, expressions and tables (quoted), one for each axis";
+      if (key.support == Support::time) text += ", or a table [[t, x, y], ...] (in 3D [[t, x, y, z], ...])";
       break;
     default:
       return "text";
