@@ -50,6 +50,11 @@ KOKKOS_FORCEINLINE_FUNCTION Dual<S> square_root(const Dual<S>& x) {
   const S root = square_root(x.value);
   return {root, x.tangent / (root + root)};
 }
+template <class S>
+KOKKOS_FORCEINLINE_FUNCTION Dual<S> real_power(const Dual<S>& x, double exponent) {
+  const S power = real_power(x.value, exponent);
+  return {power, exponent * power / x.value * x.tangent};
+}
 /// The derivative by ln(a) is z^4/2, that by ln(b) the opposite.
 template <class S>
 KOKKOS_FORCEINLINE_FUNCTION Dual<S> half_logarithm_rest(const Dual<S>& a, const Dual<S>& b, const Dual<S>& z) {

@@ -148,6 +148,20 @@ KOKKOS_FORCEINLINE_FUNCTION S load(const Real* p) {
   }
 }
 
+/// x to the power of a number that is no integer, x > 0.
+KOKKOS_FORCEINLINE_FUNCTION double real_power(double x, double exponent) { return Kokkos::pow(x, exponent); }
+KOKKOS_FORCEINLINE_FUNCTION float real_power(float x, double exponent) {
+  return Kokkos::pow(x, static_cast<float>(exponent));
+}
+template <class Real, class Abi>
+KOKKOS_FORCEINLINE_FUNCTION auto real_power(const Kokkos::Experimental::basic_simd<Real, Abi>& x, double exponent) {
+  using P = Kokkos::Experimental::basic_simd<Real, Abi>;
+  Real lane[P::size()];
+  Kokkos::Experimental::simd_unchecked_store(x, lane, Kokkos::Experimental::simd_flag_default);
+  for (std::size_t l = 0; l < P::size(); ++l) lane[l] = Kokkos::pow(lane[l], static_cast<Real>(exponent));
+  return load<P>(lane);
+}
+
 /// Adds lanes to p[0], p[1], ...
 template <class S, class Real>
 KOKKOS_FORCEINLINE_FUNCTION void add_to(Real* p, const S& x) {

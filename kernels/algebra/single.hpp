@@ -41,6 +41,9 @@ SOFTWET_SINGLE(<)
 #undef SOFTWET_SINGLE
 
 KOKKOS_FORCEINLINE_FUNCTION Single logarithm(const Single& x) { return Single(Kokkos::log(x.value)); }
+KOKKOS_FORCEINLINE_FUNCTION Single real_power(const Single& x, double exponent) {
+  return Single(Kokkos::pow(x.value, static_cast<float>(exponent)));
+}
 KOKKOS_FORCEINLINE_FUNCTION Single square_root(const Single& x) { return Single(Kokkos::sqrt(x.value)); }
 KOKKOS_FORCEINLINE_FUNCTION Single select(bool m, const Single& a, const Single& b) { return m ? a : b; }
 

@@ -7,21 +7,6 @@
 
 namespace softwet {
 
-/// Velocity of the solid at a point.
-template <class N, int D>
-struct SolidVelocity {
-  Vector<N, D> velocity;
-
-  static constexpr int slot_count = D;
-  static constexpr Slot slot(int s) { return {{Field::velocity, s}, true, false}; }
-  template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION SolidVelocity read(const Reader& at) {
-    SolidVelocity t;
-    for (int i = 0; i < D; ++i) t.velocity[i] = at.value(i);
-    return t;
-  }
-};
-
 /// Integrands over the reference domain: kinetic energy rho_0 |v|^2/2, momentum rho_0 v_i (3).
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct SolidMotion {

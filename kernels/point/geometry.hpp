@@ -78,6 +78,7 @@ struct MovingFace : MovingPoint<N, D> {
     return r;
   }
   KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x) const { return measure * x; }
+  KOKKOS_FORCEINLINE_FUNCTION N area_ratio() const { return measure; }  ///< of the deformed over the undeformed area
 };
 
 /// A point in the coordinates (r, z), where r is its distance from the axis: of the moved mesh in the fluid, undeformed in the
@@ -85,7 +86,17 @@ struct MovingFace : MovingPoint<N, D> {
 /// further gradient w / r, which meets the hoop entry of a flux.
 template <class Point>
 struct AxialPoint : Point {
-  KOKKOS_FORCEINLINE_FUNCTION explicit AxialPoint(const Point& point) : Point(point) {}
+  using Number = std::remove_cvref_t<decltype(std::declval<Point>().position[0])>;
+  Number undeformed_radius;
+
+  template <class S>
+  KOKKOS_FORCEINLINE_FUNCTION AxialPoint(const Point& point, const S& undeformed) : Point(point) {
+    if constexpr (is_dual<Number>) {
+      undeformed_radius = Number(undeformed, S(0.0));
+    } else {
+      undeformed_radius = undeformed;
+    }
+  }
 
   KOKKOS_FORCEINLINE_FUNCTION const auto& radius() const { return this->position[0]; }
   template <class N>
@@ -101,6 +112,8 @@ struct AxialPoint : Point {
   KOKKOS_FORCEINLINE_FUNCTION auto reference_flux(const Vector<N, D>& f) const {
     return Point::reference_flux(radius() * f);
   }
+  /// On a face, with the stretch around the axis.
+  KOKKOS_FORCEINLINE_FUNCTION auto area_ratio() const { return Point::area_ratio() * (radius() / undeformed_radius); }
 };
 
 /// The moving map in a volume together with its tangent dF, for products with the Jacobian: what dual numbers in a

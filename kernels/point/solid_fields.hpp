@@ -54,6 +54,21 @@ struct SolidDisplacement {
   }
 };
 
+/// Velocity of the solid at a point.
+template <class N, int D>
+struct SolidVelocity {
+  Vector<N, D> velocity;
+
+  static constexpr int slot_count = D;
+  static constexpr Slot slot(int s) { return {{Field::velocity, s}, true, false}; }
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION SolidVelocity read(const Reader& at) {
+    SolidVelocity t;
+    for (int i = 0; i < D; ++i) t.velocity[i] = at.value(i);
+    return t;
+  }
+};
+
 /// Displacement gradient of the solid and its rate.
 template <class N, int D, class M = Matrix<N, D>>
 struct SolidStrainRate {

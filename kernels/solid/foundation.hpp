@@ -1,4 +1,4 @@
-// A foundation of springs below the solid (Winkler).
+// A foundation of springs and dashpots below the solid (Winkler, Kelvin and Voigt).
 #pragma once
 
 #include "kernels/point/solid_fields.hpp"
@@ -34,6 +34,34 @@ struct Foundation {
   template <class N, int D>
   KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidDisplacement<N, D>& t) const {
     return 0.5 * dot(residual(t).value, t.displacement);
+  }
+};
+
+/// <w, c_n v_n n + c_t v_t> over the undeformed bottom of the solid, beside the springs or alone. It dissipates c_n v_n^2 + c_t |v_t|^2
+/// >= 0 for each undeformed area.
+/// Scale of c_n and c_t: b sqrt(ab).   Tested: tests/unit/solid/test_solid_terms.cpp
+struct Dashpots {
+  static constexpr Where where = Where::bottom;
+  static constexpr const char* dissipation_column = "dissipation_solid";
+
+  double normal = 0;      ///< c_n
+  double tangential = 0;  ///< c_t
+
+  template <class N, int D, class...>
+  using Trial = SolidVelocity<N, D>;
+  template <class N, int D, class...>
+  using Test = VectorTest<N, D>;
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION VectorTest<N, D> residual(const SolidVelocity<N, D>& t) const {
+    VectorTest<N, D> r;
+    for (int i = 0; i < D; ++i) r.value[i] = (i == D - 1 ? normal : tangential) * t.velocity[i];
+    return r;
+  }
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION N dissipation(const SolidVelocity<N, D>& t) const {
+    return dot(residual(t).value, t.velocity);
   }
 };
 

@@ -43,6 +43,8 @@ struct Fluid {
   Profile contact_angle = 90;  ///< degrees, measured in the liquid, at the points of the wall
   WallLaw wall_law = WallLaw::gradient;
   WallTensionModel wall_tension = WallTensionModel::none;
+  double wall_stretch_exponent =
+      0;  ///< beta: the wall has the energy a^(1 - beta) f_w for each area before any stretch
   Traction traction = Traction::layer;
   std::vector<double> gravity;    ///< force per unit mass on the fluid, scale a b/L0; empty: none
   double stabilisation = 0.002;   ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
@@ -177,6 +179,7 @@ struct Boundary {
   std::array<std::array<Side, 2>, 3> side{
       {{Side::slip, Side::slip}, {Side::slip, Side::slip}, {Side::slip, Side::slip}}};
   std::vector<double> foundation = {};  ///< springs kap_n and kap_t below the solid, scale a b^2/L0; empty: none
+  std::vector<double> foundation_damping = {};  ///< dashpots c_n and c_t beside them, scale b sqrt(ab); empty: none
 };
 
 struct TimeControl {
@@ -282,6 +285,23 @@ struct Case {
   /// Whether the energy of the tables is the one that steps keep. Of an elastic solid alone with lumped or corrected masses it is not: it
   /// has consistent masses, and swings by the difference where a wave trades kinetic for elastic energy.
   bool keeps_shown_energy() const { return fluid || time.implicit() || time.mass == MassKind::consistent; }
+  /// Area of the wall where nothing is displaced over that of the material before its prestretch, a_0.
+  double area_of_prestretch() const {
+    double ratio = 1;
+    if (substrate)
+      for (const double stretch : substrate->prestretch) ratio *= axisymmetric() ? stretch * stretch : stretch;
+    return ratio;
+  }
+  /// The cosine of the effective contact angle where nothing is displaced over that of fluid.contact_angle.
+  double cosine_factor() const {
+    return fluid->wall_stretch_exponent == 0 ? 1 : std::pow(area_of_prestretch(), -fluid->wall_stretch_exponent);
+  }
+  /// Modulus that the wall energy below liquid of the surface tension 1 gives the wall along itself where it acts on the wall, over
+  /// the cosine of the contact angle: beta (1 - beta) a_0^(-beta).
+  double wetted_modulus() const {
+    const double beta = fluid->wall_stretch_exponent;
+    return fluid->wall_tension == WallTensionModel::acts ? beta * (1 - beta) * cosine_factor() : 0;
+  }
   bool gives_density() const { return initial && (initial->density || !initial->from.empty()); }
   int dimension() const { return static_cast<int>(domain.size.size()); }
   bool axisymmetric() const { return domain.coordinates == Coordinates::axisymmetric; }

@@ -18,7 +18,7 @@ struct Outline {
 
 Outline outline_of(const Case& c, const Droplet& droplet, std::size_t k) {
   Outline o{"droplet[" + std::to_string(k) + "]", {}, {}, droplet.centre, {}, sits_on_wall(c, droplet)};
-  const double cosine = o.cap ? cap_cosine(*c.fluid, droplet) : -1;
+  const double cosine = o.cap ? cap_cosine(c, droplet) : -1;
   const std::size_t last = droplet.centre.size() - 1;
   for (std::size_t d = 0; d <= last; ++d) {
     double semi = droplet.radius * (droplet.stretch.empty() ? 1 : droplet.stretch[d]), low = semi, high = semi;

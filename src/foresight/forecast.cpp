@@ -18,7 +18,7 @@ namespace {
 /// (dV/dR) / R^(D-1) of a droplet: of a disc 2 pi, of a ball 4 pi, less for a cap and for a half on a slip side, which an axis of
 /// symmetry is not.
 double growth(const Case& c, const Droplet& droplet) {
-  const double pi = std::acos(-1.0), cosine = sits_on_wall(c, droplet) ? cap_cosine(*c.fluid, droplet) : -1;
+  const double pi = std::acos(-1.0), cosine = sits_on_wall(c, droplet) ? cap_cosine(c, droplet) : -1;
   const double angle = std::acos(cosine);
   double whole = c.dimension_of_droplets() == 2 ? 2 * (angle - std::sin(angle) * cosine)
                                                 : pi * (2 - 3 * cosine + cosine * cosine * cosine);
@@ -126,8 +126,9 @@ void add_softness(const Case& c, std::vector<std::string>& found) {
 /// Below liquid: by hand, or as Young's law gives it.
 double wet_tension(const Case& c) {
   if (c.fluid->wall_tension == WallTensionModel::none) return c.substrate->surface_tension_wet;
-  return c.substrate->surface_tension -
-         surface_tension(*c.fluid) * std::cos(c.fluid->contact_angle.least() * M_PI / 180);
+  return c.substrate->surface_tension - (1 - c.fluid->wall_stretch_exponent) * c.cosine_factor() *
+                                            surface_tension(*c.fluid) *
+                                            std::cos(c.fluid->contact_angle.least() * M_PI / 180);
 }
 
 void add_neumann(const Case& c, std::vector<std::string>& found) {

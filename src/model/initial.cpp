@@ -90,7 +90,7 @@ std::vector<Shape> shapes(const Case& c, const Model<D, P>& model) {
             droplet.velocity};
     if (bubbles) std::swap(s.density, s.density_around);
     for (std::size_t d = 0; d < droplet.stretch.size(); ++d) s.semi_axis[d] *= droplet.stretch[d];
-    if (sits_on_wall(c, droplet)) s.centre[D - 1] -= s.semi_axis[D - 1] * cap_cosine(*c.fluid, droplet);
+    if (sits_on_wall(c, droplet)) s.centre[D - 1] -= s.semi_axis[D - 1] * cap_cosine(c, droplet);
     result.push_back(s);
   }
   for (const Film& film : c.films)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "case/gel.hpp"
-#include "kernels/fluid/painted_wall.hpp"
+#include "kernels/fluid/stretched_wall.hpp"
 #include "kernels/solid/branches.hpp"
 #include "kernels/solid/foundation.hpp"
 #include "kernels/solid/graded.hpp"
@@ -78,11 +78,12 @@ class PieceMaker {
       add<NoMotion>("elasticity of the surface", SurfaceElasticity{s.surface_modulus[0], s.surface_modulus[1]});
     if (const std::vector<double>& springs = case_.boundary.foundation; !springs.empty())
       add<NoMotion>("foundation", Foundation{springs[0], springs[1]});
-    if (const double viscosity = shear_viscosity(s); viscosity > 0 || s.bulk_viscosity > 0) {
-      pieces_.solid_viscosity = pieces_.list.size();
-      add<NoMotion>("viscosity of the solid", KelvinVoigt{viscosity, s.bulk_viscosity, finite});
-    }
     if (s.has_branches()) add<NoMotion>("branches of the solid", BranchStress{});
+    pieces_.first_viscous = pieces_.list.size();
+    if (const double viscosity = shear_viscosity(s); viscosity > 0 || s.bulk_viscosity > 0)
+      add<NoMotion>("viscosity of the solid", KelvinVoigt{viscosity, s.bulk_viscosity, finite});
+    if (const std::vector<double>& dashpots = case_.boundary.foundation_damping; !dashpots.empty())
+      add<NoMotion>("dashpots of the foundation", Dashpots{dashpots[0], dashpots[1]});
   }
 
   template <class Term>
@@ -116,6 +117,8 @@ class PieceMaker {
     if (case_.fluid->wall_law == WallLaw::gradient) {
       const GradientWall law{wall.capillarity, wall.cosine, case_.fluid->smoothing};
       add_law<Motion>("contact_angle (gradient law)", law);
+    } else if (model_.wall_stretch_exponent() > 0) {
+      add_stretched<Motion>("contact_angle (stretched wall)", PaintedWall<EnergyWall>{wall}, 1, model_.painted());
     } else {
       add_law<Motion>("contact_angle (wall energy)", wall);
     }
@@ -125,6 +128,13 @@ class PieceMaker {
   void add_law(const char* name, const Law& law) {
     if (!model_.painted().values.data()) return add<Motion>(name, law);
     add<Motion>(name, PaintedWall<Law>{law}, Instant::stage, model_.painted());
+  }
+
+  /// A law of a wall that knows how much it is stretched. @param share  of the law
+  template <class Motion, class Law>
+  void add_stretched(const char* name, const Law& law, double share, const GivenField<double>& cosines) {
+    if constexpr (!std::is_same_v<Motion, NoMotion>)
+      add<Motion>(name, StretchedWall<Law>{law, model_.wall_stretch_exponent(), share}, Instant::stage, cosines);
   }
 
   template <class Motion>
@@ -141,9 +151,11 @@ class PieceMaker {
                 InCoordinates<CapillaryTraction, Axial>{traction()}, model_.blend());
       if (!model_.wall_tension().values.data()) return;
       pieces_.on_wall.push_back(pieces_.list.size());
-      EnergyWall of_one = model_.wall();
-      of_one.cosine = 1;
-      add<Motion>("tension of the wall", WallTension{WallEnergy::of(of_one)}, Instant::stage, model_.wall_tension());
+      const WallTension tension{model_.wall_of_one()};
+      const double beta = model_.wall_stretch_exponent();
+      if (beta > 0 && case_.fluid->wall_tension == WallTensionModel::acts)
+        return add_stretched<Motion>("tension of the stretched wall", tension, 1 - beta, model_.wall_tension());
+      add<Motion>("tension of the wall", tension, Instant::stage, model_.wall_tension());
     }
   }
 

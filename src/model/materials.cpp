@@ -19,7 +19,7 @@ namespace {
 
 /// A wall whose tension is not positive folds.
 void require_tension(const Fluid& fluid, double dry, double largest_cosine) {
-  const double gain = surface_tension(fluid) * largest_cosine;
+  const double gain = (1 - fluid.wall_stretch_exponent) * surface_tension(fluid) * largest_cosine;
   if (dry > gain) return;
   throw Error(Exit::invalid_input,
               "fluid.wall_tension = \"acts\": below liquid the wall would have the tension " + short_text(dry - gain) +
@@ -27,6 +27,20 @@ void require_tension(const Fluid& fluid, double dry, double largest_cosine) {
                   " less what it gains by being wetted; a tension that is not positive folds the wall: write a "
                   "surface_tension above " +
                   short_text(gain));
+}
+
+/// A wall whose energy below liquid grows less than its area has a negative modulus, and short waves along it grow.
+void require_modulus(const Case& c, double least_cosine) {
+  const double loss = c.wetted_modulus() * surface_tension(*c.fluid) * -least_cosine / c.cosine_factor();
+  if (c.substrate->modulus_of_surface() >= loss) return;
+  throw Error(Exit::invalid_input,
+              "fluid.wall_stretch_exponent = " + short_text(c.fluid->wall_stretch_exponent) +
+                  ": below liquid that the wall repels its energy grows less than its area, which takes the modulus " +
+                  short_text(loss) +
+                  " from a surface with lambda_s + 2 G_s = " + short_text(c.substrate->modulus_of_surface()) +
+                  "; a modulus that is negative lets short waves along the wall grow: write a "
+                  "substrate.surface_modulus with lambda_s + 2 G_s of " +
+                  short_text(loss) + " or more, or fluid.wall_tension = \"none\"");
 }
 
 }  // namespace
@@ -45,23 +59,37 @@ template <int D, int P>
 void Model<D, P>::build_wall(const Case& c) {
   wall_feeds_ = layout_.has_solid && c.fluid->wall_tension == WallTensionModel::none;
   const Profile angle = c.fluid->contact_angle;
-  const auto cosine = [](double degrees) { return degrees == 90.0 ? 0.0 : std::cos(degrees * M_PI / 180.0); };
+  const auto cosine = [factor = c.cosine_factor()](double degrees) {
+    return degrees == 90.0 ? 0.0 : factor * std::cos(degrees * M_PI / 180.0);
+  };
   const double uniform = angle.varies() ? 1 : cosine(angle.number);
   wall_ = WallEnergy::of({c.fluid->capillarity, uniform, 1e-5, fluid_.gas, coexistence_});
   if (layout_.rate_rows > 0) line_friction_ = line_friction_of(*c.fluid, wall_.law);
   std::vector<double> cosines = control_values(layout_, angle, layout_.has_solid ? layout_.wall_row : 0, 1);
   for (double& x : cosines) x = cosine(x);
   if (angle.varies()) painted_ = on_wall(cosines);
+  wall_stretch_exponent_ = c.fluid->wall_stretch_exponent;
+  if (wall_stretch_exponent_ > 0) {
+    painted_ = on_wall(cosines);
+    wall_ = wall_of_one();
+  }
   if (!layout_.has_solid) return;
   const double dry = c.substrate->surface_tension, wet = c.substrate->surface_tension_wet;
   if (c.fluid->wall_tension == WallTensionModel::acts) {
     require_tension(*c.fluid, dry, ranks::largest(*std::max_element(cosines.begin(), cosines.end())));
+    require_modulus(c, -ranks::largest(-*std::min_element(cosines.begin(), cosines.end())));
     tension_ = on_wall(cosines);
   } else if (wet != dry) {
-    const WallEnergy of_one = WallEnergy::of({c.fluid->capillarity, 1, 1e-5, fluid_.gas, coexistence_});
-    std::fill(cosines.begin(), cosines.end(), (wet - dry) / of_one.value(coexistence_.density_liquid));
+    std::fill(cosines.begin(), cosines.end(), (wet - dry) / wall_of_one().value(coexistence_.density_liquid));
     tension_ = on_wall(cosines);
   }
+}
+
+template <int D, int P>
+WallEnergy Model<D, P>::wall_of_one() const {
+  EnergyWall law = wall_.law;
+  law.cosine = 1;
+  return WallEnergy::of(law);
 }
 
 template <int D, int P>
@@ -136,6 +164,7 @@ Matrix<double, 3> Model<D, P>::first_piola(const Matrix<double, 3>& grad_u, cons
 }
 
 template void Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::build_fluid(const Case&);
+template WallEnergy Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::wall_of_one() const;
 template void Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::grade_solid(const Profile&);
 template void Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::build_solid(const Case&);
 template Matrix<double, 3> Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>::first_piola(const Matrix<double, 3>&,

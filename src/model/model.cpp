@@ -200,8 +200,7 @@ void Model<D, P>::add_forces_of_solid(const Stage& stage, const Array& out) cons
   TileSums<D, double> sums(layout_);
   Evaluation<D> at{layout_, stage, {}, out};
   at.sums = &sums;
-  for (std::size_t i = 0; i < pieces_.first_of_fluid; ++i)
-    if (i != pieces_.solid_viscosity) pieces_.list[i].piece->residual(at);
+  for (std::size_t i = 0; i < pieces_.first_viscous; ++i) pieces_.list[i].piece->residual(at);
   for (std::size_t i : pieces_.on_wall) {
     const auto& entry = pieces_.list[i];
     (entry.exact ? entry.exact : entry.piece)->residual(at);
@@ -214,8 +213,8 @@ void Model<D, P>::add_forces_of_solid(const Stage& stage, const Array& out) cons
 
 template <int D, int P>
 void Model<D, P>::add_viscosity_of_solid(const Stage& stage, const Array& out) const {
-  if (has_viscous_solid())
-    pieces_.list[pieces_.solid_viscosity].piece->residual(Evaluation<D>{layout_, stage, {}, out});
+  for (std::size_t i = pieces_.first_viscous; i < pieces_.first_of_fluid; ++i)
+    pieces_.list[i].piece->residual(Evaluation<D>{layout_, stage, {}, out});
 }
 
 template <int D, int P>

@@ -35,10 +35,10 @@ struct MeshFaults {
 };
 
 /// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its top face, the modulus
-/// lambda_s + 2 G_s of this face, the stiffer springs of its foundation, the largest stiffness of needles, and what its branches add to the
-/// stiffness against fast waves.
+/// lambda_s + 2 G_s of this face, the stiffer springs and the stronger dashpots of its foundation, the largest stiffness of needles, and what
+/// its branches add to the stiffness against fast waves.
 struct SolidRates {
-  double viscosity = 0, tension = 0, modulus = 0, foundation = 0, held = 0, branches = 0;
+  double viscosity = 0, tension = 0, modulus = 0, foundation = 0, dashpots = 0, held = 0, branches = 0;
 };
 
 using Solid = std::variant<Elastodynamics<SaintVenantKirchhoff>, Elastodynamics<Hooke>, Elastodynamics<NeoHookean>>;
@@ -60,13 +60,16 @@ class Model {
   /// First Piola-Kirchhoff stress of the material, as stiff as it is at the point x of the undeformed solid, and of its
   /// fibres, with the prestretch; without its viscosity and its branches. On the host. In 2D Grad u has the third axis too.
   Matrix<double, 3> first_piola(const Matrix<double, 3>& grad_u, const std::array<double, 3>& x) const;
-  /// Also of the gradient law: its capillarity and cosine. Where the angle varies along the wall the cosine is 1.
+  /// Also of the gradient law: its capillarity and cosine. Where there is a field `painted` the cosine is 1.
   const EnergyWall& wall() const { return wall_.law; }
+  /// The wall energy of the cosine 1.
+  WallEnergy wall_of_one() const;
   const LineFriction& line_friction() const { return line_friction_; }  ///< only where Layout::rate_rows > 0
   /// Stiffness over that of `solid`, below and above a joint; empty where the solid has a kernel of its own (grade_solid).
   const GivenField<double>& graded(int part) const { return graded_[part]; }
-  /// Cosine of the contact angle; empty where it does not vary.
+  /// Cosine of the contact angle; empty where it does not vary and the wall has no exponent.
   const GivenField<double>& painted() const { return painted_; }
+  double wall_stretch_exponent() const { return wall_stretch_exponent_; }
   /// Tension that the fluid gives the wall over the wall energy of the cosine 1; empty where it gives none.
   const GivenField<double>& wall_tension() const { return tension_; }
   const Pieces<D, double>& pieces() const { return pieces_; }
@@ -105,9 +108,9 @@ class Model {
   /// Adds to a residual what the solid without its viscosity, the forces of the fluid on the wall, loads and the source contribute,
   /// before ghosts are summed. The acceleration of the stage counts as it is.
   void add_forces_of_solid(const Stage&, const Array& out) const;
-  /// Adds the viscosity of the solid, where it has one. It is linear in the velocities of the stage.
+  /// Adds the viscosity of the solid and the dashpots below it, where it has some. They are linear in the velocities of the stage.
   void add_viscosity_of_solid(const Stage&, const Array& out) const;
-  bool has_viscous_solid() const { return pieces_.solid_viscosity != pieces_.none; }
+  bool has_viscous_solid() const { return pieces_.first_viscous < pieces_.first_of_fluid; }
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen. The direction is zero where
   /// values are prescribed. Its ghosts, where there are some, are filled for the product and then set to zero again.
   /// @param unbalanced  where it is given, with what LineFrictionBend adds: of the rows of the potential, for each area of the wall
@@ -171,7 +174,7 @@ class Model {
   Branches branches_;
   Prestretch prestretch_;
   Profile young_;
-  double largest_young_ = 0;
+  double largest_young_ = 0, wall_stretch_exponent_ = 0;
   GivenField<double> graded_[2], painted_, tension_;
   bool has_wall_ = false, has_gravity_ = false, wall_feeds_ = false;
   Precision precision_;

@@ -18,10 +18,9 @@ struct Pieces {
     std::unique_ptr<Piece<D, Real>> piece, exact;
   };
 
-  std::vector<Entry> list;  ///< those of the solid, then those of the fluid
-  static constexpr std::size_t none = ~std::size_t(0);
+  std::vector<Entry> list;        ///< those of the solid, the viscous ones last, then those of the fluid
+  std::size_t first_viscous = 0;  ///< of the solid: linear in its velocities
   std::size_t first_of_fluid = 0;
-  std::size_t solid_viscosity = none;                      ///< in the list
   std::vector<std::size_t> on_wall;                        ///< forces of the fluid on a soft wall, in the list
   std::unique_ptr<Piece<D, Real>> variational_derivative;  ///< with the wall's law it gives the potential; double alone
   const Piece<D, Real>* wall_law = nullptr;                ///< one of the list, or none at 90 degrees

@@ -40,13 +40,17 @@ inline SolidRates solid_rates(const Case& c) {
   const bool acts = c.fluid && c.fluid->wall_tension == WallTensionModel::acts;
   const double tension =
       acts ? s.surface_tension + surface_tension(*c.fluid) : std::max(s.surface_tension, s.surface_tension_wet);
-  const std::vector<double>& springs = c.boundary.foundation;
-  return {4.0 / 3 * shear_viscosity(s) + s.bulk_viscosity,
-          tension,
-          s.modulus_of_surface(),
-          springs.empty() ? 0 : std::max(springs[0], springs[1]),
-          stiffness_of_needles(c),
-          branches_of(s).weight(0)};
+  const double of_wetting = acts ? c.wetted_modulus() * surface_tension(*c.fluid) : 0;
+  const auto larger = [](const std::vector<double>& two) { return two.empty() ? 0 : std::max(two[0], two[1]); };
+  SolidRates rates;
+  rates.viscosity = 4.0 / 3 * shear_viscosity(s) + s.bulk_viscosity;
+  rates.tension = tension;
+  rates.modulus = s.modulus_of_surface() + of_wetting;
+  rates.foundation = larger(c.boundary.foundation);
+  rates.dashpots = larger(c.boundary.foundation_damping);
+  rates.held = stiffness_of_needles(c);
+  rates.branches = branches_of(s).weight(0);
+  return rates;
 }
 
 inline Fibres fibres_of(const Substrate& s, int dimension) {

@@ -172,7 +172,7 @@ double Scalars<D, P>::laplace_pressure(const Snapshot<D>& snapshot) const {
   for (int d = 0; d < D; ++d) at[d] = {droplet.centre[d]};
   for (int d = 0; d < D - 1; ++d) at[d] = {latest_.droplets[0].centre[d]};
   if (sits_on_wall(case_, droplet))  // a cap: half its height
-    at[D - 1][0] += 0.5 * droplet.radius * (1 - cap_cosine(*case_.fluid, droplet));
+    at[D - 1][0] += 0.5 * droplet.radius * (1 - cap_cosine(case_, droplet));
   return snapshot.chemical_potential(at)[0] - model_.state().potential;
 }
 

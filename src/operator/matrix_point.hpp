@@ -46,6 +46,7 @@ struct FrozenPoint {
     return N(point.measured(x.value, hoop.value), point.measured(x.tangent, hoop.tangent));
   }
   KOKKOS_FORCEINLINE_FUNCTION N radius() const { return N(point.radius(), S(0.0)); }
+  KOKKOS_FORCEINLINE_FUNCTION N area_ratio() const { return N(point.area_ratio(), S(0.0)); }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return fixed(point.mesh_velocity()); }
 };
 

@@ -130,6 +130,7 @@ struct Reader {
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return point.volume_ratio(); }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> position() const { return point.position; }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> normal() const { return point.normal; }  ///< on the moving wall
+  KOKKOS_FORCEINLINE_FUNCTION N area_ratio() const { return point.area_ratio(); }   ///< on the moving wall
 };
 
 /// What Test::write sees: integrands are weighted, pulled back and stored for the integration sweeps.
@@ -169,11 +170,11 @@ KOKKOS_FORCEINLINE_FUNCTION S weight_at(const Region<D, RealOf<S>>& region, cons
   return shared * load<S>(&region.axis[0].weight(q % Q, b.element[0]));
 }
 
-/// A point in the coordinates of a term.
-template <class Term, class Point>
-KOKKOS_FORCEINLINE_FUNCTION auto in_coordinates(const Point& point) {
+/// A point in the coordinates of a term. @param reference  its place where nothing is deformed
+template <class Term, class Point, class S, int D>
+KOKKOS_FORCEINLINE_FUNCTION auto in_coordinates(const Point& point, const Vector<S, D>& reference) {
   if constexpr (is_axisymmetric<Term>) {
-    return AxialPoint<Point>(point);
+    return AxialPoint<Point>(point, reference[0]);
   } else {
     return point;
   }
@@ -189,7 +190,7 @@ KOKKOS_FORCEINLINE_FUNCTION auto point_at(const BatchGeometryType& geometry, con
   reference[0] = load<S>(&region.axis[0].position(q % Q, b.element[0]));
   if constexpr (D == 3) reference[1] = S(region.axis[1].position((q % wall_points) / Q, b.element[1]));
   reference[D - 1] = S(height);
-  return in_coordinates<Term>(geometry.template at<on_face(Term::where)>(q, reference, height));
+  return in_coordinates<Term>(geometry.template at<on_face(Term::where)>(q, reference, height), reference);
 }
 
 }  // namespace softwet

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Solids with a tense and elastic surface, viscosity, weight, fibres, a foundation, a stiffness and a wetting that vary, under a load
-or a needle that moves: the same bits on any number of processes; and of solids that are stretched before or viscoelastic.
+"""Solids with a tense and elastic surface, viscosity, weight, fibres, a foundation, a stiffness and a wetting that vary, also with stretch,
+under a load or a needle that moves: the same bits on any number of processes; and of solids that are stretched before or viscoelastic.
 usage: solids.py SOFTWET"""
 
 from _ranks import check_same, run
@@ -10,7 +10,8 @@ SCENE = ["domain.elements=[44,16]", "fluid.capillarity=1/16", "fluid.temperature
          "fluid.wall_law=energy", "fluid.wall_tension=acts", "fluid.contact_angle=75 + 20*x", "substrate.surface_tension=0.03",
          "substrate.viscosity=0.01", "substrate.gravity=[0.01,-0.02]", "substrate.fibre.stiffness=0.2", "substrate.fibre.angle=30",
          "substrate.young=0.7*exp(x - 0.5)", 'load[0].path=["5*t",0]', "load[0].factor=cos(t)",
-         "substrate.surface_modulus=[0.02,0.01]", "boundary.bottom=free", "boundary.foundation=[5,1]"]
+         "substrate.surface_modulus=[0.02,0.01]", "boundary.bottom=free", "boundary.foundation=[5,1]",
+         "boundary.foundation_damping=[0.1,0.2]", "fluid.wall_stretch_exponent=0.5"]
 AROUND = ["boundary.left=periodic", "boundary.right=periodic"]
 EXPLICIT = ["time.scheme=kick_drift"]
 STRETCHED = ["substrate.prestretch=[1.2]", 'substrate.material="neo_hookean"', "substrate.fibre.angle=0"]

@@ -52,6 +52,27 @@ void check_wall_tension(const Checker& check) {
                  "remove it: Young's law gives it");
 }
 
+/// The stretch of the wall changes the effective contact angle.
+void check_stretch_exponent(const Checker& check) {
+  if (!check.c.fluid || check.c.fluid->wall_stretch_exponent == 0) return;
+  const std::string key = "fluid.wall_stretch_exponent";
+  const Fluid& fluid = *check.c.fluid;
+  if (!check.c.substrate) check.refuse(key, "needs a solid: a rigid wall is never stretched", "remove it");
+  if (fluid.wall_law != WallLaw::energy)
+    check.refuse(key, "is that of the wall energy, which the law \"gradient\" has not", "write wall_law = \"energy\"");
+  const double factor = check.c.cosine_factor();
+  for (const double angle : {fluid.contact_angle.least(), fluid.contact_angle.most()}) {
+    const double cosine = std::cos(angle * 3.14159265358979323846 / 180);
+    if (std::abs(factor * cosine) <= 1) continue;
+    const double room = std::log(std::abs(cosine)) / std::log(check.c.area_of_prestretch());
+    check.refuse(key,
+                 fmt::format("gives the wall with substrate.prestretch an effective contact angle whose cosine is "
+                             "{:.4g}: a contact angle of {:.6g} degrees is complete wetting or drying there",
+                             factor * cosine, angle),
+                 fmt::format("write an exponent below {:.4g}, or an angle nearer to 90 degrees", room));
+  }
+}
+
 /// Receding and advancing angle, and the static angle beside them.
 void check_angle_range(const Checker& check) {
   if (!check.c.fluid || check.c.fluid->contact_angle_range.empty()) return;
@@ -322,6 +343,9 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   if (!check_domain(check)) return;  // what follows needs the axes
   check.with({"fluid.gravity", "substrate.gravity", "boundary"}, [&] { check_gravity(check); });
   check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });
+  check.with(
+      {"fluid.wall_stretch_exponent", "fluid.contact_angle", "fluid.wall_law", "substrate", "substrate.prestretch"},
+      [&] { check_stretch_exponent(check); });
   check.with({"fluid.contact_angle_range", "fluid.contact_angle"}, [&] { check_angle_range(check); });
   check.with({"fluid.contact_angle_range", "fluid.contact_angle", "fluid.line_friction", "fluid.wall_law",
               "time.scheme", "boundary"},

@@ -34,7 +34,7 @@ double largest_radius(const Droplet& droplet) {
 double half_width(const Case& c, const Droplet& droplet) {
   const double radius = largest_radius(droplet);
   if (!sits_on_wall(c, droplet)) return radius;
-  const double cosine = cap_cosine(*c.fluid, droplet);
+  const double cosine = cap_cosine(c, droplet);
   return cosine > 0 ? radius * std::sqrt(1 - cosine * cosine) : radius;
 }
 
@@ -125,7 +125,7 @@ double rough_elastocapillary_length(const Case& c) {
 Extent height_of(const Case& c, const Droplet& droplet) {
   const double radius = largest_radius(droplet), middle = droplet.centre.back();
   if (!sits_on_wall(c, droplet)) return {middle - radius, middle + radius};
-  return {c.wall_height(), c.wall_height() + radius * (1 - cap_cosine(*c.fluid, droplet))};
+  return {c.wall_height(), c.wall_height() + radius * (1 - cap_cosine(c, droplet))};
 }
 
 Extent upwards(const Case& c) {

@@ -11,7 +11,7 @@ namespace {
 double reach_along(const Checker& check, const Droplet& droplet, std::size_t axis) {
   const double semi_axis = droplet.radius * (droplet.stretch.empty() ? 1.0 : droplet.stretch[axis]);
   if (!sits_on_wall(check.c, droplet)) return semi_axis;
-  const double cosine = cap_cosine(*check.c.fluid, droplet);
+  const double cosine = cap_cosine(check.c, droplet);
   if (axis == check.vertical()) return semi_axis * (1 - cosine);
   return cosine > 0 ? semi_axis * std::sqrt(1 - cosine * cosine) : semi_axis;
 }
@@ -64,8 +64,8 @@ void check_droplet(const Checker& check, std::size_t index) {
       check.require_axes(name + ".velocity", numbers,
                          "write one number for each axis, or leave it out for a droplet at rest");
   });
-  check.with({name + ".centre", name + ".radius", name + ".stretch", "fluid.contact_angle", "fluid.ambient",
-              "substrate.thickness", "boundary"},
+  check.with({name + ".centre", name + ".radius", name + ".stretch", "fluid.contact_angle",
+              "fluid.wall_stretch_exponent", "fluid.ambient", "substrate.thickness", "boundary"},
              [&] { check_reach(check, index); });
 }
 

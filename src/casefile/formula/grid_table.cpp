@@ -246,6 +246,35 @@ GridTable::GridTable(const std::string& path, const std::vector<std::string>& va
   }
 }
 
+GridTable::GridTable(std::vector<double> times, std::vector<double> values)
+    : axes_{{variables_of_all.find('t'), std::move(times)}}, values_(std::move(values)) {}
+
+bool GridTable::is_pairs(const std::string& text) { return text.rfind("[[", 0) == 0; }
+
+GridTable GridTable::of_pairs(const std::string& text) {
+  const std::string remedy = "write [[t, value], ...] with times that increase";
+  std::vector<double> numbers[2];
+  std::size_t count = 0;
+  constexpr const char* between = "[], ";
+  for (std::size_t begin = text.find_first_not_of(between); begin != std::string::npos; ++count) {
+    const std::size_t end = std::min(text.find_first_of(between, begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const auto number = number_from_text(word);
+    if (!number || !std::isfinite(*number))
+      throw FormulaError(fmt::format("is a table over time with '{}', which is no number", word), remedy);
+    numbers[count % 2].push_back(*number);
+    begin = text.find_first_not_of(between, end);
+  }
+  const auto& [times, values] = numbers;
+  if (times.empty() || times.size() != values.size())
+    throw FormulaError("is a table over time without pairs of a time and a value", remedy);
+  const auto late = std::adjacent_find(times.begin(), times.end(), std::greater_equal<>());
+  if (late != times.end())
+    throw FormulaError(fmt::format("is a table over time that has t = {:.10g} behind {:.10g}", *(late + 1), *late),
+                       remedy);
+  return {times, values};
+}
+
 double GridTable::at(const std::array<double, 3>& x, double t) const {
   const std::array<double, 4> place{x[0], x[1], x[2], t};
   std::array<std::size_t, 4> low{};

@@ -19,7 +19,13 @@ class GridTable final : public Formula {
   /// are the axes in the order x, y, z, t.
   /// Throws FormulaError that names the file, and the line and column of a CSV file.
   GridTable(const std::string& path, const std::vector<std::string>& variables);
+  /// Of times, which increase, and values.
+  GridTable(std::vector<double> times, std::vector<double> values);
 
+  /// The table over time that a text in a case file holds: "[[0, 0], [5, 0.1]]".
+  static GridTable of_pairs(const std::string& text);
+  /// Whether it is one: it begins with [[.
+  static bool is_pairs(const std::string& text);
   /// Whether a text in a case file is the path of a table: it ends with .csv or .h5.
   static bool is_path(const std::string& text);
   /// Whether it is the path of a file that somebody takes for a table, and is none: a workbook, or .CSV in capitals.

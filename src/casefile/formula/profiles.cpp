@@ -120,6 +120,13 @@ class ProfileBuilder {
       profile.formula = std::make_shared<GridTable>(profile.text, known.variables);
       return;
     }
+    if (GridTable::is_pairs(profile.text)) {
+      if (key.support != Support::time)
+        throw FormulaError("is a table over time, but this number does not vary in time",
+                           "write an expression in quotes, or the path of a table");
+      profile.formula = std::make_shared<GridTable>(GridTable::of_pairs(profile.text));
+      return;
+    }
     if (GridTable::is_other_file(profile.text))
       throw FormulaError("is no table that can be read",
                          "save it as CSV in UTF-8, in Excel as 'CSV UTF-8', under a name that ends with .csv");
@@ -220,7 +227,9 @@ std::string profile_text(const Key& key) {
       "rectangular grid, an HDF5 file has a dataset of each name. Between its points a table is linear, outside of "
       "the grid it goes on with the value of the border{}.",
       variables, functions_of_expressions, in_time ? "t" : "x, y, z, or some of these,",
-      in_time ? ", and steps end at its points" : "");
+      in_time ? ", and steps end at its points. Such a table may stand in the case itself, as [[t, value], ...], and "
+                "one for all axes as [[t, x, y], ...]"
+              : "");
 }
 
 std::vector<ProfileRange> profile_ranges(const Case& c) {

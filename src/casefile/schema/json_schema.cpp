@@ -73,8 +73,21 @@ Json schema_of_box(const Key& key) {
   return json;
 }
 
+/// Rows [t, value, ..].
+Json table_over_time() {
+  Json row = list_of(of_type("number"));
+  row["minItems"] = 2;
+  Json rows = list_of(row);
+  rows["minItems"] = 1;
+  return rows;
+}
+
 /// A quoted text is an expression or the path of a table, but for a number with a decimal comma.
-Json profile_of(const Key& key) { return one_of({plain_number(key, false), of_type("string")}); }
+Json profile_of(const Key& key) {
+  std::vector<Json> kinds{plain_number(key, false), of_type("string")};
+  if (key.support == Support::time) kinds.push_back(table_over_time());
+  return one_of(kinds);
+}
 
 Json text_of(const Key& key) {
   return key.letters.empty() ? of_type("string") : text_like("[A-Za-z0-9" + key.letters + "]+");
@@ -101,6 +114,7 @@ Json type_of(const Key& key) {
     case Kind::profile:
       return profile_of(key);
     case Kind::profiles:
+      if (key.support == Support::time) return one_of({list_of(profile_of(key)), table_over_time()});
       return list_of(profile_of(key));
     case Kind::text:
       break;

@@ -32,7 +32,7 @@ periodic  goes on at the opposite side, which must   the same; not from bottom t
 
 On every side of the fluid no mass passes and the density has no normal derivative, which is a contact angle of 90
 degrees. fluid.contact_angle holds on the wall alone: on top of the solid, or at boundary.bottom where there is none.
-A solid whose bottom is free may rest on springs, boundary.foundation.
+A solid whose bottom is free may rest on springs, boundary.foundation, and dashpots, boundary.foundation_damping.
 )";
 
 std::string bound_text(double number) { return fmt::format("{}", number); }
@@ -178,9 +178,11 @@ std::string allowed_text(const Key& key) {
       break;
     case Kind::profile:
       text = "number, expression or table (quoted)";
+      if (key.support == Support::time) text += ", or a table [[t, value], ...]";
       break;
     case Kind::profiles:
       text = "list of numbers, expressions and tables (quoted), one for each axis";
+      if (key.support == Support::time) text += ", or a table [[t, x, y], ...] (in 3D [[t, x, y, z], ...])";
       break;
     default:
       return "text";

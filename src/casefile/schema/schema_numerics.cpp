@@ -53,6 +53,17 @@ std::vector<Key> boundary_keys() {
                "= \"slip\" springs along a roller, [0, kap_t].",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.boundary.foundation; }),
        .default_note = "[], none"});
+  keys.push_back(
+      {.name = "boundary.foundation_damping",
+       .kind = Kind::numbers,
+       .unit = "b sqrt(ab)",
+       .range = {0, infinity, false, true},
+       .help = "Dashpots [c_n, c_t] below the solid, beside the springs of boundary.foundation or alone: the stress "
+               "c_n v_n against velocities through its bottom and c_t v_t against those along it. What they dissipate "
+               "is a part of the column dissipation_solid. Needs bottom = \"free\"; with bottom = \"slip\" dashpots "
+               "along a roller, [0, c_t].",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.boundary.foundation_damping; }),
+       .default_note = "[], none"});
   return keys;
 }
 

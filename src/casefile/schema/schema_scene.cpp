@@ -176,6 +176,15 @@ std::vector<Key> fluid_keys() {
            "energy law is exact, Young's and Neumann's laws hold together, and the pull along the wall is gone. It "
            "needs wall_law = \"energy\", a solid, and a substrate.surface_tension that outweighs it.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_tension; })},
+      {.name = "fluid.wall_stretch_exponent",
+       .range = {0, 1, false, false},
+       .help = "Exponent beta of the wall energy: the wall has a^(1 - beta) f_w for each area that it has before any "
+               "stretch, a the deformed over that area. With 0 the energy belongs to the deformed area, as that of a "
+               "liquid, with 1 to the one before. The effective contact angle has the cosine a^(-beta) "
+               "cos(contact_angle); with wall_tension = \"acts\" the tension is (1 - beta) a^(-beta) f_w. A "
+               "substrate.prestretch counts in a. It needs wall_law = \"energy\" and a solid.",
+       .reason = "between an energy for each deformed area and one for each area before any stretch",
+       .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_stretch_exponent; })},
       {.name = "fluid.gravity",
        .kind = Kind::numbers,
        .unit = "ab/L0",

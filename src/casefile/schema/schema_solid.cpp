@@ -242,8 +242,8 @@ std::vector<Key> load_keys() {
       {.name = "load[].path",
        .kind = Kind::profiles,
        .unit = "L0",
-       .help = "Displacement of the box over time, one entry for each axis: [\"0.1*t\", 0.0] moves it along x. Round a "
-               "periodic "
+       .help = "Displacement of the box over time, one entry for each axis: [\"0.1*t\", 0.0] moves it along x, and so "
+               "does the table [[0, 0, 0], [10, 1, 0]], linear between its times. Round a periodic "
                "axis it comes in on the other side; what leaves the solid elsewhere does not act.",
        .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.loads[i].path; }),
        .default_note = "[], the box rests",
@@ -276,10 +276,11 @@ std::vector<Key> needle_keys() {
       {.name = "needle[].path",
        .kind = Kind::profiles,
        .unit = "L0",
-       .help =
-           "Displacement U of the needle over time, one entry for each axis: [\"0.1*t\", 0.0] moves the box along x. "
-           "Before t = 0 the needle stands where it is then. In axisymmetric scenes it moves along the second axis "
-           "alone.",
+       .help = "Displacement U of the needle over time, one entry for each axis: [\"0.1*t\", 0.0] moves the box along "
+               "x, and "
+               "so does the table [[0, 0, 0], [10, 1, 0]], linear between its times. "
+               "Before t = 0 the needle stands where it is then. In axisymmetric scenes it moves along the second axis "
+               "alone.",
        .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.needles[i].path; }),
        .default_note = "[], the needle holds the box where it is",
        .support = Support::time},

@@ -64,14 +64,48 @@ std::optional<Words> names_of(const toml::node& node) {
   return names;
 }
 
+/// Rows [t, a, b, ..] of one length, two numbers or more.
+std::optional<std::vector<Numbers>> rows_of(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (!list || list->empty()) return std::nullopt;
+  std::vector<Numbers> rows;
+  for (const toml::node& entry : *list) {
+    const auto row = numbers_of(entry, false);
+    if (!row || row->size() < 2 || (!rows.empty() && row->size() != rows[0].size())) return std::nullopt;
+    rows.push_back(*row);
+  }
+  return rows;
+}
+
+/// Each column of rows [t, a, b, ..] as a table over time of its own, "[[t, a], ..]", or as a number where it is one.
+Words tables_of(const std::vector<Numbers>& rows) {
+  Words tables;
+  for (std::size_t column = 1; column < rows[0].size(); ++column) {
+    std::vector<Numbers> pairs;
+    bool varies = false;
+    for (const Numbers& row : rows) {
+      pairs.push_back({row[0], row[column]});
+      varies = varies || row[column] != rows[0][column];
+    }
+    tables.push_back(varies ? text_of_value(pairs) : text_of_number(rows[0][column]));
+  }
+  return tables;
+}
+
 std::optional<Value> profile_of(const toml::node& node) {
   if (const auto number = number_of(node, false)) return Value(*number);
   if (const auto* text = node.as_string()) return Value(text->get());
+  if (const auto rows = rows_of(node); rows && (*rows)[0].size() == 2) {
+    const std::string table = tables_of(*rows)[0];
+    const auto number = number_from_text(table);
+    return number ? Value(*number) : Value(table);
+  }
   return std::nullopt;
 }
 
 /// Each as a text, a number as well.
 std::optional<Words> profiles_of(const toml::node& node) {
+  if (const auto rows = rows_of(node)) return tables_of(*rows);
   const toml::array* list = node.as_array();
   if (!list) return std::nullopt;
   Words texts;

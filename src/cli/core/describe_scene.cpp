@@ -90,6 +90,20 @@ std::vector<Line> contact_lines(const Fluid& fluid) {
   return lines;
 }
 
+/// Of a wall whose stretch changes its contact angle.
+std::vector<Line> stretched_wall(const Case& c) {
+  const Fluid& fluid = *c.fluid;
+  std::vector<Line> lines{{"area over that before", formatted(c.area_of_prestretch(), "%.5g")}};
+  if (fluid.contact_angle.varies()) return lines;
+  for (const double more : {1.0, 1.1}) {
+    const double cosine = c.cosine_factor() * std::pow(more, -fluid.wall_stretch_exponent) *
+                          std::cos(fluid.contact_angle.number * M_PI / 180);
+    lines.push_back({more == 1 ? "effective contact angle" : "where its area is 10 % larger",
+                     formatted(std::acos(cosine) * 180 / M_PI, "%.5g") + " degrees"});
+  }
+  return lines;
+}
+
 std::vector<Line> profiles(const Case& c) {
   std::vector<Line> lines;
   for (const ProfileRange& range : profile_ranges(c))
@@ -173,6 +187,8 @@ void describe_scene(const Case& c, std::ostream& out) {
     print_section(out, "prestretch of the solid, where the displacement is 0", prestretch(c));
   if (c.fluid) print_section(out, "equilibrium", equilibrium(*c.fluid));
   if (c.fluid && c.fluid->resists_lines()) print_section(out, "contact lines", contact_lines(*c.fluid));
+  if (c.fluid && c.fluid->wall_stretch_exponent > 0)
+    print_section(out, "stretch of the wall, where the displacement is 0", stretched_wall(c));
   if (const auto lines = profiles(c); !lines.empty()) print_section(out, "numbers that vary", lines);
   if (const auto lines = grading(c); !lines.empty()) print_section(out, "graded elements", lines);
   print_groups(c, out);

@@ -34,7 +34,9 @@ const std::vector<Column> of_step{
      any_dimension, Needs::fluid},
     {"energy_wall", energy_unit,
      "Wall energy: the integral of f_w(rho) over the wall, where f_w(rho) = -cos(alpha) g times the integral of sqrt(2 "
-     "D) from rho_v to rho. It is the same formula under both wall laws.",
+     "D) from rho_v to rho. It is the same formula under both wall laws; with fluid.wall_stretch_exponent the "
+     "integrand "
+     "has the factor a^(-beta).",
      any_dimension, Needs::fluid},
     {"energy_elastic", energy_unit,
      "Elastic energy of the solid and its fibres. With saint_venant_kirchhoff that of the solid is the integral of "
@@ -128,8 +130,8 @@ const std::vector<Column> of_balance{
     {"speed_max_liquid", speed_unit, "Largest |v| of a control point whose density is above (rho_l + rho_v)/2.",
      any_dimension, Needs::fluid},
     {"wall_stretch", power_unit,
-     "Power that the wall energy gains because the wall stretches: the integral of f_w div_Gamma v over the wall. It "
-     "is "
+     "Power that the wall energy gains because the wall stretches: the integral of f_w div_Gamma v over the wall, with "
+     "fluid.wall_stretch_exponent that of (1 - beta) a^(-beta) f_w div_Gamma v. It is "
      "0 with fluid.wall_tension = \"acts\", where the solid pays for it. With fluid.wall_law = \"energy\" energy_total "
      "changes at the rate power_load + wall_stretch - dissipation, up to the error of the discretisation.",
      any_dimension, Needs::fluid},
@@ -150,9 +152,11 @@ const std::vector<Column> of_balance{
      "over the solid, e the strain of u - a_i, with the displacement a_i of the dashpot of a branch.",
      any_dimension, Needs::solid},
     {"dissipation_solid", power_unit,
-     "Part of dissipation that belongs to substrate.viscosity and substrate.bulk_viscosity, the integral of S_v : E' "
-     "over the undeformed solid with the rate E' of the Green-Lagrange strain, and to the dashpots of branches, the "
-     "sum of the integrals of 2 G_i tau_i dev e' : dev e' with the strain rate e' of a_i'.",
+     "Part of dissipation that belongs to the solid: to substrate.viscosity and substrate.bulk_viscosity, the integral "
+     "of S_v : E' over the undeformed solid, E' the rate of the Green-Lagrange strain; to the dashpots of branches, "
+     "the "
+     "sum of the integrals of 2 G_i tau_i dev e' : dev e' with the strain rate e' of a_i'; and to "
+     "boundary.foundation_damping, that of c_n v_n^2 + c_t v_t^2 over its undeformed bottom.",
      any_dimension, Needs::solid},
     {"dissipation_wall", power_unit,
      "Part of dissipation that belongs to fluid.line_friction and fluid.contact_angle_range: the integral of r' (B r' "

@@ -168,8 +168,10 @@ struct Tile {
     if constexpr (D == 3) reference[1] = S(t[Room::y_place + y]);
     const Real height = t[Room::z_place + z];
     reference[D - 1] = S(height);
-    const auto point = in_coordinates<typename Plan::Term>(point_above_wall<N, Shape::base, Plan::on_wall>(
-        task.motion, t + Room::wall + p % Shape::base, reference, height));
+    const auto point =
+        in_coordinates<typename Plan::Term>(point_above_wall<N, Shape::base, Plan::on_wall>(
+                                                task.motion, t + Room::wall + p % Shape::base, reference, height),
+                                            reference);
     using Point = std::remove_const_t<decltype(point)>;
     const TileFields<Plan> from{own, values + p, row, step, task.scale};
     using From = Reader<N, D, TileFields<Plan>, Point>;

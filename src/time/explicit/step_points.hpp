@@ -89,6 +89,7 @@ struct SolidBound {
   double held = 0;           ///< square of the frequency of the springs of needles
   double viscous = 0;        ///< rate of viscosity in the undeformed state
   double branches = 0;       ///< stiffness of branches, at least the largest row of its part in any solid
+  double dashpots = 0;       ///< that of the dashpots of the bottom
 
   /// @param symbols    of ends
   /// @param many       axes whose symbols add up
@@ -106,7 +107,9 @@ struct SolidBound {
     };
     surface = of_face(more.tension);
     along_face = of_face(more.modulus);
-    springs = margin * symbols.springs * symbols.springs * more.foundation / (solid.density * length);
+    const double of_bottom = margin * symbols.springs * symbols.springs / (solid.density * length);
+    springs = of_bottom * more.foundation;
+    dashpots = of_bottom * more.dashpots;
     held = std::pow(symbols.held, many) * more.held / solid.density;
     viscous = modulus * more.viscosity;
     branches = more.branches;
@@ -122,7 +125,7 @@ struct SolidBound {
     rate[elasticity] = Kokkos::sqrt(elastic + face + (below ? springs : 0) + held);
     const auto deformed = add_diagonal(gradient, 1.0);
     const double length = contract(deformed, deformed) / (Axial ? 3 : D);  // |F|^2, 1 where nothing is deformed
-    rate[viscosity] = viscous * Kokkos::max(1.0, length) * Kokkos::max(1.0, length);
+    rate[viscosity] = viscous * Kokkos::max(1.0, length) * Kokkos::max(1.0, length) + (below ? dashpots : 0);
     rate[combined] = combine(formula, rate[elasticity], rate[viscosity], 0, 0);
   }
 

@@ -25,6 +25,31 @@ TEST(NeedleCase, IsReadAndWritten) {
   EXPECT_EQ(parse_case(with("stiffness = 1"), "case.toml").needles[0].place(1, 3), 0) << "without a path it rests";
 }
 
+// A path as a table in the case: rows [t, x, y].
+TEST(NeedleCase, HasAPathAsATable) {
+  const Case c = parse_case(with("stiffness = 2e5\npath = [[0, 0, 0], [2, 0.1, 0], [4, 0.1, \"-1/16\"]]\n"),
+                            "case.toml", {"load.path=[[0,0,0],[3,0.3,0]]", "load.factor=[[0,1],[4,3]]"});
+  EXPECT_DOUBLE_EQ(c.needles[0].place(0, 1), 0.05);
+  EXPECT_DOUBLE_EQ(c.needles[0].place(0, 3), 0.1);
+  EXPECT_DOUBLE_EQ(c.needles[0].place(1, 3), -1.0 / 32);
+  EXPECT_DOUBLE_EQ(c.needles[0].place(1, 9), -1.0 / 16) << "behind its end it stays";
+  EXPECT_EQ(c.needles[0].path[0].formula->kinks(), (std::vector<double>{0, 2, 4}));
+  EXPECT_DOUBLE_EQ(c.loads[0].path[0].at({}, 1), 0.1);
+  EXPECT_DOUBLE_EQ(c.loads[0].factor.at({}, 2), 2);
+  const Case again = parse_case(write_case(c), "again.toml");
+  EXPECT_EQ(write_case(again), write_case(c));
+  EXPECT_DOUBLE_EQ(again.needles[0].place(1, 3), -1.0 / 32);
+}
+
+TEST(NeedleCase, RefusesTablesThatAreNone) {
+  tells(needle(), {"needle.path=[[0,0],[1,1]]"}, {"needle[0].path", "must be 2 numbers"});
+  tells(needle(), {"needle.path=[[0,0,0],[1,1]]"}, {"needle[0].path", "[[t, x, y], ...]"});
+  tells(needle(), {"needle.path=[[0,0,0],[0,1,0]]"}, {"needle[0].path", "t = 0 behind 0", "times that increase"});
+  tells(needle(), {"needle.path=['[[0, a]]',0]"}, {"needle[0].path", "'a'", "no number"});
+  tells(needle(), {"substrate.young=[[0,1],[1,2]]"}, {"substrate.young", "does not vary in time"});
+  tells(needle(), {"load.factor=[[0,1,2],[1,2,3]]"}, {"load[0].factor", "[[t, value], ...]"});
+}
+
 TEST(NeedleCase, RefusesWhatIsNone) {
   tells(with(""), {}, {"needle[0].stiffness is missing", "stiffness = 1e5"});
   tells(needle(), {"needle.stiffness=0"}, {"needle[0].stiffness", "(0, inf)"});

@@ -42,7 +42,7 @@ TEST(StepsForeseen, AreAtLeastThoseOfTheFirstState) {
 // Each makes the steps of a solid many times shorter than its elasticity does. The first state is not deformed.
 TEST(StepsForeseen, KnowAllThatLimitsASolid) {
   const auto solids = [](const Case& plain) {
-    std::vector<Case> all(8, plain);
+    std::vector<Case> all(9, plain);
     for (Case& c : all) c.loads.clear();
     for (const int k : {0, 2}) all[k].substrate->fibre = {300, 80, 30};
     for (const int k : {1, 2}) all[k].substrate->surface_tension = all[k].substrate->surface_tension_wet = 20;
@@ -53,6 +53,8 @@ TEST(StepsForeseen, KnowAllThatLimitsASolid) {
     all[6].substrate->surface_modulus = {10, 5};
     all[7].boundary.side[plain.dimension() - 1][0] = Side::free;
     all[7].boundary.foundation = {10, 500};
+    all[8].boundary.side[plain.dimension() - 1][0] = Side::free;
+    all[8].boundary.foundation_damping = {1, 20};
     return all;
   };
   for (const Case& c : solids(scene(Scene::solid))) {

@@ -17,6 +17,7 @@ Case rich(Scene kind) {
     c.substrate->surface_modulus = {0.3, 0.2};
     c.boundary.side[1][0] = Side::free;
     c.boundary.foundation = {0.6, 0.3};
+    c.boundary.foundation_damping = {0.4, 0.7};
     c.substrate->gravity = {0, -0.8};
     c.substrate->fibre = {0.5, 30, 0};
   }
@@ -41,6 +42,8 @@ std::vector<double> naive_solid(RandomScene& s) {
     add(sum, naive(s, SurfaceElasticity{solid.surface_modulus[0], solid.surface_modulus[1]}, wall - 1, wall, false));
   if (const std::vector<double>& springs = s.data.boundary.foundation; !springs.empty())
     add(sum, naive(s, Foundation{springs[0], springs[1]}, 0, 1, false));
+  if (const std::vector<double>& dashpots = s.data.boundary.foundation_damping; !dashpots.empty())
+    add(sum, naive(s, Dashpots{dashpots[0], dashpots[1]}, 0, 1, false));
   if (solid.viscosity > 0) add(sum, naive(s, KelvinVoigt{solid.viscosity, solid.bulk_viscosity}, 0, wall, false));
   if (solid.fibre.stiffness > 0) {
     const double angle = solid.fibre.angle * M_PI / 180;

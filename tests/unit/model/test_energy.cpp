@@ -90,6 +90,7 @@ Case rich_solid(Scene kind) {
   c.substrate->surface_modulus = {0.3, 0.2};
   c.boundary.side[1][0] = Side::free;
   c.boundary.foundation = {0.6, 0.3};
+  c.boundary.foundation_damping = {0.4, 0.7};
   c.substrate->gravity = {0.3, -0.8};
   c.substrate->fibre = {0.5, 30, 0};
   return c;

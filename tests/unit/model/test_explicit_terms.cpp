@@ -38,6 +38,15 @@ TEST(ExplicitTerms, AddUpWithTheBlendedTraction) {
 }
 TEST(ExplicitTerms, AddUpOnARigidWall) { expect_parts_of_residual<2>(scene(Scene::rigid, WallLaw::energy, true)); }
 TEST(ExplicitTerms, AddUpInASolid) { expect_parts_of_residual<2>(scene(Scene::solid)); }
+TEST(ExplicitTerms, AddUpOnAFoundation) {
+  Case c = scene(Scene::coupled);
+  c.boundary.side[1][0] = Side::free;
+  c.boundary.foundation = {0.6, 0.3};
+  c.boundary.foundation_damping = {0.4, 0.7};
+  expect_parts_of_residual<2>(c);
+  c.substrate->viscosity = 0.2;
+  expect_parts_of_residual<2>(c);
+}
 TEST(ExplicitTerms, AddUpInAxisymmetricScenes) {
   for (const Scene kind : {Scene::coupled, Scene::rigid, Scene::solid})
     expect_parts_of_residual<2>(axisymmetric(scene(kind, WallLaw::energy)));

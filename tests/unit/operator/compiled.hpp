@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernels/fluid/line_friction.hpp"
-#include "kernels/fluid/painted_wall.hpp"
+#include "kernels/fluid/stretched_wall.hpp"
 #include "kernels/solid/branches.hpp"
 #include "kernels/solid/fibres.hpp"
 #include "kernels/solid/foundation.hpp"
@@ -38,14 +38,17 @@
   SOFTWET_COMPILED_SOLID(D, NeoHookean)                         \
   SOFTWET_COMPILED(D, PaintedWall<softwet::EnergyWall>, MOTION) \
   SOFTWET_COMPILED(D, PaintedWall<softwet::GradientWall>, MOTION)
-#define SOFTWET_COMPILED_ONCE(D)               \
-  SOFTWET_COMPILED(D, WallTension, WallMotion) \
-  SOFTWET_COMPILED(D, GradedSolid, Still)      \
-  SOFTWET_COMPILED(D, Foundation, Still)       \
-  SOFTWET_COMPILED(D, Fibres, Still)           \
-  SOFTWET_COMPILED(D, KelvinVoigt, Still)      \
-  SOFTWET_COMPILED(D, BranchStress, Still)     \
-  SOFTWET_COMPILED(D, SurfaceTension, Still)   \
+#define SOFTWET_COMPILED_ONCE(D)                                                            \
+  SOFTWET_COMPILED(D, WallTension, WallMotion)                                              \
+  SOFTWET_COMPILED(D, StretchedWall<softwet::WallTension>, WallMotion)                      \
+  SOFTWET_COMPILED(D, StretchedWall<softwet::PaintedWall<softwet::EnergyWall>>, WallMotion) \
+  SOFTWET_COMPILED(D, GradedSolid, Still)                                                   \
+  SOFTWET_COMPILED(D, Foundation, Still)                                                    \
+  SOFTWET_COMPILED(D, Dashpots, Still)                                                      \
+  SOFTWET_COMPILED(D, Fibres, Still)                                                        \
+  SOFTWET_COMPILED(D, KelvinVoigt, Still)                                                   \
+  SOFTWET_COMPILED(D, BranchStress, Still)                                                  \
+  SOFTWET_COMPILED(D, SurfaceTension, Still)                                                \
   SOFTWET_COMPILED(D, SurfaceElasticity, Still)
 namespace softwet {
 template <int, class>

@@ -137,7 +137,9 @@ template <int D>
 struct NaiveReader {
   const NaivePoint<D>& point;
   const std::vector<Grid>& slots;
+  bool around = false;  ///< in the coordinates (r, z)
   double value(int s) const { return point.evaluate(slots[s], -1); }
+  double area_ratio() const { return point.area() * (around ? point.radius / point.x[0] : 1); }
   double over_radius(int s) const { return value(s) / point.radius; }
   Vector<double, D> gradient(int s) const {
     std::array<double, D> g;
@@ -255,7 +257,7 @@ std::vector<double> naive_residual(const Layout<D>& l, int points, const Term& t
   std::vector<double> out(l.size(), 0.0);
   for_points<D>(l, points, first, last, face, motion, [&](const NaivePoint<D>& p, double w) {
     using Trial = typename Term::template Trial<double, D>;
-    const auto test = term.residual(Trial::read(NaiveReader<D>{p, slots}));
+    const auto test = term.residual(Trial::read(NaiveReader<D>{p, slots, is_axisymmetric<Term>}));
     const double measure = w * (face ? p.area() : p.volume) * (is_axisymmetric<Term> ? p.radius : 1.0);
     test.write(NaiveWriter<D>{p, tests, measure, only_row, out});
   });

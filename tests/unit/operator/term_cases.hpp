@@ -60,9 +60,14 @@ struct TermCases {
     return {unknown(D), of_given()};
   }
   std::vector<Grid> slots(const WallTension&) const { return {unknown(D), of_given()}; }
+  template <class Law>
+  std::vector<Grid> slots(const StretchedWall<Law>& wall) const {
+    return slots(wall.law);
+  }
   std::vector<Grid> slots(const SurfaceTension&) const { return each(patch.stage.displacement, true); }
   std::vector<Grid> slots(const SurfaceElasticity&) const { return each(patch.stage.displacement, true); }
   std::vector<Grid> slots(const Foundation&) const { return each(patch.stage.displacement, true); }
+  std::vector<Grid> slots(const Dashpots&) const { return each(patch.stage.unknown, false); }
   std::vector<Grid> slots(const Fibres&) const { return each(patch.stage.displacement, true); }
   std::vector<Grid> slots(const KelvinVoigt&) const {
     std::vector<Grid> s = each(patch.stage.displacement, true);
@@ -95,6 +100,10 @@ struct TermCases {
   template <class Law>
   static std::vector<int> equations(const PaintedWall<Law>&) {
     return {D + 1};
+  }
+  template <class Law>
+  static std::vector<int> equations(const StretchedWall<Law>& wall) {
+    return equations(wall.law);
   }
   template <class Term>
   static std::vector<int> equations(const Axisymmetric<Term>& term) {
@@ -205,8 +214,14 @@ struct TermCases {
         .template check<Motion>("line_friction", LineFriction{0.3, 0.8, terms.energy_wall}, patch.face(), low, low + 1);
     check<Motion>("painted gradient_wall", PaintedWall<GradientWall>{{0.4, 1, 1e-2}}, patch.face(), low, low + 1);
     check<Motion>("painted energy_wall", PaintedWall<EnergyWall>{of_one}, patch.face(), low, low + 1);
-    if constexpr (!std::is_same_v<Motion<D, double>, NoMotion>)
-      check<Motion>("wall_tension", WallTension{WallEnergy::of(of_one)}, patch.face(), low, low + 1);
+    if constexpr (!std::is_same_v<Motion<D, double>, NoMotion>) {
+      const WallTension tension{WallEnergy::of(of_one)};
+      check<Motion>("wall_tension", tension, patch.face(), low, low + 1);
+      check<Motion>("stretched wall_tension", StretchedWall<WallTension>{tension, 0.7, 0.3}, patch.face(), low,
+                    low + 1);
+      check<Motion>("stretched energy_wall", StretchedWall<PaintedWall<EnergyWall>>{{of_one}, 0.7}, patch.face(), low,
+                    low + 1);
+    }
   }
   void check_solid() const {
     check<Still>("saint_venant_kirchhoff", terms.solid, patch.solid(), 0, patch.layout.solid_elements);
@@ -221,6 +236,7 @@ struct TermCases {
     TermCases(patch.with_branches()).template check<Still>("branches", BranchStress{}, patch.solid(), 0, top);
     check<Still>("surface tension", SurfaceTension{0.6}, patch.top(), top - 1, top);
     check<Still>("foundation", Foundation{0.6, 0.4}, patch.bottom(), 0, 1);
+    check<Still>("dashpots", Dashpots{0.6, 0.4}, patch.bottom(), 0, 1);
     check<Still>("surface elasticity", SurfaceElasticity{0.6, 0.4}, patch.top(), top - 1, top);
   }
 };

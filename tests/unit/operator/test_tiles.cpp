@@ -45,9 +45,14 @@ TEST(Tiles2D, GivenFieldsAndFaces) {
   c.check<NoMotion>("viscosity", KelvinVoigt{0.4, 0.3}, c.patch.solid());
   c.check<NoMotion>("surface tension", SurfaceTension{0.6}, c.patch.top());
   c.check<NoMotion>("foundation", Foundation{0.6, 0.4}, c.patch.bottom());
+  c.check<NoMotion>("dashpots", Dashpots{0.6, 0.4}, c.patch.bottom());
   c.check<NoMotion>("surface elasticity", SurfaceElasticity{0.6, 0.4}, c.patch.top());
   c.check<WallMotion<2>>("painted energy_wall", PaintedWall<EnergyWall>{of_one}, c.patch.face());
-  c.check<WallMotion<2>>("wall_tension", WallTension{WallEnergy::of(of_one)}, c.patch.face());
+  const WallTension tension{WallEnergy::of(of_one)};
+  c.check<WallMotion<2>>("wall_tension", tension, c.patch.face());
+  c.check<WallMotion<2>>("stretched wall_tension", StretchedWall<WallTension>{tension, 0.7, 0.3}, c.patch.face());
+  c.check<WallMotion<2>>("stretched energy_wall", StretchedWall<PaintedWall<EnergyWall>>{{of_one}, 0.7},
+                         c.patch.face());
 }
 
 /// Test functions that all elements above each other share.

@@ -198,6 +198,26 @@ TEST(Foundation, ForcesAreTheSlopesOfItsEnergy) {
   EXPECT_NEAR((Foundation{5, 2}.energy(SolidDisplacement<double, 2>{{{0.3, -0.4}}})), 0.09 + 0.4, 1e-15);
 }
 
+// The same for dashpots: 5 across the face, 2 along it; what they take is the product of force and velocity.
+template <int D>
+void expect_dashpots() {
+  const Dashpots term{5, 2};
+  SolidVelocity<double, D> t;
+  double power = 0;
+  for (int i = 0; i < D; ++i) t.velocity[i] = 0.3 - 0.7 * i;
+  const Vector<double, D> force = term.residual(t).value;
+  for (int i = 0; i < D; ++i) {
+    EXPECT_NEAR(force[i], (i == D - 1 ? 5 : 2) * t.velocity[i], 1e-15);
+    power += force[i] * t.velocity[i];
+  }
+  EXPECT_NEAR(term.dissipation(t), power, 1e-15);
+  EXPECT_GT(power, 0);
+}
+TEST(Dashpots, TakeTheProductOfForceAndVelocity) {
+  expect_dashpots<2>();
+  expect_dashpots<3>();
+}
+
 TEST(Fibres, UniaxialStretchByHand) {
   const Fibres term{0.5, {{1, 0, 0}}};
   const SolidStrain<double, 2> t{{{{0.2, 0}, {0, -0.1}}}};

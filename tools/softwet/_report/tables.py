@@ -4,6 +4,8 @@ import numpy as np
 
 from .._drawing.history_curves import energy_label
 
+FOUNDATION = {"foundation": "springs", "foundation_damping": "dashpots"}  # keys of [boundary] that are no sides
+
 
 def number(value):
     return f"{value:.4g}" if isinstance(value, (int, float)) else str(value)
@@ -50,10 +52,10 @@ def scene(case):
     rows += [(f"initial {key}", shortened(value)) for key, value in case.get("initial", {}).items() if value]
     sides = {}
     for side, kind in case.get("boundary", {}).items():
-        if side != "foundation":
+        if side not in FOUNDATION:
             sides.setdefault(kind, []).append(side)
         elif kind:
-            rows.append(("foundation below the solid", ", ".join(map(number, kind))))
+            rows.append((f"{FOUNDATION[side]} below the solid", ", ".join(map(number, kind))))
     return rows + [(kind.replace("_", " "), ", ".join(names)) for kind, names in sides.items()]
 
 

@@ -188,6 +188,18 @@ TEST(StepBound, HoldsForASolidOnAFoundation) {
     }
 }
 
+TEST(StepBound, HoldsForASolidOnDashpots) {
+  for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
+    for (const auto& [across, along] : {std::pair{0.5, 0.1}, {20.0, 0.0}, {0.0, 20.0}})
+      for (const Case& plain : {moving_droplet(Scene::solid), around_axis(moving_droplet(Scene::solid))}) {
+        Case c = on_springs(plain, 5, 1);
+        c.boundary.foundation_damping = {across, along};
+        const double found = room(c, TimeScheme::kick_drift, kind);
+        EXPECT_GE(found, 1) << across << ", " << along;
+        EXPECT_LE(found, 2) << across << ", " << along;
+      }
+}
+
 TEST(StepBound, HoldsForAStretchedSolid) {
   for (const double stretch : {0.7, 0.85, 1.15, 1.5})
     for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
