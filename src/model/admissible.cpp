@@ -58,11 +58,13 @@ void require_density(const Case& c, const Model<D, P>& model, const std::vector<
   const std::string waves = waves_on(c, [](WaveField field) { return field == WaveField::density; });
   if (waves.empty() && !c.gives_density())
     return;  // droplets and films have densities of the two phases, or between them
+  const bool of_a_run = c.initial && c.initial->earlier && !c.initial->density;
+  const double least = of_a_run ? -c.solver.newton_undershoot : 0;  // a run may undershoot the vapour's small density
   std::size_t worst = 0;
-  double outside = -1;  // of [0, close_packed), by this much
+  double outside = -1;  // of [least, close_packed), by this much
   for (std::size_t i = 0; i < density.size(); ++i) {
-    if (density[i] >= 0 && density[i] < close_packed) continue;
-    const double here = std::isfinite(density[i]) ? std::max(-density[i], density[i] - close_packed) : infinite;
+    if (density[i] >= least && density[i] < close_packed) continue;
+    const double here = std::isfinite(density[i]) ? std::max(least - density[i], density[i] - close_packed) : infinite;
     if (here > outside) outside = here, worst = i;
   }
   const double most = ranks::largest(outside);
@@ -73,14 +75,16 @@ void require_density(const Case& c, const Model<D, P>& model, const std::vector<
     place += (place.empty() ? "" : ", ") + short_text(told_by(speaker, x), 4);
   const std::string bare = short_text(told_by(speaker, without_waves[worst]), 4),
                     value = short_text(told_by(speaker, density[worst]), 4);
-  const std::string key = c.initial && !c.initial->density ? "initial.from" : "initial.density";
+  const std::string range = "[" + short_text(least, 4) + ", " + short_text(close_packed, 4) + ")";
   if (waves.empty())
-    throw Error(Exit::invalid_input, key + ": the density is " + value + " at (" + place +
-                                         "), where it must lie in [0, " + short_text(close_packed, 4) +
-                                         "); bound it there, for example with max and min");
+    throw Error(Exit::invalid_input,
+                std::string(of_a_run ? "initial.from" : "initial.density") + ": the density is " + value + " at (" + place +
+                    "), where it must lie in " + range +
+                    (of_a_run ? "; begin from another time of that run (initial.time), or raise solver.newton.undershoot"
+                              : "; bound it there, for example with max and min"));
   const double factor = 0.99 * factor_that_fits(without_waves, density);
   throw Error(Exit::invalid_input, "the density at the start is " + value + " at (" + place +
-                                       "), where it must lie in [0, " + short_text(close_packed, 4) + "): it is " +
+                                       "), where it must lie in " + range + ": it is " +
                                        bare + " there without the waves on the density, which are " + waves +
                                        "; multiply these amplitudes by at most " + short_text(factor, 4) +
                                        ", or choose other modes");

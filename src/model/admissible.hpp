@@ -9,7 +9,8 @@ namespace softwet {
 /// Largest density of a state that can be computed; the fluid is close-packed at 1.
 constexpr double close_packed = 0.999;
 
-/// Refuses a density with a control value below 0 or from `close_packed` on. The message names the place of the one
+/// Refuses a density with a control value below 0 or from `close_packed` on. Of an earlier run it may undershoot 0 as far as that of this
+/// run may (solver.newton.undershoot). The message names the place of the one
 /// that is furthest outside, its value, the range, and by which factor smaller waves would fit. All processes decide
 /// alike.
 /// @param without_waves  control values of droplets, films and what is around them

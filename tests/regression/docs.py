@@ -35,7 +35,8 @@ try:
     left_out = {"tools/setup", "tools/test"}
 except ImportError:
     print("no matplotlib: tools that draw are left out")
-    left_out = {"tools/setup", "tools/test", "tools/plot", "tools/report", "tools/figures", "tools/figures3d"}
+    left_out = {"tools/setup", "tools/test", "tools/plot", "tools/report", "tools/figures", "tools/figures3d",
+                "tools/papers"}
 
 
 def expect(name, condition, detail=""):

@@ -5,8 +5,9 @@ the start, and what the command line tells of them. usage: varying.py SOFTWET"""
 import pathlib
 import subprocess
 
+import h5py
 import numpy
-from _scene import cases, check, check_true, environment, history, run, run_file, softwet
+from _scene import cases, check, check_true, environment, history, record, run, run_file, softwet
 
 # A layer whose energy only a load changes: small strains, no numerical damping.
 LAYER = ["domain.elements=[32,4]", "load.ramp=0.25", "load.force=[0.002,0]", "substrate.strain=small", "time.rho_inf=1",
@@ -117,6 +118,16 @@ for time, row in ((0, 0), (2, -1)):
     for key in ("mass", "energy_total", "energy_elastic", "energy_kinetic"):
         bound = 1e-6 * (abs(then["energy_total"][-1]) if key.startswith("energy") else then["mass"][-1])
         check(f"t = {time}: {key}", abs(first[key][0] - then[key][row]), bound)
+# A run may undershoot the small density of its vapour, and so may one that starts from it.
+start = record("rest")["unknowns"]["velocity"]
+with h5py.File("rest/checkpoint.h5", "r+") as file:
+    file["arrays/state/unknown"][start + record("rest")["unknowns"]["density"] - 1] = -0.01
+run("static_droplet_soft_2d", "from_below", [*SOFT, "domain.elements=[32,16]", "time.end=0.01", "initial.from=rest"])
+check_true("a run starts from one that undershoots", history("from_below")["rho_min"][0] < 0)
+answer = ask("run", str(cases / "static_droplet_soft_2d.toml"), *(word for key in [*SOFT, "domain.elements=[32,16]",
+             "initial.from=rest", "solver.newton.undershoot=0.005"] for word in ("--set", key)), "--out", "from_too_low", "--quiet")
+check_true("but not below its own bound", answer.returncode == 1 and "initial.from" in answer.stderr and
+           "[-0.005, 0.999)" in answer.stderr and "initial.time" in answer.stderr, answer.stderr)
 # Of a run whose table is gone.
 gone = pathlib.Path("gone.csv")
 gone.write_text("x,value\n0,1\n1,2\n")
