@@ -77,17 +77,17 @@ void require_density(const Case& c, const Model<D, P>& model, const std::vector<
                     value = short_text(told_by(speaker, density[worst]), 4);
   const std::string range = "[" + short_text(least, 4) + ", " + short_text(close_packed, 4) + ")";
   if (waves.empty())
-    throw Error(Exit::invalid_input,
-                std::string(of_a_run ? "initial.from" : "initial.density") + ": the density is " + value + " at (" + place +
-                    "), where it must lie in " + range +
-                    (of_a_run ? "; begin from another time of that run (initial.time), or raise solver.newton.undershoot"
-                              : "; bound it there, for example with max and min"));
+    throw Error(
+        Exit::invalid_input,
+        std::string(of_a_run ? "initial.from" : "initial.density") + ": the density is " + value + " at (" + place +
+            "), where it must lie in " + range +
+            (of_a_run ? "; begin from another time of that run (initial.time), or raise solver.newton.undershoot"
+                      : "; bound it there, for example with max and min"));
   const double factor = 0.99 * factor_that_fits(without_waves, density);
-  throw Error(Exit::invalid_input, "the density at the start is " + value + " at (" + place +
-                                       "), where it must lie in " + range + ": it is " +
-                                       bare + " there without the waves on the density, which are " + waves +
-                                       "; multiply these amplitudes by at most " + short_text(factor, 4) +
-                                       ", or choose other modes");
+  throw Error(Exit::invalid_input,
+              "the density at the start is " + value + " at (" + place + "), where it must lie in " + range +
+                  ": it is " + bare + " there without the waves on the density, which are " + waves +
+                  "; multiply these amplitudes by at most " + short_text(factor, 4) + ", or choose other modes");
 }
 
 template <int D, int P>

@@ -17,6 +17,7 @@ template <int D>
 void check_product(RandomSceneIn<D>& s) {
   const Array z = s.direction();
   EXPECT_LT(distance(s.product(z, Geometry::exact), s.difference(z, 1e-4)), 1e-9);
+  if (D == 3) return;  // there matrices have a quadrature of their own (matrix_points)
   const Array free("free", s.layout().size()), y("y", s.layout().size());
   Kokkos::deep_copy(free, 1.0);
   StencilMatrix<D> matrix(s.layout(), free);
