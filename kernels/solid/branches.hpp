@@ -49,7 +49,7 @@ struct LagStrain {
   KOKKOS_FORCEINLINE_FUNCTION M strain() const { return 0.5 * (gradient + transpose(gradient)); }
 };
 
-/// (Grad w, dev sym Grad q). In the plane the strain along the third axis is 0, and dev takes a third of the trace there too.
+/// (Grad w, dev sym Grad q). In 2D the strain along the third axis is 0, and dev takes a third of the trace there too.
 /// Tested: tests/unit/solid/test_branches.cpp
 struct BranchStress {
   static constexpr Where where = Where::solid;

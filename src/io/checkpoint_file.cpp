@@ -6,7 +6,7 @@
 namespace softwet {
 namespace {
 
-constexpr std::int64_t format_version = 2;
+constexpr std::int64_t format_version = CheckpointReader::format_of_runs;
 const std::string format_name = "softwet checkpoint";
 const std::string values_group = "/values";
 const std::string texts_group = "/texts/";
@@ -56,18 +56,16 @@ void CheckpointWriter::commit() {
   target_.commit();
 }
 
-CheckpointReader::CheckpointReader(const std::string& path)
+CheckpointReader::CheckpointReader(const std::string& path, std::int64_t oldest)
     : path_(path), file_(std::make_unique<Hdf5File>(Hdf5File::open(path, remedy))) {
   if (!file_->has_attribute("/", "format") || file_->read_text("/", "format") != format_name) {
     refuse(path, "is not a checkpoint of softwet, or is damaged");
   }
   const std::int64_t version = file_->read_integer("/", "format_version");
-  if (version != format_version) {
-    refuse(path,
-           "has checkpoint format " + std::to_string(version) + ", this program reads format " +
-               std::to_string(format_version) +
-               " (resume with the program that wrote it, or begin a new run from its field files: initial.from with "
-               "initial.time)");
+  if (version < oldest || version > format_version) {
+    refuse(path, "has checkpoint format " + std::to_string(version) + ", this program reads format " +
+                     std::to_string(format_version) +
+                     " (resume with the program that wrote it, or begin a new run from its last state: initial.from)");
   }
 }
 

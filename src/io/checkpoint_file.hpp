@@ -40,7 +40,11 @@ class CheckpointWriter {
 /// remedy: missing file or name, not HDF5, not a checkpoint, unknown format version, damage, another size or type.
 class CheckpointReader {
  public:
-  explicit CheckpointReader(const std::string& path);
+  /// Formats that are read: 1 has other names than 2, but for the arrays of the state.
+  static constexpr std::int64_t format_of_runs = 2, format_of_states = 1;
+
+  /// @param oldest  format that will do
+  explicit CheckpointReader(const std::string& path, std::int64_t oldest = format_of_runs);
   ~CheckpointReader();
 
   double number(const std::string& name) const;

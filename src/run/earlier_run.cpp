@@ -51,7 +51,7 @@ EarlierState read_state(const std::string& folder, const Case& c) {
   const Axis& vertical = state.axis.back();
   const std::size_t rows = vertical.functions(), dimension = c.dimension();
   const std::size_t wall = !state.has_solid ? 0 : state.has_fluid ? vertical.span(state.solid_elements) : rows - 1;
-  const CheckpointReader file(folder + "/checkpoint.h5");
+  const CheckpointReader file(folder + "/checkpoint.h5", CheckpointReader::format_of_states);
   state.unknown =
       file.array("state/unknown", row_size * (dimension * rows + (state.has_fluid ? 2 * (rows - wall) : 0)));
   if (state.has_solid) state.displacement = file.array("state/displacement", row_size * dimension * (wall + 1));

@@ -22,7 +22,7 @@ double full_load_time(const Case& c) {
   return time;
 }
 
-/// Whether nothing holds a solid alone along some axis. After a push it drifts for ever.
+/// Whether nothing holds a solid alone along some axis. After a push it drifts forever.
 bool drifts(const Case& c) {
   if (c.fluid || !c.substrate) return false;
   const auto held = [&](int axis) {

@@ -76,7 +76,7 @@ class SemiDiscrete final : public Evolution {
 
   /// Rates are zero at ghosts, those of a state are not.
   void fill_rate_ghosts(State&);
-  /// What the state of a branch tells beside its displacement, of the stage.
+  /// What the state of a branch says beside its displacement, of the stage.
   void take_branches(const ConstArray& memory, const State& state) const;
   /// Moments of a state that is given by its unknowns and displacements: those that give its density back. Branches of the solid carry
   /// nothing.

@@ -104,13 +104,13 @@ template <bool Axial, class Solid>
 auto StepBound<D, P>::solid_point(const Solid& solid, const ConstArray& displacement) const {
   const Layout<D>& l = model_.layout();
   using Bound = SolidBound<D, std::decay_t<decltype(solid.material)>, Axial>;
-  SolidPoint<D, Bound> point{
-      Bound(solid, model_.fibres(), formula_, model_.rates_of_solid(), end_, adds_axes_ ? D : 1, length_, free_axis_),
-      displacement.data(),
-      {},
-      {},
-      l.solid_rows() * l.row_size,
-      l.row_size};
+  SolidPoint<D, Bound> point{.bound = Bound(solid, model_.fibres(), formula_, model_.rates_of_solid(), end_,
+                                            adds_axes_ ? D : 1, length_, free_axis_),
+                             .displacement = displacement.data(),
+                             .greville = {},
+                             .extent = {},
+                             .nodes = l.solid_rows() * l.row_size,
+                             .row_size = l.row_size};
   point.bound.prestretch = model_.prestretch();
   for (int d = 0; d < D; ++d) {
     point.greville[d] = greville_[d];
@@ -124,8 +124,12 @@ template <class Visit>
 void StepBound<D, P>::visit_points(const BoundState& s, const Visit& visit) const {
   const Layout<D>& l = model_.layout();
   if (l.has_solid && l.has_fluid) {
-    StretchOfColumn<D> column{
-        s.displacement.data() + l.wall_shift(), {}, stretch_, {}, l.solid_rows() * l.row_size, model_.blend().slope()};
+    StretchOfColumn<D> column{.displacement = s.displacement.data() + l.wall_shift(),
+                              .greville = {},
+                              .stretch = stretch_,
+                              .extent = {},
+                              .nodes = l.solid_rows() * l.row_size,
+                              .slope = model_.blend().slope()};
     for (int d = 0; d < D; ++d) {
       column.greville[d] = greville_[d];
       column.extent[d] = l.extent(d);
@@ -134,11 +138,24 @@ void StepBound<D, P>::visit_points(const BoundState& s, const Visit& visit) cons
   }
   const auto with_fluid = [&](const auto& solid) {
     if (!l.has_fluid) return visit(NoPoint{}, solid);
-    const ConstArray mask = part(model_.mask(), l.density_offset(), l.potential_offset());
-    visit(FluidPoint<D>{s.unknown.data(), s.unknown.data() + l.density_offset(), s.moments, s.sums, stretch_, blend_,
-                        mask, near_end_, model_.fluid(), inside_, end_, formula_, l.row_size, l.rows * l.row_size,
-                        l.fluid_shift(), adds_axes_ ? D : 1, length_},
-          solid);
+    const FluidPoint<D> fluid{.velocity = s.unknown.data(),
+                              .density = s.unknown.data() + l.density_offset(),
+                              .moments = s.moments,
+                              .sums = s.sums,
+                              .stretch = stretch_,
+                              .blend = blend_,
+                              .mask = part(model_.mask(), l.density_offset(), l.potential_offset()),
+                              .near_end = near_end_,
+                              .fluid = model_.fluid(),
+                              .inside = inside_,
+                              .end = end_,
+                              .formula = formula_,
+                              .row_size = l.row_size,
+                              .nodes = l.rows * l.row_size,
+                              .shift = l.fluid_shift(),
+                              .axes = adds_axes_ ? D : 1,
+                              .length = length_};
+    visit(fluid, solid);
   };
   if (!l.has_solid) return with_fluid(NoPoint{});
   std::visit(
@@ -155,17 +172,20 @@ void StepBound<D, P>::ask(const BoundState& state) const {
   const Layout<D>& l = model_.layout();
   const VectorSpace space = l.space();
   const int width = space.end - space.begin;
-  const ValuePoint values{state.unknown.data(), space.stored,        space.begin, width,
-                          l.density_offset(),   l.potential_offset()};
+  const ValuePoint values{.unknown = state.unknown.data(),
+                          .stored = space.stored,
+                          .begin = space.begin,
+                          .width = width,
+                          .first_density = l.density_offset(),
+                          .last_density = l.potential_offset()};
   visit_points(state, [&](const auto& fluid, const auto& solid) {
     const LargestRates<std::decay_t<decltype(fluid)>, std::decay_t<decltype(solid)>> largest{
-        found_numbers,
-        fluid,
-        solid,
-        values,
-        l.scalar_size(),
-        l.solid_rows() * l.row_size,
-        l.size() / space.stored * width};
+        .fluid = fluid,
+        .solid = solid,
+        .value = values,
+        .fluid_points = l.scalar_size(),
+        .solid_points = l.solid_rows() * l.row_size,
+        .values = l.size() / space.stored * width};
     Kokkos::parallel_reduce("softwet::step_rates", Items(0, largest.items()), largest, found_.device);
   });
   found_.ask();
@@ -176,7 +196,13 @@ StepRates StepBound<D, P>::rates() const {
   std::array<double, mechanisms> all;
   std::copy_n(found_.host.data(), int(mechanisms), all.begin());
   ranks::largest(all.data(), mechanisms);
-  return {all[combined], all[sound], all[capillarity], all[viscosity], all[stabilisation], all[flow], all[elasticity]};
+  return {.combined = all[combined],
+          .sound = all[sound],
+          .capillarity = all[capillarity],
+          .viscosity = all[viscosity],
+          .stabilisation = all[stabilisation],
+          .flow = all[flow],
+          .elasticity = all[elasticity]};
 }
 
 template <int D, int P>
