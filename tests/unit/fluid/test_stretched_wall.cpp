@@ -11,8 +11,8 @@ namespace softwet {
 namespace {
 
 // Coexistence at theta = 0.39 (tests/oracle/wall_energy.py).
-const Coexistence cold{0.001352289800692532, 0.86669909966079184, 0.0001546475126558792, -0.65019109012614495};
-const EnergyWall of_one{0.1, 1, 1e-5, {0.39, 0.2 * cold.density_vapour}, cold};
+const Coexistence phases{0.001352289800692532, 0.86669909966079184, 0.0001546475126558792, -0.65019109012614495};
+const EnergyWall of_one{0.1, 1, 1e-5, {0.39, 0.2 * phases.density_vapour}, phases};
 constexpr double beta = 0.6, cosine = -0.7, density = 0.5;
 
 template <int D>
