@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "field/vector.hpp"
+#include "model/admissible.hpp"
 #include "time/step/sum_of.hpp"
 
 namespace softwet {
@@ -52,7 +53,7 @@ int items_of(const std::vector<StripSums<double>>& sums) {
 }
 
 Refusal density_complaint(double least, double largest, double undershoot) {
-  if (!(largest < 0.999)) return {Refusal::close_packed};
+  if (!(largest < close_packed)) return {Refusal::close_packed};
   // Undershoots of the vapour's small density are admissible: W is continued below it.
   if (least <= -undershoot) return {Refusal::negative_density};
   return {};
