@@ -9,34 +9,36 @@ A force along the wall drags it, from the state at rest. With tau = 10 the liqui
 alone. Compared are ridges and drag with linear theory for the droplet that moves with the speed found (tests/oracle/moving_ridge.py), the
 speed at which the drag is largest, and the force at which the droplet comes loose. A chain of forces shows how it sticks and slips.
 
-The power-law gel of the same paper's sequel is the parameter EXPONENT below 1."""
+Its power-law sibling is a layer whose modulus is G (1 + (i w tau)^GEL), of branches in small strains."""
 
 import softwet
 from softwet._drawing.look import np
 import matplotlib.pyplot as plt
 
-from softwet._figures.journal import BLUE, VERMILION, WIDTH, letter
+from softwet._figures.journal import BLUE, GREEN, VERMILION, WIDTH, letter
 from softwet._papers._oracle import oracle
 from softwet._papers._runs import settings
 
-EXPONENT = 1.0                            # of the modulus G (1 + (i w tau)^EXPONENT); 1: Kelvin-Voigt
+GEL = 0.55                                # exponent of the modulus G (1 + (i w tau)^GEL) of a power-law gel; 1: Kelvin-Voigt
 YOUNG, POISSON = 0.7554, 0.45
 SHEAR, TENSION, VAPOUR = YOUNG / (2 * (1 + POISSON)), 0.25320, 0.0013523  # sigma over the capillarity, rho_v, at the temperature 0.39
 LENGTH, ROOM, RADIUS = 1.5, 0.375, 0.155
 FREE, BRAKED = 100.0, 10.0                # relaxation times
 FORCES = {BRAKED: ((0.006, 300), (0.017, 200), (0.028, 120), (0.033, 60), (0.040, 40)),  # and how long each acts
           FREE: ((0.006, 500), (0.012, 500), (0.018, 700), (0.021, 700), (0.024, 150), (0.030, 60))}
+GEL_FORCES = ((0.012, 200), (0.02, 120), (0.03, 60))  # with the relaxation time BRAKED
 CHAIN = ((0.018, 300), (0.030, 40), (0.018, 40), (0.010, 200), (0.018, 300))
 FINE = [288, 72]                          # elements of the chain, whose vapour stays above 0 while the droplet slips
 QUICK = {BRAKED: ((0.04, 2), (0.06, 2)), FREE: ((0.04, 2),)}
 COLOURS = {BRAKED: BLUE, FREE: VERMILION}
+OF_GEL = {"color": GREEN, "markersize": 4}
 
 
-def layer(delay):
+def layer(delay, exponent=1):
     """Keys of [substrate] for a relaxation time."""
-    if EXPONENT == 1:
+    if exponent == 1:
         return {"viscosity": delay * SHEAR}
-    return {"gel.exponent": EXPONENT, "gel.time": delay, "gel.decades": [-2, 2], "strain": "small"}
+    return {"gel.exponent": exponent, "gel.time": delay, "gel.decades": [-2, 2], "strain": "small"}
 
 
 def scene(capillarity, elements):
@@ -53,19 +55,21 @@ def compute(runs):
     g, elements = (1 / 16, [48, 12]) if runs.quick else (1 / 64, [192, 48])
     case = runs.write_case(scene(g, elements))
 
-    def of(delay):
-        return {f"substrate.{key}": value for key, value in layer(delay).items()}
+    def of(delay, exponent=1):
+        return {f"substrate.{key}": value for key, value in layer(delay, exponent).items()}
 
-    def slide(before, delay, force, end, out, mesh=elements):
+    def slide(before, delay, force, end, out, mesh=elements, exponent=1):
         values = {"domain.elements": mesh, "fluid.gravity": [force, 0.0], "time.end": end, "initial.from": before,
                   "output.fields.times": [f"0:{end}:{min(81, 2 * end + 1)}"],
                   "droplet[0].centre": [softwet.open(before).history["x_centre"][-1], 0.125]}
-        return runs.softwet("run", case, *settings(values | of(delay)), out=out)
+        return runs.softwet("run", case, *settings(values | of(delay, exponent)), out=out)
 
     rest = runs.softwet("run", case, *settings({"time.end": 2 if runs.quick else 40, **of(1.0)}), out="rest")
     for delay, forces in (QUICK if runs.quick else FORCES).items():
         for force, end in forces:
             slide(rest, delay, force, end, f"tau_{delay:g}/f_{1000 * force:03.0f}")
+    for force, end in GEL_FORCES[:0 if runs.quick else None]:
+        slide(rest, BRAKED, force, end, f"gel/f_{1000 * force:03.0f}", exponent=GEL)
     before = rest
     for number, (force, end) in enumerate(CHAIN[:0 if runs.quick else None]):
         before = slide(before, FREE, force, end, f"chain/{number}", FINE)
@@ -82,7 +86,9 @@ class Slide:
         self.capillarity = self.case["fluid"]["capillarity"]
         room = width * (height - self.case["substrate"]["thickness"])
         self.pull = self.force * (self.history["mass"][-1] - VAPOUR * room)  # on what the droplet has more than the vapour
-        self.delay = self.case["substrate"]["viscosity"] / SHEAR if EXPONENT == 1 else self.case["substrate"]["gel"]["time"]
+        gel = self.case["substrate"].get("gel", {})
+        self.exponent = gel.get("exponent", 0) or 1  # 0: there is no gel
+        self.delay = self.case["substrate"]["viscosity"] / SHEAR if self.exponent == 1 else gel["time"]
         late = self.history["t"] >= 0.8 * self.history["t"][-1]
         mean = {name: values[late].mean() for name, values in self.history.items() if name in
                 ("ridge_left", "ridge_right", "dissipation", "dissipation_solid", "wall_stretch")}
@@ -111,7 +117,7 @@ class Slide:
 
     def row(self, chain, theory):
         return [chain, f"{self.delay:g}", f"{self.force:g}", f"{self.speed:.4e}", f"{self.speed * self.delay:.4e}",
-                *(f"{value:.4e}" for pair in zip(self.found(), theory(self.speed * self.delay)) for value in pair),
+                *(f"{value:.4e}" for pair in zip(self.found(), theory(self.speed * self.delay, self.exponent)) for value in pair),
                 f"{self.liquid:.4f}"]
 
 
@@ -120,11 +126,11 @@ HEADER = ("chain", "tau", "force", "speed", "speed_tau", "ridge_rear", "ridge_re
 
 
 def theory_at(capillarity):
-    """Function of V tau: ridges at the rear and at the front, drag, and place of the front ridge, in linear theory."""
+    """Function of V tau and the exponent: ridges at the rear and at the front, drag, and place of the front ridge, in linear theory."""
     moving = oracle("moving_ridge")
 
-    def theory(delay):
-        x, height, drag = moving.droplet(delay, capillarity, LENGTH, RADIUS, exponent=EXPONENT)
+    def theory(delay, exponent=1):
+        x, height, drag = moving.droplet(delay, capillarity, LENGTH, RADIUS, exponent=exponent)
         ahead = x > 0
         return height[x < 0].max(), height[ahead].max(), drag, x[ahead][height[ahead].argmax()] - RADIUS * np.sin(moving.ANGLE)
 
@@ -136,9 +142,11 @@ class Result:
         chains = [path for path in sorted(folder.glob("tau_*")) if path.is_dir()]
         self.slides = [Slide(one) for chain in chains for one in sorted(chain.iterdir()) if one.is_dir()]
         self.chain = [Slide(one) for one in sorted((folder / "chain").glob("*")) if one.is_dir()]
+        self.gel = [Slide(one) for one in sorted((folder / "gel").glob("f_*")) if one.is_dir()]
         self.theory = theory_at(self.slides[0].capillarity)
         self.delays = np.geomspace(1e-3, 3, 71)
         self.curves = np.array([self.theory(delay) for delay in self.delays]).T
+        self.curves_of_gel = np.array([self.theory(delay, GEL) for delay in self.delays]).T
         self.liquid = np.median([slide.liquid for slide in self.slides if slide.delay == BRAKED])
 
     def of(self, delay):
@@ -188,6 +196,10 @@ def agreement(result):
                told(asked), told(slide.found()), judged(slide.found(), asked))
     yield from largest_drag(result)
     yield from loose(result)
+    for slide in result.gel:
+        asked = result.theory(slide.speed * slide.delay, GEL)
+        yield (f"a power-law gel, exponent {GEL:g}: rear and front ridge, drag, place of the front ridge; V tau = {slide.speed * slide.delay:.4f}",
+               told(asked), told(slide.found()), judged(slide.found(), asked))
 
 
 def largest_drag(result):
@@ -228,6 +240,7 @@ def draw_speed(axes, result):
         axes.semilogy([slide.force for slide in result.of(delay)], [slide.speed for slide in result.of(delay)], "o", color=colour,
                       markersize=4, label=rf"$\tau$ = {delay:g}")
         axes.semilogy(*result.foreseen(delay), "--", color=colour, linewidth=0.8)
+    axes.semilogy([slide.force for slide in result.gel], [slide.speed for slide in result.gel], "s", label="gel", **OF_GEL)
     axes.semilogy([slide.force for slide in result.chain], [slide.speed for slide in result.chain], "x", color="black", markersize=4,
                   label="chain")
     axes.set(xlabel=r"force $/\; ab\,L_0^{-1}$", ylabel=r"speed $V \;/\; (ab)^{1/2}$", xlim=(0, 0.045), ylim=(2e-5, 3e-2))
@@ -241,6 +254,9 @@ def draw_ridges(axes, result):
             axes.semilogx([slide.speed * delay for slide in result.of(delay)],
                           [1e3 * slide.found()[number] for slide in result.of(delay)], "vo"[number], color=colour, markersize=4,
                           label=name if delay == BRAKED else None)
+        axes.semilogx(result.delays, 1e3 * result.curves_of_gel[number], dashes, color=GREEN, linewidth=0.8)
+        axes.semilogx([slide.speed * BRAKED for slide in result.gel], [1e3 * slide.found()[number] for slide in result.gel], "vo"[number],
+                      **OF_GEL)
     axes.set(xlabel=r"$V\tau \;/\; L_0$", ylabel=r"ridge $/\; 10^{-3} L_0$", ylim=(0, None))
     axes.legend(loc="lower left")
 
@@ -250,6 +266,8 @@ def draw_drag(axes, result):
     for delay, colour in COLOURS.items():
         axes.semilogx([slide.speed * delay for slide in result.of(delay)], [1e4 * slide.drag for slide in result.of(delay)], "o",
                       color=colour, markersize=4)
+    axes.semilogx(result.delays, 1e4 * result.curves_of_gel[2], color=GREEN, linewidth=0.8)
+    axes.semilogx([slide.speed * BRAKED for slide in result.gel], [1e4 * slide.drag for slide in result.gel], "s", **OF_GEL)
     axes.axvline(2 * result.slides[0].capillarity, color="0.6", linewidth=0.6, zorder=0)
     axes.set(xlabel=r"$V\tau \;/\; L_0$", ylabel=r"drag of the solid $/\; 10^{-4} ab^2 L_0$", ylim=(0, None))
 
@@ -284,4 +302,5 @@ def draw(folder):
     for name, axes in panels.items():
         letter(axes, name)
     rows = [slide.row("from rest", result.theory) for slide in result.slides] + [slide.row("chain", result.theory) for slide in result.chain]
+    rows += [slide.row("gel", result.theory) for slide in result.gel]
     return figure, [HEADER, *rows], list(agreement(result))
