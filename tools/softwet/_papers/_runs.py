@@ -2,9 +2,10 @@
 
 import pathlib
 import shlex
+import shutil
 import time
 
-from softwet import Failure, Problem, program
+from softwet import Failure, Problem, program, sweep
 from softwet import open as open_output
 from softwet.definition import assignments, toml_file
 
@@ -47,8 +48,10 @@ class Runs:
         text, kept = self._text(command, case, words), self.folder / f"{out}.command"
         same = kept.is_file() and kept.read_text() == text
         resumes = any(word.partition("=")[0] in RESUMING for word in words)
-        if same and not resumes and done(target):
+        if same and done(target, command):
             return target
+        if command == "sweep" and not same and (target / "sweep.json").is_file():
+            shutil.rmtree(target)  # the folder of a sweep takes no other case
         if not resumes:
             words.append("--quiet")
         if target.exists() and not (same and resumes):
@@ -69,9 +72,11 @@ class Runs:
         return shlex.join([command, *words]) + "\n" + pathlib.Path(case).read_text()
 
 
-def done(folder):
-    """Whether an output folder has a result."""
+def done(folder, command):
+    """Whether an output folder, or that of a sweep, has all results. Where more can come along a branch, that is not known."""
     try:
+        if command == "sweep":
+            return all(member.status == "done" for member in sweep(folder))
         return open_output(folder).state == "done"
     except Problem:
         return False
