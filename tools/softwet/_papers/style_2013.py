@@ -197,7 +197,7 @@ def draw_widths(axes, walls):
 
 def draw(folder):
     quick = not (folder / f"R{PAPER:g}_g5").is_dir()
-    walls = [Wall(folder / name) for name, *_ in states(quick) if done(folder / name)]  # what is computed so far
+    walls = [Wall(folder / name) for name, *_ in states(quick) if done(folder / name, "steady")]  # what is computed so far
     if not walls:
         raise Problem(f"{folder} has no state of rest; leave --redraw out, so that they are computed")
     same = [wall for wall in walls if wall.width == walls[0].width]
