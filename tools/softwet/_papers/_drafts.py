@@ -1,8 +1,7 @@
 """Drafts on two meshes: the same sweep on each, and the speed of every droplet with an error bar.
 
 The bar is the difference of the two meshes, whose elements have the lengths h and h/2. Where the error falls as h^2, the finer mesh,
-whose speed is taken, is a third of the bar away from the limit (Richardson). Droplets that are on the coarse mesh alone have the largest
-bar of the others, in parts of the speed.
+whose speed is taken, is a third of the bar away from the limit (Richardson).
 
 How fast a force drives a droplet is measured too: on a layer that drives it nowhere, by a wall whose wetting grows along it. So the speed
 of a droplet becomes its drive: the difference of contact angles that moves it as fast. Formulas give drives."""
@@ -38,12 +37,11 @@ def tables(name, elements, fluid, substrate, **sides):
     }
 
 
-def sweep(runs, name, make, vary, fine=None, more=()):
+def sweep(runs, name, make, vary, more=()):
     """Computes a sweep on each mesh, in the folders NAME_MESH. @param make  the tables of a case for (name, elements);
-    vary  {key: values};  fine  those of them on the fine mesh, where they are not all;  more  words of the command"""
+    vary  {key: values};  more  words of the command"""
+    words = [word for key, values in vary.items() for word in ("--vary", f"{key}={','.join(map(str, values))}")]
     for mesh, elements in {"coarse": QUICK}.items() if runs.quick else MESHES.items():
-        values = {**vary, **(fine or {})} if mesh == "fine" else vary
-        words = [word for key, chosen in values.items() for word in ("--vary", f"{key}={','.join(map(str, chosen))}")]
         runs.softwet("sweep", runs.write_case(make(f"{name}_{mesh}", elements)), *more, *words, out=f"{name}_{mesh}")
 
 
@@ -66,7 +64,7 @@ class Droplet:
         self.runs = runs
         self.speeds = [speed(run) for run in runs]
         self.speed = self.speeds[-1]
-        self.error = abs(self.speed - self.speeds[0]) if len(runs) > 1 else math.nan
+        self.error = abs(self.speed - self.speeds[0])
         self.drive = self.drive_error = math.nan
         self.formulas = {}
 
@@ -112,12 +110,7 @@ def droplets(folder, name):
     for member in (member for members in sweeps for member in members):
         values = tuple(member.values.values())
         runs.setdefault(values if len(values) > 1 else values[0], []).append(member.run)
-    found = {values: Droplet(chosen) for values, chosen in runs.items()}
-    largest = max((droplet.error / abs(droplet.speed) for droplet in found.values() if droplet.error < abs(droplet.speed)), default=0)
-    for droplet in found.values():
-        if math.isnan(droplet.error):
-            droplet.error = largest * abs(droplet.speed)
-    return found
+    return {values: Droplet(chosen) for values, chosen in runs.items()}
 
 
 def mobilities(folder, name, angle_of):

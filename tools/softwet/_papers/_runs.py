@@ -73,7 +73,7 @@ class Runs:
 
 
 def done(folder, command):
-    """Whether an output folder, or that of a sweep, has all results. Where more can come along a branch, that is not known."""
+    """Whether an output folder, or that of a sweep, has all its results."""
     try:
         if command == "sweep":
             return all(member.status == "done" for member in sweep(folder))
