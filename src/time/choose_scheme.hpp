@@ -1,4 +1,4 @@
-// From the name in a case to a time scheme.
+// From the choice of a case to a time scheme.
 #pragma once
 
 #include "time/explicit/explicit_scheme.hpp"
