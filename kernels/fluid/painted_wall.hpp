@@ -73,7 +73,7 @@ struct WallTensionTrial {
 
 /// <cos(alpha) f(rho) P_Gamma : grad w>_Gamma,   P_Gamma = I - n n: the tension that a wall has because the fluid wets it. With the
 /// energy f of the cosine 1 this is the derivative of the wall energy f_w by the place of the wall, so that f_w acts on the wall.
-/// Tested: tests/unit/fluid/test_painted_wall.cpp, tests/unit/model/test_energy.cpp
+/// Tested: tests/unit/fluid/test_painted_wall.cpp, tests/unit/scene/test_energy.cpp
 struct WallTension {
   static constexpr Where where = Where::wall;
 

@@ -31,7 +31,7 @@ struct StretchedTrial {
 /// has the derivative a^(-beta) c f'(rho) by the density, which is PaintedWall<EnergyWall> with s = 1, and the tension
 /// (1 - beta) a^(-beta) c f(rho), which is WallTension with s = 1 - beta. So the effective contact angle has the cosine a^(-beta) c.
 /// Where a counts from an area before a prestretch, c has the factor a_0^(-beta).
-/// Tested: tests/unit/fluid/test_stretched_wall.cpp, tests/unit/model/test_stretched_wall.cpp
+/// Tested: tests/unit/fluid/test_stretched_wall.cpp, tests/unit/scene/test_stretched_wall.cpp
 template <class Law>
 struct StretchedWall {
   static constexpr Where where = Where::wall;

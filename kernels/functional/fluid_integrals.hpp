@@ -87,7 +87,7 @@ struct FluidContents {
 };
 
 /// Integrand over the wall Gamma: its energy f_w(rho).
-/// Tested: tests/unit/model/test_energy.cpp
+/// Tested: tests/unit/scene/test_energy.cpp
 struct WallIntegrals {
   static constexpr Where where = Where::wall;
 

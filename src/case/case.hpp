@@ -142,7 +142,7 @@ struct Wave {
   std::vector<double> mode;
 };
 
-struct EarlierState;  // model/earlier_state.hpp
+struct EarlierState;  // scene/earlier_state.hpp
 
 /// The state at the start where it is given at each point, in place of what droplets and films make.
 struct Initial {

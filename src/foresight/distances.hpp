@@ -23,7 +23,7 @@ inline constexpr std::size_t most_gaps = 1000;
 /// between the centres.
 /// Bodies are sorted along the first axis, so that the work grows like their number times those that lie above each
 /// other.
-/// Tested: tests/unit/model/test_forecast.cpp
+/// Tested: tests/unit/scene/test_forecast.cpp
 std::vector<Gap> narrow_gaps(const Case&, double width);
 
 }  // namespace softwet

@@ -8,9 +8,9 @@
 #include "foresight/distances.hpp"
 #include "foresight/measured.hpp"
 #include "kernels/solid/isotropic.hpp"
-#include "model/equilibrium.hpp"
-#include "model/groups.hpp"
-#include "model/prestretch.hpp"
+#include "scene/equilibrium.hpp"
+#include "scene/groups.hpp"
+#include "scene/prestretch.hpp"
 
 namespace softwet {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "case/mesh.hpp"
 #include "foresight/measured.hpp"
-#include "model/fluid_of.hpp"
-#include "model/prestretch.hpp"
-#include "model/solid_rates.hpp"
+#include "scene/fluid_of.hpp"
+#include "scene/prestretch.hpp"
+#include "scene/solid_rates.hpp"
 #include "time/explicit/step_points.hpp"
 
 namespace softwet {

@@ -1,8 +1,8 @@
 // The energy of a state of a scene, and its powers.
 #pragma once
 
-#include "model/model.hpp"
 #include "observe/host/energy_balance.hpp"
+#include "scene/model.hpp"
 
 namespace softwet {
 

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "model/beside_joint.hpp"
+#include "scene/beside_joint.hpp"
 
 namespace softwet {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "model/model.hpp"
 #include "observe/snapshot.hpp"
+#include "scene/model.hpp"
 
 namespace softwet {
 

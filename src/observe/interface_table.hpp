@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "io/table_file.hpp"
-#include "model/model.hpp"
 #include "observe/host/table_columns.hpp"
 #include "observe/snapshot.hpp"
+#include "scene/model.hpp"
 
 namespace softwet {
 

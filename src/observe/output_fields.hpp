@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "io/field_file.hpp"
-#include "model/model.hpp"
 #include "observe/snapshot.hpp"
+#include "scene/model.hpp"
 
 namespace softwet {
 

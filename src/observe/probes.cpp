@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/beside_joint.hpp"
 #include "observe/field_values.hpp"
 #include "observe/host/probe_quantity.hpp"
+#include "scene/beside_joint.hpp"
 
 namespace softwet {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "model/model.hpp"
 #include "observe/snapshot.hpp"
+#include "scene/model.hpp"
 
 namespace softwet {
 

@@ -8,11 +8,11 @@
 #include "case/text.hpp"
 #include "field/ranks.hpp"
 #include "io/output_time.hpp"
-#include "model/liquid_volume.hpp"
 #include "observe/energy_of.hpp"
 #include "observe/host/probe_quantity.hpp"
 #include "observe/host/table_columns.hpp"
 #include "observe/probes.hpp"
+#include "scene/liquid_volume.hpp"
 
 namespace softwet {
 namespace {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "model/model.hpp"
 #include "observe/contacts.hpp"
 #include "observe/extremes.hpp"
 #include "observe/host/history_memory.hpp"
 #include "observe/phase_samples.hpp"
+#include "scene/model.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {

@@ -10,8 +10,8 @@
 #include "field/together.hpp"
 #include "io/checkpoint_file.hpp"
 #include "io/field_file.hpp"
-#include "model/earlier_state.hpp"
-#include "model/patch_axes.hpp"
+#include "scene/earlier_state.hpp"
+#include "scene/patch_axes.hpp"
 
 namespace softwet {
 namespace {

@@ -3,7 +3,7 @@
 #include "case/error.hpp"
 #include "case/text.hpp"
 #include "casefile/checks/field_times.hpp"
-#include "model/initial.hpp"
+#include "scene/initial.hpp"
 
 namespace softwet {
 namespace {

@@ -6,8 +6,8 @@
 #include <softwet_version.hpp>
 
 #include "field/exchange.hpp"
-#include "model/groups.hpp"
 #include "run/machine.hpp"
+#include "scene/groups.hpp"
 
 namespace softwet {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "case/text.hpp"
 #include "foresight/forecast.hpp"
-#include "model/groups.hpp"
+#include "scene/groups.hpp"
 
 namespace softwet {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "case/error.hpp"
 #include "case/text.hpp"
-#include "model/initial.hpp"
 #include "run/host/run_status.hpp"
+#include "scene/initial.hpp"
 
 namespace softwet {
 namespace {

@@ -8,9 +8,9 @@
 #include "field/together.hpp"
 #include "io/checkpoint_file.hpp"
 #include "io/number_text.hpp"
-#include "model/initial.hpp"
 #include "run/host/checkpoint_entries.hpp"
 #include "run/host/fingerprint.hpp"
+#include "scene/initial.hpp"
 
 namespace softwet {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "case/error.hpp"
 #include "case/text.hpp"
-#include "model/groups.hpp"
-#include "model/initial.hpp"
+#include "scene/groups.hpp"
+#include "scene/initial.hpp"
 #include "time/choose_scheme.hpp"
 
 namespace softwet {

@@ -29,7 +29,7 @@ TILE = re.compile(r"TileKernel<ChosenTile<(\d), \d, \w+, \w+>, (true|false), (fl
 def options(build):
     """Those of a source of the kernels, without its configuration."""
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        if entry["file"].endswith("model/pieces.cpp"):
+        if entry["file"].endswith("scene/pieces.cpp"):
             words = iter(shlex.split(entry["command"]))
             kept = []
             for word in words:

@@ -1,6 +1,6 @@
 // The tile kernels whose instructions loops.py counts: the fluid on a moving mesh.
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
-#include "model/piece.hpp"
+#include "scene/piece.hpp"
 
 namespace softwet {
 

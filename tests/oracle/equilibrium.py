@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Coexistence, sound speeds and surface tension of the van der Waals fluid, in 40-digit decimals.
 
-Prints the rows of tests/unit/model/test_equilibrium.cpp. No code or method shared with softwet: Newton's method on both
+Prints the rows of tests/unit/scene/test_equilibrium.cpp. No code or method shared with softwet: Newton's method on both
 densities at once from the equation of state, and tanh-sinh quadrature of sqrt(2 D)."""
 from decimal import Decimal as N, getcontext
 

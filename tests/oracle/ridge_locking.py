@@ -6,7 +6,7 @@ top. A contact line at x_0 under the angle alpha pulls with sigma t K(x), t alon
 interface has K = 2 D(rho) sin(alpha)/sigma at the distance (x - x_0) sin(alpha) from its middle density; inside, the
 pressure sigma/R pushes down. The same layer in splines of degree 5 on a mesh twice as fine is the reference: its ridge is
 5.8136e-3, 5.5552e-3, 5.4943e-3 and 5.4881e-3 for nu = 0.45, 0.49, 0.499, 0.4999 at a capillarity of 1/64, as that of a
-series in cosines with the exact compliance of a layer. Prints the rows of tests/unit/model/test_forecast.cpp. No code of
+series in cosines with the exact compliance of a layer. Prints the rows of tests/unit/scene/test_forecast.cpp. No code of
 softwet."""
 
 import sys

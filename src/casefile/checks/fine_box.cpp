@@ -116,7 +116,7 @@ Extent along_wall(const Case& c, std::size_t axis) {
   return span;
 }
 
-/// Surface tension over Young's modulus, without the integral of elastocapillary_length (model/groups). sigma = 0.55 g (1 - theta)^(3/2) is the law of a van der Waals fluid near its critical
+/// Surface tension over Young's modulus, without the integral of elastocapillary_length (scene/groups). sigma = 0.55 g (1 - theta)^(3/2) is the law of a van der Waals fluid near its critical
 /// point, with the factor of theta = 0.39.
 double rough_elastocapillary_length(const Case& c) {
   return 0.55 * c.fluid->capillarity * std::pow(1 - c.fluid->temperature, 1.5) / c.substrate->young_modulus();

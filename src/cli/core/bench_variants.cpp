@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "cli/core/bench_stop.hpp"
-#include "model/initial.hpp"
 #include "run/machine.hpp"
+#include "scene/initial.hpp"
 #include "solver/choose.hpp"
 #include "time/implicit/implicit_scheme.hpp"
 #include "time/stepper.hpp"

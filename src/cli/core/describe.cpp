@@ -8,10 +8,10 @@
 #include "case/mesh.hpp"
 #include "case/text.hpp"
 #include "machine/memory.hpp"
-#include "model/initial.hpp"
-#include "model/model.hpp"
 #include "run/machine.hpp"
 #include "run/memory_parts.hpp"
+#include "scene/initial.hpp"
+#include "scene/model.hpp"
 #include "solver/choose.hpp"
 #include "time/explicit/explicit_scheme.hpp"
 

@@ -1,8 +1,8 @@
 #include "cli/core/first_fields.hpp"
 
-#include "model/initial.hpp"
 #include "observe/output_fields.hpp"
 #include "run/host/run_status.hpp"
+#include "scene/initial.hpp"
 
 namespace softwet {
 

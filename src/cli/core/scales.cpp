@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "model/equilibrium.hpp"
+#include "scene/equilibrium.hpp"
 
 namespace softwet {
 namespace {

@@ -6,8 +6,8 @@
 #include "casefile/schema/value.hpp"
 #include "cli/core/describe.hpp"
 #include "cli/core/scales.hpp"
-#include "model/equilibrium.hpp"
-#include "model/groups.hpp"
+#include "scene/equilibrium.hpp"
+#include "scene/groups.hpp"
 
 namespace softwet {
 namespace {

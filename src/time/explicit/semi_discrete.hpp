@@ -2,7 +2,7 @@
 #pragma once
 
 #include "field/step_memory.hpp"
-#include "model/explicit_terms.hpp"
+#include "scene/explicit_terms.hpp"
 #include "time/explicit/evolution.hpp"
 #include "time/explicit/step_kernels.hpp"
 #include "time/masses/mass_inverse.hpp"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "model/model.hpp"
+#include "scene/model.hpp"
 #include "time/masses/mass_symbols.hpp"
 #include "time/step/host_numbers.hpp"
 

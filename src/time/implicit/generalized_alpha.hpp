@@ -3,7 +3,7 @@
 
 #include "field/step_memory.hpp"
 #include "field/vector.hpp"
-#include "model/model.hpp"
+#include "scene/model.hpp"
 #include "time/implicit/line_friction_newton.hpp"
 #include "time/step/branch_memory.hpp"
 

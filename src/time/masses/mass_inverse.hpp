@@ -2,7 +2,7 @@
 #pragma once
 
 #include "case/choices.hpp"
-#include "model/mass_products.hpp"
+#include "scene/mass_products.hpp"
 #include "solver/krylov/conjugate_gradient.hpp"
 #include "solver/krylov/kronecker_mass.hpp"
 #include "time/masses/mass_series.hpp"

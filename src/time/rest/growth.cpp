@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "field/ghosts.hpp"
-#include "model/greville_points.hpp"
-#include "model/initial.hpp"
+#include "scene/greville_points.hpp"
+#include "scene/initial.hpp"
 #include "solver/krylov/gram_schmidt.hpp"
 #include "solver/krylov/ritz.hpp"
 #include "time/rest/rest_control.hpp"

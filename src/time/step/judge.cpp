@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "field/vector.hpp"
-#include "model/admissible.hpp"
+#include "scene/admissible.hpp"
 #include "time/step/sum_of.hpp"
 
 namespace softwet {

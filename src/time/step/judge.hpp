@@ -1,7 +1,7 @@
 // Whether values are admissible, and how large the local error of a step is: the same for all schemes.
 #pragma once
 
-#include "model/model.hpp"
+#include "scene/model.hpp"
 #include "time/step/host_numbers.hpp"
 #include "time/step/scheme.hpp"
 

@@ -1,7 +1,7 @@
 // Scenes whose contact lines have friction and hysteresis: what that dissipates, and the exact product.
 #pragma once
 
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/equilibrium.hpp"
+#include "scene/equilibrium.hpp"
 
 namespace softwet {
 namespace {

@@ -1,7 +1,7 @@
 // Line friction and hysteresis: the force on a line that moves, what it dissipates, and the exact product.
 #include "kernels/fluid/line_friction.hpp"
 
-#include "model/line_friction.hpp"
+#include "scene/line_friction.hpp"
 #include "spline/axis.hpp"
 #include "unit/fluid/resisting.hpp"
 

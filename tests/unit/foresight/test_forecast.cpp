@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "foresight/distances.hpp"
-#include "model/equilibrium.hpp"
+#include "scene/equilibrium.hpp"
 
 namespace softwet {
 namespace {

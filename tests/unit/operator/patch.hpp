@@ -8,7 +8,7 @@
 #include "kernels/solid/hooke.hpp"
 #include "kernels/solid/neo_hookean.hpp"
 #include "kernels/solid/saint_venant_kirchhoff.hpp"
-#include "model/piece.hpp"
+#include "scene/piece.hpp"
 
 namespace softwet::testing_tools {
 

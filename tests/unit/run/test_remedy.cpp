@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

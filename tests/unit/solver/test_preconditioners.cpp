@@ -1,5 +1,5 @@
 // Block LU and Schwarz against products.
-#include "model/initial.hpp"
+#include "scene/initial.hpp"
 #include "solver/direct/dissection.hpp"
 #include "solver/direct/host/block_lu.hpp"
 #include "solver/krylov/gmres.hpp"
@@ -8,7 +8,7 @@
 #include "time/implicit/implicit_scheme.hpp"
 #include "time/stepper.hpp"
 #include "unit/field/kept_memory.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

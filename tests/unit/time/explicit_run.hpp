@@ -1,10 +1,10 @@
 // Steps of an explicit scheme on a small scene, for tests.
 #pragma once
 
-#include "model/initial.hpp"
+#include "scene/initial.hpp"
 #include "time/explicit/kick_drift.hpp"
 #include "time/explicit/runge_kutta_step.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 

@@ -1,7 +1,7 @@
 // The first steps of a run, before a test looks at one.
 #pragma once
 
-#include "model/initial.hpp"
+#include "scene/initial.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet::testing_tools {

@@ -1,8 +1,8 @@
 // A run that is put together anew before each step gives the bits of one that goes on.
-#include "model/initial.hpp"
+#include "scene/initial.hpp"
 #include "time/stepper.hpp"
 #include "unit/field/kept_memory.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

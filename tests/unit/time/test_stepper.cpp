@@ -1,8 +1,8 @@
 // Whole steps: second order of the scheme, conservation of mass, restart.
 #include "time/stepper.hpp"
 
-#include "model/initial.hpp"
-#include "unit/model/scenes.hpp"
+#include "scene/initial.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

@@ -1,7 +1,7 @@
 // Steps in space: a scene that does not change along y is the scene in the plane.
-#include "model/initial.hpp"
+#include "scene/initial.hpp"
 #include "time/stepper.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

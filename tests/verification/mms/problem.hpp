@@ -3,7 +3,7 @@
 
 #include "interpolation.hpp"
 #include "load.hpp"
-#include "model/initial.hpp"
+#include "scene/initial.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet::mms {

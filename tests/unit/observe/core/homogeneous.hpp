@@ -1,10 +1,10 @@
 // A fluid of one density at rest on a solid that is deformed by the same gradient everywhere.
 #pragma once
 
-#include "model/initial.hpp"
 #include "observe/snapshot.hpp"
+#include "scene/initial.hpp"
 #include "time/implicit/generalized_alpha.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 

@@ -2,8 +2,8 @@
 #include "observe/extremes.hpp"
 
 #include "field/exchange.hpp"
-#include "model/initial.hpp"
-#include "unit/model/scenes.hpp"
+#include "scene/initial.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

@@ -1,8 +1,8 @@
 // Products axis by axis against the masses assembled element by element.
 #include "solver/krylov/mass_product.hpp"
 
-#include "model/mass_products.hpp"
-#include "unit/model/scenes.hpp"
+#include "scene/mass_products.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

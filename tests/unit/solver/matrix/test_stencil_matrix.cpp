@@ -3,7 +3,7 @@
 
 #include "field/vector.hpp"
 #include "solver/direct/host/sparse_lu.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 #include <cmath>
 #include <limits>

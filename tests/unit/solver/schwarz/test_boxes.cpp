@@ -1,7 +1,7 @@
 // The weighted sum of the boxes' inverses where it is known: for diagonal matrices.
 #include "solver/schwarz/boxes.hpp"
 
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

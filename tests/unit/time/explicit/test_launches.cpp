@@ -5,7 +5,7 @@
 #include <Kokkos_Core.hpp>
 #include <map>
 
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 #include "unit/time/first_steps.hpp"
 
 namespace softwet::testing_tools {

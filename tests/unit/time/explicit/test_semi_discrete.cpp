@@ -1,8 +1,8 @@
 // The equations as y' = f(t, y): against the residual they come from, with all kinds of mass.
 #include "time/explicit/semi_discrete.hpp"
 
-#include "model/initial.hpp"
-#include "unit/model/scenes.hpp"
+#include "scene/initial.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

@@ -1,7 +1,7 @@
 // The bound of the step against the largest stable step of the linearised scheme.
 #include "time/explicit/step_bound.hpp"
 
-#include "unit/model/formulas.hpp"
+#include "unit/scene/formulas.hpp"
 #include "unit/time/explicit_run.hpp"
 
 namespace softwet::testing_tools {

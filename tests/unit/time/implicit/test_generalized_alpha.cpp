@@ -1,7 +1,7 @@
 // The algebra of one step: parameters, relations between levels, tangent scales, conservation, uniform states.
 #include "time/implicit/generalized_alpha.hpp"
 
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

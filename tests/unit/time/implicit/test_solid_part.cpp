@@ -1,6 +1,6 @@
 // What is known of the solid's part of a Jacobian: where it is, and how it changes with the time step.
 #include "time/implicit/implicit_scheme.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

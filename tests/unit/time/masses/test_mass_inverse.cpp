@@ -1,7 +1,7 @@
 // Corrected masses against the masses themselves: what they keep exactly, and how small their error is.
 #include "time/masses/mass_inverse.hpp"
 
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

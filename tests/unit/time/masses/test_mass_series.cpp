@@ -4,7 +4,7 @@
 #include <functional>
 #include <set>
 
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

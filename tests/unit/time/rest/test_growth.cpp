@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "model/initial.hpp"
+#include "scene/initial.hpp"
 #include "time/rest/relaxation.hpp"
 #include "time/stepper.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "case/error.hpp"
-#include "model/initial.hpp"
+#include "scene/initial.hpp"
 #include "time/rest/rest_control.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

@@ -10,7 +10,7 @@
 #include "solver/direct/dissection.hpp"
 #include "solver/krylov/gmres.hpp"
 #include "solver/matrix/equilibration.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 #include "unit/solver/random_matrix.hpp"
 
 namespace softwet::testing_tools {

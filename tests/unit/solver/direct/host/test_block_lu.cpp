@@ -7,7 +7,7 @@
 #include "allocations.hpp"
 #include "solver/direct/host/work_split.hpp"
 #include "solver/matrix/equilibration.hpp"
-#include "unit/model/scenes.hpp"
+#include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
 namespace {

@@ -1,0 +1,51 @@
+// Dimensionless groups and time scales of a scene: what decides how it behaves (host).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace softwet {
+
+/// The liquid of a droplet and its radius, in one system of units.
+struct Liquid {
+  double density, viscosity, tension, radius;
+
+  /// Ohnesorge number mu / sqrt(rho_l sigma R): viscosity over inertia and capillarity. Below 1 a droplet oscillates.
+  double ohnesorge() const;
+  /// Capillary number mu v / sigma of a speed v: viscosity over capillarity.
+  double capillary_number(double speed) const { return viscosity * speed / tension; }
+  /// Reynolds number rho_l v R / mu of a speed v: inertia over viscosity.
+  double reynolds(double speed) const { return density * speed * radius / viscosity; }
+
+  double time_capillary() const {
+    return viscosity * radius / tension;
+  }                             ///< capillarity against viscosity, mu R / sigma
+  double time_inertia() const;  ///< the same against inertia, sqrt(rho_l R^3 / sigma)
+  double time_viscosity() const { return density * radius * radius / viscosity; }  ///< vorticity crosses the droplet
+};
+
+/// The liquid of the largest droplet. Only with a fluid and a droplet.
+Liquid liquid_of(const Case&);
+
+/// Largest radius of the droplets; 0 without.
+double largest_radius(const Case&);
+
+/// sigma / E, the length over which capillary forces deform the solid; scale L0. 0 without a fluid or a solid.
+double elastocapillary_length(const Case&);
+
+/// Time in which a shear wave crosses the layer, Hs / sqrt(G / rho_0^s); scale L0/sqrt(ab). Only with a solid.
+double time_elasticity(const Substrate&);
+
+struct Group {
+  std::string name;  ///< key of run.json, "elastocapillary_over_radius"
+  double value;
+  std::string meaning;
+};
+
+/// The groups and time scales a scene has: those of a droplet with a droplet, those of a solid with a solid.
+/// Speeds are those of 1 in history.csv, sqrt(ab). Tested by hand-worked numbers: tests/unit/scene/test_groups.cpp
+std::vector<Group> groups(const Case&);
+
+}  // namespace softwet

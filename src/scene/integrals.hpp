@@ -1,0 +1,99 @@
+// Integrals of the state by the columns of history.csv.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace softwet {
+
+/// Scales: energies a b^2 L0^D, mass b L0^D; in the coordinates (r, z) those of space, L0^3.
+/// A name that continues that of a column, after "_", is a part of the column: energy_free_bulk of energy_free, and each energy
+/// of "energy", their total. So are dissipation_solid and dissipation_wall, columns themselves, of dissipation.
+/// Tested: tests/unit/scene/test_integrals.cpp
+class Integrals {
+ public:
+  /// In the order in which parts are added up.
+  static constexpr std::array<std::string_view, 19> parts{"mass",
+                                                          "energy_kinetic",
+                                                          "energy_free_bulk",
+                                                          "energy_free_gradient",
+                                                          "energy_wall",
+                                                          "energy_elastic",
+                                                          "energy_surface",
+                                                          "energy_foundation",
+                                                          "energy_branches",
+                                                          "energy_gravity",
+                                                          "energy_needle",
+                                                          "momentum_x",
+                                                          "momentum_y",
+                                                          "momentum_z",
+                                                          "dissipation_viscous",
+                                                          "dissipation_stabilisation",
+                                                          "dissipation_solid",
+                                                          "dissipation_wall",
+                                                          "wall_stretch"};
+
+  static constexpr bool belongs(std::string_view part, std::string_view column) {
+    return part.starts_with(column) && (part.size() == column.size() || part[column.size()] == '_');
+  }
+  /// Whether a column is one of these integrals, or a sum of some.
+  static constexpr bool has(std::string_view column) {
+    for (const std::string_view part : parts)
+      if (belongs(part, column)) return true;
+    return false;
+  }
+
+  /// One of `parts`. Throws std::logic_error where it is none.
+  double& part(std::string_view name) { return values_[place(name)]; }
+  /// Sum of the parts of a column. Throws std::logic_error where there are none.
+  double operator[](std::string_view column) const {
+    if (!has(column)) throw std::logic_error("no integral belongs to the column '" + std::string(column) + "'");
+    return sum(column, [](double value) { return value; });
+  }
+  double energy() const { return (*this)["energy"]; }
+  double dissipation() const { return (*this)["dissipation"]; }
+  /// Sum of the sizes of the energies, of which the round-off of their sum is a part.
+  double size() const {
+    return sum("energy", [](double value) { return std::abs(value); });
+  }
+
+  /// Adds the integrals of a functional (kernels/functional) to the parts that it names. Another name does not compile.
+  template <class Functional>
+  void add(const std::array<double, Functional::count>& integrals) {
+    constexpr std::array<std::size_t, Functional::count> at = places<Functional>();
+    for (int k = 0; k < Functional::count; ++k) values_[at[k]] += integrals[k];
+  }
+
+  /// From those for each radian about an axis to those of a whole turn. Of the momentum what points away from the axis cancels.
+  void turn(double angle) {
+    for (double& value : values_) value *= angle;
+    part("momentum_x") = 0;
+  }
+
+ private:
+  static constexpr std::size_t place(std::string_view part) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i] == part) return i;
+    throw std::logic_error("there is no integral '" + std::string(part) + "'");
+  }
+  template <class Functional>
+  static constexpr std::array<std::size_t, Functional::count> places() {
+    std::array<std::size_t, Functional::count> all{};
+    for (int k = 0; k < Functional::count; ++k) all[k] = place(Functional::column(k));
+    return all;
+  }
+  template <class Map>
+  double sum(std::string_view column, const Map& map) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (belongs(parts[i], column)) sum += map(values_[i]);
+    return sum;
+  }
+
+  std::array<double, parts.size()> values_{};
+};
+
+}  // namespace softwet

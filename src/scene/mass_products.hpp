@@ -1,0 +1,38 @@
+// Mass matrices of a scene, on the same driver as its equations: what explicit schemes have to invert.
+#pragma once
+
+#include "kernels/fluid/masses.hpp"
+#include "scene/model.hpp"
+
+namespace softwet {
+
+/// Vectors have the layout of the unknowns; a product reads and writes the parts that it names and zeroes the rest. The
+/// density of the stage is the weight in the fluid, its displacement moves the mesh.
+template <int D, int P>
+class Masses {
+ public:
+  explicit Masses(const Model<D, P>& model) : model_(model) {}
+
+  /// Part of the density: out_i = (q_i, z J) on the reference domain. Moments are the product with the density.
+  void scalar(const Stage&, const Array& z, const Array& out) const;
+
+  /// The same added to `out`, with what is prescribed; the ghosts of z are filled.
+  void add_scalar(const Stage&, const Array& z, const Array& out) const;
+
+  /// Velocities: out_i = inertia (w_i, rho z) + (grad w_i, tau(z)) in the fluid, inertia (w_i, rho_0 z) in the solid.
+  /// @param inertia    1 for the mass, 0 for the viscous force alone
+  /// @param viscosity  in tau
+  void velocity(const Stage&, double inertia, double viscosity, const Array& z, const Array& out) const;
+
+ private:
+  template <class Motion, class Term>
+  void add(const Term&, const Region<D>&, const Evaluation<D>&) const;
+  template <class Term>
+  void add_fluid(const Term&, const Evaluation<D>&) const;
+  /// Sums what ghosts hold, and drops what is prescribed.
+  void collect(const Array& out) const;
+
+  const Model<D, P>& model_;
+};
+
+}  // namespace softwet

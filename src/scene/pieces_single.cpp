@@ -1,0 +1,8 @@
+// The terms in single precision: residuals, products and matrices, with twice as many elements in a pack.
+#include "scene/make_pieces.hpp"
+
+namespace softwet {
+
+template Pieces<SOFTWET_DIMENSION, float> make_pieces(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&);
+
+}  // namespace softwet

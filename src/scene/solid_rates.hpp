@@ -1,0 +1,65 @@
+// What a solid has beside its elasticity, from the numbers of a case.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/gel.hpp"
+#include "scene/equilibrium.hpp"
+#include "scene/model.hpp"
+
+namespace softwet {
+
+/// At least the largest stiffness of springs at a point of the solid: those of needles whose boxes overlap add up.
+inline double stiffness_of_needles(const Case& c) {
+  const auto overlap = [](const Needle& a, const Needle& b) {
+    for (std::size_t d = 0; d < a.lower.size(); ++d)
+      if (a.upper[d] <= b.lower[d] || b.upper[d] <= a.lower[d]) return false;
+    return true;
+  };
+  double most = 0;
+  for (const Needle& needle : c.needles) {
+    double sum = 0;
+    for (const Needle& other : c.needles) sum += overlap(needle, other) ? other.stiffness : 0;
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+inline Branches branches_of(const Substrate& s) {
+  Branches all;
+  for (const Branch& branch : all_branches(s)) {
+    all.modulus[all.count] = branch.modulus;
+    all.time[all.count++] = branch.time;
+  }
+  return all;
+}
+
+inline SolidRates solid_rates(const Case& c) {
+  const Substrate& s = *c.substrate;
+  const bool acts = c.fluid && c.fluid->wall_tension == WallTensionModel::acts;
+  const double tension =
+      acts ? s.surface_tension + surface_tension(*c.fluid) : std::max(s.surface_tension, s.surface_tension_wet);
+  const double of_wetting = acts ? c.wetted_modulus() * surface_tension(*c.fluid) : 0;
+  const auto larger = [](const std::vector<double>& two) { return two.empty() ? 0 : std::max(two[0], two[1]); };
+  SolidRates rates;
+  rates.viscosity = 4.0 / 3 * shear_viscosity(s) + s.bulk_viscosity;
+  rates.tension = tension;
+  rates.modulus = s.modulus_of_surface() + of_wetting;
+  rates.foundation = larger(c.boundary.foundation);
+  rates.dashpots = larger(c.boundary.foundation_damping);
+  rates.held = stiffness_of_needles(c);
+  rates.branches = branches_of(s).weight(0);
+  return rates;
+}
+
+inline Fibres fibres_of(const Substrate& s, int dimension) {
+  const double up = s.fibre.angle * M_PI / 180, around = s.fibre.azimuth * M_PI / 180;
+  const Vector<double, 3> direction =
+      dimension == 2
+          ? Vector<double, 3>{{std::cos(up), std::sin(up), 0}}
+          : Vector<double, 3>{{std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)}};
+  return {s.fibre.stiffness, direction, s.strain == Strain::small ? 0.0 : 1.0};
+}
+
+}  // namespace softwet

@@ -1,0 +1,72 @@
+// A model in single precision against the same model in double precision: residuals and products.
+#include "field/vector.hpp"
+#include "unit/scene/scenes.hpp"
+
+namespace softwet::testing_tools {
+namespace {
+
+/// Each entry is the sum of at most 9 elements with 9 points, whose numbers come out of some tens of roundings of 6e-8
+/// each, mostly of different signs. In these scenes no result is small against its parts.
+constexpr double allowed = 1e-6;
+
+Case in_single(Case c) {
+  c.solver.precision = PrecisionChoice::single;
+  return c;
+}
+
+std::vector<double> widened(const ArrayOf<float>& a) {
+  const Array wide("wide", a.extent(0));
+  convert(wide, a);
+  return to_host(wide);
+}
+
+/// max |a - b| / max |b| of the worst field: velocity, density, potential.
+double field_distance(const Layout<2>& l, const std::vector<double>& a, const std::vector<double>& b) {
+  double worst = 0;
+  const int border[] = {0, l.velocity_size(), l.velocity_size() + l.scalar_size(), l.size()};
+  for (int f = 0; f < (l.has_fluid ? 3 : 1); ++f) {
+    const auto cut = [&](const std::vector<double>& v) {
+      return std::vector<double>(v.begin() + border[f], v.begin() + border[f + 1]);
+    };
+    worst = std::max(worst, distance(cut(a), cut(b)));
+  }
+  return worst;
+}
+
+void check_single(const char* name, const Case& c, double bound = allowed) {
+  RandomScene s(in_single(c));
+  const Layout<2>& l = s.layout();
+  const StageOf<float> stage = single_stage(s.stage());
+  const ArrayOf<float> work("work", l.size()), z("z", l.size()), out("out", l.size());
+  const Array r("r", l.size()), direction = s.direction();
+  s.model.residual(stage, work, r);
+  const double residual = field_distance(l, to_host(r), s.residual(s.stage()));
+  convert(z, direction);
+  s.model.product(stage, z, out, Geometry::exact);
+  const double product = field_distance(l, widened(out), s.product(direction, Geometry::exact));
+  std::printf("  %-28s single against double: residual %.1e, product %.1e\n", name, residual, product);
+  EXPECT_LT(residual, bound) << name;
+  EXPECT_LT(product, bound) << name;
+  EXPECT_GT(residual, 1e-9) << name << ": this is double precision";
+  EXPECT_GT(product, 1e-9) << name << ": this is double precision";
+}
+
+TEST(SinglePrecision, Coupled) { check_single("coupled", scene(Scene::coupled)); }
+TEST(SinglePrecision, Rigid) { check_single("rigid", scene(Scene::rigid)); }
+TEST(SinglePrecision, Solid) { check_single("solid", scene(Scene::solid)); }
+TEST(SinglePrecision, Periodic) { check_single("periodic", scene(Scene::coupled, WallLaw::gradient, true)); }
+TEST(SinglePrecision, BlendedTraction) {
+  Case c = scene(Scene::coupled);
+  c.fluid->traction = Traction::blended;
+  check_single("blended traction", c);
+}
+
+TEST(SinglePrecision, TheListOfTermsIsTheSame) {
+  const Model<2, 2> model(in_single(scene(Scene::coupled)));
+  ASSERT_EQ(model.single_pieces().list.size(), model.pieces().list.size());
+  for (std::size_t i = 0; i < model.pieces().list.size(); ++i)
+    EXPECT_STREQ(model.single_pieces().list[i].piece->name(), model.pieces().list[i].piece->name());
+}
+
+}  // namespace
+}  // namespace softwet::testing_tools
