@@ -2,7 +2,7 @@
 #pragma once
 
 #include "observe/host/energy_balance.hpp"
-#include "scene/model.hpp"
+#include "scene/integrals.hpp"
 
 namespace softwet {
 

@@ -41,14 +41,14 @@ std::vector<Matrix<double, 3>> displacement_gradients(const Snapshot<D>& s, cons
 
 }  // namespace
 
-template <int D, int P>
-const std::vector<Matrix<double, 3>>& FieldValues<D, P>::gradients() {
+template <int D>
+const std::vector<Matrix<double, 3>>& FieldValues<D>::gradients() {
   if (gradients_.empty()) gradients_ = displacement_gradients(snapshot_, grid_, rows_);
   return gradients_;
 }
 
-template <int D, int P>
-std::vector<double> FieldValues<D, P>::of(const std::string& field) {
+template <int D>
+std::vector<double> FieldValues<D>::of(const std::string& field) {
   if (field == "velocity") return vector_field<D>([&](int d) { return snapshot_.velocity(grid_, d, in_fluid_); });
   if (field == "displacement")
     return vector_field<D>([&](int d) { return snapshot_.displacement(grid_, d, in_fluid_); });
@@ -56,7 +56,7 @@ std::vector<double> FieldValues<D, P>::of(const std::string& field) {
   if (field == "chemical_potential") return snapshot_.chemical_potential(grid_);
   if (field == "pressure") {
     std::vector<double> pressure = snapshot_.density(grid_);
-    for (double& value : pressure) value = model_.fluid().gas.pressure(value);
+    for (double& value : pressure) value = coefficients_.fluid().gas.pressure(value);
     return pressure;
   }
   if (field == "volume_ratio") {
@@ -67,23 +67,25 @@ std::vector<double> FieldValues<D, P>::of(const std::string& field) {
   return tensor(field);
 }
 
-template <int D, int P>
-std::vector<double> FieldValues<D, P>::tensor(const std::string& field) {
+template <int D>
+std::vector<double> FieldValues<D>::tensor(const std::string& field) {
   const bool strain = field == "green_lagrange_strain";
   // Where strains are small there is one stress.
-  const bool cauchy = field == "cauchy_stress" && !std::holds_alternative<Elastodynamics<Hooke>>(model_.solid());
+  const bool cauchy =
+      field == "cauchy_stress" && !std::holds_alternative<Elastodynamics<Hooke>>(coefficients_.solid().law);
   std::vector<double> values;
   for (std::size_t i = 0; i < gradients().size(); ++i) {
     const Matrix<double, 3>& gradient = gradients()[i];
-    Matrix<double, 3> tensor = strain ? green_lagrange_strain(gradient) : model_.first_piola(gradient, place(i));
+    Matrix<double, 3> tensor =
+        strain ? green_lagrange_strain(gradient) : coefficients_.solid().first_piola(gradient, place(i));
     if (cauchy) tensor = cauchy_stress(tensor, gradient);
     for (int row = 0; row < 3; ++row) values.insert(values.end(), tensor.c[row], tensor.c[row] + 3);
   }
   return values;
 }
 
-template <int D, int P>
-std::array<double, 3> FieldValues<D, P>::place(std::size_t point) const {
+template <int D>
+std::array<double, 3> FieldValues<D>::place(std::size_t point) const {
   std::array<double, 3> x{};
   for (int d = 0; d < D; ++d) {
     x[d] = grid_[d][point % grid_[d].size()];
@@ -94,6 +96,7 @@ std::array<double, 3> FieldValues<D, P>::place(std::size_t point) const {
   return x;
 }
 
-template class FieldValues<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
+template class FieldValues<2>;
+template class FieldValues<3>;
 
 }  // namespace softwet

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "observe/snapshot.hpp"
-#include "scene/model.hpp"
+#include "scene/coefficients.hpp"
 
 namespace softwet {
 
@@ -16,15 +16,15 @@ inline void append(const std::vector<double>& more, std::vector<double>& to) {
 
 /// Fields of one material on a tensor grid of reference points. In 2D a tensor is that of plane strain or, in the
 /// coordinates (r, z), of axial symmetry, the third axis around the axis.
-template <int D, int P>
+template <int D>
 class FieldValues {
  public:
   using Grid = typename Snapshot<D>::Grid;
 
   /// @param rows  the elements that the points lie in: of the fluid, from the wall up, or of one part of the solid. What jumps at
   ///              their ends is read from inside of them.
-  FieldValues(const Model<D, P>& model, const Snapshot<D>& snapshot, const Grid& grid, ElementRows rows)
-      : model_(model),
+  FieldValues(const Coefficients<D>& coefficients, const Snapshot<D>& snapshot, const Grid& grid, ElementRows rows)
+      : coefficients_(coefficients),
         snapshot_(snapshot),
         grid_(grid),
         rows_(rows),
@@ -39,7 +39,7 @@ class FieldValues {
   std::array<double, 3> place(std::size_t point) const;
   const std::vector<Matrix<double, 3>>& gradients();
 
-  const Model<D, P>& model_;
+  const Coefficients<D>& coefficients_;
   const Snapshot<D>& snapshot_;
   const Grid& grid_;
   ElementRows rows_;

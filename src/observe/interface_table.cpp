@@ -54,12 +54,13 @@ std::vector<double> on_wall(const Layout<D>& layout, const std::vector<double>& 
 }  // namespace
 
 template <int D, int P>
-std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage) {
-  const Layout<D>& own = model.layout();
+std::array<std::vector<double>, D> wall_traction(const Regions<D>& regions, const Equations<D, P>& equations,
+                                                 const Stage& stage) {
+  const Layout<D>& own = regions.layout();
   std::array<std::vector<double>, D> traction;
-  if (!own.has_fluid || !model.has_wall()) return traction;
+  if (!own.has_fluid || !regions.has_wall()) return traction;
   const Array residual("fluid_residual", own.size());
-  model.fluid_residual(stage, residual);
+  equations.fluid_residual(stage, residual);
   move_ghosts(own, residual, GhostAction::update);
   for (int d = 0; d < D; ++d) {
     const int first = own.velocity_offset(d) + own.wall_shift();
@@ -105,9 +106,8 @@ void add_interface_rows(TableFile& table, const Snapshot<D>& snapshot,
   }
 }
 
-using Chosen = Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 template std::array<std::vector<double>, SOFTWET_DIMENSION> wall_traction<SOFTWET_DIMENSION, SOFTWET_DEGREE>(
-    const Chosen&, const Stage&);
+    const Regions<SOFTWET_DIMENSION>&, const Equations<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Stage&);
 template void add_interface_rows<SOFTWET_DIMENSION>(TableFile&, const Snapshot<SOFTWET_DIMENSION>&,
                                                     const std::array<std::vector<double>, SOFTWET_DIMENSION>&, double);
 

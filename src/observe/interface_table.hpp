@@ -7,7 +7,7 @@
 #include "io/table_file.hpp"
 #include "observe/host/table_columns.hpp"
 #include "observe/snapshot.hpp"
-#include "scene/model.hpp"
+#include "scene/equations.hpp"
 
 namespace softwet {
 
@@ -25,7 +25,7 @@ std::vector<std::string> interface_columns() {
 /// the side. All processes have to call it; the first one gets the traction, the others nothing. Empty without a fluid
 /// or a wall.
 template <int D, int P>
-std::array<std::vector<double>, D> wall_traction(const Model<D, P>& model, const Stage& stage);
+std::array<std::vector<double>, D> wall_traction(const Regions<D>&, const Equations<D, P>&, const Stage& stage);
 
 /// One row for each point of the wall: two per element along each axis, and the ends. Without a fluid the wall is the
 /// top of the solid; density and traction are empty.

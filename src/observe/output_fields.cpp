@@ -59,8 +59,8 @@ std::vector<double> positions(const typename Snapshot<D>::Grid& grid, std::vecto
 }
 
 /// The fields of one material that were asked for. @param names  of fields; empty: all. @param fields  gain the values of a part
-template <int D, int P>
-void add_selected_fields(FieldValues<D, P>& values, bool in_fluid, const std::vector<std::string>& names,
+template <int D>
+void add_selected_fields(FieldValues<D>& values, bool in_fluid, const std::vector<std::string>& names,
                          std::vector<PointField>& fields) {
   std::size_t number = 0;
   for (const FieldInfo& field : field_table()) {
@@ -83,10 +83,10 @@ void write_list(const std::string& folder, const std::string& part, const std::v
 
 }  // namespace
 
-template <int D, int P>
+template <int D>
 void write_field_files(const std::string& output, const FieldOrigin& origin, const std::vector<std::string>& selected,
-                       const Model<D, P>& model, const Snapshot<D>& s, const std::vector<double>& times) {
-  const Layout<D>& layout = model.layout();
+                       const Coefficients<D>& coefficients, const Snapshot<D>& s, const std::vector<double>& times) {
+  const Layout<D>& layout = s.layout();
   const std::string folder = output + "/fields/";
   for (const std::string part : {"fluid", "solid"}) {
     const bool in_fluid = part == "fluid";
@@ -97,7 +97,7 @@ void write_field_files(const std::string& output, const FieldOrigin& origin, con
     std::vector<PointField> fields;
     for (const ElementRows rows : in_fluid ? std::vector{s.fluid_rows()} : s.solid_parts()) {
       const typename Snapshot<D>::Grid grid = points_of(layout, rows);
-      FieldValues<D, P> values(model, s, grid, rows);
+      FieldValues<D> values(coefficients, s, grid, rows);
       append(positions<D>(grid, values.of("displacement")), points);
       add_selected_fields(values, in_fluid, selected, fields);
     }
@@ -107,7 +107,8 @@ void write_field_files(const std::string& output, const FieldOrigin& origin, con
 }
 
 template void write_field_files(const std::string&, const FieldOrigin&, const std::vector<std::string>&,
-                                const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Snapshot<SOFTWET_DIMENSION>&,
-                                const std::vector<double>&);
+                                const Coefficients<2>&, const Snapshot<2>&, const std::vector<double>&);
+template void write_field_files(const std::string&, const FieldOrigin&, const std::vector<std::string>&,
+                                const Coefficients<3>&, const Snapshot<3>&, const std::vector<double>&);
 
 }  // namespace softwet

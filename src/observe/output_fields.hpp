@@ -6,7 +6,7 @@
 
 #include "io/field_file.hpp"
 #include "observe/snapshot.hpp"
-#include "scene/model.hpp"
+#include "scene/coefficients.hpp"
 
 namespace softwet {
 
@@ -15,8 +15,9 @@ namespace softwet {
 /// The points of a joint are there twice, with the values from below and from above.
 /// @param selected  names of `field_table`; empty: all. A file has those that its material has.
 /// @param times     of all field files of the run, on the clock of the output; this one's, the last, is file times.size() - 1
-template <int D, int P>
+template <int D>
 void write_field_files(const std::string& folder, const FieldOrigin& origin, const std::vector<std::string>& selected,
-                       const Model<D, P>& model, const Snapshot<D>& snapshot, const std::vector<double>& times);
+                       const Coefficients<D>& coefficients, const Snapshot<D>& snapshot,
+                       const std::vector<double>& times);
 
 }  // namespace softwet

@@ -106,12 +106,12 @@ std::vector<ProbeSite<D>> sites_of(const Probe& probe, const Snapshot<D>& s, int
 }
 
 /// The deformed over the undeformed measure of a box, face or line in the fluid, at each of its points.
-template <int D, int P>
-std::vector<double> measures(const Model<D, P>& model, const Snapshot<D>& s, const ProbeSite<D>& site) {
+template <int D>
+std::vector<double> measures(const Regions<D>& regions, const Snapshot<D>& s, const ProbeSite<D>& site) {
   std::vector<double> measure(site.size(), 1.0);
   if (!s.layout().has_solid) return measure;
   typename Snapshot<D>::Grid wall = site.grid;
-  wall[D - 1] = {model.wall_height()};
+  wall[D - 1] = {regions.wall_height()};
   std::array<std::vector<double>, D> u;
   std::array<std::array<std::vector<double>, D>, D> slope;
   for (int d = 0; d < D; ++d) {
@@ -120,14 +120,14 @@ std::vector<double> measures(const Model<D, P>& model, const Snapshot<D>& s, con
   }
   for (std::size_t i = 0; i < measure.size(); ++i) {
     const std::size_t below = i % u[0].size();
-    const double share = model.blend().value(site.grid[D - 1][i / u[0].size()]);
+    const double share = regions.blend().value(site.grid[D - 1][i / u[0].size()]);
     Eigen::Matrix<double, D, Eigen::Dynamic, 0, D, D> tangents(D, 0);  // of the axes along which the place extends
     for (int axis = 0; axis < D; ++axis) {
       if (!site.extends(axis)) continue;
       tangents.conservativeResize(Eigen::NoChange, tangents.cols() + 1);
       for (int d = 0; d < D; ++d)
         tangents(d, tangents.cols() - 1) =
-            (d == axis) + (axis < D - 1 ? share * slope[d][axis][below] : model.blend().slope() * u[d][below]);
+            (d == axis) + (axis < D - 1 ? share * slope[d][axis][below] : regions.blend().slope() * u[d][below]);
     }
     if (tangents.cols() > 0) measure[i] = std::sqrt((tangents.transpose() * tangents).determinant());
   }
@@ -136,15 +136,15 @@ std::vector<double> measures(const Model<D, P>& model, const Snapshot<D>& s, con
 
 /// What each point counts in an integral. A whole turn makes a circle of a point and a face of a line, but on the axis of symmetry
 /// both stay what they are.
-template <int D, int P>
-std::vector<double> weights(const Model<D, P>& model, const Snapshot<D>& s, const ProbeSite<D>& site) {
+template <int D>
+std::vector<double> weights(const Regions<D>& regions, const Snapshot<D>& s, const ProbeSite<D>& site) {
   std::vector<double> weight(site.size(), 1.0), moved;
-  if (site.in_fluid) weight = measures(model, s, site);
+  if (site.in_fluid) weight = measures(regions, s, site);
   const bool on_axis = !site.extends(0) && site.grid[0][0] <= no_extent * s.layout().axis[0].length();
   const bool axial = s.layout().axisymmetric && !on_axis;
   if (axial) moved = s.displacement(site.grid, 0, site.in_fluid);
   for (std::size_t i = 0; i < weight.size(); ++i) {
-    if (axial) weight[i] *= model.turn() * (site.grid[0][i % site.grid[0].size()] + (site.in_fluid ? moved[i] : 0));
+    if (axial) weight[i] *= regions.turn() * (site.grid[0][i % site.grid[0].size()] + (site.in_fluid ? moved[i] : 0));
     std::size_t rest = i;
     for (int d = 0; d < D; ++d) {
       weight[i] *= site.weight[d][rest % site.grid[d].size()];
@@ -155,10 +155,10 @@ std::vector<double> weights(const Model<D, P>& model, const Snapshot<D>& s, cons
 }
 
 /// The quantity at each point.
-template <int D, int P>
-std::vector<double> values_of(const ProbeQuantity& quantity, const Model<D, P>& model, const Snapshot<D>& s,
+template <int D>
+std::vector<double> values_of(const ProbeQuantity& quantity, const Coefficients<D>& coefficients, const Snapshot<D>& s,
                               const ProbeSite<D>& site) {
-  const std::vector<double> field = FieldValues<D, P>(model, s, site.grid, site.rows).of(quantity.field->name);
+  const std::vector<double> field = FieldValues<D>(coefficients, s, site.grid, site.rows).of(quantity.field->name);
   const std::size_t components = field.size() / site.size();
   std::vector<double> values(site.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -170,12 +170,13 @@ std::vector<double> values_of(const ProbeQuantity& quantity, const Model<D, P>& 
   return values;
 }
 
-template <int D, int P>
-double evaluate(const Probe& probe, const Model<D, P>& model, const Snapshot<D>& s) {
+template <int D>
+double evaluate(const Probe& probe, const Regions<D>& regions, const Coefficients<D>& coefficients,
+                const Snapshot<D>& s) {
   std::vector<double> values, weight;
-  for (const ProbeSite<D>& site : sites_of(probe, s, model.points())) {
-    append(values_of(probe_quantity(probe.quantity), model, s, site), values);
-    if (sums_up(probe.operation)) append(weights(model, s, site), weight);
+  for (const ProbeSite<D>& site : sites_of(probe, s, regions.points())) {
+    append(values_of(probe_quantity(probe.quantity), coefficients, s, site), values);
+    if (sums_up(probe.operation)) append(weights(regions, s, site), weight);
   }
   if (probe.operation == ProbeOperation::value) return values[0];
   if (probe.operation == ProbeOperation::max) return *std::max_element(values.begin(), values.end());
@@ -187,14 +188,17 @@ double evaluate(const Probe& probe, const Model<D, P>& model, const Snapshot<D>&
 
 }  // namespace
 
-template <int D, int P>
-std::vector<double> evaluate_probes(const Case& c, const Model<D, P>& model, const Snapshot<D>& snapshot) {
+template <int D>
+std::vector<double> evaluate_probes(const Case& c, const Regions<D>& regions, const Coefficients<D>& coefficients,
+                                    const Snapshot<D>& snapshot) {
   std::vector<double> numbers;
-  for (const Probe& probe : c.probes) numbers.push_back(evaluate<D, P>(probe, model, snapshot));
+  for (const Probe& probe : c.probes) numbers.push_back(evaluate(probe, regions, coefficients, snapshot));
   return numbers;
 }
 
-template std::vector<double> evaluate_probes(const Case&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
-                                             const Snapshot<SOFTWET_DIMENSION>&);
+template std::vector<double> evaluate_probes(const Case&, const Regions<2>&, const Coefficients<2>&,
+                                             const Snapshot<2>&);
+template std::vector<double> evaluate_probes(const Case&, const Regions<3>&, const Coefficients<3>&,
+                                             const Snapshot<3>&);
 
 }  // namespace softwet

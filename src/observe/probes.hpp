@@ -5,13 +5,13 @@
 
 #include "case/case.hpp"
 #include "observe/snapshot.hpp"
-#include "scene/model.hpp"
+#include "scene/coefficients.hpp"
 
 namespace softwet {
 
 /// The number of each probe, in the order of the case. Integrals have the Gauss points of the scene in each element, or part
 /// of one, that the box holds: that of the density over all of the fluid is the mass.
-template <int D, int P>
-std::vector<double> evaluate_probes(const Case&, const Model<D, P>&, const Snapshot<D>&);
+template <int D>
+std::vector<double> evaluate_probes(const Case&, const Regions<D>&, const Coefficients<D>&, const Snapshot<D>&);
 
 }  // namespace softwet

@@ -12,7 +12,6 @@
 #include "observe/host/probe_quantity.hpp"
 #include "observe/host/table_columns.hpp"
 #include "observe/probes.hpp"
-#include "scene/liquid_volume.hpp"
 
 namespace softwet {
 namespace {
@@ -33,7 +32,7 @@ bool begins_on_wall(const Case& c, std::size_t body) {
 }  // namespace
 
 template <int D, int P>
-Scalars<D, P>::Scalars(const Case& c, const Model<D, P>& model) : case_(c), model_(model) {
+Scalars<D, P>::Scalars(const Case& c, const Scene<D, P>& scene) : case_(c), scene_(scene) {
   memory_.bodies = bodies_of(c);
   for (std::size_t k = 0; k < memory_.bodies.size(); ++k) {
     const std::array<double, 3>& place = memory_.bodies[k].place;
@@ -50,7 +49,8 @@ void Scalars<D, P>::restore(const HistoryMemory& memory) {
 
 template <int D, int P>
 Surface Scalars<D, P>::surface() const {
-  const double middle = 0.5 * (model_.state().density_liquid + model_.state().density_vapour);
+  const Coexistence& phases = scene_.coefficients().coexistence();
+  const double middle = 0.5 * (phases.density_liquid + phases.density_vapour);
   return {middle, case_.fluid->ambient == Phase::liquid ? Phase::vapour : Phase::liquid};
 }
 
@@ -65,7 +65,7 @@ std::vector<std::string> Scalars<D, P>::columns() const {
 template <int D, int P>
 void Scalars<D, P>::set(const std::string& column, double value, TableRow& row) const {
   const Needs needs = history_column(column).needs;
-  const Layout<D>& layout = model_.layout();
+  const Layout<D>& layout = scene_.layout();
   const bool exists = needs == Needs::fluid ? layout.has_fluid : needs == Needs::solid ? layout.has_solid : true;
   row.set(column, exists ? TableRow::Cell(value) : std::nullopt);
 }
@@ -109,8 +109,8 @@ void Scalars<D, P>::set_extremes(const Extremes& found, TableRow& row) const {
 template <int D, int P>
 void Scalars<D, P>::set_droplets(const Snapshot<D>& snapshot, long step, TableRow& row) {
   std::vector<Contact> found;
-  if (!latest_.droplets.empty() && model_.has_wall())
-    found = find_contacts(snapshot, surface(), model_.fluid().capillarity, case_.track());
+  if (!latest_.droplets.empty() && scene_.regions().has_wall())
+    found = find_contacts(snapshot, surface(), scene_.coefficients().fluid().capillarity, case_.track());
   const std::vector<int> of_droplet = assign_contacts(found, latest_.droplets);
   const double interval = latest_.time - memory_.time;
   for (std::size_t k = 0; k < of_droplet.size(); ++k) {
@@ -124,7 +124,7 @@ void Scalars<D, P>::set_droplets(const Snapshot<D>& snapshot, long step, TableRo
     const Contact& contact = found[of_droplet[k]];
     TableRow::Cell velocity;
     if (step > 0 && was_on_wall && interval > 0)
-      velocity = advance(model_.layout(), track.centre, contact.centre, case_.track()) / interval;
+      velocity = advance(scene_.layout(), track.centre, contact.centre, case_.track()) / interval;
     track.centre = contact.centre;
     row.set("velocity" + ending_of_body(k), velocity);
     row.add(contact.cells, ending_of_body(k));
@@ -148,7 +148,7 @@ PhaseSamples Scalars<D, P>::follow_bodies(const Snapshot<D>& snapshot, const std
 
 template <int D, int P>
 void Scalars<D, P>::watch(const State& state, const std::string& told) {
-  const Snapshot<D> snapshot(model_.layout(), state, SnapshotOf::all_but_velocity);
+  const Snapshot<D> snapshot(scene_.layout(), state, SnapshotOf::all_but_velocity);
   if (!ranks::root()) return;
   latest_ = memory_;
   latest_.time = state.time;
@@ -173,16 +173,16 @@ double Scalars<D, P>::laplace_pressure(const Snapshot<D>& snapshot) const {
   for (int d = 0; d < D - 1; ++d) at[d] = {latest_.droplets[0].centre[d]};
   if (sits_on_wall(case_, droplet))  // a cap: half its height
     at[D - 1][0] += 0.5 * droplet.radius * (1 - cap_cosine(case_, droplet));
-  return snapshot.chemical_potential(at)[0] - model_.state().potential;
+  return snapshot.chemical_potential(at)[0] - scene_.coefficients().coexistence().potential;
 }
 
 template <int D, int P>
 TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const State& state, const Stage& end) {
-  const Layout<D>& layout = model_.layout();
-  const Integrals sum = model_.integrals(end);
-  const double liquid = liquid_volume<D, P>(model_, end);
-  const double load_power = model_.load_power(state.time, state.unknown);
-  const std::vector<NeedleReading> needles = model_.needle_readings(end);
+  const Layout<D>& layout = scene_.layout();
+  const Integrals sum = scene_.balance().integrals(end);
+  const double liquid = scene_.balance().liquid_volume(end);
+  const double load_power = scene_.balance().load_power(state.time, state.unknown);
+  const std::vector<NeedleReading> needles = scene_.balance().needle_readings(end);
   const Extremes extremes = find_extremes(layout, state, layout.has_fluid ? surface().level : 0);
   const Snapshot<D> snapshot(layout, state,
                              probes_need_velocity(case_) ? SnapshotOf::all_fields : SnapshotOf::all_but_velocity);
@@ -207,7 +207,7 @@ TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const Stat
   set_droplets(snapshot, step, row);
   follow_bodies(snapshot);
   if (!case_.droplets.empty()) set("laplace", laplace_pressure(snapshot), row);
-  const std::vector<double> probed = evaluate_probes<D, P>(case_, model_, snapshot);
+  const std::vector<double> probed = evaluate_probes(case_, scene_.regions(), scene_.coefficients(), snapshot);
   for (std::size_t i = 0; i < probed.size(); ++i) row.set(case_.probes[i].name, probed[i]);
   return row;
 }

@@ -10,7 +10,7 @@
 #include "observe/extremes.hpp"
 #include "observe/host/history_memory.hpp"
 #include "observe/phase_samples.hpp"
-#include "scene/model.hpp"
+#include "scene/scene.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
@@ -18,7 +18,7 @@ namespace softwet {
 template <int D, int P>
 class Scalars {
  public:
-  Scalars(const Case& c, const Model<D, P>& model);
+  Scalars(const Case& c, const Scene<D, P>& scene);
 
   /// The columns of history.csv in their order.
   std::vector<std::string> columns() const;
@@ -57,7 +57,7 @@ class Scalars {
   double laplace_pressure(const Snapshot<D>&) const;
 
   const Case& case_;
-  const Model<D, P>& model_;
+  const Scene<D, P>& scene_;
   HistoryMemory memory_, latest_;
   std::vector<Centre> first_seen_, last_seen_;  ///< by `watch`
   PhaseSamples watched_;                        ///< the last of its samples

@@ -25,16 +25,16 @@ constexpr double first_save = 60, record_pause = 15;
 }  // namespace
 
 template <int D, int P>
-Journal<D, P>::Journal(const Case& c, const RunOptions& options, const Model<D, P>& model, Stepper<D, P>& stepper,
+Journal<D, P>::Journal(const Case& c, const RunOptions& options, const Scene<D, P>& scene, Stepper<D, P>& stepper,
                        std::vector<double> field_times)
     : saves_(std::min(first_save, 60 * c.output.checkpoint_minutes), 60 * c.output.checkpoint_minutes),
       records_(record_pause, record_pause),
       wall_clock_(c.wall_clock),
       case_(c),
       options_(options),
-      model_(model),
+      scene_(scene),
       stepper_(stepper),
-      scalars_(c, model),
+      scalars_(c, scene),
       progress_(Progress::voice(options.quiet || !ranks::root()), c.run_start() - c.clock_zero(), c.time.end),
       time_left_(c.clock_zero() + c.time.end, c.time.dt_max, c.time.max_steps),
       field_times_(std::move(field_times)) {
@@ -44,7 +44,7 @@ Journal<D, P>::Journal(const Case& c, const RunOptions& options, const Model<D, 
 /// The factors of a preconditioner may be most of the memory; they are not there yet.
 template <int D, int P>
 void Journal<D, P>::require_memory() const {
-  const double needed = total_bytes(case_, model_.layout(), stepper_.scheme().preconditioner());
+  const double needed = total_bytes(case_, scene_.layout(), stepper_.scheme().preconditioner());
   together(
       [&] { on_host ? require_bytes(case_, needed) : require_device_bytes(case_, needed, device_bytes_to_be_had()); });
 }
@@ -104,7 +104,7 @@ template <int D, int P>
 void Journal<D, P>::write_row(const StepReport& report) {
   Stopwatch watch(seconds_.observers);
   last_row_ =
-      scalars_.evaluate(stepper_.counts().steps, report, stepper_.state(), stage_at(model_.layout(), stepper_.state()));
+      scalars_.evaluate(stepper_.counts().steps, report, stepper_.state(), stage_at(scene_.layout(), stepper_.state()));
   on_root([this] { history_->row(last_row_); });
   tell_events();
 }
@@ -122,10 +122,12 @@ void Journal<D, P>::write_fields_due() {
     Stopwatch watch(seconds_.output);
     std::vector<double> all = written_;
     all.push_back(time);
-    const Snapshot<D> snapshot(model_.layout(), stepper_.state());
-    const auto traction = wall_traction(model_, stage_at(model_.layout(), stepper_.state()));
+    const Snapshot<D> snapshot(scene_.layout(), stepper_.state());
+    const auto traction =
+        wall_traction(scene_.regions(), scene_.equations(), stage_at(scene_.layout(), stepper_.state()));
     on_root([&] {
-      write_field_files<D, P>(options_.out, origin_of(case_), case_.output.field_select, model_, snapshot, all);
+      write_field_files(options_.out, origin_of(case_), case_.output.field_select, scene_.coefficients(), snapshot,
+                        all);
       add_interface_rows<D>(*interface_, snapshot, traction, time);
       interface_->keep();
     });
@@ -159,7 +161,7 @@ void Journal<D, P>::record(const std::string& reason) {
 
 template <int D, int P>
 void Journal<D, P>::write_record(const std::string& reason, const std::vector<double>& memory) {
-  RunRecord run = describe_run<D, P>(case_, model_, stepper_, seconds_, first_step_);
+  RunRecord run = describe_run<D, P>(case_, scene_, stepper_, seconds_, first_step_);
   for (double of_process : memory)
     if (memory.size() > 1) run["peak_memory_of_processes_mib"].append(of_process);
   add_status(run, {reason, output_time(), seconds_.started, time_left_.seconds(), scalars_.events()});

@@ -30,7 +30,7 @@ template <int D, int P>
 class Journal {
  public:
   /// @param field_times  t at which field files are due
-  Journal(const Case&, const RunOptions&, const Model<D, P>&, Stepper<D, P>&, std::vector<double> field_times);
+  Journal(const Case&, const RunOptions&, const Scene<D, P>&, Stepper<D, P>&, std::vector<double> field_times);
 
   /// Throws Error (machine_failed) where the machine has not the memory that the run needs.
   void require_memory() const;
@@ -95,7 +95,7 @@ class Journal {
   WallClock wall_clock_;
   const Case& case_;
   RunOptions options_;
-  const Model<D, P>& model_;
+  const Scene<D, P>& scene_;
   Stepper<D, P>& stepper_;
   Scalars<D, P> scalars_;
   std::optional<TableFile> history_, interface_;

@@ -28,10 +28,10 @@ template <int D, int P>
 Motion<D, P>::Motion(const Case& c, const RunOptions& options)
     : case_(c),
       resumes_(options.resume),
-      model_(c),
-      stepper_(model_, c, events(c)),
-      journal_(c, options, model_, stepper_, field_times(c)),
-      way_to_rest_(c, model_, journal_) {}
+      scene_(c),
+      stepper_(scene_, c, events(c)),
+      journal_(c, options, scene_, stepper_, field_times(c)),
+      way_to_rest_(c, scene_, journal_) {}
 
 template <int D, int P>
 void Motion<D, P>::run() {
@@ -51,7 +51,7 @@ void Motion<D, P>::run() {
 
 template <int D, int P>
 bool Motion<D, P>::begin() {
-  State state = initial_state<D, P>(case_, model_);
+  State state = initial_state<D, P>(case_, scene_);
   state.time = case_.run_start();
   if (case_.time.start == StartState::equilibrium) {
     journal_.more_to_record = [this](RunRecord& run) { way_to_rest_.describe(run["start"]); };

@@ -28,7 +28,7 @@ class Motion {
 
   const Case& case_;
   const bool resumes_;
-  Model<D, P> model_;
+  Scene<D, P> scene_;
   Stepper<D, P> stepper_;
   Journal<D, P> journal_;
   WayToRest<D, P> way_to_rest_;  ///< where time.start asks for it

@@ -44,9 +44,9 @@ double rate(int unknowns, long calls, double seconds) {
 }  // namespace
 
 template <int D, int P>
-RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& stepper, const RunSeconds& seconds,
+RunRecord describe_run(const Case& c, const Scene<D, P>& scene, Stepper<D, P>& stepper, const RunSeconds& seconds,
                        long first_step) {
-  const Layout<D>& layout = model.layout();
+  const Layout<D>& layout = scene.layout();
   const SolverCounts& k = stepper.scheme().counts();
   RunRecord run;
   run["softwet"] = version;
@@ -58,14 +58,14 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
   run["threads"] = thread_count();
   run["ranks"] = ranks::count();
   run["instructions"] = instruction_set();
-  run["precision"] = name_of(model.precision());
+  run["precision"] = name_of(scene.equations().precision());
   run["dimension"] = D;
   run["degree"] = P;
   const Layout<D> patch = layout.whole_patch();
   add_unknowns(run["unknowns"], patch.velocity_size(), patch.scalar_size(), patch.solid_size());
   if (layout.has_fluid) {  // of the flat interface in equilibrium; droplets end half way between
-    run["equilibrium"]["density_vapour"] = model.state().density_vapour;
-    run["equilibrium"]["density_liquid"] = model.state().density_liquid;
+    run["equilibrium"]["density_vapour"] = scene.coefficients().coexistence().density_vapour;
+    run["equilibrium"]["density_liquid"] = scene.coefficients().coexistence().density_liquid;
   }
   for (const Group& group : groups(c)) run["groups"][group.name] = group.value;
   const Preconditioner* preconditioner = stepper.scheme().preconditioner();
@@ -99,7 +99,7 @@ RunRecord describe_run(const Case& c, const Model<D, P>& model, Stepper<D, P>& s
 }
 
 template RunRecord describe_run<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&,
-                                                                   const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
+                                                                   const Scene<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
                                                                    Stepper<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
                                                                    const RunSeconds&, long);
 

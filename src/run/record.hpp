@@ -9,6 +9,6 @@ namespace softwet {
 
 /// run.json without the status: build, machine, case, unknowns, timings, counts, memory.
 template <int D, int P>
-RunRecord describe_run(const Case&, const Model<D, P>&, Stepper<D, P>&, const RunSeconds&, long first_step);
+RunRecord describe_run(const Case&, const Scene<D, P>&, Stepper<D, P>&, const RunSeconds&, long first_step);
 
 }  // namespace softwet

@@ -54,10 +54,10 @@ std::string stability_text(const Case& c, const Growth& growth) {
 template <int D, int P>
 Rest<D, P>::Rest(const Case& c, const RunOptions& options)
     : case_(c),
-      model_(c),
-      stepper_(model_, c, {}),
-      journal_(c, options, model_, stepper_, {output_time(full_load_time(c), c.clock_zero())}),
-      way_(c, model_, journal_) {
+      scene_(c),
+      stepper_(scene_, c, {}),
+      journal_(c, options, scene_, stepper_, {output_time(full_load_time(c), c.clock_zero())}),
+      way_(c, scene_, journal_) {
   journal_.more_to_record = [this](RunRecord& run) { describe(run); };
 }
 
@@ -83,14 +83,14 @@ void Rest<D, P>::run() {
 
 template <int D, int P>
 bool Rest<D, P>::begin() {
-  State state = initial_state<D, P>(case_, model_);
+  State state = initial_state<D, P>(case_, scene_);
   const double time = state.time = full_load_time(case_);
   // A load without a ramp acts after its start, not at it: on a state of rest that is asked for, not on one that a run starts from.
   const double time_of_loads = std::nextafter(time, std::numeric_limits<double>::infinity());
   if (!way_.go(state, time_of_loads, "")) return false;
   if (way_.why_not().empty()) {
     state.time = time_of_loads;
-    growth_ = growth_at_rest<D, P>(model_, case_, state, [this] { return journal_.wish() != Wish::go_on; });
+    growth_ = growth_at_rest<D, P>(scene_, case_, state, [this] { return journal_.wish() != Wish::go_on; });
     journal_.tell(stability_text(case_, *growth_));
   }
   state.time = time;

@@ -22,7 +22,7 @@ class Rest {
   void describe(RunRecord&) const;
 
   const Case& case_;
-  Model<D, P> model_;
+  Scene<D, P> scene_;
   Stepper<D, P> stepper_;
   Journal<D, P> journal_;
   WayToRest<D, P> way_;

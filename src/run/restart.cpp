@@ -155,10 +155,10 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
   std::optional<CheckpointWriter> file;
   on_root([&] { file.emplace(path); });
   for (const auto& entry : arrays) {
-    const std::vector<double> values = to_host_on_root(stepper.model().layout(), entry.second);
+    const std::vector<double> values = to_host_on_root(stepper.scene().layout(), entry.second);
     on_root([&] { file->array(entry.first, values); });
   }
-  MemoryToFile<D> memory(stepper.model().layout(), file);
+  MemoryToFile<D> memory(stepper.scene().layout(), file);
   stepper.scheme().visit_memory(memory, stepper.state());
   on_root([&] {
     EntriesToFile entries(*file);
@@ -182,7 +182,7 @@ void write_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& ste
 template <int D, int P>
 HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D, P>& stepper,
                               const HistoryMemory& at_start, WrittenFiles& files, RunSeconds& seconds) {
-  const Layout<D>& layout = stepper.model().layout();
+  const Layout<D>& layout = stepper.scene().layout();
   State state = empty_state(layout);
   const Array previous("previous", state.unknown.extent(0));
   SavedArrays saved{arrays_of(state), {}};

@@ -29,13 +29,13 @@ bool WayToRest<D, P>::go(State& state, double time_of_loads, const std::string& 
   Scalars<D, P>& scalars = journal_.scalars();
   scalars.watch(state, "");
   const double time = std::exchange(state.time, time_of_loads);
-  const double mass = model_.filling(stage_at(model_.layout(), state)).mass;
+  const double mass = scene_.balance().filling(stage_at(scene_.layout(), state)).mass;
   double before = journal_.since_start();
   const auto interrupted = [&] {
     journal_.step_done(std::exchange(before, journal_.since_start()));
     return journal_.wish() != Wish::go_on;
   };
-  relaxation_ = relax<D, P>(model_, case_, state, interrupted, [&](State now, const Relaxation& done) {
+  relaxation_ = relax<D, P>(scene_, case_, state, interrupted, [&](State now, const Relaxation& done) {
     now.time = time;
     scalars.watch(now, " (while the scene came to rest)");
     journal_.progress().settle(done.steps, done.rate);
@@ -49,9 +49,9 @@ bool WayToRest<D, P>::go(State& state, double time_of_loads, const std::string& 
     return false;
   }
   moved_ = scalars.moved();
-  const Extremes extremes = find_extremes(model_.layout(), state, 0);
+  const Extremes extremes = find_extremes(scene_.layout(), state, 0);
   speed_ = std::max(extremes.speed_fluid, extremes.speed_solid);
-  mass_change_ = mass > 0 ? model_.filling(stage_at(model_.layout(), state)).mass / mass - 1 : 0;
+  mass_change_ = mass > 0 ? scene_.balance().filling(stage_at(scene_.layout(), state)).mass / mass - 1 : 0;
   if (relaxation_->why.empty()) journal_.tell(rest_text(*relaxation_, speed_) + moves_text(body_names(case_), moved_));
   return true;
 }

@@ -14,8 +14,8 @@ namespace softwet {
 template <int D, int P>
 class WayToRest {
  public:
-  WayToRest(const Case& c, const Model<D, P>& model, Journal<D, P>& journal)
-      : case_(c), model_(model), journal_(journal) {}
+  WayToRest(const Case& c, const Scene<D, P>& scene, Journal<D, P>& journal)
+      : case_(c), scene_(scene), journal_(journal) {}
 
   /// Takes the state to rest, or as near as it comes. False: it was asked to stop on the way.
   /// @param time_of_loads  at which loads act: the time of the state, or just behind it
@@ -29,7 +29,7 @@ class WayToRest {
 
  private:
   const Case& case_;
-  const Model<D, P>& model_;
+  const Scene<D, P>& scene_;
   Journal<D, P>& journal_;
   std::optional<Relaxation> relaxation_;
   double speed_ = 0, mass_change_ = 0;        ///< the largest one at rest; of the mass on the way, relative

@@ -52,8 +52,8 @@ double factor_that_fits(const std::vector<double>& without_waves, const std::vec
 
 }  // namespace
 
-template <int D, int P>
-void require_density(const Case& c, const Model<D, P>& model, const std::vector<double>& without_waves,
+template <int D>
+void require_density(const Case& c, const Layout<D>& layout, const std::vector<double>& without_waves,
                      const std::vector<double>& density) {
   const std::string waves = waves_on(c, [](WaveField field) { return field == WaveField::density; });
   if (waves.empty() && !c.gives_density())
@@ -71,7 +71,7 @@ void require_density(const Case& c, const Model<D, P>& model, const std::vector<
   if (most < 0) return;
   const int speaker = static_cast<int>(ranks::least(outside == most ? ranks::mine() : infinite));
   std::string place;
-  for (double x : place_of(model.layout(), static_cast<int>(worst)))
+  for (double x : place_of(layout, static_cast<int>(worst)))
     place += (place.empty() ? "" : ", ") + short_text(told_by(speaker, x), 4);
   const std::string bare = short_text(told_by(speaker, without_waves[worst]), 4),
                     value = short_text(told_by(speaker, density[worst]), 4);
@@ -91,11 +91,11 @@ void require_density(const Case& c, const Model<D, P>& model, const std::vector<
 }
 
 template <int D, int P>
-void require_upright(const Case& c, const Model<D, P>& model, const State& state) {
+void require_upright(const Case& c, const Layout<D>& layout, const Balance<D, P>& balance, const State& state) {
   const std::string waves = waves_on(c, is_displacement);
   const bool given = c.initial && (!c.initial->displacement.empty() || c.initial->earlier);
   if (waves.empty() && !given) return;
-  const MeshFaults faults = model.faults(stage_at(model.layout(), state));
+  const MeshFaults faults = balance.faults(stage_at(layout, state));
   if (faults.inverted == 0 && faults.folded == 0) return;
   const std::string what = faults.inverted != 0 ? "turn the solid inside out somewhere (det F <= 0)"
                                                 : "fold the mesh of the fluid above the solid (J < 0)";
@@ -108,8 +108,9 @@ void require_upright(const Case& c, const Model<D, P>& model, const State& state
                                        "axis: write smaller amplitudes or modes");
 }
 
-template void require_density(const Case&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const std::vector<double>&,
+template void require_density(const Case&, const Layout<SOFTWET_DIMENSION>&, const std::vector<double>&,
                               const std::vector<double>&);
-template void require_upright(const Case&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const State&);
+template void require_upright(const Case&, const Layout<SOFTWET_DIMENSION>&,
+                              const Balance<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const State&);
 
 }  // namespace softwet

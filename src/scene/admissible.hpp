@@ -2,7 +2,7 @@
 #pragma once
 
 #include "field/stage.hpp"
-#include "scene/model.hpp"
+#include "scene/balance.hpp"
 
 namespace softwet {
 
@@ -16,14 +16,14 @@ constexpr double close_packed = 0.999;
 /// @param without_waves  control values of droplets, films and what is around them
 /// @param density        the same with the waves
 /// Errors: invalid_input.   Tested: tests/unit/scene/test_initial.cpp
-template <int D, int P>
-void require_density(const Case&, const Model<D, P>&, const std::vector<double>& without_waves,
+template <int D>
+void require_density(const Case&, const Layout<D>&, const std::vector<double>& without_waves,
                      const std::vector<double>& density);
 
 /// Refuses waves of the displacement that turn the solid inside out (det F <= 0), or fold the mesh of the fluid above
 /// it (J < 0), at a Gauss point. All processes decide alike.
 /// Errors: invalid_input.   Tested: tests/unit/scene/test_initial.cpp
 template <int D, int P>
-void require_upright(const Case&, const Model<D, P>&, const State&);
+void require_upright(const Case&, const Layout<D>&, const Balance<D, P>&, const State&);
 
 }  // namespace softwet

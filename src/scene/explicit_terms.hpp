@@ -2,18 +2,20 @@
 #pragma once
 
 #include "kernels/fluid/explicit_terms.hpp"
-#include "scene/model.hpp"
+#include "scene/coefficients.hpp"
+#include "scene/equations.hpp"
 
 namespace softwet {
 
 /// Parts of the residual, added to a vector with the layout of the unknowns; `collect` ends a sum of them. All together, and
-/// `Model::potential_moments`, they are the residual without the terms of the acceleration and of the moments, and without its
+/// `Equations::potential_moments`, they are the residual without the terms of the acceleration and of the moments, and without its
 /// mask: what is prescribed has values too.
 /// Tested: tests/unit/scene/test_explicit_terms.cpp
 template <int D, int P>
 class ExplicitTerms {
  public:
-  explicit ExplicitTerms(const Model<D, P>& model) : model_(model) {}
+  ExplicitTerms(const Regions<D>& regions, const Coefficients<D>& coefficients, const Equations<D, P>& equations)
+      : regions_(regions), coefficients_(coefficients), equations_(equations) {}
 
   /// - (grad q, rho (v - vh)).
   void add_mass_flux(const Stage&, const Array& out) const;
@@ -31,7 +33,9 @@ class ExplicitTerms {
   template <class Term>
   void add_fluid(const Term&, const Evaluation<D>&) const;
 
-  const Model<D, P>& model_;
+  const Regions<D>& regions_;
+  const Coefficients<D>& coefficients_;
+  const Equations<D, P>& equations_;
 };
 
 }  // namespace softwet

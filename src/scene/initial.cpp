@@ -7,7 +7,7 @@
 #include "kernels/fluid/interface_profile.hpp"
 #include "scene/admissible.hpp"
 #include "scene/equilibrium.hpp"
-#include "scene/given_fields.hpp"
+#include "scene/given_start.hpp"
 
 namespace softwet {
 
@@ -77,20 +77,19 @@ struct CurvedEquilibrium {
   }
 };
 
-template <int D, int P>
-std::vector<Shape> shapes(const Case& c, const Model<D, P>& model) {
-  const Coexistence& flat = model.state();
+std::vector<Shape> shapes(const Case& c, const Coexistence& flat) {
   const CurvedEquilibrium curved{c.fluid->temperature, surface_tension(*c.fluid), flat, c.dimension_of_droplets()};
   const bool bubbles = c.fluid->ambient == Phase::liquid;
   std::vector<Shape> result;
   for (const Droplet& droplet : c.droplets) {
     const double potential = curved.potential(droplet.radius, bubbles ? -1 : 1);
     const PhaseDensities rho = densities_at(c.fluid->temperature, potential);
-    Shape s{droplet.centre,  std::vector<double>(D, droplet.radius), {}, {}, rho.liquid, potential, rho.vapour,
-            droplet.velocity};
+    Shape s{
+        droplet.centre,  std::vector<double>(c.dimension(), droplet.radius), {}, {}, rho.liquid, potential, rho.vapour,
+        droplet.velocity};
     if (bubbles) std::swap(s.density, s.density_around);
     for (std::size_t d = 0; d < droplet.stretch.size(); ++d) s.semi_axis[d] *= droplet.stretch[d];
-    if (sits_on_wall(c, droplet)) s.centre[D - 1] -= s.semi_axis[D - 1] * cap_cosine(c, droplet);
+    if (sits_on_wall(c, droplet)) s.centre.back() -= s.semi_axis.back() * cap_cosine(c, droplet);
     result.push_back(s);
   }
   for (const Film& film : c.films)
@@ -139,12 +138,11 @@ void fill_velocity(const Case& c, const Layout<D>& l, const std::vector<Shape>& 
   });
 }
 
-template <int D, int P>
-void fill_fluid(const Case& c, const Model<D, P>& model, std::vector<double>& unknown) {
-  const Layout<D>& l = model.layout();
-  const std::vector<Shape> all = shapes(c, model);
-  const Shape around = surroundings(c, model.state(), all);
-  const InterfaceProfile profile(VanDerWaals{c.fluid->temperature, 0}, model.state(), c.fluid->capillarity);
+template <int D>
+void fill_fluid(const Case& c, const Layout<D>& l, const Coexistence& flat, std::vector<double>& unknown) {
+  const std::vector<Shape> all = shapes(c, flat);
+  const Shape around = surroundings(c, flat, all);
+  const InterfaceProfile profile(VanDerWaals{c.fluid->temperature, 0}, flat, c.fluid->capillarity);
   at_samples(l, l.wall_row, l.fluid_rows(), [&](int i, const double* x, double weight) {
     double rho = around.density_around;
     at_parts(c, all, profile, x, [&](const Shape& shape, double part) {
@@ -193,25 +191,25 @@ std::vector<double> density_of(const Layout<D>& l, const std::vector<double>& un
 }  // namespace
 
 template <int D, int P>
-State initial_state(const Case& c, const Model<D, P>& model) {
-  const Layout<D>& l = model.layout();
+State initial_state(const Case& c, const Scene<D, P>& scene) {
+  const Layout<D>& l = scene.layout();
   State state = empty_state(l);
   std::vector<double> unknown(l.size(), 0.0), displacement(l.solid_size(), 0.0);
-  if (l.has_fluid) fill_fluid(c, model, unknown);
+  if (l.has_fluid) fill_fluid(c, l, scene.coefficients().coexistence(), unknown);
   if (c.initial && c.initial->earlier) give_earlier(*c.initial->earlier, l, unknown, displacement);
   if (c.initial && l.has_fluid) give_fluid(*c.initial, l.has_solid, l, unknown);
   if (c.initial && l.has_solid) give_solid(c, l, displacement);
   const std::vector<double> without_waves = density_of(l, unknown);
   add_waves(c, l, unknown, displacement);
-  if (l.has_fluid) require_density(c, model, without_waves, density_of(l, unknown));
+  if (l.has_fluid) require_density(c, l, without_waves, density_of(l, unknown));
   state.unknown = to_device<Array>(unknown, "state.unknown");
   state.displacement = to_device<Array>(displacement, "state.displacement");
   multiply(Kokkos::subview(state.unknown, Kokkos::make_pair(0, l.velocity_size())),
-           part(model.mask(), 0, l.velocity_size()));
-  require_upright(c, model, state);
+           part(scene.mask(), 0, l.velocity_size()));
+  require_upright(c, l, scene.balance(), state);
   return state;
 }
 
-template State initial_state(const Case&, const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&);
+template State initial_state(const Case&, const Scene<SOFTWET_DIMENSION, SOFTWET_DEGREE>&);
 
 }  // namespace softwet

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "field/stage.hpp"
-#include "scene/model.hpp"
+#include "scene/scene.hpp"
 
 namespace softwet {
 
@@ -27,11 +27,11 @@ State empty_state(const Layout<D>& l) {
 /// need not equilibrate: mu = mu_sat + (D - 1) sigma / (R (rho_l - rho_v)). A droplet centred on the
 /// wall is lowered to R cos(alpha) below it, so that its circle meets the wall at the contact angle. An ellipse (`stretch`)
 /// meets it at another angle. A droplet with a velocity carries it times the same profile; all else is at rest. The
-/// solid is undeformed. What the case gives under [initial] takes the place of these fields (scene/given_fields.hpp). Then the waves
+/// solid is undeformed. What the case gives under [initial] takes the place of these fields (scene/given_start.hpp). Then the waves
 /// are added, and what the sides prescribe is kept.
 /// Errors, the same on all processes: what cannot be computed, see scene/admissible.hpp.
 /// Tested: tests/unit/scene/test_initial.cpp
 template <int D, int P>
-State initial_state(const Case&, const Model<D, P>&);
+State initial_state(const Case&, const Scene<D, P>&);
 
 }  // namespace softwet

@@ -9,7 +9,9 @@
 #include "kernels/solid/kelvin_voigt.hpp"
 #include "kernels/solid/surface_elasticity.hpp"
 #include "kernels/solid/surface_tension.hpp"
-#include "scene/model.hpp"
+#include "scene/coefficients.hpp"
+#include "scene/pieces.hpp"
+#include "scene/regions.hpp"
 
 namespace softwet {
 
@@ -20,10 +22,15 @@ using InCoordinates = std::conditional_t<Axial, Axisymmetric<Term>, Term>;
 template <int D, int P, class Real, bool Axial = false>
 class PieceMaker {
  public:
-  PieceMaker(const Model<D, P>& model, const Case& c) : model_(model), case_(c) {}
+  PieceMaker(const Regions<D>& regions, const Coefficients<D>& coefficients, const Case& c)
+      : regions_(regions),
+        fluid_(coefficients.fluid()),
+        wall_(coefficients.wall()),
+        solid_(coefficients.solid()),
+        case_(c) {}
 
   Pieces<D, Real> make() {
-    const Layout<D>& layout = model_.layout();
+    const Layout<D>& layout = regions_.layout();
     if (layout.has_solid) add_solid(*case_.substrate);
     pieces_.first_of_fluid = pieces_.list.size();
     if (layout.has_fluid) layout.has_solid ? add_fluid<WallMotion<D, Real>>() : add_fluid<NoMotion>();
@@ -33,8 +40,8 @@ class PieceMaker {
  private:
   /// All elements of the fluid, tested by the wall's functions blended over its height.
   Region<D> blended() const {
-    Region<D> r = model_.fluid_region();
-    r.test = linear_from(r.test, model_.layout().wall_row, model_.blend().low, model_.blend().height);
+    Region<D> r = regions_.fluid();
+    r.test = linear_from(r.test, regions_.layout().wall_row, regions_.blend().low, regions_.blend().height);
     r.shared_test = true;
     return r;
   }
@@ -46,33 +53,34 @@ class PieceMaker {
     using Here = InCoordinates<Term, Axial>;
     constexpr Where where = Term::where;
     return std::make_unique<PieceOf<D, P, Here, Motion, Real>>(
-        name, model_.regions(where, model_.points())[part],
-        model_.regions(where, matrix_points<D, P>(model_.points()))[part], Here{term}, model_.blend(), instant, given);
+        name, regions_.parts_of(where, regions_.points())[part],
+        regions_.parts_of(where, matrix_points<D, P>(regions_.points()))[part], Here{term}, regions_.blend(), instant,
+        given);
   }
   template <class Motion, class Term>
   void add(const char* name, const Term& term, Instant instant = Instant::stage, const GivenField<double>& given = {}) {
     for (int part = 0; part < parts(Term::where); ++part)
       pieces_.list.push_back({piece<Motion>(name, term, instant, given, part), nullptr});
   }
-  int parts(Where where) const { return static_cast<int>(model_.regions(where, model_.points()).size()); }
+  int parts(Where where) const { return static_cast<int>(regions_.parts_of(where, regions_.points()).size()); }
 
   void add_solid(const Substrate& s) {
     const auto elastic = [&](const auto& solid) {
-      if (!model_.graded(0).values.data()) return add<NoMotion>(solid.material.name, solid);
-      const char* name = model_.prestretch().acts ? "stretched solid" : "graded solid";
+      if (!solid_.graded[0].values.data()) return add<NoMotion>(solid.material.name, solid);
+      const char* name = solid_.prestretch.acts ? "stretched solid" : "graded solid";
       const ElasticLaw law = law_of(solid.material);
       if (s.volume_quadrature == VolumeQuadrature::full)
-        return add_graded(name, GradedSolid{law, model_.stiffness(), solid.density, model_.prestretch()});
-      const SelectiveParts parts = SelectiveParts::of(model_.stiffness());
-      add_graded(name, GradedSolid{law, parts.everywhere, solid.density, model_.prestretch()});
-      Prestretch of_means = model_.prestretch();
+        return add_graded(name, GradedSolid{law, solid_.stiffness, solid.density, solid_.prestretch});
+      const SelectiveParts parts = SelectiveParts::of(solid_.stiffness);
+      add_graded(name, GradedSolid{law, parts.everywhere, solid.density, solid_.prestretch});
+      Prestretch of_means = solid_.prestretch;
       of_means.energy_at_rest = 0;  // the other part has that of both
       if (parts.of_means.lambda > 0)
         add_graded("solid, means of elements", SolidOfMeans{{law, parts.of_means, 0, of_means}});
     };
-    std::visit(elastic, model_.solid());
+    std::visit(elastic, solid_.law);
     const double finite = s.strain == Strain::small ? 0 : 1;
-    if (s.fibre.stiffness > 0) add<NoMotion>("fibres", model_.fibres());
+    if (s.fibre.stiffness > 0) add<NoMotion>("fibres", solid_.fibres);
     if (s.surface_tension > 0) add<NoMotion>("surface tension of the solid", SurfaceTension{s.surface_tension});
     if (s.modulus_of_surface() > 0)
       add<NoMotion>("elasticity of the surface", SurfaceElasticity{s.surface_modulus[0], s.surface_modulus[1]});
@@ -89,36 +97,36 @@ class PieceMaker {
   template <class Term>
   void add_graded(const char* name, const Term& term) {
     for (int part = 0; part < parts(Term::where); ++part)
-      pieces_.list.push_back({piece<NoMotion>(name, term, Instant::stage, model_.graded(part), part), nullptr});
+      pieces_.list.push_back({piece<NoMotion>(name, term, Instant::stage, solid_.graded[part], part), nullptr});
   }
 
-  CapillaryTraction traction() const { return {model_.fluid().gas, model_.fluid().capillarity}; }
+  CapillaryTraction traction() const { return {fluid_.gas, fluid_.capillarity}; }
 
   template <class Motion>
   void add_fluid() {
-    add<Motion>("navier_stokes_korteweg", model_.fluid());
+    add<Motion>("navier_stokes_korteweg", fluid_);
     add<Motion>("density_moment", DensityMoment{}, Instant::end);
     if constexpr (std::is_same_v<Real, double>) {
-      const VariationalDerivative term{model_.fluid().gas, model_.fluid().capillarity};
+      const VariationalDerivative term{fluid_.gas, fluid_.capillarity};
       pieces_.variational_derivative = piece<Motion>("variational_derivative", term);
     }
-    if (!model_.has_wall()) return;
-    if (std::abs(model_.wall().cosine) > 1e-14) add_wall<Motion>();  // 90 degrees: nothing to integrate
-    if (model_.layout().rate_rows > 0) {
-      add<Motion>("friction of the contact line", model_.line_friction());
-      pieces_.friction_bend = piece<Motion>("bend of the friction", LineFrictionBend{model_.line_friction()});
+    if (!regions_.has_wall()) return;
+    if (std::abs(wall_.law().cosine) > 1e-14) add_wall<Motion>();  // 90 degrees: nothing to integrate
+    if (regions_.layout().rate_rows > 0) {
+      add<Motion>("friction of the contact line", wall_.friction);
+      pieces_.friction_bend = piece<Motion>("bend of the friction", LineFrictionBend{wall_.friction});
     }
     add_traction<Motion>();
   }
 
   template <class Motion>
   void add_wall() {
-    const EnergyWall& wall = model_.wall();
+    const EnergyWall& wall = wall_.law();
     if (case_.fluid->wall_law == WallLaw::gradient) {
       const GradientWall law{wall.capillarity, wall.cosine, case_.fluid->smoothing};
       add_law<Motion>("contact_angle (gradient law)", law);
-    } else if (model_.wall_stretch_exponent() > 0) {
-      add_stretched<Motion>("contact_angle (stretched wall)", PaintedWall<EnergyWall>{wall}, 1, model_.painted());
+    } else if (wall_.stretch_exponent > 0) {
+      add_stretched<Motion>("contact_angle (stretched wall)", PaintedWall<EnergyWall>{wall}, 1, wall_.cosines);
     } else {
       add_law<Motion>("contact_angle (wall energy)", wall);
     }
@@ -126,15 +134,15 @@ class PieceMaker {
   }
   template <class Motion, class Law>
   void add_law(const char* name, const Law& law) {
-    if (!model_.painted().values.data()) return add<Motion>(name, law);
-    add<Motion>(name, PaintedWall<Law>{law}, Instant::stage, model_.painted());
+    if (!wall_.cosines.values.data()) return add<Motion>(name, law);
+    add<Motion>(name, PaintedWall<Law>{law}, Instant::stage, wall_.cosines);
   }
 
   /// A law of a wall that knows how much it is stretched. @param share  of the law
   template <class Motion, class Law>
   void add_stretched(const char* name, const Law& law, double share, const GivenField<double>& cosines) {
     if constexpr (!std::is_same_v<Motion, NoMotion>)
-      add<Motion>(name, StretchedWall<Law>{law, model_.wall_stretch_exponent(), share}, Instant::stage, cosines);
+      add<Motion>(name, StretchedWall<Law>{law, wall_.stretch_exponent, share}, Instant::stage, cosines);
   }
 
   template <class Motion>
@@ -148,30 +156,34 @@ class PieceMaker {
         pieces_.list.back().exact =
             std::make_unique<PieceOf<D, P, InCoordinates<CapillaryTraction, Axial>, Motion, Real>>(
                 "capillary_traction (blended)", blended(), blended(),
-                InCoordinates<CapillaryTraction, Axial>{traction()}, model_.blend());
-      if (!model_.wall_tension().values.data()) return;
+                InCoordinates<CapillaryTraction, Axial>{traction()}, regions_.blend());
+      if (!wall_.tension.values.data()) return;
       pieces_.on_wall.push_back(pieces_.list.size());
-      const WallTension tension{model_.wall_of_one()};
-      const double beta = model_.wall_stretch_exponent();
+      const WallTension tension{wall_.of_cosine_one()};
+      const double beta = wall_.stretch_exponent;
       if (beta > 0 && case_.fluid->wall_tension == WallTensionModel::acts)
-        return add_stretched<Motion>("tension of the stretched wall", tension, 1 - beta, model_.wall_tension());
-      add<Motion>("tension of the wall", tension, Instant::stage, model_.wall_tension());
+        return add_stretched<Motion>("tension of the stretched wall", tension, 1 - beta, wall_.tension);
+      add<Motion>("tension of the wall", tension, Instant::stage, wall_.tension);
     }
   }
 
-  const Model<D, P>& model_;
+  const Regions<D>& regions_;
+  const NavierStokesKorteweg& fluid_;
+  const WallCoefficients& wall_;
+  const SolidCoefficients& solid_;
   const Case& case_;
   Pieces<D, Real> pieces_;
 };
 
 template <int D, int P, class Real>
-Pieces<D, Real> make_pieces(const Model<D, P>& model, const Case& c) {
-  return PieceMaker<D, P, Real>(model, c).make();
+Pieces<D, Real> make_pieces(const Regions<D>& regions, const Coefficients<D>& coefficients, const Case& c) {
+  return PieceMaker<D, P, Real>(regions, coefficients, c).make();
 }
 
 template <int D, int P, class Real>
-Pieces<D, Real> make_axisymmetric_pieces(const Model<D, P>& model, const Case& c) {
-  return PieceMaker<D, P, Real, true>(model, c).make();
+Pieces<D, Real> make_axisymmetric_pieces(const Regions<D>& regions, const Coefficients<D>& coefficients,
+                                         const Case& c) {
+  return PieceMaker<D, P, Real, true>(regions, coefficients, c).make();
 }
 
 }  // namespace softwet

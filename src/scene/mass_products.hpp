@@ -2,7 +2,8 @@
 #pragma once
 
 #include "kernels/fluid/masses.hpp"
-#include "scene/model.hpp"
+#include "scene/coefficients.hpp"
+#include "scene/piece.hpp"
 
 namespace softwet {
 
@@ -11,7 +12,8 @@ namespace softwet {
 template <int D, int P>
 class Masses {
  public:
-  explicit Masses(const Model<D, P>& model) : model_(model) {}
+  Masses(const Regions<D>& regions, const Coefficients<D>& coefficients)
+      : regions_(regions), coefficients_(coefficients) {}
 
   /// Part of the density: out_i = (q_i, z J) on the reference domain. Moments are the product with the density.
   void scalar(const Stage&, const Array& z, const Array& out) const;
@@ -32,7 +34,8 @@ class Masses {
   /// Sums what ghosts hold, and drops what is prescribed.
   void collect(const Array& out) const;
 
-  const Model<D, P>& model_;
+  const Regions<D>& regions_;
+  const Coefficients<D>& coefficients_;
 };
 
 }  // namespace softwet

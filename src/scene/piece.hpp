@@ -1,4 +1,4 @@
-// One entry of a scene: a term on a region, with its map. The model is a list of these.
+// One entry of a scene: a term on a region, with its map. A scene has a list of these.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,7 @@
 #include "operator/assemble.hpp"
 #include "operator/integrate.hpp"
 #include "operator/matrix.hpp"
+#include "scene/given_field.hpp"
 #include "scene/integrals.hpp"
 #include "scene/scene_terms.hpp"
 
@@ -20,30 +21,6 @@ enum class Geometry { exact, frozen };
 
 /// Which values of the fields a term takes: those of the stage, or those at the end of the step.
 enum class Instant { stage, end };
-
-/// A field that is known before the run, as control values on some rows of the patch, such as the stiffness on those of the solid.
-template <class Real>
-struct GivenField {
-  ArrayOf<Real> values;
-  int shift = 0;  ///< control values of the rows below its first one
-
-  /// Control value (0, 0, 0) of the patch; null where there is no such field.
-  const Real* origin() const { return values.data() ? values.data() - shift : nullptr; }
-};
-
-/// The same in the precision Real.
-template <class Real>
-GivenField<Real> rounded(const GivenField<double>& field) {
-  if constexpr (std::is_same_v<Real, double>) {
-    return field;
-  } else {
-    GivenField<Real> r{{}, field.shift};
-    if (!field.values.data()) return r;
-    r.values = ArrayOf<Real>("given", field.values.extent(0));
-    convert(r.values, field.values);
-    return r;
-  }
-}
 
 /// One evaluation of terms: where their fields lie, and where their result goes. `tangent` is a vector of unknowns, or
 /// empty. The end of the step has density and displacement alone. With `sums` a device adds up several terms at once, later.

@@ -7,8 +7,10 @@
 
 namespace softwet {
 
-template <int D, int P>
-class Model;
+template <int D>
+class Coefficients;
+template <int D>
+class Regions;
 
 template <int D, class Real>
 struct Pieces {
@@ -47,13 +49,13 @@ struct Pieces {
   }
 };
 
-/// The pieces of a scene from its regions and parameters. Each precision has a source of its own: pieces.cpp and
+/// The pieces of a scene from its regions and coefficients. Each precision has a source of its own: pieces.cpp and
 /// pieces_single.cpp.
 template <int D, int P, class Real>
-Pieces<D, Real> make_pieces(const Model<D, P>&, const Case&);
+Pieces<D, Real> make_pieces(const Regions<D>&, const Coefficients<D>&, const Case&);
 
 /// The same in the coordinates (r, z), for D = 2: axisymmetric_pieces.cpp and axisymmetric_pieces_single.cpp.
 template <int D, int P, class Real>
-Pieces<D, Real> make_axisymmetric_pieces(const Model<D, P>&, const Case&);
+Pieces<D, Real> make_axisymmetric_pieces(const Regions<D>&, const Coefficients<D>&, const Case&);
 
 }  // namespace softwet

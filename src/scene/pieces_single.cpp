@@ -3,6 +3,7 @@
 
 namespace softwet {
 
-template Pieces<SOFTWET_DIMENSION, float> make_pieces(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&);
+template Pieces<SOFTWET_DIMENSION, float> make_pieces<SOFTWET_DIMENSION, SOFTWET_DEGREE>(
+    const Regions<SOFTWET_DIMENSION>&, const Coefficients<SOFTWET_DIMENSION>&, const Case&);
 
 }  // namespace softwet

@@ -5,10 +5,18 @@
 #include <cmath>
 
 #include "case/gel.hpp"
+#include "kernels/solid/branches.hpp"
+#include "kernels/solid/fibres.hpp"
 #include "scene/equilibrium.hpp"
-#include "scene/model.hpp"
 
 namespace softwet {
+
+/// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its top face, the modulus
+/// lambda_s + 2 G_s of this face, the stiffer springs and the stronger dashpots of its foundation, the largest stiffness of needles, and what
+/// its branches add to the stiffness against fast waves.
+struct SolidRates {
+  double viscosity = 0, tension = 0, modulus = 0, foundation = 0, dashpots = 0, held = 0, branches = 0;
+};
 
 /// At least the largest stiffness of springs at a point of the solid: those of needles whose boxes overlap add up.
 inline double stiffness_of_needles(const Case& c) {

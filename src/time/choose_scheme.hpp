@@ -7,9 +7,9 @@
 namespace softwet {
 
 template <int D, int P>
-std::unique_ptr<Scheme<D, P>> choose_scheme(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge) {
-  if (c.time.implicit()) return std::make_unique<ImplicitScheme<D, P>>(model, c, judge);
-  return std::make_unique<ExplicitScheme<D, P>>(model, c, judge);
+std::unique_ptr<Scheme<D, P>> choose_scheme(const Scene<D, P>& scene, const Case& c, const Judge<D, P>& judge) {
+  if (c.time.implicit()) return std::make_unique<ImplicitScheme<D, P>>(scene, c, judge);
+  return std::make_unique<ExplicitScheme<D, P>>(scene, c, judge);
 }
 
 }  // namespace softwet

@@ -40,14 +40,14 @@ std::vector<double> with(std::vector<double> events, const std::vector<double>& 
 }  // namespace
 
 template <int D, int P>
-Stepper<D, P>::Stepper(const Model<D, P>& model, const Case& c, std::vector<double> events)
-    : model_(model),
-      judge_(model, c),
-      scheme_(choose_scheme(model, c, judge_)),
+Stepper<D, P>::Stepper(const Scene<D, P>& scene, const Case& c, std::vector<double> events)
+    : scene_(scene),
+      judge_(scene, c),
+      scheme_(choose_scheme(scene, c, judge_)),
       loads_(c),
       control_(step_limits(c), with(std::move(events), loads_.kinks())),
-      state_(empty_state(model.layout())),
-      previous_("stepper.previous", model.layout().size()) {}
+      state_(empty_state(scene.layout())),
+      previous_("stepper.previous", scene.layout().size()) {}
 
 template <int D, int P>
 void Stepper<D, P>::start(const State& state) {

@@ -25,7 +25,7 @@ template <int D, int P>
 class Stepper {
  public:
   /// @param events  times that steps end at, beside those of the loads
-  Stepper(const Model<D, P>& model, const Case& c, std::vector<double> events);
+  Stepper(const Scene<D, P>& scene, const Case& c, std::vector<double> events);
 
   /// Takes over a state without history: the first step is predicted constant.
   void start(const State& state);
@@ -40,7 +40,7 @@ class Stepper {
   double previous_dt() const { return previous_dt_; }
   void restore(const State& state, const Array& previous, double previous_dt, double proposed);
 
-  const Model<D, P>& model() const { return model_; }
+  const Scene<D, P>& scene() const { return scene_; }
   Scheme<D, P>& scheme() { return *scheme_; }
   StepControl& control() { return control_; }
   StepCounts& counts() { return counts_; }
@@ -51,7 +51,7 @@ class Stepper {
   /// Throws Error (computation_failed) where no step as long as time.dt_min is stable.
   [[noreturn]] void stop_below_smallest(double largest);
 
-  const Model<D, P>& model_;
+  const Scene<D, P>& scene_;
   Judge<D, P> judge_;
   std::unique_ptr<Scheme<D, P>> scheme_;
   LoadTimes loads_;

@@ -17,7 +17,7 @@ void grow(std::vector<Entry>& entries, std::size_t index) {
   if (entries.size() <= index) entries.resize(index + 1);
 }
 
-/// What Model::build_mask prescribes.
+/// What Regions::build_mask prescribes.
 constexpr const char* boundary_notes =
     R"(A side belongs to the fluid, to the solid, or to both: left is a side of the layer below and of the fluid above.
 

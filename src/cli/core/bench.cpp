@@ -84,16 +84,16 @@ void bench_terms(const Sheet& sheet, const Layout<D>& layout, const Pieces<D, Re
 template <int D, int P>
 void bench_single(const Sheet& sheet, Case c, const State& state) {
   c.solver.precision = PrecisionChoice::single;
-  const Model<D, P> model(c);
-  GeneralizedAlpha<D, P> scheme(model, c.time.rho_inf);
+  const Scene<D, P> scene(c);
+  GeneralizedAlpha<D, P> scheme(scene, c.time.rho_inf);
   scheme.begin(state, 1.0);
   const Array r("r", scheme.size());
   const ArrayOf<float> z("z", scheme.size()), out("out", scheme.size());
   convert(z, state.unknown);
   sheet.line("residual, single precision", seconds_per_call([&] { scheme.residual(state.unknown, r); }));
   sheet.line("product, exact, single precision", seconds_per_call([&] { scheme.product(z, out); }));
-  bench_terms(sheet, model.layout(), model.single_pieces(), scheme.single_stage(), z, out);
-  sheet.line("dot, single precision", seconds_per_call([&] { dot(model.layout().space(), z, out); }));
+  bench_terms(sheet, scene.layout(), scene.terms().single_pieces(), scheme.single_stage(), z, out);
+  sheet.line("dot, single precision", seconds_per_call([&] { dot(scene.layout().space(), z, out); }));
 }
 
 /// What the first process has told the others between two moments, for each iteration.
@@ -113,7 +113,7 @@ void print_traffic(const Sheet& sheet, const Traffic& before, const Traffic& now
 template <class Real, int D, int P>
 void bench_gmres(const Sheet& sheet, const std::string& name, const GeneralizedAlpha<D, P>& scheme, const Array& right,
                  Preconditioner& preconditioner, bool counted = true) {
-  GmresOf<Real> gmres(scheme.model().layout().space(), scheme.size(), 30);
+  GmresOf<Real> gmres(scheme.scene().layout().space(), scheme.size(), 30);
   const ArrayOf<Real> b("b", scheme.size()), x("x", scheme.size());
   convert(b, right);
   const auto product = [&](const ArrayOf<Real>& in, const ArrayOf<Real>& out) { scheme.product(in, out); };
@@ -139,9 +139,9 @@ void bench_gmres(const Sheet& sheet, const std::string& name, const GeneralizedA
 /// Build and apply of each preconditioner, and GMRES iterations to 1e-4 of the first linear system of a step from a
 /// relaxed state, at several step sizes.
 template <int D, int P>
-void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>& model) {
-  Stepper<D, P> stepper(model, c, {});
-  State start = initial_state<D, P>(c, model);
+void bench_preconditioners(const Sheet& sheet, const Case& c, const Scene<D, P>& scene) {
+  Stepper<D, P> stepper(scene, c, {});
+  State start = initial_state<D, P>(c, scene);
   stepper.scheme().initialise(start);
   stepper.start(start);
   for (int i = 0; i < 40; ++i) {
@@ -150,11 +150,11 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
   }
   Case mixed = c;
   mixed.solver.precision = PrecisionChoice::mixed;
-  const Model<D, P> both(mixed);
+  const Scene<D, P> both(mixed);
   GeneralizedAlpha<D, P> scheme(both, c.time.rho_inf);
   const Array r("r", scheme.size()), z("z", scheme.size());
   const Jacobian frozen = [&](const StencilValues& values) { scheme.jacobian(values); };
-  Gmres gmres(scheme.model().layout().space(), scheme.size(), 200);
+  Gmres gmres(scheme.scene().layout().space(), scheme.size(), 200);
   constexpr int largest_factorised = 20000;
   const double product = seconds_per_call([&] { scheme.product(z, r); });
   for (const PreconditionerKind kind : preconditioners()) {
@@ -164,13 +164,13 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
       sheet.out << "preconditioner " << name << ": left out, too large; name it in solver.krylov.preconditioner\n";
       continue;
     }
-    if (kind == PreconditionerKind::schwarz && !model.layout().whole() &&
-        model.layout().columns.beside < box_width(D) - 1) {
+    if (kind == PreconditionerKind::schwarz && !scene.layout().whole() &&
+        scene.layout().columns.beside < box_width(D) - 1) {
       sheet.out << "preconditioner " << name
                 << ": left out on several processes; name it in solver.krylov.preconditioner\n";
       continue;
     }
-    auto preconditioner = choose_preconditioner<D>(kind, model.layout(), model.mask());
+    auto preconditioner = choose_preconditioner<D>(kind, scene.layout(), scene.mask());
     std::string counts;
     for (const double dt : {0.01, 0.1, 1.0, 5.0}) {
       scheme.begin(stepper.state(), dt);
@@ -206,14 +206,14 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Model<D, P>&
 
 /// Whole steps of kick_drift with each kind of mass, and what they are made of.
 template <int D, int P>
-void bench_explicit(const Sheet& sheet, const Model<D, P>& model, State state) {
+void bench_explicit(const Sheet& sheet, const Scene<D, P>& scene, State state) {
   for (const MassKind kind : {MassKind::consistent, MassKind::lumped, MassKind::corrected}) {
     const std::string name = word_of(kind);
-    SemiDiscrete<D, P> system(model, kind);
+    SemiDiscrete<D, P> system(scene, kind);
     system.set_moments(state);
     KickDrift<D, P> step(system);
     step.begin(state);
-    const StepBound<D, P> bound(model, kind, step.formula());
+    const StepBound<D, P> bound(scene.regions(), scene.coefficients(), kind, step.formula());
     const auto rates = [&] {
       return bound.rates(
           {system.stage().unknown, system.stage().displacement, step.moments(), system.masses().scalar_sums()});
@@ -240,13 +240,13 @@ void bench_explicit(const Sheet& sheet, const Model<D, P>& model, State state) {
 }  // namespace
 
 template <int D, int P>
-void bench_model(const Case& asked, std::ostream& out) {
+void bench_scene(const Case& asked, std::ostream& out) {
   Case c = asked;
   c.solver.precision = PrecisionChoice::full;  // single precision is measured beside it
-  const Model<D, P> model(c);
-  const Layout<D>& layout = model.layout();
-  GeneralizedAlpha<D, P> scheme(model, c.time.rho_inf);
-  State state = initial_state<D, P>(c, model);
+  const Scene<D, P> scene(c);
+  const Layout<D>& layout = scene.layout();
+  GeneralizedAlpha<D, P> scheme(scene, c.time.rho_inf);
+  State state = initial_state<D, P>(c, scene);
   scheme.initialise(state);
   scheme.begin(state, 1.0);
   const Array r("r", scheme.size()), z("z", scheme.size());
@@ -263,24 +263,24 @@ void bench_model(const Case& asked, std::ostream& out) {
   const double fluid = layout.has_fluid ? wall_elements * (layout.axis[D - 1].elements() - layout.solid_elements) : 0;
   const double residual = seconds_per_call([&] { scheme.residual(state.unknown, r); });
   char flops[80] = "";
-  if (model.points() == 3)
+  if (scene.regions().points() == 3)
     std::snprintf(flops, sizeof flops, ", %.1f GFLOP/s/%s of the counted work",
                   1e-9 * counted_flops(c, fluid, solid) / residual / workers(), worker_name());
   sheet.line("residual", residual, flops);
   sheet.line("product, exact", seconds_per_call([&] { scheme.product(z, r); }));
   const StencilValues values("jacobian", Stencil<D>(layout).size());
   sheet.line("Jacobian as a matrix", seconds_per_call([&] { scheme.jacobian(values); }));
-  bench_terms(sheet, layout, model.pieces(), scheme.stage(), z, r);
+  bench_terms(sheet, layout, scene.terms().pieces(), scheme.stage(), z, r);
   sheet.line("dot", seconds_per_call([&] { dot(layout.space(), z, r); }));
   bench_single<D, P>(sheet, c, state);
 
-  bench_explicit(sheet, model, state);
-  if (c.time.implicit()) bench_preconditioners(sheet, c, model);
+  bench_explicit(sheet, scene, state);
+  if (c.time.implicit()) bench_preconditioners(sheet, c, scene);
   out << "peak memory";
   for (double memory : peak_memory_of_processes()) out << " " << memory << " MiB";
   out << "\n";
 }
 
-template void bench_model<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);
+template void bench_scene<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);
 
 }  // namespace softwet

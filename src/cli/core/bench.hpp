@@ -9,6 +9,6 @@ namespace softwet {
 
 /// Times residual, products, each term, sums and the preconditioner at the initial state; prints the throughput.
 template <int D, int P>
-void bench_model(const Case&, std::ostream&);
+void bench_scene(const Case&, std::ostream&);
 
 }  // namespace softwet

@@ -57,9 +57,9 @@ enum class Answer { as_it_is, renewed };
 template <int D, int P>
 class StartOfStep {
  public:
-  StartOfStep(const Model<D, P>& model, const Case& c)
-      : layout_(model.layout()),
-        scheme_(model, c.time.rho_inf),
+  StartOfStep(const Scene<D, P>& scene, const Case& c)
+      : layout_(scene.layout()),
+        scheme_(scene, c.time.rho_inf),
         gmres_(layout_.space(), scheme_.size(), 60),
         right_("right", scheme_.size()),
         step_("step", scheme_.size()),
@@ -80,10 +80,10 @@ class StartOfStep {
   }
   void build(Preconditioner& preconditioner) {
     preconditioner.build([this](const StencilValues& values) { scheme_.jacobian(values); });
-    built_for_ = solid_part(scheme_.model(), scheme_.stage()).size;
+    built_for_ = solid_part(scheme_.scene(), scheme_.stage()).size;
   }
   KrylovResult solve(Preconditioner& preconditioner, double tolerance, Answer answer = Answer::renewed) {
-    const SolidPart solid = solid_part(scheme_.model(), scheme_.stage());
+    const SolidPart solid = solid_part(scheme_.scene(), scheme_.stage());
     const RangeFactors renewed = solid.factors(answer == Answer::renewed ? built_for_ : solid.size);
     const auto product = [this](const ArrayOf<float>& in, const ArrayOf<float>& out) { scheme_.product(in, out); };
     const auto precondition = [&](const ArrayOf<float>& in, const ArrayOf<float>& out) {
@@ -142,9 +142,9 @@ void compare_preconditioners(const Case& asked, std::ostream& out) {
   Case c = asked;
   c.time.scheme = TimeScheme::generalized_alpha;
   c.solver.precision = PrecisionChoice::mixed;
-  const Model<D, P> model(c);
-  Stepper<D, P> stepper(model, c, {});
-  State start = initial_state<D, P>(c, model);
+  const Scene<D, P> scene(c);
+  Stepper<D, P> stepper(scene, c, {});
+  State start = initial_state<D, P>(c, scene);
   stepper.scheme().initialise(start);
   stepper.start(start);
   const int steps = std::min<long>(most_steps, c.time.max_steps);
@@ -152,7 +152,7 @@ void compare_preconditioners(const Case& asked, std::ostream& out) {
     go_on_with_bench();
     stepper.step();
   }
-  const int unknowns = model.layout().whole_patch().size();
+  const int unknowns = scene.layout().whole_patch().size();
   out << c.name << ": " << unknowns << " unknowns, " << thread_count() << " threads, after " << steps
       << " steps, t = " << stepper.state().time << "\n"
       << "iterations to 1e-2, to 1e-4, and to 1e-4 where the preconditioner was built for half of dt, without and "
@@ -160,9 +160,9 @@ void compare_preconditioners(const Case& asked, std::ostream& out) {
       << "what is done for the solid then; -: not within 300\n"
       << "                                     build     MiB   iteration          dt = 0.1           dt = 1            "
          "dt = 10\n";
-  StartOfStep<D, P> system(model, c);
+  StartOfStep<D, P> system(scene, c);
   for (const Variant& variant : variants<D>(unknowns)) {
-    const auto preconditioner = choose_preconditioner<D>(variant.kind, model.layout(), model.mask(), variant.control);
+    const auto preconditioner = choose_preconditioner<D>(variant.kind, scene.layout(), scene.mask(), variant.control);
     out << table_row(variant.name, *preconditioner, system, stepper.state()) << std::endl;
   }
 }

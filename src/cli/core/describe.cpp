@@ -11,7 +11,7 @@
 #include "run/machine.hpp"
 #include "run/memory_parts.hpp"
 #include "scene/initial.hpp"
-#include "scene/model.hpp"
+#include "scene/scene.hpp"
 #include "solver/choose.hpp"
 #include "time/explicit/explicit_scheme.hpp"
 
@@ -59,9 +59,9 @@ Part part_of(const Case& c) {
 std::string count(double number) { return std::to_string(std::lround(number)); }
 
 template <int D, int P>
-std::vector<Line> terms(const Case& c, const Model<D, P>& model, double times) {
+std::vector<Line> terms(const Case& c, const Scene<D, P>& scene, double times) {
   std::vector<Line> lines;
-  for (const auto& entry : model.pieces().list)
+  for (const auto& entry : scene.terms().pieces().list)
     lines.push_back({entry.piece->name(), count(times * entry.piece->region().elements()) + " elements"});
   if (!c.loads.empty())
     lines.push_back({"body_force", std::to_string(c.loads.size()) + (c.loads.size() == 1 ? " box" : " boxes")});
@@ -84,18 +84,18 @@ std::vector<Line> unknowns(const Layout<D>& l, double times) {
 }
 
 template <int D, int P>
-void print_memory(const Case& c, const Model<D, P>& model, double times, std::ostream& out) {
-  const bool large = D == 3 && times * model.layout().size() > small_in_3d;
+void print_memory(const Case& c, const Scene<D, P>& scene, double times, std::ostream& out) {
+  const bool large = D == 3 && times * scene.layout().size() > small_in_3d;
   const PreconditionerKind asked = c.solver.preconditioner;
   std::unique_ptr<Preconditioner> preconditioner;
   if (c.time.implicit())
     preconditioner =
         choose_preconditioner<D>(large && asked == PreconditionerKind::automatic ? PreconditionerKind::schwarz : asked,
-                                 model.layout(), model.mask());
+                                 scene.layout(), scene.mask());
   const double here = bytes_to_be_had();
   double total = 0;
   std::vector<Line> lines;
-  for (const auto& [name, bytes] : memory_parts(c, model.layout(), preconditioner.get())) {
+  for (const auto& [name, bytes] : memory_parts(c, scene.layout(), preconditioner.get())) {
     const double whole = (name == program_part ? 1 : times) * bytes;
     lines.push_back({name, bytes_text(whole)});
     total += whole;
@@ -110,18 +110,18 @@ void print_memory(const Case& c, const Model<D, P>& model, double times, std::os
 
 /// Largest stable step of each explicit scheme from the first state, and what limits that of kick_drift.
 template <int D, int P>
-std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
+std::vector<Line> step_limits(const Case& c, const Scene<D, P>& scene) {
   std::vector<Line> lines;
   const auto limit = [&](const std::string& name, double dt) {
     lines.push_back({name, "dt <= " + formatted(dt, "%.3g")});
   };
   Case probe = c;
   for (const TimeScheme scheme : {TimeScheme::kick_drift, TimeScheme::rkl2, TimeScheme::ssp_rk3}) {
-    if (model.branches().count > 0 && scheme != TimeScheme::kick_drift) continue;  // refused
+    if (scene.coefficients().solid().branches.count > 0 && scheme != TimeScheme::kick_drift) continue;  // refused
     probe.time.scheme = scheme;
-    const Judge<D, P> judge(model, probe);
-    ExplicitScheme<D, P> explicit_scheme(model, probe, judge);
-    State state = initial_state<D, P>(probe, model);
+    const Judge<D, P> judge(scene, probe);
+    ExplicitScheme<D, P> explicit_scheme(scene, probe, judge);
+    State state = initial_state<D, P>(probe, scene);
     explicit_scheme.initialise(state);
     limit(word_of(scheme),
           explicit_scheme.largest_step(state, std::numeric_limits<double>::infinity()) / c.time.safety);
@@ -135,26 +135,26 @@ std::vector<Line> step_limits(const Case& c, const Model<D, P>& model) {
 }  // namespace
 
 template <int D, int P>
-void describe_model(const Case& c, std::ostream& out) {
+void describe_discretisation(const Case& c, std::ostream& out) {
   const Part p = part_of(c);
-  const Model<D, P> model(p.part);
+  const Scene<D, P> scene(p.part);
   if ((!c.waves.empty() || c.initial) && p.times == 1)
-    initial_state<D, P>(c, model);  // refuses what a run would refuse
+    initial_state<D, P>(c, scene);  // refuses what a run would refuse
   if (p.times > 1)
     out << "The numbers of elements, unknowns and bytes below are estimates from a part of this large mesh.\n";
-  print_section(out, "terms", terms(c, model, p.times));
-  print_section(out, "unknowns", unknowns(model.layout(), p.times));
-  print_memory<D, P>(c, model, p.times, out);
+  print_section(out, "terms", terms(c, scene, p.times));
+  print_section(out, "unknowns", unknowns(scene.layout(), p.times));
+  print_memory<D, P>(c, scene, p.times, out);
   if (p.times == 1)
     print_section(out, "explicit steps, bounded at the first state (time.mass = \"" + word_of(c.time.mass) + "\")",
-                  step_limits(c, model));
+                  step_limits(c, scene));
   print_section(out, "kernel",
                 {{"configuration", std::to_string(D) + (c.axisymmetric() ? "D, axisymmetric, degree " : "D, degree ") +
-                                       std::to_string(P) + ", " + name_of(model.precision())},
+                                       std::to_string(P) + ", " + name_of(scene.equations().precision())},
                  {"backend",
                   backend_name() + ", " + std::to_string(lanes()) + " elements per pack (" + instruction_set() + ")"}});
 }
 
-template void describe_model<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);
+template void describe_discretisation<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, std::ostream&);
 
 }  // namespace softwet

@@ -21,6 +21,6 @@ void describe_scene(const Case&, std::ostream&);
 
 /// Terms in play, unknowns per field, memory by part, limits of explicit steps, kernel.
 template <int D, int P>
-void describe_model(const Case&, std::ostream&);
+void describe_discretisation(const Case&, std::ostream&);
 
 }  // namespace softwet

@@ -71,7 +71,7 @@ void describe_case(const Case& given, std::ostream& out) {
     const Case c = with_earlier_run(given);
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
-      describe_model<Chosen::dimension, Chosen::degree>(c, out);
+      describe_discretisation<Chosen::dimension, Chosen::degree>(c, out);
     });
   });
 }
@@ -99,7 +99,7 @@ void bench_case(const Case& given, const RunOptions& options, std::ostream& out)
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
       const auto measure = options.preconditioners ? compare_preconditioners<Chosen::dimension, Chosen::degree>
-                                                   : bench_model<Chosen::dimension, Chosen::degree>;
+                                                   : bench_scene<Chosen::dimension, Chosen::degree>;
       try {
         measure(c, out);
       } catch (const BenchStopped&) {

@@ -8,11 +8,11 @@ namespace softwet {
 
 template <int D, int P>
 void write_first_fields(const Case& c, const std::string& folder) {
-  const Model<D, P> model(c);
-  const State state = initial_state<D, P>(c, model);
-  const Snapshot<D> snapshot(model.layout(), state);
-  write_field_files<D, P>(folder, origin_of(c), {"density", "displacement"}, model, snapshot,
-                          {c.run_start() - c.clock_zero()});
+  const Scene<D, P> scene(c);
+  const State state = initial_state<D, P>(c, scene);
+  const Snapshot<D> snapshot(scene.layout(), state);
+  write_field_files(folder, origin_of(c), {"density", "displacement"}, scene.coefficients(), snapshot,
+                    {c.run_start() - c.clock_zero()});
 }
 
 template void write_first_fields<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Case&, const std::string&);

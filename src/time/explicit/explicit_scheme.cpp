@@ -19,11 +19,11 @@ std::unique_ptr<ExplicitStep<D, P>> explicit_step(TimeScheme scheme, SemiDiscret
 }  // namespace
 
 template <int D, int P>
-ExplicitScheme<D, P>::ExplicitScheme(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge)
+ExplicitScheme<D, P>::ExplicitScheme(const Scene<D, P>& scene, const Case& c, const Judge<D, P>& judge)
     : judge_(judge),
-      system_(model, c.time.mass),
+      system_(scene, c.time.mass),
       step_(explicit_step(c.time.scheme, system_)),
-      bound_(model, c.time.mass, step_->formula()),
+      bound_(scene.regions(), scene.coefficients(), c.time.mass, step_->formula()),
       safety_(c.time.safety) {}
 
 template <int D, int P>
@@ -43,7 +43,7 @@ Refusal ExplicitScheme<D, P>::begin(const State& state) {
 template <int D, int P>
 double ExplicitScheme<D, P>::largest_step(const State& state, double wish) {
   if (!begin(state).empty() || !(rates_.combined > 0)) return std::numeric_limits<double>::infinity();
-  const Layout<D>& l = system_.model().layout();
+  const Layout<D>& l = system_.scene().layout();
   const bool damps = step_->formula() != StepFormula::kick_drift || !l.has_solid;  // the waves that swings could feed
   if (damps) return safety_ / rates_.combined;
   held_.follow(l.has_fluid ? rates_.combined : std::max(rates_.combined, safety_ / wish));

@@ -12,7 +12,7 @@ namespace softwet {
 template <int D, int P>
 class ExplicitScheme final : public Scheme<D, P> {
  public:
-  ExplicitScheme(const Model<D, P>&, const Case&, const Judge<D, P>&);
+  ExplicitScheme(const Scene<D, P>&, const Case&, const Judge<D, P>&);
 
   void initialise(State& state) override { system_.set_moments(state); }
   StepAttempt attempt(const StepHistory&, double dt) override;

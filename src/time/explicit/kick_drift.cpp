@@ -22,7 +22,7 @@ Refusal KickDrift<D, P>::begin(const State& s) {
   Kokkos::deep_copy(Exec(), system_.velocities_of(now_.y), part(s.unknown, 0, system_.velocities()));
   Kokkos::deep_copy(Exec(), system_.displacements_of(now_.y), s.displacement);
   Kokkos::deep_copy(Exec(), system_.moments_of(now_.y), s.moment);
-  multiply(system_.velocities_of(now_.y), part(system_.model().mask(), 0, system_.velocities()));
+  multiply(system_.velocities_of(now_.y), part(system_.scene().mask(), 0, system_.velocities()));
   system_.place_mesh(s.time, s.displacement);
   if (system_.memory() > 0) Kokkos::deep_copy(Exec(), now_.memory, s.memory);
   system_.place_branches(now_.memory);

@@ -22,8 +22,8 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
   RungeKuttaStep(SemiDiscrete<D, P>& system, Viscosity viscosity)
       : ExplicitStep<D, P>(system),
         apart_(viscosity == Viscosity::apart &&
-               (system.model().layout().has_fluid || system.model().has_viscous_solid())),
-        balanced_(apart_ && system.model().has_viscous_solid()),
+               (system.scene().layout().has_fluid || system.scene().equations().has_viscous_solid())),
+        balanced_(apart_ && system.scene().equations().has_viscous_solid()),
         scheme_(system.size()) {
     for (Array* a : {&y_, &rates_, &next_, &next_rates_}) *a = Array("ssp_rk3.vector", system.size());
     if (apart_) viscous_ = std::make_unique<Rkl2>(system.velocities());
@@ -35,7 +35,7 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
     Kokkos::deep_copy(Exec(), system_.velocities_of(y_), part(s.unknown, 0, system_.velocities()));
     Kokkos::deep_copy(Exec(), system_.displacements_of(y_), s.displacement);
     Kokkos::deep_copy(Exec(), system_.moments_of(y_), s.moment);
-    multiply(system_.velocities_of(y_), part(system_.model().mask(), 0, system_.velocities()));
+    multiply(system_.velocities_of(y_), part(system_.scene().mask(), 0, system_.velocities()));
     return system_.rates(s.time, y_, rates_);
   }
   Refusal advance(double t, double dt, const StepRates& rates) override {

@@ -5,16 +5,16 @@
 namespace softwet {
 
 template <int D, int P>
-SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
-    : model_(model),
-      terms_(model),
-      viscous_(model),
-      masses_(model, kind),
-      branches_(model.branches(), model.layout().solid_size()),
-      force_("explicit.force", model.layout().size()),
-      potential_("explicit.potential", model.layout().has_fluid ? model.layout().size() : 0),
-      velocity_("explicit.velocity", model.layout().size()) {
-  const Layout<D>& l = model.layout();
+SemiDiscrete<D, P>::SemiDiscrete(const Scene<D, P>& scene, MassKind kind)
+    : scene_(scene),
+      terms_(scene.regions(), scene.coefficients(), scene.equations()),
+      viscous_(scene.regions(), scene.coefficients()),
+      masses_(scene.regions(), scene.coefficients(), kind),
+      branches_(scene.coefficients().solid().branches, scene.layout().solid_size()),
+      force_("explicit.force", scene.layout().size()),
+      potential_("explicit.potential", scene.layout().has_fluid ? scene.layout().size() : 0),
+      velocity_("explicit.velocity", scene.layout().size()) {
+  const Layout<D>& l = scene.layout();
   stage_.unknown = Array("explicit.unknown", l.size());
   stage_.acceleration = Array("explicit.zero", l.velocity_size());
   stage_.displacement = stage_.displacement_end = Array("explicit.displacement", l.solid_size());
@@ -27,7 +27,7 @@ SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
 
 template <int D, int P>
 void SemiDiscrete<D, P>::set_moments(State& s) {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   move_ghosts(l, s.unknown, GhostAction::update);
   branches_.rest(s);
   if (!l.has_fluid) return;
@@ -39,13 +39,13 @@ void SemiDiscrete<D, P>::set_moments(State& s) {
 template <int D, int P>
 void SemiDiscrete<D, P>::place_mesh(double t, const Array& displacement) {
   stage_.time = t;
-  if (model_.layout().has_solid) Kokkos::deep_copy(Exec(), stage_.displacement, displacement);
+  if (scene_.layout().has_solid) Kokkos::deep_copy(Exec(), stage_.displacement, displacement);
   masses_.set_mesh(stage_);
 }
 
 template <int D, int P>
 void SemiDiscrete<D, P>::move_mesh(double t, double dt, const ConstArray& from, const Array& to) {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   const int nodes = l.solid_rows() * l.row_size;
   run_fused("softwet::move_mesh",
             ForEach{nodes, MoveMesh{to, stage_.displacement, dt, from, stage_.unknown, D, nodes, l.rows * l.row_size}});
@@ -80,12 +80,12 @@ void SemiDiscrete<D, P>::place_velocity(const Array& v) {
 
 template <int D, int P>
 void SemiDiscrete<D, P>::fill_ghosts() {
-  move_ghosts(model_.layout(), stage_.unknown, GhostAction::update);
+  move_ghosts(scene_.layout(), stage_.unknown, GhostAction::update);
 }
 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::find_density(const mass_kernels::RightSide& moments) {
-  if (!model_.layout().has_fluid) return {};
+  if (!scene_.layout().has_fluid) return {};
   const int iterations = masses_.scalar(stage_, 1, moments, stage_.density_end, scalar_tolerance);
   if (iterations < 0) return {Refusal::density_of_moments};
   counts_.density += iterations;
@@ -95,10 +95,10 @@ Refusal SemiDiscrete<D, P>::find_density(const mass_kernels::RightSide& moments)
 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::find_potential() {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   if (!l.has_fluid) return {};
   const int first = l.potential_offset();
-  model_.potential_moments(stage_, potential_);
+  scene_.equations().potential_moments(stage_, potential_);
   const int iterations = masses_.scalar(stage_, 1, mass_kernels::RightSide::of(part(potential_, first, l.size())),
                                         range(stage_.unknown, first, l.size()), scalar_tolerance);
   if (iterations < 0) return {Refusal::potential};
@@ -109,7 +109,7 @@ Refusal SemiDiscrete<D, P>::find_potential() {
 
 template <int D, int P>
 void SemiDiscrete<D, P>::find_flux() {
-  if (!model_.layout().has_fluid) return;
+  if (!scene_.layout().has_fluid) return;
   terms_.add_mass_flux(stage_, force_);
   terms_.collect(force_);
 }
@@ -154,7 +154,7 @@ ForEach<TakeRates> SemiDiscrete<D, P>::taken_rates(const Array& out) const {
 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::convection(bool viscous, const Array& acceleration) {
-  if (!model_.layout().has_fluid && !model_.has_viscous_solid()) {
+  if (!scene_.layout().has_fluid && !scene_.equations().has_viscous_solid()) {
     Kokkos::deep_copy(Exec(), acceleration, 0.0);
     return {};
   }
@@ -166,11 +166,11 @@ Refusal SemiDiscrete<D, P>::convection(bool viscous, const Array& acceleration) 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::viscosity(const Array& v, const Array& acceleration) {
   Kokkos::deep_copy(Exec(), velocities_of(velocity_), v);
-  viscous_.velocity(stage_, 0, model_.fluid().viscosity, velocity_, force_);
-  if (model_.has_viscous_solid()) {
+  viscous_.velocity(stage_, 0, scene_.coefficients().fluid().viscosity, velocity_, force_);
+  if (scene_.equations().has_viscous_solid()) {
     Stage moving = stage_;
     moving.unknown = velocity_;
-    model_.add_viscosity_of_solid(moving, force_);
+    scene_.equations().add_viscosity_of_solid(moving, force_);
     terms_.collect(force_);
   }
   return accelerate(acceleration, Refusal::viscous_rate, counts_.viscous);
@@ -196,17 +196,17 @@ Refusal SemiDiscrete<D, P>::rates(double t, const Array& y, const Array& out) {
 
 template <int D, int P>
 ForEach<TakeMotion> SemiDiscrete<D, P>::taken_motion(const Array& rate) const {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   const int nodes = l.solid_rows() * l.row_size;
   return {nodes, {rate, stage_.unknown, D, nodes, l.rows * l.row_size}};
 }
 
 template <int D, int P>
 void SemiDiscrete<D, P>::fill_rate_ghosts(State& s) {
-  if (!has_ghosts(model_.layout())) return;
+  if (!has_ghosts(scene_.layout())) return;
   Kokkos::deep_copy(Exec(), velocity_, 0.0);
   Kokkos::deep_copy(Exec(), velocities_of(velocity_), s.velocity_rate);
-  move_ghosts(model_.layout(), velocity_, GhostAction::update);
+  move_ghosts(scene_.layout(), velocity_, GhostAction::update);
   Kokkos::deep_copy(Exec(), s.velocity_rate, velocities_of(velocity_));
 }
 

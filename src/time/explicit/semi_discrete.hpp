@@ -3,6 +3,7 @@
 
 #include "field/step_memory.hpp"
 #include "scene/explicit_terms.hpp"
+#include "scene/scene.hpp"
 #include "time/explicit/evolution.hpp"
 #include "time/explicit/step_kernels.hpp"
 #include "time/masses/mass_inverse.hpp"
@@ -23,12 +24,12 @@ struct MassCounts {
 template <int D, int P>
 class SemiDiscrete final : public Evolution {
  public:
-  SemiDiscrete(const Model<D, P>&, MassKind);
+  SemiDiscrete(const Scene<D, P>&, MassKind);
 
   int size() const override { return velocities() + displacements() + moments(); }
-  int velocities() const { return model_.layout().velocity_size(); }
-  int displacements() const { return model_.layout().solid_size(); }
-  int moments() const { return model_.layout().scalar_size(); }
+  int velocities() const { return scene_.layout().velocity_size(); }
+  int displacements() const { return scene_.layout().solid_size(); }
+  int moments() const { return scene_.layout().scalar_size(); }
   int memory() const { return branches_.size(); }  ///< of the branches of a solid, which is no part of y
   // Parts of y.
   Array velocities_of(const Array& y) const { return range(y, 0, velocities()); }
@@ -84,19 +85,19 @@ class SemiDiscrete final : public Evolution {
   /// Where solves begin. @param state  the one that was accepted last
   void visit_memory(StepMemory&, const State& state);
 
-  const Model<D, P>& model() const { return model_; }
+  const Scene<D, P>& scene() const { return scene_; }
   const Stage& stage() const { return stage_; }  ///< of the last evaluation
   const MassInverse<D, P>& masses() const { return masses_; }
   const MassCounts& counts() const { return counts_; }
 
  private:
   static Array range(const Array& y, int first, int last) { return Kokkos::subview(y, Kokkos::make_pair(first, last)); }
-  ConstArray density() const { return model_.layout().has_fluid ? ConstArray(stage_.density_end) : ConstArray(); }
+  ConstArray density() const { return scene_.layout().has_fluid ? ConstArray(stage_.density_end) : ConstArray(); }
   Array scalars_of(const Array& unknowns) const {
-    return range(unknowns, model_.layout().density_offset(), model_.layout().potential_offset());
+    return range(unknowns, scene_.layout().density_offset(), scene_.layout().potential_offset());
   }
   ConstArray scalar_mask() const {
-    return part(model_.mask(), model_.layout().density_offset(), model_.layout().potential_offset());
+    return part(scene_.mask(), scene_.layout().density_offset(), scene_.layout().potential_offset());
   }
   Refusal find_density(const mass_kernels::RightSide& moments);
   /// out = the acceleration of minus the force that the terms have collected, where `why` tells that there is none.
@@ -104,7 +105,7 @@ class SemiDiscrete final : public Evolution {
 
   static constexpr double velocity_tolerance = 1e-10, scalar_tolerance = 1e-12;  ///< of conjugate gradients
 
-  const Model<D, P>& model_;
+  const Scene<D, P>& scene_;
   ExplicitTerms<D, P> terms_;
   Masses<D, P> viscous_;
   MassInverse<D, P> masses_;

@@ -55,15 +55,17 @@ bool has_free_end(const Layout<D>& l, const std::vector<double>& mask, int axis)
 }  // namespace
 
 template <int D, int P>
-StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula formula)
-    : model_(model),
+StepBound<D, P>::StepBound(const Regions<D>& regions, const Coefficients<D>& coefficients, MassKind kind,
+                           StepFormula formula)
+    : regions_(regions),
+      coefficients_(coefficients),
       formula_(formula),
       inside_(inside_symbols(P, kind)),
-      end_(with_joint(end_symbols(P, kind, fewest_elements(model.layout()), model.layout().axisymmetric), P, kind,
-                      joined_elements(model.layout()))),
+      end_(with_joint(end_symbols(P, kind, fewest_elements(regions.layout()), regions.layout().axisymmetric), P, kind,
+                      joined_elements(regions.layout()))),
       adds_axes_(kind == MassKind::consistent),
       found_("step_bound.found", found_numbers) {
-  const Layout<D>& l = model.layout();
+  const Layout<D>& l = regions.layout();
   length_ = l.shortest();
   std::vector<int> near(l.scalar_size(), 0);
   constexpr int reach = P + 1;
@@ -78,7 +80,7 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
     }
   }
   if (!l.has_fluid) {
-    const std::vector<double> mask = to_host(model.mask());
+    const std::vector<double> mask = to_host(regions.mask());
     for (int d = 0; d < D; ++d) free_axis_[d] = has_free_end(l, mask, d);
   }
   near_end_ = to_device<Kokkos::View<int*, Exec>>(near, "step_bound.near_end");
@@ -93,7 +95,7 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
   }
   std::vector<double> blend;
   for (int row = 0; row < l.fluid_rows(); ++row)
-    blend.push_back(l.has_solid ? model.blend().value(l.axis[D - 1].greville(l.wall_row + row)) : 0.0);
+    blend.push_back(l.has_solid ? regions.blend().value(l.axis[D - 1].greville(l.wall_row + row)) : 0.0);
   blend_ = to_device<Array>(blend, "step_bound.blend");
   stretch_ = Array("step_bound.stretch", l.row_size);
   Kokkos::deep_copy(stretch_, 1.0);
@@ -102,16 +104,16 @@ StepBound<D, P>::StepBound(const Model<D, P>& model, MassKind kind, StepFormula 
 template <int D, int P>
 template <bool Axial, class Solid>
 auto StepBound<D, P>::solid_point(const Solid& solid, const ConstArray& displacement) const {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = regions_.layout();
   using Bound = SolidBound<D, std::decay_t<decltype(solid.material)>, Axial>;
-  SolidPoint<D, Bound> point{.bound = Bound(solid, model_.fibres(), formula_, model_.rates_of_solid(), end_,
-                                            adds_axes_ ? D : 1, length_, free_axis_),
+  SolidPoint<D, Bound> point{.bound = Bound(solid, coefficients_.solid().fibres, formula_, coefficients_.solid().rates,
+                                            end_, adds_axes_ ? D : 1, length_, free_axis_),
                              .displacement = displacement.data(),
                              .greville = {},
                              .extent = {},
                              .nodes = l.solid_rows() * l.row_size,
                              .row_size = l.row_size};
-  point.bound.prestretch = model_.prestretch();
+  point.bound.prestretch = coefficients_.solid().prestretch;
   for (int d = 0; d < D; ++d) {
     point.greville[d] = greville_[d];
     point.extent[d] = d == D - 1 ? l.solid_rows() : l.extent(d);
@@ -122,14 +124,14 @@ auto StepBound<D, P>::solid_point(const Solid& solid, const ConstArray& displace
 template <int D, int P>
 template <class Visit>
 void StepBound<D, P>::visit_points(const BoundState& s, const Visit& visit) const {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = regions_.layout();
   if (l.has_solid && l.has_fluid) {
     StretchOfColumn<D> column{.displacement = s.displacement.data() + l.wall_shift(),
                               .greville = {},
                               .stretch = stretch_,
                               .extent = {},
                               .nodes = l.solid_rows() * l.row_size,
-                              .slope = model_.blend().slope()};
+                              .slope = regions_.blend().slope()};
     for (int d = 0; d < D; ++d) {
       column.greville[d] = greville_[d];
       column.extent[d] = l.extent(d);
@@ -144,9 +146,9 @@ void StepBound<D, P>::visit_points(const BoundState& s, const Visit& visit) cons
                               .sums = s.sums,
                               .stretch = stretch_,
                               .blend = blend_,
-                              .mask = part(model_.mask(), l.density_offset(), l.potential_offset()),
+                              .mask = part(regions_.mask(), l.density_offset(), l.potential_offset()),
                               .near_end = near_end_,
-                              .fluid = model_.fluid(),
+                              .fluid = coefficients_.fluid(),
                               .inside = inside_,
                               .end = end_,
                               .formula = formula_,
@@ -164,12 +166,12 @@ void StepBound<D, P>::visit_points(const BoundState& s, const Visit& visit) cons
           if (l.axisymmetric) return with_fluid(solid_point<true>(solid, s.displacement));
         with_fluid(solid_point<false>(solid, s.displacement));
       },
-      model_.solid());
+      coefficients_.solid().law);
 }
 
 template <int D, int P>
 void StepBound<D, P>::ask(const BoundState& state) const {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = regions_.layout();
   const VectorSpace space = l.space();
   const int width = space.end - space.begin;
   const ValuePoint values{.unknown = state.unknown.data(),
@@ -221,7 +223,7 @@ StepRates StepBound<D, P>::rates(const BoundState& state) const {
 
 template <int D, int P>
 std::array<double, D> StepBound<D, P>::place_of_largest(const BoundState& state) const {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = regions_.layout();
   std::array<double, D> place{};
   double largest = -1;
   const auto look = [&](const auto& point, int items, int first_row) {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "scene/model.hpp"
+#include "scene/coefficients.hpp"
 #include "time/masses/mass_symbols.hpp"
 #include "time/step/host_numbers.hpp"
 
@@ -68,7 +68,7 @@ enum class StepFormula { kick_drift, without_viscosity, runge_kutta };
 template <int D, int P>
 class StepBound {
  public:
-  StepBound(const Model<D, P>&, MassKind, StepFormula);
+  StepBound(const Regions<D>&, const Coefficients<D>&, MassKind, StepFormula);
 
   /// Asks for the rates and the ranges of the values of a state, and, after a wait for the numbers of the host, gives them.
   void ask(const BoundState&) const;
@@ -87,7 +87,8 @@ class StepBound {
   template <bool Axial, class Solid>
   auto solid_point(const Solid&, const ConstArray& displacement) const;
 
-  const Model<D, P>& model_;
+  const Regions<D>& regions_;
+  const Coefficients<D>& coefficients_;
   StepFormula formula_;
   MassSymbols inside_, end_;
   bool adds_axes_;

@@ -36,17 +36,17 @@ Array piece_of(const Array& a, int first, int count) {
 }  // namespace
 
 template <int D, int P>
-GeneralizedAlpha<D, P>::GeneralizedAlpha(const Model<D, P>& model, double rho_inf)
-    : model_(model),
+GeneralizedAlpha<D, P>::GeneralizedAlpha(const Scene<D, P>& scene, double rho_inf)
+    : scene_(scene),
       scheme_(rho_inf),
       alpha_(rho_inf),
-      friction_(model.layout(), model.points(), model.mask()),
-      branches_(model.branches(), model.layout().solid_size()),
-      work_("work", model.layout().size()) {
-  const Layout<D>& l = model.layout();
+      friction_(scene.layout(), scene.regions().points(), scene.mask()),
+      branches_(scene.coefficients().solid().branches, scene.layout().solid_size()),
+      work_("work", scene.layout().size()) {
+  const Layout<D>& l = scene.layout();
   stage_ = make_stage<double>(l);
-  if (model.precision() != Precision::full) single_stage_ = make_stage<float>(l);
-  if (model.precision() == Precision::single) single_work_ = ArrayOf<float>("stage.work", l.size());
+  if (scene.equations().precision() != Precision::full) single_stage_ = make_stage<float>(l);
+  if (scene.equations().precision() == Precision::single) single_work_ = ArrayOf<float>("stage.work", l.size());
 }
 
 template <int D, int P>
@@ -61,7 +61,7 @@ void GeneralizedAlpha<D, P>::begin(const State& state, double dt, Rates rates) {
   stage_.end_scale = 1 / alpha_.af;
   stage_.moment_rate = alpha_.am / (alpha_.ga * dt);
   stage_.density_rate_scale = stage_.rate_scale;
-  if (model_.branches().count == 0) return;
+  if (scene_.coefficients().solid().branches.count == 0) return;
   const double ratio = alpha_.ga / alpha_.am;
   branches_.begin(state, {alpha_.af, dt * (1 - ratio), dt * ratio, 1 - 1 / alpha_.am, 1 / alpha_.am});
   stage_.lag_scale = branches_.weight(stage_.displacement_scale) * stage_.displacement_scale;
@@ -77,7 +77,7 @@ void GeneralizedAlpha<D, P>::begin_still(const State& state, double dt) {
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::fill_stage(const Array& x) {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   const State& n = start_;
   Kokkos::deep_copy(Exec(), stage_.unknown, x);
   move_ghosts(l, stage_.unknown, GhostAction::update);
@@ -106,13 +106,13 @@ void GeneralizedAlpha<D, P>::fill_stage(const Array& x) {
 template <int D, int P>
 void GeneralizedAlpha<D, P>::residual(const Array& x, const Array& r) {
   fill_stage(x);
-  if (model_.precision() != Precision::full) round_stage(single_stage_, stage_);
-  if (model_.precision() == Precision::single) {
-    model_.residual(single_stage_, single_work_, r);
+  if (scene_.equations().precision() != Precision::full) round_stage(single_stage_, stage_);
+  if (scene_.equations().precision() == Precision::single) {
+    scene_.equations().residual(single_stage_, single_work_, r);
   } else {
-    model_.residual(stage_, r);
+    scene_.equations().residual(stage_, r);
   }
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   if (!l.has_fluid) return;
   add_scaled(r, l.density_offset(), 1 - alpha_.am / alpha_.ga, start_.moment_rate);
   add_scaled(r, l.density_offset(), -stage_.moment_rate, start_.moment);
@@ -123,14 +123,14 @@ template <int D, int P>
 void GeneralizedAlpha<D, P>::round_off(const Array& x, const Array& out) {
   fill_stage(x);
   round_stage(single_stage_, stage_);
-  model_.residual(single_stage_, single_work_, out);
-  model_.residual(stage_, work_);
+  scene_.equations().residual(single_stage_, single_work_, out);
+  scene_.equations().residual(stage_, work_);
   add_scaled(out, 0, -1, work_);
 }
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::last_digits(const Array& x, const Array& near, const Array& out) {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   Kokkos::deep_copy(Exec(), near, x);
   add_last_digits(near, x, 0, 1);
   for (int d = 0; d < D && l.has_solid; ++d) {
@@ -145,17 +145,17 @@ void GeneralizedAlpha<D, P>::last_digits(const Array& x, const Array& near, cons
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::product(const Array& z, const Array& out) const {
-  model_.product(stage_, z, out, Geometry::exact, friction_.unbalanced());
+  scene_.equations().product(stage_, z, out, Geometry::exact, friction_.unbalanced());
 }
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::product(const ArrayOf<float>& z, const ArrayOf<float>& out) const {
-  model_.product(single_stage_, z, out, Geometry::exact, friction_.single_unbalanced());
+  scene_.equations().product(single_stage_, z, out, Geometry::exact, friction_.single_unbalanced());
 }
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::jacobian(const StencilValues& values, double stretch) {
-  if (jacobian_stage_.unknown.extent(0) == 0) jacobian_stage_ = make_stage<float>(model_.layout());
+  if (jacobian_stage_.unknown.extent(0) == 0) jacobian_stage_ = make_stage<float>(scene_.layout());
   round_stage(jacobian_stage_, stage_);
   jacobian_stage_.moment_rate *= stretch;
   jacobian_stage_.rate_scale *= stretch;
@@ -169,14 +169,14 @@ void GeneralizedAlpha<D, P>::jacobian(const StencilValues& values, double stretc
 template <int D, int P>
 void GeneralizedAlpha<D, P>::visit_memory(StepMemory& memory) {
   StageOf<float>& s = jacobian_stage_;
-  if (s.unknown.extent(0) == 0) s = make_stage<float>(model_.layout());
+  if (s.unknown.extent(0) == 0) s = make_stage<float>(scene_.layout());
   memory.number("jacobian/time", s.time);
   memory.number("jacobian/rate_scale", s.rate_scale);
   memory.number("jacobian/displacement_scale", s.displacement_scale);
   memory.number("jacobian/end_scale", s.end_scale);
   memory.number("jacobian/moment_rate", s.moment_rate);
-  if (model_.layout().rate_rows > 0) memory.number("jacobian/density_rate_scale", s.density_rate_scale);
-  if (model_.layout().branches > 0) memory.number("jacobian/lag_scale", s.lag_scale);
+  if (scene_.layout().rate_rows > 0) memory.number("jacobian/density_rate_scale", s.density_rate_scale);
+  if (scene_.layout().branches > 0) memory.number("jacobian/lag_scale", s.lag_scale);
   memory.vector("jacobian/unknown", s.unknown);
   memory.vector("jacobian/acceleration", s.acceleration);
   memory.vector("jacobian/displacement", s.displacement);
@@ -186,7 +186,7 @@ void GeneralizedAlpha<D, P>::visit_memory(StepMemory& memory) {
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::initialise(State& state) {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   move_ghosts(l, state.unknown, GhostAction::update);
   for (int d = 0; d < D && l.has_solid; ++d)  // u' = v
     Kokkos::deep_copy(piece_of(state.displacement_rate, l.displacement_offset(d), l.solid_rows() * l.row_size),
@@ -195,10 +195,10 @@ void GeneralizedAlpha<D, P>::initialise(State& state) {
   if (!l.has_fluid) return;
   Stage s = stage_at(l, state);
   s.moment_rate = 0;
-  model_.residual(s, work_);
+  scene_.equations().residual(s, work_);
   Kokkos::deep_copy(state.moment_rate, part(work_, l.density_offset(), l.potential_offset()));
   s.moment_rate = 1;
-  model_.residual(s, work_);
+  scene_.equations().residual(s, work_);
   Kokkos::deep_copy(state.moment, part(work_, l.density_offset(), l.potential_offset()));
   combine(state.moment, -1, state.moment_rate, 1);
   combine(state.moment_rate, -1, state.moment_rate, 0);
@@ -206,14 +206,14 @@ void GeneralizedAlpha<D, P>::initialise(State& state) {
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::finish(const Array& x, State& state) {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   const double am = alpha_.am, af = alpha_.af, ga = alpha_.ga;
   fill_stage(x);
   if (l.has_fluid) {
     // p_{n+1} = p_n - (ga dt / am) [(1 - am/ga) p'_n + F]: equal to M rho_{n+1} minus the final residual.
     Stage flux = stage_;
     flux.moment_rate = 0;
-    model_.residual(flux, work_);
+    scene_.equations().residual(flux, work_);
     const ConstArray f = part(work_, l.density_offset(), l.potential_offset());
     // p'_{n+1} = (1 - 1/ga) p'_n + (p_{n+1} - p_n) / (ga dt)  =  (1 - 1/am) p'_n - F / am
     const double step = ga * dt_ / am;
@@ -237,8 +237,8 @@ void GeneralizedAlpha<D, P>::finish(const Array& x, State& state) {
 
 template <int D, int P>
 void GeneralizedAlpha<D, P>::match_mass(const State& state) const {
-  const Layout<D>& l = model_.layout();
-  const Filling sum = model_.filling(stage_at(l, state));
+  const Layout<D>& l = scene_.layout();
+  const Filling sum = scene_.balance().filling(stage_at(l, state));
   const double shift = (total(l.space(), state.moment) - sum.mass) / sum.volume;
   add_constant(piece_of(state.unknown, l.density_offset(), l.scalar_size()), shift);
 }

@@ -3,7 +3,7 @@
 
 #include "field/step_memory.hpp"
 #include "field/vector.hpp"
-#include "scene/model.hpp"
+#include "scene/scene.hpp"
 #include "time/implicit/line_friction_newton.hpp"
 #include "time/step/branch_memory.hpp"
 
@@ -36,7 +36,7 @@ enum class Rates { known, unknown };
 template <int D, int P>
 class GeneralizedAlpha {
  public:
-  GeneralizedAlpha(const Model<D, P>& model, double rho_inf);
+  GeneralizedAlpha(const Scene<D, P>& scene, double rho_inf);
 
   /// Moments and rates of a state given by its unknowns and displacements alone: v' = 0, u' = v, p = M rho, p' = -F. Branches of the solid
   /// carry nothing.
@@ -65,7 +65,7 @@ class GeneralizedAlpha {
   /// @param stretch  it is that of a step so many times shorter, at the same values
   void jacobian(const StencilValues& values, double stretch = 1);
   /// The matrix of the last `jacobian` once more.
-  void last_jacobian(const StencilValues& values) const { model_.jacobian(jacobian_stage_, values); }
+  void last_jacobian(const StencilValues& values) const { scene_.equations().jacobian(jacobian_stage_, values); }
   /// What `last_jacobian` needs.
   void visit_memory(StepMemory&);
 
@@ -73,8 +73,8 @@ class GeneralizedAlpha {
   /// integral of the density with it.
   void finish(const Array& x, State& state);
 
-  int size() const { return model_.layout().size(); }
-  const Model<D, P>& model() const { return model_; }
+  int size() const { return scene_.layout().size(); }
+  const Scene<D, P>& scene() const { return scene_; }
   const Stage& stage() const { return stage_; }
   const StageOf<float>& single_stage() const { return single_stage_; }
   double dt() const { return dt_; }
@@ -86,7 +86,7 @@ class GeneralizedAlpha {
   /// residual that Newton's method has left.
   void match_mass(const State& state) const;
 
-  const Model<D, P>& model_;
+  const Scene<D, P>& scene_;
   AlphaParameters scheme_, alpha_;  ///< of rho_inf, and of the current step
   LineFrictionNewton<D> friction_;
   BranchMemory branches_;

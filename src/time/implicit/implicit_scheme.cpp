@@ -27,21 +27,22 @@ struct ExtrapolateDensity {
 }  // namespace
 
 template <int D, int P>
-ImplicitScheme<D, P>::ImplicitScheme(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge)
-    : solver_(model, c, judge) {
-  if (model.precision() == Precision::single) round_off_ = Array("implicit.round_off", model.layout().size());
+ImplicitScheme<D, P>::ImplicitScheme(const Scene<D, P>& scene, const Case& c, const Judge<D, P>& judge)
+    : solver_(scene, c, judge) {
+  if (scene.equations().precision() == Precision::single)
+    round_off_ = Array("implicit.round_off", scene.layout().size());
 }
 
 template <int D, int P>
 void ImplicitScheme<D, P>::measure_round_off(std::vector<FieldRange>& fields) {
   solver_.integrator.round_off(solver_.x, round_off_);
-  const std::vector<double> sizes = norms(solver_.model.layout().space(), round_off_, fields);
+  const std::vector<double> sizes = norms(solver_.scene.layout().space(), round_off_, fields);
   for (std::size_t f = 0; f < fields.size(); ++f) fields[f].round_off = sizes[f];
 }
 
 template <int D, int P>
 void ImplicitScheme<D, P>::predict(const StepHistory& history, double dt) {
-  const Layout<D>& l = solver_.model.layout();
+  const Layout<D>& l = solver_.scene.layout();
   const ConstArray now = history.state.unknown;
   const Array& x = solver_.x;
   Kokkos::deep_copy(Exec(), x, now);
@@ -52,7 +53,7 @@ void ImplicitScheme<D, P>::predict(const StepHistory& history, double dt) {
                          ExtrapolateDensity{x, now, history.previous, l.density_offset(), factor});
   }
   multiply(Kokkos::subview(x, Kokkos::make_pair(0, l.velocity_size())),
-           part(solver_.model.mask(), 0, l.velocity_size()));
+           part(solver_.scene.mask(), 0, l.velocity_size()));
   if (!solver_.judge.of_values(x).empty()) Kokkos::deep_copy(Exec(), x, now);
 }
 
@@ -62,10 +63,10 @@ StepAttempt ImplicitScheme<D, P>::attempt(const StepHistory& history, double dt)
   integrator.begin(history.state, dt, history.previous_dt > 0 ? Rates::known : Rates::unknown);
   predict(history, dt);
   std::vector<FieldRange> ranges = solver_.fields();
-  if (solver_.model.precision() == Precision::single) measure_round_off(ranges);
+  if (solver_.scene.equations().precision() == Precision::single) measure_round_off(ranges);
   StepAttempt attempt = solver_.solve(solver_.system(), ranges);
   if (!attempt.refusal.empty()) return attempt;
-  move_ghosts(solver_.model.layout(), solver_.x, GhostAction::update);  // the prediction left them out
+  move_ghosts(solver_.scene.layout(), solver_.x, GhostAction::update);  // the prediction left them out
   const double factor = dt / integrator.stage().end_scale / history.previous_dt;
   attempt.indicator = solver_.judge.indicator(history, solver_.x, factor, dt);
   return attempt;

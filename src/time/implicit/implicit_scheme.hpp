@@ -10,7 +10,7 @@ namespace softwet {
 template <int D, int P>
 class ImplicitScheme final : public Scheme<D, P> {
  public:
-  ImplicitScheme(const Model<D, P>&, const Case&, const Judge<D, P>&);
+  ImplicitScheme(const Scene<D, P>&, const Case&, const Judge<D, P>&);
 
   void initialise(State& state) override { solver_.integrator.initialise(state); }
   StepAttempt attempt(const StepHistory&, double dt) override;

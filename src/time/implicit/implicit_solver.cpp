@@ -19,12 +19,12 @@ NewtonControl newton_control(const Case& c) {
 }
 
 template <int D, int P>
-std::unique_ptr<Preconditioner> preconditioner_of(const Case& c, const Model<D, P>& model) {
-  auto chosen = choose_preconditioner<D>(c.solver.preconditioner, model.layout(), model.mask());
+std::unique_ptr<Preconditioner> preconditioner_of(const Case& c, const Scene<D, P>& scene) {
+  auto chosen = choose_preconditioner<D>(c.solver.preconditioner, scene.layout(), scene.mask());
   return c.solver.launch == Launch::graph ? record_answers(std::move(chosen)) : std::move(chosen);
 }
 
-/// Products in double precision are there in any precision of the model.
+/// Products in double precision are there in any precision of the equations.
 LinearSolves linear_solves(const Case& c, Precision precision) {
   return precision == Precision::full || c.solver.precision == PrecisionChoice::full ? LinearSolves::full
                                                                                      : LinearSolves::single;
@@ -33,38 +33,38 @@ LinearSolves linear_solves(const Case& c, Precision precision) {
 /// Of the solid without its needles in its part of the Jacobian, 1 without needles. Residuals begin as large as stiff springs make them:
 /// to be so many times smaller is not enough for what is not held.
 template <int D, int P>
-double share_of_solid(const Model<D, P>& model, const Stage& stage) {
-  if (model.needles().empty()) return 1;
-  const double free = solid_part(model, stage).size;
-  return free / (free + model.rates_of_solid().held * stage.displacement_scale);
+double share_of_solid(const Scene<D, P>& scene, const Stage& stage) {
+  if (scene.forces().needles().empty()) return 1;
+  const double free = solid_part(scene, stage).size;
+  return free / (free + scene.coefficients().solid().rates.held * stage.displacement_scale);
 }
 
 }  // namespace
 
 template <int D, int P>
-SolidPart solid_part(const Model<D, P>& model, const Stage& stage) {
-  const Layout<D>& l = model.layout();
+SolidPart solid_part(const Scene<D, P>& scene, const Stage& stage) {
+  const Layout<D>& l = scene.layout();
   SolidPart solid;
   if (!l.has_solid) return solid;
   for (int d = 0; d < D; ++d)
     solid.ranges.push_back({l.velocity_offset(d), l.velocity_offset(d) + l.solid_rows() * l.row_size});
   const double h = l.shortest();
-  const LameParameters& stiffness = model.stiffness();
-  const double density = std::visit([](const auto& term) { return term.density; }, model.solid());
+  const SolidCoefficients& material = scene.coefficients().solid();
+  const LameParameters& stiffness = material.stiffness;
   const double of_branches = 2.0 / 3 * stage.lag_scale;  // 4/3 of a shear modulus resists such waves
   solid.size =
-      density * stage.rate_scale +
+      material.density() * stage.rate_scale +
       ((stiffness.lambda + 2 * stiffness.shear_modulus) * stage.displacement_scale + of_branches) * 4 / (h * h);
   return solid;
 }
 
 template <int D, int P>
-ImplicitSolver<D, P>::ImplicitSolver(const Model<D, P>& m, const Case& c, const Judge<D, P>& j)
-    : model(m),
+ImplicitSolver<D, P>::ImplicitSolver(const Scene<D, P>& m, const Case& c, const Judge<D, P>& j)
+    : scene(m),
       judge(j),
       integrator(m, c.time.rho_inf),
       newton(m.layout().space(), m.layout().size(), c.solver.krylov_restart, preconditioner_of(c, m),
-             linear_solves(c, m.precision())),
+             linear_solves(c, m.equations().precision())),
       control(newton_control(c)),
       x("implicit.x", m.layout().size()) {
   double volume = 1;
@@ -74,12 +74,13 @@ ImplicitSolver<D, P>::ImplicitSolver(const Model<D, P>& m, const Case& c, const 
 
 template <int D, int P>
 std::vector<FieldRange> ImplicitSolver<D, P>::fields() const {
-  const Layout<D>& l = model.layout();
+  const Layout<D>& l = scene.layout();
   const double atol = control.atol, rate = integrator.stage().rate_scale;
-  const LameParameters& solid = model.stiffness();
-  const double stiffness = solid.lambda + 2 * solid.shear_modulus + 2.0 / 3 * model.branches().weight(0);
+  const SolidCoefficients& solid = scene.coefficients().solid();
+  const double stiffness =
+      solid.stiffness.lambda + 2 * solid.stiffness.shear_modulus + 2.0 / 3 * solid.branches.weight(0);
   constexpr double digits = 1e-15;  // of the forces of needles, whose stiffness takes them from displacements
-  const double held = digits * model.rates_of_solid().held * l.axis[D - 1].length();
+  const double held = digits * solid.rates.held * l.axis[D - 1].length();
   std::vector<FieldRange> f{
       {0, l.velocity_size(), volume_norm * std::max(atol * std::max({rate, 1.0, stiffness}), held)}};
   if (l.has_fluid) {
@@ -96,20 +97,20 @@ NonlinearSystem ImplicitSolver<D, P>::system() {
           [this](const StencilValues& values) { integrator.jacobian(values); },
           [this](const Array& at) { return judge.of_values(at); },
           [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { integrator.product(z, out); },
-          solid_part(model, integrator.stage())};
+          solid_part(scene, integrator.stage())};
 }
 
 template <int D, int P>
 StepAttempt ImplicitSolver<D, P>::solve(const NonlinearSystem& system, const std::vector<FieldRange>& ranges) {
   NewtonControl of_step = control;
-  of_step.rtol *= share_of_solid(model, integrator.stage());
+  of_step.rtol *= share_of_solid(scene, integrator.stage());
   const NewtonResult result = newton.solve(system, ranges, of_step, x);
   StepAttempt attempt{result.refusal, 0, result.iterations, result.krylov, result.iterations + 2 > control.max};
   if (result.converged) attempt.refusal = judge.of_end(integrator.stage());
   return attempt;
 }
 
-template SolidPart solid_part<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
+template SolidPart solid_part<SOFTWET_DIMENSION, SOFTWET_DEGREE>(const Scene<SOFTWET_DIMENSION, SOFTWET_DEGREE>&,
                                                                  const Stage&);
 template struct ImplicitSolver<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
 

@@ -11,11 +11,11 @@ namespace softwet {
 /// (lambda + 2 mu) k^2 u, where a = rate_scale v, u = displacement_scale v and k = 2 / h. So its part of the Jacobian
 /// falls with the time step while that is short, and grows with it later.
 template <int D, int P>
-SolidPart solid_part(const Model<D, P>&, const Stage&);
+SolidPart solid_part(const Scene<D, P>&, const Stage&);
 
 template <int D, int P>
 struct ImplicitSolver {
-  ImplicitSolver(const Model<D, P>&, const Case&, const Judge<D, P>&);
+  ImplicitSolver(const Scene<D, P>&, const Case&, const Judge<D, P>&);
 
   /// The nonlinear system of the step that the integrator has begun.
   NonlinearSystem system();
@@ -24,7 +24,7 @@ struct ImplicitSolver {
   /// Solves a system from `x` on, and judges what it found. The indicator is not set.
   StepAttempt solve(const NonlinearSystem&, const std::vector<FieldRange>&);
 
-  const Model<D, P>& model;
+  const Scene<D, P>& scene;
   const Judge<D, P>& judge;
   GeneralizedAlpha<D, P> integrator;
   Newton newton;

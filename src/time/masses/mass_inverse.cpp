@@ -12,31 +12,32 @@ using namespace mass_kernels;
 }  // namespace
 
 template <int D, int P>
-MassInverse<D, P>::MassInverse(const Model<D, P>& model, MassKind kind)
-    : model_(model),
+MassInverse<D, P>::MassInverse(const Regions<D>& regions, const Coefficients<D>& coefficients, MassKind kind)
+    : regions_(regions),
+      coefficients_(coefficients),
       kind_(kind),
-      masses_(model),
-      kronecker_(model.layout(), model.points(), model.mask()),
-      solver_(model.layout().space(), kind == MassKind::consistent ? model.layout().size() : 0),
-      product_(model.layout(), P + 1),
-      ties_(model.layout(), model.mask()),
-      neighbours_(model.layout()),
-      scalar_(weights(model.layout().density_offset(), model.layout().scalar_size(), D, D + 1)),
-      velocity_(weights(0, model.layout().rows * model.layout().row_size, 0, D)),
+      masses_(regions, coefficients),
+      kronecker_(regions.layout(), regions.points(), regions.mask()),
+      solver_(regions.layout().space(), kind == MassKind::consistent ? regions.layout().size() : 0),
+      product_(regions.layout(), P + 1),
+      ties_(regions.layout(), regions.mask()),
+      neighbours_(regions.layout()),
+      scalar_(weights(regions.layout().density_offset(), regions.layout().scalar_size(), D, D + 1)),
+      velocity_(weights(0, regions.layout().rows * regions.layout().row_size, 0, D)),
       solid_sums_("masses.solid", velocity_.nodes()),
-      ones_("masses.ones", model.layout().size()),
-      scaled_("masses.scaled", model.layout().size()),
-      next_scaled_("masses.scaled", model.layout().size()),
-      image_("masses.image", model.layout().size()),
-      first_("masses.first", model.layout().size()),
-      rows_("masses.rows", model.layout().has_solid && model.layout().has_fluid ? model.layout().size() : 0) {
+      ones_("masses.ones", regions.layout().size()),
+      scaled_("masses.scaled", regions.layout().size()),
+      next_scaled_("masses.scaled", regions.layout().size()),
+      image_("masses.image", regions.layout().size()),
+      first_("masses.first", regions.layout().size()),
+      rows_("masses.rows", regions.layout().has_solid && regions.layout().has_fluid ? regions.layout().size() : 0) {
   Kokkos::deep_copy(ones_, 1.0);
   for (const Weights& w : {scalar_, velocity_}) {
     if (w.nodes() == 0) continue;
     product_.apply(cut(ones_, 0, w.nodes()), w.unit, w.first, w.first + 1);
     product_.fill_ghosts(w.unit, w.first, w.first + 1);
   }
-  if (model.layout().has_solid) add_solid_sums();
+  if (regions.layout().has_solid) add_solid_sums();
 }
 
 template <int D, int P>
@@ -48,8 +49,8 @@ typename MassInverse<D, P>::Weights MassInverse<D, P>::weights(int begin, int no
 
 template <int D, int P>
 void MassInverse<D, P>::add_solid_sums() {
-  const Layout<D>& l = model_.layout();
-  const double density = std::visit([](const auto& solid) { return solid.density; }, model_.solid());
+  const Layout<D>& l = regions_.layout();
+  const double density = coefficients_.solid().density();
   std::vector<double> sums(velocity_.nodes(), 0.0);
   for (int i = 0; i < l.solid_rows() * l.row_size; ++i) sums[i] = density;
   int stride = 1;
@@ -68,18 +69,18 @@ void MassInverse<D, P>::add_solid_sums() {
 
 template <int D, int P>
 void MassInverse<D, P>::set_mesh(const Stage& stage) {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = regions_.layout();
   const Weights& w = scalar_;
   if (!l.has_fluid || (has_mesh_ && !l.has_solid)) return;
   has_mesh_ = true;
   if (!l.has_solid) return prepare(w, copied(w.sums, w.unit));
   masses_.add_scalar(stage, ones_, rows_);
-  prepare(w, ForEach{w.nodes(), TakeScalarRows{w.sums, w.of(rows_), part(model_.mask(), w.begin, w.end)}});
+  prepare(w, ForEach{w.nodes(), TakeScalarRows{w.sums, w.of(rows_), part(regions_.mask(), w.begin, w.end)}});
 }
 
 template <int D, int P>
 void MassInverse<D, P>::set_weights(const ConstArray& moments, const ConstArray& density) {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = regions_.layout();
   if (kind_ == MassKind::lumped && l.has_fluid) {  // lumped moments would be those of the density at the control points
     multiply_scalar(density, scalar_.of(first_));
     return weigh_with(scalar_.of(first_));
@@ -89,9 +90,9 @@ void MassInverse<D, P>::set_weights(const ConstArray& moments, const ConstArray&
 
 template <int D, int P>
 void MassInverse<D, P>::weigh_with(const ConstArray& moments) {
-  const int shift = model_.layout().fluid_shift(), count = scalar_.nodes();
+  const int shift = regions_.layout().fluid_shift(), count = scalar_.nodes();
   prepare(velocity_, ForEach{velocity_.nodes(), SumVelocityRows{velocity_.sums, solid_sums_, moments, scalar_.sums,
-                                                                model_.fluid().inertia_floor, shift, count}});
+                                                                coefficients_.fluid().inertia_floor, shift, count}});
 }
 
 template <int D, int P>
@@ -113,7 +114,7 @@ void MassInverse<D, P>::prepare(const Weights& w, const ForEach<Bodies>&... sums
 
 template <int D, int P>
 int MassInverse<D, P>::solve(const Weights& w, double factor, const RightSide& b, const Array& z) {
-  const ConstArray mask = part(model_.mask(), w.begin, w.end);
+  const ConstArray mask = part(regions_.mask(), w.begin, w.end);
   const bool of_velocity = w.first == 0, lumped = kind_ == MassKind::lumped;
   const TieClusters& ties = of_velocity ? ties_.velocities() : ties_.scalars();
   const Array x = lumped ? z : w.of(first_), image = w.of(image_);
@@ -141,7 +142,7 @@ int MassInverse<D, P>::solve_consistent(const Weights& w, double factor, const R
                                         double tolerance, const Apply& apply, const Precondition& precondition) {
   // Conjugate gradients take vectors of unknowns, which are zero elsewhere.
   for (const Array& a : {scaled_, image_}) Kokkos::deep_copy(Exec(), a, 0.0);
-  const ConstArray mask = part(model_.mask(), w.begin, w.end);
+  const ConstArray mask = part(regions_.mask(), w.begin, w.end);
   Kokkos::deep_copy(Exec(), w.of(image_), z);
   multiply(w.of(image_), mask);
   Kokkos::parallel_for("softwet::mass_side", Items(0, z.extent(0)), StoreRightSide{b, factor, mask, w.of(scaled_)});
@@ -186,8 +187,8 @@ void MassInverse<D, P>::multiply_scalar(const ConstArray& z, const Array& out) {
   Kokkos::deep_copy(Exec(), scaled, z);
   weigh(scaled, w.root);
   product_.fill_ghosts(scaled, w.first, w.last);
-  const MultiplyByMass<D, P> multiplied{product_.of(scaled, false), WeightedPointers(w), model_.mask().data() + w.begin,
-                                        z.data(), out.data()};
+  const MultiplyByMass<D, P> multiplied{product_.of(scaled, false), WeightedPointers(w),
+                                        regions_.mask().data() + w.begin, z.data(), out.data()};
   Kokkos::parallel_for("softwet::mass_product", Items(0, multiplied.product.items(1)), multiplied);
 }
 
@@ -196,8 +197,8 @@ void MassInverse<D, P>::invert_scalar(const ConstArray& z, const Array& p) {
   // Conjugate gradients for S p = z, preconditioned by the mass: the eigenvalues of their product are 1 - 3 e^3 + 2 e^4.
   constexpr int rounds = 200;
   constexpr double tolerance = 1e-13;
-  const VectorSpace space = model_.layout().space();
-  const ConstArray mask = part(model_.mask(), scalar_.begin, scalar_.end);
+  const VectorSpace space = regions_.layout().space();
+  const ConstArray mask = part(regions_.mask(), scalar_.begin, scalar_.end);
   const auto vector = [&] { return Array("masses.search", z.extent(0)); };
   const Array rest = vector(), step = vector(), image = vector(), along = vector();
   multiply_scalar(z, p);
@@ -232,7 +233,7 @@ void MassInverse<D, P>::find_moments(const Stage& stage, const ConstArray& z, co
   Kokkos::deep_copy(Exec(), out, z);
   ties_.untie_scalars(out, w.sums);
   weigh(out, w.sums);
-  multiply(out, part(model_.mask(), w.begin, w.end));
+  multiply(out, part(regions_.mask(), w.begin, w.end));
 }
 
 template class MassInverse<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

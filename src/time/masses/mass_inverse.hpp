@@ -29,7 +29,7 @@ namespace softwet {
 template <int D, int P>
 class MassInverse {
  public:
-  MassInverse(const Model<D, P>&, MassKind);
+  MassInverse(const Regions<D>&, const Coefficients<D>&, MassKind);
 
   MassKind kind() const { return kind_; }
 
@@ -73,7 +73,8 @@ class MassInverse {
   void weigh_with(const ConstArray& moments);
   void add_solid_sums();
 
-  const Model<D, P>& model_;
+  const Regions<D>& regions_;
+  const Coefficients<D>& coefficients_;
   MassKind kind_;
   Masses<D, P> masses_;
   KroneckerMass<D> kronecker_;

@@ -64,18 +64,18 @@ std::vector<std::complex<double>> found(const std::vector<Rate>& rates) {
 template <int D, int P>
 class Disturbances {
  public:
-  Disturbances(const Model<D, P>& model, const Case& c, const State& rest, double step)
-      : model_(model),
-        layout_(model.layout()),
-        judge_(model, c),
-        scheme_(model, c, judge_),
+  Disturbances(const Scene<D, P>& scene, const Case& c, const State& rest, double step)
+      : scene_(scene),
+        layout_(scene.layout()),
+        judge_(scene, c),
+        scheme_(scene, c, judge_),
         rest_(rest),
         step_(step),
         near_(empty_state(layout_)),
         right_("growth.right", layout_.size()),
         work_("growth.work", layout_.size()),
         uniform_("growth.uniform", layout_.scalar_size()),
-        volume_(layout_.has_fluid ? model.filling(stage_at(layout_, rest)).volume : 0) {
+        volume_(layout_.has_fluid ? scene.balance().filling(stage_at(layout_, rest)).volume : 0) {
     Kokkos::deep_copy(uniform_, 1.0);
   }
 
@@ -88,9 +88,9 @@ class Disturbances {
     RangeFactors w;
     const double height = layout_.axis[D - 1].length();
     w.add(0, layout_.density_offset(), 1 / (height * height));
+    const Coexistence& phases = scene_.coefficients().coexistence();
     if (layout_.has_fluid)
-      w.add(layout_.density_offset(), flow(),
-            std::pow(model_.state().density_liquid - model_.state().density_vapour, -2));
+      w.add(layout_.density_offset(), flow(), std::pow(phases.density_liquid - phases.density_vapour, -2));
     if (layout_.has_solid) w.add(flow(), size(), 1 / (height * height));
     return w;
   }
@@ -108,7 +108,7 @@ class Disturbances {
       std::copy(of_field.begin(), of_field.end(), values.begin() + offset);
     }
     Kokkos::deep_copy(z, to_device<Array>(values, "growth.start"));
-    multiply(Kokkos::subview(z, Kokkos::make_pair(0, l.velocity_size())), part(model_.mask(), 0, l.velocity_size()));
+    multiply(Kokkos::subview(z, Kokkos::make_pair(0, l.velocity_size())), part(scene_.mask(), 0, l.velocity_size()));
   }
 
   /// out = B z, less the mass of z: that alone would stay for ever. @return false: a linear solve failed
@@ -149,7 +149,7 @@ class Disturbances {
     return layout_.has_fluid ? total(layout_.space(), near_.moment) : 0;
   }
 
-  const Model<D, P>& model_;
+  const Scene<D, P>& scene_;
   const Layout<D>& layout_;
   Judge<D, P> judge_;
   StillSteps<D, P> scheme_;
@@ -163,10 +163,10 @@ class Disturbances {
 /// The rates from steps of one length; none where a linear solve fails, or where all modes swing or fall so fast that none
 /// stands out.
 template <int D, int P>
-std::optional<Growth> growth_by(double step, const Model<D, P>& model, const Case& control, const State& rest,
+std::optional<Growth> growth_by(double step, const Scene<D, P>& scene, const Case& control, const State& rest,
                                 const std::function<bool()>& interrupted) {
-  Disturbances<D, P> disturbances(model, control, rest, step);
-  GramSchmidt<double> basis("growth.basis", model.layout().space(), disturbances.size(), most_directions + 1);
+  Disturbances<D, P> disturbances(scene, control, rest, step);
+  GramSchmidt<double> basis("growth.basis", scene.layout().space(), disturbances.size(), most_directions + 1);
   basis.set_weights(disturbances.weights());
   Array first("growth.first", disturbances.size());
   disturbances.start(control, first);
@@ -199,17 +199,17 @@ std::optional<Growth> growth_by(double step, const Model<D, P>& model, const Cas
 }  // namespace
 
 template <int D, int P>
-Growth growth_at_rest(const Model<D, P>& model, const Case& c, const State& rest,
+Growth growth_at_rest(const Scene<D, P>& scene, const Case& c, const State& rest,
                       const std::function<bool()>& interrupted) {
   const Case control = rest_control(c);
   for (const double step : steps)
-    if (const std::optional<Growth> growth = growth_by<D, P>(step, model, control, rest, interrupted)) return *growth;
+    if (const std::optional<Growth> growth = growth_by<D, P>(step, scene, control, rest, interrupted)) return *growth;
   Growth none;
   none.why = "linear solves failed, or no mode stands out in steps of 12 units of time";
   return none;
 }
 
-template Growth growth_at_rest(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, const State&,
+template Growth growth_at_rest(const Scene<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, const State&,
                                const std::function<bool()>&);
 
 }  // namespace softwet

@@ -33,7 +33,7 @@ inline constexpr double neutral_rate = 1e-6;
 /// Source: Tuckerman and Barkley 2000 (time steppers as operators).   Tested: tests/unit/time/rest/test_growth.cpp
 template <int D, int P>
 Growth growth_at_rest(
-    const Model<D, P>&, const Case&, const State& rest,
+    const Scene<D, P>&, const Case&, const State& rest,
     const std::function<bool()>& interrupted = [] { return false; });
 
 }  // namespace softwet

@@ -66,20 +66,20 @@ struct Changes {
 template <int D, int P>
 class Change {
  public:
-  Change(const Model<D, P>& model, const State& start)
-      : model_(model),
-        density_("relaxation.density", model.layout().scalar_size()),
-        displacement_("relaxation.displacement", model.layout().solid_size()) {
+  Change(const Scene<D, P>& scene, const State& start)
+      : scene_(scene),
+        density_("relaxation.density", scene.layout().scalar_size()),
+        displacement_("relaxation.displacement", scene.layout().solid_size()) {
     keep(start);
   }
 
   Changes from_last(const State& now) {
-    const Layout<D>& l = model_.layout();
+    const Layout<D>& l = scene_.layout();
     Changes change;
     if (l.has_fluid) change = of_density(part(now.unknown, l.density_offset(), l.potential_offset()));
     if (l.has_solid) {
       combine(displacement_, 1, now.displacement, -1);
-      const double height = l.has_fluid ? model_.wall_height() : l.axis[D - 1].length();
+      const double height = l.has_fluid ? scene_.regions().wall_height() : l.axis[D - 1].length();
       const double root = std::sqrt(entries_of_patch(l, l.solid_size()) / D);
       change.fields = std::max(change.fields, norm(l.space(), displacement_) / root / height);
     }
@@ -89,9 +89,10 @@ class Change {
 
  private:
   Changes of_density(const ConstArray& now) {
-    const double vapour = model_.state().density_vapour, liquid = model_.state().density_liquid;
-    const VectorSpace space = model_.layout().space();
-    const double root = std::sqrt(entries_of_patch(model_.layout(), model_.layout().scalar_size()));
+    const Coexistence& phases = scene_.coefficients().coexistence();
+    const double vapour = phases.density_vapour, liquid = phases.density_liquid;
+    const VectorSpace space = scene_.layout().space();
+    const double root = std::sqrt(entries_of_patch(scene_.layout(), scene_.layout().scalar_size()));
     combine(density_, 1, now, -1);
     const double fields = norm(space, density_) / root / (liquid - vapour);
     // Four times: a small droplet has denser vapour around it than a large one (Kelvin).
@@ -99,27 +100,27 @@ class Change {
     return {fields, norm(space, density_) / root};
   }
   void keep(const State& now) {
-    const Layout<D>& l = model_.layout();
+    const Layout<D>& l = scene_.layout();
     if (l.has_fluid) Kokkos::deep_copy(density_, part(now.unknown, l.density_offset(), l.potential_offset()));
     if (l.has_solid) Kokkos::deep_copy(displacement_, now.displacement);
   }
 
-  const Model<D, P>& model_;
+  const Scene<D, P>& scene_;
   Array density_, displacement_;
 };
 
 }  // namespace
 
 template <int D, int P>
-Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const std::function<bool()>& interrupted,
+Relaxation relax(const Scene<D, P>& scene, const Case& c, State& state, const std::function<bool()>& interrupted,
                  const std::function<void(const State&, const Relaxation&)>& watch) {
   const Case control = rest_control(c);
-  const Judge<D, P> judge(model, control);
-  StillSteps<D, P> scheme(model, control, judge);
-  Change<D, P> change(model, state);
+  const Judge<D, P> judge(scene, control);
+  StillSteps<D, P> scheme(scene, control, judge);
+  Change<D, P> change(scene, state);
   Relaxation done;
   const auto ended = [&] {
-    done.why = flow_text(model.layout(), state);
+    done.why = flow_text(scene.layout(), state);
     return done;
   };
   scheme.initialise(state);
@@ -160,7 +161,7 @@ Relaxation relax(const Model<D, P>& model, const Case& c, State& state, const st
   return done;
 }
 
-template Relaxation relax(const Model<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, State&,
+template Relaxation relax(const Scene<SOFTWET_DIMENSION, SOFTWET_DEGREE>&, const Case&, State&,
                           const std::function<bool()>&, const std::function<void(const State&, const Relaxation&)>&);
 
 }  // namespace softwet

@@ -33,7 +33,7 @@ struct Relaxation {
 /// Source: Kelley and Keyes 1998.   Tested: tests/unit/time/rest/test_relaxation.cpp
 template <int D, int P>
 Relaxation relax(
-    const Model<D, P>&, const Case&, State&, const std::function<bool()>& interrupted = [] { return false; },
+    const Scene<D, P>&, const Case&, State&, const std::function<bool()>& interrupted = [] { return false; },
     const std::function<void(const State&, const Relaxation&)>& watch = [](const State&, const Relaxation&) {});
 
 }  // namespace softwet

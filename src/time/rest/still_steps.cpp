@@ -20,10 +20,10 @@ Stage shorter(Stage stage, double stretch) {
 }  // namespace
 
 template <int D, int P>
-StillSteps<D, P>::StillSteps(const Model<D, P>& model, const Case& c, const Judge<D, P>& judge)
-    : solver_(model, c, judge) {
+StillSteps<D, P>::StillSteps(const Scene<D, P>& scene, const Case& c, const Judge<D, P>& judge)
+    : solver_(scene, c, judge) {
   for (Array* work : {&unstretched_, &wide_, &product_, &round_off_})
-    *work = Array("implicit.still", model.layout().size());
+    *work = Array("implicit.still", scene.layout().size());
 }
 
 template <int D, int P>
@@ -36,7 +36,7 @@ NonlinearSystem StillSteps<D, P>::system() {
           [this](const StencilValues& values) { solver_.integrator.jacobian(values, stretch_); },
           [this](const Array& x) { return solver_.judge.of_values(x); },
           [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { product(z, out); },
-          solid_part(solver_.model, shorter(solver_.integrator.stage(), stretch_))};
+          solid_part(solver_.scene, shorter(solver_.integrator.stage(), stretch_))};
 }
 
 template <int D, int P>
@@ -55,7 +55,7 @@ void StillSteps<D, P>::product(const ArrayOf<float>& z, const ArrayOf<float>& ou
 
 template <int D, int P>
 void StillSteps<D, P>::tie_mass(const Array& r) const {
-  const Layout<D>& l = solver_.model.layout();
+  const Layout<D>& l = solver_.scene.layout();
   if (stretch_ == 1 || !l.has_fluid) return;
   const double sum = total(l.space(), part(r, l.density_offset(), l.potential_offset()));
   const ConstArray moment = solver_.integrator.moment();
@@ -64,9 +64,9 @@ void StillSteps<D, P>::tie_mass(const Array& r) const {
 
 template <int D, int P>
 Array StillSteps<D, P>::unstretched(const Array& x) const {
-  if (stretch_ == 1 || !solver_.model.layout().has_solid) return x;
+  if (stretch_ == 1 || !solver_.scene.layout().has_solid) return x;
   RangeFactors factors;
-  for (const SolidPart::Range& rows : solid_part(solver_.model, solver_.integrator.stage()).ranges)
+  for (const SolidPart::Range& rows : solid_part(solver_.scene, solver_.integrator.stage()).ranges)
     factors.add(rows.first, rows.last, 1 / stretch_);
   ScaleFields<double, double>{unstretched_, x, factors}.run();
   return unstretched_;
@@ -75,9 +75,9 @@ Array StillSteps<D, P>::unstretched(const Array& x) const {
 template <int D, int P>
 std::vector<FieldRange> StillSteps<D, P>::measure(Settling& settling) {
   GeneralizedAlpha<D, P>& integrator = solver_.integrator;
-  const VectorSpace space = solver_.model.layout().space();
+  const VectorSpace space = solver_.scene.layout().space();
   std::vector<FieldRange> ranges = solver_.fields();
-  if (solver_.model.precision() == Precision::single) {
+  if (solver_.scene.equations().precision() == Precision::single) {
     integrator.round_off(solver_.x, round_off_);
   } else {
     integrator.last_digits(solver_.x, wide_, round_off_);
@@ -100,7 +100,7 @@ template <int D, int P>
 Settling StillSteps<D, P>::settle(const State& state, double dt) {
   solver_.integrator.begin_still(state, dt);
   Kokkos::deep_copy(Exec(), solver_.x, state.unknown);
-  for (const SolidPart::Range& rows : solid_part(solver_.model, solver_.integrator.stage()).ranges)
+  for (const SolidPart::Range& rows : solid_part(solver_.scene, solver_.integrator.stage()).ranges)
     Kokkos::deep_copy(Exec(), Kokkos::subview(solver_.x, Kokkos::make_pair(rows.first, rows.last)), 0.0);
   stretch_ = std::max(1.0, dt / moderate_step);
   solver_.newton.forget_preconditioner();  // steps grow too fast for one of the step before
@@ -109,7 +109,7 @@ Settling StillSteps<D, P>::settle(const State& state, double dt) {
   if (settling.excess < digits_of_rest) return settling;
   settling.step = solver_.solve(system(), ranges);
   Kokkos::deep_copy(Exec(), solver_.x, unstretched(solver_.x));
-  move_ghosts(solver_.model.layout(), solver_.x, GhostAction::update);
+  move_ghosts(solver_.scene.layout(), solver_.x, GhostAction::update);
   return settling;
 }
 
@@ -129,9 +129,9 @@ NewtonResult StillSteps<D, P>::respond(const State& rest, double dt, const Array
   control.rtol = 1e-7;
   std::vector<FieldRange> ranges = solver_.fields();
   // The equation of the potential begins without a residual. Its share is that of the density's change.
-  if (ranges.size() > 1) ranges[2].floor = dt * norms(solver_.model.layout().space(), r, ranges)[1];
+  if (ranges.size() > 1) ranges[2].floor = dt * norms(solver_.scene.layout().space(), r, ranges)[1];
   const NewtonResult result = solver_.newton.solve(linear, ranges, control, x);
-  move_ghosts(solver_.model.layout(), x, GhostAction::update);
+  move_ghosts(solver_.scene.layout(), x, GhostAction::update);
   return result;
 }
 

@@ -17,7 +17,7 @@ struct Settling {
 template <int D, int P>
 class StillSteps {
  public:
-  StillSteps(const Model<D, P>&, const Case&, const Judge<D, P>&);
+  StillSteps(const Scene<D, P>&, const Case&, const Judge<D, P>&);
 
   void initialise(State& state) { solver_.integrator.initialise(state); }
   /// A step towards rest. Takes no iteration

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "field/stage.hpp"
-#include "scene/model.hpp"
+#include "scene/coefficients.hpp"
 #include "time/step/sum_of.hpp"
 
 namespace softwet {

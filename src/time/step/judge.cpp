@@ -62,16 +62,16 @@ Refusal density_complaint(double least, double largest, double undershoot) {
 }  // namespace
 
 template <int D, int P>
-Judge<D, P>::Judge(const Model<D, P>& model, const Case& c)
-    : model_(model),
+Judge<D, P>::Judge(const Scene<D, P>& scene, const Case& c)
+    : scene_(scene),
       undershoot_(c.solver.newton_undershoot),
-      difference_("judge.difference", model.layout().size()),
+      difference_("judge.difference", scene.layout().size()),
       partial_("judge.partial", items_of(squares())) {
-  const double thickness = model.wall_height(), height = model.layout().axis[D - 1].length() - thickness;
-  length_ = !model.layout().has_fluid ? c.domain.size[D - 1] : thickness > 0 ? std::min(thickness, height) : height;
+  const double thickness = scene.regions().wall_height(), height = scene.layout().axis[D - 1].length() - thickness;
+  length_ = !scene.layout().has_fluid ? c.domain.size[D - 1] : thickness > 0 ? std::min(thickness, height) : height;
   bool graded = false;
-  for (const Axis& axis : model.layout().axis) graded = graded || axis.graded();
-  if (graded) weigh(model.layout());
+  for (const Axis& axis : scene.layout().axis) graded = graded || axis.graded();
+  if (graded) weigh(scene.layout());
 }
 
 template <int D, int P>
@@ -110,12 +110,12 @@ void Judge<D, P>::weigh(const Layout<D>& l) {
 template <int D, int P>
 Refusal Judge<D, P>::of_ranges(bool finite, double least_density, double most_density) const {
   if (!finite) return {Refusal::not_finite};
-  return model_.layout().has_fluid ? density_complaint(least_density, most_density, undershoot_) : Refusal{};
+  return scene_.layout().has_fluid ? density_complaint(least_density, most_density, undershoot_) : Refusal{};
 }
 
 template <int D, int P>
 Refusal Judge<D, P>::of_values(const ConstArray& x) const {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   const bool finite = std::isfinite(range(l.space(), x).second);
   if (!finite || !l.has_fluid) return of_ranges(finite, 0, 0);
   const auto [least, most] = range(l.space(), part(x, l.density_offset(), l.potential_offset()));
@@ -124,7 +124,7 @@ Refusal Judge<D, P>::of_values(const ConstArray& x) const {
 
 template <int D, int P>
 Refusal Judge<D, P>::of_mesh(const Stage& stage) const {
-  const MeshFaults faults = model_.faults(stage);
+  const MeshFaults faults = scene_.balance().faults(stage);
   if (faults.inverted > 0) return {Refusal::solid_inverted};
   if (faults.folded > 0) return {Refusal::mesh_folded};
   return {};
@@ -133,7 +133,7 @@ Refusal Judge<D, P>::of_mesh(const Stage& stage) const {
 template <int D, int P>
 Refusal Judge<D, P>::of_end(const Stage& stage) const {
   const Refusal of_its_mesh = of_mesh(stage);
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   if (!of_its_mesh.empty() || !l.has_fluid) return of_its_mesh;
   const auto [least, most] = range(l.space(), stage.density_end);
   return density_complaint(least, most, undershoot_);
@@ -141,7 +141,7 @@ Refusal Judge<D, P>::of_end(const Stage& stage) const {
 
 template <int D, int P>
 std::vector<StripSums<double>> Judge<D, P>::squares() const {
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   std::vector<StripSums<double>> sums;
   const auto add = [&](int first, int last) {
     const double* start = difference_.data() + first;
@@ -170,7 +170,7 @@ void Judge<D, P>::ask_indicator(const StepHistory& history, const Array& values,
 template <int D, int P>
 double Judge<D, P>::take_indicator(const StepHistory& history, double dt) const {
   if (history.previous_dt <= 0) return 0;
-  const Layout<D>& l = model_.layout();
+  const Layout<D>& l = scene_.layout();
   const VectorSpace space = l.space();
   std::vector<double> sizes;
   int place = 0;
@@ -184,7 +184,8 @@ double Judge<D, P>::take_indicator(const StepHistory& history, double dt) const 
   const double points = weighted ? volume_ : entries_of_patch(l, l.velocity_size()) / D;
   const double v = sizes[0] / std::sqrt(points) * dt / length_;
   if (!l.has_fluid) return v;
-  const double jump = model_.state().density_liquid - model_.state().density_vapour;
+  const Coexistence& phases = scene_.coefficients().coexistence();
+  const double jump = phases.density_liquid - phases.density_vapour;
   return std::max(v, sizes[1] / std::sqrt(weighted ? of_scalars_ : entries_of_patch(l, l.scalar_size())) / jump);
 }
 

@@ -1,7 +1,7 @@
 // Whether values are admissible, and how large the local error of a step is: the same for all schemes.
 #pragma once
 
-#include "scene/model.hpp"
+#include "scene/scene.hpp"
 #include "time/step/host_numbers.hpp"
 #include "time/step/scheme.hpp"
 
@@ -10,7 +10,7 @@ namespace softwet {
 template <int D, int P>
 class Judge {
  public:
-  Judge(const Model<D, P>&, const Case&);
+  Judge(const Scene<D, P>&, const Case&);
 
   /// Why values of the unknowns are not admissible; empty when they are.
   Refusal of_values(const ConstArray& unknown) const;
@@ -35,7 +35,7 @@ class Judge {
   /// Sums of the squares of the differences, of the velocities and of the density.
   std::vector<StripSums<double>> squares() const;
 
-  const Model<D, P>& model_;
+  const Scene<D, P>& scene_;
   double undershoot_, length_;
   Array difference_;
   Array root_of_weight_;                ///< of each control value, where elements are graded; else empty

@@ -32,10 +32,11 @@ void check_scene(Case c) {
   for (int i = 0; i < l.potential_offset(); ++i) ASSERT_EQ(before[i], after[i]) << "of the other equations";
   for (int i = 0; i < l.row_size; ++i)
     power += (after[l.potential_offset() + i] - before[l.potential_offset() + i]) * rate[l.density_offset() + i];
-  const Integrals now = with.model.integrals(with.stage()), then = without.model.integrals(without.stage());
+  const Integrals now = with.scene.balance().integrals(with.stage()),
+                  then = without.scene.balance().integrals(without.stage());
   EXPECT_GT(now["dissipation_wall"], 1e-4);
   EXPECT_EQ(then["dissipation_wall"], 0);
-  EXPECT_NEAR(with.model.turn() * power, -now["dissipation_wall"], 1e-12);
+  EXPECT_NEAR(with.scene.regions().turn() * power, -now["dissipation_wall"], 1e-12);
   EXPECT_NEAR(now.dissipation() - then.dissipation(), now["dissipation_wall"], 1e-12);
   const Array z = with.direction();
   const double error = distance(with.product(z, Geometry::exact), with.difference(z, 1e-4));

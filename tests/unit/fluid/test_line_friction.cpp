@@ -134,10 +134,10 @@ TEST(LineFriction, ProductsHaveTheSlopeOfTheEquationWithoutABend) {
 }
 
 TEST(LineFriction, OfScenes) {
-  for (const Scene kind : {Scene::rigid, Scene::coupled}) {
-    check_scene<2>(scene(kind, WallLaw::energy));
-    check_scene<2>(scene(kind, WallLaw::energy, true));
-    check_scene<2>(axisymmetric(scene(kind, WallLaw::energy)));
+  for (const SceneKind kind : {SceneKind::rigid, SceneKind::coupled}) {
+    check_scene<2>(small_case(kind, WallLaw::energy));
+    check_scene<2>(small_case(kind, WallLaw::energy, true));
+    check_scene<2>(axisymmetric(small_case(kind, WallLaw::energy)));
   }
 }
 

@@ -5,7 +5,8 @@ namespace softwet::testing_tools {
 namespace {
 
 TEST(LineFriction, OfScenesIn3D) {
-  for (const Scene kind : {Scene::rigid, Scene::coupled}) check_scene<3>(scene_in_space(kind, WallLaw::energy));
+  for (const SceneKind kind : {SceneKind::rigid, SceneKind::coupled})
+    check_scene<3>(small_case_in_3d(kind, WallLaw::energy));
 }
 
 }  // namespace

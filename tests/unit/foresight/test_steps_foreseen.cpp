@@ -18,7 +18,7 @@ double ratio(Case c) {
 // In so small a box the vapour around a droplet is denser than foreseen, the more so the colder it is.
 TEST(StepsForeseen, AreAtLeastThoseOfTheFirstState) {
   for (const auto& [temperature, most] : {std::pair{0.95, 1.2}, {0.85, 1.3}, {0.7, 1.35}, {0.5, 1.6}}) {
-    Case c = moving_droplet(Scene::rigid);
+    Case c = moving_droplet(SceneKind::rigid);
     c.domain.elements = {36, 24};
     c.fluid->capillarity = 0.04;  // so narrow that there is vapour of its equilibrium density
     c.fluid->temperature = temperature;
@@ -29,8 +29,8 @@ TEST(StepsForeseen, AreAtLeastThoseOfTheFirstState) {
       EXPECT_LT(ratio(one), most) << temperature;
     }
   }
-  EXPECT_NEAR(ratio(moving_droplet(Scene::solid)), 1, 1e-12);
-  Case inside = moving_droplet(Scene::rigid);
+  EXPECT_NEAR(ratio(moving_droplet(SceneKind::solid)), 1, 1e-12);
+  Case inside = moving_droplet(SceneKind::rigid);
   inside.domain.elements = {36, 24};
   inside.fluid->capillarity = 0.04;
   inside.fluid->temperature = 0.85;
@@ -57,13 +57,13 @@ TEST(StepsForeseen, KnowAllThatLimitsASolid) {
     all[8].boundary.foundation_damping = {1, 20};
     return all;
   };
-  for (const Case& c : solids(scene(Scene::solid))) {
+  for (const Case& c : solids(small_case(SceneKind::solid))) {
     EXPECT_NEAR(ratio(c), 1, 1e-12);
     EXPECT_NEAR(ratio(axisymmetric(c)), 1, 1e-12);
   }
-  for (const Case& c : solids(scene_in_space(Scene::solid))) EXPECT_NEAR(ratio<3>(c), 1, 1e-12);
+  for (const Case& c : solids(small_case_in_3d(SceneKind::solid))) EXPECT_NEAR(ratio<3>(c), 1, 1e-12);
   for (const MaterialModel material : {MaterialModel::neo_hookean, MaterialModel::saint_venant_kirchhoff}) {
-    Case c = scene(Scene::solid), deep = scene_in_space(Scene::solid);
+    Case c = small_case(SceneKind::solid), deep = small_case_in_3d(SceneKind::solid);
     c.loads.clear(), deep.loads.clear();
     c.time.end = 1;
     c.substrate->material = deep.substrate->material = material;
@@ -77,7 +77,7 @@ TEST(StepsForeseen, KnowAllThatLimitsASolid) {
       EXPECT_GT(explicit_steps_foreseen(c), 1.05 * plain);
     }
   }
-  for (Case c : {moving_droplet(Scene::coupled), around_axis(moving_droplet(Scene::coupled))}) {
+  for (Case c : {moving_droplet(SceneKind::coupled), around_axis(moving_droplet(SceneKind::coupled))}) {
     c.substrate->fibre = {3000, 80, 0};
     EXPECT_NEAR(ratio(c), 1, 1e-12) << "below a droplet";
     c.substrate->surface_tension = c.substrate->surface_tension_wet = 0.1;
@@ -89,7 +89,7 @@ TEST(StepsForeseen, KnowAllThatLimitsASolid) {
 }
 
 TEST(StepsForeseen, FollowTheTimeFromTheFirstStateToTheEnd) {
-  Case c = moving_droplet(Scene::coupled);
+  Case c = moving_droplet(SceneKind::coupled);
   c.time.end = 2;
   const double once = explicit_steps_foreseen(c);
   c.time.end = 4;

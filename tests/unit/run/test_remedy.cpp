@@ -13,7 +13,7 @@ namespace {
 
 /// A solid so soft that it is what is blamed where the settings are usual.
 Case soft() {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.substrate->young = 1e-3;
   c.droplets = {{{0.45, c.substrate->thickness}, 0.2}};
   return c;

@@ -43,9 +43,9 @@ std::vector<double> solid_part_of(const Layout<D>& l, const std::vector<double>&
 }
 
 template <int D>
-std::vector<double> product_of(const Model<D, 2>& model, const Stage& stage, const Array& z) {
-  Array out("out", model.layout().size()), copy = to_device<Array>(to_host(z));
-  model.product(stage, copy, out, Geometry::exact);
+std::vector<double> product_of(const Scene<D, 2>& scene, const Stage& stage, const Array& z) {
+  Array out("out", scene.layout().size()), copy = to_device<Array>(to_host(z));
+  scene.equations().product(stage, copy, out, Geometry::exact);
   return to_host(out);
 }
 
@@ -53,11 +53,11 @@ template <int D>
 void check_needles(const Case& plain) {
   RandomSceneIn<D> s(with_needles(plain));
   const Layout<D>& l = s.layout();
-  const Model<D, 2> without(plain);
+  const Scene<D, 2> without(plain);
   const std::vector<double> x = to_host(s.stage().unknown);
   std::vector<double> force = s.residual(s.stage());
   Array other("other", l.size());
-  without.residual(s.stage(), other);
+  without.equations().residual(s.stage(), other);
   const std::vector<double> bare = to_host(other);
   for (std::size_t i = 0; i < force.size(); ++i) force[i] -= bare[i];
 
@@ -65,13 +65,13 @@ void check_needles(const Case& plain) {
     Stage moved = s.stage();
     moved.displacement = plus(moved.displacement, of_solid, solid_part_of(l, x));
     moved.time += of_time;
-    return s.model.integrals(moved)["energy_needle"] / s.model.turn();
+    return s.scene.balance().integrals(moved)["energy_needle"] / s.scene.regions().turn();
   };
-  const std::vector<NeedleReading> readings = s.model.needle_readings(s.stage());
+  const std::vector<NeedleReading> readings = s.scene.balance().needle_readings(s.stage());
   double power = 0, on_solid = 0;
   for (const NeedleReading& reading : readings) {
-    power += reading.power / s.model.turn();
-    on_solid += reading.power_on_solid / s.model.turn();
+    power += reading.power / s.scene.regions().turn();
+    on_solid += reading.power_on_solid / s.scene.regions().turn();
   }
   const double gained = slope([&](double e) { return energy(e, 0); }, 1e-3);
   EXPECT_GT(std::abs(gained), 1e-4);
@@ -89,29 +89,31 @@ void check_needles(const Case& plain) {
 template <int D>
 void check_reading(const Case& plain) {
   const Case c = with_needles(plain);
-  const Model<D, 2> model(c);
-  State state = empty_state(model.layout());
+  const Scene<D, 2> scene(c);
+  State state = empty_state(scene.layout());
   state.time = c.clock_zero() + 2;
-  const NeedleReading reading = model.needle_readings(stage_at(model.layout(), state))[0];
+  const NeedleReading reading = scene.balance().needle_readings(stage_at(scene.layout(), state))[0];
   double square = 0;
   for (int d = 0; d < D; ++d) {
     const double place = c.needles[0].place(d, 2);
     square += place * place;
-    EXPECT_NEAR(reading.force[d], model.turn() * stiff * volume(c.needles[0], c.axisymmetric()) * place, 1e-13);
+    EXPECT_NEAR(reading.force[d], scene.regions().turn() * stiff * volume(c.needles[0], c.axisymmetric()) * place,
+                1e-13);
   }
-  EXPECT_NEAR(reading.energy, 0.5 * model.turn() * stiff * volume(c.needles[0], c.axisymmetric()) * square, 1e-13);
+  EXPECT_NEAR(reading.energy, 0.5 * scene.regions().turn() * stiff * volume(c.needles[0], c.axisymmetric()) * square,
+              1e-13);
 }
 
 /// The matrix of a scene with needles has the diagonal of the product more, and nothing else.
 template <int D>
 void check_matrix(const Case& plain) {
   RandomSceneIn<D> s(with_needles(plain));
-  const Model<D, 2> without(plain);
+  const Scene<D, 2> without(plain);
   const Stencil<D> stencil(s.layout());
   const StencilValues with("with", stencil.size()), bare("bare", stencil.size());
   const StageOf<float> stage = single_stage(s.stage());
-  s.model.jacobian(stage, with);
-  without.jacobian(stage, bare);
+  s.scene.equations().jacobian(stage, with);
+  without.equations().jacobian(stage, bare);
   const auto a = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), with);
   const auto b = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), bare);
   const Array z = s.direction();

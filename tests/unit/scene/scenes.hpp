@@ -1,20 +1,20 @@
 // Small scenes for tests of the model, the solvers and the time integrator.
 #pragma once
 
-#include "scene/model.hpp"
+#include "scene/scene.hpp"
 #include "unit/operator/term_cases.hpp"
 #include "unit/scene/rates.hpp"
 
 namespace softwet::testing_tools {
 
-enum class Scene { coupled, rigid, solid };
+enum class SceneKind { coupled, rigid, solid };
 
 /// theta = 0.85 keeps densities and energies of order one; element counts are no multiples of a pack.
-inline Case scene(Scene kind, WallLaw law = WallLaw::gradient, bool periodic = false) {
+inline Case small_case(SceneKind kind, WallLaw law = WallLaw::gradient, bool periodic = false) {
   Case c;
   c.domain.size = {0.9, 0.8};
   c.domain.elements = {9, 6};
-  if (kind != Scene::solid) {
+  if (kind != SceneKind::solid) {
     c.fluid = Fluid{};
     c.fluid->viscosity = 0.3;
     c.fluid->capillarity = 0.2;
@@ -24,9 +24,9 @@ inline Case scene(Scene kind, WallLaw law = WallLaw::gradient, bool periodic = f
     c.fluid->stabilisation = 2.0;
     c.fluid->smoothing = 1e-2;
   }
-  if (kind != Scene::rigid) {
+  if (kind != SceneKind::rigid) {
     c.substrate = Substrate{};
-    c.substrate->thickness = kind == Scene::solid ? 0.8 : 0.8 / 3;
+    c.substrate->thickness = kind == SceneKind::solid ? 0.8 : 0.8 / 3;
     c.substrate->density = 1.3;
     c.substrate->young = 2.0;
     c.substrate->poisson = 0.3;
@@ -34,7 +34,7 @@ inline Case scene(Scene kind, WallLaw law = WallLaw::gradient, bool periodic = f
     c.loads.push_back({{0.3, 0.0}, {0.6, top / 2}, {0.7, -0.4}, 1.0, 4.0});  // cut along element borders
   }
   c.boundary.side[1] = {Side::slip, Side::no_slip};
-  if (kind == Scene::solid) c.boundary.side[1][1] = Side::free;
+  if (kind == SceneKind::solid) c.boundary.side[1][1] = Side::free;
   if (periodic) c.boundary.side[0] = {Side::periodic, Side::periodic};
   return c;
 }
@@ -47,8 +47,8 @@ inline Case axisymmetric(Case c) {
 }
 
 /// The same in space: as deep as three elements.
-inline Case scene_in_space(Scene kind, WallLaw law = WallLaw::gradient) {
-  Case c = scene(kind, law);
+inline Case small_case_in_3d(SceneKind kind, WallLaw law = WallLaw::gradient) {
+  Case c = small_case(kind, law);
   c.domain.size.insert(c.domain.size.begin() + 1, 0.5);
   c.domain.elements = {5, 3, 6};
   for (Load& load : c.loads) {
@@ -65,11 +65,13 @@ inline Case scene_in_space(Scene kind, WallLaw law = WallLaw::gradient) {
 template <int D>
 struct RandomSceneIn {
   Case data;
-  Model<D, 2> model;
+  Scene<D, 2> scene;
   TermCases<D> terms;
 
   explicit RandomSceneIn(const Case& c)
-      : data(c), model(c), terms(Patch<D>(model.layout(), Blend{model.wall_height(), 0.8 - model.wall_height()})) {
+      : data(c),
+        scene(c),
+        terms(Patch<D>(scene.layout(), Blend{scene.regions().wall_height(), 0.8 - scene.regions().wall_height()})) {
     hold(stage().unknown);
     hold(stage().acceleration);
     stage().time = 3.0;  // half of the load's ramp
@@ -78,12 +80,12 @@ struct RandomSceneIn {
     keep_axis(stage().displacement_end);
   }
   Stage& stage() { return terms.patch.stage; }
-  const Layout<D>& layout() const { return model.layout(); }
+  const Layout<D>& layout() const { return scene.layout(); }
 
   /// Zero where a velocity is prescribed.
   void hold(const Array& a) {
     std::vector<double> v = to_host(a);
-    const std::vector<double> mask = to_host(model.mask());
+    const std::vector<double> mask = to_host(scene.mask());
     const Axis& x = layout().axis[0];
     for (int i = 0; i < layout().velocity_size(); ++i) {
       const bool ghost = x.periodic() && i % x.functions() >= x.owned();
@@ -101,22 +103,22 @@ struct RandomSceneIn {
   Array direction() {
     const Array z = terms.patch.draw(layout().size(), -1, 1);
     std::vector<double> v = to_host(z);
-    const std::vector<double> mask = to_host(model.mask());
+    const std::vector<double> mask = to_host(scene.mask());
     for (std::size_t i = 0; i < v.size(); ++i) v[i] *= mask[i];
     return to_device<Array>(v);
   }
   /// Fills a matrix with the Jacobian at the stage.
   auto jacobian() {
-    return [this](const StencilValues& values) { model.jacobian(single_stage(stage()), values); };
+    return [this](const StencilValues& values) { scene.equations().jacobian(single_stage(stage()), values); };
   }
   std::vector<double> residual(const Stage& s) const {
     Array out("out", layout().size());
-    model.residual(s, out);
+    scene.equations().residual(s, out);
     return to_host(out);
   }
   std::vector<double> product(const Array& z, Geometry geometry) const {
     Array out("out", layout().size()), copy = to_device<Array>(to_host(z));
-    model.product(terms.patch.stage, copy, out, geometry);
+    scene.equations().product(terms.patch.stage, copy, out, geometry);
     return to_host(out);
   }
   /// Rate of the energies while the solid moves with the velocities and these change with the accelerations of the stage; the other
@@ -127,7 +129,7 @@ struct RandomSceneIn {
       Stage moved = stage();
       moved.unknown = plus(moved.unknown, time, acceleration);
       moved.displacement = plus(moved.displacement, time, velocity);
-      return model.integrals(moved).energy();
+      return scene.balance().integrals(moved).energy();
     };
     return slope(energy, e);
   }

@@ -8,8 +8,8 @@ namespace softwet::testing_tools {
 namespace {
 
 /// All that a solid can have beside its material, with a wall whose tension acts.
-Case rich(Scene kind) {
-  Case c = axisymmetric(scene(kind, WallLaw::energy));
+Case rich(SceneKind kind) {
+  Case c = axisymmetric(small_case(kind, WallLaw::energy));
   if (c.substrate) {
     c.substrate->viscosity = 0.2;
     c.substrate->bulk_viscosity = 0.1;
@@ -36,7 +36,7 @@ std::vector<double> naive_solid(RandomScene& s) {
   const int wall = l.solid_elements;
   const Substrate& solid = *s.data.substrate;
   std::vector<double> sum =
-      std::visit([&](const auto& term) { return naive(s, term, 0, wall, false); }, s.model.solid());
+      std::visit([&](const auto& term) { return naive(s, term, 0, wall, false); }, s.scene.coefficients().solid().law);
   if (solid.surface_tension > 0) add(sum, naive(s, SurfaceTension{solid.surface_tension}, wall - 1, wall, false));
   if (!solid.surface_modulus.empty())
     add(sum, naive(s, SurfaceElasticity{solid.surface_modulus[0], solid.surface_modulus[1]}, wall - 1, wall, false));
@@ -63,13 +63,13 @@ std::vector<double> naive_fluid(RandomScene& s) {
   const Layout<2>& l = s.layout();
   const int low = l.solid_elements, high = l.axis[1].elements();
   const bool moves = l.has_solid;
-  const NavierStokesKorteweg& fluid = s.model.fluid();
+  const NavierStokesKorteweg& fluid = s.scene.coefficients().fluid();
   std::vector<double> sum = naive(s, fluid, low, high, moves);
   add(sum, s.terms.naive_moments<Axisymmetric<DensityMoment>>(low, high, moves));
   if (s.data.fluid->wall_law == WallLaw::gradient) {
     add(sum, naive(s, GradientWall{fluid.capillarity, 0.5, 1e-2}, low, low + 1, moves));
   } else {
-    add(sum, naive(s, s.model.wall(), low, low + 1, moves));
+    add(sum, naive(s, s.scene.coefficients().wall().law(), low, low + 1, moves));
   }
   if (moves) add(sum, naive(s, CapillaryTraction{fluid.gas, fluid.capillarity}, low, low + 1, true, l.wall_row));
   return sum;
@@ -81,7 +81,7 @@ void check_axial_scene(const Case& c, bool all = true) {
   std::vector<double> expected(s.layout().size(), 0.0);
   if (c.substrate) add(expected, naive_solid(s));
   if (c.fluid) add(expected, naive_fluid(s));
-  const std::vector<double> mask = to_host(s.model.mask());
+  const std::vector<double> mask = to_host(s.scene.mask());
   for (std::size_t i = 0; i < mask.size(); ++i) expected[i] *= mask[i];
   if (all) {
     EXPECT_LT(distance(s.residual(s.stage()), expected), 1e-13);
@@ -98,25 +98,25 @@ void check_axial_scene(const Case& c, bool all = true) {
   StencilMatrix<2> matrix(s.layout(), free);
   matrix.fill(s.jacobian());
   matrix.multiply(z, y);
-  multiply(y, s.model.mask());
+  multiply(y, s.scene.mask());
   EXPECT_LT(distance(to_host(y), s.product(z, Geometry::frozen)), 1e-5);
 }
 
-TEST(Axisymmetric, Rigid) { check_axial_scene(axisymmetric(scene(Scene::rigid))); }
+TEST(Axisymmetric, Rigid) { check_axial_scene(axisymmetric(small_case(SceneKind::rigid))); }
 TEST(Axisymmetric, RigidWithWallEnergyAndGravity) {
-  check_axial_scene(axisymmetric(scene(Scene::rigid, WallLaw::energy)));
-  check_axial_scene(rich(Scene::rigid));
+  check_axial_scene(axisymmetric(small_case(SceneKind::rigid, WallLaw::energy)));
+  check_axial_scene(rich(SceneKind::rigid));
 }
-TEST(Axisymmetric, Coupled) { check_axial_scene(axisymmetric(scene(Scene::coupled))); }
+TEST(Axisymmetric, Coupled) { check_axial_scene(axisymmetric(small_case(SceneKind::coupled))); }
 TEST(Axisymmetric, CoupledWithNeoHookeanSolid) {
-  Case c = axisymmetric(scene(Scene::coupled, WallLaw::energy));
+  Case c = axisymmetric(small_case(SceneKind::coupled, WallLaw::energy));
   c.substrate->material = MaterialModel::neo_hookean;
   check_axial_scene(c);
 }
-TEST(Axisymmetric, RichSolid) { check_axial_scene(rich(Scene::solid)); }
-TEST(Axisymmetric, CoupledWithAllThatAWallCanHave) { check_axial_scene(rich(Scene::coupled), false); }
+TEST(Axisymmetric, RichSolid) { check_axial_scene(rich(SceneKind::solid)); }
+TEST(Axisymmetric, CoupledWithAllThatAWallCanHave) { check_axial_scene(rich(SceneKind::coupled), false); }
 TEST(Axisymmetric, CoupledWithBlendedTraction) {
-  Case c = rich(Scene::coupled);
+  Case c = rich(SceneKind::coupled);
   c.fluid->traction = Traction::blended;
   c.fluid->contact_angle = varying([](const std::array<double, 3>& x, double) { return 80 + 30 * x[0]; });
   c.substrate->young = varying([](const std::array<double, 3>& x, double) { return 2 + x[0] - x[1]; });
@@ -125,8 +125,8 @@ TEST(Axisymmetric, CoupledWithBlendedTraction) {
 
 // The flux part of the mass equation only moves mass about.
 TEST(Axisymmetric, FluxesOfMassSumToZero) {
-  for (Scene kind : {Scene::coupled, Scene::rigid}) {
-    RandomScene s(axisymmetric(scene(kind)));
+  for (SceneKind kind : {SceneKind::coupled, SceneKind::rigid}) {
+    RandomScene s(axisymmetric(small_case(kind)));
     s.stage().moment_rate = 0;
     const std::vector<double> r = s.residual(s.stage());
     double sum = 0, size = 0;
@@ -143,16 +143,16 @@ TEST(Axisymmetric, FluxesOfMassSumToZero) {
 // are those of a whole turn, those of the residual of a radian.
 TEST(Axisymmetric, EnergyLawOfARichSolid) {
   for (const MaterialModel material : {MaterialModel::saint_venant_kirchhoff, MaterialModel::neo_hookean}) {
-    Case c = rich(Scene::solid);
+    Case c = rich(SceneKind::solid);
     c.substrate->material = material;
     RandomScene s(c);
     const Layout<2>& l = s.layout();
     const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
-    const Integrals now = s.model.integrals(s.stage());
+    const Integrals now = s.scene.balance().integrals(s.stage());
     EXPECT_GT(std::abs(now["energy_surface"]), 1e-6);
     EXPECT_GT(now["energy_foundation"], 1e-6);
     EXPECT_GT(now["dissipation_solid"], 1e-3);
-    const double power = s.model.load_power(s.stage().time, s.stage().unknown);
+    const double power = s.scene.balance().load_power(s.stage().time, s.stage().unknown);
     EXPECT_GT(std::abs(power), 1e-6);
     const double expected = s.rate_of_energy(1e-3) - power + now.dissipation();
     EXPECT_NEAR(2 * M_PI * contract(r, x, 0, l.size()), expected, 1e-9 * std::abs(expected)) << word_of(material);
@@ -160,23 +160,23 @@ TEST(Axisymmetric, EnergyLawOfARichSolid) {
 }
 
 TEST(Axisymmetric, WhatAWallGainsByStretchIsWhatItsTensionCosts) {
-  Case c = rich(Scene::coupled);
+  Case c = rich(SceneKind::coupled);
   RandomScene acts(c);
   c.fluid->wall_tension = WallTensionModel::none;
   RandomScene none(c);
   const std::vector<double> x = to_host(none.stage().unknown), before = none.residual(none.stage()),
                             after = acts.residual(acts.stage());
-  const double stretch = none.model.integrals(none.stage())["wall_stretch"];
+  const double stretch = none.scene.balance().integrals(none.stage())["wall_stretch"];
   EXPECT_GT(std::abs(stretch), 1e-4);
   double work = 0;
   for (int i = 0; i < none.layout().velocity_size(); ++i) work += x[i] * (after[i] - before[i]);
   EXPECT_NEAR(2 * M_PI * work, stretch, 1e-11);
-  EXPECT_EQ(acts.model.integrals(acts.stage())["wall_stretch"], 0);
+  EXPECT_EQ(acts.scene.balance().integrals(acts.stage())["wall_stretch"], 0);
 }
 
 // On a rigid wall momentum tested with v, mass with mu and potential with the rate of the density: see test_energy.cpp.
 TEST(Axisymmetric, EnergyLawOnARigidWall) {
-  RandomScene s(rich(Scene::rigid));
+  RandomScene s(rich(SceneKind::rigid));
   const Layout<2>& l = s.layout();
   s.stage().moment_rate = 1;
   const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
@@ -190,14 +190,14 @@ TEST(Axisymmetric, EnergyLawOnARigidWall) {
   const auto kinetic = [&](double e) {
     Stage moved = s.stage();
     moved.unknown = plus(moved.unknown, e, acceleration);
-    return s.model.integrals(moved)["energy_kinetic"];
+    return s.scene.balance().integrals(moved)["energy_kinetic"];
   };
   std::vector<double> density_rate(l.size(), 0.0);
   std::copy(rate.begin(), rate.end(), density_rate.begin() + l.density_offset());
   const auto free = [&](double e) {
     Stage moved = s.stage();
     moved.unknown = plus(moved.unknown, e, density_rate);
-    const Integrals i = s.model.integrals(moved);
+    const Integrals i = s.scene.balance().integrals(moved);
     return i["energy_free_bulk"] + i["energy_free_gradient"] + i["energy_wall"] + i["energy_gravity"];
   };
   double convection = 0;
@@ -208,7 +208,7 @@ TEST(Axisymmetric, EnergyLawOnARigidWall) {
       for (int j = 0; j < 2; ++j)
         convection += w * p.x[0] * p.evaluate(field[2], -1) * v[i] * v[j] * p.evaluate(field[i], j);
   });
-  const Integrals now = s.model.integrals(s.stage());
+  const Integrals now = s.scene.balance().integrals(s.stage());
   const double expected = slope(kinetic, 1e-3) + slope(free, 2e-4) + now["dissipation_viscous"] +
                           now["dissipation_stabilisation"] + 2 * M_PI * convection;
   EXPECT_NEAR(2 * M_PI * contraction, expected, 1e-9 * std::abs(expected));
@@ -216,7 +216,7 @@ TEST(Axisymmetric, EnergyLawOnARigidWall) {
 
 // A uniform fluid above a solid that is stretched to a wider cylinder: everything is a volume or an area in closed form.
 TEST(Axisymmetric, IntegralsOfAStretchedCylinder) {
-  RandomScene s(axisymmetric(scene(Scene::coupled, WallLaw::energy)));
+  RandomScene s(axisymmetric(small_case(SceneKind::coupled, WallLaw::energy)));
   const Layout<2>& l = s.layout();
   std::vector<double> x(l.size(), 0.0), u(l.solid_size(), 0.0);
   const double rho = 0.5, v = 0.3, stretch = 0.1;
@@ -226,22 +226,23 @@ TEST(Axisymmetric, IntegralsOfAStretchedCylinder) {
     u[l.displacement_offset(0) + i] = stretch * l.axis[0].greville(i % l.row_size);
   s.stage().unknown = to_device<Array>(x);
   s.stage().displacement = s.stage().displacement_end = to_device<Array>(u);
-  const Integrals i = s.model.integrals(s.stage());
+  const Integrals i = s.scene.balance().integrals(s.stage());
   // The radius is 0.9 (1 + 0.1 b), b from 1 at the wall to 0 at the top.
-  const double height = 0.8 - s.model.wall_height(), area = M_PI * 0.81;
+  const double height = 0.8 - s.scene.regions().wall_height(), area = M_PI * 0.81;
   const double fluid = area * height * (1 + stretch + stretch * stretch / 3);
   EXPECT_NEAR(i["mass"], rho * fluid, 1e-13);
-  EXPECT_NEAR(i["energy_free_bulk"], s.model.fluid().gas.energy(rho) * fluid, 1e-13);
-  EXPECT_NEAR(i["energy_wall"], WallEnergy::of(s.model.wall()).value(rho) * area * 1.21, 1e-13);
-  const double solid = 1.3 * area * s.model.wall_height();
+  EXPECT_NEAR(i["energy_free_bulk"], s.scene.coefficients().fluid().gas.energy(rho) * fluid, 1e-13);
+  EXPECT_NEAR(i["energy_wall"], WallEnergy::of(s.scene.coefficients().wall().law()).value(rho) * area * 1.21, 1e-13);
+  const double solid = 1.3 * area * s.scene.regions().wall_height();
   EXPECT_NEAR(i["energy_kinetic"], 0.5 * v * v * (rho * fluid + solid), 1e-13);
   EXPECT_NEAR(i["momentum_y"], v * (rho * fluid + solid), 1e-13);
   EXPECT_EQ(i["momentum_x"], 0);
   const double e = 0.5 * (1.21 - 1);  // along r and about the axis
-  const LameParameters& m = s.model.stiffness();
+  const LameParameters& m = s.scene.coefficients().solid().stiffness;
   EXPECT_NEAR(i["energy_elastic"],
-              area * s.model.wall_height() * (0.5 * m.lambda * 4 * e * e + m.shear_modulus * 2 * e * e), 1e-13);
-  const Filling filling = s.model.filling(s.stage());
+              area * s.scene.regions().wall_height() * (0.5 * m.lambda * 4 * e * e + m.shear_modulus * 2 * e * e),
+              1e-13);
+  const Filling filling = s.scene.balance().filling(s.stage());
   EXPECT_NEAR(2 * M_PI * filling.volume, fluid, 1e-13);
   EXPECT_NEAR(2 * M_PI * filling.mass, i["mass"], 1e-13);
 }

@@ -9,7 +9,7 @@ namespace {
 
 /// A fluid between periodic sides.
 Case periodic(int elements) {
-  Case c = scene(Scene::rigid, WallLaw::gradient, true);
+  Case c = small_case(SceneKind::rigid, WallLaw::gradient, true);
   c.domain.size = {1, 1};
   c.domain.elements = {elements, elements};
   c.boundary.side[1] = {Side::periodic, Side::periodic};
@@ -39,20 +39,20 @@ struct Forces {
 
 /// Of the fluid at rest, with the chemical potential that belongs to its density.
 Forces forces(const Case& c) {
-  const Model<2, 2> model(c);
-  const Layout<2>& l = model.layout();
-  SemiDiscrete<2, 2> system(model, MassKind::consistent);
-  State state = initial_state(c, model);
+  const Scene<2, 2> scene(c);
+  const Layout<2>& l = scene.layout();
+  SemiDiscrete<2, 2> system(scene, MassKind::consistent);
+  State state = initial_state(c, scene);
   system.set_moments(state);
   const Array y("y", system.size()), rates("rates", system.size());
   Kokkos::deep_copy(system.moments_of(y), state.moment);
   EXPECT_TRUE(system.rates(0, y, rates).empty());
 
-  const CapillaryTraction term{model.fluid().gas, model.fluid().capillarity};
-  const Region<2> region = model.region(Where::fluid, model.points());
+  const CapillaryTraction term{scene.coefficients().fluid().gas, scene.coefficients().fluid().capillarity};
+  const Region<2> region = scene.regions().of(Where::fluid, scene.regions().points());
   const PieceOf<2, 2, CapillaryTraction, NoMotion> piece("capillary stress", region, region, term);
   const Array force("force", l.size()), change("change", l.size());
-  model.residual(system.stage(), force);
+  scene.equations().residual(system.stage(), force);
   piece.residual({l, system.stage(), {}, change});
   move_ghosts(l, change, GhostAction::add);
 

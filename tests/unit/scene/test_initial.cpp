@@ -11,7 +11,7 @@ namespace {
 
 /// A fluid in [0, 1] x [0, 0.5], 40 x 20 elements, with a thin interface.
 Case fluid_box() {
-  Case c = scene(Scene::rigid);
+  Case c = small_case(SceneKind::rigid);
   c.domain.size = {1.0, 0.5};
   c.domain.elements = {40, 20};
   c.fluid->capillarity = 0.005;
@@ -22,9 +22,9 @@ Case fluid_box() {
 
 /// Control value of the density nearest to a point.
 double density_at(const Case& c, double x, double y) {
-  const Model<2, 2> model(c);
-  const Layout<2>& l = model.layout();
-  const std::vector<double> values = to_host(initial_state(c, model).unknown);
+  const Scene<2, 2> scene(c);
+  const Layout<2>& l = scene.layout();
+  const std::vector<double> values = to_host(initial_state(c, scene).unknown);
   const auto nearest = [&](int d, double at) {
     int best = 0;
     for (int i = 0; i < l.axis[d].functions(); ++i)
@@ -87,7 +87,7 @@ TEST(InitialState, CapOnTheWallMeetsItAtTheAngleInTheLiquid) {
 TEST(InitialState, DropletBelowTheSizeOfAnyEquilibriumStaysBetweenThePhases) {
   Case c = fluid_box();
   c.droplets = {{{0.5, 0.25}, 1e-6, {}}};
-  const Model<2, 2> model(c);
+  const Scene<2, 2> scene(c);
   const double end = spinodal(c.fluid->temperature).vapour;
   for (const double x : {0.0, 0.5}) EXPECT_LT(density_at(c, x, 0.25), end);
 }
@@ -108,15 +108,15 @@ TEST(InitialState, DropletCarriesItsVelocityAsMomentum) {
   c.domain.elements = {200, 100};
   c.fluid->capillarity = 0.012;
   c.droplets = {{{0.5, 0.25}, 0.15, {}, {0.3, -0.2}}};
-  const Model<2, 2> model(c);
-  const State s = initial_state(c, model);
+  const Scene<2, 2> scene(c);
+  const State s = initial_state(c, scene);
   const std::vector<double> values = to_host(s.unknown);
-  const Layout<2>& l = model.layout();
+  const Layout<2>& l = scene.layout();
   const int middle = l.fluid_rows() / 2 * l.row_size + l.row_size / 2;
   const double inside = values[l.density_offset() + middle], outside = values[l.density_offset()];
   const double mass =
       outside * integral_of_part(1, 0.15, 0.012) + (inside - outside) * integral_of_part(2, 0.15, 0.012);
-  const Integrals i = model.integrals(stage_at(l, s));
+  const Integrals i = scene.balance().integrals(stage_at(l, s));
   EXPECT_NEAR(i["momentum_x"], 0.3 * mass, 0.001 * 0.3 * mass);
   EXPECT_NEAR(i["momentum_y"], -0.2 * mass, 0.001 * 0.2 * mass);
   EXPECT_NEAR(values[middle], 0.3, 1e-3);
@@ -124,12 +124,12 @@ TEST(InitialState, DropletCarriesItsVelocityAsMomentum) {
 }
 
 TEST(InitialState, MovingDropletLeavesWallsAndSolidAtRest) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   const double wall = c.substrate->thickness;
   c.droplets = {{{0.45, wall}, 0.3, {}, {0.3, -0.2}}};
-  const Model<2, 2> model(c);
-  const Layout<2>& l = model.layout();
-  const std::vector<double> v = to_host(initial_state(c, model).unknown);
+  const Scene<2, 2> scene(c);
+  const Layout<2>& l = scene.layout();
+  const std::vector<double> v = to_host(initial_state(c, scene).unknown);
   for (int i = 0; i < (l.wall_row + 1) * l.row_size; ++i) {
     EXPECT_EQ(v[i], 0) << "solid";
     EXPECT_EQ(v[l.velocity_offset(1) + i], 0) << "solid";
@@ -148,11 +148,11 @@ TEST(InitialState, DropletHasTheMassOfTheOneAtRest) {
   c.fluid->capillarity = 1.0 / 64;
   c.droplets = {{{0.0, 0.25}, 0.15, {}}};
   const double at_rest = 0.0627153148 - 0.0017728232 * M_PI * 0.25;
-  const Model<2, 2> model(c);
-  const State s = initial_state(c, model);
+  const Scene<2, 2> scene(c);
+  const State s = initial_state(c, scene);
   const std::vector<double> values = to_host(s.unknown);
-  const double outside = values[model.layout().potential_offset() - 1];
-  const double mass = model.integrals(stage_at(model.layout(), s))["mass"] - 0.25 * outside;
+  const double outside = values[scene.layout().potential_offset() - 1];
+  const double mass = scene.balance().integrals(stage_at(scene.layout(), s))["mass"] - 0.25 * outside;
   EXPECT_NEAR(mass, 0.5 * at_rest, 5e-4 * at_rest);
 }
 
@@ -186,9 +186,9 @@ TEST(InitialState, FilmGoesRoundAPeriodicAxis) {
 
 /// What initial_state says of a scene that it refuses.
 std::string refusal_of(const Case& c) {
-  const Model<2, 2> model(c);
+  const Scene<2, 2> scene(c);
   try {
-    initial_state(c, model);
+    initial_state(c, scene);
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Exit::invalid_input);
     return error.what();
@@ -216,7 +216,7 @@ TEST(InitialState, DensityOutsideOfItsRangeIsRefused) {
 }
 
 TEST(InitialState, WavesThatTurnTheSolidInsideOutAreRefused) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.waves = {{WaveField::displacement_x, 0.02, {1, 0}}};
   EXPECT_EQ(refusal_of(c), "");
   c.waves[0] = {WaveField::displacement_x, -0.5, {1, 0}};
@@ -226,11 +226,11 @@ TEST(InitialState, WavesThatTurnTheSolidInsideOutAreRefused) {
 }
 
 TEST(InitialState, WavesAddTheirProducts) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.waves = {{WaveField::velocity_x, 0.2, {1, 0}}, {WaveField::displacement_y, 0.01, {2, 1}}};
-  const Model<2, 2> model(c);
-  const Layout<2>& l = model.layout();
-  const State s = initial_state(c, model);
+  const Scene<2, 2> scene(c);
+  const Layout<2>& l = scene.layout();
+  const State s = initial_state(c, scene);
   const std::vector<double> v = to_host(s.unknown), u = to_host(s.displacement);
   const double pi = M_PI, width = 0.9, height = 0.8;
   for (int j = 1; j + 1 < l.solid_rows(); ++j)

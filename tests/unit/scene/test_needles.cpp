@@ -5,47 +5,47 @@ namespace softwet::testing_tools {
 namespace {
 
 TEST(Needles, ForceEnergyPowerAndProduct) {
-  for (const Scene kind : {Scene::solid, Scene::coupled}) {
-    check_needles<2>(scene(kind));
-    check_needles<2>(scene(kind, WallLaw::energy, true));
-    check_needles<2>(axisymmetric(scene(kind)));
+  for (const SceneKind kind : {SceneKind::solid, SceneKind::coupled}) {
+    check_needles<2>(small_case(kind));
+    check_needles<2>(small_case(kind, WallLaw::energy, true));
+    check_needles<2>(axisymmetric(small_case(kind)));
   }
 }
 
 TEST(Needles, ReadForceTimesVolume) {
-  check_reading<2>(scene(Scene::solid));
-  check_reading<2>(scene(Scene::solid, WallLaw::energy, true));
-  check_reading<2>(axisymmetric(scene(Scene::solid)));
+  check_reading<2>(small_case(SceneKind::solid));
+  check_reading<2>(small_case(SceneKind::solid, WallLaw::energy, true));
+  check_reading<2>(axisymmetric(small_case(SceneKind::solid)));
 }
 
 TEST(Needles, AreOnTheDiagonalOfTheMatrix) {
-  check_matrix<2>(scene(Scene::coupled));
-  check_matrix<2>(axisymmetric(scene(Scene::solid)));
+  check_matrix<2>(small_case(SceneKind::coupled));
+  check_matrix<2>(axisymmetric(small_case(SceneKind::solid)));
 }
 
 TEST(Needles, StandStillBeforeTheClockOfResults) {
-  const Case c = with_needles(scene(Scene::solid));
-  const Model<2, 2> model(c);
-  State state = empty_state(model.layout());
+  const Case c = with_needles(small_case(SceneKind::solid));
+  const Scene<2, 2> scene(c);
+  State state = empty_state(scene.layout());
   for (const double before : {0.0, 0.7}) {
     state.time = c.clock_zero() - before;
-    const NeedleReading reading = model.needle_readings(stage_at(model.layout(), state))[0];
+    const NeedleReading reading = scene.balance().needle_readings(stage_at(scene.layout(), state))[0];
     EXPECT_EQ(reading.force[0], 0);
     EXPECT_EQ(reading.power, 0);
   }
 }
 
 TEST(Needles, OfNoCaseAreNone) {
-  const Model<2, 2> model(scene(Scene::coupled));
-  EXPECT_TRUE(model.needles().empty());
-  EXPECT_EQ(model.rates_of_solid().held, 0);
+  const Scene<2, 2> scene(small_case(SceneKind::coupled));
+  EXPECT_TRUE(scene.forces().needles().empty());
+  EXPECT_EQ(scene.coefficients().solid().rates.held, 0);
 }
 
 TEST(Needles, StiffnessAddsUpWhereTheyOverlap) {
-  Case c = with_needles(scene(Scene::solid));
-  EXPECT_EQ((Model<2, 2>(c).rates_of_solid().held), stiff + soft);
+  Case c = with_needles(small_case(SceneKind::solid));
+  EXPECT_EQ((Scene<2, 2>(c).coefficients().solid().rates.held), stiff + soft);
   c.needles[1].lower[0] = c.needles[0].upper[0];
-  EXPECT_EQ((Model<2, 2>(c).rates_of_solid().held), stiff);
+  EXPECT_EQ((Scene<2, 2>(c).coefficients().solid().rates.held), stiff);
 }
 
 }  // namespace

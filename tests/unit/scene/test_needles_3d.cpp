@@ -5,11 +5,11 @@ namespace softwet::testing_tools {
 namespace {
 
 TEST(Needles3D, ForceEnergyPowerAndProduct) {
-  check_needles<3>(scene_in_space(Scene::solid));
-  check_needles<3>(scene_in_space(Scene::coupled));
+  check_needles<3>(small_case_in_3d(SceneKind::solid));
+  check_needles<3>(small_case_in_3d(SceneKind::coupled));
 }
-TEST(Needles3D, ReadForceTimesVolume) { check_reading<3>(scene_in_space(Scene::solid)); }
-TEST(Needles3D, AreOnTheDiagonalOfTheMatrix) { check_matrix<3>(scene_in_space(Scene::coupled)); }
+TEST(Needles3D, ReadForceTimesVolume) { check_reading<3>(small_case_in_3d(SceneKind::solid)); }
+TEST(Needles3D, AreOnTheDiagonalOfTheMatrix) { check_matrix<3>(small_case_in_3d(SceneKind::coupled)); }
 
 }  // namespace
 }  // namespace softwet::testing_tools

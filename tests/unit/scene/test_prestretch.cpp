@@ -11,7 +11,7 @@ namespace {
 
 /// A layer of Young's modulus 0.7554 and Poisson's ratio 0.45.
 Case layer(std::vector<double> along, MaterialModel material, bool in_space = false) {
-  Case c = in_space ? scene_in_space(Scene::solid) : scene(Scene::solid);
+  Case c = in_space ? small_case_in_3d(SceneKind::solid) : small_case(SceneKind::solid);
   c.substrate->density = 1;
   c.substrate->young = 0.7554;
   c.substrate->poisson = 0.45;
@@ -82,16 +82,17 @@ TEST(PrestretchedLayer, ExistsForAllMaterials) {
 TEST(PrestretchedLayer, IsAtRestWhereItsDisplacementIsZero) {
   for (const MaterialModel material : {MaterialModel::neo_hookean, MaterialModel::saint_venant_kirchhoff})
     for (const double stretch : {0.85, 1.15}) {
-      EXPECT_LT(largest_at_rest<2>(stretched(scene(Scene::solid), {stretch}, material)), 1e-15);
-      EXPECT_LT(largest_at_rest<2>(stretched(scene(Scene::solid, WallLaw::energy, true), {stretch}, material)), 1e-15);
-      EXPECT_LT(largest_at_rest<2>(axisymmetric(stretched(scene(Scene::solid), {stretch}, material))), 1e-15);
+      EXPECT_LT(largest_at_rest<2>(stretched(small_case(SceneKind::solid), {stretch}, material)), 1e-15);
+      EXPECT_LT(largest_at_rest<2>(stretched(small_case(SceneKind::solid, WallLaw::energy, true), {stretch}, material)),
+                1e-15);
+      EXPECT_LT(largest_at_rest<2>(axisymmetric(stretched(small_case(SceneKind::solid), {stretch}, material))), 1e-15);
     }
-  Case fibres = stretched(scene(Scene::solid), {1.2});
+  Case fibres = stretched(small_case(SceneKind::solid), {1.2});
   fibres.substrate->fibre = {0.5, 0, 0};
   EXPECT_LT(largest_at_rest<2>(fibres), 2e-15);
   fibres.substrate->fibre.angle = 30;
   EXPECT_GT(largest_at_rest<2>(fibres), 1e-3) << "inclined fibres, which a case may not have, pull at the top";
-  Case layered = stretched(scene(Scene::solid), {1.2});
+  Case layered = stretched(small_case(SceneKind::solid), {1.2});
   layered.substrate->young = varying([](const std::array<double, 3>& x, double) { return 2 + x[1]; });
   EXPECT_LT(largest_at_rest<2>(layered), 2e-15) << "stiffer above";
 }
@@ -135,7 +136,7 @@ TEST(PrestretchedLayer, WhatIsKnownBeforeARun) {
   graded.substrate->young.formula = varying([](const std::array<double, 3>& x, double) { return 2 + x[0]; }).formula;
   EXPECT_TRUE(tells(graded, "time.start = \"equilibrium\""));
   // A compressed layer bears less below a droplet.
-  Case droplet = scene(Scene::coupled);
+  Case droplet = small_case(SceneKind::coupled);
   droplet.fluid->temperature = 0.39;
   droplet.droplets = {{{0.45, 0.8 / 3}, 0.3}};
   const double bears = longest_elastocapillary_length(droplet);

@@ -7,16 +7,16 @@ namespace {
 
 TEST(PrestretchedLayer3D, IsAtRestWhereItsDisplacementIsZero) {
   for (const MaterialModel material : {MaterialModel::neo_hookean, MaterialModel::saint_venant_kirchhoff})
-    EXPECT_LT(largest_at_rest<3>(stretched(scene_in_space(Scene::solid), {1.15, 0.95}, material)), 1e-15)
+    EXPECT_LT(largest_at_rest<3>(stretched(small_case_in_3d(SceneKind::solid), {1.15, 0.95}, material)), 1e-15)
         << word_of(material);
 }
 
 TEST(PrestretchedLayer3D, EnergyLaw) {
-  Case c = stretched(scene_in_space(Scene::solid), {1.3, 0.9});
+  Case c = stretched(small_case_in_3d(SceneKind::solid), {1.3, 0.9});
   c.substrate->fibre = {0.5, 0, 90};
   RandomSceneIn<3> s(c);
   const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
-  const double expected = s.rate_of_energy(2e-4) - s.model.load_power(s.stage().time, s.stage().unknown);
+  const double expected = s.rate_of_energy(2e-4) - s.scene.balance().load_power(s.stage().time, s.stage().unknown);
   EXPECT_NEAR(contract(r, x, 0, s.layout().size()), expected, 1e-9 * std::abs(expected));
 }
 

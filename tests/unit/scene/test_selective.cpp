@@ -14,7 +14,7 @@ Case nearly_incompressible(Case c, double poisson, VolumeQuadrature quadrature) 
 
 /// Of each law, in 2D, (r, z), with a joint and with a prestretch.
 std::vector<Case> solids() {
-  std::vector<Case> all(6, scene(Scene::solid));
+  std::vector<Case> all(6, small_case(SceneKind::solid));
   all[1].substrate->material = MaterialModel::neo_hookean;
   all[2].substrate->strain = Strain::small;
   all[3] = axisymmetric(all[3]);
@@ -57,8 +57,8 @@ TEST(Selective, IsFullWhereTheStrainIsUniform) {
 }
 
 TEST(Selective, DiffersWhereTheStrainVaries) {
-  RandomScene full(nearly_incompressible(scene(Scene::solid), 0.4999, VolumeQuadrature::full));
-  RandomScene parts(nearly_incompressible(scene(Scene::solid), 0.4999, VolumeQuadrature::selective));
+  RandomScene full(nearly_incompressible(small_case(SceneKind::solid), 0.4999, VolumeQuadrature::full));
+  RandomScene parts(nearly_incompressible(small_case(SceneKind::solid), 0.4999, VolumeQuadrature::selective));
   EXPECT_GT(distance(full.residual(full.stage()), parts.residual(parts.stage())), 0.1);
 }
 
@@ -71,8 +71,8 @@ void expect_energy_and_product(const Case& c) {
   for (double& x : u) x *= 0.2;  // no element is turned inside out, which a logarithm does not bear
   s.stage().displacement = to_device<Array>(u);
   const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
-  const double expected = s.rate_of_energy(2e-4) - s.model.load_power(s.stage().time, s.stage().unknown);
-  EXPECT_NEAR(s.model.turn() * contract(r, x, 0, s.layout().size()), expected, 1e-8 * std::abs(expected));
+  const double expected = s.rate_of_energy(2e-4) - s.scene.balance().load_power(s.stage().time, s.stage().unknown);
+  EXPECT_NEAR(s.scene.regions().turn() * contract(r, x, 0, s.layout().size()), expected, 1e-8 * std::abs(expected));
   const Array z = s.direction();
   const std::vector<double> exact = s.product(z, Geometry::exact), difference = s.difference(z, 1e-3);
   double largest = 0;

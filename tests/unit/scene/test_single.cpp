@@ -39,10 +39,10 @@ void check_single(const char* name, const Case& c, double bound = allowed) {
   const StageOf<float> stage = single_stage(s.stage());
   const ArrayOf<float> work("work", l.size()), z("z", l.size()), out("out", l.size());
   const Array r("r", l.size()), direction = s.direction();
-  s.model.residual(stage, work, r);
+  s.scene.equations().residual(stage, work, r);
   const double residual = field_distance(l, to_host(r), s.residual(s.stage()));
   convert(z, direction);
-  s.model.product(stage, z, out, Geometry::exact);
+  s.scene.equations().product(stage, z, out, Geometry::exact);
   const double product = field_distance(l, widened(out), s.product(direction, Geometry::exact));
   std::printf("  %-28s single against double: residual %.1e, product %.1e\n", name, residual, product);
   EXPECT_LT(residual, bound) << name;
@@ -51,21 +51,21 @@ void check_single(const char* name, const Case& c, double bound = allowed) {
   EXPECT_GT(product, 1e-9) << name << ": this is double precision";
 }
 
-TEST(SinglePrecision, Coupled) { check_single("coupled", scene(Scene::coupled)); }
-TEST(SinglePrecision, Rigid) { check_single("rigid", scene(Scene::rigid)); }
-TEST(SinglePrecision, Solid) { check_single("solid", scene(Scene::solid)); }
-TEST(SinglePrecision, Periodic) { check_single("periodic", scene(Scene::coupled, WallLaw::gradient, true)); }
+TEST(SinglePrecision, Coupled) { check_single("coupled", small_case(SceneKind::coupled)); }
+TEST(SinglePrecision, Rigid) { check_single("rigid", small_case(SceneKind::rigid)); }
+TEST(SinglePrecision, Solid) { check_single("solid", small_case(SceneKind::solid)); }
+TEST(SinglePrecision, Periodic) { check_single("periodic", small_case(SceneKind::coupled, WallLaw::gradient, true)); }
 TEST(SinglePrecision, BlendedTraction) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.fluid->traction = Traction::blended;
   check_single("blended traction", c);
 }
 
 TEST(SinglePrecision, TheListOfTermsIsTheSame) {
-  const Model<2, 2> model(in_single(scene(Scene::coupled)));
-  ASSERT_EQ(model.single_pieces().list.size(), model.pieces().list.size());
-  for (std::size_t i = 0; i < model.pieces().list.size(); ++i)
-    EXPECT_STREQ(model.single_pieces().list[i].piece->name(), model.pieces().list[i].piece->name());
+  const Scene<2, 2> scene(in_single(small_case(SceneKind::coupled)));
+  ASSERT_EQ(scene.terms().single_pieces().list.size(), scene.terms().pieces().list.size());
+  for (std::size_t i = 0; i < scene.terms().pieces().list.size(); ++i)
+    EXPECT_STREQ(scene.terms().single_pieces().list[i].piece->name(), scene.terms().pieces().list[i].piece->name());
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ Case painted(Case c) {
 
 TEST(StretchedWallScene, In2D) {
   for (const double beta : {0.3, 1.0}) {
-    const Case c = with_exponent(scene(Scene::coupled, WallLaw::energy), beta);
+    const Case c = with_exponent(small_case(SceneKind::coupled, WallLaw::energy), beta);
     if (beta < 1) check_stretched_wall<2>(c);
     if (beta < 1) check_stretched_wall<2>(painted(c));
     RandomScene s(c);
@@ -23,25 +23,25 @@ TEST(StretchedWallScene, In2D) {
   }
 }
 TEST(StretchedWallScene, AroundAnAxis) {
-  const Case c = axisymmetric(with_exponent(scene(Scene::coupled, WallLaw::energy), 0.6));
+  const Case c = axisymmetric(with_exponent(small_case(SceneKind::coupled, WallLaw::energy), 0.6));
   check_stretched_wall<2>(c);
   check_stretched_wall<2>(painted(c));
 }
 
 // With the exponent 1 the energy belongs to the area before, and the wall feels no tension of it.
 TEST(StretchedWallScene, HasNoTensionWithTheExponentOne) {
-  Case c = with_exponent(scene(Scene::coupled, WallLaw::energy), 1);
+  Case c = with_exponent(small_case(SceneKind::coupled, WallLaw::energy), 1);
   RandomScene none(c);
   c.fluid->wall_tension = WallTensionModel::acts;
   RandomScene acts(c);
   EXPECT_LT(distance(acts.residual(acts.stage()), none.residual(none.stage())), 1e-15);
-  EXPECT_NEAR(none.model.integrals(none.stage())["wall_stretch"], 0, 1e-14);
+  EXPECT_NEAR(none.scene.balance().integrals(none.stage())["wall_stretch"], 0, 1e-14);
 }
 
 // Where nothing is displaced a wall that was stretched before has the effective angle.
 TEST(StretchedWallScene, CountsFromBeforeAPrestretch) {
   for (const bool around : {false, true}) {
-    Case c = with_exponent(scene(Scene::coupled, WallLaw::energy), 0.6);
+    Case c = with_exponent(small_case(SceneKind::coupled, WallLaw::energy), 0.6);
     if (around) c = axisymmetric(c);
     c.fluid->wall_tension = WallTensionModel::none;
     c.substrate->prestretch = {1.15};
@@ -54,25 +54,25 @@ TEST(StretchedWallScene, CountsFromBeforeAPrestretch) {
     Stage still = stretched.stage();
     still.displacement = still.displacement_end = Array("still", still.displacement.extent(0));
     EXPECT_LT(distance(stretched.residual(still), effective.residual(still)), 1e-13);
-    EXPECT_NEAR(stretched.model.integrals(still)["energy_wall"], effective.model.integrals(still)["energy_wall"],
-                1e-14);
+    EXPECT_NEAR(stretched.scene.balance().integrals(still)["energy_wall"],
+                effective.scene.balance().integrals(still)["energy_wall"], 1e-14);
     EXPECT_GT(distance(stretched.residual(stretched.stage()), effective.residual(stretched.stage())), 1e-6);
   }
 }
 
 TEST(StretchedWallScene, NeedsAModulusWhereTheWallRepelsTheLiquid) {
-  Case c = with_exponent(scene(Scene::coupled, WallLaw::energy), 0.5);
+  Case c = with_exponent(small_case(SceneKind::coupled, WallLaw::energy), 0.5);
   c.fluid->wall_tension = WallTensionModel::acts;
   c.fluid->contact_angle = 120;
   const double needed = 0.25 * 0.5 * surface_tension(*c.fluid);
   c.substrate->surface_modulus = {0, 0.51 * needed};
-  EXPECT_NO_THROW((Model<2, 2>{c}));
+  EXPECT_NO_THROW((Scene<2, 2>{c}));
   c.substrate->surface_modulus = {0, 0.49 * needed};
   expect_error(Exit::invalid_input, {"fluid.wall_stretch_exponent = 0.5", "substrate.surface_modulus", "wall_tension"},
-               [&] { Model<2, 2>{c}; });
+               [&] { Scene<2, 2>{c}; });
   c.fluid->contact_angle = 60;
   c.substrate->surface_modulus = {};
-  EXPECT_NO_THROW((Model<2, 2>{c}));
+  EXPECT_NO_THROW((Scene<2, 2>{c}));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ namespace softwet::testing_tools {
 namespace {
 
 TEST(StretchedWallScene, In3D) {
-  Case c = with_exponent(scene_in_space(Scene::coupled, WallLaw::energy), 0.6);
+  Case c = with_exponent(small_case_in_3d(SceneKind::coupled, WallLaw::energy), 0.6);
   check_stretched_wall<3>(c);
   c.fluid->contact_angle = varying([](const std::array<double, 3>& x, double) { return 60 + 50 * x[0] - 20 * x[1]; });
   check_stretched_wall<3>(c);

@@ -15,18 +15,19 @@ Profile in_x(double a, double b) {
 }
 
 TEST(Varying, FactorOfALoadMultipliesItsRampInForceAndPower) {
-  Case c = scene(Scene::coupled);  // the load starts at 1 and has a ramp of 4, so t = time - 1
+  Case c = small_case(SceneKind::coupled);  // the load starts at 1 and has a ramp of 4, so t = time - 1
   const RandomScene without(c);
   c.loads[0].factor = varying([](const std::array<double, 3>&, double t) { return 1 - 2 * t; });
   const RandomScene with(c);
   c.loads.clear();
   const RandomScene none(c);
-  Stage stage = RandomScene(scene(Scene::coupled)).stage();
+  Stage stage = RandomScene(small_case(SceneKind::coupled)).stage();
   for (const double time : {0.5, 1.0, 2.5, 7.0}) {
     const double fraction = std::clamp((time - 1) / 4, 0.0, 1.0);
-    EXPECT_DOUBLE_EQ(with.model.loads()[0].force(time)[0], fraction == 0 ? 0 : 0.7 * (fraction * (1 - 2 * (time - 1))));
-    const double power = without.model.load_power(time, stage.unknown);
-    EXPECT_NEAR(with.model.load_power(time, stage.unknown), (1 - 2 * (time - 1)) * power, 1e-14);
+    EXPECT_DOUBLE_EQ(with.scene.forces().loads()[0].force(time)[0],
+                     fraction == 0 ? 0 : 0.7 * (fraction * (1 - 2 * (time - 1))));
+    const double power = without.scene.balance().load_power(time, stage.unknown);
+    EXPECT_NEAR(with.scene.balance().load_power(time, stage.unknown), (1 - 2 * (time - 1)) * power, 1e-14);
     stage.time = time;
     const std::vector<double> full = without.residual(stage), varied = with.residual(stage),
                               bare = none.residual(stage);
@@ -37,7 +38,7 @@ TEST(Varying, FactorOfALoadMultipliesItsRampInForceAndPower) {
 
 /// Along a periodic axis of length 0.9 the box [0.3, 0.6] is moved by 0.4 to [0.7, 0.9] and [0, 0.1].
 TEST(Varying, BoxOfALoadMovesAlongItsPath) {
-  Case c = scene(Scene::coupled, WallLaw::gradient, true);
+  Case c = small_case(SceneKind::coupled, WallLaw::gradient, true);
   c.loads[0].path = {varying([](const std::array<double, 3>&, double t) { return 0.1 * t; }), Profile(0)};
   const RandomScene moving(c);
   c.loads[0].path.clear();
@@ -45,11 +46,14 @@ TEST(Varying, BoxOfALoadMovesAlongItsPath) {
   c.loads.push_back(c.loads[0]);
   c.loads[1].lower[0] = 0, c.loads[1].upper[0] = 0.1;
   const RandomScene two(c);
-  Stage stage = RandomScene(scene(Scene::coupled, WallLaw::gradient, true)).stage();
+  Stage stage = RandomScene(small_case(SceneKind::coupled, WallLaw::gradient, true)).stage();
   stage.time = 5;  // t = 4
   EXPECT_LT(distance(moving.residual(stage), two.residual(stage)), 1e-13);
-  EXPECT_NEAR(moving.model.load_power(5, stage.unknown), two.model.load_power(5, stage.unknown), 1e-13);
-  EXPECT_GT(std::abs(moving.model.load_power(5, stage.unknown) - moving.model.load_power(6, stage.unknown)), 1e-4);
+  EXPECT_NEAR(moving.scene.balance().load_power(5, stage.unknown), two.scene.balance().load_power(5, stage.unknown),
+              1e-13);
+  EXPECT_GT(std::abs(moving.scene.balance().load_power(5, stage.unknown) -
+                     moving.scene.balance().load_power(6, stage.unknown)),
+            1e-4);
 }
 
 /// Greville points of the control values of a component in 2D, round a periodic axis inside of the domain.
@@ -67,12 +71,12 @@ std::vector<std::array<double, 2>> points_of(const Layout<2>& l, int first, int 
 
 TEST(Varying, GivenDensityIsTheOneOfTheControlPoints) {
   for (const bool periodic : {false, true}) {
-    Case c = scene(Scene::coupled, WallLaw::gradient, periodic);
+    Case c = small_case(SceneKind::coupled, WallLaw::gradient, periodic);
     c.initial.emplace().density =
         varying([](const std::array<double, 3>& x, double) { return 0.2 + 0.3 * x[0] + 0.1 * x[1]; });
-    const Model<2, 2> model(c);
-    const Layout<2>& l = model.layout();
-    const std::vector<double> unknown = to_host(initial_state(c, model).unknown);
+    const Scene<2, 2> scene(c);
+    const Layout<2>& l = scene.layout();
+    const std::vector<double> unknown = to_host(initial_state(c, scene).unknown);
     const auto points = points_of(l, l.wall_row, l.fluid_rows());
     for (std::size_t i = 0; i < points.size(); ++i)
       EXPECT_NEAR(unknown[l.density_offset() + i], 0.2 + 0.3 * points[i][0] + 0.1 * points[i][1], 1e-14);
@@ -80,20 +84,20 @@ TEST(Varying, GivenDensityIsTheOneOfTheControlPoints) {
 }
 
 TEST(Varying, WavesAreAddedToGivenFields) {
-  Case c = scene(Scene::rigid);
+  Case c = small_case(SceneKind::rigid);
   c.initial.emplace().density = 0.3;
   c.waves = {{WaveField::density, 0.05, {0, 0}}};
-  const Model<2, 2> model(c);
-  const std::vector<double> unknown = to_host(initial_state(c, model).unknown);
-  EXPECT_DOUBLE_EQ(unknown[model.layout().density_offset()], 0.35);
+  const Scene<2, 2> scene(c);
+  const std::vector<double> unknown = to_host(initial_state(c, scene).unknown);
+  EXPECT_DOUBLE_EQ(unknown[scene.layout().density_offset()], 0.35);
 }
 
 TEST(Varying, GivenVelocityLeavesSidesAndSolidAtRest) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.initial.emplace().velocity = {in_x(0.1, 0.2), Profile(0.3)};
-  const Model<2, 2> model(c);
-  const Layout<2>& l = model.layout();
-  const std::vector<double> unknown = to_host(initial_state(c, model).unknown), mask = to_host(model.mask());
+  const Scene<2, 2> scene(c);
+  const Layout<2>& l = scene.layout();
+  const std::vector<double> unknown = to_host(initial_state(c, scene).unknown), mask = to_host(scene.mask());
   const auto points = points_of(l, 0, l.rows);
   for (int d : {0, 1})
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -104,11 +108,11 @@ TEST(Varying, GivenVelocityLeavesSidesAndSolidAtRest) {
 }
 
 TEST(Varying, GivenDisplacementIsHeldAtTheSides) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.initial.emplace().displacement = {in_x(0.01, 0.02), Profile(0.03)};
-  const Model<2, 2> model(c);
-  const Layout<2>& l = model.layout();
-  const std::vector<double> displacement = to_host(initial_state(c, model).displacement), mask = to_host(model.mask());
+  const Scene<2, 2> scene(c);
+  const Layout<2>& l = scene.layout();
+  const std::vector<double> displacement = to_host(initial_state(c, scene).displacement), mask = to_host(scene.mask());
   const auto points = points_of(l, 0, l.solid_rows());
   for (int d : {0, 1})
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -119,13 +123,13 @@ TEST(Varying, GivenDisplacementIsHeldAtTheSides) {
 
 TEST(Varying, GivenFieldsThatCannotBeComputedAreRefused) {
   const auto refuses = [](const Case& c, std::initializer_list<std::string> words) {
-    const Model<2, 2> model(c);
-    expect_error(Exit::invalid_input, words, [&] { initial_state(c, model); });
+    const Scene<2, 2> scene(c);
+    expect_error(Exit::invalid_input, words, [&] { initial_state(c, scene); });
   };
-  Case dense = scene(Scene::rigid);
+  Case dense = small_case(SceneKind::rigid);
   dense.initial.emplace().density = in_x(0.5, 0.6);
   refuses(dense, {"initial.density: the density is 1.04 at (0.9, ", "[0, 0.999)"});
-  Case folded = scene(Scene::coupled);
+  Case folded = small_case(SceneKind::coupled);
   folded.initial.emplace().displacement = {in_x(0, -1.5), Profile(0)};
   refuses(folded, {"initial:", "inside out"});
 }
@@ -133,7 +137,7 @@ TEST(Varying, GivenFieldsThatCannotBeComputedAreRefused) {
 /// Formulas that are constant give what the constant gives.
 TEST(Varying, ConstantFormulasAreNumbers) {
   for (const WallLaw law : {WallLaw::gradient, WallLaw::energy}) {
-    Case c = scene(Scene::coupled, law);
+    Case c = small_case(SceneKind::coupled, law);
     if (law == WallLaw::energy) {
       c.fluid->wall_tension = WallTensionModel::acts;
       c.substrate->surface_tension = c.substrate->surface_tension_wet = 0.5;
@@ -144,18 +148,18 @@ TEST(Varying, ConstantFormulasAreNumbers) {
     const RandomScene formula(c);
     const Stage& stage = number.terms.patch.stage;
     EXPECT_LT(distance(formula.residual(stage), number.residual(stage)), 1e-13);
-    const Integrals a = formula.model.integrals(stage), b = number.model.integrals(stage);
+    const Integrals a = formula.scene.balance().integrals(stage), b = number.scene.balance().integrals(stage);
     EXPECT_NEAR(a["energy_wall"], b["energy_wall"], 1e-14);
     EXPECT_NEAR(a["energy_elastic"], b["energy_elastic"], 1e-14);
   }
 }
 
 TEST(Varying, WallThatWouldHaveNoTensionIsRefused) {
-  Case c = scene(Scene::coupled, WallLaw::energy);
+  Case c = small_case(SceneKind::coupled, WallLaw::energy);
   c.fluid->wall_tension = WallTensionModel::acts;
   c.fluid->contact_angle = in_x(100, -60);  // 46 degrees at the end
   c.substrate->surface_tension = c.substrate->surface_tension_wet = 0.5 * surface_tension(*c.fluid);
-  expect_error(Exit::invalid_input, {"fluid.wall_tension", "surface_tension above"}, [&] { Model<2, 2>{c}; });
+  expect_error(Exit::invalid_input, {"fluid.wall_tension", "surface_tension above"}, [&] { Scene<2, 2>{c}; });
 }
 
 /// A column of two materials between slip sides, under its weight: the stiffness is M below the joint and `ratio` M above.
@@ -164,7 +168,7 @@ struct Column {
   Case c;
   double joint, modulus;  ///< modulus of a confined column below the joint
 
-  Column(double where, bool has_joint) : c(scene(Scene::solid)), joint(where) {
+  Column(double where, bool has_joint) : c(small_case(SceneKind::solid)), joint(where) {
     c.loads.clear();
     c.substrate->density = 1;
     c.substrate->strain = Strain::small;
@@ -209,7 +213,7 @@ TEST(Varying, TwoMaterialsThatAreJoinedAreExact) {
 }
 
 TEST(Varying, ProductsBesideAJointAreThoseOfDifferences) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.domain.elements = {9, 12};
   c.substrate->joint = 0.8 / 6;
   c.substrate->viscosity = 0.1;
@@ -223,16 +227,16 @@ TEST(Varying, ProductsBesideAJointAreThoseOfDifferences) {
 
 // The energy is that of the two parts.
 TEST(Varying, EnergyOfJoinedMaterialsIsThatOfTheirParts) {
-  Case joined = scene(Scene::solid);
+  Case joined = small_case(SceneKind::solid);
   joined.substrate->joint = 0.4;
   RandomScene all(joined);
   const auto energy = [&](double below, double above) {
     Case c = joined;
     c.substrate->young = varying([=](const std::array<double, 3>& x, double) { return x[1] < 0.4 ? below : above; });
-    return RandomScene(c).model.integrals(all.stage())["energy_elastic"];
+    return RandomScene(c).scene.balance().integrals(all.stage())["energy_elastic"];
   };
   EXPECT_NEAR(energy(2, 6), energy(2, 1e-9) + energy(1e-9, 6), 1e-7 * energy(2, 6));
-  EXPECT_NEAR(energy(2, 2), all.model.integrals(all.stage())["energy_elastic"], 1e-12 * energy(2, 2));
+  EXPECT_NEAR(energy(2, 2), all.scene.balance().integrals(all.stage())["energy_elastic"], 1e-12 * energy(2, 2));
 }
 
 }  // namespace

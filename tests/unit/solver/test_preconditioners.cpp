@@ -14,7 +14,7 @@ namespace softwet::testing_tools {
 namespace {
 
 using Make = std::unique_ptr<StencilSolver<2>>;
-Assembled<2> assembled(RandomScene& s, Make solver) { return {s.layout(), s.model.mask(), std::move(solver)}; }
+Assembled<2> assembled(RandomScene& s, Make solver) { return {s.layout(), s.scene.mask(), std::move(solver)}; }
 
 int iterations(RandomScene& s, Make solver, double tolerance) {
   Assembled<2> p = assembled(s, std::move(solver));
@@ -22,7 +22,9 @@ int iterations(RandomScene& s, Make solver, double tolerance) {
   const Array b = to_device<Array>(s.product(s.direction(), Geometry::frozen));
   const Array x("x", s.layout().size());
   Gmres gmres(s.layout().space(), s.layout().size(), 150);
-  const auto product = [&](const Array& z, const Array& out) { s.model.product(s.stage(), z, out, Geometry::frozen); };
+  const auto product = [&](const Array& z, const Array& out) {
+    s.scene.equations().product(s.stage(), z, out, Geometry::frozen);
+  };
   const auto r = gmres.solve(
       product, [&](const Array& a, const Array& z) { p.apply(a, z); }, b, x, tolerance, 150);
   EXPECT_TRUE(r.converged);
@@ -33,7 +35,7 @@ int iterations(RandomScene& s, Make solver, double tolerance) {
 double error_of(Preconditioner& p, RandomScene& s) {
   const Array z = s.direction();
   const Array product("product", s.layout().size()), found("found", s.layout().size());
-  StencilMatrix<2> matrix(s.layout(), s.model.mask());
+  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
   matrix.fill(s.jacobian());
   matrix.multiply(z, product);
   p.build(s.jacobian());
@@ -49,14 +51,16 @@ Case longer(Case c, int nx, int ny) {
 /// Rounding errors grow by the condition of the fronts, 1e4 and less here: from 2^-24 in single precision, and from 2^-11
 /// of half precision by as much as GMRES mends in one iteration.
 TEST(BlockLu, SolvesEverySceneToItsPrecision) {
-  std::vector<Case> cases{scene(Scene::coupled), longer(scene(Scene::coupled), 31, 18), scene(Scene::rigid),
-                          scene(Scene::solid), longer(scene(Scene::rigid, WallLaw::energy, true), 23, 12)};
-  for (int n : {3, 4, 5}) cases.push_back(longer(scene(Scene::rigid, WallLaw::gradient, true), n, 4));  // short axes
+  std::vector<Case> cases{small_case(SceneKind::coupled), longer(small_case(SceneKind::coupled), 31, 18),
+                          small_case(SceneKind::rigid), small_case(SceneKind::solid),
+                          longer(small_case(SceneKind::rigid, WallLaw::energy, true), 23, 12)};
+  for (int n : {3, 4, 5})
+    cases.push_back(longer(small_case(SceneKind::rigid, WallLaw::gradient, true), n, 4));  // short axes
   for (const Case& c : cases)
     for (const auto& [precision, tolerance] :
          {std::pair{FactorPrecision::single, 1e-3}, {FactorPrecision::half, 0.05}}) {
       RandomScene s(c);
-      Assembled<2> lu = assembled(s, make_block_lu<2>(s.layout(), s.model.mask(), precision));
+      Assembled<2> lu = assembled(s, make_block_lu<2>(s.layout(), s.scene.mask(), precision));
       EXPECT_LT(error_of(lu, s), tolerance);
       s.stage().rate_scale *= 3;  // a second build reuses the tree
       EXPECT_LT(error_of(lu, s), tolerance);
@@ -64,9 +68,9 @@ TEST(BlockLu, SolvesEverySceneToItsPrecision) {
 }
 
 TEST(BlockLu, GmresReachesFullPrecisionInFewIterations) {
-  RandomScene s(longer(scene(Scene::coupled), 31, 18));
+  RandomScene s(longer(small_case(SceneKind::coupled), 31, 18));
   const auto count = [&](FactorPrecision precision, double tolerance) {
-    return iterations(s, make_block_lu<2>(s.layout(), s.model.mask(), precision), tolerance);
+    return iterations(s, make_block_lu<2>(s.layout(), s.scene.mask(), precision), tolerance);
   };
   EXPECT_LE(count(FactorPrecision::single, 1e-12), 6);
   EXPECT_LE(count(FactorPrecision::half, 1e-12), 12);  // half of the digits an iteration
@@ -120,9 +124,9 @@ double defect_of(StencilSolver<2>& lu, const StencilMatrix<2>& matrix, const Arr
 
 #ifdef SOFTWET_HAVE_UMFPACK
 TEST(BlockLu, FactorisesInDoublePrecisionWhereSingleIsNotEnough) {
-  RandomScene s(longer(scene(Scene::coupled), 31, 18));
-  const auto make = [&](FactorPrecision p) { return make_block_lu<2>(s.layout(), s.model.mask(), p); };
-  StencilMatrix<2> matrix(s.layout(), s.model.mask());
+  RandomScene s(longer(small_case(SceneKind::coupled), 31, 18));
+  const auto make = [&](FactorPrecision p) { return make_block_lu<2>(s.layout(), s.scene.mask(), p); };
+  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
   const auto sufficient = make(FactorPrecision::sufficient);
   matrix.fill(nearly_singular(s.layout(), 1));
   sufficient->build(matrix);
@@ -140,10 +144,10 @@ TEST(BlockLu, FactorisesInDoublePrecisionWhereSingleIsNotEnough) {
 #endif
 
 TEST(BlockLu, StoresSinglePrecisionWhereHalfIsNotEnough) {
-  RandomScene s(longer(scene(Scene::coupled), 31, 18));
-  const auto make = [&](FactorPrecision p) { return make_block_lu<2>(s.layout(), s.model.mask(), p); };
+  RandomScene s(longer(small_case(SceneKind::coupled), 31, 18));
+  const auto make = [&](FactorPrecision p) { return make_block_lu<2>(s.layout(), s.scene.mask(), p); };
   const auto half = make(FactorPrecision::half), sufficient = make(FactorPrecision::sufficient);
-  StencilMatrix<2> matrix(s.layout(), s.model.mask());
+  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
   const Array b = s.direction();
   matrix.fill(nearly_singular(s.layout(), 1));
   EXPECT_LT(defect_of(*sufficient, matrix, b), 0.01);
@@ -165,8 +169,8 @@ TEST(BlockLu, StoresSinglePrecisionWhereHalfIsNotEnough) {
 }
 
 TEST(Dissection, EveryUnknownIsEliminatedOnce) {
-  RandomScene s(longer(scene(Scene::coupled), 31, 18));
-  const std::vector<double> mask = to_host(s.model.mask());
+  RandomScene s(longer(small_case(SceneKind::coupled), 31, 18));
+  const std::vector<double> mask = to_host(s.scene.mask());
   const Dissection tree = dissect(s.layout(), UnknownTable<2>(s.layout(), mask), 40);
   std::vector<int> times(mask.size(), 0);
   for (const DissectionNode& node : tree.nodes)
@@ -178,16 +182,16 @@ TEST(Dissection, EveryUnknownIsEliminatedOnce) {
 
 /// Up to the 16 bits of the inverse: 2^-8 in each entry, which sums of large entries that nearly cancel make 1 %.
 TEST(Schwarz, OneBoxIsTheInverse) {
-  for (const Case& c : {scene(Scene::coupled), scene(Scene::rigid, WallLaw::energy, true)}) {
+  for (const Case& c : {small_case(SceneKind::coupled), small_case(SceneKind::rigid, WallLaw::energy, true)}) {
     RandomScene s(c);
-    Assembled<2> p = assembled(s, make_schwarz<2>(s.layout(), s.model.mask(), {100, 100, false}));
+    Assembled<2> p = assembled(s, make_schwarz<2>(s.layout(), s.scene.mask(), {100, 100, false}));
     EXPECT_LT(error_of(p, s), 0.03);
   }
 }
 
 TEST(Patches, HoldEveryUnknownAndNeverEndOnTheSharedRow) {
-  const RandomScene s(longer(scene(Scene::coupled), 31, 18));
-  const UnknownTable<2> table(s.layout(), to_host(s.model.mask()));
+  const RandomScene s(longer(small_case(SceneKind::coupled), 31, 18));
+  const UnknownTable<2> table(s.layout(), to_host(s.scene.mask()));
   const int row_size = s.layout().row_size, shared = s.layout().wall_row;
   for (const auto& [width, stride] : {std::pair{3, 2}, {4, 3}, {5, 4}, {6, 5}, {8, 6}, {9, 3}}) {
     const PatchTables t = make_patches(s.layout(), table, width, stride);
@@ -204,12 +208,12 @@ TEST(Patches, HoldEveryUnknownAndNeverEndOnTheSharedRow) {
 }
 
 TEST(Schwarz, WiderBoxesHelp) {
-  for (const Case& c :
-       {longer(scene(Scene::coupled), 31, 18), longer(scene(Scene::rigid, WallLaw::energy, true), 31, 18)}) {
+  for (const Case& c : {longer(small_case(SceneKind::coupled), 31, 18),
+                        longer(small_case(SceneKind::rigid, WallLaw::energy, true), 31, 18)}) {
     RandomScene s(c);
     int before = 150;
     for (int width : {5, 8, 12}) {
-      const int now = iterations(s, make_schwarz<2>(s.layout(), s.model.mask(), {width, width - 2, false}), 1e-6);
+      const int now = iterations(s, make_schwarz<2>(s.layout(), s.scene.mask(), {width, width - 2, false}), 1e-6);
       EXPECT_LT(now, before) << "width " << width;
       before = now;
     }
@@ -217,11 +221,11 @@ TEST(Schwarz, WiderBoxesHelp) {
 }
 
 TEST(Schwarz, CoarseSpaceHelps) {
-  for (const Case& c :
-       {longer(scene(Scene::coupled), 32, 18), longer(scene(Scene::rigid, WallLaw::energy, true), 32, 16)}) {
+  for (const Case& c : {longer(small_case(SceneKind::coupled), 32, 18),
+                        longer(small_case(SceneKind::rigid, WallLaw::energy, true), 32, 16)}) {
     RandomScene s(c);
     const auto count = [&](bool coarse) {
-      return iterations(s, make_schwarz<2>(s.layout(), s.model.mask(), {5, 4, coarse}), 1e-4);
+      return iterations(s, make_schwarz<2>(s.layout(), s.scene.mask(), {5, 4, coarse}), 1e-4);
     };
     EXPECT_LT(count(true), 0.8 * count(false));
   }
@@ -229,7 +233,7 @@ TEST(Schwarz, CoarseSpaceHelps) {
 
 /// A droplet put on a soft layer, after nine steps.
 Case soft_droplet() {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.domain.size = {0.8, 0.4};
   c.domain.elements = {48, 24};
   c.fluid = Fluid{};
@@ -249,10 +253,10 @@ Case soft_droplet() {
 /// The operator moves the mesh, the boxes' matrices do not know.
 TEST(Schwarz, HelpsWhereTheMeshMoves) {
   const Case c = soft_droplet();
-  const Model<2, 2> model(c);
-  Stepper<2, 2> stepper(model, c, {});
+  const Scene<2, 2> scene(c);
+  Stepper<2, 2> stepper(scene, c, {});
   GeneralizedAlpha<2, 2>& scheme = static_cast<ImplicitScheme<2, 2>&>(stepper.scheme()).integrator();
-  State state = initial_state<2, 2>(c, model);
+  State state = initial_state<2, 2>(c, scene);
   scheme.initialise(state);
   stepper.start(state);
   for (int i = 0; i < 9; ++i) stepper.step();
@@ -260,7 +264,7 @@ TEST(Schwarz, HelpsWhereTheMeshMoves) {
   scheme.begin(stepper.state(), 0.03);
   scheme.residual(stepper.state().unknown, r);
   // Every field starts with the same share of the norm, as in Newton's method.
-  const Layout<2>& l = model.layout();
+  const Layout<2>& l = scene.layout();
   const int end[] = {0, l.density_offset(), l.potential_offset(), l.size()};
   double weight[3];
   for (int f = 0; f < 3; ++f) weight[f] = 1 / norm(l.space(), part(r, end[f], end[f + 1]));
@@ -270,7 +274,7 @@ TEST(Schwarz, HelpsWhereTheMeshMoves) {
       combine(field, std::pow(weight[f], exponent), field, 0);
     }
   };
-  Assembled<2> p(l, model.mask(), make_schwarz<2>(l, model.mask(), {6, 5}));
+  Assembled<2> p(l, scene.mask(), make_schwarz<2>(l, scene.mask(), {6, 5}));
   p.build([&](const StencilValues& values) { scheme.jacobian(values); });
   const auto product = [&](const Array& z, const Array& out) {
     scheme.product(z, out);

@@ -9,15 +9,15 @@
 namespace softwet::testing_tools {
 
 /// A droplet that begins to move.
-inline Case moving_droplet(Scene kind, bool periodic = false) {
-  Case c = scene(kind, WallLaw::energy, periodic);
+inline Case moving_droplet(SceneKind kind, bool periodic = false) {
+  Case c = small_case(kind, WallLaw::energy, periodic);
   c.domain.elements = {18, 12};
   for (Load& load : c.loads) load.start = 0;
   if (c.fluid) {
     c.fluid->viscosity = 2e-3;
     c.fluid->capillarity = 0.1;
     c.fluid->stabilisation = 0.0;
-    c.droplets = {{{0.45, kind == Scene::coupled ? 0.8 / 3 : 0.0}, 0.3}};
+    c.droplets = {{{0.45, kind == SceneKind::coupled ? 0.8 / 3 : 0.0}, 0.3}};
   }
   return c;
 }
@@ -31,18 +31,18 @@ inline Case around_axis(Case c) {
 /// A scene with one of the explicit steps, at its first state.
 template <int D>
 struct ExplicitRunIn {
-  Model<D, 2> model;
+  Scene<D, 2> scene;
   SemiDiscrete<D, 2> system;
   std::unique_ptr<ExplicitStep<D, 2>> step;
   StepBound<D, 2> bound;
   State state;
 
   ExplicitRunIn(const Case& c, TimeScheme scheme, MassKind kind = MassKind::corrected)
-      : model(c),
-        system(model, kind),
+      : scene(c),
+        system(scene, kind),
         step(make(scheme)),
-        bound(model, kind, step->formula()),
-        state(initial_state<D, 2>(c, model)) {
+        bound(scene.regions(), scene.coefficients(), kind, step->formula()),
+        state(initial_state<D, 2>(c, scene)) {
     system.set_moments(state);
     EXPECT_TRUE(step->begin(state).empty());
   }

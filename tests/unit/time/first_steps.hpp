@@ -6,8 +6,8 @@
 
 namespace softwet::testing_tools {
 
-inline void take_first_steps(Stepper<2, 2>& stepper, const Model<2, 2>& model, const Case& c) {
-  State state = initial_state<2, 2>(c, model);
+inline void take_first_steps(Stepper<2, 2>& stepper, const Scene<2, 2>& scene, const Case& c) {
+  State state = initial_state<2, 2>(c, scene);
   stepper.scheme().initialise(state);
   stepper.start(state);
   for (int i = 0; i < 3; ++i) stepper.step();

@@ -35,9 +35,9 @@ Case small_droplet() {
 
 TEST(Allocation, NoneInsideAStep) {
   const Case c = small_droplet();
-  const Model<2, 2> model(c);
-  Stepper<2, 2> stepper(model, c, {});
-  testing_tools::take_first_steps(stepper, model, c);
+  const Scene<2, 2> scene(c);
+  Stepper<2, 2> stepper(scene, c, {});
+  testing_tools::take_first_steps(stepper, scene, c);
   Kokkos::Tools::Experimental::set_allocate_data_callback(count_allocation);
   allocations = 0;
   for (int i = 0; i < 5; ++i) stepper.step();

@@ -9,7 +9,7 @@ namespace {
 constexpr double jump = 0.02, stiffness = 60, end_of_swing = 0.5;
 
 Case held_layer() {
-  Case c = scene(Scene::solid, WallLaw::energy, true);
+  Case c = small_case(SceneKind::solid, WallLaw::energy, true);
   c.loads.clear();
   c.domain.elements = {8, 4};
   c.needles = {{{0, 0}, c.domain.size, stiffness, {jump, 0}}};
@@ -36,23 +36,23 @@ double error_of(const Case& c, const Layout<2>& l, const State& state) {
 double implicit_error(int steps) {
   Case c = held_layer();
   c.time.dt_initial = c.time.dt_min = c.time.dt_max = end_of_swing / steps;
-  const Model<2, 2> model(c);
-  Stepper<2, 2> stepper(model, c, {});
-  State state = initial_state<2, 2>(c, model);
+  const Scene<2, 2> scene(c);
+  Stepper<2, 2> stepper(scene, c, {});
+  State state = initial_state<2, 2>(c, scene);
   stepper.scheme().initialise(state);
   stepper.start(state);
   for (int n = 0; n < steps; ++n) stepper.step();
-  return error_of(c, model.layout(), stepper.state());
+  return error_of(c, scene.layout(), stepper.state());
 }
 
 double explicit_error(TimeScheme scheme, MassKind kind, int steps) {
   const Case c = held_layer();
   ExplicitRun run(c, scheme, kind);
   run.run(end_of_swing / steps, steps);
-  const double energy = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
+  const double energy = run.scene.balance().integrals(stage_at(run.scene.layout(), run.state)).energy();
   const double first = 0.5 * stiffness * jump * jump * c.domain.size[0] * c.domain.size[1];
   EXPECT_NEAR(energy, first, 0.02 * first) << word_of(scheme);
-  return error_of(c, run.model.layout(), run.state);
+  return error_of(c, run.scene.layout(), run.state);
 }
 
 TEST(Needle, ALayerSwingsAsAWholeWithImplicitSteps) {
@@ -78,7 +78,7 @@ TEST(Needle, ALayerSwingsAsAWholeWithExplicitSteps) {
 TEST(Needle, AStiffOneDoesNotLoosenTheRest) {
   std::vector<std::vector<double>> found;
   for (const double rtol : {1e-3, 1e-11}) {
-    Case c = scene(Scene::solid);
+    Case c = small_case(SceneKind::solid);
     c.loads.clear();
     c.substrate->strain = Strain::small;
     c.boundary.side[1][0] = Side::clamped;
@@ -86,9 +86,9 @@ TEST(Needle, AStiffOneDoesNotLoosenTheRest) {
     c.time.dt_initial = c.time.dt_min = c.time.dt_max = 0.02;
     c.time.tolerance = 1e30;
     c.solver.newton_rtol = rtol;
-    const Model<2, 2> model(c);
-    Stepper<2, 2> stepper(model, c, {});
-    take_first_steps(stepper, model, c);
+    const Scene<2, 2> scene(c);
+    Stepper<2, 2> stepper(scene, c, {});
+    take_first_steps(stepper, scene, c);
     found.push_back(to_host(stepper.state().displacement));
     EXPECT_EQ(stepper.counts().rejected_newton, 0);
   }

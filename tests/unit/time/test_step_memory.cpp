@@ -10,31 +10,31 @@ namespace {
 using Steps = Stepper<2, 2>;
 
 /// A droplet that begins to move.
-Case restless_droplet(Scene kind, bool periodic = false) {
-  Case c = scene(kind, WallLaw::energy, periodic);
+Case restless_droplet(SceneKind kind, bool periodic = false) {
+  Case c = small_case(kind, WallLaw::energy, periodic);
   c.domain.elements = {18, 12};
   for (Load& load : c.loads) load.start = 0;
   if (c.fluid) {
     c.fluid->capillarity = 0.1;
     c.fluid->stabilisation = 0.002;
-    c.droplets = {{{0.45, kind == Scene::coupled ? 0.8 / 3 : 0.0}, 0.3}};
+    c.droplets = {{{0.45, kind == SceneKind::coupled ? 0.8 / 3 : 0.0}, 0.3}};
   }
   return c;
 }
 
-std::unique_ptr<Steps> stepper_at_start(const Case& c, const Model<2, 2>& model) {
-  auto stepper = std::make_unique<Steps>(model, c, std::vector<double>{});
-  State state = initial_state(c, model);
+std::unique_ptr<Steps> stepper_at_start(const Case& c, const Scene<2, 2>& scene) {
+  auto stepper = std::make_unique<Steps>(scene, c, std::vector<double>{});
+  State state = initial_state(c, scene);
   stepper->scheme().initialise(state);
   stepper->start(state);
   return stepper;
 }
 
 /// A new stepper from what a checkpoint holds of another one.
-std::unique_ptr<Steps> resumed(const Case& c, const Model<2, 2>& model, Steps& from) {
+std::unique_ptr<Steps> resumed(const Case& c, const Scene<2, 2>& scene, Steps& from) {
   KeptMemory memory;
   from.scheme().visit_memory(memory, from.state());
-  auto stepper = std::make_unique<Steps>(model, c, std::vector<double>{});
+  auto stepper = std::make_unique<Steps>(scene, c, std::vector<double>{});
   stepper->restore(from.state(), from.previous(), from.previous_dt(), from.control().proposed());
   memory.put_back();
   stepper->scheme().visit_memory(memory, stepper->state());
@@ -56,11 +56,11 @@ std::vector<double> step_of(Steps& stepper) {
 
 /// @return builds of preconditioners in the run that goes on
 long expect_same_bits(const Case& c, int steps) {
-  const Model<2, 2> model(c);
-  const auto whole = stepper_at_start(c, model);
-  auto parts = stepper_at_start(c, model);
+  const Scene<2, 2> scene(c);
+  const auto whole = stepper_at_start(c, scene);
+  auto parts = stepper_at_start(c, scene);
   for (int n = 0; n < steps; ++n) {
-    parts = resumed(c, model, *parts);
+    parts = resumed(c, scene, *parts);
     EXPECT_EQ(step_of(*whole), step_of(*parts)) << "step " << n;
     if (testing::Test::HasFailure()) break;
   }
@@ -72,7 +72,7 @@ TEST(StepMemory, ImplicitRunsGoOnWithTheirPreconditioner) {
   for (const PreconditionerKind preconditioner : {PreconditionerKind::lu, PreconditionerKind::schwarz})
     for (const PrecisionChoice precision : {PrecisionChoice::full, PrecisionChoice::mixed, PrecisionChoice::single}) {
       SCOPED_TRACE(word_of(preconditioner) + ", " + word_of(precision));
-      Case c = restless_droplet(Scene::coupled);
+      Case c = restless_droplet(SceneKind::coupled);
       c.solver.preconditioner = preconditioner;
       c.solver.precision = precision;
       if (c.solver.precision == PrecisionChoice::single) c.solver.newton_rtol = 1e-2;
@@ -81,14 +81,14 @@ TEST(StepMemory, ImplicitRunsGoOnWithTheirPreconditioner) {
 }
 
 TEST(StepMemory, ImplicitRunsGoOnInAllScenes) {
-  for (const Case& c : {restless_droplet(Scene::rigid), restless_droplet(Scene::solid),
-                        restless_droplet(Scene::rigid, true), restless_droplet(Scene::coupled, true)})
+  for (const Case& c : {restless_droplet(SceneKind::rigid), restless_droplet(SceneKind::solid),
+                        restless_droplet(SceneKind::rigid, true), restless_droplet(SceneKind::coupled, true)})
     expect_same_bits(c, 8);
 }
 
 TEST(StepMemory, ImplicitRunsGoOnWithTheirBranches) {
   for (const PrecisionChoice precision : {PrecisionChoice::full, PrecisionChoice::mixed, PrecisionChoice::single})
-    for (const Scene kind : {Scene::coupled, Scene::solid}) {
+    for (const SceneKind kind : {SceneKind::coupled, SceneKind::solid}) {
       SCOPED_TRACE(word_of(precision));
       Case c = restless_droplet(kind);
       c.substrate->strain = Strain::small;
@@ -100,18 +100,18 @@ TEST(StepMemory, ImplicitRunsGoOnWithTheirBranches) {
 }
 
 TEST(StepMemory, WhatIsForgottenIsBuiltAnew) {
-  const Case c = restless_droplet(Scene::coupled);
-  const Model<2, 2> model(c);
-  const auto whole = stepper_at_start(c, model), parts = stepper_at_start(c, model);
+  const Case c = restless_droplet(SceneKind::coupled);
+  const Scene<2, 2> scene(c);
+  const auto whole = stepper_at_start(c, scene), parts = stepper_at_start(c, scene);
   for (int n = 0; n < 3; ++n) EXPECT_EQ(step_of(*whole), step_of(*parts));
   whole->scheme().refuse({Refusal::newton});
   parts->scheme().refuse({Refusal::newton});
-  const auto after = resumed(c, model, *parts);
+  const auto after = resumed(c, scene, *parts);
   for (int n = 0; n < 3; ++n) EXPECT_EQ(step_of(*whole), step_of(*after)) << n;
 }
 
 /// Steps follow the bound from the state, so that any change of it shows.
-void expect_same_explicit_bits(TimeScheme scheme, Scene kind, bool periodic) {
+void expect_same_explicit_bits(TimeScheme scheme, SceneKind kind, bool periodic) {
   for (const MassKind mass : {MassKind::lumped, MassKind::corrected, MassKind::consistent}) {
     SCOPED_TRACE(word_of(scheme) + ", " + word_of(mass));
     Case c = restless_droplet(kind, periodic);
@@ -124,16 +124,18 @@ void expect_same_explicit_bits(TimeScheme scheme, Scene kind, bool periodic) {
   }
 }
 
-TEST(StepMemory, SspRk3GoesOnWithItsBound) { expect_same_explicit_bits(TimeScheme::ssp_rk3, Scene::coupled, false); }
-TEST(StepMemory, Rkl2GoesOnWithItsStages) { expect_same_explicit_bits(TimeScheme::rkl2, Scene::coupled, false); }
+TEST(StepMemory, SspRk3GoesOnWithItsBound) {
+  expect_same_explicit_bits(TimeScheme::ssp_rk3, SceneKind::coupled, false);
+}
+TEST(StepMemory, Rkl2GoesOnWithItsStages) { expect_same_explicit_bits(TimeScheme::rkl2, SceneKind::coupled, false); }
 TEST(StepMemory, KickDriftGoesOnWithItsAccelerations) {
-  expect_same_explicit_bits(TimeScheme::kick_drift, Scene::coupled, false);
+  expect_same_explicit_bits(TimeScheme::kick_drift, SceneKind::coupled, false);
 }
 TEST(StepMemory, ExplicitRunsGoOnAroundAPeriodicAxis) {
-  expect_same_explicit_bits(TimeScheme::kick_drift, Scene::rigid, true);
+  expect_same_explicit_bits(TimeScheme::kick_drift, SceneKind::rigid, true);
 }
 TEST(StepMemory, ExplicitRunsGoOnWithTheirBranches) {
-  for (const Scene kind : {Scene::solid, Scene::coupled}) {
+  for (const SceneKind kind : {SceneKind::solid, SceneKind::coupled}) {
     Case c = restless_droplet(kind);
     c.domain.elements = {6, 6};
     c.substrate->strain = Strain::small;
@@ -144,7 +146,9 @@ TEST(StepMemory, ExplicitRunsGoOnWithTheirBranches) {
     expect_same_bits(c, 8);
   }
 }
-TEST(StepMemory, ExplicitRunsOfASolidGoOn) { expect_same_explicit_bits(TimeScheme::kick_drift, Scene::solid, false); }
+TEST(StepMemory, ExplicitRunsOfASolidGoOn) {
+  expect_same_explicit_bits(TimeScheme::kick_drift, SceneKind::solid, false);
+}
 
 }  // namespace
 }  // namespace softwet::testing_tools

@@ -31,14 +31,14 @@ Case driven_3d(Case c) {
 
 /// The state after three steps, and how the mass has changed.
 template <int D>
-State advance(const Case& c, const Model<D, 2>& model) {
-  Stepper<D, 2> stepper(model, c, {});
-  State state = initial_state<D, 2>(c, model);
+State advance(const Case& c, const Scene<D, 2>& scene) {
+  Stepper<D, 2> stepper(scene, c, {});
+  State state = initial_state<D, 2>(c, scene);
   stepper.scheme().initialise(state);
-  const double mass = model.integrals(stage_at(model.layout(), state))["mass"];
+  const double mass = scene.balance().integrals(stage_at(scene.layout(), state))["mass"];
   stepper.start(state);
   for (int n = 0; n < 3; ++n) stepper.step();
-  EXPECT_NEAR(model.integrals(stage_at(model.layout(), stepper.state()))["mass"] / mass, 1, 1e-12);
+  EXPECT_NEAR(scene.balance().integrals(stage_at(scene.layout(), stepper.state()))["mass"] / mass, 1, 1e-12);
   return stepper.state();
 }
 
@@ -53,9 +53,10 @@ double apart(const std::vector<double>& a, const std::vector<double>& b, int nx,
 }
 
 TEST(Stepper3D, ASceneThatDoesNotChangeAlongYIsTheOneInThePlane) {
-  const Case flat_case = driven_3d(scene(Scene::coupled)), deep_case = driven_3d(scene_in_space(Scene::coupled));
-  const Model<2, 2> flat(flat_case);
-  const Model<3, 2> deep(deep_case);
+  const Case flat_case = driven_3d(small_case(SceneKind::coupled)),
+             deep_case = driven_3d(small_case_in_3d(SceneKind::coupled));
+  const Scene<2, 2> flat(flat_case);
+  const Scene<3, 2> deep(deep_case);
   const State a = advance<3>(deep_case, deep), b = advance<2>(flat_case, flat);
   const Layout<3>& l = deep.layout();
   const Layout<2>& m = flat.layout();

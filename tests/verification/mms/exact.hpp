@@ -12,7 +12,7 @@
 
 namespace softwet::mms {
 
-enum class Scene { fluid, solid, coupled };
+enum class SceneKind { fluid, solid, coupled };
 /// linear: fields linear in time, exact for generalized-alpha on a fixed mesh; harmonic: for orders in time.
 enum class Course { linear, harmonic };
 
@@ -37,7 +37,7 @@ struct Point {
 
 template <int D>
 struct Exact {
-  Scene scene;
+  SceneKind scene;
   Course course;
   std::array<double, D> length;
   double wall;  ///< height of the interface; 0 in the scene fluid, the top in the scene solid
@@ -81,7 +81,7 @@ struct Exact {
   Vector<N, D> displacement(const Point<N, D>& p) const {
     using std::cos, std::sin;
     Vector<N, D> u;
-    const double turn = scene == Scene::solid ? std::numbers::pi : 2.0;  // the top of a solid alone is a slip side
+    const double turn = scene == SceneKind::solid ? std::numbers::pi : 2.0;  // the top of a solid alone is a slip side
     const N phase = (turn / wall) * p.x[D - 1];
     for (int d = 0; d < D; ++d)
       u[d] = (0.03 + 0.01 * d) * stretch(p.t, d) * horizontal(p.x, 2, d) * (d == D - 1 ? sin(phase) : cos(phase));
@@ -111,7 +111,7 @@ struct Exact {
   /// Displacement of the fluid's mesh: that of the wall, falling linearly to zero at the top.
   template <class N>
   Vector<N, D> mesh_displacement(const Point<N, D>& p) const {
-    if (scene == Scene::fluid) return Vector<N, D>{};
+    if (scene == SceneKind::fluid) return Vector<N, D>{};
     return (1.0 - height(p.x)) * displacement(foot(p));
   }
 
@@ -122,10 +122,10 @@ struct Exact {
     const N phase = std::numbers::pi * height(p.x);
     Vector<N, D> v;
     for (int d = 0; d < D; ++d) {
-      const bool sine = d == D - 1 || scene == Scene::coupled;
+      const bool sine = d == D - 1 || scene == SceneKind::coupled;
       v[d] = (0.2 + 0.1 * d) * amplitude(p.t, d) * horizontal(p.x, 2, d) * (sine ? sin(phase) : cos(phase));
     }
-    return scene == Scene::coupled ? v + cos(0.5 * phase) * solid_velocity(foot(p)) : v;
+    return scene == SceneKind::coupled ? v + cos(0.5 * phase) * solid_velocity(foot(p)) : v;
   }
 
   /// Stable liquid at theta = 0.85: W'' > 0 for rho in (0.5, 0.7).
@@ -144,7 +144,7 @@ struct Exact {
   template <class N>
   N vertical(const Vector<N, D>& x, double shift) const {
     using std::cos;
-    return scene == Scene::fluid ? cos(std::numbers::pi * height(x)) : cos(2.0 * height(x) + shift);
+    return scene == SceneKind::fluid ? cos(std::numbers::pi * height(x)) : cos(2.0 * height(x) + shift);
   }
 };
 

@@ -71,7 +71,7 @@ class Arguments {
 
 Settings read(Arguments& a) {
   Settings s;
-  s.scene = static_cast<Scene>(a.choice("scene", {"fluid", "solid", "coupled"}));
+  s.scene = static_cast<SceneKind>(a.choice("scene", {"fluid", "solid", "coupled"}));
   s.course = static_cast<Course>(a.choice("course", {"linear", "harmonic"}));
   s.dimension = static_cast<int>(a.number("dimension", 2, 2, 3));
   s.degree = static_cast<int>(a.number("degree", 2, 2, 3));
@@ -86,7 +86,7 @@ Settings read(Arguments& a) {
   s.mass = static_cast<MassKind>(a.choice("mass", words_of(MassKind{})));
   s.against = a.number("against", 0, 0, 1e3);
   s.quadrature = static_cast<softwet::Quadrature>(a.choice("quadrature", words_of(softwet::Quadrature{})));
-  if (s.scene == Scene::coupled && s.elements % 2)
+  if (s.scene == SceneKind::coupled && s.elements % 2)
     throw Error(Exit::invalid_input, "elements = " + std::to_string(s.elements) + ": expected an even number");
   if (s.coarsest > 1 && s.elements % 8)
     throw Error(Exit::invalid_input, "elements = " + std::to_string(s.elements) + ": expected a multiple of 8");

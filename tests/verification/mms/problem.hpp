@@ -9,7 +9,7 @@
 namespace softwet::mms {
 
 struct Settings {
-  Scene scene = Scene::fluid;
+  SceneKind scene = SceneKind::fluid;
   Course course = Course::linear;
   int dimension = 2, degree = 2, elements = 8;
   double dt = 0.1, end = 0.2, rho_inf = 0.5, stabilisation = 0.002;
@@ -44,23 +44,23 @@ inline Case make_case(const Settings& s) {
   c.domain.degree = s.degree;
   c.domain.quadrature = s.quadrature;
   c.domain.grading = grading_of(s, c.domain.size);
-  if (s.scene != Scene::solid) {
+  if (s.scene != SceneKind::solid) {
     c.fluid = Fluid{};
     c.fluid->viscosity = 0.1;
     c.fluid->capillarity = 0.15;
     c.fluid->temperature = 0.85;
-    c.fluid->contact_angle = s.scene == Scene::coupled ? 60 : 90;
+    c.fluid->contact_angle = s.scene == SceneKind::coupled ? 60 : 90;
     c.fluid->stabilisation = s.stabilisation;
     c.fluid->smoothing = 0.05;
   }
-  if (s.scene != Scene::fluid) {
+  if (s.scene != SceneKind::fluid) {
     c.substrate = Substrate{};
-    c.substrate->thickness = c.domain.size.back() * (s.scene == Scene::coupled ? 0.5 : 1.0);
+    c.substrate->thickness = c.domain.size.back() * (s.scene == SceneKind::coupled ? 0.5 : 1.0);
     c.substrate->density = 1.3;
     c.substrate->young = 2.0;
     c.substrate->poisson = 0.3;
   }
-  if (s.scene == Scene::coupled) c.boundary.side[s.dimension - 1][1] = Side::no_slip;
+  if (s.scene == SceneKind::coupled) c.boundary.side[s.dimension - 1][1] = Side::no_slip;
   c.time.rho_inf = s.rho_inf;
   c.time.scheme = s.scheme;
   c.time.mass = s.mass;
@@ -105,11 +105,11 @@ class Problem {
  public:
   explicit Problem(const Settings& s)
       : data_(make_case(s)),
-        model_(data_),
+        scene_(data_),
         exact_(exact_of(s, data_)),
-        load_(model_.layout(), exact_, material_of(data_)),
-        stepper_(model_, data_, {s.end}) {
-    model_.set_source([this](double t, const Array& out) { add_scaled(out, 0, -1, to_device<Array>(load_.at(t))); });
+        load_(scene_.layout(), exact_, material_of(data_)),
+        stepper_(scene_, data_, {s.end}) {
+    scene_.set_source([this](double t, const Array& out) { add_scaled(out, 0, -1, to_device<Array>(load_.at(t))); });
     State state = initial();
     stepper_.scheme().initialise(state);
     stepper_.restore(state, state.unknown, s.dt, s.dt);  // all rates are known: no first step of backward Euler
@@ -122,7 +122,7 @@ class Problem {
 
   /// Root mean squares of the differences of the control values: the error of the steps, where the other's are finer.
   Errors difference(const Problem& other) const {
-    const Layout<D>& l = model_.layout();
+    const Layout<D>& l = scene_.layout();
     const State &a = stepper_.state(), &b = other.stepper_.state();
     const auto rms = [](const ConstArray& x, const ConstArray& y, int first, int last) {
       const Array d = to_device<Array>(to_host(part(x, first, last)));
@@ -147,13 +147,13 @@ class Problem {
   /// Writes the interpolant of f on the rows of one material into a component that starts at `offset`.
   template <class Function>
   void fill(std::vector<double>& all, int offset, bool fluid, const Function& f) const {
-    const std::vector<double> box = interpolate_rows<D>(model_.layout(), fluid, f);
+    const std::vector<double> box = interpolate_rows<D>(scene_.layout(), fluid, f);
     std::copy(box.begin(), box.end(), all.begin() + offset);
   }
 
   /// All levels of the integrator at t = 0 but the moments, which follow from them.
   State initial() const {
-    const Layout<D>& l = model_.layout();
+    const Layout<D>& l = scene_.layout();
     State state = empty_state(l);
     std::vector<double> x(l.size(), 0.0), rate(l.velocity_size()), u(l.solid_size()), u_rate(l.solid_size());
     const auto at = [](const Vector<double, D>& p) { return Point<double, D>{p, 0.0}.seeded(); };
@@ -178,13 +178,13 @@ class Problem {
     state.velocity_rate = to_device<Array>(rate);
     state.displacement = to_device<Array>(u);
     state.displacement_rate = to_device<Array>(u_rate);
-    multiply(state.unknown, model_.mask());
-    multiply(state.velocity_rate, part(model_.mask(), 0, l.velocity_size()));
+    multiply(state.unknown, scene_.mask());
+    multiply(state.velocity_rate, part(scene_.mask(), 0, l.velocity_size()));
     return state;
   }
 
   Errors errors() const {
-    const Layout<D>& l = model_.layout();
+    const Layout<D>& l = scene_.layout();
     const Axis& vertical = l.axis[D - 1];
     const int points = P + 2;
     double v = 0, rho = 0, mu = 0, u = 0;
@@ -200,7 +200,7 @@ class Problem {
 
   /// Adds the squares of the errors.
   void fluid_errors(const Quadrature<D>& rule, double& velocity, double& density, double& potential) const {
-    const Layout<D>& l = model_.layout();
+    const Layout<D>& l = scene_.layout();
     const State& state = stepper_.state();
     const std::vector<double> x = to_host(state.unknown);
     rule.for_points([&](const Vector<double, D>& at, double weight, const auto& functions) {
@@ -220,7 +220,7 @@ class Problem {
   }
 
   void solid_errors(const Quadrature<D>& rule, double& velocity, double& displacement) const {
-    const Layout<D>& l = model_.layout();
+    const Layout<D>& l = scene_.layout();
     const State& state = stepper_.state();
     const std::vector<double> x = to_host(state.unknown), y = to_host(state.displacement);
     rule.for_points([&](const Vector<double, D>& at, double weight, const auto& functions) {
@@ -238,7 +238,7 @@ class Problem {
   }
 
   Case data_;
-  Model<D, P> model_;
+  Scene<D, P> scene_;
   Exact<D> exact_;
   Load<D> load_;
   Stepper<D, P> stepper_;

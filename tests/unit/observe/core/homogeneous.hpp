@@ -13,17 +13,17 @@ struct Homogeneous {
 
   Case data;
   Matrix<double, 2> gradient;
-  Model<2, 2> model;
+  Scene<2, 2> scene;
   State state;
 
   /// @param gradient  Grad u, rows by component; quadratic splines hold the linear u exactly
   Homogeneous(const Case& c, const Matrix<double, 2>& grad_u)
-      : data(c), gradient(grad_u), model(c), state(empty_state(model.layout())) {
-    const Layout<2>& l = model.layout();
+      : data(c), gradient(grad_u), scene(c), state(empty_state(scene.layout())) {
+    const Layout<2>& l = scene.layout();
     std::vector<double> x(l.size(), 0.0), u(l.solid_size(), 0.0);
     for (int i = 0; i < l.scalar_size(); ++i) {
       x[l.density_offset() + i] = density;
-      x[l.potential_offset() + i] = model.fluid().gas.derivative(density);
+      x[l.potential_offset() + i] = scene.coefficients().fluid().gas.derivative(density);
     }
     for (int i = 0; i < l.solid_rows() * l.row_size; ++i)
       for (int d = 0; d < 2; ++d)
@@ -34,14 +34,14 @@ struct Homogeneous {
   }
   /// Another density of the fluid.
   void fill(double of_fluid) {
-    const int first = model.layout().density_offset();
+    const int first = scene.layout().density_offset();
     std::vector<double> values = to_host(state.unknown);
-    for (int i = 0; i < model.layout().scalar_size(); ++i) values[first + i] = of_fluid;
+    for (int i = 0; i < scene.layout().scalar_size(); ++i) values[first + i] = of_fluid;
     state.unknown = to_device<Array>(values);
   }
   /// Another slope du_y/dY above a height, which is the joint of the solid.
   void kink(double height, double slope) {
-    const Layout<2>& l = model.layout();
+    const Layout<2>& l = scene.layout();
     std::vector<double> values = to_host(state.displacement);
     for (int i = 0; i < l.solid_rows() * l.row_size; ++i) {
       const double above = std::max(0.0, l.axis[1].greville(i / l.row_size) - height);
@@ -49,8 +49,8 @@ struct Homogeneous {
     }
     state.displacement = to_device<Array>(values);
   }
-  Stage stage() const { return stage_at(model.layout(), state); }
-  Snapshot<2> snapshot() const { return {model.layout(), state}; }
+  Stage stage() const { return stage_at(scene.layout(), state); }
+  Snapshot<2> snapshot() const { return {scene.layout(), state}; }
 };
 
 /// A column of two materials, the upper one a hundred times stiffer, under the same stress: both are pushed together along y, by
@@ -72,7 +72,7 @@ struct Joined : Homogeneous {
     double at(const std::array<double, 3>& x, double) const override { return x[1] <= joint ? 2 : 200; }
   };
   static Case joined(int row) {
-    Case c = scene(Scene::solid);
+    Case c = small_case(SceneKind::solid);
     c.substrate->strain = Strain::small;
     c.substrate->joint = height * row / 6;
     Profile& young = c.substrate->young;

@@ -41,8 +41,8 @@ double largest_speed(const std::vector<double>& x, const Layout<2>& l, int first
 }
 
 TEST(Extremes, AreThoseOfAllControlPoints) {
-  for (const Scene kind : {Scene::coupled, Scene::rigid, Scene::solid}) {
-    const RandomScene s(scene(kind));
+  for (const SceneKind kind : {SceneKind::coupled, SceneKind::rigid, SceneKind::solid}) {
+    const RandomScene s(small_case(kind));
     const Layout<2>& l = s.layout();
     const State state = random_state(s);
     const std::vector<double> x = to_host(state.unknown);
@@ -62,7 +62,7 @@ TEST(Extremes, AreThoseOfAllControlPoints) {
 }
 
 TEST(Extremes, NoSpeedWhereNothingIsDenseEnough) {
-  const RandomScene s(scene(Scene::coupled));
+  const RandomScene s(small_case(SceneKind::coupled));
   const Extremes found = find_extremes(s.layout(), random_state(s), 2.0);
   EXPECT_EQ(found.speed_liquid, 0);
   EXPECT_GT(found.speed_fluid, 0);
@@ -71,7 +71,7 @@ TEST(Extremes, NoSpeedWhereNothingIsDenseEnough) {
 // Each process looks at its own columns: the largest of all parts is that of the whole.
 TEST(Extremes, OfThePartsAreThoseOfTheWhole) {
   for (const bool periodic : {false, true}) {
-    Case c = scene(Scene::coupled, WallLaw::gradient, periodic);
+    Case c = small_case(SceneKind::coupled, WallLaw::gradient, periodic);
     c.domain.elements = {26, 6};
     const RandomScene s(c);
     const State state = random_state(s);

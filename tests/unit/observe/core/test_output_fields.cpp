@@ -16,8 +16,8 @@ using Tensor = std::array<double, 9>;
 struct Written {
   ScratchFolder folder;
 
-  explicit Written(const Homogeneous& scene, const std::vector<std::string>& names = {}) {
-    write_field_files<2, 2>(folder / "", {"scene", "1.0", "abc"}, names, scene.model, scene.snapshot(), {1.5});
+  explicit Written(const Homogeneous& run, const std::vector<std::string>& names = {}) {
+    write_field_files(folder / "", {"scene", "1.0", "abc"}, names, run.scene.coefficients(), run.snapshot(), {1.5});
   }
   Hdf5File open(const std::string& part) const {
     return Hdf5File::open(folder / ("fields/" + part + "_0000.hdf"), "write it again");
@@ -34,7 +34,7 @@ void expect_everywhere(const Hdf5File& file, const std::string& name, const Tens
 // x = 1.2 X, y = 0.9 Y in plane strain: E = diag(0.22, -0.095, 0), S = lambda tr(E) I + 2 G E, P = F S, and
 // sigma_ii = P_ii F_ii / J. Young 2.0 times density 1.3, nu = 0.3: lambda = 1.5, G = 1.
 TEST(FieldFiles, StressOfAHomogeneousStretch) {
-  const Written written(Homogeneous(scene(Scene::coupled), {{{0.2, 0}, {0, -0.1}}}));
+  const Written written(Homogeneous(small_case(SceneKind::coupled), {{{0.2, 0}, {0, -0.1}}}));
   const Hdf5File file = written.open("solid");
   const double sx = 1.5 * 0.125 + 2 * 0.22, sy = 1.5 * 0.125 - 2 * 0.095, sz = 1.5 * 0.125, j = 1.2 * 0.9;
   expect_everywhere(file, "green_lagrange_strain", {0.22, 0, 0, 0, -0.095, 0, 0, 0, 0});
@@ -48,14 +48,14 @@ TEST(FieldFiles, StressOfAHomogeneousStretch) {
 // x = X + k Y: rows are the direction of the force, so P_xy = k S_yy + S_xy and P_yx = S_xy.
 TEST(FieldFiles, RowsOfTheFirstPiolaStressAreDirectionsOfTheForce) {
   const double k = 0.4, tr = 0.08, sxx = 1.5 * tr, sxy = k, syy = 1.5 * tr + 2 * tr;
-  const Written written(Homogeneous(scene(Scene::solid), {{{0, k}, {0, 0}}}));
+  const Written written(Homogeneous(small_case(SceneKind::solid), {{{0, k}, {0, 0}}}));
   expect_everywhere(written.open("solid"), "first_piola_stress",
                     {sxx + k * sxy, sxy + k * syy, 0, sxy, syy, 0, 0, 0, 1.5 * tr});
 }
 
 TEST(FieldFiles, RotationHasNoStrainAndNoStress) {
   const double c = std::cos(0.4), s = std::sin(0.4);
-  const Written written(Homogeneous(scene(Scene::solid), {{{c - 1, -s}, {s, c - 1}}}));
+  const Written written(Homogeneous(small_case(SceneKind::solid), {{{c - 1, -s}, {s, c - 1}}}));
   const Hdf5File file = written.open("solid");
   for (const char* name : {"green_lagrange_strain", "first_piola_stress", "cauchy_stress"})
     expect_everywhere(file, name, {});
@@ -66,12 +66,12 @@ TEST(FieldFiles, StressWhereTheStiffnessVaries) {
   struct Linear : Formula {
     double at(const std::array<double, 3>& x, double) const override { return 2.0 * (0.5 + 0.5 * x[0] / 0.9); }
   };
-  Case graded = scene(Scene::solid);
+  Case graded = small_case(SceneKind::solid);
   graded.substrate->young.text = "linear";
   graded.substrate->young.formula = std::make_shared<Linear>();
   graded.substrate->young.lowest = 1, graded.substrate->young.highest = 2;
   const Matrix<double, 2> gradient{{{0.2, 0.1}, {0, -0.1}}};
-  const Written uniform(Homogeneous(scene(Scene::solid), gradient)), varying(Homogeneous(graded, gradient));
+  const Written uniform(Homogeneous(small_case(SceneKind::solid), gradient)), varying(Homogeneous(graded, gradient));
   for (const char* name : {"first_piola_stress", "cauchy_stress"}) {
     const std::string data = std::string("/VTKHDF/PointData/") + name;
     const auto even = uniform.open("solid").read<double>(data), half = varying.open("solid").read<double>(data);
@@ -83,7 +83,7 @@ TEST(FieldFiles, StressWhereTheStiffnessVaries) {
 // x = 1.2 X, y = 0.9 Y of a layer that was stretched by 1.1 before: sigma is that of the stretches 1.32 and 0.9 l_v, where the layer alone
 // has no stress upright: (l_v^2 - 1) (lambda + 2 G) = -lambda (1.1^2 - 1). Strain and volume ratio count from the stretched layer.
 TEST(FieldFiles, StressOfAStretchedLayer) {
-  Case c = scene(Scene::solid);
+  Case c = small_case(SceneKind::solid);
   c.substrate->prestretch = {1.1};
   const Written written(Homogeneous(c, {{{0.2, 0}, {0, -0.1}}}));
   const Hdf5File file = written.open("solid");
@@ -98,10 +98,10 @@ TEST(FieldFiles, StressOfAStretchedLayer) {
 
 // Fibres along x add 2 k (I_4 - 1) F a_0 to the first column of P, and to sigma that times F^T / J.
 TEST(FieldFiles, StressOfFibres) {
-  Case with = scene(Scene::solid);
+  Case with = small_case(SceneKind::solid);
   with.substrate->fibre = {0.7, 0.0};
   const Matrix<double, 2> gradient{{{0.2, 0}, {0.1, 0}}};
-  const Written bare(Homogeneous(scene(Scene::solid), gradient)), fibres(Homogeneous(with, gradient));
+  const Written bare(Homogeneous(small_case(SceneKind::solid), gradient)), fibres(Homogeneous(with, gradient));
   const double tension = 2 * 0.7 * (1.2 * 1.2 + 0.1 * 0.1 - 1);
   const auto of = [](const Written& w, const char* name) {
     return w.open("solid").read<double>(std::string("/VTKHDF/PointData/") + name);
@@ -118,8 +118,8 @@ TEST(FieldFiles, StressOfFibres) {
 // The points of a joint are there twice, first as the end of the lower material, then of the upper one.
 TEST(FieldFiles, BothSidesOfAJoint) {
   for (int row = 1; row < 6; ++row) {
-    const Joined scene(row);
-    const Written written(scene);
+    const Joined run(row);
+    const Written written(run);
     const Hdf5File file = written.open("solid");
     const auto read = [&](const char* name) { return file.read<double>(std::string("/VTKHDF/") + name); };
     const std::vector<double> points = read("Points"), strain = read("PointData/green_lagrange_strain"),
@@ -127,9 +127,9 @@ TEST(FieldFiles, BothSidesOfAJoint) {
     ASSERT_EQ(points.size(), 3 * 19 * 14U);
     for (std::size_t i = 0; i < 19 * 14; ++i) {
       const bool below = i < 19 * (2 * row + 1U);
-      const double g = below ? scene.below : scene.above;
+      const double g = below ? run.below : run.above;
       ASSERT_NEAR(strain[9 * i + 4], g + 0.5 * g * g, 1e-13) << row << " " << i;
-      ASSERT_NEAR(stress[9 * i + 4], scene.modulus_below * scene.below, 1e-13) << row << " " << i;
+      ASSERT_NEAR(stress[9 * i + 4], run.modulus_below * run.below, 1e-13) << row << " " << i;
     }
     for (std::size_t i = 19 * (2 * row); i < 19 * (2 * row + 1U); ++i)
       for (int d = 0; d < 3; ++d) ASSERT_NEAR(points[3 * i + d], points[3 * (i + 19) + d], 1e-15);
@@ -138,7 +138,7 @@ TEST(FieldFiles, BothSidesOfAJoint) {
 }
 
 TEST(FieldFiles, HoldTheFieldsAskedFor) {
-  const Written written(Homogeneous(scene(Scene::coupled), {}), {"pressure", "velocity", "volume_ratio"});
+  const Written written(Homogeneous(small_case(SceneKind::coupled), {}), {"pressure", "velocity", "volume_ratio"});
   const Hdf5File fluid = written.open("fluid"), solid = written.open("solid");
   for (const char* name : {"pressure", "velocity"}) EXPECT_TRUE(fluid.has(std::string("/VTKHDF/PointData/") + name));
   for (const char* name : {"density", "volume_ratio"})

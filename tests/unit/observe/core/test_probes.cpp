@@ -22,13 +22,13 @@ Probe at(const std::string& quantity, std::vector<double> point) {
   return {"probe", quantity, std::move(point), {}, {}, value};
 }
 
-double read(Homogeneous& scene, const Probe& probe) {
-  scene.data.probes = {probe};
-  return evaluate_probes<2, 2>(scene.data, scene.model, scene.snapshot())[0];
+double read(Homogeneous& run, const Probe& probe) {
+  run.data.probes = {probe};
+  return evaluate_probes(run.data, run.scene.regions(), run.scene.coefficients(), run.snapshot())[0];
 }
 
 TEST(Probes, ValueAtAPointOfTheSolid) {
-  Homogeneous s(scene(Scene::coupled), gradient);
+  Homogeneous s(small_case(SceneKind::coupled), gradient);
   EXPECT_NEAR(read(s, at("displacement_y", {0.37, 0.1})), 0.1 * 0.37 - 0.1 * 0.1, 1e-14);
   EXPECT_NEAR(read(s, at("green_lagrange_strain_xy", {0.37, 0.1})), 0.5 * (0.05 + 0.1 + 0.2 * 0.05 - 0.1 * 0.1), 1e-14);
   EXPECT_EQ(read(s, at("speed", {0.37, 0.1})), 0);
@@ -37,7 +37,7 @@ TEST(Probes, ValueAtAPointOfTheSolid) {
 
 // Of a box that cuts elements, in the undeformed solid.
 TEST(Probes, IntegralMeanAndExtremesInTheSolid) {
-  Homogeneous s(scene(Scene::coupled), gradient);
+  Homogeneous s(small_case(SceneKind::coupled), gradient);
   const std::vector<double> low{0.13, 0.02}, high{0.71, 0.23};
   const double area = 0.58 * 0.21, mean_x = 0.42, mean_y = 0.125;
   EXPECT_NEAR(read(s, box("displacement_x", integral, low, high)), area * (0.2 * mean_x + 0.05 * mean_y), 1e-14);
@@ -49,7 +49,7 @@ TEST(Probes, IntegralMeanAndExtremesInTheSolid) {
 
 // On a line the integral has its length, in the solid the undeformed one.
 TEST(Probes, IntegralOnALine) {
-  Homogeneous s(scene(Scene::coupled), gradient);
+  Homogeneous s(small_case(SceneKind::coupled), gradient);
   EXPECT_NEAR(read(s, box("displacement_y", integral, {0.1, top_of_solid}, {0.6, top_of_solid})),
               0.5 * (0.1 * 0.35 - 0.1 * top_of_solid), 1e-14);
   const double length = 0.5 * std::hypot(1.2, 0.1);  // the wall turns and is stretched
@@ -59,11 +59,12 @@ TEST(Probes, IntegralOnALine) {
 
 TEST(Probes, DensityOverAllOfTheFluidIsItsMass) {
   for (Coordinates coordinates : {Coordinates::plane, Coordinates::axisymmetric})
-    for (Scene kind : {Scene::coupled, Scene::rigid}) {
-      Case c = scene(kind);
+    for (SceneKind kind : {SceneKind::coupled, SceneKind::rigid}) {
+      Case c = small_case(kind);
       c.domain.coordinates = coordinates;
       Homogeneous s(c, {{{0.2, 0}, {0.1, -0.1}}});
-      const double bottom = kind == Scene::rigid ? 0 : top_of_solid, mass = s.model.integrals(s.stage())["mass"];
+      const double bottom = kind == SceneKind::rigid ? 0 : top_of_solid,
+                   mass = s.scene.balance().integrals(s.stage())["mass"];
       EXPECT_NEAR(read(s, box("density", integral, {0, bottom}, {0.9, 0.8})), mass, 1e-12 * mass);
       EXPECT_NEAR(read(s, box("density", mean, {0, bottom}, {0.9, 0.8})), Homogeneous::density, 1e-13);
     }
@@ -71,7 +72,7 @@ TEST(Probes, DensityOverAllOfTheFluidIsItsMass) {
 
 // Around the axis a box of the undeformed solid is a ring.
 TEST(Probes, RingInTheSolid) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.domain.coordinates = Coordinates::axisymmetric;
   Homogeneous s(c, {{{0.2, 0}, {0, 0}}});
   const double low = 0.1, high = 0.5, height = 0.2;
@@ -108,7 +109,7 @@ TEST(Probes, AtAJoint) {
 
 /// The axis of symmetry turns into itself: a line on it stays a line, and a point a point.
 TEST(Probes, OnTheAxisOfSymmetry) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.domain.coordinates = Coordinates::axisymmetric;
   Homogeneous s(c, {{{0.2, 0}, {0, -0.1}}});
   EXPECT_NEAR(read(s, box("displacement_y", mean, {0, 0.05}, {0, 0.19})), -0.1 * 0.12, 1e-14);
@@ -125,7 +126,7 @@ TEST(Probes, OnTheAxisOfSymmetry) {
 
 /// Off the axis a line turns into a face, and a point into a circle.
 TEST(Probes, LinesAroundTheAxisOfSymmetry) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.domain.coordinates = Coordinates::axisymmetric;
   Homogeneous s(c, {{{0.2, 0}, {0, -0.1}}});
   const double turn = 2 * M_PI;

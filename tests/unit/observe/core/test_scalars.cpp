@@ -10,8 +10,8 @@ namespace softwet::testing_tools {
 namespace {
 
 /// A scene with all energies, and where there is fluid with a droplet and a film.
-Case rich_scene(Scene kind) {
-  Case c = scene(kind, WallLaw::energy);
+Case rich_scene(SceneKind kind) {
+  Case c = small_case(kind, WallLaw::energy);
   if (c.fluid) {
     c.fluid->gravity = {0.3, -0.8};
     c.droplets.push_back({{0.4, 0.3}, 0.1});
@@ -34,7 +34,7 @@ struct FirstRow {
 
   explicit FirstRow(const Case& c) {
     const Homogeneous s(c, {{{0.05, 0.01}, {0, -0.02}}});
-    Scalars<2, 2> scalars(s.data, s.model);
+    Scalars<2, 2> scalars(s.data, s.scene);
     columns = scalars.columns();
     row = scalars.evaluate(0, {0.25, 3, 7, 0}, s.state, s.stage());
   }
@@ -42,7 +42,7 @@ struct FirstRow {
 };
 
 TEST(Scalars, FillEveryColumn) {
-  for (const Scene kind : {Scene::coupled, Scene::rigid, Scene::solid}) {
+  for (const SceneKind kind : {SceneKind::coupled, SceneKind::rigid, SceneKind::solid}) {
     const FirstRow first(rich_scene(kind));
     EXPECT_EQ(first.row.in_order_of(first.columns).size(), first.columns.size());
     EXPECT_EQ(first.row.cell("step"), 0);
@@ -53,21 +53,21 @@ TEST(Scalars, FillEveryColumn) {
 }
 
 TEST(Scalars, LeaveEmptyWhatTheSceneLacks) {
-  for (const Scene kind : {Scene::coupled, Scene::rigid, Scene::solid}) {
+  for (const SceneKind kind : {SceneKind::coupled, SceneKind::rigid, SceneKind::solid}) {
     const FirstRow first(rich_scene(kind));
     for (const char* always : {"momentum_x", "energy_kinetic", "energy_elastic", "energy_gravity", "energy_total",
                                "power_load", "dissipation"})
       EXPECT_TRUE(first.has(always)) << always;
     for (const char* of_fluid : {"mass", "energy_free", "energy_wall", "rho_min", "rho_max", "speed_max_fluid",
                                  "mass_drift", "speed_max_liquid", "wall_stretch", "dissipation_wall", "liquid_volume"})
-      EXPECT_EQ(first.has(of_fluid), kind != Scene::solid) << of_fluid;
+      EXPECT_EQ(first.has(of_fluid), kind != SceneKind::solid) << of_fluid;
     for (const char* of_solid : {"speed_max_solid", "energy_surface", "energy_branches", "dissipation_solid"})
-      EXPECT_EQ(first.has(of_solid), kind != Scene::rigid) << of_solid;
+      EXPECT_EQ(first.has(of_solid), kind != SceneKind::rigid) << of_solid;
   }
 }
 
 TEST(Scalars, EnergiesOfARowAddUp) {
-  for (const Scene kind : {Scene::coupled, Scene::rigid, Scene::solid}) {
+  for (const SceneKind kind : {SceneKind::coupled, SceneKind::rigid, SceneKind::solid}) {
     const FirstRow first(rich_scene(kind));
     double sum = 0, size = 0;
     for (const std::string& column : first.columns) {

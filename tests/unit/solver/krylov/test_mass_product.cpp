@@ -11,8 +11,8 @@ template <int D>
 void expect_product(const Case& c) {
   RandomSceneIn<D> s(c);
   const Layout<D>& l = s.layout();
-  const MassProduct<D, 2> product(l, s.model.points());
-  const Masses<D, 2> masses(s.model);
+  const MassProduct<D, 2> product(l, s.scene.regions().points());
+  const Masses<D, 2> masses(s.scene.regions(), s.scene.coefficients());
   Stage flat = make_stage<double>(l);
   const Array z = s.direction(), found("found", l.size()), expected("expected", l.size());
   masses.scalar(flat, z, expected);
@@ -23,7 +23,7 @@ void expect_product(const Case& c) {
   const int density = l.density_offset(), potential = l.potential_offset();
   product.apply(cut(z, density, potential), cut(found, density, potential), D, D + 1);
   product.apply(cut(z, 0, density), cut(found, 0, density), 0, D);
-  multiply(found, s.model.mask());
+  multiply(found, s.scene.mask());
   const std::vector<double> a = to_host(expected), b = to_host(found);
   for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(a[i], b[i], 1e-14);
   if (l.has_solid) return;
@@ -35,14 +35,16 @@ void expect_product(const Case& c) {
   for (int i = 0; i < l.velocity_size(); ++i) ASSERT_NEAR(v[i], b[i], 1e-14);
 }
 
-TEST(MassProduct, IsThatOfElementsInThePlane) { expect_product<2>(scene(Scene::rigid)); }
-TEST(MassProduct, IsThatOfElementsAboveASolid) { expect_product<2>(scene(Scene::coupled)); }
-TEST(MassProduct, IsThatOfElementsAroundAnAxis) { expect_product<2>(scene(Scene::rigid, WallLaw::gradient, true)); }
-TEST(MassProduct, IsThatOfElementsWithTheWeightOfTheRadius) {
-  expect_product<2>(axisymmetric(scene(Scene::rigid)));
-  expect_product<2>(axisymmetric(scene(Scene::coupled)));
+TEST(MassProduct, IsThatOfElementsInThePlane) { expect_product<2>(small_case(SceneKind::rigid)); }
+TEST(MassProduct, IsThatOfElementsAboveASolid) { expect_product<2>(small_case(SceneKind::coupled)); }
+TEST(MassProduct, IsThatOfElementsAroundAnAxis) {
+  expect_product<2>(small_case(SceneKind::rigid, WallLaw::gradient, true));
 }
-TEST(MassProduct, IsThatOfElementsInSpace) { expect_product<3>(scene_in_space(Scene::rigid)); }
+TEST(MassProduct, IsThatOfElementsWithTheWeightOfTheRadius) {
+  expect_product<2>(axisymmetric(small_case(SceneKind::rigid)));
+  expect_product<2>(axisymmetric(small_case(SceneKind::coupled)));
+}
+TEST(MassProduct, IsThatOfElementsInSpace) { expect_product<3>(small_case_in_3d(SceneKind::rigid)); }
 
 }  // namespace
 }  // namespace softwet::testing_tools

@@ -28,7 +28,7 @@ struct Answer {
 
 /// z = factor sum over boxes of W A^-1 W r for a random r.
 Answer answer(RandomScene& s, const StencilMatrix<2>& matrix, int width, int stride, float factor) {
-  Boxes<2> boxes(s.layout(), s.model.mask(), width, stride);
+  Boxes<2> boxes(s.layout(), s.scene.mask(), width, stride);
   boxes.build(matrix);
   const Array r = s.direction(), z("z", s.layout().size());
   boxes.add(r, z, factor);
@@ -36,10 +36,11 @@ Answer answer(RandomScene& s, const StencilMatrix<2>& matrix, int width, int str
 }
 
 TEST(Boxes, WeightsOfAnUnknownSumToOne) {
-  for (const Case& c : {scene(Scene::coupled), scene(Scene::rigid, WallLaw::energy, true), scene(Scene::solid)})
+  for (const Case& c : {small_case(SceneKind::coupled), small_case(SceneKind::rigid, WallLaw::energy, true),
+                        small_case(SceneKind::solid)})
     for (const auto& [width, stride] : {std::pair{3, 2}, {5, 3}, {8, 6}, {100, 100}}) {
       RandomScene s(c);
-      StencilMatrix<2> matrix(s.layout(), s.model.mask());
+      StencilMatrix<2> matrix(s.layout(), s.scene.mask());
       fill_diagonal(matrix, [](int) { return 1.0f; });  // its inverse is exact in 16 bits
       const Answer a = answer(s, matrix, width, stride, 0.5f);
       for (std::size_t i = 0; i < a.r.size(); ++i) EXPECT_NEAR(a.z[i], 0.5 * a.r[i], 1e-6) << "width " << width;
@@ -47,8 +48,8 @@ TEST(Boxes, WeightsOfAnUnknownSumToOne) {
 }
 
 TEST(Boxes, InversesHaveEightSignificantBits) {
-  RandomScene s(scene(Scene::coupled));
-  StencilMatrix<2> matrix(s.layout(), s.model.mask());
+  RandomScene s(small_case(SceneKind::coupled));
+  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
   const auto entry = [](int i) { return float(std::pow(10.0, 12 * std::sin(i))) * (i % 2 ? -1 : 1); };
   fill_diagonal(matrix, entry);
   const Answer a = answer(s, matrix, 5, 3, 1);
@@ -61,8 +62,8 @@ TEST(Boxes, InversesHaveEightSignificantBits) {
 
 /// A singular box must not pass for a good one.
 TEST(Boxes, NonFiniteInversesStayNonFinite) {
-  RandomScene s(scene(Scene::rigid));
-  StencilMatrix<2> matrix(s.layout(), s.model.mask());
+  RandomScene s(small_case(SceneKind::rigid));
+  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
   fill_diagonal(matrix, [](int) { return std::numeric_limits<float>::quiet_NaN(); });
   const Answer a = answer(s, matrix, 5, 3, 1);
   for (std::size_t i = 0; i < a.r.size(); ++i) EXPECT_TRUE(a.r[i] == 0 || !std::isfinite(a.z[i]));

@@ -74,9 +74,9 @@ TEST(Refinement, OddAxesStay) {
 void check_galerkin(Case c, std::vector<int> elements) {
   c.domain.elements = elements;
   RandomScene s(c);
-  StencilMatrix<2> matrix(s.layout(), s.model.mask());
+  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
   matrix.fill(s.jacobian());
-  CoarseSpace<2> space(s.layout(), s.model.mask(), 2);
+  CoarseSpace<2> space(s.layout(), s.scene.mask(), 2);
   ASSERT_TRUE(space.exists());
   StencilMatrix<2> coarse(space.layout(), space.mask());
   coarse.fill([&](const StencilValues& values) { space.galerkin(matrix, values); });
@@ -92,7 +92,7 @@ void check_galerkin(Case c, std::vector<int> elements) {
   coarse.multiply(coarse_x, found);
   EXPECT_LT(distance(to_host(found), to_host(expected)), 1e-5);
   const Array y = s.direction();
-  const CoarseSpace<2> at_once(s.layout(), s.model.mask(), 2, true), by_axis(s.layout(), s.model.mask(), 2, false);
+  const CoarseSpace<2> at_once(s.layout(), s.scene.mask(), 2, true), by_axis(s.layout(), s.scene.mask(), 2, false);
   const Array again("again", s.layout().size());
   by_axis.prolong(coarse_x, fine);
   at_once.prolong(coarse_x, again);
@@ -104,11 +104,11 @@ void check_galerkin(Case c, std::vector<int> elements) {
 }
 
 TEST(CoarseSpace, GalerkinProduct) {
-  check_galerkin(scene(Scene::coupled), {16, 12});
-  check_galerkin(scene(Scene::coupled, WallLaw::gradient, true), {16, 6});
-  check_galerkin(scene(Scene::rigid), {12, 7});  // one axis alone is halved
-  check_galerkin(scene(Scene::rigid, WallLaw::energy, true), {10, 8});
-  check_galerkin(scene(Scene::solid), {8, 6});
+  check_galerkin(small_case(SceneKind::coupled), {16, 12});
+  check_galerkin(small_case(SceneKind::coupled, WallLaw::gradient, true), {16, 6});
+  check_galerkin(small_case(SceneKind::rigid), {12, 7});  // one axis alone is halved
+  check_galerkin(small_case(SceneKind::rigid, WallLaw::energy, true), {10, 8});
+  check_galerkin(small_case(SceneKind::solid), {8, 6});
 }
 
 }  // namespace

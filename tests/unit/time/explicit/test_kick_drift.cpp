@@ -24,14 +24,16 @@ void expect_second_order(const Case& c, TimeScheme scheme, double most = 2.35) {
 }
 
 TEST(KickDrift, IsOfSecondOrderWithASoftLayerAndALoad) {
-  expect_second_order(moving_droplet(Scene::coupled), TimeScheme::kick_drift);
+  expect_second_order(moving_droplet(SceneKind::coupled), TimeScheme::kick_drift);
 }
 TEST(KickDrift, IsOfSecondOrderAroundAnAxisOfSymmetry) {
-  expect_second_order(around_axis(moving_droplet(Scene::coupled)), TimeScheme::kick_drift);
+  expect_second_order(around_axis(moving_droplet(SceneKind::coupled)), TimeScheme::kick_drift);
 }
-TEST(KickDrift, IsOfSecondOrderInASolid) { expect_second_order(moving_droplet(Scene::solid), TimeScheme::kick_drift); }
+TEST(KickDrift, IsOfSecondOrderInASolid) {
+  expect_second_order(moving_droplet(SceneKind::solid), TimeScheme::kick_drift);
+}
 TEST(KickDrift, SspRk3WithViscosityApartIsOfSecondOrderOrMore) {
-  expect_second_order(moving_droplet(Scene::rigid), TimeScheme::rkl2, 3.2);
+  expect_second_order(moving_droplet(SceneKind::rigid), TimeScheme::rkl2, 3.2);
 }
 
 /// Differences between rkl2 and fine steps of ssp_rk3 after a while, of velocities and displacements, over the size of these.
@@ -53,8 +55,8 @@ std::pair<double, double> errors_of_rkl2(const Case& c, MassKind kind, double dt
 // the steps.
 TEST(KickDrift, ViscosityApartFindsTheSpeedOfCreep) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped})
-    for (Case c :
-         {moving_droplet(Scene::solid), around_axis(moving_droplet(Scene::solid)), moving_droplet(Scene::coupled)}) {
+    for (Case c : {moving_droplet(SceneKind::solid), around_axis(moving_droplet(SceneKind::solid)),
+                   moving_droplet(SceneKind::coupled)}) {
       c.substrate->viscosity = 3;
       c.substrate->bulk_viscosity = 1;
       ExplicitRun first(c, TimeScheme::rkl2, kind);
@@ -70,8 +72,8 @@ TEST(KickDrift, ViscosityApartFindsTheSpeedOfCreep) {
 }
 
 TEST(KickDrift, KeepsTheMomentsOnAMovingMesh) {
-  for (const Case& c : {moving_droplet(Scene::coupled, false), moving_droplet(Scene::coupled, true),
-                        around_axis(moving_droplet(Scene::coupled))}) {
+  for (const Case& c : {moving_droplet(SceneKind::coupled, false), moving_droplet(SceneKind::coupled, true),
+                        around_axis(moving_droplet(SceneKind::coupled))}) {
     ExplicitRun run(c, TimeScheme::kick_drift);
     const double before = total(alone, run.state.moment);
     run.run(0.9 / run.rates().combined, 50);
@@ -80,12 +82,12 @@ TEST(KickDrift, KeepsTheMomentsOnAMovingMesh) {
 }
 
 TEST(KickDrift, TheEnergyFallsAtItsBound) {
-  for (const Case& c : {moving_droplet(Scene::rigid), around_axis(moving_droplet(Scene::rigid))}) {
+  for (const Case& c : {moving_droplet(SceneKind::rigid), around_axis(moving_droplet(SceneKind::rigid))}) {
     ExplicitRun run(c, TimeScheme::kick_drift);
-    double before = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
+    double before = run.scene.balance().integrals(stage_at(run.scene.layout(), run.state)).energy();
     for (int n = 0; n < 60; ++n) {
       run.run(0.9 / run.rates().combined, 1);
-      const double now = run.model.integrals(stage_at(run.model.layout(), run.state)).energy();
+      const double now = run.scene.balance().integrals(stage_at(run.scene.layout(), run.state)).energy();
       ASSERT_LT(now, before) << n;
       before = now;
     }
@@ -94,7 +96,7 @@ TEST(KickDrift, TheEnergyFallsAtItsBound) {
 
 TEST(KickDrift, AStepThatIsNotAcceptedLeavesNoTrace) {
   for (const TimeScheme scheme : {TimeScheme::kick_drift, TimeScheme::rkl2, TimeScheme::ssp_rk3}) {
-    const Case c = moving_droplet(Scene::coupled);
+    const Case c = moving_droplet(SceneKind::coupled);
     ExplicitRun once(c, scheme), twice(c, scheme);
     const double dt = 0.5 / once.rates().combined;
     once.run(dt, 3);

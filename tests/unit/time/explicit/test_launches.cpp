@@ -37,9 +37,9 @@ struct Counts {
 Counts counts_of_a_step(Case c) {
   c.time.scheme = TimeScheme::kick_drift;
   c.time.end = 1;
-  const Model<2, 2> model(c);
-  Stepper<2, 2> stepper(model, c, {});
-  take_first_steps(stepper, model, c);
+  const Scene<2, 2> scene(c);
+  Stepper<2, 2> stepper(scene, c, {});
+  take_first_steps(stepper, scene, c);
   const Kokkos::Tools::Experimental::EventSet before = Kokkos::Tools::Experimental::get_callbacks();
   Kokkos::Tools::Experimental::set_begin_parallel_for_callback(count_kernel);
   Kokkos::Tools::Experimental::set_begin_parallel_reduce_callback(count_kernel);
@@ -65,10 +65,10 @@ int sum(const std::map<std::string, int>& counts) {
 
 // Whoever adds one sees it here. The integrals that find a folded mesh wait by themselves.
 TEST(Launches, AnExplicitStepIsFewOfThemAndOneWait) {
-  const Counts rigid = counts_of_a_step(scene(Scene::rigid, WallLaw::energy));
+  const Counts rigid = counts_of_a_step(small_case(SceneKind::rigid, WallLaw::energy));
   EXPECT_LE(sum(rigid.started), 39);
   EXPECT_EQ(sum(rigid.fences), 1);
-  const Counts coupled = counts_of_a_step(scene(Scene::coupled, WallLaw::energy));
+  const Counts coupled = counts_of_a_step(small_case(SceneKind::coupled, WallLaw::energy));
   EXPECT_LE(sum(coupled.started), 56);
   EXPECT_LE(sum(coupled.fences), 3);
 }

@@ -12,14 +12,15 @@ constexpr MassKind kinds[] = {MassKind::consistent, MassKind::lumped, MassKind::
 
 /// A random state of a scene, and f of it.
 struct RandomRates {
-  RandomScene scene;
+  RandomScene random;
   System system;
   State state;
   Array y, rates;
 
-  RandomRates(const Case& c, MassKind kind) : scene(c), system(scene.model, kind), state(empty_state(scene.layout())) {
-    Kokkos::deep_copy(state.unknown, scene.stage().unknown);
-    Kokkos::deep_copy(state.displacement, scene.stage().displacement);
+  RandomRates(const Case& c, MassKind kind)
+      : random(c), system(random.scene, kind), state(empty_state(random.layout())) {
+    Kokkos::deep_copy(state.unknown, random.stage().unknown);
+    Kokkos::deep_copy(state.displacement, random.stage().displacement);
     system.set_moments(state);
     y = Array("y", system.size());
     rates = Array("rates", system.size());
@@ -32,11 +33,11 @@ struct RandomRates {
   std::vector<double> residual() {
     Stage s = system.stage();
     s.acceleration = Array("acceleration", system.velocities());
-    Array full("full", scene.layout().size());
+    Array full("full", random.layout().size());
     Kokkos::deep_copy(system.velocities_of(full), system.velocities_of(rates));
-    move_ghosts(scene.layout(), full, GhostAction::update);
+    move_ghosts(random.layout(), full, GhostAction::update);
     Kokkos::deep_copy(s.acceleration, part(full, 0, system.velocities()));
-    return scene.residual(s);
+    return random.residual(s);
   }
 };
 
@@ -48,7 +49,7 @@ double largest_between(const std::vector<double>& r, int first, int last) {
 
 void expect_solved(const Case& c) {
   RandomRates s(c, MassKind::consistent);
-  const Layout<2>& l = s.scene.layout();
+  const Layout<2>& l = s.random.layout();
   const std::vector<double> r = s.residual();
   EXPECT_LT(largest_between(r, 0, l.velocity_size()), 1e-9) << "momentum";
   if (!l.has_fluid) return;
@@ -59,18 +60,19 @@ void expect_solved(const Case& c) {
     ASSERT_NEAR(r[i] + to_host(s.rates)[k], 0, 1e-14) << "moments change by the fluxes";
 }
 
-TEST(SemiDiscrete, RatesSolveTheEquationsOfACoupledScene) { expect_solved(scene(Scene::coupled)); }
+TEST(SemiDiscrete, RatesSolveTheEquationsOfACoupledScene) { expect_solved(small_case(SceneKind::coupled)); }
 TEST(SemiDiscrete, RatesSolveTheEquationsOfAPeriodicScene) {
-  expect_solved(scene(Scene::rigid, WallLaw::gradient, true));
+  expect_solved(small_case(SceneKind::rigid, WallLaw::gradient, true));
 }
-TEST(SemiDiscrete, RatesSolveTheEquationsOfASolid) { expect_solved(scene(Scene::solid)); }
+TEST(SemiDiscrete, RatesSolveTheEquationsOfASolid) { expect_solved(small_case(SceneKind::solid)); }
 TEST(SemiDiscrete, RatesSolveTheEquationsOfAxisymmetricScenes) {
-  for (const Scene kind : {Scene::coupled, Scene::rigid, Scene::solid}) expect_solved(axisymmetric(scene(kind)));
+  for (const SceneKind kind : {SceneKind::coupled, SceneKind::rigid, SceneKind::solid})
+    expect_solved(axisymmetric(small_case(kind)));
 }
 
 TEST(SemiDiscrete, RatesAreTheSumOfTheirParts) {
   for (const MassKind kind : kinds) {
-    RandomRates s(scene(Scene::coupled), kind);
+    RandomRates s(small_case(SceneKind::coupled), kind);
     System& system = s.system;
     const Array pressure("p", system.velocities()), convection("c", system.velocities());
     const Array flux("f", system.moments()), stabilisation("e", system.moments());
@@ -88,7 +90,7 @@ TEST(SemiDiscrete, RatesAreTheSumOfTheirParts) {
 }
 
 TEST(SemiDiscrete, ConvectionWithoutViscosityAndViscosityAddUp) {
-  RandomRates s(scene(Scene::coupled), MassKind::corrected);
+  RandomRates s(small_case(SceneKind::coupled), MassKind::corrected);
   System& system = s.system;
   const Array both("b", system.velocities()), convection("c", system.velocities()), viscous("v", system.velocities());
   ASSERT_TRUE(system.convection(true, both).empty());
@@ -102,7 +104,7 @@ TEST(SemiDiscrete, ConvectionWithoutViscosityAndViscosityAddUp) {
 
 // Velocities without a viscous acceleration: the solve fails, and its iterations are none that count.
 TEST(SemiDiscrete, ViscousRatesThatCannotBeFoundAreRefused) {
-  RandomRates s(scene(Scene::coupled), MassKind::consistent);
+  RandomRates s(small_case(SceneKind::coupled), MassKind::consistent);
   const Array out("out", s.system.velocities());
   ASSERT_TRUE(s.system.viscosity(s.system.velocities_of(s.y), out).empty());
   const long before = s.system.counts().viscous;
@@ -116,9 +118,9 @@ TEST(SemiDiscrete, ViscousRatesThatCannotBeFoundAreRefused) {
 TEST(SemiDiscrete, TheSumOfTheMomentsIsTheMassWithAllMasses) {
   for (const MassKind kind : kinds)
     for (const bool periodic : {false, true}) {
-      RandomRates s(scene(Scene::coupled, WallLaw::gradient, periodic), kind);
+      RandomRates s(small_case(SceneKind::coupled, WallLaw::gradient, periodic), kind);
       const Array p = s.system.moments_of(s.y);
-      EXPECT_NEAR(s.scene.model.integrals(s.system.stage())["mass"], total(alone, p), 1e-12);
+      EXPECT_NEAR(s.random.scene.balance().integrals(s.system.stage())["mass"], total(alone, p), 1e-12);
       EXPECT_NEAR(total(alone, s.system.moments_of(s.rates)), 0, 1e-13) << "fluxes sum to zero";
     }
 }
@@ -126,8 +128,8 @@ TEST(SemiDiscrete, TheSumOfTheMomentsIsTheMassWithAllMasses) {
 /// A run begins with the density of its case: moments of one mass matrix, inverted with the other, would smooth it.
 TEST(SemiDiscrete, TheMomentsOfAStateGiveItsDensityBack) {
   for (const auto& [kind, error] : {std::pair{MassKind::consistent, 1e-9}, {MassKind::lumped, 1e-12}}) {
-    RandomRates s(scene(Scene::coupled), kind);
-    const Layout<2>& l = s.scene.layout();
+    RandomRates s(small_case(SceneKind::coupled), kind);
+    const Layout<2>& l = s.random.layout();
     const std::vector<double> before = to_host(s.state.unknown), after = to_host(s.system.stage().unknown);
     for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(after[i], before[i], error);
   }
@@ -135,19 +137,19 @@ TEST(SemiDiscrete, TheMomentsOfAStateGiveItsDensityBack) {
 
 TEST(SemiDiscrete, TheMomentsOfADropletGiveItsDensityBackWithCorrectedMasses) {
   for (const bool periodic : {false, true}) {
-    Case c = scene(Scene::coupled, WallLaw::energy, periodic);
+    Case c = small_case(SceneKind::coupled, WallLaw::energy, periodic);
     c.domain.elements = {27, 24};
     c.droplets = {{{0.45, 0.8 / 3}, 0.2}};
     c.fluid->capillarity = 0.05;
-    const Model<2, 2> model(c);
-    System system(model, MassKind::corrected);
-    State state = initial_state<2, 2>(c, model);
+    const Scene<2, 2> scene(c);
+    System system(scene, MassKind::corrected);
+    State state = initial_state<2, 2>(c, scene);
     system.set_moments(state);
     ASSERT_TRUE(system.find_density(state.moment).empty());
     const std::vector<double> before = to_host(state.unknown), after = to_host(system.stage().unknown);
-    const Layout<2>& l = model.layout();
+    const Layout<2>& l = scene.layout();
     for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(after[i], before[i], 2e-6);
-    EXPECT_NEAR(model.integrals(stage_at(l, state))["mass"], total(alone, state.moment), 1e-13);
+    EXPECT_NEAR(scene.balance().integrals(stage_at(l, state))["mass"], total(alone, state.moment), 1e-13);
   }
 }
 

@@ -12,7 +12,7 @@ bool grows(const Case& c, TimeScheme scheme, MassKind kind, double dt) {
   ExplicitRun base(c, scheme, kind), moved(c, scheme, kind);
   constexpr double small = 1e-9;
   std::vector<double> v = to_host(moved.state.unknown);
-  const std::vector<double> mask = to_host(moved.model.mask());
+  const std::vector<double> mask = to_host(moved.scene.mask());
   const int nv = moved.system.velocities();
   unsigned seed = 1;
   for (int i = 0; i < nv; ++i)
@@ -44,7 +44,7 @@ double room(const Case& c, TimeScheme scheme, MassKind kind = MassKind::correcte
 
 /// A droplet at rest away from all sides, in a box.
 Case droplet_inside(double temperature) {
-  Case c = moving_droplet(Scene::rigid);
+  Case c = moving_droplet(SceneKind::rigid);
   c.domain.size = {1, 1};
   c.domain.elements = {32, 32};
   c.fluid->temperature = temperature;
@@ -92,8 +92,8 @@ TEST(StepBound, HoldsWhereTheStabilisationLimitsIt) {
   EXPECT_GE(room(c, TimeScheme::ssp_rk3), 1);
 }
 TEST(StepBound, HoldsInASolidAndAboveOne) {
-  EXPECT_GE(room(moving_droplet(Scene::solid), TimeScheme::kick_drift), 1);
-  EXPECT_GE(room(moving_droplet(Scene::coupled), TimeScheme::kick_drift), 1);
+  EXPECT_GE(room(moving_droplet(SceneKind::solid), TimeScheme::kick_drift), 1);
+  EXPECT_GE(room(moving_droplet(SceneKind::coupled), TimeScheme::kick_drift), 1);
 }
 
 TEST(StepBound, HoldsAroundAnAxisOfSymmetry) {
@@ -105,9 +105,9 @@ TEST(StepBound, HoldsAroundAnAxisOfSymmetry) {
     const double found = room(c, TimeScheme::kick_drift, kind);
     EXPECT_GE(found, 1);
     EXPECT_LE(found, 1.4);
-    EXPECT_GE(room(around_axis(moving_droplet(Scene::coupled)), TimeScheme::kick_drift, kind), 1);
+    EXPECT_GE(room(around_axis(moving_droplet(SceneKind::coupled)), TimeScheme::kick_drift, kind), 1);
     for (const double poisson : {0.0, 0.3, 0.45}) {
-      Case solid = around_axis(moving_droplet(Scene::solid));
+      Case solid = around_axis(moving_droplet(SceneKind::solid));
       solid.substrate->poisson = poisson;
       EXPECT_GE(room(solid, TimeScheme::kick_drift, kind), 1) << poisson;
       solid.substrate->viscosity = 0.1;
@@ -120,7 +120,7 @@ TEST(StepBound, HoldsForASolidWithBranches) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const double time : {1e-3, 10.0})
       for (const bool around : {false, true}) {
-        Case c = moving_droplet(Scene::solid);
+        Case c = moving_droplet(SceneKind::solid);
         c.substrate->strain = Strain::small;
         c.substrate->branches = {{2.0, time}, {0.5, 0.1}};
         const double found = room(around ? around_axis(c) : c, TimeScheme::kick_drift, kind);
@@ -133,7 +133,7 @@ TEST(StepBound, HoldsForASolidWithTensionOrViscosity) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const double tension : {0.0, 0.5})
       for (const double viscosity : {0.0, 0.1}) {
-        Case c = moving_droplet(Scene::solid);
+        Case c = moving_droplet(SceneKind::solid);
         c.substrate->surface_tension = c.substrate->surface_tension_wet = tension;
         c.substrate->viscosity = viscosity;
         if (tension + viscosity == 0) continue;
@@ -152,12 +152,12 @@ TEST(StepBound, HoldsForASolidWithAnElasticSurface) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent}) {
     for (const auto& [tension, modulus] : {std::pair{0.0, 0.5}, {0.0, 20.0}, {20.0, 0.0}, {20.0, 20.0}}) {
       const double found =
-          room(with_face(moving_droplet(Scene::solid), tension, modulus), TimeScheme::kick_drift, kind);
+          room(with_face(moving_droplet(SceneKind::solid), tension, modulus), TimeScheme::kick_drift, kind);
       EXPECT_GE(found, 1) << tension << ", " << modulus;
       EXPECT_LE(found, 1.8) << tension << ", " << modulus;
     }
     // A face that is bent is stretched everywhere; tension keeps it from buckling when it swings back.
-    Case bent = with_face(moving_droplet(Scene::solid), 20, 20);
+    Case bent = with_face(moving_droplet(SceneKind::solid), 20, 20);
     bent.waves = {{WaveField::displacement_y, 0.05, {2, 0.5}}};
     EXPECT_GE(room(bent, TimeScheme::kick_drift, kind), 1) << "bent";
   }
@@ -165,8 +165,8 @@ TEST(StepBound, HoldsForASolidWithAnElasticSurface) {
 TEST(StepBound, HoldsForFacesAroundAnAxis) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const auto& [tension, modulus] : {std::pair{20.0, 0.0}, {0.0, 20.0}}) {
-      const double found =
-          room(with_face(around_axis(moving_droplet(Scene::solid)), tension, modulus), TimeScheme::kick_drift, kind);
+      const double found = room(with_face(around_axis(moving_droplet(SceneKind::solid)), tension, modulus),
+                                TimeScheme::kick_drift, kind);
       EXPECT_GE(found, 1) << tension << ", " << modulus;
       EXPECT_LE(found, 1.8) << tension << ", " << modulus;
     }
@@ -180,7 +180,7 @@ Case on_springs(Case c, double across, double along) {
 TEST(StepBound, HoldsForASolidOnAFoundation) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const auto& [across, along] : {std::pair{5.0, 1.0}, {500.0, 0.0}, {0.0, 500.0}}) {
-      for (const Case& c : {moving_droplet(Scene::solid), around_axis(moving_droplet(Scene::solid))}) {
+      for (const Case& c : {moving_droplet(SceneKind::solid), around_axis(moving_droplet(SceneKind::solid))}) {
         const double found = room(on_springs(c, across, along), TimeScheme::kick_drift, kind);
         EXPECT_GE(found, 1) << across << ", " << along;
         EXPECT_LE(found, 1.7) << across << ", " << along;
@@ -191,7 +191,7 @@ TEST(StepBound, HoldsForASolidOnAFoundation) {
 TEST(StepBound, HoldsForASolidOnDashpots) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const auto& [across, along] : {std::pair{0.5, 0.1}, {20.0, 0.0}, {0.0, 20.0}})
-      for (const Case& plain : {moving_droplet(Scene::solid), around_axis(moving_droplet(Scene::solid))}) {
+      for (const Case& plain : {moving_droplet(SceneKind::solid), around_axis(moving_droplet(SceneKind::solid))}) {
         Case c = on_springs(plain, 5, 1);
         c.boundary.foundation_damping = {across, along};
         const double found = room(c, TimeScheme::kick_drift, kind);
@@ -203,7 +203,7 @@ TEST(StepBound, HoldsForASolidOnDashpots) {
 TEST(StepBound, HoldsForAStretchedSolid) {
   for (const double stretch : {0.7, 0.85, 1.15, 1.5})
     for (const MassKind kind : {MassKind::corrected, MassKind::lumped}) {
-      Case c = moving_droplet(Scene::solid);
+      Case c = moving_droplet(SceneKind::solid);
       c.loads.clear();
       c.substrate->material = MaterialModel::neo_hookean;
       c.substrate->prestretch = {stretch};
@@ -218,23 +218,23 @@ TEST(StepBound, HoldsForAStretchedSolid) {
 TEST(StepBound, HoldsForASolidThatNeedlesHold) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const double stiffness : {2e3, 1e5}) {
-      Case c = moving_droplet(Scene::solid);
+      Case c = moving_droplet(SceneKind::solid);
       c.needles = {{{0.3, 0.2}, {0.75, 0.8}, stiffness, {0.01, 0}}};
       const double found = room(c, TimeScheme::kick_drift, kind);
       EXPECT_GE(found, 1) << stiffness;
       EXPECT_LE(found, 1.7) << stiffness;
     }
-  Case coupled = moving_droplet(Scene::coupled);
+  Case coupled = moving_droplet(SceneKind::coupled);
   coupled.needles = {{{0.3, 0}, {0.75, 0.8 / 3}, 1e5, {0.01, 0}}};
   EXPECT_GE(room(coupled, TimeScheme::kick_drift), 1);
-  Case round = around_axis(moving_droplet(Scene::solid));
+  Case round = around_axis(moving_droplet(SceneKind::solid));
   round.needles = {{{0.3, 0.2}, {0.75, 0.8}, 1e5, {0, 0.01}}};
   EXPECT_GE(room(round, TimeScheme::kick_drift), 1);
 }
 
 /// A solid of square elements that is held at its left end, or nowhere.
 Case block(std::vector<int> elements, double poisson, bool held) {
-  Case c = scene(Scene::solid);
+  Case c = small_case(SceneKind::solid);
   c.domain.elements = elements;
   c.domain.size = {0.1 * elements[0], 0.1 * elements[1]};
   c.substrate->thickness = c.domain.size[1];
@@ -255,7 +255,7 @@ TEST(StepBound, HoldsInSolidsWhoseFreeSidesMeet) {
 }
 
 /// Two materials, the lower one `ratio` times as stiff, that are joined at the end of a row of twelve.
-Case joined(Scene kind, int row, double ratio) {
+Case joined(SceneKind kind, int row, double ratio) {
   Case c = moving_droplet(kind);
   const double joint = c.domain.size[1] * row / c.domain.elements[1];
   c.substrate->joint = joint;
@@ -267,12 +267,12 @@ TEST(StepBound, HoldsWhereMaterialsAreJoined) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped})
     for (const double ratio : {0.02, 50.0}) {
       for (const int row : {1, 11}) {
-        const double found = room(joined(Scene::solid, row, ratio), TimeScheme::kick_drift, kind);
+        const double found = room(joined(SceneKind::solid, row, ratio), TimeScheme::kick_drift, kind);
         EXPECT_GE(found, 1) << row << ", " << ratio;
         EXPECT_LE(found, 1.7) << row << ", " << ratio;
       }
-      EXPECT_GE(room(joined(Scene::coupled, 2, ratio), TimeScheme::kick_drift, kind), 1) << ratio;
-      EXPECT_GE(room(around_axis(joined(Scene::solid, 4, ratio)), TimeScheme::kick_drift, kind), 1) << ratio;
+      EXPECT_GE(room(joined(SceneKind::coupled, 2, ratio), TimeScheme::kick_drift, kind), 1) << ratio;
+      EXPECT_GE(room(around_axis(joined(SceneKind::solid, 4, ratio)), TimeScheme::kick_drift, kind), 1) << ratio;
     }
 }
 

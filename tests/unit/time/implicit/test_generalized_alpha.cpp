@@ -23,28 +23,28 @@ TEST(AlphaParameters, FormulasAndOrder) {
 
 /// A scene with a state whose levels are all random.
 struct RandomState {
-  RandomScene scene;
+  RandomScene random;
   Integrator integrator;
   State state;
 
-  explicit RandomState(const Case& c) : scene(c), integrator(scene.model, 0.5) {
-    const Stage& s = scene.stage();
-    Patch<2>& p = scene.terms.patch;
+  explicit RandomState(const Case& c) : random(c), integrator(random.scene, 0.5) {
+    const Stage& s = random.stage();
+    Patch<2>& p = random.terms.patch;
     state = {3.0,
              s.unknown,
              s.acceleration,
              s.displacement,
-             p.draw(scene.layout().solid_size(), -0.3, 0.3),
-             p.draw(scene.layout().scalar_size(), 0.0, 0.01),
-             p.draw(scene.layout().scalar_size(), -0.01, 0.01)};
-    if (scene.layout().branches == 0) return;
-    state.memory = p.draw(scene.layout().memory_size(), -0.01, 0.01);
-    state.memory_rate = p.draw(scene.layout().memory_size(), -0.3, 0.3);
+             p.draw(random.layout().solid_size(), -0.3, 0.3),
+             p.draw(random.layout().scalar_size(), 0.0, 0.01),
+             p.draw(random.layout().scalar_size(), -0.01, 0.01)};
+    if (random.layout().branches == 0) return;
+    state.memory = p.draw(random.layout().memory_size(), -0.01, 0.01);
+    state.memory_rate = p.draw(random.layout().memory_size(), -0.3, 0.3);
   }
   /// Admissible values for the middle of a step.
   Array values() {
-    RandomScene other(scene.data);
-    std::vector<double> x = to_host(other.stage().unknown), noise = to_host(scene.direction());
+    RandomScene other(random.data);
+    std::vector<double> x = to_host(other.stage().unknown), noise = to_host(random.direction());
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += 0.05 * noise[i];
     return to_device<Array>(x);
   }
@@ -53,7 +53,7 @@ struct RandomState {
 /// The product of a step is that of the Jacobian, but where contact lines have friction: there the rows of the potential at the wall are
 /// stiffer, the more the larger their residual is. @param exact  the product of the Jacobian with z at x
 void check_product(RandomState& s, const Array& x, const Array& z, const std::vector<double>& exact) {
-  const Layout<2>& l = s.scene.layout();
+  const Layout<2>& l = s.random.layout();
   const Array r("r", l.size()), out("out", l.size());
   s.integrator.residual(x, r);
   s.integrator.product(z, out);
@@ -77,8 +77,8 @@ void check_product(RandomState& s, const Array& x, const Array& z, const std::ve
 void check_tangent(const Case& c) {
   RandomState s(c);
   s.integrator.begin(s.state, 0.02);
-  const Array x = s.values(), z = s.scene.direction();
-  const int n = s.scene.layout().size();
+  const Array x = s.values(), z = s.random.direction();
+  const int n = s.random.layout().size();
   const auto residual = [&](double e) {
     const Array y = to_device<Array>(to_host(x)), r("r", n);
     add_scaled(y, 0, e, z);
@@ -91,17 +91,17 @@ void check_tangent(const Case& c) {
   for (int i = 0; i < n; ++i) difference[i] = (8 * (a[i] - b[i]) - (d[i] - f[i])) / (12 * e);
   residual(0);
   const Array out("out", n);
-  s.integrator.model().product(s.integrator.stage(), z, out, Geometry::exact);
+  s.integrator.scene().equations().product(s.integrator.stage(), z, out, Geometry::exact);
   const double error = distance(to_host(out), difference);
   std::printf("  tangent of a step against differences: %.1e\n", error);
   EXPECT_LT(error, 1e-9);
   check_product(s, x, z, to_host(out));
 }
-TEST(GeneralizedAlpha, TangentOfACoupledStep) { check_tangent(scene(Scene::coupled)); }
-TEST(GeneralizedAlpha, TangentOfAPeriodicStep) { check_tangent(scene(Scene::rigid, WallLaw::gradient, true)); }
+TEST(GeneralizedAlpha, TangentOfACoupledStep) { check_tangent(small_case(SceneKind::coupled)); }
+TEST(GeneralizedAlpha, TangentOfAPeriodicStep) { check_tangent(small_case(SceneKind::rigid, WallLaw::gradient, true)); }
 /// A scene that keeps the rates of the density beside the wall.
-Case scene_with_rates(Scene kind, bool periodic = false) {
-  Case c = scene(kind, WallLaw::energy, periodic);
+Case scene_with_rates(SceneKind kind, bool periodic = false) {
+  Case c = small_case(kind, WallLaw::energy, periodic);
   c.fluid->line_friction = 0.3;
   c.fluid->contact_angle_range = {50, 70};
   c.fluid->contact_angle = c.fluid->middle_of_range();
@@ -109,11 +109,11 @@ Case scene_with_rates(Scene kind, bool periodic = false) {
   return c;
 }
 TEST(GeneralizedAlpha, TangentOfAStepWithRatesOfTheDensity) {
-  check_tangent(scene_with_rates(Scene::coupled));
-  check_tangent(scene_with_rates(Scene::rigid, true));
+  check_tangent(scene_with_rates(SceneKind::coupled));
+  check_tangent(scene_with_rates(SceneKind::rigid, true));
 }
 TEST(GeneralizedAlpha, LinesHaveNoFrictionWhereTimeStandsStill) {
-  Case c = scene_with_rates(Scene::coupled);
+  Case c = scene_with_rates(SceneKind::coupled);
   RandomState with(c);
   c.fluid->line_friction = 0;
   c.fluid->contact_angle_range = {};
@@ -125,7 +125,7 @@ TEST(GeneralizedAlpha, LinesHaveNoFrictionWhereTimeStandsStill) {
     s->state.moment = with.state.moment;
     s->integrator.begin_still(s->state, 0.02);
   }
-  const Array x = with.values(), z = with.scene.direction(), a("a", x.extent(0)), b("b", x.extent(0));
+  const Array x = with.values(), z = with.random.direction(), a("a", x.extent(0)), b("b", x.extent(0));
   with.integrator.residual(x, a);
   without.integrator.residual(x, b);
   EXPECT_EQ(to_host(a), to_host(b));
@@ -133,23 +133,23 @@ TEST(GeneralizedAlpha, LinesHaveNoFrictionWhereTimeStandsStill) {
   without.integrator.product(z, b);
   EXPECT_EQ(to_host(a), to_host(b));
 }
-TEST(GeneralizedAlpha, TangentOfASolidStep) { check_tangent(scene(Scene::solid)); }
+TEST(GeneralizedAlpha, TangentOfASolidStep) { check_tangent(small_case(SceneKind::solid)); }
 /// A viscoelastic solid: one branch is slower than a step, the other one faster.
-Case scene_with_branches(Scene kind) {
-  Case c = scene(kind);
+Case scene_with_branches(SceneKind kind) {
+  Case c = small_case(kind);
   c.substrate->strain = Strain::small;
   c.substrate->branches = {{0.9, 0.3}, {1.7, 0.004}};
   return c;
 }
 TEST(GeneralizedAlpha, TangentOfAStepWithBranches) {
-  check_tangent(scene_with_branches(Scene::solid));
-  check_tangent(scene_with_branches(Scene::coupled));
-  check_tangent(axisymmetric(scene_with_branches(Scene::coupled)));
+  check_tangent(scene_with_branches(SceneKind::solid));
+  check_tangent(scene_with_branches(SceneKind::coupled));
+  check_tangent(axisymmetric(scene_with_branches(SceneKind::coupled)));
 }
 
 // Branches act on the momentum of the solid, and not at all where time stands still.
 TEST(GeneralizedAlpha, BranchesCarryNothingWhereTimeStandsStill) {
-  Case c = scene_with_branches(Scene::coupled);
+  Case c = scene_with_branches(SceneKind::coupled);
   RandomState with(c);
   c.substrate->branches = {};
   RandomState without(c);
@@ -168,8 +168,8 @@ TEST(GeneralizedAlpha, BranchesCarryNothingWhereTimeStandsStill) {
     }
   }
   State end = RandomState(c).state;
-  end.memory = Array("memory", with.scene.layout().memory_size());
-  end.memory_rate = with.scene.terms.patch.draw(with.scene.layout().memory_size(), -1, 1);
+  end.memory = Array("memory", with.random.layout().memory_size());
+  end.memory_rate = with.random.terms.patch.draw(with.random.layout().memory_size(), -1, 1);
   with.integrator.finish(x, end);
   const std::vector<double> u = to_host(end.displacement), memory = to_host(end.memory);
   for (std::size_t i = 0; i < memory.size(); ++i) ASSERT_EQ(memory[i], u[i % u.size()]) << i;
@@ -186,7 +186,7 @@ void expect_newmark(const Array& y0, const Array& r0, const Array& y1, const Arr
 // Whatever x is, converged or not, the levels obey the scheme and no moment is lost.
 void check_finish(const Case& c) {
   RandomState s(c);
-  const Layout<2>& l = s.scene.layout();
+  const Layout<2>& l = s.random.layout();
   const double dt = 0.02, am = 5.0 / 6, af = 2.0 / 3, ga = 2.0 / 3;
   s.integrator.begin(s.state, dt);
   const Array x = s.values(), r("r", l.size());
@@ -221,7 +221,7 @@ void check_finish(const Case& c) {
   for (int i = first; i < l.rate_size(); ++i)
     ASSERT_NEAR(y1[i] - shift, y0[i] + dt * ((1 - ga) * rate0[i] + ga * rate1[i]), 1e-14) << "of the density";
   for (int i = l.potential_offset(); i < l.size(); ++i) ASSERT_NEAR((1 - af) * y0[i] + af * y1[i], v[i], 1e-14) << "mu";
-  const double found = s.scene.model.integrals(stage_at(s.scene.layout(), end))["mass"];
+  const double found = s.random.scene.balance().integrals(stage_at(s.random.layout(), end))["mass"];
   EXPECT_NEAR(found, after, l.has_solid ? 0.2 * std::abs(shift) : 1e-15) << "the volume is that of the fixed mesh";
   // p1 = M rho1 less the final residual, rho1 before the shift; M rho1 is what a fresh start from these fields takes.
   State fresh = end;
@@ -235,24 +235,24 @@ void check_finish(const Case& c) {
   for (int i = 0; i < l.scalar_size(); ++i)
     ASSERT_NEAR(p[i], mass[i] - ga * dt / am * residual[l.density_offset() + i], 1e-15);
 }
-TEST(GeneralizedAlpha, FinishOfACoupledStep) { check_finish(scene(Scene::coupled)); }
-TEST(GeneralizedAlpha, FinishOfARigidStep) { check_finish(scene(Scene::rigid)); }
+TEST(GeneralizedAlpha, FinishOfACoupledStep) { check_finish(small_case(SceneKind::coupled)); }
+TEST(GeneralizedAlpha, FinishOfARigidStep) { check_finish(small_case(SceneKind::rigid)); }
 TEST(GeneralizedAlpha, FinishOfAStepWithRatesOfTheDensity) {
-  check_finish(scene_with_rates(Scene::coupled));
-  check_finish(scene_with_rates(Scene::rigid));
+  check_finish(scene_with_rates(SceneKind::coupled));
+  check_finish(scene_with_rates(SceneKind::rigid));
 }
-TEST(GeneralizedAlpha, FinishOfASolidStep) { check_finish(scene(Scene::solid)); }
+TEST(GeneralizedAlpha, FinishOfASolidStep) { check_finish(small_case(SceneKind::solid)); }
 
 // tau a' = u - a, with a' at n + am and both displacements at n + af.
 TEST(GeneralizedAlpha, FinishOfAStepWithBranches) {
-  const Case c = scene_with_branches(Scene::coupled);
+  const Case c = scene_with_branches(SceneKind::coupled);
   check_finish(c);
   RandomState s(c), e(c);
   const double dt = 0.02, am = 5.0 / 6, af = 2.0 / 3;
   s.integrator.begin(s.state, dt);
   const Array x = s.values();
   s.integrator.finish(x, e.state);
-  const int size = s.scene.layout().solid_size();
+  const int size = s.random.layout().solid_size();
   expect_newmark(s.state.memory, s.state.memory_rate, e.state.memory, e.state.memory_rate, dt, 2 * size);
   const std::vector<double> u = to_host(s.integrator.stage().displacement), a0 = to_host(s.state.memory),
                             a1 = to_host(e.state.memory), r0 = to_host(s.state.memory_rate),
@@ -263,7 +263,7 @@ TEST(GeneralizedAlpha, FinishOfAStepWithBranches) {
 }
 
 TEST(GeneralizedAlpha, InitialMomentsAreTheMass) {
-  RandomState s(scene(Scene::coupled));
+  RandomState s(small_case(SceneKind::coupled));
   s.integrator.initialise(s.state);
   double mass = 0, rate = 0, size = 0;
   for (double p : to_host(s.state.moment)) mass += p;
@@ -271,7 +271,7 @@ TEST(GeneralizedAlpha, InitialMomentsAreTheMass) {
     rate += p;
     size += std::abs(p);
   }
-  EXPECT_NEAR(mass, s.scene.model.integrals(stage_at(s.scene.layout(), s.state))["mass"], 1e-15);
+  EXPECT_NEAR(mass, s.random.scene.balance().integrals(stage_at(s.random.layout(), s.state))["mass"], 1e-15);
   EXPECT_GT(size, 1e-4);
   EXPECT_NEAR(rate, 0, 1e-14 * size);
 }
@@ -279,11 +279,11 @@ TEST(GeneralizedAlpha, InitialMomentsAreTheMass) {
 /// Uniform fluid, driven through given wall velocities; calls check(state before, x) at every step.
 template <class Velocity, class Check>
 void drive(RandomState& s, int steps, double end, const Velocity& velocity, const Check& check) {
-  const Layout<2>& l = s.scene.layout();
+  const Layout<2>& l = s.random.layout();
   std::vector<double> y(l.size(), 0.0);
   for (int i = 0; i < l.scalar_size(); ++i) {
     y[l.density_offset() + i] = 0.5;
-    y[l.potential_offset() + i] = s.scene.model.fluid().gas.derivative(0.5);
+    y[l.potential_offset() + i] = s.random.scene.coefficients().fluid().gas.derivative(0.5);
   }
   Kokkos::deep_copy(s.state.unknown, to_device<Array>(y));
   Kokkos::deep_copy(s.state.velocity_rate, 0.0);
@@ -308,16 +308,16 @@ void drive(RandomState& s, int steps, double end, const Velocity& velocity, cons
 /// Largest relative deviation of the moments from those of the uniform state on the mesh of the end, away from the
 /// wall's layer, where the prescribed velocity compresses the fluid.
 double deviation(int steps) {
-  RandomState s(scene(Scene::coupled));
-  const Layout<2>& l = s.scene.layout();
+  RandomState s(small_case(SceneKind::coupled));
+  const Layout<2>& l = s.random.layout();
   Kokkos::deep_copy(s.state.displacement, 0.0);
-  const std::vector<double> shape = to_host(s.scene.stage().unknown);
+  const std::vector<double> shape = to_host(s.random.stage().unknown);
   const auto velocity = [&](int i, double t) {
     const int row = i / l.row_size % l.rows;
     const double a = std::sin(M_PI * t);
     return row == l.wall_row ? 0.1 * shape[i] * a * a : 0.0;
   };
-  RandomState uniform(scene(Scene::coupled));
+  RandomState uniform(small_case(SceneKind::coupled));
   drive(s, steps, 0.8, velocity, [](const Array&) {});
   State fresh = s.state;
   fresh.moment = Array("moment", l.scalar_size());
@@ -340,8 +340,8 @@ TEST(GeneralizedAlpha, UniformDensityOnAMovingMeshIsKeptToSecondOrder) {
 // All of it in translation above a wall that is not flat: J depends linearly on time's displacement, and the scheme
 // keeps the uniform density exactly, however the velocity varies.
 TEST(GeneralizedAlpha, UniformDensityInTranslationIsKeptExactly) {
-  RandomState s(scene(Scene::coupled, WallLaw::gradient, true));
-  const Layout<2>& l = s.scene.layout();
+  RandomState s(small_case(SceneKind::coupled, WallLaw::gradient, true));
+  const Layout<2>& l = s.random.layout();
   const auto velocity = [&](int i, double t) { return i < l.velocity_offset(1) ? 0.3 * t + std::sin(3 * t) : 0.0; };
   double worst = 0;
   const Array r("r", l.size());

@@ -10,23 +10,26 @@ using mass_kernels::RightSide;
 
 /// The masses of a scene whose mesh is moved by the displacement of its random stage, or not.
 struct Weighed {
-  RandomScene scene;
+  RandomScene random;
   MassInverse<2, 2> inverse;
   Masses<2, 2> masses;
   Stage stage;
   Array moments;
 
-  Weighed(const Case& c, MassKind kind) : scene(c), inverse(scene.model, kind), masses(scene.model) {
-    stage = scene.stage();
+  Weighed(const Case& c, MassKind kind)
+      : random(c),
+        inverse(random.scene.regions(), random.scene.coefficients(), kind),
+        masses(random.scene.regions(), random.scene.coefficients()) {
+    stage = random.stage();
     stage.density_end = scalars(stage.unknown);
-    move_ghosts(scene.layout(), stage.unknown, GhostAction::update);
+    move_ghosts(random.layout(), stage.unknown, GhostAction::update);
     inverse.set_mesh(stage);
-    const Array p("p", scene.layout().size());
+    const Array p("p", random.layout().size());
     masses.scalar(stage, stage.unknown, p);
     moments = Kokkos::subview(p, Kokkos::make_pair(l().density_offset(), l().potential_offset()));
     inverse.set_weights(moments, stage.density_end);
   }
-  const Layout<2>& l() const { return scene.layout(); }
+  const Layout<2>& l() const { return random.layout(); }
   Array scalars(const Array& a) const {
     return Kokkos::subview(a, Kokkos::make_pair(l().density_offset(), l().potential_offset()));
   }
@@ -41,17 +44,17 @@ struct Weighed {
 
 /// Fluid without an end: periodic along both axes.
 Case without_ends() {
-  Case c = scene(Scene::rigid, WallLaw::gradient, true);
+  Case c = small_case(SceneKind::rigid, WallLaw::gradient, true);
   c.boundary.side[1] = {Side::periodic, Side::periodic};
   return c;
 }
 
 const std::vector<Case>& scenes() {
-  static const std::vector<Case> all{scene(Scene::rigid),
-                                     scene(Scene::coupled),
-                                     scene(Scene::coupled, WallLaw::gradient, true),
-                                     axisymmetric(scene(Scene::rigid)),
-                                     axisymmetric(scene(Scene::coupled)),
+  static const std::vector<Case> all{small_case(SceneKind::rigid),
+                                     small_case(SceneKind::coupled),
+                                     small_case(SceneKind::coupled, WallLaw::gradient, true),
+                                     axisymmetric(small_case(SceneKind::rigid)),
+                                     axisymmetric(small_case(SceneKind::coupled)),
                                      without_ends()};
   return all;
 }
@@ -64,7 +67,7 @@ TEST(MassInverse, WhatIsUniformStaysSoOnAMovedMesh) {
       Kokkos::deep_copy(ones, 1.0);
       w.masses.scalar(w.stage, ones, b);
       w.solve_scalar(b, z);
-      const std::vector<double> found = to_host(z), mask = to_host(w.scene.model.mask());
+      const std::vector<double> found = to_host(z), mask = to_host(w.random.scene.mask());
       for (int i = w.l().density_offset(); i < w.l().potential_offset(); ++i)
         if (mask[i] != 0) {
           ASSERT_NEAR(found[i], 1, 1e-12);
@@ -73,11 +76,11 @@ TEST(MassInverse, WhatIsUniformStaysSoOnAMovedMesh) {
 }
 
 TEST(MassInverse, AUniformAccelerationOfFluidAndSolidIsExact) {
-  Case c = scene(Scene::coupled, WallLaw::gradient, true);
+  Case c = small_case(SceneKind::coupled, WallLaw::gradient, true);
   c.boundary.side[1] = {Side::free, Side::slip};  // nothing holds the motion along x
   Weighed w(c, MassKind::corrected);
   const Array ones("ones", w.l().size()), b("b", w.l().size()), z("z", w.l().size());
-  const std::vector<double> sums = to_host(w.inverse.velocity_sums()), mask = to_host(w.scene.model.mask());
+  const std::vector<double> sums = to_host(w.inverse.velocity_sums()), mask = to_host(w.random.scene.mask());
   std::vector<double> force(w.l().size(), 0.0);
   for (std::size_t i = 0; i < sums.size(); ++i) force[i] = mask[i] * sums[i];
   Kokkos::deep_copy(b, to_device<Array>(force));
@@ -93,7 +96,7 @@ TEST(MassInverse, TheMassOfTheDensityIsTheSumOfItsMoments) {
   for (const Case& c : scenes())
     for (const MassKind kind : {MassKind::lumped, MassKind::corrected}) {
       Weighed w(c, kind);
-      std::vector<double> b = to_host(w.scene.direction());
+      std::vector<double> b = to_host(w.random.direction());
       const Array z("z", w.l().size()), p("p", w.l().size());
       w.solve_scalar(to_device<Array>(b), z);
       move_ghosts(w.l(), z, GhostAction::update);
@@ -111,7 +114,7 @@ TEST(MassInverse, TheMassOfTheDensityIsTheSumOfItsMoments) {
 TEST(MassInverse, IsSymmetricAndPositive) {
   for (const Case& c : scenes()) {
     Weighed w(c, MassKind::corrected);
-    const Array x = w.scene.direction(), y = w.scene.direction(), sx("sx", w.l().size()), sy("sy", w.l().size());
+    const Array x = w.random.direction(), y = w.random.direction(), sx("sx", w.l().size()), sy("sy", w.l().size());
     const std::vector<double> a = to_host(x), b = to_host(y);
     const auto expect_symmetric = [&](int first, int last) {
       const std::vector<double> sa = to_host(sx), sb = to_host(sy);
@@ -131,12 +134,12 @@ TEST(MassInverse, IsSymmetricAndPositive) {
 // A force that is taken leaves zero, and moments are p + dt (rates - mask force) wherever they are kept.
 TEST(MassInverse, TakesForcesAndMovesMoments) {
   for (const MassKind kind : {MassKind::consistent, MassKind::lumped, MassKind::corrected}) {
-    Weighed w(scene(Scene::coupled), kind);
+    Weighed w(small_case(SceneKind::coupled), kind);
     const int count = w.l().scalar_size();
-    const auto draw = [&] { return w.scene.terms.patch.draw(count, 0.5, 1); };
+    const auto draw = [&] { return w.random.terms.patch.draw(count, 0.5, 1); };
     const Array p = draw(), rates = draw(), force = draw(), taken = draw();
     const Array moved("p", count), z("z", count), expected("e", count);
-    const ConstArray mask = part(w.scene.model.mask(), w.l().density_offset(), w.l().potential_offset());
+    const ConstArray mask = part(w.random.scene.mask(), w.l().density_offset(), w.l().potential_offset());
     std::vector<double> step = to_host(p);
     const std::vector<double> r = to_host(rates), f = to_host(force), m = to_host(mask), given = to_host(taken);
     for (int i = 0; i < count; ++i) step[i] += 0.1 * (r[i] - m[i] * f[i]);
@@ -159,15 +162,15 @@ TEST(MassInverse, TakesForcesAndMovesMoments) {
 // Weights that jump by any factor from function to function: S stays positive, as it has to for viscosity to damp.
 TEST(MassInverse, StaysPositiveBesideMuchHeavierNeighbours) {
   for (const bool periodic : {false, true}) {
-    Weighed w(scene(Scene::rigid, WallLaw::gradient, periodic), MassKind::corrected);
+    Weighed w(small_case(SceneKind::rigid, WallLaw::gradient, periodic), MassKind::corrected);
     std::vector<double> heavy = to_host(w.moments);
-    const std::vector<double> z = to_host(w.scene.direction());
+    const std::vector<double> z = to_host(w.random.direction());
     for (std::size_t i = 0; i < heavy.size(); ++i) heavy[i] *= (i * 7919) % 5 < 2 ? 1000.0 : 1.0;
     w.inverse.set_weights(to_device<Array>(heavy), w.stage.density_end);
     const Array found("found", w.l().size());
     for (int i = 0; i < w.l().velocity_size(); i += 3) {
       std::vector<double> one(w.l().size(), 0.0);
-      one[i] = to_host(w.scene.model.mask())[i];
+      one[i] = to_host(w.random.scene.mask())[i];
       w.solve_velocity(to_device<Array>(one), found);
       if (one[i] != 0) {
         ASSERT_GT(to_host(found)[i], 0) << i;
@@ -181,13 +184,13 @@ TEST(MassInverse, StaysPositiveBesideMuchHeavierNeighbours) {
 
 /// Error of S M c - c for a wave along x on a periodic mesh, over that of the lumped masses.
 double error_of_wave(int elements, MassKind kind) {
-  Case c = scene(Scene::rigid, WallLaw::gradient, true);
+  Case c = small_case(SceneKind::rigid, WallLaw::gradient, true);
   c.domain.size = {1, 1};
   c.domain.elements = {elements, 8};
-  const Model<2, 2> model(c);
-  MassInverse<2, 2> inverse(model, kind);
-  const Masses<2, 2> masses(model);
-  const Layout<2>& l = model.layout();
+  const Scene<2, 2> scene(c);
+  MassInverse<2, 2> inverse(scene.regions(), scene.coefficients(), kind);
+  const Masses<2, 2> masses(scene.regions(), scene.coefficients());
+  const Layout<2>& l = scene.layout();
   Stage stage = make_stage<double>(l);
   inverse.set_mesh(stage);
   std::vector<double> wave(l.size(), 0.0);
@@ -216,7 +219,7 @@ TEST(MassInverse, IsOfSecondOrderLumpedAndOfSixthCorrected) {
 // A smooth radial field, from its moments and back: the largest error between a quarter and three quarters of the radius, for ends
 // have ties.
 double error_of_radial_wave(int elements, MassKind kind) {
-  Case c = axisymmetric(scene(Scene::rigid));
+  Case c = axisymmetric(small_case(SceneKind::rigid));
   c.domain.size = {1, 1};
   c.domain.elements = {elements, 8};
   Weighed w(c, kind);

@@ -12,14 +12,18 @@ namespace {
 using namespace mass_kernels;
 
 std::vector<Case> scenes_of_ties() {
-  Case closed = scene(Scene::rigid, WallLaw::gradient, true);
+  Case closed = small_case(SceneKind::rigid, WallLaw::gradient, true);
   closed.boundary.side[1] = {Side::periodic, Side::periodic};
-  Case tall = scene(Scene::coupled);  // several blocks, and a last line that would be a block of its own
+  Case tall = small_case(SceneKind::coupled);  // several blocks, and a last line that would be a block of its own
   tall.domain.elements = {9, 45};
-  Case flat = scene(Scene::rigid);  // so short an axis that both of its ends share a function
+  Case flat = small_case(SceneKind::rigid);  // so short an axis that both of its ends share a function
   flat.domain.elements = {9, 1};
-  return {
-      scene(Scene::rigid), scene(Scene::coupled), scene(Scene::coupled, WallLaw::gradient, true), closed, tall, flat};
+  return {small_case(SceneKind::rigid),
+          small_case(SceneKind::coupled),
+          small_case(SceneKind::coupled, WallLaw::gradient, true),
+          closed,
+          tall,
+          flat};
 }
 
 template <int D>
@@ -44,18 +48,18 @@ void expect_whole_clusters(const Layout<D>& l, const TieClusters& ties, bool vel
 
 TEST(MassSeries, BlocksHaveEveryValueOnceAndWholeClustersOfTies) {
   for (const Case& c : scenes_of_ties()) {
-    const Model<2, 2> model(c);
-    const EndTies<2> ties(model.layout(), model.mask());
-    expect_whole_clusters(model.layout(), ties.velocities(), true);
-    expect_whole_clusters(model.layout(), ties.scalars(), false);
+    const Scene<2, 2> scene(c);
+    const EndTies<2> ties(scene.layout(), scene.mask());
+    expect_whole_clusters(scene.layout(), ties.velocities(), true);
+    expect_whole_clusters(scene.layout(), ties.scalars(), false);
   }
-  for (const Scene kind : {Scene::rigid, Scene::coupled}) {
-    Case c = scene_in_space(kind);
+  for (const SceneKind kind : {SceneKind::rigid, SceneKind::coupled}) {
+    Case c = small_case_in_3d(kind);
     c.domain.elements = {5, 8, 24};
-    const Model<3, 2> model(c);
-    const EndTies<3> ties(model.layout(), model.mask());
-    expect_whole_clusters(model.layout(), ties.velocities(), true);
-    expect_whole_clusters(model.layout(), ties.scalars(), false);
+    const Scene<3, 2> scene(c);
+    const EndTies<3> ties(scene.layout(), scene.mask());
+    expect_whole_clusters(scene.layout(), ties.velocities(), true);
+    expect_whole_clusters(scene.layout(), ties.scalars(), false);
   }
 }
 
@@ -68,7 +72,7 @@ void run_items(const Stage& stage, const TieClusters& ties, int components) {
 
 template <int D>
 struct Series {
-  RandomSceneIn<D> scene;
+  RandomSceneIn<D> random;
   MassProduct<D, 2> product;
   EndTies<D> ties;
   WeightedMass mass;
@@ -76,18 +80,18 @@ struct Series {
   bool velocities;
 
   Series(const Case& c, bool of_velocities)
-      : scene(c),
-        product(l(), scene.model.points()),
-        ties(l(), scene.model.mask()),
+      : random(c),
+        product(l(), random.scene.regions().points()),
+        ties(l(), random.scene.mask()),
         first(of_velocities ? 0 : l().density_offset()),
         count(of_velocities ? l().velocity_size() : l().scalar_size()),
         nodes(of_velocities ? count / D : count),
         velocities(of_velocities) {
     for (Array* a : {&mass.sums, &mass.unit, &mass.root, &mass.left, &mass.right})
-      *a = scene.terms.patch.draw(nodes, 1, 2);
+      *a = random.terms.patch.draw(nodes, 1, 2);
   }
-  const Layout<D>& l() const { return scene.layout(); }
-  Array draw() { return scene.terms.patch.draw(count, -1, 1); }
+  const Layout<D>& l() const { return random.layout(); }
+  Array draw() { return random.terms.patch.draw(count, -1, 1); }
   const TieClusters& clusters() const { return velocities ? ties.velocities() : ties.scalars(); }
 
   /// x, the next vector of the series and what a product reads after that.
@@ -95,7 +99,7 @@ struct Series {
   std::vector<double> run(const Array& b, const Array& y) {
     const Array x("x", count), scaled("scaled", count), image("image", count), next("next", count), last("last", count);
     const int components = velocities ? D : 1;
-    const ConstArray mask = part(scene.model.mask(), first, first + count);
+    const ConstArray mask = part(random.scene.mask(), first, first + count);
     const WeightedPointers pointers(mass);
     run_items<lines>(DivideBySums<D>{LineBlocks<D>(l(), velocities), RightSide::of(b), -1.5, mask, pointers, x.data(),
                                      scaled.data(), -2.0},
@@ -130,9 +134,9 @@ void expect_same(const Case& c, bool velocities) {
 TEST(MassSeries, IsTheSameInBlocksOfLinesAndValueByValue) {
   for (const Case& c : scenes_of_ties())
     for (const bool velocities : {true, false}) expect_same<2>(c, velocities);
-  for (const Scene kind : {Scene::rigid, Scene::coupled})
+  for (const SceneKind kind : {SceneKind::rigid, SceneKind::coupled})
     for (const bool velocities : {true, false}) {
-      Case c = scene_in_space(kind);
+      Case c = small_case_in_3d(kind);
       c.domain.elements = {5, 8, 24};
       expect_same<3>(c, velocities);
       c.boundary.side[0] = c.boundary.side[1] = {Side::periodic, Side::periodic};

@@ -11,20 +11,20 @@
 namespace softwet::testing_tools {
 namespace {
 
-double mass_of(const Model<2, 2>& model, const State& s) {
-  return model.integrals(stage_at(model.layout(), s))["mass"];
+double mass_of(const Scene<2, 2>& scene, const State& s) {
+  return scene.balance().integrals(stage_at(scene.layout(), s))["mass"];
 }
 
 TEST(Relaxation, ASolidLayerUnderNoLoadReturnsToItsReference) {
-  Case c = scene(Scene::solid);
+  Case c = small_case(SceneKind::solid);
   c.loads.clear();
   c.waves = {{WaveField::displacement_x, 1e-3, {1, 1}}};
-  const Model<2, 2> model(c);
-  State s = initial_state<2, 2>(c, model);
+  const Scene<2, 2> scene(c);
+  State s = initial_state<2, 2>(c, scene);
   s.time = 7;
   const double before = norm(alone, s.displacement);
   ASSERT_GT(before, 1e-3);
-  const Relaxation done = relax<2, 2>(model, c, s);
+  const Relaxation done = relax<2, 2>(scene, c, s);
   EXPECT_LT(norm(alone, s.displacement), 0.05 * before);
   EXPECT_LT(done.rate, 1e-6);
   EXPECT_EQ(s.time, 7.0);
@@ -32,16 +32,16 @@ TEST(Relaxation, ASolidLayerUnderNoLoadReturnsToItsReference) {
 
 // Twice at rest is once at rest: the second time finds nothing to do, and the mass is what it was in the beginning.
 TEST(Relaxation, KeepsTheMassAndFindsItsOwnEndAtRest) {
-  const Case c = scene(Scene::coupled);
-  const Model<2, 2> model(c);
-  State s = initial_state<2, 2>(c, model);
-  const double mass = mass_of(model, s);
-  const Relaxation first = relax<2, 2>(model, c, s);
-  EXPECT_NEAR(mass_of(model, s), mass, 1e-11 * mass);
+  const Case c = small_case(SceneKind::coupled);
+  const Scene<2, 2> scene(c);
+  State s = initial_state<2, 2>(c, scene);
+  const double mass = mass_of(scene, s);
+  const Relaxation first = relax<2, 2>(scene, c, s);
+  EXPECT_NEAR(mass_of(scene, s), mass, 1e-11 * mass);
   const std::vector<double> at_rest = to_host(s.unknown);
-  const Relaxation second = relax<2, 2>(model, c, s);
+  const Relaxation second = relax<2, 2>(scene, c, s);
   EXPECT_LT(second.time, first.time);
-  const Layout<2>& l = model.layout();
+  const Layout<2>& l = scene.layout();
   const std::vector<double> again = to_host(s.unknown);
   for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(again[i], at_rest[i], 1e-3);
 }
@@ -49,17 +49,17 @@ TEST(Relaxation, KeepsTheMassAndFindsItsOwnEndAtRest) {
 // Slowly, through a thin interface, the vapour fills until its chemical potential is that of the droplet. It may stop no
 // sooner: what is missing is seen against the small density of the vapour.
 TEST(Relaxation, EndsWhenTheVapourHasFilled) {
-  Case c = scene(Scene::rigid, WallLaw::energy);
+  Case c = small_case(SceneKind::rigid, WallLaw::energy);
   c.domain = {.size = {1.0, 0.5}, .elements = {24, 12}, .degree = 2};
   c.fluid->viscosity = 1.0 / 256;
   c.fluid->capillarity = 1.0 / 12;
   c.fluid->temperature = 0.39;
   c.fluid->stabilisation = 0.02;
   c.droplets = {{{0.5, 0.0}, 0.25}};
-  const Model<2, 2> model(c);
-  State s = initial_state<2, 2>(c, model);
-  const Relaxation done = relax<2, 2>(model, c, s);
-  const Layout<2>& l = model.layout();
+  const Scene<2, 2> scene(c);
+  State s = initial_state<2, 2>(c, scene);
+  const Relaxation done = relax<2, 2>(scene, c, s);
+  const Layout<2>& l = scene.layout();
   const auto potential = part(ConstArray(s.unknown), l.potential_offset(), l.size());
   const std::vector<double> mu = to_host(potential);
   const auto [least, most] = std::minmax_element(mu.begin(), mu.end());
@@ -71,29 +71,29 @@ TEST(Relaxation, EndsWhenTheVapourHasFilled) {
 
 // What is found is a state of rest to the last digits, whatever was left of a tolerance, and the mass is kept.
 TEST(Relaxation, LeavesNothingButRoundOff) {
-  for (const Scene kind : {Scene::coupled, Scene::rigid}) {
-    Case c = scene(kind, WallLaw::energy);
+  for (const SceneKind kind : {SceneKind::coupled, SceneKind::rigid}) {
+    Case c = small_case(kind, WallLaw::energy);
     c.fluid->smoothing = 1e-4;
-    const Model<2, 2> model(c);
-    State s = initial_state<2, 2>(c, model);
-    const double mass = mass_of(model, s);
-    const Relaxation done = relax<2, 2>(model, c, s);
+    const Scene<2, 2> scene(c);
+    State s = initial_state<2, 2>(c, scene);
+    const double mass = mass_of(scene, s);
+    const Relaxation done = relax<2, 2>(scene, c, s);
     EXPECT_EQ(done.why, "");
     EXPECT_LT(done.excess, 8);
-    EXPECT_NEAR(mass_of(model, s), mass, 1e-12 * mass);
-    EXPECT_LT(norm(alone, part(ConstArray(s.unknown), 0, model.layout().velocity_size())), 1e-10);
+    EXPECT_NEAR(mass_of(scene, s), mass, 1e-12 * mass);
+    EXPECT_LT(norm(alone, part(ConstArray(s.unknown), 0, scene.layout().velocity_size())), 1e-10);
     EXPECT_LT(done.steps, 30);
   }
 }
 
 // The load of the time of the state acts, though steps are endless: no time passes in them.
 TEST(Relaxation, RestsUnderTheLoadsOfItsTime) {
-  const Case c = scene(Scene::solid);
-  const Model<2, 2> model(c);
+  const Case c = small_case(SceneKind::solid);
+  const Scene<2, 2> scene(c);
   const auto rest_at = [&](double time) {
-    State s = initial_state<2, 2>(c, model);
+    State s = initial_state<2, 2>(c, scene);
     s.time = time;
-    EXPECT_EQ((relax<2, 2>(model, c, s).why), "");
+    EXPECT_EQ((relax<2, 2>(scene, c, s).why), "");
     EXPECT_EQ(s.time, time);
     return norm(alone, s.displacement);
   };
@@ -107,7 +107,7 @@ TEST(Relaxation, RestsUnderTheLoadsOfItsTime) {
 // On a coarse mesh a droplet that was put beside the middle creeps there in 1e5 units of time, by a part of an element in a
 // step. It is followed to the end: small rates of change alone are not rest.
 TEST(Relaxation, FollowsADropletThatCreeps) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.domain = {.size = {1.0, 0.5}, .elements = {32, 16}, .degree = 2};
   c.fluid->viscosity = 1.0 / 256;
   c.fluid->capillarity = 1.0 / 16;
@@ -122,9 +122,9 @@ TEST(Relaxation, FollowsADropletThatCreeps) {
   c.loads.clear();
   c.droplets = {{{0.58, 0.125}, 0.1287}};
   c.boundary.side[0] = {Side::slip, Side::slip};
-  const Model<2, 2> model(c);
-  State s = initial_state<2, 2>(c, model);
-  const Relaxation done = relax<2, 2>(model, c, s);
+  const Scene<2, 2> scene(c);
+  State s = initial_state<2, 2>(c, scene);
+  const Relaxation done = relax<2, 2>(scene, c, s);
   EXPECT_EQ(done.why, "");
   EXPECT_LT(done.excess, digits_of_rest);
   EXPECT_LE(done.rejected, done.steps);
@@ -133,12 +133,12 @@ TEST(Relaxation, FollowsADropletThatCreeps) {
 
 // Along a periodic axis nothing holds a droplet that a force drives.
 TEST(Relaxation, TellsThatADrivenDropletDoesNotRest) {
-  Case c = scene(Scene::rigid, WallLaw::energy, true);
+  Case c = small_case(SceneKind::rigid, WallLaw::energy, true);
   c.fluid->gravity = {0.5, 0};
   c.droplets = {{{0.45, 0.0}, 0.3}};
-  const Model<2, 2> model(c);
-  State s = initial_state<2, 2>(c, model);
-  EXPECT_NE((relax<2, 2>(model, c, s).why), "");
+  const Scene<2, 2> scene(c);
+  State s = initial_state<2, 2>(c, scene);
+  EXPECT_NE((relax<2, 2>(scene, c, s).why), "");
 }
 
 }  // namespace

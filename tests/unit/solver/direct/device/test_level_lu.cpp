@@ -73,14 +73,15 @@ TEST(LevelLu, SolvesInSpace) {
 
 /// Rounding errors grow by the condition of the fronts; half of the digits of single precision remain (as for BlockLu).
 TEST(LevelLu, SolvesScenesAsTheLuOfTheHostDoes) {
-  for (const Case& c : {scene(Scene::coupled), scene(Scene::rigid), scene(Scene::solid),
-                        scene(Scene::rigid, WallLaw::energy, true), scene(Scene::coupled, WallLaw::gradient, true)}) {
+  for (const Case& c :
+       {small_case(SceneKind::coupled), small_case(SceneKind::rigid), small_case(SceneKind::solid),
+        small_case(SceneKind::rigid, WallLaw::energy, true), small_case(SceneKind::coupled, WallLaw::gradient, true)}) {
     RandomScene s(c);
-    StencilMatrix<2> matrix(s.layout(), s.model.mask());
+    StencilMatrix<2> matrix(s.layout(), s.scene.mask());
     matrix.fill(s.jacobian());
     const Array direction = s.direction(), product("product", s.layout().size()), found("found", s.layout().size());
     matrix.multiply(direction, product);
-    const auto lu = make_level_lu<2>(s.layout(), s.model.mask());
+    const auto lu = make_level_lu<2>(s.layout(), s.scene.mask());
     lu->build(matrix);
     lu->apply(product, found);
     EXPECT_LT(distance(to_host(found), to_host(direction)), 1e-3);
@@ -88,22 +89,23 @@ TEST(LevelLu, SolvesScenesAsTheLuOfTheHostDoes) {
 }
 
 TEST(LevelLu, GmresReachesFullPrecisionInFewIterations) {
-  Case c = scene(Scene::coupled);
+  Case c = small_case(SceneKind::coupled);
   c.domain.elements = {31, 18};
   RandomScene s(c);
   const auto iterations = [&](std::unique_ptr<StencilSolver<2>> solver) {
-    Assembled<2> p(s.layout(), s.model.mask(), std::move(solver));
+    Assembled<2> p(s.layout(), s.scene.mask(), std::move(solver));
     p.build(s.jacobian());
     const Array b = to_device<Array>(s.product(s.direction(), Geometry::frozen)), x("x", s.layout().size());
     const KrylovResult result =
         Gmres(s.layout().space(), s.layout().size(), 30)
-            .solve([&](const Array& z, const Array& out) { s.model.product(s.stage(), z, out, Geometry::frozen); },
+            .solve([&](const Array& z,
+                       const Array& out) { s.scene.equations().product(s.stage(), z, out, Geometry::frozen); },
                    [&](const Array& r, const Array& z) { p.apply(r, z); }, b, x, 1e-12, 30);
     EXPECT_TRUE(result.converged);
     return result.iterations;
   };
-  const int host = iterations(make_block_lu<2>(s.layout(), s.model.mask(), FactorPrecision::single));
-  EXPECT_LE(iterations(make_level_lu<2>(s.layout(), s.model.mask())), host + 1);
+  const int host = iterations(make_block_lu<2>(s.layout(), s.scene.mask(), FactorPrecision::single));
+  EXPECT_LE(iterations(make_level_lu<2>(s.layout(), s.scene.mask())), host + 1);
 }
 
 TEST(LevelLu, TheThreadsOfATeamDoNotMatter) {

@@ -20,10 +20,10 @@ Case larger(Case c, int nx, int ny) {
 }
 
 TEST(BlockLu, ASecondBuildAllocatesNothing) {
-  RandomScene s(larger(scene(Scene::coupled), 31, 18));
-  StencilMatrix<2> matrix(s.layout(), s.model.mask());
+  RandomScene s(larger(small_case(SceneKind::coupled), 31, 18));
+  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
   matrix.fill(s.jacobian());
-  const auto lu = make_block_lu<2>(s.layout(), s.model.mask());
+  const auto lu = make_block_lu<2>(s.layout(), s.scene.mask());
   const Array r("r", s.layout().size()), z("z", s.layout().size());
   large_allocations = 0;
   Kokkos::Tools::Experimental::set_allocate_data_callback(count_array);
@@ -50,10 +50,11 @@ void scale(const StencilMatrix<2>& matrix, const std::vector<double>& row, const
 }
 
 TEST(BlockLu, TinyAndHugeRowsAndColumnsDoNotMatter) {
-  for (const Case& c : {scene(Scene::coupled), larger(scene(Scene::rigid, WallLaw::energy, true), 23, 12)}) {
+  for (const Case& c :
+       {small_case(SceneKind::coupled), larger(small_case(SceneKind::rigid, WallLaw::energy, true), 23, 12)}) {
     RandomScene s(c);
     const int n = s.layout().size();
-    StencilMatrix<2> matrix(s.layout(), s.model.mask());
+    StencilMatrix<2> matrix(s.layout(), s.scene.mask());
     matrix.fill(s.jacobian());
     std::mt19937 draw(23);
     std::uniform_int_distribution<int> power(-40, 40);  // powers of two: the matrix itself is not rounded
@@ -66,7 +67,7 @@ TEST(BlockLu, TinyAndHugeRowsAndColumnsDoNotMatter) {
     std::vector<double> scaled = to_host(right);
     for (int i = 0; i < n; ++i) scaled[i] *= row[i];
     scale(matrix, row, column);
-    const auto lu = make_block_lu<2>(s.layout(), s.model.mask());
+    const auto lu = make_block_lu<2>(s.layout(), s.scene.mask());
     lu->build(matrix);
     lu->apply(to_device<Array>(scaled), found);
     std::vector<double> back = to_host(found);
@@ -76,13 +77,14 @@ TEST(BlockLu, TinyAndHugeRowsAndColumnsDoNotMatter) {
 }
 
 TEST(Equilibration, LargestEntriesBecomeOne) {
-  std::vector<Case> cases{scene(Scene::coupled), scene(Scene::solid), scene(Scene::coupled, WallLaw::gradient, true)};
-  for (int n : {3, 4, 6}) cases.push_back(larger(scene(Scene::rigid, WallLaw::gradient, true), n, 4));
+  std::vector<Case> cases{small_case(SceneKind::coupled), small_case(SceneKind::solid),
+                          small_case(SceneKind::coupled, WallLaw::gradient, true)};
+  for (int n : {3, 4, 6}) cases.push_back(larger(small_case(SceneKind::rigid, WallLaw::gradient, true), n, 4));
   for (const Case& c : cases) {
     RandomScene s(c);
-    StencilMatrix<2> matrix(s.layout(), s.model.mask());
+    StencilMatrix<2> matrix(s.layout(), s.scene.mask());
     matrix.fill(s.jacobian());
-    const UnknownTable<2> table(s.layout(), to_host(s.model.mask()));
+    const UnknownTable<2> table(s.layout(), to_host(s.scene.mask()));
     const auto values = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), matrix.values());
     Equilibration found;
     Equilibrator<2>(s.layout(), table).compute(values, found);
@@ -104,9 +106,9 @@ TEST(Equilibration, LargestEntriesBecomeOne) {
 }
 
 TEST(BlockLu, AZeroMatrixGivesNoNumbers) {
-  RandomScene s(scene(Scene::rigid));
-  StencilMatrix<2> matrix(s.layout(), s.model.mask());
-  const auto lu = make_block_lu<2>(s.layout(), s.model.mask());
+  RandomScene s(small_case(SceneKind::rigid));
+  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
+  const auto lu = make_block_lu<2>(s.layout(), s.scene.mask());
   Array right("right", s.layout().size()), found("found", s.layout().size());
   Kokkos::deep_copy(right, 1.0);
   for (const float entry : {0.0f, std::nanf("")}) {
@@ -121,8 +123,8 @@ TEST(BlockLu, AZeroMatrixGivesNoNumbers) {
 
 /// Every node belongs to one subtree or lies above them, its children before it.
 TEST(WorkSplit, HoldsEveryNodeOnce) {
-  RandomScene s(larger(scene(Scene::coupled), 31, 18));
-  const Dissection tree = dissect(s.layout(), UnknownTable<2>(s.layout(), to_host(s.model.mask())), 16);
+  RandomScene s(larger(small_case(SceneKind::coupled), 31, 18));
+  const Dissection tree = dissect(s.layout(), UnknownTable<2>(s.layout(), to_host(s.scene.mask())), 16);
   std::size_t before = 0;
   for (int threads : {1, 2, 3, 8, 64}) {
     const WorkSplit split = split_work(tree, threads);

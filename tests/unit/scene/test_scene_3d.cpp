@@ -16,25 +16,25 @@ void check_product(const Case& c) {
   const ArrayOf<float> direction("z", s.layout().size()), product("product", s.layout().size());
   const Array wide("wide", s.layout().size());
   convert(direction, z);
-  s.model.product(stage, direction, product, Geometry::exact);
+  s.scene.equations().product(stage, direction, product, Geometry::exact);
   convert(wide, product);
   const double rounding = distance(to_host(wide), s.product(z, Geometry::exact));
   EXPECT_LT(rounding, 2e-6);
   EXPECT_GT(rounding, 1e-9) << "this is double precision";
 }
 
-TEST(Model3D, Coupled) { check_product(scene_in_space(Scene::coupled)); }
+TEST(Model3D, Coupled) { check_product(small_case_in_3d(SceneKind::coupled)); }
 TEST(Model3D, CoupledWithWallEnergyAndGravity) {
-  Case c = scene_in_space(Scene::coupled, WallLaw::energy);
+  Case c = small_case_in_3d(SceneKind::coupled, WallLaw::energy);
   c.fluid->gravity = {0.1, 0.2, -0.5};
   c.substrate->material = MaterialModel::neo_hookean;
   check_product(c);
 }
-TEST(Model3D, Rigid) { check_product(scene_in_space(Scene::rigid)); }
-TEST(Model3D, SolidAlone) { check_product(scene_in_space(Scene::solid)); }
+TEST(Model3D, Rigid) { check_product(small_case_in_3d(SceneKind::rigid)); }
+TEST(Model3D, SolidAlone) { check_product(small_case_in_3d(SceneKind::solid)); }
 
 TEST(Model3D, FluxesOfMassSumToZero) {
-  RandomSceneIn<3> s(scene_in_space(Scene::coupled));
+  RandomSceneIn<3> s(small_case_in_3d(SceneKind::coupled));
   s.stage().moment_rate = 0;
   const std::vector<double> r = s.residual(s.stage());
   double sum = 0, size = 0;

@@ -33,16 +33,18 @@ std::vector<double> expected_residual(RandomScene& s) {
   const TermCases<2>& t = s.terms;
   std::vector<double> sum(l.size(), 0.0);
   if (l.has_solid)
-    add(sum, std::visit([&](const auto& solid) { return t.naive(solid, 0, low, false); }, s.model.solid()));
+    add(sum, std::visit([&](const auto& solid) { return t.naive(solid, 0, low, false); },
+                        s.scene.coefficients().solid().law));
   if (l.has_fluid) {
-    const NavierStokesKorteweg& fluid = s.model.fluid();
+    const NavierStokesKorteweg& fluid = s.scene.coefficients().fluid();
     add(sum, t.naive(fluid, low, high, l.has_solid));
     add(sum, t.naive_moments(low, high, l.has_solid));
     const double g = s.data.fluid->capillarity;
     if (s.data.fluid->wall_law == WallLaw::gradient) {
       add(sum, t.naive(GradientWall{g, 0.5, 1e-2}, low, low + 1, l.has_solid));
     } else {
-      add(sum, t.naive(EnergyWall{g, 0.5, 1e-5, fluid.gas, s.model.state()}, low, low + 1, l.has_solid));
+      add(sum, t.naive(EnergyWall{g, 0.5, 1e-5, fluid.gas, s.scene.coefficients().coexistence()}, low, low + 1,
+                       l.has_solid));
     }
     const CapillaryTraction traction{fluid.gas, g};
     const bool blended = s.data.fluid->traction == Traction::blended;
@@ -72,7 +74,7 @@ void check_scene(const Case& c) {
   const Array folded = to_device<Array>(expected);
   move_ghosts(s.layout(), folded, GhostAction::add);
   expected = to_host(folded);
-  const std::vector<double> mask = to_host(s.model.mask());
+  const std::vector<double> mask = to_host(s.scene.mask());
   for (std::size_t i = 0; i < mask.size(); ++i) expected[i] *= mask[i];
   EXPECT_LT(distance(s.residual(s.stage()), expected), 1e-13);
   const Array z = s.direction();
@@ -84,70 +86,70 @@ void check_scene(const Case& c) {
   }
 }
 
-TEST(Model, Coupled) { check_scene(scene(Scene::coupled)); }
-TEST(Model, CoupledWithWallEnergy) { check_scene(scene(Scene::coupled, WallLaw::energy)); }
-TEST(Model, CoupledPeriodic) { check_scene(scene(Scene::coupled, WallLaw::gradient, true)); }
-TEST(Model, CoupledWithBlendedTraction) {
-  Case c = scene(Scene::coupled, WallLaw::energy);
+TEST(Scene, Coupled) { check_scene(small_case(SceneKind::coupled)); }
+TEST(Scene, CoupledWithWallEnergy) { check_scene(small_case(SceneKind::coupled, WallLaw::energy)); }
+TEST(Scene, CoupledPeriodic) { check_scene(small_case(SceneKind::coupled, WallLaw::gradient, true)); }
+TEST(Scene, CoupledWithBlendedTraction) {
+  Case c = small_case(SceneKind::coupled, WallLaw::energy);
   c.fluid->traction = Traction::blended;
   check_scene(c);
 }
-TEST(Model, Rigid) { check_scene(scene(Scene::rigid)); }
-TEST(Model, RigidPeriodicWithWallEnergy) { check_scene(scene(Scene::rigid, WallLaw::energy, true)); }
-TEST(Model, CoupledWithGravityAndNeoHookeanSolid) {
-  Case c = scene(Scene::coupled);
+TEST(Scene, Rigid) { check_scene(small_case(SceneKind::rigid)); }
+TEST(Scene, RigidPeriodicWithWallEnergy) { check_scene(small_case(SceneKind::rigid, WallLaw::energy, true)); }
+TEST(Scene, CoupledWithGravityAndNeoHookeanSolid) {
+  Case c = small_case(SceneKind::coupled);
   c.fluid->gravity = {0.2, -0.6};
   c.substrate->material = MaterialModel::neo_hookean;
   check_scene(c);
 }
-TEST(Model, SolidAlone) { check_scene(scene(Scene::solid)); }
+TEST(Scene, SolidAlone) { check_scene(small_case(SceneKind::solid)); }
 
-TEST(Model, SceneHasOnlyWhatItAsksFor) {
+TEST(Scene, SceneHasOnlyWhatItAsksFor) {
   const auto names = [](const Case& c) {
     std::string all;
-    const Model<2, 2> model(c);
-    for (const auto& entry : model.pieces().list) all += std::string(entry.piece->name()) + ";";
+    const Scene<2, 2> scene(c);
+    for (const auto& entry : scene.terms().pieces().list) all += std::string(entry.piece->name()) + ";";
     return all;
   };
-  EXPECT_EQ(names(scene(Scene::coupled)),
+  EXPECT_EQ(names(small_case(SceneKind::coupled)),
             "saint_venant_kirchhoff;navier_stokes_korteweg;density_moment;contact_angle (gradient law);"
             "capillary_traction;");
-  EXPECT_EQ(names(scene(Scene::rigid, WallLaw::energy)),
+  EXPECT_EQ(names(small_case(SceneKind::rigid, WallLaw::energy)),
             "navier_stokes_korteweg;density_moment;contact_angle (wall energy);");
-  EXPECT_EQ(names(scene(Scene::solid)), "saint_venant_kirchhoff;");
-  Case neutral = scene(Scene::rigid);
+  EXPECT_EQ(names(small_case(SceneKind::solid)), "saint_venant_kirchhoff;");
+  Case neutral = small_case(SceneKind::rigid);
   neutral.fluid->contact_angle = 90;
   EXPECT_EQ(names(neutral), "navier_stokes_korteweg;density_moment;");
-  const Model<2, 2> rigid(scene(Scene::rigid)), solid(scene(Scene::solid));
+  const Scene<2, 2> rigid(small_case(SceneKind::rigid)), solid(small_case(SceneKind::solid));
   EXPECT_EQ(rigid.layout().solid_size(), 0);
   EXPECT_EQ(solid.layout().scalar_size(), 0);
   EXPECT_EQ(rigid.layout().size(), 4 * 11 * 8);
   EXPECT_EQ(solid.layout().size(), 2 * 11 * 8);
-  const Model<2, 2> coupled(scene(Scene::coupled));
+  const Scene<2, 2> coupled(small_case(SceneKind::coupled));
   EXPECT_EQ(coupled.layout().size(), 2 * 11 * 9 + 2 * 11 * 6);
 }
 
 // A second model of another mesh changes no bit of what the first one sums up.
-TEST(Model, TwoAtOnceHaveTheirOwnSums) {
-  Case first = scene(Scene::coupled), second = scene(Scene::coupled);
+TEST(Scene, TwoAtOnceHaveTheirOwnSums) {
+  Case first = small_case(SceneKind::coupled), second = small_case(SceneKind::coupled);
   first.domain.elements = {45, 6};
   second.domain.elements = {21, 9};
   RandomScene s(first);
   const auto sums = [&s] {
     const VectorSpace space = s.layout().space();
     return std::vector<double>{norm(space, s.stage().unknown), total(space, s.stage().density_end),
-                               s.model.load_power(3.0, s.stage().unknown)};
+                               s.scene.balance().load_power(3.0, s.stage().unknown)};
   };
   const std::vector<double> before = sums();
-  const Model<2, 2> other(second);
+  const Scene<2, 2> other(second);
   EXPECT_EQ(sums(), before);
 }
 
-TEST(Model, Sides) {
-  Case c = scene(Scene::rigid);
+TEST(Scene, Sides) {
+  Case c = small_case(SceneKind::rigid);
   c.boundary.side[0] = {Side::slip, Side::free};
   c.boundary.side[1] = {Side::slip, Side::no_slip};
-  const Model<2, 2> m(c);
+  const Scene<2, 2> m(c);
   const std::vector<double> mask = to_host(m.mask());
   const auto at = [&](int d, int i, int j) { return mask[m.layout().velocity_offset(d) + j * 11 + i]; };
   for (int j = 1; j < 7; ++j) {
@@ -167,8 +169,8 @@ TEST(Model, Sides) {
 }
 
 // Moving every field by one element along a periodic axis moves the residual by one element.
-TEST(Model, PeriodicSidesAreInvariantUnderShifts) {
-  Case c = scene(Scene::coupled, WallLaw::gradient, true);
+TEST(Scene, PeriodicSidesAreInvariantUnderShifts) {
+  Case c = small_case(SceneKind::coupled, WallLaw::gradient, true);
   c.loads.clear();
   RandomScene s(c);
   const int n = s.layout().axis[0].functions(), owned = s.layout().axis[0].owned();
@@ -190,8 +192,9 @@ TEST(Model, PeriodicSidesAreInvariantUnderShifts) {
 }
 
 // The flux part of the mass equation only moves mass about, on a moving mesh as on a fixed one.
-TEST(Model, FluxesOfMassSumToZero) {
-  for (const Case& c : {scene(Scene::coupled), scene(Scene::rigid), scene(Scene::coupled, WallLaw::gradient, true)}) {
+TEST(Scene, FluxesOfMassSumToZero) {
+  for (const Case& c : {small_case(SceneKind::coupled), small_case(SceneKind::rigid),
+                        small_case(SceneKind::coupled, WallLaw::gradient, true)}) {
     RandomScene s(c);
     s.stage().moment_rate = 0;
     const std::vector<double> r = s.residual(s.stage());
@@ -206,12 +209,12 @@ TEST(Model, FluxesOfMassSumToZero) {
 }
 
 // Without a solid the fluid's residual adds the traction of the fluid on the wall's own functions.
-TEST(Model, FluidResidualOnARigidWall) {
-  RandomScene s(scene(Scene::rigid));
+TEST(Scene, FluidResidualOnARigidWall) {
+  RandomScene s(small_case(SceneKind::rigid));
   Array out("out", s.layout().size());
-  s.model.fluid_residual(s.stage(), out);
+  s.scene.equations().fluid_residual(s.stage(), out);
   std::vector<double> expected = expected_residual(s);
-  add(expected, s.terms.naive(CapillaryTraction{s.model.fluid().gas, 0.2}, 0, 1, false, 0));
+  add(expected, s.terms.naive(CapillaryTraction{s.scene.coefficients().fluid().gas, 0.2}, 0, 1, false, 0));
   EXPECT_LT(distance(to_host(out), expected), 1e-13);
 }
 

@@ -1,0 +1,171 @@
+#include "scene/balance.hpp"
+
+#include "field/vector.hpp"
+#include "kernels/fluid/gravity.hpp"
+#include "kernels/fluid/stretched_wall.hpp"
+#include "kernels/functional/fluid_integrals.hpp"
+#include "kernels/functional/liquid_volume.hpp"
+#include "kernels/functional/solid_integrals.hpp"
+#include "operator/integrate.hpp"
+#include "scene/coordinates.hpp"
+
+namespace softwet {
+namespace {
+
+/// The integrals of a functional in the coordinates of the scene; with Rate the rates at which the motion of the wall changes them.
+template <int P, class Motion, bool Rate = false, int D, class Functional>
+std::array<double, Functional::count> integrate(const Region<D>& region, const Functional& functional,
+                                                const Evaluation<D>& at, const Blend& blend) {
+  return in_coordinates_of(at.layout, functional, [&](const auto& integrand) {
+    ReduceTask<D, std::remove_cvref_t<decltype(integrand)>, Motion> task{region, integrand, {}, {}, {}};
+    bind_fields(at, blend, task);
+    if constexpr (Rate) {
+      for (int d = 0; d < D; ++d) task.motion.tangent[d] = task.motion.velocity[d];
+      task.motion.scale = 1;
+    }
+    return reduce<P, Rate>(task);
+  });
+}
+
+}  // namespace
+
+template <int D, int P>
+Balance<D, P>::Balance(const Regions<D>& regions, const Coefficients<D>& coefficients, const Forces<D>& forces,
+                       const Terms<D, P>& terms)
+    : layout_(regions.layout()), regions_(regions), coefficients_(coefficients), forces_(forces), terms_(terms) {}
+
+template <int D, int P>
+template <class Motion>
+void Balance<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) const {
+  const NavierStokesKorteweg& fluid = coefficients_.fluid();
+  result.add<FluidIntegrals>(integrate<P, Motion>(regions_.fluid(), FluidIntegrals{fluid}, at, regions_.blend()));
+  GravityEnergy gravity;
+  bool acts = false;
+  for (int d = 0; d < D; ++d) {
+    gravity.force[d] = fluid.force[d];
+    acts = acts || gravity.force[d] != 0;
+  }
+  if (acts) result.add<GravityEnergy>(integrate<P, Motion>(regions_.fluid(), gravity, at, regions_.blend()));
+  if (!regions_.has_wall()) return;
+  const WallCoefficients& wall = coefficients_.wall();
+  if (wall.stretch_exponent > 0) {
+    if constexpr (std::is_same_v<Motion, WallMotion<D>>)
+      wall_integrals<Motion>(StretchedWallIntegrals{{wall.energy}, wall.stretch_exponent}, at, result);
+  } else if (wall.cosines.values.data()) {
+    wall_integrals<Motion>(PaintedWallIntegrals{wall.energy}, at, result);
+  } else {
+    wall_integrals<Motion>(WallIntegrals{wall.energy}, at, result);
+  }
+}
+
+template <int D, int P>
+template <class Motion, class Functional>
+void Balance<D, P>::wall_integrals(const Functional& functional, Evaluation<D> at, Integrals& result) const {
+  at.given = coefficients_.wall().cosines.origin();
+  result.add<Functional>(integrate<P, Motion>(regions_.wall(), functional, at, regions_.blend()));
+  if constexpr (std::is_same_v<Motion, WallMotion<D>>)
+    if (coefficients_.wall().feeds)
+      result.part(Functional::rate_column) +=
+          integrate<P, Motion, true>(regions_.wall(), functional, at, regions_.blend())[0];
+}
+
+template <int D, int P>
+void Balance<D, P>::solid_integrals(const Evaluation<D>& at, Integrals& result) const {
+  const SolidMotion motion{coefficients_.solid().density()};
+  result.add<SolidMotion>(integrate<P, NoMotion>(regions_.solid(), motion, at, regions_.blend()));
+  const SolidGravity& gravity = forces_.gravity();
+  const int count = layout_.solid_rows() * layout_.row_size;
+  for (std::size_t d = 0; d < gravity.force.size(); ++d) {
+    const int first = layout_.displacement_offset(static_cast<int>(d));
+    result.part(SolidGravity::energy_column) -=
+        gravity.force[d] * dot(layout_.space(), gravity.weight, part(at.stage.displacement, first, first + count));
+  }
+}
+
+template <int D, int P>
+void Balance<D, P>::branch_integrals(const Stage& stage, Integrals& result) const {
+  if (!stage.memory.data()) return;
+  const Branches& branches = coefficients_.solid().branches;
+  const int size = layout_.solid_size();
+  Stage of_branch = stage;
+  of_branch.lag = Array("integrals.lag", size);
+  const Evaluation<D> at{layout_, of_branch, {}, {}};
+  const auto square = [&] { return integrate<P, NoMotion>(regions_.solid(), ShearSquare{}, at, regions_.blend())[0]; };
+  for (int i = 0; i < branches.count; ++i) {
+    Kokkos::deep_copy(Exec(), of_branch.lag, stage.displacement);
+    add_scaled(of_branch.lag, 0, -1, part(stage.memory, i * size, (i + 1) * size));
+    result.part(ShearSquare::energy_column) += branches.modulus[i] * square();
+    const double moving = branches.share_of_velocity(i, stage.memory_shift);
+    combine(of_branch.lag, 1 - moving, part(stage.memory_rate, i * size, (i + 1) * size), 0);
+    for (int d = 0; d < D; ++d)
+      add_scaled(of_branch.lag, layout_.displacement_offset(d), moving,
+                 part(stage.unknown, layout_.velocity_offset(d), layout_.velocity_offset(d) + size / D));
+    result.part(ShearSquare::dissipation_column) += 2 * branches.modulus[i] * branches.time[i] * square();
+  }
+}
+
+template <int D, int P>
+std::vector<NeedleReading> Balance<D, P>::needle_readings(const Stage& stage) const {
+  std::vector<NeedleReading> readings = forces_.needles().readings(layout_, stage);
+  for (NeedleReading& reading : readings) {
+    for (double* number : {&reading.energy, &reading.power, &reading.power_on_solid}) *number *= regions_.turn();
+    for (double& force : reading.force) force *= regions_.turn();
+    if (layout_.axisymmetric) reading.force[0] = 0;  // what points away from the axis cancels
+  }
+  return readings;
+}
+
+template <int D, int P>
+Integrals Balance<D, P>::integrals(const Stage& stage) const {
+  Integrals result;
+  const Evaluation<D> at{layout_, stage, {}, {}};
+  for (const auto& entry : terms_.pieces().list) entry.piece->add_integrals(at, result);
+  if (layout_.has_solid) solid_integrals(at, result);
+  if (coefficients_.solid().branches.count > 0) branch_integrals(stage, result);
+  if (layout_.has_fluid)
+    layout_.has_solid ? fluid_integrals<WallMotion<D>>(at, result) : fluid_integrals<NoMotion>(at, result);
+  if (layout_.axisymmetric) result.turn(regions_.turn());
+  for (const NeedleReading& reading : needle_readings(stage)) result.part(Needles<D>::energy_column) += reading.energy;
+  return result;
+}
+
+template <int D, int P>
+template <class Functional>
+std::array<double, Functional::count> Balance<D, P>::over_fluid(const Functional& functional,
+                                                                const Stage& stage) const {
+  const Evaluation<D> at{layout_, stage, {}, {}};
+  return layout_.has_solid ? integrate<P, WallMotion<D>>(regions_.fluid(), functional, at, regions_.blend())
+                           : integrate<P, NoMotion>(regions_.fluid(), functional, at, regions_.blend());
+}
+
+template <int D, int P>
+Filling Balance<D, P>::filling(const Stage& stage) const {
+  const auto sum = over_fluid(FluidContents{}, stage);
+  return {sum[FluidContents::mass], sum[FluidContents::volume]};
+}
+
+template <int D, int P>
+MeshFaults Balance<D, P>::faults(const Stage& stage) const {
+  MeshFaults faults;
+  if (!layout_.has_solid) return faults;  // nothing moves the mesh
+  if (layout_.has_fluid) faults.folded = over_fluid(FluidContents{}, stage)[FluidContents::folded];
+  const Evaluation<D> at{layout_, stage, {}, {}};
+  faults.inverted = integrate<P, NoMotion>(regions_.solid(), InvertedSolid{}, at, regions_.blend())[0];
+  return faults;
+}
+
+template <int D, int P>
+double Balance<D, P>::liquid_volume(const Stage& stage) const {
+  if (!layout_.has_fluid) return 0;
+  const Coexistence& state = coefficients_.coexistence();
+  return regions_.turn() * over_fluid(LiquidVolume{state.density_vapour, state.density_liquid}, stage)[0];
+}
+
+template <int D, int P>
+double Balance<D, P>::load_power(double time, const ConstArray& unknown) const {
+  return regions_.turn() * forces_.load_power(time, unknown);
+}
+
+template class Balance<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
+
+}  // namespace softwet

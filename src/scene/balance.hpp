@@ -1,0 +1,59 @@
+// What a scene has of mass, energy and power: the integrals that history.csv is made of, and what judges a mesh.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/coefficients.hpp"
+#include "scene/forces.hpp"
+#include "scene/integrals.hpp"
+#include "scene/regions.hpp"
+#include "scene/terms.hpp"
+
+namespace softwet {
+
+/// Mass and volume of the fluid, as the moments of the density have them: in the coordinates (r, z) those for each radian.
+struct Filling {
+  double mass = 0, volume = 0;
+};
+/// Volumes of the fluid's mesh and of the solid that are turned inside out.
+struct MeshFaults {
+  double folded = 0, inverted = 0;
+};
+
+/// All processes have to call what takes a stage. What it takes has to outlive it.
+template <int D, int P>
+class Balance {
+ public:
+  Balance(const Regions<D>&, const Coefficients<D>&, const Forces<D>&, const Terms<D, P>&);
+
+  Integrals integrals(const Stage&) const;
+  Filling filling(const Stage&) const;
+  MeshFaults faults(const Stage&) const;
+  /// Integral of LiquidVolume over the moved fluid domain, of a whole turn in the coordinates (r, z); L0^D, there L0^3. 0 without a
+  /// fluid.
+  double liquid_volume(const Stage&) const;
+  /// Power of the loads on a velocity field at a time.
+  double load_power(double time, const ConstArray& unknown) const;
+  /// What each needle measures of a state, of the whole scene.
+  std::vector<NeedleReading> needle_readings(const Stage&) const;
+
+ private:
+  template <class Motion>
+  void fluid_integrals(const Evaluation<D>&, Integrals&) const;
+  template <class Motion, class Functional>
+  void wall_integrals(const Functional&, Evaluation<D>, Integrals&) const;
+  void solid_integrals(const Evaluation<D>&, Integrals&) const;
+  void branch_integrals(const Stage&, Integrals&) const;
+  /// Of a functional over the moved fluid domain.
+  template <class Functional>
+  std::array<double, Functional::count> over_fluid(const Functional&, const Stage&) const;
+
+  const Layout<D>& layout_;
+  const Regions<D>& regions_;
+  const Coefficients<D>& coefficients_;
+  const Forces<D>& forces_;
+  const Terms<D, P>& terms_;
+};
+
+}  // namespace softwet

@@ -1,0 +1,70 @@
+#include "scene/forces.hpp"
+
+namespace softwet {
+namespace {
+
+/// out -= force weight, by control point of the solid.
+template <int D>
+struct SubtractForce {
+  Array out;
+  ConstArray weight;
+  double minus[D];
+  int apart;  ///< from one velocity to the next
+  KOKKOS_FUNCTION void operator()(int i) const {
+    for (int d = 0; d < D; ++d) out(d * apart + i) += minus[d] * weight(i);
+  }
+};
+template <int D>
+void subtract_force(const Layout<D>& l, const std::vector<double>& force, const ConstArray& weight, const Array& out) {
+  SubtractForce<D> subtract{out, weight, {}, l.rows * l.row_size};
+  bool any = false;
+  for (int d = 0; d < D; ++d) {
+    subtract.minus[d] = -force[d];
+    any = any || force[d] != 0;
+  }
+  if (any) Kokkos::parallel_for("softwet::subtract_force", Items(0, weight.extent(0)), subtract);
+}
+
+}  // namespace
+
+template <int D>
+Forces<D>::Forces(const Layout<D>& layout, const Case& c) : layout_(layout) {
+  if (!c.substrate) return;
+  const Substrate& s = *c.substrate;
+  for (const Load& load : c.loads) loads_.emplace_back(layout_, load, s.density, c.clock_zero());
+  needles_ = Needles<D>(layout_, c);
+  if (s.gravity.empty()) return;
+  std::vector<double> upper = c.domain.size;
+  upper[D - 1] = s.thickness;
+  const std::vector<double> w = weights_on_box(layout_, std::vector<double>(D, 0.0), upper, s.density);
+  gravity_ = {to_device<Array>(w, "gravity"), s.gravity};
+}
+
+template <int D>
+void Forces<D>::add_loads(double time, const Array& out) const {
+  for (const LoadVector<D>& load : loads_) {
+    const std::vector<double> force = load.force(time);
+    subtract_force(layout_, force, load.weight(layout_, time), out);
+  }
+  if (!gravity_.force.empty()) subtract_force(layout_, gravity_.force, gravity_.weight, out);
+}
+
+template <int D>
+double Forces<D>::load_power(double time, const ConstArray& unknown) const {
+  double power = 0;
+  for (const LoadVector<D>& load : loads_) {
+    const std::vector<double> force = load.force(time);
+    const ConstArray weight = load.weight(layout_, time);
+    const int count = static_cast<int>(weight.extent(0));
+    for (int d = 0; d < D; ++d) {
+      const int first = layout_.velocity_offset(d);
+      if (force[d] != 0) power += force[d] * dot(layout_.space(), weight, part(unknown, first, first + count));
+    }
+  }
+  return power;
+}
+
+template class Forces<2>;
+template class Forces<3>;
+
+}  // namespace softwet
