@@ -40,96 +40,6 @@ void check_gravity(const Checker& check) {
                    "write 0 there, or other sides");
 }
 
-void check_wall_tension(const Checker& check) {
-  if (!check.c.fluid || check.c.fluid->wall_tension == WallTensionModel::none) return;
-  const std::string key = "fluid.wall_tension";
-  if (!check.c.substrate) check.refuse(key, "needs a solid: a rigid wall does not feel it", "remove it");
-  if (check.c.fluid->wall_law != WallLaw::energy)
-    check.refuse(key, "needs the wall energy, whose derivative it is", "write wall_law = \"energy\"");
-  if (check.c.has_wet_tension_by_hand())
-    check.refuse("substrate.surface_tension_wet",
-                 "counts the tension below liquid twice with fluid.wall_tension = \"acts\"",
-                 "remove it: Young's law gives it");
-}
-
-/// The stretch of the wall changes the effective contact angle.
-void check_stretch_exponent(const Checker& check) {
-  if (!check.c.fluid || check.c.fluid->wall_stretch_exponent == 0) return;
-  const std::string key = "fluid.wall_stretch_exponent";
-  const Fluid& fluid = *check.c.fluid;
-  if (!check.c.substrate) check.refuse(key, "needs a solid: a rigid wall is never stretched", "remove it");
-  if (fluid.wall_law != WallLaw::energy)
-    check.refuse(key, "is that of the wall energy, which the law \"gradient\" has not", "write wall_law = \"energy\"");
-  const double factor = check.c.cosine_factor();
-  for (const double angle : {fluid.contact_angle.least(), fluid.contact_angle.most()}) {
-    const double cosine = std::cos(angle * 3.14159265358979323846 / 180);
-    if (std::abs(factor * cosine) <= 1) continue;
-    const double room = std::log(std::abs(cosine)) / std::log(check.c.area_of_prestretch());
-    check.refuse(key,
-                 fmt::format("gives the wall with substrate.prestretch an effective contact angle whose cosine is "
-                             "{:.4g}: a contact angle of {:.6g} degrees is complete wetting or drying there",
-                             factor * cosine, angle),
-                 fmt::format("write an exponent below {:.4g}, or an angle nearer to 90 degrees", room));
-  }
-}
-
-/// Receding and advancing angle, and the static angle beside them.
-void check_angle_range(const Checker& check) {
-  if (!check.c.fluid || check.c.fluid->contact_angle_range.empty()) return;
-  const std::string key = "fluid.contact_angle_range";
-  const Fluid& fluid = *check.c.fluid;
-  const Numbers& range = fluid.contact_angle_range;
-  if (range.size() != 2)
-    check.refuse(key, fmt::format("must be 2 numbers, not {}", range.size()),
-                 "write the receding and the advancing angle, for example [65, 85]");
-  if (range[0] >= range[1])
-    check.refuse(key, "must have the receding angle first, below the advancing one",
-                 range[0] > range[1] ? fmt::format("write [{}, {}]", range[1], range[0])
-                                     : fmt::format("without hysteresis write contact_angle = {}", range[0]));
-  if (fluid.contact_angle.varies())
-    check.refuse(key, "cannot stand beside a fluid.contact_angle that varies along the wall", "write one of them");
-  constexpr double digits = 1e-6;  // degrees
-  const double middle = fluid.middle_of_range();
-  if (std::abs(fluid.contact_angle.number - middle) > digits)
-    check.refuse("fluid.contact_angle",
-                 fmt::format("contradicts fluid.contact_angle_range = [{}, {}]: the static angle has the mean of their "
-                             "cosines, {:.10g} degrees",
-                             range[0], range[1], middle),
-                 "remove contact_angle, or write that number");
-}
-
-/// The rate of the density at the wall stands in the equation of the potential.
-void check_line_friction(const Checker& check) {
-  if (!check.c.fluid || !check.c.fluid->resists_lines()) return;
-  const Fluid& fluid = *check.c.fluid;
-  const std::string key = fluid.line_friction > 0 ? "fluid.line_friction" : "fluid.contact_angle_range";
-  if (fluid.wall_law != WallLaw::energy)
-    check.refuse(key, "needs the wall energy: the law \"gradient\" has no energy that a moving line could lose",
-                 "write wall_law = \"energy\"");
-  if (!check.c.time.implicit())
-    check.refuse(
-        key,
-        fmt::format(
-            "needs time.scheme = \"generalized_alpha\", not \"{}\": explicit steps compute the potential before they "
-            "know the rate of the density at the wall, on which it then depends",
-            word_of(check.c.time.scheme)),
-        "write scheme = \"generalized_alpha\"");
-  if (check.periodic(check.vertical()))
-    check.refuse(key, "needs a wall, and the bottom is periodic", "remove it, or write another boundary.bottom");
-  if (fluid.contact_angle.varies())
-    check.refuse(key,
-                 "needs the same contact angle along the whole wall: its friction is made with the sine of that angle",
-                 "write a number as contact_angle");
-  constexpr double least = 5;  // degrees
-  const double angle = fluid.contact_angle.number;
-  if (fluid.line_friction > 0 && (angle < least || angle > 180 - least))
-    check.refuse(key,
-                 fmt::format("needs a contact angle in [{0}, {1}], not {2:.6g}: a flatter wedge spreads its friction "
-                             "over a line without bounds",
-                             least, 180 - least, angle),
-                 "write such a contact_angle");
-}
-
 void check_substrate(const Checker& check) {
   if (!check.c.substrate) return;
   const double thickness = check.c.substrate->thickness, height = check.height(), row = check.element_height();
@@ -210,49 +120,6 @@ void check_fibre(const Checker& check) {
   const std::string key = "substrate.fibre.azimuth";
   if (check.c.dimension() == 2 && check.document.entries.count(key))
     check.refuse(key, "exists in 3D only", "remove it: in 2D fibre.angle is the direction");
-}
-
-/// A box of the solid that something acts on. @param acts  "a load acts on"
-void check_box_of_solid(const Checker& check, const std::string& table, const std::string& acts, const Numbers& lower,
-                        const Numbers& upper) {
-  const std::string box = table + ".box";
-  if (!check.c.substrate)
-    check.refuse(box, acts + " the solid",
-                 fmt::format("add a [substrate] or remove the [[{}]]", table.substr(0, table.find('['))));
-  Numbers top = check.c.domain.size;
-  top.back() = check.c.substrate->thickness;
-  check_corners(check, box, lower, upper, top, "solid");
-}
-
-void check_path(const Checker& check, const std::string& path, const std::vector<Profile>& entries) {
-  check.with({path}, [&] {
-    if (!entries.empty())
-      check.require_axes(path, entries.size(), "write one displacement for each axis, the last is vertical");
-  });
-}
-
-void check_load(const Checker& check, std::size_t index) {
-  const Load& load = check.c.loads[index];
-  const std::string table = fmt::format("load[{}]", index), force = table + ".force";
-  check.with({table + ".box", "substrate", "substrate.thickness"},
-             [&] { check_box_of_solid(check, table, "a load acts on", load.lower, load.upper); });
-  check.with({force}, [&] {
-    check.require_axes(force, load.force.size(), "write one component for each axis, the last is vertical");
-  });
-  check_path(check, table + ".path", load.path);
-}
-
-void check_needle(const Checker& check, std::size_t index) {
-  const Needle& needle = check.c.needles[index];
-  const std::string table = fmt::format("needle[{}]", index), path = table + ".path";
-  check.with({table + ".box", "substrate", "substrate.thickness"},
-             [&] { check_box_of_solid(check, table, "a needle holds a part of", needle.lower, needle.upper); });
-  check_path(check, path, needle.path);
-  check.with({path, "domain.coordinates"}, [&] {
-    if (check.c.axisymmetric() && !needle.path.empty() && (needle.path[0].varies() || needle.path[0].number != 0))
-      check.refuse(path, "must be 0 along the first axis with domain.coordinates = \"axisymmetric\"",
-                   "write 0 there: a needle moves along the axis of symmetry alone");
-  });
 }
 
 void check_steps(const Checker& check) {
@@ -342,14 +209,7 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check_output(check);
   if (!check_domain(check)) return;  // what follows needs the axes
   check.with({"fluid.gravity", "substrate.gravity", "boundary"}, [&] { check_gravity(check); });
-  check.with({"fluid.wall_tension", "fluid.wall_law", "substrate"}, [&] { check_wall_tension(check); });
-  check.with(
-      {"fluid.wall_stretch_exponent", "fluid.contact_angle", "fluid.wall_law", "substrate", "substrate.prestretch"},
-      [&] { check_stretch_exponent(check); });
-  check.with({"fluid.contact_angle_range", "fluid.contact_angle"}, [&] { check_angle_range(check); });
-  check.with({"fluid.contact_angle_range", "fluid.contact_angle", "fluid.line_friction", "fluid.wall_law",
-              "time.scheme", "boundary"},
-             [&] { check_line_friction(check); });
+  check_wall(check);
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
   check.with({"substrate.fibre.azimuth"}, [&] { check_fibre(check); });
   check.with(
@@ -359,8 +219,7 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check_prestretch(check);
   check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box"},
              [&] { check_joint(check); });
-  for (std::size_t i = 0; i < c.loads.size(); ++i) check_load(check, i);
-  for (std::size_t i = 0; i < c.needles.size(); ++i) check_needle(check, i);
+  check_forces(check);
   check_initial(check);
   check_probes(check);
   check.with({"solver.precision", "time.scheme", "solver.krylov.jacobian", "solver.krylov.rtol"},

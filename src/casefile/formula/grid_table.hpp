@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/profile.hpp"
+#include "casefile/formula/grid_file.hpp"
 
 namespace softwet {
 
@@ -35,13 +36,8 @@ class GridTable final : public Formula {
   std::vector<double> kinks() const override;
   std::string identity() const override;
 
-  struct Axis {
-    std::size_t variable;  ///< 0, 1, 2: x, y, z; 3: t
-    std::vector<double> points;
-  };
-
  private:
-  std::vector<Axis> axes_;
+  std::vector<GridAxis> axes_;
   std::vector<double> values_;  ///< last axis fastest
 };
 
