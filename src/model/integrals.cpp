@@ -3,6 +3,7 @@
 #include "kernels/fluid/gravity.hpp"
 #include "kernels/fluid/stretched_wall.hpp"
 #include "kernels/functional/liquid_volume.hpp"
+#include "model/branch_strains.hpp"
 #include "model/coordinates.hpp"
 #include "model/liquid_volume.hpp"
 #include "model/model.hpp"
@@ -73,7 +74,12 @@ void Model<D, P>::solid_integrals(const Evaluation<D>& at, Integrals& result) co
 template <int D, int P>
 void Model<D, P>::branch_integrals(const Stage& stage, Integrals& result) const {
   if (!stage.memory.data()) return;
-  const int size = layout_.solid_size();
+  remembers_strains_ ? strain_branch_integrals(stage, result) : displacement_branch_integrals(stage, result);
+}
+
+template <int D, int P>
+void Model<D, P>::displacement_branch_integrals(const Stage& stage, Integrals& result) const {
+  const int size = layout_.branch_size();
   Stage of_branch = stage;
   of_branch.lag = Array("integrals.lag", size);
   const Evaluation<D> at{layout_, of_branch, {}, {}};
@@ -88,6 +94,28 @@ void Model<D, P>::branch_integrals(const Stage& stage, Integrals& result) const 
       add_scaled(of_branch.lag, layout_.displacement_offset(d), moving,
                  part(stage.unknown, layout_.velocity_offset(d), layout_.velocity_offset(d) + size / D));
     result.part(ShearSquare::dissipation_column) += 2 * branches_.modulus[i] * branches_.time[i] * square();
+  }
+}
+
+template <int D, int P>
+void Model<D, P>::strain_branch_integrals(const Stage& stage, Integrals& result) const {
+  const int size = layout_.branch_size();
+  Stage of_branch = stage;
+  of_branch.lag = Array("integrals.lag", size);
+  const Array strain_rate("integrals.strain_rate", size);
+  write_strain_rates(*this, stage, strain_rate);
+  const Evaluation<D> at{layout_, of_branch, {}, {}};
+  const auto square = [&](const FiniteShearSquare& of) {
+    return integrate<P, NoMotion>(solid_region_, of, at, blend_)[0];
+  };
+  for (int i = 0; i < branches_.count; ++i) {
+    Kokkos::deep_copy(Exec(), of_branch.lag, part(stage.memory, i * size, (i + 1) * size));
+    result.part(ShearSquare::energy_column) += branches_.modulus[i] * square({});
+    const double moving = branches_.share_of_velocity(i, stage.memory_shift);
+    combine(of_branch.lag, 1 - moving, part(stage.memory_rate, i * size, (i + 1) * size), 0);
+    add_scaled(of_branch.lag, 0, moving, strain_rate);
+    result.part(ShearSquare::dissipation_column) +=
+        2 * branches_.modulus[i] * branches_.time[i] * square({.of_memory = true});
   }
 }
 

@@ -5,6 +5,7 @@
 #include "field/exchange.hpp"
 #include "field/ranks.hpp"
 #include "field/vector.hpp"
+#include "model/branch_strains.hpp"
 #include "model/patch_axes.hpp"
 
 namespace softwet {
@@ -94,7 +95,11 @@ void Model<D, P>::build_axes(const Case& c) {
   if (layout_.has_solid)
     layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
   if (c.fluid && c.fluid->resists_lines() && c.boundary.side[D - 1][0] != Side::periodic) layout_.rate_rows = P + 1;
-  if (c.substrate) layout_.branches = static_cast<int>(all_branches(*c.substrate).size());
+  if (c.substrate) {
+    layout_.branches = static_cast<int>(all_branches(*c.substrate).size());
+    layout_.branch_lines = branch_lines(layout_, *c.substrate, points_);
+    remembers_strains_ = layout_.branches > 0 && c.substrate->strain != Strain::small;
+  }
   blend_.low = vertical.lower(layout_.solid_elements);
   blend_.height = vertical.length() - blend_.low;
   if (layout_.has_solid) solid_region_ = region(Where::solid, points_);

@@ -56,6 +56,8 @@ class Model {
   const LameParameters& stiffness() const { return stiffness_; }  ///< the same
   const Fibres& fibres() const { return fibres_; }                ///< of stiffness 0 where there are none
   const Branches& branches() const { return branches_; }          ///< none, or those of a viscoelastic solid
+  /// Whether branches follow the strain at each point, as under finite strains, and not the displacement.
+  bool remembers_strains() const { return remembers_strains_; }
   const Prestretch& prestretch() const { return prestretch_; }    ///< of the material; that of fibres is part of them
   /// First Piola-Kirchhoff stress of the material, as stiff as it is at the point x of the undeformed solid, and of its
   /// fibres, with the prestretch; without its viscosity and its branches. On the host. In 2D Grad u has the third axis too.
@@ -157,6 +159,8 @@ class Model {
   void wall_integrals(const Functional&, Evaluation<D>, Integrals&) const;
   void solid_integrals(const Evaluation<D>&, Integrals&) const;
   void branch_integrals(const Stage&, Integrals&) const;
+  void displacement_branch_integrals(const Stage&, Integrals&) const;
+  void strain_branch_integrals(const Stage&, Integrals&) const;
   std::array<double, FluidContents::count> fluid_contents(const Stage&) const;
   void add_loads(double time, const Array& out) const;
 
@@ -176,7 +180,7 @@ class Model {
   Profile young_;
   double largest_young_ = 0, wall_stretch_exponent_ = 0;
   GivenField<double> graded_[2], painted_, tension_;
-  bool has_wall_ = false, has_gravity_ = false, wall_feeds_ = false;
+  bool has_wall_ = false, has_gravity_ = false, wall_feeds_ = false, remembers_strains_ = false;
   Precision precision_;
   int points_;
   Pieces<D, double> pieces_;

@@ -162,9 +162,6 @@ void check_surface_modulus(const Checker& check) {
 /// What a viscoelastic solid goes with. @param key  of what makes it one
 void check_company_of_branches(const Checker& check, const std::string& key) {
   const Substrate& s = *check.c.substrate;
-  if (s.strain != Strain::small)
-    check.refuse(key, "needs substrate.strain = \"small\", where branches follow the displacement",
-                 "write strain = \"small\", or substrate.viscosity in place of branches");
   if (!check.c.time.implicit() && check.c.time.scheme != TimeScheme::kick_drift)
     check.refuse(
         key,

@@ -10,7 +10,7 @@ SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
       terms_(model),
       viscous_(model),
       masses_(model, kind),
-      branches_(model.branches(), model.layout().solid_size()),
+      branches_(model.branches(), model.layout().branch_size(), strain_followed(model)),
       force_("explicit.force", model.layout().size()),
       potential_("explicit.potential", model.layout().has_fluid ? model.layout().size() : 0),
       velocity_("explicit.velocity", model.layout().size()) {
@@ -19,8 +19,8 @@ SemiDiscrete<D, P>::SemiDiscrete(const Model<D, P>& model, MassKind kind)
   stage_.acceleration = Array("explicit.zero", l.velocity_size());
   stage_.displacement = stage_.displacement_end = Array("explicit.displacement", l.solid_size());
   if (l.branches > 0) {
-    stage_.lag = Array("explicit.lag", l.solid_size());
-    stage_.lag_scale = 1;
+    stage_.lag = Array("explicit.lag", l.branch_size());
+    stage_.branch_weight = branches_.weight(0);
   }
   if (l.has_fluid) stage_.density_end = range(stage_.unknown, l.density_offset(), l.potential_offset());
 }

@@ -51,7 +51,7 @@ SolidPart solid_part(const Model<D, P>& model, const Stage& stage) {
   const double h = l.shortest();
   const LameParameters& stiffness = model.stiffness();
   const double density = std::visit([](const auto& term) { return term.density; }, model.solid());
-  const double of_branches = 2.0 / 3 * stage.lag_scale;  // 4/3 of a shear modulus resists such waves
+  const double of_branches = 2.0 / 3 * (stage.branch_weight * stage.displacement_scale);  // 4/3 of a shear modulus resists such waves
   solid.size =
       density * stage.rate_scale +
       ((stiffness.lambda + 2 * stiffness.shear_modulus) * stage.displacement_scale + of_branches) * 4 / (h * h);

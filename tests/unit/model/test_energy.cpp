@@ -135,7 +135,7 @@ void expect_energy_law_of_branches(Case c) {
     lag[i % size] += 2 * branch.modulus * (u[i % size] - memory[i]);
   }
   stage.lag = to_device<Array>(lag);
-  stage.lag_scale = 1;
+  stage.branch_weight = 1;
   stage.memory = to_device<Array>(memory);
   stage.memory_rate = to_device<Array>(rate);
   const Integrals now = s.model.integrals(stage);

@@ -72,7 +72,7 @@ struct Patch {
 
   void fill_lag() {
     stage.lag = draw(layout.solid_size(), -0.012, 0.012);
-    stage.lag_scale = 0.02;
+    stage.branch_weight = 0.7;
   }
 
   /// The same patch with rates of the density beside the wall.
@@ -87,6 +87,7 @@ struct Patch {
   Patch with_branches() const {
     Patch p = *this;
     p.layout.branches = 1;
+    p.layout.branch_lines = p.layout.solid_size() / p.layout.extent(0);
     p.fill_lag();
     return p;
   }
@@ -176,7 +177,7 @@ struct Patch {
       const int from = layout.velocity_offset(d), to = layout.displacement_offset(d);
       s.displacement = shift(s.displacement, from, stage.displacement_scale, count, to);
       s.displacement_end = shift(s.displacement_end, from, stage.displacement_scale * stage.end_scale, count, to);
-      if (layout.branches > 0) s.lag = shift(s.lag, from, stage.lag_scale, count, to);
+      if (layout.branches > 0) s.lag = shift(s.lag, from, stage.branch_weight * stage.displacement_scale, count, to);
     }
     return s;
   }
@@ -209,7 +210,7 @@ inline StageOf<float> single_stage(const Stage& s) {
           s.moment_rate,
           s.density_rate_scale,
           copy(s.lag),
-          s.lag_scale};
+          s.branch_weight};
 }
 
 inline double largest(const std::vector<double>& v) {

@@ -44,7 +44,7 @@ Errors errors(double rho_inf, int steps) {
   state.memory_rate = Array("rate", 2);
   for (int n = 0; n < steps; ++n) {
     const AlphaParameters a = n == 0 ? AlphaParameters::backward_euler() : AlphaParameters(rho_inf);  // as runs begin
-    memory.begin(state, step_of(a, dt));
+    memory.begin(state, step_of(a, dt), {});
     memory.finish(state, to_device<Array>(std::vector<double>{std::sin(frequency * (n + a.af) * dt)}), state);
   }
   const std::vector<double> found = to_host(state.memory), rate = to_host(state.memory_rate);
@@ -85,7 +85,7 @@ TEST(BranchMemory, LagIsWhatIsLeftOfTheEquation) {
   state.memory_rate = to_device<Array>(std::vector<double>{1, -2, 3, 0.3, 0.2, 0.1});
   const std::vector<double> a0 = to_host(state.memory), u{0.7, -0.2, 0.9};
   const Array lag("lag", 3);
-  memory.begin(state, step);
+  memory.begin(state, step, {});
   memory.set_lag(to_device<Array>(u), lag);
   State end;
   end.memory = Array("memory", 6);
