@@ -124,18 +124,19 @@ check("finite strains: the wave", error_of_wave(history("wave_finite")), 5e-3)
 high = ["substrate.strain=finite", "wave[0].amplitude=0.05", "time.end=1", "output.history.every=1"]
 runs = {}
 for scheme, sizes in {"generalized_alpha": (0.01, 0.005), "kick_drift": (0.002, 0.001)}.items():
-    parts = []
+    opened = []
     for dt in sizes:
-        run_file("wave.toml", f"wave_high_{scheme}_{dt}", [*high, f"time.scheme={scheme}", *steps(dt)])
+        words = [f"time.scheme={scheme}", "time.mass=consistent"] if scheme == "kick_drift" else []
+        run_file("wave.toml", f"wave_high_{scheme}_{dt}", [*high, *words, *steps(dt)])
         runs[scheme] = history(f"wave_high_{scheme}_{dt}")
-        parts.append(balance(runs[scheme]))
-    print(f"  a high wave, {scheme}: open part of the balance {parts[0]:.2e}, {parts[1]:.2e}")
-    check(f"a high wave, {scheme}: the balance of the energy", parts[1], 3e-3)
-    check(f"a high wave, {scheme}: it closes with the square of the steps", parts[1] / parts[0], 0.3)
+        opened.append(balance(runs[scheme]))
+    print(f"  a high wave, {scheme}: open part of the balance {opened[0]:.2e}, {opened[1]:.2e}")
+    check(f"a high wave, {scheme}: the balance of the energy", opened[1], 3e-3)
+    check(f"a high wave, {scheme}: it closes with the square of the steps", opened[1] / opened[0], 0.3)
 one, other = (runs[scheme] for scheme in runs)
 check("a high wave: explicit steps as implicit ones", abs(numpy.interp(one["t"], other["t"], other["u"]) - one["u"]).max() / one["u"][0], 2e-2)
 linear = error_of_wave(other)
-check_true("a high wave is no small one", linear > 5e-3, f"{linear}")
+check_true("a high wave is no small one", linear > 0.02, f"{linear}")
 
 # The rates themselves, from three values of the wave at equal distances: the wave obeys a difference equation whose roots are exp(s d).
 run_file("wave.toml", "wave_fine", [*steps(0.0025), "time.end=3"])
@@ -152,10 +153,7 @@ for coordinates in ("plane", "axisymmetric"):
     solid("column", (0.25, 1.0), (4, 16), more='inertia = "none"\ngravity = [0.0, -0.01]', end=3, place="point = [0.125, 1.0]", quantity="displacement_y",
           sides="slip", coordinates=coordinates)
     errors = []
-    run_file("column.toml", f"column_{coordinates}_finite", [*steps(0.025), "substrate.strain=finite", "substrate.gravity[1]=-1e-5"])
-    finite = history(f"column_{coordinates}_finite")
-    exact = 1 - along1 / (ALONG + along1) * numpy.exp(-finite["t"] / fading)
-    check(f"column, {coordinates}, finite strains under a small weight", abs(-finite["u"] / (1e-5 / (2 * ALONG)) - exact)[1:].max(), 2e-4)
+    run_file("column.toml", f"column_{coordinates}_finite", [*steps(0.025), "substrate.strain=finite", "substrate.gravity=[0,-1e-4]", "solver.newton.atol=1e-13"])
     for dt in (0.05, 0.025):
         folder = f"column_{coordinates}_{dt}"
         run_file("column.toml", folder, steps(dt))
@@ -166,6 +164,8 @@ for coordinates in ("plane", "axisymmetric"):
     for t, wanted in ((0.1, 0.90128173), (1.0, 0.95576986), (3.0, 0.99257194)):
         check(f"column, {coordinates}, t = {t}", abs(numpy.interp(t, rows["t"], height) - wanted), 1e-4)
     check(f"column, {coordinates}: of second order", errors[1] / errors[0], 0.3)
+    finite = history(f"column_{coordinates}_finite")
+    check(f"column, {coordinates}: finite strains under a small weight", abs(-finite["u"] / (1e-4 / (2 * ALONG)) - height).max(), 1e-4)
 
 # The fit of a power law, and what is told of it.
 for exponent, percent in ((0.4, 3.1), (0.55, 0.8), (0.7, 0.6)):
