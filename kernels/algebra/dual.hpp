@@ -79,6 +79,24 @@ struct Plain<Dual<S>> {
 template <class N>
 inline constexpr bool is_dual = !std::is_same_v<typename Plain<N>::type, N>;
 
+/// A number of the kind N that does not move.
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION N unmoved(const typename Plain<N>::type& x) {
+  if constexpr (is_dual<N>) {
+    return {x, typename Plain<N>::type(0.0)};
+  } else {
+    return x;
+  }
+}
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION N without_tangent(const N& x) {
+  if constexpr (is_dual<N>) {
+    return unmoved<N>(x.value);
+  } else {
+    return x;
+  }
+}
+
 /// The part of a result that is integrated: the tangent of a dual number, the number itself otherwise.
 template <class N>
 KOKKOS_FORCEINLINE_FUNCTION auto outcome(const N& x) {

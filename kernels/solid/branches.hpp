@@ -1,15 +1,21 @@
 // A solid that flows and fades: Maxwell branches beside its elasticity (generalised Maxwell).
 #pragma once
 
+#include "kernels/algebra/dual.hpp"
+#include "kernels/algebra/symmetric.hpp"
 #include "kernels/point/solid_fields.hpp"
+#include "kernels/solid/isotropic.hpp"
 
 namespace softwet {
 
 /// Springs G_i that act in shear alone, each in series with a dashpot, so that its stress fades within the time tau_i:
-///   psi_i = 1/2 (e - A_i) : C_i : (e - A_i),   C_i = 2 G_i dev,   tau_i A_i' = e - A_i,   e = sym Grad u
-/// A_i = sym Grad a_i of a displacement a_i of the dashpot, with tau_i a_i' = u - a_i. The dashpots dissipate
-/// tau_i A_i' : C_i : A_i'. A time scheme that finds u - a_i = tau_i / (tau_i + c) (u - h_i) at the end of a step, with h_i from its
-/// beginning and a time c of its own, meets the stress dev sym Grad q of one vector q = sum w_i (u - h_i), however many branches there are.
+///   psi_i = 1/2 (e - A_i) : C_i : (e - A_i),   C_i = 2 G_i dev,   tau_i A_i' = e - A_i
+/// The dashpots dissipate tau_i A_i' : C_i : A_i'.
+/// - Small strains: e = sym Grad u and A_i = sym Grad a_i of a displacement a_i of the dashpot, with tau_i a_i' = u - a_i.
+/// - Finite strains: e = E, the Green-Lagrange strain, and A_i is a symmetric tensor at each Gauss point. A rotation of the deformed body
+///   changes neither E nor A_i.
+/// A time scheme that finds e - A_i = tau_i / (tau_i + c) (e - h_i) at the end of a step, with h_i from its beginning and a time c of its
+/// own, meets the stress W dev(e - h) with W = sum w_i and W h = sum w_i h_i, however many branches there are.
 /// Source: Simo, Hughes, Computational Inelasticity, chapter 10 (generalised relaxation).   Tested: tests/unit/solid/test_branches.cpp
 struct Branches {
   static constexpr int most = 12;
@@ -70,6 +76,91 @@ struct BranchStress {
   }
 };
 
+/// Green-Lagrange strain of the solid, and what its points remember of it.
+template <class N, int D, class M = Matrix<N, D>>
+struct RememberedStrain {
+  static constexpr int memory_size = symmetric_entries<M>;
+
+  M displacement_gradient;
+  Vector<N, memory_size> memory;  ///< entries of h, or of A_i of one branch
+  bool remembers;                 ///< false in the matrices of preconditioners, which know no memory
+
+  static constexpr int slot_count = D;
+  static constexpr Slot slot(int s) { return gradient_slot<M>(Field::displacement, s); }
+  template <class Reader>
+  static KOKKOS_FORCEINLINE_FUNCTION RememberedStrain read(const Reader& at) {
+    RememberedStrain t;
+    t.displacement_gradient = gradient_of<M, N, D>(at, 0);
+    t.remembers = at.remembers();
+    SOFTWET_UNROLL
+    for (int k = 0; k < memory_size; ++k) t.memory[k] = at.remembered(k);
+    return t;
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION M remembered() const {
+    return symmetric_of<M, D>([&](int k) { return memory[k]; });
+  }
+  /// E - h; where nothing is remembered the branches carry nothing, and it is 0 with the tangent of E.
+  KOKKOS_FORCEINLINE_FUNCTION M strain() const {
+    const M e = green_lagrange_strain(displacement_gradient);
+    const auto all = entries_of(e);
+    return e + (-1.0) * symmetric_of<M, D>([&](int k) { return remembers ? memory[k] : without_tangent(all[k]); });
+  }
+};
+
+/// (Grad w, F dev(E - A)). In 2D the strain along the third axis is 0, and dev takes a third of the trace there too.
+/// Tested: tests/unit/solid/test_branches.cpp
+struct FiniteBranchStress {
+  static constexpr Where where = Where::solid;
+
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = RememberedStrain<N, D, M>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using Test = MomentumTest<N, D, M>;
+
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const RememberedStrain<N, D, M>& t) const {
+    const M e = t.strain(), s = add_diagonal(e, (-1.0 / 3) * trace(e));
+    MomentumTest<N, D, M> r;
+    SOFTWET_UNROLL
+    for (int i = 0; i < D; ++i) r.momentum[i] = N(0.0);
+    r.momentum_flux = s + product(t.displacement_gradient, s);
+    return r;
+  }
+};
+
+/// The entries of the Green-Lagrange strain, E, or of its rate, sym(F^T Grad v): what points may remember.
+/// Tested: tests/unit/operator/test_at_points.cpp
+struct StrainEntries {
+  static constexpr Where where = Where::solid;
+
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = SolidStrain<N, D, M>;
+
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, symmetric_entries<M>> value(const SolidStrain<N, D, M>& t) const {
+    return entries_of(green_lagrange_strain(t.displacement_gradient));
+  }
+};
+struct StrainRateEntries {
+  static constexpr Where where = Where::solid;
+
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = SolidStrainRate<N, D, M>;
+
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, symmetric_entries<M>> value(const SolidStrainRate<N, D, M>& t) const {
+    return entries_of(green_lagrange_rate(t.displacement_gradient, t.velocity_gradient));
+  }
+};
+
+/// dev e : dev e
+template <class M>
+KOKKOS_FORCEINLINE_FUNCTION auto shear_square(const M& e) {
+  const auto tr = trace(e);
+  return contract(e, e) - (1.0 / 3) * (tr * tr);
+}
+
 /// Integrand dev e : dev e of e = sym Grad q. Times G_i it is psi_i of q = u - a_i, and times 2 G_i tau_i what is dissipated, of q = a_i'.
 /// Tested: tests/unit/solid/test_branches.cpp
 struct ShearSquare {
@@ -83,9 +174,24 @@ struct ShearSquare {
 
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const LagStrain<N, D, M>& t) const {
-    const M e = t.strain();
-    const N tr = trace(e);
-    return {{contract(e, e) - (1.0 / 3) * (tr * tr)}};
+    return {{shear_square(t.strain())}};
+  }
+};
+
+/// The same under finite strains, of e = E - A for the energy of a branch, and of e = A, its rate, for what is dissipated.
+/// Tested: tests/unit/solid/test_branches.cpp
+struct FiniteShearSquare {
+  static constexpr Where where = Where::solid;
+  static constexpr int count = 1;
+
+  bool of_memory = false;
+
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = RememberedStrain<N, D, M>;
+
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const RememberedStrain<N, D, M>& t) const {
+    return {{shear_square(of_memory ? t.remembered() : t.strain())}};
   }
 };
 

@@ -53,6 +53,14 @@ KOKKOS_FORCEINLINE_FUNCTION AxialMatrix<N> green_lagrange_strain(const AxialMatr
   return {green_lagrange_strain(grad_u.plane), grad_u.hoop + 0.5 * (grad_u.hoop * grad_u.hoop)};
 }
 
+/// E' = sym(F^T Grad v), the rate of the Green-Lagrange strain; Grad v counts `finite` times in its quadratic part, which small
+/// strains leave out.
+template <class M>
+KOKKOS_FORCEINLINE_FUNCTION M green_lagrange_rate(const M& grad_u, const M& grad_v, double finite = 1) {
+  const M g = grad_v + finite * product(transpose(grad_u), grad_v);
+  return 0.5 * (g + transpose(g));
+}
+
 /// J = det F, deformed over reference volume.
 template <class M>
 KOKKOS_FORCEINLINE_FUNCTION auto volume_ratio(const M& grad_u) {

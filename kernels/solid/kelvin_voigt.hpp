@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/point/solid_fields.hpp"
+#include "kernels/solid/isotropic.hpp"
 
 namespace softwet {
 
@@ -41,8 +42,7 @@ struct KelvinVoigt {
   /// E'
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION M strain_rate(const SolidStrainRate<N, D, M>& t) const {
-    const M g = t.velocity_gradient + finite * product(transpose(t.displacement_gradient), t.velocity_gradient);
-    return 0.5 * (g + transpose(g));
+    return green_lagrange_rate(t.displacement_gradient, t.velocity_gradient, finite);
   }
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION M stress(const M& rate) const {

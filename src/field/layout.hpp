@@ -26,7 +26,9 @@ struct Layout {
   int row_size = 0, rows = 0;
   int wall_row = 0;   ///< last row of the solid = first row of the fluid
   int rate_rows = 0;  ///< rows of the density, from the wall on, whose rates are kept behind those of the velocity
-  int branches = 0;   ///< of a viscoelastic solid, each with a displacement of its own
+  int branches = 0;      ///< of a viscoelastic solid
+  int branch_lines = 0;  ///< lines of columns that each remembers: of a displacement, or of strains at points (PointMemory)
+  bool branches_at_points = false;  ///< whether they remember strains
 
   /// Length of the shortest element along any axis.
   double shortest() const {
@@ -68,7 +70,8 @@ struct Layout {
   /// Of the rates of the first unknowns: of the velocity, and of the rows of the density that have some.
   int rate_size() const { return velocity_size() + rate_rows * row_size; }
   int solid_size() const { return D * solid_rows() * row_size; }
-  int memory_size() const { return branches * solid_size(); }
+  int branch_size() const { return branch_lines * extent(0); }
+  int memory_size() const { return branches * branch_size(); }
   int size() const { return velocity_size() + 2 * scalar_size(); }
 
   int velocity_offset(int d) const { return d * rows * row_size; }

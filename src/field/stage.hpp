@@ -15,7 +15,7 @@ struct State {
   Array displacement_rate;  ///< du/dt
   Array moment;             ///< p_i = (q_i, rho J)
   Array moment_rate;        ///< dp_i/dt
-  Array memory = {};        ///< displacements of the branches of a viscoelastic solid, one behind the other
+  Array memory = {};        ///< what the branches of a viscoelastic solid remember, one behind the other: Branches' a_i or A_i
   Array memory_rate = {};   ///< their rates, of a time memory_shift before
   double memory_shift = 0;  ///< of the last step, of use for what is reported alone; 0 behind a checkpoint
 };
@@ -34,8 +34,8 @@ struct StageOf {
   double end_scale = 1;                      ///< d density_end / d density = d displacement_end / d displacement
   double moment_rate = 0;                    ///< am / (ga dt), factor of the moments at n+1; 0: fluxes alone
   double density_rate_scale = 0;             ///< d (d rho/dt) / d rho; 0 where the rates count as 0
-  ArrayOf<Real> lag = {};                    ///< q of BranchStress at n+af
-  double lag_scale = 0;                      ///< d lag / d velocity; 0 where the branches carry nothing
+  ArrayOf<Real> lag = {};                    ///< q of BranchStress at n+af, or h of FiniteBranchStress at the points
+  double branch_weight = 0;                  ///< W of Branches: d q / d displacement; 0 where the branches carry nothing
   ConstArray memory = {}, memory_rate = {};  ///< of the branches, where the stage is that of a state
   double memory_shift = 0;
 };
@@ -50,7 +50,7 @@ StageOf<Real> make_stage(const Layout<D>& l) {
   s.displacement = ArrayOf<Real>("stage.displacement", l.solid_size());
   s.displacement_end = ArrayOf<Real>("stage.displacement_end", l.solid_size());
   s.density_end = ArrayOf<Real>("stage.density_end", l.scalar_size());
-  if (l.branches > 0) s.lag = ArrayOf<Real>("stage.lag", l.solid_size());
+  if (l.branches > 0) s.lag = ArrayOf<Real>("stage.lag", l.branch_size());
   return s;
 }
 
@@ -68,7 +68,7 @@ inline void round_stage(StageOf<float>& to, const Stage& from) {
   to.moment_rate = from.moment_rate;
   to.density_rate_scale = from.density_rate_scale;
   if (from.lag.extent(0) > 0) convert(to.lag, from.lag);
-  to.lag_scale = from.lag_scale;
+  to.branch_weight = from.branch_weight;
 }
 
 /// The stage at a state itself, for integrals and output: its values, and no scales of a scheme.

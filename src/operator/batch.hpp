@@ -77,7 +77,7 @@ KOKKOS_FORCEINLINE_FUNCTION void compute_batch(const Task<D, Term, Motion, RealO
   const BatchGeometry<S, N, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
   S out[channels][1 + D][points];
   for (int q = 0; q < points; ++q) {
-    const auto point = point_at<Term, Q, S>(geometry, task.region, b, q);
+    const auto point = point_at<Term, Q, S>(geometry, task, b, q);
     using Point = std::remove_const_t<decltype(point)>;
     const Test test = task.term.residual(Trial::read(Reader<N, D, decltype(fields), Point>{fields, point, q}));
     const S weight = task.factor * weight_at<S, D, Q>(task.region, b, q);

@@ -20,7 +20,7 @@ KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task,
   const LiftedFields<Fields, N> fields{values};
   const BatchGeometry<S, N, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
   for (int q = 0; q < points; ++q) {
-    const auto point = point_at<Functional, Q, S>(geometry, task.region, b, q);
+    const auto point = point_at<Functional, Q, S>(geometry, task, b, q);
     const Reader<N, D, std::remove_const_t<decltype(fields)>, std::remove_const_t<decltype(point)>> reader{fields,
                                                                                                            point, q};
     const Vector<N, Functional::count> value = task.functional.value(Trial::read(reader));

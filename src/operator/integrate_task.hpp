@@ -15,6 +15,7 @@ struct ReduceTask {
   Motion motion;
   const double* slot[Trial::slot_count];
   double scale[Trial::slot_count] = {};
+  const double* memory = nullptr;  ///< of the points
 };
 
 /// Values of fields that do not move, as numbers whose tangent is zero.

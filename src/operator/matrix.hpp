@@ -99,7 +99,7 @@ KOKKOS_FUNCTION void jacobian_batch(const Task<D, Term, Motion, float>& task, co
   for (int u = 0; u < D + 2; ++u) {
     if (!reads<Trial, D>(u)) continue;
     for (int q = 0; q < points; ++q) {
-      const auto plain = point_at<Term, Q, S>(geometry, task.region, b, q);
+      const auto plain = point_at<Term, Q, S>(geometry, task, b, q);
       using Point = FrozenPoint<N, D, std::remove_const_t<decltype(plain)>>;
       const Point point{plain};
       const S weight = task.factor * weight_at<S, D, Q>(task.region, b, q);

@@ -45,6 +45,8 @@ struct FrozenPoint {
   KOKKOS_FORCEINLINE_FUNCTION N measured(const N& x, const N& hoop) const {
     return N(point.measured(x.value, hoop.value), point.measured(x.tangent, hoop.tangent));
   }
+  KOKKOS_FORCEINLINE_FUNCTION bool remembers() const { return point.remembers(); }
+  KOKKOS_FORCEINLINE_FUNCTION S remembered(int k) const { return point.remembered(k); }
   KOKKOS_FORCEINLINE_FUNCTION N radius() const { return N(point.radius(), S(0.0)); }
   KOKKOS_FORCEINLINE_FUNCTION N area_ratio() const { return N(point.area_ratio(), S(0.0)); }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return fixed(point.mesh_velocity()); }

@@ -46,6 +46,7 @@ struct Task {
   const Real* tangent[D + 2];     ///< of the unknowns
   Real* test[Test::channel_count];
   Real factor = 1;  ///< of the integrals
+  const Real* memory = nullptr;  ///< of the points (PointMemory); null: they remember nothing
 };
 
 /// Whether a trial bundle needs the value, or the gradient, of the tangent of an unknown.
@@ -58,6 +59,56 @@ constexpr bool reads(int unknown, bool Slot::*what) {
 template <class Trial, int D>
 constexpr bool reads(int unknown) {
   return reads<Trial, D>(unknown, &Slot::value) || reads<Trial, D>(unknown, &Slot::gradient);
+}
+
+/// How many numbers a trial bundle remembers at each point.
+template <class Trial>
+inline constexpr int memory_size_of = [] {
+  if constexpr (requires { Trial::memory_size; }) return Trial::memory_size;
+  return 0;
+}();
+
+/// Where the points of a region keep numbers beside the fields, `size` at each of the Q^D points of an element: [layer of elements]
+/// [row][number][point][column], so that an element has the column of its first control point, and neighbours share a pack.
+template <int D, int Q, int size>
+struct PointMemory {
+  static constexpr int points = power(Q, D);
+
+  /// @param stride  of the region: the columns that are stored are those of its second axis
+  static KOKKOS_FORCEINLINE_FUNCTION int apart(const int (&stride)[D]) { return points * stride[1]; }
+  /// Of number 0 at point q of an element. @param rows  of elements along the second of three axes
+  static KOKKOS_FORCEINLINE_FUNCTION int place(const int (&stride)[D], int rows, const int (&element)[D], int q) {
+    const int row = D == 3 ? element[D - 1] * rows + element[1] : element[D - 1];
+    return row * size * apart(stride) + q * stride[1] + element[0];
+  }
+};
+
+/// A point with the numbers that it remembers.
+template <class Point, class S>
+struct RememberingPoint : Point {
+  const RealOf<S>* memory;  ///< number 0; null: none
+  int apart, count;         ///< from one number to the next; lanes
+
+  KOKKOS_FORCEINLINE_FUNCTION bool remembers() const { return memory != nullptr; }
+  KOKKOS_FORCEINLINE_FUNCTION S remembered(int k) const {
+    return memory ? load_lanes<S>(memory + k * apart, count) : S(0.0);
+  }
+};
+
+/// A point of the element of a batch for a term with the trial bundle Trial.
+template <class Trial, int Q, class S, int D, class Point>
+KOKKOS_FORCEINLINE_FUNCTION auto with_memory(const Point& point, const RealOf<S>* memory, const int (&stride)[D],
+                                             int rows, const Batch<D>& b, int q) {
+  constexpr int size = memory_size_of<Trial>;
+  if constexpr (size == 0) {
+    return point;
+  } else {
+    using Memory = PointMemory<D, Q, size>;
+    return RememberingPoint<Point, S>{{point},
+                                      memory ? memory + Memory::place(stride, rows, b.element, q) : nullptr,
+                                      Memory::apart(stride),
+                                      b.count};
+  }
 }
 
 /// Answers about the fields of TrialFields, by loops over slots: for the compiler alone.
@@ -126,6 +177,8 @@ struct Reader {
   }
   /// Value over the distance from the axis, in the coordinates (r, z).
   KOKKOS_FORCEINLINE_FUNCTION N over_radius(int s) const { return value(s) / point.radius(); }
+  KOKKOS_FORCEINLINE_FUNCTION bool remembers() const { return point.remembers(); }
+  KOKKOS_FORCEINLINE_FUNCTION N remembered(int k) const { return unmoved<N>(point.remembered(k)); }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return point.mesh_velocity(); }
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return point.volume_ratio(); }
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> position() const { return point.position; }
@@ -180,17 +233,20 @@ KOKKOS_FORCEINLINE_FUNCTION auto in_coordinates(const Point& point, const Vector
   }
 }
 
-/// Geometry at point q of a batch.
-template <class Term, int Q, class S, int D, class BatchGeometryType>
-KOKKOS_FORCEINLINE_FUNCTION auto point_at(const BatchGeometryType& geometry, const Region<D, RealOf<S>>& region,
-                                          const Batch<D>& b, int q) {
+/// Geometry at point q of a batch, and what it remembers. @param task  a Task or a ReduceTask
+template <class Term, int Q, class S, class TaskType, int D, class BatchGeometryType>
+KOKKOS_FORCEINLINE_FUNCTION auto point_at(const BatchGeometryType& geometry, const TaskType& task, const Batch<D>& b,
+                                          int q) {
   constexpr int wall_points = power(Q, D - 1);
+  const Region<D, RealOf<S>>& region = task.region;
   const RealOf<S> height = region.axis[D - 1].position(q / wall_points, b.element[D - 1]);
   Vector<S, D> reference;
   reference[0] = load<S>(&region.axis[0].position(q % Q, b.element[0]));
   if constexpr (D == 3) reference[1] = S(region.axis[1].position((q % wall_points) / Q, b.element[1]));
   reference[D - 1] = S(height);
-  return in_coordinates<Term>(geometry.template at<on_face(Term::where)>(q, reference, height), reference);
+  const auto point =
+      in_coordinates<Term>(geometry.template at<on_face(Term::where)>(q, reference, height), reference);
+  return with_memory<typename TaskType::Trial, Q, S>(point, task.memory, region.stride, region.axis[1].elements, b, q);
 }
 
 }  // namespace softwet

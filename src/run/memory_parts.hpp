@@ -28,7 +28,7 @@ template <int D>
 std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const Layout<D>& l,
                                                          const Preconditioner* preconditioner) {
   const double n = l.size(), rate = l.rate_size(), solid = l.solid_size(), scalar = l.scalar_size();
-  const double lag = l.branches > 0 ? solid : 0;
+  const double lag = l.branches > 0 ? l.branch_size() : 0;
   const double state = n + rate + 2 * solid + 2 * scalar + 2 * l.memory_size() + 2 * lag;
   const double stage = n + rate + 2 * solid + scalar + lag;
   std::vector<std::pair<std::string, double>> parts{{program_part, 34.0 * 1048576},

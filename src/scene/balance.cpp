@@ -7,6 +7,7 @@
 #include "kernels/functional/liquid_volume.hpp"
 #include "kernels/functional/solid_integrals.hpp"
 #include "operator/integrate.hpp"
+#include "scene/branch_strains.hpp"
 #include "scene/coordinates.hpp"
 
 namespace softwet {
@@ -86,7 +87,7 @@ template <int D, int P>
 void Balance<D, P>::branch_integrals(const Stage& stage, Integrals& result) const {
   if (!stage.memory.data()) return;
   const Branches& branches = coefficients_.solid().branches;
-  const int size = layout_.solid_size();
+  const int size = layout_.branch_size();
   Stage of_branch = stage;
   of_branch.lag = Array("integrals.lag", size);
   const Evaluation<D> at{layout_, of_branch, {}, {}};
@@ -101,6 +102,30 @@ void Balance<D, P>::branch_integrals(const Stage& stage, Integrals& result) cons
       add_scaled(of_branch.lag, layout_.displacement_offset(d), moving,
                  part(stage.unknown, layout_.velocity_offset(d), layout_.velocity_offset(d) + size / D));
     result.part(ShearSquare::dissipation_column) += 2 * branches.modulus[i] * branches.time[i] * square();
+  }
+}
+
+template <int D, int P>
+void Balance<D, P>::strain_branch_integrals(const Stage& stage, Integrals& result) const {
+  if (!stage.memory.data()) return;
+  const Branches& branches = coefficients_.solid().branches;
+  const int size = layout_.branch_size();
+  Stage of_branch = stage;
+  of_branch.lag = Array("integrals.lag", size);
+  const Array strain_rate("integrals.strain_rate", size);
+  write_strain_rates<P>(regions_, stage, strain_rate);
+  const Evaluation<D> at{layout_, of_branch, {}, {}};
+  const auto square = [&](const FiniteShearSquare& of) {
+    return integrate<P, NoMotion>(regions_.solid(), of, at, regions_.blend())[0];
+  };
+  for (int i = 0; i < branches.count; ++i) {
+    Kokkos::deep_copy(Exec(), of_branch.lag, part(stage.memory, i * size, (i + 1) * size));
+    result.part(ShearSquare::energy_column) += branches.modulus[i] * square({});
+    const double moving = branches.share_of_velocity(i, stage.memory_shift);
+    combine(of_branch.lag, 1 - moving, part(stage.memory_rate, i * size, (i + 1) * size), 0);
+    add_scaled(of_branch.lag, 0, moving, strain_rate);
+    result.part(ShearSquare::dissipation_column) +=
+        2 * branches.modulus[i] * branches.time[i] * square({.of_memory = true});
   }
 }
 
@@ -121,7 +146,8 @@ Integrals Balance<D, P>::integrals(const Stage& stage) const {
   const Evaluation<D> at{layout_, stage, {}, {}};
   for (const auto& entry : terms_.pieces().list) entry.piece->add_integrals(at, result);
   if (layout_.has_solid) solid_integrals(at, result);
-  if (coefficients_.solid().branches.count > 0) branch_integrals(stage, result);
+  if (layout_.branches > 0)
+    layout_.branches_at_points ? strain_branch_integrals(stage, result) : branch_integrals(stage, result);
   if (layout_.has_fluid)
     layout_.has_solid ? fluid_integrals<WallMotion<D>>(at, result) : fluid_integrals<NoMotion>(at, result);
   if (layout_.axisymmetric) result.turn(regions_.turn());

@@ -45,6 +45,7 @@ class Balance {
   void wall_integrals(const Functional&, Evaluation<D>, Integrals&) const;
   void solid_integrals(const Evaluation<D>&, Integrals&) const;
   void branch_integrals(const Stage&, Integrals&) const;
+  void strain_branch_integrals(const Stage&, Integrals&) const;
   /// Of a functional over the moved fluid domain.
   template <class Functional>
   std::array<double, Functional::count> over_fluid(const Functional&, const Stage&) const;

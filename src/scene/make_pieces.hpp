@@ -86,12 +86,22 @@ class PieceMaker {
       add<NoMotion>("elasticity of the surface", SurfaceElasticity{s.surface_modulus[0], s.surface_modulus[1]});
     if (const std::vector<double>& springs = case_.boundary.foundation; !springs.empty())
       add<NoMotion>("foundation", Foundation{springs[0], springs[1]});
-    if (s.has_branches()) add<NoMotion>("branches of the solid", BranchStress{});
+    if (s.has_branches()) add_branches(s.strain);
     pieces_.first_viscous = pieces_.list.size();
     if (const double viscosity = shear_viscosity(s); viscosity > 0 || s.bulk_viscosity > 0)
       add<NoMotion>("viscosity of the solid", KelvinVoigt{viscosity, s.bulk_viscosity, finite});
     if (const std::vector<double>& dashpots = case_.boundary.foundation_damping; !dashpots.empty())
       add<NoMotion>("dashpots of the foundation", Dashpots{dashpots[0], dashpots[1]});
+  }
+
+  /// Points that remember are those of the whole solid, whether it has a joint or not.
+  void add_branches(Strain strain) {
+    if (strain == Strain::small) return add<NoMotion>("branches of the solid", BranchStress{});
+    using Here = InCoordinates<FiniteBranchStress, Axial>;
+    pieces_.list.push_back({std::make_unique<PieceOf<D, P, Here, NoMotion, Real>>(
+                                "branches of the solid", regions_.solid(),
+                                regions_.of(Where::solid, matrix_points<D, P>(regions_.points())), Here{}),
+                            nullptr});
   }
 
   template <class Term>

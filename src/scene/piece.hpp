@@ -65,7 +65,7 @@ struct Evaluation {
     const double later = instant == Instant::end ? stage.end_scale : 1.0;
     if (f == Field::acceleration) return static_cast<Real>(stage.rate_scale);
     if (f == Field::density_rate) return static_cast<Real>(stage.density_rate_scale);
-    if (f == Field::lag) return static_cast<Real>(stage.lag_scale);
+    if (f == Field::lag) return static_cast<Real>(stage.branch_weight * stage.displacement_scale);
     return static_cast<Real>(f == Field::displacement ? stage.displacement_scale * later : later);
   }
 
@@ -99,6 +99,7 @@ void bind_fields(const Evaluation<D, Real>& at, const Blend& blend, TaskType& ta
     task.scale[s] = at.scale(Trial::slot(s).from.field);
   }
   if constexpr (std::is_same_v<decltype(task.motion), WallMotion<D, Real>>) task.motion = at.motion(blend);
+  if constexpr (memory_size_of<Trial> > 0) task.memory = at.stage.lag.data();
 }
 
 /// The same for a term, with its tangents and the equations that it adds to.
@@ -174,7 +175,8 @@ class PieceOf final : public Piece<D, Real> {
   const Region<D, Real>& region() const override { return region_; }
 
  private:
-  static constexpr bool reads_lag = [] {
+  static constexpr bool remembers = memory_size_of<typename Term::template Trial<Real, D>> > 0;
+  static constexpr bool of_branches = remembers || [] {
     using Trial = typename Term::template Trial<Real, D>;
     for (int s = 0; s < Trial::slot_count; ++s)
       if (Trial::slot(s).from.field == Field::lag) return true;
@@ -184,7 +186,7 @@ class PieceOf final : public Piece<D, Real> {
   /// Moments at the end of the step count by their rate, which is 0 where only the fluxes are wanted. Branches of a solid count where a
   /// stage lets them carry something.
   bool idle(const Evaluation<D, Real>& at) const {
-    if constexpr (reads_lag) return at.stage.lag_scale == 0;
+    if constexpr (of_branches) return at.stage.branch_weight == 0;
     return instant_ == Instant::end && at.stage.moment_rate == 0;
   }
 
@@ -193,6 +195,7 @@ class PieceOf final : public Piece<D, Real> {
     at.given = given_.origin();
     auto task = task_of<D, Term, Motion, Real>(term_, region, at, blend_);
     if (instant_ == Instant::end) task.factor = static_cast<Real>(at.stage.moment_rate);
+    if constexpr (remembers) task.factor = static_cast<Real>(at.stage.branch_weight);
     return task;
   }
   template <class Functional>
@@ -227,7 +230,10 @@ void PieceOf<D, P, Term, Motion, Real>::product(const Evaluation<D, Real>& at) c
 template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::jacobian(const Evaluation<D, Real>& at, const Stencil<D>& stencil,
                                                  const StencilValues& values) const {
-  if (!idle(at)) assemble_jacobian<P>(task(at, matrix_region_), stencil, values);
+  if (idle(at)) return;
+  auto frozen = task(at, matrix_region_);
+  frozen.memory = nullptr;  // a matrix may have other points, and a preconditioner needs no stress of branches
+  assemble_jacobian<P>(frozen, stencil, values);
 }
 
 template <int D, int P, class Term, class Motion, class Real>

@@ -1,6 +1,7 @@
 #include "scene/regions.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <string>
 
 #include "case/error.hpp"
@@ -26,6 +27,22 @@ Columns own_columns(const Axis& axis, const Case& c) {
                                          " elements along x, and a process needs one; start " + std::to_string(most) +
                                          " or fewer");
   return cut_columns(axis, ranks::mine(), count, boxes ? box_width(c.dimension()) - 1 : 0);
+}
+
+/// What branches remember: a displacement under small strains, a strain at each point under finite ones.
+template <int D>
+void set_branches(Layout<D>& l, const Substrate& s, int points) {
+  l.branches = static_cast<int>(all_branches(s).size());
+  if (l.branches == 0) return;
+  l.branches_at_points = s.strain != Strain::small;
+  const int rows = D == 3 ? l.axis[1].elements() : 1, entries = l.axisymmetric ? 4 : D * (D + 1) / 2;
+  const double of_points = static_cast<double>(l.solid_elements) * rows * entries * power(points, D);
+  const double lines = l.branches_at_points ? of_points : l.solid_size() / l.extent(0);
+  if (const double all = l.branches * lines * l.extent(0); all > INT_MAX)
+    throw Error(Exit::invalid_input, "substrate.branch: the branches of this solid remember " + std::to_string(all) +
+                                         " numbers, and at most " + std::to_string(INT_MAX) +
+                                         " can be; write fewer branches, fewer domain.elements, or strain = \"small\"");
+  l.branch_lines = static_cast<int>(lines);
 }
 
 }  // namespace
@@ -61,7 +78,7 @@ void Regions<D>::build_axes(const Case& c) {
     layout_.wall_row = layout_.has_fluid ? vertical.span(layout_.solid_elements) : layout_.rows - 1;
   has_wall_ = layout_.has_fluid && c.boundary.side[D - 1][0] != Side::periodic;
   if (has_wall_ && c.fluid->resists_lines()) layout_.rate_rows = degree + 1;
-  if (c.substrate) layout_.branches = static_cast<int>(all_branches(*c.substrate).size());
+  if (c.substrate) set_branches(layout_, *c.substrate, points_);
   blend_.low = vertical.lower(layout_.solid_elements);
   blend_.height = vertical.length() - blend_.low;
   if (layout_.has_solid) solid_ = of(Where::solid, points_);

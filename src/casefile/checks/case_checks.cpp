@@ -72,9 +72,6 @@ void check_surface_modulus(const Checker& check) {
 /// What a viscoelastic solid goes with. @param key  of what makes it one
 void check_company_of_branches(const Checker& check, const std::string& key) {
   const Substrate& s = *check.c.substrate;
-  if (s.strain != Strain::small)
-    check.refuse(key, "needs substrate.strain = \"small\", where branches follow the displacement",
-                 "write strain = \"small\", or substrate.viscosity in place of branches");
   if (!check.c.time.implicit() && check.c.time.scheme != TimeScheme::kick_drift)
     check.refuse(
         key,
@@ -85,6 +82,9 @@ void check_company_of_branches(const Checker& check, const std::string& key) {
   if (s.young.varies())
     check.refuse(key, "needs the same substrate.young in all of the solid: branches are the same everywhere",
                  "write a number as young");
+  if (!s.prestretch.empty())
+    check.refuse(key, "goes without substrate.prestretch: the strain that branches remember counts from the undeformed solid",
+                 "leave out prestretch, or write substrate.viscosity in place of branches");
 }
 
 void check_gel(const Checker& check) {
@@ -213,7 +213,8 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
   check.with({"substrate.fibre.azimuth"}, [&] { check_fibre(check); });
   check.with(
-      {"substrate.branch", "substrate.gel", "substrate.young", "substrate.poisson", "substrate.strain", "time.scheme"},
+      {"substrate.branch", "substrate.gel", "substrate.young", "substrate.poisson", "substrate.strain", "substrate.prestretch",
+       "time.scheme"},
       [&] { check_branches(check); });
   check.with({"substrate.surface_modulus"}, [&] { check_surface_modulus(check); });
   check_prestretch(check);

@@ -149,13 +149,13 @@ const std::vector<Column> of_balance{
      any_dimension, Needs::solid},
     {"energy_branches", energy_unit,
      "Energy in the springs of [[substrate.branch]] and substrate.gel: the sum of the integrals of G_i dev e : dev e "
-     "over the solid, e the strain of u - a_i, with the displacement a_i of the dashpot of a branch.",
+     "over the solid, e the strain of u - a_i, with the displacement a_i of the dashpot of a branch; under finite "
+     "strains e = E - A_i, the Green-Lagrange strain less what the branch remembers of it.",
      any_dimension, Needs::solid},
     {"dissipation_solid", power_unit,
      "Part of dissipation that belongs to the solid: to substrate.viscosity and substrate.bulk_viscosity, the integral "
      "of S_v : E' over the undeformed solid, E' the rate of the Green-Lagrange strain; to the dashpots of branches, "
-     "the "
-     "sum of the integrals of 2 G_i tau_i dev e' : dev e' with the strain rate e' of a_i'; and to "
+     "the sum of the integrals of 2 G_i tau_i dev e' : dev e' with the strain rate e' of a_i', or A_i'; and to "
      "boundary.foundation_damping, that of c_n v_n^2 + c_t v_t^2 over its undeformed bottom.",
      any_dimension, Needs::solid},
     {"dissipation_wall", power_unit,

@@ -75,7 +75,7 @@ struct ElementKernel {
     const int e = p / Shape::points, q = p % Shape::points;
     const Batch<D> b = row.batch(e);
     const RowGeometry<N, Shape, Motion> geometry{task.motion, wall.wall, e};
-    const auto point = point_at<Term, Q, S>(geometry, task.region, b, q);
+    const auto point = point_at<Term, Q, S>(geometry, task, b, q);
     using Point = std::remove_const_t<decltype(point)>;
     const Test test = task.term.residual(Trial::read(Reader<N, D, Fields, Point>{fields, point, p}));
     const S weight = S(row.holds(e) ? 1.0 : 0.0) * (task.factor * weight_at<S, D, Q>(task.region, b, q));

@@ -115,7 +115,7 @@ struct TeamJacobian {
     for (int c = 0; c < channels; ++c)
       for (int k = 0; k <= D; ++k) out[c][k][q] = S(0.0);
     const RowGeometry<S, Shape, Motion> geometry{task.motion, wall.wall, 0};
-    const auto plain = point_at<Term, Q, S>(geometry, task.region, b, q);
+    const auto plain = point_at<Term, Q, S>(geometry, task, b, q);
     using Point = FrozenPoint<N, D, std::remove_const_t<decltype(plain)>>;
     const Point point{plain};
     using Seeded = SeededFields<Fields, N, Trial, D>;

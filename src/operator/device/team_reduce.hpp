@@ -95,7 +95,7 @@ struct TeamReduce {
     const Batch<D> b = row.batch(e);
     const LiftedFields<Fields, N> fields{values};
     const RowGeometry<N, Shape, Motion> geometry{task.motion, wall.wall, e};
-    const auto point = point_at<Functional, Q, double>(geometry, task.region, b, p % Shape::points);
+    const auto point = point_at<Functional, Q, double>(geometry, task, b, p % Shape::points);
     const Reader<N, D, LiftedFields<Fields, N>, std::remove_const_t<decltype(point)>> reader{fields, point, p};
     const Vector<N, count> value = task.functional.value(Trial::read(reader));
     const double weight = row.holds(e) ? weight_at<double, D, Q>(task.region, b, p % Shape::points) : 0.0;

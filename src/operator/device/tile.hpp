@@ -153,9 +153,30 @@ struct Tile {
     return Room::z_share + (pass * Shape::qz + p / Shape::base) / Shape::QL;
   }
 
+  /// Point p of a pass with what it remembers. @param corner  of the pass; elements outside of the region have the memory of the
+  /// nearest one, and no weight
+  template <class Point>
+  KOKKOS_FORCEINLINE_FUNCTION auto with_memory_of(const Point& point, int p, const int (&corner)[D]) const {
+    if constexpr (memory_size_of<typename Plan::Trial> == 0) {
+      return point;
+    } else {
+      static_assert(Shape::QL == Q, "points of a volume remember");
+      const int at[3] = {p % Shape::qx, D == 3 ? p / Shape::qx % Shape::qy : p / Shape::base, p / Shape::base};
+      Batch<D> b{};
+      b.count = 1;
+      int q = 0;
+      for (int d = D - 1; d >= 0; --d) {
+        const int e = corner[d] + at[d] / Q, low = d == 0 ? grid.lead : 0;
+        b.element[d] = grid.first[d] + within(low, e, grid.elements[d] - 1);
+        q = q * Q + at[d] % Q;
+      }
+      return with_memory<typename Plan::Trial, Q, S>(point, task.memory, task.stride, grid.elements[1], b, q);
+    }
+  }
+
   /// The term at point p of a pass.
-  KOKKOS_FORCEINLINE_FUNCTION void evaluate(int p, int pass, const Real* t, Real* values, Real* flux,
-                                            PointState<Plan>& own) const {
+  KOKKOS_FORCEINLINE_FUNCTION void evaluate(int p, int pass, const int (&corner)[D], const Real* t, Real* values,
+                                            Real* flux, PointState<Plan>& own) const {
     int q[D], step[D][Q];
     Real row[D][Q];
     Sweeps::neighbours(p, q, step);
@@ -168,10 +189,11 @@ struct Tile {
     if constexpr (D == 3) reference[1] = S(t[Room::y_place + y]);
     const Real height = t[Room::z_place + z];
     reference[D - 1] = S(height);
-    const auto point =
+    const auto place =
         in_coordinates<typename Plan::Term>(point_above_wall<N, Shape::base, Plan::on_wall>(
                                                 task.motion, t + Room::wall + p % Shape::base, reference, height),
                                             reference);
+    const auto point = with_memory_of(place, p, corner);
     using Point = std::remove_const_t<decltype(point)>;
     const TileFields<Plan> from{own, values + p, row, step, task.scale};
     using From = Reader<N, D, TileFields<Plan>, Point>;
@@ -210,7 +232,7 @@ struct Tile {
     }
     share_points<Shape::points>(team, [&](int p, int l) { Sweeps::along_z(p, pass, t, second, first, own[l]); });
     team.barrier();
-    share_points<Shape::points>(team, [&](int p, int l) { evaluate(p, pass, t, first, second, own[l]); });
+    share_points<Shape::points>(team, [&](int p, int l) { evaluate(p, pass, corner, t, first, second, own[l]); });
     team.barrier();
     share_points<Shape::points>(team,
                                 [&](int p, int l) { Sweeps::fold_fluxes(slope, p, second, own[l].integrand, first); });

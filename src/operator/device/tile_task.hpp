@@ -61,6 +61,7 @@ struct TileTask {
   typename Plan::Motion motion;
   const Real* slot[Plan::slots];
   Real scale[Plan::slots];
+  const Real* memory;  ///< of the points
   Real factor;
   Tangents<D> tangents;
 
@@ -76,6 +77,7 @@ struct TileTask {
       slot[s] = from.slot[s];
       scale[s] = from.scale[s];
     }
+    memory = from.memory;
     factor = from.factor;
     tangents = Tangents<D>::of(from, direction);
     if constexpr (Plan::moves) {

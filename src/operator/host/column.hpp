@@ -283,7 +283,7 @@ void assemble_column(const Task<D, Term, Motion, RealOf<S>>& task, Batch<D> b, i
       fields.interpolate(along, w);
       S out[channels][1 + D][Q];
       for (int q = 0; q < Q; ++q) {
-        const auto point = point_at<Term, Q, S>(geometry, task.region, b, q * basis.points + w);
+        const auto point = point_at<Term, Q, S>(geometry, task, b, q * basis.points + w);
         using Point = std::remove_const_t<decltype(point)>;
         const Test test = task.term.residual(Trial::read(Reader<N, D, decltype(fields), Point>{fields, point, q}));
         const S weight = (task.factor * rule.weight(q, e)) * basis.weight[w];

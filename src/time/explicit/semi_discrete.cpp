@@ -10,7 +10,8 @@ SemiDiscrete<D, P>::SemiDiscrete(const Scene<D, P>& scene, MassKind kind)
       terms_(scene.regions(), scene.coefficients(), scene.equations()),
       viscous_(scene.regions(), scene.coefficients()),
       masses_(scene.regions(), scene.coefficients(), kind),
-      branches_(scene.coefficients().solid().branches, scene.layout().solid_size()),
+      branches_(scene.coefficients().solid().branches, scene.layout().branch_size(),
+                strain_followed<P>(scene.regions())),
       force_("explicit.force", scene.layout().size()),
       potential_("explicit.potential", scene.layout().has_fluid ? scene.layout().size() : 0),
       velocity_("explicit.velocity", scene.layout().size()) {
@@ -19,8 +20,8 @@ SemiDiscrete<D, P>::SemiDiscrete(const Scene<D, P>& scene, MassKind kind)
   stage_.acceleration = Array("explicit.zero", l.velocity_size());
   stage_.displacement = stage_.displacement_end = Array("explicit.displacement", l.solid_size());
   if (l.branches > 0) {
-    stage_.lag = Array("explicit.lag", l.solid_size());
-    stage_.lag_scale = 1;
+    stage_.lag = Array("explicit.lag", l.branch_size());
+    stage_.branch_weight = branches_.weight(0);
   }
   if (l.has_fluid) stage_.density_end = range(stage_.unknown, l.density_offset(), l.potential_offset());
 }

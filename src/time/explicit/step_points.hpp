@@ -119,13 +119,12 @@ struct SolidBound {
 
   /// Rates where the displacement has a gradient. @param on_face  on the top face;  @param below  on the bottom
   KOKKOS_FUNCTION void rates(const Tensor<double>& gradient, bool on_face, bool below, double* rate) const {
-    const double elastic = wave * wave * (stiffness(gradient) + stiffness_of_fibres(gradient) + branches);
+    const double elastic =
+        wave * wave * (stiffness(gradient) + stiffness_of_fibres(gradient) + stiffness_of_branches(gradient));
     const double tension = surface > 0 && on_face ? surface * shortening(gradient) : 0;
     const double face = along_face > 0 && on_face ? stiffened(tension, gradient) : tension;
     rate[elasticity] = Kokkos::sqrt(elastic + face + (below ? springs : 0) + held);
-    const auto deformed = add_diagonal(gradient, 1.0);
-    const double length = contract(deformed, deformed) / (Axial ? 3 : D);  // |F|^2, 1 where nothing is deformed
-    rate[viscosity] = viscous * Kokkos::max(1.0, length) * Kokkos::max(1.0, length) + (below ? dashpots : 0);
+    rate[viscosity] = viscous * lengthened(gradient) + (below ? dashpots : 0);
     rate[combined] = combine(formula, rate[elasticity], rate[viscosity], 0, 0);
   }
 
@@ -162,6 +161,17 @@ struct SolidBound {
     for (int c = 0; c < D; ++c)
       for (int d = 0; d < D; ++d) largest = Kokkos::max(largest, row[c][d]);
     return largest;
+  }
+  /// The square of |F|^2, at least 1, which it is where nothing is deformed: how a stretch makes F C F^T stiffer.
+  KOKKOS_FUNCTION static double lengthened(const Tensor<double>& gradient) {
+    const auto deformed = add_diagonal(gradient, 1.0);
+    const double length = Kokkos::max(1.0, contract(deformed, deformed) / (Axial ? 3 : D));
+    return length * length;
+  }
+  /// Of branches, which under finite strains grow stiffer in a stretch.
+  KOKKOS_FUNCTION double stiffness_of_branches(const Tensor<double>& gradient) const {
+    if constexpr (std::is_same_v<Material, Hooke>) return branches;
+    return branches > 0 ? branches * lengthened(gradient) : 0;
   }
   /// Largest eigenvalue of dP/dF of the fibres, that of F a_0 (x) a_0.
   KOKKOS_FUNCTION double stiffness_of_fibres(const Tensor<double>& gradient) const {

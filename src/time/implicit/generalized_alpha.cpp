@@ -41,7 +41,8 @@ GeneralizedAlpha<D, P>::GeneralizedAlpha(const Scene<D, P>& scene, double rho_in
       scheme_(rho_inf),
       alpha_(rho_inf),
       friction_(scene.layout(), scene.regions().points(), scene.mask()),
-      branches_(scene.coefficients().solid().branches, scene.layout().solid_size()),
+      branches_(scene.coefficients().solid().branches, scene.layout().branch_size(),
+                strain_followed<P>(scene.regions())),
       work_("work", scene.layout().size()) {
   const Layout<D>& l = scene.layout();
   stage_ = make_stage<double>(l);
@@ -63,8 +64,8 @@ void GeneralizedAlpha<D, P>::begin(const State& state, double dt, Rates rates) {
   stage_.density_rate_scale = stage_.rate_scale;
   if (scene_.coefficients().solid().branches.count == 0) return;
   const double ratio = alpha_.ga / alpha_.am;
-  branches_.begin(state, {alpha_.af, dt * (1 - ratio), dt * ratio, 1 - 1 / alpha_.am, 1 / alpha_.am});
-  stage_.lag_scale = branches_.weight(stage_.displacement_scale) * stage_.displacement_scale;
+  branches_.begin(state, {alpha_.af, dt * (1 - ratio), dt * ratio, 1 - 1 / alpha_.am, 1 / alpha_.am}, stage_.lag);
+  stage_.branch_weight = branches_.weight(stage_.displacement_scale);
 }
 
 template <int D, int P>
@@ -72,7 +73,7 @@ void GeneralizedAlpha<D, P>::begin_still(const State& state, double dt) {
   begin(state, dt, Rates::unknown);
   stage_.time = end_time_ = state.time;
   stage_.density_rate_scale = 0;
-  stage_.lag_scale = 0;
+  stage_.branch_weight = 0;
 }
 
 template <int D, int P>
@@ -95,7 +96,7 @@ void GeneralizedAlpha<D, P>::fill_stage(const Array& x) {
     sum_of(piece_of(stage_.displacement_end, o, count), 1, u0, a, v, b, rate0);
     sum_of(piece_of(stage_.displacement, o, count), 1, u0, af * a, v, af * b, rate0);
   }
-  if (stage_.lag_scale > 0) branches_.set_lag(stage_.displacement, stage_.lag);
+  if (stage_.branch_weight > 0) branches_.set_lag(stage_.displacement, stage_.lag);
   if (l.has_fluid) {
     const ConstArray rho = part(u, l.density_offset(), l.potential_offset());
     const ConstArray rho0 = part(n.unknown, l.density_offset(), l.potential_offset());
@@ -161,8 +162,8 @@ void GeneralizedAlpha<D, P>::jacobian(const StencilValues& values, double stretc
   jacobian_stage_.rate_scale *= stretch;
   jacobian_stage_.density_rate_scale *= stretch;
   jacobian_stage_.displacement_scale /= stretch;
-  if (const double c = jacobian_stage_.displacement_scale; jacobian_stage_.lag_scale > 0)
-    jacobian_stage_.lag_scale = branches_.weight(c) * c;
+  if (jacobian_stage_.branch_weight > 0)
+    jacobian_stage_.branch_weight = branches_.weight(jacobian_stage_.displacement_scale);
   last_jacobian(values);
 }
 
@@ -176,7 +177,7 @@ void GeneralizedAlpha<D, P>::visit_memory(StepMemory& memory) {
   memory.number("jacobian/end_scale", s.end_scale);
   memory.number("jacobian/moment_rate", s.moment_rate);
   if (scene_.layout().rate_rows > 0) memory.number("jacobian/density_rate_scale", s.density_rate_scale);
-  if (scene_.layout().branches > 0) memory.number("jacobian/lag_scale", s.lag_scale);
+  if (scene_.layout().branches > 0) memory.number("jacobian/branch_weight", s.branch_weight);
   memory.vector("jacobian/unknown", s.unknown);
   memory.vector("jacobian/acceleration", s.acceleration);
   memory.vector("jacobian/displacement", s.displacement);
@@ -225,10 +226,10 @@ void GeneralizedAlpha<D, P>::finish(const Array& x, State& state) {
     const ConstArray v = solid_velocity(l, stage_.unknown, d), r = part(start_.displacement_rate, o, o + count);
     sum_of(piece_of(state.displacement_rate, o, count), 1 - 1 / am, r, 1 / am, v, 0, v);
   }
-  if (stage_.lag_scale > 0) branches_.finish(start_, stage_.displacement, state);
-  state.memory_shift = stage_.lag_scale > 0 ? (am - af) * dt_ : 0;
+  if (stage_.branch_weight > 0) branches_.finish(start_, stage_.displacement, state);
+  state.memory_shift = stage_.branch_weight > 0 ? (am - af) * dt_ : 0;
   if (l.has_solid) Kokkos::deep_copy(state.displacement, stage_.displacement_end);
-  if (stage_.lag_scale == 0) branches_.rest(state);
+  if (stage_.branch_weight == 0) branches_.rest(state);
   sum_of(state.velocity_rate, 1 - 1 / am, start_.velocity_rate, 1 / am, stage_.acceleration, 0, stage_.acceleration);
   sum_of(state.unknown, 1 / af, stage_.unknown, 1 - 1 / af, start_.unknown, 0, start_.unknown);
   state.time = end_time_;

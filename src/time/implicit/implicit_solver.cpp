@@ -51,7 +51,8 @@ SolidPart solid_part(const Scene<D, P>& scene, const Stage& stage) {
   const double h = l.shortest();
   const SolidCoefficients& material = scene.coefficients().solid();
   const LameParameters& stiffness = material.stiffness;
-  const double of_branches = 2.0 / 3 * stage.lag_scale;  // 4/3 of a shear modulus resists such waves
+  // Of branches 4/3 of a shear modulus resists such waves.
+  const double of_branches = 2.0 / 3 * (stage.branch_weight * stage.displacement_scale);
   solid.size =
       material.density() * stage.rate_scale +
       ((stiffness.lambda + 2 * stiffness.shear_modulus) * stage.displacement_scale + of_branches) * 4 / (h * h);

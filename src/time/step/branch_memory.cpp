@@ -10,25 +10,26 @@ KOKKOS_FORCEINLINE_FUNCTION double held_value(const AlphaStep& step, double memo
   return memory + step.af * step.kept * rate;
 }
 
-/// pull = sum w_i h_i
+/// pull = scale sum w_i h_i
 struct SumPulls {
   Array pull;
   ConstArray memory, rate;
   Branches branches;
   AlphaStep step;
   int size;
+  double scale;
   KOKKOS_FUNCTION void operator()(int i) const {
     double sum = 0;
     for (int b = 0; b < branches.count; ++b)
       sum += branches.weight(b, step.af * step.taken) * held_value(step, memory(b * size + i), rate(b * size + i));
-    pull(i) = sum;
+    pull(i) = scale * sum;
   }
 };
 
 /// The memory and its rate at n + 1.
 struct MoveMemory {
   Array memory, rate;
-  ConstArray memory_before, rate_before, displacement;
+  ConstArray memory_before, rate_before, followed;
   Branches branches;
   AlphaStep step;
   int size;
@@ -36,14 +37,14 @@ struct MoveMemory {
     for (int b = 0; b < branches.count; ++b) {
       const int k = b * size + i;
       const double a = memory_before(k), r = rate_before(k);
-      const double middle = (displacement(i) - held_value(step, a, r)) / (branches.time[b] + step.af * step.taken);
+      const double middle = (followed(i) - held_value(step, a, r)) / (branches.time[b] + step.af * step.taken);
       memory(k) = a + step.kept * r + step.taken * middle;
       rate(k) = step.old * r + step.fresh * middle;
     }
   }
 };
 
-/// a + faded (u_0 - a) + followed (u_1 - u_0)
+/// a + faded (x_0 - a) + followed (x_1 - x_0)
 struct FollowMemory {
   Array out;
   ConstArray before, after, memory;
@@ -69,14 +70,28 @@ struct SumLags {
   }
 };
 
+/// sum 2 G_i A_i / sum 2 G_i
+struct MeanMemory {
+  Array mean;
+  ConstArray memory;
+  Branches branches;
+  int size;
+  double scale;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    double sum = 0;
+    for (int b = 0; b < branches.count; ++b) sum += 2 * branches.modulus[b] * memory(b * size + i);
+    mean(i) = scale * sum;
+  }
+};
+
 struct RateOfMemory {
   Array rate;
-  ConstArray displacement, memory;
+  ConstArray followed, memory;
   Branches branches;
   int size;
   KOKKOS_FUNCTION void operator()(int i) const {
     for (int b = 0; b < branches.count; ++b)
-      rate(b * size + i) = (displacement(i) - memory(b * size + i)) / branches.time[b];
+      rate(b * size + i) = (followed(i) - memory(b * size + i)) / branches.time[b];
   }
 };
 
@@ -84,27 +99,30 @@ struct RateOfMemory {
 
 void BranchMemory::rest(const State& state) const {
   if (empty()) return;
+  const ConstArray x = followed(state.displacement);
   for (int b = 0; b < branches_.count; ++b)
-    Kokkos::deep_copy(Exec(), Kokkos::subview(state.memory, Kokkos::make_pair(b * size_, (b + 1) * size_)),
-                      state.displacement);
+    Kokkos::deep_copy(Exec(), Kokkos::subview(state.memory, Kokkos::make_pair(b * size_, (b + 1) * size_)), x);
   Kokkos::deep_copy(Exec(), state.memory_rate, 0.0);
 }
 
-void BranchMemory::begin(const State& state, const AlphaStep& step) {
+void BranchMemory::begin(const State& state, const AlphaStep& step, const Array& lag) {
   step_ = step;
-  Kokkos::parallel_for("softwet::sum_pulls", Items(0, size_),
-                       SumPulls{pull_, state.memory, state.memory_rate, branches_, step_, size_});
+  const double scale = strain_ ? 1 / weight(step.af * step.taken) : 1;
+  Kokkos::parallel_for(
+      "softwet::sum_pulls", Items(0, size_),
+      SumPulls{strain_ ? lag : pull_, state.memory, state.memory_rate, branches_, step_, size_, scale});
 }
 
 void BranchMemory::finish(const State& start, const ConstArray& displacement, const State& end) const {
+  const ConstArray x = followed(displacement);
   Kokkos::parallel_for(
       "softwet::move_memory", Items(0, size_),
-      MoveMemory{end.memory, end.memory_rate, start.memory, start.memory_rate, displacement, branches_, step_, size_});
+      MoveMemory{end.memory, end.memory_rate, start.memory, start.memory_rate, x, branches_, step_, size_});
 }
 
 void BranchMemory::follow(double dt, const ConstArray& before, const ConstArray& after, const ConstArray& memory,
                           const Array& out) const {
-  FollowMemory follow{out, before, after, memory, branches_.count, size_, {}, {}};
+  FollowMemory follow{out, followed(before, 0), followed(after, 1), memory, branches_.count, size_, {}, {}};
   for (int b = 0; b < branches_.count; ++b) {
     const double times = dt / branches_.time[b];
     follow.faded[b] = -std::expm1(-times);
@@ -114,12 +132,17 @@ void BranchMemory::follow(double dt, const ConstArray& before, const ConstArray&
 }
 
 void BranchMemory::set_lag(const ConstArray& displacement, const ConstArray& memory, const Array& lag) const {
-  Kokkos::parallel_for("softwet::sum_lags", Items(0, size_), SumLags{lag, displacement, memory, branches_, size_});
+  if (strain_) {
+    Kokkos::parallel_for("softwet::mean_memory", Items(0, size_),
+                         MeanMemory{lag, memory, branches_, size_, 1 / weight(0)});
+  } else {
+    Kokkos::parallel_for("softwet::sum_lags", Items(0, size_), SumLags{lag, displacement, memory, branches_, size_});
+  }
 }
 
 void BranchMemory::set_rate(const ConstArray& displacement, const ConstArray& memory, const Array& rate) const {
   Kokkos::parallel_for("softwet::rate_of_memory", Items(0, size_),
-                       RateOfMemory{rate, displacement, memory, branches_, size_});
+                       RateOfMemory{rate, followed(displacement), memory, branches_, size_});
 }
 
 }  // namespace softwet

@@ -48,6 +48,7 @@
   SOFTWET_COMPILED(D, Fibres, Still)                                                        \
   SOFTWET_COMPILED(D, KelvinVoigt, Still)                                                   \
   SOFTWET_COMPILED(D, BranchStress, Still)                                                  \
+  SOFTWET_COMPILED(D, FiniteBranchStress, Still)                                            \
   SOFTWET_COMPILED(D, SurfaceTension, Still)                                                \
   SOFTWET_COMPILED(D, SurfaceElasticity, Still)
 namespace softwet {

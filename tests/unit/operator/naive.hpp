@@ -139,6 +139,8 @@ struct NaiveReader {
   const std::vector<Grid>& slots;
   bool around = false;  ///< in the coordinates (r, z)
   double value(int s) const { return point.evaluate(slots[s], -1); }
+  bool remembers() const { return true; }
+  double remembered(int k) const { return memory_at(point.x, D, k); }
   double area_ratio() const { return point.area() * (around ? point.radius / point.x[0] : 1); }
   double over_radius(int s) const { return value(s) / point.radius; }
   Vector<double, D> gradient(int s) const {

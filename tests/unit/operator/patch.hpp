@@ -12,6 +12,14 @@
 
 namespace softwet::testing_tools {
 
+/// A number k that a point remembers, as a function of its place.
+template <class Place>
+double memory_at(const Place& x, int dimension, int k) {
+  double phase = 0.7 * k;
+  for (int d = 0; d < dimension; ++d) phase += (3 + d) * x[d];
+  return 0.01 * std::sin(phase);
+}
+
 /// Solid below, fluid above, with element counts that are no multiples of a pack or of a colour.
 template <int D>
 struct Patch {
@@ -71,8 +79,8 @@ struct Patch {
   }
 
   void fill_lag() {
-    stage.lag = draw(layout.solid_size(), -0.012, 0.012);
-    stage.lag_scale = 0.02;
+    stage.lag = draw(layout.branch_size(), -0.012, 0.012);
+    stage.branch_weight = 0.7;
   }
 
   /// The same patch with rates of the density beside the wall.
@@ -87,8 +95,46 @@ struct Patch {
   Patch with_branches() const {
     Patch p = *this;
     p.layout.branches = 1;
+    p.layout.branch_lines = p.layout.solid_size() / p.layout.extent(0);
     p.fill_lag();
     return p;
+  }
+
+  /// The same patch where each point of the solid remembers as many numbers.
+  Patch with_point_memory(int size) const {
+    Patch p = *this;
+    const Region<D> r = solid();
+    const int q3 = points * (D == 3 ? points * points : points), rows = D == 3 ? r.axis[1].elements : 1;
+    std::vector<double> all(std::size_t(layout.solid_elements) * rows * size * q3 * r.stride[1]);
+    for_all_points(r, [&](const std::array<int, D>& element, const std::array<int, D>& q) {
+      std::array<double, D> x;
+      std::size_t line = element[D - 1] * rows + (D == 3 ? element[1] : 0);
+      int point = 0;
+      for (int d = D - 1; d >= 0; --d) {
+        x[d] = r.axis[d].position(q[d], element[d]);
+        point = point * points + q[d];
+      }
+      for (int k = 0; k < size; ++k)
+        all[((line * size + k) * q3 + point) * r.stride[1] + element[0]] = memory_at(x, D, k);
+    });
+    p.stage.lag = to_device<Array>(all);
+    p.stage.branch_weight = 1;
+    return p;
+  }
+  /// body(element, point), each by axis. Where kernels run on the host.
+  void for_all_points(const Region<D>& r, const auto& body) const {
+    int total = 1;
+    for (int d = 0; d < D; ++d) total *= r.axis[d].elements * points;
+    for (int i = 0; i < total; ++i) {
+      std::array<int, D> element, q;
+      for (int d = 0, rest = i; d < D; ++d) {
+        element[d] = rest % r.axis[d].elements;
+        rest /= r.axis[d].elements;
+        q[d] = rest % points;
+        rest /= points;
+      }
+      body(element, q);
+    }
   }
 
   Array draw(int n, double low, double high) {
@@ -176,7 +222,7 @@ struct Patch {
       const int from = layout.velocity_offset(d), to = layout.displacement_offset(d);
       s.displacement = shift(s.displacement, from, stage.displacement_scale, count, to);
       s.displacement_end = shift(s.displacement_end, from, stage.displacement_scale * stage.end_scale, count, to);
-      if (layout.branches > 0) s.lag = shift(s.lag, from, stage.lag_scale, count, to);
+      if (layout.branches > 0) s.lag = shift(s.lag, from, stage.branch_weight * stage.displacement_scale, count, to);
     }
     return s;
   }
@@ -209,7 +255,7 @@ inline StageOf<float> single_stage(const Stage& s) {
           s.moment_rate,
           s.density_rate_scale,
           copy(s.lag),
-          s.lag_scale};
+          s.branch_weight};
 }
 
 inline double largest(const std::vector<double>& v) {

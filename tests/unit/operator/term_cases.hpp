@@ -75,6 +75,7 @@ struct TermCases {
     return s;
   }
   std::vector<Grid> slots(const BranchStress&) const { return each(patch.stage.lag, true); }
+  std::vector<Grid> slots(const FiniteBranchStress&) const { return each(patch.stage.displacement, true); }
   std::vector<Grid> slots(const GradedSolid&) const {
     std::vector<Grid> s = slots(terms.solid);
     s.push_back(of_given());
@@ -166,6 +167,28 @@ struct TermCases {
     check_jacobian(piece, single);
   }
 
+  /// A term with numbers at the points. A matrix knows none of them, as a product where there are none.
+  template <class Term>
+  void check_remembering(const Term& term) const {
+    TermCases cases(patch.with_point_memory(memory_size_of<typename Term::template Trial<double, D>>));
+    cases.patch.stage.branch_weight = 0.7;
+    std::vector<double> expected = cases.naive(term, 0, patch.layout.solid_elements, false);
+    for (double& x : expected) x *= 0.7;
+    const Region<D> solid = patch.solid();
+    const PieceOf<D, P, Term, NoMotion, double> piece("branches that remember", solid, solid, term);
+    const PieceOf<D, P, Term, NoMotion, float> single("branches that remember", solid, solid, term);
+    ASSERT_GT(largest(expected), 1e-6);
+    EXPECT_LT(distance(cases.patch.residual(piece, cases.patch.stage), expected), 1e-13);
+    cases.check_product(piece, false);
+    if (matrix_points<D, P>(patch.points) != patch.points) return;  // there is no such matrix
+    TermCases forgotten(cases.patch);
+    forgotten.patch.stage.lag = {};
+    forgotten.check_jacobian(piece, single);
+    const Array z = forgotten.patch.draw(patch.layout.size(), -1, 1);
+    EXPECT_GT(distance(forgotten.patch.product(piece, z), cases.patch.product(piece, z)), 1e-4);
+    EXPECT_LT(largest(forgotten.patch.residual(piece, forgotten.patch.stage)), 1e-15) << "nothing is carried";
+  }
+
   /// The matrix, which is computed in single precision, against the product with frozen geometry.
   void check_jacobian(const Piece<D>& piece, const Piece<D, float>& single) const {
     Patch<D> p = patch;
@@ -234,6 +257,8 @@ struct TermCases {
     check<Still>("fibres", Fibres{0.7, {{0.6, 0, 0.8}}}, patch.solid(), 0, top);
     check<Still>("viscosity", KelvinVoigt{0.4, 0.3}, patch.solid(), 0, top);
     TermCases(patch.with_branches()).template check<Still>("branches", BranchStress{}, patch.solid(), 0, top);
+    check_remembering(FiniteBranchStress{});
+    if constexpr (D == 2) check_remembering(Axisymmetric<FiniteBranchStress>{});
     check<Still>("surface tension", SurfaceTension{0.6}, patch.top(), top - 1, top);
     check<Still>("foundation", Foundation{0.6, 0.4}, patch.bottom(), 0, 1);
     check<Still>("dashpots", Dashpots{0.6, 0.4}, patch.bottom(), 0, 1);

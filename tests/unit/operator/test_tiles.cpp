@@ -25,6 +25,20 @@ TEST(Tiles2D, Solid) {
   c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
 }
 
+/// Numbers at points of several passes and tiles, of which the last ones are cut.
+TEST(Tiles2D, PointsThatRemember) {
+  const TileCases<2> c(Patch<2>({23, 9}, 5, 2, 0.6).with_point_memory(3));
+  c.check<NoMotion>("branches", FiniteBranchStress{}, c.patch.solid());
+  c.check_single<NoMotion>("branches", FiniteBranchStress{}, c.patch.solid());
+  const TileCases<2> around(Patch<2>({23, 9}, 5, 2, 0.6).with_point_memory(4));
+  around.check<NoMotion>("branches around an axis", Axisymmetric<FiniteBranchStress>{}, around.patch.solid());
+  if (!has_reduced_quadrature) return;
+  Patch<2> few = Patch<2>({23, 9}, 5, 2, 0.6);
+  few.points = 2;
+  const TileCases<2> reduced(few.with_point_memory(3));
+  reduced.check<NoMotion>("branches, reduced", FiniteBranchStress{}, reduced.patch.solid());
+}
+
 TEST(Tiles2D, GradedElements) {
   const TileCases<2> c(Patch<2>({23, 9}, 3, 2, 0.6));
   c.check_fluid("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());

@@ -22,6 +22,18 @@ TEST(Tiles3D, Solid) {
   c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
 }
 
+/// Numbers at points of several passes and tiles, of which the last ones are cut.
+TEST(Tiles3D, PointsThatRemember) {
+  const TileCases<3> c(Patch<3>({7, 5, 9}, 5, 2, 0.6).with_point_memory(6));
+  c.check<NoMotion>("branches", FiniteBranchStress{}, c.patch.solid());
+  c.check_single<NoMotion>("branches", FiniteBranchStress{}, c.patch.solid());
+  if (!has_reduced_quadrature) return;
+  Patch<3> few = Patch<3>({7, 5, 9}, 5, 2, 0.6);
+  few.points = 2;
+  const TileCases<3> reduced(few.with_point_memory(6));
+  reduced.check<NoMotion>("branches, reduced", FiniteBranchStress{}, reduced.patch.solid());
+}
+
 TEST(Tiles3D, GradedElements) {
   const TileCases<3> c(Patch<3>({7, 5, 6}, 2, 2, 0.6));
   c.check<WallMotion<3>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());

@@ -115,48 +115,6 @@ TEST(EnergyLaw, OfARichSolid) {
   }
 }
 
-// A branch takes from the motion what its spring gains while its dashpot stands still, and the dashpot dissipates what it takes from
-// the spring.
-void expect_energy_law_of_branches(Case c) {
-  c.substrate->strain = Strain::small;
-  c.substrate->branches = {{0.9, 0.3}, {1.7, 0.04}};
-  RandomScene s(c);
-  const int size = s.layout().solid_size();
-  Stage& stage = s.stage();
-  std::vector<double> memory = to_host(s.terms.patch.draw(2 * size, -0.01, 0.01)), rate(2 * size), lag(size, 0.0);
-  const std::vector<double> u = to_host(stage.displacement);
-  if (s.layout().axisymmetric)
-    for (int i = 0; i < 2 * size; ++i)
-      if (i % size < s.layout().displacement_offset(1) && i % s.layout().row_size == 0) memory[i] = 0;
-  for (int i = 0; i < 2 * size; ++i) {
-    const Branch& branch = c.substrate->branches[i / size];
-    rate[i] = (u[i % size] - memory[i]) / branch.time;
-    lag[i % size] += 2 * branch.modulus * (u[i % size] - memory[i]);
-  }
-  stage.lag = to_device<Array>(lag);
-  stage.lag_scale = 1;
-  stage.memory = to_device<Array>(memory);
-  stage.memory_rate = to_device<Array>(rate);
-  const Integrals now = s.scene.balance().integrals(stage);
-  const double dissipation = now["dissipation_solid"];
-  EXPECT_GT(dissipation, 1e-4);
-  const double power = s.scene.balance().load_power(stage.time, stage.unknown),
-               expected = s.rate_of_energy(1e-3) - power;
-  const std::vector<double> r = s.residual(stage), x = to_host(stage.unknown);
-  EXPECT_NEAR(s.scene.regions().turn() * contract(r, x, 0, s.layout().size()), expected, 1e-9 * std::abs(expected));
-  const auto energy = [&](double time) {
-    Stage moved = stage;
-    const Array later = plus(to_device<Array>(memory), time, rate);
-    moved.memory = later;
-    return s.scene.balance().integrals(moved)["energy_branches"];
-  };
-  EXPECT_NEAR(slope(energy, 1e-3), -dissipation, 1e-9 * dissipation);
-}
-TEST(EnergyLaw, OfAViscoelasticSolid) {
-  expect_energy_law_of_branches(small_case(SceneKind::solid));
-  expect_energy_law_of_branches(axisymmetric(small_case(SceneKind::solid)));
-}
-
 // The same for solids that are stretched before: their energy counts from where nothing is displaced.
 TEST(EnergyLaw, OfAStretchedSolid) {
   for (const MaterialModel material : {MaterialModel::neo_hookean, MaterialModel::saint_venant_kirchhoff})

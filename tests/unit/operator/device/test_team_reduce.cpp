@@ -5,6 +5,7 @@
 
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/solid/branches.hpp"
 #include "kernels/solid/surface_tension.hpp"
 #include "operator/integrate.hpp"
 #include "unit/operator/patch.hpp"
@@ -18,7 +19,8 @@ struct IntegralCases {
   Patch<D> patch;
   Terms terms;
 
-  explicit IntegralCases(const std::array<int, D>& elements) : patch(elements, 2, P) {}
+  explicit IntegralCases(const std::array<int, D>& elements)
+      : patch(Patch<D>(elements, 2, P).with_point_memory(D * (D + 1) / 2)) {}
 
   template <class Motion, class Functional>
   auto task(const Functional& functional, const Region<D>& region) const {
@@ -70,6 +72,7 @@ struct IntegralCases {
     compare<true, P + 1>("wall, its rate", task<Moving>(wall, patch.face()));
     compare<false, P + 1>("solid", task<NoMotion>(SolidMotion{1.3}, patch.solid()));
     compare<false, P + 1>("elastic", task<NoMotion>(elastic, patch.solid()));
+    compare<false, P + 1>("branches", task<NoMotion>(FiniteShearSquare{}, patch.solid()));
     compare<false, P + 1>("surface", task<NoMotion>(EnergyOf<SurfaceTension>{{0.7}}, patch.top()));
   }
 };

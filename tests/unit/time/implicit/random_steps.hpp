@@ -3,7 +3,7 @@
 
 #include "time/implicit/generalized_alpha.hpp"
 
-#include "unit/scene/scenes.hpp"
+#include "unit/scene/branch_checks.hpp"
 
 namespace softwet::testing_tools {
 
@@ -47,9 +47,9 @@ inline Case scene_with_rates(SceneKind kind, bool periodic = false) {
 }
 
 /// A viscoelastic solid: one branch is slower than a step, the other one faster.
-inline Case scene_with_branches(SceneKind kind) {
+inline Case scene_with_branches(SceneKind kind, Strain strain = Strain::small) {
   Case c = small_case(kind);
-  c.substrate->strain = Strain::small;
+  c.substrate->strain = strain;
   c.substrate->branches = {{0.9, 0.3}, {1.7, 0.004}};
   return c;
 }

@@ -44,7 +44,7 @@ Errors errors(double rho_inf, int steps) {
   state.memory_rate = Array("rate", 2);
   for (int n = 0; n < steps; ++n) {
     const AlphaParameters a = n == 0 ? AlphaParameters::backward_euler() : AlphaParameters(rho_inf);  // as runs begin
-    memory.begin(state, step_of(a, dt));
+    memory.begin(state, step_of(a, dt), {});
     memory.finish(state, to_device<Array>(std::vector<double>{std::sin(frequency * (n + a.af) * dt)}), state);
   }
   const std::vector<double> found = to_host(state.memory), rate = to_host(state.memory_rate);
@@ -85,7 +85,7 @@ TEST(BranchMemory, LagIsWhatIsLeftOfTheEquation) {
   state.memory_rate = to_device<Array>(std::vector<double>{1, -2, 3, 0.3, 0.2, 0.1});
   const std::vector<double> a0 = to_host(state.memory), u{0.7, -0.2, 0.9};
   const Array lag("lag", 3);
-  memory.begin(state, step);
+  memory.begin(state, step, {});
   memory.set_lag(to_device<Array>(u), lag);
   State end;
   end.memory = Array("memory", 6);
@@ -122,6 +122,45 @@ TEST(BranchMemory, FollowsASteadyMotionExactly) {
     expected_lag += 2 * two_branches().modulus[i] * (0.1 + speed * dt - expected);
   }
   EXPECT_NEAR(to_host(lag)[0], expected_lag, 1e-14);
+}
+
+// Under finite strains branches follow a function of the displacement, here its square, at other places than control values.
+TEST(BranchMemory, FollowsAStrain) {
+  const StrainFollowed square = [](const ConstArray& u, const Array& out) {
+    std::vector<double> x = to_host(u);
+    x.push_back(0.5);
+    for (double& value : x) value *= value;
+    Kokkos::deep_copy(out, to_device<Array>(x));
+  };
+  const Branches branches = two_branches();
+  const AlphaStep step = step_of(AlphaParameters(0.5), 0.1);
+  BranchMemory memory(branches, 3, square);
+  State state, end;
+  state.memory = to_device<Array>(std::vector<double>{0.1, 0.2, -0.3, 0.4, 0.5, 0.6});
+  state.memory_rate = to_device<Array>(std::vector<double>{1, -2, 3, 0.3, 0.2, 0.1});
+  end.memory = Array("memory", 6);
+  end.memory_rate = Array("rate", 6);
+  const std::vector<double> a0 = to_host(state.memory), x{0.49, 0.04, 0.25};
+  const Array u = to_device<Array>(std::vector<double>{0.7, -0.2}), lag("lag", 3), later("lag", 3);
+  memory.begin(state, step, lag);
+  memory.set_lag(u, lag);  // does nothing: h is that of the step
+  memory.finish(state, u, end);
+  const std::vector<double> a1 = to_host(end.memory), h = to_host(lag);
+  const double weight = memory.weight(step.af * step.taken);
+  for (int i = 0; i < 3; ++i) {
+    double expected = 0;
+    for (int b = 0; b < 2; ++b)
+      expected += 2 * branches.modulus[b] * (x[i] - a0[3 * b + i] - step.af * (a1[3 * b + i] - a0[3 * b + i]));
+    EXPECT_NEAR(weight * (x[i] - h[i]), expected, 1e-13) << "sum of 2 G (x - a) in the middle of the step";
+  }
+  memory.set_lag(u, end.memory, later);
+  const double moduli = 2 * (branches.modulus[0] + branches.modulus[1]);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(to_host(later)[i], 2 * (branches.modulus[0] * a1[i] + branches.modulus[1] * a1[3 + i]) / moduli, 1e-15);
+  state.displacement = u;
+  memory.rest(state);
+  const std::vector<double> rested = to_host(state.memory);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(rested[i], x[i % 3], 1e-15);
 }
 
 TEST(BranchMemory, AtRestFollowsTheDisplacement) {
