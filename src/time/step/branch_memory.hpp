@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/stage.hpp"
+#include "kernels/solid/branches.hpp"
 #include "scene/branch_strains.hpp"
 #include "time/step/sum_of.hpp"
 
