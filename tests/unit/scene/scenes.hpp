@@ -1,4 +1,4 @@
-// Small scenes for tests of the model, the solvers and the time integrator.
+// Small scenes for tests of scenes, the solvers and the time integrator.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -61,7 +61,7 @@ inline Case small_case_in_3d(SceneKind kind, WallLaw law = WallLaw::gradient) {
   return c;
 }
 
-/// A model with a random stage whose velocity and acceleration respect the sides.
+/// A scene with a random stage whose velocity and acceleration respect the sides.
 template <int D>
 struct RandomSceneIn {
   Case data;

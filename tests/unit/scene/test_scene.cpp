@@ -1,4 +1,4 @@
-// The model as a sum of terms: residual against the reference assembly, product against differences, sides, integrals.
+// A scene as a sum of terms: residual against the reference assembly, product against differences, sides, integrals.
 #include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {
@@ -129,7 +129,7 @@ TEST(Scene, SceneHasOnlyWhatItAsksFor) {
   EXPECT_EQ(coupled.layout().size(), 2 * 11 * 9 + 2 * 11 * 6);
 }
 
-// A second model of another mesh changes no bit of what the first one sums up.
+// A second scene of another mesh changes no bit of what the first one sums up.
 TEST(Scene, TwoAtOnceHaveTheirOwnSums) {
   Case first = small_case(SceneKind::coupled), second = small_case(SceneKind::coupled);
   first.domain.elements = {45, 6};

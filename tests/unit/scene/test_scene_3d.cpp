@@ -1,4 +1,4 @@
-// The model in space: products against differences, single against double precision, and what fluxes keep.
+// A scene in 3D: products against differences, single against double precision, and what fluxes keep.
 #include "unit/scene/scenes.hpp"
 
 namespace softwet::testing_tools {

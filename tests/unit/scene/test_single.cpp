@@ -1,4 +1,4 @@
-// A model in single precision against the same model in double precision: residuals and products.
+// A scene in single precision against the same scene in double precision: residuals and products.
 #include "field/vector.hpp"
 #include "unit/scene/scenes.hpp"
 
