@@ -24,11 +24,7 @@ struct KelvinVoigt {
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const SolidStrainRate<N, D, M>& t) const {
     const M s = stress(strain_rate(t));
-    MomentumTest<N, D, M> r;
-    SOFTWET_UNROLL
-    for (int i = 0; i < D; ++i) r.momentum[i] = N(0.0);
-    r.momentum_flux = s + finite * product(t.displacement_gradient, s);
-    return r;
+    return MomentumTest<N, D, M>::of_flux(s + finite * product(t.displacement_gradient, s));
   }
 
   template <class N, int D, class M>
