@@ -1,7 +1,6 @@
 // Integrals of the state: the part of Model that history.csv is made of.
 #include "field/vector.hpp"
 #include "kernels/fluid/gravity.hpp"
-#include "kernels/fluid/stretched_wall.hpp"
 #include "kernels/functional/liquid_volume.hpp"
 #include "model/coordinates.hpp"
 #include "model/liquid_volume.hpp"
@@ -40,9 +39,9 @@ void Model<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) co
   if (!has_wall_) return;
   if (wall_stretch_exponent_ > 0) {
     if constexpr (std::is_same_v<Motion, WallMotion<D>>)
-      wall_integrals<Motion>(StretchedWallIntegrals{{wall_}, wall_stretch_exponent_}, at, result);
+      wall_integrals<Motion>(StretchedWallIntegrals{{{wall_}}, wall_stretch_exponent_}, at, result);
   } else if (painted_.values.data()) {
-    wall_integrals<Motion>(PaintedWallIntegrals{wall_}, at, result);
+    wall_integrals<Motion>(PaintedWallIntegrals{{wall_}}, at, result);
   } else {
     wall_integrals<Motion>(WallIntegrals{wall_}, at, result);
   }

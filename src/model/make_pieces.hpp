@@ -62,13 +62,13 @@ class PieceMaker {
       const char* name = model_.prestretch().acts ? "stretched solid" : "graded solid";
       const ElasticLaw law = law_of(solid.material);
       if (s.volume_quadrature == VolumeQuadrature::full)
-        return add_graded(name, GradedSolid{law, model_.stiffness(), solid.density, model_.prestretch()});
+        return add_graded(name, GradedSolid{{{law, model_.stiffness(), model_.prestretch()}, solid.density}});
       const SelectiveParts parts = SelectiveParts::of(model_.stiffness());
-      add_graded(name, GradedSolid{law, parts.everywhere, solid.density, model_.prestretch()});
+      add_graded(name, GradedSolid{{{law, parts.everywhere, model_.prestretch()}, solid.density}});
       Prestretch of_means = model_.prestretch();
       of_means.energy_at_rest = 0;  // the other part has that of both
       if (parts.of_means.lambda > 0)
-        add_graded("solid, means of elements", SolidOfMeans{{law, parts.of_means, 0, of_means}});
+        add_graded("solid, means of elements", SolidOfMeans{{{{law, parts.of_means, of_means}}}});
     };
     std::visit(elastic, model_.solid());
     const double finite = s.strain == Strain::small ? 0 : 1;

@@ -12,6 +12,7 @@
 #include "kernels/fluid/line_friction.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/functional/wall_integrals.hpp"
 #include "kernels/solid/branches.hpp"
 #include "kernels/solid/fibres.hpp"
 #include "kernels/solid/hooke.hpp"
