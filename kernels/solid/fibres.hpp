@@ -39,8 +39,6 @@ struct Fibres {
   template <class N, int D, class M = Matrix<N, D>>
   using Trial = SolidStrain<N, D, M>;
   template <class N, int D, class M = Matrix<N, D>>
-  using EnergyTrial = SolidStrain<N, D, M>;
-  template <class N, int D, class M = Matrix<N, D>>
   using Test = MomentumTest<N, D, M>;
 
   template <class N, int D, class M>

@@ -31,8 +31,6 @@ struct Foundation {
   template <class N, int D, class...>
   using Trial = SolidDisplacement<N, D>;
   template <class N, int D, class...>
-  using EnergyTrial = SolidDisplacement<N, D>;
-  template <class N, int D, class...>
   using Test = VectorTest<N, D>;
 
   template <class N, int D>

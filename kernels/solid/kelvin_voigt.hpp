@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/point/solid_fields.hpp"
+#include "kernels/solid/isotropic.hpp"
 
 namespace softwet {
 
@@ -42,7 +43,7 @@ struct KelvinVoigt {
   }
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION M stress(const M& rate) const {
-    return add_diagonal((2.0 * shear) * rate, (bulk - 2.0 / 3 * shear) * trace(rate));
+    return linear_stress({bulk - 2.0 / 3 * shear, shear}, rate);
   }
 };
 
