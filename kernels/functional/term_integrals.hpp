@@ -30,9 +30,9 @@ struct EnergyOf {
   template <class N, int D>
   using Trial = typename EnergyTrialOf<Term, N, D>::type;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const Trial<N, D>& t) const {
-    return {{term.energy(t)}};
+  template <class Seen>
+  KOKKOS_FORCEINLINE_FUNCTION auto value(const Seen& t) const {
+    return Vector<decltype(term.energy(t)), count>{{term.energy(t)}};
   }
 };
 
