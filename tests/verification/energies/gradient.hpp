@@ -98,33 +98,35 @@ KOKKOS_FORCEINLINE_FUNCTION Gradient<N, count> select(const Mask& m, const Gradi
   return r;
 }
 
-/// How a law finds its stress from its energy: by one entry of the gradient after another, or by all at once.
+/// How a law finds its stress from its energy: by one entry of the gradient after another, with dual numbers of its numbers, or by all
+/// entries at once.
 enum class Way { by_entry, at_once };
 
 /// d energy / d g by the entries of the first `columns` columns of g; the others are zero.
 /// @param energy  a function of matrices of numbers of any type
 template <Way way, int columns, class N, int D, class Energy>
 KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> derivative(const Matrix<N, D>& g, const Energy& energy) {
-  constexpr int count = way == Way::at_once ? D * columns : 1;
-  using G = Gradient<N, count>;
   Matrix<N, D> r;
-  Matrix<G, D> x;
   for (int i = 0; i < D; ++i)
-    for (int j = 0; j < D; ++j) {
-      r(i, j) = N(0.0);
-      x(i, j) = count > 1 && j < columns ? G::variable(g(i, j), i * columns + j) : G(g(i, j));
-    }
+    for (int j = columns; j < D; ++j) r(i, j) = N(0.0);
   if constexpr (way == Way::at_once) {
+    using G = Gradient<N, D * columns>;
+    Matrix<G, D> x;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) x(i, j) = j < columns ? G::variable(g(i, j), i * columns + j) : G(g(i, j));
     const G e = energy(x);
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < columns; ++j) r(i, j) = e.by[i * columns + j];
   } else {
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < columns; ++j) {
-        Matrix<G, D> moved = x;
-        moved(i, j) = G::variable(g(i, j), 0);
-        r(i, j) = energy(moved).by[0];
-      }
+    // Entries are constants of the compiler: loops over them would leave the numbers in memory, at twice the time.
+    const auto by = [&]<int entry>(std::integral_constant<int, entry>) {
+      Matrix<Dual<N>, D> x;
+      for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) x(i, j) = Dual<N>(g(i, j), N(i * columns + j == entry && j < columns ? 1.0 : 0.0));
+      r(entry / columns, entry % columns) = energy(x).tangent;
+    };
+    [&]<int... entry>(std::integer_sequence<int, entry...>) { (by(std::integral_constant<int, entry>()), ...); }
+    (std::make_integer_sequence<int, D * columns>());
   }
   return r;
 }

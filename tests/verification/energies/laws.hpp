@@ -61,7 +61,7 @@ struct FluidOfEnergy : NavierStokesKorteweg {
   }
 };
 
-/// The wall with -f_w' as the derivative of its energy, a series.
+/// The wall with -f_w' as the derivative of its energy, a series. Of dual numbers `WallEnergy` itself takes the force.
 struct WallOfEnergy {
   static constexpr Where where = Where::wall;
 

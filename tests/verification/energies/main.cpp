@@ -40,18 +40,21 @@ template <int D>
 struct Bench {
   testing_tools::Patch<D> patch;
   Array direction;
+  Array ones;  ///< a given field
 
   explicit Bench(const std::array<int, D>& elements) : patch(elements, elements[D - 1] / 2) {
     const double step = 0.05 / elements[0];  // strains of some hundredths
     patch.stage.displacement = patch.draw(patch.layout.solid_size(), -step, step);
     direction = patch.draw(patch.layout.size(), -1, 1);
+    ones = patch.draw(patch.layout.rows * patch.layout.row_size, 1, 1);
   }
 
   template <class Motion, class Term>
   void turn(const Term& term, const Region<D>& region, Measured& measured) const {
     for (int work = 0; work < 2; ++work) {
       const Array out("out", patch.layout.size());
-      const Evaluation<D> at{patch.layout, patch.stage, work == 1 ? direction : Array(), out};
+      Evaluation<D> at{patch.layout, patch.stage, work == 1 ? direction : Array(), out};
+      at.given = ones.data();
       const auto task = task_of<D, Term, Motion, double>(term, region, at, patch.blend);
       using List = TermList<TermOnMesh<Term, Motion>>;
       const auto start = std::chrono::steady_clock::now();
@@ -107,8 +110,9 @@ struct Bench {
     const Region<D> region = patch.solid();
     compare<NoMotion>(name, "by entry", closed, SolidOfEnergy<Material, Way::by_entry>{{{stiffness}}, 1.3}, region);
     compare<NoMotion>(name, "at once", closed, SolidOfEnergy<Material, Way::at_once>{{{stiffness}}, 1.3}, region);
-    compare<NoMotion>(name, "chosen at run time", closed, Elastodynamics<ChosenMaterial>{{law, stiffness}, 1.3},
-                      region);
+    const Elastodynamics<ChosenMaterial> chosen{{law, stiffness}, 1.3};
+    compare<NoMotion>(name, "chosen at run time", closed, chosen, region);
+    compare<NoMotion>(name, "and a given field", closed, GradedSolid{chosen}, region);
   }
   template <class Term>
   void term(const char* name, const Term& law, const Region<D>& region) const {
