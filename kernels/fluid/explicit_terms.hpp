@@ -17,7 +17,7 @@ struct MassFlux {
 
   template <class N, int D>
   KOKKOS_FORCEINLINE_FUNCTION MassFluxTest<N, D> residual(const MassFluxTrial<N, D>& t) const {
-    return {(-1.0 * t.density) * (t.velocity - t.mesh_velocity)};
+    return {-1.0 * mass_flux(t.density, t.velocity - t.mesh_velocity)};
   }
 };
 
@@ -35,9 +35,8 @@ struct PressureForce {
 
   template <class N, int D>
   KOKKOS_FORCEINLINE_FUNCTION PressureTest<N, D> residual(const PressureTrial<N, D>& t) const {
-    Vector<N, D> drive;
-    for (int i = 0; i < D; ++i) drive[i] = t.chemical_potential_gradient[i] - fluid.force[i];
-    return {t.density * drive, (fluid.stabilisation * (t.density * t.density)) * drive};
+    const Vector<N, D> driven = drive(t.chemical_potential_gradient, fluid.force);
+    return {t.density * driven, stabilising_mobility(fluid.stabilisation, t.density) * driven};
   }
 };
 
@@ -55,8 +54,8 @@ struct ConvectionViscosity {
 
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const ConvectionTrial<N, D, M>& t) const {
-    const N inertia = select(t.density < floor, N(floor), t.density);
-    return {inertia * product(t.velocity_gradient, t.velocity - t.mesh_velocity),
+    const Vector<N, D> slip = t.velocity - t.mesh_velocity;
+    return {inertial_density(t.density, floor) * convection(t.velocity_gradient, slip),
             newtonian_stress(viscosity, t.velocity_gradient)};
   }
 };

@@ -1,6 +1,7 @@
 // The linear operators on velocities that time schemes invert: masses of the fluid and the solid, and the viscosity.
 #pragma once
 
+#include "kernels/fluid/balances.hpp"
 #include "kernels/fluid/newtonian.hpp"
 #include "kernels/point/vector_fields.hpp"
 
@@ -22,7 +23,7 @@ struct WeightedViscosity {
 
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const WeightedTrial<N, D, M>& t) const {
-    const N weight = inertia * select(t.density < floor, N(floor), t.density);
+    const N weight = inertia * inertial_density(t.density, floor);
     return {weight * t.vector, newtonian_stress(viscosity, t.gradient)};
   }
 };

@@ -11,6 +11,7 @@
 // wall's own basis functions: see `CapillaryTraction`.
 #pragma once
 
+#include "kernels/fluid/balances.hpp"
 #include "kernels/fluid/contact_angle.hpp"
 #include "kernels/fluid/korteweg.hpp"
 #include "kernels/fluid/newtonian.hpp"
@@ -70,15 +71,13 @@ struct NavierStokesKorteweg {
   KOKKOS_FORCEINLINE_FUNCTION FluidTest<N, D, M> residual(const FluidTrial<N, D, M>& t) const {
     const N& rho = t.density;
     const Vector<N, D> slip = t.velocity - t.mesh_velocity;
-    const N inertia = select(rho < inertia_floor, N(inertia_floor), rho);
-    const N eps = stabilisation * (rho * rho);
-    Vector<N, D> drive;
-    for (int i = 0; i < D; ++i) drive[i] = t.chemical_potential_gradient[i] - force[i];
+    const N inertia = inertial_density(rho, inertia_floor), eps = stabilising_mobility(stabilisation, rho);
+    const Vector<N, D> driven = drive(t.chemical_potential_gradient, force);
 
     FluidTest<N, D, M> r;
-    r.momentum = inertia * (t.acceleration + product(t.velocity_gradient, slip)) + rho * drive;
+    r.momentum = inertia * (t.acceleration + convection(t.velocity_gradient, slip)) + rho * driven;
     r.momentum_flux = newtonian_stress(viscosity, t.velocity_gradient);
-    r.mass_flux = eps * drive - rho * slip;
+    r.mass_flux = eps * driven - mass_flux(rho, slip);
     const PotentialTest<N, D> w =
         VariationalDerivative{gas, capillarity}.residual(DensityTrial<N, D>{rho, t.density_gradient});
     r.potential = t.chemical_potential + w.potential;

@@ -18,10 +18,10 @@ struct StretchedTrial {
     return {Inner::read(at), at.area_ratio()};
   }
 
-  /// With the cosine c a^(-beta) in the place of c.
+  /// With the cosine s c a^(-beta) in the place of c, the given field.
   KOKKOS_FORCEINLINE_FUNCTION Inner with(double beta, double share = 1) const {
     Inner inner = wall;
-    inner.cosine = share * real_power(area_ratio, -beta) * inner.cosine;
+    inner.given = share * real_power(area_ratio, -beta) * inner.given;
     return inner;
   }
 };
@@ -48,26 +48,6 @@ struct StretchedWall {
   template <class Inner, class N>
   KOKKOS_FORCEINLINE_FUNCTION auto residual(const StretchedTrial<Inner, N>& t) const {
     return law.residual(t.with(exponent, share));
-  }
-};
-
-/// Integrand over the wall: its energy a^(-beta) cos(alpha) f(rho).
-struct StretchedWallIntegrals {
-  static constexpr Where where = Where::wall;
-
-  PaintedWallIntegrals energy;
-  double exponent = 0;  ///< beta
-
-  static constexpr int count = PaintedWallIntegrals::count;
-  static constexpr const char* column(int integral) { return PaintedWallIntegrals::column(integral); }
-  static constexpr const char* rate_column = PaintedWallIntegrals::rate_column;
-
-  template <class N, int D, class...>
-  using Trial = StretchedTrial<PaintedTrial<N, D>, N>;
-
-  template <class Inner, class N>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const StretchedTrial<Inner, N>& t) const {
-    return energy.value(t.with(exponent));
   }
 };
 

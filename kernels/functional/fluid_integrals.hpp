@@ -2,7 +2,6 @@
 #pragma once
 
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
-#include "kernels/fluid/wall_energy.hpp"
 #include "kernels/functional/columns.hpp"
 
 namespace softwet {
@@ -42,16 +41,14 @@ struct FluidIntegrals {
 
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const FluidTrial<N, D, M>& t) const {
-    const double lambda = model.capillarity * model.capillarity;
     Vector<N, count> r;
     r[mass] = t.density;
     r[kinetic] = 0.5 * t.density * dot(t.velocity, t.velocity);
     r[bulk] = model.gas.energy(t.density);
-    r[gradient] = 0.5 * lambda * dot(t.density_gradient, t.density_gradient);
+    r[gradient] = gradient_energy(model.capillarity, t.density_gradient);
     r[viscous] = contract(newtonian_stress(model.viscosity, t.velocity_gradient), t.velocity_gradient);
-    Vector<N, D> drive;
-    for (int i = 0; i < D; ++i) drive[i] = t.chemical_potential_gradient[i] - model.force[i];
-    r[stabilisation] = model.stabilisation * t.density * t.density * dot(drive, drive);
+    const Vector<N, D> driven = drive(t.chemical_potential_gradient, model.force);
+    r[stabilisation] = model.stabilisation * t.density * t.density * dot(driven, driven);
     for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? t.density * t.velocity[i < D ? i : 0] : N(0.0);
     return r;
   }
@@ -83,26 +80,6 @@ struct FluidContents {
   template <class N, int D>
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const FilledMesh<N, D>& t) const {
     return {{t.density, N(1.0), select(t.volume_ratio < 0.0, N(-1.0), N(0.0))}};
-  }
-};
-
-/// Integrand over the wall Gamma: its energy f_w(rho).
-/// Tested: tests/unit/scene/test_energy.cpp
-struct WallIntegrals {
-  static constexpr Where where = Where::wall;
-
-  WallEnergy wall;
-
-  static constexpr int count = 1;
-  static constexpr const char* column(int) { return "energy_wall"; }
-  static constexpr const char* rate_column = "wall_stretch";  ///< of its rate by the motion of the wall
-
-  template <class N, int D, class...>
-  using Trial = DensityTrial<N, D>;
-
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const DensityTrial<N, D>& t) const {
-    return {{wall.value(t.density)}};
   }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/functional/columns.hpp"
+#include "kernels/point/vector_fields.hpp"
 #include "kernels/solid/elastodynamics.hpp"
 #include "kernels/solid/isotropic.hpp"
 
@@ -26,8 +27,8 @@ struct SolidMotion {
   template <class N, int D>
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const SolidVelocity<N, D>& t) const {
     Vector<N, count> r;
-    r[kinetic] = (0.5 * density) * dot(t.velocity, t.velocity);
-    for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? density * t.velocity[i < D ? i : 0] : N(0.0);
+    r[kinetic] = (0.5 * density) * dot(t.vector, t.vector);
+    for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? density * t.vector[i < D ? i : 0] : N(0.0);
     return r;
   }
 };

@@ -6,8 +6,18 @@
 
 namespace softwet {
 
-/// Integrand: the energy of a term, whose residual is its derivative. The term names the column with `energy_column`, and what
-/// the energy reads with `EnergyTrial`.
+/// What the energy of a term reads: its trial, or less where the term has an `EnergyTrial`.
+template <class Term, class N, int D>
+struct EnergyTrialOf {
+  using type = typename Term::template Trial<N, D>;
+};
+template <class Term, class N, int D>
+  requires requires { typename Term::template EnergyTrial<N, D>; }
+struct EnergyTrialOf<Term, N, D> {
+  using type = typename Term::template EnergyTrial<N, D>;
+};
+
+/// Integrand: the energy of a term, whose residual is its derivative. The term names the column with `energy_column`.
 template <class Term>
 struct EnergyOf {
   static constexpr Where where = Term::where;
@@ -18,11 +28,11 @@ struct EnergyOf {
   Term term;
 
   template <class N, int D>
-  using Trial = typename Term::template EnergyTrial<N, D>;
+  using Trial = typename EnergyTrialOf<Term, N, D>::type;
 
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const Trial<N, D>& t) const {
-    return {{term.energy(t)}};
+  template <class Seen>
+  KOKKOS_FORCEINLINE_FUNCTION auto value(const Seen& t) const {
+    return Vector<decltype(term.energy(t)), count>{{term.energy(t)}};
   }
 };
 

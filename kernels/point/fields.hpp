@@ -128,6 +128,15 @@ struct MomentumTest {
   static constexpr bool has_flux = true;
   static constexpr Component channel(int c) { return {Field::velocity, c}; }
 
+  /// A flux without a force.
+  static KOKKOS_FORCEINLINE_FUNCTION MomentumTest of_flux(const M& flux) {
+    MomentumTest r;
+    SOFTWET_UNROLL
+    for (int i = 0; i < D; ++i) r.momentum[i] = N(0.0);
+    r.momentum_flux = flux;
+    return r;
+  }
+
   template <class Writer>
   KOKKOS_FORCEINLINE_FUNCTION void write(const Writer& to) const {
     write_momentum(to, momentum, momentum_flux);

@@ -39,36 +39,6 @@ struct SolidStrain {
   }
 };
 
-/// Displacement of the solid at a point.
-template <class N, int D>
-struct SolidDisplacement {
-  Vector<N, D> displacement;
-
-  static constexpr int slot_count = D;
-  static constexpr Slot slot(int s) { return {{Field::displacement, s}, true, false}; }
-  template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION SolidDisplacement read(const Reader& at) {
-    SolidDisplacement t;
-    for (int i = 0; i < D; ++i) t.displacement[i] = at.value(i);
-    return t;
-  }
-};
-
-/// Velocity of the solid at a point.
-template <class N, int D>
-struct SolidVelocity {
-  Vector<N, D> velocity;
-
-  static constexpr int slot_count = D;
-  static constexpr Slot slot(int s) { return {{Field::velocity, s}, true, false}; }
-  template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION SolidVelocity read(const Reader& at) {
-    SolidVelocity t;
-    for (int i = 0; i < D; ++i) t.velocity[i] = at.value(i);
-    return t;
-  }
-};
-
 /// Displacement gradient of the solid and its rate.
 template <class N, int D, class M = Matrix<N, D>>
 struct SolidStrainRate {
@@ -82,38 +52,6 @@ struct SolidStrainRate {
   template <class Reader>
   static KOKKOS_FORCEINLINE_FUNCTION SolidStrainRate read(const Reader& at) {
     return {gradient_of<M, N, D>(at, 0), gradient_of<M, N, D>(at, D)};
-  }
-};
-
-/// Displacement gradient of a solid whose stiffness varies in space.
-template <class N, int D, class M = Matrix<N, D>>
-struct GradedSolidStrain {
-  SolidStrain<N, D, M> strain;
-  N stiffness;  ///< over that of the material
-
-  static constexpr int slot_count = D + 1;
-  static constexpr Slot slot(int s) {
-    return s < D ? SolidStrain<N, D, M>::slot(s) : Slot{{Field::given}, true, false};
-  }
-  template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION GradedSolidStrain read(const Reader& at) {
-    return {SolidStrain<N, D, M>::read(at), at.value(D)};
-  }
-};
-
-/// Solid at a point where its stiffness varies in space.
-template <class N, int D, class M = Matrix<N, D>>
-struct GradedSolidTrial {
-  SolidTrial<N, D, M> solid;
-  N stiffness;  ///< over that of the material
-
-  static constexpr int slot_count = 2 * D + 1;
-  static constexpr Slot slot(int s) {
-    return s < 2 * D ? SolidTrial<N, D, M>::slot(s) : Slot{{Field::given}, true, false};
-  }
-  template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION GradedSolidTrial read(const Reader& at) {
-    return {SolidTrial<N, D, M>::read(at), at.value(2 * D)};
   }
 };
 

@@ -1,4 +1,4 @@
-// Bundles of linear operators that act on a velocity or an acceleration, and the integrand against w alone.
+// Bundles of terms that read a vector alone, or act on one, and the integrand against w alone.
 #pragma once
 
 #include "kernels/point/fields.hpp"
@@ -27,21 +27,27 @@ struct WeightedTrial {
   }
 };
 
-/// A velocity (or acceleration) z in the solid.
-template <class N, int D>
-struct VectorTrial {
+/// A vector at a point: the displacement or the velocity of the solid, or the operand z of a linear operator.
+template <Field field, class N, int D>
+struct VectorOf {
   Vector<N, D> vector;
 
   static constexpr int slot_count = D;
-  static constexpr Slot slot(int s) { return {{Field::operand, s}, true, false}; }
+  static constexpr Slot slot(int s) { return {{field, s}, true, false}; }
 
   template <class Reader>
-  static KOKKOS_FORCEINLINE_FUNCTION VectorTrial read(const Reader& at) {
-    VectorTrial t;
+  static KOKKOS_FORCEINLINE_FUNCTION VectorOf read(const Reader& at) {
+    VectorOf t;
     for (int i = 0; i < D; ++i) t.vector[i] = at.value(i);
     return t;
   }
 };
+template <class N, int D>
+using SolidDisplacement = VectorOf<Field::displacement, N, D>;
+template <class N, int D>
+using SolidVelocity = VectorOf<Field::velocity, N, D>;
+template <class N, int D>
+using VectorTrial = VectorOf<Field::operand, N, D>;
 
 /// Integrand against w alone.
 template <class N, int D>

@@ -5,7 +5,7 @@
 
 namespace softwet {
 
-/// Material: `first_piola(Grad u)`, `energy(Grad u)`, `strain(Grad u)`.
+/// Material: `first_piola(Grad u)`, `energy(Grad u)`.
 /// Source: Bueno et al. 2017, eq. (1).   Tested: tests/unit/solid/test_elastodynamics.cpp
 template <class Material>
 struct Elastodynamics {

@@ -39,24 +39,21 @@ struct Fibres {
   template <class N, int D, class M = Matrix<N, D>>
   using Trial = SolidStrain<N, D, M>;
   template <class N, int D, class M = Matrix<N, D>>
-  using EnergyTrial = SolidStrain<N, D, M>;
-  template <class N, int D, class M = Matrix<N, D>>
   using Test = MomentumTest<N, D, M>;
 
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const SolidStrain<N, D, M>& t) const {
     const Vector<N, D> moved = along<N, D>(t.displacement_gradient);
     const N tension = (2.0 * stiffness) * (stretch(moved) + excess);
-    MomentumTest<N, D, M> r;
-    if constexpr (is_axial_matrix<M>) r.momentum_flux.hoop = N(0.0);
+    M flux;
+    if constexpr (is_axial_matrix<M>) flux.hoop = N(0.0);
     SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
-      r.momentum[i] = N(0.0);
       const N pull = tension * (finite * moved[i] + direction[i]);
       SOFTWET_UNROLL
-      for (int j = 0; j < D; ++j) r.momentum_flux(i, j) = direction[j] * pull;
+      for (int j = 0; j < D; ++j) flux(i, j) = direction[j] * pull;
     }
-    return r;
+    return MomentumTest<N, D, M>::of_flux(flux);
   }
 
   template <class N, int D, class M>

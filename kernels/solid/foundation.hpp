@@ -1,10 +1,22 @@
 // A foundation of springs and dashpots below the solid (Winkler, Kelvin and Voigt).
 #pragma once
 
-#include "kernels/point/solid_fields.hpp"
 #include "kernels/point/vector_fields.hpp"
 
 namespace softwet {
+
+/// What a horizontal face has across and along itself, k_n and k_t: k a = k_n a_n n + k_t a_t of a vector a.
+struct FaceModuli {
+  double normal = 0;      ///< k_n
+  double tangential = 0;  ///< k_t
+
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> times(const Vector<N, D>& a) const {
+    Vector<N, D> r;
+    for (int i = 0; i < D; ++i) r[i] = (i == D - 1 ? normal : tangential) * a[i];
+    return r;
+  }
+};
 
 /// <w, kap_n u_n n + kap_t u_t> over the undeformed bottom of the solid, whose normal n is vertical: the derivative of the energy
 /// (kap_n u_n^2 + kap_t |u_t|^2)/2 of each undeformed area. The springs are linear at any displacement, push and pull alike, and those
@@ -14,26 +26,20 @@ struct Foundation {
   static constexpr Where where = Where::bottom;
   static constexpr const char* energy_column = "energy_foundation";
 
-  double normal = 0;      ///< kap_n
-  double tangential = 0;  ///< kap_t
+  FaceModuli stiffness;  ///< kap_n, kap_t
 
   template <class N, int D, class...>
   using Trial = SolidDisplacement<N, D>;
   template <class N, int D, class...>
-  using EnergyTrial = SolidDisplacement<N, D>;
-  template <class N, int D, class...>
   using Test = VectorTest<N, D>;
 
   template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION VectorTest<N, D> residual(const SolidDisplacement<N, D>& t) const {
-    VectorTest<N, D> r;
-    for (int i = 0; i < D; ++i) r.value[i] = (i == D - 1 ? normal : tangential) * t.displacement[i];
-    return r;
+  KOKKOS_FORCEINLINE_FUNCTION VectorTest<N, D> residual(const SolidDisplacement<N, D>& u) const {
+    return {stiffness.times(u.vector)};
   }
-
   template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidDisplacement<N, D>& t) const {
-    return 0.5 * dot(residual(t).value, t.displacement);
+  KOKKOS_FORCEINLINE_FUNCTION N energy(const SolidDisplacement<N, D>& u) const {
+    return 0.5 * dot(stiffness.times(u.vector), u.vector);
   }
 };
 
@@ -44,8 +50,7 @@ struct Dashpots {
   static constexpr Where where = Where::bottom;
   static constexpr const char* dissipation_column = "dissipation_solid";
 
-  double normal = 0;      ///< c_n
-  double tangential = 0;  ///< c_t
+  FaceModuli viscosity;  ///< c_n, c_t
 
   template <class N, int D, class...>
   using Trial = SolidVelocity<N, D>;
@@ -53,15 +58,12 @@ struct Dashpots {
   using Test = VectorTest<N, D>;
 
   template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION VectorTest<N, D> residual(const SolidVelocity<N, D>& t) const {
-    VectorTest<N, D> r;
-    for (int i = 0; i < D; ++i) r.value[i] = (i == D - 1 ? normal : tangential) * t.velocity[i];
-    return r;
+  KOKKOS_FORCEINLINE_FUNCTION VectorTest<N, D> residual(const SolidVelocity<N, D>& v) const {
+    return {viscosity.times(v.vector)};
   }
-
   template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION N dissipation(const SolidVelocity<N, D>& t) const {
-    return dot(residual(t).value, t.velocity);
+  KOKKOS_FORCEINLINE_FUNCTION N dissipation(const SolidVelocity<N, D>& v) const {
+    return dot(viscosity.times(v.vector), v.vector);
   }
 };
 

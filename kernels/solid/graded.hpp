@@ -1,6 +1,7 @@
 // A solid whose stiffness varies in space, and which may be stretched before the scene begins.
 #pragma once
 
+#include "kernels/point/given_fields.hpp"
 #include "kernels/solid/elastodynamics.hpp"
 #include "kernels/solid/hooke.hpp"
 #include "kernels/solid/neo_hookean.hpp"
@@ -14,42 +15,24 @@ inline ElasticLaw law_of(const SaintVenantKirchhoff&) { return ElasticLaw::saint
 inline ElasticLaw law_of(const Hooke&) { return ElasticLaw::hooke; }
 inline ElasticLaw law_of(const NeoHookean&) { return ElasticLaw::neo_hookean; }
 
-/// Momentum balance of the solid, (w, rho_0 v_t) + (Grad w, s P), with the stiffness s(X) over that of the material, and with the
-/// prestretch. The law is chosen at run time, so that one kernel serves all.
-/// Tested: tests/unit/solid/test_solid_terms.cpp
-struct GradedSolid {
-  static constexpr Where where = Where::solid;
-  static constexpr const char* energy_column = "energy_elastic";
-
+/// A law that is chosen at run time, so that one kernel serves all, of a solid with a prestretch.
+struct ChosenMaterial {
   ElasticLaw law = ElasticLaw::saint_venant_kirchhoff;
   LameParameters stiffness;
-  double density = 0;  ///< rho_0^s / b
   Prestretch prestretch = {};
 
-  template <class N, int D, class M = Matrix<N, D>>
-  using Trial = GradedSolidTrial<N, D, M>;
-  template <class N, int D, class M = Matrix<N, D>>
-  using EnergyTrial = GradedSolidStrain<N, D, M>;
-  template <class N, int D, class M = Matrix<N, D>>
-  using Test = MomentumTest<N, D, M>;
-
-  template <class N, int D, class M>
-  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const GradedSolidTrial<N, D, M>& t) const {
-    return {density * t.solid.acceleration, t.stiffness * first_piola(t.solid.displacement_gradient)};
-  }
-  template <class N, int D, class M>
-  KOKKOS_FORCEINLINE_FUNCTION N energy(const GradedSolidStrain<N, D, M>& t) const {
-    const N of_law = energy_of_law<N>(prestretch.whole(t.strain.displacement_gradient));
-    return t.stiffness * prestretch.energy(of_law);
-  }
-
- private:
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION M first_piola(const M& grad_u) const {
     return prestretch.first_piola(stress_of_law(prestretch.whole(grad_u)));
   }
-  template <class N, class M>
-  KOKKOS_FORCEINLINE_FUNCTION N energy_of_law(const M& g) const {
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION auto energy(const M& grad_u) const {
+    return prestretch.energy(energy_of_law(prestretch.whole(grad_u)));
+  }
+
+ private:
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION auto energy_of_law(const M& g) const {
     if (law == ElasticLaw::hooke) return Hooke{stiffness}.energy(g);
     if (law == ElasticLaw::neo_hookean) return NeoHookean{stiffness}.energy(g);
     return SaintVenantKirchhoff{stiffness}.energy(g);
@@ -59,6 +42,26 @@ struct GradedSolid {
     if (law == ElasticLaw::hooke) return Hooke{stiffness}.first_piola(g);
     if (law == ElasticLaw::neo_hookean) return NeoHookean{stiffness}.first_piola(g);
     return SaintVenantKirchhoff{stiffness}.first_piola(g);
+  }
+};
+
+/// Momentum balance of the solid, (w, rho_0 v_t) + (Grad w, s P), with the stiffness s(X) over that of the material.
+/// Tested: tests/unit/solid/test_solid_terms.cpp
+struct GradedSolid : Elastodynamics<ChosenMaterial> {
+  template <class N, int D, class M = Matrix<N, D>>
+  using Trial = WithGiven<SolidTrial<N, D, M>, N>;
+  template <class N, int D, class M = Matrix<N, D>>
+  using EnergyTrial = WithGiven<SolidStrain<N, D, M>, N>;
+
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const WithGiven<SolidTrial<N, D, M>, N>& t) const {
+    MomentumTest<N, D, M> r = Elastodynamics::residual(t.trial);
+    r.momentum_flux = t.given * r.momentum_flux;
+    return r;
+  }
+  template <class N, int D, class M>
+  KOKKOS_FORCEINLINE_FUNCTION N energy(const WithGiven<SolidStrain<N, D, M>, N>& t) const {
+    return t.given * Elastodynamics::energy(t.trial);
   }
 };
 

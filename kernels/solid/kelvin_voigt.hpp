@@ -25,11 +25,7 @@ struct KelvinVoigt {
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const SolidStrainRate<N, D, M>& t) const {
     const M s = stress(strain_rate(t));
-    MomentumTest<N, D, M> r;
-    SOFTWET_UNROLL
-    for (int i = 0; i < D; ++i) r.momentum[i] = N(0.0);
-    r.momentum_flux = s + finite * product(t.displacement_gradient, s);
-    return r;
+    return MomentumTest<N, D, M>::of_flux(s + finite * product(t.displacement_gradient, s));
   }
 
   template <class N, int D, class M>
@@ -46,7 +42,7 @@ struct KelvinVoigt {
   }
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION M stress(const M& rate) const {
-    return add_diagonal((2.0 * shear) * rate, (bulk - 2.0 / 3 * shear) * trace(rate));
+    return linear_stress({bulk - 2.0 / 3 * shear, shear}, rate);
   }
 };
 

@@ -25,8 +25,6 @@ struct SurfaceElasticity {
   template <class N, int D, class M = Matrix<N, D>>
   using Trial = SolidStrain<N, D, M>;
   template <class N, int D, class M = Matrix<N, D>>
-  using EnergyTrial = SolidStrain<N, D, M>;
-  template <class N, int D, class M = Matrix<N, D>>
   using Test = MomentumTest<N, D, M>;
 
   template <class N, int D, class M>
@@ -34,22 +32,21 @@ struct SurfaceElasticity {
     const Face<N, D> face(t.displacement_gradient);
     const M strain = green_lagrange_strain(t.displacement_gradient);
     const N normal = lambda * trace_along<N, D>(strain);
-    MomentumTest<N, D, M> r;
+    M flux;
     if constexpr (is_axial_matrix<M>)
-      r.momentum_flux.hoop = (normal + (2.0 * shear_modulus) * strain.hoop) * (1.0 + t.displacement_gradient.hoop);
+      flux.hoop = (normal + (2.0 * shear_modulus) * strain.hoop) * (1.0 + t.displacement_gradient.hoop);
     SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
-      r.momentum[i] = N(0.0);
-      r.momentum_flux(i, D - 1) = N(0.0);
+      flux(i, D - 1) = N(0.0);
       SOFTWET_UNROLL
       for (int a = 0; a + 1 < D; ++a) {
-        r.momentum_flux(i, a) = normal * face.tangent[a][i];
+        flux(i, a) = normal * face.tangent[a][i];
         SOFTWET_UNROLL
         for (int b = 0; b + 1 < D; ++b)
-          r.momentum_flux(i, a) = r.momentum_flux(i, a) + (2.0 * shear_modulus) * (strain(a, b) * face.tangent[b][i]);
+          flux(i, a) = flux(i, a) + (2.0 * shear_modulus) * (strain(a, b) * face.tangent[b][i]);
       }
     }
-    return r;
+    return MomentumTest<N, D, M>::of_flux(flux);
   }
 
   template <class N, int D, class M>

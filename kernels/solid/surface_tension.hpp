@@ -22,35 +22,28 @@ struct SurfaceTension {
   template <class N, int D, class M = Matrix<N, D>>
   using Trial = SolidStrain<N, D, M>;
   template <class N, int D, class M = Matrix<N, D>>
-  using EnergyTrial = SolidStrain<N, D, M>;
-  template <class N, int D, class M = Matrix<N, D>>
   using Test = MomentumTest<N, D, M>;
 
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const SolidStrain<N, D, M>& t) const {
     const Face<N, D> face(t.displacement_gradient);
-    MomentumTest<N, D, M> r;
-    SOFTWET_UNROLL
-    for (int i = 0; i < D; ++i) {
-      r.momentum[i] = N(0.0);
-      SOFTWET_UNROLL
-      for (int a = 0; a < D; ++a) r.momentum_flux(i, a) = N(0.0);
-    }
+    M flux;
     N scale = tension / face.ratio;
     if constexpr (is_axial_matrix<M>) {
       scale = scale * (1.0 + t.displacement_gradient.hoop);
-      r.momentum_flux.hoop = tension * face.ratio;
+      flux.hoop = tension * face.ratio;
     }
     SOFTWET_UNROLL
     for (int i = 0; i < D; ++i) {
+      flux(i, D - 1) = N(0.0);
       if constexpr (D == 2) {
-        r.momentum_flux(i, 0) = scale * face.tangent[0][i];
+        flux(i, 0) = scale * face.tangent[0][i];
       } else {
-        r.momentum_flux(i, 0) = scale * (face.metric[2] * face.tangent[0][i] - face.metric[1] * face.tangent[1][i]);
-        r.momentum_flux(i, 1) = scale * (face.metric[0] * face.tangent[1][i] - face.metric[1] * face.tangent[0][i]);
+        flux(i, 0) = scale * (face.metric[2] * face.tangent[0][i] - face.metric[1] * face.tangent[1][i]);
+        flux(i, 1) = scale * (face.metric[0] * face.tangent[1][i] - face.metric[1] * face.tangent[0][i]);
       }
     }
-    return r;
+    return MomentumTest<N, D, M>::of_flux(flux);
   }
 
   template <class N, int D, class M>

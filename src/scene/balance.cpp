@@ -2,10 +2,10 @@
 
 #include "field/vector.hpp"
 #include "kernels/fluid/gravity.hpp"
-#include "kernels/fluid/stretched_wall.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/liquid_volume.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/functional/wall_integrals.hpp"
 #include "operator/integrate.hpp"
 #include "scene/branch_strains.hpp"
 #include "scene/coordinates.hpp"
@@ -51,9 +51,9 @@ void Balance<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) 
   const WallCoefficients& wall = coefficients_.wall();
   if (wall.stretch_exponent > 0) {
     if constexpr (std::is_same_v<Motion, WallMotion<D>>)
-      wall_integrals<Motion>(StretchedWallIntegrals{{wall.energy}, wall.stretch_exponent}, at, result);
+      wall_integrals<Motion>(StretchedWallIntegrals{{{wall.energy}}, wall.stretch_exponent}, at, result);
   } else if (wall.cosines.values.data()) {
-    wall_integrals<Motion>(PaintedWallIntegrals{wall.energy}, at, result);
+    wall_integrals<Motion>(PaintedWallIntegrals{{wall.energy}}, at, result);
   } else {
     wall_integrals<Motion>(WallIntegrals{wall.energy}, at, result);
   }

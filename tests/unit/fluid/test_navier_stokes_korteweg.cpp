@@ -1,5 +1,5 @@
 // The fluid's terms at a point, by hand and by their tangents.
-#include "kernels/fluid/navier_stokes_korteweg.hpp"
+#include "kernels/fluid/explicit_terms.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +40,40 @@ TEST(NavierStokesKorteweg, InertiaFloor) {
   const auto r = term.residual(trial());
   EXPECT_DOUBLE_EQ(r.momentum[0], 0.6 * (7 + 5) + 0.5 * 4);
   EXPECT_DOUBLE_EQ(r.mass_flux[0], -0.5);
+}
+
+// What explicit schemes evaluate part by part is all but the acceleration.
+template <class M>
+void expect_sum_of_parts(const M& velocity_gradient) {
+  const NavierStokesKorteweg term{{0.81, 0}, 3.0, 0.5, 0.1, 0.6, {0.3, -0.7}};
+  const FluidTrial<double, 2> plane = trial();
+  const FluidTrial<double, 2, M> t{plane.velocity,
+                                   velocity_gradient,
+                                   {{0, 0}},
+                                   plane.density,
+                                   plane.density_gradient,
+                                   plane.chemical_potential,
+                                   plane.chemical_potential_gradient,
+                                   plane.mesh_velocity};
+  const auto whole = term.residual(t);
+  const auto mass = MassFlux{}.residual(MassFluxTrial<double, 2>{t.velocity, t.mesh_velocity, t.density});
+  const auto pressure =
+      PressureForce{term}.residual(PressureTrial<double, 2>{t.density, t.chemical_potential_gradient});
+  const auto rest = ConvectionViscosity{term.viscosity, term.inertia_floor}.residual(
+      ConvectionTrial<double, 2, M>{t.velocity, t.mesh_velocity, t.velocity_gradient, t.density});
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_DOUBLE_EQ(whole.momentum[i], pressure.momentum[i] + rest.momentum[i]);
+    EXPECT_DOUBLE_EQ(whole.mass_flux[i], mass.mass_flux[i] + pressure.mass_flux[i]);
+    for (int j = 0; j < 2; ++j) EXPECT_DOUBLE_EQ(whole.momentum_flux(i, j), rest.momentum_flux(i, j));
+  }
+  if constexpr (is_axial_matrix<M>) {
+    EXPECT_DOUBLE_EQ(whole.momentum_flux.hoop, rest.momentum_flux.hoop);
+  }
+}
+TEST(NavierStokesKorteweg, IsTheSumOfItsExplicitParts) {
+  const Matrix<double, 2> gradient = trial().velocity_gradient;
+  expect_sum_of_parts(gradient);
+  expect_sum_of_parts(AxialMatrix<double>{gradient, 0.4});
 }
 
 // At rest in one phase with mu = W' nothing acts.

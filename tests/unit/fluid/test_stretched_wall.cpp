@@ -1,5 +1,5 @@
 // Walls whose energy depends on their stretch: the laws are the derivatives of that energy, at a point.
-#include "kernels/fluid/stretched_wall.hpp"
+#include "kernels/functional/wall_integrals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -87,18 +87,17 @@ TEST(StretchedWall, TensionAroundAnAxis) {
 
 TEST(StretchedWall, ForceOnTheDensityIsTheSlopeOfTheEnergyByIt) {
   const StretchedWall<PaintedWall<EnergyWall>> term{{of_one}, beta};
-  const StretchedWallIntegrals integrals{{WallEnergy::of(of_one)}, beta};
+  const StretchedWallIntegrals integrals{{{WallEnergy::of(of_one)}}, beta};
   for (const double ratio : {0.6, 1.0, 1.7}) {
-    using Trial = StretchedTrial<PaintedTrial<double, 2>, double>;
-    using Moved = StretchedTrial<PaintedTrial<Dual<double>, 2>, Dual<double>>;
+    using Painted = PaintedWall<EnergyWall>::Trial<double, 2>;
+    using Trial = StretchedTrial<Painted, double>;
+    using Moved = StretchedWallIntegrals::Trial<Dual<double>, 2>;
     const double force = term.residual(Trial{{{density, {}}, cosine}, ratio}).potential;
-    const Dual<double> energy = integrals.value(Moved{{{{density, 1.0}, {}}, {cosine}}, {ratio}})[0];
+    const Dual<double> energy = integrals.value(Moved{{{{density, 1.0}}, {cosine}}, {ratio}})[0];
     EXPECT_NEAR(-force, energy.tangent, 1e-15);
     // The effective contact angle.
     const PaintedWall<EnergyWall> plain{of_one};
-    EXPECT_NEAR(force,
-                plain.residual(PaintedTrial<double, 2>{{density, {}}, std::pow(ratio, -beta) * cosine}).potential,
-                1e-15);
+    EXPECT_NEAR(force, plain.residual(Painted{{density, {}}, std::pow(ratio, -beta) * cosine}).potential, 1e-15);
   }
 }
 

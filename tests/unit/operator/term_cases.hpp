@@ -253,7 +253,7 @@ struct TermCases {
     const int top = patch.layout.solid_elements;
     for (ElasticLaw law : {ElasticLaw::saint_venant_kirchhoff, ElasticLaw::hooke, ElasticLaw::neo_hookean})
       for (const Prestretch& before : {Prestretch{}, Prestretch{true, {{1.2, 0.9, D == 2 ? 1 : 0.95}}, 0.1}})
-        check<Still>("graded solid", GradedSolid{law, {0.8, 0.5}, 1.3, before}, patch.solid(), 0, top);
+        check<Still>("graded solid", GradedSolid{{{law, {0.8, 0.5}, before}, 1.3}}, patch.solid(), 0, top);
     check<Still>("fibres", Fibres{0.7, {{0.6, 0, 0.8}}}, patch.solid(), 0, top);
     check<Still>("viscosity", KelvinVoigt{0.4, 0.3}, patch.solid(), 0, top);
     TermCases(patch.with_branches()).template check<Still>("branches", BranchStress{}, patch.solid(), 0, top);

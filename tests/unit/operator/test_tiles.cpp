@@ -53,9 +53,10 @@ TEST(Tiles2D, GradedElements) {
 TEST(Tiles2D, GivenFieldsAndFaces) {
   const TileCases<2> c(std::array<int, 2>{23, 7});
   const EnergyWall of_one{0.4, 1, 1e-2, c.terms.gas, c.terms.state};
-  c.check<NoMotion>("graded solid", GradedSolid{ElasticLaw::neo_hookean, {0.8, 0.5}, 1.3}, c.patch.solid());
+  c.check<NoMotion>("graded solid", GradedSolid{{{ElasticLaw::neo_hookean, {0.8, 0.5}}, 1.3}}, c.patch.solid());
   const Prestretch before{true, {{1.2, 0.9, 1}}, 0.1};
-  c.check<NoMotion>("stretched solid", GradedSolid{ElasticLaw::neo_hookean, {0.8, 0.5}, 1.3, before}, c.patch.solid());
+  c.check<NoMotion>("stretched solid", GradedSolid{{{ElasticLaw::neo_hookean, {0.8, 0.5}, before}, 1.3}},
+                    c.patch.solid());
   c.check<NoMotion>("viscosity", KelvinVoigt{0.4, 0.3}, c.patch.solid());
   c.check<NoMotion>("surface tension", SurfaceTension{0.6}, c.patch.top());
   c.check<NoMotion>("foundation", Foundation{0.6, 0.4}, c.patch.bottom());

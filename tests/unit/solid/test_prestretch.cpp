@@ -115,17 +115,17 @@ TEST(Prestretch, RotationsOfTheStretchedStateCostNothing) {
 /// The product with the Jacobian, in dual numbers, against differences of fourth order.
 template <int D>
 void expect_product(ElasticLaw law, const Prestretch& prestretch) {
-  const GradedSolid term{law, {1.5, 0.7}, 2, prestretch};
+  const GradedSolid term{{{law, {1.5, 0.7}, prestretch}, 2}};
   const Matrix<double, D> g = random_gradient<D>(0.3), by = random_gradient<D>(0.9);
-  GradedSolidTrial<Dual<double>, D> t;
+  GradedSolid::Trial<Dual<double>, D> t;
   for (int i = 0; i < D; ++i) {
-    t.solid.acceleration[i] = 0.0;
-    for (int j = 0; j < D; ++j) t.solid.displacement_gradient(i, j) = {g(i, j), by(i, j)};
+    t.trial.acceleration[i] = 0.0;
+    for (int j = 0; j < D; ++j) t.trial.displacement_gradient(i, j) = {g(i, j), by(i, j)};
   }
-  t.stiffness = 0.4;
+  t.given = 0.4;
   const auto product = term.residual(t).momentum_flux;
   const auto flux = [&](double step) {
-    return term.residual(GradedSolidTrial<double, D>{{{}, g + step * by}, 0.4}).momentum_flux;
+    return term.residual(GradedSolid::Trial<double, D>{{{}, g + step * by}, 0.4}).momentum_flux;
   };
   const double e = 3e-4;
   const auto a = flux(e), b = flux(-e), c = flux(2 * e), d = flux(-2 * e);

@@ -77,15 +77,15 @@ void expect_derivative_around_axis(const char* name, const Term& term) {
 }
 template <int D>
 void expect_derivative_of_graded(ElasticLaw law, const Prestretch& prestretch = {}) {
-  const GradedSolid term{law, {1.5, 0.7}, 2, prestretch};
+  const GradedSolid term{{{law, {1.5, 0.7}, prestretch}, 2}};
   expect_derivative<D>(
       "graded",
       [&](const auto& g) {
         using N = std::remove_cvref_t<decltype(g(0, 0))>;
-        return term.energy(GradedSolidStrain<N, D>{{g}, N(0.4)});
+        return term.energy(GradedSolid::EnergyTrial<N, D>{{g}, N(0.4)});
       },
       [&](const Matrix<double, D>& g) {
-        return term.residual(GradedSolidTrial<double, D>{{{}, g}, 0.4}).momentum_flux;
+        return term.residual(GradedSolid::Trial<double, D>{{{}, g}, 0.4}).momentum_flux;
       });
 }
 
@@ -204,11 +204,11 @@ void expect_dashpots() {
   const Dashpots term{5, 2};
   SolidVelocity<double, D> t;
   double power = 0;
-  for (int i = 0; i < D; ++i) t.velocity[i] = 0.3 - 0.7 * i;
+  for (int i = 0; i < D; ++i) t.vector[i] = 0.3 - 0.7 * i;
   const Vector<double, D> force = term.residual(t).value;
   for (int i = 0; i < D; ++i) {
-    EXPECT_NEAR(force[i], (i == D - 1 ? 5 : 2) * t.velocity[i], 1e-15);
-    power += force[i] * t.velocity[i];
+    EXPECT_NEAR(force[i], (i == D - 1 ? 5 : 2) * t.vector[i], 1e-15);
+    power += force[i] * t.vector[i];
   }
   EXPECT_NEAR(term.dissipation(t), power, 1e-15);
   EXPECT_GT(power, 0);

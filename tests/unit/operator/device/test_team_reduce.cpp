@@ -5,6 +5,7 @@
 
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
+#include "kernels/functional/wall_integrals.hpp"
 #include "kernels/solid/branches.hpp"
 #include "kernels/solid/surface_tension.hpp"
 #include "operator/integrate.hpp"
