@@ -47,7 +47,7 @@ std::vector<double> on_wall(const Layout<D>& layout, const std::vector<double>& 
     at[d] = sample_axis(layout.axis[d], wall[d]);
   }
   extent[D - 1] = 1;
-  at[D - 1] = {{0}, {{1.0}}, {{0.0}}, wall[D - 1]};
+  at[D - 1] = {1, {0}, {1.0}};
   return evaluate_grid<D>(values.data(), extent, at);
 }
 

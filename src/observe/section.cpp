@@ -76,6 +76,10 @@ std::array<double, 2> Section<D>::current(double s, double height) const {
 template <int D>
 std::vector<double> Section<D>::rise(const std::vector<double>& s) const {
   std::vector<double> values;
+  if constexpr (D == 2) {
+    for (double along : s) values.push_back(point(along)[0][0]);
+    return snapshot_.displacement({values, {snapshot_.wall_height()}}, 1, false);
+  }
   for (double along : s) {
     auto at = point(along);
     at[D - 1] = {snapshot_.wall_height()};

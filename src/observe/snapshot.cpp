@@ -26,10 +26,11 @@ std::vector<double> Snapshot<D>::component(const std::vector<double>& values, in
   for (int d = 0; d < D; ++d) {
     const bool last = d == D - 1;
     extent[d] = last ? rows : layout_.axis[d].functions();
-    at[d] =
-        last ? sample_axis(layout_.axis[d], grid[d], shift, lowest, highest) : sample_axis(layout_.axis[d], grid[d]);
+    const Sampled sampled = d == derivative ? Sampled::slopes : Sampled::values;
+    at[d] = last ? sample_axis(layout_.axis[d], grid[d], sampled, shift, lowest, highest)
+                 : sample_axis(layout_.axis[d], grid[d], sampled);
   }
-  return evaluate_grid<D>(values.data() + first, extent, at, derivative);
+  return evaluate_grid<D>(values.data() + first, extent, at);
 }
 
 template <int D>

@@ -9,9 +9,30 @@
 
 namespace softwet {
 
+/// Adds the lanes of a number one after the other: the first ones to a sum, and the others up to `count` to another one.
+template <class S>
+KOKKOS_FORCEINLINE_FUNCTION void add_in_turn(const S& number, int first, int count, double& sum, double& other) {
+  constexpr int lanes = Lanes<S>::count;
+  double lane[lanes];
+  Kokkos::Experimental::simd_unchecked_store(number, lane, Kokkos::Experimental::simd_flag_default);
+  if (first == strip_width && count == lanes && lanes == 2 * strip_width) {  // a loop that the compiler unrolls
+    double one = sum, two = other;
+    for (int l = 0; l < strip_width; ++l) {
+      one += lane[l];
+      two += lane[strip_width + l];
+    }
+    sum = one, other = two;
+  } else {
+    for (int l = 0; l < count; ++l) (l < first ? sum : other) += lane[l];
+  }
+}
+
 /// N = S: the integral. N = Dual<S>: its rate of change by the motion of the domain alone, at fixed fields.
+/// @param sum    [strip][functional], of two strips
+/// @param first  number of lanes that belong to the first strip; the others belong to the second one
 template <class S, class N, int D, int P, int Q, class Functional, class Motion>
-KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task, const Batch<D>& b, double* sum) {
+KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task, const Batch<D>& b, int first,
+                                  double* sum) {
   constexpr int QL = points_across<Functional, Q>, points = power(Q, D - 1) * QL;
   using Trial = typename Functional::template Trial<N, D>;
   using Fields = BatchFields<S, S, D, P, Q, QL, typename Functional::template Trial<S, D>>;
@@ -30,35 +51,53 @@ KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task,
       if constexpr (is_one_number<S>) {
         sum[f] += part;
       } else {
-        for (int l = 0; l < b.count; ++l) sum[f] += part[l];
+        add_in_turn(part, first, b.count, sum[f], sum[Functional::count + f]);
       }
     }
   }
 }
 
-/// Partial sums of one strip of one row of elements, element by element.
+/// Partial sums of the strips of one row of elements, element by element. An item is two strips where a batch has lanes for both.
+/// The order in each strip's sum is the same whatever is beside it.
 template <int D, int P, int Q, bool Rate, class Functional, class Motion>
 struct ReduceRow {
+  using S = BatchNumber<double>;
+  static constexpr int lanes = Lanes<S>::count, together = lanes >= 2 * strip_width ? 2 : 1;
+
   ReduceTask<D, Functional, Motion> task;
   Colouring<D> rows;
   Array partial;  ///< [row][own strip][functional]
 
-  KOKKOS_FUNCTION void operator()(int item) const {
-    using S = BatchNumber<double>;
-    using N = std::conditional_t<Rate, Dual<S>, S>;
-    constexpr int lanes = Lanes<S>::count;
-    double sum[Functional::count] = {};
+  KOKKOS_FUNCTION int strips() const { return rows.first_axis.last_strip - rows.first_axis.first_strip; }
+  /// The first so many strips are no wider than others.
+  KOKKOS_FUNCTION int equal_strips() const {
     const ElementColumns& columns = rows.first_axis;
-    const int strips = columns.last_strip - columns.first_strip, strip = item % strips;
-    const int first = columns.own_begin + strip * strip_width;
-    const int last = strip + 1 < strips ? first + strip_width : columns.own_end;
-    Batch<D> b = rows.batch(item / strips);
-    for (b.element[0] = first; b.element[0] < last; b.element[0] += lanes) {
-      b.count = last - b.element[0] < lanes ? last - b.element[0] : lanes;
-      reduce_batch<S, N, D, P, Q, Functional, Motion>(task, b, sum);
-    }
-    for (int f = 0; f < Functional::count; ++f) partial(item * Functional::count + f) = sum[f];
+    return columns.own_end - columns.own_begin > strips() * strip_width ? strips() - 1 : strips();
   }
+  KOKKOS_FUNCTION int items_of_row() const {
+    return (equal_strips() + together - 1) / together + strips() - equal_strips();
+  }
+  int items() const { return rows.items() * items_of_row(); }
+
+  KOKKOS_FUNCTION void operator()(int item) const {
+    using N = std::conditional_t<Rate, Dual<S>, S>;
+    constexpr int count = Functional::count;
+    double sum[2 * count] = {};
+    const ElementColumns& columns = rows.first_axis;
+    const int row = item / items_of_row(), next = item % items_of_row() * together;
+    const bool wide = next >= equal_strips();
+    const int strip = wide ? equal_strips() : next, end = wide ? strips() : min(strip + together, equal_strips());
+    const int last = end < strips() ? columns.own_begin + end * strip_width : columns.own_end;
+    Batch<D> b = rows.batch(row);
+    for (b.element[0] = columns.own_begin + strip * strip_width; b.element[0] < last; b.element[0] += lanes) {
+      b.count = min(last - b.element[0], lanes);
+      reduce_batch<S, N, D, P, Q, Functional, Motion>(task, b, wide ? lanes : strip_width, sum);
+    }
+    for (int i = 0; i < (end - strip) * count; ++i) partial((row * strips() + strip) * count + i) = sum[i];
+  }
+
+ private:
+  static KOKKOS_FUNCTION int min(int a, int b) { return a < b ? a : b; }
 };
 
 /// With Rate, not the integrals but the rates at which they change because the domain moves; `motion.tangent` is then the
@@ -72,8 +111,8 @@ std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Mot
   const SumScratch& scratch = sum_scratch(static_cast<std::size_t>(items) * count);
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
     if constexpr (host_algorithms) {
-      Kokkos::parallel_for("softwet::reduce", Items(0, items),
-                           ReduceRow<D, P, Q, Rate, Functional, Motion>{task, rows, scratch.device});
+      const ReduceRow<D, P, Q, Rate, Functional, Motion> kernel{task, rows, scratch.device};
+      Kokkos::parallel_for("softwet::reduce", Items(0, kernel.items()), kernel);
     } else {
       TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(task, rows, scratch.device, items);
     }

@@ -74,9 +74,8 @@ double Axis::end_or_middle(int i) const {
 }
 
 // Cox-de Boor recursion: the degree + 1 functions alive on a knot span (de Boor, A Practical Guide to Splines, ch. X).
-std::vector<double> Axis::evaluate(int element, double x, int degree) const {
+void Axis::evaluate(int element, double x, int degree, double* n) const {
   const int k = span_[element] + degree_;  // knots_[k] <= x <= knots_[k + 1]
-  std::vector<double> n(degree + 1, 0.0);
   n[0] = 1.0;
   for (int p = 1; p <= degree; ++p) {
     double saved = 0.0;
@@ -88,21 +87,32 @@ std::vector<double> Axis::evaluate(int element, double x, int degree) const {
     }
     n[p] = saved;
   }
-  return n;
 }
 
-std::vector<double> Axis::values(int element, double x) const { return evaluate(element, x, degree_); }
+void Axis::values(int element, double x, double* result) const { evaluate(element, x, degree_, result); }
 
-std::vector<double> Axis::slopes(int element, double x) const {
-  const std::vector<double> lower = evaluate(element, x, degree_ - 1);
+void Axis::slopes(int element, double x, double* result) const {
+  evaluate(element, x, degree_ - 1, result);
   const int first = span_[element];
-  std::vector<double> d(degree_ + 1, 0.0);
+  double before = 0;  // what the function of the lower degree before adds
   for (int a = 0; a <= degree_; ++a) {
     const int i = first + a;
-    if (a > 0) d[a] += degree_ * lower[a - 1] / (knots_[i + degree_] - knots_[i]);
-    if (a < degree_) d[a] -= degree_ * lower[a] / (knots_[i + degree_ + 1] - knots_[i + 1]);
+    const double lower = a < degree_ ? degree_ * result[a] / (knots_[i + degree_ + 1] - knots_[i + 1]) : 0;
+    result[a] = before - lower;
+    before = lower;
   }
-  return d;
+}
+
+std::vector<double> Axis::values(int element, double x) const {
+  std::vector<double> result(degree_ + 1);
+  values(element, x, result.data());
+  return result;
+}
+
+std::vector<double> Axis::slopes(int element, double x) const {
+  std::vector<double> result(degree_ + 1);
+  slopes(element, x, result.data());
+  return result;
 }
 
 std::vector<double> Axis::integrals(double a, double b, int first, int last, bool radial) const {

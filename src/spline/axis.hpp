@@ -45,12 +45,15 @@ class Axis {
   /// Values or first derivatives of the degree + 1 functions alive on an element at x (derivative: 1/L0).
   std::vector<double> values(int element, double x) const;
   std::vector<double> slopes(int element, double x) const;
+  /// The same, written to result[0 .. degree].
+  void values(int element, double x, double* result) const;
+  void slopes(int element, double x, double* result) const;
 
   /// Exact integrals of all functions over [a, b], restricted to the elements [first, last). @param radial  with the weight x
   std::vector<double> integrals(double a, double b, int first, int last, bool radial = false) const;
 
  private:
-  std::vector<double> evaluate(int element, double x, int degree) const;
+  void evaluate(int element, double x, int degree, double* n) const;
   double end_of(int element) const;  ///< lower end; beyond the ends of a periodic axis it goes on
   void place_knots();
 

@@ -4,14 +4,17 @@
 
 namespace softwet {
 
-AxisSamples sample_axis(const Axis& axis, const std::vector<double>& points, int shift, int lowest, int highest) {
+AxisSamples sample_axis(const Axis& axis, const std::vector<double>& points, Sampled sampled, int shift, int lowest,
+                        int highest) {
   AxisSamples s;
-  s.position = points;
-  for (double x : points) {
-    const int e = std::clamp(axis.element_at(x), lowest, std::min(highest, axis.elements()) - 1);
-    s.first.push_back(axis.span(e) - shift);
-    s.value.push_back(axis.values(e, x));
-    s.slope.push_back(axis.slopes(e, x));
+  s.functions = axis.degree() + 1;
+  s.first.resize(points.size());
+  s.weight.resize(points.size() * s.functions);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int e = std::clamp(axis.element_at(points[i]), lowest, std::min(highest, axis.elements()) - 1);
+    s.first[i] = axis.span(e) - shift;
+    double* const weight = s.weight.data() + i * s.functions;
+    sampled == Sampled::values ? axis.values(e, points[i], weight) : axis.slopes(e, points[i], weight);
   }
   return s;
 }
@@ -29,7 +32,7 @@ struct Crop {
     for (int d = 0; d < D; ++d) {
       const auto [low, high] = std::minmax_element(at[d].first.begin(), at[d].first.end());
       first[d] = *low;
-      count[d] = *high + static_cast<int>(at[d].value[0].size()) - *low;
+      count[d] = *high + at[d].functions - *low;
       all *= count[d];
     }
     values.reserve(all);
@@ -46,7 +49,7 @@ struct Crop {
 
 template <int D>
 std::vector<double> evaluate_grid(const double* box, const std::array<int, D>& whole,
-                                  const std::array<AxisSamples, D>& at, int derivative) {
+                                  const std::array<AxisSamples, D>& at) {
   for (const AxisSamples& axis : at)
     if (axis.first.empty()) return {};
   Crop<D> crop(box, whole, at);
@@ -57,15 +60,21 @@ std::vector<double> evaluate_grid(const double* box, const std::array<int, D>& w
   std::vector<double> now = std::move(crop.values);
   for (int d = D - 1; d >= 0; --d) {
     const std::size_t points = at[d].first.size();
+    const int functions = at[d].functions;
     std::vector<double> next(outer * points * inner, 0.0);
     for (std::size_t o = 0; o < outer; ++o)
       for (std::size_t q = 0; q < points; ++q) {
-        const std::vector<double>& basis = d == derivative ? at[d].slope[q] : at[d].value[q];
+        const double* weight = at[d].weight.data() + q * functions;
         double* out = next.data() + (o * points + q) * inner;
-        for (std::size_t a = 0; a < basis.size(); ++a) {
-          const double* in = now.data() + (o * extent[d] + at[d].first[q] - crop.first[d] + a) * inner;
-          for (std::size_t i = 0; i < inner; ++i) out[i] += basis[a] * in[i];
+        const double* in = now.data() + (o * extent[d] + at[d].first[q] - crop.first[d]) * inner;
+        if (d == 0) {
+          double sum = 0;
+          for (int a = 0; a < functions; ++a) sum += weight[a] * in[a];
+          *out = sum;
+          continue;
         }
+        for (int a = 0; a < functions; ++a, in += inner)
+          for (std::size_t i = 0; i < inner; ++i) out[i] += weight[a] * in[i];
       }
     now = std::move(next);
     outer *= points;
@@ -75,8 +84,8 @@ std::vector<double> evaluate_grid(const double* box, const std::array<int, D>& w
 }
 
 template std::vector<double> evaluate_grid<2>(const double*, const std::array<int, 2>&,
-                                              const std::array<AxisSamples, 2>&, int);
+                                              const std::array<AxisSamples, 2>&);
 template std::vector<double> evaluate_grid<3>(const double*, const std::array<int, 3>&,
-                                              const std::array<AxisSamples, 3>&, int);
+                                              const std::array<AxisSamples, 3>&);
 
 }  // namespace softwet

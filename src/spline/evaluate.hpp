@@ -8,25 +8,26 @@
 
 namespace softwet {
 
-/// The living functions of one axis at a list of points, restricted to rows that a component stores.
+/// The functions of one axis that live at a list of points, restricted to rows that a component stores.
 struct AxisSamples {
-  std::vector<int> first;                  ///< per point
-  std::vector<std::vector<double>> value;  ///< per point, degree + 1
-  std::vector<std::vector<double>> slope;  ///< per point, degree + 1, 1/L0
-  std::vector<double> position;
+  int functions = 0;           ///< that live at a point: degree + 1
+  std::vector<int> first;      ///< of them, per point
+  std::vector<double> weight;  ///< per point: their values, or their slopes, 1/L0
 };
+
+/// What is sampled of the functions of an axis.
+enum class Sampled { values, slopes };
 
 /// @param shift  row of the axis at which the component starts (0 except along the last axis)
 /// @param lowest element used for points at its lower end, so that a trace on the C0 line is taken from above
-AxisSamples sample_axis(const Axis&, const std::vector<double>& points, int shift = 0, int lowest = 0,
-                        int highest = 1 << 30);
+AxisSamples sample_axis(const Axis&, const std::vector<double>& points, Sampled = Sampled::values, int shift = 0,
+                        int lowest = 0, int highest = 1 << 30);
 
-/// Values of a component at the tensor product of samples, first axis fastest.
+/// At the tensor product of samples, first axis fastest: values of a component, or its derivative along the axis of slopes.
 /// @param box       control values [k][j][i]
 /// @param extent    stored functions per axis
-/// @param derivative axis to differentiate along, or -1
 template <int D>
 std::vector<double> evaluate_grid(const double* box, const std::array<int, D>& extent,
-                                  const std::array<AxisSamples, D>& at, int derivative = -1);
+                                  const std::array<AxisSamples, D>& at);
 
 }  // namespace softwet

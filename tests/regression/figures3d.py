@@ -34,7 +34,7 @@ check("area of a sphere, relative: closed, no face twice", errors[1], 0.01)
 check("of second order: error of the finer over the coarser lattice", errors[1] / errors[0], 0.3)
 
 # --- a small coupled run ---------------------------------------------------------------------------------------------
-write_box("small", height=0.4, elements=[8, 8, 4], capillarity=0.15, angle=75.0, tables="""
+TABLES = """
 [substrate]
 thickness = 0.1
 young = 0.7554
@@ -49,28 +49,50 @@ force = [1.0, 1.0, 0.0]
 end = 0.1
 [output]
 fields = { times = [0.0, 0.1] }
-""")
-run_file("small.toml", "small")
-output = output3d.Output("small")
-check("the track is the line of the load", abs(output.track - 0.5 ** 0.5).max(), 1e-15)
-s, lift = output3d.profile(output, 0.1)
-check_true("the surface has moved", abs(lift).max() > 1e-6)
+"""
+# Elements that grow from the first corner, so that indices are no multiples of places.
+GRADED = """
+[domain.grading]
+fine = "box"
+box = [[0.0, 0.0, 0.0], [0.2, 0.2, 0.4]]
+coarsest = 2
+ratio = 2
+"""
 
-# Points of the diagonal in interface.csv: there the profile has to have their values.
-wall = output.run.interface[0.1]
-on = wall["x_reference"] == wall["y_reference"]
-check_true("interface.csv has the diagonal", on.sum() == 17)
-place = sum(wall[f"{d}_reference"][on] - 0.4 + wall[f"displacement_{d}"][on] for d in "xy") / 2 ** 0.5
-known = wall["displacement_z"][on]
-check("profile and interface.csv agree", abs(numpy.interp(place, s, lift) - known).max(), 1e-3 * abs(lift).max())
 
-# The contact line of the picture against the contact points of history.csv.
-scene = scene3d.Scene(output, 0.1, 1.0, scene3d.View(output.track))
-line = numpy.concatenate(scene.contact_lines()) - 0.4
-along, across = (line[:, 0] + line[:, 1]) / 2 ** 0.5, (line[:, 0] - line[:, 1]) / 2 ** 0.5
-order = numpy.argsort(across[along > 0])
-front = numpy.interp(0, across[along > 0][order], along[along > 0][order])
-check("contact line and track_front agree", abs(front - output.run.history["track_front"][-1]), 1e-3)
+def compute(name, elements, tables):
+    """The run, its profile and its scene, after these are compared with the tables of the run."""
+    write_box(name, height=0.4, elements=elements, capillarity=0.15, angle=75.0, tables=tables)
+    run_file(f"{name}.toml", name)
+    output = output3d.Output(name)
+    check(f"{name}: the track is the line of the load", abs(output.track - 0.5 ** 0.5).max(), 1e-15)
+    s, lift = output3d.profile(output, 0.1)
+    check_true(f"{name}: the surface has moved", abs(lift).max() > 1e-6)
+
+    # Points of the diagonal in interface.csv: there the profile has to have their values.
+    wall = output.run.interface[0.1]
+    on = wall["x_reference"] == wall["y_reference"]
+    check_true(f"{name}: interface.csv has the diagonal", on.sum() == len(output.run.fields(0.1, "solid").lines[-1]))
+    place = sum(wall[f"{d}_reference"][on] - 0.4 + wall[f"displacement_{d}"][on] for d in "xy") / 2 ** 0.5
+    known = wall["displacement_z"][on]
+    check(f"{name}: profile and interface.csv agree", abs(numpy.interp(place, s, lift) - known).max(), 1e-3 * abs(lift).max())
+
+    # The contact line of the picture against the contact points of history.csv, and a box against points of the surface.
+    scene = scene3d.Scene(output, 0.1, 1.0, scene3d.View(output.track))
+    line = numpy.concatenate(scene.contact_lines()) - 0.4
+    along, across = (line[:, 0] + line[:, 1]) / 2 ** 0.5, (line[:, 0] - line[:, 1]) / 2 ** 0.5
+    order = numpy.argsort(across[along > 0])
+    front = numpy.interp(0, across[along > 0][order], along[along > 0][order])
+    check(f"{name}: contact line and track_front agree", abs(front - output.run.history["track_front"][-1]), 1e-3)
+    corner = numpy.stack([wall[f"{d}_reference"][on] for d in "xy"] + [0 * known + 0.1], axis=-1)
+    moved = corner + numpy.stack([wall[f"displacement_{d}"][on] for d in "xyz"], axis=-1)
+    check(f"{name}: points are carried", abs(scene.carried(corner) - moved).max(), 2e-2 * abs(lift).max())
+    check(f"{name}: the wall below a place", abs(scene.wall_at(moved[:, :2]) - moved).max(), 2e-2 * abs(lift).max())
+    return output, scene
+
+
+output, scene = compute("small", [8, 8, 4], TABLES)
+compute("graded", [16, 16, 8], TABLES + GRADED)
 
 
 def figures3d(*options):

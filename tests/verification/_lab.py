@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
-from _page import asked_rows, markdown, named_table, plain  # noqa: E402
+from _page import asked_rows, asked_table, markdown, named_table, plain  # noqa: E402
 from softwet._store.kept import ENVIRONMENT  # noqa: E402
 
 
@@ -145,13 +145,14 @@ class Lab:
         self.asked.append((what, asked, measured, bool(holds), cause))
         print(f"{'ok' if holds else 'MISS' if cause else 'FAIL':4}  {what}: {measured} (asked: {asked})", flush=True)
 
-    def plot(self, name, draw):
-        """draw(axes) with matplotlib into <study>_<name>.png; left out where matplotlib is missing."""
+    def plot(self, name, draw, shown=True):
+        """draw(axes) with matplotlib into <study>_<name>.png; left out where matplotlib is missing. @param shown  on the page
+        @return its name, or None"""
         try:
             import matplotlib
         except ImportError:
             print(f"verify: {self.name}: no matplotlib, no picture '{name}'")
-            return
+            return None
         matplotlib.use("Agg")
         from matplotlib import pyplot
         figure, axes = pyplot.subplots(figsize=(6.4, 4.2), layout="constrained")
@@ -159,11 +160,13 @@ class Lab:
         file = f"{self.name}_{name}.png"
         figure.savefig(self.folder / file, dpi=110)
         pyplot.close(figure)
-        self.picture(file)
+        self.picture(file, shown)
+        return file
 
-    def picture(self, file):
+    def picture(self, file, shown=True):
         """A picture the study has drawn itself into lab.folder."""
-        self.lines += ["", f"![{file}]({file})", ""]
+        if shown:
+            self.lines += ["", f"![{file}]({file})", ""]
         self.files.append(file)
 
     def write_commands(self):
@@ -193,10 +196,10 @@ class Lab:
             causes = list(dict.fromkeys(cause for *_, holds, cause in self.asked if cause and not holds))
             rows = [(what, asked, measured, "yes" if holds else f"**no** ({causes.index(cause) + 1})" if cause else "**no**")
                     for what, asked, measured, holds, cause in self.asked]
-            columns, shown = ("what", "asked", "measured", "holds"), asked_rows(rows)
-            lines += ["## Asked and measured", "", *markdown(columns, shown), ""]
+            shown = asked_rows(rows)
+            lines += ["## Asked and measured", "", *asked_table(rows, shown), ""]
             if len(shown) < len(rows):
-                file = self.numbers(columns, rows, "asked")
+                file = self.numbers(("what", "asked", "measured", "holds"), rows, "asked")
                 lines += [f"The other {len(rows) - len(shown)} rows hold; all are in [{file}]({file}).", ""]
             lines += [f"({i}) {cause}." for i, cause in enumerate(causes, 1)] + [""]
         lines += self.lines

@@ -2,7 +2,7 @@
 
 import re
 
-MOST = 16  # rows of a table on a page
+MOST = 12  # rows of a table on a page
 
 
 def plain(value):
@@ -38,3 +38,10 @@ def asked_rows(rows):
         if row[3] == "yes":
             kinds.add(row[1])
     return shown
+
+
+def asked_table(rows, shown):
+    """Lines of a table of rows (what, asked, measured, holds). Where all rows hold, as the verdict above says, the last column is left out."""
+    columns = ("what", "asked", "measured", "holds")
+    width = 3 if all(row[3] == "yes" for row in rows) else 4
+    return markdown(columns[:width], [row[:width] for row in shown])

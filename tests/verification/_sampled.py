@@ -112,4 +112,5 @@ def compare(lab, elements, count, share, known=None):
     lab.table(("seed", *(f"{form}: {what}" for form in BOUNDS for what in ("path %", "peak %")),
                *(f"{form}: {what}" for form in WAYS for what in ("steps", "Krylov"))), rows, "errors")
     lab.title("Scenes")
-    lab.table(("seed", *KNOWN), [(seed, *scene.values()) for seed, scene in scenes.items()], "scenes")
+    file = lab.numbers(("seed", *KNOWN), [(seed, *scene.values()) for seed, scene in scenes.items()], "scenes")
+    lab.text(f"What each seed gives is in [{file}]({file}).")

@@ -27,5 +27,5 @@ class SchemeLab(Lab):
     def table(self, columns, rows, name=None):
         """Tables are those of the study itself; here only what is asked counts."""
 
-    def plot(self, name, draw):
+    def plot(self, name, draw, shown=True):
         """Pictures are those of the study itself."""

@@ -15,7 +15,8 @@ struct Region {
 /// The connected regions of a grid: points are neighbours along the axes, also across a periodic end.
 class Regions {
  public:
-  explicit Regions(const PhaseSamples& samples) : samples_(samples), label_(samples.depth.size(), -1) {
+  explicit Regions(const PhaseSamples& samples)
+      : samples_(samples), label_(samples.depth.size(), -1), shore_(samples.depth.size()) {
     for (std::size_t p = 0; p < label_.size(); ++p)
       if (samples_.inside(p) && label_[p] < 0) flood(static_cast<int>(p));
     find_deepest();
@@ -138,7 +139,9 @@ class Regions {
       each_neighbour(point, [&](int axis, int end, int next) {
         if (next < 0) {
           regions_[label].touched |= 1U << (2 * axis + end);
-        } else if (samples_.inside(next) && label_[next] < 0) {
+        } else if (!samples_.inside(next)) {
+          shore_[next] = true;
+        } else if (label_[next] < 0) {
           label_[next] = label;
           open.push_back(next);
         }
@@ -146,13 +149,13 @@ class Regions {
     }
   }
 
-  /// Goes inwards from all points outside at once; the last point reached of a region is its deepest.
+  /// Goes inwards from all points outside that have a neighbour inside, at once; the last point reached of a region is its deepest.
   void find_deepest() {
     std::vector<bool> reached(label_.size());
     std::vector<int> front;
     for (std::size_t p = 0; p < label_.size(); ++p) {
       reached[p] = label_[p] < 0;
-      if (reached[p]) front.push_back(static_cast<int>(p));
+      if (shore_[p]) front.push_back(static_cast<int>(p));
       if (!reached[p] && regions_[label_[p]].deepest < 0) regions_[label_[p]].deepest = static_cast<int>(p);
     }
     for (std::size_t k = 0; k < front.size(); ++k)
@@ -165,7 +168,8 @@ class Regions {
   }
 
   const PhaseSamples& samples_;
-  std::vector<int> label_;  ///< the region of each point; -1: outside
+  std::vector<int> label_;   ///< the region of each point; -1: outside
+  std::vector<bool> shore_;  ///< outside, with a neighbour inside
   std::vector<Region> regions_;
 };
 

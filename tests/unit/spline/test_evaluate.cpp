@@ -14,9 +14,10 @@ TEST(Evaluate, GridIn2DWithShiftAndDerivatives) {
   std::vector<double> box(x.functions() * rows);
   for (std::size_t i = 0; i < box.size(); ++i) box[i] = std::sin(1 + 3.7 * i);
   const std::vector<double> px{0.0, 0.11, 0.5, 0.9}, py{0.24, 0.3, 0.6};
-  const std::array<AxisSamples, 2> at{sample_axis(x, px), sample_axis(y, py, wall, 2)};
   for (int derivative = -1; derivative < 2; ++derivative) {
-    const std::vector<double> found = evaluate_grid<2>(box.data(), {x.functions(), rows}, at, derivative);
+    const auto of = [&](int d) { return d == derivative ? Sampled::slopes : Sampled::values; };
+    const std::array<AxisSamples, 2> at{sample_axis(x, px, of(0)), sample_axis(y, py, of(1), wall, 2)};
+    const std::vector<double> found = evaluate_grid<2>(box.data(), {x.functions(), rows}, at);
     ASSERT_EQ(found.size(), 12u);
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 4; ++i) {
@@ -48,14 +49,18 @@ TEST(Evaluate, LinearFunctionIn3D) {
   for (int k = 0, n = 0; k < 4; ++k)
     for (int j = 0; j < 2; ++j)
       for (int i = 0; i < 3; ++i, ++n) EXPECT_NEAR(value[n], 2 + 3 * px[i] - 5 * py[j] + 7 * pz[k], 1e-13);
-  for (int d = 0; d < 3; ++d)
-    for (double g : evaluate_grid<3>(box.data(), extent, at, d)) EXPECT_NEAR(g, slope[d], 1e-11);
+  for (int d = 0; d < 3; ++d) {
+    std::array<AxisSamples, 3> along = at;
+    const Axis& axis = d == 0 ? x : d == 1 ? y : z;
+    along[d] = sample_axis(axis, d == 0 ? px : d == 1 ? py : pz, Sampled::slopes);
+    for (double g : evaluate_grid<3>(box.data(), extent, along)) EXPECT_NEAR(g, slope[d], 1e-11);
+  }
 }
 
 TEST(Evaluate, TraceOnTheKinkFromEitherSide) {
   const Axis z(0.5, 5, 2, false, 2);
-  EXPECT_EQ(sample_axis(z, {0.2}, 0, 2).first[0], z.span(2));
-  EXPECT_EQ(sample_axis(z, {0.2}, 0, 0, 2).first[0], z.span(1));
+  EXPECT_EQ(sample_axis(z, {0.2}, Sampled::values, 0, 2).first[0], z.span(2));
+  EXPECT_EQ(sample_axis(z, {0.2}, Sampled::values, 0, 0, 2).first[0], z.span(1));
 }
 
 }  // namespace

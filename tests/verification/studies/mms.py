@@ -64,13 +64,14 @@ def within(found, theory):
     return all(abs(order - theory) <= TOLERANCE for order in found)
 
 
+ORDERS = ("computed", "over", *(f"orders of {short}" for short in NAMES.values()), "all")
+
+
 def show(lab, name, title, columns, sizes, found):
-    """Table of errors and orders, and a picture of them."""
-    lab.title(title)
-    rows = []
-    for field, errors in found.items():
-        rows.append([NAMES[field], *(f"{e:.3e}" for e in errors), text_of(orders(sizes, errors))])
-    lab.table(["error of", *columns, "orders"], rows, name)
+    """Errors and orders in a file, and a picture of them. @return their row of a table of ORDERS"""
+    observed = {field: text_of(orders(sizes, errors)) for field, errors in found.items()}
+    rows = [[NAMES[field], *(f"{e:.3e}" for e in errors), observed[field]] for field, errors in found.items()]
+    file = lab.numbers(["error of", *columns, "orders"], rows, name)
 
     def draw(axes):
         for field, errors in found.items():
@@ -81,12 +82,19 @@ def show(lab, name, title, columns, sizes, found):
         axes.legend()
         axes.grid(True, which="both", alpha=0.3)
 
-    lab.plot(name, draw)
+    return summary(title, columns, observed, file, lab.plot(name, draw, shown=False))
+
+
+def summary(title, columns, observed, file, picture):
+    links = f"[errors]({file})" + (f", [picture]({picture})" if picture else "")
+    first, last = columns[0].removesuffix(" elements"), columns[-1].removeprefix("dt = ")
+    return (title.removesuffix(f", {LENGTHS}"), f"{first} to {last}", *(observed.get(field, "") for field in NAMES), links)
 
 
 # Graded axes have a whole number of elements beside the box, so that their lengths grow faster on one mesh than on another. On these
 # meshes they are the same function of the place within 3 %; on 48 and 64 elements with 1 to 3 they differ by a third.
 GRADED, SIMILAR = {"coarsest": 2.4}, (56, 96, 136)
+LENGTHS = f"graded elements, 1 to {GRADED['coarsest']} in length"
 
 # scene, dimension, degree, elements of quick and full form, what is computed
 SPACE = [
@@ -111,7 +119,11 @@ SPACE = [
 ]
 
 
+SPACES = ("Orders over h", f"Orders over h, {LENGTHS}", "Orders over h, 3D")
+
+
 def space(lab, measurement):
+    shown = {heading: [] for heading in SPACES}
     for scene, dimension, degree, quick, full, settings in SPACE:
         meshes = quick if lab.quick else full
         if not meshes:
@@ -120,11 +132,16 @@ def space(lab, measurement):
         found = measurement.series("elements", meshes, **settings)
         sizes = [1 / n for n in meshes]
         kinds = {"reduced": settings.get("quadrature") == "reduced", "graded": "coarsest" in settings}
-        words = {"reduced": "reduced quadrature", "graded": f"graded elements, 1 to {settings.get('coarsest')} in length"}
+        words = {"reduced": "reduced quadrature", "graded": LENGTHS}
         title = ", ".join([f"{scene}, {dimension}D, degree {degree}", *(words[kind] for kind in kinds if kinds[kind])])
         name = "_".join([f"{scene}_{dimension}d_degree_{degree}", *(kind for kind in kinds if kinds[kind])])
-        show(lab, name, title, [f"{n} elements" for n in meshes], sizes, found)
+        heading = SPACES[2 if dimension == 3 else 1 if kinds["graded"] else 0]
+        shown[heading].append(show(lab, name, title, [f"{n} elements" for n in meshes], sizes, found))
         judge_space(lab, title, dimension == 2 and not kinds["graded"], degree, sizes, found)
+    for heading, rows in shown.items():
+        if rows:
+            lab.title(heading)
+            lab.table(ORDERS, rows)
 
 
 def judge_space(lab, title, settled, degree, sizes, found):
@@ -173,17 +190,20 @@ def judge_control(lab, last):
 def course(lab, measurement):
     """Orders in time on a mesh fine enough for the error of time to rule."""
     meshes, steps = ((16, (0.05, 0.025, 0.0125)) if lab.quick else (24, (0.025, 0.0125, 0.00625, 0.003125)))
+    rows = []
     for rho_inf in (0.5,) if lab.quick else (0, 0.5, 1):
         found = measurement.series("dt", steps, scene="coupled", course="harmonic", dimension=2, degree=3, elements=meshes,
                                    end=0.5, rho_inf=rho_inf)
         title = f"coupled, rho_inf = {rho_inf}, {meshes} x {meshes} elements of degree 3"
-        show(lab, f"time_{rho_inf}", title, [f"dt = {dt:g}" for dt in steps], steps, found)
+        rows.append(show(lab, f"time_{rho_inf}", title, [f"dt = {dt:g}" for dt in steps], steps, found))
         for field, errors in found.items():
             if field == "potential":
                 continue
             observed = orders(steps, errors)
             lab.expect(f"rho_inf = {rho_inf}: order of {NAMES[field]} over dt", f"2 +- {TOLERANCE}", text_of(observed),
                        within(observed, 2))
+    lab.title("Orders over dt, generalized-alpha")
+    lab.table(ORDERS, rows)
 
 
 # scheme, mass, order, elements per axis, steps, step of the computation that takes the place of the exact solution
@@ -206,16 +226,19 @@ LAGGED = ("the source of the mass balance counts with the stabilisation, which k
 
 def explicit_course(lab, measurement):
     """Orders in time of the explicit schemes; their error in space would hide that of their small steps."""
+    rows = []
     for scheme, mass, order, elements, steps, fine in EXPLICIT_COURSES[:2] if lab.quick else EXPLICIT_COURSES:
         found = measurement.series("dt", steps, scene="coupled", course="harmonic", dimension=2, degree=2,
                                    elements=elements, end=0.1, scheme=scheme, mass=mass, against=fine)
         title = f"{scheme}, {mass} masses, coupled, {elements} x {elements} elements of degree 2"
-        show(lab, f"time_{scheme}_{mass}", title, [f"dt = {dt:g}" for dt in steps], steps, found)
+        rows.append(show(lab, f"time_{scheme}_{mass}", title, [f"dt = {dt:g}" for dt in steps], steps, found))
         for field, errors in found.items():
             observed = orders(steps, errors)
             lagged = Known(LAGGED, "1 or more", min(observed) >= 1) if scheme == "kick_drift" else None
             lab.expect(f"{scheme}, {mass}: order of {NAMES[field]} over dt", f"{order - TOLERANCE:g} or more",
                        text_of(observed), min(observed) >= order - TOLERANCE, lagged)
+    lab.title("Orders over dt, explicit schemes")
+    lab.table(ORDERS, rows)
 
 
 # scheme, mass, least order of velocity, density and displacement over h. Row sums alone have the second order.
@@ -225,6 +248,7 @@ EXPLICIT_SPACE = [("ssp_rk3", "corrected", 3), ("ssp_rk3", "lumped", 2)]
 def explicit_space(lab, measurement):
     """Orders in space of the masses of explicit schemes. Steps are stable, 0.004 on 8 elements and a quarter for twice as many, so
     that the error of time falls by the fourth order of h."""
+    rows = []
     for scheme, mass, order in EXPLICIT_SPACE[:1] if lab.quick else EXPLICIT_SPACE:
         # With lumped masses the density on 8 elements is still above its order: 1.74 between 8 and 16.
         meshes = (16, 32) if mass == "lumped" else (8, 16) if lab.quick else (8, 16, 32)
@@ -235,12 +259,14 @@ def explicit_space(lab, measurement):
             for field, error in errors.items():
                 found.setdefault(field, []).append(error)
         sizes, title = [1 / n for n in meshes], f"{scheme}, {mass} masses, coupled, degree 2, over h"
-        show(lab, f"space_{scheme}_{mass}", title, [f"{n} elements" for n in meshes], sizes, found)
+        rows.append(show(lab, f"space_{scheme}_{mass}", title, [f"{n} elements" for n in meshes], sizes, found))
         for field, errors in found.items():
             if field != "potential":
                 observed = orders(sizes, errors)
                 lab.expect(f"{scheme}, {mass}: order of {NAMES[field]} over h", f"{order - TOLERANCE:g} or more", text_of(observed),
                            min(observed) >= order - TOLERANCE)
+    lab.title("Orders over h, explicit schemes")
+    lab.table(ORDERS, rows)
 
 
 def study(lab):
@@ -256,13 +282,11 @@ def study(lab):
              "equilibrium by order p + 1 in displacement but sets off waves of order p in velocity. The meshes of 3D are "
              "coarse: most orders are still above p + 1 and are asked not to be below. That of the displacement in the coupled "
              "scene of degree 3 comes from below: 3.73 between 8 and 12 elements, 3.78 between 12 and 16, which the table "
-             "leaves out. Meshes of one table keep the number of "
+             "leaves out. Meshes of one row keep the number of "
              "element rows of each material even (3D) or all numbers even: the potential's error differs between even and "
              "odd numbers of elements, because the wave of the mesh that it does not control fits one and not the other. "
-             "Elements of graded axes grow from a box of fine ones in the middle to both sides. A whole number of them has to fit there, so the "
-             "lengths grow a little faster on one mesh than on another, and the order between two such meshes shows that as well: of degree "
-             "3, 48 and 64 elements with 1 to 3 in length gave 3.1 for the displacement of the solid. The tables take numbers of elements "
-             "on which the lengths grow alike within 3 %; h is the short length.")
+             "Elements of graded axes grow from a box of fine ones in the middle to both sides, on all meshes of a row alike within 3 %; "
+             "h is the short length.")
     space(lab, measurement)
     if not lab.quick:
         control(lab, measurement)

@@ -9,12 +9,12 @@ import importlib.util
 import pathlib
 
 from _lab import Known
-from _page import markdown
 from _scheme_lab import SchemeLab
 
 MINUTES = {"quick": 0.3, "full": 10}
 STUDIES = pathlib.Path(__file__).resolve().parent
 SCHEMES = ("kick_drift", "rkl2", "ssp_rk3")
+MEASURED = ("study", "what", "asked", *SCHEMES)
 QUICK = ("elastic_waves", "laws", "reproducible")
 
 
@@ -27,18 +27,29 @@ def load(name):
 
 def study(lab):
     modules = {path.stem: load(path.stem) for path in sorted(STUDIES.glob("[!_]*.py")) if path.stem != "schemes"}
-    lab.title("What applies")
-    rows, details = [], []
+    forms, reasons, measured = [], {}, []
     for name, module in modules.items():
         form = getattr(module, "explicit", None)
         if not form:
-            rows.append((name, "", "", "", module.EXPLICIT))
+            reasons.setdefault(module.EXPLICIT, []).append(name)
         elif not lab.quick or name in QUICK:
             parts = {scheme: measure(lab, name, form, scheme) for scheme in SCHEMES}
-            rows.append((name, *map(share, parts.values()), " ".join(form.__doc__.split())))
-            details += ["", f"## {name}", "", *compared(parts)]
-    lab.table(("study", *SCHEMES, "the form, or why it does not apply"), rows)
-    lab.lines += details
+            forms.append((name, *map(share, parts.values()), " ".join(form.__doc__.split())))
+            measured += compared(name, parts)
+    show(lab, forms, reasons, measured)
+
+
+def show(lab, forms, reasons, measured):
+    lab.title("What applies")
+    lab.table(("study", *SCHEMES, "the form"), forms)
+    lab.title("What does not apply, and why")
+    lab.table(("studies", "why"), [(", ".join(names), why) for why, names in reasons.items()])
+    lab.title("What was measured")
+    file = lab.numbers(MEASURED, measured, "measured")
+    missed = {row[0] for row in measured if any(cell.startswith("**") for cell in row[3:])}
+    lab.text(f"All {len(measured)} rows are in [{file}]({file})." + (" Those of studies that some scheme misses:" if missed else ""))
+    if missed:
+        lab.table(MEASURED, [row for row in measured if row[0] in missed])
 
 
 def measure(lab, name, form, scheme):
@@ -48,20 +59,25 @@ def measure(lab, name, form, scheme):
     held, missed, failed = part.counts()
     if not part.asked:
         return part
-    causes = "; ".join(dict.fromkeys(cause for *_, holds, cause in part.asked if not holds))
+    causes = {}
+    for *_, holds, cause in part.asked:
+        if not holds:
+            why, _, bound = cause.partition("; known: ")
+            causes.setdefault(why, []).append(bound)
+    causes = "; ".join(f"{why} ({', '.join(filter(None, bounds))})" for why, bounds in causes.items())
     lab.expect(f"{name}, {scheme}: what holds", f"{len(part.asked)} of {len(part.asked)}", f"{held} of {len(part.asked)}",
                missed + failed == 0, Known(causes, "each row in its bound", failed == 0))
     return part
 
 
 def share(part):
-    return f"{part.counts()[0]} of {len(part.asked)}" if part.asked else ""
+    return f"{part.counts()[0]}/{len(part.asked)}" if part.asked else ""
 
 
-def compared(parts):
-    """What was asked, and what each scheme has."""
+def compared(name, parts):
+    """What was asked, and what each scheme has: rows of MEASURED."""
     rows = {}
     for scheme, part in parts.items():
         for what, asked, measured, holds, _ in part.asked:
             rows.setdefault((what, asked), {})[scheme] = f"{measured}" if holds else f"**{measured}**"
-    return markdown(("what", "asked", *parts), [(*key, *(cells.get(scheme, "") for scheme in parts)) for key, cells in rows.items()])
+    return [(name, *key, *(cells.get(scheme, "") for scheme in parts)) for key, cells in rows.items()]

@@ -10,7 +10,7 @@ import _measure
 
 MINUTES = {"quick": 0.1, "full": 0.4}
 EXPLICIT = ("the solid comes to rest by the damping of the implicit scheme (rho_inf = 0); explicit schemes leave its waves "
-            "undamped, so it swings for ever; the droplet on it: see stable_step, which starts from such a state")
+            "undamped, so it swings for ever")
 
 
 def study(lab):

@@ -73,6 +73,11 @@ def on_lattice(values, index):
             + s * t * values[j + 1, i + 1])
 
 
+def indices(lines, places):
+    """Fractional indices (n, k) of places (n, k) among the points of k lines; elements may be graded."""
+    return np.stack([np.interp(places[:, d], line, np.arange(len(line))) for d, line in enumerate(lines)], axis=-1)
+
+
 # The six tetrahedra of a cell around its diagonal from corner 0 to corner 7; corner = x + 2 y + 4 z.
 TETRAHEDRA = np.array([[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]])
 
@@ -129,7 +134,8 @@ def track_line(output, count=800):
 
 def profile(output, time):
     """Where points of the track's line are now along it, and their vertical displacement."""
-    surface = output.run.fields(time, "solid").moved(slice(-1, None))[0]
+    solid = output.run.fields(time, "solid")
+    _, *across = solid.lines
     s, places = track_line(output)
-    displacement = evaluate(surface, places * (np.array(surface.shape[1::-1]) - 1) / output.size[:2])
+    displacement = evaluate(solid.moved(slice(-1, None))[0], indices(across[::-1], places))
     return s + displacement[:, :2] @ output.track, displacement[:, 2]

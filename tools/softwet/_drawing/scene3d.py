@@ -5,7 +5,7 @@ no 3D library is needed.
 """
 
 from . import look as outputs
-from .output3d import Output, box_edges, level_set, on_lattice, profile, quads, refine, track_line
+from .output3d import Output, box_edges, indices, level_set, on_lattice, profile, quads, refine, track_line
 import contourpy  # a part of matplotlib
 import matplotlib
 import matplotlib.pyplot as plt
@@ -55,6 +55,7 @@ class Scene:
     def __init__(self, output, time, magnify, view):
         self.output, self.time, self.magnify, self.view = output, time, magnify, view
         self.solid = output.positions("solid", time, magnify)
+        self.lines = output.lines("solid", time)[::-1]  # of the same points, x first
         self.lift = refine(output.run.fields(time, "solid").moved()[..., 2], output.fine)
         self.density = None
         if output.middle is not None:
@@ -131,12 +132,10 @@ class Scene:
 
     def wall_at(self, places):
         """Points of the deformed surface above places (n, 2)."""
-        surface = self.solid[-1]
-        scale = (np.array(surface.shape[1::-1]) - 1) / self.output.size[:2]
-        index = places * scale
+        surface, rest = self.solid[-1], places
         for _ in range(20):  # the displacement is small and smooth: the error shrinks by its slope each time
-            index = index + (places - on_lattice(surface, index)[:, :2]) * scale
-        return on_lattice(surface, index)
+            rest = rest + places - on_lattice(surface, indices(self.lines[:2], rest))[:, :2]
+        return on_lattice(surface, indices(self.lines[:2], rest))
 
     def draw_on_wall(self, axes, places, **style):
         axes.plot(*self.view.flat(self.wall_at(places)).T, solid_joinstyle="round", **style)
@@ -186,7 +185,7 @@ class Scene:
 
     def carried(self, points):
         """Where reference points of the solid are now."""
-        index = points * (np.array(self.solid.shape[2::-1]) - 1) / [*self.output.size[:2], self.output.wall]
+        index = indices(self.lines, points)
         level = np.clip(np.floor(index[:, 2]).astype(int), 0, len(self.solid) - 2)
         share = (index[:, 2] - level)[:, None]
         result = np.empty_like(points)

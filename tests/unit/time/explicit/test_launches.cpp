@@ -63,13 +63,14 @@ int sum(const std::map<std::string, int>& counts) {
   return all;
 }
 
-// Whoever adds one sees it here. The integrals that find a folded mesh wait by themselves.
+// Whoever adds one sees it here. The integrals that find a folded mesh wait by themselves. The algorithms of a device start one more for
+// what the tiles of a term have summed, and none that zeroes a vector.
 TEST(Launches, AnExplicitStepIsFewOfThemAndOneWait) {
   const Counts rigid = counts_of_a_step(small_case(SceneKind::rigid, WallLaw::energy));
-  EXPECT_LE(sum(rigid.started), 39);
+  EXPECT_LE(sum(rigid.started), host_algorithms ? 39 : 43);
   EXPECT_EQ(sum(rigid.fences), 1);
   const Counts coupled = counts_of_a_step(small_case(SceneKind::coupled, WallLaw::energy));
-  EXPECT_LE(sum(coupled.started), 56);
+  EXPECT_LE(sum(coupled.started), host_algorithms ? 56 : 62);
   EXPECT_LE(sum(coupled.fences), 3);
 }
 
