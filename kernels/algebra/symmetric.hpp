@@ -9,7 +9,7 @@ namespace softwet {
 template <class M>
 inline constexpr int symmetric_entries = 0;
 template <class N, int D>
-inline constexpr int symmetric_entries<Matrix<N, D>> = D * (D + 1) / 2;
+inline constexpr int symmetric_entries<Matrix<N, D>> = D*(D + 1) / 2;
 template <class N>
 inline constexpr int symmetric_entries<AxialMatrix<N>> = 4;
 

@@ -15,7 +15,8 @@ struct State {
   Array displacement_rate;  ///< du/dt
   Array moment;             ///< p_i = (q_i, rho J)
   Array moment_rate;        ///< dp_i/dt
-  Array memory = {};        ///< what the branches of a viscoelastic solid remember, one behind the other: Branches' a_i or A_i
+  Array memory =
+      {};  ///< what the branches of a viscoelastic solid remember, one behind the other: Branches' a_i or A_i
   Array memory_rate = {};   ///< their rates, of a time memory_shift before
   double memory_shift = 0;  ///< of the last step, of use for what is reported alone; 0 behind a checkpoint
 };
@@ -23,19 +24,19 @@ struct State {
 /// Fields at the generalized-alpha point and at the end of the step. Unknowns are the values at n + af.
 template <class Real>
 struct StageOf {
-  double time = 0;                           ///< t_{n+af}
-  ArrayOf<Real> unknown;                     ///< v, rho, mu at n+af
-  ArrayOf<Real> acceleration;                ///< dv/dt at n+am, and d rho/dt in the rows of Layout::rate_rows
-  ArrayOf<Real> displacement;                ///< at n+af
-  ArrayOf<Real> displacement_end;            ///< at n+1
-  ArrayOf<Real> density_end;                 ///< at n+1
-  double rate_scale = 0;                     ///< d acceleration / d velocity
-  double displacement_scale = 0;             ///< d displacement / d velocity
-  double end_scale = 1;                      ///< d density_end / d density = d displacement_end / d displacement
-  double moment_rate = 0;                    ///< am / (ga dt), factor of the moments at n+1; 0: fluxes alone
-  double density_rate_scale = 0;             ///< d (d rho/dt) / d rho; 0 where the rates count as 0
-  ArrayOf<Real> lag = {};                    ///< q of BranchStress at n+af, or h of FiniteBranchStress at the points
-  double branch_weight = 0;                  ///< W of Branches: d q / d displacement; 0 where the branches carry nothing
+  double time = 0;                 ///< t_{n+af}
+  ArrayOf<Real> unknown;           ///< v, rho, mu at n+af
+  ArrayOf<Real> acceleration;      ///< dv/dt at n+am, and d rho/dt in the rows of Layout::rate_rows
+  ArrayOf<Real> displacement;      ///< at n+af
+  ArrayOf<Real> displacement_end;  ///< at n+1
+  ArrayOf<Real> density_end;       ///< at n+1
+  double rate_scale = 0;           ///< d acceleration / d velocity
+  double displacement_scale = 0;   ///< d displacement / d velocity
+  double end_scale = 1;            ///< d density_end / d density = d displacement_end / d displacement
+  double moment_rate = 0;          ///< am / (ga dt), factor of the moments at n+1; 0: fluxes alone
+  double density_rate_scale = 0;   ///< d (d rho/dt) / d rho; 0 where the rates count as 0
+  ArrayOf<Real> lag = {};          ///< q of BranchStress at n+af, or h of FiniteBranchStress at the points
+  double branch_weight = 0;        ///< W of Branches: d q / d displacement; 0 where the branches carry nothing
   ConstArray memory = {}, memory_rate = {};  ///< of the branches, where the stage is that of a state
   double memory_shift = 0;
 };

@@ -45,7 +45,7 @@ struct Task {
   Real scale[Trial::slot_count];  ///< d slot / d unknown
   const Real* tangent[D + 2];     ///< of the unknowns
   Real* test[Test::channel_count];
-  Real factor = 1;  ///< of the integrals
+  Real factor = 1;               ///< of the integrals
   const Real* memory = nullptr;  ///< of the points (PointMemory); null: they remember nothing
 };
 
@@ -104,10 +104,8 @@ KOKKOS_FORCEINLINE_FUNCTION auto with_memory(const Point& point, const RealOf<S>
     return point;
   } else {
     using Memory = PointMemory<D, Q, size>;
-    return RememberingPoint<Point, S>{{point},
-                                      memory ? memory + Memory::place(stride, rows, b.element, q) : nullptr,
-                                      Memory::apart(stride),
-                                      b.count};
+    return RememberingPoint<Point, S>{
+        {point}, memory ? memory + Memory::place(stride, rows, b.element, q) : nullptr, Memory::apart(stride), b.count};
   }
 }
 
@@ -244,8 +242,7 @@ KOKKOS_FORCEINLINE_FUNCTION auto point_at(const BatchGeometryType& geometry, con
   reference[0] = load<S>(&region.axis[0].position(q % Q, b.element[0]));
   if constexpr (D == 3) reference[1] = S(region.axis[1].position((q % wall_points) / Q, b.element[1]));
   reference[D - 1] = S(height);
-  const auto point =
-      in_coordinates<Term>(geometry.template at<on_face(Term::where)>(q, reference, height), reference);
+  const auto point = in_coordinates<Term>(geometry.template at<on_face(Term::where)>(q, reference, height), reference);
   return with_memory<typename TaskType::Trial, Q, S>(point, task.memory, region.stride, region.axis[1].elements, b, q);
 }
 

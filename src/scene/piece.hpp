@@ -99,7 +99,7 @@ void bind_fields(const Evaluation<D, Real>& at, const Blend& blend, TaskType& ta
     task.scale[s] = at.scale(Trial::slot(s).from.field);
   }
   if constexpr (std::is_same_v<decltype(task.motion), WallMotion<D, Real>>) task.motion = at.motion(blend);
-  if constexpr (memory_size_of<Trial> > 0) task.memory = at.stage.lag.data();
+  if constexpr (memory_size_of < Trial >> 0) task.memory = at.stage.lag.data();
 }
 
 /// The same for a term, with its tangents and the equations that it adds to.

@@ -83,8 +83,9 @@ void check_company_of_branches(const Checker& check, const std::string& key) {
     check.refuse(key, "needs the same substrate.young in all of the solid: branches are the same everywhere",
                  "write a number as young");
   if (!s.prestretch.empty())
-    check.refuse(key, "goes without substrate.prestretch: the strain that branches remember counts from the undeformed solid",
-                 "leave out prestretch, or write substrate.viscosity in place of branches");
+    check.refuse(
+        key, "goes without substrate.prestretch: the strain that branches remember counts from the undeformed solid",
+        "leave out prestretch, or write substrate.viscosity in place of branches");
 }
 
 void check_gel(const Checker& check) {
@@ -212,10 +213,9 @@ void check_case(const Case& c, const Document& document, Problems& problems) {
   check_wall(check);
   check.with({"fluid", "substrate.thickness", "domain.elements"}, [&] { check_substrate(check); });
   check.with({"substrate.fibre.azimuth"}, [&] { check_fibre(check); });
-  check.with(
-      {"substrate.branch", "substrate.gel", "substrate.young", "substrate.poisson", "substrate.strain", "substrate.prestretch",
-       "time.scheme"},
-      [&] { check_branches(check); });
+  check.with({"substrate.branch", "substrate.gel", "substrate.young", "substrate.poisson", "substrate.strain",
+              "substrate.prestretch", "time.scheme"},
+             [&] { check_branches(check); });
   check.with({"substrate.surface_modulus"}, [&] { check_surface_modulus(check); });
   check_prestretch(check);
   check.with({"substrate.joint", "substrate.thickness", "domain.elements", "domain.grading.box"},

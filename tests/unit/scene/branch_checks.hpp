@@ -57,7 +57,8 @@ void expect_energy_law_of_branches(Case c, Strain strain) {
   const double dissipation = now["dissipation_solid"];
   EXPECT_GT(dissipation, 1e-4);
   EXPECT_GT(now["energy_branches"], 1e-6);
-  const double power = s.scene.balance().load_power(stage.time, stage.unknown), expected = s.rate_of_energy(1e-3) - power;
+  const double power = s.scene.balance().load_power(stage.time, stage.unknown),
+               expected = s.rate_of_energy(1e-3) - power;
   const std::vector<double> r = s.residual(stage), x = to_host(stage.unknown);
   EXPECT_NEAR(s.scene.regions().turn() * contract(r, x, 0, s.layout().size()), expected, 1e-9 * std::abs(expected));
   const auto energy = [&](double time) {

@@ -9,7 +9,9 @@ TEST(Branches3D, EnergyLaw) {
     expect_energy_law_of_branches<3>(small_case_in_3d(SceneKind::solid), strain);
 }
 
-TEST(Branches3D, FeelNoRotation) { expect_energy_of_branches_to_feel_no_rotation<3>(small_case_in_3d(SceneKind::solid)); }
+TEST(Branches3D, FeelNoRotation) {
+  expect_energy_of_branches_to_feel_no_rotation<3>(small_case_in_3d(SceneKind::solid));
+}
 
 }  // namespace
 }  // namespace softwet::testing_tools

@@ -174,7 +174,8 @@ TEST(FiniteBranches, FeelNoRotation) {
 TEST(FiniteBranches, OfSmallStrainsAreThoseOfTheDisplacement) {
   const double small = 1e-6;
   const Matrix<double, 2> g = random_matrix<2>(), a = random_matrix<2>();
-  const auto finite = FiniteBranchStress{}.residual(strained<2>(small * g, small * symmetric(whole(a, 0)))).momentum_flux;
+  const auto finite =
+      FiniteBranchStress{}.residual(strained<2>(small * g, small * symmetric(whole(a, 0)))).momentum_flux;
   const auto linear = stress<2>(small * (g + (-1.0) * a));
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) EXPECT_NEAR(finite(i, j), linear(i, j), 20 * small * small);

@@ -16,8 +16,8 @@
 #include "kernels/solid/surface_elasticity.hpp"
 #include "kernels/solid/surface_tension.hpp"
 #include "laws.hpp"
-#include "scene/equilibrium.hpp"
 #include "run/machine.hpp"
+#include "scene/equilibrium.hpp"
 #include "unit/operator/patch.hpp"
 
 namespace softwet::energies {

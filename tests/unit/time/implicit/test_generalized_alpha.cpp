@@ -124,7 +124,8 @@ void check_still(Strain strain) {
   end.memory = Array("memory", with.random.layout().memory_size());
   end.memory_rate = with.random.terms.patch.draw(with.random.layout().memory_size(), -1, 1);
   with.integrator.finish(x, end);
-  const std::vector<double> memory = to_host(end.memory), x_followed = followed(with.random.scene.regions(), end.displacement);
+  const std::vector<double> memory = to_host(end.memory),
+                            x_followed = followed(with.random.scene.regions(), end.displacement);
   for (std::size_t i = 0; i < memory.size(); ++i) ASSERT_EQ(memory[i], x_followed[i % x_followed.size()]) << i;
   for (const double rate : to_host(end.memory_rate)) ASSERT_EQ(rate, 0);
 }
