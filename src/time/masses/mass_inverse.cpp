@@ -29,9 +29,11 @@ MassInverse<D, P>::MassInverse(const Model<D, P>& model, MassKind kind)
       next_scaled_("masses.scaled", model.layout().size()),
       image_("masses.image", model.layout().size()),
       first_("masses.first", model.layout().size()),
-      rows_("masses.rows", model.layout().has_solid && model.layout().has_fluid ? model.layout().size() : 0) {
+      rows_("masses.rows", model.layout().has_solid && model.layout().has_fluid ? model.layout().size() : 0),
+      later_rows_("masses.rows", host_algorithms ? 0 : rows_.extent(0)) {
   Kokkos::deep_copy(ones_, 1.0);
-  for (const Weights& w : {scalar_, velocity_}) {
+  if (rows_.extent(0) > 0) later_ = weights(scalar_.begin, scalar_.nodes(), scalar_.first, scalar_.last);
+  for (const Weights& w : {scalar_, later_, velocity_}) {
     if (w.nodes() == 0) continue;
     product_.apply(cut(ones_, 0, w.nodes()), w.unit, w.first, w.first + 1);
     product_.fill_ghosts(w.unit, w.first, w.first + 1);
@@ -74,64 +76,127 @@ void MassInverse<D, P>::set_mesh(const Stage& stage) {
   has_mesh_ = true;
   if (!l.has_solid) return prepare(w, copied(w.sums, w.unit));
   masses_.add_scalar(stage, ones_, rows_);
-  prepare(w, ForEach{w.nodes(), TakeScalarRows{w.sums, w.of(rows_), part(model_.mask(), w.begin, w.end)}});
+  prepare(w, row_sums(w, rows_));
+}
+
+template <int D, int P>
+void MassInverse<D, P>::set_meshes(const Stage& now, const Stage& later) {
+  if constexpr (!host_algorithms)
+    if (later_.nodes() > 0 && kind_ != MassKind::consistent && !has_ghosts(model_.layout()))
+      return set_meshes_together(now, later);
+  set_mesh(now);
+  if (later_.nodes() == 0) return;
+  std::swap(scalar_, later_);
+  set_mesh(later);
+  std::swap(scalar_, later_);
+}
+
+template <int D, int P>
+void MassInverse<D, P>::take_later() {
+  if (later_.nodes() > 0) std::swap(scalar_, later_);
+}
+
+template <int D, int P>
+ForEach<TakeScalarRows> MassInverse<D, P>::row_sums(const Weights& w, const Array& rows) const {
+  return {w.nodes(), {w.sums, w.of(rows), part(model_.mask(), w.begin, w.end)}};
+}
+
+template <int D, int P>
+ForEach<SumVelocityRows> MassInverse<D, P>::row_sums(const ConstArray& moments) const {
+  const int shift = model_.layout().fluid_shift(), count = scalar_.nodes();
+  return {velocity_.nodes(),
+          {velocity_.sums, solid_sums_, moments, scalar_.sums, model_.fluid().inertia_floor, shift, count}};
 }
 
 template <int D, int P>
 void MassInverse<D, P>::set_weights(const ConstArray& moments, const ConstArray& density) {
-  const Layout<D>& l = model_.layout();
-  if (kind_ == MassKind::lumped && l.has_fluid) {  // lumped moments would be those of the density at the control points
-    multiply_scalar(density, scalar_.of(first_));
-    return weigh_with(scalar_.of(first_));
+  if (kind_ == MassKind::lumped && model_.layout().has_fluid) {
+    multiply_scalar(density, scalar_.of(first_));  // lumped moments would be those of the density at the control points
+    return prepare(velocity_, row_sums(scalar_.of(first_)));
   }
-  weigh_with(moments);
+  prepare(velocity_, row_sums(moments));
 }
 
 template <int D, int P>
-void MassInverse<D, P>::weigh_with(const ConstArray& moments) {
-  const int shift = model_.layout().fluid_shift(), count = scalar_.nodes();
-  prepare(velocity_, ForEach{velocity_.nodes(), SumVelocityRows{velocity_.sums, solid_sums_, moments, scalar_.sums,
-                                                                model_.fluid().inertia_floor, shift, count}});
+template <class... Bodies>
+auto MassInverse<D, P>::sums_and_roots(const Weights& w, const Array& rough, const ForEach<Bodies>&... sums) const {
+  return fused(sums..., ForEach{w.nodes(), FindRoots{rough, w.sums, w.unit}});
+}
+
+template <int D, int P>
+auto MassInverse<D, P>::cut_roots(const Weights& w, const Array& rough) const {
+  constexpr double steepest = 1.2;  // ratio of neighbours
+  return neighbours_.limit(rough, w.root, steepest, w.kind());
+}
+
+template <int D, int P>
+auto MassInverse<D, P>::factors(const Weights& w) const {
+  return FindFactors<D, P>{product_.of(w.root, w.kind()), WeightedPointers(w), w.left.data(), w.right.data()}.on_all();
 }
 
 template <int D, int P>
 template <class... Bodies>
 void MassInverse<D, P>::prepare(const Weights& w, const ForEach<Bodies>&... sums) {
-  constexpr double steepest = 1.2;  // ratio of neighbours
   const Array rough = cut(image_, 0, w.nodes());
-  run_fused("softwet::mass_sums", sums..., ForEach{w.nodes(), FindRoots{rough, w.sums, w.unit}});
+  run("softwet::mass_sums", sums_and_roots(w, rough, sums...));
   product_.fill_ghosts(w.sums, w.first, w.first + 1);
   // Products with lumped masses are those of scalars alone.
-  if (kind_ == MassKind::consistent || (kind_ == MassKind::lumped && w.first == 0)) return;
+  if (kind_ == MassKind::consistent || (kind_ == MassKind::lumped && w.kind() == Unknowns::velocities)) return;
   product_.fill_ghosts(rough, w.first, w.first + 1);
-  neighbours_.limit(rough, w.root, steepest, w.first == 0);
+  run("softwet::smallest_neighbour", cut_roots(w, rough));
   product_.fill_ghosts(w.root, w.first, w.first + 1);
-  const FindFactors<D, P> factors{product_.of(w.root, w.first == 0), WeightedPointers(w), w.left.data(),
-                                  w.right.data()};
-  Kokkos::parallel_for("softwet::mass_factors", Items(0, factors.product.items(1)), factors);
+  run("softwet::mass_factors", factors(w));
 }
 
 template <int D, int P>
-int MassInverse<D, P>::solve(const Weights& w, double factor, const RightSide& b, const Array& z) {
+void MassInverse<D, P>::set_meshes_together(const Stage& now, const Stage& later) {
+  const Weights &w = scalar_, &v = later_;
+  const Array rough = cut(image_, 0, w.nodes()), rough_later = cut(scaled_, 0, w.nodes());
+  masses_.add_scalar(now, ones_, rows_);
+  masses_.add_scalar(later, ones_, later_rows_);
+  run_fused("softwet::mass_sums", row_sums(w, rows_), ForEach{w.nodes(), FindRoots{rough, w.sums, w.unit}},
+            row_sums(v, later_rows_), ForEach{v.nodes(), FindRoots{rough_later, v.sums, v.unit}});
+  run_beside("softwet::smallest_neighbour", cut_roots(w, rough), cut_roots(v, rough_later));
+  run_beside("softwet::mass_factors", factors(w), factors(v));
+}
+
+template <int D, int P>
+template <class First, class Second, class Third, class After>
+int MassInverse<D, P>::solve(const Weights& w, double factor, const RightSide& b, const Array& z,
+                             const Counted<First>& beside, const Counted<Second>& beside_second,
+                             const Counted<Third>& beside_third, const After& after) {
   const ConstArray mask = part(model_.mask(), w.begin, w.end);
-  const bool of_velocity = w.first == 0, lumped = kind_ == MassKind::lumped;
-  const TieClusters& ties = of_velocity ? ties_.velocities() : ties_.scalars();
+  const int components = w.last - w.first;
+  const TieClusters& ties = w.kind() == Unknowns::velocities ? ties_.velocities() : ties_.scalars();
+  const bool lumped = kind_ == MassKind::lumped;
   const Array x = lumped ? z : w.of(first_), image = w.of(image_);
   Array scaled = w.of(scaled_), next = w.of(next_scaled_);
   const WeightedPointers mass(w);
-  const BandProduct<D, P> product = product_.of(scaled, of_velocity);
-  WithTies<DivideBySums<D>>{{product.blocks, b, factor, mask, mass, x.data(), lumped ? nullptr : scaled.data(), -2.0},
+  WithTies<DivideBySums<D>>{{product_.of(scaled, w.kind()).blocks, b, factor, mask, mass, x.data(),
+                             lumped ? nullptr : scaled.data(), -2.0},
                             ties}
-      .launch("softwet::mass_divide", w.last - w.first);
-  for (int k = 0; k < 3 && !lumped; ++k) {  // y = -2 x, and three times y = x + e y
+      .launch("softwet::mass_divide", components);
+  // y = -2 x, and three times y = x + e y
+  const auto step = [&](int k, const auto& other, const auto& then) {
     product_.fill_ghosts(scaled, w.first, w.last);
-    SeriesStep<D, P> step{
-        product_.of(scaled, of_velocity), mass,         mask.data(), k == 0 ? -2.0 : 1.0,           x.data(),
-        k == 0 ? x.data() : z.data(),     image.data(), z.data(),    k == 2 ? nullptr : next.data()};
-    WithTies<SeriesStep<D, P>>{step, ties}.launch("softwet::mass_step", w.last - w.first);
+    const SeriesStep<D, P> term{
+        product_.of(scaled, w.kind()), mass,         mask.data(), k == 0 ? -2.0 : 1.0,           x.data(),
+        k == 0 ? x.data() : z.data(),  image.data(), z.data(),    k == 2 ? nullptr : next.data()};
+    using Kernel = WithTies<SeriesStep<D, P>, host_algorithms, std::decay_t<decltype(then)>>;
+    run_beside("softwet::mass_step", Kernel{term, ties, then}.on(components), other);
     std::swap(scaled, next);
+  };
+  const bool copies = has_ghosts(model_.layout());  // which come before what follows
+  if (lumped) {
+    run("softwet::beside_masses", beside);
+  } else {
+    step(0, beside, Nothing{});
+    step(1, beside_second, Nothing{});
+    copies ? step(2, beside_third, Nothing{}) : step(2, beside_third, after);
+    product_.fill_ghosts(z, w.first, w.last);
   }
-  if (!lumped) product_.fill_ghosts(z, w.first, w.last);
+  if constexpr (!std::is_same_v<After, Nothing>)
+    if (lumped || copies) run("softwet::after_masses", fused(ForEach{static_cast<int>(z.extent(0)), after}));
   return 0;
 }
 
@@ -144,7 +209,8 @@ int MassInverse<D, P>::solve_consistent(const Weights& w, double factor, const R
   const ConstArray mask = part(model_.mask(), w.begin, w.end);
   Kokkos::deep_copy(Exec(), w.of(image_), z);
   multiply(w.of(image_), mask);
-  Kokkos::parallel_for("softwet::mass_side", Items(0, z.extent(0)), StoreRightSide{b, factor, mask, w.of(scaled_)});
+  Kokkos::parallel_for("softwet::mass_side", Items(0, z.extent(0)),
+                       StoreRightSide<D>{b, factor, mask, w.of(scaled_)});
   const int iterations =
       solver_.solve(apply, precondition, scaled_, image_, w.begin, w.end, tolerance, most_iterations);
   if (iterations >= 0) Kokkos::deep_copy(Exec(), z, w.of(image_));
@@ -180,13 +246,42 @@ int MassInverse<D, P>::velocity(const Stage& stage, double factor, const RightSi
 }
 
 template <int D, int P>
+int MassInverse<D, P>::velocity(const Stage& stage, double factor, const RightSide& b, const Array& z, double tolerance,
+                                const Companions& with) {
+  const auto beside = fused(with.rates, with.copy);
+  if (kind_ != MassKind::consistent)
+    return solve(velocity_, factor, b, z, beside, Counted<Nothing>{}, Counted<Nothing>{}, with.kick);
+  const int iterations = velocity(stage, factor, b, z, tolerance);
+  if (iterations < 0) return iterations;
+  run("softwet::beside_masses", beside);
+  run("softwet::after_masses", fused(ForEach{static_cast<int>(z.extent(0)), with.kick}));
+  return iterations;
+}
+
+template <int D, int P>
+bool MassInverse<D, P>::weighs_beside() const {
+  return !host_algorithms && kind_ == MassKind::corrected && !has_ghosts(model_.layout());
+}
+
+template <int D, int P>
+int MassInverse<D, P>::scalar_and_weights([[maybe_unused]] const RightSide& b, [[maybe_unused]] const Array& z) {
+  if constexpr (host_algorithms) {
+    return -1;
+  } else {
+    const Array rough = cut(image_, 0, velocity_.nodes());
+    return solve(scalar_, 1, b, z, sums_and_roots(velocity_, rough, row_sums(b.moments)), cut_roots(velocity_, rough),
+                 factors(velocity_), Nothing{});
+  }
+}
+
+template <int D, int P>
 void MassInverse<D, P>::multiply_scalar(const ConstArray& z, const Array& out) {
   const Weights& w = scalar_;
   const Array scaled = w.of(scaled_);
   Kokkos::deep_copy(Exec(), scaled, z);
   weigh(scaled, w.root);
   product_.fill_ghosts(scaled, w.first, w.last);
-  const MultiplyByMass<D, P> multiplied{product_.of(scaled, false), WeightedPointers(w), model_.mask().data() + w.begin,
+  const MultiplyByMass<D, P> multiplied{product_.of(scaled, w.kind()), WeightedPointers(w), model_.mask().data() + w.begin,
                                         z.data(), out.data()};
   Kokkos::parallel_for("softwet::mass_product", Items(0, multiplied.product.items(1)), multiplied);
 }

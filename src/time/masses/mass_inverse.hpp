@@ -7,6 +7,7 @@
 #include "solver/krylov/kronecker_mass.hpp"
 #include "time/masses/mass_series.hpp"
 #include "time/masses/smallest_neighbour.hpp"
+#include "time/step/sum_of.hpp"
 
 namespace softwet {
 
@@ -35,16 +36,31 @@ class MassInverse {
 
   /// Takes the mesh of a stage: it weights scalars.
   void set_mesh(const Stage&);
+  /// The same of one stage now, and of another one from `take_later` on.
+  void set_meshes(const Stage& now, const Stage& later);
+  void take_later();
   /// Takes the moments and the density that weight velocities. With consistent masses the stage's density does.
   void set_weights(const ConstArray& moments, const ConstArray& density);
 
   // Arrays of the components alone. `z` is where conjugate gradients begin, which need the stage. They return their
   // iterations; -1: they failed. A right side may be a force, which is taken: zero is left of it.
-  using RightSide = mass_kernels::RightSide;
+  using RightSide = mass_kernels::RightSide<D>;
   /// z = factor S b for a scalar.
   int scalar(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance);
+  /// Whether a solve can find the weights of velocities beside itself, in the same launches; and such a solve, with the moments of
+  /// its right side.
+  bool weighs_beside() const;
+  int scalar_and_weights(const RightSide& b, const Array& z);
   /// z = factor S b for velocities.
   int velocity(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance);
+
+  /// What is done in the launches of a solve for accelerations: sums with them, and rates and copies that have nothing to do with them.
+  struct Companions {
+    Kick kick;  ///< by value of z
+    ForEach<mass_kernels::TakeRates<D>> rates = {};
+    ForEach<Copy> copy = {};
+  };
+  int velocity(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance, const Companions&);
   /// The moments of which `scalar` finds the density z.
   void find_moments(const Stage&, const ConstArray& z, const Array& out);
 
@@ -56,13 +72,30 @@ class MassInverse {
   struct Weights : WeightedMass {
     int begin, end, first, last;  ///< in a vector of unknowns, and as components
     int nodes() const { return static_cast<int>(sums.extent(0)); }
+    Unknowns kind() const { return first == 0 ? Unknowns::velocities : Unknowns::scalars; }
     Array of(const Array& unknowns) const { return Kokkos::subview(unknowns, Kokkos::make_pair(begin, end)); }
   };
   Weights weights(int begin, int nodes, int first, int last) const;
-  /// Roots and factors from row sums, which the parts of a launch compute by control point.
+  /// Row sums of scalars on the mesh of a stage, in a vector of unknowns that is zero before; and the operation that takes them.
+  void add_rows(const Stage&, const Array& rows) const;
+  ForEach<mass_kernels::TakeScalarRows> row_sums(const Weights&, const Array& rows) const;
+  ForEach<mass_kernels::SumVelocityRows> row_sums(const ConstArray& moments) const;
+  /// Roots and factors from row sums, which the parts of a launch compute by control point: three kernels one after another.
   template <class... Bodies>
   void prepare(const Weights&, const ForEach<Bodies>&... sums);
-  int solve(const Weights&, double factor, const RightSide&, const Array& z);
+  void set_meshes_together(const Stage& now, const Stage& later);
+  template <class... Bodies>
+  auto sums_and_roots(const Weights&, const Array& rough, const ForEach<Bodies>&... sums) const;
+  auto cut_roots(const Weights&, const Array& rough) const;
+  auto factors(const Weights&) const;
+
+  /// @param beside  kernels that share launches with the three terms of the series;  @param after  by value of z, when it is there
+  template <class First, class Second, class Third, class After>
+  int solve(const Weights&, double factor, const RightSide&, const Array& z, const Counted<First>& beside,
+            const Counted<Second>&, const Counted<Third>&, const After& after);
+  int solve(const Weights& w, double factor, const RightSide& b, const Array& z) {
+    return solve(w, factor, b, z, Counted<Nothing>{}, Counted<Nothing>{}, Counted<Nothing>{}, Nothing{});
+  }
   template <class Apply, class Precondition>
   int solve_consistent(const Weights&, double factor, const RightSide& b, const Array& z, double tolerance,
                        const Apply&, const Precondition&);
@@ -70,7 +103,6 @@ class MassInverse {
   void multiply_scalar(const ConstArray& z, const Array& out);
   /// p with S p = z.
   void invert_scalar(const ConstArray& z, const Array& p);
-  void weigh_with(const ConstArray& moments);
   void add_solid_sums();
 
   const Model<D, P>& model_;
@@ -81,10 +113,10 @@ class MassInverse {
   MassProduct<D, P> product_;
   EndTies<D> ties_;
   SmallestNeighbour<D, P> neighbours_;
-  Weights scalar_, velocity_;
+  Weights scalar_, later_, velocity_;  ///< `later_` where the mesh moves
   Array solid_sums_;  ///< by control point of the velocity
   Array ones_, scaled_, next_scaled_, image_, first_;
-  Array rows_;  ///< where a moved mesh assembles its row sums; zero in between
+  Array rows_, later_rows_;  ///< where moved meshes assemble their row sums; zero in between
   bool has_mesh_ = false;
 };
 
