@@ -65,18 +65,17 @@ TEST(Placed, ARefusalGoesThroughAndWhatFollowsDoesNothing) {
   System system(model, MassKind::consistent);
   State state = initial_state<2, 2>(c, model);
   system.set_moments(state);
-  ASSERT_TRUE(system.find_potential(system.find_density(system.evaluated(), state.moment)).refusal().empty());
-  const long potentials = system.counts().potential;
+  const Array acceleration("acceleration", system.velocities()), second("second", system.velocities());
   const Array broken =
       to_device<Array>(std::vector<double>(system.moments(), std::numeric_limits<double>::infinity()));
-  auto refused = system.find_potential(system.find_density(system.evaluated(), broken));
-  EXPECT_EQ(refused.refusal().cause, Refusal::density_of_moments);
-  const Array acceleration("acceleration", system.velocities());
-  Kokkos::deep_copy(acceleration, 7.0);
-  auto last = system.pressure(system.weigh_velocities(std::move(refused), broken), acceleration);
-  EXPECT_EQ(last.refusal().cause, Refusal::density_of_moments);
-  EXPECT_EQ(to_host(acceleration)[0], 7);
-  EXPECT_EQ(system.counts().potential, potentials);
+  auto fields = system.find_potential(system.find_density(system.evaluated(), broken));
+  auto refused = system.pressure(system.weigh_velocities(std::move(fields), broken), acceleration);
+  EXPECT_EQ(refused.refusal().cause, Refusal::acceleration);
+  Kokkos::deep_copy(second, 7.0);
+  const auto last = system.convection(system.take_rates(std::move(refused), broken), Viscosity::apart, second);
+  EXPECT_EQ(last.refusal().cause, Refusal::acceleration);
+  EXPECT_EQ(to_host(second), std::vector<double>(system.velocities(), 7.0)) << "nothing was evaluated";
+  EXPECT_EQ(to_host(broken)[0], std::numeric_limits<double>::infinity()) << "no rates were taken";
 }
 
 }  // namespace
