@@ -95,7 +95,8 @@ struct StripSums {
     const int end = strip + 1 < strips() ? begin + strip_width : space.end;
     const int left = size / space.stored - first, lines = left < lines_at_once ? left : lines_at_once;
     double sum[2 * strip_width] = {};
-    add(sum, first * space.stored + begin, lines, end - begin, [](int) { return 1.0; }, entry);
+    add(
+        sum, first * space.stored + begin, lines, end - begin, [](int) { return 1.0; }, entry);
     store(item, sum);
   }
   KOKKOS_FORCEINLINE_FUNCTION void store(int item, const double (&sum)[2 * strip_width]) const {

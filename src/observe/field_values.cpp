@@ -50,8 +50,7 @@ const std::vector<Matrix<double, 3>>& FieldValues<D, P>::gradients() {
 template <int D, int P>
 std::vector<double> FieldValues<D, P>::of(const std::string& field) {
   if (field == "velocity") return vector_field<D>([&](int d) { return snapshot_.velocity(grid_, d, medium_); });
-  if (field == "displacement")
-    return vector_field<D>([&](int d) { return snapshot_.displacement(grid_, d, medium_); });
+  if (field == "displacement") return vector_field<D>([&](int d) { return snapshot_.displacement(grid_, d, medium_); });
   if (field == "density") return snapshot_.density(grid_);
   if (field == "chemical_potential") return snapshot_.chemical_potential(grid_);
   if (field == "pressure") {

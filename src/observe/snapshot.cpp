@@ -58,7 +58,8 @@ std::vector<double> Snapshot<D>::displacement(const Grid& grid, int d, Medium in
   for (int a = 0; a < D - 1; ++a) wall_points *= grid[a].size();
   if (!layout_.has_solid) return std::vector<double>(wall_points * grid[D - 1].size(), 0.0);
   const int first = layout_.displacement_offset(d);
-  if (in == Medium::solid) return component(displacement_, first, layout_.solid_rows(), grid, 0, 0, layout_.solid_elements);
+  if (in == Medium::solid)
+    return component(displacement_, first, layout_.solid_rows(), grid, 0, 0, layout_.solid_elements);
   Grid wall = grid;
   wall[D - 1] = {wall_height()};
   const std::vector<double> trace =

@@ -125,9 +125,8 @@ void start_integrals(const ReduceTask<D, First, FirstMotion>& first, const Array
       with_points<P>(second.region, [&]<int R>(PointsPerAxis<R>) {
         using One = TeamReduce<D, P, Q, false, First, FirstMotion>;
         using Other = TeamReduce<D, P, R, false, Second, SecondMotion>;
-        TeamReducePair<One, Other>{{first, in_first.rows, partial_of_first},
-                                   {second, in_second.rows, partial_of_second},
-                                   in_first.items}
+        TeamReducePair<One, Other>{
+            {first, in_first.rows, partial_of_first}, {second, in_second.rows, partial_of_second}, in_first.items}
             .launch(in_second.items);
       });
     });

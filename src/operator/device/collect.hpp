@@ -68,7 +68,7 @@ struct CollectTiles {
   int extent[D - 1] = {}, row_size = 0;
   int components = 0, offset[D + 2] = {}, first_row[D + 2] = {};
   ArrayOf<Real> out;
-  ConstArray mask;  ///< empty: none
+  ConstArray mask;   ///< empty: none
   bool add = false;  ///< to what is in `out`
 
   KOKKOS_FUNCTION void operator()(int entry) const {

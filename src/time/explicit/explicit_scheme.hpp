@@ -39,7 +39,8 @@ class ExplicitScheme final : public Scheme<D, P> {
   SemiDiscrete<D, P> system_;
   std::unique_ptr<ExplicitStep<D, P>> step_;
   StepBound<D, P> bound_;
-  HostNumbers of_bound_and_judge_, of_bound_, of_judge_;  ///< what the host asks for at the end of a step, and its parts
+  HostNumbers of_bound_and_judge_, of_bound_,
+      of_judge_;  ///< what the host asks for at the end of a step, and its parts
   double safety_;
   StepRates rates_, next_rates_;
   HeldRate held_;

@@ -25,7 +25,8 @@ Refusal KickDrift<D, P>::begin(const State& s) {
   multiply(system_.velocities_of(now_.y), part(system_.model().mask(), 0, system_.velocities()));
   if (system_.memory() > 0) Kokkos::deep_copy(Exec(), now_.memory, s.memory);
   const Array v = system_.velocities_of(now_.y), p = system_.moments_of(now_.y);
-  auto fields = system_.find_density(system_.place_velocity(system_.place_mesh(s.time, s.displacement, now_.memory), v), p);
+  auto fields =
+      system_.find_density(system_.place_velocity(system_.place_mesh(s.time, s.displacement, now_.memory), v), p);
   if (system_.moments() > 0) Kokkos::deep_copy(Exec(), now_.density, system_.stage().density_end);
   auto at = system_.weigh_velocities(system_.find_potential(std::move(fields)), p);
   auto forced = system_.take_rates(system_.pressure(std::move(at), now_.pressure), now_.stabilisation);

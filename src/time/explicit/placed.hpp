@@ -20,7 +20,7 @@ template <unsigned parts, unsigned wanted>
 concept Holding = placed::include(parts, wanted);
 /// Nothing is left to take.
 template <unsigned parts, unsigned wanted>
-concept Ready = Holding<parts, wanted> && (parts & (placed::flux | placed::rates)) == 0;
+concept Ready = Holding<parts, wanted> &&(parts&(placed::flux | placed::rates)) == 0;
 
 /// The stage of a SemiDiscrete with some of its parts in place. A call takes one and gives the next one. Where it is refused, what
 /// follows does nothing, and the last one has the refusal.   Tested: tests/unit/time/explicit/test_placed.cpp

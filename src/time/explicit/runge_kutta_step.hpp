@@ -90,8 +90,8 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
   Refusal diffuse(double t, double dt, const StepRates& rates) {
     constexpr double margin = 1.5;  // the rate is a bound where the weights of neighbours are alike
     const Array p = system_.moments_of(next_);
-    const auto at = system_.weigh_velocities(
-        system_.find_density(system_.place_mesh(t, system_.displacements_of(next_)), p), p);
+    const auto at =
+        system_.weigh_velocities(system_.find_density(system_.place_mesh(t, system_.displacements_of(next_)), p), p);
     const Rkl2::Rates with_constant = [&](const Array& v, const Array& out) {
       const Refusal failure = system_.viscosity(at, v, out);
       if (failure.empty() && balanced_) add_scaled(out, 0, 1, system_.velocities_of(rates_));

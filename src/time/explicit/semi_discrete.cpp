@@ -58,7 +58,7 @@ Placed<placed::mesh | placed::velocity> SemiDiscrete<D, P>::place_velocity(Place
 
 template <int D, int P>
 Placed<placed::fields> SemiDiscrete<D, P>::kick_and_move(const SumOf& velocity, const ConstArray& density, double t,
-                                                        double dt, const ConstArray& u, const Array& to) {
+                                                         double dt, const ConstArray& u, const Array& to) {
   const Layout<D>& l = model_.layout();
   const ForEach kicked{velocities(), kick(velocity)};
   const ForEach moved{l.has_solid ? velocities() : 0,
@@ -234,8 +234,7 @@ Refusal SemiDiscrete<D, P>::viscosity(const Array& v, const Array& acceleration)
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::rates(double t, const Array& y, const Array& out) {
   ++counts_.rates;
-  auto fields =
-      find_density(place_velocity(place_mesh(t, displacements_of(y)), velocities_of(y)), moments_of(y));
+  auto fields = find_density(place_velocity(place_mesh(t, displacements_of(y)), velocities_of(y)), moments_of(y));
   const auto at = weigh_velocities(find_potential(std::move(fields)), moments_of(y));
   if (!at.refusal().empty()) return at.refusal();
   run_fused("softwet::take_motion", taken_motion(displacements_of(out)));

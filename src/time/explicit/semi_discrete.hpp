@@ -50,7 +50,7 @@ class SemiDiscrete final : public Evolution {
   /// A step begins: velocities that are a sum, the density that the stage has then, and displacements from u to `to`. The mesh
   /// is that half way through the step.
   Placed<placed::fields> kick_and_move(const SumOf& velocity, const ConstArray& density, double t, double dt,
-                                      const ConstArray& u, const Array& to);
+                                       const ConstArray& u, const Array& to);
 
   /// The density of moments.
   template <unsigned has>
@@ -129,10 +129,11 @@ class SemiDiscrete final : public Evolution {
   }
   /// Acceleration of velocities by viscosity alone.
   template <unsigned has>
-    requires Ready<has, placed::mesh | placed::density | placed::weights>
-  Refusal viscosity(const Placed<has>& at, const Array& v, const Array& acceleration) {
-    return at.refusal().empty() ? viscosity(v, acceleration) : at.refusal();
-  }
+    requires Ready<has, placed::mesh | placed::density | placed::weights> Refusal viscosity(const Placed<has>& at,
+                                                                                            const Array& v,
+                                                                                            const Array& acceleration) {
+      return at.refusal().empty() ? viscosity(v, acceleration) : at.refusal();
+    }
 
   /// Rates of the displacements by the velocities of the stage, as a part of a launch.
   ForEach<TakeMotion> taken_motion(const Array& rate) const;
@@ -199,10 +200,10 @@ class SemiDiscrete final : public Evolution {
   Stage stage_;
   Stage end_;  ///< of the step, while the mesh is that half way
   Viscosity viscosity_ = Viscosity::among_all;
-  Array force_;            ///< of terms, a vector of unknowns; who reads a part leaves zero there, so that terms can be added
+  Array force_;  ///< of terms, a vector of unknowns; who reads a part leaves zero there, so that terms can be added
   TileSumsOf<D> tiles_;    ///< what is not added to it yet
   Array potential_force_;  ///< that of the potential
-  Array velocity_;   ///< a vector of unknowns, of which the velocities count
+  Array velocity_;         ///< a vector of unknowns, of which the velocities count
   MassCounts counts_;
 };
 

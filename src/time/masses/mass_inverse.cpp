@@ -172,9 +172,9 @@ int MassInverse<D, P>::solve(const Weights& w, double factor, const RightSide& b
   const Array x = lumped ? z : w.of(first_), image = w.of(image_);
   Array scaled = w.of(scaled_), next = w.of(next_scaled_);
   const WeightedPointers mass(w);
-  WithTies<DivideBySums<D>>{{product_.of(scaled, w.kind()).blocks, b, factor, mask, mass, x.data(),
-                             lumped ? nullptr : scaled.data(), -2.0},
-                            ties}
+  WithTies<DivideBySums<D>>{
+      {product_.of(scaled, w.kind()).blocks, b, factor, mask, mass, x.data(), lumped ? nullptr : scaled.data(), -2.0},
+      ties}
       .launch("softwet::mass_divide", components);
   // y = -2 x, and three times y = x + e y
   const auto step = [&](int k, const auto& other, const auto& then) {
@@ -209,8 +209,7 @@ int MassInverse<D, P>::solve_consistent(const Weights& w, double factor, const R
   const ConstArray mask = part(model_.mask(), w.begin, w.end);
   Kokkos::deep_copy(Exec(), w.of(image_), z);
   multiply(w.of(image_), mask);
-  Kokkos::parallel_for("softwet::mass_side", Items(0, z.extent(0)),
-                       StoreRightSide<D>{b, factor, mask, w.of(scaled_)});
+  Kokkos::parallel_for("softwet::mass_side", Items(0, z.extent(0)), StoreRightSide<D>{b, factor, mask, w.of(scaled_)});
   const int iterations =
       solver_.solve(apply, precondition, scaled_, image_, w.begin, w.end, tolerance, most_iterations);
   if (iterations >= 0) Kokkos::deep_copy(Exec(), z, w.of(image_));
@@ -281,8 +280,8 @@ void MassInverse<D, P>::multiply_scalar(const ConstArray& z, const Array& out) {
   Kokkos::deep_copy(Exec(), scaled, z);
   weigh(scaled, w.root);
   product_.fill_ghosts(scaled, w.first, w.last);
-  const MultiplyByMass<D, P> multiplied{product_.of(scaled, w.kind()), WeightedPointers(w), model_.mask().data() + w.begin,
-                                        z.data(), out.data()};
+  const MultiplyByMass<D, P> multiplied{product_.of(scaled, w.kind()), WeightedPointers(w),
+                                        model_.mask().data() + w.begin, z.data(), out.data()};
   Kokkos::parallel_for("softwet::mass_product", Items(0, multiplied.product.items(1)), multiplied);
 }
 

@@ -114,7 +114,7 @@ class MassInverse {
   EndTies<D> ties_;
   SmallestNeighbour<D, P> neighbours_;
   Weights scalar_, later_, velocity_;  ///< `later_` where the mesh moves
-  Array solid_sums_;  ///< by control point of the velocity
+  Array solid_sums_;                   ///< by control point of the velocity
   Array ones_, scaled_, next_scaled_, image_, first_;
   Array rows_, later_rows_;  ///< where moved meshes assemble their row sums; zero in between
   bool has_mesh_ = false;

@@ -12,26 +12,45 @@ using System = SemiDiscrete<2, 2>;
 using namespace placed;
 
 template <unsigned parts>
-concept finds_density = requires(System s, Placed<parts> at, Array a) { s.find_density(std::move(at), a); };
+concept finds_density = requires(System s, Placed<parts> at, Array a) {
+  s.find_density(std::move(at), a);
+};
 template <unsigned parts>
-concept finds_potential = requires(System s, Placed<parts> at) { s.find_potential(std::move(at)); };
+concept finds_potential = requires(System s, Placed<parts> at) {
+  s.find_potential(std::move(at));
+};
 template <unsigned parts>
-concept finds_flux = requires(System s, Placed<parts> at) { s.find_flux(std::move(at)); };
+concept finds_flux = requires(System s, Placed<parts> at) {
+  s.find_flux(std::move(at));
+};
 template <unsigned parts>
-concept moves_moments = requires(System s, Placed<parts> at, Array a) { s.move_moments(std::move(at), 1, a, a, a); };
+concept moves_moments = requires(System s, Placed<parts> at, Array a) {
+  s.move_moments(std::move(at), 1, a, a, a);
+};
 template <unsigned parts>
-concept moves_to_end = requires(System s, Placed<parts> at, Array a) { s.move_to_end(std::move(at), 1, a, a, a); };
+concept moves_to_end = requires(System s, Placed<parts> at, Array a) {
+  s.move_to_end(std::move(at), 1, a, a, a);
+};
 template <unsigned parts>
-concept weighs = requires(System s, Placed<parts> at, Array a) { s.weigh_velocities(std::move(at), a); };
+concept weighs = requires(System s, Placed<parts> at, Array a) {
+  s.weigh_velocities(std::move(at), a);
+};
 template <unsigned parts>
-concept has_pressure = requires(System s, Placed<parts> at, Array a) { s.pressure(std::move(at), a); };
+concept has_pressure = requires(System s, Placed<parts> at, Array a) {
+  s.pressure(std::move(at), a);
+};
 template <unsigned parts>
-concept takes_rates = requires(System s, Placed<parts> at, Array a) { s.take_rates(std::move(at), a); };
+concept takes_rates = requires(System s, Placed<parts> at, Array a) {
+  s.take_rates(std::move(at), a);
+};
 template <unsigned parts>
-concept has_convection =
-    requires(System s, Placed<parts> at, Array a) { s.convection(std::move(at), Viscosity::among_all, a); };
+concept has_convection = requires(System s, Placed<parts> at, Array a) {
+  s.convection(std::move(at), Viscosity::among_all, a);
+};
 template <class At>
-concept asks_without_moving = requires(System s, At at) { s.find_potential(at); };
+concept asks_without_moving = requires(System s, At at) {
+  s.find_potential(at);
+};
 
 static_assert(finds_density<mesh> && !finds_density<velocity> && !finds_density<all | flux>);
 static_assert(finds_potential<mesh | density> && !finds_potential<mesh> && !finds_potential<density>);
@@ -66,8 +85,7 @@ TEST(Placed, ARefusalGoesThroughAndWhatFollowsDoesNothing) {
   State state = initial_state<2, 2>(c, model);
   system.set_moments(state);
   const Array acceleration("acceleration", system.velocities()), second("second", system.velocities());
-  const Array broken =
-      to_device<Array>(std::vector<double>(system.moments(), std::numeric_limits<double>::infinity()));
+  const Array broken = to_device<Array>(std::vector<double>(system.moments(), std::numeric_limits<double>::infinity()));
   auto fields = system.find_potential(system.find_density(system.evaluated(), broken));
   auto refused = system.pressure(system.weigh_velocities(std::move(fields), broken), acceleration);
   EXPECT_EQ(refused.refusal().cause, Refusal::acceleration);
