@@ -1,12 +1,9 @@
 // The inverses of the masses that explicit schemes need: of density, chemical potential and velocity.
 #pragma once
 
-#include "case/choices.hpp"
-#include "model/mass_products.hpp"
 #include "solver/krylov/conjugate_gradient.hpp"
 #include "solver/krylov/kronecker_mass.hpp"
-#include "time/masses/mass_series.hpp"
-#include "time/masses/smallest_neighbour.hpp"
+#include "time/masses/mass_weights.hpp"
 #include "time/step/sum_of.hpp"
 
 namespace softwet {
@@ -31,14 +28,15 @@ template <int D, int P>
 class MassInverse {
  public:
   MassInverse(const Model<D, P>&, MassKind);
+  MassInverse(const MassInverse&) = delete;
 
   MassKind kind() const { return kind_; }
 
   /// Takes the mesh of a stage: it weights scalars.
-  void set_mesh(const Stage&);
+  void set_mesh(const Stage& stage) { weights_.set_mesh(stage); }
   /// The same of one stage now, and of another one from `take_later` on.
-  void set_meshes(const Stage& now, const Stage& later);
-  void take_later();
+  void set_meshes(const Stage& now, const Stage& later) { weights_.set_meshes(now, later); }
+  void take_later() { weights_.take_later(); }
   /// Takes the moments and the density that weight velocities. With consistent masses the stage's density does.
   void set_weights(const ConstArray& moments, const ConstArray& density);
 
@@ -64,46 +62,24 @@ class MassInverse {
   /// The moments of which `scalar` finds the density z.
   void find_moments(const Stage&, const ConstArray& z, const Array& out);
 
-  ConstArray scalar_sums() const { return scalar_.sums; }      ///< a by control point
-  ConstArray velocity_sums() const { return velocity_.sums; }  ///< of one component
+  ConstArray scalar_sums() const { return weights_.scalar().sums; }      ///< a by control point
+  ConstArray velocity_sums() const { return weights_.velocity().sums; }  ///< of one component
 
  private:
-  /// One kind of unknowns.
-  struct Weights : WeightedMass {
-    int begin, end, first, last;  ///< in a vector of unknowns, and as components
-    int nodes() const { return static_cast<int>(sums.extent(0)); }
-    Unknowns kind() const { return first == 0 ? Unknowns::velocities : Unknowns::scalars; }
-    Array of(const Array& unknowns) const { return Kokkos::subview(unknowns, Kokkos::make_pair(begin, end)); }
-  };
-  Weights weights(int begin, int nodes, int first, int last) const;
-  /// Row sums of scalars on the mesh of a stage, in a vector of unknowns that is zero before; and the operation that takes them.
-  void add_rows(const Stage&, const Array& rows) const;
-  ForEach<mass_kernels::TakeScalarRows> row_sums(const Weights&, const Array& rows) const;
-  ForEach<mass_kernels::SumVelocityRows> row_sums(const ConstArray& moments) const;
-  /// Roots and factors from row sums, which the parts of a launch compute by control point: three kernels one after another.
-  template <class... Bodies>
-  void prepare(const Weights&, const ForEach<Bodies>&... sums);
-  void set_meshes_together(const Stage& now, const Stage& later);
-  template <class... Bodies>
-  auto sums_and_roots(const Weights&, const Array& rough, const ForEach<Bodies>&... sums) const;
-  auto cut_roots(const Weights&, const Array& rough) const;
-  auto factors(const Weights&) const;
-
   /// @param beside  kernels that share launches with the three terms of the series;  @param after  by value of z, when it is there
   template <class First, class Second, class Third, class After>
-  int solve(const Weights&, double factor, const RightSide&, const Array& z, const Counted<First>& beside,
+  int solve(const MassWeights&, double factor, const RightSide&, const Array& z, const Counted<First>& beside,
             const Counted<Second>&, const Counted<Third>&, const After& after);
-  int solve(const Weights& w, double factor, const RightSide& b, const Array& z) {
+  int solve(const MassWeights& w, double factor, const RightSide& b, const Array& z) {
     return solve(w, factor, b, z, Counted<Nothing>{}, Counted<Nothing>{}, Counted<Nothing>{}, Nothing{});
   }
   template <class Apply, class Precondition>
-  int solve_consistent(const Weights&, double factor, const RightSide& b, const Array& z, double tolerance,
+  int solve_consistent(const MassWeights&, double factor, const RightSide& b, const Array& z, double tolerance,
                        const Apply&, const Precondition&);
   /// out = A z for scalars.
   void multiply_scalar(const ConstArray& z, const Array& out);
   /// p with S p = z.
   void invert_scalar(const ConstArray& z, const Array& p);
-  void add_solid_sums();
 
   const Model<D, P>& model_;
   MassKind kind_;
@@ -111,13 +87,9 @@ class MassInverse {
   KroneckerMass<D> kronecker_;
   ConjugateGradient solver_;
   MassProduct<D, P> product_;
+  SceneWeights<D, P> weights_;
   EndTies<D> ties_;
-  SmallestNeighbour<D, P> neighbours_;
-  Weights scalar_, later_, velocity_;  ///< `later_` where the mesh moves
-  Array solid_sums_;                   ///< by control point of the velocity
-  Array ones_, scaled_, next_scaled_, image_, first_;
-  Array rows_, later_rows_;  ///< where moved meshes assemble their row sums; zero in between
-  bool has_mesh_ = false;
+  Array scaled_, next_scaled_, image_, first_;
 };
 
 }  // namespace softwet
