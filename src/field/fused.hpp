@@ -1,7 +1,8 @@
-// Element-wise operations on vectors that share a launch: on a device each launch costs microseconds, however short they are.
+// Operations and kernels that share a launch: on a device each launch costs microseconds, however short they are.
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
 #include "memory/array.hpp"
 
@@ -46,14 +47,61 @@ struct Fused {
   KOKKOS_FUNCTION void operator()(int item) const { parts.run(item * piece, (item + 1) * piece); }
 };
 
-/// Runs several operations as one kernel. For each i they follow each other; between different i there is no order, so no
+/// A kernel for the items 0 .. items - 1.
+template <class Kernel>
+struct Counted {
+  int items = 0;
+  Kernel kernel = {};
+};
+
+template <class Kernel>
+void run(const char* name, const Counted<Kernel>& kernel) {
+  if (kernel.items > 0) Kokkos::parallel_for(name, Items(0, kernel.items), kernel.kernel);
+}
+
+/// Several operations as one kernel. For each i they follow each other; between different i there is no order, so no
 /// operation may read what another one writes at another place.
 template <class... Bodies>
+using FusedKernel = Fused<FusedParts<ForEach<Bodies>...>>;
+template <class... Bodies>
+Counted<FusedKernel<Bodies...>> fused(const ForEach<Bodies>&... parts) {
+  constexpr int piece = FusedKernel<Bodies...>::piece;
+  return {(std::max({parts.count...}) + piece - 1) / piece, {fused_parts(parts...)}};
+}
+template <class... Bodies>
 void run_fused(const char* name, const ForEach<Bodies>&... parts) {
-  using Kernel = Fused<FusedParts<ForEach<Bodies>...>>;
-  const int count = std::max({parts.count...});
-  if (count > 0)
-    Kokkos::parallel_for(name, Items(0, (count + Kernel::piece - 1) / Kernel::piece), Kernel{fused_parts(parts...)});
+  run(name, fused(parts...));
+}
+
+/// Nothing to do, in the place of a kernel or of an operation.
+struct Nothing {
+  KOKKOS_FUNCTION void operator()(int) const {}
+};
+
+/// The items of one kernel behind those of another one.
+template <class First, class Second>
+struct InTurn {
+  Counted<First> first;
+  Counted<Second> second;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    if (item < first.items) {
+      first.kernel(item);
+    } else {
+      second.kernel(item - first.items);
+    }
+  }
+};
+
+/// Runs two kernels, on a device as one: there is no order between them, so neither may read what the other one writes. On a
+/// processor threads would have unlike shares of them, and a launch costs little.
+template <class First, class Second>
+void run_beside(const char* name, const Counted<First>& first, const Counted<Second>& second) {
+  if constexpr (host_algorithms || std::is_same_v<Second, Nothing>) {
+    run(name, first);
+    run(name, second);
+  } else {
+    run(name, Counted<InTurn<First, Second>>{first.items + second.items, {first, second}});
+  }
 }
 
 struct Copy {

@@ -35,14 +35,14 @@ class StripTotals {
 /// Scratch for partial sums: allocated once, grown when needed, released before Kokkos ends.
 struct SumScratch {
   Array device;
-  Array::host_mirror_type host;
+  HostArray host;
 };
 inline SumScratch& sum_scratch(std::size_t entries) {
   static SumScratch scratch;
   if (scratch.device.extent(0) < entries) {
     if (!scratch.device.data()) Kokkos::push_finalize_hook([] { scratch = {}; });
     scratch.device = Array(Kokkos::view_alloc("partial sums", Kokkos::WithoutInitializing), entries);
-    scratch.host = Kokkos::create_mirror_view(scratch.device);
+    scratch.host = mirror_of(scratch.device);
   }
   return scratch;
 }
@@ -87,6 +87,21 @@ struct StripSums {
     const int lines = (size + space.stored - 1) / space.stored;
     return (lines + lines_at_once - 1) / lines_at_once * strips() * sums();
   }
+  /// An item of a kernel with one sum, of the entries of a function in the place of x y.
+  template <class Entry>
+  KOKKOS_FORCEINLINE_FUNCTION void sum_of(int item, const Entry& entry) const {
+    const int strip = item % strips(), first = item / strips() * lines_at_once;
+    const int begin = space.begin + strip * strip_width;
+    const int end = strip + 1 < strips() ? begin + strip_width : space.end;
+    const int left = size / space.stored - first, lines = left < lines_at_once ? left : lines_at_once;
+    double sum[2 * strip_width] = {};
+    add(
+        sum, first * space.stored + begin, lines, end - begin, [](int) { return 1.0; }, entry);
+    store(item, sum);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void store(int item, const double (&sum)[2 * strip_width]) const {
+    partial(place + item) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+  }
   KOKKOS_FUNCTION void operator()(int item) const {
     const int strip = item % strips(), k = item / strips() % sums(), block = item / strips() / sums();
     const int begin = space.begin + strip * strip_width;
@@ -109,7 +124,7 @@ struct StripSums {
     } else {
       add(sum, start, lines, end - begin, one, [&](int i) { return w.at(i) * (static_cast<double>(a[i]) * b[i]); });
     }
-    partial(place + item) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+    store(item, sum);
   }
   /// @param weight  of a line, given one of its entries
   template <class Weight, class Entry>

@@ -22,9 +22,17 @@ template <class Real>
 using ConstArrayOf = Kokkos::View<const Real*, Exec>;
 using Array = ArrayOf<double>;
 using ConstArray = ConstArrayOf<double>;
+/// Memory of the host that a device copies to by itself.
+using HostArray = Kokkos::View<double*, Kokkos::SharedHostPinnedSpace>;
 
 /// True where kernels run on the host.
 inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, Exec::memory_space>::accessible;
+
+/// Room on the host for what an array has; where kernels run there it is the array.
+inline HostArray mirror_of(const Array& array) {
+  if constexpr (on_host) return HostArray(array.data(), array.extent(0));
+  return HostArray(Kokkos::view_alloc(array.label(), Kokkos::WithoutInitializing), array.extent(0));
+}
 
 /// True where algorithms are those made for a processor: columns of elements in SIMD packs, factors, pieces of lines. Else
 /// they are those of a device, with one thread for each point or entry. These run on the host too, where a build asks for it

@@ -20,7 +20,7 @@ WallSamples sample_wall(const Snapshot<3>& snapshot, const Surface& surface) {
   }
   grid[2] = {snapshot.wall_height()};
   wall.depth = surface.depth(snapshot.density(grid));
-  for (int d : {0, 1, 2}) wall.displacement[d] = snapshot.displacement(grid, d, true);
+  for (int d : {0, 1, 2}) wall.displacement[d] = snapshot.displacement(grid, d, Medium::fluid);
   return wall;
 }
 

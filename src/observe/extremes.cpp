@@ -23,64 +23,75 @@ struct OwnPoints {
   KOKKOS_FORCEINLINE_FUNCTION int place(int point) const { return point / width * stored + begin + point % width; }
 };
 
-/// Largest square of the velocity at points where the density is above a level; without a density: anywhere. 0: nowhere
+/// What is looked for, each as a largest number.
+enum Extreme { minus_least_density, most_density, square_in_fluid, square_in_liquid, square_in_solid, extremes };
+
+/// All of them in one pass: squares are those of velocities, 0 where no point counts.
 template <int D>
-struct LargestSquare {
-  OwnPoints points;
-  const double* velocity;  ///< of the first of these points, first component
-  int stride;              ///< of components
+struct FindExtremes {
+  using value_type = double[];
+  unsigned value_count = extremes;
+  OwnPoints fluid, solid;
+  const double *in_fluid, *in_solid;  ///< velocity of the first point of each, first component
+  int stride;                         ///< of components
   const double* density;
   double level;
 
-  KOKKOS_FUNCTION void operator()(int point, double& largest) const {
-    const int i = points.place(point);
-    if (density && !(density[i] > level)) return;
+  KOKKOS_FUNCTION void init(double* best) const {
+    for (int k = 0; k < extremes; ++k) best[k] = k <= most_density ? -Kokkos::Experimental::finite_max_v<double> : 0;
+  }
+  KOKKOS_FUNCTION void join(double* best, const double* other) const {
+    for (int k = 0; k < extremes; ++k) raise(best[k], other[k]);
+  }
+  KOKKOS_FUNCTION void operator()(int point, double* best) const {
+    if (point < fluid.count) {
+      const int i = fluid.place(point);
+      const double square = square_at(in_fluid, i);
+      raise(best[minus_least_density], -density[i]);
+      raise(best[most_density], density[i]);
+      raise(best[square_in_fluid], square);
+      if (density[i] > level) raise(best[square_in_liquid], square);
+    }
+    if (point < solid.count) raise(best[square_in_solid], square_at(in_solid, solid.place(point)));
+  }
+
+ private:
+  /// What is no number does not count.
+  KOKKOS_FORCEINLINE_FUNCTION static void raise(double& best, double value) {
+    if (value > best) best = value;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION double square_at(const double* velocity, int i) const {
     double square = 0;
     for (int d = 0; d < D; ++d) square += velocity[d * stride + i] * velocity[d * stride + i];
-    if (square > largest) largest = square;
-  }
-  double find() const {
-    double largest = 0;
-    Kokkos::parallel_reduce("softwet::largest_square", Items(0, points.count), *this, Kokkos::Max<double>(largest));
-    return std::max(0.0, largest);  // no point may count
+    return square;
   }
 };
-
-/// Smallest and largest value.
-Kokkos::MinMaxScalar<double> range(const OwnPoints& points, const double* value) {
-  Kokkos::MinMaxScalar<double> range;
-  Kokkos::parallel_reduce(
-      "softwet::extremes", Items(0, points.count),
-      KOKKOS_LAMBDA(int point, Kokkos::MinMaxScalar<double>& best) {
-        const double v = value[points.place(point)];
-        if (v < best.min_val) best.min_val = v;
-        if (v > best.max_val) best.max_val = v;
-      },
-      Kokkos::MinMax<double>(range));
-  return range;
-}
 
 }  // namespace
 
 template <int D>
 Extremes find_extremes(const Layout<D>& l, const State& state, double level) {
-  const VectorSpace space = l.space();
-  const auto points = [&](int rows) { return OwnPoints(space, rows * l.row_size); };
-  const double *velocity = state.unknown.data(), *density = velocity + l.density_offset();
-  const double* at_wall = velocity + l.fluid_shift();
-  const int stride = l.rows * l.row_size;
-  double found[5] = {};
-  if (l.has_fluid) {
-    const auto values = range(points(l.fluid_rows()), density);
-    found[0] = -values.min_val;
-    found[1] = values.max_val;
-    found[2] = LargestSquare<D>{points(l.fluid_rows()), at_wall, stride, nullptr, 0}.find();
-    found[3] = LargestSquare<D>{points(l.fluid_rows()), at_wall, stride, density, level}.find();
-  }
-  if (l.has_solid) found[4] = LargestSquare<D>{points(l.solid_rows()), velocity, stride, nullptr, 0}.find();
-  ranks::largest(found, 5);
-  if (!l.has_fluid) found[0] = found[1] = 0;
-  return {-found[0], found[1], std::sqrt(found[2]), std::sqrt(found[4]), std::sqrt(found[3])};
+  const auto points = [&](int rows) { return OwnPoints(l.space(), rows * l.row_size); };
+  const double* velocity = state.unknown.data();
+  const FindExtremes<D> all{.fluid = points(l.fluid_rows()),
+                            .solid = points(l.solid_rows()),
+                            .in_fluid = velocity + l.fluid_shift(),
+                            .in_solid = velocity,
+                            .stride = l.rows * l.row_size,
+                            .density = velocity + l.density_offset(),
+                            .level = level};
+  const SumScratch& scratch = sum_scratch(extremes);
+  const auto range = Kokkos::make_pair(0, int(extremes));
+  const Array device = Kokkos::subview(scratch.device, range);
+  Kokkos::parallel_reduce("softwet::extremes", Items(0, std::max(all.fluid.count, all.solid.count)), all, device);
+  const HostArray host = Kokkos::subview(scratch.host, range);
+  Kokkos::deep_copy(host, device);
+  double found[extremes];
+  std::copy_n(host.data(), int(extremes), found);
+  ranks::largest(found, extremes);
+  if (!l.has_fluid) found[minus_least_density] = found[most_density] = 0;
+  return {-found[minus_least_density], found[most_density], std::sqrt(found[square_in_fluid]),
+          std::sqrt(found[square_in_solid]), std::sqrt(found[square_in_liquid])};
 }
 
 template Extremes find_extremes(const Layout<2>&, const State&, double);

@@ -31,7 +31,7 @@ std::vector<Matrix<double, 3>> displacement_gradients(const Snapshot<D>& s, cons
       for (std::size_t i = 0; i < slope.size(); ++i) gradients[i](d, axis) = slope[i];
     }
   if (!s.layout().axisymmetric) return gradients;
-  const std::vector<double> radial = s.displacement(grid, 0, false);
+  const std::vector<double> radial = s.displacement(grid, 0, Medium::solid);
   for (std::size_t i = 0; i < radial.size(); ++i) {
     const double r = grid[0][i % grid[0].size()];
     gradients[i](2, 2) = r > 0 ? radial[i] / r : gradients[i](0, 0);
@@ -49,9 +49,8 @@ const std::vector<Matrix<double, 3>>& FieldValues<D>::gradients() {
 
 template <int D>
 std::vector<double> FieldValues<D>::of(const std::string& field) {
-  if (field == "velocity") return vector_field<D>([&](int d) { return snapshot_.velocity(grid_, d, in_fluid_); });
-  if (field == "displacement")
-    return vector_field<D>([&](int d) { return snapshot_.displacement(grid_, d, in_fluid_); });
+  if (field == "velocity") return vector_field<D>([&](int d) { return snapshot_.velocity(grid_, d, medium_); });
+  if (field == "displacement") return vector_field<D>([&](int d) { return snapshot_.displacement(grid_, d, medium_); });
   if (field == "density") return snapshot_.density(grid_);
   if (field == "chemical_potential") return snapshot_.chemical_potential(grid_);
   if (field == "pressure") {

@@ -28,7 +28,7 @@ class FieldValues {
         snapshot_(snapshot),
         grid_(grid),
         rows_(rows),
-        in_fluid_(rows.first >= snapshot.layout().solid_elements) {}
+        medium_(rows.first >= snapshot.layout().solid_elements ? Medium::fluid : Medium::solid) {}
 
   /// Of the field of that name, which this material has (observe/host/field_table.hpp); components fastest: 1, D, or 9
   /// of a tensor, row by row. Scales as in the table.
@@ -43,7 +43,7 @@ class FieldValues {
   const Snapshot<D>& snapshot_;
   const Grid& grid_;
   ElementRows rows_;
-  bool in_fluid_;
+  Medium medium_;
   std::vector<Matrix<double, 3>> gradients_;  ///< of the displacement of the solid; empty: not asked for so far
 };
 

@@ -85,7 +85,7 @@ void add_interface_rows(TableFile& table, const Snapshot<D>& snapshot,
     for (int i = 0; i <= 2 * layout.axis[d].elements(); ++i) wall[d].push_back(layout.axis[d].end_or_middle(i));
   wall[D - 1] = {snapshot.wall_height()};
   std::array<std::vector<double>, D> displacement;
-  for (int d = 0; d < D; ++d) displacement[d] = snapshot.displacement(wall, d, false);
+  for (int d = 0; d < D; ++d) displacement[d] = snapshot.displacement(wall, d, Medium::solid);
   std::vector<double> density;
   if (layout.has_fluid) density = snapshot.density(wall);
   const bool loaded = !traction[0].empty();

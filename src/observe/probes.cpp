@@ -115,7 +115,7 @@ std::vector<double> measures(const Regions<D>& regions, const Snapshot<D>& s, co
   std::array<std::vector<double>, D> u;
   std::array<std::array<std::vector<double>, D>, D> slope;
   for (int d = 0; d < D; ++d) {
-    u[d] = s.displacement(wall, d, false);
+    u[d] = s.displacement(wall, d, Medium::solid);
     for (int axis = 0; axis < D - 1; ++axis) slope[d][axis] = s.displacement_gradient(wall, d, axis, s.solid_rows());
   }
   for (std::size_t i = 0; i < measure.size(); ++i) {
@@ -142,7 +142,7 @@ std::vector<double> weights(const Regions<D>& regions, const Snapshot<D>& s, con
   if (site.in_fluid) weight = measures(regions, s, site);
   const bool on_axis = !site.extends(0) && site.grid[0][0] <= no_extent * s.layout().axis[0].length();
   const bool axial = s.layout().axisymmetric && !on_axis;
-  if (axial) moved = s.displacement(site.grid, 0, site.in_fluid);
+  if (axial) moved = s.displacement(site.grid, 0, site.in_fluid ? Medium::fluid : Medium::solid);
   for (std::size_t i = 0; i < weight.size(); ++i) {
     if (axial) weight[i] *= regions.turn() * (site.grid[0][i % site.grid[0].size()] + (site.in_fluid ? moved[i] : 0));
     std::size_t rest = i;

@@ -69,8 +69,8 @@ std::array<double, 2> Section<D>::current(double s, double height) const {
   auto at = point(s);
   at[D - 1] = {height};
   double along = 0;
-  for (int d = 0; d < D - 1; ++d) along += direction_[d] * snapshot_.displacement(at, d, true)[0];
-  return {s + along, height + snapshot_.displacement(at, D - 1, true)[0]};
+  for (int d = 0; d < D - 1; ++d) along += direction_[d] * snapshot_.displacement(at, d, Medium::fluid)[0];
+  return {s + along, height + snapshot_.displacement(at, D - 1, Medium::fluid)[0]};
 }
 
 template <int D>
@@ -83,7 +83,7 @@ std::vector<double> Section<D>::rise(const std::vector<double>& s) const {
   for (double along : s) {
     auto at = point(along);
     at[D - 1] = {snapshot_.wall_height()};
-    values.push_back(snapshot_.displacement(at, D - 1, false)[0]);
+    values.push_back(snapshot_.displacement(at, D - 1, Medium::solid)[0]);
   }
   return values;
 }

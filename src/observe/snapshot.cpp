@@ -34,7 +34,8 @@ std::vector<double> Snapshot<D>::component(const std::vector<double>& values, in
 }
 
 template <int D>
-std::vector<double> Snapshot<D>::velocity(const Grid& grid, int d, bool in_fluid) const {
+std::vector<double> Snapshot<D>::velocity(const Grid& grid, int d, Medium in) const {
+  const bool in_fluid = in == Medium::fluid;
   const int all = layout_.axis[D - 1].elements();
   return component(velocity_, layout_.velocity_offset(d), layout_.rows, grid, 0, in_fluid ? layout_.solid_elements : 0,
                    in_fluid ? all : layout_.solid_elements);
@@ -53,12 +54,13 @@ std::vector<double> Snapshot<D>::chemical_potential(const Grid& grid) const {
 }
 
 template <int D>
-std::vector<double> Snapshot<D>::displacement(const Grid& grid, int d, bool in_fluid) const {
+std::vector<double> Snapshot<D>::displacement(const Grid& grid, int d, Medium in) const {
   std::size_t wall_points = 1;
   for (int a = 0; a < D - 1; ++a) wall_points *= grid[a].size();
   if (!layout_.has_solid) return std::vector<double>(wall_points * grid[D - 1].size(), 0.0);
   const int first = layout_.displacement_offset(d);
-  if (!in_fluid) return component(displacement_, first, layout_.solid_rows(), grid, 0, 0, layout_.solid_elements);
+  if (in == Medium::solid)
+    return component(displacement_, first, layout_.solid_rows(), grid, 0, 0, layout_.solid_elements);
   Grid wall = grid;
   wall[D - 1] = {wall_height()};
   const std::vector<double> trace =

@@ -12,6 +12,9 @@ struct ElementRows {
   int first, last;
 };
 
+/// On which side of the wall a point lies: on the wall both are possible.
+enum class Medium { fluid, solid };
+
 /// What a snapshot holds of a state.
 enum class SnapshotOf { all_fields, all_but_velocity };
 
@@ -26,11 +29,11 @@ class Snapshot {
   using Grid = std::array<std::vector<double>, D>;  ///< reference coordinates per axis
 
   /// Velocity component d at points of the fluid (from the wall up) or of the solid (up to the wall).
-  std::vector<double> velocity(const Grid&, int d, bool in_fluid) const;
+  std::vector<double> velocity(const Grid&, int d, Medium) const;
   std::vector<double> density(const Grid&, int derivative = -1) const;
   std::vector<double> chemical_potential(const Grid&) const;
   /// Displacement of the material in the solid, of the mesh in the fluid (blended from the wall).
-  std::vector<double> displacement(const Grid&, int d, bool in_fluid) const;
+  std::vector<double> displacement(const Grid&, int d, Medium) const;
   /// du_d/dX_axis of the solid. It jumps at a joint: there it is that of the rows of one part.
   std::vector<double> displacement_gradient(const Grid&, int d, int axis, ElementRows) const;
 

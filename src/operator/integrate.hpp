@@ -100,30 +100,76 @@ struct ReduceRow {
   static KOKKOS_FUNCTION int min(int a, int b) { return a < b ? a : b; }
 };
 
+/// The rows of elements of an integral, cut into strips.
+template <int D>
+struct IntegralItems {
+  Colouring<D> rows;
+  int strips, items;
+  bool shared;
+
+  explicit IntegralItems(const Region<D>& region)
+      : rows(region, 1, 0, FirstAxis::in_rows),
+        strips(rows.first_axis.last_strip - rows.first_axis.first_strip),
+        items(rows.items() * strips),
+        shared(region.columns.strips > 0) {}
+
+  /// From the partial sums of the items, over all processes.
+  template <int count, class Partial>
+  std::array<double, count> total(const Partial& partial) const {
+    StripTotals totals(rows.first_axis.strips, count, shared);
+    for (int i = 0; i < items; ++i)
+      for (int f = 0; f < count; ++f) totals.add(rows.first_axis.first_strip + i % strips, f, partial(i * count + f));
+    std::array<double, count> sum{};
+    for (int f = 0; f < count; ++f) sum[f] = totals.total(f);
+    return sum;
+  }
+};
+
+/// Starts the kernel of the partial sums of an integral.
+template <int P, bool Rate = false, int D, class Functional, class Motion>
+void start_integral(const ReduceTask<D, Functional, Motion>& task, const Array& partial) {
+  const IntegralItems<D> in(task.region);
+  with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
+    if constexpr (host_algorithms) {
+      const ReduceRow<D, P, Q, Rate, Functional, Motion> kernel{task, in.rows, partial};
+      Kokkos::parallel_for("softwet::reduce", Items(0, kernel.items()), kernel);
+    } else {
+      TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(task, in.rows, partial, in.items);
+    }
+  });
+}
+
 /// With Rate, not the integrals but the rates at which they change because the domain moves; `motion.tangent` is then the
 /// velocity of the wall and `motion.scale` 1.
 template <int P, bool Rate = false, int D, class Functional, class Motion>
 std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Motion>& task) {
   constexpr int count = Functional::count;
-  const Colouring<D> rows(task.region, 1, 0, false);
-  const ElementColumns& columns = rows.first_axis;
-  const int strips = columns.last_strip - columns.first_strip, items = rows.items() * strips;
-  const SumScratch& scratch = sum_scratch(static_cast<std::size_t>(items) * count);
-  with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
-    if constexpr (host_algorithms) {
-      const ReduceRow<D, P, Q, Rate, Functional, Motion> kernel{task, rows, scratch.device};
-      Kokkos::parallel_for("softwet::reduce", Items(0, kernel.items()), kernel);
-    } else {
-      TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(task, rows, scratch.device, items);
-    }
-  });
+  const IntegralItems<D> in(task.region);
+  const SumScratch& scratch = sum_scratch(static_cast<std::size_t>(in.items) * count);
+  start_integral<P, Rate>(task, scratch.device);
   Kokkos::deep_copy(scratch.host, scratch.device);
-  StripTotals totals(columns.strips, count, task.region.columns.strips > 0);
-  for (int i = 0; i < items; ++i)
-    for (int f = 0; f < count; ++f) totals.add(columns.first_strip + i % strips, f, scratch.host(i * count + f));
-  std::array<double, count> sum{};
-  for (int f = 0; f < count; ++f) sum[f] = totals.total(f);
-  return sum;
+  return in.template total<count>(scratch.host);
+}
+
+/// Starts those of two integrals, on a device as one.
+template <int P, int D, class First, class FirstMotion, class Second, class SecondMotion>
+void start_integrals(const ReduceTask<D, First, FirstMotion>& first, const Array& partial_of_first,
+                     const ReduceTask<D, Second, SecondMotion>& second, const Array& partial_of_second) {
+  if constexpr (host_algorithms) {
+    start_integral<P>(first, partial_of_first);
+    start_integral<P>(second, partial_of_second);
+  } else {
+    const IntegralItems<D> in_first(first.region), in_second(second.region);
+    with_points<P>(first.region, [&]<int Q>(PointsPerAxis<Q>) {
+      with_points<P>(second.region, [&]<int R>(PointsPerAxis<R>) {
+        using One = TeamReduce<D, P, Q, false, First, FirstMotion>;
+        using Other = TeamReduce<D, P, R, false, Second, SecondMotion>;
+        TeamReducePair<One, Other>{
+            {first, in_first.rows, partial_of_first}, {second, in_second.rows, partial_of_second}, in_first.items}
+            .launch(in_second.items);
+      });
+    });
+  }
 }
 
 }  // namespace softwet

@@ -6,6 +6,9 @@
 
 namespace softwet {
 
+/// Whether elements along the first axis belong to a row, or are coloured too.
+enum class FirstAxis { in_rows, coloured };
+
 /// Rows of elements along the first axis, numbered within one colour of the other axes: elements of a colour are
 /// `stride` = degree + 1 apart, so they share no control point; with a shared test function a colour has one layer.
 template <int D>
@@ -15,16 +18,16 @@ struct Colouring {
 
   /// @param run  of elements along the first axis, where its elements are coloured too, by their number on the axis
   template <class Real>
-  Colouring(const Region<D, Real>& region, int stride, int colour, bool include_first, int run = 0)
+  Colouring(const Region<D, Real>& region, int stride, int colour, FirstAxis along, int run = 0)
       : first_axis(region.first_axis()) {
     for (int d = 0; d < D; ++d) {
-      const bool coloured = d > 0 || include_first;
-      const ElementRun along = d > 0 ? ElementRun{0, region.axis[d].elements, 0} : first_axis.run[run];
+      const bool coloured = d > 0 || along == FirstAxis::coloured;
+      const ElementRun elements = d > 0 ? ElementRun{0, region.axis[d].elements, 0} : first_axis.run[run];
       step[d] = colours_of(region, stride, d);
       const int own = coloured ? colour % step[d] : 0;
       if (coloured) colour /= step[d];
-      start[d] = along.begin + ((own - along.begin - along.shift) % step[d] + step[d]) % step[d];
-      count[d] = coloured ? (along.end - start[d] + step[d] - 1) / step[d] : 1;
+      start[d] = elements.begin + ((own - elements.begin - elements.shift) % step[d] + step[d]) % step[d];
+      count[d] = coloured ? (elements.end - start[d] + step[d] - 1) / step[d] : 1;
     }
   }
   template <class Real>
@@ -132,7 +135,7 @@ void for_colours(const char* name, const Region<D, Real>& region, int stride, co
   const int runs = on_host ? 1 : region.first_axis().runs;
   for (int colour = 0; colour < colours; ++colour)
     for (int run = 0; run < runs; ++run) {
-      const Colouring<D> colouring(region, stride, colour, !on_host, run);
+      const Colouring<D> colouring(region, stride, colour, on_host ? FirstAxis::in_rows : FirstAxis::coloured, run);
       if (colouring.items() == 0) continue;
       Kokkos::parallel_for(name, Items(0, colouring.items()), ColourItem<D, lanes, Body>{colouring, body});
     }

@@ -5,13 +5,6 @@
 namespace softwet {
 namespace {
 
-/// out = -mask out
-struct TurnRound {
-  Array out;
-  ConstArray mask;
-  KOKKOS_FUNCTION void operator()(int i) const { out(i) = (0.0 - out(i)) * mask(i); }
-};
-
 }  // namespace
 
 template <int D, int P>
@@ -34,8 +27,7 @@ void Equations<D, P>::finish_residual(const StageOf<Real>& stage, const Array& o
 }
 
 template <int D, int P>
-void Equations<D, P>::add_forces_of_solid(const Stage& stage, const Array& out) const {
-  TileSums<D, double> sums(layout_);
+void Equations<D, P>::add_forces_of_solid(const Stage& stage, TileSums<D, double>& sums, const Array& out) const {
   Evaluation<D> at{layout_, stage, {}, out};
   at.sums = &sums;
   for (std::size_t i = 0; i < pieces_.first_viscous; ++i) pieces_.list[i].piece->residual(at);
@@ -43,15 +35,15 @@ void Equations<D, P>::add_forces_of_solid(const Stage& stage, const Array& out) 
     const auto& entry = pieces_.list[i];
     (entry.exact ? entry.exact : entry.piece)->residual(at);
   }
-  sums.add_to(out);
   forces_.add_to_residual(stage.time, stage.displacement, out);
   if (source_) source_(stage.time, out);
 }
 
 template <int D, int P>
-void Equations<D, P>::add_viscosity_of_solid(const Stage& stage, const Array& out) const {
-  for (std::size_t i = pieces_.first_viscous; i < pieces_.first_of_fluid; ++i)
-    pieces_.list[i].piece->residual(Evaluation<D>{layout_, stage, {}, out});
+void Equations<D, P>::add_viscosity_of_solid(const Stage& stage, TileSums<D, double>& sums, const Array& out) const {
+  Evaluation<D> at{layout_, stage, {}, out};
+  at.sums = &sums;
+  for (std::size_t i = pieces_.first_viscous; i < pieces_.first_of_fluid; ++i) pieces_.list[i].piece->residual(at);
 }
 
 template <int D, int P>
@@ -68,17 +60,12 @@ void Equations<D, P>::residual(const StageOf<float>& stage, const ArrayOf<float>
 }
 
 template <int D, int P>
-void Equations<D, P>::potential_moments(const Stage& stage, const Array& out) const {
-  if constexpr (host_algorithms) Kokkos::deep_copy(Exec(), out, 0.0);
-  TileSums<D, double> sums(layout_);
+void Equations<D, P>::add_potential(const Stage& stage, TileSums<D, double>& sums, const Array& out) const {
   Evaluation<D> at{layout_, stage, {}, out};
   at.sums = &sums;
   pieces_.variational_derivative->residual(at);
   if (pieces_.wall_law) pieces_.wall_law->residual(at);
-  if constexpr (!host_algorithms) sums.store(out, {});
   if (source_) source_(stage.time, out);
-  move_ghosts(layout_, out, GhostAction::add);
-  Kokkos::parallel_for("softwet::turn_round", Items(0, out.extent(0)), TurnRound{out, mask_});
 }
 
 template <int D, int P>

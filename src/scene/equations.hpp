@@ -28,13 +28,14 @@ class Equations {
   /// The terms of the fluid alone, before prescribed values are dropped, with the wall traction also on a rigid wall.
   /// The rows of the wall hold minus the force of the fluid on the wall.
   void fluid_residual(const Stage&, const Array& out) const;
-  /// The rows of the potential equation without (q, mu), with the other sign, so that M mu = out. Other rows mean nothing.
-  void potential_moments(const Stage&, const Array& out) const;
-  /// Adds to a residual what the solid without its viscosity, the forces of the fluid on the wall, loads and the source contribute,
-  /// before ghosts are summed. The acceleration of the stage counts as it is.
-  void add_forces_of_solid(const Stage&, const Array& out) const;
-  /// Adds the viscosity of the solid and the dashpots below it, where it has some. They are linear in the velocities of the stage.
-  void add_viscosity_of_solid(const Stage&, const Array& out) const;
+  // Parts of a residual that are added to `out` and to the sums of a device, before ghosts are summed.
+  /// The rows of the potential equation without (q, mu), so that M mu = -out. Other rows mean nothing.
+  void add_potential(const Stage&, TileSums<D, double>&, const Array& out) const;
+  /// The solid without its viscosity, the forces of the fluid on the wall, loads and the source. The acceleration of the stage counts as
+  /// it is.
+  void add_forces_of_solid(const Stage&, TileSums<D, double>&, const Array& out) const;
+  /// The viscosity of the solid and the dashpots below it, where it has some. They are linear in the velocities of the stage.
+  void add_viscosity_of_solid(const Stage&, TileSums<D, double>&, const Array& out) const;
   bool has_viscous_solid() const { return pieces_.first_viscous < pieces_.first_of_fluid; }
   /// out = dR/d(unknown) direction, exact with the mesh moving along or with the geometry frozen. The direction is zero where
   /// values are prescribed. Its ghosts, where there are some, are filled for the product and then set to zero again.

@@ -7,25 +7,33 @@
 
 namespace softwet {
 
-/// Parts of the residual, added to a vector with the layout of the unknowns; `collect` ends a sum of them. All together, and
-/// `Equations::potential_moments`, they are the residual without the terms of the acceleration and of the moments, and without its
-/// mask: what is prescribed has values too.
+/// Whether viscosity counts among all else, or is treated apart.
+enum class Viscosity { among_all, apart };
+
+/// Parts of the residual, added to a vector with the layout of the unknowns; `collect` or `taken` ends a sum of them. All together they
+/// are the residual without the terms of the acceleration and of the moments and without (q, mu), and without its mask: what is
+/// prescribed has values too.
 /// Tested: tests/unit/scene/test_explicit_terms.cpp
 template <int D, int P>
 class ExplicitTerms {
  public:
   ExplicitTerms(const Regions<D>& regions, const Coefficients<D>& coefficients, const Equations<D, P>& equations)
-      : regions_(regions), coefficients_(coefficients), equations_(equations) {}
+      : regions_(regions), coefficients_(coefficients), equations_(equations), sums_(regions.layout()) {}
 
+  /// The rows of the potential.
+  void add_potential(const Stage&, const Array& out) const;
   /// - (grad q, rho (v - vh)).
   void add_mass_flux(const Stage&, const Array& out) const;
   /// (w, rho (grad mu - f)), (grad q, eps (grad mu - f)), the traction on the wall, elasticity and loads.
   void add_pressure(const Stage&, const Array& out) const;
-  /// (w, rho (v - vh).grad v) + (grad w, tau)
-  /// @param viscous  false: without tau
-  void add_convection(const Stage&, bool viscous, const Array& out) const;
-  /// Sums what ghosts hold.
+  /// (w, rho (v - vh).grad v) + (grad w, tau), or without tau.
+  void add_convection(const Stage&, Viscosity, const Array& out) const;
+  /// The viscosity of the solid.
+  void add_viscosity_of_solid(const Stage&, const Array& out) const;
+  /// Ends a sum: adds what a device has summed, and sums what ghosts hold.
   void collect(const Array& out) const;
+  /// The same, but on a device without ghosts this has what is missing, for the kernel that reads the vector next.
+  TileSumsOf<D> taken(const Array& out) const;
 
  private:
   template <class Motion, class Term>
@@ -36,6 +44,7 @@ class ExplicitTerms {
   const Regions<D>& regions_;
   const Coefficients<D>& coefficients_;
   const Equations<D, P>& equations_;
+  mutable TileSums<D, double> sums_;  ///< of the terms since the last sum ended
 };
 
 }  // namespace softwet

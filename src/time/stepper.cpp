@@ -102,9 +102,8 @@ StepReport Stepper<D, P>::step() {
       scheme_->refuse({});
       continue;
     }
-    Kokkos::deep_copy(Exec(), previous_, state_.unknown);
     previous_dt_ = dt;
-    scheme_->accept(state_);
+    scheme_->accept(state_, previous_);
     control_.accept(dt, tried.indicator, tried.laborious);
     ++counts_.steps;
     return {dt, tried.newton, tried.krylov, tried.indicator};

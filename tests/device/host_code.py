@@ -4,7 +4,9 @@
 FOLDER is the build, by default build/cuda, and LOG what nvcc printed, which has the registers of kernels; a kernel that it lacks
 counts with 32. `softwet bench` of several scenes runs with a CUDA runtime whose kernels do nothing (the folder cuda). It fails where
 the program crashes, where a kernel asks for more than the chip has, and where a call is made that is forbidden while launches are
-recorded. Numbers of results are not looked at. What each scene asked of the device is printed. Exit code 1: something failed; 77: the program is not made for CUDA."""
+recorded. Numbers of results are not looked at. What each scene asked of the device is printed. Where there are unit tests beside the
+program, those of the launches of explicit steps run too: as many kernels as recorded, one copy and one wait. Exit code 1: something
+failed; 77: the program is not made for CUDA."""
 
 import os
 import pathlib
@@ -55,12 +57,15 @@ class Runtime:
         shutil.copy(self.folder / name, self.folder / "libcuda.so.1")
 
     def bench(self, case, settings, **environment):
-        """(exit code or None: stopped, what it printed, {what was counted: how often}, seconds)"""
-        report, start = self.folder / "report.txt", time.monotonic()
-        report.unlink(missing_ok=True)
         words = [self.program, "bench", ROOT / "cases" / f"{case}.toml"]
         for setting in settings:
             words += ["--set", setting]
+        return self.run(words, environment)
+
+    def run(self, words, environment):
+        """(exit code or None: stopped, what it printed, {what was counted: how often}, seconds)"""
+        report, start = self.folder / "report.txt", time.monotonic()
+        report.unlink(missing_ok=True)
         variables = {**os.environ, "LD_LIBRARY_PATH": str(self.folder), "SOFTWET_STUB_REPORT": str(report),
                      "SOFTWET_STUB_KERNELS": str(self.kernels), "OMP_NUM_THREADS": "1", **environment}
         try:
@@ -114,6 +119,20 @@ def names_the_kernel(runtime):
     return [] if good else [f"a kernel that does not start: exit code {code}: {last}"]
 
 
+def launches_of_steps(runtime):
+    """The unit tests that count what an explicit step starts, by their names in the code of a device."""
+    tests = runtime.program.parent / "softwet_unit"
+    if not tests.exists():
+        return [], "there are no unit tests beside the program"
+    code, text, counts, _ = runtime.run([tests, "--gtest_filter=Launches.*"], {})
+    passed = re.search(r"\[  PASSED  \] (\d+) test", text)
+    number = int(passed.group(1)) if passed else 0
+    wrong = problems("launches", code, text, counts)
+    if code == 0 and number == 0:
+        wrong.append("no test counted launches")
+    return wrong, f"{number} tests passed"
+
+
 def main():
     if len(sys.argv) > 1 and sys.argv[1] in ("-h", "--help"):
         print(__doc__)
@@ -131,7 +150,12 @@ def main():
     for problem in names_the_kernel(runtime):
         failed += 1
         print(f"host_code: FAILED: {problem}")
-    print(f"host_code: {len(SCENES) + 1} checks, {failed} failed")
+    wrong, found = launches_of_steps(runtime)
+    failed += bool(wrong)
+    print(f"host_code: launches of explicit steps: {found}")
+    for problem in wrong:
+        print(f"host_code: launches of explicit steps: FAILED: {problem}")
+    print(f"host_code: {len(SCENES) + 2} checks, {failed} failed")
     return 1 if failed else 0
 
 

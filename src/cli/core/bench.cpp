@@ -224,15 +224,18 @@ void bench_explicit(const Sheet& sheet, const Scene<D, P>& scene, State state) {
                seconds_per_call([&] { step.advance(state.time, dt, now); }));
     if (kind != MassKind::corrected) continue;
     const Array a("a", system.velocities()), m("m", system.moments());
-    sheet.line("  density from moments", seconds_per_call([&] { system.find_density(step.moments()); }));
-    sheet.line("  chemical potential", seconds_per_call([&] { system.find_potential(); }));
+    sheet.line("  density from moments",
+               seconds_per_call([&] { (void)system.find_density(system.evaluated(), step.moments()); }));
+    sheet.line("  chemical potential", seconds_per_call([&] { (void)system.find_potential(system.evaluated()); }));
     sheet.line("  flux of mass, and density", seconds_per_call([&] {
-                 system.find_flux();
-                 system.move_moments(dt, step.moments(), step.moments(), m);
+                 (void)system.move_moments(system.find_flux(system.evaluated()), dt, step.moments(), step.moments(), m);
                }));
-    sheet.line("  pressure and its acceleration", seconds_per_call([&] { system.pressure(a, m); }));
-    sheet.line("  convection, viscosity, acceleration", seconds_per_call([&] { system.convection(true, a); }));
-    sheet.line("  weights of velocities", seconds_per_call([&] { system.weigh_velocities(step.moments()); }));
+    sheet.line("  pressure and its acceleration",
+               seconds_per_call([&] { (void)system.take_rates(system.pressure(system.evaluated(), a), m); }));
+    sheet.line("  convection, viscosity, acceleration",
+               seconds_per_call([&] { (void)system.convection(system.evaluated(), Viscosity::among_all, a); }));
+    sheet.line("  weights of velocities",
+               seconds_per_call([&] { (void)system.weigh_velocities(system.evaluated(), step.moments()); }));
     sheet.line("  bound of the step", seconds_per_call([&] { rates(); }));
   }
 }

@@ -64,14 +64,20 @@ struct TileSource {
 template <int D, class Real>
 struct CollectTiles {
   TileSource<D, Real> source[most_sources];
-  int sources;
-  int extent[D - 1], row_size;
-  int components, offset[D + 2], first_row[D + 2];
+  int sources = 0;
+  int extent[D - 1] = {}, row_size = 0;
+  int components = 0, offset[D + 2] = {}, first_row[D + 2] = {};
   ArrayOf<Real> out;
-  ConstArray mask;  ///< empty: none
-  bool add;         ///< to what is in `out`
+  ConstArray mask;   ///< empty: none
+  bool add = false;  ///< to what is in `out`
 
   KOKKOS_FUNCTION void operator()(int entry) const {
+    const Real total = added_to(add ? out(entry) : Real(0), entry);
+    out(entry) = mask.data() ? static_cast<Real>(mask(entry)) * total : total;
+  }
+  /// The sum of a number and of what the tiles have for an entry of the vector.
+  KOKKOS_FUNCTION Real added_to(Real total, int entry) const {
+    if (sources == 0) return total;
     int c = components - 1;
     while (entry < offset[c]) --c;
     int rest = entry - offset[c], at[D];
@@ -79,12 +85,18 @@ struct CollectTiles {
     rest %= row_size;
     at[0] = rest % extent[0];
     if constexpr (D == 3) at[1] = rest / extent[0];
-    Real total = add ? out(entry) : Real(0);
     for (int s = 0; s < sources; ++s)
       if (source[s].channel_of[c] >= 0) total += source[s].sum(at, source[s].channel_of[c]);
-    out(entry) = mask.data() ? static_cast<Real>(mask(entry)) * total : total;
+    return total;
   }
 };
+
+/// In the place of these sums on the host, where terms add to the vector themselves.
+struct NoTiles {
+  KOKKOS_FORCEINLINE_FUNCTION double added_to(double total, int) const { return total; }
+};
+template <int D>
+using TileSumsOf = std::conditional_t<host_algorithms, NoTiles, CollectTiles<D, double>>;
 
 /// Room for the partial sums of one term; grown when needed, released before Kokkos ends.
 template <class Real>
@@ -100,7 +112,7 @@ Real* tile_room(int term, std::size_t size) {
 }
 
 /// The terms of one evaluation that are computed in tiles. On the host there are none. Their tables have to be there until
-/// the sums are asked for.
+/// the sums are asked for. Partial sums have one place for all evaluations, so that these follow each other.
 template <int D, class Real>
 class TileSums {
  public:
@@ -148,6 +160,13 @@ class TileSums {
   /// Adds what the tiles have to a vector of unknowns.
   void add_to(const ArrayOf<Real>& out) {
     if (collect_.sources > 0) collect(out, {}, true);
+  }
+  /// The same as a part of a kernel of the caller, which is launched before other tiles are.
+  CollectTiles<D, Real> taken() {
+    launch();
+    CollectTiles<D, Real> sums = collect_;
+    collect_.sources = 0;
+    return sums;
   }
   /// out = what the tiles have, times a mask where there is one.
   void store(const ArrayOf<Real>& out, const ConstArray& mask) { collect(out, mask, false); }

@@ -70,7 +70,7 @@ struct TeamJacobian {
     for (int d = 0; d < D; ++d) colours *= Colouring<D>::colours_of(task.region, P + 1, d);
     for (int colour = 0; colour < colours; ++colour)
       for (int run = 0; run < task.region.first_axis().runs; ++run) {
-        const Colouring<D> colouring(task.region, P + 1, colour, true, run);
+        const Colouring<D> colouring(task.region, P + 1, colour, FirstAxis::coloured, run);
         if (colouring.items() == 0) continue;
         Teams<TeamBounds<64, bytes, 6>> policy(colouring.items(), threads);
         start_teams("softwet::jacobian", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),

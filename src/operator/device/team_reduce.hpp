@@ -1,6 +1,8 @@
 // Integrals of functionals on a device: a team of threads takes one strip of a row of elements.
 #pragma once
 
+#include <algorithm>
+
 #include "memory/start_teams.hpp"
 #include "operator/device/team_bounds.hpp"
 #include "operator/device/team_element.hpp"
@@ -100,6 +102,34 @@ struct TeamReduce {
     const Vector<N, count> value = task.functional.value(Trial::read(reader));
     const double weight = row.holds(e) ? weight_at<double, D, Q>(task.region, b, p % Shape::points) : 0.0;
     for (int f = 0; f < count; ++f) integrand[f * points + p] = weight * outcome(point.measured(value[f]));
+  }
+};
+
+/// Two integrals in one launch.
+template <class First, class Second>
+struct TeamReducePair {
+  static constexpr int threads = First::threads, bytes = std::max(First::bytes, Second::bytes);
+  static_assert(First::threads == Second::threads, "teams of one launch have the same number of threads");
+
+  First first;
+  Second second;
+  int of_first;  ///< teams
+
+  void launch(int of_second) const {
+    Teams<> policy(of_first + of_second, threads);
+    start_teams("softwet::reduce", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)), *this);
+  }
+
+  template <class Member>
+  KOKKOS_FUNCTION void operator()(const Member& member) const {
+    constexpr std::size_t scratch = bytes;
+    auto* const room = static_cast<double*>(member.team_shmem().get_shmem(scratch));
+    const int team = member.league_rank();
+    if (team < of_first) {
+      first.run(TileTeam<threads, Member>{member, team}, room);
+    } else {
+      second.run(TileTeam<threads, Member>{member, team - of_first}, room);
+    }
   }
 };
 

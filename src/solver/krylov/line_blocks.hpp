@@ -5,6 +5,9 @@
 
 namespace softwet {
 
+/// The two kinds of components: velocities have control points in the solid and in the fluid, scalars in the fluid alone.
+enum class Unknowns { velocities, scalars };
+
 /// Components behind each other, cut into blocks of lines along the first axis. A block has a range of places along each
 /// of the other axes. Ends of blocks never part the values that end ties connect (time/masses/end_ties.hpp): the first two and the
 /// last two of an axis, and those below and on the wall or the joint of the solid.
@@ -17,10 +20,10 @@ struct LineBlocks {
   Kokkos::View<const int*, Exec> starts[D];  ///< first place of each block, and the end
 
   LineBlocks() = default;
-  LineBlocks(const Layout<D>& l, bool velocities) {
+  LineBlocks(const Layout<D>& l, Unknowns of) {
     const int joint = l.axis[D - 1].joint(), joint_row = joint > 0 ? l.axis[D - 1].span(joint) : 0;
     for (int d = 0; d < D; ++d) {
-      extent[d] = d < D - 1 ? l.extent(d) : velocities ? l.rows : l.fluid_rows();
+      extent[d] = d < D - 1 ? l.extent(d) : of == Unknowns::velocities ? l.rows : l.fluid_rows();
       nodes *= extent[d];
       std::vector<int> places{0};
       while (places.back() < extent[d])

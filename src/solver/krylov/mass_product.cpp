@@ -38,9 +38,9 @@ struct StoreProduct {
 template <int D, int P>
 MassProduct<D, P>::MassProduct(const Layout<D>& l, int points) : layout_(l) {
   int stride = 1;
-  for (const bool velocities : {true, false}) {
-    BandProduct<D, P>& product = velocities ? velocity_ : scalar_;
-    product.blocks = LineBlocks<D>(l, velocities);
+  for (const Unknowns of : {Unknowns::velocities, Unknowns::scalars}) {
+    BandProduct<D, P>& product = of == Unknowns::velocities ? velocity_ : scalar_;
+    product.blocks = LineBlocks<D>(l, of);
     product.nodes = product.blocks.nodes;
   }
   for (int d = 0; d < D; ++d) {
@@ -82,15 +82,15 @@ typename MassProduct<D, P>::Band MassProduct<D, P>::band(int d, const std::vecto
 }
 
 template <int D, int P>
-BandProduct<D, P> MassProduct<D, P>::of(const ConstArray& in, bool velocities) const {
-  BandProduct<D, P> product = velocities ? velocity_ : scalar_;
+BandProduct<D, P> MassProduct<D, P>::of(const ConstArray& in, Unknowns of) const {
+  BandProduct<D, P> product = of == Unknowns::velocities ? velocity_ : scalar_;
   product.in = in.data();
   return product;
 }
 
 template <int D, int P>
 void MassProduct<D, P>::apply(const ConstArray& in, const Array& out, int first, int last) const {
-  const BandProduct<D, P> product = of(in, first < D);
+  const BandProduct<D, P> product = of(in, kind(first));
   Kokkos::parallel_for("softwet::mass_product", Items(0, product.items(last - first)),
                        StoreProduct<D, P>{product, out});
 }

@@ -21,7 +21,7 @@ class MassProduct {
   void apply(const ConstArray& in, const Array& out, int first, int last) const;
 
   /// The same as a part of a kernel of the caller.
-  BandProduct<D, P> of(const ConstArray& in, bool velocities) const;
+  BandProduct<D, P> of(const ConstArray& in, Unknowns) const;
 
   /// Ghosts of the components [first, last) take the values that they are copies of; the array is of these alone.
   void fill_ghosts(const Array& values, int first, int last) const;
@@ -29,6 +29,7 @@ class MassProduct {
  private:
   using Band = typename BandProduct<D, P>::Band;
   Band band(int d, const std::vector<ElementRun>&, int first_function, int functions, int points) const;
+  static Unknowns kind(int first) { return first < D ? Unknowns::velocities : Unknowns::scalars; }
   void copy_ghosts(int axis, const Array& values, int first, int last) const;
 
   Layout<D> layout_;

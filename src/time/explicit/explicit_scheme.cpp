@@ -24,6 +24,9 @@ ExplicitScheme<D, P>::ExplicitScheme(const Scene<D, P>& scene, const Case& c, co
       system_(scene, c.time.mass),
       step_(explicit_step(c.time.scheme, system_)),
       bound_(scene.regions(), scene.coefficients(), c.time.mass, step_->formula()),
+      of_bound_and_judge_("explicit.numbers", bound_.numbers() + judge.numbers()),
+      of_bound_(of_bound_and_judge_.part(0, bound_.numbers())),
+      of_judge_(of_bound_and_judge_.part(bound_.numbers(), of_bound_and_judge_.size())),
       safety_(c.time.safety) {}
 
 template <int D, int P>
@@ -64,16 +67,17 @@ std::string ExplicitScheme<D, P>::limit(const State&) {
 template <int D, int P>
 Refusal ExplicitScheme<D, P>::judge_end(const StepHistory& history, double dt, double& indicator) {
   constexpr double change = 1.1;  // of the bound in a step that counts as none
-  bound_.ask(bound_state(step_->next_moments()));
-  judge_.ask_indicator(history, system_.stage().unknown, dt / history.previous_dt);
+  bound_.ask(bound_state(step_->next_moments()), of_bound_);
+  judge_.ask(history, system_.stage(), dt / history.previous_dt, of_judge_);
+  of_bound_and_judge_.ask();
   HostNumbers::wait();
-  const ValueRanges values = bound_.ranges();
+  const ValueRanges values = bound_.ranges(of_bound_);
   Refusal refusal = judge_.of_ranges(values.finite, values.least_density, values.most_density);
-  if (refusal.empty()) refusal = judge_.of_mesh(system_.stage());
+  if (refusal.empty()) refusal = judge_.take_mesh(of_judge_);
   if (!refusal.empty()) return refusal;
-  next_rates_ = bound_.rates();
+  next_rates_ = bound_.rates(of_bound_);
   if (dt * next_rates_.combined > std::max(1.0, change * safety_)) return {Refusal::beyond_bound};
-  indicator = judge_.take_indicator(history, dt);
+  indicator = judge_.take_indicator(history, dt, of_judge_);
   return {};
 }
 
@@ -97,8 +101,8 @@ StepAttempt ExplicitScheme<D, P>::attempt(const StepHistory& history, double dt)
 }
 
 template <int D, int P>
-void ExplicitScheme<D, P>::accept(State& state) {
-  step_->accept(end_, dt_, state);
+void ExplicitScheme<D, P>::accept(State& state, const Array& before) {
+  step_->accept(end_, dt_, state, before);
   rates_ = next_rates_;
 }
 

@@ -16,7 +16,7 @@ class ExplicitScheme final : public Scheme<D, P> {
 
   void initialise(State& state) override { system_.set_moments(state); }
   StepAttempt attempt(const StepHistory&, double dt) override;
-  void accept(State& state) override;
+  void accept(State& state, const Array& before) override;
   void refuse(const Refusal&) override {}  // what the next attempt begins with is untouched
   void begin_anew() override { begun_ = false; }
   double largest_step(const State&, double wish) override;
@@ -39,6 +39,8 @@ class ExplicitScheme final : public Scheme<D, P> {
   SemiDiscrete<D, P> system_;
   std::unique_ptr<ExplicitStep<D, P>> step_;
   StepBound<D, P> bound_;
+  HostNumbers of_bound_and_judge_, of_bound_,
+      of_judge_;  ///< what the host asks for at the end of a step, and its parts
   double safety_;
   StepRates rates_, next_rates_;
   HeldRate held_;

@@ -22,8 +22,8 @@ class ExplicitStep {
   /// Moments of the last accepted state, and of the end of the last step.
   virtual ConstArray moments() const = 0;
   virtual ConstArray next_moments() const = 0;
-  /// The end of the last step is accepted and becomes `state`.
-  virtual void accept(double t, double dt, State& state) = 0;
+  /// The end of the last step is accepted and becomes `state`, whose unknowns before go to `before`.
+  virtual void accept(double t, double dt, State& state, const Array& before) = 0;
   virtual void visit_memory(StepMemory&) = 0;
 
  protected:

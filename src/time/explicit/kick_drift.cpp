@@ -23,68 +23,44 @@ Refusal KickDrift<D, P>::begin(const State& s) {
   Kokkos::deep_copy(Exec(), system_.displacements_of(now_.y), s.displacement);
   Kokkos::deep_copy(Exec(), system_.moments_of(now_.y), s.moment);
   multiply(system_.velocities_of(now_.y), part(system_.scene().mask(), 0, system_.velocities()));
-  system_.place_mesh(s.time, s.displacement);
   if (system_.memory() > 0) Kokkos::deep_copy(Exec(), now_.memory, s.memory);
-  system_.place_branches(now_.memory);
-  system_.place_velocity(system_.velocities_of(now_.y));
-  Refusal problem = system_.find_density(system_.moments_of(now_.y));
-  if (problem.empty()) problem = system_.find_potential();
-  if (!problem.empty()) return problem;
+  const Array v = system_.velocities_of(now_.y), p = system_.moments_of(now_.y);
+  auto fields =
+      system_.find_density(system_.place_velocity(system_.place_mesh(s.time, s.displacement, now_.memory), v), p);
   if (system_.moments() > 0) Kokkos::deep_copy(Exec(), now_.density, system_.stage().density_end);
-  system_.weigh_velocities(system_.moments_of(now_.y));
-  problem = system_.pressure(now_.pressure, now_.stabilisation);
-  return problem.empty() ? system_.convection(true, now_.convection) : problem;
-}
-
-template <int D, int P>
-Refusal KickDrift<D, P>::drift(double t, double dt) {
-  const Array u = system_.displacements_of(next_.y), p = system_.moments_of(now_.y), end = system_.moments_of(next_.y);
-  system_.move_mesh(t + 0.5 * dt, 0.5 * dt, system_.displacements_of(now_.y), u);
-  system_.find_flux();
-  const Refusal problem = system_.move_moments(0.5 * dt, p, now_.stabilisation, middle_);
-  if (!problem.empty()) return problem;
-  system_.find_flux();
-  system_.move_mesh(t + dt, 0.5 * dt, u, u);
-  system_.move_branches(dt, system_.displacements_of(now_.y), now_.memory, next_.memory);
-  return system_.move_moments(dt, p, now_.stabilisation, end);
-}
-
-template <int D, int P>
-template <class... Others>
-void KickDrift<D, P>::kick(const SumOf& sum, const ForEach<Others>&... others) {
-  run_fused("softwet::kick", ForEach{system_.velocities(), Kick{sum, system_.placed_velocity()}}, others...);
-  system_.fill_ghosts();
+  auto at = system_.weigh_velocities(system_.find_potential(std::move(fields)), p);
+  auto forced = system_.take_rates(system_.pressure(std::move(at), now_.pressure), now_.stabilisation);
+  return system_.convection(std::move(forced), Viscosity::among_all, now_.convection).refusal();
 }
 
 template <int D, int P>
 Refusal KickDrift<D, P>::advance(double t, double dt, const StepRates&) {
-  const Array v = system_.velocities_of(next_.y);
+  const auto& [y, density, pressure, convection, stabilisation, memory] = now_;
+  const Array v = system_.velocities_of(y), u = system_.displacements_of(y), p = system_.moments_of(y);
+  const Array v_end = system_.velocities_of(next_.y), u_end = system_.displacements_of(next_.y),
+              p_end = system_.moments_of(next_.y);
   const double half = 0.5 * dt;
-  kick({half_, 1, half, half, system_.velocities_of(now_.y), now_.pressure, now_.convection},
-       copied(system_.placed_density(), now_.density));
-  Refusal problem = drift(t, dt);
-  if (problem.empty()) problem = system_.find_potential();
-  if (!problem.empty()) return problem;
-  system_.weigh_velocities(system_.moments_of(next_.y));
-  problem = system_.pressure(next_.pressure);
-  if (!problem.empty()) return problem;
-  kick({v, 1, half, half, half_, next_.pressure, now_.convection}, system_.taken_rates(next_.stabilisation),
-       copied(next_.density, system_.placed_density()));
-  problem = system_.convection(true, next_.convection);
-  if (!problem.empty()) return problem;
-  kick({v, 1, half, half, half_, next_.pressure, next_.convection});
-  return {};
+  auto start = system_.kick_and_move({half_, 1, half, half, v, pressure, convection}, density, t, dt, u, u_end);
+  auto middle = system_.move_moments(system_.find_flux(std::move(start)), half, p, stabilisation, middle_);
+  auto fields = system_.move_to_end(system_.find_flux(std::move(middle)), dt, p, stabilisation, p_end);
+  auto end = system_.find_potential(system_.move_branches(std::move(fields), dt, u, memory, next_.memory));
+  auto predicted = system_.pressure(std::move(end), next_.pressure, next_.stabilisation,
+                                    {v_end, 1, half, half, half_, next_.pressure, convection}, next_.density);
+  return system_
+      .convection(std::move(predicted), next_.convection,
+                  {v_end, 1, half, half, half_, next_.pressure, next_.convection})
+      .refusal();
 }
 
 template <int D, int P>
-void KickDrift<D, P>::accept(double t, double dt, State& s) {
+void KickDrift<D, P>::accept(double t, double dt, State& s, const Array& before) {
   s.time = t;
   std::swap(now_, next_);
-  const Array before = system_.moments_of(next_.y), p = system_.moments_of(now_.y);
+  const Array p_before = system_.moments_of(next_.y), p = system_.moments_of(now_.y);
   run_fused(
-      "softwet::accept", copied(s.unknown, system_.stage().unknown),
+      "softwet::accept", copied(before, s.unknown), copied(s.unknown, system_.stage().unknown),
       copied(s.displacement, system_.stage().displacement), copied(s.moment, p),
-      ForEach{system_.moments(), SumOf{s.moment_rate, 1 / dt, -1 / dt, 0, p, before, p}},
+      ForEach{system_.moments(), SumOf{s.moment_rate, 1 / dt, -1 / dt, 0, p, p_before, p}},
       ForEach{system_.velocities(), SumOf{s.velocity_rate, 1, 1, 0, now_.pressure, now_.convection, now_.pressure}},
       system_.taken_motion(s.displacement_rate));
   system_.take_branches(now_.memory, s);

@@ -31,7 +31,7 @@ class KickDrift final : public ExplicitStep<D, P> {
   Refusal advance(double t, double dt, const StepRates&) override;
   ConstArray moments() const override { return system_.moments_of(now_.y); }
   ConstArray next_moments() const override { return system_.moments_of(next_.y); }
-  void accept(double t, double dt, State&) override;
+  void accept(double t, double dt, State&, const Array& before) override;
   void visit_memory(StepMemory&) override;
 
  private:
@@ -45,11 +45,6 @@ class KickDrift final : public ExplicitStep<D, P> {
     Array memory;                ///< of branches of the solid
   };
   Level make_level() const;
-  /// The drift: displacements, moments and density at the end from the velocity half way.
-  Refusal drift(double t, double dt);
-  /// A sum of velocities, which the stage has then, with other parts of its launch.
-  template <class... Others>
-  void kick(const SumOf&, const ForEach<Others>&...);
 
   Level now_, next_;
   Array half_;    ///< vh

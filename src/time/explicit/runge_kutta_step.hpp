@@ -6,9 +6,6 @@
 
 namespace softwet {
 
-/// Whether a step takes viscosity among all other rates, or apart from them.
-enum class Viscosity { among_all, apart };
-
 /// A step of SspRk3. With Viscosity::apart it leaves viscosity out, and half a step of viscosity by Rkl2 comes before and after it (Strang). Where a
 /// solid is viscous, these have the acceleration c by all else at the start of the step, and what is between has c less:
 ///   v' = V(v) + c for dt/2,   y' = f(y) - (c, 0, 0) for dt,   v' = V(v) + c for dt/2,   c = the acceleration in f(y_0)
@@ -27,7 +24,7 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
         scheme_(system.size()) {
     for (Array* a : {&y_, &rates_, &next_, &next_rates_}) *a = Array("ssp_rk3.vector", system.size());
     if (apart_) viscous_ = std::make_unique<Rkl2>(system.velocities());
-    system.leave_viscosity_out(apart_);
+    system.treat_viscosity(apart_ ? Viscosity::apart : Viscosity::among_all);
   }
 
   StepFormula formula() const override { return apart_ ? StepFormula::without_viscosity : StepFormula::runge_kutta; }
@@ -54,8 +51,9 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
   }
   ConstArray moments() const override { return system_.moments_of(y_); }
   ConstArray next_moments() const override { return system_.moments_of(next_); }
-  void accept(double t, double, State& s) override {
+  void accept(double t, double, State& s, const Array& before) override {
     s.time = t;
+    Kokkos::deep_copy(Exec(), before, s.unknown);
     std::swap(y_, next_);
     std::swap(rates_, next_rates_);
     Kokkos::deep_copy(Exec(), s.unknown, system_.stage().unknown);
@@ -91,12 +89,11 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
   /// Half a step of viscosity, with c, at the density and mesh of the next vector.
   Refusal diffuse(double t, double dt, const StepRates& rates) {
     constexpr double margin = 1.5;  // the rate is a bound where the weights of neighbours are alike
-    system_.place_mesh(t, system_.displacements_of(next_));
-    const Refusal problem = system_.find_density(system_.moments_of(next_));
-    if (!problem.empty()) return problem;
-    system_.weigh_velocities(system_.moments_of(next_));
-    const Rkl2::Rates with_constant = [this](const Array& v, const Array& out) {
-      const Refusal failure = system_.viscosity(v, out);
+    const Array p = system_.moments_of(next_);
+    const auto at =
+        system_.weigh_velocities(system_.find_density(system_.place_mesh(t, system_.displacements_of(next_)), p), p);
+    const Rkl2::Rates with_constant = [&](const Array& v, const Array& out) {
+      const Refusal failure = system_.viscosity(at, v, out);
       if (failure.empty() && balanced_) add_scaled(out, 0, 1, system_.velocities_of(rates_));
       return failure;
     };

@@ -13,7 +13,7 @@ SemiDiscrete<D, P>::SemiDiscrete(const Scene<D, P>& scene, MassKind kind)
       branches_(scene.coefficients().solid().branches, scene.layout().branch_size(),
                 strain_followed<P>(scene.regions())),
       force_("explicit.force", scene.layout().size()),
-      potential_("explicit.potential", scene.layout().has_fluid ? scene.layout().size() : 0),
+      potential_force_("explicit.potential", scene.layout().has_fluid ? scene.layout().size() : 0),
       velocity_("explicit.velocity", scene.layout().size()) {
   const Layout<D>& l = scene.layout();
   stage_.unknown = Array("explicit.unknown", l.size());
@@ -24,6 +24,8 @@ SemiDiscrete<D, P>::SemiDiscrete(const Scene<D, P>& scene, MassKind kind)
     stage_.branch_weight = branches_.weight(0);
   }
   if (l.has_fluid) stage_.density_end = range(stage_.unknown, l.density_offset(), l.potential_offset());
+  end_ = stage_;
+  end_.displacement = end_.displacement_end = Array("explicit.displacement", l.solid_size());
 }
 
 template <int D, int P>
@@ -32,38 +34,75 @@ void SemiDiscrete<D, P>::set_moments(State& s) {
   move_ghosts(l, s.unknown, GhostAction::update);
   branches_.rest(s);
   if (!l.has_fluid) return;
-  place_mesh(s.time, s.displacement);
+  (void)place_mesh(s.time, s.displacement);
   Kokkos::deep_copy(Exec(), stage_.unknown, s.unknown);  // where the searches for density and potential begin
   masses_.find_moments(stage_, stage_.density_end, s.moment);
 }
 
 template <int D, int P>
-void SemiDiscrete<D, P>::place_mesh(double t, const Array& displacement) {
+Placed<placed::mesh> SemiDiscrete<D, P>::place_mesh(double t, const Array& displacement, const ConstArray& memory) {
   stage_.time = t;
   if (scene_.layout().has_solid) Kokkos::deep_copy(Exec(), stage_.displacement, displacement);
   masses_.set_mesh(stage_);
+  if (memory.extent(0) > 0) set_lag(memory);
+  return Placed<placed::mesh>();
 }
 
 template <int D, int P>
-void SemiDiscrete<D, P>::move_mesh(double t, double dt, const ConstArray& from, const Array& to) {
+Placed<placed::mesh | placed::velocity> SemiDiscrete<D, P>::place_velocity(Placed<placed::mesh>&& at, const Array& v) {
+  return std::move(at).template after<placed::mesh | placed::velocity>([&] {
+    Kokkos::deep_copy(Exec(), velocities_of(stage_.unknown), v);
+    fill_ghosts();
+    return Refusal{};
+  });
+}
+
+template <int D, int P>
+Placed<placed::fields> SemiDiscrete<D, P>::kick_and_move(const SumOf& velocity, const ConstArray& density, double t,
+                                                         double dt, const ConstArray& u, const Array& to) {
   const Layout<D>& l = scene_.layout();
-  const int nodes = l.solid_rows() * l.row_size;
-  run_fused("softwet::move_mesh",
-            ForEach{nodes, MoveMesh{to, stage_.displacement, dt, from, stage_.unknown, D, nodes, l.rows * l.row_size}});
-  stage_.time = t;
-  masses_.set_mesh(stage_);
+  const ForEach kicked{velocities(), kick(velocity)};
+  const ForEach moved{l.has_solid ? velocities() : 0,
+                      MoveMeshes{to, stage_.displacement, end_.displacement, 0.5 * dt, u, stage_.unknown,
+                                 l.solid_rows() * l.row_size, l.rows * l.row_size}};
+  if (has_ghosts(l)) {
+    run_fused("softwet::kick", kicked, copied(stage_.density_end, density));
+    fill_ghosts();
+    run_fused("softwet::move_meshes", moved);
+  } else {
+    run_fused("softwet::kick", kicked, moved, copied(stage_.density_end, density));
+  }
+  stage_.time = t + 0.5 * dt;
+  end_.time = t + dt;
+  masses_.set_meshes(stage_, end_);
+  return Placed<placed::fields>();
 }
 
 template <int D, int P>
-void SemiDiscrete<D, P>::place_branches(const ConstArray& memory) {
-  if (!branches_.empty()) branches_.set_lag(stage_.displacement, memory, stage_.lag);
+Refusal SemiDiscrete<D, P>::end_of(const RightSide& moments) {
+  std::swap(stage_.time, end_.time);
+  std::swap(stage_.displacement, end_.displacement);
+  std::swap(stage_.displacement_end, end_.displacement_end);
+  masses_.take_later();
+  if (scene_.layout().has_fluid && masses_.weighs_beside()) {
+    masses_.scalar_and_weights(moments, stage_.density_end);
+    return {};
+  }
+  const Refusal problem = density_of(moments);
+  return problem.empty() ? weigh(moments.moments) : problem;
 }
 
 template <int D, int P>
-void SemiDiscrete<D, P>::move_branches(double dt, const ConstArray& from, const ConstArray& memory, const Array& out) {
-  if (branches_.empty()) return;
-  branches_.follow(dt, from, stage_.displacement, memory, out);
-  place_branches(out);
+void SemiDiscrete<D, P>::set_lag(const ConstArray& memory) {
+  branches_.set_lag(stage_.displacement, memory, stage_.lag);
+}
+
+template <int D, int P>
+Refusal SemiDiscrete<D, P>::follow(double dt, const ConstArray& u, const ConstArray& memory, const Array& out) {
+  if (branches_.empty()) return {};
+  branches_.follow(dt, u, stage_.displacement, memory, out);
+  set_lag(out);
+  return {};
 }
 
 template <int D, int P>
@@ -74,18 +113,12 @@ void SemiDiscrete<D, P>::take_branches(const ConstArray& memory, const State& st
 }
 
 template <int D, int P>
-void SemiDiscrete<D, P>::place_velocity(const Array& v) {
-  Kokkos::deep_copy(Exec(), velocities_of(stage_.unknown), v);
-  fill_ghosts();
-}
-
-template <int D, int P>
 void SemiDiscrete<D, P>::fill_ghosts() {
   move_ghosts(scene_.layout(), stage_.unknown, GhostAction::update);
 }
 
 template <int D, int P>
-Refusal SemiDiscrete<D, P>::find_density(const mass_kernels::RightSide& moments) {
+Refusal SemiDiscrete<D, P>::density_of(const RightSide& moments) {
   if (!scene_.layout().has_fluid) return {};
   const int iterations = masses_.scalar(stage_, 1, moments, stage_.density_end, scalar_tolerance);
   if (iterations < 0) return {Refusal::density_of_moments};
@@ -95,12 +128,13 @@ Refusal SemiDiscrete<D, P>::find_density(const mass_kernels::RightSide& moments)
 }
 
 template <int D, int P>
-Refusal SemiDiscrete<D, P>::find_potential() {
+Refusal SemiDiscrete<D, P>::potential() {
   const Layout<D>& l = scene_.layout();
   if (!l.has_fluid) return {};
   const int first = l.potential_offset();
-  scene_.equations().potential_moments(stage_, potential_);
-  const int iterations = masses_.scalar(stage_, 1, mass_kernels::RightSide::of(part(potential_, first, l.size())),
+  terms_.add_potential(stage_, potential_force_);
+  const TakenForce force{range(potential_force_, first, l.size()), terms_.taken(potential_force_), first};
+  const int iterations = masses_.scalar(stage_, 1, RightSide::minus(force, part(scene_.mask(), first, l.size())),
                                         range(stage_.unknown, first, l.size()), scalar_tolerance);
   if (iterations < 0) return {Refusal::potential};
   counts_.potential += iterations;
@@ -109,59 +143,80 @@ Refusal SemiDiscrete<D, P>::find_potential() {
 }
 
 template <int D, int P>
-void SemiDiscrete<D, P>::find_flux() {
-  if (!scene_.layout().has_fluid) return;
+Refusal SemiDiscrete<D, P>::weigh(const ConstArray& moments) {
+  masses_.set_weights(moments, density());
+  return {};
+}
+
+template <int D, int P>
+Refusal SemiDiscrete<D, P>::flux() {
+  if (!scene_.layout().has_fluid) return {};
   terms_.add_mass_flux(stage_, force_);
-  terms_.collect(force_);
+  take_forces();
+  return {};
 }
 
 template <int D, int P>
-Refusal SemiDiscrete<D, P>::move_moments(double dt, const ConstArray& moments, const ConstArray& rates,
-                                         const Array& out) {
-  return find_density(mass_kernels::RightSide{moments, {}, dt, rates, scalar_mask(), scalars_of(force_), out});
+typename SemiDiscrete<D, P>::RightSide SemiDiscrete<D, P>::moved(double dt, const ConstArray& moments,
+                                                                 const ConstArray& rates, const Array& out) const {
+  return RightSide::moved(moments, dt, rates, scalar_forces(), scalar_mask(), out);
 }
 
 template <int D, int P>
-Refusal SemiDiscrete<D, P>::accelerate(const Array& out, Refusal::Cause why, long& count) {
+Refusal SemiDiscrete<D, P>::accelerate(const Array& out, Refusal::Cause why, long& count, const Companions& with) {
   if (masses_.kind() == MassKind::consistent) Kokkos::deep_copy(Exec(), out, 0.0);  // where the search begins
-  const int iterations =
-      masses_.velocity(stage_, -1, mass_kernels::RightSide::take(velocities_of(force_)), out, velocity_tolerance);
+  const RightSide side = RightSide::take(velocity_forces());
+  const bool alone = !with.kick.sum.y.data();
+  const int iterations = alone ? masses_.velocity(stage_, -1, side, out, velocity_tolerance)
+                               : masses_.velocity(stage_, -1, side, out, velocity_tolerance, with);
   if (iterations < 0) {
     Kokkos::deep_copy(Exec(), force_, 0.0);
     return {why};
   }
   count += iterations;
+  if (!alone) fill_ghosts();
   return {};
 }
 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::pressure(const Array& acceleration) {
   terms_.add_pressure(stage_, force_);
-  terms_.collect(force_);
+  take_forces();
   return accelerate(acceleration, Refusal::acceleration, counts_.velocity);
 }
 
 template <int D, int P>
-Refusal SemiDiscrete<D, P>::pressure(const Array& acceleration, const Array& moment_rates) {
-  const Refusal problem = pressure(acceleration);
-  if (problem.empty()) run_fused("softwet::take_rates", taken_rates(moment_rates));
-  return problem;
+Refusal SemiDiscrete<D, P>::pressure(const Array& acceleration, const Array& moment_rates, const SumOf& velocity,
+                                     const Array& density) {
+  terms_.add_pressure(stage_, force_);
+  take_forces();
+  return accelerate(acceleration, Refusal::acceleration, counts_.velocity,
+                    {kick(velocity), taken_rates(moment_rates), copied(density, stage_.density_end)});
 }
 
 template <int D, int P>
-ForEach<TakeRates> SemiDiscrete<D, P>::taken_rates(const Array& out) const {
-  return {moments(), {out, scalars_of(force_), scalar_mask()}};
+Refusal SemiDiscrete<D, P>::take(const Array& moment_rates) {
+  run_fused("softwet::take_rates", taken_rates(moment_rates));
+  return {};
 }
 
 template <int D, int P>
-Refusal SemiDiscrete<D, P>::convection(bool viscous, const Array& acceleration) {
+ForEach<mass_kernels::TakeRates<D>> SemiDiscrete<D, P>::taken_rates(const Array& out) const {
+  return {moments(), {out, scalar_forces(), scalar_mask()}};
+}
+
+template <int D, int P>
+Refusal SemiDiscrete<D, P>::convection(Viscosity how, const Array& acceleration, const Companions& with) {
   if (!scene_.layout().has_fluid && !scene_.equations().has_viscous_solid()) {
     Kokkos::deep_copy(Exec(), acceleration, 0.0);
+    if (!with.kick.sum.y.data()) return {};
+    run_fused("softwet::kick", ForEach{velocities(), with.kick});
+    fill_ghosts();
     return {};
   }
-  terms_.add_convection(stage_, viscous, force_);
-  terms_.collect(force_);
-  return accelerate(acceleration, Refusal::acceleration, counts_.velocity);
+  terms_.add_convection(stage_, how, force_);
+  take_forces();
+  return accelerate(acceleration, Refusal::acceleration, counts_.velocity, with);
 }
 
 template <int D, int P>
@@ -171,27 +226,24 @@ Refusal SemiDiscrete<D, P>::viscosity(const Array& v, const Array& acceleration)
   if (scene_.equations().has_viscous_solid()) {
     Stage moving = stage_;
     moving.unknown = velocity_;
-    scene_.equations().add_viscosity_of_solid(moving, force_);
-    terms_.collect(force_);
+    terms_.add_viscosity_of_solid(moving, force_);
   }
+  take_forces();
   return accelerate(acceleration, Refusal::viscous_rate, counts_.viscous);
 }
 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::rates(double t, const Array& y, const Array& out) {
   ++counts_.rates;
-  place_mesh(t, displacements_of(y));
-  place_velocity(velocities_of(y));
-  Refusal problem = find_density(moments_of(y));
-  if (problem.empty()) problem = find_potential();
-  if (!problem.empty()) return problem;
-  weigh_velocities(moments_of(y));
+  auto fields = find_density(place_velocity(place_mesh(t, displacements_of(y)), velocities_of(y)), moments_of(y));
+  const auto at = weigh_velocities(find_potential(std::move(fields)), moments_of(y));
+  if (!at.refusal().empty()) return at.refusal();
   run_fused("softwet::take_motion", taken_motion(displacements_of(out)));
   terms_.add_mass_flux(stage_, force_);
   terms_.add_pressure(stage_, force_);
-  terms_.add_convection(stage_, !gentle_, force_);
-  terms_.collect(force_);
-  run_fused("softwet::take_rates", taken_rates(moments_of(out)));
+  terms_.add_convection(stage_, viscosity_, force_);
+  take_forces();
+  take(moments_of(out));
   return accelerate(velocities_of(out), Refusal::acceleration, counts_.velocity);
 }
 
@@ -215,7 +267,7 @@ template <int D, int P>
 void SemiDiscrete<D, P>::visit_memory(StepMemory& memory, const State& state) {
   if (!memory.restores()) return;
   Kokkos::deep_copy(Exec(), stage_.unknown, state.unknown);
-  place_mesh(state.time, state.displacement);
+  (void)place_mesh(state.time, state.displacement);
 }
 
 template class SemiDiscrete<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

@@ -5,6 +5,7 @@
 #include "scene/explicit_terms.hpp"
 #include "scene/scene.hpp"
 #include "time/explicit/evolution.hpp"
+#include "time/explicit/placed.hpp"
 #include "time/explicit/step_kernels.hpp"
 #include "time/masses/mass_inverse.hpp"
 #include "time/step/branch_memory.hpp"
@@ -20,7 +21,8 @@ struct MassCounts {
 /// y = (v, u, p): velocities, displacements of the solid, and the moments p_i = (q_i, rho J) of the density. Stepping
 /// moments keeps the mass exactly, on a moving mesh too. From y follow the density, M[x] rho = p, and the chemical
 /// potential; then  u' = v,  p' = -F,  A[rho, x] v' = forces.
-/// `rates` is all of that. What it is made of works on the stage, which holds the last values of everything.
+/// `rates` is all of that. What it is made of works on the stage, which holds the last values of everything; each call takes and
+/// gives what the stage holds by then (Placed).
 template <int D, int P>
 class SemiDiscrete final : public Evolution {
  public:
@@ -37,44 +39,105 @@ class SemiDiscrete final : public Evolution {
   Array moments_of(const Array& y) const { return range(y, velocities() + displacements(), size()); }
 
   Refusal rates(double t, const Array& y, const Array& out) override;
-  /// Whether `rates` leave viscosity out, for a scheme that treats it apart.
-  void leave_viscosity_out(bool out) { gentle_ = out; }
+  /// How `rates` take viscosity, for a scheme that treats it apart.
+  void treat_viscosity(Viscosity how) { viscosity_ = how; }
 
-  /// Moves the mesh of the stage, with the row sums of scalars.
-  void place_mesh(double t, const Array& displacement);
-  /// The same to displacements to = from + dt v, with the velocities of the stage.
-  void move_mesh(double t, double dt, const ConstArray& from, const Array& to);
-  /// Branches of the solid in the mesh of the stage.
-  void place_branches(const ConstArray& memory);
-  /// The same at the end of a step: they follow the solid from the displacements `from` to those of the stage, at one speed.
-  void move_branches(double dt, const ConstArray& from, const ConstArray& memory, const Array& out);
+  /// The stage as the last complete evaluation has left it.
+  Placed<placed::all> evaluated() const { return Placed<placed::all>(); }
+  /// The mesh of the stage. @param memory  of branches of the solid, where it has some
+  Placed<placed::mesh> place_mesh(double t, const Array& displacement, const ConstArray& memory = {});
   /// Velocities of the stage, with their ghosts.
-  void place_velocity(const Array& v);
-  // Parts of the stage, for launches that write them.
-  Array placed_velocity() const { return velocities_of(stage_.unknown); }
-  Array placed_density() const { return stage_.density_end; }
-  /// Ghosts of all unknowns of the stage.
-  void fill_ghosts();
-  /// Density and chemical potential of the stage.
-  Refusal find_density(const ConstArray& moments) { return find_density(mass_kernels::RightSide::of(moments)); }
-  Refusal find_potential();
-  void weigh_velocities(const ConstArray& moments) { masses_.set_weights(moments, density()); }
-  /// The flux of mass G of the stage, which `move_moments` takes before anything else is evaluated.
-  void find_flux();
-  /// out = moments + dt (G + rates), and the density of the stage from these.
-  Refusal move_moments(double dt, const ConstArray& moments, const ConstArray& rates, const Array& out);
-  /// Acceleration by pressure, capillarity, elasticity and loads, and rates of the moments by the stabilisation.
-  Refusal pressure(const Array& acceleration, const Array& moment_rates);
-  /// The same, where the rates have to be taken before anything else is evaluated: as a part of a launch.
-  Refusal pressure(const Array& acceleration);
-  ForEach<TakeRates> taken_rates(const Array& moment_rates) const;
+  Placed<placed::mesh | placed::velocity> place_velocity(Placed<placed::mesh>&&, const Array& v);
+  /// A step begins: velocities that are a sum, the density that the stage has then, and displacements from u to `to`. The mesh
+  /// is that half way through the step.
+  Placed<placed::fields> kick_and_move(const SumOf& velocity, const ConstArray& density, double t, double dt,
+                                       const ConstArray& u, const Array& to);
+
+  /// The density of moments.
+  template <unsigned has>
+    requires Ready<has, placed::mesh>
+  auto find_density(Placed<has>&& at, const ConstArray& moments) {
+    return std::move(at).template after<(has | placed::density) & ~placed::of_density>(
+        [&] { return density_of(RightSide::of(moments)); });
+  }
+  /// The chemical potential.
+  template <unsigned has>
+    requires Ready<has, placed::mesh | placed::density>
+  auto find_potential(Placed<has>&& at) {
+    return std::move(at).template after<has | placed::potential>([&] { return potential(); });
+  }
+  /// The masses of velocities, by moments.
+  template <unsigned has>
+    requires Ready<has, placed::mesh | placed::density>
+  auto weigh_velocities(Placed<has>&& at, const ConstArray& moments) {
+    return std::move(at).template after<has | placed::weights>([&] { return weigh(moments); });
+  }
+  /// The flux of mass G.
+  template <unsigned has>
+    requires Ready<has, placed::fields>
+  auto find_flux(Placed<has>&& at) {
+    return std::move(at).template after<has | placed::flux>([&] { return flux(); });
+  }
+  /// out = moments + dt (G + rates), and the density of these.
+  template <unsigned has>
+    requires Holding<has, placed::fields | placed::flux>
+  auto move_moments(Placed<has>&& at, double dt, const ConstArray& moments, const ConstArray& rates, const Array& out) {
+    return std::move(at).template after<placed::fields>([&] { return density_of(moved(dt, moments, rates, out)); });
+  }
+  /// The same at the end of the step that began with `kick_and_move`, on the mesh there, and the masses of velocities.
+  template <unsigned has>
+    requires Holding<has, placed::fields | placed::flux>
+  auto move_to_end(Placed<has>&& at, double dt, const ConstArray& moments, const ConstArray& rates, const Array& out) {
+    return std::move(at).template after<placed::fields | placed::weights>(
+        [&] { return end_of(moved(dt, moments, rates, out)); });
+  }
+  /// Branches of the solid follow it from displacements u to those of the stage, at one speed.
+  template <unsigned has>
+    requires Ready<has, placed::mesh>
+  auto move_branches(Placed<has>&& at, double dt, const ConstArray& u, const ConstArray& memory, const Array& out) {
+    return std::move(at).template after<has>([&] { return follow(dt, u, memory, out); });
+  }
+  /// Acceleration by pressure, capillarity, elasticity and loads. Rates of the moments by the stabilisation are left.
+  template <unsigned has>
+    requires Ready<has, placed::all>
+  auto pressure(Placed<has>&& at, const Array& acceleration) {
+    return std::move(at).template after<has | placed::rates>([&] { return pressure(acceleration); });
+  }
+  template <unsigned has>
+    requires Holding<has, placed::rates>
+  auto take_rates(Placed<has>&& at, const Array& moment_rates) {
+    return std::move(at).template after<has & ~placed::rates>([&] { return take(moment_rates); });
+  }
+  /// Both, then velocities that are a sum with this acceleration; and a copy of the density.
+  template <unsigned has>
+    requires Ready<has, placed::all>
+  auto pressure(Placed<has>&& at, const Array& acceleration, const Array& moment_rates, const SumOf& velocity,
+                const Array& density) {
+    return std::move(at).template after<has>([&] { return pressure(acceleration, moment_rates, velocity, density); });
+  }
+  /// Acceleration by convection and viscosity, or by one alone.
+  template <unsigned has>
+    requires Ready<has, placed::fields | placed::weights>
+  auto convection(Placed<has>&& at, Viscosity how, const Array& acceleration) {
+    return std::move(at).template after<has>([&] { return convection(how, acceleration, {}); });
+  }
+  /// By both, then velocities that are a sum with this acceleration.
+  template <unsigned has>
+    requires Ready<has, placed::fields | placed::weights>
+  auto convection(Placed<has>&& at, const Array& acceleration, const SumOf& velocity) {
+    return std::move(at).template after<has>(
+        [&] { return convection(Viscosity::among_all, acceleration, {kick(velocity)}); });
+  }
+  /// Acceleration of velocities by viscosity alone.
+  template <unsigned has>
+    requires Ready<has, placed::mesh | placed::density | placed::weights> Refusal viscosity(const Placed<has>& at,
+                                                                                            const Array& v,
+                                                                                            const Array& acceleration) {
+      return at.refusal().empty() ? viscosity(v, acceleration) : at.refusal();
+    }
+
   /// Rates of the displacements by the velocities of the stage, as a part of a launch.
   ForEach<TakeMotion> taken_motion(const Array& rate) const;
-  /// Acceleration by convection, and viscosity unless it is treated apart.
-  Refusal convection(bool viscous, const Array& acceleration);
-  /// Acceleration of velocities by viscosity alone, with the density and mesh of the stage.
-  Refusal viscosity(const Array& v, const Array& acceleration);
-
   /// Rates are zero at ghosts, those of a state are not.
   void fill_rate_ghosts(State&);
   /// What the state of a branch says beside its displacement, of the stage.
@@ -99,9 +162,34 @@ class SemiDiscrete final : public Evolution {
   ConstArray scalar_mask() const {
     return part(scene_.mask(), scene_.layout().density_offset(), scene_.layout().potential_offset());
   }
-  Refusal find_density(const mass_kernels::RightSide& moments);
-  /// out = the acceleration of minus the force that the terms have collected, where `why` tells that there is none.
-  Refusal accelerate(const Array& out, Refusal::Cause why, long& count);
+  using RightSide = mass_kernels::RightSide<D>;
+  using TakenForce = mass_kernels::TakenForce<D>;
+  using Companions = typename MassInverse<D, P>::Companions;
+
+  // What the calls above do.
+  Refusal density_of(const RightSide& moments);
+  Refusal potential();
+  Refusal weigh(const ConstArray& moments);
+  Refusal flux();
+  Refusal end_of(const RightSide& moments);
+  Refusal follow(double dt, const ConstArray& u, const ConstArray& memory, const Array& out);
+  Refusal pressure(const Array& acceleration);
+  Refusal pressure(const Array& acceleration, const Array& moment_rates, const SumOf& velocity, const Array& density);
+  Refusal take(const Array& moment_rates);
+  Refusal convection(Viscosity, const Array& acceleration, const Companions&);
+  Refusal viscosity(const Array& v, const Array& acceleration);
+
+  void fill_ghosts();  ///< of all unknowns of the stage
+  void set_lag(const ConstArray& memory);
+  RightSide moved(double dt, const ConstArray& moments, const ConstArray& rates, const Array& out) const;
+  Kick kick(const SumOf& velocity) const { return {velocity, velocities_of(stage_.unknown)}; }
+  ForEach<mass_kernels::TakeRates<D>> taken_rates(const Array& moment_rates) const;
+  // The forces of the terms so far.
+  void take_forces() { tiles_ = terms_.taken(force_); }
+  TakenForce scalar_forces() const { return {scalars_of(force_), tiles_, scene_.layout().density_offset()}; }
+  TakenForce velocity_forces() const { return {velocities_of(force_), tiles_, 0}; }
+  /// out = the acceleration of minus these forces, where `why` says that there is none.
+  Refusal accelerate(const Array& out, Refusal::Cause why, long& count, const Companions& = {});
 
   static constexpr double velocity_tolerance = 1e-10, scalar_tolerance = 1e-12;  ///< of conjugate gradients
 
@@ -111,10 +199,12 @@ class SemiDiscrete final : public Evolution {
   MassInverse<D, P> masses_;
   BranchMemory branches_;
   Stage stage_;
-  bool gentle_ = false;
-  Array force_;      ///< of terms, a vector of unknowns; who reads a part leaves zero there, so that terms can be added
-  Array potential_;  ///< moments of the chemical potential, in a vector of unknowns
-  Array velocity_;   ///< a vector of unknowns, of which the velocities count
+  Stage end_;  ///< of the step, while the mesh is that half way
+  Viscosity viscosity_ = Viscosity::among_all;
+  Array force_;  ///< of terms, a vector of unknowns; who reads a part leaves zero there, so that terms can be added
+  TileSumsOf<D> tiles_;    ///< what is not added to it yet
+  Array potential_force_;  ///< that of the potential
+  Array velocity_;         ///< a vector of unknowns, of which the velocities count
   MassCounts counts_;
 };
 

@@ -125,18 +125,19 @@ template <int D, int P>
 template <class Visit>
 void StepBound<D, P>::visit_points(const BoundState& s, const Visit& visit) const {
   const Layout<D>& l = regions_.layout();
+  StretchOfColumn<D> column{.displacement = nullptr,
+                            .greville = {},
+                            .stretch = stretch_,
+                            .extent = {},
+                            .nodes = l.solid_rows() * l.row_size,
+                            .slope = regions_.blend().slope()};
   if (l.has_solid && l.has_fluid) {
-    StretchOfColumn<D> column{.displacement = s.displacement.data() + l.wall_shift(),
-                              .greville = {},
-                              .stretch = stretch_,
-                              .extent = {},
-                              .nodes = l.solid_rows() * l.row_size,
-                              .slope = regions_.blend().slope()};
+    column.displacement = s.displacement.data() + l.wall_shift();
     for (int d = 0; d < D; ++d) {
       column.greville[d] = greville_[d];
       column.extent[d] = l.extent(d);
     }
-    Kokkos::parallel_for("softwet::stretch", Items(0, l.row_size), column);
+    if constexpr (host_algorithms) Kokkos::parallel_for("softwet::stretch", Items(0, l.row_size), column);
   }
   const auto with_fluid = [&](const auto& solid) {
     if (!l.has_fluid) return visit(NoPoint{}, solid);
@@ -144,7 +145,7 @@ void StepBound<D, P>::visit_points(const BoundState& s, const Visit& visit) cons
                               .density = s.unknown.data() + l.density_offset(),
                               .moments = s.moments,
                               .sums = s.sums,
-                              .stretch = stretch_,
+                              .column = column,
                               .blend = blend_,
                               .mask = part(regions_.mask(), l.density_offset(), l.potential_offset()),
                               .near_end = near_end_,
@@ -170,7 +171,12 @@ void StepBound<D, P>::visit_points(const BoundState& s, const Visit& visit) cons
 }
 
 template <int D, int P>
-void StepBound<D, P>::ask(const BoundState& state) const {
+int StepBound<D, P>::numbers() {
+  return found_numbers;
+}
+
+template <int D, int P>
+void StepBound<D, P>::ask(const BoundState& state, const HostNumbers& found) const {
   const Layout<D>& l = regions_.layout();
   const VectorSpace space = l.space();
   const int width = space.end - space.begin;
@@ -188,15 +194,14 @@ void StepBound<D, P>::ask(const BoundState& state) const {
         .fluid_points = l.scalar_size(),
         .solid_points = l.solid_rows() * l.row_size,
         .values = l.size() / space.stored * width};
-    Kokkos::parallel_reduce("softwet::step_rates", Items(0, largest.items()), largest, found_.device);
+    Kokkos::parallel_reduce("softwet::step_rates", Items(0, largest.items()), largest, found.device);
   });
-  found_.ask();
 }
 
 template <int D, int P>
-StepRates StepBound<D, P>::rates() const {
+StepRates StepBound<D, P>::rates(const HostNumbers& found) {
   std::array<double, mechanisms> all;
-  std::copy_n(found_.host.data(), int(mechanisms), all.begin());
+  std::copy_n(found.host.data(), int(mechanisms), all.begin());
   ranks::largest(all.data(), mechanisms);
   return {.combined = all[combined],
           .sound = all[sound],
@@ -208,17 +213,18 @@ StepRates StepBound<D, P>::rates() const {
 }
 
 template <int D, int P>
-ValueRanges StepBound<D, P>::ranges() const {
-  double all[] = {found_.host(not_finite), found_.host(least_density), found_.host(most_density)};
+ValueRanges StepBound<D, P>::ranges(const HostNumbers& found) {
+  double all[] = {found.host(not_finite), found.host(least_density), found.host(most_density)};
   ranks::largest(all, 3);
   return {all[0] == 0, -all[1], all[2]};
 }
 
 template <int D, int P>
 StepRates StepBound<D, P>::rates(const BoundState& state) const {
-  ask(state);
+  ask(state, found_);
+  found_.ask();
   HostNumbers::wait();
-  return rates();
+  return rates(found_);
 }
 
 template <int D, int P>

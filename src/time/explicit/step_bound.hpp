@@ -71,17 +71,19 @@ class StepBound {
  public:
   StepBound(const Regions<D>&, const Coefficients<D>&, MassKind, StepFormula);
 
-  /// Asks for the rates and the ranges of the values of a state, and, after a wait for the numbers of the host, gives them.
-  void ask(const BoundState&) const;
-  StepRates rates() const;
-  ValueRanges ranges() const;
-  /// Asks, waits and gives.
+  // The rates and the ranges of the values of a state in two halves: starts the kernel that leaves so many numbers, and, when they are on the
+  // host, gives what they are.
+  static int numbers();
+  void ask(const BoundState&, const HostNumbers&) const;
+  static StepRates rates(const HostNumbers&);
+  static ValueRanges ranges(const HostNumbers&);
+  /// At once.
   StepRates rates(const BoundState&) const;
   /// Where the combined rate is largest, in the undeformed domain.
   std::array<double, D> place_of_largest(const BoundState&) const;
 
  private:
-  /// Calls visit(points of the fluid, points of the solid) after the stretches of columns were found.
+  /// Calls visit(points of the fluid, points of the solid). On the host the stretches of columns were found before.
   template <class Visit>
   void visit_points(const BoundState&, const Visit& visit) const;
   /// Of the solid. @tparam Axial  in the coordinates (r, z), where waves have a hoop strain too

@@ -1,4 +1,4 @@
-// What explicit steps do with vectors, by value: parts of the launches of field/fused.hpp.
+// What explicit steps do with displacements, by value: parts of the launches of field/fused.hpp.
 #pragma once
 
 #include "field/fused.hpp"
@@ -6,27 +6,19 @@
 
 namespace softwet {
 
-/// A sum of vectors, which is placed in a second one too.
-struct Kick {
-  SumOf sum;
-  Array placed;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    sum(i);
-    placed(i) = sum.y(i);
-  }
-};
-
-/// Displacements to = from + dt v, which are placed in the stage too, by control point of the solid.
-struct MoveMesh {
-  Array to, placed;
-  double dt;
+/// Displacements half way through a step and at its end, at one speed: u = from + dt v and to = u + dt v, for each velocity of a
+/// control point of the solid. They are placed in two stages too.
+struct MoveMeshes {
+  Array to, half_way, end;
+  double dt;  ///< half of the step
   ConstArray from, unknown;
-  int components, nodes, apart;  ///< control points of a component of displacement, and from one velocity to the next
-  KOKKOS_FUNCTION void operator()(int node) const {
-    for (int c = 0, i = node; c < components; ++c, i += nodes) {
-      const double u = from(i) + dt * unknown(c * apart + node);
-      to(i) = placed(i) = u;
-    }
+  int nodes, apart;  ///< control points of a component of displacement, and from one velocity to the next
+  KOKKOS_FUNCTION void operator()(int i) const {
+    const int c = (i >= apart ? 1 : 0) + (i >= 2 * apart ? 1 : 0), node = i - c * apart;
+    if (node >= nodes) return;
+    const double v = unknown(i), u = from(c * nodes + node) + dt * v;
+    half_way(c * nodes + node) = u;
+    to(c * nodes + node) = end(c * nodes + node) = u + dt * v;
   }
 };
 
@@ -37,17 +29,6 @@ struct TakeMotion {
   int components, nodes, apart;
   KOKKOS_FUNCTION void operator()(int node) const {
     for (int c = 0, i = node; c < components; ++c, i += nodes) rate(i) = 0.0 + unknown(c * apart + node);
-  }
-};
-
-/// rates = 0 - mask force, and of the force zero is left. It is +0 where the mask is 0, whatever sign the force has there:
-/// ghosts have the same bits in any number of processes.
-struct TakeRates {
-  Array rates, force;
-  ConstArray mask;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    rates(i) = 0.0 - mask(i) * force(i);
-    force(i) = 0;
   }
 };
 

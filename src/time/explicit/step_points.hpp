@@ -45,10 +45,60 @@ KOKKOS_INLINE_FUNCTION void rates_of_fluid(const NavierStokesKorteweg& fluid, co
   rate[combined] = combine(formula, wave, rate[viscosity], rate[stabilisation], rate[flow]);
 }
 
+/// stretch = 1 / the smallest singular value of F = I + (beta Grad d, slope d e_D) above a column, at the wall and on top.
+template <int D>
+struct StretchOfColumn {
+  const double* displacement;  ///< of the wall's row; null: nothing moves
+  ConstArray greville[D];
+  Array stretch;
+  int extent[D];
+  int nodes;
+  double slope;
+
+  KOKKOS_FUNCTION void operator()(int i) const { stretch(i) = at(i); }
+  /// Of column i, as it was stored before, or on a device on the way: a launch would take longer.
+  KOKKOS_FUNCTION double of(int i) const {
+    if constexpr (host_algorithms) return stretch(i);
+    return displacement ? at(i) : 1.0;
+  }
+  KOKKOS_FUNCTION double at(int i) const {
+    double worst = 1;
+    for (int wall = 0; wall < 2; ++wall) {
+      Matrix<double, D> f;
+      for (int c = 0; c < D; ++c) {
+        int stride = 1;
+        for (int d = 0; d + 1 < D; ++d) {
+          f(c, d) = (c == d ? 1.0 : 0.0) + wall * difference(displacement + c * nodes, i, i / stride % extent[d],
+                                                             extent[d], stride, greville[d]);
+          stride *= extent[d];
+        }
+        f(c, D - 1) = (c == D - 1 ? 1.0 : 0.0) + slope * displacement[c * nodes + i];
+      }
+      const Matrix<double, D> cofactors = cofactor(f);
+      const double volume = determinant(f, cofactors);
+      // |F^{-1}|^2 is at most the largest row sum of F^{-1} F^{-T}.
+      double largest = 0;
+      for (int r = 0; r < D; ++r) {
+        double sum = 0;
+        for (int s = 0; s < D; ++s) {
+          double entry = 0;
+          for (int k = 0; k < D; ++k) entry += cofactors(k, r) * cofactors(k, s);
+          sum += Kokkos::abs(entry);
+        }
+        largest = Kokkos::max(largest, sum);
+      }
+      worst = Kokkos::max(worst, Kokkos::sqrt(largest) / Kokkos::max(volume, 1e-3));
+    }
+    return worst;
+  }
+};
+
 template <int D>
 struct FluidPoint {
   const double *velocity, *density;
-  ConstArray moments, sums, stretch, blend, mask;
+  ConstArray moments, sums;
+  StretchOfColumn<D> column;
+  ConstArray blend, mask;
   Kokkos::View<const int*, Exec> near_end;
   NavierStokesKorteweg fluid;
   MassSymbols inside, end;
@@ -66,7 +116,7 @@ struct FluidPoint {
     }
     rates_of_fluid(fluid, near_end(i) != 0 ? end : inside, formula, axes, density[i],
                    Kokkos::max(moments(i) / sums(i), fluid.inertia_floor), Kokkos::sqrt(speed),
-                   stretch(i % row_size) / length, rate);
+                   column.of(i % row_size) / length, rate);
   }
 };
 
@@ -256,48 +306,6 @@ struct SolidPoint {
       gradient.hoop = r > 0 ? displacement[i] / r : gradient(0, 0);
     }
     bound.rates(gradient, i >= nodes - row_size, i < row_size, rate);
-  }
-};
-
-/// stretch = 1 / the smallest singular value of F = I + (beta Grad d, slope d e_D) above a column, at the wall and on top.
-template <int D>
-struct StretchOfColumn {
-  const double* displacement;  ///< of the wall's row
-  ConstArray greville[D];
-  Array stretch;
-  int extent[D];
-  int nodes;
-  double slope;
-
-  KOKKOS_FUNCTION void operator()(int i) const {
-    double worst = 1;
-    for (int wall = 0; wall < 2; ++wall) {
-      Matrix<double, D> f;
-      for (int c = 0; c < D; ++c) {
-        int stride = 1;
-        for (int d = 0; d + 1 < D; ++d) {
-          f(c, d) = (c == d ? 1.0 : 0.0) + wall * difference(displacement + c * nodes, i, i / stride % extent[d],
-                                                             extent[d], stride, greville[d]);
-          stride *= extent[d];
-        }
-        f(c, D - 1) = (c == D - 1 ? 1.0 : 0.0) + slope * displacement[c * nodes + i];
-      }
-      const Matrix<double, D> cofactors = cofactor(f);
-      const double volume = determinant(f, cofactors);
-      // |F^{-1}|^2 is at most the largest row sum of F^{-1} F^{-T}.
-      double largest = 0;
-      for (int r = 0; r < D; ++r) {
-        double sum = 0;
-        for (int s = 0; s < D; ++s) {
-          double entry = 0;
-          for (int k = 0; k < D; ++k) entry += cofactors(k, r) * cofactors(k, s);
-          sum += Kokkos::abs(entry);
-        }
-        largest = Kokkos::max(largest, sum);
-      }
-      worst = Kokkos::max(worst, Kokkos::sqrt(largest) / Kokkos::max(volume, 1e-3));
-    }
-    stretch(i) = worst;
   }
 };
 

@@ -14,7 +14,10 @@ class ImplicitScheme final : public Scheme<D, P> {
 
   void initialise(State& state) override { solver_.integrator.initialise(state); }
   StepAttempt attempt(const StepHistory&, double dt) override;
-  void accept(State& state) override { solver_.integrator.finish(solver_.x, state); }
+  void accept(State& state, const Array& before) override {
+    Kokkos::deep_copy(Exec(), before, state.unknown);
+    solver_.integrator.finish(solver_.x, state);
+  }
   void refuse(const Refusal& why) override {
     if (!why.empty()) solver_.newton.forget_preconditioner();
   }

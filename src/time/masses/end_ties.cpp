@@ -83,8 +83,8 @@ EndTies<D>::EndTies(const Layout<D>& l, const ConstArray& device_mask) {
   }
   if (l.has_fluid && l.has_solid) velocity.push_back(make_set(l, mask, 0, D, D - 1, {End::below_wall}));
   if (l.axis[D - 1].joint() > 0) velocity.push_back(make_set(l, mask, 0, D, D - 1, {End::below_joint}));
-  velocity_ = clusters(velocity, LineBlocks<D>(l, true), D, kept_of_velocities);
-  scalar_ = clusters(scalar, LineBlocks<D>(l, false), 1, kept_of_scalars);
+  velocity_ = clusters(velocity, LineBlocks<D>(l, Unknowns::velocities), D, kept_of_velocities);
+  scalar_ = clusters(scalar, LineBlocks<D>(l, Unknowns::scalars), 1, kept_of_scalars);
 }
 
 template <int D>

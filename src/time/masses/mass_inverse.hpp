@@ -1,12 +1,10 @@
 // The inverses of the masses that explicit schemes need: of density, chemical potential and velocity.
 #pragma once
 
-#include "case/choices.hpp"
-#include "scene/mass_products.hpp"
 #include "solver/krylov/conjugate_gradient.hpp"
 #include "solver/krylov/kronecker_mass.hpp"
-#include "time/masses/mass_series.hpp"
-#include "time/masses/smallest_neighbour.hpp"
+#include "time/masses/mass_weights.hpp"
+#include "time/step/sum_of.hpp"
 
 namespace softwet {
 
@@ -30,48 +28,58 @@ template <int D, int P>
 class MassInverse {
  public:
   MassInverse(const Regions<D>&, const Coefficients<D>&, MassKind);
+  MassInverse(const MassInverse&) = delete;
 
   MassKind kind() const { return kind_; }
 
   /// Takes the mesh of a stage: it weights scalars.
-  void set_mesh(const Stage&);
+  void set_mesh(const Stage& stage) { weights_.set_mesh(stage); }
+  /// The same of one stage now, and of another one from `take_later` on.
+  void set_meshes(const Stage& now, const Stage& later) { weights_.set_meshes(now, later); }
+  void take_later() { weights_.take_later(); }
   /// Takes the moments and the density that weight velocities. With consistent masses the stage's density does.
   void set_weights(const ConstArray& moments, const ConstArray& density);
 
   // Arrays of the components alone. `z` is where conjugate gradients begin, which need the stage. They return their
   // iterations; -1: they failed. A right side may be a force, which is taken: zero is left of it.
-  using RightSide = mass_kernels::RightSide;
+  using RightSide = mass_kernels::RightSide<D>;
   /// z = factor S b for a scalar.
   int scalar(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance);
+  /// Whether a solve can find the weights of velocities beside itself, in the same launches; and such a solve, with the moments of
+  /// its right side.
+  bool weighs_beside() const;
+  int scalar_and_weights(const RightSide& b, const Array& z);
   /// z = factor S b for velocities.
   int velocity(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance);
+
+  /// What is done in the launches of a solve for accelerations: sums with them, and rates and copies that have nothing to do with them.
+  struct Companions {
+    Kick kick;  ///< by value of z
+    ForEach<mass_kernels::TakeRates<D>> rates = {};
+    ForEach<Copy> copy = {};
+  };
+  int velocity(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance, const Companions&);
   /// The moments of which `scalar` finds the density z.
   void find_moments(const Stage&, const ConstArray& z, const Array& out);
 
-  ConstArray scalar_sums() const { return scalar_.sums; }      ///< a by control point
-  ConstArray velocity_sums() const { return velocity_.sums; }  ///< of one component
+  ConstArray scalar_sums() const { return weights_.scalar().sums; }      ///< a by control point
+  ConstArray velocity_sums() const { return weights_.velocity().sums; }  ///< of one component
 
  private:
-  /// One kind of unknowns.
-  struct Weights : WeightedMass {
-    int begin, end, first, last;  ///< in a vector of unknowns, and as components
-    int nodes() const { return static_cast<int>(sums.extent(0)); }
-    Array of(const Array& unknowns) const { return Kokkos::subview(unknowns, Kokkos::make_pair(begin, end)); }
-  };
-  Weights weights(int begin, int nodes, int first, int last) const;
-  /// Roots and factors from row sums, which the parts of a launch compute by control point.
-  template <class... Bodies>
-  void prepare(const Weights&, const ForEach<Bodies>&... sums);
-  int solve(const Weights&, double factor, const RightSide&, const Array& z);
+  /// @param beside  kernels that share launches with the three terms of the series;  @param after  by value of z, when it is there
+  template <class First, class Second, class Third, class After>
+  int solve(const MassWeights&, double factor, const RightSide&, const Array& z, const Counted<First>& beside,
+            const Counted<Second>&, const Counted<Third>&, const After& after);
+  int solve(const MassWeights& w, double factor, const RightSide& b, const Array& z) {
+    return solve(w, factor, b, z, Counted<Nothing>{}, Counted<Nothing>{}, Counted<Nothing>{}, Nothing{});
+  }
   template <class Apply, class Precondition>
-  int solve_consistent(const Weights&, double factor, const RightSide& b, const Array& z, double tolerance,
+  int solve_consistent(const MassWeights&, double factor, const RightSide& b, const Array& z, double tolerance,
                        const Apply&, const Precondition&);
   /// out = A z for scalars.
   void multiply_scalar(const ConstArray& z, const Array& out);
   /// p with S p = z.
   void invert_scalar(const ConstArray& z, const Array& p);
-  void weigh_with(const ConstArray& moments);
-  void add_solid_sums();
 
   const Regions<D>& regions_;
   const Coefficients<D>& coefficients_;
@@ -80,13 +88,9 @@ class MassInverse {
   KroneckerMass<D> kronecker_;
   ConjugateGradient solver_;
   MassProduct<D, P> product_;
+  SceneWeights<D, P> weights_;
   EndTies<D> ties_;
-  SmallestNeighbour<D, P> neighbours_;
-  Weights scalar_, velocity_;
-  Array solid_sums_;  ///< by control point of the velocity
-  Array ones_, scaled_, next_scaled_, image_, first_;
-  Array rows_;  ///< where a moved mesh assembles its row sums; zero in between
-  bool has_mesh_ = false;
+  Array scaled_, next_scaled_, image_, first_;
 };
 
 }  // namespace softwet

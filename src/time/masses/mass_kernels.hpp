@@ -5,6 +5,7 @@
 
 #include "field/fused.hpp"
 #include "field/vector.hpp"
+#include "scene/mass_products.hpp"
 
 namespace softwet::mass_kernels {
 
@@ -63,32 +64,63 @@ struct FindRoots {
   KOKKOS_FUNCTION void operator()(int i) const { root(i) = Kokkos::sqrt(sums(i) / unit(i)); }
 };
 
-/// The moments b + dt (rates - mask force), or a vector b as it is. A force is taken: zero is left for the next sum of terms.
-struct RightSide {
-  ConstArray b;
-  Array taken;  ///< b itself, or empty
-  double dt = 0;
-  ConstArray rates, force_mask;  ///< empty: no moments
-  Array force, moments;
-
-  static RightSide of(const ConstArray& b) { return {b, {}, 0, {}, {}, {}, {}}; }
-  static RightSide take(const Array& force) { return {force, force, 0, {}, {}, {}, {}}; }
+/// A part of a vector of forces, which is taken: zero is left for the next sum of terms. What the tiles of a device have summed is
+/// added as it is read.
+template <int D>
+struct TakenForce {
+  Array values;
+  TileSumsOf<D> tiles = {};
+  int first = 0;  ///< of the part in the vector
 
   KOKKOS_FORCEINLINE_FUNCTION double operator()(int i) const {
-    if (moments.data()) {
-      const double p = b(i) + dt * (rates(i) - force_mask(i) * force(i));
-      force(i) = 0;
-      return moments(i) = p;
-    }
-    const double value = b(i);
-    if (taken.data()) taken(i) = 0;
-    return value;
+    const double force = values(i);
+    values(i) = 0;
+    return tiles.added_to(force, first + i);
   }
 };
 
+/// The right side of a mass: a vector b, a force, minus a force, or the moments b + dt (rates - mask force), which are kept.
+template <int D>
+struct RightSide {
+  ConstArray b;
+  TakenForce<D> force = {};
+  ConstArray mask = {};  ///< with a force alone: it counts with the other sign
+  double dt = 0;
+  ConstArray rates = {};
+  Array moments = {};
+
+  static RightSide of(const ConstArray& b) { return {b}; }
+  static RightSide take(const TakenForce<D>& force) { return {{}, force}; }
+  static RightSide minus(const TakenForce<D>& force, const ConstArray& mask) { return {{}, force, mask}; }
+  static RightSide moved(const ConstArray& b, double dt, const ConstArray& rates, const TakenForce<D>& force,
+                         const ConstArray& mask, const Array& moments) {
+    return {b, force, mask, dt, rates, moments};
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int i) const {
+    if (moments.data()) {
+      const double p = b(i) + dt * (rates(i) - mask(i) * force(i));
+      return moments(i) = p;
+    }
+    if (mask.data()) return (0.0 - force(i)) * mask(i);
+    return force.values.data() ? force(i) : b(i);
+  }
+};
+
+/// rates = 0 - mask force of a force that is taken. It is +0 where the mask is 0, whatever sign the force has there: ghosts have the same
+/// bits in any number of processes.
+template <int D>
+struct TakeRates {
+  Array rates;
+  TakenForce<D> force;
+  ConstArray mask;
+  KOKKOS_FUNCTION void operator()(int i) const { rates(i) = 0.0 - mask(i) * force(i); }
+};
+
 /// out = factor b, and 0 where the mask is.
+template <int D>
 struct StoreRightSide {
-  RightSide side;
+  RightSide<D> side;
   double factor;
   ConstArray mask;
   Array out;

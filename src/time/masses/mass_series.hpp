@@ -23,42 +23,58 @@ struct WeightedPointers {
 namespace mass_kernels {
 
 /// A stage of the series with the ties of its ends: each value, the ties between values, and, where a product follows, its scaled
-/// vector from each value. An item is a block of lines on the host. On a device it is a cluster of ties with all its values, or
-/// a value without ties.
-template <class Stage, bool lines = host_algorithms>
+/// vector from each value; then what else is done with it. An item is a block of lines on the host. On a device it is a cluster of
+/// ties with all its values, or a value without ties.
+template <class Stage, bool lines = host_algorithms, class After = Nothing>
 struct WithTies {
   Stage stage;
   TieClusters ties;
+  After after = {};
 
   KOKKOS_FUNCTION void operator()(int item) const {
     if constexpr (lines) {
       stage.run_block(item);
       if (ties.count() > 0)
         for (int c = ties.of_block(item); c < ties.of_block(item + 1); ++c) stage.tie(ties, c);
-      if (!stage.scaled) return;
-      const int count = stage.blocks().extent[0];
-      stage.blocks().for_lines(item, [&](int begin, int node) {
-        SOFTWET_INDEPENDENT
-        for (int k = 0; k < count; ++k) stage.end(begin + k, node + k);
-      });
+      end_block(item);
     } else if (item >= ties.count()) {
       const int i = item - ties.count();
       if (ties.count() > 0 && ties.tied(i)) return;
       stage.run(i);
-      if (stage.scaled) stage.end(i, i % stage.nodes());
+      end(i);
     } else {
       const int first = ties.first_member(item), last = ties.first_member(item + 1);
       for (int m = first; m < last; ++m) stage.run(ties.member(m));
       stage.tie(ties, item);
-      for (int m = first; stage.scaled && m < last; ++m) stage.end(ties.member(m), ties.member(m) % stage.nodes());
+      for (int m = first; m < last; ++m) end(ties.member(m));
     }
   }
 
   int items(int components) const {
     return lines ? components * stage.blocks().count() : ties.count() + components * stage.nodes();
   }
+  Counted<WithTies> on(int components) const { return {items(components), *this}; }
   void launch(const char* name, int components) const {
     Kokkos::parallel_for(name, Items(0, items(components)), *this);
+  }
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION void end(int i) const {
+    if (stage.scaled) stage.end(i, i % stage.nodes());
+    after(i);
+  }
+  void end_block(int item) const {
+    const int count = stage.blocks().extent[0];
+    if (stage.scaled)
+      stage.blocks().for_lines(item, [&](int begin, int node) {
+        SOFTWET_INDEPENDENT
+        for (int k = 0; k < count; ++k) stage.end(begin + k, node + k);
+      });
+    if constexpr (!std::is_same_v<After, Nothing>)
+      stage.blocks().for_lines(item, [&](int begin, int) {
+        SOFTWET_INDEPENDENT
+        for (int k = 0; k < count; ++k) after(begin + k);
+      });
   }
 };
 
@@ -66,7 +82,7 @@ struct WithTies {
 template <int D>
 struct DivideBySums {
   LineBlocks<D> lines;
-  RightSide side;
+  RightSide<D> side;
   double factor;
   ConstArray mask;
   WeightedPointers mass;
@@ -127,6 +143,7 @@ struct FindFactors {
   WeightedPointers mass;
   double *left, *right;
 
+  Counted<FindFactors> on_all() const { return {product.items(1), *this}; }
   KOKKOS_FORCEINLINE_FUNCTION void finish(int i, double sum) const {
     right[i] = mass.root[i] / mass.sums[i];
     left[i] = 1 - sum * right[i];

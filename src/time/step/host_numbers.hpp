@@ -5,12 +5,18 @@
 
 namespace softwet {
 
-/// The host asks for several of them, and waits once for all.
+/// The host asks for several of them at once, in one copy, and waits once for all.
 struct HostNumbers {
   Array device;
-  Array::host_mirror_type host;
+  HostArray host;
 
-  HostNumbers(const char* name, int size) : device(name, size), host(Kokkos::create_mirror_view(device)) {}
+  HostNumbers(const char* name, int size) : device(name, size), host(mirror_of(device)) {}
+  int size() const { return static_cast<int>(device.extent(0)); }
+  /// Numbers [first, last) of them.
+  HostNumbers part(int first, int last) const {
+    const auto range = Kokkos::make_pair(first, last);
+    return {Kokkos::subview(device, range), Kokkos::subview(host, range)};
+  }
 
   /// After the kernels that write them were started.
   void ask() const {
@@ -18,6 +24,9 @@ struct HostNumbers {
   }
   /// What has been asked for is there.
   static void wait() { Exec().fence("softwet: numbers for the host"); }
+
+ private:
+  HostNumbers(const Array& of_device, const HostArray& of_host) : device(of_device), host(of_host) {}
 };
 
 }  // namespace softwet

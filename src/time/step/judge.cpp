@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "field/fused.hpp"
 #include "field/vector.hpp"
 #include "scene/admissible.hpp"
 #include "time/step/sum_of.hpp"
@@ -29,21 +30,25 @@ std::pair<double, double> range(const VectorSpace& space, const ConstArray& x) {
   return {-ends[0], ends[1]};
 }
 
-/// A vector less an extrapolation, times the roots of weights where there are some.
-struct Difference {
-  SumOf sum;
-  ConstArray root;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    sum(i);
-    if (root.data()) sum.y(i) *= root(i);
+/// Sums of the squares of a x + b z + c w, times roots of weights where there are some.
+struct SquaresOfChange {
+  StripSums<double> sums;
+  double a, b, c;
+  const double *x, *z, *w, *root;
+  KOKKOS_FUNCTION void operator()(int item) const {
+    const auto change = [this](int i) { return a * x[i] + b * z[i] + c * w[i]; };
+    if (root) {
+      sums.sum_of(item, [&](int i) {
+        const double d = change(i) * root[i];
+        return d * d;
+      });
+    } else {
+      sums.sum_of(item, [&](int i) {
+        const double d = change(i);
+        return d * d;
+      });
+    }
   }
-};
-
-/// Several sums in one kernel.
-struct SumsInTurn {
-  StripSums<double> first, second;
-  int of_first;
-  KOKKOS_FUNCTION void operator()(int item) const { item < of_first ? first(item) : second(item - of_first); }
 };
 
 int items_of(const std::vector<StripSums<double>>& sums) {
@@ -64,9 +69,10 @@ Refusal density_complaint(double least, double largest, double undershoot) {
 template <int D, int P>
 Judge<D, P>::Judge(const Scene<D, P>& scene, const Case& c)
     : scene_(scene),
+      faults_(scene.regions()),
       undershoot_(c.solver.newton_undershoot),
-      difference_("judge.difference", scene.layout().size()),
-      partial_("judge.partial", items_of(squares())) {
+      squares_count_(items_of(squares({}))),
+      partial_("judge.partial", squares_count_) {
   const double thickness = scene.regions().wall_height(), height = scene.layout().axis[D - 1].length() - thickness;
   length_ = !scene.layout().has_fluid ? c.domain.size[D - 1] : thickness > 0 ? std::min(thickness, height) : height;
   bool graded = false;
@@ -124,7 +130,11 @@ Refusal Judge<D, P>::of_values(const ConstArray& x) const {
 
 template <int D, int P>
 Refusal Judge<D, P>::of_mesh(const Stage& stage) const {
-  const MeshFaults faults = scene_.balance().faults(stage);
+  return of_faults(scene_.balance().faults(stage));
+}
+
+template <int D, int P>
+Refusal Judge<D, P>::of_faults(const MeshFaults& faults) const {
   if (faults.inverted > 0) return {Refusal::solid_inverted};
   if (faults.folded > 0) return {Refusal::mesh_folded};
   return {};
@@ -140,12 +150,14 @@ Refusal Judge<D, P>::of_end(const Stage& stage) const {
 }
 
 template <int D, int P>
-std::vector<StripSums<double>> Judge<D, P>::squares() const {
+std::vector<StripSums<double>> Judge<D, P>::squares(const Array& partial) const {
   const Layout<D>& l = scene_.layout();
   std::vector<StripSums<double>> sums;
+  int place = 0;
   const auto add = [&](int first, int last) {
-    const double* start = difference_.data() + first;
-    sums.push_back({l.space(), start, 0, 1, {start}, false, last - first});
+    sums.push_back({l.space(), nullptr, 0, 1, {nullptr}, false, last - first});
+    sums.back().partial = partial;
+    sums.back().place = std::exchange(place, place + sums.back().items());
   };
   add(0, l.velocity_size());
   if (l.has_fluid) add(l.density_offset(), l.potential_offset());
@@ -153,31 +165,41 @@ std::vector<StripSums<double>> Judge<D, P>::squares() const {
 }
 
 template <int D, int P>
-void Judge<D, P>::ask_indicator(const StepHistory& history, const Array& values, double f) const {
-  if (history.previous_dt <= 0) return;
-  const SumOf sum{difference_, 1, -1 - f, f, values, history.state.unknown, history.previous};
-  Kokkos::parallel_for("softwet::difference", Items(0, difference_.extent(0)), Difference{sum, root_of_weight_});
-  std::vector<StripSums<double>> sums = squares();
-  int items = 0;
-  for (StripSums<double>& s : sums) {
-    s.partial = partial_.device;
-    s.place = std::exchange(items, items + s.items());
-  }
-  Kokkos::parallel_for("softwet::sums", Items(0, items), SumsInTurn{sums.front(), sums.back(), sums.front().items()});
-  partial_.ask();
+void Judge<D, P>::ask_squares(const StepHistory& history, const Array& values, double f, const Array& partial) const {
+  const auto kernel = [&](const StripSums<double>& sums, int first) {
+    const double* root = root_of_weight_.data() ? root_of_weight_.data() + first : nullptr;
+    return Counted<SquaresOfChange>{sums.items(),
+                                    {sums, 1, -1 - f, f, values.data() + first, history.state.unknown.data() + first,
+                                     history.previous.data() + first, root}};
+  };
+  const std::vector<StripSums<double>> sums = squares(partial);
+  const auto of_velocity = kernel(sums.front(), 0);
+  if (sums.size() == 1) return run("softwet::sums", of_velocity);
+  const auto of_density = kernel(sums.back(), scene_.layout().density_offset());
+  run("softwet::sums", Counted<InTurn<SquaresOfChange, SquaresOfChange>>{of_velocity.items + of_density.items,
+                                                                         {of_velocity, of_density}});
 }
 
 template <int D, int P>
-double Judge<D, P>::take_indicator(const StepHistory& history, double dt) const {
+void Judge<D, P>::ask(const StepHistory& history, const Stage& end, double f, const HostNumbers& at) const {
+  faults_.ask(end, at.part(squares_count_, at.size()).device);
+  if (history.previous_dt > 0) ask_squares(history, end.unknown, f, at.device);
+}
+
+template <int D, int P>
+Refusal Judge<D, P>::take_mesh(const HostNumbers& at) const {
+  return of_faults(faults_.take(at.part(squares_count_, at.size()).host));
+}
+
+template <int D, int P>
+double Judge<D, P>::take_indicator(const StepHistory& history, double dt, const HostNumbers& at) const {
   if (history.previous_dt <= 0) return 0;
   const Layout<D>& l = scene_.layout();
   const VectorSpace space = l.space();
   std::vector<double> sizes;
-  int place = 0;
-  for (const StripSums<double>& s : squares()) {
+  for (const StripSums<double>& s : squares({})) {
     StripTotals totals(space.strips, 1, space.shared);
-    add_partial_sums(totals, s, place, partial_.host, 0);
-    place += s.items();
+    add_partial_sums(totals, s, s.place, at.host, 0);
     sizes.push_back(std::sqrt(totals.total(0)));
   }
   const bool weighted = volume_ > 0;
@@ -191,9 +213,10 @@ double Judge<D, P>::take_indicator(const StepHistory& history, double dt) const 
 
 template <int D, int P>
 double Judge<D, P>::indicator(const StepHistory& history, const Array& values, double f, double dt) const {
-  ask_indicator(history, values, f);
+  if (history.previous_dt > 0) ask_squares(history, values, f, partial_.device);
+  partial_.ask();
   HostNumbers::wait();
-  return take_indicator(history, dt);
+  return take_indicator(history, dt, partial_);
 }
 
 template class Judge<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

@@ -1,6 +1,7 @@
 // Whether values are admissible, and how large the local error of a step is: the same for all schemes.
 #pragma once
 
+#include "scene/fault_search.hpp"
 #include "scene/scene.hpp"
 #include "time/step/host_numbers.hpp"
 #include "time/step/scheme.hpp"
@@ -26,21 +27,28 @@ class Judge {
   /// The means are those of control values. Where elements are graded, these are weighted with the integrals of their
   /// functions, so that a place counts by its volume, not by how many functions it has.
   double indicator(const StepHistory&, const Array& values, double f, double dt) const;
-  /// In two halves: asks for the sums, and, after a wait for the numbers of the host, takes them.
-  void ask_indicator(const StepHistory&, const Array& values, double f) const;
-  double take_indicator(const StepHistory&, double dt) const;
+
+  // For a step whose end the host judges late: how many numbers it needs, what starts the kernels that find them, and, when they are there,
+  // whether the mesh is admissible, and the indicator.
+  int numbers() const { return squares_count_ + faults_.numbers(); }
+  void ask(const StepHistory&, const Stage& end, double f, const HostNumbers&) const;
+  Refusal take_mesh(const HostNumbers&) const;
+  double take_indicator(const StepHistory&, double dt, const HostNumbers&) const;
 
  private:
   void weigh(const Layout<D>&);
-  /// Sums of the squares of the differences, of the velocities and of the density.
-  std::vector<StripSums<double>> squares() const;
+  /// Sums of the squares of a vector of unknowns, of the velocities and of the density.
+  std::vector<StripSums<double>> squares(const Array& partial) const;
+  void ask_squares(const StepHistory&, const Array& values, double f, const Array& partial) const;
+  Refusal of_faults(const MeshFaults&) const;
 
   const Scene<D, P>& scene_;
+  FaultSearch<D, P> faults_;
   double undershoot_, length_;
-  Array difference_;
   Array root_of_weight_;                ///< of each control value, where elements are graded; else empty
   double volume_ = 0, of_scalars_ = 0;  ///< sums of the weights of a component
-  HostNumbers partial_;                 ///< sums of strips
+  int squares_count_;
+  HostNumbers partial_;  ///< sums of strips
 };
 
 }  // namespace softwet

@@ -36,8 +36,8 @@ class Scheme {
   virtual void initialise(State&) = 0;
 
   virtual StepAttempt attempt(const StepHistory&, double dt) = 0;
-  /// Writes the result of the last attempt to the state that it started from.
-  virtual void accept(State&) = 0;
+  /// Writes the result of the last attempt to the state that it started from, and the unknowns of that to `before`.
+  virtual void accept(State&, const Array& before) = 0;
   /// The last attempt was refused; a smaller step follows. @param why  empty: for its error
   virtual void refuse(const Refusal& why) = 0;
 

@@ -18,7 +18,7 @@ void expect_parts_of_residual(const Case& c) {
   const Array sum("sum", s.layout().size());
   terms.add_mass_flux(stage, sum);
   terms.add_pressure(stage, sum);
-  terms.add_convection(stage, true, sum);
+  terms.add_convection(stage, Viscosity::among_all, sum);
   terms.collect(sum);
   multiply(sum, s.scene.mask());
   const std::vector<double> parts = to_host(sum);

@@ -36,13 +36,15 @@ struct ExplicitRunIn {
   std::unique_ptr<ExplicitStep<D, 2>> step;
   StepBound<D, 2> bound;
   State state;
+  Array before;
 
   ExplicitRunIn(const Case& c, TimeScheme scheme, MassKind kind = MassKind::corrected)
       : scene(c),
         system(scene, kind),
         step(make(scheme)),
         bound(scene.regions(), scene.coefficients(), kind, step->formula()),
-        state(initial_state<D, 2>(c, scene)) {
+        state(initial_state<D, 2>(c, scene)),
+        before("before", scene.layout().size()) {
     system.set_moments(state);
     EXPECT_TRUE(step->begin(state).empty());
   }
@@ -53,7 +55,7 @@ struct ExplicitRunIn {
   void run(double dt, int steps) {
     for (int n = 0; n < steps; ++n) {
       ASSERT_TRUE(step->advance(state.time, dt, rates()).empty());
-      step->accept(state.time + dt, dt, state);
+      step->accept(state.time + dt, dt, state, before);
     }
   }
 

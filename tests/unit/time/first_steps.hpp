@@ -6,8 +6,9 @@
 
 namespace softwet::testing_tools {
 
-inline void take_first_steps(Stepper<2, 2>& stepper, const Scene<2, 2>& scene, const Case& c) {
-  State state = initial_state<2, 2>(c, scene);
+template <int D>
+void take_first_steps(Stepper<D, 2>& stepper, const Scene<D, 2>& scene, const Case& c) {
+  State state = initial_state<D, 2>(c, scene);
   stepper.scheme().initialise(state);
   stepper.start(state);
   for (int i = 0; i < 3; ++i) stepper.step();

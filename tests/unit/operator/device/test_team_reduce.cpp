@@ -36,7 +36,7 @@ struct IntegralCases {
 
   template <bool Rate, int Q, class Motion, class Functional>
   void compare(const char* name, const ReduceTask<D, Functional, Motion>& t) const {
-    const Colouring<D> rows(t.region, 1, 0, false);
+    const Colouring<D> rows(t.region, 1, 0, FirstAxis::in_rows);
     const int items = rows.items() * rows.first_axis.strips, size = items * Functional::count;
     const Array host("host", size), team("team", size), three("three", size);
     const ReduceRow<D, P, Q, Rate, Functional, Motion> by_rows{t, rows, host};

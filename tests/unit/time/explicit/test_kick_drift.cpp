@@ -104,7 +104,7 @@ TEST(KickDrift, AStepThatIsNotAcceptedLeavesNoTrace) {
     const StepRates rates = twice.rates();
     ASSERT_TRUE(twice.step->advance(twice.state.time, 1.7 * dt, rates).empty());
     ASSERT_TRUE(twice.step->advance(twice.state.time, dt, rates).empty());
-    twice.step->accept(twice.state.time + dt, dt, twice.state);
+    twice.step->accept(twice.state.time + dt, dt, twice.state, twice.before);
     EXPECT_EQ(to_host(once.state.unknown), to_host(twice.state.unknown)) << word_of(scheme);
     EXPECT_EQ(to_host(once.state.displacement), to_host(twice.state.displacement)) << word_of(scheme);
   }

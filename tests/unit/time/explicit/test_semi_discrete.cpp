@@ -76,10 +76,10 @@ TEST(SemiDiscrete, RatesAreTheSumOfTheirParts) {
     System& system = s.system;
     const Array pressure("p", system.velocities()), convection("c", system.velocities());
     const Array flux("f", system.moments()), stabilisation("e", system.moments());
-    ASSERT_TRUE(system.pressure(pressure, stabilisation).empty());
-    ASSERT_TRUE(system.convection(true, convection).empty());
-    system.find_flux();
-    ASSERT_TRUE(system.move_moments(1, Array("none", system.moments()), stabilisation, flux).empty());
+    auto forced = system.take_rates(system.pressure(system.evaluated(), pressure), stabilisation);
+    auto moved = system.find_flux(system.convection(std::move(forced), Viscosity::among_all, convection));
+    const Array none("none", system.moments());
+    ASSERT_TRUE(system.move_moments(std::move(moved), 1, none, stabilisation, flux).refusal().empty());
     add_scaled(pressure, 0, 1, convection);
     const std::vector<double> a = to_host(pressure), b = to_host(flux), rates = to_host(s.rates);
     const int shift = system.velocities() + system.displacements();
@@ -93,9 +93,9 @@ TEST(SemiDiscrete, ConvectionWithoutViscosityAndViscosityAddUp) {
   RandomRates s(small_case(SceneKind::coupled), MassKind::corrected);
   System& system = s.system;
   const Array both("b", system.velocities()), convection("c", system.velocities()), viscous("v", system.velocities());
-  ASSERT_TRUE(system.convection(true, both).empty());
-  ASSERT_TRUE(system.convection(false, convection).empty());
-  ASSERT_TRUE(system.viscosity(system.velocities_of(s.y), viscous).empty());
+  auto at = system.convection(system.evaluated(), Viscosity::among_all, both);
+  const auto end = system.convection(std::move(at), Viscosity::apart, convection);
+  ASSERT_TRUE(system.viscosity(end, system.velocities_of(s.y), viscous).empty());
   const std::vector<double> sum = to_host(both), a = to_host(convection), b = to_host(viscous);
   const double size = largest_between(b, 0, system.velocities());
   EXPECT_GT(size, 1);
@@ -106,12 +106,12 @@ TEST(SemiDiscrete, ConvectionWithoutViscosityAndViscosityAddUp) {
 TEST(SemiDiscrete, ViscousRatesThatCannotBeFoundAreRefused) {
   RandomRates s(small_case(SceneKind::coupled), MassKind::consistent);
   const Array out("out", s.system.velocities());
-  ASSERT_TRUE(s.system.viscosity(s.system.velocities_of(s.y), out).empty());
+  ASSERT_TRUE(s.system.viscosity(s.system.evaluated(), s.system.velocities_of(s.y), out).empty());
   const long before = s.system.counts().viscous;
   EXPECT_GT(before, 0);
   const Array broken =
       to_device<Array>(std::vector<double>(s.system.velocities(), std::numeric_limits<double>::infinity()));
-  EXPECT_EQ(s.system.viscosity(broken, out).cause, Refusal::viscous_rate);
+  EXPECT_EQ(s.system.viscosity(s.system.evaluated(), broken, out).cause, Refusal::viscous_rate);
   EXPECT_EQ(s.system.counts().viscous, before);
 }
 
@@ -145,7 +145,7 @@ TEST(SemiDiscrete, TheMomentsOfADropletGiveItsDensityBackWithCorrectedMasses) {
     System system(scene, MassKind::corrected);
     State state = initial_state<2, 2>(c, scene);
     system.set_moments(state);
-    ASSERT_TRUE(system.find_density(state.moment).empty());
+    ASSERT_TRUE(system.find_density(system.evaluated(), state.moment).refusal().empty());
     const std::vector<double> before = to_host(state.unknown), after = to_host(system.stage().unknown);
     const Layout<2>& l = scene.layout();
     for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(after[i], before[i], 2e-6);

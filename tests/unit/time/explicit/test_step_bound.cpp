@@ -24,7 +24,7 @@ bool grows(const Case& c, TimeScheme scheme, MassKind kind, double dt) {
   for (int n = 0; n < steps; ++n)
     for (ExplicitRun* run : {&base, &moved}) {
       if (!run->step->advance(run->state.time, dt, rates).empty()) return true;
-      run->step->accept(run->state.time + dt, dt, run->state);
+      run->step->accept(run->state.time + dt, dt, run->state, run->before);
     }
   const double now = root_of_squares(base.state.unknown, moved.state.unknown, 0, nv);
   return !(now < 100 * small);

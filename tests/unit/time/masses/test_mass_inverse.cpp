@@ -6,7 +6,7 @@
 namespace softwet::testing_tools {
 namespace {
 
-using mass_kernels::RightSide;
+using RightSide = mass_kernels::RightSide<2>;
 
 /// The masses of a scene whose mesh is moved by the displacement of its random stage, or not.
 struct Weighed {
@@ -143,14 +143,14 @@ TEST(MassInverse, TakesForcesAndMovesMoments) {
     std::vector<double> step = to_host(p);
     const std::vector<double> r = to_host(rates), f = to_host(force), m = to_host(mask), given = to_host(taken);
     for (int i = 0; i < count; ++i) step[i] += 0.1 * (r[i] - m[i] * f[i]);
-    w.inverse.scalar(w.stage, 1, RightSide{p, {}, 0.1, rates, mask, force, moved}, z, 1e-12);
+    w.inverse.scalar(w.stage, 1, RightSide::moved(p, 0.1, rates, {force}, mask, moved), z, 1e-12);
     w.inverse.scalar(w.stage, 1, RightSide::of(to_device<Array>(step)), expected, 1e-12);
     for (int i = 0; i < count; ++i) {
       ASSERT_NEAR(to_host(moved)[i], step[i], 1e-14);
       ASSERT_NEAR(to_host(z)[i], to_host(expected)[i], 1e-8);
       ASSERT_EQ(to_host(force)[i], 0);
     }
-    w.inverse.scalar(w.stage, -2, RightSide::take(taken), z, 1e-12);
+    w.inverse.scalar(w.stage, -2, RightSide::take({taken}), z, 1e-12);
     w.inverse.scalar(w.stage, -2, RightSide::of(to_device<Array>(given)), expected, 1e-12);
     for (int i = 0; i < count; ++i) {
       ASSERT_NEAR(to_host(z)[i], to_host(expected)[i], 1e-8);

@@ -27,8 +27,9 @@ std::vector<Case> scenes_of_ties() {
 }
 
 template <int D>
-void expect_whole_clusters(const Layout<D>& l, const TieClusters& ties, bool velocities) {
-  const LineBlocks<D> blocks(l, velocities);
+void expect_whole_clusters(const Layout<D>& l, const TieClusters& ties, Unknowns of) {
+  const bool velocities = of == Unknowns::velocities;
+  const LineBlocks<D> blocks(l, of);
   std::set<int> seen;
   for (int block = 0; block < (velocities ? D : 1) * blocks.count(); ++block) {
     std::set<int> values;
@@ -50,16 +51,16 @@ TEST(MassSeries, BlocksHaveEveryValueOnceAndWholeClustersOfTies) {
   for (const Case& c : scenes_of_ties()) {
     const Scene<2, 2> scene(c);
     const EndTies<2> ties(scene.layout(), scene.mask());
-    expect_whole_clusters(scene.layout(), ties.velocities(), true);
-    expect_whole_clusters(scene.layout(), ties.scalars(), false);
+    expect_whole_clusters(scene.layout(), ties.velocities(), Unknowns::velocities);
+    expect_whole_clusters(scene.layout(), ties.scalars(), Unknowns::scalars);
   }
   for (const SceneKind kind : {SceneKind::rigid, SceneKind::coupled}) {
     Case c = small_case_in_3d(kind);
     c.domain.elements = {5, 8, 24};
     const Scene<3, 2> scene(c);
     const EndTies<3> ties(scene.layout(), scene.mask());
-    expect_whole_clusters(scene.layout(), ties.velocities(), true);
-    expect_whole_clusters(scene.layout(), ties.scalars(), false);
+    expect_whole_clusters(scene.layout(), ties.velocities(), Unknowns::velocities);
+    expect_whole_clusters(scene.layout(), ties.scalars(), Unknowns::scalars);
   }
 }
 
@@ -91,6 +92,7 @@ struct Series {
       *a = random.terms.patch.draw(nodes, 1, 2);
   }
   const Layout<D>& l() const { return random.layout(); }
+  Unknowns kind() const { return velocities ? Unknowns::velocities : Unknowns::scalars; }
   Array draw() { return random.terms.patch.draw(count, -1, 1); }
   const TieClusters& clusters() const { return velocities ? ties.velocities() : ties.scalars(); }
 
@@ -101,11 +103,11 @@ struct Series {
     const int components = velocities ? D : 1;
     const ConstArray mask = part(random.scene.mask(), first, first + count);
     const WeightedPointers pointers(mass);
-    run_items<lines>(DivideBySums<D>{LineBlocks<D>(l(), velocities), RightSide::of(b), -1.5, mask, pointers, x.data(),
+    run_items<lines>(DivideBySums<D>{LineBlocks<D>(l(), kind()), RightSide<D>::of(b), -1.5, mask, pointers, x.data(),
                                      scaled.data(), -2.0},
                      clusters(), components);
     product.fill_ghosts(scaled, velocities ? 0 : D, velocities ? D : D + 1);
-    run_items<lines>(SeriesStep<D, 2>{product.of(scaled, velocities), pointers, mask.data(), -2, x.data(), y.data(),
+    run_items<lines>(SeriesStep<D, 2>{product.of(scaled, kind()), pointers, mask.data(), -2, x.data(), y.data(),
                                       image.data(), next.data(), last.data()},
                      clusters(), components);
     std::vector<double> all;

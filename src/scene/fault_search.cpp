@@ -1,0 +1,62 @@
+#include "scene/fault_search.hpp"
+
+#include "scene/coordinates.hpp"
+#include "operator/integrate.hpp"
+
+namespace softwet {
+namespace {
+
+/// Numbers on the host, as `IntegralItems::total` reads them.
+struct PartialsOnHost {
+  const double* first;
+  double operator()(int i) const { return first[i]; }
+};
+
+/// The task of a functional in the coordinates of the scene.
+template <class Motion, int D, class Functional, class Visit>
+void visit_task(const Region<D>& region, const Functional& functional, const Evaluation<D>& at, const Blend& blend,
+                const Visit& visit) {
+  in_coordinates_of(at.layout, functional, [&](const auto& integrand) {
+    ReduceTask<D, std::remove_cvref_t<decltype(integrand)>, Motion> task{region, integrand, {}, {}, {}};
+    bind_fields(at, blend, task);
+    visit(task);
+  });
+}
+
+}  // namespace
+
+template <int D, int P>
+FaultSearch<D, P>::FaultSearch(const Regions<D>& regions) : regions_(regions) {
+  if (!regions.layout().has_solid) return;
+  of_solid_ = InvertedSolid::count * IntegralItems<D>(regions.solid()).items;
+  if (regions.layout().has_fluid) of_fluid_ = FluidContents::count * IntegralItems<D>(regions.fluid()).items;
+}
+
+template <int D, int P>
+void FaultSearch<D, P>::ask(const Stage& stage, const Array& numbers) const {
+  if (of_solid_ == 0) return;
+  const Evaluation<D> at{regions_.layout(), stage, {}, {}};
+  const Array fluid = Kokkos::subview(numbers, Kokkos::make_pair(0, of_fluid_)),
+              solid = Kokkos::subview(numbers, Kokkos::make_pair(of_fluid_, of_fluid_ + of_solid_));
+  visit_task<NoMotion>(regions_.solid(), InvertedSolid{}, at, regions_.blend(), [&](const auto& inverted) {
+    if (of_fluid_ == 0) return start_integral<P>(inverted, solid);
+    visit_task<WallMotion<D>>(regions_.fluid(), FluidContents{}, at, regions_.blend(),
+                              [&](const auto& folded) { start_integrals<P>(folded, fluid, inverted, solid); });
+  });
+}
+
+template <int D, int P>
+MeshFaults FaultSearch<D, P>::faults(const double* numbers) const {
+  MeshFaults faults;
+  if (of_solid_ == 0) return faults;
+  if (of_fluid_ > 0)
+    faults.folded = IntegralItems<D>(regions_.fluid())
+                        .template total<FluidContents::count>(PartialsOnHost{numbers})[FluidContents::folded];
+  faults.inverted = IntegralItems<D>(regions_.solid())
+                        .template total<InvertedSolid::count>(PartialsOnHost{numbers + of_fluid_})[0];
+  return faults;
+}
+
+template class FaultSearch<SOFTWET_DIMENSION, SOFTWET_DEGREE>;
+
+}  // namespace softwet
