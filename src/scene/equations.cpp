@@ -3,9 +3,7 @@
 #include "field/vector.hpp"
 
 namespace softwet {
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 template <int D, int P>
 Equations<D, P>::Equations(const Regions<D>& regions, const Forces<D>& forces, const Terms<D, P>& terms,

@@ -1,7 +1,7 @@
 #include "scene/fault_search.hpp"
 
-#include "scene/coordinates.hpp"
 #include "operator/integrate.hpp"
+#include "scene/coordinates.hpp"
 
 namespace softwet {
 namespace {
@@ -52,8 +52,8 @@ MeshFaults FaultSearch<D, P>::faults(const double* numbers) const {
   if (of_fluid_ > 0)
     faults.folded = IntegralItems<D>(regions_.fluid())
                         .template total<FluidContents::count>(PartialsOnHost{numbers})[FluidContents::folded];
-  faults.inverted = IntegralItems<D>(regions_.solid())
-                        .template total<InvertedSolid::count>(PartialsOnHost{numbers + of_fluid_})[0];
+  faults.inverted =
+      IntegralItems<D>(regions_.solid()).template total<InvertedSolid::count>(PartialsOnHost{numbers + of_fluid_})[0];
   return faults;
 }
 

@@ -8,7 +8,8 @@ using namespace mass_kernels;
 }  // namespace
 
 template <int D, int P>
-SceneWeights<D, P>::SceneWeights(const Regions<D>& regions, const Coefficients<D>& coefficients, MassKind kind, const MassProduct<D, P>& product)
+SceneWeights<D, P>::SceneWeights(const Regions<D>& regions, const Coefficients<D>& coefficients, MassKind kind,
+                                 const MassProduct<D, P>& product)
     : regions_(regions),
       coefficients_(coefficients),
       kind_(kind),
