@@ -78,7 +78,7 @@ std::vector<double> Section<D>::rise(const std::vector<double>& s) const {
   std::vector<double> values;
   if constexpr (D == 2) {
     for (double along : s) values.push_back(point(along)[0][0]);
-    return snapshot_.displacement({values, {snapshot_.wall_height()}}, 1, false);
+    return snapshot_.displacement({values, {snapshot_.wall_height()}}, 1, Medium::solid);
   }
   for (double along : s) {
     auto at = point(along);

@@ -1,5 +1,7 @@
 #include "scene/fault_search.hpp"
 
+#include "kernels/functional/fluid_integrals.hpp"
+#include "kernels/functional/solid_integrals.hpp"
 #include "operator/integrate.hpp"
 #include "scene/coordinates.hpp"
 
