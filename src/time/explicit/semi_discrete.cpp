@@ -60,16 +60,17 @@ template <int D, int P>
 Placed<placed::fields> SemiDiscrete<D, P>::kick_and_move(const SumOf& velocity, const ConstArray& density, double t,
                                                          double dt, const ConstArray& u, const Array& to) {
   const Layout<D>& l = model_.layout();
+  const int nodes = l.solid_rows() * l.row_size;
   const ForEach kicked{velocities(), kick(velocity)};
-  const ForEach moved{l.has_solid ? velocities() : 0,
-                      MoveMeshes{to, stage_.displacement, end_.displacement, 0.5 * dt, u, stage_.unknown,
-                                 l.solid_rows() * l.row_size, l.rows * l.row_size}};
-  if (has_ghosts(l)) {
+  const MoveMeshes moved{to,    stage_.displacement, end_.displacement, 0.5 * dt, u, stage_.unknown, D,
+                         nodes, l.rows * l.row_size};
+  if (host_algorithms || has_ghosts(l)) {
     run_fused("softwet::kick", kicked, copied(stage_.density_end, density));
     fill_ghosts();
-    run_fused("softwet::move_meshes", moved);
+    run_fused("softwet::move_meshes", ForEach{nodes, moved});
   } else {
-    run_fused("softwet::kick", kicked, moved, copied(stage_.density_end, density));
+    run_fused("softwet::kick", kicked, ForEach{nodes > 0 ? velocities() : 0, MoveMeshesByVelocity{moved}},
+              copied(stage_.density_end, density));
   }
   stage_.time = t + 0.5 * dt;
   end_.time = t + dt;

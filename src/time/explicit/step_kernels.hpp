@@ -6,19 +6,31 @@
 
 namespace softwet {
 
-/// Displacements half way through a step and at its end, at one speed: u = from + dt v and to = u + dt v, for each velocity of a
-/// control point of the solid. They are placed in two stages too.
+/// Displacements half way through a step and at its end, at one speed: u = from + dt v and to = u + dt v, by control point of the
+/// solid. They are placed in two stages too.
 struct MoveMeshes {
   Array to, half_way, end;
   double dt;  ///< half of the step
   ConstArray from, unknown;
-  int nodes, apart;  ///< control points of a component of displacement, and from one velocity to the next
+  int components, nodes, apart;  ///< control points of a component of displacement, and from one velocity to the next
+
+  KOKKOS_FORCEINLINE_FUNCTION void move(int c, int node) const {
+    const int i = c * nodes + node;
+    const double v = unknown(c * apart + node), u = from(i) + dt * v;
+    half_way(i) = u;
+    to(i) = end(i) = u + dt * v;
+  }
+  KOKKOS_FUNCTION void operator()(int node) const {
+    for (int c = 0; c < components; ++c) move(c, node);
+  }
+};
+
+/// The same by velocity, for launches that write these.
+struct MoveMeshesByVelocity {
+  MoveMeshes meshes;
   KOKKOS_FUNCTION void operator()(int i) const {
-    const int c = (i >= apart ? 1 : 0) + (i >= 2 * apart ? 1 : 0), node = i - c * apart;
-    if (node >= nodes) return;
-    const double v = unknown(i), u = from(c * nodes + node) + dt * v;
-    half_way(c * nodes + node) = u;
-    to(c * nodes + node) = end(c * nodes + node) = u + dt * v;
+    const int c = i / meshes.apart, node = i % meshes.apart;
+    if (node < meshes.nodes) meshes.move(c, node);
   }
 };
 
