@@ -1,5 +1,5 @@
-// A term with reduced quadrature on a device: slopes do not follow from the values at so few points, so that a team sums them
-// for a row of elements.
+// A term with reduced quadrature on a device, or one of means over elements: slopes do not follow from the values at the points, so
+// that a team sums them for a row of elements.
 #pragma once
 
 #include "memory/start_teams.hpp"

@@ -1,4 +1,4 @@
-// A term on a device: in tiles, or, with reduced quadrature, in rows of elements.
+// A term on a device: in tiles, or, with reduced quadrature or of means over elements, in rows of elements.
 #pragma once
 
 #include "operator/device/collect.hpp"
@@ -58,11 +58,16 @@ void add_with_list(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& s
   add_tiles<TileKernel<Tile, Tangent, Real, List>, TermOnMesh<Term, Motion>, List>(task, sums);
 }
 
+/// Whether a term runs in tiles. These take slopes from the values at the points of full quadrature, from which the means of slopes over an
+/// element do not follow.
+template <class Term, int P, int Q>
+inline constexpr bool runs_in_tiles = Q == P + 1 && Term::where != Where::means;
+
 /// The term's residual, or (Tangent) its Jacobian-vector product, as partial sums.
 template <int P, bool Tangent, class List, int D, class Term, class Motion, class Real>
 void assemble_in_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
-    if constexpr (Q == P + 1) {
+    if constexpr (runs_in_tiles<Term, P, Q>) {
       add_with_list<ChosenTile<D, P, Tangent, Real>, Tangent, List>(task, sums);
     } else {
       run_elements<P, Q, Tangent>(task, sums);

@@ -169,6 +169,14 @@ struct Patch {
   }
   Region<D> fluid() const { return region(layout.solid_elements, layout.axis[D - 1].elements()); }
   Region<D> solid() const { return region(0, layout.solid_elements); }
+  /// The elements of the solid, where terms see means over each.
+  Region<D> means() const {
+    Region<D> r = solid();
+    for (int d = 0; d < D; ++d)
+      r.axis[d] = mean_rule(layout.axis[d], 0, d < D - 1 ? layout.axis[d].elements() : layout.solid_elements, points);
+    r.test = r.axis[D - 1];
+    return r;
+  }
   Region<D> layer() const {
     Region<D> r = region(layout.solid_elements, layout.solid_elements + 1);
     r.test = restricted_to(r.test, 0);

@@ -57,6 +57,9 @@ TEST(Tiles2D, GivenFieldsAndFaces) {
   const Prestretch before{true, {{1.2, 0.9, 1}}, 0.1};
   c.check<NoMotion>("stretched solid", GradedSolid{{{ElasticLaw::neo_hookean, {0.8, 0.5}, before}, 1.3}},
                     c.patch.solid());
+  const SolidOfMeans of_means{{{{ElasticLaw::neo_hookean, {0.8, 0.5}, before}}}};
+  c.check<NoMotion>("solid, means of elements", of_means, c.patch.means());
+  c.check_single<NoMotion>("solid, means of elements", of_means, c.patch.means());
   c.check<NoMotion>("viscosity", KelvinVoigt{0.4, 0.3}, c.patch.solid());
   c.check<NoMotion>("surface tension", SurfaceTension{0.6}, c.patch.top());
   c.check<NoMotion>("foundation", Foundation{0.6, 0.4}, c.patch.bottom());
