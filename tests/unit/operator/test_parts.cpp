@@ -8,7 +8,6 @@ namespace {
 
 using testing_tools::Patch;
 using testing_tools::single_stage;
-using testing_tools::Terms;
 
 Patch<2> make_whole(int elements, bool periodic) {
   Layout<2> l;
@@ -46,7 +45,7 @@ struct Results {
   std::vector<float> matrix;
 };
 Results evaluate(const Patch<2>& p, const Array& z) {
-  const Terms t;
+  const testing_tools::Terms t;
   const PieceOf<2, 2, NavierStokesKorteweg, WallMotion<2>> fluid("fluid", p.fluid(), p.fluid(), t.fluid, p.blend);
   const PieceOf<2, 2, CapillaryTraction, WallMotion<2>> traction("traction", p.layer(), p.layer(), t.traction, p.blend);
   const PieceOf<2, 2, EnergyWall, WallMotion<2>> wall("wall", p.face(), p.face(), t.energy_wall, p.blend);

@@ -103,8 +103,8 @@ struct Series {
     const int components = velocities ? D : 1;
     const ConstArray mask = part(random.scene.mask(), first, first + count);
     const WeightedPointers pointers(mass);
-    run_items<lines>(DivideBySums<D>{LineBlocks<D>(l(), kind()), RightSide<D>::of(b), -1.5, mask, pointers, x.data(),
-                                     scaled.data(), -2.0},
+    run_items<lines>(DivideBySums<D>{LineBlocks<D>(l(), kind()), mass_kernels::RightSide<D>::of(b), -1.5, mask,
+                                     pointers, x.data(), scaled.data(), -2.0},
                      clusters(), components);
     product.fill_ghosts(scaled, velocities ? 0 : D, velocities ? D : D + 1);
     run_items<lines>(SeriesStep<D, 2>{product.of(scaled, kind()), pointers, mask.data(), -2, x.data(), y.data(),
