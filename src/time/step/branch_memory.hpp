@@ -2,8 +2,8 @@
 #pragma once
 
 #include "field/stage.hpp"
-#include "kernels/solid/branches.hpp"
 #include "scene/branch_strains.hpp"
+#include "scene/coefficients.hpp"
 #include "time/step/sum_of.hpp"
 
 namespace softwet {

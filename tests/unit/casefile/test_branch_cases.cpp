@@ -71,8 +71,10 @@ TEST(BranchCase, RefusesAGelThatIsNone) {
 }
 
 TEST(BranchCase, RefusesWhatBranchesDoNotGoWith) {
-  tells(pull_text() + two, {}, {"substrate.branch[0].modulus", "strain = \"small\""});
-  tells(pull_text(), gel, {"substrate.gel.exponent", "strain = \"small\""});
+  const std::string stretched = "substrate.prestretch=[1.1]";
+  tells(pull_text() + two, {stretched}, {"substrate.branch[0].modulus", "substrate.prestretch"});
+  EXPECT_EQ(message_of(pull_text() + two), "(accepted)") << "finite strains";
+  EXPECT_EQ(message_of(pull_text(), gel), "(accepted)") << "finite strains";
   for (const char* scheme : {"rkl2", "ssp_rk3"})
     tells(small() + two, {std::string("time.scheme=") + scheme},
           {"substrate.branch[0].modulus", "generalized_alpha", scheme});

@@ -39,7 +39,8 @@ struct MatrixCases {
     ASSERT_GT(largest(wide(batches)), 1e-6) << name;
     EXPECT_LT(distance(wide(teams), wide(batches)), 3e-6) << name;
     if (on_host)
-      check_threads(TeamJacobian<D, P, Q, Term, Motion>{task, stencil, teams, {task.region, P + 1, 0, FirstAxis::coloured}});
+      check_threads(
+          TeamJacobian<D, P, Q, Term, Motion>{task, stencil, teams, {task.region, P + 1, 0, FirstAxis::coloured}});
   }
   /// The elements of one colour by teams of three threads, twice, and by one thread. Teams of different sizes are compiled apart,
   /// and a compiler may contract their sums in different ways.

@@ -52,18 +52,18 @@ concept asks_without_moving = requires(System s, At at) {
   s.find_potential(at);
 };
 
-static_assert(finds_density<mesh> && !finds_density<velocity> && !finds_density<all | flux>);
+static_assert(finds_density<mesh> && !finds_density<velocity> && !finds_density<placed::all | flux>);
 static_assert(finds_potential<mesh | density> && !finds_potential<mesh> && !finds_potential<density>);
 static_assert(finds_flux<fields> && !finds_flux<mesh | velocity> && !finds_flux<fields | rates>);
-static_assert(moves_moments<fields | flux> && !moves_moments<all>, "a flux is found first");
-static_assert(moves_to_end<fields | flux> && !moves_to_end<all>);
+static_assert(moves_moments<fields | flux> && !moves_moments<placed::all>, "a flux is found first");
+static_assert(moves_to_end<fields | flux> && !moves_to_end<placed::all>);
 static_assert(weighs<mesh | density> && !weighs<mesh | velocity>);
-static_assert(has_pressure<all> && !has_pressure<fields | weights> && !has_pressure<fields | potential>);
-static_assert(!has_pressure<all | flux>, "what terms have left is taken before others are evaluated");
-static_assert(takes_rates<all | rates> && !takes_rates<all>);
-static_assert(has_convection<fields | weights> && !has_convection<fields> && !has_convection<all | rates>);
-static_assert(!asks_without_moving<Placed<all>>, "a stage that has changed is not used again");
-static_assert(!std::is_copy_constructible_v<Placed<all>>);
+static_assert(has_pressure<placed::all> && !has_pressure<fields | weights> && !has_pressure<fields | potential>);
+static_assert(!has_pressure<placed::all | flux>, "what terms have left is taken before others are evaluated");
+static_assert(takes_rates<placed::all | rates> && !takes_rates<placed::all>);
+static_assert(has_convection<fields | weights> && !has_convection<fields> && !has_convection<placed::all | rates>);
+static_assert(!asks_without_moving<Placed<placed::all>>, "a stage that has changed is not used again");
+static_assert(!std::is_copy_constructible_v<Placed<placed::all>>);
 
 // Moments change the density: the potential and the masses of before do not fit.
 template <class Stage>
@@ -72,10 +72,10 @@ template <unsigned parts>
 struct PartsOf<Placed<parts>> {
   static constexpr unsigned value = parts;
 };
-using AfterDensity = decltype(std::declval<System>().find_density(std::declval<Placed<all>>(), Array()));
+using AfterDensity = decltype(std::declval<System>().find_density(std::declval<Placed<placed::all>>(), Array()));
 static_assert(PartsOf<AfterDensity>::value == fields);
-using AfterMoments =
-    decltype(std::declval<System>().move_moments(std::declval<Placed<all | flux>>(), 1, Array(), Array(), Array()));
+using AfterMoments = decltype(std::declval<System>().move_moments(std::declval<Placed<placed::all | flux>>(), 1,
+                                                                  Array(), Array(), Array()));
 static_assert(PartsOf<AfterMoments>::value == fields);
 
 TEST(Placed, ARefusalGoesThroughAndWhatFollowsDoesNothing) {
