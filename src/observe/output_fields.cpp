@@ -1,6 +1,7 @@
 #include "observe/output_fields.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "observe/field_values.hpp"
@@ -16,19 +17,23 @@ std::vector<double> element_points(const Axis& axis, int first, int last) {
   return x;
 }
 
-/// Rows [first, last) of elements along the vertical axis, all elements along the others.
+/// The elements along each axis: the rows along the vertical one, all along the others.
 template <int D>
-ElementRows elements_along(const Layout<D>& layout, int d, ElementRows rows) {
-  return d == D - 1 ? rows : ElementRows{0, layout.axis[d].elements()};
+std::array<ElementRows, D> box_of(const Layout<D>& layout, ElementRows rows) {
+  std::array<ElementRows, D> box;
+  for (int d = 0; d < D; ++d) box[d] = {0, layout.axis[d].elements()};
+  box[D - 1] = rows;
+  return box;
 }
 
 template <int D>
 TensorGrid cells_of(const Layout<D>& layout, ElementRows rows) {
   TensorGrid cells;
   cells.dimension = D;
+  const std::array<ElementRows, D> box = box_of(layout, rows);
   for (int d = 0; d < D; ++d) {
     const Axis& axis = layout.axis[d];
-    const auto [first, last] = elements_along(layout, d, rows);
+    const auto [first, last] = box[d];
     cells.cells[d] = last - first;
     for (int e = first; axis.graded() && e <= last; ++e) cells.ends[d].push_back(axis.end_or_middle(2 * e));
   }
@@ -38,10 +43,8 @@ TensorGrid cells_of(const Layout<D>& layout, ElementRows rows) {
 template <int D>
 typename Snapshot<D>::Grid points_of(const Layout<D>& layout, ElementRows rows) {
   typename Snapshot<D>::Grid grid;
-  for (int d = 0; d < D; ++d) {
-    const auto [first, last] = elements_along(layout, d, rows);
-    grid[d] = element_points(layout.axis[d], first, last);
-  }
+  const std::array<ElementRows, D> box = box_of(layout, rows);
+  for (int d = 0; d < D; ++d) grid[d] = element_points(layout.axis[d], box[d].first, box[d].last);
   return grid;
 }
 

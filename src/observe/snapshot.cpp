@@ -55,9 +55,11 @@ std::vector<double> Snapshot<D>::chemical_potential(const Grid& grid) const {
 
 template <int D>
 std::vector<double> Snapshot<D>::displacement(const Grid& grid, int d, Medium in) const {
-  std::size_t wall_points = 1;
-  for (int a = 0; a < D - 1; ++a) wall_points *= grid[a].size();
-  if (!layout_.has_solid) return std::vector<double>(wall_points * grid[D - 1].size(), 0.0);
+  if (!layout_.has_solid) {
+    std::size_t points = 1;
+    for (const std::vector<double>& places : grid) points *= places.size();
+    return std::vector<double>(points, 0.0);
+  }
   const int first = layout_.displacement_offset(d);
   if (in == Medium::solid)
     return component(displacement_, first, layout_.solid_rows(), grid, 0, 0, layout_.solid_elements);
