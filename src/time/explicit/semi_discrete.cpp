@@ -164,6 +164,14 @@ typename SemiDiscrete<D, P>::RightSide SemiDiscrete<D, P>::moved(double dt, cons
 }
 
 template <int D, int P>
+void SemiDiscrete<D, P>::take_forces() {
+  tiles_ = {};
+  if (masses_.kind() == MassKind::consistent)
+    return terms_.collect(force_);  // a search evaluates other terms before all is read
+  tiles_ = terms_.taken(force_);
+}
+
+template <int D, int P>
 Refusal SemiDiscrete<D, P>::accelerate(const Array& out, Refusal::Cause why, long& count, const Companions& with) {
   if (masses_.kind() == MassKind::consistent) Kokkos::deep_copy(Exec(), out, 0.0);  // where the search begins
   const RightSide side = RightSide::take(velocity_forces());

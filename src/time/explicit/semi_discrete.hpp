@@ -185,7 +185,7 @@ class SemiDiscrete final : public Evolution {
   Kick kick(const SumOf& velocity) const { return {velocity, velocities_of(stage_.unknown)}; }
   ForEach<mass_kernels::TakeRates<D>> taken_rates(const Array& moment_rates) const;
   // The forces of the terms so far.
-  void take_forces() { tiles_ = terms_.taken(force_); }
+  void take_forces();
   TakenForce scalar_forces() const { return {scalars_of(force_), tiles_, scene_.layout().density_offset()}; }
   TakenForce velocity_forces() const { return {velocities_of(force_), tiles_, 0}; }
   /// out = the acceleration of minus these forces, where `why` says that there is none.
