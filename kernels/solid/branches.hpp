@@ -68,11 +68,7 @@ struct BranchStress {
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const LagStrain<N, D, M>& t) const {
     const M e = t.strain();
-    MomentumTest<N, D, M> r;
-    SOFTWET_UNROLL
-    for (int i = 0; i < D; ++i) r.momentum[i] = N(0.0);
-    r.momentum_flux = add_diagonal(e, (-1.0 / 3) * trace(e));
-    return r;
+    return MomentumTest<N, D, M>::of_flux(add_diagonal(e, (-1.0 / 3) * trace(e)));
   }
 };
 
@@ -121,11 +117,7 @@ struct FiniteBranchStress {
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION MomentumTest<N, D, M> residual(const RememberedStrain<N, D, M>& t) const {
     const M e = t.strain(), s = add_diagonal(e, (-1.0 / 3) * trace(e));
-    MomentumTest<N, D, M> r;
-    SOFTWET_UNROLL
-    for (int i = 0; i < D; ++i) r.momentum[i] = N(0.0);
-    r.momentum_flux = s + product(t.displacement_gradient, s);
-    return r;
+    return MomentumTest<N, D, M>::of_flux(s + product(t.displacement_gradient, s));
   }
 };
 
@@ -178,20 +170,18 @@ struct ShearSquare {
   }
 };
 
-/// The same under finite strains, of e = E - A for the energy of a branch, and of e = A, its rate, for what is dissipated.
+/// The same under finite strains, of what points remember: e = E - A_i for the energy, e = A_i' for what is dissipated.
 /// Tested: tests/unit/solid/test_branches.cpp
 struct FiniteShearSquare {
   static constexpr Where where = Where::solid;
   static constexpr int count = 1;
-
-  bool of_memory = false;
 
   template <class N, int D, class M = Matrix<N, D>>
   using Trial = RememberedStrain<N, D, M>;
 
   template <class N, int D, class M>
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const RememberedStrain<N, D, M>& t) const {
-    return {{shear_square(of_memory ? t.remembered() : t.strain())}};
+    return {{shear_square(t.remembered())}};
   }
 };
 

@@ -27,9 +27,9 @@ struct Layout {
   int wall_row = 0;   ///< last row of the solid = first row of the fluid
   int rate_rows = 0;  ///< rows of the density, from the wall on, whose rates are kept behind those of the velocity
   int branches = 0;   ///< of a viscoelastic solid
-  int branch_lines =
-      0;  ///< lines of columns that each remembers: of a displacement, or of strains at points (PointMemory)
-  bool branches_at_points = false;  ///< whether they remember strains
+  /// Lines of columns that each branch remembers: those of a displacement, or of strains at points (PointMemory).
+  int branch_lines = 0;
+  bool branches_at_points = false;
 
   /// Length of the shortest element along any axis.
   double shortest() const {

@@ -15,8 +15,7 @@ struct State {
   Array displacement_rate;  ///< du/dt
   Array moment;             ///< p_i = (q_i, rho J)
   Array moment_rate;        ///< dp_i/dt
-  Array memory =
-      {};  ///< what the branches of a viscoelastic solid remember, one behind the other: Branches' a_i or A_i
+  Array memory = {};        ///< a_i or A_i of Branches, one behind the other
   Array memory_rate = {};   ///< their rates, of a time memory_shift before
   double memory_shift = 0;  ///< of the last step, of use for what is reported alone; 0 behind a checkpoint
 };

@@ -33,12 +33,17 @@ struct BatchAtPoints {
     for (int q = 0; q < Fields::points; ++q) {
       const auto point = point_at<Function, Q, S>(geometry, task, b, q);
       const Reader<S, D, Fields, std::remove_const_t<decltype(point)>> reader{fields, point, q};
-      const auto value = task.functional.value(Trial::read(reader));
-      constexpr int size = sizeof(value) / sizeof(S);
-      using Memory = PointMemory<D, Q, size>;
-      double* const first = out.data() + Memory::place(region.stride, region.axis[1].elements, b.element, q);
-      for (int k = 0; k < size; ++k) store_lanes<S>(first + k * Memory::apart(region.stride), value[k], b.count);
+      write(task.functional.value(Trial::read(reader)), b, q);
     }
+  }
+
+ private:
+  template <class S, int size>
+  KOKKOS_FORCEINLINE_FUNCTION void write(const Vector<S, size>& value, const Batch<D>& b, int q) const {
+    using Memory = PointMemory<D, Q, size>;
+    const Region<D>& region = task.region;
+    double* const first = out.data() + Memory::place(region.stride, region.axis[1].elements, b.element, q);
+    for (int k = 0; k < size; ++k) store_lanes<S>(first + k * Memory::apart(region.stride), value[k], b.count);
   }
 };
 

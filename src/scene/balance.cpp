@@ -8,7 +8,7 @@
 #include "kernels/functional/wall_integrals.hpp"
 #include "operator/integrate.hpp"
 #include "scene/branch_strains.hpp"
-#include "scene/coordinates.hpp"
+#include "scene/functional_task.hpp"
 
 namespace softwet {
 namespace {
@@ -17,9 +17,7 @@ namespace {
 template <int P, class Motion, bool Rate = false, int D, class Functional>
 std::array<double, Functional::count> integrate(const Region<D>& region, const Functional& functional,
                                                 const Evaluation<D>& at, const Blend& blend) {
-  return in_coordinates_of(at.layout, functional, [&](const auto& integrand) {
-    ReduceTask<D, std::remove_cvref_t<decltype(integrand)>, Motion> task{region, integrand, {}, {}, {}};
-    bind_fields(at, blend, task);
+  return with_task_of<Motion>(region, functional, at, blend, [&](auto& task) {
     if constexpr (Rate) {
       for (int d = 0; d < D; ++d) task.motion.tangent[d] = task.motion.velocity[d];
       task.motion.scale = 1;
@@ -84,48 +82,44 @@ void Balance<D, P>::solid_integrals(const Evaluation<D>& at, Integrals& result) 
 }
 
 template <int D, int P>
-void Balance<D, P>::branch_integrals(const Stage& stage, Integrals& result) const {
-  if (!stage.memory.data()) return;
-  const Branches& branches = coefficients_.solid().branches;
-  const int size = layout_.branch_size();
-  Stage of_branch = stage;
-  of_branch.lag = Array("integrals.lag", size);
-  const Evaluation<D> at{layout_, of_branch, {}, {}};
-  const auto square = [&] { return integrate<P, NoMotion>(regions_.solid(), ShearSquare{}, at, regions_.blend())[0]; };
-  for (int i = 0; i < branches.count; ++i) {
-    Kokkos::deep_copy(Exec(), of_branch.lag, stage.displacement);
-    add_scaled(of_branch.lag, 0, -1, part(stage.memory, i * size, (i + 1) * size));
-    result.part(ShearSquare::energy_column) += branches.modulus[i] * square();
-    const double moving = branches.share_of_velocity(i, stage.memory_shift);
-    combine(of_branch.lag, 1 - moving, part(stage.memory_rate, i * size, (i + 1) * size), 0);
-    for (int d = 0; d < D; ++d)
-      add_scaled(of_branch.lag, layout_.displacement_offset(d), moving,
-                 part(stage.unknown, layout_.velocity_offset(d), layout_.velocity_offset(d) + size / D));
-    result.part(ShearSquare::dissipation_column) += 2 * branches.modulus[i] * branches.time[i] * square();
+void Balance<D, P>::followed_by_branches(const Stage& stage, const Array& followed, const Array& rate) const {
+  if (layout_.branches_at_points) {
+    write_strains<P>(regions_, stage.displacement, followed);
+    return write_strain_rates<P>(regions_, stage, rate);
+  }
+  Kokkos::deep_copy(Exec(), followed, stage.displacement);
+  const int count = layout_.solid_rows() * layout_.row_size;
+  for (int d = 0; d < D; ++d) {
+    const int first = layout_.velocity_offset(d), to = layout_.displacement_offset(d);
+    Kokkos::deep_copy(Exec(), Kokkos::subview(rate, Kokkos::make_pair(to, to + count)),
+                      part(stage.unknown, first, first + count));
   }
 }
 
 template <int D, int P>
-void Balance<D, P>::strain_branch_integrals(const Stage& stage, Integrals& result) const {
+void Balance<D, P>::branch_integrals(const Stage& stage, Integrals& result) const {
   if (!stage.memory.data()) return;
   const Branches& branches = coefficients_.solid().branches;
   const int size = layout_.branch_size();
+  const Array followed("integrals.followed", size), rate("integrals.rate", size);
+  followed_by_branches(stage, followed, rate);
   Stage of_branch = stage;
   of_branch.lag = Array("integrals.lag", size);
-  const Array strain_rate("integrals.strain_rate", size);
-  write_strain_rates<P>(regions_, stage, strain_rate);
   const Evaluation<D> at{layout_, of_branch, {}, {}};
-  const auto square = [&](const FiniteShearSquare& of) {
-    return integrate<P, NoMotion>(regions_.solid(), of, at, regions_.blend())[0];
+  const auto square = [&] {
+    const auto of = [&](const auto& shear) {
+      return integrate<P, NoMotion>(regions_.solid(), shear, at, regions_.blend())[0];
+    };
+    return layout_.branches_at_points ? of(FiniteShearSquare{}) : of(ShearSquare{});
   };
   for (int i = 0; i < branches.count; ++i) {
-    Kokkos::deep_copy(Exec(), of_branch.lag, part(stage.memory, i * size, (i + 1) * size));
-    result.part(ShearSquare::energy_column) += branches.modulus[i] * square({});
+    Kokkos::deep_copy(Exec(), of_branch.lag, followed);
+    add_scaled(of_branch.lag, 0, -1, part(stage.memory, i * size, (i + 1) * size));
+    result.part(ShearSquare::energy_column) += branches.modulus[i] * square();
     const double moving = branches.share_of_velocity(i, stage.memory_shift);
     combine(of_branch.lag, 1 - moving, part(stage.memory_rate, i * size, (i + 1) * size), 0);
-    add_scaled(of_branch.lag, 0, moving, strain_rate);
-    result.part(ShearSquare::dissipation_column) +=
-        2 * branches.modulus[i] * branches.time[i] * square({.of_memory = true});
+    add_scaled(of_branch.lag, 0, moving, rate);
+    result.part(ShearSquare::dissipation_column) += 2 * branches.modulus[i] * branches.time[i] * square();
   }
 }
 
@@ -146,8 +140,7 @@ Integrals Balance<D, P>::integrals(const Stage& stage) const {
   const Evaluation<D> at{layout_, stage, {}, {}};
   for (const auto& entry : terms_.pieces().list) entry.piece->add_integrals(at, result);
   if (layout_.has_solid) solid_integrals(at, result);
-  if (layout_.branches > 0)
-    layout_.branches_at_points ? strain_branch_integrals(stage, result) : branch_integrals(stage, result);
+  if (layout_.branches > 0) branch_integrals(stage, result);
   if (layout_.has_fluid)
     layout_.has_solid ? fluid_integrals<WallMotion<D>>(at, result) : fluid_integrals<NoMotion>(at, result);
   if (layout_.axisymmetric) result.turn(regions_.turn());

@@ -45,7 +45,8 @@ class Balance {
   void wall_integrals(const Functional&, Evaluation<D>, Integrals&) const;
   void solid_integrals(const Evaluation<D>&, Integrals&) const;
   void branch_integrals(const Stage&, Integrals&) const;
-  void strain_branch_integrals(const Stage&, Integrals&) const;
+  /// What branches follow, and its rate: the displacement and the velocity, or strains at points.
+  void followed_by_branches(const Stage&, const Array& followed, const Array& rate) const;
   /// Of a functional over the moved fluid domain.
   template <class Functional>
   std::array<double, Functional::count> over_fluid(const Functional&, const Stage&) const;

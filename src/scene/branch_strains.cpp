@@ -2,20 +2,15 @@
 
 #include "kernels/solid/branches.hpp"
 #include "operator/at_points.hpp"
-#include "scene/coordinates.hpp"
-#include "scene/piece.hpp"
+#include "scene/functional_task.hpp"
 
 namespace softwet {
 namespace {
 
 template <int P, int D, class Function>
 void write(const Regions<D>& regions, const Function& function, const Stage& stage, const Array& out) {
-  const Evaluation<D> at{regions.layout(), stage, {}, {}};
-  in_coordinates_of(regions.layout(), function, [&](const auto& here) {
-    ReduceTask<D, std::remove_cvref_t<decltype(here)>, NoMotion> task{regions.solid(), here, {}, {}, {}};
-    bind_fields(at, regions.blend(), task);
-    write_at_points<P>(task, out);
-  });
+  with_task_of<NoMotion>(regions.solid(), function, Evaluation<D>{regions.layout(), stage, {}, {}}, regions.blend(),
+                         [&](const auto& task) { write_at_points<P>(task, out); });
 }
 
 }  // namespace

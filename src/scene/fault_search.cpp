@@ -3,7 +3,7 @@
 #include "kernels/functional/fluid_integrals.hpp"
 #include "kernels/functional/solid_integrals.hpp"
 #include "operator/integrate.hpp"
-#include "scene/coordinates.hpp"
+#include "scene/functional_task.hpp"
 
 namespace softwet {
 namespace {
@@ -13,17 +13,6 @@ struct PartialsOnHost {
   const double* first;
   double operator()(int i) const { return first[i]; }
 };
-
-/// The task of a functional in the coordinates of the scene.
-template <class Motion, int D, class Functional, class Visit>
-void visit_task(const Region<D>& region, const Functional& functional, const Evaluation<D>& at, const Blend& blend,
-                const Visit& visit) {
-  in_coordinates_of(at.layout, functional, [&](const auto& integrand) {
-    ReduceTask<D, std::remove_cvref_t<decltype(integrand)>, Motion> task{region, integrand, {}, {}, {}};
-    bind_fields(at, blend, task);
-    visit(task);
-  });
-}
 
 }  // namespace
 
@@ -40,10 +29,10 @@ void FaultSearch<D, P>::ask(const Stage& stage, const Array& numbers) const {
   const Evaluation<D> at{regions_.layout(), stage, {}, {}};
   const Array fluid = Kokkos::subview(numbers, Kokkos::make_pair(0, of_fluid_)),
               solid = Kokkos::subview(numbers, Kokkos::make_pair(of_fluid_, of_fluid_ + of_solid_));
-  visit_task<NoMotion>(regions_.solid(), InvertedSolid{}, at, regions_.blend(), [&](const auto& inverted) {
+  with_task_of<NoMotion>(regions_.solid(), InvertedSolid{}, at, regions_.blend(), [&](const auto& inverted) {
     if (of_fluid_ == 0) return start_integral<P>(inverted, solid);
-    visit_task<WallMotion<D>>(regions_.fluid(), FluidContents{}, at, regions_.blend(),
-                              [&](const auto& folded) { start_integrals<P>(folded, fluid, inverted, solid); });
+    with_task_of<WallMotion<D>>(regions_.fluid(), FluidContents{}, at, regions_.blend(),
+                                [&](const auto& folded) { start_integrals<P>(folded, fluid, inverted, solid); });
   });
 }
 

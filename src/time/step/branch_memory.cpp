@@ -70,20 +70,6 @@ struct SumLags {
   }
 };
 
-/// sum 2 G_i A_i / sum 2 G_i
-struct MeanMemory {
-  Array mean;
-  ConstArray memory;
-  Branches branches;
-  int size;
-  double scale;
-  KOKKOS_FUNCTION void operator()(int i) const {
-    double sum = 0;
-    for (int b = 0; b < branches.count; ++b) sum += 2 * branches.modulus[b] * memory(b * size + i);
-    mean(i) = scale * sum;
-  }
-};
-
 struct RateOfMemory {
   Array rate;
   ConstArray followed, memory;
@@ -133,8 +119,9 @@ void BranchMemory::follow(double dt, const ConstArray& before, const ConstArray&
 
 void BranchMemory::set_lag(const ConstArray& displacement, const ConstArray& memory, const Array& lag) const {
   if (strain_) {
-    Kokkos::parallel_for("softwet::mean_memory", Items(0, size_),
-                         MeanMemory{lag, memory, branches_, size_, 1 / weight(0)});
+    // h_i is the memory itself where no step is taken.
+    Kokkos::parallel_for("softwet::sum_pulls", Items(0, size_),
+                         SumPulls{lag, memory, memory, branches_, AlphaStep{}, size_, 1 / weight(0)});
   } else {
     Kokkos::parallel_for("softwet::sum_lags", Items(0, size_), SumLags{lag, displacement, memory, branches_, size_});
   }

@@ -130,6 +130,17 @@ TEST(StepBound, HoldsForASolidWithBranches) {
         }
 }
 
+// A strain of some tenths makes the branches of finite strains stiffer.
+TEST(StepBound, HoldsForAStretchedSolidWithBranches) {
+  for (const bool around : {false, true}) {
+    Case c = moving_droplet(SceneKind::solid);
+    c.substrate->material = MaterialModel::neo_hookean;
+    c.substrate->branches = {{20.0, 10.0}};
+    c.waves = {{WaveField::displacement_y, 0.05, {1, 0.5}}};
+    EXPECT_GE(room(around ? around_axis(c) : c, TimeScheme::kick_drift), 1) << around;
+  }
+}
+
 TEST(StepBound, HoldsForASolidWithTensionOrViscosity) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped, MassKind::consistent})
     for (const double tension : {0.0, 0.5})
