@@ -8,7 +8,7 @@
 #include "scene/fluid_of.hpp"
 #include "scene/prestretch.hpp"
 #include "scene/solid_rates.hpp"
-#include "time/explicit/step_points.hpp"
+#include "time/explicit/solid_points.hpp"
 
 namespace softwet {
 namespace {
