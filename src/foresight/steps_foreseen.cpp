@@ -108,8 +108,9 @@ JoinedElements joined_elements(const Case& c) {
 double explicit_steps_foreseen(const Case& c) {
   const double shortest = c.shortest();
   const int degree = c.domain.degree;
-  const MassSymbols symbols = with_joint(end_symbols(degree, MassKind::corrected, fewest_elements(c), c.axisymmetric()),
-                                         degree, MassKind::corrected, joined_elements(c));
+  const MassSymbols symbols =
+      with_joint(end_symbols(degree, MassKind::corrected, fewest_elements(c), c.domain.coordinates), degree,
+                 MassKind::corrected, joined_elements(c));
   double rate = 0;
   if (c.fluid) rate = std::max(rate, rate_of_fluid(c, symbols, shortest));
   if (c.substrate) rate = std::max(rate, rate_of_solid(c, symbols, shortest));

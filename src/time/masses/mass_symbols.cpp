@@ -12,21 +12,22 @@ namespace {
 
 using Dense = Eigen::MatrixXd;
 
-/// Elements of length 1 in a row: (N_i, N_j), (N_i', N_j') and (N_i, N_j'); in (r, z) with the weight r. Of the hoop strain of radial
-/// vectors (N_i / r, N_j / r) and the mean of (N_i / r, N_j') and its transpose; zero elsewhere.
+/// Elements of length 1 in a row: (N_i, N_j), (N_i', N_j') and (N_i, N_j') with the weight of the axis. Along a radius those of
+/// the hoop strain too, (N_i / r, N_j / r) and the mean of (N_i / r, N_j') and its transpose; zero elsewhere.
 struct ElementLine {
   Dense mass, stiffness, slope, hoop, mixed;
   int at_joint;  ///< the function that is 1 at the joint; 0: there is none
 
-  ElementLine(int elements, int degree, bool radial = false, int joint = 0) {
-    const Axis axis(elements, elements, degree, false, 0, joint);
+  ElementLine(int elements, int degree, AxisKind kind = AxisKind::bounded, int joint = 0) {
+    const Axis axis(elements, elements, degree, kind, 0, joint);
     const Gauss gauss(degree + 1);
     const int n = axis.functions();
     at_joint = joint > 0 ? axis.span(joint) : 0;
     mass = stiffness = slope = hoop = mixed = Dense::Zero(n, n);
     for (int e = 0; e < elements; ++e)
       for (int q = 0; q <= degree; ++q) {
-        const double x = e + gauss.point[q], r = radial ? x : 1, weight = gauss.weight[q] * r, on = radial ? 1 : 0;
+        const double x = e + gauss.point[q], r = axis.weight(x), weight = gauss.weight[q] * r,
+                     on = kind == AxisKind::radial ? 1 : 0;
         const std::vector<double> value = axis.values(e, x), d = axis.slopes(e, x);
         for (int a = 0; a <= degree; ++a)
           for (int b = 0; b <= degree; ++b) {
@@ -118,8 +119,9 @@ MassSymbols inside_symbols(int degree, MassKind kind) {
   return s;
 }
 
-MassSymbols end_symbols(int degree, MassKind kind, int elements, bool radial) {
-  const ElementLine line(elements, degree, radial);
+MassSymbols end_symbols(int degree, MassKind kind, int elements, Coordinates coordinates) {
+  const bool radial = coordinates == Coordinates::axisymmetric;
+  const ElementLine line(elements, degree, radial ? AxisKind::radial : AxisKind::bounded);
   const Dense held = inverse(line.mass, kind, kept_of_velocities, true, true);
   const Dense free = inverse(line.mass, kind, kept_of_velocities, false, false);
   const Dense layer = inverse(line.mass, kind, kept_of_velocities, true, false);
@@ -154,7 +156,7 @@ MassSymbols end_symbols(int degree, MassKind kind, int elements, bool radial) {
 MassSymbols with_joint(MassSymbols ends, int degree, MassKind kind, JoinedElements elements) {
   if (elements.below == 0) return ends;
   const int below = std::min(elements.below, 10), above = std::min(elements.above, 10);
-  const ElementLine line(below + above, degree, false, below);
+  const ElementLine line(below + above, degree, AxisKind::bounded, below);
   const auto inverse_of = [&](bool held_below, bool held_above) {
     return inverse(line.mass, kind, kept_of_velocities, held_below, held_above, line.at_joint);
   };
