@@ -67,12 +67,12 @@ double rate_of_material(const Case& c, const MassSymbols& symbols, double shorte
   Bound bound({{stiffness}, s.density}, fibres_of(s, D).after(prestretch), StepFormula::kick_drift, solid_rates(c),
               symbols, 1, shortest, free_axis);
   bound.prestretch = prestretch;
-  const auto rate = [&](bool on_face) {
+  const auto rate = [&](step_points::SolidPlace place) {
     double found[step_points::mechanisms] = {};
-    bound.rates({}, on_face, !on_face, found);
+    bound.rates({}, place, found);
     return found[step_points::combined];
   };
-  return std::max(rate(true), rate(false));
+  return std::max(rate(step_points::SolidPlace::face), rate(step_points::SolidPlace::bottom));
 }
 
 /// All materials are alike where nothing is stretched.

@@ -151,7 +151,7 @@ void Regions<D>::build_mask(const Case& c) {
         for (int end = 0; end < 2; ++end) {
           const Side side = c.boundary.side[d][end];
           const bool here = index == (end == 0 ? 0 : (d == D - 1 ? all[k].extent[d] : axis.functions()) - 1);
-          if (here && holds(side, static_cast<int>(k) == d)) mask[all[k].offset + i] = 0;
+          if (here && holds(side, static_cast<int>(k), d)) mask[all[k].offset + i] = 0;
         }
       }
     }

@@ -7,6 +7,9 @@
 
 namespace softwet::step_points {
 
+/// Where a control point of the solid lies: on its top face, on its bottom, or between them.
+enum class SolidPlace { inside, face, bottom };
+
 /// The solid with what its rates have in common at all points.
 /// @tparam Axial  in the coordinates (r, z)
 template <int D, class Material, bool Axial = false>
@@ -54,8 +57,9 @@ struct SolidBound {
       for (int e = 0; e < D; ++e) joined[d][e] = d == e ? 1 : free_axis[d] && free_axis[e] ? 0.5 : 0;
   }
 
-  /// Rates where the displacement has a gradient. @param on_face  on the top face;  @param below  on the bottom
-  KOKKOS_FUNCTION void rates(const Tensor<double>& gradient, bool on_face, bool below, double* rate) const {
+  /// Rates where the displacement has a gradient.
+  KOKKOS_FUNCTION void rates(const Tensor<double>& gradient, SolidPlace place, double* rate) const {
+    const bool on_face = place == SolidPlace::face, below = place == SolidPlace::bottom;
     const double elastic =
         wave * wave * (stiffness(gradient) + stiffness_of_fibres(gradient) + stiffness_of_branches(gradient));
     const double tension = surface > 0 && on_face ? surface * shortening(gradient) : 0;
@@ -130,8 +134,8 @@ struct SolidBound {
       for (int d = 0; d < D; ++d) sum += along[c] * fibres.direction[d] * stress(c, d).tangent;
     return Kokkos::max(sum / square, 0.0);
   }
-  /// A face that is shortened carries shorter waves: 1 / its smallest stretch, at most 10, in 3D and in (r, z) times the
-  /// larger one.
+  /// A face that is shortened carries shorter waves: 1 / its smallest stretch, at most 10, in 3D and in (r, z) times
+  /// the larger one.
   KOKKOS_FUNCTION double shortening(const Tensor<double>& gradient) const {
     double least = 1, most = 1;
     for (int d = 0; d + 1 < D; ++d) {
@@ -146,8 +150,8 @@ struct SolidBound {
     }
     return (D == 2 && !Axial ? 1 : most) / Kokkos::max(least, 0.1);
   }
-  /// The face with its modulus too. Tension meets motion across the face and the modulus, times the square of the largest stretch,
-  /// motion along it: the larger counts. Strains that pull the face tight are a tension of their own.
+  /// The face with its modulus too. Tension meets motion across the face and the modulus, times the square of the
+  /// largest stretch, motion along it: the larger counts. Strains that pull the face tight are a tension of their own.
   KOKKOS_FUNCTION double stiffened(double tension, const Tensor<double>& gradient) const {
     double most = 1, tight = 0;
     for (int d = 0; d + 1 < D; ++d) {
@@ -192,7 +196,10 @@ struct SolidPoint {
       const double r = greville[0](i % extent[0]);
       gradient.hoop = r > 0 ? displacement[i] / r : gradient(0, 0);
     }
-    bound.rates(gradient, i >= nodes - row_size, i < row_size, rate);
+    const SolidPlace place = i >= nodes - row_size ? SolidPlace::face
+                             : i < row_size        ? SolidPlace::bottom
+                                                   : SolidPlace::inside;
+    bound.rates(gradient, place, rate);
   }
 };
 

@@ -92,7 +92,8 @@ void check_galerkin(Case c, std::vector<int> elements) {
   coarse.multiply(coarse_x, found);
   EXPECT_LT(distance(to_host(found), to_host(expected)), 1e-5);
   const Array y = s.direction();
-  const CoarseSpace<2> at_once(s.layout(), s.scene.mask(), 2, true), by_axis(s.layout(), s.scene.mask(), 2, false);
+  const CoarseSpace<2> at_once(s.layout(), s.scene.mask(), 2, TransferKernels::one),
+      by_axis(s.layout(), s.scene.mask(), 2, TransferKernels::one_for_each_axis);
   const Array again("again", s.layout().size());
   by_axis.prolong(coarse_x, fine);
   at_once.prolong(coarse_x, again);
