@@ -1,4 +1,5 @@
-// What a case file says by a word: an enumeration for each key, and behind it its words in the order of the enumerators.
+// What a case file says by a word: an enumeration for each key, and behind it its words in the order of the
+// enumerators.
 #pragma once
 
 #include <string>
@@ -10,9 +11,9 @@ namespace softwet {
 enum class Side { slip, no_slip, clamped, free, periodic };
 inline std::vector<std::string> words_of(Side) { return {"slip", "no_slip", "clamped", "free", "periodic"}; }
 
-/// Whether a side prescribes a component of velocity and displacement. @param through  the component along the side's normal
-inline bool holds(Side side, bool through) {
-  return side == Side::no_slip || side == Side::clamped || (side == Side::slip && through);
+/// Whether a side across an axis prescribes a component of velocity and displacement.
+inline bool holds(Side side, int component, int axis) {
+  return side == Side::no_slip || side == Side::clamped || (side == Side::slip && component == axis);
 }
 
 /// Test functions of the wall in the capillary force: next to the wall only, or blended over the fluid like the mesh.
@@ -53,8 +54,8 @@ inline std::vector<std::string> words_of(Quadrature) { return {"full", "reduced"
 enum class FineElements { everywhere, automatic, box };
 inline std::vector<std::string> words_of(FineElements) { return {"everywhere", "automatic", "box"}; }
 
-/// What the two axes of a 2D scene are: x and y of a state that is the same at any depth, or the distance r from an axis of symmetry,
-/// which is the left side, and the height.
+/// What the two axes of a 2D scene are: x and y of a state that is the same at any depth, or the distance r from an
+/// axis of symmetry, which is the left side, and the height.
 enum class Coordinates { plane, axisymmetric };
 inline std::vector<std::string> words_of(Coordinates) { return {"plane", "axisymmetric"}; }
 
@@ -78,9 +79,9 @@ inline std::vector<std::string> words_of(TimeScheme) {
   return {"generalized_alpha", "kick_drift", "rkl2", "ssp_rk3", "automatic"};
 }
 
-/// How explicit schemes invert the masses of velocity, density and chemical potential. Consistent: as they are, by conjugate gradients.
-/// Lumped: replaced by their row sums, of second order in space. Corrected: row sums followed by three products with the mass, of sixth
-/// order for smooth fields (MassInverse).
+/// How explicit schemes invert the masses of velocity, density and chemical potential. Consistent: as they are, by
+/// conjugate gradients. Lumped: replaced by their row sums, of second order in space. Corrected: row sums followed by
+/// three products with the mass, of sixth order for smooth fields (MassInverse).
 enum class MassKind { corrected, lumped, consistent };
 inline std::vector<std::string> words_of(MassKind) { return {"corrected", "lumped", "consistent"}; }
 

@@ -54,16 +54,18 @@ struct ColumnExchange {
 /// The exchange of one of the processes that an axis is cut for.
 std::shared_ptr<const ColumnExchange> plan_exchange(const Axis&, const Columns&);
 
+enum class MessageWay { from_vector, to_vector };
+
 /// Columns of a vector to a message, or back.
 template <class Real>
 struct MoveColumns {
   ArrayOf<Real> vector, message;
   ColumnList columns;
   int stored, first;
-  bool pack;
+  MessageWay way;
   KOKKOS_FUNCTION void operator()(int item) const {
     const int n = static_cast<int>(columns.extent(0)), entry = item / n * stored + columns(item % n);
-    if (pack) {
+    if (way == MessageWay::from_vector) {
       message(first + item) = vector(entry);
     } else {
       vector(entry) = message(first + item);
@@ -83,15 +85,15 @@ void update_columns(const Columns& columns, const ColumnExchange& exchange, cons
   MessageSpace<Real>&out = exchange.out<Real>(), &in = exchange.in<Real>();
   out.hold(sent);
   in.hold(received);
-  const auto move = [&](const ColumnList& list, const ArrayOf<Real>& message, int first, bool pack) {
+  const auto move = [&](const ColumnList& list, const ArrayOf<Real>& message, int first, MessageWay way) {
     Kokkos::parallel_for("softwet::columns", Items(0, lines * static_cast<int>(list.extent(0))),
-                         MoveColumns<Real>{vector, message, list, stored, first, pack});
+                         MoveColumns<Real>{vector, message, list, stored, first, way});
   };
   std::vector<ranks::Message> messages;
   int to = 0, from = 0;
   for (const auto& n : exchange.neighbours) {
     const int give = lines * static_cast<int>(n.send.extent(0)), take = lines * static_cast<int>(n.receive.extent(0));
-    move(n.send, out.device, to, true);
+    move(n.send, out.device, to, MessageWay::from_vector);
     if (n.rank == columns.rank) {
       Kokkos::deep_copy(Exec(), Kokkos::subview(in.device, Kokkos::make_pair(from, from + take)),
                         Kokkos::subview(out.device, Kokkos::make_pair(to, to + give)));
@@ -111,7 +113,7 @@ void update_columns(const Columns& columns, const ColumnExchange& exchange, cons
   if constexpr (!on_host) Kokkos::deep_copy(in.device, in.host);
   from = 0;
   for (const auto& n : exchange.neighbours) {
-    move(n.receive, in.device, from, false);
+    move(n.receive, in.device, from, MessageWay::to_vector);
     from += lines * static_cast<int>(n.receive.extent(0));
   }
 }

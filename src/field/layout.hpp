@@ -22,7 +22,6 @@ struct Layout {
   std::shared_ptr<const ColumnExchange> exchange;  ///< none where all are
   int solid_elements = 0;                          ///< element rows of the solid; 0: rigid wall
   bool has_fluid = true, has_solid = true;
-  bool axisymmetric = false;  ///< the axes are r and z, and all integrals have the weight r
   int row_size = 0, rows = 0;
   int wall_row = 0;   ///< last row of the solid = first row of the fluid
   int rate_rows = 0;  ///< rows of the density, from the wall on, whose rates are kept behind those of the velocity
@@ -31,6 +30,8 @@ struct Layout {
   int branch_lines = 0;
   bool branches_at_points = false;
 
+  /// Whether the axes are r and z.
+  bool axisymmetric() const { return axis[0].kind() == AxisKind::radial; }
   /// Length of the shortest element along any axis.
   double shortest() const {
     double least = axis[0].spacing();

@@ -10,13 +10,15 @@
 
 namespace softwet {
 
+/// Which strips of a sum a process has: its own ones, or a copy of all.
+enum class StripsHere { own, all };
+
 /// Sums by strip of columns. A strip has one order of its own, and the strips are added up in their order by all
 /// processes, after each has told the others its own. So the number of processes does not matter.
 class StripTotals {
  public:
-  /// @param shared  by all processes; else each one has all of the strips
-  StripTotals(int strips, int sums, bool shared)
-      : strips_(strips), told_(!shared), total_(static_cast<std::size_t>(strips) * sums) {}
+  StripTotals(int strips, int sums, StripsHere here)
+      : strips_(strips), told_(here == StripsHere::all), total_(static_cast<std::size_t>(strips) * sums) {}
   void add(int strip, int sum, double part) { total_[sum * strips_ + strip] += part; }
   double total(int sum) {
     if (!told_) ranks::add(total_.data(), static_cast<int>(total_.size()));
@@ -47,6 +49,9 @@ inline SumScratch& sum_scratch(std::size_t entries) {
   return scratch;
 }
 
+/// Whether a sum of squares comes behind the sums of products.
+enum class SquareOfFirst { left_out, added };
+
 /// Sums over one strip of some lines, in double precision, whatever the vectors are: of x_k(i) y(i) for several vectors x_k
 /// that follow each other in memory and for each y, and of y(i)^2 of the first y behind them; each entry times its weight.
 template <class Real>
@@ -66,13 +71,13 @@ struct StripSums {
 
   /// @throws std::logic_error  where a vector of a shared space is not made of whole lines
   StripSums(const VectorSpace& space_, const Real* x_, int stride_, int count_, const std::vector<const Real*>& y_,
-            bool square_, int size_, const RangeFactors& weights_ = {})
+            SquareOfFirst square_, int size_, const RangeFactors& weights_ = {})
       : x(x_),
         stride(stride_),
         count(count_),
         y{},
         others(static_cast<int>(y_.size())),
-        square(square_),
+        square(square_ == SquareOfFirst::added),
         size(size_),
         weights(weights_),
         space(space_) {
@@ -149,6 +154,8 @@ struct StripSums {
   }
 };
 
+inline StripsHere strips_here(const VectorSpace& space) { return space.shared ? StripsHere::own : StripsHere::all; }
+
 /// Adds what a kernel has left, and the host has read, to totals from the sum `first` on.
 template <class Real, class Partial>
 void add_partial_sums(StripTotals& totals, const StripSums<Real>& k, int place, const Partial& partial, int first) {
@@ -174,7 +181,7 @@ std::vector<double> strip_sums(std::vector<StripSums<Real>> kernels) {
   const auto range = Kokkos::make_pair(0, items);
   Kokkos::deep_copy(Kokkos::subview(scratch.host, range), Kokkos::subview(scratch.device, range));
   const VectorSpace space = kernels.empty() ? alone : kernels.front().space;
-  StripTotals totals(space.strips, sums, space.shared);
+  StripTotals totals(space.strips, sums, strips_here(space));
   int first = 0;
   for (const StripSums<Real>& k : kernels) {
     add_partial_sums(totals, k, k.place, scratch.host, first);

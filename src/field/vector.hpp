@@ -88,7 +88,8 @@ inline void convert(const Array& y, const ConstArrayOf<float>& x) { any_precisio
 
 template <class Real>
 double strip_sum(const VectorSpace& space, const ConstArrayOf<Real>& x, const ConstArrayOf<Real>& y) {
-  return strip_sums<Real>({{space, x.data(), 0, 1, {y.data()}, false, static_cast<int>(x.extent(0))}})[0];
+  return strip_sums<Real>(
+      {{space, x.data(), 0, 1, {y.data()}, SquareOfFirst::left_out, static_cast<int>(x.extent(0))}})[0];
 }
 
 // Sums over vectors of a space, over all processes where these share them.
@@ -106,7 +107,8 @@ inline double norm(const VectorSpace& space, const ConstArrayOf<float>& x) { ret
 /// sqrt(sum_i w_i x_i^2)
 template <class Real>
 double weighted_norm(const VectorSpace& space, const ArrayOf<Real>& x, const RangeFactors& w) {
-  return std::sqrt(strip_sums<Real>({{space, x.data(), 0, 1, {x.data()}, false, static_cast<int>(x.extent(0)), w}})[0]);
+  return std::sqrt(strip_sums<Real>(
+      {{space, x.data(), 0, 1, {x.data()}, SquareOfFirst::left_out, static_cast<int>(x.extent(0)), w}})[0]);
 }
 
 /// Part [first, last) of a vector.
@@ -120,7 +122,7 @@ std::vector<double> norms(const VectorSpace& space, const ConstArray& x, const s
   std::vector<StripSums<double>> kernels;
   for (const Part& p : parts) {
     const double* start = x.data() + p.first;
-    kernels.push_back({space, start, 0, 1, {start}, false, p.last - p.first});
+    kernels.push_back({space, start, 0, 1, {start}, SquareOfFirst::left_out, p.last - p.first});
   }
   std::vector<double> sums = strip_sums(kernels);
   for (double& sum : sums) sum = std::sqrt(sum);

@@ -8,7 +8,7 @@
 #include "scene/fluid_of.hpp"
 #include "scene/prestretch.hpp"
 #include "scene/solid_rates.hpp"
-#include "time/explicit/step_points.hpp"
+#include "time/explicit/solid_points.hpp"
 
 namespace softwet {
 namespace {
@@ -67,12 +67,12 @@ double rate_of_material(const Case& c, const MassSymbols& symbols, double shorte
   Bound bound({{stiffness}, s.density}, fibres_of(s, D).after(prestretch), StepFormula::kick_drift, solid_rates(c),
               symbols, 1, shortest, free_axis);
   bound.prestretch = prestretch;
-  const auto rate = [&](bool on_face) {
+  const auto rate = [&](step_points::SolidPlace place) {
     double found[step_points::mechanisms] = {};
-    bound.rates({}, on_face, !on_face, found);
+    bound.rates({}, place, found);
     return found[step_points::combined];
   };
-  return std::max(rate(true), rate(false));
+  return std::max(rate(step_points::SolidPlace::face), rate(step_points::SolidPlace::bottom));
 }
 
 /// All materials are alike where nothing is stretched.
@@ -108,8 +108,9 @@ JoinedElements joined_elements(const Case& c) {
 double explicit_steps_foreseen(const Case& c) {
   const double shortest = c.shortest();
   const int degree = c.domain.degree;
-  const MassSymbols symbols = with_joint(end_symbols(degree, MassKind::corrected, fewest_elements(c), c.axisymmetric()),
-                                         degree, MassKind::corrected, joined_elements(c));
+  const MassSymbols symbols =
+      with_joint(end_symbols(degree, MassKind::corrected, fewest_elements(c), c.domain.coordinates), degree,
+                 MassKind::corrected, joined_elements(c));
   double rate = 0;
   if (c.fluid) rate = std::max(rate, rate_of_fluid(c, symbols, shortest));
   if (c.substrate) rate = std::max(rate, rate_of_solid(c, symbols, shortest));

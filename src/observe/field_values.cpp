@@ -30,7 +30,7 @@ std::vector<Matrix<double, 3>> displacement_gradients(const Snapshot<D>& s, cons
       gradients.resize(slope.size(), Matrix<double, 3>{});
       for (std::size_t i = 0; i < slope.size(); ++i) gradients[i](d, axis) = slope[i];
     }
-  if (!s.layout().axisymmetric) return gradients;
+  if (!s.layout().axisymmetric()) return gradients;
   const std::vector<double> radial = s.displacement(grid, 0, Medium::solid);
   for (std::size_t i = 0; i < radial.size(); ++i) {
     const double r = grid[0][i % grid[0].size()];

@@ -14,7 +14,7 @@ std::vector<double> wall_weights(const Layout<D>& layout) {
   int stride = 1;
   for (int d = 0; d < D - 1; ++d) {
     const Axis& axis = layout.axis[d];
-    std::vector<double> factor = axis.integrals(0, axis.length(), 0, axis.elements(), layout.axisymmetric && d == 0);
+    std::vector<double> factor = axis.integrals(0, axis.length(), 0, axis.elements());
     for (int g = axis.owned(); g < axis.functions(); ++g) factor[g - axis.owned()] += factor[g];
     for (int g = axis.owned(); g < axis.functions(); ++g) factor[g] = factor[g - axis.owned()];
     for (int i = 0; i < layout.row_size; ++i) weight[i] *= factor[(i / stride) % axis.functions()];

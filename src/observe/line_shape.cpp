@@ -41,14 +41,17 @@ std::optional<double> place_beside(const Section<D>& section, double line, doubl
   return std::nullopt;
 }
 
-/// Angle of the wall beside a line, on the side of positive or negative distances, where the density is above the level or not.
+/// Below what a place of the wall is: a droplet (in liquid a bubble), or what is around it.
+enum class Below { droplet, surroundings };
+
+/// Angle of the wall beside a line, on the side of positive or negative distances; empty where it is not below that.
 template <int D>
 std::optional<double> wall_angle(const Section<D>& section, const Surface& surface, double line, double distance,
-                                 bool inside) {
+                                 Below below) {
   const std::optional<double> s = place_beside(section, line, distance);
   if (!s) return std::nullopt;
   const double depth = surface.depth(section.density({*s}, {section.snapshot().wall_height()})[0]);
-  if ((depth >= 0) != inside) return std::nullopt;
+  if ((depth >= 0) != (below == Below::droplet)) return std::nullopt;
   const auto [along, up] = section.tangent(*s);
   return degree * std::atan2(distance > 0 ? -up : up, along);
 }
@@ -97,8 +100,8 @@ LineShape line_shape(const Section<D>& section, const Surface& surface, const Cr
   shape.ridge = largest_rise(section, std::max(reach.low, line.x - distance), std::min(reach.high, line.x + distance),
                              0.5 * capillarity, 1);
   const double inwards = line.direction * distance;
-  const auto inside = wall_angle(section, surface, line.x, inwards, true),
-             outside = wall_angle(section, surface, line.x, -inwards, false);
+  const auto inside = wall_angle(section, surface, line.x, inwards, Below::droplet),
+             outside = wall_angle(section, surface, line.x, -inwards, Below::surroundings);
   const bool liquid_inside = surface.inside == Phase::liquid;
   shape.wall_wet = liquid_inside ? inside : outside;
   shape.wall_dry = liquid_inside ? outside : inside;

@@ -8,7 +8,6 @@ template <int D>
 PhaseSamples sample_phase(const Snapshot<D>& snapshot, const Surface& surface) {
   PhaseSamples samples;
   samples.dimension = D;
-  samples.axisymmetric = snapshot.layout().axisymmetric;
   samples.bubbles = surface.inside == Phase::vapour;
   typename Snapshot<D>::Grid grid;
   for (int d = 0; d < D; ++d) {
@@ -21,6 +20,9 @@ PhaseSamples sample_phase(const Snapshot<D>& snapshot, const Surface& surface) {
     samples.origin[d] = axis.lower(first);
     samples.step[d] = grid[d][1] - grid[d][0];
   }
+  if (snapshot.layout().axisymmetric())
+    for (int i = 0; i < samples.points[0]; ++i)
+      samples.rings.push_back(snapshot.layout().axis[0].weight(samples.origin[0] + samples.step[0] * i));
   samples.depth = surface.depth(snapshot.density(grid));
   return samples;
 }

@@ -141,10 +141,13 @@ std::vector<double> weights(const Regions<D>& regions, const Snapshot<D>& s, con
   std::vector<double> weight(site.size(), 1.0), moved;
   if (site.in_fluid) weight = measures(regions, s, site);
   const bool on_axis = !site.extends(0) && site.grid[0][0] <= no_extent * s.layout().axis[0].length();
-  const bool axial = s.layout().axisymmetric && !on_axis;
+  const bool axial = s.layout().axisymmetric() && !on_axis;
   if (axial) moved = s.displacement(site.grid, 0, site.in_fluid ? Medium::fluid : Medium::solid);
   for (std::size_t i = 0; i < weight.size(); ++i) {
-    if (axial) weight[i] *= regions.turn() * (site.grid[0][i % site.grid[0].size()] + (site.in_fluid ? moved[i] : 0));
+    if (axial) {
+      const double r = site.grid[0][i % site.grid[0].size()] + (site.in_fluid ? moved[i] : 0);
+      weight[i] *= regions.turn() * s.layout().axis[0].weight(r);
+    }
     std::size_t rest = i;
     for (int d = 0; d < D; ++d) {
       weight[i] *= site.weight[d][rest % site.grid[d].size()];

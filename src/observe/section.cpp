@@ -104,14 +104,16 @@ std::array<double, 2> Section<D>::tangent(double s) const {
 
 Section<2> side_view(const Snapshot<2>& snapshot, const Surface& surface) {
   const Axis& axis = snapshot.layout().axis[0];
-  if (!axis.periodic()) return {snapshot, {0, 0}, {1, 0}, {0, axis.length(), true, true}};
+  if (!axis.periodic())
+    return {snapshot, {0, 0}, {1, 0}, {.low = 0, .high = axis.length(), .low_is_side = true, .high_is_side = true}};
   double low = 0;
   if (largest_of_columns(snapshot, surface, {0})[0] >= 0) {
     const std::vector<double> x = equidistant(0, axis.length(), 4 * axis.equal_parts());
     const std::vector<double> largest = largest_of_columns(snapshot, surface, x);
     low = x[std::min_element(largest.begin(), largest.end()) - largest.begin()] - axis.length();
   }
-  return {snapshot, {0, 0}, {1, 0}, {low, low + axis.length(), false, false}};
+  return {
+      snapshot, {0, 0}, {1, 0}, {.low = low, .high = low + axis.length(), .low_is_side = false, .high_is_side = false}};
 }
 
 double along_track(const Layout<3>& layout, const Place& point, const Place& direction) {
@@ -124,7 +126,7 @@ Section<3> side_view(const Snapshot<3>& snapshot, const Place& point, const Plac
   const Layout<3>& layout = snapshot.layout();
   const double s = along_track(layout, point, direction);
   const Place origin{point[0] - s * direction[0], point[1] - s * direction[1]};
-  Reach reach{-1e300, 1e300, true, true};
+  Reach reach{.low = -1e300, .high = 1e300, .low_is_side = true, .high_is_side = true};
   for (int d : {0, 1}) {
     const double slope = direction[d], length = layout.axis[d].length();
     if (std::abs(slope) < 1e-12) continue;

@@ -105,18 +105,18 @@ template <int D>
 struct IntegralItems {
   Colouring<D> rows;
   int strips, items;
-  bool shared;
+  StripsHere here;
 
   explicit IntegralItems(const Region<D>& region)
       : rows(region, 1, 0, FirstAxis::in_rows),
         strips(rows.first_axis.last_strip - rows.first_axis.first_strip),
         items(rows.items() * strips),
-        shared(region.columns.strips > 0) {}
+        here(region.columns.strips > 0 ? StripsHere::own : StripsHere::all) {}
 
   /// From the partial sums of the items, over all processes.
   template <int count, class Partial>
   std::array<double, count> total(const Partial& partial) const {
-    StripTotals totals(rows.first_axis.strips, count, shared);
+    StripTotals totals(rows.first_axis.strips, count, here);
     for (int i = 0; i < items; ++i)
       for (int f = 0; f < count; ++f) totals.add(rows.first_axis.first_strip + i % strips, f, partial(i * count + f));
     std::array<double, count> sum{};

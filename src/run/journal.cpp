@@ -35,7 +35,8 @@ Journal<D, P>::Journal(const Case& c, const RunOptions& options, const Scene<D, 
       scene_(scene),
       stepper_(stepper),
       scalars_(c, scene),
-      progress_(Progress::voice(options.quiet || !ranks::root()), c.run_start() - c.clock_zero(), c.time.end),
+      progress_(options.quiet || !ranks::root() ? Progress::Voice::silent : Progress::voice(),
+                c.run_start() - c.clock_zero(), c.time.end),
       time_left_(c.clock_zero() + c.time.end, c.time.dt_max, c.time.max_steps),
       field_times_(std::move(field_times)) {
   seconds_.started = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();

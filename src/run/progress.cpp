@@ -20,10 +20,7 @@ std::size_t terminal_width() {
 
 }  // namespace
 
-Progress::Voice Progress::voice(bool quiet) {
-  if (quiet) return Voice::silent;
-  return isatty(STDERR_FILENO) ? Voice::terminal : Voice::lines;
-}
+Progress::Voice Progress::voice() { return isatty(STDERR_FILENO) ? Voice::terminal : Voice::lines; }
 
 void Progress::step(double t, long step, double dt, const TableRow& row, const std::optional<double>& seconds_left) {
   if (!is_due()) return;

@@ -15,8 +15,8 @@ class Progress {
  public:
   enum class Voice { silent, lines, terminal };
 
-  /// The voice that fits stderr, silent when the user wants quiet.
-  static Voice voice(bool quiet);
+  /// The voice that fits stderr.
+  static Voice voice();
 
   Progress(Voice voice, double start, double end) : voice_(voice), start_(start), end_(end) {}
   ~Progress() { finish_line(); }

@@ -28,7 +28,7 @@ bool drifts(const Case& c) {
   const auto held = [&](int axis) {
     for (int d = 0; d < c.dimension(); ++d)
       for (const Side side : c.boundary.side[d])
-        if (holds(side, d == axis)) return true;
+        if (holds(side, axis, d)) return true;
     return false;
   };
   for (int axis = 0; axis < c.dimension(); ++axis)

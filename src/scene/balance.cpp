@@ -129,7 +129,7 @@ std::vector<NeedleReading> Balance<D, P>::needle_readings(const Stage& stage) co
   for (NeedleReading& reading : readings) {
     for (double* number : {&reading.energy, &reading.power, &reading.power_on_solid}) *number *= regions_.turn();
     for (double& force : reading.force) force *= regions_.turn();
-    if (layout_.axisymmetric) reading.force[0] = 0;  // what points away from the axis cancels
+    if (layout_.axisymmetric()) reading.force[0] = 0;  // what points away from the axis cancels
   }
   return readings;
 }
@@ -143,7 +143,7 @@ Integrals Balance<D, P>::integrals(const Stage& stage) const {
   if (layout_.branches > 0) branch_integrals(stage, result);
   if (layout_.has_fluid)
     layout_.has_solid ? fluid_integrals<WallMotion<D>>(at, result) : fluid_integrals<NoMotion>(at, result);
-  if (layout_.axisymmetric) result.turn(regions_.turn());
+  if (layout_.axisymmetric()) result.turn(regions_.turn());
   for (const NeedleReading& reading : needle_readings(stage)) result.part(Needles<D>::energy_column) += reading.energy;
   return result;
 }

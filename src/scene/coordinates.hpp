@@ -10,7 +10,7 @@ namespace softwet {
 template <int D, class Term, class Use>
 auto in_coordinates_of(const Layout<D>& layout, const Term& term, const Use& use) {
   if constexpr (D == 2)
-    if (layout.axisymmetric) return use(Axisymmetric<Term>{term});
+    if (layout.axisymmetric()) return use(Axisymmetric<Term>{term});
   return use(term);
 }
 

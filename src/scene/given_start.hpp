@@ -17,9 +17,9 @@ void give(const Layout<D>& l, const Profile& profile, int first, int rows, doubl
 
 /// Density and velocity of the fluid. The wall of a solid, which both have in common, stays at rest.
 template <int D>
-void give_fluid(const Initial& given, bool has_solid, const Layout<D>& l, std::vector<double>& unknown) {
+void give_fluid(const Initial& given, const Layout<D>& l, std::vector<double>& unknown) {
   if (given.density) give(l, *given.density, l.wall_row, l.fluid_rows(), &unknown[l.density_offset()]);
-  const int first = has_solid ? l.wall_row + 1 : l.wall_row;
+  const int first = l.has_solid ? l.wall_row + 1 : l.wall_row;
   for (std::size_t d = 0; d < given.velocity.size(); ++d)
     give(l, given.velocity[d], first, l.rows - first, &unknown[l.velocity_offset(d) + first * l.row_size]);
 }
@@ -30,7 +30,7 @@ bool is_held(const Case& c, const double* x, int own) {
   for (int d = 0; d < D; ++d)
     for (int end : {0, 1}) {
       const double side_at = end == 0 ? 0 : c.domain.size[d];
-      if (std::abs(x[d] - side_at) < 1e-9 * c.domain.size[d] && holds(c.boundary.side[d][end], d == own)) return true;
+      if (std::abs(x[d] - side_at) < 1e-9 * c.domain.size[d] && holds(c.boundary.side[d][end], own, d)) return true;
     }
   return false;
 }

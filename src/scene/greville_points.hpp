@@ -32,7 +32,7 @@ void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& vi
 template <int D, class Visit>
 void at_samples(const Layout<D>& l, int first, int rows, const Visit& visit) {
   std::array<std::vector<Samples>, D> of_axis;
-  for (int d = 0; d < D; ++d) of_axis[d] = samples_of(l.axis[d], l.axisymmetric && d == 0);
+  for (int d = 0; d < D; ++d) of_axis[d] = samples_of(l.axis[d]);
   for (int i = 0; i < rows * l.row_size; ++i) {
     const Samples* samples[D];
     std::size_t count = 1;

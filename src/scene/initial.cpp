@@ -197,7 +197,7 @@ State initial_state(const Case& c, const Scene<D, P>& scene) {
   std::vector<double> unknown(l.size(), 0.0), displacement(l.solid_size(), 0.0);
   if (l.has_fluid) fill_fluid(c, l, scene.coefficients().coexistence(), unknown);
   if (c.initial && c.initial->earlier) give_earlier(*c.initial->earlier, l, unknown, displacement);
-  if (c.initial && l.has_fluid) give_fluid(*c.initial, l.has_solid, l, unknown);
+  if (c.initial && l.has_fluid) give_fluid(*c.initial, l, unknown);
   if (c.initial && l.has_solid) give_solid(c, l, displacement);
   const std::vector<double> without_waves = density_of(l, unknown);
   add_waves(c, l, unknown, displacement);

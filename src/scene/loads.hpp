@@ -12,8 +12,8 @@
 
 namespace softwet {
 
-/// rho_0^s int_box N_i dX of all functions on the solid's rows, exact; in the coordinates (r, z) with the weight r. Round a periodic axis the box comes in on the other side; what
-/// lies outside of the solid counts nothing.
+/// rho_0^s int_box N_i dX of all functions on the solid's rows, exact, with the weight of each axis. Round a periodic
+/// axis the box comes in on the other side; what lies outside of the solid counts nothing.
 template <int D>
 std::vector<double> weights_on_box(const Layout<D>& l, const std::vector<double>& lower,
                                    const std::vector<double>& upper, double density) {
@@ -24,7 +24,7 @@ std::vector<double> weights_on_box(const Layout<D>& l, const std::vector<double>
     const int last = d == D - 1 ? l.solid_elements : axis.elements();
     const double turns = axis.periodic() ? std::floor(lower[d] / axis.length()) : 0;
     const double from = lower[d] - turns * axis.length(), to = upper[d] - turns * axis.length();
-    std::vector<double> factor = axis.integrals(from, to, 0, last, l.axisymmetric && d == 0);
+    std::vector<double> factor = axis.integrals(from, to, 0, last);
     if (axis.periodic() && to > axis.length()) {
       const std::vector<double> beyond = axis.integrals(0, to - axis.length(), 0, last);
       for (std::size_t i = 0; i < factor.size(); ++i) factor[i] += beyond[i];
@@ -55,8 +55,8 @@ class LoadVector {
     for (double& x : f) x *= part;
     return f;
   }
-  /// Weights of the box where it is at a time of the computation. Where it moves they are made on the host at each call, and stand
-  /// until the next one.
+  /// Weights of the box where it is at a time of the computation. Where it moves they are made on the host at each
+  /// call, and stand until the next one.
   ConstArray weight(const Layout<D>& layout, double time) const {
     if (load_.path.empty()) return weight_;
     std::vector<double> lower = load_.lower, upper = load_.upper;

@@ -35,7 +35,7 @@ void set_branches(Layout<D>& l, const Substrate& s, int points) {
   l.branches = static_cast<int>(all_branches(s).size());
   if (l.branches == 0) return;
   l.branches_at_points = s.strain != Strain::small;
-  const int rows = D == 3 ? l.axis[1].elements() : 1, entries = l.axisymmetric ? 4 : D * (D + 1) / 2;
+  const int rows = D == 3 ? l.axis[1].elements() : 1, entries = l.axisymmetric() ? 4 : D * (D + 1) / 2;
   const double of_points = static_cast<double>(l.solid_elements) * rows * entries * power(points, D);
   const double lines = l.branches_at_points ? of_points : l.solid_size() / l.extent(0);
   if (const double all = l.branches * lines * l.extent(0); all > INT_MAX)
@@ -63,7 +63,6 @@ void Regions<D>::build_axes(const Case& c) {
   const int degree = c.domain.degree;
   layout_.has_fluid = c.fluid.has_value();
   layout_.has_solid = c.substrate.has_value();
-  layout_.axisymmetric = c.axisymmetric();
   layout_.solid_elements = solid_elements(c);
   layout_.row_size = 1;
   for (int d = 0; d < D; ++d) {
@@ -152,7 +151,7 @@ void Regions<D>::build_mask(const Case& c) {
         for (int end = 0; end < 2; ++end) {
           const Side side = c.boundary.side[d][end];
           const bool here = index == (end == 0 ? 0 : (d == D - 1 ? all[k].extent[d] : axis.functions()) - 1);
-          if (here && holds(side, static_cast<int>(k) == d)) mask[all[k].offset + i] = 0;
+          if (here && holds(side, static_cast<int>(k), d)) mask[all[k].offset + i] = 0;
         }
       }
     }

@@ -27,7 +27,7 @@ class Regions {
   bool has_wall() const { return has_wall_; }  ///< whether the fluid ends at one, rigid or soft
   /// What integrals of the equations have to be multiplied by for those of the whole scene: in the coordinates (r, z) they are
   /// those for each radian.
-  double turn() const { return layout_.axisymmetric ? 2 * M_PI : 1; }
+  double turn() const { return layout_.axisymmetric() ? 2 * M_PI : 1; }
 
   const Region<D>& fluid() const { return fluid_; }
   const Region<D>& solid() const { return solid_; }

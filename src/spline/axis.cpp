@@ -6,23 +6,23 @@
 
 namespace softwet {
 
-Axis::Axis(double length, int elements, int degree, bool periodic, int kink, int joint)
+Axis::Axis(double length, int elements, int degree, AxisKind kind, int kink, int joint)
     : degree_(degree),
       elements_(elements),
       kink_(kink),
       joint_(joint),
-      periodic_(periodic),
+      kind_(kind),
       length_(length),
       spacing_(length / elements) {
   place_knots();
 }
 
-Axis::Axis(std::vector<double> breaks, int degree, bool periodic, int kink, int joint)
+Axis::Axis(std::vector<double> breaks, int degree, AxisKind kind, int kink, int joint)
     : degree_(degree),
       elements_(static_cast<int>(breaks.size()) - 1),
       kink_(kink),
       joint_(joint),
-      periodic_(periodic),
+      kind_(kind),
       length_(breaks.back()),
       spacing_(breaks.back()),
       breaks_(std::move(breaks)) {
@@ -31,13 +31,13 @@ Axis::Axis(std::vector<double> breaks, int degree, bool periodic, int kink, int 
 }
 
 double Axis::end_of(int element) const {
-  if (!graded()) return element == elements_ && !periodic_ ? length_ : spacing_ * element;
-  const int turns = element < 0 ? -1 : periodic_ && element >= elements_ ? 1 : 0;
+  if (!graded()) return element == elements_ && !periodic() ? length_ : spacing_ * element;
+  const int turns = element < 0 ? -1 : periodic() && element >= elements_ ? 1 : 0;
   return breaks_[element - turns * elements_] + turns * length_;
 }
 
 void Axis::place_knots() {
-  if (periodic_) {
+  if (periodic()) {
     for (int i = -degree_; i <= elements_ + degree_; ++i) knots_.push_back(end_of(i));
     for (int e = 0; e < elements_; ++e) span_.push_back(e);
   } else {
@@ -115,16 +115,16 @@ std::vector<double> Axis::slopes(int element, double x) const {
   return result;
 }
 
-std::vector<double> Axis::integrals(double a, double b, int first, int last, bool radial) const {
+std::vector<double> Axis::integrals(double a, double b, int first, int last) const {
   const Gauss rule(degree_ + 1);
   std::vector<double> result(functions_, 0.0);
   for (int e = first; e < last; ++e) {
     const double lo = std::max(a, lower(e)), hi = std::min(b, lower(e + 1));
     if (hi <= lo) continue;
     for (std::size_t q = 0; q < rule.point.size(); ++q) {
-      const double x = lo + (hi - lo) * rule.point[q], weight = (hi - lo) * rule.weight[q] * (radial ? x : 1.0);
+      const double x = lo + (hi - lo) * rule.point[q], own = (hi - lo) * rule.weight[q] * weight(x);
       const std::vector<double> v = values(e, x);
-      for (int i = 0; i <= degree_; ++i) result[span_[e] + i] += weight * v[i];
+      for (int i = 0; i <= degree_; ++i) result[span_[e] + i] += own * v[i];
     }
   }
   return result;

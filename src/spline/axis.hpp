@@ -5,22 +5,28 @@
 
 namespace softwet {
 
-/// B-splines of one degree on a line of elements, equal or graded ones: C^(degree-1), except C^0 at up to two optional knots; the
-/// ends are interpolating, or the axis is periodic. A periodic axis stores `degree` ghost functions behind its own.
+/// Bounded: with two ends. Periodic: the ends are joined. Radial: bounded, the distance from an axis of symmetry.
+enum class AxisKind { bounded, periodic, radial };
+
+/// B-splines of one degree on a line of elements, equal or graded ones: C^(degree-1), except C^0 at up to two optional
+/// knots; ends are interpolating. A periodic axis stores `degree` ghost functions behind its own.
 class Axis {
  public:
   /// @param length    extent, L0
-  /// @param kink      element index whose lower knot is repeated `degree` times (C0 there); 0: none. It is that of the wall
+  /// @param kink      element index whose lower knot is repeated `degree` times (C0 there), that of the wall; 0: none
   /// @param joint     another one
-  Axis(double length, int elements, int degree, bool periodic = false, int kink = 0, int joint = 0);
+  Axis(double length, int elements, int degree, AxisKind kind = AxisKind::bounded, int kink = 0, int joint = 0);
   /// Elements between ascending breaks, of which the first is 0 and the last the length.
-  Axis(std::vector<double> breaks, int degree, bool periodic = false, int kink = 0, int joint = 0);
+  Axis(std::vector<double> breaks, int degree, AxisKind kind = AxisKind::bounded, int kink = 0, int joint = 0);
 
   int degree() const { return degree_; }
   int elements() const { return elements_; }
   int functions() const { return functions_; }  ///< stored functions, ghosts included
-  int owned() const { return periodic_ ? elements_ : functions_; }
-  bool periodic() const { return periodic_; }
+  int owned() const { return periodic() ? elements_ : functions_; }
+  AxisKind kind() const { return kind_; }
+  bool periodic() const { return kind_ == AxisKind::periodic; }
+  /// What a length along the axis counts at x in an integral over the patch: the radius r in (r, z), else 1.
+  double weight(double x) const { return kind_ == AxisKind::radial ? x : 1.0; }
   double length() const { return length_; }
   bool graded() const { return !breaks_.empty(); }
   double spacing() const {
@@ -29,7 +35,7 @@ class Axis {
   double size(int element) const { return graded() ? breaks_[element + 1] - breaks_[element] : spacing_; }
   /// Into how many equal parts the axis above an element falls that are about as long as the shortest element.
   int equal_parts(int element = 0) const;
-  /// Integral of a function; L0.
+  /// Integral of a function, without the weight; L0.
   double integral(int function) const { return (knots_[function + degree_ + 1] - knots_[function]) / (degree_ + 1); }
   /// Point number i of those at the ends and in the middle of the elements: 2 elements() + 1.
   double end_or_middle(int i) const;
@@ -49,8 +55,8 @@ class Axis {
   void values(int element, double x, double* result) const;
   void slopes(int element, double x, double* result) const;
 
-  /// Exact integrals of all functions over [a, b], restricted to the elements [first, last). @param radial  with the weight x
-  std::vector<double> integrals(double a, double b, int first, int last, bool radial = false) const;
+  /// Exact integrals of all functions over [a, b] with the weight, restricted to the elements [first, last).
+  std::vector<double> integrals(double a, double b, int first, int last) const;
 
  private:
   void evaluate(int element, double x, int degree, double* n) const;
@@ -58,7 +64,7 @@ class Axis {
   void place_knots();
 
   int degree_, elements_, functions_, kink_, joint_;
-  bool periodic_;
+  AxisKind kind_;
   double length_, spacing_;
   std::vector<double> breaks_;
   std::vector<double> knots_;

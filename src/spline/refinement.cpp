@@ -36,11 +36,11 @@ bool can_be_halved(const Axis& fine, int least) {
 Axis halved(const Axis& fine) {
   const int n = fine.elements(), kink = fine.kink();
   const int joint = (fine.joint() - kink) % 2 == 0 ? fine.joint() : 0;
-  if (!fine.graded()) return {fine.length(), n / 2, fine.degree(), fine.periodic(), kink / 2, joint / 2};
+  if (!fine.graded()) return {fine.length(), n / 2, fine.degree(), fine.kind(), kink / 2, joint / 2};
   std::vector<double> breaks;
   for (int i = 0; i <= n; ++i)
     if (i == 0 || i == n || (i - kink) % 2 == 0) breaks.push_back(fine.breaks()[i]);
-  return {breaks, fine.degree(), fine.periodic(), (kink + 1) / 2, (joint + 1) / 2};
+  return {breaks, fine.degree(), fine.kind(), (kink + 1) / 2, (joint + 1) / 2};
 }
 
 /// Coefficients of the fine functions 2 j - p, ..., 2 j + 1 in the coarse one j around a periodic axis.

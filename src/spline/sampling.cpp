@@ -35,7 +35,7 @@ bool are_equal(const Axis& axis, const std::vector<Support>& support) {
 
 }  // namespace
 
-std::vector<Samples> samples_of(const Axis& axis, bool radial) {
+std::vector<Samples> samples_of(const Axis& axis) {
   const Gauss gauss(axis.degree() + 1);
   std::vector<Samples> all;
   for (int i = 0; i < axis.functions(); ++i) {
@@ -49,7 +49,7 @@ std::vector<Samples> samples_of(const Axis& axis, bool radial) {
     for (const Support& s : support)
       for (std::size_t q = 0; q < gauss.point.size(); ++q) {
         const double length = axis.size(s.element), x = axis.lower(s.element) + length * gauss.point[q];
-        const double part = length * gauss.weight[q] * axis.values(s.element, x)[s.function] * (radial ? x : 1.0);
+        const double part = length * gauss.weight[q] * axis.values(s.element, x)[s.function] * axis.weight(x);
         samples.place.push_back(x + s.moved);
         samples.weight.push_back(part);
         total += part;

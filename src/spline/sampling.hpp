@@ -7,15 +7,16 @@
 
 namespace softwet {
 
-/// A control value is the sum of weight times the function's value at place. The weights are positive and add up to 1, so that a
-/// control value cannot leave the range of the function. Round a periodic axis a place may lie outside of the domain.
+/// A control value is the sum of weight times the function's value at place. The weights are positive and add up to 1,
+/// so that a control value cannot leave the range of the function. Round a periodic axis a place may lie outside of the
+/// domain.
 struct Samples {
   std::vector<double> place, weight;
 };
 
-/// Of each function of an axis. Where the elements under a function are equal: its Greville point alone. Where they are not:
-/// Gauss points with the weights N_i / int N_i, so that the integral of the spline there is that of the function.
-/// @param radial  the axis is a distance from an axis of symmetry: integrals have the weight x
-std::vector<Samples> samples_of(const Axis&, bool radial = false);
+/// Of each function of an axis. Where the elements under a function are equal: its Greville point alone. Where they are
+/// not: Gauss points with the weights N_i / int N_i, so that the integral of the spline there is that of the function,
+/// with the weight of the axis in both.
+std::vector<Samples> samples_of(const Axis&);
 
 }  // namespace softwet

@@ -1,5 +1,6 @@
 #include "spline/transfer.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <numeric>
 
@@ -48,6 +49,40 @@ double blossom_of_lagrange(const std::vector<double>& points, std::size_t a, con
   return blossom_of_product(roots, arguments) / scale;
 }
 
+/// Functions of `to` on an element of it against those of `from`, with the weight of `to`.
+struct ElementProducts {
+  Eigen::MatrixXd own;    ///< int N_a N_b w
+  Eigen::MatrixXd mixed;  ///< int N_a M_j w, by function of `from`
+  Eigen::VectorXd sums;   ///< int N_a w
+};
+
+/// Exact: the elements of `from` cut that of `to` into parts.
+ElementProducts products_on(const Axis& from, int from_low, int from_high, const Axis& to, int element) {
+  const int n = to.degree() + 1;
+  ElementProducts all{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, from.functions()),
+                      Eigen::VectorXd::Zero(n)};
+  const Gauss gauss(std::max(from.degree(), to.degree()) + 1);
+  const double low = to.lower(element), high = low + to.size(element);
+  for (int e = from_low; e < from_high; ++e) {
+    // What sticks out of `from` by a rounding belongs to its last elements.
+    const double begin = e == from_low ? low : std::max(low, from.lower(e));
+    const double end = e == from_high - 1 ? high : std::min(high, from.lower(e + 1));
+    for (std::size_t q = 0; q < gauss.point.size() && begin < end; ++q) {
+      const double x = begin + (end - begin) * gauss.point[q], w = (end - begin) * gauss.weight[q] * to.weight(x);
+      const std::vector<double> mine = to.values(element, x), theirs = from.values(e, x);
+      for (int a = 0; a < n; ++a) {
+        all.sums[a] += w * mine[a];
+        for (int b = 0; b < n; ++b) all.own(a, b) += w * mine[a] * mine[b];
+        for (int k = 0; k <= from.degree(); ++k) {
+          const int function = from.span(e) + k;
+          all.mixed(a, from.periodic() ? function % from.owned() : function) += w * mine[a] * theirs[k];
+        }
+      }
+    }
+  }
+  return all;
+}
+
 /// The knots inside a function.
 std::vector<double> knots_inside(const Axis& axis, int function) {
   const auto knot = axis.knots().begin() + function + 1;
@@ -70,6 +105,26 @@ std::vector<TransferRow> transfer(const Axis& from, int from_low, int from_high,
     for (int j = 0; j < from.functions(); ++j)
       if (weights[j] != 0) rows[i].function.push_back(j), rows[i].weight.push_back(weights[j]);
   }
+  return rows;
+}
+
+std::vector<TransferRow> projection(const Axis& from, int from_low, int from_high, const Axis& to, int low, int high) {
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(to.owned(), from.functions());
+  Eigen::VectorXd total = Eigen::VectorXd::Zero(to.owned());
+  for (int e = low; e < high; ++e) {
+    const ElementProducts on = products_on(from, from_low, from_high, to, e);
+    const Eigen::MatrixXd best = on.own.ldlt().solve(on.mixed);
+    for (int a = 0; a <= to.degree(); ++a) {
+      const int i = (to.span(e) + a) % to.owned();
+      sums.row(i) += on.sums[a] * best.row(a);
+      total[i] += on.sums[a];
+    }
+  }
+  std::vector<TransferRow> rows(to.functions());
+  for (int i = 0; i < to.functions(); ++i)
+    for (int j = 0; j < from.functions(); ++j)
+      if (const double sum = sums(i % to.owned(), j); sum != 0)
+        rows[i].function.push_back(j), rows[i].weight.push_back(sum / total[i % to.owned()]);
   return rows;
 }
 

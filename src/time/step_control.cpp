@@ -27,10 +27,10 @@ double StepControl::allowed(double dt) const {
   return limits_.tolerance * std::clamp(limits_.slow / dt, least, 1.0);
 }
 
-void StepControl::accept(double dt, double indicator, bool laborious) {
+void StepControl::accept(double dt, double indicator, Effort effort) {
   double factor = indicator > 0 ? 0.9 * std::sqrt(allowed(dt) / indicator) : 2.0;
   factor = std::clamp(factor, 0.5, 1.5);
-  if (laborious) factor = std::min(factor, 0.9);
+  if (effort == Effort::laborious) factor = std::min(factor, 0.9);
   // A step cut short to meet an event says little about a longer one: never fall below the old proposal for that.
   const double wish = dt < 0.7 * proposed_ && factor > 1 ? std::max(proposed_, factor * dt) : factor * dt;
   proposed_ = std::clamp(wish, limits_.smallest, limits_.largest);

@@ -14,6 +14,9 @@ struct StepLimits {
   double slow = std::numeric_limits<double>::infinity();  ///< a step that is longer steps over the swings of the scene
 };
 
+/// Of the solver in a step: close to giving up where it was laborious.
+enum class Effort { usual, laborious };
+
 /// Step-size controller. The indicator compares a step's result with the linear extrapolation of the two states before:
 ///   e = max( rms(rho - rho_pred) / (rho_l - rho_v),  dt rms(v - v_pred) / H )  ~ dt^2,   H the thinner layer
 class StepControl {
@@ -28,8 +31,8 @@ class StepControl {
   /// From now on as from a first state.
   void begin_anew() { proposed_ = std::min(proposed_, limits_.initial); }
 
-  /// After an accepted step of size dt with its indicator. @param laborious  the solver was close to giving up
-  void accept(double dt, double indicator, bool laborious = false);
+  /// After an accepted step of size dt with its indicator.
+  void accept(double dt, double indicator, Effort effort = Effort::usual);
 
   /// After a step that failed: halves. Returns false when the step has become smaller than allowed.
   bool reject(double dt);

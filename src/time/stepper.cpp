@@ -104,7 +104,7 @@ StepReport Stepper<D, P>::step() {
     }
     previous_dt_ = dt;
     scheme_->accept(state_, previous_);
-    control_.accept(dt, tried.indicator, tried.laborious);
+    control_.accept(dt, tried.indicator, tried.laborious ? Effort::laborious : Effort::usual);
     ++counts_.steps;
     return {dt, tried.newton, tried.krylov, tried.indicator};
   }

@@ -43,7 +43,8 @@ Json list_of(const Json& items) {
 }
 
 /// A number in the range of the key; whole ones as integers, so that an editor shows them as such.
-Json plain_number(const Key& key, bool whole) {
+Json plain_number(const Key& key, Kind kind) {
+  const bool whole = kind == Kind::integer;
   const auto bound = [whole](double value) { return whole ? Json(static_cast<std::int64_t>(value)) : Json(value); };
   Json json = of_type(whole ? "integer" : "number");
   const Range& range = key.range;
@@ -53,7 +54,7 @@ Json plain_number(const Key& key, bool whole) {
 }
 
 /// A number, or a number or a ratio in quotes, whose value the schema cannot see.
-Json number_or_ratio(const Key& key, bool whole) { return one_of({plain_number(key, whole), text_like(ratio)}); }
+Json number_or_ratio(const Key& key, Kind kind) { return one_of({plain_number(key, kind), text_like(ratio)}); }
 
 Json choice_of(const Key& key) {
   Json json = of_type("string");
@@ -62,12 +63,12 @@ Json choice_of(const Key& key) {
 }
 
 Json times_of(const Key& key) {
-  const Json moment = one_of({plain_number(key, false), text_like(range_of_times)});
-  return one_of({plain_number(key, false), text_like(range_of_times), list_of(moment)});
+  const Json moment = one_of({plain_number(key, Kind::number), text_like(range_of_times)});
+  return one_of({plain_number(key, Kind::number), text_like(range_of_times), list_of(moment)});
 }
 
 Json schema_of_box(const Key& key) {
-  Json json = list_of(list_of(number_or_ratio(key, false)));
+  Json json = list_of(list_of(number_or_ratio(key, Kind::number)));
   json["minItems"] = 2;
   json["maxItems"] = 2;
   return json;
@@ -84,7 +85,7 @@ Json table_over_time() {
 
 /// A quoted text is an expression or the path of a table, but for a number with a decimal comma.
 Json profile_of(const Key& key) {
-  std::vector<Json> kinds{plain_number(key, false), of_type("string")};
+  std::vector<Json> kinds{plain_number(key, Kind::number), of_type("string")};
   if (key.support == Support::time) kinds.push_back(table_over_time());
   return one_of(kinds);
 }
@@ -96,13 +97,13 @@ Json text_of(const Key& key) {
 Json type_of(const Key& key) {
   switch (key.kind) {
     case Kind::number:
-      return number_or_ratio(key, false);
+      return number_or_ratio(key, Kind::number);
     case Kind::integer:
-      return number_or_ratio(key, true);
+      return number_or_ratio(key, Kind::integer);
     case Kind::numbers:
-      return list_of(number_or_ratio(key, false));
+      return list_of(number_or_ratio(key, Kind::number));
     case Kind::integers:
-      return list_of(number_or_ratio(key, true));
+      return list_of(number_or_ratio(key, Kind::integer));
     case Kind::box:
       return schema_of_box(key);
     case Kind::times:

@@ -7,22 +7,24 @@
 namespace softwet {
 namespace {
 
-std::optional<double> number_of(const toml::node& node, bool whole) {
+/// A number of the kind number or integer.
+std::optional<double> number_of(const toml::node& node, Kind kind) {
   std::optional<double> number;
   if (const auto* integer = node.as_integer()) number = static_cast<double>(integer->get());
   if (const auto* floating = node.as_floating_point()) number = floating->get();
   if (const auto* text = node.as_string()) number = number_from_text(text->get());
-  if (number && whole && *number != std::floor(*number)) return std::nullopt;
+  if (number && kind == Kind::integer && *number != std::floor(*number)) return std::nullopt;
   if (number && *number == 0) number = 0.0;  // without its sign
   return number;
 }
 
-std::optional<Numbers> numbers_of(const toml::node& node, bool whole) {
+/// Numbers of that kind each.
+std::optional<Numbers> numbers_of(const toml::node& node, Kind kind) {
   const toml::array* list = node.as_array();
   if (!list) return std::nullopt;
   Numbers numbers;
   for (const toml::node& entry : *list) {
-    const auto number = number_of(entry, whole);
+    const auto number = number_of(entry, kind);
     if (!number) return std::nullopt;
     numbers.push_back(*number);
   }
@@ -31,7 +33,7 @@ std::optional<Numbers> numbers_of(const toml::node& node, bool whole) {
 
 /// A number, or the numbers of a range. TOML takes 10:50:11 without quotes for a time of day.
 std::optional<Numbers> moments_of(const toml::node& node) {
-  if (const auto number = number_of(node, false)) return Numbers{*number};
+  if (const auto number = number_of(node, Kind::number)) return Numbers{*number};
   if (const auto* text = node.as_string()) return range_from_text(text->get());
   if (node.is_time()) return range_from_text(text_of_node(node));
   return std::nullopt;
@@ -70,7 +72,7 @@ std::optional<std::vector<Numbers>> rows_of(const toml::node& node) {
   if (!list || list->empty()) return std::nullopt;
   std::vector<Numbers> rows;
   for (const toml::node& entry : *list) {
-    const auto row = numbers_of(entry, false);
+    const auto row = numbers_of(entry, Kind::number);
     if (!row || row->size() < 2 || (!rows.empty() && row->size() != rows[0].size())) return std::nullopt;
     rows.push_back(*row);
   }
@@ -93,7 +95,7 @@ Words tables_of(const std::vector<Numbers>& rows) {
 }
 
 std::optional<Value> profile_of(const toml::node& node) {
-  if (const auto number = number_of(node, false)) return Value(*number);
+  if (const auto number = number_of(node, Kind::number)) return Value(*number);
   if (const auto* text = node.as_string()) return Value(text->get());
   if (const auto rows = rows_of(node); rows && (*rows)[0].size() == 2) {
     const std::string table = tables_of(*rows)[0];
@@ -123,7 +125,7 @@ std::optional<Value> corners_of(const toml::node& node) {
   if (!corners || corners->size() != 2) return std::nullopt;
   std::vector<Numbers> box;
   for (const toml::node& corner : *corners) {
-    const auto numbers = numbers_of(corner, false);
+    const auto numbers = numbers_of(corner, Kind::number);
     if (!numbers) return std::nullopt;
     box.push_back(*numbers);
   }
@@ -141,13 +143,13 @@ std::optional<Value> widen(const Maybe& value) {
 std::optional<Value> value_of_node(const toml::node& node, Kind kind) {
   switch (kind) {
     case Kind::number:
-      return widen(number_of(node, false));
+      return widen(number_of(node, Kind::number));
     case Kind::integer:
-      return widen(number_of(node, true));
+      return widen(number_of(node, Kind::integer));
     case Kind::numbers:
-      return widen(numbers_of(node, false));
+      return widen(numbers_of(node, Kind::number));
     case Kind::integers:
-      return widen(numbers_of(node, true));
+      return widen(numbers_of(node, Kind::integer));
     case Kind::box:
       return corners_of(node);
     case Kind::times:

@@ -54,7 +54,7 @@ class Regions {
       if (label_[p] < 0) continue;
       Sums& of = sums[label_[p]];
       const std::array<double, 3> x = place(static_cast<int>(p));
-      const double w = samples_.depth[p] * (samples_.axisymmetric ? x[0] : 1);
+      const double w = samples_.depth[p] * (samples_.rings.empty() ? 1 : samples_.rings[p % samples_.points[0]]);
       of.weight += w;
       for (int d = 0; d < samples_.dimension; ++d) {
         of.first[d] += w * (samples_.periodic[d] ? std::cos(x[d] / radian(d)) : x[d]);
@@ -65,7 +65,7 @@ class Regions {
     for (std::size_t r = 0; r < sums.size(); ++r)
       for (int d = 0; d < samples_.dimension && sums[r].weight > 0; ++d) {
         const double first = sums[r].first[d], sine = sums[r].sine[d], weight = sums[r].weight;
-        if (samples_.axisymmetric && d == 0) continue;  // on the axis
+        if (!samples_.rings.empty() && d == 0) continue;  // on the axis
         const bool all_round = samples_.periodic[d] && std::hypot(first, sine) < 1e-6 * weight;
         if (!all_round) middles[r][d] = samples_.periodic[d] ? radian(d) * std::atan2(sine, first) : first / weight;
       }

@@ -19,7 +19,7 @@ struct PhaseSamples {
       high{1e300, 1e300, 1e300};  ///< where elements are fine, less a margin; periodic: also beyond the ends
   std::vector<double> depth;      ///< any measure that is 0 on the surface and grows inwards
   bool bubbles = false;           ///< inside is vapour
-  bool axisymmetric = false;      ///< the first axis is the distance from an axis of symmetry
+  std::vector<double> rings;      ///< what points count, by place along a first axis that is a radius; empty: all alike
 
   bool inside(std::size_t point) const { return depth[point] >= 0; }
 };

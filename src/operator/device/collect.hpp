@@ -159,7 +159,8 @@ class TileSums {
 
   /// Adds what the tiles have to a vector of unknowns.
   void add_to(const ArrayOf<Real>& out) {
-    if (collect_.sources > 0) collect(out, {}, true);
+    collect_.add = true;
+    if (collect_.sources > 0) collect(out, {});
   }
   /// The same as a part of a kernel of the caller, which is launched before other tiles are.
   CollectTiles<D, Real> taken() {
@@ -169,7 +170,10 @@ class TileSums {
     return sums;
   }
   /// out = what the tiles have, times a mask where there is one.
-  void store(const ArrayOf<Real>& out, const ConstArray& mask) { collect(out, mask, false); }
+  void store(const ArrayOf<Real>& out, const ConstArray& mask) {
+    collect_.add = false;
+    collect(out, mask);
+  }
 
  private:
   void launch() {
@@ -178,11 +182,10 @@ class TileSums {
     schedule_ = {};
     std::memset(terms_, 0, sizeof terms_);
   }
-  void collect(const ArrayOf<Real>& out, const ConstArray& mask, bool add) {
+  void collect(const ArrayOf<Real>& out, const ConstArray& mask) {
     launch();
     collect_.out = out;
     collect_.mask = mask;
-    collect_.add = add;
     Kokkos::parallel_for("softwet::collect", Items(0, static_cast<int>(out.extent(0))), collect_);
     collect_.sources = 0;
   }

@@ -4,9 +4,7 @@ namespace softwet {
 namespace {
 
 /// Rows of the mass matrix of functions [first_function, ..) on the elements [first, last): (i, k) is M(i, i - k).
-/// @param radial  with the weight r, the coordinate along the axis
-std::vector<double> mass_band(const Axis& axis, int points, int first, int last, int first_function, int functions,
-                              bool radial) {
+std::vector<double> mass_band(const Axis& axis, int points, int first, int last, int first_function, int functions) {
   const int p = axis.degree();
   const Gauss gauss(points);
   std::vector<double> band(static_cast<std::size_t>(functions) * (p + 1), 0.0);
@@ -14,7 +12,7 @@ std::vector<double> mass_band(const Axis& axis, int points, int first, int last,
     for (int q = 0; q < points; ++q) {
       const double x = axis.lower(e) + axis.size(e) * gauss.point[q];
       const std::vector<double> value = axis.values(e, x);
-      const double weight = axis.size(e) * gauss.weight[q] * (radial ? x : 1.0);
+      const double weight = axis.size(e) * gauss.weight[q] * axis.weight(x);
       for (int a = 0; a <= p; ++a)
         for (int b = 0; b <= a; ++b)
           band[(axis.span(e) + a - first_function) * (p + 1) + a - b] += weight * value[a] * value[b];
@@ -84,10 +82,8 @@ KroneckerMass<D>::KroneckerMass(const Layout<D>& own, int points, const ConstArr
       const Axis& axis = l.axis[d];
       const bool of_fluid = d == D - 1 && c >= D;
       const int first = of_fluid ? l.solid_elements : 0, function = of_fluid ? l.wall_row : 0, n = box.extent[d];
-      const std::vector<double> band =
-          mass_band(axis, points, first, axis.elements(), function, n, l.axisymmetric && d == 0);
-      const std::vector<double> all =
-          axis.integrals(0, axis.length(), first, axis.elements(), l.axisymmetric && d == 0);
+      const std::vector<double> band = mass_band(axis, points, first, axis.elements(), function, n);
+      const std::vector<double> all = axis.integrals(0, axis.length(), first, axis.elements());
       std::vector<bool> is_free(n);
       for (int i = 0; i < n; ++i) is_free[i] = mask[middle + (i - n / 2) * step[d]] != 0;
       factors[d] = factorise(band, axis.degree(), is_free);

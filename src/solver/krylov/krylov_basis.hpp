@@ -68,15 +68,21 @@ class KrylovBasis {
   /// With v_0 .. v_{count - 1}.
   Dots dots(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
     std::vector<double> sums =
-        strip_sums<Real>({{space_, all_.data(), stride_, count, {w.data()}, true, size_, weights}});
+        strip_sums<Real>({{space_, all_.data(), stride_, count, {w.data()}, SquareOfFirst::added, size_, weights}});
     const double square = sums.back();
     sums.pop_back();
     return {std::move(sums), square};
   }
   /// Those of w, and those of v_{count - 1} with the vectors before it, in one pass over the vectors.
   std::pair<Dots, Dots> dots_with_last(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
-    const std::vector<double> sums = strip_sums<Real>(
-        {{space_, all_.data(), stride_, count, {w.data(), vector_[count - 1].data()}, true, size_, weights}});
+    const std::vector<double> sums = strip_sums<Real>({{space_,
+                                                        all_.data(),
+                                                        stride_,
+                                                        count,
+                                                        {w.data(), vector_[count - 1].data()},
+                                                        SquareOfFirst::added,
+                                                        size_,
+                                                        weights}});
     Dots of_w, of_last;
     for (int j = 0; j < count; ++j) {
       of_w.along.push_back(sums[2 * j]);

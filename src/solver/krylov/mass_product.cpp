@@ -71,7 +71,7 @@ typename MassProduct<D, P>::Band MassProduct<D, P>::band(int d, const std::vecto
         const int e = l + run.shift;
         const double x = axis.lower(e) + axis.size(e) * gauss.point[q];
         const std::vector<double> value = axis.values(e, x);
-        const double weight = axis.size(e) * gauss.weight[q] * (layout_.axisymmetric && d == 0 ? x : 1.0);
+        const double weight = axis.size(e) * gauss.weight[q] * axis.weight(x);
         const int first = axis.span(e) - run.shift - first_function;
         for (int a = 0; a <= P; ++a)
           for (int b = 0; b <= P; ++b) band(b - a + P, first + a) += weight * value[a] * value[b];

@@ -33,11 +33,13 @@ AxisSums make_sums(const std::vector<std::vector<TransferTerm>>& terms) {
 
 using TransferTerms = std::vector<std::vector<TransferTerm>>;
 
+enum class AtCopies { nothing, what_is_stored };
+
 /// Sums of functions as sums at places. One at a copy is left out where not all that it needs is stored.
-AxisSums at_places(const TransferTerms& terms, const AxisPlaces& to, const AxisPlaces& from, bool copies) {
+AxisSums at_places(const TransferTerms& terms, const AxisPlaces& to, const AxisPlaces& from, AtCopies copies) {
   TransferTerms result(to.function.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (!to.own[i] && (!copies || to.function[i] < 0)) continue;
+    if (!to.own[i] && (copies == AtCopies::nothing || to.function[i] < 0)) continue;
     bool stored = true;
     for (const TransferTerm& t : terms[to.function[i]]) stored = stored && from.place[t.source] >= 0;
     if (!stored && to.own[i]) throw std::logic_error("a coarse space needs more columns beside those of a process");
@@ -73,7 +75,8 @@ AxisTransfer make_axis_transfer(const Axis& fine, const Refinement& r, const Axi
       to_coarse[j].push_back({i, weight});
       to_fine[i].push_back({j, weight});
     }
-  return {at_places(to_coarse, coarse_places, fine_places, false), at_places(to_fine, fine_places, coarse_places, true),
+  return {at_places(to_coarse, coarse_places, fine_places, AtCopies::nothing),
+          at_places(to_fine, fine_places, coarse_places, AtCopies::what_is_stored),
           static_cast<int>(fine_places.function.size()), static_cast<int>(coarse_places.function.size())};
 }
 

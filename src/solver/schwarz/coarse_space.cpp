@@ -96,8 +96,8 @@ void cut_like(const Layout<D>& fine, Layout<D>& coarse) {
 }  // namespace
 
 template <int D>
-CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int least, bool at_once)
-    : fine_(fine), layout_(fine.whole_patch()), fine_mask_(mask), at_once_(at_once) {
+CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int least, TransferKernels kernels)
+    : fine_(fine), layout_(fine.whole_patch()), fine_mask_(mask), kernels_(kernels) {
   std::vector<Refinement> refinement;
   layout_.axis.clear();
   layout_.row_size = 1;
@@ -121,7 +121,7 @@ CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int l
   mask_ = free;
   product_.emplace(fine, layout_, refinement);
   int points = Stencil<D>(fine).points;
-  for (int step = 0; step + 1 < D && !at_once; ++step) {
+  for (int step = 0; step + 1 < D && kernels == TransferKernels::one_for_each_axis; ++step) {
     points = points / axis_[D - 1 - step].fine * axis_[D - 1 - step].coarse;
     between_[step] = Array("coarse.between", std::size_t(fine.components()) * points);
   }
@@ -129,8 +129,9 @@ CoarseSpace<D>::CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int l
 
 /// Axis by axis: those in between have the rows of the coarse space, so that the fewest sums have the longest lines.
 template <int D>
-void CoarseSpace<D>::transfer(bool to_coarse, const ConstArray& from, const Array& to) const {
-  if (at_once_) {
+void CoarseSpace<D>::transfer(Towards towards, const ConstArray& from, const Array& to) const {
+  const bool to_coarse = towards == Towards::coarse;
+  if (kernels_ == TransferKernels::one) {
     const WriteEntries<SumAllAxes<D, double>> all{to_coarse ? restriction(from) : prolongation(from), to};
     return Kokkos::parallel_for("softwet::transfer", LongItems(0, all.items()), all);
   }
@@ -163,12 +164,12 @@ void CoarseSpace<D>::transfer(bool to_coarse, const ConstArray& from, const Arra
 
 template <int D>
 void CoarseSpace<D>::restrict_to(const ConstArray& fine, const Array& coarse) const {
-  transfer(true, fine, coarse);
+  transfer(Towards::coarse, fine, coarse);
 }
 
 template <int D>
 void CoarseSpace<D>::prolong(const ConstArray& coarse, const Array& fine) const {
-  transfer(false, coarse, fine);
+  transfer(Towards::fine, coarse, fine);
 }
 
 template class CoarseSpace<2>;

@@ -9,6 +9,9 @@
 
 namespace softwet {
 
+/// How vectors are transferred: along all axes by one kernel, or axis by axis, which is less work in more kernels.
+enum class TransferKernels { one, one_for_each_axis };
+
 /// Nested B-spline spaces: z = P z_c with P the refinement of every axis that can be halved, A_c = P^T A P, which is
 /// again a matrix of the same stencil. Where a process stores a part of the fine columns, it stores the part of the coarse
 /// ones below it. It restricts to its own columns, from those that it stores; copies are left at zero, as in the product.
@@ -16,9 +19,9 @@ namespace softwet {
 template <int D>
 class CoarseSpace {
  public:
-  /// @param least    elements that an axis keeps at least
-  /// @param at_once  vectors are transferred along all axes by one kernel, not axis by axis
-  CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int least, bool at_once = !host_algorithms);
+  /// @param least  elements that an axis keeps at least
+  CoarseSpace(const Layout<D>& fine, const ConstArray& mask, int least,
+              TransferKernels kernels = host_algorithms ? TransferKernels::one_for_each_axis : TransferKernels::one);
 
   bool exists() const { return exists_; }  ///< whether any axis could be halved
   const Layout<D>& layout() const { return layout_; }
@@ -45,14 +48,16 @@ class CoarseSpace {
   double galerkin_bytes() const { return product_->bytes(); }  ///< of these buffers
 
  private:
-  void transfer(bool to_coarse, const ConstArray& from, const Array& to) const;
+  enum class Towards { coarse, fine };
+  void transfer(Towards, const ConstArray& from, const Array& to) const;
 
   Layout<D> fine_, layout_;
   ConstArray fine_mask_, mask_;
   AxisTransfer axis_[D];
   Array between_[D - 1];  ///< vectors on their way, with one more coarse axis each
   std::optional<GalerkinProduct<D>> product_;
-  bool exists_ = false, at_once_;
+  bool exists_ = false;
+  TransferKernels kernels_;
 };
 
 }  // namespace softwet

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "time/explicit/step_points.hpp"
+#include "time/explicit/solid_points.hpp"
 
 namespace softwet::step_points {
 

@@ -36,6 +36,12 @@ JoinedElements joined_elements(const Layout<D>& l) {
   return joint == 0 ? JoinedElements{} : JoinedElements{joint, l.solid_elements - joint};
 }
 
+template <int D>
+MassSymbols symbols_of_ends(const Layout<D>& l, int degree, MassKind kind) {
+  const Coordinates coordinates = l.axisymmetric() ? Coordinates::axisymmetric : Coordinates::plane;
+  return with_joint(end_symbols(degree, kind, fewest_elements(l), coordinates), degree, kind, joined_elements(l));
+}
+
 /// Whether nothing holds the velocity at some control point at an end of an axis.
 template <int D>
 bool has_free_end(const Layout<D>& l, const std::vector<double>& mask, int axis) {
@@ -61,8 +67,7 @@ StepBound<D, P>::StepBound(const Regions<D>& regions, const Coefficients<D>& coe
       coefficients_(coefficients),
       formula_(formula),
       inside_(inside_symbols(P, kind)),
-      end_(with_joint(end_symbols(P, kind, fewest_elements(regions.layout()), regions.layout().axisymmetric), P, kind,
-                      joined_elements(regions.layout()))),
+      end_(symbols_of_ends<D>(regions.layout(), P, kind)),
       adds_axes_(kind == MassKind::consistent),
       found_("step_bound.found", found_numbers) {
   const Layout<D>& l = regions.layout();
@@ -164,7 +169,7 @@ void StepBound<D, P>::visit_points(const BoundState& s, const Visit& visit) cons
   std::visit(
       [&](const auto& solid) {
         if constexpr (D == 2)
-          if (l.axisymmetric) return with_fluid(solid_point<true>(solid, s.displacement));
+          if (l.axisymmetric()) return with_fluid(solid_point<true>(solid, s.displacement));
         with_fluid(solid_point<false>(solid, s.displacement));
       },
       coefficients_.solid().law);

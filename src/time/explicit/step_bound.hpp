@@ -42,8 +42,9 @@ struct BoundState {
 };
 
 /// How a scheme adds the rates at a point: w of waves, s of viscosity, e of the stabilisation, u of the flow.
-/// kick_drift: max((sqrt(e^2 + 4 (w + u)^2) + e + s) / 4, s). Without viscosity one wave is stable up to (w dt)^2 + 2 e dt = 4, which is
-///   this; viscosity alone is stable up to s dt = 1; with all three it is a bound (the roots of the step were tried on a grid);
+/// kick_drift: max((sqrt(e^2 + 4 (w + u)^2) + e + s) / 4, s). Without viscosity one wave is stable up to
+///   (w dt)^2 + 2 e dt = 4, which is this; viscosity alone is stable up to s dt = 1; with all three it is a bound (the
+///   roots of the step were tried on a grid);
 /// runge_kutta: the ellipse with half axes 1.73 and 2.51 in the region of stability of three stages and third order,
 ///   sqrt(((w + u) / 1.73)^2 + ((s + e) / 2.51)^2);
 /// without_viscosity: the same with s = 0.
@@ -52,27 +53,27 @@ enum class StepFormula { kick_drift, without_viscosity, runge_kutta };
 /// At a control point with density rho and moments p over row sums a, on elements of the shortest length h:
 ///   w = sqrt(A^2 c^2 + C^2 g^2 rho / h^2) / h,  c^2 = max(rho W'', 0)
 ///   s = V (4/3) m / (p / a) / h^2,   e = eps k (c^2 / rho + g^2 k),  k = F / h^2,   u = U |v - vh| / h
-/// with the symbols A, C, V, F, U (E, B, T) of the masses, those of ends in the elements beside an end; in the solid everywhere, and
-/// those of its joint. Where the mesh moves, h shrinks with
-/// the smallest stretch of the mesh above the wall there. In the solid w = E sqrt(K / rho_0) / h with K the largest row of dP/dF of its
-/// material along an axis and the largest eigenvalue of that of its fibres, together;
-/// where two sides that are free meet, waves along both axes join through Poisson's effect, and half of the row along the other
-/// axis is added: that is at least what blocks and beams have, at Poisson ratios up to 0.49. Viscosity of the solid:
-/// s = E^2 (4/3 eta + zeta) / rho_0 / h^2; on its top face w^2 has B^2 (D - 1) Ups / rho_0 / h^3 more, and the same with the modulus
-/// lambda_s + 2 G_s in place of Ups, times what the stretch of the face makes stiffer; on its bottom w^2 has T^2 kap / rho_0 / h more
-/// by the springs of a foundation, and s has T^2 c / rho_0 / h more by its dashpots; K has 2 sum G_i more by branches, times
-/// |F|^4 under finite strains; with needles of the
-/// stiffness k it has X k / rho_0 more, X = 1 with lumped masses (`held` of the
+/// with the symbols A, C, V, F, U (E, B, T) of the masses, those of ends in the elements beside an end; in the solid
+/// everywhere, and those of its joint. Where the mesh moves, h shrinks with the smallest stretch of the mesh above the
+/// wall there. In the solid w = E sqrt(K / rho_0) / h with K the largest row of dP/dF of its material along an axis and
+/// the largest eigenvalue of that of its fibres, together; where two sides that are free meet, waves along both axes
+/// join through Poisson's effect, and half of the row along the other axis is added: that is at least what blocks and
+/// beams have, at Poisson ratios up to 0.49. Viscosity of the solid: s = E^2 (4/3 eta + zeta) / rho_0 / h^2; on its top
+/// face w^2 has B^2 (D - 1) Ups / rho_0 / h^3 more, and the same with the modulus lambda_s + 2 G_s in place of Ups,
+/// times what the stretch of the face makes stiffer; on its bottom w^2 has T^2 kap / rho_0 / h more by the springs of a
+/// foundation, and s has T^2 c / rho_0 / h more by its dashpots; K has 2 sum G_i more by branches, times |F|^4 under
+/// finite strains; with needles of the stiffness k it has X k / rho_0 more, X = 1 with lumped masses (`held` of the
 /// symbols).
 /// Control values bound the fields, for these are their means, and all of these rates are largest at an end of a range.
-/// Tested: tests/unit/time/explicit/test_step_bound.cpp, and against a search for the limit: the study stable_step
+/// Tested: tests/unit/time/explicit/test_step_bound.cpp, test_step_bound_of_solids.cpp, and against a search for the
+/// limit: the study stable_step
 template <int D, int P>
 class StepBound {
  public:
   StepBound(const Regions<D>&, const Coefficients<D>&, MassKind, StepFormula);
 
-  // The rates and the ranges of the values of a state in two halves: starts the kernel that leaves so many numbers, and, when they are on the
-  // host, gives what they are.
+  // The rates and the ranges of the values of a state in two halves: starts the kernel that leaves so many numbers,
+  // and, when they are on the host, gives what they are.
   static int numbers();
   void ask(const BoundState&, const HostNumbers&) const;
   static StepRates rates(const HostNumbers&);

@@ -12,21 +12,22 @@ namespace {
 
 using Dense = Eigen::MatrixXd;
 
-/// Elements of length 1 in a row: (N_i, N_j), (N_i', N_j') and (N_i, N_j'); in (r, z) with the weight r. Of the hoop strain of radial
-/// vectors (N_i / r, N_j / r) and the mean of (N_i / r, N_j') and its transpose; zero elsewhere.
+/// Elements of length 1 in a row: (N_i, N_j), (N_i', N_j') and (N_i, N_j') with the weight of the axis. Along a radius those of
+/// the hoop strain too, (N_i / r, N_j / r) and the mean of (N_i / r, N_j') and its transpose; zero elsewhere.
 struct ElementLine {
   Dense mass, stiffness, slope, hoop, mixed;
   int at_joint;  ///< the function that is 1 at the joint; 0: there is none
 
-  ElementLine(int elements, int degree, bool radial = false, int joint = 0) {
-    const Axis axis(elements, elements, degree, false, 0, joint);
+  ElementLine(int elements, int degree, AxisKind kind = AxisKind::bounded, int joint = 0) {
+    const Axis axis(elements, elements, degree, kind, 0, joint);
     const Gauss gauss(degree + 1);
     const int n = axis.functions();
     at_joint = joint > 0 ? axis.span(joint) : 0;
     mass = stiffness = slope = hoop = mixed = Dense::Zero(n, n);
     for (int e = 0; e < elements; ++e)
       for (int q = 0; q <= degree; ++q) {
-        const double x = e + gauss.point[q], r = radial ? x : 1, weight = gauss.weight[q] * r, on = radial ? 1 : 0;
+        const double x = e + gauss.point[q], r = axis.weight(x), weight = gauss.weight[q] * r,
+                     on = kind == AxisKind::radial ? 1 : 0;
         const std::vector<double> value = axis.values(e, x), d = axis.slopes(e, x);
         for (int a = 0; a <= degree; ++a)
           for (int b = 0; b <= degree; ++b) {
@@ -48,10 +49,14 @@ T series(const T& one, const T& e) {
   return one + e + square - 2 * (square * e);
 }
 
+/// Whether the function at an end of a line is prescribed.
+enum class LineEnd { free, held };
+
 /// The inverse of a mass with ties, without the functions that are held: zero rows and columns for these.
 /// @param joint  the function there; 0: none
-Dense inverse(const Dense& mass, MassKind kind, double kept, bool held_below, bool held_above, int joint = 0) {
-  const int all = static_cast<int>(mass.rows()), first = held_below ? 1 : 0, n = all - first - (held_above ? 1 : 0);
+Dense inverse(const Dense& mass, MassKind kind, double kept, LineEnd below, LineEnd above, int joint = 0) {
+  const int all = static_cast<int>(mass.rows()), first = below == LineEnd::held ? 1 : 0,
+            n = all - first - (above == LineEnd::held ? 1 : 0);
   const Eigen::VectorXd sums = mass.rowwise().sum().segment(first, n);
   const Dense inner = mass.block(first, first, n, n), one = Dense::Identity(n, n);
   Dense found = Dense::Zero(all, all);
@@ -68,13 +73,14 @@ Dense inverse(const Dense& mass, MassKind kind, double kept, bool held_below, bo
     d -= (1 - part) / along.dot(scaled) * scaled * (along.transpose() * d);
   };
   // As EndTies does it: where ends share a function, halves of all but the last come before it and after it.
-  const bool below = !held_below && n > 1, above = !held_above && n > 1, joined = joint - first > 0;
+  const bool tied_below = below == LineEnd::free && n > 1, tied_above = above == LineEnd::free && n > 1,
+             joined = joint - first > 0;
   const double last_above = joined ? std::sqrt(kept) : kept;
-  if (below) tie(0, 1, std::sqrt(kept));
-  if (above) tie(n - 1, -1, last_above);
+  if (tied_below) tie(0, 1, std::sqrt(kept));
+  if (tied_above) tie(n - 1, -1, last_above);
   if (joined) tie(joint - first, -1, kept);
-  if (above && joined) tie(n - 1, -1, last_above);
-  if (below) tie(0, 1, std::sqrt(kept));
+  if (tied_above && joined) tie(n - 1, -1, last_above);
+  if (tied_below) tie(0, 1, std::sqrt(kept));
   found.block(first, first, n, n) = kind == MassKind::lumped ? d : Dense(series<Dense>(one, one - d * inner) * d);
   return found;
 }
@@ -118,12 +124,13 @@ MassSymbols inside_symbols(int degree, MassKind kind) {
   return s;
 }
 
-MassSymbols end_symbols(int degree, MassKind kind, int elements, bool radial) {
-  const ElementLine line(elements, degree, radial);
-  const Dense held = inverse(line.mass, kind, kept_of_velocities, true, true);
-  const Dense free = inverse(line.mass, kind, kept_of_velocities, false, false);
-  const Dense layer = inverse(line.mass, kind, kept_of_velocities, true, false);
-  const Dense scalar = inverse(line.mass, kind, kept_of_scalars, false, false);
+MassSymbols end_symbols(int degree, MassKind kind, int elements, Coordinates coordinates) {
+  const bool radial = coordinates == Coordinates::axisymmetric;
+  const ElementLine line(elements, degree, radial ? AxisKind::radial : AxisKind::bounded);
+  const Dense held = inverse(line.mass, kind, kept_of_velocities, LineEnd::held, LineEnd::held);
+  const Dense free = inverse(line.mass, kind, kept_of_velocities, LineEnd::free, LineEnd::free);
+  const Dense layer = inverse(line.mass, kind, kept_of_velocities, LineEnd::held, LineEnd::free);
+  const Dense scalar = inverse(line.mass, kind, kept_of_scalars, LineEnd::free, LineEnd::free);
   // rho' = - S grad^T v,  mu = S (c^2 M + g^2 K) rho / rho,  v' = - S grad mu
   const Dense there = scalar * line.slope.transpose(), back = held * line.slope * scalar;
   MassSymbols s = inside_symbols(degree, kind);
@@ -143,10 +150,10 @@ MassSymbols end_symbols(int degree, MassKind kind, int elements, bool radial) {
   }
   // Faces lie across the vertical axis, whose line has no weight.
   const Dense upwards = radial ? ElementLine(elements, degree).mass : line.mass;
-  const Dense held_below = inverse(upwards, kind, kept_of_velocities, true, false);
+  const Dense held_below = inverse(upwards, kind, kept_of_velocities, LineEnd::held, LineEnd::free);
   const double along = radial ? std::max(s.viscous, s.elastic * s.elastic) : s.viscous;
   s.surface = std::sqrt(along * held_below(held_below.rows() - 1, held_below.cols() - 1));
-  s.springs = std::sqrt(inverse(upwards, kind, kept_of_velocities, false, false)(0, 0));
+  s.springs = std::sqrt(inverse(upwards, kind, kept_of_velocities, LineEnd::free, LineEnd::free)(0, 0));
   s.held = std::max(s.held, held_factor(line, kind));
   return s;
 }
@@ -154,17 +161,17 @@ MassSymbols end_symbols(int degree, MassKind kind, int elements, bool radial) {
 MassSymbols with_joint(MassSymbols ends, int degree, MassKind kind, JoinedElements elements) {
   if (elements.below == 0) return ends;
   const int below = std::min(elements.below, 10), above = std::min(elements.above, 10);
-  const ElementLine line(below + above, degree, false, below);
-  const auto inverse_of = [&](bool held_below, bool held_above) {
-    return inverse(line.mass, kind, kept_of_velocities, held_below, held_above, line.at_joint);
+  const ElementLine line(below + above, degree, AxisKind::bounded, below);
+  const auto inverse_of = [&](LineEnd at_bottom, LineEnd at_top) {
+    return inverse(line.mass, kind, kept_of_velocities, at_bottom, at_top, line.at_joint);
   };
-  const auto of = [&](bool held_below, bool held_above) {
-    return largest(inverse_of(held_below, held_above) * line.stiffness);
+  const auto of = [&](LineEnd at_bottom, LineEnd at_top) {
+    return largest(inverse_of(at_bottom, at_top) * line.stiffness);
   };
-  const double free = of(false, false);
-  ends.elastic = std::max(ends.elastic, std::sqrt(std::max(free, of(true, false))));
-  ends.viscous = std::max({ends.viscous, free, of(true, true)});
-  ends.springs = std::max(ends.springs, std::sqrt(inverse_of(false, false)(0, 0)));
+  const double free = of(LineEnd::free, LineEnd::free);
+  ends.elastic = std::max(ends.elastic, std::sqrt(std::max(free, of(LineEnd::held, LineEnd::free))));
+  ends.viscous = std::max({ends.viscous, free, of(LineEnd::held, LineEnd::held)});
+  ends.springs = std::max(ends.springs, std::sqrt(inverse_of(LineEnd::free, LineEnd::free)(0, 0)));
   ends.held = std::max(ends.held, held_factor(line, kind));
   return ends;
 }

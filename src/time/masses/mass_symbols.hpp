@@ -33,9 +33,9 @@ inline int fewest_that_matter(const std::vector<int>& elements) {
 /// At an end with an open knot, with its ties: from the eigenvalues of a line of so many elements, whose two ends are felt by each
 /// other where it is short. At least those inside. The elastic one is that of a layer that is held below and free above, or
 /// free on both sides.
-/// @param radial  the line begins at the axis of symmetry of (r, z): masses and stiffnesses have the weight r, and vectors their hoop
-///   strain v_r / r. These symbols are up to a fifth larger.
-MassSymbols end_symbols(int degree, MassKind, int elements = 10, bool radial = false);
+/// @param coordinates  in (r, z) the line begins at the axis of symmetry: masses and stiffnesses have the weight r, and vectors
+///   their hoop strain v_r / r. These symbols are up to a fifth larger.
+MassSymbols end_symbols(int degree, MassKind, int elements = 10, Coordinates coordinates = Coordinates::plane);
 /// Elements of a solid below and above its joint. Zeros: there is no joint.
 struct JoinedElements {
   int below = 0, above = 0;

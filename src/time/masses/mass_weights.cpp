@@ -51,7 +51,7 @@ void SceneWeights<D, P>::add_solid_sums() {
   for (int d = 0; d < D; ++d) {
     const Axis& axis = l.axis[d];
     const int last = d == D - 1 ? l.solid_elements : axis.elements();
-    std::vector<double> factor = axis.integrals(0, axis.length(), 0, last, l.axisymmetric && d == 0);
+    std::vector<double> factor = axis.integrals(0, axis.length(), 0, last);
     for (int g = axis.owned(); g < axis.functions(); ++g)
       factor[g] = factor[g - axis.owned()] = factor[g] + factor[g - axis.owned()];
     const int extent = d == D - 1 ? l.rows : l.extent(d);

@@ -155,7 +155,7 @@ std::vector<StripSums<double>> Judge<D, P>::squares(const Array& partial) const 
   std::vector<StripSums<double>> sums;
   int place = 0;
   const auto add = [&](int first, int last) {
-    sums.push_back({l.space(), nullptr, 0, 1, {nullptr}, false, last - first});
+    sums.push_back({l.space(), nullptr, 0, 1, {nullptr}, SquareOfFirst::left_out, last - first});
     sums.back().partial = partial;
     sums.back().place = std::exchange(place, place + sums.back().items());
   };
@@ -198,7 +198,7 @@ double Judge<D, P>::take_indicator(const StepHistory& history, double dt, const 
   const VectorSpace space = l.space();
   std::vector<double> sizes;
   for (const StripSums<double>& s : squares({})) {
-    StripTotals totals(space.strips, 1, space.shared);
+    StripTotals totals(space.strips, 1, strips_here(space));
     add_partial_sums(totals, s, s.place, at.host, 0);
     sizes.push_back(std::sqrt(totals.total(0)));
   }

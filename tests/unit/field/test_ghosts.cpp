@@ -14,7 +14,8 @@ Layout<D> layout(const std::array<bool, D>& periodic) {
   l.solid_elements = 2;
   l.row_size = 1;
   for (int d = 0; d < D; ++d) {
-    l.axis.emplace_back(1.0, 4 + d, 2, periodic[d], d == D - 1 && !periodic[d] ? 2 : 0);
+    l.axis.emplace_back(1.0, 4 + d, 2, periodic[d] ? AxisKind::periodic : AxisKind::bounded,
+                        d == D - 1 && !periodic[d] ? 2 : 0);
     if (d < D - 1) l.row_size *= l.axis[d].functions();
   }
   l.rows = l.axis[D - 1].functions();

@@ -159,7 +159,7 @@ TEST(DropletWatch, TellsHowFarDropletsMove) {
 TEST(DropletWatch, OnAnAxisOfSymmetryADropletMovesAlongItAlone) {
   std::vector<Body> bodies = bodies_at({{0, 0, 0}});
   PhaseSamples before = plane({".....", "##..."}), after = plane({"##...", "####."});
-  before.axisymmetric = after.axisymmetric = true;
+  before.rings = after.rings = {0, 1, 2, 3, 4};
   follow(bodies, before, one);
   const std::vector<Centre> from = centres_of(bodies, before);
   follow(bodies, after, one);

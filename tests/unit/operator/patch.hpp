@@ -38,9 +38,10 @@ struct Patch {
       const double length = 0.7 + 0.2 * d;
       const int kink = d == D - 1 ? solid_elements : 0;
       if (uneven == 0) {
-        layout.axis.emplace_back(length, elements[d], degree, false, kink);
+        layout.axis.emplace_back(length, elements[d], degree, AxisKind::bounded, kink);
       } else {
-        layout.axis.emplace_back(uneven_breaks(length / elements[d], elements[d], uneven), degree, false, kink);
+        layout.axis.emplace_back(uneven_breaks(length / elements[d], elements[d], uneven), degree, AxisKind::bounded,
+                                 kink);
       }
       if (d < D - 1) layout.row_size *= layout.axis[d].functions();
     }

@@ -12,7 +12,8 @@ using testing_tools::single_stage;
 Patch<2> make_whole(int elements, bool periodic) {
   Layout<2> l;
   l.solid_elements = 3;
-  l.axis = {Axis(0.9, elements, 2, periodic), Axis(0.8, 8, 2, false, 3)};
+  l.axis = {Axis(0.9, elements, 2, periodic ? AxisKind::periodic : AxisKind::bounded),
+            Axis(0.8, 8, 2, AxisKind::bounded, 3)};
   l.row_size = l.axis[0].functions();
   l.rows = l.axis[1].functions();
   l.wall_row = l.axis[1].span(3);

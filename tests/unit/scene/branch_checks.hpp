@@ -24,7 +24,7 @@ void fill_branches(RandomSceneIn<D>& s, std::vector<double>& memory, std::vector
   const int size = l.branch_size(), count = static_cast<int>(branches.size());
   const bool strains = l.branches_at_points;
   memory = to_host(s.terms.patch.draw(count * size, -0.01, 0.01));
-  if (l.axisymmetric && !strains)
+  if (l.axisymmetric() && !strains)
     for (int i = 0; i < count * size; ++i)
       if (i % size < l.displacement_offset(1) && i % l.row_size == 0) memory[i] = 0;
   const std::vector<double> x = followed(s.scene.regions(), s.stage().displacement);

@@ -75,7 +75,7 @@ struct RandomSceneIn {
     hold(stage().unknown);
     hold(stage().acceleration);
     stage().time = 3.0;  // half of the load's ramp
-    if (!layout().axisymmetric) return;
+    if (!layout().axisymmetric()) return;
     keep_axis(stage().displacement);
     keep_axis(stage().displacement_end);
   }

@@ -30,7 +30,8 @@ Layout<D> make_layout(const Shape& s) {
   l.row_size = 1;
   for (int d = 0; d < D; ++d) {
     const int kink = d == D - 1 && l.has_solid && l.has_fluid ? s.solid_elements : 0;
-    l.axis.emplace_back(0.7 + 0.2 * d, s.elements[d], s.degree, s.periodic && d < D - 1, kink);
+    l.axis.emplace_back(0.7 + 0.2 * d, s.elements[d], s.degree,
+                        s.periodic && d < D - 1 ? AxisKind::periodic : AxisKind::bounded, kink);
     if (d < D - 1) l.row_size *= l.axis[d].functions();
   }
   l.rows = l.axis[D - 1].functions();

@@ -35,23 +35,31 @@ std::vector<double> uneven(int elements) {
 }
 
 std::vector<Axis> axes() {
-  return {Axis(uneven(7), 2),           Axis(uneven(7), 2, false, 3), Axis(uneven(8), 2, true),
-          Axis(uneven(9), 3, false, 4), Axis(uneven(9), 3, true),     Axis(0.9, 7, 2),
-          Axis(0.9, 7, 2, false, 3, 1), Axis(0.9, 7, 2, false, 3),    Axis(0.9, 7, 2, true),
-          Axis(1.3, 5, 1, false, 2),    Axis(1.3, 6, 3, false, 2),    Axis(1.3, 6, 3, true)};
+  return {Axis(uneven(7), 2),
+          Axis(uneven(7), 2, AxisKind::bounded, 3),
+          Axis(uneven(8), 2, AxisKind::periodic),
+          Axis(uneven(9), 3, AxisKind::bounded, 4),
+          Axis(uneven(9), 3, AxisKind::periodic),
+          Axis(0.9, 7, 2),
+          Axis(0.9, 7, 2, AxisKind::bounded, 3, 1),
+          Axis(0.9, 7, 2, AxisKind::bounded, 3),
+          Axis(0.9, 7, 2, AxisKind::periodic),
+          Axis(1.3, 5, 1, AxisKind::bounded, 2),
+          Axis(1.3, 6, 3, AxisKind::bounded, 2),
+          Axis(1.3, 6, 3, AxisKind::periodic)};
 }
 
 TEST(Axis, Counts) {
   EXPECT_EQ(Axis(1, 8, 2).functions(), 10);
-  EXPECT_EQ(Axis(1, 8, 2, false, 3).functions(), 11);
-  EXPECT_EQ(Axis(1, 8, 3, false, 3).functions(), 13);
-  const Axis p(1, 8, 2, true);
+  EXPECT_EQ(Axis(1, 8, 2, AxisKind::bounded, 3).functions(), 11);
+  EXPECT_EQ(Axis(1, 8, 3, AxisKind::bounded, 3).functions(), 13);
+  const Axis p(1, 8, 2, AxisKind::periodic);
   EXPECT_EQ(p.functions(), 10);
   EXPECT_EQ(p.owned(), 8);
-  const Axis k(1, 8, 2, false, 3);
+  const Axis k(1, 8, 2, AxisKind::bounded, 3);
   EXPECT_EQ(k.span(2), 2);
   EXPECT_EQ(k.span(3), 4) << "the elements beside the kink share one function";
-  const Axis joined(1, 8, 3, false, 5, 2);
+  const Axis joined(1, 8, 3, AxisKind::bounded, 5, 2);
   EXPECT_EQ(joined.functions(), 15);
   EXPECT_EQ(joined.span(2), 4);
   EXPECT_EQ(joined.span(5), 9);
@@ -87,8 +95,9 @@ TEST(Axis, SlopeAgainstDifferences) {
 
 TEST(Axis, SmoothInsideContinuousAtTheKink) {
   for (const Axis& axis :
-       {Axis(0.9, 7, 2), Axis(0.9, 7, 2, false, 3), Axis(0.9, 7, 2, false, 5, 2), Axis(0.9, 7, 2, false, 0, 4),
-        Axis(uneven(7), 2), Axis(uneven(7), 2, false, 3), Axis(uneven(7), 2, false, 4, 2)}) {
+       {Axis(0.9, 7, 2), Axis(0.9, 7, 2, AxisKind::bounded, 3), Axis(0.9, 7, 2, AxisKind::bounded, 5, 2),
+        Axis(0.9, 7, 2, AxisKind::bounded, 0, 4), Axis(uneven(7), 2), Axis(uneven(7), 2, AxisKind::bounded, 3),
+        Axis(uneven(7), 2, AxisKind::bounded, 4, 2)}) {
     const Spline s{axis, wild(axis.functions())};
     for (int e = 1; e < 7; ++e) {
       const double x = axis.lower(e);
@@ -104,7 +113,7 @@ TEST(Axis, SmoothInsideContinuousAtTheKink) {
 }
 
 TEST(Axis, EndsInterpolate) {
-  const Axis axis(0.9, 7, 2, false, 3);
+  const Axis axis(0.9, 7, 2, AxisKind::bounded, 3);
   const Spline s{axis, wild(axis.functions())};
   EXPECT_NEAR(s.value(0, 0), s.control.front(), 1e-15);
   EXPECT_NEAR(s.value(6, 0.9), s.control.back(), 1e-14);
@@ -124,7 +133,7 @@ TEST(Axis, GrevillePointsReproduceTheCoordinate) {
 }
 
 TEST(Axis, PeriodicWraps) {
-  const Axis axis(0.9, 7, 2, true);
+  const Axis axis(0.9, 7, 2, AxisKind::periodic);
   Spline s{axis, wild(axis.functions())};
   for (int g = axis.owned(); g < axis.functions(); ++g) s.control[g] = s.control[g - axis.owned()];
   EXPECT_NEAR(s.value(0, 0), s.value(6, 0.9), 1e-14);
@@ -133,7 +142,7 @@ TEST(Axis, PeriodicWraps) {
 }
 
 TEST(Axis, GradedPeriodicWraps) {
-  const Axis axis(uneven(9), 3, true);
+  const Axis axis(uneven(9), 3, AxisKind::periodic);
   Spline s{axis, wild(axis.functions())};
   for (int g = axis.owned(); g < axis.functions(); ++g) s.control[g] = s.control[g - axis.owned()];
   EXPECT_NEAR(s.value(0, 0), s.value(8, axis.length()), 1e-14);
@@ -185,6 +194,20 @@ TEST(Axis, IntegralsOfABox) {
     for (double v : axis.integrals(a, b, 0, 2)) cut += v;
     EXPECT_NEAR(cut, axis.lower(2) - a, 1e-14);
   }
+}
+
+TEST(Axis, IntegralsAlongARadiusAreThoseOfRings) {
+  for (const Axis& axis : {Axis(0.9, 7, 2, AxisKind::radial), Axis(uneven(7), 3, AxisKind::radial, 3)}) {
+    EXPECT_EQ(axis.weight(0.3), 0.3);
+    EXPECT_EQ(axis.functions(), axis.owned());
+    double area = 0, moment = 0;  // int r dr and int r^2 dr, for the Greville points are the coordinate
+    const std::vector<double> each = axis.integrals(0, axis.length(), 0, axis.elements());
+    for (int i = 0; i < axis.functions(); ++i) area += each[i], moment += each[i] * axis.greville(i);
+    EXPECT_NEAR(area, std::pow(axis.length(), 2) / 2, 1e-15);
+    EXPECT_NEAR(moment, std::pow(axis.length(), 3) / 3, 1e-15);
+  }
+  EXPECT_EQ(Axis(0.9, 7, 2).weight(0.3), 1);
+  EXPECT_EQ(Axis(0.9, 7, 2, AxisKind::periodic).weight(0.3), 1);
 }
 
 TEST(Axis, ElementAt) {

@@ -57,16 +57,16 @@ void check_cut(const Axis& axis, int ranks, int beside) {
 }
 
 TEST(Columns, EachBelongsToOneProcessThatHasWhatItNeeds) {
-  for (const bool periodic : {false, true})
+  for (const AxisKind kind : {AxisKind::bounded, AxisKind::periodic})
     for (const int degree : {2, 3})
       for (const int elements : {5, 8, 16, 23, 44})
         for (int ranks = 1; ranks <= std::max(1, elements / strip_width); ++ranks)
           for (int beside : {0, 3, 7})
-            if (beside <= elements) check_cut(Axis(1.0, elements, degree, periodic), ranks, beside);
+            if (beside <= elements) check_cut(Axis(1.0, elements, degree, kind), ranks, beside);
 }
 
 TEST(Columns, OneProcessStoresEachOnce) {
-  const Columns c = cut_columns(Axis(1.0, 23, 2, true), 0, 1);
+  const Columns c = cut_columns(Axis(1.0, 23, 2, AxisKind::periodic), 0, 1);
   EXPECT_EQ(c.stored(), 25);
   EXPECT_EQ(c.begin, 0);
   EXPECT_EQ(c.end, 25);

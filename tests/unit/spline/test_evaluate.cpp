@@ -9,7 +9,7 @@ namespace softwet {
 namespace {
 
 TEST(Evaluate, GridIn2DWithShiftAndDerivatives) {
-  const Axis x(0.9, 7, 2), y(0.6, 5, 2, false, 2);
+  const Axis x(0.9, 7, 2), y(0.6, 5, 2, AxisKind::bounded, 2);
   const int wall = y.span(2), rows = y.functions() - wall;
   std::vector<double> box(x.functions() * rows);
   for (std::size_t i = 0; i < box.size(); ++i) box[i] = std::sin(1 + 3.7 * i);
@@ -35,7 +35,7 @@ TEST(Evaluate, GridIn2DWithShiftAndDerivatives) {
 
 // Control values at Greville points of a linear function give it back everywhere, and its slopes.
 TEST(Evaluate, LinearFunctionIn3D) {
-  const Axis x(0.9, 4, 2), y(0.6, 3, 2), z(0.5, 5, 2, false, 2);
+  const Axis x(0.9, 4, 2), y(0.6, 3, 2), z(0.5, 5, 2, AxisKind::bounded, 2);
   std::vector<double> box;
   for (int k = 0; k < z.functions(); ++k)
     for (int j = 0; j < y.functions(); ++j)
@@ -58,7 +58,7 @@ TEST(Evaluate, LinearFunctionIn3D) {
 }
 
 TEST(Evaluate, TraceOnTheKinkFromEitherSide) {
-  const Axis z(0.5, 5, 2, false, 2);
+  const Axis z(0.5, 5, 2, AxisKind::bounded, 2);
   EXPECT_EQ(sample_axis(z, {0.2}, Sampled::values, 0, 2).first[0], z.span(2));
   EXPECT_EQ(sample_axis(z, {0.2}, Sampled::values, 0, 0, 2).first[0], z.span(1));
 }

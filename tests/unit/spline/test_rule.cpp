@@ -12,7 +12,7 @@ auto host(const V& view) {
 }
 
 TEST(AxisRule, TablesMatchTheAxis) {
-  const Axis axis(0.9, 7, 2, false, 3);
+  const Axis axis(0.9, 7, 2, AxisKind::bounded, 3);
   const AxisRule rule = gauss_rule(axis, 2, 6, 3);
   EXPECT_EQ(rule.elements, 4);
   EXPECT_EQ(rule.points, 3);
@@ -41,7 +41,7 @@ TEST(AxisRule, TablesMatchTheAxis) {
 
 // Each point has the means over its element, of functions and slopes, and they share its length.
 TEST(AxisRule, MeansOfElements) {
-  const Axis axis(0.9, 7, 2, false, 3);
+  const Axis axis(0.9, 7, 2, AxisKind::bounded, 3);
   const AxisRule rule = mean_rule(axis, 2, 6, 3), gauss = gauss_rule(axis, 2, 6, 4);
   EXPECT_EQ(rule.elements, 4);
   EXPECT_EQ(rule.points, 3);
@@ -78,7 +78,7 @@ TEST(AxisRule, PaddingCarriesNoWeight) {
 }
 
 TEST(AxisRule, LowFaceIsTheTrace) {
-  const Axis axis(0.9, 7, 2, false, 3);
+  const Axis axis(0.9, 7, 2, AxisKind::bounded, 3);
   const AxisRule rule = low_face_rule(axis, 3);
   const auto v = host(rule.value);
   const auto w = host(rule.weight), x = host(rule.position);
@@ -91,7 +91,7 @@ TEST(AxisRule, LowFaceIsTheTrace) {
 }
 
 TEST(AxisRule, RestrictionKeepsOneFunction) {
-  const Axis axis(0.9, 7, 2, false, 3);
+  const Axis axis(0.9, 7, 2, AxisKind::bounded, 3);
   const AxisRule rule = gauss_rule(axis, 3, 4, 3), only = restricted_to(rule, 0);
   const auto v = host(rule.value), r = host(only.value), rs = host(only.slope), s = host(rule.slope);
   for (int q = 0; q < 3; ++q)

@@ -16,7 +16,8 @@ std::vector<double> growing(double coarsest) {
 }
 
 TEST(Sampling, EqualElementsTakeGrevillePoints) {
-  for (const Axis& axis : {Axis(0.9, 7, 2), Axis(0.9, 7, 3, false, 3), Axis(0.9, 7, 2, true)}) {
+  for (const Axis& axis :
+       {Axis(0.9, 7, 2), Axis(0.9, 7, 3, AxisKind::bounded, 3), Axis(0.9, 7, 2, AxisKind::periodic)}) {
     const std::vector<Samples> samples = samples_of(axis);
     ASSERT_EQ(static_cast<int>(samples.size()), axis.functions());
     for (int i = 0; i < axis.functions(); ++i) {
@@ -27,7 +28,8 @@ TEST(Sampling, EqualElementsTakeGrevillePoints) {
 }
 
 TEST(Sampling, WeightsArePositiveAndAddUpToOneAtTheGrevillePoint) {
-  for (const Axis& axis : {Axis(growing(4), 2), Axis(growing(4), 3, false, 15), Axis(growing(4), 2, true)})
+  for (const Axis& axis :
+       {Axis(growing(4), 2), Axis(growing(4), 3, AxisKind::bounded, 15), Axis(growing(4), 2, AxisKind::periodic)})
     for (const Samples& s : samples_of(axis)) {
       double one = 0;
       for (const double w : s.weight) {
@@ -43,13 +45,13 @@ TEST(Sampling, TheIntegralIsThatOfTheFunction) {
   std::vector<double> breaks{0};
   for (int e = 0; e < 40; ++e) breaks.push_back(breaks.back() + 0.03 + 0.01 * std::sin(3.1 * e * e));
   for (const int degree : {2, 3})
-    for (const bool radial : {false, true}) {
-      const Axis axis(breaks, degree);
+    for (const AxisKind kind : {AxisKind::bounded, AxisKind::radial}) {
+      const Axis axis(breaks, degree, kind);
       const double middle = 0.5 * axis.length(), width = 0.15 * axis.length();
       const auto bump = [&](double x) { return std::exp(-std::pow((x - middle) / width, 2)); };
-      const double exact = width * std::sqrt(M_PI) * std::erf(middle / width) * (radial ? middle : 1);
-      const std::vector<Samples> samples = samples_of(axis, radial);
-      const std::vector<double> integrals = axis.integrals(0, axis.length(), 0, axis.elements(), radial);
+      const double exact = width * std::sqrt(M_PI) * std::erf(middle / width) * (kind == AxisKind::radial ? middle : 1);
+      const std::vector<Samples> samples = samples_of(axis);
+      const std::vector<double> integrals = axis.integrals(0, axis.length(), 0, axis.elements());
       double sum = 0, at_greville = 0;
       for (int i = 0; i < axis.functions(); ++i) {
         at_greville += bump(axis.greville(i)) * integrals[i];

@@ -51,14 +51,15 @@ TEST(Transfer, IsTheSameFunctionOnElementsThatDivideTheOthers) {
   struct Pair {
     Axis from, to;
   };
-  for (const auto& [from, to] : std::vector<Pair>{{Axis(0.9, 7, 2), Axis(0.9, 7, 2)},
-                                                  {Axis(0.9, 7, 2), Axis(0.9, 14, 2)},
-                                                  {Axis(0.9, 7, 2, true), Axis(0.9, 7, 2, true)},
-                                                  {Axis(0.9, 7, 2, true), Axis(0.9, 21, 2, true)},
-                                                  {Axis(0.9, 6, 2, false, 2), Axis(0.9, 6, 2, false, 2)},
-                                                  {Axis(0.9, 6, 2, false, 2), Axis(0.9, 12, 2, false, 4)},
-                                                  {Axis(1.3, 6, 3, false, 2), Axis(1.3, 18, 3, false, 6)},
-                                                  {Axis(1.3, 7, 3, true), Axis(1.3, 14, 3, true)}}) {
+  for (const auto& [from, to] :
+       std::vector<Pair>{{Axis(0.9, 7, 2), Axis(0.9, 7, 2)},
+                         {Axis(0.9, 7, 2), Axis(0.9, 14, 2)},
+                         {Axis(0.9, 7, 2, AxisKind::periodic), Axis(0.9, 7, 2, AxisKind::periodic)},
+                         {Axis(0.9, 7, 2, AxisKind::periodic), Axis(0.9, 21, 2, AxisKind::periodic)},
+                         {Axis(0.9, 6, 2, AxisKind::bounded, 2), Axis(0.9, 6, 2, AxisKind::bounded, 2)},
+                         {Axis(0.9, 6, 2, AxisKind::bounded, 2), Axis(0.9, 12, 2, AxisKind::bounded, 4)},
+                         {Axis(1.3, 6, 3, AxisKind::bounded, 2), Axis(1.3, 18, 3, AxisKind::bounded, 6)},
+                         {Axis(1.3, 7, 3, AxisKind::periodic), Axis(1.3, 14, 3, AxisKind::periodic)}}) {
     const std::vector<double> control = wild_control_values(from.functions());
     const auto rows = transfer(from, 0, from.elements(), to, 0, to.elements());
     EXPECT_LT(difference(from, control, to, moved(rows, control), 0, to.elements(), 0, from.elements()), 1e-12)
@@ -66,8 +67,58 @@ TEST(Transfer, IsTheSameFunctionOnElementsThatDivideTheOthers) {
   }
 }
 
+// By projection along a radius too, and its integral with the weight r stays on any elements.
+TEST(Projection, IsTheSameFunctionWhereTransferIs) {
+  struct Pair {
+    Axis from, to;
+  };
+  constexpr AxisKind radial = AxisKind::radial;
+  for (const auto& [from, to] :
+       std::vector<Pair>{{Axis(0.9, 7, 2, radial), Axis(0.9, 14, 2, radial)},
+                         {Axis(0.9, 6, 2, AxisKind::bounded, 2), Axis(0.9, 12, 2, AxisKind::bounded, 4)},
+                         {Axis(1.3, 7, 3, radial), Axis(1.3, 21, 3, radial)},
+                         {Axis(1.3, 7, 3, AxisKind::periodic), Axis(1.3, 14, 3, AxisKind::periodic)}}) {
+    const std::vector<double> control = wild_control_values(from.functions());
+    const auto rows = projection(from, 0, from.elements(), to, 0, to.elements());
+    EXPECT_LT(difference(from, control, to, moved(rows, control), 0, to.elements(), 0, from.elements()), 1e-11)
+        << from.elements() << " " << to.elements() << " degree " << to.degree();
+  }
+}
+
+TEST(Projection, KeepsTheIntegralWithTheWeightOfTheAxis) {
+  const std::vector<double> uneven{0, 0.07, 0.2, 0.35, 0.6, 0.9};
+  for (const AxisKind kind : {AxisKind::bounded, AxisKind::radial, AxisKind::periodic})
+    for (const Axis& to : {Axis(0.9, 5, 2, kind), Axis(0.9, 11, 3, kind), Axis(uneven, 2, kind)}) {
+      const Axis from(0.9, 8, 2, kind);
+      const auto integral = [](const Axis& axis, const std::vector<double>& control) {
+        const std::vector<double> each = axis.integrals(0, axis.length(), 0, axis.elements());
+        double sum = 0;
+        for (int i = 0; i < axis.functions(); ++i) sum += each[i] * control[i % axis.owned()];
+        return sum;
+      };
+      const std::vector<double> control = wild_control_values(from.functions());
+      const double before = integral(from, control);
+      const auto rows = projection(from, 0, from.elements(), to, 0, to.elements());
+      EXPECT_NEAR(integral(to, moved(rows, control)), before, 1e-13) << to.elements();
+      const auto others = transfer(from, 0, from.elements(), to, 0, to.elements());
+      EXPECT_GT(std::abs(integral(to, moved(others, control)) - before), 1e-3) << "a transfer at points does not";
+    }
+}
+
+TEST(Projection, StaysOnItsSideOfTheWall) {
+  const Axis from(0.9, 6, 2, AxisKind::bounded, 2), to(0.9, 9, 2, AxisKind::bounded, 3);
+  std::vector<double> control = wild_control_values(from.functions());
+  for (int i = 0; i < from.span(2); ++i) control[i] = NAN;  // the fluid has no values below the wall
+  const std::vector<double> now = moved(projection(from, 2, 6, to, 3, 9), control);
+  const std::vector<double> old_parts = from.integrals(0.3, 0.9, 2, 6), parts = to.integrals(0.3, 0.9, 3, 9);
+  double before = 0, after = 0;
+  for (int i = from.span(2); i < from.functions(); ++i) before += old_parts[i] * control[i];
+  for (int i = to.span(3); i < to.functions(); ++i) after += parts[i] * now[i];
+  EXPECT_NEAR(after, before, 1e-13);
+}
+
 TEST(Transfer, StaysOnItsSideOfTheWall) {
-  const Axis from(0.9, 6, 2, false, 2), to(0.9, 12, 2, false, 4);
+  const Axis from(0.9, 6, 2, AxisKind::bounded, 2), to(0.9, 12, 2, AxisKind::bounded, 4);
   std::vector<double> control = wild_control_values(from.functions());
   for (int i = 0; i < from.span(2); ++i) control[i] = NAN;  // the fluid has no values below the wall
   const std::vector<double> now = moved(transfer(from, 2, 6, to, 4, 12), control);
@@ -96,7 +147,7 @@ TEST(Transfer, ConvergesOnOtherElementsAndDegrees) {
 // Values at ends and middles of elements tell a spline of degree 2, also beside a kink, on a part of an axis, around a
 // periodic axis and on graded elements.
 TEST(Samples, HoldASplineOfDegreeTwo) {
-  const Axis equal(1.3, 7, 2), kinked(1.3, 7, 2, false, 3), periodic(1.3, 7, 2, true),
+  const Axis equal(1.3, 7, 2), kinked(1.3, 7, 2, AxisKind::bounded, 3), periodic(1.3, 7, 2, AxisKind::periodic),
       graded(std::vector<double>{0, 0.1, 0.2, 0.35, 0.6, 1.3}, 2);
   for (const Axis& axis : {equal, kinked, periodic, graded}) {
     const int low = axis.kink(), high = axis.elements();

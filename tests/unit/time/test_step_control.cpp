@@ -99,7 +99,7 @@ TEST(StepControl, LongStepsMayHaveASmallerError) {
 
 TEST(StepControl, LaboriousNewtonShrinksTheStep) {
   StepControl control(limits, {});
-  control.accept(0.1, 1e-12, true);
+  control.accept(0.1, 1e-12, Effort::laborious);
   EXPECT_DOUBLE_EQ(control.proposed(), 0.09);
 }
 

@@ -35,7 +35,8 @@ struct StripProduct {
       team.team_barrier();
       Kokkos::parallel_for(Kokkos::TeamThreadRange(team, parts), [&](int part) {
         Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, lanes), [&](int lane) {
-          add(matrix + std::int64_t(first) * stride + lane * lane_rows, stride, count, part, lane, first == 0);
+          add(matrix + std::int64_t(first) * stride + lane * lane_rows, stride, count, part, lane,
+              first == 0 ? SumStart::zero : SumStart::as_it_is);
         });
       });
       team.team_barrier();
@@ -49,7 +50,8 @@ struct StripProduct {
   }
 
  private:
-  KOKKOS_FUNCTION void add(const float* matrix, int stride, int count, int part, int lane, bool fresh) const {
+  enum class SumStart { zero, as_it_is };
+  KOKKOS_FUNCTION void add(const float* matrix, int stride, int count, int part, int lane, SumStart start) const {
     constexpr int together = 8;  // columns that are fetched at once
     float total[lane_rows] = {};
     const auto add_column = [&](int j) {
@@ -61,7 +63,7 @@ struct StripProduct {
       for (int k = 0; k < together; ++k) add_column(j + k * parts);
     for (; j < count; j += parts) add_column(j);
     float* to = &sum(part * LevelStrip::rows + lane * lane_rows);
-    for (int r = 0; r < lane_rows; ++r) to[r] = fresh ? total[r] : to[r] + total[r];
+    for (int r = 0; r < lane_rows; ++r) to[r] = start == SumStart::zero ? total[r] : to[r] + total[r];
   }
 };
 

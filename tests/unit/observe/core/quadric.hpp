@@ -26,11 +26,11 @@ class Drawing {
  public:
   static constexpr double length = 0.8, wall = 0.1;
 
-  explicit Drawing(int n, bool periodic = false) {
+  explicit Drawing(int n, AxisKind sides = AxisKind::bounded) {
     layout_.solid_elements = n / 8;
-    layout_.axis.emplace_back(length, n, 2, periodic);
-    layout_.axis.emplace_back(length, n, 2, periodic);
-    layout_.axis.emplace_back(0.5 * length, n / 2, 2, false, n / 8);
+    layout_.axis.emplace_back(length, n, 2, sides);
+    layout_.axis.emplace_back(length, n, 2, sides);
+    layout_.axis.emplace_back(0.5 * length, n / 2, 2, AxisKind::bounded, n / 8);
     layout_.row_size = layout_.axis[0].functions() * layout_.axis[1].functions();
     layout_.rows = layout_.axis[2].functions();
     layout_.wall_row = layout_.axis[2].span(n / 8);

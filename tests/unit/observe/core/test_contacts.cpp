@@ -200,14 +200,14 @@ TEST(Contacts, OverAPeriodicCorner) {
       return middle + 0.3 * std::tanh((0.25 - std::hypot(dx, dy, p[2] - wall + 0.05)) / 0.06);
     };
   };
-  const Cells whole = only(Drawing(16, true).density_near(droplet(0.4, 0.35)), {diagonal, diagonal});
-  const Cells moved = only(Drawing(16, true).density_near(droplet(0.0, 0.75)), {diagonal, diagonal});
+  const Cells whole = only(Drawing(16, AxisKind::periodic).density_near(droplet(0.4, 0.35)), {diagonal, diagonal});
+  const Cells moved = only(Drawing(16, AxisKind::periodic).density_near(droplet(0.0, 0.75)), {diagonal, diagonal});
   EXPECT_NEAR(moved["contact_area"], whole["contact_area"], 1e-12);
   EXPECT_NEAR(std::remainder(moved["x_centre"] - whole["x_centre"] - 0.4, 0.8), 0, 1e-12);
   EXPECT_NEAR(moved["y_centre"], whole["y_centre"] + 0.4, 1e-12);
   EXPECT_NEAR(moved["track_front"] - moved["track_rear"], whole["track_front"] - whole["track_rear"], 1e-9);
   EXPECT_NEAR(moved["angle_front"], whole["angle_front"], 1e-6);
-  EXPECT_NEAR(advance(Drawing(16, true).layout(), {0.79, 0.4}, {0.01, 0.4}, {1, 0}), 0.02, 1e-12);
+  EXPECT_NEAR(advance(Drawing(16, AxisKind::periodic).layout(), {0.79, 0.4}, {0.01, 0.4}, {1, 0}), 0.02, 1e-12);
 }
 
 /// A bubble is the same with liquid and vapour changed: its dry foot, and the angle in the liquid, 180 degrees less

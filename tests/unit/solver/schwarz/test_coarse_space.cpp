@@ -36,10 +36,10 @@ void check_refinement(const Axis& fine) {
 TEST(Refinement, SumsOfFineSplines) {
   for (int degree : {2, 3}) {
     check_refinement(Axis(1.0, 12, degree));
-    check_refinement(Axis(1.0, 12, degree, false, 4));
-    check_refinement(Axis(1.0, 12, degree, false, 6, 2));
-    check_refinement(Axis(1.0, 12, degree, false, 6, 3));
-    check_refinement(Axis(0.7, 14, degree, true));
+    check_refinement(Axis(1.0, 12, degree, AxisKind::bounded, 4));
+    check_refinement(Axis(1.0, 12, degree, AxisKind::bounded, 6, 2));
+    check_refinement(Axis(1.0, 12, degree, AxisKind::bounded, 6, 3));
+    check_refinement(Axis(0.7, 14, degree, AxisKind::periodic));
   }
 }
 
@@ -53,20 +53,20 @@ TEST(Refinement, SumsOfGradedSplines) {
   for (int degree : {2, 3}) {
     check_refinement(Axis(uneven(12), degree));
     check_refinement(Axis(uneven(13), degree));
-    check_refinement(Axis(uneven(14), degree, true));
+    check_refinement(Axis(uneven(14), degree, AxisKind::periodic));
   }
   for (int kink : {4, 5}) {
-    const Axis fine(uneven(13), 2, false, kink);
+    const Axis fine(uneven(13), 2, AxisKind::bounded, kink);
     check_refinement(fine);
     const Axis coarse = refine_from_half(fine, 2).coarse;
     EXPECT_EQ(coarse.lower(coarse.kink()), fine.lower(kink)) << "the wall is an end of elements";
-    for (int joint : {1, 2, 3}) check_refinement(Axis(uneven(13), 2, false, kink, joint));
+    for (int joint : {1, 2, 3}) check_refinement(Axis(uneven(13), 2, AxisKind::bounded, kink, joint));
   }
 }
 
 TEST(Refinement, OddAxesStay) {
   EXPECT_EQ(refine_from_half(Axis(1.0, 13, 2), 2).coarse.elements(), 13);
-  EXPECT_EQ(refine_from_half(Axis(1.0, 12, 2, false, 3), 2).coarse.elements(), 12);
+  EXPECT_EQ(refine_from_half(Axis(1.0, 12, 2, AxisKind::bounded, 3), 2).coarse.elements(), 12);
   EXPECT_EQ(refine_from_half(Axis(1.0, 6, 2), 4).coarse.elements(), 6);
 }
 
@@ -92,7 +92,8 @@ void check_galerkin(Case c, std::vector<int> elements) {
   coarse.multiply(coarse_x, found);
   EXPECT_LT(distance(to_host(found), to_host(expected)), 1e-5);
   const Array y = s.direction();
-  const CoarseSpace<2> at_once(s.layout(), s.scene.mask(), 2, true), by_axis(s.layout(), s.scene.mask(), 2, false);
+  const CoarseSpace<2> at_once(s.layout(), s.scene.mask(), 2, TransferKernels::one),
+      by_axis(s.layout(), s.scene.mask(), 2, TransferKernels::one_for_each_axis);
   const Array again("again", s.layout().size());
   by_axis.prolong(coarse_x, fine);
   at_once.prolong(coarse_x, again);

@@ -48,7 +48,8 @@ TEST(MassSymbols, SpringsAtControlValuesMeetLumpedMasses) {
 TEST(MassSymbols, AnAxisOfSymmetryIsUpToAFifthStifferThanAnEnd) {
   for (const int degree : {2, 3})
     for (const MassKind kind : {MassKind::lumped, MassKind::corrected}) {
-      const MassSymbols end = end_symbols(degree, kind), axis = end_symbols(degree, kind, 10, true);
+      const MassSymbols end = end_symbols(degree, kind),
+                        axis = end_symbols(degree, kind, 10, Coordinates::axisymmetric);
       for (const auto symbol : {&MassSymbols::acoustic, &MassSymbols::capillary, &MassSymbols::viscous,
                                 &MassSymbols::diffusive, &MassSymbols::elastic}) {
         EXPECT_GT(axis.*symbol, 0.99 * end.*symbol);
