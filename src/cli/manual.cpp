@@ -61,7 +61,7 @@ std::string command_text(const CLI::App& command) {
   return text;
 }
 
-/// What `explain` tells of a key, in one paragraph.
+/// What `explain` says of a key, in one paragraph.
 std::string key_text(const Key& key) {
   std::istringstream lines(explain(key.name));
   std::string line, text;

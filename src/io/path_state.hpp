@@ -6,7 +6,7 @@
 namespace softwet {
 
 /// Whether the path leads to what is open as `descriptor`: not where that was moved, removed, or replaced by another.
-/// True where the system cannot tell.
+/// True where the system gives no answer.
 bool leads_to(const std::string& path, int descriptor);
 
 /// "a folder", "a pipe", "a device", "a socket": what the path leads to where that is no regular file, which a program

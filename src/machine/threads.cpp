@@ -68,7 +68,7 @@ int threads_of(const char* name) {
 /// OMP_THREAD_LIMIT: OpenMP starts no more threads, whoever asks for them.
 int thread_limit() {
   const auto value = variable("OMP_THREAD_LIMIT");
-  const auto number = value ? whole_number(*value) : std::nullopt;  // OpenMP itself tells where it is none
+  const auto number = value ? whole_number(*value) : std::nullopt;  // OpenMP itself complains where it is none
   return number && *number > 0 ? static_cast<int>(std::min<long>(*number, most_threads)) : most_threads;
 }
 

@@ -6,7 +6,7 @@
 namespace softwet {
 namespace {
 
-constexpr double least_height = 1;  ///< of a jump that is told
+constexpr double least_height = 1;  ///< of a jump that is reported
 constexpr double width = 1e-3;      ///< of an element: what changes within it jumps
 constexpr int most_lines = 64;      ///< of a wall in 3D, along each axis
 

@@ -14,7 +14,7 @@
 namespace softwet {
 namespace {
 
-constexpr double most_places = 2e6;  ///< at which a profile in space is looked at
+constexpr double most_places = 2e6;  ///< at which a profile that varies in space is looked at
 constexpr int points_in_time = 2001;
 constexpr double largest_value = 1e30;  ///< of a value in size
 
@@ -205,7 +205,7 @@ RecordValue samples_of(const Case& c, const Key& key, const std::string& name, c
 
 void build_profiles(Case& c, const Document& document, Problems& problems, Tables read) {
   const std::size_t axes = c.domain.size.size();
-  if ((axes != 2 && axes != 3) || c.domain.elements.size() != axes) return;  // the checks tell it
+  if ((axes != 2 && axes != 3) || c.domain.elements.size() != axes) return;  // the checks report it
   for (const char* name : {"domain.size", "domain.elements", "substrate.thickness", "fluid.capillarity", "time.end"})
     if (problems.about(name)) return;
   ProfileBuilder builder(c, document, read);

@@ -25,12 +25,12 @@ struct ProfileRange {
 };
 std::vector<ProfileRange> profile_ranges(const Case&);
 
-/// Values of the profiles in space that vary, at points over their part of the scene, as JSON: a list "profiles" with the
+/// Values of the profiles that vary in space, at points over their part of the scene, as JSON: a list "profiles" with the
 /// "key" (as in ProfileRange), the "unit", the "axes" (positions along each) and the "values", those along the first axis
 /// next to each other.
 std::string profile_samples(const Case&);
 
-/// What `explain` tells of a key that is a profile: the names that its expressions may use, and how a table looks.
+/// What `explain` says of a key that is a profile: the names that its expressions may use, and how a table looks.
 std::string profile_text(const Key&);
 
 /// The case with texts that tell tables apart by their values in place of their paths.

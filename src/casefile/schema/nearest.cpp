@@ -61,7 +61,7 @@ int edit_distance(std::string_view from, std::string_view to) {
 }
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& known) {
-  word = word.substr(0, 100);  // longer than any name: the rest tells nothing and would take long
+  word = word.substr(0, 100);  // longer than any name: the rest adds nothing and would take long
   std::string best;
   int best_distance = far;
   for (const std::string& name : known) {

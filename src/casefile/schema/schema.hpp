@@ -40,7 +40,7 @@ struct Table {
   bool in_example = true;                  ///< part of the case that `init` writes
   std::size_t (*count)(const Case&);       ///< entries a case has: 0 or 1, any number when repeated
   void (*open)(Case&, std::size_t index);  ///< grows the case so that entry `index` exists
-  std::string notes{};                     ///< what `explain` tells below the help, in lines
+  std::string notes{};                     ///< what `explain` prints below the help, in lines
 };
 
 /// How a key reads and writes its place in a Case; `index` counts the entries of a repeated table.

@@ -136,7 +136,7 @@ bool is_malformed(std::string_view text) {
   return false;
 }
 
-/// The line at which the library gave up without telling where: the shortest beginning of the text with that fate. It
+/// The line at which the library gave up without saying where: the shortest beginning of the text with that fate. It
 /// reads from the front, so longer beginnings share the fate and the line is found by bisection.
 long line_of_malformed(std::string_view text) {
   std::vector<std::size_t> ends;

@@ -1,4 +1,4 @@
-// The mistakes of a case, collected so that all of them are told at once.
+// The mistakes of a case, collected so that all of them are reported at once.
 #pragma once
 
 #include <string>

@@ -91,7 +91,7 @@ std::optional<SyntaxHint> hint_of_expression(const std::string& key, const std::
   return {};
 }
 
-/// A mistake that can be told from the value alone.
+/// A mistake that shows in the value alone.
 std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& leaf, const std::string& value) {
   static const std::regex ratio(decimal + R"(\s*/\s*)" + decimal), comma(R"(([+-]?\d+),(\d+(?:[eE][+-]?\d+)?))"),
       point(R"(([+-]?)(\d*)\.(\d*)((?:[eE][+-]?\d+)?))"), unit("(" + decimal + R"()\s*[^\d\s,\]\[{}="'.eE+-].*)"),

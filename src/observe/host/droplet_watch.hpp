@@ -27,7 +27,7 @@ struct PhaseSamples {
 /// Follows the bodies to a new state and returns a sentence for each thing that happened since the last one. A body is
 /// the connected region that holds its place or, where it has moved on, the nearest one that no other body holds. What
 /// holds in the first state, such as half a droplet on its plane of symmetry, is no event, unless a body is missing or
-/// overlaps another; nothing is told twice.
+/// overlaps another; nothing is reported twice.
 std::vector<std::string> follow(std::vector<Body>& bodies, const PhaseSamples& samples,
                                 const std::vector<std::string>& names);
 

@@ -33,7 +33,7 @@ struct EnergyRule {
   EnergyFloor floor = EnergyFloor::lowest;
 };
 
-/// Follows a run and tells when its energy has risen though nothing fed it. The energy less what was fed in can only fall. It
+/// Follows a run and reports when its energy has risen though nothing fed it. The energy less what was fed in can only fall. It
 /// has risen where it stands above its floor by more than
 ///   share (largest kinetic energy so far + all that was lost so far) + 1/4 (all that was fed in so far, in size)
 /// The largest one, because a wave that turns has none. The last part is there because power is known at the states alone. Above its

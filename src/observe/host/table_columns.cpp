@@ -72,7 +72,7 @@ const std::vector<Column> of_droplet{
     {"x_centre", "L0", "In 2D the midpoint of x_left and x_right; in 3D x of the centroid of the wetted wall."},
     {"y_centre", "L0", "y of the centroid of the wetted wall.", 3},
     {"velocity", speed_unit,
-     "Velocity of the droplet since the row before: in 2D that of x_centre, in 3D that of the centroid along "
+     "Velocity of the droplet since the row before: in 2D of x_centre, in 3D of the centroid along "
      "output.history.track."},
     {"angle_left", "degrees",
      "Left apparent contact angle, measured in the liquid, also of a bubble. A circle is fitted to the left half of "

@@ -74,7 +74,7 @@ void check_old_result(const fs::path& folder, OldResult old) {
                     name));
 }
 
-/// " (process 1234)" for the holder of the lock on an open folder, as Linux tells it; empty where it does not.
+/// " (process 1234)" for the holder of the lock on an open folder, as Linux gives it; empty where it does not.
 std::string holder_text(int descriptor) {
   struct stat folder {};
   if (::fstat(descriptor, &folder) != 0) return "";
