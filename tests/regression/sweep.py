@@ -96,7 +96,7 @@ listed = sweep(PRODUCT, SOLID, [*here, "--dry-run"]).stdout
 check_true("--dry-run lists the members", all(name in listed for name in NAMES))
 check_true("--dry-run writes nothing", not os.path.exists("product"))
 message = sweep(PRODUCT, SOLID, here, code=2).stderr.strip()
-check_true("the failed member is told, in one line", f"1 of 4 members failed; {NAMES[1]}" in message and
+check_true("the failed member is reported, in one line", f"1 of 4 members failed; {NAMES[1]}" in message and
            len(message.splitlines()) == 1, message)
 rows = table("product")
 unsaid = {name: value for name, value in environment.items() if not name.endswith("_NUM_THREADS")}

@@ -72,7 +72,7 @@ def ask(*words):
 
 def compute(words, tell):
     """Starts the program, passes on what it says, and waits for it. An exception on the way, as Ctrl-C raises, asks the
-    program to stop, waits for its checkpoint, and goes on. @param tell  called with each line; raises Failure"""
+    program to stop, waits for its checkpoint, and goes on. @param `tell`  called with each line; raises Failure"""
     try:
         process = subprocess.Popen([find_program(), *words], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.PIPE, text=True, errors="replace")

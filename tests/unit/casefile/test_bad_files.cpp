@@ -37,7 +37,7 @@ std::vector<std::string> lines_of(const std::string& message) {
   return lines;
 }
 
-TEST(BadCases, AllMistakesAreToldInTheOrderOfTheFile) {
+TEST(BadCases, AllMistakesAreReportedInTheOrderOfTheFile) {
   std::string text = replaced(pull_text(), "viscosity = \"1/256\"", "viscosity = 1/256");
   text = replaced(text, "temperature = 0.39", "temprature = 0,39");
   text = replaced(text, "poisson = 0.45", "poisson = 0.5");
@@ -58,7 +58,7 @@ TEST(BadCases, AllMistakesAreToldInTheOrderOfTheFile) {
   }
 }
 
-TEST(BadCases, NoMistakeIsToldTwiceNorOneThatFollowsFromAnother) {
+TEST(BadCases, NoMistakeIsReportedTwiceNorOneThatFollowsFromAnother) {
   const auto count = [](const std::string& from, const std::string& to, const std::vector<std::string>& set = {}) {
     return lines_of(message_of(replaced(pull_text(), from, to), set)).size();
   };

@@ -1,4 +1,4 @@
-// Tables: interpolation, what lies outside of the grid, and what is told of files that are wrong.
+// Tables: interpolation, what lies outside of the grid, and what is said of files that are wrong.
 #include "casefile/formula/grid_table.hpp"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ TEST_F(GridTableFile, WrittenByASpreadsheetIsTheSame) {
     EXPECT_EQ(GridTable(file(text), time_alone).identity(), plain) << text;
 }
 
-TEST_F(GridTableFile, TellsWhatIsNoTextInUtf8) {
+TEST_F(GridTableFile, ReportsWhatIsNoTextInUtf8) {
   using namespace std::string_literals;
   for (const std::string& text : {"\xff\xfet\0,\0v\0\n\0"s, "\xfe\xff\0t\0,\0v\0\n"s, "t\0,\0v\0\n\0"s})
     EXPECT_NE(told(file(text), time_alone).find("table.csv:1: the file is in UTF-16; save the table as CSV in UTF-8"),
@@ -96,7 +96,7 @@ TEST_F(GridTableFile, IdentityFollowsFromTheValues) {
   EXPECT_NE(GridTable(file("y,value\n0,1\n1,2\n"), space).identity(), one);
 }
 
-TEST_F(GridTableFile, TellsLineAndColumnOfAMistake) {
+TEST_F(GridTableFile, NamesLineAndColumnOfAMistake) {
   const auto tells = [&](const std::string& text, const std::string& part) {
     const std::string message = told(file(text));
     EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
