@@ -52,7 +52,7 @@ void refuse_assignments(const std::string& text) {
     case mu::ecUNEXPECTED_VAL:
     case mu::ecUNEXPECTED_VAR:
     case mu::ecUNEXPECTED_FUN:
-      reject_at(column, fmt::format("'{}' stands where an operator has to be", token),
+      reject_at(column, fmt::format("'{}' is where an operator has to be", token),
                 "a product needs a sign, 2*x; an expression has no units");
     case mu::ecUNEXPECTED_OPERATOR:
       reject_at(column, fmt::format("the operator '{}' has nothing to act on", token),

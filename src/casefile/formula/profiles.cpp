@@ -225,7 +225,7 @@ std::string profile_text(const Key& key) {
       "path of a table, relative to the folder of the case: a CSV file has the columns {} and value and a line for "
       "each point of a "
       "rectangular grid, an HDF5 file has a dataset of each name. Between its points a table is linear, outside of "
-      "the grid it goes on with the value of the border{}.",
+      "the grid it keeps the value of the border{}.",
       variables, functions_of_expressions, in_time ? "t" : "x, y, z, or some of these,",
       in_time ? ", and steps end at its points. Such a table may stand in the case itself, as [[t, value], ...], and "
                 "one for all axes as [[t, x, y], ...]"

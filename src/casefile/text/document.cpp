@@ -66,7 +66,7 @@ class Walker {
   void walk_table(const toml::node& node, const std::string& name, std::size_t index) {
     const toml::table* table = node.as_table();
     if (!table) {
-      reject(at(node), name, text_of_node(node), "is a table and stands once", fmt::format("write [{}]", name));
+      reject(at(node), name, text_of_node(node), "is a table that appears once", fmt::format("write [{}]", name));
     }
     document_.table_count[name] = 1;
     document_.table_place[name] = at(node);
@@ -116,7 +116,7 @@ void take_out_line(std::string& text, const std::string& place, long line, std::
   problems.keep([&] {
     if (hint) reject(where, hint->key, hint->value, hint->problem, hint->remedy);
     if (problem.find("redefine") != std::string_view::npos)
-      reject(where, std::string(problem), "", "a key or table stands twice",
+      reject(where, std::string(problem), "", "a key or table appears twice",
              "keep one of them; where there are several loads, each begins with [[load]]");
     reject(where, "this is not TOML", "", std::string(problem), "see 'softwet init' for a case to start from");
   });

@@ -86,15 +86,15 @@ TEST(BadCases, ClearMistakesInTheSyntaxAreCalledByTheirName) {
     for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
     EXPECT_EQ(lines_of(message).size(), 1u) << message;
   };
-  told("ramp = 1/2", {"load[0].ramp = 1/2", "a ratio stands in quotes", "ramp = \"1/2\""});
+  told("ramp = 1/2", {"load[0].ramp = 1/2", "a ratio has to be in quotes", "ramp = \"1/2\""});
   told("ramp = 0,5  # half", {"load[0].ramp = 0,5:", "a point, not a comma", "ramp = 0.5"});
   told("ramp = .5", {"load[0].ramp = .5", "digits on both sides", "ramp = 0.5"});
   told("ramp = 5 s", {"load[0].ramp = 5 s", "no units", "ramp = 5 ", "softwet units"});
   told("ramp =", {"load[0].ramp", "has no value"});
-  told("factor = sin(2*t)", {"load[0].factor = sin(2*t)", "stands in quotes", "factor = \"sin(2*t)\""});
+  told("factor = sin(2*t)", {"load[0].factor = sin(2*t)", "has to be in quotes", "factor = \"sin(2*t)\""});
   told("factor = 2 per unit", {"load[0].factor = 2 per unit", "no units"});
   told("path = [0.05*t, max(0, t)]",
-       {"load[0].path = [0.05*t, max(0, t)]", "stands in quotes", "path = [\"0.05*t\", \"max(0, t)\"]"});
+       {"load[0].path = [0.05*t, max(0, t)]", "has to be in quotes", "path = [\"0.05*t\", \"max(0, t)\"]"});
   told("ramp: 5", {"load[0].ramp", "joined by '='", "ramp = 5"});
   EXPECT_NE(message_of(replaced(pull_text(), "left = \"slip\"", "left = slip")).find("left = \"slip\""),
             std::string::npos);
