@@ -227,7 +227,8 @@ void add_steady(CLI::App& app, CaseRequest& request, std::vector<std::string>& w
 }
 
 void add_bench(CLI::App& app, CaseRequest& request) {
-  CLI::App& command = *app.add_subcommand("bench", "measure residuals and products of a case; default: that of 'init'");
+  CLI::App& command =
+      *app.add_subcommand("bench", "measure residuals and products of a case; default: the case of 'init'");
   CLI::Option* given = add_case(command, request)->required(false);
   add_threads(command, request);
   command.add_flag("--preconditioners", request.options.preconditioners,

@@ -164,7 +164,7 @@ void check_processes(int argc, const char* const* argv) {
 void require_printed() {
   if (std::cout.flush() && std::fflush(stdout) == 0) return;
   throw Error(Exit::machine_failed,
-              "what was to be printed cannot be written; free space on that disk, or print to "
+              "the output cannot be written; free space on that disk, or print to "
               "another place");
 }
 

@@ -24,8 +24,8 @@ void hear_signals_of(std::string_view command, bool follows_key) {
   if (command == "run")
     softwet::hear_signals(
         {"softwet: stopping at the end of this step; a second signal ends the run at once\n",
-         "softwet: ended at once by a second signal; the last state is that of checkpoint.h5, if there is one: "
-         "--resume goes on from there\n"});
+         "softwet: ended at once by a second signal; the last state is in checkpoint.h5, if there is one: "
+         "--resume continues from there\n"});
   if (command == "steady" && !follows_key)
     softwet::hear_signals({"softwet: stopping at the end of this step; a second signal ends the search at once\n",
                            "softwet: ended at once by a second signal; give the same command again\n"});

@@ -107,7 +107,7 @@ std::string manual_page(const CLI::App& app) {
   text += entry("\\fBSOFTWET_TOOLS\\fR", "The folder of these programs, where it is not the installed one.");
   text += entry(
       "\\fBOMP_WAIT_POLICY\\fR, \\fBGOMP_SPINCOUNT\\fR",
-      "How threads wait for each other, as the OpenMP runtime has it. Without either of them they look 1000 times "
+      "How threads wait for each other, as the OpenMP runtime has it. Without either of them they poll 3000 times "
       "before they sleep, which suits a machine with or without other work.");
   text += entry("\\fBSOFTWET_PROGRAM\\fR",
                 "The program that the Python package softwet starts, where it is not the one beside it.");

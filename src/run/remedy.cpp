@@ -87,7 +87,7 @@ std::string load_without_value(const Case& c, double time) {
 
 std::string remedy(const Case& c, const Refusal& refusal, double time) {
   if (const std::string key = load_without_value(c, time); !key.empty())
-    return key + " is no number after t = " + short_text(time, 10) +
+    return key + " is not a number after t = " + short_text(time, 10) +
            ": bound what it divides by or takes a root of, for example with max";
   if (!c.time.implicit() && c.time.safety > 1)
     return "with time.safety = " + short_text(c.time.safety) +

@@ -156,7 +156,7 @@ refused("no such column, before any run", ["--columns x_center", "x_centre"], ["
         [*elsewhere, "--columns", "t,x_center"])
 refused("nothing to vary", ["--vary"], [], [], elsewhere)
 check_true("refused: no folder", not os.path.exists("nowhere"))
-NO_FILES = {"a file has that name": ["--out", "other/case.toml"], "is no program": ["--softwet", "other/case.toml"],
+NO_FILES = {"a file has that name": ["--out", "other/case.toml"], "is not a program": ["--softwet", "other/case.toml"],
             "cannot use 'nowhere/a.sh'": ["--out", "other/new", "--slurm", "nowhere/a.sh"]}
 for part, options in NO_FILES.items():
     command = [str(TOOL), CASE, "--softwet", softwet, "--vary", "substrate.poisson=0.3,0.4", *options]

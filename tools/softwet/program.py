@@ -31,7 +31,7 @@ def find_program():
     if chosen:
         if shutil.which(chosen):
             return chosen
-        raise Problem(f"SOFTWET_PROGRAM = '{chosen}' is no program; give the path of softwet, or unset it")
+        raise Problem(f"SOFTWET_PROGRAM = '{chosen}' is not a program; give the path of softwet, or unset it")
     places = [HERE / "program/bin/softwet"]  # of a wheel
     if HERE.parent.name == "tools":
         places += [HERE.parents[3] / "bin/softwet",  # of PREFIX/share/softwet/tools

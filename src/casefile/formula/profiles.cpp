@@ -128,7 +128,7 @@ class ProfileBuilder {
       return;
     }
     if (GridTable::is_other_file(profile.text))
-      throw FormulaError("is no table that can be read",
+      throw FormulaError("is not a table that can be read",
                          "save it as CSV in UTF-8, in Excel as 'CSV UTF-8', under a name that ends with .csv");
     const auto expression = std::make_shared<Expression>(profile.text, known);
     if (expression->constant()) {

@@ -169,7 +169,7 @@ void refuse_other_encodings(std::string_view text, const std::string& place) {
                             place, place));
   if (text.find('\0') != std::string_view::npos)
     throw Error(Exit::invalid_input,
-                fmt::format("{}: the file is no text, it holds bytes that are zero; give the path of "
+                fmt::format("{}: the file is not text, it holds bytes that are zero; give the path of "
                             "a case, for example cases/tensotaxis_pull_2d.toml",
                             place));
 }

@@ -248,7 +248,7 @@ TEST(BadCases, OtherEncodingsAreNamed) {
   }
   for (const std::string& text : {little, big, plain_little})
     expect_parts(message_of(text), {"case.toml: the file is in UTF-16", "UTF-8"});
-  expect_parts(message_of(pull_text() + std::string(3, '\0')), {"case.toml: the file is no text"});
+  expect_parts(message_of(pull_text() + std::string(3, '\0')), {"case.toml: the file is not text"});
   EXPECT_EQ(message_of("\xef\xbb\xbf" + pull_text()), "(accepted)");
 }
 

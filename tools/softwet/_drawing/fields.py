@@ -64,7 +64,7 @@ class Scene:
             return self.fluid.both(self.fluid.field[vector][..., "xy".index(axis)], -1 if axis == "x" else 1)
         values = self.fluid.field[name]
         if values.ndim != 2:
-            raise Problem(f"{name} is no scalar; give a component of it, {name}_x or {name}_y")
+            raise Problem(f"{name} is not a scalar; give a component of it, {name}_x or {name}_y")
         return self.fluid.both(values)
 
     def draw_quantity(self, axes, name, ends):

@@ -136,7 +136,7 @@ def chosen_parameters(words):
         if equals:
             values = split_values(text)
             if not key or "" in values:
-                fail(f"--parameters {word} is no list of values; write --parameters KEY=V1,V2,..., for example --parameters "
+                fail(f"--parameters {word} is not a list of values; write --parameters KEY=V1,V2,..., for example --parameters "
                      "time.tolerance=1e-2,1e-4")
             chosen.append({"name": key, "key": key, "values": values})
             continue
