@@ -48,7 +48,7 @@ double free_stretch(const Law& law, const Vector<double, 3>& stretch, int axis) 
   return 0;
 }
 
-/// Whether a profile differs between places of one height.
+/// Whether a profile differs between positions of one height.
 bool varies_along_wall(const Case& c, const Profile& profile) {
   constexpr int places = 8;
   const int up = c.dimension() - 1;

@@ -14,7 +14,7 @@ enum class Tables { read, leave };
 /// Gives each profile of a case that has a text its formula: an expression, or a table whose path is relative to the folder of the
 /// case and becomes an absolute one. An expression without variables becomes a number, and keeps its text. Smallest and
 /// largest value are set, from the corners and the middles of the elements (of many elements, from fewer points). Values that
-/// are not finite or out of the range of the key are refused with the place where they are.
+/// are not finite or out of the range of the key are refused with their position.
 void build_profiles(Case&, const Document&, Problems&, Tables);
 
 /// The values of a profile that varies.

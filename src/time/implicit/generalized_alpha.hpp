@@ -52,8 +52,8 @@ class GeneralizedAlpha {
   void residual(const Array& x, const Array& r);
   /// What single precision makes of the residual at x: the residual in single precision minus that in double precision.
   void round_off(const Array& x, const Array& out);
-  /// What the last digit of the fields makes of the residual at x: that at a point whose values, and places of the
-  /// solid, differ by one unit of their last place, up or down, minus that at x. Places have the size of the scene's
+  /// What the last digit of the fields changes in the residual at x: the residual at a point whose values, and positions of the
+  /// solid, differ by one unit of their last place, up or down, minus the one at x. Positions have the size of the scene's
   /// height.
   /// @param near  a vector to work in
   void last_digits(const Array& x, const Array& near, const Array& out);

@@ -25,7 +25,7 @@ constexpr double digits = 0.01;       ///< of a rate
 constexpr double least_error = 1e-7;  ///< of a rate, where that is larger than its digits
 constexpr double amplitude = 1e-5;    ///< of the disturbance, root of its mean square, over the ranges of the fields
 
-/// A function of the place that is the image of itself in no mirror.
+/// A function of position that no mirror maps onto itself.
 double without_symmetry(const std::array<double, 3>& x, const std::vector<double>& size, int own) {
   double value = 1;
   for (std::size_t d = 0; d < size.size(); ++d)
