@@ -23,7 +23,7 @@ inline double unfed_rise(const EnergyState& a, const EnergyState& b) {
 /// Round-off that an energy of this size may rise by.
 inline double round_off_of(const EnergyState& a) { return 1e-11 * a.size; }
 
-/// What an energy may not rise above: its lowest value so far; or, where the energy is not the one that steps keep but swings below
+/// What an energy may not rise above: its lowest value so far; or, where the energy is not the one that steps keep but oscillates below
 /// it, its first one.
 enum class EnergyFloor { lowest, first };
 

@@ -62,7 +62,7 @@ class GeneralizedAlpha {
   /// The same in single precision. Only for models that have it.
   void product(const ArrayOf<float>& z, const ArrayOf<float>& out) const;
   /// The same as a matrix, with frozen geometry, for preconditioners. It follows from the rounded stage, which is kept.
-  /// @param stretch  it is that of a step so many times shorter, at the same values
+  /// @param stretch  the matrix is that of a step this many times shorter, at the same values
   void jacobian(const StencilValues& values, double stretch = 1);
   /// The matrix of the last `jacobian` once more.
   void last_jacobian(const StencilValues& values) const { scene_.equations().jacobian(jacobian_stage_, values); }

@@ -160,7 +160,7 @@ class Disturbances {
   double volume_;  ///< of the fluid
 };
 
-/// The rates from steps of one length; none where a linear solve fails, or where all modes swing or fall so fast that none
+/// The rates from steps of one length; none where a linear solve fails, or where all modes oscillate or decay so fast that none
 /// stands out.
 template <int D, int P>
 std::optional<Growth> growth_by(double step, const Scene<D, P>& scene, const Case& control, const State& rest,
