@@ -1,4 +1,4 @@
-// What a path leads to: the file or folder that is open already, or something that is no file.
+// What a path leads to: the file or folder that is open already, or something that is not a file.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace softwet {
 /// True where the system gives no answer.
 bool leads_to(const std::string& path, int descriptor);
 
-/// "a folder", "a pipe", "a device", "a socket": what the path leads to where that is no regular file, which a program
+/// "a folder", "a pipe", "a device", "a socket": what the path leads to where that is not a regular file, which a program
 /// may wait for without end or read without end. Empty for a regular file, and where there is nothing.
 std::string no_regular_file(const std::string& path);
 

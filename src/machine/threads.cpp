@@ -20,7 +20,7 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// Cores of one group: quota / period. "max", -1 and a missing file are no limit.
+/// Cores of one group: quota / period. "max", -1 and a missing file mean no limit.
 double cores_in_group(const std::string& folder, GroupVersion version) {
   double quota = 0, period = 0;
   if (version == GroupVersion::two) {

@@ -32,7 +32,7 @@ class Journal {
   /// @param field_times  t at which field files are due
   Journal(const Case&, const RunOptions&, const Scene<D, P>&, Stepper<D, P>&, std::vector<double> field_times);
 
-  /// Throws Error (machine_failed) where the machine has not the memory that the run needs.
+  /// Throws Error (machine_failed) where the machine lacks the memory that the run needs.
   void require_memory() const;
 
   /// Tables without rows: the state of the stepper is the first one.

@@ -65,7 +65,7 @@ std::string for_the_density(const Case& c) {
   return "a softer load ramp, a larger fluid.viscosity or a tighter time.tolerance may help";
 }
 
-/// The key of a load or needle that is no number within the smallest steps after a time; empty where all are.
+/// The key of a load or needle that is not a number within the smallest steps after a time; empty where all are.
 std::string load_without_value(const Case& c, double time) {
   constexpr int looks = 64;
   for (int i = 1; i <= looks; ++i) {

@@ -69,7 +69,7 @@ void check_surface_modulus(const Checker& check) {
                "write for example surface_modulus = [0.004, 0.002]");
 }
 
-/// What a viscoelastic solid goes with. @param key  of what makes it one
+/// What a viscoelastic solid can be combined with. @param key  of what makes it one
 void check_company_of_branches(const Checker& check, const std::string& key) {
   const Substrate& s = *check.c.substrate;
   if (!check.c.time.implicit() && check.c.time.scheme != TimeScheme::kick_drift)

@@ -1,4 +1,4 @@
-// What goes with a solid that is stretched before the scene begins.
+// What can be combined with a solid that is stretched before the scene begins.
 #include <fmt/core.h>
 
 #include <cmath>

@@ -66,7 +66,7 @@ void check_angle_range(const Checker& check) {
                  "remove contact_angle, or write that number");
 }
 
-/// The rate of the density at the wall stands in the equation of the potential.
+/// The rate of the density at the wall is part of the equation of the potential.
 void check_line_friction(const Checker& check) {
   if (!check.c.fluid || !check.c.fluid->resists_lines()) return;
   const Fluid& fluid = *check.c.fluid;

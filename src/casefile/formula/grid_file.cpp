@@ -83,7 +83,7 @@ class CsvLines {
     if (byte == '\r' && bytes.sgetc() == '\n') bytes.sbumpc();
     return true;
   }
-  /// Takes the mark of UTF-8 away, which Excel writes, and refuses what is no text in UTF-8.
+  /// Takes the mark of UTF-8 away, which Excel writes, and refuses what is not text in UTF-8.
   void begin(std::string& line) const {
     const std::string remedy = "save the table as CSV in UTF-8, in Excel as 'CSV UTF-8'";
     if (line.rfind("PK\x03\x04", 0) == 0) refuse("the file is a workbook of Excel and not CSV", remedy);

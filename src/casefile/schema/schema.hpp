@@ -86,10 +86,10 @@ std::string indexed_name(const std::string& name, std::size_t index);
 /// How a table begins in a case file: "[fluid]", "[[load]]".
 std::string header_of(const Table& table);
 
-/// What may stand there: "number in (0, 180)", "one of "gradient", "energy"".
+/// What is allowed there: "number in (0, 180)", "one of "gradient", "energy"".
 std::string allowed_text(const Key& key);
 
-/// "number in (0, 180), in degrees; default 90": what may stand there, its unit, and what holds without it.
+/// "number in (0, 180), in degrees; default 90": what is allowed there, its unit, and what holds without it.
 std::string facts_text(const Key& key);
 
 /// TOML text of the default (of Case itself); empty when the key is required.

@@ -12,7 +12,7 @@
 namespace softwet {
 namespace {
 
-constexpr std::size_t longest = 200;  ///< lines longer than this are not looked at: regular expressions recurse
+constexpr std::size_t longest = 200;  ///< lines longer than this are not parsed: regular expressions recurse
 
 std::string trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -30,7 +30,7 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
-/// The line, and the table it stands in: "fluid.", "load[1].", "" at the top of the file.
+/// The line, and the table it is in: "fluid.", "load[1].", "" at the top of the file.
 struct Place {
   std::string_view line;
   std::string table;

@@ -18,9 +18,9 @@ namespace {
 constexpr double steps[] = {200, 50,
                             12};  ///< of backward Euler; a shorter one where linear solves fail or no mode stands out
 constexpr int most_directions = 40;   ///< of Arnoldi's method
-constexpr int least_directions = 10;  ///< before it counts that no other mode has a factor that is looked at
+constexpr int least_directions = 10;  ///< before it counts that no other mode has a factor that counts
 constexpr std::size_t wanted = 2;     ///< modes
-constexpr double smallest = 0.01;     ///< factor of a mode that is looked at
+constexpr double smallest = 0.01;     ///< factor of a mode that counts
 constexpr double digits = 0.01;       ///< of a rate
 constexpr double least_error = 1e-7;  ///< of a rate, where that is larger than its digits
 constexpr double amplitude = 1e-5;    ///< of the disturbance, root of its mean square, over the ranges of the fields
