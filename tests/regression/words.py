@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/words finds words that sound translated in pages, comments and texts, leaves code and idioms alone, and names the line.
+"""tools/words finds words that sound translated in pages, comments and texts, and leaves code and idioms alone.
 usage: words.py SOFTWET"""
 
 import os
@@ -12,13 +12,14 @@ ROOT = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"])
 # file: its text, and the lines that are wrong
 FILES = {
     "README.md": ("The table tells the mass.\n\n```console\ntell me\n```\n`told` is a name, and [a link](held against.md).\n", [1]),
-    "docs/idioms.md": ("Colours that one can tell apart. Orders in space and time. It varies in space.\nThe wall in the plane of x and y.\n",
-                       []),
+    "docs/idioms.md": ("Colours that one can tell apart. Orders in space and time. It varies in space.\n"
+                       "The wall in the plane of x and y.\n", []),
     "docs/lines.md": ("A droplet\nin space, held\nagainst the paper.\n", [2, 2]),
     "docs/reference.md": ("A page that is generated tells nothing.\n", []),
-    "docs/chain.md": ("It is that of the case, like that of the paper.\nIt is that of the case. It is not that of the paper.\n", [1]),
-    "src/a.cpp": ("int told = 0;  // what is told\nconst char* url = \"http://a b\";\nf(\"it tells {told}\", '\"', \"told\");\n/* a\n dial */\n",
-                  [1, 3, 5]),
+    "docs/chain.md": ("It is that of the case, like that of the paper.\nIt is that of the case. It is not that of the paper.\n",
+                      [1]),
+    "src/a.cpp": ("int told = 0;  // what is told\nconst char* url = \"http://a b\";\n"
+                  "f(\"it tells {told}\", '\"', \"told\");\n/* a\n dial */\n", [1, 3, 5]),
     "tools/b.py": ("told = 1  # it was tried\nf = f\"is {told}\"\n\"\"\"In the\nplane.\"\"\"\n", [1, 3]),
     "tools/script": ("#!/bin/sh\n# dearer\ntell=${#told}\n", [2]),
     "cases/c.toml": ("# drawn\nname = \"told\"\n", [1]),
