@@ -20,6 +20,8 @@ FILES = {
                       [1]),
     "src/a.cpp": ("int told = 0;  // what is told\nconst char* url = \"http://a b\";\n"
                   "f(\"it tells {told}\", '\"', \"told\");\n/* a\n dial */\n", [1, 3, 5]),
+    "src/lines.hpp": ("/// A droplet in\n/// space.\nint a;  ///< it was\n        ///< tried\nf(\"was held \"\n  \"against it\");\n",
+                      [1, 3, 5]),
     "tools/b.py": ("told = 1  # it was tried\nf = f\"is {told}\"\n\"\"\"In the\nplane.\"\"\"\n", [1, 3]),
     "tools/script": ("#!/bin/sh\n# dearer\ntell=${#told}\n", [2]),
     "cases/c.toml": ("# drawn\nname = \"told\"\n", [1]),
