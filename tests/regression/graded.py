@@ -47,7 +47,7 @@ check_same("resumed from case.toml", "half", "graded")
 text = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"), "--set", "domain.grading.fine=automatic"],
                       capture_output=True, text=True, check=True).stdout
 for word in ('grading.fine = "box"', "graded elements", "% of those of the equal mesh"):
-    check_true(f"check says: {word}", word in text)
+    check_true(f"check tells: {word}", word in text)
 warning = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"), "--set",
                           "domain.grading.box=[[0.34,0.1],[0.66,0.3]]"], capture_output=True, text=True, check=True).stderr
 check_true("check warns of a box that ends in the interface", "domain.grading" in warning, warning)

@@ -224,7 +224,7 @@ std::vector<Key> solver_keys() {
        .choices = words_of(Launch{}),
        .help =
            "How a GPU starts the preconditioner: kernel by kernel (kernels), or recorded and started as one (graph), "
-           "which was hardly faster on the one GPU tested. On a processor, and where several processes share a "
+           "which was hardly faster on the one GPU that was tried. On a processor, and where several processes share a "
            "scene, both are the same.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.launch; })},
       {.name = "solver.precision",
