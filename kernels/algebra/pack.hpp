@@ -124,7 +124,7 @@ KOKKOS_FORCEINLINE_FUNCTION S half_logarithm_rest(const S& a, const S& b, const 
   return select(square < 0.25, S(z * square * square * series), whole);
 }
 
-/// A number that is no pack.
+/// A number that is not a pack.
 template <class S>
 inline constexpr bool is_one_number = std::is_arithmetic_v<S> || std::is_same_v<S, Single>;
 
@@ -148,7 +148,7 @@ KOKKOS_FORCEINLINE_FUNCTION S load(const Real* p) {
   }
 }
 
-/// x to the power of a number that is no integer, x > 0.
+/// x to the power of a number that is not an integer, x > 0.
 KOKKOS_FORCEINLINE_FUNCTION double real_power(double x, double exponent) { return Kokkos::pow(x, exponent); }
 KOKKOS_FORCEINLINE_FUNCTION float real_power(float x, double exponent) {
   return Kokkos::pow(x, static_cast<float>(exponent));

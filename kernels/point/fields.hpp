@@ -43,7 +43,7 @@ struct Slot {
 };
 
 /// Where a term is integrated; `beside_wall` is the layer of the fluid that touches the wall Gamma, where the term meets
-/// the wall's basis functions alone. Gamma has two faces: `wall` is that of the fluid, on the moved mesh, and `top` that of the solid
+/// the wall's basis functions alone. Gamma has two faces: `wall` is the face of the fluid, on the moved mesh, and `top` the face of the solid
 /// in its undeformed state. `bottom` is the lower face of the solid, undeformed too. `means` are the elements of the solid, where a term
 /// sees the means of fields and gradients over an element.
 enum class Where { solid, means, top, bottom, fluid, wall, beside_wall };
@@ -70,7 +70,7 @@ inline constexpr bool is_axisymmetric = [] {
   return false;
 }();
 
-/// Whether a channel of a test bundle has a flux. A bundle in which some have none tells by `flux_of`; they then write zeros,
+/// Whether a channel of a test bundle has a flux. A bundle in which some have none says so by `flux_of`; they then write zeros,
 /// which a processor does not integrate.
 template <class Test>
 constexpr bool channel_has_flux(int c) {

@@ -8,7 +8,7 @@
 
 namespace softwet {
 
-/// Energy k/2 (I_4 - 1)^2 for each undeformed volume, I_4 = |F a_0|^2, beside that of the material; P = 2 k (I_4 - 1) F a_0 (x) a_0.
+/// Energy k/2 (I_4 - 1)^2 for each undeformed volume, I_4 = |F a_0|^2, in addition to the energy of the material; P = 2 k (I_4 - 1) F a_0 (x) a_0.
 /// Along the fibres a small strain meets the further modulus 4 k.
 /// Scale of k: a b^2.   Source: the standard reinforcing model of fibres.   Tested: tests/unit/solid/test_solid_terms.cpp
 struct Fibres {

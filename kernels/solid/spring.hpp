@@ -1,13 +1,13 @@
-// A spring between a moving place and the displacement of a solid: what holds a needle's box.
+// A spring between a moving position and the displacement of a solid: what holds a needle's box.
 #pragma once
 
 #include "kernels/algebra/dual.hpp"
 
 namespace softwet {
 
-/// For each volume of the undeformed solid, with the gap from the displacement u to the place U, gap = U - u:
-///   energy k/2 |gap|^2,   force on the solid k gap = - d energy / d u,   power of the moving place k gap . U'
-/// So the energy grows by the power of the place less what the force does on the solid, k gap . u'. Along each axis by itself.
+/// For each volume of the undeformed solid, with the gap from the displacement u to the position U, gap = U - u:
+///   energy k/2 |gap|^2,   force on the solid k gap = - d energy / d u,   power of the motion k gap . U'
+/// So the energy grows by the power of the motion minus the work of the force on the solid, k gap . u'. Along each axis by itself.
 /// Tested: tests/unit/solid/test_spring.cpp
 struct Spring {
   double stiffness = 0;  ///< k, scale a b^2/L0^2

@@ -168,7 +168,7 @@ std::string text_of_file(const std::string& path) {
   if (std::filesystem::is_directory(path, unknown)) reject_path(path, "it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) reject_path(path, std::strerror(errno));
-  std::string text(largest_file + 1, '\0');  // what comes from a pipe or a device tells no size before
+  std::string text(largest_file + 1, '\0');  // a pipe or a device gives no size in advance
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) reject_path(path, std::strerror(errno));
   text.resize(static_cast<std::size_t>(file.gcount()));

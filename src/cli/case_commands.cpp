@@ -27,7 +27,7 @@
 namespace softwet {
 namespace {
 
-/// Tells what deserves a look.
+/// Reports what deserves a look.
 void warn(const Case& c) {
   if (!ranks::root()) return;
   std::vector<std::string> all = warnings(c);
@@ -35,7 +35,7 @@ void warn(const Case& c) {
   for (const std::string& warning : all) std::cerr << "softwet: warning: " << warning << "\n";
 }
 
-/// Refuses what cannot fit, and tells what deserves a look.
+/// Refuses what cannot fit, and reports what deserves a look.
 Case examined(const Case& c) {
   require_bytes(c, least_bytes(c));
   warn(c);
@@ -227,7 +227,8 @@ void add_steady(CLI::App& app, CaseRequest& request, std::vector<std::string>& w
 }
 
 void add_bench(CLI::App& app, CaseRequest& request) {
-  CLI::App& command = *app.add_subcommand("bench", "measure residuals and products of a case; default: that of 'init'");
+  CLI::App& command =
+      *app.add_subcommand("bench", "measure residuals and products of a case; default: the case of 'init'");
   CLI::Option* given = add_case(command, request)->required(false);
   add_threads(command, request);
   command.add_flag("--preconditioners", request.options.preconditioners,

@@ -48,7 +48,7 @@ Case read_case_of(const CaseRequest& request) {
     tell(TimeScheme::kick_drift, steps);
     return chosen;
   } catch (const Error&) {
-    tell(TimeScheme::generalized_alpha, "explicit steps do not know what this case asks for");
+    tell(TimeScheme::generalized_alpha, "explicit steps do not support what this case asks for");
     return c;
   }
 }

@@ -65,7 +65,7 @@ void add_explain(CLI::App& app, Request& request) {
   });
 }
 
-/// Tells an error. Where all processes end with it the first one speaks for them. One that fails alone ends the others.
+/// Reports an error. Where all processes end with it the first one speaks for them. One that fails alone ends the others.
 int report(Exit code, const std::string& problem) {
   std::cout << std::flush;
   const bool alone = !ranks::root() && !ranks::all_end();
@@ -112,7 +112,7 @@ void help_command(const CLI::App& app, const std::string& command) {
                                 : app.get_subcommand(command)->help(app.get_name()));
 }
 
-/// Commands that tell of the program itself.
+/// Commands that describe the program itself.
 void add_answers(CLI::App& app, Request& request) {
   app.add_subcommand("info", "print version, backend and compiled configurations")->callback([] {
     describe_build(std::cout);
@@ -164,7 +164,7 @@ void check_processes(int argc, const char* const* argv) {
 void require_printed() {
   if (std::cout.flush() && std::fflush(stdout) == 0) return;
   throw Error(Exit::machine_failed,
-              "what was to be printed cannot be written; free space on that disk, or print to "
+              "the output cannot be written; free space on that disk, or print to "
               "another place");
 }
 

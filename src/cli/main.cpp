@@ -13,7 +13,7 @@
 namespace {
 
 /// Where somebody has closed standard input, output or error, the next file that is opened would take its place, and get
-/// what is told to the user.
+/// what the user reads.
 void fill_standard_streams() {
   for (int descriptor : {0, 1, 2})
     if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != descriptor) return;
@@ -24,8 +24,8 @@ void hear_signals_of(std::string_view command, bool follows_key) {
   if (command == "run")
     softwet::hear_signals(
         {"softwet: stopping at the end of this step; a second signal ends the run at once\n",
-         "softwet: ended at once by a second signal; the last state is that of checkpoint.h5, if there is one: "
-         "--resume goes on from there\n"});
+         "softwet: ended at once by a second signal; the last state is in checkpoint.h5, if there is one: "
+         "--resume continues from there\n"});
   if (command == "steady" && !follows_key)
     softwet::hear_signals({"softwet: stopping at the end of this step; a second signal ends the search at once\n",
                            "softwet: ended at once by a second signal; give the same command again\n"});
@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   const std::string_view command = argc > 1 ? argv[1] : "";
   if (command == "run" || command == "bench") softwet::choose_waiting(argv);
   fill_standard_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of the system fails to be written, which can be told
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of the system fails to be written, which can be reported
   const bool follows_key =
       std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word).substr(0, 7) == "--along"; });
   hear_signals_of(command, follows_key);  // before anything that takes time

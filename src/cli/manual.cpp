@@ -36,7 +36,7 @@ std::string entry(const std::string& head, const std::string& text) {
   return fmt::format(".TP\n{}\n{}\n", head, roff_text(text));
 }
 
-/// "CASE", "[KEY]": as a positional argument stands in a line of usage.
+/// "CASE", "[KEY]": as a positional argument appears in a line of usage.
 std::string placeholder(const CLI::Option& option) {
   const std::string name = option.get_name(true);
   return option.get_required() ? name : "[" + name + "]";
@@ -61,7 +61,7 @@ std::string command_text(const CLI::App& command) {
   return text;
 }
 
-/// What `explain` tells of a key, in one paragraph.
+/// What `explain` says of a key, in one paragraph.
 std::string key_text(const Key& key) {
   std::istringstream lines(explain(key.name));
   std::string line, text;
@@ -105,10 +105,9 @@ std::string manual_page(const CLI::App& app) {
   text += section("ENVIRONMENT");
   text += entry("\\fBSOFTWET_PYTHON\\fR", "The python3 of the commands that are Python programs.");
   text += entry("\\fBSOFTWET_TOOLS\\fR", "The folder of these programs, where it is not the installed one.");
-  text += entry(
-      "\\fBOMP_WAIT_POLICY\\fR, \\fBGOMP_SPINCOUNT\\fR",
-      "How threads wait for each other, as the OpenMP runtime has it. Without either of them they look 1000 times "
-      "before they sleep, which suits a machine with or without other work.");
+  text += entry("\\fBOMP_WAIT_POLICY\\fR, \\fBGOMP_SPINCOUNT\\fR",
+                "How threads wait for each other, for the OpenMP runtime. Without either of them they poll 3000 times "
+                "before they sleep, which suits a machine with or without other work.");
   text += entry("\\fBSOFTWET_PROGRAM\\fR",
                 "The program that the Python package softwet starts, where it is not the one beside it.");
   return text;

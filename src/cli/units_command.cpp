@@ -37,7 +37,7 @@ void add_number(CLI::App& command, const std::string& name, const std::string& k
 }  // namespace
 
 void add_units_command(CLI::App& app, PhysicalScene& scene) {
-  CLI::App& command = *app.add_subcommand("units", "turn physical numbers with their units into those of a case");
+  CLI::App& command = *app.add_subcommand("units", "turn physical numbers with their units into the numbers of a case");
   const auto add = [&](const std::string& name, Quantity quantity, double& place, const std::string& help) {
     return add_quantity(command, name, quantity, place, help);
   };
@@ -48,11 +48,11 @@ void add_units_command(CLI::App& app, PhysicalScene& scene) {
   add("--length", Quantity::length, scene.length, "L0, the length that is 1 in the case; default: radius / 0.15");
   add("--young", Quantity::stress, scene.young, "Young modulus of the layer, for example 3kPa; default: no solid");
   add("--thickness", Quantity::length, scene.thickness, "thickness of the layer; default: the radius");
-  add("--solid-density", Quantity::density, scene.solid_density, "density of the layer; default: that of the liquid");
+  add("--solid-density", Quantity::density, scene.solid_density, "density of the layer; default: the liquid's");
   add("--solid-surface-tension", Quantity::surface_tension, scene.solid_tension,
       "surface tension of the dry layer, for example 31mN/m; default: none");
   add("--wet-surface-tension", Quantity::surface_tension, scene.wet_tension,
-      "that of the layer below the liquid; default: that of the dry layer");
+      "surface tension of the layer below the liquid; default: the dry layer's");
   add("--solid-viscosity", Quantity::viscosity, scene.solid_viscosity,
       "shear viscosity of the layer, for example 20Pa.s; default: none");
   add_number(command, "--poisson", "substrate.poisson", scene.poisson, "Poisson ratio of the layer; default: 0.45");

@@ -12,7 +12,7 @@ void choose_waiting(char** argv) {
   std::error_code unknown;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", unknown);
   if (unknown || setenv("GOMP_SPINCOUNT", "3000", 0) != 0) return;
-  execv(self.c_str(), argv);  // comes back where the file is gone: then the threads wait as the runtime has it
+  execv(self.c_str(), argv);  // comes back where the file is gone: then the threads wait as the runtime does by default
 }
 
 }  // namespace softwet

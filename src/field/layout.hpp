@@ -49,7 +49,7 @@ struct Layout {
     if (d > 0 || whole()) return axis[d].owned();
     return columns.rank == 0 ? extent(0) - axis[0].degree() : 0;
   }
-  /// Whether column i of axis d is no copy of one that another process has.
+  /// Whether column i of axis d is not a copy of one that another process has.
   bool own(int i, int d) const { return d > 0 || columns.stored() == 0 || columns.own(i); }
   /// Whether all columns are stored here, once.
   bool whole() const { return columns.ranks == 1; }

@@ -1,4 +1,4 @@
-// The processes that compute a scene together, and what they tell each other. Without MPI there is one.
+// The processes that compute a scene together, and what they send each other. Without MPI there is one.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ class Job {
   ~Job();
 };
 
-/// What the processes have told each other since the start; of this process.
+/// What the processes have sent each other since the start; of this process.
 struct Traffic {
   long messages = 0, reductions = 0, collections = 0;
   double bytes = 0;      ///< sent to neighbours

@@ -14,7 +14,7 @@ namespace softwet {
 enum class StripsHere { own, all };
 
 /// Sums by strip of columns. A strip has one order of its own, and the strips are added up in their order by all
-/// processes, after each has told the others its own. So the number of processes does not matter.
+/// processes, after each has sent its own to the others. So the number of processes does not matter.
 class StripTotals {
  public:
   StripTotals(int strips, int sums, StripsHere here)

@@ -5,7 +5,7 @@
 
 namespace softwet {
 
-/// Runs `work`, in which no process tells another anything, and waits for all of them. Where it has failed on some, all
+/// Runs `work`, in which no process sends anything to another, and waits for all of them. Where it has failed on some, all
 /// throw what the first of these has thrown.
 /// @throws Error  of the work; with several processes, machine_failed in the place of other exceptions
 void together(const std::function<void()>& work);

@@ -40,7 +40,7 @@ std::vector<Outline> outlines(const Case& c) {
   return all;
 }
 
-/// From one place to another, the shorter way round a periodic axis.
+/// The distance between two positions, the shorter one around a periodic axis.
 double away(const Case& c, std::size_t axis, double from, double to) {
   return c.boundary.side[axis][0] == Side::periodic ? std::remainder(to - from, c.domain.size[axis]) : to - from;
 }

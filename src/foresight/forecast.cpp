@@ -161,7 +161,7 @@ void add_locking(const Case& c, std::vector<std::string>& found) {
                     " elements to fluid.capillarity: nearly incompressible, the solid locks at the contact line, where "
                     "its ridge is about " +
                     short_text(100 * of_ridge) + " % too low; write " + remedy + at_degree_3 +
-                    "more elements, or poisson = 0.49, whose ridge is within 1.3 % of that of 0.4999");
+                    "more elements, or poisson = 0.49, whose ridge is within 1.3 % of the one at 0.4999");
     return;
   }
   if (error < measured::error_to_tell) return;

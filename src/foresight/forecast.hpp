@@ -43,7 +43,7 @@ double locking_error(const Case&);
 /// droplet or film on a solid. Tested: tests/unit/foresight/test_forecast.cpp
 double ridge_error(const Case&);
 
-/// Width of fluid between two droplets, or a droplet and a side, below which they are told to be near; scale L0: four
+/// Width of fluid between two droplets, or a droplet and a side, below which they are reported as near; scale L0: four
 /// half widths of the interface, 4.3 capillarities at temperature 0.39. Measured: docs/limits.md.
 double least_gap(const Fluid&);
 

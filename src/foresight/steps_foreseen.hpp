@@ -10,7 +10,7 @@ namespace softwet {
 /// Tested against the bound of the first state: tests/unit/foresight/test_steps_foreseen.cpp
 double explicit_steps_foreseen(const Case&);
 
-/// Up to so many explicit steps are cheaper than the implicit ones of the same scene. In space an implicit step costs more of them.
+/// Up to this many explicit steps are cheaper than the implicit ones of the same scene. In 3D an implicit step costs more of them.
 /// Measured: docs/fast_scenes.md
 double most_explicit_steps(int dimension);
 

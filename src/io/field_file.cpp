@@ -62,7 +62,7 @@ void check_fields(const std::string& path, const TensorGrid& grid, const std::ve
   std::set<std::string> names;
   for (const PointField& field : fields) {
     if (field.name.empty() || field.name.find('/') != std::string::npos || !names.insert(field.name).second) {
-      refuse_to_write(path, "'" + field.name + "' is no field name: it is empty, holds a '/' or is taken");
+      refuse_to_write(path, "'" + field.name + "' is not a field name: it is empty, holds a '/' or is taken");
     }
     if (field.components < 1) refuse_to_write(path, "field '" + field.name + "' has no components");
     require_size(path, "field '" + field.name + "'", field.values.size(), count * field.components);

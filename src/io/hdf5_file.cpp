@@ -73,7 +73,7 @@ Hdf5Handle without_times(hid_t kind) {
 
 Hdf5Handle file_access(Hdf5Format format) {
   library();
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are told by our own Errors
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are reported by our own Errors
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
   H5Pset_file_locking(access.get(), false, true);  // many cluster file systems have no locks; renaming protects readers

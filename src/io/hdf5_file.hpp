@@ -37,7 +37,7 @@ enum class Hdf5Storage { contiguous, checksummed };
 enum class Hdf5Format { compatible, checksummed };
 
 /// An HDF5 file open for writing or for reading. Names are paths ("/VTKHDF/Points"); missing groups on the way are
-/// made. Nothing in a file tells when it was written: the same content has the same bytes. Failures are Errors naming the path of the file: machine_failed when writing, invalid_input when reading.
+/// made. Nothing in a file shows when it was written: the same content has the same bytes. Failures are Errors naming the path of the file: machine_failed when writing, invalid_input when reading.
 class Hdf5File {
  public:
   /// Creates or truncates.
@@ -52,7 +52,7 @@ class Hdf5File {
   void write(const std::string& name, const std::vector<T>& values, const std::vector<std::size_t>& shape,
              Hdf5Storage storage = Hdf5Storage::contiguous);
 
-  /// Reads a whole dataset, converted to T. The shape is told by `shape(name)`.
+  /// Reads a whole dataset, converted to T. `shape(name)` gives the shape.
   template <class T>
   std::vector<T> read(const std::string& name) const;
 

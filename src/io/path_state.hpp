@@ -1,4 +1,4 @@
-// What a path leads to: the file or folder that is open already, or something that is no file.
+// What a path leads to: the file or folder that is open already, or something that is not a file.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 namespace softwet {
 
 /// Whether the path leads to what is open as `descriptor`: not where that was moved, removed, or replaced by another.
-/// True where the system cannot tell.
+/// True where the system gives no answer.
 bool leads_to(const std::string& path, int descriptor);
 
-/// "a folder", "a pipe", "a device", "a socket": what the path leads to where that is no regular file, which a program
+/// "a folder", "a pipe", "a device", "a socket": what the path leads to where that is not a regular file, which a program
 /// may wait for without end or read without end. Empty for a regular file, and where there is nothing.
 std::string no_regular_file(const std::string& path);
 

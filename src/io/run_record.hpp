@@ -33,7 +33,7 @@ class RecordValue {
   /// Adds to a list. A value that was no list becomes an empty one first.
   void append(RecordValue value);
 
-  /// JSON text, indented by two blanks per level. Numbers that are not finite, which JSON has not, are written as null.
+  /// JSON text, indented by two blanks per level. Numbers that are not finite, which JSON lacks, are written as null.
   std::string json(int level = 0) const;
 
  private:

@@ -89,7 +89,7 @@ TableFile::~TableFile() {
   try {
     if (file_ != nullptr) flush();
   } catch (const Error&) {
-    // A destructor cannot tell; callers that need to know call flush() first.
+    // A destructor cannot report; callers that need to know call flush() first.
   }
 }
 

@@ -51,7 +51,7 @@ class TableFile {
   const TableMark& kept() const { return kept_; }
 
   /// Hands the rows so far to the system. Throws Error (machine_failed), from the first failure on each time: rows are
-  /// missing then, and no checkpoint may tell of them.
+  /// missing then, and no checkpoint may refer to them.
   void flush();
   /// Brings the rows so far to the disk; to be called before a checkpoint that holds their mark is committed.
   /// Throws Error (machine_failed).

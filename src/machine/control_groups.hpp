@@ -1,4 +1,4 @@
-// The control groups of this process (a container, a job of a cluster) and those above them, as Linux tells them.
+// The control groups of this process (a container, a job of a cluster) and those above them, as Linux lists them.
 #pragma once
 
 #include <functional>

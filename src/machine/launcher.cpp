@@ -5,7 +5,7 @@
 namespace softwet {
 namespace {
 
-/// Where a launcher tells the number of processes, and which of them this one is; null where it does not.
+/// Where a launcher gives the number of processes, and which of them this one is; null where it does not.
 struct Launcher {
   const char *size, *rank;
 };

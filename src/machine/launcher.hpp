@@ -1,4 +1,4 @@
-// What a launcher of several processes (mpirun, srun, flux) tells in the environment of each.
+// What a launcher of several processes (mpirun, srun, flux) puts into the environment of each.
 #pragma once
 
 #include <string>

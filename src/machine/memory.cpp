@@ -30,7 +30,7 @@ double number_after(const std::string& name, const std::string& path, double mis
   return missing;
 }
 
-/// The one number of a file; "max" and a missing file are no limit.
+/// The one number of a file; "max" and a missing file mean no limit.
 double number_in(const std::string& path) {
   std::ifstream file(path);
   double number = 0;

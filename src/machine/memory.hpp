@@ -16,7 +16,7 @@ double most_unknowns(const Case&);
 double least_bytes(const Case&);
 
 /// Bytes this process can hold in all: what it holds now and what the system has available, within the limits of the
-/// process (ulimit -v) and of its control groups. Infinity where the system does not tell.
+/// process (ulimit -v) and of its control groups. Infinity where the system gives none.
 double bytes_to_be_had();
 
 /// Bytes that the control groups of this process (a container, a job) and those above them still leave, cached files

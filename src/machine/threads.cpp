@@ -20,7 +20,7 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// Cores of one group: quota / period. "max", -1 and a missing file are no limit.
+/// Cores of one group: quota / period. "max", -1 and a missing file mean no limit.
 double cores_in_group(const std::string& folder, GroupVersion version) {
   double quota = 0, period = 0;
   if (version == GroupVersion::two) {
@@ -68,7 +68,7 @@ int threads_of(const char* name) {
 /// OMP_THREAD_LIMIT: OpenMP starts no more threads, whoever asks for them.
 int thread_limit() {
   const auto value = variable("OMP_THREAD_LIMIT");
-  const auto number = value ? whole_number(*value) : std::nullopt;  // OpenMP itself tells where it is none
+  const auto number = value ? whole_number(*value) : std::nullopt;  // OpenMP itself complains where it is none
   return number && *number > 0 ? static_cast<int>(std::min<long>(*number, most_threads)) : most_threads;
 }
 

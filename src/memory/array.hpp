@@ -7,7 +7,7 @@
 #include <vector>
 
 // Lambdas run on the device alone. nvcc hides lambdas for host and device behind a wrapper, which calls a null pointer where a
-// lambda stands in an inline function or a template that several sources compile.
+// lambda is in an inline function or a template that several sources compile.
 #if defined(KOKKOS_ENABLE_CUDA) || defined(KOKKOS_ENABLE_HIP)
 #undef KOKKOS_LAMBDA
 #define KOKKOS_LAMBDA [=] __device__

@@ -150,8 +150,8 @@ struct JacobianBatch {
   }
 };
 
-/// Points per axis in the quadrature of matrices, for a scene with `points`. In space it is reduced: Schwarz takes no more
-/// iterations for that. In the plane LU would, so matrices have the quadrature of the scene.
+/// Points per axis in the quadrature of matrices, for a scene with `points`. In 3D it is reduced: Schwarz takes no more
+/// iterations for that. In 2D LU would, so matrices have the quadrature of the scene.
 template <int D, int P>
 constexpr int matrix_points(int points) {
   return D == 3 ? P : points;

@@ -1,7 +1,7 @@
 // Small numbers packed into one constant.
 //
 // What is known when the program is compiled must not cost a device anything. A constexpr function with a loop does: where its
-// argument is no constant of the language, a device runs the loop, for each field of each point. So such answers are packed, and a
+// argument is not a constant of the language, a device runs the loop, for each field of each point. So such answers are packed, and a
 // kernel reads them by a shift, which a compiler folds.
 #pragma once
 

@@ -221,7 +221,7 @@ KOKKOS_FORCEINLINE_FUNCTION S weight_at(const Region<D, RealOf<S>>& region, cons
   return shared * load<S>(&region.axis[0].weight(q % Q, b.element[0]));
 }
 
-/// A point in the coordinates of a term. @param reference  its place where nothing is deformed
+/// A point in the coordinates of a term. @param reference  its position where nothing is deformed
 template <class Term, class Point, class S, int D>
 KOKKOS_FORCEINLINE_FUNCTION auto in_coordinates(const Point& point, const Vector<S, D>& reference) {
   if constexpr (is_axisymmetric<Term>) {

@@ -1,4 +1,4 @@
-// Ctrl-C as a wish to stop, not as an end in the middle of a step.
+// Ctrl-C as a request to stop, not as an end in the middle of a step.
 #pragma once
 
 namespace softwet {

@@ -81,7 +81,7 @@ void Journal<D, P>::resume() {
 
 template <int D, int P>
 void Journal<D, P>::open_tables() {
-  // The row of a last step that is no multiple of output.history.every is dropped: the run goes on behind it.
+  // The row of a last step that is not a multiple of output.history.every is dropped: the run continues after it.
   history_.emplace(TableFile::append_after(path("history.csv"), scalars_.columns(), found_.history));
   interface_.emplace(TableFile::append_after(path("interface.csv"), interface_columns<D>(), found_.interface));
 }

@@ -32,7 +32,7 @@ class Journal {
   /// @param field_times  t at which field files are due
   Journal(const Case&, const RunOptions&, const Scene<D, P>&, Stepper<D, P>&, std::vector<double> field_times);
 
-  /// Throws Error (machine_failed) where the machine has not the memory that the run needs.
+  /// Throws Error (machine_failed) where the machine lacks the memory that the run needs.
   void require_memory() const;
 
   /// Tables without rows: the state of the stepper is the first one.
@@ -52,7 +52,7 @@ class Journal {
   /// Ends the run where somebody has moved or removed its folder, or a table: what there still is gets the last state.
   /// Throws Error (machine_failed).
   void require_folder();
-  /// Computes, and keeps the last good state of what fails. @param asked  the case whose remedies the user is told of
+  /// Computes, and keeps the last good state of what fails. @param asked  the case whose remedies the user reads
   void keep_state_of(const Case& asked, const std::function<void()>& compute);
 
   void tell(const std::string& message) { progress_.tell(message); }

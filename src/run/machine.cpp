@@ -50,7 +50,7 @@ ParallelRuntime::ParallelRuntime(int threads) {
   settings.set_num_threads(count);
 #ifdef KOKKOS_ENABLE_OPENMP
   static_assert(most_threads == Kokkos::Impl::OpenMPTraits::MAX_THREAD_COUNT);
-  omp_set_num_threads(count);  // else Kokkos begins with as many as OpenMP would start by itself
+  omp_set_num_threads(count);  // else Kokkos begins with as many as OpenMP would start on its own
 #endif
   try {
     Kokkos::initialize(settings);

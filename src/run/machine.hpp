@@ -21,7 +21,7 @@ class ParallelRuntime {
 std::string backend_name();  ///< "OpenMP", "Cuda"
 int core_count();            ///< that this process may use; a control group may grant less of their time
 int thread_count();          ///< of this process, on the processor
-int worker_count();          ///< that rates are told for: threads on a processor, one for a device
+int worker_count();          ///< that rates are given for: threads on a processor, one for a device
 const char* worker_name();   ///< "core", "device"
 std::string host_name();
 std::string instruction_set();                   ///< the widest vector instructions this build uses, "AVX-512"

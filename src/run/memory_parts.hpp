@@ -37,7 +37,7 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
   if (!host_algorithms)
     parts.push_back({"sums of tiles", (mixed ? 12 : 8) * sums_of_tiles<D>(l.axis[0].degree()) * (n + scalar)});
   if (preconditioner) {
-    // Rounded stages: that of products in single precision, and that of the last build, for a checkpoint.
+    // Rounded stages: one for products in single precision, and one for the last build, for a checkpoint.
     const int rounded = (mixed ? 1 : 0) + (preconditioner->name() == "none" ? 0 : 1);
     const double friction = l.rate_rows > 0 ? 20 * n : 0;  // what Newton's method knows of it, and a mass
     const double work = (precision_of(c) == Precision::single ? 12 * n : 8 * n) + friction;

@@ -1,4 +1,4 @@
-// The line on the terminal that tells how far a run is.
+// The line on the terminal that shows how far a run is.
 #pragma once
 
 #include <chrono>

@@ -65,7 +65,7 @@ std::string for_the_density(const Case& c) {
   return "a softer load ramp, a larger fluid.viscosity or a tighter time.tolerance may help";
 }
 
-/// The key of a load or needle that is no number within the smallest steps after a time; empty where all are.
+/// The key of a load or needle that is not a number within the smallest steps after a time; empty where all are.
 std::string load_without_value(const Case& c, double time) {
   constexpr int looks = 64;
   for (int i = 1; i <= looks; ++i) {
@@ -87,7 +87,7 @@ std::string load_without_value(const Case& c, double time) {
 
 std::string remedy(const Case& c, const Refusal& refusal, double time) {
   if (const std::string key = load_without_value(c, time); !key.empty())
-    return key + " is no number after t = " + short_text(time, 10) +
+    return key + " is not a number after t = " + short_text(time, 10) +
            ": bound what it divides by or takes a root of, for example with max";
   if (!c.time.implicit() && c.time.safety > 1)
     return "with time.safety = " + short_text(c.time.safety) +

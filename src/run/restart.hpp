@@ -19,7 +19,7 @@ struct RunSeconds {
 /// the history, what was written beside it, and what the run has cost. All processes of the run collect the arrays, and
 /// the first one writes; it alone needs `files`.
 ///
-/// Nothing of the run changes by it, and a run that is resumed from it goes on with the bits of one that never stopped:
+/// Nothing of the run changes by it, and a run that is resumed from it continues with the bits of one that never stopped:
 /// on any number of threads and processes, whenever and how often it was stopped. An explicit scheme keeps what bounded its last steps.
 /// An implicit one keeps the stage from which its preconditioner was built; to
 /// build it from there is deterministic.

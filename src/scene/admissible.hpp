@@ -10,7 +10,7 @@ namespace softwet {
 constexpr double close_packed = 0.999;
 
 /// Refuses a density with a control value below 0 or from `close_packed` on. Of an earlier run it may undershoot 0 as far as that of this
-/// run may (solver.newton.undershoot). The message names the place of the one
+/// run may (solver.newton.undershoot). The message names the position of the one
 /// that is furthest outside, its value, the range, and by which factor smaller waves would fit. All processes decide
 /// alike.
 /// @param without_waves  control values of droplets, films and what is around them

@@ -1,4 +1,4 @@
-// Which side of the joint of a solid a place at it belongs to.
+// Which side of the joint of a solid a position at it belongs to.
 #pragma once
 
 #include <algorithm>

@@ -122,7 +122,7 @@ SolidCoefficients solid_of(const Case& c, const Layout<D>& layout) {
   const Substrate& s = *c.substrate;
   solid.young = s.young;
   solid.largest_young = s.young.number;
-  // One kernel serves stiffness that varies, prestretch and selective integration, so that there is no kernel more.
+  // One kernel serves stiffness that varies, prestretch and selective integration, so that there is no further kernel.
   if (s.young.varies() || !s.prestretch.empty() || s.volume_quadrature == VolumeQuadrature::selective)
     grade(s.young, layout, solid);
   solid.stiffness = LameParameters::from(s.density * solid.largest_young, s.poisson);

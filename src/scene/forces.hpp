@@ -1,4 +1,4 @@
-// Forces on the solid that are no terms: loads on boxes, gravity and needles.
+// Forces on the solid that are not terms: loads on boxes, gravity and needles.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Control values from functions of the place.
+// Control values from functions of position.
 #pragma once
 
 #include <array>
@@ -56,7 +56,7 @@ void at_samples(const Layout<D>& l, int first, int rows, const Visit& visit) {
   }
 }
 
-/// A place inside of the domain, for a formula.
+/// A position inside of the domain, for a formula.
 template <int D>
 std::array<double, 3> place_inside(const Layout<D>& l, const double* x) {
   std::array<double, 3> place{};
@@ -67,7 +67,7 @@ std::array<double, 3> place_inside(const Layout<D>& l, const double* x) {
   return place;
 }
 
-/// Control values of a function of the place on the rows [first, first + rows), in the order of a component.
+/// Control values of a function of position on the rows [first, first + rows), in the order of a component.
 template <int D, class Function>
 std::vector<double> control_values(const Layout<D>& l, const Function& function, int first, int rows) {
   std::vector<double> values(static_cast<std::size_t>(rows) * l.row_size, 0.0);

@@ -41,14 +41,14 @@ std::vector<Group> groups(const Case& c) {
   if (c.fluid && c.substrate && c.substrate->surface_tension > 0) {
     const double tension = c.substrate->surface_tension;
     all.push_back({"solid_tension_over_sigma", tension / surface_tension(*c.fluid),
-                   "Upsilon / sigma: surface tension of the dry solid over that of the liquid"});
+                   "Upsilon / sigma: surface tension of the dry solid over the liquid's"});
     all.push_back({"solid_tension_over_interface", tension / (c.substrate->young_modulus() * 2 * c.fluid->capillarity),
                    "Upsilon / (E 2 gamma): above 1 tension holds the ridge, below elasticity does"});
   }
   if (c.substrate && c.substrate->modulus_of_surface() > 0)
     all.push_back({"surface_modulus_over_thickness",
                    c.substrate->modulus_of_surface() / (c.substrate->young_modulus() * c.substrate->thickness),
-                   "(lambda_s + 2 G_s) / (E Hs): modulus of the solid's surface over that of the layer"});
+                   "(lambda_s + 2 G_s) / (E Hs): modulus of the solid's surface over the layer's"});
   if (c.substrate && !c.boundary.foundation.empty())
     all.push_back({"foundation_over_layer",
                    c.boundary.foundation[0] * c.substrate->thickness * (1 - 2 * c.substrate->poisson) /

@@ -43,7 +43,7 @@ struct Shape {
     const double r = std::sqrt(square);
     return step_down((r - 1) * r / std::sqrt(slope), profile);
   }
-  /// A face on a side of the fluid, or beyond it, is no interface; round a periodic axis there is no side.
+  /// A face on a side of the fluid, or beyond it, is not an interface; around a periodic axis there is no side.
   double in_box(const Case& c, const double* x, const InterfaceProfile& profile) const {
     double inside = 1;
     for (std::size_t d = 0; d < lower.size(); ++d) {

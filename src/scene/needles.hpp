@@ -1,4 +1,4 @@
-// Needles: springs that hold boxes of the solid at places that move.
+// Needles: springs that hold boxes of the solid at positions that move.
 #pragma once
 
 #include <algorithm>

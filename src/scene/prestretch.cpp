@@ -48,7 +48,7 @@ double free_stretch(const Law& law, const Vector<double, 3>& stretch, int axis) 
   return 0;
 }
 
-/// Whether a profile differs between places of one height.
+/// Whether a profile differs between positions of one height.
 bool varies_along_wall(const Case& c, const Profile& profile) {
   constexpr int places = 8;
   const int up = c.dimension() - 1;
@@ -81,7 +81,7 @@ Prestretch prestretch_of(const Case& c, const LameParameters& stiffness) {
     throw Error(Exit::invalid_input,
                 "substrate.prestretch = " + short_text(along.front()) +
                     " with substrate.poisson = " + short_text(c.substrate->poisson) +
-                    ": no stretch upright frees the top of stress; write a prestretch nearer to 1");
+                    ": no stretch upright frees the top of stress; write a prestretch closer to 1");
   r.energy_at_rest = with_law(c, stiffness, [&](const auto& law) { return law.energy(stretched(r.stretch)); });
   return r;
 }
@@ -125,7 +125,7 @@ std::vector<std::string> forecast_of_prestretch(const Case& c) {
                     " times as much as upright; below " + short_text(least_without_creases) +
                     " its face folds into creases, and below " + short_text(least_of_biot) +
                     " waves of every length grow on it, so that the result depends on the mesh; write a prestretch "
-                    "nearer to 1");
+                    "closer to 1");
   if (varies_along_wall(c, s.young))
     found.push_back(key +
                     ": where substrate.young varies along the wall the stretched layer is not at rest where its "

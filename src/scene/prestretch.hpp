@@ -17,7 +17,7 @@ inline LameParameters stiffest_of(const Substrate& s) {
 
 /// F_0 of `substrate.prestretch`: along the wall as the case says, upright such that the stress upright is 0, so that u = 0 is at rest below
 /// a free face. In 2D the third stretch is 1, in (r, z) it is that along r. `acts` is false where the case has no prestretch.
-/// @param stiffness  of the place where the solid is stiffest
+/// @param stiffness  at the position where the solid is stiffest
 /// Tested: tests/unit/scene/test_prestretch.cpp
 Prestretch prestretch_of(const Case&, const LameParameters& stiffness);
 

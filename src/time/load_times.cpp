@@ -33,7 +33,7 @@ template <class Changes>
 void LoadTimes::add_points(const std::vector<double>& points, const Changes& changes) {
   const int last = static_cast<int>(points.size()) - 1;
   for (int i = 0; i <= last; ++i) {
-    int next = i;  // the last point at the same time, but for what is no time
+    int next = i;  // the last point at the same time, except for what is not a time
     bool jumps = false;
     while (next < last && points[next + 1] - points[i] < no_time_at(points[i])) jumps = changes(next++) || jumps;
     kinks_.push_back(points[i]);
@@ -69,7 +69,7 @@ void LoadTimes::add_profile(double start, const Profile& profile, double end) {
   expressions_.push_back(std::move(e));
 }
 
-/// Whether the value between t and t + dt is that of a line, at the times that are always looked at and at some in no rhythm.
+/// Whether the value between t and t + dt lies on a line, at the times that are always tested and at some irregular ones.
 bool LoadTimes::Expression::follows_line(double t, double dt) const {
   const double from = at(t), to = at(t + dt);
   const auto near = [&](double s) { return std::abs(at(s) - from - (s - t) / dt * (to - from)) <= tolerance; };
@@ -97,7 +97,7 @@ LoadTimes::Reach LoadTimes::Expression::reach(double t, double wish) const {
   return {begin - t + good, jumps()};
 }
 
-/// A swing is as fast at its turns as it is slow beside them. Steps that follow its phase would add errors of one sign up, so the next
+/// The distance of an oscillation from a line is large at its turning points and small between them. Steps that follow its phase would add errors of one sign up, so the next
 /// ones of the same length must fit as well.
 double LoadTimes::Expression::longest(double t, double wish) const {
   const Reach first = reach(t, wish);

@@ -1,4 +1,4 @@
-// How loads and needles vary over time: which times steps meet, behind which a run begins anew, and how long steps may be in between (host).
+// How loads and needles vary over time: which times steps meet, after which a run starts afresh, and how long steps may be in between (host).
 #pragma once
 
 #include <memory>

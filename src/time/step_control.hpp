@@ -11,7 +11,7 @@ namespace softwet {
 struct StepLimits {
   double initial = 1e-2, smallest = 1e-8, largest = 50;
   double tolerance = 2e-3;                                ///< of the error indicator
-  double slow = std::numeric_limits<double>::infinity();  ///< a step that is longer steps over the swings of the scene
+  double slow = std::numeric_limits<double>::infinity();  ///< a longer step skips the oscillations of the scene
 };
 
 /// Of the solver in a step: close to giving up where it was laborious.

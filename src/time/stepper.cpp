@@ -25,7 +25,7 @@ void copy_state(State& to, const State& from) {
   to.memory_shift = from.memory_shift;
 }
 
-/// A droplet swings in about sqrt(rho_l R^3 / sigma).
+/// A droplet oscillates in about sqrt(rho_l R^3 / sigma).
 StepLimits step_limits(const Case& c) {
   StepLimits limits{c.time.dt_initial, c.time.dt_min, c.time.dt_max, c.time.tolerance};
   if (c.fluid && largest_radius(c) > 0) limits.slow = liquid_of(c).time_inertia();

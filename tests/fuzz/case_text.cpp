@@ -1,7 +1,7 @@
 // Case files and command line assignments. A line "#set KEY=VALUE" of the input is one --set (a comment for TOML).
 //
 // Properties: nothing but an Error of bad input comes out, its message is short and names its place; an accepted
-// case is written and read back to the same text, has the same fingerprint, and its warnings can be told.
+// case is written and read back to the same text, has the same fingerprint, and its warnings can be printed.
 #include <sstream>
 
 #include "casefile/case_file.hpp"
@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   for (const std::string& assignment : assignments)
     only_bad_input("explain", [&] {
       const std::string key = assignment.substr(0, assignment.find('='));
-      require_property(!explain(key).empty(), "explain tells something", key);
+      require_property(!explain(key).empty(), "explain says something", key);
     });
   return 0;
 }

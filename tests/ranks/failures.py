@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What ends one process ends them all, within seconds and with an exit code that tells; the folder can be resumed.
+"""What ends one process ends them all, within seconds and with the right exit code; the folder can be resumed.
 usage: failures.py SOFTWET"""
 
 import os

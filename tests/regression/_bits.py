@@ -7,7 +7,7 @@ import h5py
 
 
 def arrays(path):
-    """The bytes of all arrays of a file, but for those that tell of the clock."""
+    """The bytes of all arrays of a file, but for those that depend on the clock."""
     found = {}
     with h5py.File(path) as file:
         file.visititems(lambda name, item: found.update({name: item[()].tobytes()} if hasattr(item, "shape") else {}))

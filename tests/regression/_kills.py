@@ -12,7 +12,7 @@ SAVE_OFTEN = "output.checkpoint.minutes=1e-6"  # after each step
 
 
 def told(folder):
-    """What run.json tells; empty before there is one."""
+    """What run.json says; empty before there is one."""
     try:
         return json.loads(pathlib.Path(folder, "run.json").read_text())
     except FileNotFoundError:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What softwet tells of itself: help, version, manual page and completion; and a reader that reads no further.
+"""What softwet says of itself: help, version, manual page and completion; and a reader that reads no further.
 usage: answers.py SOFTWET"""
 
 import os

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Scenes with an axis of symmetry: a free ball against the exact radial solution, a cap against its geometry, mass and
-energies on a moving mesh, the same scene in space on its way and at rest, and what is refused.
+energies on a moving mesh, the same scene in 3D on its way and at rest, and what is refused.
 usage: axisymmetric.py SOFTWET"""
 
 import os

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Viscoelastic solids: standing waves and the creep of a column against closed forms, the order of the steps, the balance of the energy,
-the same bits after a resume, states of rest, and what is told and refused. usage: branches.py SOFTWET"""
+the same bits after a resume, states of rest, and what is reported and refused. usage: branches.py SOFTWET"""
 
 import itertools
 import math
@@ -102,7 +102,7 @@ check_true("a branch takes energy, and its dashpot loses it", rows["energy_branc
            and rows["dissipation_solid"].max() > 0, str(rows["energy_branches"]))
 check("it begins with nothing", rows["energy_branches"][0], 0)
 
-# Explicit steps: of second order, with the error of the masses in space; a branch that is much faster than a step does not shorten them.
+# Explicit steps: of second order, with the error in space of the masses; a branch that is much faster than a step does not shorten them.
 for mass, most in (("lumped", 1e-2), ("corrected", 2e-3), ("consistent", 2e-3)):
     runs = []
     for dt in (0.002, 0.001, 0.0005):
@@ -167,11 +167,11 @@ for coordinates in ("plane", "axisymmetric"):
     finite = history(f"column_{coordinates}_finite")
     check(f"column, {coordinates}: finite strains under a small weight", abs(-finite["u"] / (1e-4 / (2 * ALONG)) - height).max(), 1e-4)
 
-# The fit of a power law, and what is told of it.
+# The fit of a power law, and what is said of it.
 for exponent, percent in ((0.4, 3.1), (0.55, 0.8), (0.7, 0.6)):
     told = ask("check", "wave.toml", "--set", f"substrate.gel.exponent={exponent}", "--set", "substrate.gel.time=0.3").stdout
     line = [line for line in told.splitlines() if "largest error of its modulus" in line]
-    check_true(f"check tells the error for n = {exponent}", line and f" {percent} %" in line[0] and "branch 11" in told, told)
+    check_true(f"check gives the error for n = {exponent}", line and f" {percent} %" in line[0] and "branch 11" in told, told)
 
 # A gel: many branches, some of them much faster than a step.
 run_file("wave.toml", "gel", ["substrate.gel.exponent=0.5", "substrate.gel.time=0.05", "substrate.gel.decades=[-2,1]", *steps(0.02)])

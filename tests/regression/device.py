@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/device: a report of this machine in Markdown, held against a table of results, which it also writes. usage: device.py SOFTWET"""
+"""tools/device: a report of this machine in Markdown, compared with a table of results, which it also writes. usage: device.py SOFTWET"""
 
 import csv
 import os
@@ -35,7 +35,7 @@ check_true("the small meshes have results of their own", all(f"ok    {name}: " i
 rows = list(csv.reader(open("here.csv")))
 rows = [[scene, quantity, "0.51" if (scene, quantity) == ("pull", "x_centre") else value] for scene, quantity, value in rows]
 csv.writer(open("other.csv", "w")).writerows(rows)
-check_true("another result is told", "| pull | **no** |" in device("--reference", "other.csv", code=1))
+check_true("another result is reported", "| pull | **no** |" in device("--reference", "other.csv", code=1))
 pathlib.Path("empty").mkdir(exist_ok=True)
 wrong = subprocess.run([sys.executable, ROOT / "tools/device", "empty"], capture_output=True, text=True, env=environment)
 check_true("a folder without a program is named", wrong.returncode == 1 and "there is no program empty/softwet" in wrong.stderr, wrong.stderr)

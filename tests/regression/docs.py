@@ -2,7 +2,7 @@
 """The pages of the documentation are true: their commands work, their links lead somewhere, the reference is up to date.
 usage: docs.py SOFTWET [PAGE...]   with the names of pages, the commands of these alone
 
-A block of commands in README.md and docs/*.md starts with ```console, and a comment before it tells how it is run here:
+A block of commands in README.md and docs/*.md starts with ```console, and a comment before it says how it is run here:
   <!-- run: KEY=VALUE ... -->        as it stands, with these settings (--set) for softwet run, steady, check, sweep and tradeoff
   <!-- run: check KEY=VALUE ... -->  only checked: softwet check instead of run, --dry-run for the last two, no tools
   <!-- run: no, REASON -->           not at all
@@ -40,7 +40,7 @@ except ImportError:
 
 
 def expect(name, condition, detail=""):
-    """Prints what holds and what does not; all failures are told before the test ends."""
+    """Prints what holds and what does not; all failures are reported before the test ends."""
     print(f"{'ok' if condition else 'FAIL':4}  {name} {'' if condition else detail}")
     if not condition:
         failures.append(name)
@@ -90,7 +90,7 @@ def run_page(page):
         (folder / name).write_text(text)
     for block in BLOCK.finditer(page.read_text()):
         first = block["text"].splitlines()[0]
-        expect(f"{page.name}: the block '{first}' tells how it is run", block["how"] is not None)
+        expect(f"{page.name}: the block '{first}' says how it is run", block["how"] is not None)
         if block["how"] is None:
             continue
         how = block["how"].strip()

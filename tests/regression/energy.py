@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""With the wall-energy law on a rigid wall the energy falls at every accepted step, and nothing is told about it. Where steps that
-are too long let it rise, that is told once. usage: energy.py SOFTWET"""
+"""With the wall-energy law on a rigid wall the energy falls at every accepted step, and nothing is reported about it. Where steps that
+are too long let it rise, that is reported once. usage: energy.py SOFTWET"""
 
 import pathlib
 
@@ -30,19 +30,19 @@ ALOUD = ["--overwrite", "--threads", "1"]
 message = run("impact_rigid_2d", "wild", WILD, ALOUD)
 rows, events = history("wild"), told("wild")
 check_true("wild: the energy rises", numpy.diff(rows["energy_total"]).max() > 1e-5, f"by {numpy.diff(rows['energy_total']).max():.1e}")
-check_true("wild: it is told once in run.json", len(events) == 1 and "though nothing fed it" in events[0]["what"], str(events))
+check_true("wild: it is reported once in run.json", len(events) == 1 and "though nothing fed it" in events[0]["what"], str(events))
 check_true("wild: with a remedy", "time.tolerance" in events[0]["what"])
 check_true("wild: on stderr and in the closing line", message.count(events[0]["what"]) == 2, message)
 run("impact_rigid_2d", "tame", COARSE)
-check_true("tame: with the default steps nothing is told", not told("tame"), str(told("tame")))
+check_true("tame: with the default steps nothing is reported", not told("tame"), str(told("tame")))
 
-# What was told before a stop is known after it, and not told again.
+# What was reported before a stop is known after it, and not reported again.
 run("impact_rigid_2d", "parts", [*WILD, "time.max_steps=3"])
 run("impact_rigid_2d", "parts", WILD, ["--resume", "--quiet", "--threads", "1"])
-check_true("a resumed run tells the same", told("parts") == events, str(told("parts")))
+check_true("a resumed run says the same", told("parts") == events, str(told("parts")))
 
 # A wave in a solid alone trades kinetic for elastic energy. With lumped masses the energy of the table swings by what it differs
-# from that which steps keep: nothing is told for that, and no step is refused.
+# from that which steps keep: nothing is reported for that, and no step is refused.
 pathlib.Path("wave.toml").write_text("""
 name = "wave"
 domain = { size = [1.1, 0.7], elements = [11, 7] }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A scene that starts from its equilibrium: it begins with the load, at rest, and then moves as one that has relaxed by
-itself; a scene that cannot come to rest is refused with a sentence; how far droplets moved on the way is told, and what merged there is
+itself; a scene that cannot come to rest is refused with a sentence; how far droplets moved on the way is reported, and what merged there is
 not called one from the start; models that leave something out agree with the full
 one where they should.
 usage: equilibrium_start.py SOFTWET"""
@@ -29,7 +29,7 @@ check("fastest liquid at the start", rows["speed_max_liquid"][0], 1e-5)
 check("path against that of a scene that has relaxed", abs(quick / path - 1), 0.02)
 check("drift of the mass", abs(rows["mass_drift"]).max(), 1e-12)
 start = record("at_rest")["start"]
-check_true("run.json tells how it came to rest", start["steps"] > 3 and 0 <= start["rate_of_change"] < 1e-6, str(start))
+check_true("run.json says how it came to rest", start["steps"] > 3 and 0 <= start["rate_of_change"] < 1e-6, str(start))
 steps = record("relaxed")["counts"]["steps"], record("at_rest")["counts"]["steps"] + start["steps"]
 check_true("fewer steps than the motion takes", steps[1] < 0.7 * steps[0], f"{steps[1]} instead of {steps[0]}")
 
@@ -61,7 +61,7 @@ message = run_file("pair.toml", "pair", [], ["--overwrite", "--threads", "1"])
 events = record("pair")["events"]
 check_true("a merger on the way", events[0] == {"t": 0, "what": "droplet 1 and droplet 2 merged (while the scene came to rest)"},
            str(events))
-check_true("is told", message.count("merged (while the scene came to rest)") == 2, message)
+check_true("is reported", message.count("merged (while the scene came to rest)") == 2, message)
 check_true("and how far the droplet moved", "; on the way droplet 1 moved by 0." in message, message)
 moved = record("pair")["start"]["moved"]
 check_true("run.json has the way of each droplet", 0.05 < moved[0] < 0.2 and moved[1] is None, str(moved))

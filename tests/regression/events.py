@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A droplet that vanishes, reaches a side or merges is told once: on stderr, in run.json and in the closing line.
+"""A droplet that vanishes, reaches a side or merges is reported once: on stderr, in run.json and in the closing line.
 usage: events.py SOFTWET"""
 
 import pathlib
@@ -20,7 +20,7 @@ def told(name, message, folder, sentences):
     lines = [line for line in message.splitlines() if line.startswith("softwet: ") and "warning" not in line]
     for sentence in sentences:
         own = [line for line in lines if line.startswith("softwet: at t = ") and line.endswith(sentence)]
-        check_true(f"{name}: told once", len(own) == 1, str(own))
+        check_true(f"{name}: reported once", len(own) == 1, str(own))
         check_true(f"{name}: in the closing line", own[0].removeprefix("softwet: ") in lines[-1], lines[-1])
 
 
@@ -33,7 +33,7 @@ stop = record("tiny")["stop"]
 check_true("tiny: the end is reached all the same", stop["reason"] == "end reached" and stop["t"] == 20, str(stop))
 check_true("tiny: the time is that of the event", 0 < record("tiny")["events"][0]["t"] < 20)
 
-# What happened before a checkpoint is known after it, and not told again.
+# What happened before a checkpoint is known after it, and not reported again.
 run("static_droplet_rigid_2d", "resumed", TINY + [f"time.max_steps={record('tiny')['counts']['steps'] - 3}"])
 check_true("before the resume", what("resumed") == GONE, str(what("resumed")))
 message = run("static_droplet_rigid_2d", "resumed", TINY, ["--resume", "--threads", "1"])

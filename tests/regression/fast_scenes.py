@@ -93,7 +93,7 @@ def check_automatic():
             ("impact_rigid_2d", [*IMPACT, "time.end=0.1", "output.fields.times=[0.1]"], "kick_drift", "explicit steps, of which up to 1300"),
             ("tensotaxis_pull_2d", PULL, "generalized_alpha", "explicit steps, of which up to 1300"),
             ("impact_soft_2d", ["domain.elements=[24,18]", "fluid.capillarity=1/18", "time.end=0.1", "output.fields.times=[0.1]",
-                                "substrate.inertia=none"], "generalized_alpha", "do not know what this case asks for")):
+                                "substrate.inertia=none"], "generalized_alpha", "do not support what this case asks for")):
         said = run(case, "chosen", [*settings, "time.scheme=automatic"])
         check_true(f"{case}: automatic takes {scheme}", f"takes {scheme}: " in said and words in said, said.strip())
         written = tomllib.loads(pathlib.Path("chosen/case.toml").read_text())["time"]["scheme"]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """tools/figures draws Figs. 1 (B), 2 and 3 from small runs, from any folder, and its tables hold what the outputs hold.
-tools/plot draws a load of force 0, other fields and sections in space, and names the file where a folder is not whole.
+tools/plot draws a load of force 0, other fields and sections in 3D, and names the file where a folder is not whole.
 usage: figures.py SOFTWET"""
 
 import csv
@@ -15,7 +15,7 @@ from _scene import check, check_true, history, run, run_file, tools, write_box
 try:
     import matplotlib  # noqa: F401
 except ImportError:
-    sys.exit(print("no matplotlib: figures are not drawn here"))
+    sys.exit(print("no matplotlib: no figure is made here"))
 
 TOOL = tools / "figures"
 SMALL = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "fluid.viscosity=1/64", "substrate.young=2"]
@@ -118,7 +118,7 @@ plot_refuses("cannot read broken/fields/solid.hdf.series", "--field")
 pathlib.Path("points.csv").write_text("time,x_centre\n1,0.5\n")
 cut("case.toml", None)
 plot_refuses("points.csv has no column t", "--history", "--reference", "points.csv")
-plot_refuses("velocity is no scalar; give a component of it", "--field", "--show", "velocity")
+plot_refuses("velocity is not a scalar; give a component of it", "--field", "--show", "velocity")
 plot_refuses("has no field 'warmth'", "--field", "--show", "warmth")
 plot_refuses("--columns 0: must be a number in [1, 100]", "--columns", "0")
 plot_refuses("--magnify nan: must be a number in [0, 1e+06]", "--magnify", "nan")

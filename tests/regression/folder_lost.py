@@ -44,7 +44,7 @@ def disturbed(name, disturb, stop=False):
         message = "it did not end"
     check_true(f"{name}: exit code 3", process.returncode == 3, f"{process.returncode} {message}")
     check_true(f"{name}: one error", message.count("softwet: error: ") == 1, message)
-    check_true(f"{name}: not told as a success", "the result is in" not in message, message)
+    check_true(f"{name}: not reported as a success", "the result is in" not in message, message)
     return message
 
 

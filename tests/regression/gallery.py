@@ -33,4 +33,4 @@ told = check(copy).stderr
 for sentence in ("cases/stripe_2d.toml has no section", "a section strip_2d, and cases/ has no such case",
                  "docs/gallery/fibres_2d.png is missing", "docs/gallery/stripe_2d.png belongs to no section",
                  "docs/gallery/durotaxis_2d.png has 50000 bytes"):
-    check_true(f"told: {sentence}", sentence in told, told)
+    check_true(f"reported: {sentence}", sentence in told, told)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Graded elements: a scene on them is the scene on equal ones with fewer unknowns, its mass does not depend on the mesh, its files
-and its case tell the mesh, runs go on from their checkpoints, and softwet tells when a droplet comes near the end of the fine
+and its case describe the mesh, runs go on from their checkpoints, and softwet says when a droplet comes near the end of the fine
 elements. usage: graded.py SOFTWET"""
 
 import subprocess

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the machine, the environment and launchers get wrong is told in one sentence, with the right exit code.
+"""What the machine, the environment and launchers get wrong is reported in one sentence, with the right exit code.
 usage: machine.py SOFTWET"""
 
 import json
@@ -99,7 +99,7 @@ if os.path.exists("/dev/full"):
 # --- closed streams --------------------------------------------------------------------------------------------------
 line = " ".join(f"'{word}'" for word in command(NAME, "closed", SCENE, ["--overwrite", "--threads", "1"]))
 answer(["bash", "-c", f"{line} <&- >&- 2>&-"])
-check_true("what is told goes into no table", [(pathlib.Path("closed") / table).read_text() for table in TABLES] ==
+check_true("what is reported goes into no table", [(pathlib.Path("closed") / table).read_text() for table in TABLES] ==
            [(pathlib.Path("run") / table).read_text() for table in TABLES])
 
 # --- times as people write them --------------------------------------------------------------------------------------

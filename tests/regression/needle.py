@@ -122,10 +122,10 @@ for scheme, mass in (("generalized_alpha", "corrected"), ("kick_drift", "consist
     print(f"  {scheme}: open part of the balance {open_parts[0]:.2e}, {open_parts[1]:.2e}")
     check(f"{scheme}: the balance of the energy at every step", open_parts[1], 2e-3)
     check(f"{scheme}: it closes with the square of the steps", open_parts[1] / open_parts[0], 0.35)
-    check_true(f"{scheme}: no event tells that energy rose",
+    check_true(f"{scheme}: no event reports that energy rose",
                "the energy rose" not in pathlib.Path(folder, "run.json").read_text())
 
-# Steps end at the points of a table; a jump feeds the springs at once, and no event tells that energy rose.
+# Steps end at the points of a table; a jump feeds the springs at once, and no event reports that energy rose.
 pathlib.Path("places.csv").write_text("t,value\n0.3,0\n0.7,0.01\n1.1,0.01\n1.1000000001,0.02\n1.6,0\n")
 layer("table", path=("places.csv", 0), box=[[0.1, 0.125], [0.3, 0.25]], sides="slip", stiffness=400.0)
 for scheme in ("generalized_alpha", "kick_drift"):
@@ -134,7 +134,7 @@ for scheme in ("generalized_alpha", "kick_drift"):
     for moment in (0.3, 0.7, 1.1, 1.6):
         check(f"{scheme}: a step ends at t = {moment}", abs(times - moment).min(), 1e-9)
     text = pathlib.Path(f"table_{scheme}", "run.json").read_text()
-    check_true(f"{scheme}: no event tells that energy rose", "the energy rose" not in text)
+    check_true(f"{scheme}: no event reports that energy rose", "the energy rose" not in text)
 
 # The same bits after a resume.
 for scheme in ("generalized_alpha", "kick_drift"):
@@ -147,7 +147,7 @@ for scheme in ("generalized_alpha", "kick_drift"):
                    pathlib.Path(f"whole_{scheme}", part).read_bytes() == pathlib.Path(f"parts_{scheme}", part).read_bytes())
     check_same(f"{scheme}, resumed", f"whole_{scheme}", f"parts_{scheme}")
 
-# A scene of a droplet: it starts in equilibrium with the needle where it stands, and is drawn.
+# A scene of a droplet: it starts in equilibrium with the needle where it stands, and is plotted.
 droplet = ["domain.elements=[32,16]", "fluid.capillarity=1/16", "needle.stiffness=1e5", "time.end=3", "output.fields.times=[]"]
 run_file(cases / "pulled_needle_2d.toml", "droplet", droplet)
 rows = history("droplet")
@@ -158,11 +158,11 @@ run_file(cases / "pulled_needle_2d.toml", "droplet_fast", [*droplet, "time.schem
 fast = history("droplet_fast")
 check("an explicit run of it reads the same", abs(fast["needle_force_x"][-1] / numpy.interp(0.2, rows["t"], rows["needle_force_x"]) - 1), 0.1)
 
-# What is refused, and what is told.
+# What is refused, and what is reported.
 said = steady("moved.toml", "moving", code=1)
 check_true("steady refuses a needle that moves", "needle[0].path varies in time" in said and "'needle[0].path=[0.1,0]'" in said, said)
 told = ask("check", "moved.toml").stdout
-check_true("check tells of it", "needles" in told and "needle[0].path, x" in told and "from t = 0 on" in told, told)
+check_true("check mentions it", "needles" in told and "needle[0].path, x" in told and "from t = 0 on" in told, told)
 for words, part in ((("explain", "needle.stiffness"), "100 E/h^2"), (("explain", "history.power_needle"), "power_load"),
                     (("explain", "history.needle_force_x"), "reading")):
     check_true(f"{' '.join(words)}", part in ask(*words).stdout, ask(*words).stdout)

@@ -25,7 +25,7 @@ def papers(*words, code=0):
 try:
     import matplotlib  # noqa: F401
 except ImportError:
-    sys.exit(print("no matplotlib: papers are not drawn here"))
+    sys.exit(print("no matplotlib: no paper is plotted here"))
 
 names = [line.split()[0] for line in papers("--list").stdout.splitlines()]
 check_true("there are papers", len(names) > 1, str(names))

@@ -27,7 +27,7 @@ rows = {}
 for precision in ("double", "mixed", "single"):
     run("tensotaxis_pull_2d", precision, [*PULL, *FIXED, f"solver.precision={precision}"])
     rows[precision] = history(precision)
-    check_true(f"{precision}: run.json tells it", record(precision)["precision"] == precision)
+    check_true(f"{precision}: run.json names it", record(precision)["precision"] == precision)
 
 reference = rows["double"]
 # mixed: Newton's method ends at a millionth of the first residual, as with double, and not at the same numbers.

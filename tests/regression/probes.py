@@ -99,7 +99,7 @@ rows = history("explicit")
 check("explicit: the mass", abs(rows["all_mass"] / rows["mass"] - 1).max(), 1e-12)
 
 line = subprocess.run([sys.executable, tools / "status", "probes"], capture_output=True, text=True, env=environment).stdout
-check_true("status tells ridges and probes", "ridges " in line and "all_mass " in line, line)
+check_true("status shows ridges and probes", "ridges " in line and "all_mass " in line, line)
 
 # Around an axis of symmetry: a column under its weight sinks alike everywhere, on the axis too.
 PROBE = """

@@ -59,7 +59,7 @@ check_true("no file is left", not list(pathlib.Path().glob(".case*")))
 refused("a wrong key", lambda: softwet.Case({**LAYER, "fluids": {}}), 1, "the case:", "fluids", "did you mean")
 refused("a wrong value", lambda: softwet.Case(layer, {"substrate.poisson": 0.6}), 1, "substrate.poisson = 0.6")
 refused("no file", lambda: softwet.Case("nowhere.toml"), 1, "nowhere.toml")
-refused("no case", lambda: softwet.Case(3), 0, "3 is no case")
+refused("no case", lambda: softwet.Case(3), 0, "3 is not a case")
 refused("no key", lambda: layer["fluid"], 0, "has no 'fluid'")
 
 # --- runs --------------------------------------------------------------------------------------------------------------

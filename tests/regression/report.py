@@ -13,7 +13,7 @@ from _scene import PULL, RIGID, check, check_true, environment, record, run, run
 try:
     import matplotlib.pyplot as plt
 except ImportError:
-    sys.exit(print("no matplotlib: no page is drawn here"))
+    sys.exit(print("no matplotlib: no page is made here"))
 
 import softwet  # noqa: E402
 from softwet._drawing import history_curves  # noqa: E402
@@ -66,7 +66,7 @@ run_file("box.toml", "box")
 page("box")
 run("tensotaxis_pull_2d", "velocity", [*PULL, "time.max_steps=2", 'output.fields.select=["velocity"]',
                                       "output.fields.times=[-2]"])
-page("velocity")  # the files hold no density: the rest is drawn
+page("velocity")  # the files hold no density: the rest is plotted
 run("static_droplet_rigid_2d", "still", [*RIGID, "time.end=1", 'output.fields.select=["velocity"]',
                                          "output.fields.times=[0]"])
 page("still")
@@ -83,7 +83,7 @@ budget = tables.Budget(curves)
 t, power = curves.t, curves.table["power_load"]
 check("work of the loads", abs(budget.work[-1] - numpy.trapz(power, t)), 1e-15)
 check("the budget adds up", abs(budget.change - budget.work - budget.stretch + budget.lost - budget.rest).max(), 1e-15)
-check_true("groups as run.json tells them", tables.groups(told) == [("elastocapillary over radius", "0.034")] and
+check_true("groups as run.json lists them", tables.groups(told) == [("elastocapillary over radius", "0.034")] and
            tables.groups({}) == [])
 
 # --- how pictures show things ----------------------------------------------------------------------------------------
@@ -104,7 +104,7 @@ figure, axes = plt.subplots()
 curves.table["velocity"] = numpy.where(t <= t[0] + 0.01 * numpy.ptp(t), 1.0, 1e-3 * numpy.sin(t))
 history_curves.velocity(axes, curves)
 check("the start's spike does not set the scale", axes.get_ylim()[1], 2e-3)
-check_true("but is told", "1.0e+00 at the start" in axes.get_title(loc="right"))
+check_true("but is reported", "1.0e+00 at the start" in axes.get_title(loc="right"))
 for name, unit in (("pull", "$a b^2 L_0^2$"), ("box", "$a b^2 L_0^3$")):
     check_true(f"{name}: unit of the energy", history_curves.energy_label(history_curves.Curves(softwet.open(name), -1.0)) ==
                f"energy / {unit}")

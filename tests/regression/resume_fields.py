@@ -51,5 +51,5 @@ check_true("no other file has changed", not removed.exists() and all(
     pathlib.Path("out/fields", name).read_bytes() == content for name, content in others.items()))
 message = run("static_droplet_rigid_2d", "out", RIGID + ["time.end=3", "output.fields.times=[]"],
               ["--resume", "--threads", "1"])
-check_true("nothing left to do: tells what to raise", "raise time.end" in message, message.strip())
+check_true("nothing left to do: says what to raise", "raise time.end" in message, message.strip())
 check_true("and leaves case.toml alone", "end = 10" in open("out/case.toml").read())

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Ctrl-C ends a run cleanly and resumably; a failed computation leaves its last good state; a run that was killed is told
+"""Ctrl-C ends a run cleanly and resumably; a failed computation leaves its last good state; a run that was killed is reported
 from one that is under way. usage: resume_interrupt.py SOFTWET"""
 
 import datetime
@@ -22,7 +22,7 @@ for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         time.sleep(0.05)  # until it has begun, and hears signals
     live = record("stopped")
     check_true("run.json is there as soon as the run has begun", live["state"] == live["stop"]["reason"] == "running")
-    check_true("it tells the process", live["process"] == process.pid, f"{live['process']}")
+    check_true("it names the process", live["process"] == process.pid, f"{live['process']}")
     age = datetime.datetime.now(datetime.timezone.utc) - datetime.datetime.fromisoformat(live["started"].replace("Z", "+00:00"))
     check_true("and when it began", datetime.timedelta(0) <= age < datetime.timedelta(minutes=2), str(live["started"]))
     check_true("with a checkpoint to resume from", pathlib.Path("stopped/checkpoint.h5").exists())
@@ -33,7 +33,7 @@ for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
     message = process.communicate(timeout=60)[1]
     name = signal.Signals(number).name
     check_true(f"{name}: exit code 0", process.returncode == 0, f"{process.returncode}")
-    check_true(f"{name}: tells how to go on", "stopped by user" in message and "--resume" in message, message.strip())
+    check_true(f"{name}: says how to go on", "stopped by user" in message and "--resume" in message, message.strip())
     check_true(f"{name}: run.json", record("stopped")["stop"]["reason"] == "stopped by user")
     check_true(f"{name}: its state", record("stopped")["state"] == "stopped" and record("stopped")["started"] == live["started"])
     steps = history("stopped")["step"]
@@ -49,7 +49,7 @@ HOPELESS = PULL + ["solver.newton.max=1", "time.dt_initial=1", "time.dt_min=0.6"
 message = run("tensotaxis_pull_2d", "failed", HOPELESS, code=2).strip()
 errors = [line for line in message.splitlines() if not line.startswith("softwet: warning: ")]
 check_true("failure: one line", len(errors) == 1 and "checkpoint.h5" in errors[0], message)
-check_true("failure: run.json tells why", "Newton" in record("failed")["stop"]["reason"])
+check_true("failure: run.json says why", "Newton" in record("failed")["stop"]["reason"])
 check_true("failure: its state", record("failed")["state"] == "failed")
 run("tensotaxis_pull_2d", "failed", PULL + ["time.max_steps=2"], ["--resume", "--quiet"])
 check_true("failure: resumed with other settings", history("failed")["step"][-1] == 2)
@@ -64,7 +64,7 @@ process.wait()
 pathlib.Path("stopped/checkpoint.h5").unlink(missing_ok=True)
 for options in (["--quiet"], ["--resume", "--quiet"]):
     message = run("tensotaxis_pull_2d", "stopped", PULL, options, code=1).strip()
-    check_true("killed early: told as it is", "before its first checkpoint" in message and "--overwrite" in message, message)
+    check_true("killed early: reported as it is", "before its first checkpoint" in message and "--overwrite" in message, message)
 run("tensotaxis_pull_2d", "stopped", PULL + ["time.max_steps=2"])
 
 # Somebody stops reading the progress lines: the run goes on.

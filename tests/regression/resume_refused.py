@@ -17,7 +17,7 @@ def refused(name, settings, parts):
     lines = [line for line in told if not line.startswith("softwet: warning: ")]
     check_true(f"{name}: one line", len(lines) == 1 and lines[0].startswith("softwet: error: "), str(told))
     for part in parts:
-        check_true(f"{name}: tells '{part}'", part in lines[0])
+        check_true(f"{name}: names '{part}'", part in lines[0])
     after = {path: path.read_bytes() for path in pathlib.Path("run").rglob("*") if path.is_file()}
     check_true(f"{name}: the folder stays as it was", before == after)
 

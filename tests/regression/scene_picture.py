@@ -13,7 +13,7 @@ from _scene import PULL, cases, check, check_true, environment, run, softwet, to
 try:
     import matplotlib.pyplot as plt
 except ImportError:
-    sys.exit(print("no matplotlib: no picture is drawn here"))
+    sys.exit(print("no matplotlib: no picture is made here"))
 
 from softwet._drawing import scene_picture  # noqa: E402
 
@@ -54,7 +54,7 @@ check("the state is that with which a run begins", abs(state.fields("fluid")["de
 check_true("its time", state.time == -2.0)
 check("lines of the mesh", max(abs(lines - numpy.linspace(0, length, count + 1)).max() for lines, length, count in
                                zip(state.mesh_lines(), (1.0, 0.5), (32, 16))), 1e-12)
-check_true("a mesh of equal elements is not drawn", not state.is_graded)
+check_true("a mesh of equal elements is not plotted", not state.is_graded)
 told = texts(state)
 check_true("sides in words", {"left: slip", "right: slip", "bottom: slip", "top: no slip"} <= told, str(told))
 check_true("loads by their numbers", " 0" in told)
@@ -111,7 +111,7 @@ check_true("three dimensions: all six sides", {"left: slip", "front: slip", "bac
 
 # --- what is wrong ---------------------------------------------------------------------------------------------------
 done = start(sys.executable, tools / "plot", PULL_CASE, "--set", "substrate.young=-1", code=1)
-check_true("a wrong case is told as by the program", "plot: error: --set substrate.young=-1: substrate.young" in done.stderr,
+check_true("a wrong case is reported as by the program", "plot: error: --set substrate.young=-1: substrate.young" in done.stderr,
            done.stderr)
 done = start(softwet, "check", PULL_CASE, *SETS, "--picture", "nowhere/scene.png", code=1)
 check_true("a picture that cannot be written", "nowhere/scene.png" in done.stderr, done.stderr)

@@ -27,7 +27,7 @@ def script(path, text):
 
 
 def tree(folder):
-    """A source tree of shell tools alone, whose program tells the environment it was started in."""
+    """A source tree of shell tools alone, whose program prints the environment it was started in."""
     (folder / "tools").mkdir(parents=True)
     for name in ("setup", "run", "test"):
         shutil.copy(ROOT / "tools" / name, folder / "tools" / name)
@@ -97,7 +97,7 @@ def failed_configure(root, folder):
 
 
 def places(folder):
-    """Threads are bound to cores where the system tells which these are."""
+    """Threads are bound to cores where the system says which these are."""
     script(folder / "tools/setup", "")
     environment = {key: value for key, value in os.environ.items() if not key.startswith("OMP_")}
     line = ["tools/run", "case.toml", "--quiet"]
@@ -112,7 +112,7 @@ def places(folder):
 
 
 def on_a_gpu(root, folder):
-    """The program is built for the device of the machine; what is missing is told in a sentence."""
+    """The program is built for the device of the machine; what is missing is reported in a sentence."""
     script(folder / "build/cuda/softwet", 'echo "words=$*"\n')
     path = bare_path(root / "gpu", 1000, False)
     for tool in ("head", "tr", "sha256sum", "cp", "mv", "rm"):

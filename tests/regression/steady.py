@@ -49,7 +49,7 @@ for kind in ("rigid", "soft"):
     check(f"{kind}: width of the droplet", abs(width[0] / width[1] - 1), 1e-6)
     check(f"{kind}: energy", abs(found["energy_total"] / long["energy_total"] - 1), 1e-8)
     check(f"{kind}: iterations over those of the long run", rest["newton"] / long_counts["newton"], 0.5)
-    check_true(f"{kind}: is told to be at rest, and how far the droplet moved",
+    check_true(f"{kind}: says that it is at rest, and how far the droplet moved",
                told["state"] == "done" and told["stop"]["reason"] == "at rest" and "at rest after" in said
                and "moved by" in said, said)
 
@@ -117,7 +117,7 @@ check_true("softer layers have higher ridges", 0 < ridges[0] < ridges[1] < ridge
 check_true("each with its growth rate", all(float(row["growth_rate"]) < 0.1 for row in rows), str(rows))
 check("equal ratios", abs(float(rows[1]["substrate.young"]) ** 2 - 0.5), 1e-12)
 said = steady("static_droplet_soft_2d", "end", [*SMALL], [*ONE, "--along", "substrate.young=1,0.02"], code=2)
-check_true("the end of a branch is told", "the branch ends: at substrate.young = " in said, said)
+check_true("the end of a branch is reported", "the branch ends: at substrate.young = " in said, said)
 check_true("and is in the table", {row["state"] for row in states("end")} == {"at rest", "not at rest"})
 
 # --- what is refused

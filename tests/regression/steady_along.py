@@ -53,7 +53,7 @@ for row in rows:
     check_true("and its row", float(row["mass"]) == alone["mass"][-1] and float(row["x_right"]) == alone["x_right"][-1])
 check("the wet length grows with the radius", 1.3, (float(rows[1]["x_right"]) - 0.5) / (float(rows[0]["x_right"]) - 0.5))
 said = steady("static_droplet_rigid_2d", "start", DROPLET, "--along", "droplet.radius=0.14,5", "--overwrite", code=1)
-check_true("a start that is wrong is told", "droplet" in said and "radius=5" in said, said)
+check_true("a start that is wrong is reported", "droplet" in said and "radius=5" in said, said)
 for key in ("time.end", "load[0].ramp"):
     said = steady("solid_layer_2d", "refused", LAYER, "--along", f"{key}=1,2", code=1)
     check_true(f"{key} is refused, with what to do", f"--along {key}" in said and "softwet sweep" in said, said)
@@ -123,7 +123,7 @@ for number in (signal.SIGTERM, signal.SIGINT):
     process.send_signal(number)
     said, errors = process.communicate(timeout=60)
     check_true(f"{number.name}: exit code 0", process.returncode == 0, f"{process.returncode} {said}{errors}")
-    check_true(f"{number.name}: it is told what goes on", "stopped by user" in said and "the same command goes on" in said and not errors, said + errors)
+    check_true(f"{number.name}: says what goes on", "stopped by user" in said and "the same command goes on" in said and not errors, said + errors)
     check_true(f"{number.name}: before the last state", 0 < len(states("parts")) < 7, str(len(states("parts"))))
 process = start(stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 process.stdout.close()  # nobody reads

@@ -44,11 +44,11 @@ run_file(TENSION, "parts", ["time.max_steps=130"])
 run_file(TENSION, "parts", options=("--resume", "--quiet", "--threads", "1"))
 check_same("a resumed run", "parts", "tension")
 
-# Steps beyond the limit of stability feed it, and that is told.
+# Steps beyond the limit of stability feed it, and that is reported.
 run_file(FIBRES, "wild", ["time.safety=1.3", "time.tolerance=1e30"], code=2)
 energy = history("wild")["energy_total"]
 check_true("wild: the energy rises", energy.max() > 1.5 * energy[0], f"to {energy.max() / energy[0]:.3g} of the first")
-check_true("wild: it is told once", len(told("wild")) == 1 and "though nothing fed it" in told("wild")[0]["what"], str(told("wild")))
+check_true("wild: it is reported once", len(told("wild")) == 1 and "though nothing fed it" in told("wild")[0]["what"], str(told("wild")))
 check_true("wild: with a remedy", "time.safety" in told("wild")[0]["what"], str(told("wild")))
 
 # A solid that is turned inside out at a point has no stable step.

@@ -96,7 +96,7 @@ listed = sweep(PRODUCT, SOLID, [*here, "--dry-run"]).stdout
 check_true("--dry-run lists the members", all(name in listed for name in NAMES))
 check_true("--dry-run writes nothing", not os.path.exists("product"))
 message = sweep(PRODUCT, SOLID, here, code=2).stderr.strip()
-check_true("the failed member is told, in one line", f"1 of 4 members failed; {NAMES[1]}" in message and
+check_true("the failed member is reported, in one line", f"1 of 4 members failed; {NAMES[1]}" in message and
            len(message.splitlines()) == 1, message)
 rows = table("product")
 unsaid = {name: value for name, value in environment.items() if not name.endswith("_NUM_THREADS")}
@@ -156,7 +156,7 @@ refused("no such column, before any run", ["--columns x_center", "x_centre"], ["
         [*elsewhere, "--columns", "t,x_center"])
 refused("nothing to vary", ["--vary"], [], [], elsewhere)
 check_true("refused: no folder", not os.path.exists("nowhere"))
-NO_FILES = {"a file has that name": ["--out", "other/case.toml"], "is no program": ["--softwet", "other/case.toml"],
+NO_FILES = {"a file has that name": ["--out", "other/case.toml"], "is not a program": ["--softwet", "other/case.toml"],
             "cannot use 'nowhere/a.sh'": ["--out", "other/new", "--slurm", "nowhere/a.sh"]}
 for part, options in NO_FILES.items():
     command = [str(TOOL), CASE, "--softwet", softwet, "--vary", "substrate.poisson=0.3,0.4", *options]

@@ -29,7 +29,7 @@ left = [str(path) for path in pathlib.Path("copy").rglob("__pycache__")]
 check_true("nothing is written beside the tools", not left, str(left))
 
 if importlib.util.find_spec("matplotlib") is None:
-    sys.exit(print("no matplotlib: no page is drawn here"))
+    sys.exit(print("no matplotlib: no page is made here"))
 for name, home in (("no folder", "/proc/nowhere"), ("a file", str(pathlib.Path("copy/sweep").absolute()))):
     done = subprocess.run([sys.executable, "copy/report", "run"], capture_output=True, text=True, timeout=120,
                           env={**PLAIN, "HOME": home})

@@ -64,7 +64,7 @@ check_true("members and how they ended", wanted.items() <= states.items(), str(s
 for name, part in (("fluid.contact_angle=200", "(0, 180)"), ("solver.newton.max=1", "Newton"),
                    ("domain.elements=24_10", "multiple of the element height")):
     check_true(f"the program's reason of {name}", part in rows[name]["reason"], rows[name]["reason"])
-check_true("both are told", "does not apply: " in done.stdout and "failed: " in done.stdout, done.stdout)
+check_true("both are reported", "does not apply: " in done.stdout and "failed: " in done.stdout, done.stdout)
 
 # The reference differs from these members in its steps alone: the error is that of the steps. Steps as long as
 # those of 0.1 are beyond the range in which errors fall with them: its energy is nearer than that of 0.02.

@@ -134,7 +134,7 @@ check_true("and is shown so", table.error_cell(entries[5], "path", {"path": 0.5}
 again = entry("f", 9, 4)  # what the base computed, in less time
 table.mark_front([*entries, again], "path", {"path": 0.5}, "seconds")
 check_true("what computes the same is on the front together", again.front and base.front)
-check_true("and is told of", table.like_base([*entries, again]) == [again])
+check_true("and is reported", table.like_base([*entries, again]) == [again])
 slower = entry("f", 11, 4)
 table.mark_front([*entries, slower], "path", {"path": 0.5}, "seconds")
 check_true("however long it took", slower.front and base.front)

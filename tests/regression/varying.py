@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Numbers that vary in space or time: loads with a factor, the work of loads, steps that end at the kinks of tables, fields at
-the start, and what the command line tells of them. usage: varying.py SOFTWET"""
+the start, and what the command line says of them. usage: varying.py SOFTWET"""
 
 import pathlib
 import shutil
@@ -60,7 +60,7 @@ where = f'factor = "{table.resolve()}"'
 check_true("case.toml has the absolute path of the table", where in pathlib.Path("pulsed_rkl2/case.toml").read_text(), where)
 told = ask("check", "pulsed_rkl2/case.toml")
 check_true("the resolved case is checked", told.returncode == 0, told.stderr)
-check_true("check tells the range of the factor", "load[0].factor" in told.stdout and "-2 to 1 while the load acts" in told.stdout)
+check_true("check gives the range of the factor", "load[0].factor" in told.stdout and "-2 to 1 while the load acts" in told.stdout)
 run_file("pulsed.toml", "pulsed_rkl2", [*LAYER, "time.scheme=rkl2", "time.end=3.5"], ["--resume", "--quiet", "--threads", "1"])
 check("a resumed run goes on", abs(history("pulsed_rkl2")["t"][-1] - 3.5), 1e-9)
 table.write_text("t,value\n0,1\n1,3\n")
@@ -84,7 +84,7 @@ check("largest rise of the energy", numpy.diff(given["energy_total"]).max(), 1e-
 check("drift of the mass", numpy.abs(given["mass_drift"]).max(), 1e-12)
 check_true("a scene without entries has no columns of droplets", "x_left" not in given)
 
-# What --set takes, and what is told of a mistake.
+# What --set takes, and what is said of a mistake.
 for setting, parts in (("substrate.young=1 + 2*foo", ["column 7", "'foo' is not known", "--set substrate.young"]),
                        ("substrate.young=1 - x", ["is 0 at (1, 0)", "(0, inf)"]),
                        ("load.factor=pulse.csv", ["pulse.csv cannot be read", "folder of the case"]),

@@ -80,12 +80,12 @@ bad = verify("layer", "--out", "result", "--docs", "result/docs", tools=copy_wit
 check_true("a study that fails: exit code 1", bad.returncode == 1, bad.stdout + bad.stderr)
 after = [(path, path.stat().st_mtime_ns) for path in sorted(pathlib.Path("result/runs").rglob("*"))]
 check_true("the equal run is kept", before == after)
-check_true("the index tells", "**1 fail**" in pathlib.Path("result/docs/verification.md").read_text())
+check_true("the index shows it", "**1 fail**" in pathlib.Path("result/docs/verification.md").read_text())
 for within, code, told in ((True, 0, "2 | **no** (1) |\n\n(1) why; known: 2 at most."), (False, 1, "2; worse than known: 2 at most | **no** |")):
     missed = verify("layer", "--out", "result", tools=copy_with(3, f'Known("why", "2 at most", {within})'))
     check_true(f"a known miss, within its bound {within}: exit code {code}", missed.returncode == code, missed.stdout + missed.stderr)
     text = pathlib.Path("result/layer/layer.md").read_text()
-    check_true("the document tells", told in text, text)
+    check_true("the document shows it", told in text, text)
 broken = verify("layer", "--out", "result", tools=copy_with(2, setting="time.max_stepz=2"))
 check_true("a run that fails: exit code 2", broken.returncode == 2 and "max_stepz" in broken.stderr, broken.stderr)
 two = '"""Two programs"""\nMINUTES = {"quick": 1, "full": 1}\n\n\ndef study(lab):\n    lab.tools("first_one", "softwet", "second_one")\n'

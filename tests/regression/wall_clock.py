@@ -25,12 +25,12 @@ compute("whole", 0)
 told = compute("parts", 1e-9)
 check_true("a limit that is over at once: the first state is kept", record("parts")["counts"]["steps"] == 0 and
            record("parts")["state"] == "stopped" and record("parts")["stop"]["reason"] == "time.wall_clock reached")
-check_true("and the user is told", "time.wall_clock reached at t = -2" in told and "--resume" in told, told)
+check_true("and the user is informed", "time.wall_clock reached at t = -2" in told and "--resume" in told, told)
 told = compute("parts", 1e-9, "--resume")
 check_true("each start after it takes a step, however short the time is", record("parts")["counts"]["steps"] == 1, told)
 told = compute("parts", 1e-9, "--resume")
 check_true("and the next one", record("parts")["counts"]["steps"] == 2, told)
-check_true("and the user is told to give more time", "with more time" in told and "one step" in told, told)
+check_true("and the user is asked to give more time", "with more time" in told and "one step" in told, told)
 steps = [2]
 for session in range(6):
     told = compute("parts", SHORT, "--resume")
@@ -44,5 +44,5 @@ check_true("the end is that of the run without a limit", record("parts")["state"
 check_same("a run that the clock stopped", "parts", "whole")
 
 told = compute("rest", 1e-9, "--overwrite", "--set", 'time.start="equilibrium"')
-check_true("over before the scene is at rest: nothing is written, and it is told", "time.wall_clock reached before" in told and
+check_true("over before the scene is at rest: nothing is written, and it is reported", "time.wall_clock reached before" in told and
            "more time" in told and not os.path.exists("rest"), told)

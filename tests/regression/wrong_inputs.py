@@ -34,9 +34,9 @@ LINES = [
     ('[boundary]', '[walls]', ["walls", "the tables are [domain]"]),
     ('[[load]]', '[load]', ["load", "[[load]]"]),
     ('[[droplet]]', '[[drops]]', ["drops", "the tables are"]),
-    ('[fluid]', '[[fluid]]', ["fluid", "stands once"]),
+    ('[fluid]', '[[fluid]]', ["fluid", "appears once"]),
     ('name = "first"', 'name = "first"\nload = { box = [[0.7, 0.0], [0.8, 0.1]] }', ["load", "[[load]]"]),
-    ('viscosity = "1/256"', 'viscosity = 0.1\nviscosity = 0.2', ["viscosity", "stands twice"]),
+    ('viscosity = "1/256"', 'viscosity = 0.1\nviscosity = 0.2', ["viscosity", "appears twice"]),
     # missing
     ('radius = 0.155', '', ["droplet[0].radius is missing", "radius = 0.155"]),
     ('end = 1884.0', '', ["time.end is missing"]),

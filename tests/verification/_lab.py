@@ -138,7 +138,7 @@ class Lab:
 
     def expect(self, what, asked, measured, holds, known=None):
         """A row of the table "asked, measured, holds". A row that does not hold makes the exit code 1, unless it is a
-        `Known` miss within its bound: then the miss and its cause are told and count as missed, not as failed."""
+        `Known` miss within its bound: then the miss and its cause are reported and count as missed, not as failed."""
         cause = f"{known.cause}; known: {known.bound}" if known and known.within else ""
         if known and not holds and not known.within:
             measured = f"{measured}; worse than known: {known.bound}"
@@ -164,7 +164,7 @@ class Lab:
         return file
 
     def picture(self, file, shown=True):
-        """A picture the study has drawn itself into lab.folder."""
+        """A picture the study has made itself, in lab.folder."""
         if shown:
             self.lines += ["", f"![{file}]({file})", ""]
         self.files.append(file)

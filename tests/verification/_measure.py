@@ -124,7 +124,7 @@ def balance_error(folder, start, end):
 
 
 def falls(parts):
-    """Errors with steps that are halved from one to the next, the last three looked at: what falls with the step is told
+    """Errors with steps that are halved from one to the next, the last three looked at: what falls with the step is separated
     from a rest that no step removes. @return (order of what falls, the rest at dt = 0 if that order is 2)"""
     first, second, third = parts[-3:]
     return numpy.log2((first - second) / (second - third)), third - (second - third) / 3

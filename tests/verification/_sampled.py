@@ -100,7 +100,7 @@ def compare(lab, elements, count, share, known=None):
             row += [float(f"{e:.2g}") for e in error]
     for form, way in WAYS.items():
         longest = max(longest_way(runs[f"{seed}, {form}"], elements) for seed in scenes)
-        lab.expect(f"{form}: longest way of a droplet in a step, in capillarities", f"<= {way}", f"{longest:.2f}", longest <= way,
+        lab.expect(f"{form}: longest path of a droplet in a step, in capillarities", f"<= {way}", f"{longest:.2f}", longest <= way,
                    Known(known[0], f"within {known[3]}", longest <= known[3]) if known and form == "standard" else None)
     for row, seed in zip(rows, scenes):
         for form in WAYS:

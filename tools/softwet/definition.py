@@ -76,7 +76,7 @@ class Case:
         elif isinstance(source, (dict, str, os.PathLike)):
             self._source, self.sets = source, dict(sets or {})
         else:
-            raise Problem(f"{source!r} is no case: give the path of a file, a dict of tables, or a softwet.Case")
+            raise Problem(f"{source!r} is not a case: give the path of a file, a dict of tables, or a softwet.Case")
         with self._words() as words:
             self.text, lines = self._told(lambda: program.ask("check", "--resolved", *words), words[0])
         self.warnings = program.sentences(lines, program.WARNING)

@@ -28,7 +28,7 @@ class Field:
     rest, moved       the same, and positions - reference, of some rows of the vertical axis"""
 
     def __init__(self, path, time, part, elements, low, high):
-        """@param elements, low, high  equal elements along each axis, x first, and where they begin and end; the file tells
+        """@param elements, low, high  equal elements along each axis, x first, and where they begin and end; the file gives
         the ends of graded ones"""
         self.path, self.time, self.part = path, time, part
         self.dimension = len(elements)
@@ -106,7 +106,7 @@ class Field:
                 values = data[first * row:last * row]
             except OSError as error:
                 raise Problem(f"cannot read {self.path}: {error}") from error
-        if values.ndim == 2 and values.shape[1] == 3:  # the file has a third component in the plane too
+        if values.ndim == 2 and values.shape[1] == 3:  # the file has a third component in 2D too
             values = values[:, :self.dimension]
         elif values.ndim == 2 and values.shape[1] == 9:
             values = values.reshape(-1, 3, 3)

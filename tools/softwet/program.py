@@ -31,7 +31,7 @@ def find_program():
     if chosen:
         if shutil.which(chosen):
             return chosen
-        raise Problem(f"SOFTWET_PROGRAM = '{chosen}' is no program; give the path of softwet, or unset it")
+        raise Problem(f"SOFTWET_PROGRAM = '{chosen}' is not a program; give the path of softwet, or unset it")
     places = [HERE / "program/bin/softwet"]  # of a wheel
     if HERE.parent.name == "tools":
         places += [HERE.parents[3] / "bin/softwet",  # of PREFIX/share/softwet/tools
@@ -72,7 +72,7 @@ def ask(*words):
 
 def compute(words, tell):
     """Starts the program, passes on what it says, and waits for it. An exception on the way, as Ctrl-C raises, asks the
-    program to stop, waits for its checkpoint, and goes on. @param tell  called with each line; raises Failure"""
+    program to stop, waits for its checkpoint, and goes on. @param `tell`  called with each line; raises Failure"""
     try:
         process = subprocess.Popen([find_program(), *words], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.PIPE, text=True, errors="replace")

@@ -1,4 +1,4 @@
-"""run.json, and whether the run it tells of is alive. Needs nothing but Python."""
+"""run.json, and whether the run it describes is alive. Needs nothing but Python."""
 
 import errno
 import fcntl
@@ -21,7 +21,7 @@ def read_record(folder):
 
 
 def is_locked(folder):
-    """Whether a run writes to the folder: it holds a lock as long as it lives. None where locks do not tell, which is
+    """Whether a run writes to the folder: it holds a lock as long as it lives. None where locks give no answer, which is
     where the file system has none."""
     descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
     try:
@@ -34,7 +34,7 @@ def is_locked(folder):
 
 
 def told_state(record):
-    """running, done, stopped or failed, as run.json tells it; records without `state` tell it by `stop.reason`."""
+    """running, done, stopped or failed, as run.json says; records without `state` say it by `stop.reason`."""
     if "state" in record:
         return record["state"]
     reason = record.get("stop", {}).get("reason", "running")
@@ -43,7 +43,7 @@ def told_state(record):
 
 
 def state(folder, record):
-    """The state of a run: running, done, stopped, failed, or `died` where run.json does not tell the end and no process of
+    """The state of a run: running, done, stopped, failed, or `died` where run.json does not record the end and no process of
     this machine holds the folder. A run of another machine is believed, since locks may not reach from there to here."""
     told = told_state(record)
     if told != "running" or is_locked(folder) is not False:

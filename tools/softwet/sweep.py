@@ -24,7 +24,7 @@ def value_of(text):
 
 class Member:
     """One run of a sweep. name, folder;  values  {key: value} of --vary;  row  its cells in sweep.csv, as texts;
-    status  waiting, running, interrupted, done or failed, as sweep.csv tells it"""
+    status  waiting, running, interrupted, done or failed, as sweep.csv gives it"""
 
     def __init__(self, name, folder, values, row):
         self.name, self.folder, self.values, self.row = name, folder, values, row

@@ -20,7 +20,7 @@ def read_rows(path, growing=False):
         names, *rows = csv.reader(lines) if lines else [[]]
         numbers = [[float(cell) if cell else math.nan for cell in row] for row in rows]
         if any(len(row) != len(names) for row in numbers):
-            raise ValueError(f"a row has not the {len(names)} cells of the first line")
+            raise ValueError(f"a row does not have the {len(names)} cells of the first line")
     except (OSError, ValueError, csv.Error) as error:
         raise Problem(f"{path} is not a table of numbers: {error}") from error
     return names, numbers

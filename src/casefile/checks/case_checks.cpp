@@ -69,7 +69,7 @@ void check_surface_modulus(const Checker& check) {
                "write for example surface_modulus = [0.004, 0.002]");
 }
 
-/// What a viscoelastic solid goes with. @param key  of what makes it one
+/// What a viscoelastic solid can be combined with. @param key  of what makes it one
 void check_company_of_branches(const Checker& check, const std::string& key) {
   const Substrate& s = *check.c.substrate;
   if (!check.c.time.implicit() && check.c.time.scheme != TimeScheme::kick_drift)
@@ -83,9 +83,9 @@ void check_company_of_branches(const Checker& check, const std::string& key) {
     check.refuse(key, "needs the same substrate.young in all of the solid: branches are the same everywhere",
                  "write a number as young");
   if (!s.prestretch.empty())
-    check.refuse(
-        key, "goes without substrate.prestretch: the strain that branches remember counts from the undeformed solid",
-        "leave out prestretch, or write substrate.viscosity in place of branches");
+    check.refuse(key,
+                 "excludes substrate.prestretch: the strain that branches remember counts from the undeformed solid",
+                 "leave out prestretch, or write substrate.viscosity in place of branches");
 }
 
 void check_gel(const Checker& check) {
@@ -174,7 +174,7 @@ void check_precision(const Checker& check) {
   if (solver.precision == PrecisionChoice::full || solver.precision == PrecisionChoice::automatic) return;
   const std::string key = "solver.precision";
   if (solver.precision == PrecisionChoice::single && !check.c.needles.empty())
-    check.refuse(key, "has not the digits that the stiff springs of a [[needle]] need in residuals",
+    check.refuse(key, "lacks the digits that the stiff springs of a [[needle]] need in residuals",
                  "write \"automatic\": linear solves are in single precision then");
   switch (hindrance_of_single(check.c)) {
     case Hindrance::none:

@@ -6,7 +6,7 @@
 
 namespace softwet {
 
-/// Contradictions go to `problems`; `document` tells where the values stand. A check that needs a value which is wrong
+/// Contradictions go to `problems`; `document` knows where the values stand. A check that needs a value which is wrong
 /// already is left out, for what it said would mislead.
 void check_case(const Case& c, const Document& document, Problems& problems);
 

@@ -35,7 +35,7 @@ struct Checker {
     const auto table = document.table_place.find(key.substr(0, key.find('.')));
     reject(table == document.table_place.end() ? document.place : table->second, key, "", problem, remedy);
   }
-  /// Refuses a list that has not one number for each axis.
+  /// Refuses a list that does not have one number for each axis.
   void require_axes(const std::string& key, std::size_t count, const std::string& remedy) const {
     const std::size_t axes = c.domain.size.size();
     if (count == axes) return;

@@ -22,8 +22,8 @@ void check_elements(const Checker& check) {
   check.require_axes("domain.elements", domain.elements.size(), "write one number of elements for each axis");
   if (constexpr double most = std::numeric_limits<int>::max(); most_unknowns(check.c) > most) {
     check.refuse("domain.elements",
-                 fmt::format("asks for {:.3g} unknowns, softwet numbers {:.0f}", most_unknowns(check.c), most),
-                 "take fewer elements");
+                 fmt::format("asks for {:.3g} unknowns, softwet can number {:.0f}", most_unknowns(check.c), most),
+                 "use fewer elements");
   }
 }
 

@@ -139,7 +139,7 @@ Extent upwards(const Case& c) {
   return span;
 }
 
-/// Of a periodic axis the fine part whose middle is nearest to a place.
+/// Of a periodic axis the fine part whose middle is closest to a position.
 FinePart nearest_fine_part(const Case& c, std::size_t axis, double x) {
   FinePart fine = fine_part(c, static_cast<int>(axis));
   if (c.boundary.side[axis][0] != Side::periodic || std::isinf(fine.low)) return fine;

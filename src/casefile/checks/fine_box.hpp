@@ -14,7 +14,7 @@ namespace softwet {
 /// Without a margin the mesh drives droplets: the energy of an interface depends on the length of its elements.
 void choose_fine_box(Case&);
 
-/// What to tell of a box that ends too near to a droplet; empty: nothing.
+/// What to say of a box that ends too near to a droplet; empty: nothing.
 std::string warning_about_fine_box(const Case&);
 
 }  // namespace softwet

@@ -37,7 +37,7 @@ void check_reach(const Checker& check, std::size_t index) {
     const bool up = axis == check.vertical();
     const double top = check.c.domain.size[axis], x = droplet.centre[axis];
     const double reach = reach_along(check, droplet, axis);
-    // A centre on a slip side is half a droplet: the side is its plane of symmetry. An axis of symmetry is no side.
+    // A centre on a slip side is half a droplet: the side is its plane of symmetry. An axis of symmetry is not a side.
     const auto halved = [&](double side, std::size_t end) {
       const bool mirror = check.c.boundary.side[axis][end] == Side::slip;
       return (mirror || (check.c.axisymmetric() && axis + end == 0)) && std::abs(x - side) <= slack * top;

@@ -1,4 +1,4 @@
-// What goes with a solid that is stretched before the scene begins.
+// What can be combined with a solid that is stretched before the scene begins.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -50,8 +50,7 @@ void check_prestretched_fibres(const Checker& check) {
   const Fibre& fibre = c.substrate->fibre;
   if (fibre.stiffness == 0) return;
   if (c.axisymmetric())
-    check.refuse(prestretch_key,
-                 "does not go with fibres in (r, z): stretched along r alone, they pull the layer to the axis",
+    check.refuse(prestretch_key, "excludes fibres in (r, z): stretched along r alone, they pull the layer to the axis",
                  "remove substrate.fibre or the prestretch");
   if (!multiple_of(fibre.angle, 180))
     check.refuse(

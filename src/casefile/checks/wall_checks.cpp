@@ -27,7 +27,7 @@ void check_stretch_exponent(const Checker& check) {
   const Fluid& fluid = *check.c.fluid;
   if (!check.c.substrate) check.refuse(key, "needs a solid: a rigid wall is never stretched", "remove it");
   if (fluid.wall_law != WallLaw::energy)
-    check.refuse(key, "is that of the wall energy, which the law \"gradient\" has not", "write wall_law = \"energy\"");
+    check.refuse(key, "belongs to the wall energy, which the law \"gradient\" lacks", "write wall_law = \"energy\"");
   const double factor = check.c.cosine_factor();
   for (const double angle : {fluid.contact_angle.least(), fluid.contact_angle.most()}) {
     const double cosine = std::cos(angle * 3.14159265358979323846 / 180);
@@ -37,7 +37,7 @@ void check_stretch_exponent(const Checker& check) {
                  fmt::format("gives the wall with substrate.prestretch an effective contact angle whose cosine is "
                              "{:.4g}: a contact angle of {:.6g} degrees is complete wetting or drying there",
                              factor * cosine, angle),
-                 fmt::format("write an exponent below {:.4g}, or an angle nearer to 90 degrees", room));
+                 fmt::format("write an exponent below {:.4g}, or an angle closer to 90 degrees", room));
   }
 }
 
@@ -55,7 +55,7 @@ void check_angle_range(const Checker& check) {
                  range[0] > range[1] ? fmt::format("write [{}, {}]", range[1], range[0])
                                      : fmt::format("without hysteresis write contact_angle = {}", range[0]));
   if (fluid.contact_angle.varies())
-    check.refuse(key, "cannot stand beside a fluid.contact_angle that varies along the wall", "write one of them");
+    check.refuse(key, "cannot be combined with a fluid.contact_angle that varies along the wall", "write one of them");
   constexpr double digits = 1e-6;  // degrees
   const double middle = fluid.middle_of_range();
   if (std::abs(fluid.contact_angle.number - middle) > digits)
@@ -66,7 +66,7 @@ void check_angle_range(const Checker& check) {
                  "remove contact_angle, or write that number");
 }
 
-/// The rate of the density at the wall stands in the equation of the potential.
+/// The rate of the density at the wall is part of the equation of the potential.
 void check_line_friction(const Checker& check) {
   if (!check.c.fluid || !check.c.fluid->resists_lines()) return;
   const Fluid& fluid = *check.c.fluid;

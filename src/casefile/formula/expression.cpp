@@ -52,16 +52,16 @@ void refuse_assignments(const std::string& text) {
     case mu::ecUNEXPECTED_VAL:
     case mu::ecUNEXPECTED_VAR:
     case mu::ecUNEXPECTED_FUN:
-      reject_at(column, fmt::format("'{}' stands where an operator has to be", token),
+      reject_at(column, fmt::format("'{}' is where an operator has to be", token),
                 "a product needs a sign, 2*x; an expression has no units");
     case mu::ecUNEXPECTED_OPERATOR:
       reject_at(column, fmt::format("the operator '{}' has nothing to act on", token),
                 "the operators are + - * / ^, < <= > >= == !=, && || and condition ? one : other");
     case mu::ecUNEXPECTED_EOF:
-      reject_at(column, "the expression ends too early", "complete or remove what stands last");
+      reject_at(column, "the expression ends too early", "complete or remove the last part");
     case mu::ecMISSING_PARENS:
     case mu::ecUNEXPECTED_PARENS:
-      reject_at(column, "the parentheses do not fit together", "each ( needs its )");
+      reject_at(column, "the parentheses do not match", "each ( needs its )");
     case mu::ecTOO_MANY_PARAMS:
     case mu::ecTOO_FEW_PARAMS:
       reject_at(column,
@@ -70,7 +70,7 @@ void refuse_assignments(const std::string& text) {
                 remedy);
     case mu::ecUNEXPECTED_ARG_SEP:
     case mu::ecUNEXPECTED_ARG:
-      reject_at(column, "a comma stands outside of the arguments of a function", "decimal numbers have a point: 0.5");
+      reject_at(column, "a comma is outside of the arguments of a function", "decimal numbers have a point: 0.5");
     case mu::ecMISSING_ELSE_CLAUSE:
     case mu::ecMISPLACED_COLON:
     case mu::ecUNEXPECTED_CONDITIONAL:
@@ -125,7 +125,7 @@ Expression::Expression(const std::string& text, const Vocabulary& known) : parse
     reject_syntax(error, text, known);
   }
   if (library.GetNumResults() != 1)
-    reject_at(text.find(',') + 1, "a comma stands outside of the arguments of a function",
+    reject_at(text.find(',') + 1, "a comma is outside of the arguments of a function",
               "decimal numbers have a point: 0.5");
 }
 

@@ -83,10 +83,10 @@ class CsvLines {
     if (byte == '\r' && bytes.sgetc() == '\n') bytes.sbumpc();
     return true;
   }
-  /// Takes the mark of UTF-8 away, which Excel writes, and refuses what is no text in UTF-8.
+  /// Takes the mark of UTF-8 away, which Excel writes, and refuses what is not text in UTF-8.
   void begin(std::string& line) const {
     const std::string remedy = "save the table as CSV in UTF-8, in Excel as 'CSV UTF-8'";
-    if (line.rfind("PK\x03\x04", 0) == 0) refuse("the file is a workbook of Excel and no CSV", remedy);
+    if (line.rfind("PK\x03\x04", 0) == 0) refuse("the file is a workbook of Excel and not CSV", remedy);
     const std::string mark = line.substr(0, 2);
     if (mark == "\xff\xfe" || mark == "\xfe\xff" || line.find('\0') != std::string::npos)
       refuse("the file is in UTF-16", remedy);
@@ -116,21 +116,21 @@ CsvColumns read_columns(CsvLines& lines, const std::vector<std::string>& variabl
   for (std::size_t i = 0; i + 1 < cells.size(); ++i) {
     const bool twice = std::find(cells.begin(), cells.begin() + i, cells[i]) != cells.begin() + i;
     if (twice || std::find(variables.begin(), variables.end(), cells[i]) == variables.end())
-      lines.refuse(i, fmt::format("'{}' is no axis of this table", cells[i]), remedy);
+      lines.refuse(i, fmt::format("'{}' is not an axis of this table", cells[i]), remedy);
     found.variable.push_back(variables_of_all.find(cells[i]));
   }
   if (cells.back() != "value" || found.variable.empty())
-    lines.refuse(cells.size() - 1, fmt::format("'{}' is not 'value' behind an axis", cells.back()), remedy);
+    lines.refuse(cells.size() - 1, fmt::format("'{}' is not 'value' after an axis", cells.back()), remedy);
   found.points.resize(found.variable.size());
   const std::size_t columns = cells.size();
   while (lines.next(cells)) {
     if (cells.size() != columns)
       lines.refuse(fmt::format("has {} columns, the first line has {}", cells.size(), columns),
-                   "a comma stands between two columns, and decimal numbers have a point");
+                   "a comma separates two columns, and decimal numbers have a point");
     for (std::size_t i = 0; i < columns; ++i) {
       const auto number = number_from_text(cells[i]);
       if (!number || !std::isfinite(*number))
-        lines.refuse(i, fmt::format("'{}' is no number", cells[i]),
+        lines.refuse(i, fmt::format("'{}' is not a number", cells[i]),
                      cells[i].find(',') == std::string::npos ? "write a number" : "decimal numbers have a point: 0.5");
       (i + 1 < columns ? found.points[i] : found.value).push_back(*number);
     }
@@ -178,8 +178,8 @@ GridData read_csv_grid(const std::string& path, const std::vector<std::string>& 
   for (std::size_t row = 0; row < columns.value.size(); ++row) {
     const std::size_t place = place_in(axes, columns, row);
     if (line_of[place] != 0)
-      throw FormulaError(
-          fmt::format("{}:{}: this point stands in line {} too", path, columns.line[row], line_of[place]), remedy);
+      throw FormulaError(fmt::format("{}:{}: this point is in line {} too", path, columns.line[row], line_of[place]),
+                         remedy);
     line_of[place] = columns.line[row];
     values[place] = columns.value[row];
   }

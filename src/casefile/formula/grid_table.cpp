@@ -61,7 +61,7 @@ GridTable GridTable::of_pairs(const std::string& text) {
     const std::string word = text.substr(begin, end - begin);
     const auto number = number_from_text(word);
     if (!number || !std::isfinite(*number))
-      throw FormulaError(fmt::format("is a table over time with '{}', which is no number", word), remedy);
+      throw FormulaError(fmt::format("is a table over time with '{}', which is not a number", word), remedy);
     numbers[count % 2].push_back(*number);
     begin = text.find_first_not_of(between, end);
   }
@@ -70,7 +70,7 @@ GridTable GridTable::of_pairs(const std::string& text) {
     throw FormulaError("is a table over time without pairs of a time and a value", remedy);
   const auto late = std::adjacent_find(times.begin(), times.end(), std::greater_equal<>());
   if (late != times.end())
-    throw FormulaError(fmt::format("is a table over time that has t = {:.10g} behind {:.10g}", *(late + 1), *late),
+    throw FormulaError(fmt::format("is a table over time that has t = {:.10g} after {:.10g}", *(late + 1), *late),
                        remedy);
   return {times, values};
 }

@@ -8,7 +8,7 @@
 
 namespace softwet {
 
-/// A place on the wall at which a profile changes within a thousandth of an element, and by how much.
+/// A position on the wall at which a profile changes within a thousandth of an element, and by how much.
 struct Jump {
   std::array<double, 3> place;
   double height;

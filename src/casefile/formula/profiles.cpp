@@ -14,7 +14,7 @@
 namespace softwet {
 namespace {
 
-constexpr double most_places = 2e6;  ///< at which a profile in space is looked at
+constexpr double most_places = 2e6;  ///< at which a profile that varies in space is looked at
 constexpr int points_in_time = 2001;
 constexpr double largest_value = 1e30;  ///< of a value in size
 
@@ -128,7 +128,7 @@ class ProfileBuilder {
       return;
     }
     if (GridTable::is_other_file(profile.text))
-      throw FormulaError("is no table that can be read",
+      throw FormulaError("is not a table that can be read",
                          "save it as CSV in UTF-8, in Excel as 'CSV UTF-8', under a name that ends with .csv");
     const auto expression = std::make_shared<Expression>(profile.text, known);
     if (expression->constant()) {
@@ -205,7 +205,7 @@ RecordValue samples_of(const Case& c, const Key& key, const std::string& name, c
 
 void build_profiles(Case& c, const Document& document, Problems& problems, Tables read) {
   const std::size_t axes = c.domain.size.size();
-  if ((axes != 2 && axes != 3) || c.domain.elements.size() != axes) return;  // the checks tell it
+  if ((axes != 2 && axes != 3) || c.domain.elements.size() != axes) return;  // the checks report it
   for (const char* name : {"domain.size", "domain.elements", "substrate.thickness", "fluid.capillarity", "time.end"})
     if (problems.about(name)) return;
   ProfileBuilder builder(c, document, read);
@@ -225,7 +225,7 @@ std::string profile_text(const Key& key) {
       "path of a table, relative to the folder of the case: a CSV file has the columns {} and value and a line for "
       "each point of a "
       "rectangular grid, an HDF5 file has a dataset of each name. Between its points a table is linear, outside of "
-      "the grid it goes on with the value of the border{}.",
+      "the grid it keeps the value of the border{}.",
       variables, functions_of_expressions, in_time ? "t" : "x, y, z, or some of these,",
       in_time ? ", and steps end at its points. Such a table may stand in the case itself, as [[t, value], ...], and "
                 "one for all axes as [[t, x, y], ...]"

@@ -14,7 +14,7 @@ enum class Tables { read, leave };
 /// Gives each profile of a case that has a text its formula: an expression, or a table whose path is relative to the folder of the
 /// case and becomes an absolute one. An expression without variables becomes a number, and keeps its text. Smallest and
 /// largest value are set, from the corners and the middles of the elements (of many elements, from fewer points). Values that
-/// are not finite or out of the range of the key are refused with the place where they are.
+/// are not finite or out of the range of the key are refused with their position.
 void build_profiles(Case&, const Document&, Problems&, Tables);
 
 /// The values of a profile that varies.
@@ -25,12 +25,12 @@ struct ProfileRange {
 };
 std::vector<ProfileRange> profile_ranges(const Case&);
 
-/// Values of the profiles in space that vary, at points over their part of the scene, as JSON: a list "profiles" with the
+/// Values of the profiles that vary in space, at points over their part of the scene, as JSON: a list "profiles" with the
 /// "key" (as in ProfileRange), the "unit", the "axes" (positions along each) and the "values", those along the first axis
 /// next to each other.
 std::string profile_samples(const Case&);
 
-/// What `explain` tells of a key that is a profile: the names that its expressions may use, and how a table looks.
+/// What `explain` says of a key that is a profile: the names that its expressions may use, and how a table looks.
 std::string profile_text(const Key&);
 
 /// The case with texts that tell tables apart by their values in place of their paths.

@@ -16,7 +16,7 @@ std::string_view last_part(std::string_view name) {
 
 std::string_view first_part(std::string_view name) { return name.substr(0, name.size() - last_part(name).size()); }
 
-/// Whether `part` stands in `name` from one '_' to another: "angle" in "contact_angle".
+/// Whether `part` occurs in `name` from one '_' to another: "angle" in "contact_angle".
 bool is_part(std::string_view part, std::string_view name) {
   constexpr std::size_t least = 3;
   for (auto at = name.find(part); part.size() >= least && at != std::string_view::npos; at = name.find(part, at + 1)) {
@@ -61,7 +61,7 @@ int edit_distance(std::string_view from, std::string_view to) {
 }
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& known) {
-  word = word.substr(0, 100);  // longer than any name: the rest tells nothing and would take long
+  word = word.substr(0, 100);  // longer than any name: the rest adds nothing and would take long
   std::string best;
   int best_distance = far;
   for (const std::string& name : known) {

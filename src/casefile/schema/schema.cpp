@@ -90,8 +90,8 @@ const std::vector<Table>& tables() {
        [](const Case& c) { return c.films.size(); }, [](Case& c, std::size_t i) { grow(c.films, i); }},
       {"wave[]", "A standing wave added to a field at the start; one [[wave]] each", true, false,
        [](const Case& c) { return c.waves.size(); }, [](Case& c, std::size_t i) { grow(c.waves, i); }},
-      {"initial", "The state at the start as numbers, expressions or tables, in place of that of droplets and films",
-       false, false, [](const Case& c) -> std::size_t { return c.initial ? 1 : 0; },
+      {"initial", "The state at the start as numbers, expressions or tables, in place of droplets and films", false,
+       false, [](const Case& c) -> std::size_t { return c.initial ? 1 : 0; },
        [](Case& c, std::size_t) {
          if (!c.initial) c.initial.emplace();
        }},
@@ -99,7 +99,7 @@ const std::vector<Table>& tables() {
        [](const Case& c) { return c.loads.size(); }, [](Case& c, std::size_t i) { grow(c.loads, i); }},
       {"needle[]", "Holds a box of the solid and moves it; one [[needle]] each", true, false,
        [](const Case& c) { return c.needles.size(); }, [](Case& c, std::size_t i) { grow(c.needles, i); }},
-      {"probe[]", "A number of each row of history.csv, from a place of your choice; one [[probe]] each", true, false,
+      {"probe[]", "A number of each row of history.csv, at a position of your choice; one [[probe]] each", true, false,
        [](const Case& c) { return c.probes.size(); }, [](Case& c, std::size_t i) { grow(c.probes, i); }},
       {"boundary", "What holds on the sides of the domain", false, true, always, nothing, boundary_notes},
       {"time", "Time steps", false, true, always, nothing},

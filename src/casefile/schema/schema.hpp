@@ -40,7 +40,7 @@ struct Table {
   bool in_example = true;                  ///< part of the case that `init` writes
   std::size_t (*count)(const Case&);       ///< entries a case has: 0 or 1, any number when repeated
   void (*open)(Case&, std::size_t index);  ///< grows the case so that entry `index` exists
-  std::string notes{};                     ///< what `explain` tells below the help, in lines
+  std::string notes{};                     ///< what `explain` prints below the help, in lines
 };
 
 /// How a key reads and writes its place in a Case; `index` counts the entries of a repeated table.
@@ -86,10 +86,10 @@ std::string indexed_name(const std::string& name, std::size_t index);
 /// How a table begins in a case file: "[fluid]", "[[load]]".
 std::string header_of(const Table& table);
 
-/// What may stand there: "number in (0, 180)", "one of "gradient", "energy"".
+/// What is allowed there: "number in (0, 180)", "one of "gradient", "energy"".
 std::string allowed_text(const Key& key);
 
-/// "number in (0, 180), in degrees; default 90": what may stand there, its unit, and what holds without it.
+/// "number in (0, 180), in degrees; default 90": what is allowed there, its unit, and what holds without it.
 std::string facts_text(const Key& key);
 
 /// TOML text of the default (of Case itself); empty when the key is required.

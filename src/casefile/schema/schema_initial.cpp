@@ -49,7 +49,7 @@ std::vector<Key> initial_keys() {
        .choices = words_of(WaveField{}),
        .required = true,
        .example = "\"velocity_x\"",
-       .help = "Field the wave is added to; displacement is that of the solid.",
+       .help = "Field the wave is added to; the displacement belongs to the solid.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.waves[i].field; })},
       {.name = "wave[].amplitude",
        .required = true,
@@ -69,9 +69,9 @@ std::vector<Key> initial_keys() {
        .kind = Kind::text,
        .help = "Output folder of an earlier run, relative to the folder in which softwet is started: its last "
                "checkpoint, or its field files of initial.time, give density, "
-               "velocity and displacement at the start. Its mesh, its materials, loads and sides may be others; its "
+               "velocity and displacement at the start. Its mesh, its materials, loads and sides may differ; its "
                "box and the thickness of "
-               "its solid must be the same. What density, velocity and displacement say here comes before it.",
+               "its solid must be the same. The other keys of [initial] take precedence.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.initial->from; }),
        .default_note = "\"\", none"},
       {.name = "initial.time",
@@ -88,7 +88,7 @@ std::vector<Key> initial_keys() {
        .help = "Density of the fluid at the start. The control value at a point is the value there.",
        .reason = "1 is the density at which the molecules are packed",
        .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.initial->density; }),
-       .default_note = "\"\", that of droplets and films",
+       .default_note = "\"\", from droplets and films",
        .support = Support::fluid},
       {.name = "initial.velocity",
        .kind = Kind::profiles,
@@ -97,7 +97,7 @@ std::vector<Key> initial_keys() {
                "part to 0, and "
                "a solid and its wall begin at rest.",
        .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.initial->velocity; }),
-       .default_note = "[], that of droplets",
+       .default_note = "[], from droplets",
        .support = Support::fluid},
       {.name = "initial.displacement",
        .kind = Kind::profiles,

@@ -145,9 +145,9 @@ std::vector<Key> time_keys() {
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.dt_max; })},
       {.name = "time.tolerance",
        .range = positive,
-       .help = "Local error that sets the size of the time step. Steps that are longer than the largest droplet swings "
-               "have "
-               "less, down to a quarter (docs/theory.md).",
+       .help =
+           "Local error that sets the size of the time step. Steps longer than an oscillation of the largest droplet "
+           "have less, down to a quarter (docs/theory.md).",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.time.tolerance; })},
       {.name = "time.max_steps",
        .kind = Kind::integer,
@@ -158,8 +158,8 @@ std::vector<Key> time_keys() {
        .unit = "hours of wall time",
        .range = {0, infinity, false, true},
        .help =
-           "Time that the run has on the clock on the wall, such as the limit of a job on a cluster. Before it is over "
-           "the run stops with a checkpoint, from which --resume goes on with the same bits and a new limit. Each "
+           "Wall time that the run may take, such as the limit of a job on a cluster. Before it is over "
+           "the run stops with a checkpoint, from which --resume continues with the same bits and a new limit. Each "
            "start "
            "with --resume takes one step or more. 0 means no limit.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.wall_clock; })},

@@ -21,20 +21,20 @@ std::vector<Key> probe_keys() {
        .choices = probe_quantities(),
        .required = true,
        .example = "\"displacement_y\"",
-       .help = "What is looked at: a field of the field files (softwet explain fields), or a component of one.",
+       .help = "The recorded quantity: a field of the field files (softwet explain fields), or a component of one.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.probes[i].quantity; })},
       {.name = "probe[].point",
        .kind = Kind::numbers,
        .unit = "L0",
        .example = "[0.5, 0.125]",
-       .help = "The place, in the undeformed domain: in the solid it goes with the material, in the fluid with the "
+       .help = "Position in the undeformed domain: in the solid it moves with the material, in the fluid with the "
                "mesh, which follows the wall below it and rests at the top. Write a point or a box.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.probes[i].point; }),
        .default_note = "[], none"},
       {.name = "probe[].box",
        .kind = Kind::box,
        .unit = "L0",
-       .help = "Lower and upper corner of the place, in the undeformed domain. Where both are equal along an axis, it "
+       .help = "Lower and upper corner of a box in the undeformed domain. Where both are equal along an axis, it "
                "is a face, a line or a point.",
        .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.probes[i]; }),
        .default_note = "[[], []], none"},
@@ -42,12 +42,12 @@ std::vector<Key> probe_keys() {
        .kind = Kind::choice,
        .choices = words_of(ProbeOperation{}),
        .help =
-           "What is made of the quantity: its value at a point, or its mean, its integral, its largest or smallest "
-           "value over a box. Integrals and means are over the undeformed place in the solid and over the deformed "
+           "How the quantity is reduced: its value at a point, or its mean, its integral, its largest or smallest "
+           "value over a box. Integrals and means are over the undeformed box in the solid and over the deformed "
            "one in the fluid; in axisymmetric scenes over the whole turn, which makes a face of a line and a circle "
            "of a point, but on the axis itself a line stays a line and a point a point. Largest and smallest values "
-           "are those of five points of each element along each axis. At substrate.joint strains and stresses may "
-           "jump: a box has the values of its own side, and a place that lies on the joint those from above.",
+           "are taken over five points of each element along each axis. At substrate.joint strains and stresses may "
+           "jump: a box has the values of its own side, and what lies on the joint has the values from above.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.probes[i].operation; })},
   };
 }
@@ -93,7 +93,7 @@ std::vector<Key> files_keys() {
       {.name = "output.checkpoint.minutes",
        .unit = "minutes of wall time",
        .range = positive,
-       .help = "Time between two checkpoints, on the clock on the wall.",
+       .help = "Wall time between two checkpoints.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.checkpoint_minutes; })},
   };
 }

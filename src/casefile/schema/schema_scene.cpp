@@ -46,7 +46,7 @@ std::vector<Key> domain_keys() {
        .help =
            "What the two axes of a 2D case are. \"plane\": x and y; the scene is the same at any depth, and strain is "
            "plane. \"axisymmetric\": the distance r from an axis of symmetry, which is the left side, and the height; "
-           "droplets are balls and caps centred on the axis, and masses and energies are those of the whole turn.",
+           "droplets are balls and caps centred on the axis, and masses and energies cover the whole turn.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.coordinates; }),
        .only_in = 2},
       {.name = "domain.degree",
@@ -172,14 +172,14 @@ std::vector<Key> fluid_keys() {
            "Whether the wall energy acts on the wall as a tension. \"none\" is the paper: the fluid pulls with its "
            "full "
            "surface tension, along the wall too, and the wall energy changes with the stretch of the wall at nobody's "
-           "cost (column wall_stretch). \"acts\" adds the derivative of the wall energy by the place of the wall: the "
+           "cost (column wall_stretch). \"acts\" adds the derivative of the wall energy by the wall's position: the "
            "energy law is exact, Young's and Neumann's laws hold together, and the pull along the wall is gone. It "
            "needs wall_law = \"energy\", a solid, and a substrate.surface_tension that outweighs it.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->wall_tension; })},
       {.name = "fluid.wall_stretch_exponent",
        .range = {0, 1, false, false},
        .help = "Exponent beta of the wall energy: the wall has a^(1 - beta) f_w for each area that it has before any "
-               "stretch, a the deformed over that area. With 0 the energy belongs to the deformed area, as that of a "
+               "stretch, a the deformed over that area. With 0 the energy belongs to the deformed area, as in a "
                "liquid, with 1 to the one before. The effective contact angle has the cosine a^(-beta) "
                "cos(contact_angle); with wall_tension = \"acts\" the tension is (1 - beta) a^(-beta) f_w. A "
                "substrate.prestretch counts in a. It needs wall_law = \"energy\" and a solid.",
@@ -221,7 +221,7 @@ std::vector<Key> fluid_keys() {
        .range = {0, 0.999, true, false},
        .help = "Densities of vapour and liquid at the start, two numbers in this order.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->initial; }),
-       .default_note = "[], those of the equilibrium with the curved interface (Kelvin, Laplace)"},
+       .default_note = "[], in equilibrium with the curved interface (Kelvin, Laplace)"},
   };
 }
 

@@ -61,7 +61,7 @@ std::vector<Key> substrate_keys() {
       {.name = "substrate.material",
        .kind = Kind::choice,
        .choices = words_of(MaterialModel{}),
-       .help = "Law of the solid. saint_venant_kirchhoff is that of the paper; it softens when it is squeezed hard. "
+       .help = "Law of the solid. saint_venant_kirchhoff is the paper's; it softens when it is squeezed hard. "
                "neo_hookean is compressible and stays stiff under any compression. For small strains both are Hooke's "
                "law, with the same young and poisson.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->material; })},
@@ -83,9 +83,9 @@ std::vector<Key> substrate_keys() {
        .range = {0.4, 3, false, false},
        .help =
            "Stretch along the wall before the scene begins: [l_1] in 2D, where the strain stays plane, [l_1, l_2] "
-           "along x and y in 3D, [l] along r and around the axis in (r, z). Upright the layer thins so far that its "
-           "top is free of stress. All lengths, the density and the viscosity are those of the stretched layer, "
-           "young is that of the material before, and the displacement counts from the stretched state. The sides "
+           "along x and y in 3D, [l] along r and around the axis in (r, z). The height of the layer adapts so that its "
+           "top is free of stress. All lengths, the density and the viscosity refer to the stretched layer, "
+           "young to the material before, and the displacement counts from the stretched state. The sides "
            "have to hold the stretch. With it choose material = \"neo_hookean\".",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->prestretch; }),
        .default_note = "[], none"},
@@ -117,7 +117,7 @@ std::vector<Key> substrate_keys() {
            "Surface tension of the top face below liquid, where it is given by hand. No energy belongs to a difference "
            "that is given by hand; fluid.wall_tension = \"acts\" gives the one that follows from the contact angle.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->surface_tension_wet; }),
-       .default_note = "that of the dry face"},
+       .default_note = "as on the dry face"},
       {.name = "substrate.surface_modulus",
        .kind = Kind::numbers,
        .unit = "a b^2 L0",
@@ -138,8 +138,8 @@ std::vector<Key> substrate_keys() {
       {.name = "substrate.fibre.stiffness",
        .unit = "a b^2",
        .range = {0, infinity, false, true},
-       .help = "Stiffness k of parallel fibres in the solid: energy k/2 (I_4 - 1)^2 of each volume beside that of the "
-               "material, I_4 the square of the fibres' stretch. Small strains along them meet 4 k more.",
+       .help = "Stiffness k of parallel fibres in the solid: energy k/2 (I_4 - 1)^2 of each volume beside the "
+               "material's, I_4 the square of the fibres' stretch. Small strains along them meet 4 k more.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->fibre.stiffness; })},
       {.name = "substrate.fibre.angle",
        .unit = "degrees",
@@ -155,9 +155,9 @@ std::vector<Key> substrate_keys() {
       {.name = "substrate.gel.exponent",
        .range = {0, 1, false, true},
        .help =
-           "Exponent n of a gel whose shear modulus grows with the angular frequency w, G (1 + (i w time)^n), G that "
-           "of young and poisson; 0: none. It stands for the branches and the viscosity that come nearest to it in "
-           "gel.decades, beside those that are given. 'softwet check' prints them and how near they come.",
+           "Exponent n of a gel whose shear modulus grows with the angular frequency w, G (1 + (i w time)^n), G from "
+           "young and poisson; 0: none. It stands for the branches and the viscosity that come closest to it in "
+           "gel.decades, beside those that are given. 'softwet check' prints them and how close they come.",
        .reason = "1 would be substrate.viscosity = G time",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->gel.exponent; })},
       {.name = "substrate.gel.time",
@@ -182,9 +182,8 @@ std::vector<Key> branch_keys() {
        .range = positive,
        .required = true,
        .example = "0.26",
-       .help =
-           "Shear modulus G_i of the branch. A deformation that is faster than its time meets it beside that of the "
-           "solid at rest, E / (2 (1 + nu)).",
+       .help = "Shear modulus G_i of the branch. A deformation that is faster than its time meets it in addition to "
+               "that of the solid at rest, E / (2 (1 + nu)).",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.substrate->branches[i].modulus; })},
       {.name = "substrate.branch[].time",
        .unit = "L0/sqrt(ab)",
@@ -259,7 +258,7 @@ std::vector<Key> needle_keys() {
        .required = true,
        .example = "[[0.7, 0.0], [0.8, 0.125]]",
        .help =
-           "Lower and upper corner of the part of the solid that the needle holds, in the undeformed state. It goes "
+           "Lower and upper corner of the part of the solid that the needle holds, in the undeformed state. It moves "
            "with the needle.",
        .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.needles[i]; })},
       {.name = "needle[].stiffness",
@@ -268,9 +267,9 @@ std::vector<Key> needle_keys() {
        .required = true,
        .example = "1e5",
        .help =
-           "Stiffness k of the springs between the needle and its box: force k (U - u) for each volume, U the place "
+           "Stiffness k of the springs between the needle and its box: force k (U - u) for each volume, U the position "
            "of the needle and u the displacement. With the Young modulus E, elements of h and a box of the width w, "
-           "100 E/h^2 holds rigidly, and E/w^2 gives way as much as the solid. An explicit step is at most about "
+           "100 E/h^2 holds rigidly, and E/w^2 yields as much as the solid. An explicit step is at most about "
            "1.8 sqrt(rho_0^s/k).",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.needles[i].stiffness; })},
       {.name = "needle[].path",

@@ -66,7 +66,7 @@ class Walker {
   void walk_table(const toml::node& node, const std::string& name, std::size_t index) {
     const toml::table* table = node.as_table();
     if (!table) {
-      reject(at(node), name, text_of_node(node), "is a table and stands once", fmt::format("write [{}]", name));
+      reject(at(node), name, text_of_node(node), "is a table that appears once", fmt::format("write [{}]", name));
     }
     document_.table_count[name] = 1;
     document_.table_place[name] = at(node);
@@ -116,7 +116,7 @@ void take_out_line(std::string& text, const std::string& place, long line, std::
   problems.keep([&] {
     if (hint) reject(where, hint->key, hint->value, hint->problem, hint->remedy);
     if (problem.find("redefine") != std::string_view::npos)
-      reject(where, std::string(problem), "", "a key or table stands twice",
+      reject(where, std::string(problem), "", "a key or table appears twice",
              "keep one of them; where there are several loads, each begins with [[load]]");
     reject(where, "this is not TOML", "", std::string(problem), "see 'softwet init' for a case to start from");
   });
@@ -136,7 +136,7 @@ bool is_malformed(std::string_view text) {
   return false;
 }
 
-/// The line at which the library gave up without telling where: the shortest beginning of the text with that fate. It
+/// The line at which the library gave up without saying where: the shortest beginning of the text with that fate. It
 /// reads from the front, so longer beginnings share the fate and the line is found by bisection.
 long line_of_malformed(std::string_view text) {
   std::vector<std::size_t> ends;
@@ -169,7 +169,7 @@ void refuse_other_encodings(std::string_view text, const std::string& place) {
                             place, place));
   if (text.find('\0') != std::string_view::npos)
     throw Error(Exit::invalid_input,
-                fmt::format("{}: the file is no text, it holds bytes that are zero; give the path of "
+                fmt::format("{}: the file is not text, it holds bytes that are zero; give the path of "
                             "a case, for example cases/tensotaxis_pull_2d.toml",
                             place));
 }

@@ -62,7 +62,7 @@ std::string remedy_for(const Key& key, const toml::node& node) {
   }
   if (const auto* text = node.as_string(); text && key.kind == Kind::profiles)
     if (const auto quoted = with_quoted_expressions(text->get()))
-      return fmt::format("an expression in a list stands in quotes: write {} = {}, behind --set in single quotes",
+      return fmt::format("an expression in a list has to be in quotes: write {} = {}, after --set in single quotes",
                          key.leaf(), *quoted);
   const bool ratio = key.kind == Kind::number && key.example.find('/') == std::string::npos;
   return fmt::format("write for example {} = {}{}", key.leaf(), example_text(key), ratio ? " or a ratio \"3/8\"" : "");

@@ -1,4 +1,4 @@
-// The mistakes of a case, collected so that all of them are told at once.
+// The mistakes of a case, collected so that all of them are reported at once.
 #pragma once
 
 #include <string>
@@ -28,7 +28,7 @@ class Problems {
     }
   }
 
-  /// True when a problem with this key, or with a table it stands in, is kept: a check that needs it would mislead.
+  /// True when a problem with this key, or with a table it is in, is kept: a check that needs it would mislead.
   bool about(const std::string& name) const;
 
   /// Throws one Error with all that is kept, a line each. Nothing happens where nothing is kept.

@@ -30,7 +30,7 @@ std::string keys_of(const Table& table) {
   return list;
 }
 
-/// "density is a key of [substrate]; " for the last part of a name that stands in the wrong table.
+/// "density is a key of [substrate]; " for the last part of a name that is in the wrong table.
 std::string owner_of(const std::string& leaf) {
   for (const Key& key : schema())
     if (key.leaf() == leaf && !key.table().empty())

@@ -12,7 +12,7 @@
 namespace softwet {
 namespace {
 
-constexpr std::size_t longest = 200;  ///< lines longer than this are not looked at: regular expressions recurse
+constexpr std::size_t longest = 200;  ///< lines longer than this are not parsed: regular expressions recurse
 
 std::string trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -30,7 +30,7 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
-/// The line, and the table it stands in: "fluid.", "load[1].", "" at the top of the file.
+/// The line, and the table it is in: "fluid.", "load[1].", "" at the top of the file.
 struct Place {
   std::string_view line;
   std::string table;
@@ -80,7 +80,7 @@ std::optional<SyntaxHint> hint_of_expression(const std::string& key, const std::
                                              const std::string& value) {
   const Key* known = find_key(std::regex_replace(key, std::regex(R"(\[\d*\])"), "[]"));
   if (known == nullptr || value.find_first_of("\"'") != std::string::npos) return {};
-  const std::string problem = "an expression stands in quotes";
+  const std::string problem = "an expression has to be in quotes";
   static const std::regex with_unit(decimal + R"(\s*[A-Za-z%].*)");
   if (known->kind == Kind::profile && value.find_first_of("xyzt(*^") != std::string::npos &&
       !std::regex_match(value, with_unit))
@@ -91,7 +91,7 @@ std::optional<SyntaxHint> hint_of_expression(const std::string& key, const std::
   return {};
 }
 
-/// A mistake that can be told from the value alone.
+/// A mistake that shows in the value alone.
 std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& leaf, const std::string& value) {
   static const std::regex ratio(decimal + R"(\s*/\s*)" + decimal), comma(R"(([+-]?\d+),(\d+(?:[eE][+-]?\d+)?))"),
       point(R"(([+-]?)(\d*)\.(\d*)((?:[eE][+-]?\d+)?))"), unit("(" + decimal + R"()\s*[^\d\s,\]\[{}="'.eE+-].*)"),
@@ -99,7 +99,7 @@ std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& lea
   std::smatch found;
   if (const auto hint = hint_of_expression(key, leaf, value)) return hint;
   if (value.find_first_of("\"'") == std::string::npos && std::regex_search(value, found, ratio))
-    return SyntaxHint{key, value, "a ratio stands in quotes",
+    return SyntaxHint{key, value, "a ratio has to be in quotes",
                       fmt::format("write {} = {}{}{}", leaf, std::string(found.prefix()), in_quotes(found.str()),
                                   std::string(found.suffix()))};
   if (std::regex_match(value, found, comma))
@@ -110,11 +110,11 @@ std::optional<SyntaxHint> hint_of(const std::string& key, const std::string& lea
                       fmt::format("write {} = {}{}.{}{}", leaf, found.str(1), found.length(2) ? found.str(2) : "0",
                                   found.length(3) ? found.str(3) : "0", found.str(4))};
   if (std::regex_match(value, found, unit))
-    return SyntaxHint{key, value, "is a number and something else; numbers of a case have no units behind them",
+    return SyntaxHint{key, value, "is a number and something else; numbers of a case have no units",
                       fmt::format("write {} = {} in the unit that 'softwet explain' gives; 'softwet units' converts",
                                   leaf, found.str(1))};
   if (std::regex_match(value, word))
-    return SyntaxHint{key, value, "text stands in quotes", fmt::format("write {} = {}", leaf, in_quotes(value))};
+    return SyntaxHint{key, value, "text has to be in quotes", fmt::format("write {} = {}", leaf, in_quotes(value))};
   if (value.empty())
     return SyntaxHint{key, "", "has no value", fmt::format("write {} = VALUE, or remove the line", leaf)};
   return {};

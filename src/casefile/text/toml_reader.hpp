@@ -7,7 +7,7 @@
 namespace softwet {
 
 struct MalformedToml : std::runtime_error {
-  MalformedToml() : std::runtime_error("brackets, quotes or keys do not fit together") {}
+  MalformedToml() : std::runtime_error("brackets, quotes or keys do not match") {}
 };
 
 constexpr void require_toml(bool condition) {

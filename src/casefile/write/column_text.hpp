@@ -1,4 +1,4 @@
-// What `softwet explain` tells of the columns of history.csv and interface.csv and of the fields, and the page of the
+// What `softwet explain` says of the columns of history.csv and interface.csv and of the fields, and the page of the
 // whole reference.
 #pragma once
 

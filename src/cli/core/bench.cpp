@@ -96,7 +96,7 @@ void bench_single(const Sheet& sheet, Case c, const State& state) {
   sheet.line("dot, single precision", seconds_per_call([&] { dot(scene.layout().space(), z, out); }));
 }
 
-/// What the first process has told the others between two moments, for each iteration.
+/// What the first process has sent to the others between two moments, for each iteration.
 void print_traffic(const Sheet& sheet, const Traffic& before, const Traffic& now, int iterations) {
   char text[200];
   std::snprintf(text, sizeof text,

@@ -69,7 +69,7 @@ void print_limits(const Case& c, const Scales& s, std::ostream& out) {
        {"density of the vapour", with_unit(flat.density_vapour * s.density, "kg/m^3") + "; 1/" +
                                      with_unit(flat.density_liquid / flat.density_vapour) +
                                      " of the liquid's, with the same viscosity"},
-       {"evaporation", "the vapour condenses and evaporates: small droplets dissolve, softwet check tells where"}});
+       {"evaporation", "the vapour condenses and evaporates: small droplets dissolve, softwet check says where"}});
 }
 
 void print_keys(const Case& c, std::ostream& out) {

@@ -32,7 +32,7 @@ class Regions {
     return x;
   }
 
-  /// The region at the point nearest to a place; -1: none.
+  /// The region at the point closest to a position; -1: none.
   int at(const std::array<double, 3>& x) const {
     int point = 0;
     for (int d = samples_.dimension - 1; d >= 0; --d) {
@@ -72,7 +72,7 @@ class Regions {
     return middles;
   }
 
-  /// The nearest region to a place that is not taken; -1: none.
+  /// The region closest to a position that is not taken; -1: none.
   int nearest(const std::array<double, 3>& x, const std::vector<bool>& taken) const {
     double least = std::numeric_limits<double>::infinity();
     int found = -1;
@@ -112,7 +112,7 @@ class Regions {
       }
   }
 
-  /// A place of a periodic axis, by whole turns as near to the middle of the fine elements as it can be.
+  /// A position on a periodic axis, shifted by whole periods as close to the middle of the fine elements as possible.
   double nearest_to_fine_part(int d, double x) const {
     const double middle = 0.5 * (samples_.low[d] + samples_.high[d]);
     return std::isfinite(middle) ? middle + std::remainder(x - middle, samples_.step[d] * samples_.points[d]) : x;

@@ -26,8 +26,8 @@ struct PhaseSamples {
 
 /// Follows the bodies to a new state and returns a sentence for each thing that happened since the last one. A body is
 /// the connected region that holds its place or, where it has moved on, the nearest one that no other body holds. What
-/// holds in the first state, such as half a droplet on its plane of symmetry, is no event, unless a body is missing or
-/// overlaps another; nothing is told twice.
+/// holds in the first state, such as half a droplet on its plane of symmetry, is not an event, unless a body is missing or
+/// overlaps another; nothing is reported twice.
 std::vector<std::string> follow(std::vector<Body>& bodies, const PhaseSamples& samples,
                                 const std::vector<std::string>& names);
 
@@ -38,7 +38,7 @@ std::vector<std::string> follow(std::vector<Body>& bodies, const PhaseSamples& s
 using Centre = std::optional<std::array<double, 3>>;
 std::vector<Centre> centres_of(const std::vector<Body>& bodies, const PhaseSamples& samples);
 
-/// How far each body has moved, the shorter way round periodic axes of these samples; empty where it is gone.
+/// How far each body has moved, the shorter way around periodic axes of these samples; empty where it is gone.
 std::vector<std::optional<double>> distances(const std::vector<Centre>& from, const std::vector<Centre>& to,
                                              const PhaseSamples& samples);
 

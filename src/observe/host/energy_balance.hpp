@@ -23,7 +23,7 @@ inline double unfed_rise(const EnergyState& a, const EnergyState& b) {
 /// Round-off that an energy of this size may rise by.
 inline double round_off_of(const EnergyState& a) { return 1e-11 * a.size; }
 
-/// What an energy may not rise above: its lowest value so far; or, where the energy is not the one that steps keep but swings below
+/// What an energy may not rise above: its lowest value so far; or, where the energy is not the one that steps keep but oscillates below
 /// it, its first one.
 enum class EnergyFloor { lowest, first };
 
@@ -33,7 +33,7 @@ struct EnergyRule {
   EnergyFloor floor = EnergyFloor::lowest;
 };
 
-/// Follows a run and tells when its energy has risen though nothing fed it. The energy less what was fed in can only fall. It
+/// Follows a run and reports when its energy has risen though nothing fed it. The energy less what was fed in can only fall. It
 /// has risen where it stands above its floor by more than
 ///   share (largest kinetic energy so far + all that was lost so far) + 1/4 (all that was fed in so far, in size)
 /// The largest one, because a wave that turns has none. The last part is there because power is known at the states alone. Above its

@@ -39,7 +39,7 @@ const std::vector<Column> of_step{
      "has the factor a^(-beta).",
      any_dimension, Needs::fluid},
     {"energy_elastic", energy_unit,
-     "Elastic energy of the solid and its fibres. With saint_venant_kirchhoff that of the solid is the integral of "
+     "Elastic energy of the solid and its fibres. With saint_venant_kirchhoff the part of the solid is the integral of "
      "lambda "
      "tr(E)^2/2 + G E:E. With substrate.prestretch it is what the stretched layer has more than where its displacement "
      "is 0, and may be negative."},
@@ -72,7 +72,7 @@ const std::vector<Column> of_droplet{
     {"x_centre", "L0", "In 2D the midpoint of x_left and x_right; in 3D x of the centroid of the wetted wall."},
     {"y_centre", "L0", "y of the centroid of the wetted wall.", 3},
     {"velocity", speed_unit,
-     "Velocity of the droplet since the row before: in 2D that of x_centre, in 3D that of the centroid along "
+     "Velocity of the droplet since the row before: in 2D of x_centre, in 3D of the centroid along "
      "output.history.track."},
     {"angle_left", "degrees",
      "Left apparent contact angle, measured in the liquid, also of a bubble. A circle is fitted to the left half of "
@@ -83,7 +83,7 @@ const std::vector<Column> of_droplet{
      2},
     {"angle_right", "degrees", "Right apparent contact angle, measured in the same way.", 2},
     {"ridge_left", "L0",
-     "Height of the ridge that the left contact line draws out of the solid: the largest vertical displacement of the "
+     "Height of the ridge that the left contact line pulls out of the solid: the largest vertical displacement of the "
      "wall within 4 capillarities of it.",
      2},
     {"ridge_right", "L0", "The same at the right contact point.", 2},
@@ -131,7 +131,7 @@ const std::vector<Column> of_balance{
      any_dimension, Needs::fluid},
     {"wall_stretch", power_unit,
      "Power that the wall energy gains because the wall stretches: the integral of f_w div_Gamma v over the wall, with "
-     "fluid.wall_stretch_exponent that of (1 - beta) a^(-beta) f_w div_Gamma v. It is "
+     "fluid.wall_stretch_exponent of (1 - beta) a^(-beta) f_w div_Gamma v. It is "
      "0 with fluid.wall_tension = \"acts\", where the solid pays for it. With fluid.wall_law = \"energy\" energy_total "
      "changes at the rate power_load + wall_stretch - dissipation, up to the error of the discretisation.",
      any_dimension, Needs::fluid},
@@ -140,8 +140,8 @@ const std::vector<Column> of_balance{
      "and of "
      "rho_0^s gravity . u over the solid, u its displacement. 0 without gravity."},
     {"energy_surface", energy_unit,
-     "Energy of the solid's top face: substrate.surface_tension times what the area of the deformed face has more than "
-     "that of the undeformed one, and the elastic energy of substrate.surface_modulus.",
+     "Energy of the solid's top face: substrate.surface_tension times the growth of its area by the "
+     "deformation, and the elastic energy of substrate.surface_modulus.",
      any_dimension, Needs::solid},
     {"energy_foundation", energy_unit,
      "Energy of the springs of boundary.foundation: the integral of (kap_n u_n^2 + kap_t u_t^2)/2 over the undeformed "
@@ -150,13 +150,13 @@ const std::vector<Column> of_balance{
     {"energy_branches", energy_unit,
      "Energy in the springs of [[substrate.branch]] and substrate.gel: the sum of the integrals of G_i dev e : dev e "
      "over the solid, e the strain of u - a_i, with the displacement a_i of the dashpot of a branch; under finite "
-     "strains e = E - A_i, the Green-Lagrange strain less what the branch remembers of it.",
+     "strains e = E - A_i, the Green-Lagrange strain minus what the branch remembers of it.",
      any_dimension, Needs::solid},
     {"dissipation_solid", power_unit,
      "Part of dissipation that belongs to the solid: to substrate.viscosity and substrate.bulk_viscosity, the integral "
      "of S_v : E' over the undeformed solid, E' the rate of the Green-Lagrange strain; to the dashpots of branches, "
      "the sum of the integrals of 2 G_i tau_i dev e' : dev e' with the strain rate e' of a_i', or A_i'; and to "
-     "boundary.foundation_damping, that of c_n v_n^2 + c_t v_t^2 over its undeformed bottom.",
+     "boundary.foundation_damping, the integral of c_n v_n^2 + c_t v_t^2 over its undeformed bottom.",
      any_dimension, Needs::solid},
     {"dissipation_wall", power_unit,
      "Part of dissipation that belongs to fluid.line_friction and fluid.contact_angle_range: the integral of r' (B r' "
@@ -185,7 +185,7 @@ const std::vector<Column> of_needles{
 };
 const std::vector<Column> of_needle{
     {"needle_force_x", "a b^2 L0^(d-1)",
-     "Force of the needle on the solid along x: its reading. That of the second needle is needle_force_x_2. In "
+     "Force of the needle on the solid along x: its reading. For the second needle it is needle_force_x_2. In "
      "axisymmetric scenes it is 0, and the one along y is along the axis of symmetry."},
     {"needle_force_y", "a b^2 L0^(d-1)", "The same along y; in 2D this is the vertical one."},
     {"needle_force_z", "a b^2 L0^(d-1)", "The same along z, the vertical.", 3},
@@ -267,9 +267,9 @@ const std::vector<ColumnTable>& column_tables() {
       {"history", "history.csv",
        "A row for every output.history.every steps, and one for the last step. An empty cell means that the quantity "
        "does not exist there: no fluid, no solid, no contact line. d is the dimension of the domain; in 2D integrals "
-       "are per depth, and in axisymmetric scenes those of the whole turn, with d = 3. The columns of the second "
-       "droplet, bubble or needle end in _2, of the third in _3, and so on; films are "
-       "numbered on behind the droplets (around bubbles they have none). When droplets merge, the first one goes on "
+       "are per depth, and in axisymmetric scenes over the whole turn, with d = 3. The columns of the second "
+       "droplet, bubble or needle end in _2, of the third in _3, and so on; the numbers of films "
+       "follow those of droplets (around bubbles they have none). When droplets merge, the first one continues "
        "and "
        "the others stay empty. The columns of probes ([[probe]]) come last.",
        all_of_history()},

@@ -11,7 +11,7 @@ namespace softwet {
 /// the output, the solver, time.end, time.max_steps, and what sets the size of the steps (time.tolerance, time.dt_*).
 std::string fingerprint(const Case&);
 
-/// The lines of the solver. A run goes on with the bits of an undisturbed one where they are as they were.
+/// The lines of the solver. A run continues with the bits of an undisturbed one where they are as they were.
 std::string solver_settings(const Case&);
 
 /// Throws Error (invalid_input) that names the first difference; `path` is that of the checkpoint.

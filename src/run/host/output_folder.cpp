@@ -74,7 +74,7 @@ void check_old_result(const fs::path& folder, OldResult old) {
                     name));
 }
 
-/// " (process 1234)" for the holder of the lock on an open folder, as Linux tells it; empty where it does not.
+/// " (process 1234)" for the holder of the lock on an open folder, as Linux gives it; empty where it does not.
 std::string holder_text(int descriptor) {
   struct stat folder {};
   if (::fstat(descriptor, &folder) != 0) return "";
@@ -108,7 +108,7 @@ OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old
   const fs::path folder(path);
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail_to_write(path, "a file has that name");
-  lock();  // first: what a run that is under way has written so far is no result
+  lock();  // first: what a run that is under way has written so far is not a result
   check_old_result(folder, old);
   if (old != OldResult::resume) {
     made_ = first_missing(folder).string();

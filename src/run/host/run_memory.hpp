@@ -64,7 +64,7 @@ struct RunMemory {
   double proposed_dt = 0;
   long steps = 0, rejected_newton = 0, rejected_error = 0;
   double memory_shift = 0;  ///< of the state (field/stage.hpp)
-  HistoryMemory history;    ///< with the bodies of the case: their number is no part of the file
+  HistoryMemory history;    ///< with the bodies of the case: their number is not part of the file
   WrittenFiles files;
 };
 

@@ -29,7 +29,7 @@ struct FieldRange {
 /// The residuals of one solve, from the norms of their fields.
 class Convergence {
  public:
-  /// @param smallest  part of the largest norm below which the norm of a field at the start is no measure
+  /// @param smallest  part of the largest norm below which the norm of a field at the start is not a measure
   Convergence(const std::vector<FieldRange>& fields, const NewtonControl& control, double smallest)
       : fields_(fields), control_(control), smallest_(smallest) {}
 

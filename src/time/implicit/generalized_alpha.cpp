@@ -12,7 +12,7 @@ void add_constant(const Array& y, double a) {
 }
 
 /// y += scale * one unit in the last place of x, or of `least` where that is larger; up or down as the digits of x
-/// fall, which is the same on any number of processes, and in turns where x is 0.
+/// fall, which is the same on any number of processes, and alternately up and down where x is 0.
 void add_last_digits(const Array& y, const ConstArray& x, double least, double scale) {
   Kokkos::parallel_for(
       "softwet::last_digits", Items(0, y.extent(0)), KOKKOS_LAMBDA(int i) {

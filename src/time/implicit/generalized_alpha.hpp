@@ -52,8 +52,8 @@ class GeneralizedAlpha {
   void residual(const Array& x, const Array& r);
   /// What single precision makes of the residual at x: the residual in single precision minus that in double precision.
   void round_off(const Array& x, const Array& out);
-  /// What the last digit of the fields makes of the residual at x: that at a point whose values, and places of the
-  /// solid, differ by one unit of their last place, up or down, minus that at x. Places have the size of the scene's
+  /// What the last digit of the fields changes in the residual at x: the residual at a point whose values, and positions of the
+  /// solid, differ by one unit of their last place, up or down, minus the one at x. Positions have the size of the scene's
   /// height.
   /// @param near  a vector to work in
   void last_digits(const Array& x, const Array& near, const Array& out);
@@ -62,7 +62,7 @@ class GeneralizedAlpha {
   /// The same in single precision. Only for models that have it.
   void product(const ArrayOf<float>& z, const ArrayOf<float>& out) const;
   /// The same as a matrix, with frozen geometry, for preconditioners. It follows from the rounded stage, which is kept.
-  /// @param stretch  it is that of a step so many times shorter, at the same values
+  /// @param stretch  the matrix is that of a step this many times shorter, at the same values
   void jacobian(const StencilValues& values, double stretch = 1);
   /// The matrix of the last `jacobian` once more.
   void last_jacobian(const StencilValues& values) const { scene_.equations().jacobian(jacobian_stage_, values); }

@@ -31,7 +31,7 @@ LinearSolves linear_solves(const Case& c, Precision precision) {
 }
 
 /// Of the solid without its needles in its part of the Jacobian, 1 without needles. Residuals begin as large as stiff springs make them:
-/// to be so many times smaller is not enough for what is not held.
+/// a residual that is smaller by a factor is not enough for what is not held.
 template <int D, int P>
 double share_of_solid(const Scene<D, P>& scene, const Stage& stage) {
   if (scene.forces().needles().empty()) return 1;

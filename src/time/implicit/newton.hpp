@@ -72,7 +72,7 @@ class Newton {
   void visit_memory(StepMemory&);
   /// Whether the next solve begins with the preconditioner that is there.
   bool keeps_preconditioner() const { return !rebuild_; }
-  /// Makes the preconditioner that the memory tells of. @param jacobian  that of its build
+  /// Makes the preconditioner that the memory describes. @param jacobian  that of its build
   void build_again(const Jacobian& jacobian) { preconditioner_->build(jacobian); }
 
  private:

@@ -15,7 +15,7 @@ class Wear {
  public:
   void renew();
   void add(const KrylovResult& linear);
-  /// Whether a new preconditioner is due, where a build costs as much as so many iterations.
+  /// Whether a new preconditioner is due, where a build costs as much as this many iterations.
   bool due(double cost) const { return waste_ >= allowed(cost); }
   /// Iterations of a solve to `tolerance` at which one becomes due; the solve is given up then.
   int patience(double tolerance, double cost) const;

@@ -22,7 +22,7 @@ namespace softwet {
 /// positive however much heavier a neighbour is: with random weights in one, two and three dimensions the polynomial was at
 /// least 0.7, and without the cut -500.
 /// Row sums of the mass of velocities are the moments of the density themselves, (w_i, rho J) = p_i, plus those of the solid.
-/// With lumped masses A rho takes their place, which tells more of the density.
+/// With lumped masses A rho takes their place, which says more about the density.
 /// Tested: tests/unit/time/masses/test_mass_inverse.cpp
 template <int D, int P>
 class MassInverse {

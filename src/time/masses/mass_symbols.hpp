@@ -30,7 +30,7 @@ inline int fewest_that_matter(const std::vector<int>& elements) {
     if (n > 0) fewest = std::min(fewest, n);
   return fewest;
 }
-/// At an end with an open knot, with its ties: from the eigenvalues of a line of so many elements, whose two ends are felt by each
+/// At an end with an open knot, with its ties: from the eigenvalues of a line of this many elements, whose two ends are felt by each
 /// other where it is short. At least those inside. The elastic one is that of a layer that is held below and free above, or
 /// free on both sides.
 /// @param coordinates  in (r, z) the line begins at the axis of symmetry: masses and stiffnesses have the weight r, and vectors
@@ -41,7 +41,7 @@ struct JoinedElements {
   int below = 0, above = 0;
 };
 /// At least `ends`: those that waves of a solid have at a joint as well, where the knot is repeated and a tie holds what is below to the
-/// joint. From the eigenvalues of a line of so many elements, ten of each at most. They hold for any stiffness on either side that is at
+/// joint. From the eigenvalues of a line of this many elements, ten of each at most. They hold for any stiffness on either side that is at
 /// most the one that is taken: what is softer has slower waves.
 MassSymbols with_joint(MassSymbols ends, int degree, MassKind, JoinedElements);
 

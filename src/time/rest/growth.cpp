@@ -18,14 +18,14 @@ namespace {
 constexpr double steps[] = {200, 50,
                             12};  ///< of backward Euler; a shorter one where linear solves fail or no mode stands out
 constexpr int most_directions = 40;   ///< of Arnoldi's method
-constexpr int least_directions = 10;  ///< before it counts that no other mode has a factor that is looked at
+constexpr int least_directions = 10;  ///< before it counts that no other mode has a factor that counts
 constexpr std::size_t wanted = 2;     ///< modes
-constexpr double smallest = 0.01;     ///< factor of a mode that is looked at
+constexpr double smallest = 0.01;     ///< factor of a mode that counts
 constexpr double digits = 0.01;       ///< of a rate
 constexpr double least_error = 1e-7;  ///< of a rate, where that is larger than its digits
 constexpr double amplitude = 1e-5;    ///< of the disturbance, root of its mean square, over the ranges of the fields
 
-/// A function of the place that is the image of itself in no mirror.
+/// A function of position that no mirror maps onto itself.
 double without_symmetry(const std::array<double, 3>& x, const std::vector<double>& size, int own) {
   double value = 1;
   for (std::size_t d = 0; d < size.size(); ++d)
@@ -160,7 +160,7 @@ class Disturbances {
   double volume_;  ///< of the fluid
 };
 
-/// The rates from steps of one length; none where a linear solve fails, or where all modes swing or fall so fast that none
+/// The rates from steps of one length; none where a linear solve fails, or where all modes oscillate or decay so fast that none
 /// stands out.
 template <int D, int P>
 std::optional<Growth> growth_by(double step, const Scene<D, P>& scene, const Case& control, const State& rest,

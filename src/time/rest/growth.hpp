@@ -19,7 +19,7 @@ struct Growth {
 };
 
 /// Rates below this one, up or down, are those of a state that neither returns nor leaves, as a droplet on a rigid wall that
-/// may lie anywhere along a periodic axis. A mode that swings faster than 1 has this part of its frequency.
+/// may lie anywhere along a periodic axis. A mode that oscillates faster than 1 has this part of its frequency.
 inline constexpr double neutral_rate = 1e-6;
 
 /// The equations at a state of rest, linear in the disturbance z of velocities, density and displacement, are M z' = -K z.

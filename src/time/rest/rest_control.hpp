@@ -7,7 +7,7 @@
 
 namespace softwet {
 
-/// A scene rests where its residual is less than so many times what the last digit of the fields makes of it.
+/// A scene is at rest where its residual is less than this many times the change that the last digit of the fields causes in it.
 inline constexpr double digits_of_rest = 8;
 
 /// Newton's method need not be accurate on the way, but its products and linear solves must be: the steps are long, and

@@ -17,7 +17,7 @@ class Judge {
   Refusal of_values(const ConstArray& unknown) const;
   /// The same where their ranges are known.
   Refusal of_ranges(bool finite, double least_density, double most_density) const;
-  /// The same for the mesh of a stage, of which the integrals tell.
+  /// The same for the mesh of a stage, which the integrals describe.
   Refusal of_mesh(const Stage&) const;
   /// That, and the density at the end of the step.
   Refusal of_end(const Stage&) const;

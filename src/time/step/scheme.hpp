@@ -19,7 +19,7 @@ struct StepHistory {
   double previous_dt = 0;  ///< 0: there is no state before
 };
 
-/// How a step that was tried went.
+/// How an attempted step went.
 struct StepAttempt {
   Refusal refusal;       ///< empty: the step is admissible
   double indicator = 0;  ///< of the local error, see StepControl

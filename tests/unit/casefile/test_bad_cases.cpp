@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"Tiny", "[1.0, 0.5]", "[1.0, 1e-300]", {"domain.size = [1, 1e-300]", "between 1e-30 and 1e+30"}},
         Bad{"HugeInABox", "[0.8, 0.125]]", "[0.8, -1e31]]", {"load[0].box", "between 1e-30 and 1e+30"}},
         Bad{"SingleBrackets", "[[droplet]]", "[droplet]", {"droplet", "[[droplet]]"}},
-        Bad{"DoubleBrackets", "[fluid]", "[[fluid]]", {"fluid", "stands once", "[fluid]"}},
+        Bad{"DoubleBrackets", "[fluid]", "[[fluid]]", {"fluid", "appears once", "[fluid]"}},
         Bad{"BrokenToml", "[fluid]", "[fluid", {"not TOML"}},
         Bad{"NegativeSize", "size = [1.0, 0.5]", "size = [1.0, -0.5]", {"domain.size = [1, -0.5]", "(0, inf)"}},
         Bad{"OneAxis", "size = [1.0, 0.5]", "size = [1.0]", {"domain.size", "2 numbers"}},

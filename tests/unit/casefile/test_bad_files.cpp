@@ -37,7 +37,7 @@ std::vector<std::string> lines_of(const std::string& message) {
   return lines;
 }
 
-TEST(BadCases, AllMistakesAreToldInTheOrderOfTheFile) {
+TEST(BadCases, AllMistakesAreReportedInTheOrderOfTheFile) {
   std::string text = replaced(pull_text(), "viscosity = \"1/256\"", "viscosity = 1/256");
   text = replaced(text, "temperature = 0.39", "temprature = 0,39");
   text = replaced(text, "poisson = 0.45", "poisson = 0.5");
@@ -58,7 +58,7 @@ TEST(BadCases, AllMistakesAreToldInTheOrderOfTheFile) {
   }
 }
 
-TEST(BadCases, NoMistakeIsToldTwiceNorOneThatFollowsFromAnother) {
+TEST(BadCases, NoMistakeIsReportedTwiceNorOneThatFollowsFromAnother) {
   const auto count = [](const std::string& from, const std::string& to, const std::vector<std::string>& set = {}) {
     return lines_of(message_of(replaced(pull_text(), from, to), set)).size();
   };
@@ -86,15 +86,15 @@ TEST(BadCases, ClearMistakesInTheSyntaxAreCalledByTheirName) {
     for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
     EXPECT_EQ(lines_of(message).size(), 1u) << message;
   };
-  told("ramp = 1/2", {"load[0].ramp = 1/2", "a ratio stands in quotes", "ramp = \"1/2\""});
+  told("ramp = 1/2", {"load[0].ramp = 1/2", "a ratio has to be in quotes", "ramp = \"1/2\""});
   told("ramp = 0,5  # half", {"load[0].ramp = 0,5:", "a point, not a comma", "ramp = 0.5"});
   told("ramp = .5", {"load[0].ramp = .5", "digits on both sides", "ramp = 0.5"});
   told("ramp = 5 s", {"load[0].ramp = 5 s", "no units", "ramp = 5 ", "softwet units"});
   told("ramp =", {"load[0].ramp", "has no value"});
-  told("factor = sin(2*t)", {"load[0].factor = sin(2*t)", "stands in quotes", "factor = \"sin(2*t)\""});
+  told("factor = sin(2*t)", {"load[0].factor = sin(2*t)", "has to be in quotes", "factor = \"sin(2*t)\""});
   told("factor = 2 per unit", {"load[0].factor = 2 per unit", "no units"});
   told("path = [0.05*t, max(0, t)]",
-       {"load[0].path = [0.05*t, max(0, t)]", "stands in quotes", "path = [\"0.05*t\", \"max(0, t)\"]"});
+       {"load[0].path = [0.05*t, max(0, t)]", "has to be in quotes", "path = [\"0.05*t\", \"max(0, t)\"]"});
   told("ramp: 5", {"load[0].ramp", "joined by '='", "ramp = 5"});
   EXPECT_NE(message_of(replaced(pull_text(), "left = \"slip\"", "left = slip")).find("left = \"slip\""),
             std::string::npos);
@@ -248,7 +248,7 @@ TEST(BadCases, OtherEncodingsAreNamed) {
   }
   for (const std::string& text : {little, big, plain_little})
     expect_parts(message_of(text), {"case.toml: the file is in UTF-16", "UTF-8"});
-  expect_parts(message_of(pull_text() + std::string(3, '\0')), {"case.toml: the file is no text"});
+  expect_parts(message_of(pull_text() + std::string(3, '\0')), {"case.toml: the file is not text"});
   EXPECT_EQ(message_of("\xef\xbb\xbf" + pull_text()), "(accepted)");
 }
 

@@ -243,7 +243,7 @@ TEST(CaseFile, WarnsOfContactAnglesTheGradientLawDoesNotBear) {
   EXPECT_FALSE(warns({"fluid.contact_angle=154", "fluid.capillarity=1/128"}));
 }
 
-TEST(Explain, TellsUnitRangeDefaultAndHelp) {
+TEST(Explain, ShowsUnitRangeDefaultAndHelp) {
   const std::string one = explain("fluid.contact_angle");
   for (const char* part : {"fluid.contact_angle", "(0, 180)", "degrees", "default 90", "liquid"}) {
     EXPECT_NE(one.find(part), std::string::npos) << part;

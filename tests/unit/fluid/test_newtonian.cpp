@@ -20,7 +20,7 @@ TEST(Newtonian, TraceVanishesIn3D) {
   EXPECT_NEAR(trace(newtonian_stress(0.7, g)), 0, 1e-15);
 }
 
-// Plane motion: the third normal stress is -(2/3) m div v, so the trace in the plane is its opposite.
+// Plane motion: the third normal stress is -(2/3) m div v, so the 2D trace is its opposite.
 TEST(Newtonian, TraceOfPlaneMotion) {
   const Matrix<double, 2> g{{{0.3, -0.2}, {0.1, 0.9}}};
   EXPECT_NEAR(trace(newtonian_stress(0.7, g)), 2.0 / 3 * 0.7 * 1.2, 1e-15);

@@ -97,7 +97,7 @@ TEST(Excess, SinglePrecisionKeepsItsDigits) {
     }
 }
 
-// Of the same density in double precision; errors are told in parts of the largest force and of its largest derivative.
+// Of the same density in double precision; errors are given as parts of the largest force and of its largest derivative.
 TEST(Excess, ForceAndDerivativeInSinglePrecision) {
   using P = Pack<float>;
   for (const Scene& s : scenes) {

@@ -128,7 +128,7 @@ TEST(Forecast, SoftnessThatDependsOnTheScene) {
   EXPECT_FALSE(doubts(0.49));
   EXPECT_TRUE(doubts(0.65));
   EXPECT_TRUE(doubts(0.84));
-  EXPECT_FALSE(doubts(0.9)) << "there it is told more plainly";
+  EXPECT_FALSE(doubts(0.9)) << "another sentence says that more plainly";
 }
 
 /// Rows and degrees of docs/verification/locking.md, in percent.
@@ -274,7 +274,7 @@ TEST(Forecast, AFluidAlone) {
   EXPECT_TRUE(forecast(c).empty());
 }
 
-TEST(Forecast, ThousandsOfDropletsAreToldInAFewSentences) {
+TEST(Forecast, ThousandsOfDropletsTakeAFewSentences) {
   Case c = forecast_droplet(0.39, 75, 5);
   c.droplets.assign(20000, c.droplets.front());
   const std::size_t as_usual = forecast(c).size();

@@ -1,4 +1,4 @@
-// The checkpoint: exact round trip, whole or absent, and every kind of damage is told instead of read.
+// The checkpoint: exact round trip, whole or absent, and every kind of damage is reported instead of read.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -88,7 +88,7 @@ TEST(CheckpointFile, WithoutCommitTheOldOneStays) {
   EXPECT_EQ(CheckpointReader(path).number("t"), 0.1);
 }
 
-TEST(CheckpointFile, TellsWhatIsMissingOrOfAnotherKind) {
+TEST(CheckpointFile, NamesWhatIsMissingOrOfAnotherKind) {
   const ScratchFolder folder;
   const std::string path = folder / "checkpoint.h5";
   expect_error(Exit::invalid_input, {path, "no such file", "--resume"}, [&] { CheckpointReader reader(path); });
@@ -136,7 +136,7 @@ TEST(CheckpointFile, RefusesShapesThatNoFileCanHold) {
   }
 }
 
-/// Reads everything. @return false when an Error told of damage; a wrong value is a test failure.
+/// Reads everything. @return false when an Error reported damage; a wrong value is a test failure.
 bool reads_well(const std::string& path) {
   try {
     const CheckpointReader reader(path);

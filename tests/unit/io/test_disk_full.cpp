@@ -1,4 +1,4 @@
-// A disk that takes no more: every writer tells it with exit code 3, keeps the old file and leaves no partial file.
+// A disk that takes no more: every writer reports it with exit code 3, keeps the old file and leaves no partial file.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -63,7 +63,7 @@ TEST(DiskFull, FieldsAreNotLeftHalfWritten) {
   EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
 }
 
-TEST(DiskFull, TablesAndRecordsTellIt) {
+TEST(DiskFull, TablesAndRecordsReportIt) {
   const ScratchFolder folder;
   const auto write_table = [&] {
     TableFile table = TableFile::create(folder / "history.csv", {"step", "t"});
@@ -92,7 +92,7 @@ TEST(DiskFull, TablesAndRecordsTellIt) {
   EXPECT_FALSE(std::filesystem::exists(folder / "run.json.partial"));
 }
 
-TEST(DiskFull, AFolderThatCannotBeMadeIsTold) {
+TEST(DiskFull, AFolderThatCannotBeMadeIsReported) {
   const ScratchFolder folder;
   overwrite(folder / "file", "");
   for (const auto& write :

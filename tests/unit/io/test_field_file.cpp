@@ -53,7 +53,7 @@ TEST(FieldFile, LayoutOfAPlane) {
   EXPECT_EQ(file.read<double>("/VTKHDF/FieldData/TimeValue"), std::vector<double>{1.5});
 }
 
-TEST(FieldFile, TellsWhoseFieldsItHoldsAndInWhichUnits) {
+TEST(FieldFile, SaysWhoseFieldsItHoldsAndInWhichUnits) {
   const ScratchFolder folder;
   const std::string path = folder / "solid_0000.hdf";
   const TensorGrid grid = {2, {1, 1, 1}};
@@ -193,7 +193,7 @@ TEST(FieldSeries, ListsFilesAndTimes) {
             "    {\"name\": \"fluid_000123.hdf\", \"time\": 235.5}\n  ]\n}\n");
 }
 
-/// Whether an object of a file tells when it was written.
+/// Whether an object of a file shows when it was written.
 bool tells_time(const Hdf5File& file, const std::string& name) {
 #if H5_VERSION_GE(1, 12, 0)
   H5O_info1_t info;
@@ -204,7 +204,7 @@ bool tells_time(const Hdf5File& file, const std::string& name) {
   return info.atime != 0 || info.mtime != 0 || info.ctime != 0 || info.btime != 0;
 }
 
-TEST(FieldFile, NothingTellsWhenAFileWasWritten) {
+TEST(FieldFile, NothingShowsWhenAFileWasWritten) {
   const ScratchFolder folder;
   for (const Hdf5Format format : {Hdf5Format::compatible, Hdf5Format::checksummed}) {
     Hdf5File file = Hdf5File::create(folder / "file", format);

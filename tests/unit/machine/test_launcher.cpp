@@ -22,7 +22,7 @@ std::string sign_with(const Variables& variables) {
   return sign_of_several_processes().sign;
 }
 
-TEST(Launcher, OneOfSeveralProcessesIsTold) {
+TEST(Launcher, OneOfSeveralProcessesIsRecognised) {
   EXPECT_EQ(sign_with({{"OMPI_COMM_WORLD_SIZE", "2"}, {"OMPI_COMM_WORLD_RANK", "0"}}), "OMPI_COMM_WORLD_SIZE = 2");
   EXPECT_EQ(sign_with({{"PMI_SIZE", "4"}, {"PMI_RANK", "0"}}), "PMI_SIZE = 4");
   EXPECT_EQ(sign_with({{"PMI_RANK", "3"}}), "PMI_RANK = 3");
@@ -47,7 +47,7 @@ TEST(Launcher, ALauncherOfMpiKnowsBetterThanSlurmAroundIt) {
   EXPECT_EQ(sign_with({{"OMPI_COMM_WORLD_SIZE", "1"}, {"SLURM_STEP_NUM_TASKS", "2"}, {"SLURM_PROCID", "1"}}), "");
 }
 
-TEST(Launcher, WhatTakesTheSignAwayIsTold) {
+TEST(Launcher, WhatTakesTheSignAwayIsReported) {
   const Environment cleared(of_no_launcher), set(Variables{{"SLURM_STEP_NUM_TASKS", "4"}});
   EXPECT_EQ(sign_of_several_processes().unset, "-u SLURM_STEP_NUM_TASKS -u SLURM_PROCID");
 }

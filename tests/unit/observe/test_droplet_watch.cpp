@@ -1,4 +1,4 @@
-// Droplets as wholes, drawn on a small grid: each thing that happens to them is said once, and nothing else is.
+// Droplets as wholes, painted on a small grid: each thing that happens to them is said once, and nothing else is.
 #include "observe/host/droplet_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -140,7 +140,7 @@ TEST(DropletWatch, InSpaceAllSidesHaveNames) {
                                             "the droplet reached the wall", "the droplet reached the top"}));
 }
 
-TEST(DropletWatch, TellsHowFarDropletsMove) {
+TEST(DropletWatch, ReportsHowFarDropletsMove) {
   std::vector<Body> bodies = bodies_at({{1, 0, 0}, {7, 0, 0}, {11, 0, 0}});
   const Said three{"droplet 1", "droplet 2", "droplet 3"};
   PhaseSamples before = plane({"............", ".##...##...#"}), after = plane({".##.........", ".##....##..."});

@@ -53,7 +53,7 @@ TEST(EnergyBalance, AWaveThatTurnsIsMeasuredByWhatMoved) {
   EXPECT_GT(balance.follow(state(2, 10.011, 0), {0.01}), 0);
 }
 
-TEST(EnergyBalance, AnEpisodeIsToldOnce) {
+TEST(EnergyBalance, AnEpisodeIsReportedOnce) {
   EnergyBalance balance;
   const auto told = [&](double time, double energy) { return balance.follow(state(time, energy, 1), {0.1}) > 0; };
   told(0, 10);

@@ -50,7 +50,7 @@ TEST(Tiles3D, ReducedQuadrature) {
   c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
 }
 
-/// A product has two launches, as in the plane: the tiles of all terms, and what collects them.
+/// A product has two launches, as in 2D: the tiles of all terms, and what collects them.
 TEST(Tiles3D, SeveralTermsAtOnce) {
   const TileCases<3> c(std::array<int, 3>{4, 3, 5});
   const Evaluation<3> at{c.patch.layout, c.patch.stage, c.direction, {}};

@@ -38,12 +38,12 @@ TEST(Remedy, ALoadThatIsNoNumberIsCalledByItsName) {
   c.loads.resize(2);
   for (Load& load : c.loads) load.factor = 1;
   c.loads[1].factor.formula = std::make_shared<EndsAt>(3);
-  EXPECT_TRUE(blames(remedy(c, {Refusal::not_finite}, 3), "load[1].factor is no number after t = 3"));
+  EXPECT_TRUE(blames(remedy(c, {Refusal::not_finite}, 3), "load[1].factor is not a number after t = 3"));
   EXPECT_FALSE(blames(remedy(c, {Refusal::not_finite}, 2), "load[1]"));
   c.loads[1].factor = 1;
   c.loads[0].path = {Profile(0), Profile(0)};
   c.loads[0].path[1].formula = std::make_shared<EndsAt>(3);
-  EXPECT_TRUE(blames(remedy(c, {Refusal::newton}, 3), "load[0].path is no number after t = 3"));
+  EXPECT_TRUE(blames(remedy(c, {Refusal::newton}, 3), "load[0].path is not a number after t = 3"));
 }
 
 TEST(Remedy, ASoftSolidIsBroughtToRestBeforeItIsMadeStiffer) {

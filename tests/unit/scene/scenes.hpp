@@ -46,7 +46,7 @@ inline Case axisymmetric(Case c) {
   return c;
 }
 
-/// The same in space: as deep as three elements.
+/// The same in 3D: as deep as three elements.
 inline Case small_case_in_3d(SceneKind kind, WallLaw law = WallLaw::gradient) {
   Case c = small_case(kind, law);
   c.domain.size.insert(c.domain.size.begin() + 1, 0.5);

@@ -1,4 +1,4 @@
-// Needles in space.
+// Needles in 3D.
 #include "unit/scene/needle_checks.hpp"
 
 namespace softwet::testing_tools {

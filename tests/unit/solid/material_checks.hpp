@@ -47,7 +47,7 @@ void expect_hooke_in_the_limit(const Material& m) {
   }
 }
 
-/// Plane strain is the law in space without motion along z.
+/// Plane strain is the law in 3D without motion along z.
 template <class Material>
 void expect_plane_strain(const Material& m, double tolerance = 1e-15) {
   const auto flat = m.first_piola(Matrix<double, 2>{{{0.1, 0.3}, {-0.2, 0.2}}});

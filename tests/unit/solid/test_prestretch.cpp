@@ -33,7 +33,7 @@ template <class Law, class Test>
 void with(const Test& test) {
   test(Law{{1.5, 0.7}}, Stretched<Law>{{1.5, 0.7}, before}, Stretched<Law>{{1.5, 0.7}, before_in_plane});
 }
-/// Calls test(law, the law stretched along three axes, the law stretched in the plane).
+/// Calls test(law, the law stretched along three axes, the law stretched in 2D).
 template <class Test>
 void with_each_law(const Test& test) {
   with<SaintVenantKirchhoff>(test);

@@ -135,7 +135,7 @@ TEST(BlockLu, FactorisesInDoublePrecisionWhereSingleIsNotEnough) {
   sufficient->build(matrix);
   EXPECT_EQ(sufficient->name(), "umfpack");
   EXPECT_GT(sufficient->bytes(), make(FactorPrecision::single)->bytes());
-  // The next matrix is tried in single precision again.
+  // The next matrix gets another attempt in single precision.
   matrix.fill(nearly_singular(s.layout(), 1));
   EXPECT_LT(defect_of(*sufficient, matrix, s.direction()), 1e-6);
   EXPECT_EQ(sufficient->name(), "lu");

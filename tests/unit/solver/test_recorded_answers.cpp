@@ -1,4 +1,4 @@
-// Preconditioners whose kernels are recorded. Without a device the recorded kernels start one by one: then these tests tell
+// Preconditioners whose kernels are recorded. Without a device the recorded kernels start one by one: then these tests show
 // what is recorded when, and whether a recording may stand for an answer.
 #include "cli/core/kernel_counts.hpp"
 #include "field/vector.hpp"

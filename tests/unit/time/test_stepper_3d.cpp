@@ -1,4 +1,4 @@
-// Steps in space: a scene that does not change along y is the scene in the plane.
+// Steps in 3D: a scene that does not change along y is the 2D scene.
 #include "scene/initial.hpp"
 #include "time/stepper.hpp"
 #include "unit/scene/scenes.hpp"

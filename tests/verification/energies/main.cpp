@@ -1,5 +1,5 @@
 // softwet_energies: what it costs to take the stress of a law from its energy by numbers that know their derivatives, or to choose a
-// material at run time, instead of compiling its closed form. Residual and product of each term in turns with those of the closed form,
+// material at run time, instead of compiling its closed form. Residual and product of each term alternate with those of the closed form,
 // and how far both differ.
 // usage: softwet_energies [TURNS] [NAME], 1 thread: OMP_NUM_THREADS=1
 #include <softwet_configurations.hpp>
@@ -65,7 +65,7 @@ struct Bench {
     }
   }
 
-  /// Two forms of a term in turns: a row of the table.
+  /// Two forms of a term alternately: a row of the table.
   template <class Motion, class Closed, class Other>
   void compare(const char* name, const char* how, const Closed& closed, const Other& other,
                const Region<D>& region) const {

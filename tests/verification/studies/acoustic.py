@@ -7,7 +7,7 @@ since c^2 = rho_0 W''; 4/3 = 2 - 2/3. eps is the stabilisation, switched off her
 with a wave of the velocity; the x-momentum of an odd mode is V (2/k) rho_0 per height, and -b + i w is fitted to it.
 
 Generalized-alpha damps a little itself. What it makes of the exact s at the step of the run follows from its recurrence
-(as in the study elastic_waves). The damping measured is held against that, and asked for as closely as the frequency:
+(as in the study elastic_waves). The damping measured is compared with it, and asked for as closely as the frequency:
 1 %. The wave of theta = 0.39, liquid, mode 1 shows the difference: there the scheme adds 4 %. The first ten steps are
 left out: the first is one of backward Euler, and what it sets off in the second root of the scheme falls to 0.2 with
 each step (rho_inf = 0.5)."""
@@ -130,7 +130,7 @@ def of_scheme(lab, s, dt):
 
 def explicit(lab):
     """The third mode at the temperature 0.85, on 64 elements, and with lumped masses, which err by a part of (k h)^2, on 32 too.
-    Damping is held against that of the scheme: the three stages of ssp_rk3 add 0.5 to 0.8 % here."""
+    Damping is compared with the damping of the scheme: the three stages of ssp_rk3 add 0.5 to 0.8 % here."""
     plane, errors = PlaneInterface(0.85), {}
     for phase, viscosity in (("liquid", 1e-4), ("vapour", 2e-4 * PlaneInterface(0.85).vapour)):
         s = exact(plane, phase, 3 * numpy.pi, 1 / 64, viscosity)

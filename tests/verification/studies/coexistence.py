@@ -2,7 +2,7 @@
 
 A film in a quasi one-dimensional channel between slip sides comes to rest. Exact answers:
 tests/oracle/plane_interface.py (equal pressure and chemical potential in both phases; first integral g^2 rho'^2/2 =
-D(rho) of the profile). The table it gives is held against the digits of the 40-digit oracle
+D(rho) of the profile). The table it gives is compared with the digits of the 40-digit oracle
 tests/oracle/equilibrium.py. The tension of the run is the excess of the energy per area: int (W + g^2 rho'^2/2 - mu_sat
 rho + p_sat) dx = E - mu_sat M + p_sat L, with energy_free E and mass M of history.csv over the height of the channel
 and its length L; deviations of the bulk densities enter it in second order. The viscosity is small because the vapour

@@ -8,7 +8,7 @@ tables at featflow.de, fsi_csm_tests) belong to a beam clamped on a circle of ra
 1.01e-3. softwet clamps a rectangle. tests/oracle/elastic_beam.py, spectral elements that share nothing with softwet,
 solves both: curved it gives the published values to 0.003 %, as a rectangle 0.8 % less. The rectangle is the reference
 of what softwet computes; the clamped corners are singular, which limits the order to about 1.5 whatever the degree.
-CSM3 is held against the published values: the oracle's curved beam (trapezoidal rule, dt = 0.005) has -14.368 +-
+CSM3 is compared with the published values: the oracle's curved beam (trapezoidal rule, dt = 0.005) has -14.368 +-
 14.369, -63.736 +- 65.192 mm and 1.095 Hz over t = 8 to 10."""
 
 import _measure

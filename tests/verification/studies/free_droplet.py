@@ -1,7 +1,7 @@
 """Free droplet: densities, pressure jump and chemical potential.
 
 Against the exact radial solution of the mass of the run in the area of its square (tests/oracle/radial_droplet.py),
-which is itself held against values of another solver in a disc and a ball of radius 0.5."""
+which is itself compared with values of another solver in a disc and a ball of radius 0.5."""
 
 import _measure
 from _measure import radial_droplet

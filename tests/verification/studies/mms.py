@@ -17,7 +17,7 @@ import time
 from _lab import Known
 
 MINUTES = {"quick": 0.2, "full": 8}
-EXPLICIT = "has the explicit schemes itself: orders in time with corrected, lumped and consistent masses, and in space with corrected and lumped ones"
+EXPLICIT = "has the explicit schemes itself: orders in time with corrected, lumped and consistent masses, and orders in space with corrected and lumped ones"
 
 TOLERANCE = 0.2
 NAMES = {"velocity": "v", "density": "rho", "potential": "mu", "displacement": "u"}

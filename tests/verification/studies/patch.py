@@ -121,10 +121,10 @@ def errors(run, name):
 
 
 def in_space(lab):
-    """A column in space whose oblique fibres are turned about the vertical: the plane column, turned like them."""
+    """A 3D column whose oblique fibres are turned about the vertical: the plane column, turned like them."""
     name, turn = "pressed on oblique fibres", numpy.radians(35)
     words = [word for word in settings(name) if not word.startswith("load")]
-    run = lab.run(f"{name}, in space", CASE, [
+    run = lab.run(f"{name}, in 3D", CASE, [
         *words, "domain.size=[0.5,0.5,1]", "domain.elements=[5,5,8]", "load[0].box=[[0,0,0],[0.5,0.5,1]]", "load[0].force=[0,0,-0.2]",
         "boundary.front=periodic", "boundary.back=periodic", "substrate.fibre.azimuth=35"])
     wall = _measure.interface(run.folder)
@@ -132,7 +132,7 @@ def in_space(lab):
     wanted = numpy.array([top[0] * numpy.cos(turn), top[0] * numpy.sin(turn), top[1]])
     found = numpy.array([wall[f"displacement_{d}"] for d in "xyz"])
     error = numpy.abs(found - wanted[:, None]).max() / numpy.abs(top).max()
-    lab.expect(f"{name}, in space, turned by 35 degrees: displacement of the top", "within 1e-4", f"{error:.1e}", error <= 1e-4)
+    lab.expect(f"{name}, in 3D, turned by 35 degrees: displacement of the top", "within 1e-4", f"{error:.1e}", error <= 1e-4)
 
 
 def settings(name):

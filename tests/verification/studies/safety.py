@@ -2,7 +2,7 @@
 
 `kick_drift` keeps an energy that differs from that of the tables by the shortest waves: the nearer its steps are to the limit of
 stability, the more. Here scenes that nothing feeds run with several values of `time.safety`, the part of the bound that a step takes,
-with a row for every step. Rows in which the energy rises are counted, and the largest rise is told as a part of what the whole run
+with a row for every step. Rows in which the energy rises are counted, and the largest rise is given as a part of what the whole run
 dissipates. The error of the density at the end is the root of the mean square of its difference to a run with `time.safety = 0.2` on the
 same mesh, over that of the density. So it is the error of the steps, without that of the mesh.
 

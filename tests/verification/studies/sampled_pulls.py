@@ -8,7 +8,7 @@ step depends on the length of the step more than on its error, which is why the 
 miss a bound. No step may jump over a moment in which a droplet begins to move faster: the droplet moves by a part of the width of its
 interface in each.
 
-A draft has graded elements beside its longer steps. It is held against the same runs, fine steps on equal elements.
+A draft has graded elements beside its longer steps. It is compared with the same runs, fine steps on equal elements.
 
 The sizes of steps were chosen on the scene of the quick form and on the seed 101; the others were sampled after that. Seeds whose droplet does not
 come to rest within 300 steps are left out. The elements are 64 x 32 with twice the capillarity of Fig. 2, so that the droplet is carried over half as many

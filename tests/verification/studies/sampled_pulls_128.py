@@ -8,8 +8,8 @@ from _sampled import compare
 MINUTES = {"quick": 1.3, "full": 25}
 EXPLICIT = "takes hundreds of units of time at the temperature 0.39: millions of explicit steps"
 
-MISSED = ("scene 103 swings while its load rises, and misses 2.1 % of its way of 0.0034 from t = 2 to 6; from t = 20 on its path is exact to "
-          "0.02 %. Scene 110 is 1.02 % off at its end. The longest way is that of the fastest steps of one scene")
+MISSED = ("scene 103 swings while its load rises, and misses 2.1 % of its path of 0.0034 from t = 2 to 6; from t = 20 on it is exact to "
+          "0.02 %. Scene 110 is 1.02 % off at its end. The longest path belongs to the fastest steps of one scene")
 
 
 def study(lab):

@@ -16,7 +16,7 @@ worst wave. Where several count, no wave has them all, and the bound is that of 
 Motion: droplets that meet a side, a wall or a corner late, at temperatures from 0.39 to 0.95, with the default `time.safety`. Liquid at a
 side shortens the stable steps several times, so that a bound from before is too long. The wall law has an energy.
 
-Asked: the energy falls in every step, no step is refused, no event tells that the energy rose, and the momentum along x of
+Asked: the energy falls in every step, no step is refused, no event reports that the energy rose, and the momentum along x of
 scenes that are symmetric about x = 0.5 stays round-off."""
 
 import math

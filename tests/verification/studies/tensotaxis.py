@@ -6,7 +6,7 @@ ranges of ridge, dimple and far field of the wall before the load (5 to 6e-3, -2
 +- 1e-5). The trends are the paper's: the droplet runs to a load that pulls and is trapped there, it runs away from a
 load that pushes, ever more slowly, and it stays in its place where nu = 0.
 
-time.tolerance is halved twice, and a run with small steps tells how far X_c is then off. This error must fall and stay
+time.tolerance is halved twice, and a run with small steps shows how far X_c is then off. This error must fall and stay
 below the 0.006 that are allowed for X_c. A mirrored load must give the mirrored motion. What Newton's method leaves is
 not mirrored, and it decides on the steps, so that with default tolerances the two motions differ as the errors of the
 steps do. With a small solver.newton.rtol they must be the same. These two runs may take more iterations in a step: one that needs

@@ -61,7 +61,7 @@ WAVES = {
     "shear, k = 2 pi, eta = 0.01": (box("displacement_x", [0, 1], 0.5, viscosity=0.01), 0.01, SHEAR, 2 * numpy.pi),
     "pressure, k = 2 pi, eta = 0.01": (box("displacement_x", [1, 0], 0.125, viscosity=0.01), 0.04 / 3, STIFF, 2 * numpy.pi),
     "pressure, k = 2 pi, zeta = 0.02": (box("displacement_x", [1, 0], 0.125, bulk_viscosity=0.02), 0.02, STIFF, 2 * numpy.pi),
-    "pressure in space, k = 2 pi, eta = 0.01": (in_space(viscosity=0.01), 0.04 / 3, STIFF, 2 * numpy.pi),
+    "pressure in 3D, k = 2 pi, eta = 0.01": (in_space(viscosity=0.01), 0.04 / 3, STIFF, 2 * numpy.pi),
     "shear, k = 8 pi, eta = 0.05": (box("displacement_x", [0, 1], 0.125, viscosity=0.05), 0.05, SHEAR, 8 * numpy.pi),
 }
 

@@ -1,11 +1,11 @@
 """Where the wall law "gradient" stops near complete wetting and drying.
 
 The paper's law d_n rho = |grad rho| cos(alpha) has no wall energy, and no closed bound of the density is known:
-without a gradient along the wall it asks d_n rho = 0 at every angle, so the profile normal to the wall tells nothing,
+without a gradient along the wall it asks d_n rho = 0 at every angle, so the profile normal to the wall shows nothing,
 and a plane interface that meets the wall at alpha obeys it exactly for all alpha. So the limit is measured: half a
 droplet, or half a bubble for the side of drying, with a cap of two gamma_hat, let go at the angle alpha; whether the
 density stays in its range to t = 20, bisected to half a degree. Asked: every angle that stops is outside what
-`softwet check` tells for that mesh. It falls as the mesh gets finer, so a part of it is an error of the mesh at the
+`softwet check` gives for that mesh. It falls as the mesh gets finer, so a part of it is an error of the mesh at the
 contact line."""
 
 import math

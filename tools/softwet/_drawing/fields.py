@@ -10,9 +10,9 @@ def is_axisymmetric(case):
 
 
 class Block:
-    """Where a part of the scene is drawn, x and y of shape (rows, points per row), and its fields.
+    """Where a part of the scene is plotted, x and y of shape (rows, points per row), and its fields.
     @param magnify   of the vertical displacement
-    @param mirrored  the mirror image at x = 0 is drawn too"""
+    @param mirrored  the mirror image at x = 0 is plotted too"""
 
     def __init__(self, field, magnify, mirrored):
         self.field, self.mirrored = field, mirrored
@@ -21,12 +21,12 @@ class Block:
         self.y = self.both(rest + magnify * (now[..., 1] - rest))
 
     def both(self, values, sign=1):
-        """Values at the points that are drawn; in the mirror image they have the sign."""
+        """Values at the points that are plotted; in the mirror image they have the sign."""
         return np.concatenate([sign * values[:, :0:-1], values], axis=1) if self.mirrored else values.copy()
 
 
 class Scene:
-    """What is drawn at one time of a softwet.Run in two dimensions."""
+    """What is plotted at one time of a softwet.Run in 2D."""
 
     def __init__(self, run, time, magnify=1.0):
         if run.dimension != 2:
@@ -64,7 +64,7 @@ class Scene:
             return self.fluid.both(self.fluid.field[vector][..., "xy".index(axis)], -1 if axis == "x" else 1)
         values = self.fluid.field[name]
         if values.ndim != 2:
-            raise Problem(f"{name} is no scalar; give a component of it, {name}_x or {name}_y")
+            raise Problem(f"{name} is not a scalar; give a component of it, {name}_x or {name}_y")
         return self.fluid.both(values)
 
     def draw_quantity(self, axes, name, ends):

@@ -39,7 +39,7 @@ class Output:
             phases = self.run.record["equilibrium"]
             return 0.5 * (phases["density_vapour"] + phases["density_liquid"])
         except KeyError as error:
-            raise Problem(f"{self.run.folder / 'run.json'} tells no equilibrium densities ({error!r}); "
+            raise Problem(f"{self.run.folder / 'run.json'} has no equilibrium densities ({error!r}); "
                           "resume the run with this version of softwet") from error
 
     def positions(self, part, time, magnify, rows=slice(None)):

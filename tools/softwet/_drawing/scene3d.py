@@ -1,6 +1,6 @@
 """Pictures of runs in three dimensions: droplets on the deformed substrate, and the profile of its surface.
 
-Surfaces are cut out of the fields, projected, sorted by depth and drawn as polygons of matplotlib: no window system and
+Surfaces are cut out of the fields, projected, sorted by depth and plotted as polygons of matplotlib: no window system and
 no 3D library is needed.
 """
 
@@ -50,7 +50,7 @@ def see_through(image, _):
 
 
 class Scene:
-    """What is drawn at one time."""
+    """What is plotted at one time."""
 
     def __init__(self, output, time, magnify, view):
         self.output, self.time, self.magnify, self.view = output, time, magnify, view

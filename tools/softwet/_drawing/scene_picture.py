@@ -1,6 +1,6 @@
 """The scene of a case before it is computed: materials, droplets, loads, probes, sides, given fields, and the mesh where it is graded.
 
-What is drawn is the state that the program writes with `softwet check CASE --scene DIR`: the case with its defaults, the fields
+What is plotted is the state that the program writes with `softwet check CASE --scene DIR`: the case with its defaults, the fields
 of the first state, and the values of expressions and tables. In two dimensions it is one picture. In three dimensions it is
 the vertical section through the largest droplet, seen from the front, and the wall, seen from above."""
 
@@ -148,7 +148,7 @@ class Plane:
             draw_needle(self.axes, *np.array(needle["box"], dtype=float)[:, [0, -1]], number)
 
     def draw_probes(self):
-        """Points, lines and boxes of the probes, with their names. In space they are seen from the front."""
+        """Points, lines and boxes of the probes, with their names. In 3D they are seen from the front."""
         for probe in self.state.case.get("probe", []):
             low, high = np.array(probe["box"] if probe["box"][0] else [probe["point"]] * 2, dtype=float)[:, [0, -1]]
             draw_probe(self.axes, low, high, probe["name"])
@@ -186,7 +186,7 @@ def draw_probe(axes, low, high, name):
 
 
 def draw_load(axes, low, high, force, width, number):
-    """The box of a load, and an arrow along its force in the plane that is drawn."""
+    """The box of a load, and an arrow along its force in the plane of the picture."""
     axes.add_patch(Rectangle(low, *(high - low), facecolor="none", edgecolor=RED, linewidth=1.1, linestyle="--", zorder=4))
     axes.text(low[0], high[1], f" {number}", color=RED, fontsize=7, ha="left", va="top", zorder=4)
     if not force.any():

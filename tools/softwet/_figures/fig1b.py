@@ -3,7 +3,7 @@
 a: density and the deformed substrate at the last time. b: the contact line. alpha is the angle between the interface of
 the liquid and the deformed wall, read where they meet; the case prescribes it as the static angle. phi is the apparent
 angle of history.csv, between the circle through the interface and the horizontal. c: vertical displacement of the wall.
-A run of half of the droplet, cut by the side x = 0, is drawn with its mirror image."""
+A run of half of the droplet, cut by the side x = 0, is plotted with its mirror image."""
 
 from pathlib import Path
 

@@ -57,7 +57,7 @@ def members(folder):
         except Problem as problem:
             print(f"figures: {member.folder} is left out: {problem}", file=sys.stderr)
     if not found:
-        raise Problem(f"{folder} holds no output folder that can be drawn; write it with softwet sweep")
+        raise Problem(f"{folder} holds no output folder that can be plotted; write it with softwet sweep")
     return sorted(found, key=lambda one: -one.poisson)
 
 

@@ -21,7 +21,7 @@ def add_arguments(parser):
 def add_view(parser, times):
     parser.add_argument("--magnify", metavar="M", type=float, default=1.0, help="stretch the vertical displacement")
     parser.add_argument("--times", metavar="T", type=float, nargs="+", default=times,
-                        help="of C, the last one of B too; default: those of the paper")
+                        help="of C, the last one of B too; default: the paper's")
 
 
 def draw(options):

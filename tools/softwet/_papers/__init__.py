@@ -1,4 +1,4 @@
-"""Papers that softwet is held against, a module each: its name is that of the paper for `tools/papers`.
+"""Papers that softwet is compared with, a module each: `tools/papers` knows the paper by the name of the module.
 
 The docstring of a module has the citation, what is computed and what it is compared with. Its first line is what `--list` shows.
   compute(runs)   starts the runs by `runs.softwet` (see _runs.py). Where `runs.quick` is true they take seconds, so that a test can

@@ -97,7 +97,7 @@ def creep(angles):
 
 
 def line(steps):
-    """Force over the one held against speed, for steps that slide: (force without speed, slope)."""
+    """Force above the pinning force as a function of speed, for steps that slide: (force without speed, slope)."""
     slope, force = np.polyfit([step.speed for step in steps], [step.share for step in steps], 1)
     return force, slope
 

@@ -273,7 +273,7 @@ def draw_drag(axes, result):
 
 
 def draw_ages(axes, chain):
-    """Height of the wall in space (upwards) and time."""
+    """Height of the wall along x (upwards) and time."""
     begin, places = 0.0, np.linspace(0, LENGTH, 601)
     largest = max(np.abs(wall["displacement_y"]).max() for slide in chain for wall in slide.interface.values())
     for slide in chain:

@@ -60,7 +60,7 @@ def scene(case):
 
 
 def groups(record):
-    """Dimensionless groups as run.json tells them; none of older records. Those of a speed are told for the speed 1."""
+    """Dimensionless groups as run.json lists them; none of older records. Those of a speed are given for the speed 1."""
     of_speed = ("capillary_number", "reynolds")
     return [(name.replace("_", " ") + (" at speed 1" if name in of_speed else ""), number(value))
             for name, value in (record.get("groups") or {}).items()]

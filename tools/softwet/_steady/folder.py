@@ -43,7 +43,7 @@ class StatesFolder:
             fail(f"{self.path} holds the states of an earlier command; {OTHERS}")
         for folder in (self.path / member_name([self.key], [value]) for value in values):
             if folder.exists() and not definition.old:
-                fail(f"{folder} is there already, and is no state of this command; {OTHERS}")
+                fail(f"{folder} exists already, and is not a state of this command; {OTHERS}")
 
     def hold(self):
         self.descriptor = os.open(self.path, os.O_RDONLY)

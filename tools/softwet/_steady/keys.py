@@ -24,5 +24,5 @@ def refuse_without_effect(key):
         fail(f"--along {key}: a state of rest does not depend on time.*; follow another key, or vary this one with "
              f"'softwet sweep CASE --vary {key}=...'")
     if plain in ("load.start", "load.ramp"):
-        fail(f"--along {key}: a state of rest is that under the full load, whenever it begins; follow load.force, or vary "
+        fail(f"--along {key}: a state of rest has the full load, whenever it begins; follow load.force, or vary "
              f"this key with 'softwet sweep CASE --vary {key}=...'")

@@ -59,7 +59,7 @@ class Job:
                                            f"{counts.get('steps', 0)} steps, {note['seconds']:.1f} s"))
 
     def reason(self, code):
-        """Why the run ended: run.json tells it without the remedies that the log has, but that of an earlier run may be
+        """Why the run ended: run.json says it without the remedies that the log has, but that of an earlier run may be
         there where this one was stopped before its first row."""
         told = self.member.record().get("stop", {}).get("reason", "")
         if code == 0:
@@ -67,7 +67,7 @@ class Job:
         if code == 2 and "failed: " in told:
             return told.removeprefix("failed: ")
         said = last_line(self.member.log_path.read_text(errors="replace"), ERROR)
-        return said or f"ended with exit code {code}, and the log does not tell why"
+        return said or f"ended with exit code {code}, and the log does not say why"
 
 
 def cores(program):

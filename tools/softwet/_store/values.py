@@ -46,7 +46,7 @@ def expand(key, value, option="--vary"):
     *ends, count, ratios = found.groups()
     count = int(count)
     if not 2 <= count <= LARGEST or 0 in [int(below or 1) for below in ends[1::2]]:
-        fail(f"{option} {key}: {value} is no range; a:b:n means n values, 2 to {LARGEST}, from a to b, for example "
+        fail(f"{option} {key}: {value} is not a range; a:b:n means n values, 2 to {LARGEST}, from a to b, for example "
              "0:0.45:4")
     first, last = (Fraction(above) / int(below or 1) for above, below in zip(ends[::2], ends[1::2]))
     if ratios:

@@ -10,7 +10,7 @@ def read_vary(assignments, settings):
     for assignment in assignments:
         key, equals, text = assignment.partition("=")
         if not equals or not key:
-            fail(f"--vary {assignment} is no list of values; write --vary KEY=V1,V2,..., for example "
+            fail(f"--vary {assignment} is not a list of values; write --vary KEY=V1,V2,..., for example "
                  "--vary substrate.poisson=0,0.15,0.3")
         values = [value for part in split_values(text) for value in expand(key, part)]
         twice = [value for i, value in enumerate(values) if value in values[:i]]

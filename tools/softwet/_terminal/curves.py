@@ -1,4 +1,4 @@
-"""Curves in a terminal, drawn with braille characters: two by four dots in each. Needs nothing but Python."""
+"""Curves in a terminal, in braille characters: two by four dots in each. Needs nothing but Python."""
 
 import math
 

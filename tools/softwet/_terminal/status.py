@@ -27,7 +27,7 @@ def age(text):
 
 
 def newest_row(run):
-    """The last row of history.csv; where run.json tells a later one, that."""
+    """The last row of history.csv; where run.json has a later one, that one."""
     row, told = last_row(run.folder / "history.csv"), run.record.get("last_row") or {}
     return told if told.get("t", float("-inf")) > row.get("t", float("-inf")) else row
 
@@ -57,7 +57,7 @@ def state_text(run, state):
     saved = (run.folder / "checkpoint.h5").exists()
     remedy = "continue it with --resume" if saved else "start it again with --overwrite"
     if state == "died":
-        return f"died: it has not told its end, and no process holds the folder; {remedy}"
+        return f"died: it has not recorded its end, and no process holds the folder; {remedy}"
     if state == "failed":
         return run.record.get("stop", {}).get("reason", "failed")
     return f"stopped, {remedy}" if state == "stopped" else state
@@ -69,7 +69,7 @@ def rate_text(record):
 
 
 def left_text(record, since):
-    """The time left, which run.json told `since` seconds ago; empty where it does not tell or has run out."""
+    """The time left, which run.json gave `since` seconds ago; empty where it gives none or has run out."""
     left = record.get("seconds_left")
     left = left - (since or 0) if isinstance(left, (int, float)) else 0
     return f"{duration(left)} left" if left > 0 else ""

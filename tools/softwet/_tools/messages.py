@@ -56,5 +56,5 @@ def need_program(path):
     if not path.exists():
         fail(f"{path} is not there; build it with tools/setup", 3)
     if not path.is_file() or not os.access(path, os.X_OK):
-        fail(f"--softwet {path}: is no program; give the path of softwet, which tools/setup builds", 3)
+        fail(f"--softwet {path}: is not a program; give the path of softwet, which tools/setup builds", 3)
     return path.resolve()

@@ -52,7 +52,7 @@ def serves(python, modules):
 def give_folder_to_matplotlib():
     """Where matplotlib has no folder to write to, as without a home, it says so at every start, in several lines: it gets
     one that lasts as long as the tool."""
-    logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # it tells that its new folder has no fonts yet
+    logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # it says that its new folder has no fonts yet
     config = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
     cache = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
     if not os.environ.get("MPLCONFIGDIR") and not all(map(takes_files, (config, cache))):
@@ -90,7 +90,7 @@ def flush():
 
 
 def tell(kind, error, trace):
-    """As an error that nothing has caught is told, unless it is that of a reader who is gone."""
+    """How an error that nothing has caught is reported, unless its cause is a reader who is gone."""
     if kind is BrokenPipeError:
         os._exit(128 + signal.SIGPIPE)
     sys.__excepthook__(kind, error, trace)

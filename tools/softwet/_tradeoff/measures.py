@@ -91,7 +91,7 @@ def peak(run, reference):
 def angle(run, reference, front):
     """Root mean square over [0, T] of the difference of one apparent contact angle."""
     side = ("right", "left") if (moves(reference) >= 0) == front else ("left", "right")
-    names = (f"angle_{side[0]}", "angle_front" if front else "angle_rear")  # in the plane, in space
+    names = (f"angle_{side[0]}", "angle_front" if front else "angle_rear")  # in 2D, in 3D
     found = next(filter(None, (pair(run, reference, name) for name in names)), None)
     if found is None:
         return np.nan

@@ -1,4 +1,4 @@
-"""The parameters of `softwet tradeoff`: which settings of a case are tried, one at a time.
+"""The parameters of `softwet tradeoff`: the settings of a case to vary, one at a time.
 
 A parameter is a row of PARAMETERS: its name, and one of
   key, factors   the number of the base, multiplied by each factor
@@ -96,7 +96,7 @@ def elements_times(case, factor):
 
 
 def choices_of(program, key):
-    """(values, why not): what `softwet explain` tells of a key."""
+    """(values, why not): what `softwet explain` says of a key."""
     told = subprocess.run([str(program), "explain", key], capture_output=True, text=True)
     if told.returncode:
         return [], last_line(told.stderr, ERROR).removeprefix("explain: ")
@@ -136,7 +136,7 @@ def chosen_parameters(words):
         if equals:
             values = split_values(text)
             if not key or "" in values:
-                fail(f"--parameters {word} is no list of values; write --parameters KEY=V1,V2,..., for example --parameters "
+                fail(f"--parameters {word} is not a list of values; write --parameters KEY=V1,V2,..., for example --parameters "
                      "time.tolerance=1e-2,1e-4")
             chosen.append({"name": key, "key": key, "values": values})
             continue

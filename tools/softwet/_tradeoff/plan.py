@@ -49,7 +49,7 @@ def reference_values(case, words):
     for word in words:
         key, equals, value = word.partition("=")
         if not key or not equals:
-            fail(f"--reference {word} is no setting; write --reference KEY=VALUE, for example --reference "
+            fail(f"--reference {word} is not a setting; write --reference KEY=VALUE, for example --reference "
                  "domain.elements=[64,32]")
         values[one_spelling(key)] = value
     return values

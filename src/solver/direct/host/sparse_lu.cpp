@@ -17,7 +17,7 @@ namespace softwet {
 
 namespace {
 
-/// Eigen tells every failure as "numerical issue", and its solve tells none; here is what UMFPACK says.
+/// Eigen reports every failure as "numerical issue", and its solve reports none; here is what UMFPACK says.
 class Umfpack : public Eigen::UmfPackLU<Eigen::SparseMatrix<double>> {
  public:
   /// Of the last analysis or factorisation.
@@ -28,7 +28,7 @@ class Umfpack : public Eigen::UmfPackLU<Eigen::SparseMatrix<double>> {
   double factor_bytes() const { return m_umfpackInfo[UMFPACK_NUMERIC_SIZE] * m_umfpackInfo[UMFPACK_SIZE_OF_UNIT]; }
 };
 
-/// Throws what UMFPACK's status means. A singular matrix is no failure of the library: apply tells it.
+/// Throws what UMFPACK's status means. A singular matrix is not a failure of the library: apply reports it.
 void require_success(int status) {
   if (status == UMFPACK_OK || status == UMFPACK_WARNING_singular_matrix) return;
   if (status == UMFPACK_ERROR_out_of_memory)

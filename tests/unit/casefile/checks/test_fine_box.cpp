@@ -35,7 +35,7 @@ TEST(FineBox, AnAutomaticOneDoesNotWarnOfItself) {
   }
 }
 
-TEST(FineBox, ATooSmallOneIsToldWithItsPlace) {
+TEST(FineBox, ATooSmallOneIsReportedWithItsPosition) {
   for (double height : {0.125, 0.6}) {
     Case c = droplet_at(height);
     choose_fine_box(c);

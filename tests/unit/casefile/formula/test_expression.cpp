@@ -1,4 +1,4 @@
-// Expressions: their values, and what is told of those that are wrong.
+// Expressions: their values, and what is said of those that are wrong.
 #include "casefile/formula/expression.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(Expression, HasVariablesConstantsAndFunctions) {
   EXPECT_DOUBLE_EQ(value("asinh(sinh(2)) + acosh(cosh(2)) + atanh(tanh(0.5))"), 4.5);
 }
 
-TEST(Expression, TellsWhetherItVaries) {
+TEST(Expression, KnowsWhetherItVaries) {
   EXPECT_TRUE(Expression("3*H + pi", two_axes).constant());
   EXPECT_FALSE(Expression("3*H + 0*x", two_axes).constant());
 }

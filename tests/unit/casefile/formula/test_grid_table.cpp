@@ -1,4 +1,4 @@
-// Tables: interpolation, what lies outside of the grid, and what is told of files that are wrong.
+// Tables: interpolation, what lies outside of the grid, and what is said of files that are wrong.
 #include "casefile/formula/grid_table.hpp"
 
 #include <gtest/gtest.h>
@@ -76,13 +76,13 @@ TEST_F(GridTableFile, WrittenByASpreadsheetIsTheSame) {
     EXPECT_EQ(GridTable(file(text), time_alone).identity(), plain) << text;
 }
 
-TEST_F(GridTableFile, TellsWhatIsNoTextInUtf8) {
+TEST_F(GridTableFile, ReportsWhatIsNoTextInUtf8) {
   using namespace std::string_literals;
   for (const std::string& text : {"\xff\xfet\0,\0v\0\n\0"s, "\xfe\xff\0t\0,\0v\0\n"s, "t\0,\0v\0\n\0"s})
     EXPECT_NE(told(file(text), time_alone).find("table.csv:1: the file is in UTF-16; save the table as CSV in UTF-8"),
               std::string::npos);
   EXPECT_NE(told(file("PK\x03\x04\x14"), time_alone).find("a workbook of Excel"), std::string::npos);
-  EXPECT_NE(told(file("t;value\n0,5;1\n"), time_alone).find("'0,5' is no number; decimal numbers have a point"),
+  EXPECT_NE(told(file("t;value\n0,5;1\n"), time_alone).find("'0,5' is not a number; decimal numbers have a point"),
             std::string::npos);
   for (const char* name : {"table.xlsx", "a/b.txt", "TABLE.CSV"}) EXPECT_TRUE(GridTable::is_other_file(name)) << name;
   for (const char* name : {"table.csv", "table.h5", "2*x", ".xlsx"})
@@ -96,24 +96,24 @@ TEST_F(GridTableFile, IdentityFollowsFromTheValues) {
   EXPECT_NE(GridTable(file("y,value\n0,1\n1,2\n"), space).identity(), one);
 }
 
-TEST_F(GridTableFile, TellsLineAndColumnOfAMistake) {
+TEST_F(GridTableFile, NamesLineAndColumnOfAMistake) {
   const auto tells = [&](const std::string& text, const std::string& part) {
     const std::string message = told(file(text));
     EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
     EXPECT_NE(message.find("table.csv"), std::string::npos) << message;
   };
-  tells("x,value\n0,1\n1,soft\n", "table.csv:3: column 2: 'soft' is no number");
+  tells("x,value\n0,1\n1,soft\n", "table.csv:3: column 2: 'soft' is not a number");
   tells("x,value\n0,nan\n", "table.csv:2: column 2");
   tells("x,value\n0,1\n0,5,1\n", "table.csv:3: has 3 columns, the first line has 2");
-  tells("x,w,value\n0,1,1\n", "table.csv:1: column 2: 'w' is no axis");
-  tells("x,x,value\n0,1,1\n", "table.csv:1: column 2: 'x' is no axis");
-  tells("0,1\n1,2\n", "'0' is no axis of this table");
+  tells("x,w,value\n0,1,1\n", "table.csv:1: column 2: 'w' is not an axis");
+  tells("x,x,value\n0,1,1\n", "table.csv:1: column 2: 'x' is not an axis");
+  tells("0,1\n1,2\n", "'0' is not an axis of this table");
   tells("x,y\n0,1\n", "'y' is not 'value'");
-  tells("value\n1\n", "'value' is not 'value' behind an axis");
+  tells("value\n1\n", "'value' is not 'value' after an axis");
   tells("x,value\n", "there are no values");
   tells("", "cannot be read");
   tells("x,y,value\n0,0,1\n1,0,2\n0,1,3\n", "a grid of 4 points, but there are 3 lines");
-  tells("x,value\n0,1\n1,2\n0,3\n", "table.csv:4: this point stands in line 2 too");
+  tells("x,value\n0,1\n1,2\n0,3\n", "table.csv:4: this point is in line 2 too");
   EXPECT_NE(told(folder_ / "missing.csv").find("missing.csv cannot be read: No such file"), std::string::npos);
   EXPECT_NE(told(folder_ / "missing.h5").find("missing.h5"), std::string::npos);
   EXPECT_NE(told(file("t,value\n0,1\n"), space).find("some of x, y, z"), std::string::npos);

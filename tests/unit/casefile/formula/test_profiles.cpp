@@ -1,4 +1,4 @@
-// Numbers of a case that vary: texts become formulas and come back, and wrong ones are told with their place.
+// Numbers of a case that vary: texts become formulas and come back, and wrong ones are reported with their place.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -81,7 +81,7 @@ TEST(Profiles, MistakesNameKeyTextAndColumn) {
   EXPECT_EQ(in_file.rfind("case.toml:", 0), 0u) << in_file;
 }
 
-TEST(Profiles, ValuesOutOfRangeAreToldWithTheirPlace) {
+TEST(Profiles, ValuesOutOfRangeAreReportedWithTheirPosition) {
   const auto tells = [](const std::string& setting, std::initializer_list<std::string> parts) {
     const std::string message = message_of(pull_text(), {setting});
     for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
@@ -202,7 +202,7 @@ TEST(Profiles, ASceneIsReadWithoutItsTables) {
   EXPECT_EQ(scene.substrate->thickness, c.substrate->thickness);
 }
 
-TEST(Profiles, ExplainTellsWhatIsKnown) {
+TEST(Profiles, ExplainSaysWhatIsKnown) {
   for (const char* part : {"x, y", "Lx", "H (substrate.thickness)", "step(s)", "log (both of base e)", "avg", ".csv",
                            "default 90", "(0, 180)"})
     EXPECT_NE(explain("fluid.contact_angle").find(part), std::string::npos) << part;

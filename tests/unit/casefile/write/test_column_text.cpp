@@ -1,4 +1,4 @@
-// What `softwet explain` tells of the columns of the tables.
+// What `softwet explain` says of the columns of the tables.
 #include <gtest/gtest.h>
 
 #include "case/error.hpp"
@@ -18,7 +18,7 @@ TEST(ExplainColumns, KnowsEveryColumnThatIsWritten) {
   }
 }
 
-TEST(ExplainColumns, TellsMeaningAndUnit) {
+TEST(ExplainColumns, ShowsMeaningAndUnit) {
   EXPECT_NE(explain("history.velocity").find("sqrt(ab)"), std::string::npos);
   EXPECT_EQ(explain("history.velocity_2"), explain("history.velocity"));
   EXPECT_EQ(explain("mass"), explain("history.mass"));

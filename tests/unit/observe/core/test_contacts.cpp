@@ -122,7 +122,7 @@ TEST(Contacts, SphereOnALiftedWall) {
   EXPECT_NEAR(c["angle_rear"], angle, 0.02);
 }
 
-// Four capillarities above its foot a circle is steeper or flatter than there, by what its centre tells.
+// Four capillarities above its foot a circle is steeper or flatter than there, by what its centre gives.
 TEST(Contacts, LocalAngleOfASphere) {
   const double above = 4 * capillarity + radius * std::cos(angle * rad);  // over the centre
   const double local = std::acos(above / radius) / rad;

@@ -138,7 +138,7 @@ TEST(Probes, LinesAroundTheAxisOfSymmetry) {
   EXPECT_NEAR(read(s, box("displacement_x", mean, {0, 0.1}, {0.6, 0.1})), 0.2 * 0.4, 1e-14) << "of a disc";
 }
 
-TEST(Probes, TellWhetherTheyNeedTheVelocity) {
+TEST(Probes, KnowWhetherTheyNeedTheVelocity) {
   Case c;
   c.probes = {at("pressure", {0, 0})};
   EXPECT_FALSE(probes_need_velocity(c));

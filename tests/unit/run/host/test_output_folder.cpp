@@ -74,7 +74,7 @@ TEST(OutputFolder, ARunWithARowStays) {
   EXPECT_TRUE(fs::exists(folder / "a/case.toml"));
 }
 
-TEST(OutputFolder, RefusesAnOldResultUnlessToldWhatToDoWithIt) {
+TEST(OutputFolder, RefusesAnOldResultUnlessAskedToUseIt) {
   const ScratchFolder folder;
   write_old_result(folder);
   expect_error(Exit::invalid_input, {"--resume", "--overwrite", "--out"},

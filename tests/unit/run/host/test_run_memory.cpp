@@ -218,7 +218,7 @@ TEST(EntriesFromFile, ReadsArraysAndTextsByName) {
   expect_error(Exit::invalid_input, {path, "memory/missing"}, [&] { entries.number("memory/missing", number); });
 }
 
-TEST(Fingerprint, TellsWhatAResumedRunMayNotChange) {
+TEST(Fingerprint, NamesWhatAResumedRunMayNotChange) {
   const auto with = [](const std::string& setting) { return parse_case(pull_text(), "case.toml", {setting}); };
   const std::string stored = fingerprint(pull());
   for (const char* may : {"name=other", "time.end=5", "time.max_steps=7", "time.dt_initial=1e-3", "time.dt_min=1e-9",

@@ -1,4 +1,4 @@
-// How a run stands, as run.json and the closing line tell it.
+// How a run stands, as run.json and the closing line describe it.
 #include "run/host/run_status.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(RunStatus, EventsAreListedAndSummedUp) {
       has(summary(std::vector<Event>(5, {1, "the droplet vanished"})), "; and 2 more events, listed in run.json"));
 }
 
-TEST(RunStatus, TellsHowFarAStartAtRestMovedThings) {
+TEST(RunStatus, SaysHowFarAStartAtRestMovedThings) {
   EXPECT_EQ(moves_text({}, {}), "");
   EXPECT_EQ(moves_text({"the droplet"}, {std::nullopt}), "");
   EXPECT_EQ(moves_text({"the droplet", "the film"}, {0.01234, 0.5}),

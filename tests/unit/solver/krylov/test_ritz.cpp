@@ -24,7 +24,7 @@ TEST(Ritz, FindsAllEigenvaluesOfACompleteSpace) {
 }
 
 // With one direction the value is the quotient of Rayleigh, and the error what is left of A v - value v.
-TEST(Ritz, TellsTheErrorOfAnIncompleteSpace) {
+TEST(Ritz, EstimatesTheErrorOfAnIncompleteSpace) {
   const std::vector<RitzValue> found = ritz_values({{2.0, 0.25}});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].value, std::complex<double>(2.0));

@@ -149,7 +149,7 @@ TEST(SharedBoxes, TakeTheClosestInverseNearby) {
       if (other / row % rows > y || other / row / rows > z || c.patches.size[other] != n || candidate == owner)
         continue;
       const double d = distance_by_definition(c.matrix[box], c.inverse[candidate], n);
-      EXPECT_GT(std::abs(d - least), 1e-4) << "matrices that tell nothing";
+      EXPECT_GT(std::abs(d - least), 1e-4) << "matrices that show nothing";
       if (d < least) {
         least = d;
         owner = candidate;

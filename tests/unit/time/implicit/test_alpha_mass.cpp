@@ -41,7 +41,7 @@ void drive(RandomState& s, int steps, double end, const Velocity& velocity, cons
     const Array middle = to_device<Array>(x);
     check(middle);
     s.integrator.finish(middle, s.state);
-    std::vector<double> after = to_host(s.state.unknown);  // uniform again: only the moments tell what was lost
+    std::vector<double> after = to_host(s.state.unknown);  // uniform again: only the moments show what was lost
     std::copy(y.begin() + l.density_offset(), y.end(), after.begin() + l.density_offset());
     Kokkos::deep_copy(s.state.unknown, to_device<Array>(after));
   }

@@ -74,7 +74,7 @@ NonlinearSystem with_round_off(CubicEquation& cubic, const Array& x) {
   return system;
 }
 
-TEST(Newton, EndsAtTheRoundOffOfTheResidualWhereItIsTold) {
+TEST(Newton, EndsAtTheRoundOffOfTheResidualWhereItIsGiven) {
   CubicEquation cubic;
   const Array x = to_device<Array>(std::vector<double>(unknowns, 0.5));
   Newton newton = make_newton();

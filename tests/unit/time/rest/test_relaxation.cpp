@@ -132,7 +132,7 @@ TEST(Relaxation, FollowsADropletThatCreeps) {
 }
 
 // Along a periodic axis nothing holds a droplet that a force drives.
-TEST(Relaxation, TellsThatADrivenDropletDoesNotRest) {
+TEST(Relaxation, SaysThatADrivenDropletDoesNotRest) {
   Case c = small_case(SceneKind::rigid, WallLaw::energy, true);
   c.fluid->gravity = {0.5, 0};
   c.droplets = {{{0.45, 0.0}, 0.3}};
