@@ -25,7 +25,8 @@ void Equations<D, P>::finish_residual(const StageOf<Real>& stage, const Array& o
 }
 
 template <int D, int P>
-void Equations<D, P>::add_forces_of_solid(const Stage& stage, TileSums<D, double>& sums, const Array& out) const {
+void Equations<D, P>::add_forces_of_solid(const Stage& stage, TileSums<D, double>& sums, const Array& out,
+                                          const double* force_numbers) const {
   Evaluation<D> at{layout_, stage, {}, out};
   at.sums = &sums;
   for (std::size_t i = 0; i < pieces_.first_viscous; ++i) pieces_.list[i].piece->residual(at);
@@ -33,7 +34,7 @@ void Equations<D, P>::add_forces_of_solid(const Stage& stage, TileSums<D, double
     const auto& entry = pieces_.list[i];
     (entry.exact ? entry.exact : entry.piece)->residual(at);
   }
-  forces_.add_to_residual(stage.time, stage.displacement, out);
+  forces_.add_to_residual(stage.time, stage.displacement, out, force_numbers);
   if (source_) source_(stage.time, out);
 }
 

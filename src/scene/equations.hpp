@@ -23,6 +23,8 @@ class Equations {
   /// For manufactured solutions (tests/verification/mms); production never sets it.
   void set_source(std::function<void(double time, const Array& out)> source) { source_ = std::move(source); }
 
+  bool has_source() const { return static_cast<bool>(source_); }
+
   /// out = R(stage), zero where a value is prescribed.
   void residual(const Stage&, const Array& out) const;
   /// The terms of the fluid alone, before prescribed values are dropped, with the wall traction also on a rigid wall.
@@ -32,8 +34,9 @@ class Equations {
   /// The rows of the potential equation without (q, mu), so that M mu = -out. Other rows mean nothing.
   void add_potential(const Stage&, TileSums<D, double>&, const Array& out) const;
   /// The solid without its viscosity, the forces of the fluid on the wall, loads and the source. The acceleration of the stage counts as
-  /// it is.
-  void add_forces_of_solid(const Stage&, TileSums<D, double>&, const Array& out) const;
+  /// it is. @param force_numbers  see Forces::add_to_residual
+  void add_forces_of_solid(const Stage&, TileSums<D, double>&, const Array& out,
+                           const double* force_numbers = nullptr) const;
   /// The viscosity of the solid and the dashpots below it, where it has some. They are linear in the velocities of the stage.
   void add_viscosity_of_solid(const Stage&, TileSums<D, double>&, const Array& out) const;
   bool has_viscous_solid() const { return pieces_.first_viscous < pieces_.first_of_fluid; }

@@ -26,10 +26,10 @@ void ExplicitTerms<D, P>::add_mass_flux(const Stage& stage, const Array& out) co
 }
 
 template <int D, int P>
-void ExplicitTerms<D, P>::add_pressure(const Stage& stage, const Array& out) const {
+void ExplicitTerms<D, P>::add_pressure(const Stage& stage, const Array& out, const double* force_numbers) const {
   const Evaluation<D> at{regions_.layout(), stage, {}, out};
   if (regions_.layout().has_fluid) add_fluid(PressureForce{coefficients_.fluid()}, at);
-  equations_.add_forces_of_solid(stage, sums_, out);
+  equations_.add_forces_of_solid(stage, sums_, out, force_numbers);
 }
 
 template <int D, int P>

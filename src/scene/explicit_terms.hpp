@@ -10,6 +10,10 @@ namespace softwet {
 /// Whether viscosity counts among all else, or is treated apart.
 enum class Viscosity { among_all, apart };
 
+/// How often memory that kernels of terms share has moved or has got other contents, where a device has some. Kernels that were recorded
+/// before may not be started then.
+inline long moves_of_term_memory() { return moves_of_tile_rooms + replaced_copies_of_bytes(); }
+
 /// Parts of the residual, added to a vector with the layout of the unknowns; `collect` or `taken` ends a sum of them. All together they
 /// are the residual without the terms of the acceleration and of the moments and without (q, mu), and without its mask: what is
 /// prescribed has values too.
@@ -25,7 +29,8 @@ class ExplicitTerms {
   /// - (grad q, rho (v - vh)).
   void add_mass_flux(const Stage&, const Array& out) const;
   /// (w, rho (grad mu - f)), (grad q, eps (grad mu - f)), the traction on the wall, elasticity and loads.
-  void add_pressure(const Stage&, const Array& out) const;
+  /// @param force_numbers  see Forces::add_to_residual
+  void add_pressure(const Stage&, const Array& out, const double* force_numbers = nullptr) const;
   /// (w, rho (v - vh).grad v) + (grad w, tau), or without tau.
   void add_convection(const Stage&, Viscosity, const Array& out) const;
   /// The viscosity of the solid.

@@ -55,10 +55,11 @@ class LoadVector {
     for (double& x : f) x *= part;
     return f;
   }
-  /// Weights of the box where it is at a time of the computation. Where it moves they are made on the host at each
-  /// call, and stand until the next one.
-  ConstArray weight(const Layout<D>& layout, double time) const {
-    if (load_.path.empty()) return weight_;
+  /// Weights of the box where `move` has put it last.
+  ConstArray weight() const { return weight_; }
+  /// The box goes to where it is at a time of the computation. Where it moves its weights are made on the host.
+  void move(const Layout<D>& layout, double time) const {
+    if (load_.path.empty()) return;
     std::vector<double> lower = load_.lower, upper = load_.upper;
     for (int d = 0; d < D; ++d) {
       const double shift = load_.path[d].at({0, 0, 0}, time - clock_zero_);
@@ -66,7 +67,6 @@ class LoadVector {
       upper[d] += shift;
     }
     Kokkos::deep_copy(weight_, to_device<Array>(weights_on_box(layout, lower, upper, density_), "load"));
-    return weight_;
   }
 
  private:

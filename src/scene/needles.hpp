@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "field/factor.hpp"
 #include "field/stage.hpp"
 #include "field/stencil.hpp"
 #include "kernels/solid/spring.hpp"
@@ -33,7 +34,7 @@ struct SubtractForce {
   ConstArray weight;
   ConstArrayOf<Real> displacement;
   Spring spring;
-  double place[D];
+  Factor place[D];
   int apart, nodes;  ///< from one velocity, and from one displacement, to the next
   KOKKOS_FUNCTION void operator()(int i) const {
     if (weight(i) == 0) return;
@@ -104,12 +105,21 @@ class Needles {
 
   bool empty() const { return all_.empty(); }
 
+  /// How many numbers their places are, and these at a time.
+  int numbers() const { return D * static_cast<int>(all_.size()); }
+  void find_places(double time, double* numbers) const {
+    for (const Held& one : all_)
+      for (int d = 0; d < D; ++d) *numbers++ = place(one, d, time);
+  }
+
+  /// @param places  where kernels read what `find_places` has found; null: they have it as arguments
   template <class Real>
-  void add_to_residual(const Layout<D>& l, double time, const ArrayOf<Real>& displacement, const Array& out) const {
+  void add_to_residual(const Layout<D>& l, double time, const ArrayOf<Real>& displacement, const Array& out,
+                       const double* places = nullptr) const {
     for (const Held& one : all_) {
       needle_kernels::SubtractForce<D, Real> force{out, one.weight,          displacement, {one.needle.stiffness},
                                                    {},  l.rows * l.row_size, nodes(l)};
-      for (int d = 0; d < D; ++d) force.place[d] = place(one, d, time);
+      for (int d = 0; d < D; ++d) force.place[d] = factor_at(places ? places++ : nullptr, place(one, d, time));
       Kokkos::parallel_for("softwet::needle", Items(0, nodes(l)), force);
     }
   }

@@ -1,7 +1,6 @@
 // A preconditioner whose kernels are recorded as graphs of a device.
 #pragma once
 
-#include <map>
 #include <utility>
 
 #include "solver/preconditioner.hpp"
@@ -19,7 +18,7 @@ class RecordedAnswers final : public Preconditioner {
   explicit RecordedAnswers(std::unique_ptr<Preconditioner> of) : of_(std::move(of)) {}
 
   void build(const Jacobian& jacobian) override {
-    for (auto& [vectors, start] : known_) start = nullptr;
+    recordings_.forget();
     of_->build(jacobian);
   }
   void apply(const ConstArray& r, const Array& z) override { of_->apply(r, z); }
@@ -34,25 +33,19 @@ class RecordedAnswers final : public Preconditioner {
   void visit_memory(StepMemory& memory) override { of_->visit_memory(memory); }
 
   /// Pairs of vectors whose kernels are recorded now.
-  int recordings() const {
-    int count = 0;
-    for (const auto& [vectors, start] : known_) count += start ? 1 : 0;
-    return count;
-  }
+  int recordings() const { return recordings_.count(); }
 
  private:
   template <class Real>
   void replay(const ConstArrayOf<Real>& r, const ArrayOf<Real>& z, const RangeFactors& factors) {
-    const auto [known, first] = known_.try_emplace({r.data(), z.data()});
-    if (first || Kokkos::Tools::profileLibraryLoaded()) return of_->answer(r, z, factors);
-    std::function<void()>& start = known->second;
-    if (!start) start = record([of = of_.get(), r, z] { of->answer(r, z, {}); });
-    start();
+    const std::pair<const void*, void*> vectors{r.data(), z.data()};
+    if (!recordings_.ready(vectors)) return of_->answer(r, z, factors);
+    recordings_.start(vectors, [of = of_.get(), r, z] { of->answer(r, z, {}); });
     if (factors.count > 0) ScaleFields<Real, Real>{z, z, factors}.run();
   }
 
   std::unique_ptr<Preconditioner> of_;
-  std::map<std::pair<const void*, void*>, std::function<void()>> known_;  ///< what starts the kernels of a pair
+  Recordings<std::pair<const void*, void*>> recordings_;
 };
 
 /// A preconditioner whose answers are recorded, or the same one where they cannot be.

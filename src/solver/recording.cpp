@@ -23,9 +23,19 @@ std::function<void()> record(std::function<void()> launches) {
   return [graph] { graph.submit(Exec()); };
 }
 
+const void* memory_of_sums() {
+#if defined(KOKKOS_ENABLE_CUDA)
+  return Kokkos::Impl::cuda_internal_scratch_space(Exec(), 0);
+#else
+  return Kokkos::Impl::hip_internal_scratch_space(Exec(), 0);
+#endif
+}
+
 #else
 
 std::function<void()> record(std::function<void()> launches) { return launches; }
+
+const void* memory_of_sums() { return nullptr; }
 
 #endif
 

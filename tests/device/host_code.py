@@ -5,8 +5,8 @@ FOLDER is the build, by default build/cuda, and LOG what nvcc printed, which has
 counts with 32. `softwet bench` of several scenes runs with a CUDA runtime whose kernels do nothing (the folder cuda). It fails where
 the program crashes, where a kernel asks for more than the chip has, and where a call is made that is forbidden while launches are
 recorded. Numbers of results are not looked at. What each scene asked of the device is printed. Where there are unit tests beside the
-program, those of the launches of explicit steps run too: as many kernels as recorded, one copy and one wait. Exit code 1: something
-failed; 77: the program is not made for CUDA."""
+program, those of the launches of explicit steps run too: as many kernels as listed, one copy and one wait; and with
+solver.krylov.launch = "graph" one graph, one launch and one wait. Exit code 1: something failed; 77: the program is not made for CUDA."""
 
 import os
 import pathlib
@@ -61,6 +61,10 @@ class Runtime:
         for setting in settings:
             words += ["--set", setting]
         return self.run(words, environment)
+
+    def test(self, name, **environment):
+        """Runs the unit tests of a name."""
+        return self.run([self.program.parent / "softwet_unit", f"--gtest_filter={name}"], environment)
 
     def run(self, words, environment):
         """(exit code or None: stopped, what it printed, {what was counted: how often}, seconds)"""
@@ -121,16 +125,32 @@ def names_the_kernel(runtime):
 
 def launches_of_steps(runtime):
     """The unit tests that count what an explicit step starts, by their names in the code of a device."""
-    tests = runtime.program.parent / "softwet_unit"
-    if not tests.exists():
-        return [], "there are no unit tests beside the program"
-    code, text, counts, _ = runtime.run([tests, "--gtest_filter=Launches.*"], {})
+    code, text, counts, _ = runtime.test("Launches.*")
     passed = re.search(r"\[  PASSED  \] (\d+) test", text)
     number = int(passed.group(1)) if passed else 0
     wrong = problems("launches", code, text, counts)
     if code == 0 and number == 0:
         wrong.append("no test counted launches")
     return wrong, f"{number} tests passed"
+
+
+def calls_of_recorded_steps(runtime):
+    """What an explicit step that is recorded asks of a device: one graph, the launch that stores the accepted state, and one wait. It is
+    the difference between runs with unlike numbers of steps."""
+    expected, few, many, wrong, found = {"graphs": 1, "launches": 1, "copies": 0, "waits": 1}, 10, 30, [], []
+    for scene in ("OfARigidWall", "OfASoftLayer"):
+        counts = []
+        for steps in (few, many):
+            code, text, count, _ = runtime.test(f"RecordedLaunches.{scene}", SOFTWET_TEST_STEPS=str(steps))
+            wrong += problems("launches", code, text, count)
+            if "[  PASSED  ] 1 test" not in text:
+                wrong.append(f"RecordedLaunches.{scene} did not run")
+            counts.append(count)
+        of_step = {name: (counts[1].get(name, 0) - counts[0].get(name, 0)) / (many - few) for name in expected}
+        found.append(f"{scene}: " + ", ".join(f"{n:g} {name}" for name, n in of_step.items()))
+        if of_step != expected:
+            wrong.append(f"{found[-1]} in a step, not {expected}")
+    return wrong, "; ".join(found)
 
 
 def main():
@@ -150,12 +170,17 @@ def main():
     for problem in names_the_kernel(runtime):
         failed += 1
         print(f"host_code: FAILED: {problem}")
-    wrong, found = launches_of_steps(runtime)
-    failed += bool(wrong)
-    print(f"host_code: launches of explicit steps: {found}")
-    for problem in wrong:
-        print(f"host_code: launches of explicit steps: FAILED: {problem}")
-    print(f"host_code: {len(SCENES) + 2} checks, {failed} failed")
+    of_steps = {"launches of explicit steps": launches_of_steps, "explicit steps that are recorded": calls_of_recorded_steps}
+    if not (build / "softwet_unit").exists():
+        print("host_code: explicit steps: there are no unit tests beside the program")
+        of_steps = {}
+    for name, check in of_steps.items():
+        wrong, found = check(runtime)
+        failed += bool(wrong)
+        print(f"host_code: {name}: {found}")
+        for problem in wrong:
+            print(f"host_code: {name}: FAILED: {problem}")
+    print(f"host_code: {len(SCENES) + 1 + len(of_steps)} checks, {failed} failed")
     return 1 if failed else 0
 
 

@@ -98,6 +98,9 @@ struct NoTiles {
 template <int D>
 using TileSumsOf = std::conditional_t<host_algorithms, NoTiles, CollectTiles<D, double>>;
 
+/// How often rooms of `tile_room` have moved.
+inline long moves_of_tile_rooms = 0;
+
 /// Room for the partial sums of one term; grown when needed, released before Kokkos ends.
 template <class Real>
 Real* tile_room(int term, std::size_t size) {
@@ -106,8 +109,10 @@ Real* tile_room(int term, std::size_t size) {
     rooms.resize(most_sources);
     Kokkos::push_finalize_hook([] { rooms.clear(); });
   }
-  if (rooms[term].extent(0) < size)
+  if (rooms[term].extent(0) < size) {
     rooms[term] = ArrayOf<Real>(Kokkos::view_alloc("tiles", Kokkos::WithoutInitializing), size);
+    ++moves_of_tile_rooms;
+  }
   return rooms[term].data();
 }
 

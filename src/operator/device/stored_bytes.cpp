@@ -19,7 +19,7 @@ struct StoredTable {
 struct TableStore {
   StoredTable table[tables];
   Bytes on_device;  ///< room for all of them, so that nothing is allocated later
-  long uses = 0, copies = 0;
+  long uses = 0, copies = 0, replaced = 0;
 
   std::byte* place(const StoredTable& t) const { return on_device.data() + (&t - table) * most_stored_bytes; }
 };
@@ -57,6 +57,7 @@ const std::byte* stored_bytes(const std::byte* bytes, std::size_t count) {
     }
     if (t.last_use < oldest->last_use) oldest = &t;
   }
+  store.replaced += oldest->bytes.empty() ? 0 : 1;
   copy_table(store, *oldest, bytes, count);
   oldest->last_use = store.uses;
   ++store.copies;
@@ -64,5 +65,6 @@ const std::byte* stored_bytes(const std::byte* bytes, std::size_t count) {
 }
 
 long copies_of_bytes() { return table_store().copies; }
+long replaced_copies_of_bytes() { return table_store().replaced; }
 
 }  // namespace softwet

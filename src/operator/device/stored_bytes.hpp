@@ -12,7 +12,8 @@ inline constexpr std::size_t most_stored_bytes = 27 * 1024;
 /// Memory is allocated by the first call alone.
 const std::byte* stored_bytes(const std::byte* bytes, std::size_t count);
 
-/// Number of copies made so far.
+/// Number of copies made so far, and of those that took the place of another one.
 long copies_of_bytes();
+long replaced_copies_of_bytes();
 
 }  // namespace softwet

@@ -27,7 +27,12 @@ ExplicitScheme<D, P>::ExplicitScheme(const Scene<D, P>& scene, const Case& c, co
       of_bound_and_judge_("explicit.numbers", bound_.numbers() + judge.numbers()),
       of_bound_(of_bound_and_judge_.part(0, bound_.numbers())),
       of_judge_(of_bound_and_judge_.part(bound_.numbers(), of_bound_and_judge_.size())),
-      safety_(c.time.safety) {}
+      safety_(c.time.safety) {
+  if (c.solver.launch != Launch::graph || !step_->recordable()) return;
+  constexpr std::size_t most = 16;
+  recordings_ = std::make_unique<Recordings<std::vector<std::uintptr_t>>>(most);
+  system_.numbers().keep_in_memory();
+}
 
 template <int D, int P>
 BoundState ExplicitScheme<D, P>::bound_state(const ConstArray& moments) const {
@@ -65,11 +70,49 @@ std::string ExplicitScheme<D, P>::limit(const State&) {
 }
 
 template <int D, int P>
+Refusal ExplicitScheme<D, P>::start_kernels(const StepHistory& history, double t, double dt) {
+  const StepNumbers& numbers = system_.numbers();
+  numbers.send();
+  const Refusal problem = step_->advance(t, dt, rates_);
+  if (!problem.empty()) return problem;
+  bound_.ask(bound_state(step_->next_moments()), of_bound_);
+  judge_.ask(history, system_.stage(), {numbers.factor(StepNumbers::last), numbers.factor(StepNumbers::before)},
+             of_judge_);
+  of_bound_and_judge_.ask();
+  return {};
+}
+
+template <int D, int P>
+std::vector<std::uintptr_t> ExplicitScheme<D, P>::key_of(const StepHistory& history, double t_end) const {
+  const auto address = [](const void* place) { return reinterpret_cast<std::uintptr_t>(place); };
+  std::vector<std::uintptr_t> key{address(step_->moments().data()),
+                                  address(history.state.unknown.data()),
+                                  address(history.previous.data()),
+                                  history.previous_dt > 0,
+                                  static_cast<std::uintptr_t>(moves_of_term_memory()),
+                                  address(memory_of_sums())};
+  for (const bool acts : system_.scene().forces().acting(t_end)) key.push_back(acts);
+  return key;
+}
+
+template <int D, int P>
+Refusal ExplicitScheme<D, P>::start_step(const StepHistory& history, double dt) {
+  const double t = history.state.time;
+  StepNumbers& numbers = system_.numbers();
+  numbers[StepNumbers::last] = ChangeFactors::of_last(dt / history.previous_dt);
+  numbers[StepNumbers::before] = ChangeFactors::of_before(dt / history.previous_dt);
+  step_->prepare(t, dt);
+  if (!recordings_ || !step_->recordable()) return start_kernels(history, t, dt);
+  const std::vector<std::uintptr_t> key = key_of(history, t + dt);
+  if (!recordings_->ready(key)) return start_kernels(history, t, dt);
+  recordings_->start(key, [this, history, t, dt] { (void)start_kernels(history, t, dt); });
+  system_.end_recorded(t + dt);
+  return {};
+}
+
+template <int D, int P>
 Refusal ExplicitScheme<D, P>::judge_end(const StepHistory& history, double dt, double& indicator) {
   constexpr double change = 1.1;  // of the bound in a step that counts as none
-  bound_.ask(bound_state(step_->next_moments()), of_bound_);
-  judge_.ask(history, system_.stage(), dt / history.previous_dt, of_judge_);
-  of_bound_and_judge_.ask();
   HostNumbers::wait();
   const ValueRanges values = bound_.ranges(of_bound_);
   Refusal refusal = judge_.of_ranges(values.finite, values.least_density, values.most_density);
@@ -90,7 +133,7 @@ StepAttempt ExplicitScheme<D, P>::attempt(const StepHistory& history, double dt)
   if (!attempt.refusal.empty()) return attempt;
   end_ = history.state.time + dt;
   dt_ = dt;
-  attempt.refusal = step_->advance(history.state.time, dt, rates_);
+  attempt.refusal = start_step(history, dt);
   if (attempt.refusal.empty()) attempt.refusal = judge_end(history, dt, attempt.indicator);
   attempt.krylov = static_cast<int>(system_.counts().iterations() - before);
   ++counts_.residuals;

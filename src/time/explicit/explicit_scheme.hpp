@@ -1,6 +1,9 @@
 // Explicit schemes on a scene: largest stable step, states and moments.
 #pragma once
 
+#include <cstdint>
+
+#include "solver/recording.hpp"
 #include "time/explicit/explicit_step.hpp"
 #include "time/explicit/held_rate.hpp"
 #include "time/step/judge.hpp"
@@ -26,13 +29,23 @@ class ExplicitScheme final : public Scheme<D, P> {
 
   /// What limits the next step from a state.
   const StepRates& rates() const { return rates_; }
+  /// Steps that are recorded now: with solver.krylov.launch = "graph" on a device.
+  int recordings() const { return recordings_ ? recordings_->count() : 0; }
 
  private:
   /// The rates that the step begins with, unless they are those of the last accepted step.
   Refusal begin(const State&);
   /// The stage of the system with its moments.
   BoundState bound_state(const ConstArray& moments) const;
-  /// Why the end of a step is not admissible. Takes its rates, and the indicator of its error.
+  /// The kernels of a step and of what the host has to know of its end, and the copy of that. What changes from step to step was
+  /// prepared.
+  Refusal start_kernels(const StepHistory&, double t, double dt);
+  /// Starts them, as one where they are recorded.
+  Refusal start_step(const StepHistory&, double dt);
+  /// What follows from this alone, with the prepared numbers, may stay recorded: the vectors, of which a step has two sets, which loads
+  /// act, whether there is an error to be found, and memory that others may let grow.
+  std::vector<std::uintptr_t> key_of(const StepHistory&, double t_end) const;
+  /// Why the end of a step is not admissible, when all of that is there. Takes its rates, and the indicator of its error.
   Refusal judge_end(const StepHistory&, double dt, double& indicator);
 
   const Judge<D, P>& judge_;
@@ -41,6 +54,7 @@ class ExplicitScheme final : public Scheme<D, P> {
   StepBound<D, P> bound_;
   HostNumbers of_bound_and_judge_, of_bound_,
       of_judge_;  ///< what the host asks for at the end of a step, and its parts
+  std::unique_ptr<Recordings<std::vector<std::uintptr_t>>> recordings_;  ///< null: kernels start one by one
   double safety_;
   StepRates rates_, next_rates_;
   HeldRate held_;

@@ -16,6 +16,11 @@ class ExplicitStep {
   virtual StepFormula formula() const = 0;
   /// Takes the accepted state, with the rates that the next step begins with. The stage of the system is that state.
   virtual Refusal begin(const State&) = 0;
+  /// What the host finds for the next `advance`.
+  virtual void prepare([[maybe_unused]] double t, [[maybe_unused]] double dt) {}
+  /// Whether `advance` only starts kernels, with arguments that follow from the addresses of its vectors and, of loads, from which act.
+  /// These kernels read what changes from step to step in memory, as the system keeps it there.
+  virtual bool recordable() const { return false; }
   /// One step. The stage of the system is the state at its end, with its velocities.
   /// @param rates  of the state that the step begins with
   virtual Refusal advance(double t, double dt, const StepRates& rates) = 0;

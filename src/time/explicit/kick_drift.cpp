@@ -39,11 +39,12 @@ Refusal KickDrift<D, P>::advance(double t, double dt, const StepRates&) {
   const Array v = system_.velocities_of(y), u = system_.displacements_of(y), p = system_.moments_of(y);
   const Array v_end = system_.velocities_of(next_.y), u_end = system_.displacements_of(next_.y),
               p_end = system_.moments_of(next_.y);
-  const double half = 0.5 * dt;
+  const StepNumbers& numbers = system_.numbers();
+  const Factor half = numbers.factor(StepNumbers::half), whole = numbers.factor(StepNumbers::whole);
   auto start = system_.kick_and_move({half_, 1, half, half, v, pressure, convection}, density, t, dt, u, u_end);
   auto middle = system_.move_moments(system_.find_flux(std::move(start)), half, p, stabilisation, middle_);
-  auto fields = system_.move_to_end(system_.find_flux(std::move(middle)), dt, p, stabilisation, p_end);
-  auto end = system_.find_potential(system_.move_branches(std::move(fields), dt, u, memory, next_.memory));
+  auto fields = system_.move_to_end(system_.find_flux(std::move(middle)), whole, p, stabilisation, p_end);
+  auto end = system_.find_potential(system_.move_branches(std::move(fields), u, memory, next_.memory));
   auto predicted = system_.pressure(std::move(end), next_.pressure, next_.stabilisation,
                                     {v_end, 1, half, half, half_, next_.pressure, convection}, next_.density);
   return system_

@@ -12,6 +12,7 @@ SemiDiscrete<D, P>::SemiDiscrete(const Scene<D, P>& scene, MassKind kind)
       masses_(scene.regions(), scene.coefficients(), kind),
       branches_(scene.coefficients().solid().branches, scene.layout().branch_size(),
                 strain_followed<P>(scene.regions())),
+      numbers_(2 * branches_.count(), scene.forces().numbers()),
       force_("explicit.force", scene.layout().size()),
       potential_force_("explicit.potential", scene.layout().has_fluid ? scene.layout().size() : 0),
       velocity_("explicit.velocity", scene.layout().size()) {
@@ -24,8 +25,8 @@ SemiDiscrete<D, P>::SemiDiscrete(const Scene<D, P>& scene, MassKind kind)
     stage_.branch_weight = branches_.weight(0);
   }
   if (l.has_fluid) stage_.density_end = range(stage_.unknown, l.density_offset(), l.potential_offset());
-  end_ = stage_;
-  end_.displacement = end_.displacement_end = Array("explicit.displacement", l.solid_size());
+  other_ = stage_;
+  other_.displacement = other_.displacement_end = Array("explicit.displacement", l.solid_size());
 }
 
 template <int D, int P>
@@ -58,13 +59,44 @@ Placed<placed::mesh | placed::velocity> SemiDiscrete<D, P>::place_velocity(Place
 }
 
 template <int D, int P>
+void SemiDiscrete<D, P>::set_step(double t, double dt) {
+  numbers_[StepNumbers::half] = 0.5 * dt;
+  numbers_[StepNumbers::whole] = dt;
+  branches_.find_factors(dt, numbers_.of_branches());
+  if (numbers_.in_memory()) scene_.forces().find(t + dt, numbers_.of_forces());
+}
+
+template <int D, int P>
+bool SemiDiscrete<D, P>::recordable() const {
+  return !host_algorithms && masses_.kind() != MassKind::consistent && scene_.layout().whole() &&
+         !scene_.equations().has_source();
+}
+
+template <int D, int P>
+void SemiDiscrete<D, P>::take_stage(bool at_end) {
+  if (at_end_ == at_end) return;
+  at_end_ = at_end;
+  std::swap(stage_.displacement, other_.displacement);
+  std::swap(stage_.displacement_end, other_.displacement_end);
+  masses_.take_other();
+}
+
+template <int D, int P>
+void SemiDiscrete<D, P>::end_recorded(double t) {
+  take_stage(true);
+  stage_.time = t;
+}
+
+template <int D, int P>
 Placed<placed::fields> SemiDiscrete<D, P>::kick_and_move(const SumOf& velocity, const ConstArray& density, double t,
                                                          double dt, const ConstArray& u, const Array& to) {
   const Layout<D>& l = scene_.layout();
   const int nodes = l.solid_rows() * l.row_size;
+  take_stage(false);
   const ForEach kicked{velocities(), kick(velocity)};
-  const MoveMeshes moved{to,    stage_.displacement, end_.displacement, 0.5 * dt, u, stage_.unknown, D,
-                         nodes, l.rows * l.row_size};
+  const MoveMeshes moved{
+      to,    stage_.displacement, other_.displacement, numbers_.factor(StepNumbers::half), u, stage_.unknown, D,
+      nodes, l.rows * l.row_size};
   if (host_algorithms || has_ghosts(l)) {
     run_fused("softwet::kick", kicked, copied(stage_.density_end, density));
     fill_ghosts();
@@ -74,17 +106,15 @@ Placed<placed::fields> SemiDiscrete<D, P>::kick_and_move(const SumOf& velocity, 
               copied(stage_.density_end, density));
   }
   stage_.time = t + 0.5 * dt;
-  end_.time = t + dt;
-  masses_.set_meshes(stage_, end_);
+  other_.time = t + dt;
+  masses_.set_meshes(stage_, other_);
   return Placed<placed::fields>();
 }
 
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::end_of(const RightSide& moments) {
-  std::swap(stage_.time, end_.time);
-  std::swap(stage_.displacement, end_.displacement);
-  std::swap(stage_.displacement_end, end_.displacement_end);
-  masses_.take_later();
+  take_stage(true);
+  stage_.time = other_.time;
   if (scene_.layout().has_fluid && masses_.weighs_beside()) {
     masses_.scalar_and_weights(moments, stage_.density_end);
     return {};
@@ -99,9 +129,14 @@ void SemiDiscrete<D, P>::set_lag(const ConstArray& memory) {
 }
 
 template <int D, int P>
-Refusal SemiDiscrete<D, P>::follow(double dt, const ConstArray& u, const ConstArray& memory, const Array& out) {
+Refusal SemiDiscrete<D, P>::follow(const ConstArray& u, const ConstArray& memory, const Array& out) {
   if (branches_.empty()) return {};
-  branches_.follow(dt, u, stage_.displacement, memory, out);
+  FollowFactors factors{};
+  for (int b = 0; b < branches_.count(); ++b) {
+    factors.faded[b] = numbers_.factor(StepNumbers::fixed + 2 * b);
+    factors.followed[b] = numbers_.factor(StepNumbers::fixed + 2 * b + 1);
+  }
+  branches_.follow(factors, u, stage_.displacement, memory, out);
   set_lag(out);
   return {};
 }
@@ -158,7 +193,7 @@ Refusal SemiDiscrete<D, P>::flux() {
 }
 
 template <int D, int P>
-typename SemiDiscrete<D, P>::RightSide SemiDiscrete<D, P>::moved(double dt, const ConstArray& moments,
+typename SemiDiscrete<D, P>::RightSide SemiDiscrete<D, P>::moved(const Factor& dt, const ConstArray& moments,
                                                                  const ConstArray& rates, const Array& out) const {
   return RightSide::moved(moments, dt, rates, scalar_forces(), scalar_mask(), out);
 }
@@ -197,7 +232,7 @@ Refusal SemiDiscrete<D, P>::pressure(const Array& acceleration) {
 template <int D, int P>
 Refusal SemiDiscrete<D, P>::pressure(const Array& acceleration, const Array& moment_rates, const SumOf& velocity,
                                      const Array& density) {
-  terms_.add_pressure(stage_, force_);
+  terms_.add_pressure(stage_, force_, numbers_.place_of_forces());
   take_forces();
   return accelerate(acceleration, Refusal::acceleration, counts_.velocity,
                     {kick(velocity), taken_rates(moment_rates), copied(density, stage_.density_end)});

@@ -7,6 +7,7 @@
 #include "time/explicit/evolution.hpp"
 #include "time/explicit/placed.hpp"
 #include "time/explicit/step_kernels.hpp"
+#include "time/explicit/step_numbers.hpp"
 #include "time/masses/mass_inverse.hpp"
 #include "time/step/branch_memory.hpp"
 
@@ -48,6 +49,14 @@ class SemiDiscrete final : public Evolution {
   Placed<placed::mesh> place_mesh(double t, const Array& displacement, const ConstArray& memory = {});
   /// Velocities of the stage, with their ghosts.
   Placed<placed::mesh | placed::velocity> place_velocity(Placed<placed::mesh>&&, const Array& v);
+  /// What the host finds for this step; the calls for steps below take it.
+  void set_step(double t, double dt);
+  StepNumbers& numbers() { return numbers_; }
+  /// Whether these calls only start kernels (ExplicitStep::recordable).
+  bool recordable() const;
+  /// Kernels of a step that was recorded have run to the time t: the stage is that at its end.
+  void end_recorded(double t);
+
   /// A step begins: velocities that are a sum, the density that the stage has then, and displacements from u to `to`. The mesh
   /// is that half way through the step.
   Placed<placed::fields> kick_and_move(const SumOf& velocity, const ConstArray& density, double t, double dt,
@@ -81,21 +90,23 @@ class SemiDiscrete final : public Evolution {
   /// out = moments + dt (G + rates), and the density of these.
   template <unsigned has>
     requires Holding<has, placed::fields | placed::flux>
-  auto move_moments(Placed<has>&& at, double dt, const ConstArray& moments, const ConstArray& rates, const Array& out) {
+  auto move_moments(Placed<has>&& at, const Factor& dt, const ConstArray& moments, const ConstArray& rates,
+                    const Array& out) {
     return std::move(at).template after<placed::fields>([&] { return density_of(moved(dt, moments, rates, out)); });
   }
   /// The same at the end of the step that began with `kick_and_move`, on the mesh there, and the masses of velocities.
   template <unsigned has>
     requires Holding<has, placed::fields | placed::flux>
-  auto move_to_end(Placed<has>&& at, double dt, const ConstArray& moments, const ConstArray& rates, const Array& out) {
+  auto move_to_end(Placed<has>&& at, const Factor& dt, const ConstArray& moments, const ConstArray& rates,
+                   const Array& out) {
     return std::move(at).template after<placed::fields | placed::weights>(
         [&] { return end_of(moved(dt, moments, rates, out)); });
   }
   /// Branches of the solid follow it from displacements u to those of the stage, at one speed.
   template <unsigned has>
     requires Ready<has, placed::mesh>
-  auto move_branches(Placed<has>&& at, double dt, const ConstArray& u, const ConstArray& memory, const Array& out) {
-    return std::move(at).template after<has>([&] { return follow(dt, u, memory, out); });
+  auto move_branches(Placed<has>&& at, const ConstArray& u, const ConstArray& memory, const Array& out) {
+    return std::move(at).template after<has>([&] { return follow(u, memory, out); });
   }
   /// Acceleration by pressure, capillarity, elasticity and loads. Rates of the moments by the stabilisation are left.
   template <unsigned has>
@@ -172,7 +183,7 @@ class SemiDiscrete final : public Evolution {
   Refusal weigh(const ConstArray& moments);
   Refusal flux();
   Refusal end_of(const RightSide& moments);
-  Refusal follow(double dt, const ConstArray& u, const ConstArray& memory, const Array& out);
+  Refusal follow(const ConstArray& u, const ConstArray& memory, const Array& out);
   Refusal pressure(const Array& acceleration);
   Refusal pressure(const Array& acceleration, const Array& moment_rates, const SumOf& velocity, const Array& density);
   Refusal take(const Array& moment_rates);
@@ -181,7 +192,9 @@ class SemiDiscrete final : public Evolution {
 
   void fill_ghosts();  ///< of all unknowns of the stage
   void set_lag(const ConstArray& memory);
-  RightSide moved(double dt, const ConstArray& moments, const ConstArray& rates, const Array& out) const;
+  /// The stage is the one half way through a step, or the one at its end. Each has its own mesh, always in the same place.
+  void take_stage(bool at_end);
+  RightSide moved(const Factor& dt, const ConstArray& moments, const ConstArray& rates, const Array& out) const;
   Kick kick(const SumOf& velocity) const { return {velocity, velocities_of(stage_.unknown)}; }
   ForEach<mass_kernels::TakeRates<D>> taken_rates(const Array& moment_rates) const;
   // The forces of the terms so far.
@@ -199,7 +212,9 @@ class SemiDiscrete final : public Evolution {
   MassInverse<D, P> masses_;
   BranchMemory branches_;
   Stage stage_;
-  Stage end_;  ///< of the step, while the mesh is that half way
+  Stage other_;  ///< that at the end of a step while `stage_` is that half way, and the other way round
+  bool at_end_ = false;
+  StepNumbers numbers_;
   Viscosity viscosity_ = Viscosity::among_all;
   Array force_;  ///< of terms, a vector of unknowns; who reads a part leaves zero there, so that terms can be added
   TileSumsOf<D> tiles_;    ///< what is not added to it yet

@@ -10,7 +10,7 @@ namespace softwet {
 /// solid. They are placed in two stages too.
 struct MoveMeshes {
   Array to, half_way, end;
-  double dt;  ///< half of the step
+  Factor dt;  ///< half of the step
   ConstArray from, unknown;
   int components, nodes, apart;  ///< control points of a component of displacement, and from one velocity to the next
 

@@ -34,9 +34,9 @@ class MassInverse {
 
   /// Takes the mesh of a stage: it weights scalars.
   void set_mesh(const Stage& stage) { weights_.set_mesh(stage); }
-  /// The same of one stage now, and of another one from `take_later` on.
+  /// The same of one stage now, and of another one from `take_other` on, which called again takes the first one back.
   void set_meshes(const Stage& now, const Stage& later) { weights_.set_meshes(now, later); }
-  void take_later() { weights_.take_later(); }
+  void take_other() { weights_.take_other(); }
   /// Takes the moments and the density that weight velocities. With consistent masses the stage's density does.
   void set_weights(const ConstArray& moments, const ConstArray& density);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "field/factor.hpp"
 #include "field/fused.hpp"
 #include "field/vector.hpp"
 #include "scene/mass_products.hpp"
@@ -85,14 +86,14 @@ struct RightSide {
   ConstArray b;
   TakenForce<D> force = {};
   ConstArray mask = {};  ///< with a force alone: it counts with the other sign
-  double dt = 0;
+  Factor dt = 0;
   ConstArray rates = {};
   Array moments = {};
 
   static RightSide of(const ConstArray& b) { return {b}; }
   static RightSide take(const TakenForce<D>& force) { return {{}, force}; }
   static RightSide minus(const TakenForce<D>& force, const ConstArray& mask) { return {{}, force, mask}; }
-  static RightSide moved(const ConstArray& b, double dt, const ConstArray& rates, const TakenForce<D>& force,
+  static RightSide moved(const ConstArray& b, const Factor& dt, const ConstArray& rates, const TakenForce<D>& force,
                          const ConstArray& mask, const Array& moments) {
     return {b, force, mask, dt, rates, moments};
   }

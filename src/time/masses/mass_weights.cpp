@@ -96,7 +96,7 @@ void SceneWeights<D, P>::set_meshes_together(const Stage& now, const Stage& late
 }
 
 template <int D, int P>
-void SceneWeights<D, P>::take_later() {
+void SceneWeights<D, P>::take_other() {
   if (later_.nodes() > 0) std::swap(scalar_, later_);
 }
 

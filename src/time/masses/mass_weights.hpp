@@ -27,9 +27,9 @@ class SceneWeights {
 
   /// Those of scalars on the mesh of a stage.
   void set_mesh(const Stage&);
-  /// The same of one stage now, and of another one from `take_later` on.
+  /// The same of one stage now, and of another one from `take_other` on, which called again takes the first one back.
   void set_meshes(const Stage& now, const Stage& later);
-  void take_later();
+  void take_other();
   /// Those of velocities, by the moments of the density.
   void set_moments(const ConstArray& moments) { prepare(velocity_, row_sums(moments)); }
 

@@ -49,11 +49,11 @@ struct FollowMemory {
   Array out;
   ConstArray before, after, memory;
   int count, size;
-  double faded[Branches::most], followed[Branches::most];
+  FollowFactors factors;
   KOKKOS_FUNCTION void operator()(int i) const {
     for (int b = 0; b < count; ++b) {
       const double a = memory(b * size + i);
-      out(b * size + i) = a + faded[b] * (before(i) - a) + followed[b] * (after(i) - before(i));
+      out(b * size + i) = a + factors.faded[b] * (before(i) - a) + factors.followed[b] * (after(i) - before(i));
     }
   }
 };
@@ -106,15 +106,19 @@ void BranchMemory::finish(const State& start, const ConstArray& displacement, co
       MoveMemory{end.memory, end.memory_rate, start.memory, start.memory_rate, x, branches_, step_, size_});
 }
 
-void BranchMemory::follow(double dt, const ConstArray& before, const ConstArray& after, const ConstArray& memory,
-                          const Array& out) const {
-  FollowMemory follow{out, followed(before, 0), followed(after, 1), memory, branches_.count, size_, {}, {}};
+void BranchMemory::find_factors(double dt, double* numbers) const {
   for (int b = 0; b < branches_.count; ++b) {
-    const double times = dt / branches_.time[b];
-    follow.faded[b] = -std::expm1(-times);
-    follow.followed[b] = 1 - follow.faded[b] / times;
+    const double times = dt / branches_.time[b], faded = -std::expm1(-times);
+    numbers[2 * b] = faded;
+    numbers[2 * b + 1] = 1 - faded / times;
   }
-  Kokkos::parallel_for("softwet::follow_memory", Items(0, size_), follow);
+}
+
+void BranchMemory::follow(const FollowFactors& factors, const ConstArray& before, const ConstArray& after,
+                          const ConstArray& memory, const Array& out) const {
+  Kokkos::parallel_for(
+      "softwet::follow_memory", Items(0, size_),
+      FollowMemory{out, followed(before, 0), followed(after, 1), memory, branches_.count, size_, factors});
 }
 
 void BranchMemory::set_lag(const ConstArray& displacement, const ConstArray& memory, const Array& lag) const {

@@ -14,6 +14,11 @@ struct AlphaStep {
   double af, kept, taken, old, fresh;
 };
 
+/// How much each branch fades in an explicit step and how much it follows the solid (BranchMemory::find_factors).
+struct FollowFactors {
+  Factor faded[Branches::most], followed[Branches::most];
+};
+
 /// Each branch has the equation tau a' = x - a, where x is what it follows: under small strains the displacement, under finite ones the
 /// Green-Lagrange strain at each point. Under generalized-alpha a' is that at n + am, x and a are those at n + af; eliminated, with
 /// c = af taken:
@@ -36,6 +41,7 @@ class BranchMemory {
   }
 
   bool empty() const { return branches_.count == 0; }
+  int count() const { return branches_.count; }
   int size() const { return branches_.count * size_; }
   /// Branches that carry nothing: a = x, a' = 0.
   void rest(const State&) const;
@@ -53,8 +59,10 @@ class BranchMemory {
   void finish(const State& start, const ConstArray& displacement, const State& end) const;
 
   // An explicit step.
+  /// How much a branch fades in a step and how much it follows: two numbers for each branch.
+  void find_factors(double dt, double* numbers) const;
   /// The memory at its end. @param before, after  displacements between which the solid moves at one speed
-  void follow(double dt, const ConstArray& before, const ConstArray& after, const ConstArray& memory,
+  void follow(const FollowFactors&, const ConstArray& before, const ConstArray& after, const ConstArray& memory,
               const Array& out) const;
   /// q = sum 2 G_i (u - a_i), or h = sum 2 G_i A_i / sum 2 G_i
   void set_lag(const ConstArray& displacement, const ConstArray& memory, const Array& lag) const;

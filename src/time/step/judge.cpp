@@ -33,7 +33,8 @@ std::pair<double, double> range(const VectorSpace& space, const ConstArray& x) {
 /// Sums of the squares of a x + b z + c w, times roots of weights where there are some.
 struct SquaresOfChange {
   StripSums<double> sums;
-  double a, b, c;
+  double a;
+  Factor b, c;
   const double *x, *z, *w, *root;
   KOKKOS_FUNCTION void operator()(int item) const {
     const auto change = [this](int i) { return a * x[i] + b * z[i] + c * w[i]; };
@@ -165,12 +166,13 @@ std::vector<StripSums<double>> Judge<D, P>::squares(const Array& partial) const 
 }
 
 template <int D, int P>
-void Judge<D, P>::ask_squares(const StepHistory& history, const Array& values, double f, const Array& partial) const {
+void Judge<D, P>::ask_squares(const StepHistory& history, const Array& values, const ChangeFactors& of,
+                              const Array& partial) const {
   const auto kernel = [&](const StripSums<double>& sums, int first) {
     const double* root = root_of_weight_.data() ? root_of_weight_.data() + first : nullptr;
     return Counted<SquaresOfChange>{sums.items(),
-                                    {sums, 1, -1 - f, f, values.data() + first, history.state.unknown.data() + first,
-                                     history.previous.data() + first, root}};
+                                    {sums, 1, of.last, of.before, values.data() + first,
+                                     history.state.unknown.data() + first, history.previous.data() + first, root}};
   };
   const std::vector<StripSums<double>> sums = squares(partial);
   const auto of_velocity = kernel(sums.front(), 0);
@@ -181,9 +183,10 @@ void Judge<D, P>::ask_squares(const StepHistory& history, const Array& values, d
 }
 
 template <int D, int P>
-void Judge<D, P>::ask(const StepHistory& history, const Stage& end, double f, const HostNumbers& at) const {
+void Judge<D, P>::ask(const StepHistory& history, const Stage& end, const ChangeFactors& of,
+                      const HostNumbers& at) const {
   faults_.ask(end, at.part(squares_count_, at.size()).device);
-  if (history.previous_dt > 0) ask_squares(history, end.unknown, f, at.device);
+  if (history.previous_dt > 0) ask_squares(history, end.unknown, of, at.device);
 }
 
 template <int D, int P>
@@ -213,7 +216,8 @@ double Judge<D, P>::take_indicator(const StepHistory& history, double dt, const 
 
 template <int D, int P>
 double Judge<D, P>::indicator(const StepHistory& history, const Array& values, double f, double dt) const {
-  if (history.previous_dt > 0) ask_squares(history, values, f, partial_.device);
+  if (history.previous_dt > 0)
+    ask_squares(history, values, {ChangeFactors::of_last(f), ChangeFactors::of_before(f)}, partial_.device);
   partial_.ask();
   HostNumbers::wait();
   return take_indicator(history, dt, partial_);

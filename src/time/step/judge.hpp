@@ -1,12 +1,20 @@
 // Whether values are admissible, and how large the local error of a step is: the same for all schemes.
 #pragma once
 
+#include "field/factor.hpp"
 #include "scene/fault_search.hpp"
 #include "scene/scene.hpp"
 #include "time/step/host_numbers.hpp"
 #include "time/step/scheme.hpp"
 
 namespace softwet {
+
+/// Of the last state and of the one before in x - x_f, where x_f = (1 + f) last - f before is their extrapolation.
+struct ChangeFactors {
+  Factor last, before;
+  static double of_last(double f) { return -1 - f; }
+  static double of_before(double f) { return f; }
+};
 
 template <int D, int P>
 class Judge {
@@ -31,7 +39,7 @@ class Judge {
   // For a step whose end the host judges late: how many numbers it needs, what starts the kernels that find them, and, when they are there,
   // whether the mesh is admissible, and the indicator.
   int numbers() const { return squares_count_ + faults_.numbers(); }
-  void ask(const StepHistory&, const Stage& end, double f, const HostNumbers&) const;
+  void ask(const StepHistory&, const Stage& end, const ChangeFactors&, const HostNumbers&) const;
   Refusal take_mesh(const HostNumbers&) const;
   double take_indicator(const StepHistory&, double dt, const HostNumbers&) const;
 
@@ -39,7 +47,7 @@ class Judge {
   void weigh(const Layout<D>&);
   /// Sums of the squares of a vector of unknowns, of the velocities and of the density.
   std::vector<StripSums<double>> squares(const Array& partial) const;
-  void ask_squares(const StepHistory&, const Array& values, double f, const Array& partial) const;
+  void ask_squares(const StepHistory&, const Array& values, const ChangeFactors&, const Array& partial) const;
   Refusal of_faults(const MeshFaults&) const;
 
   const Scene<D, P>& scene_;

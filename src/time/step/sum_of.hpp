@@ -1,13 +1,13 @@
 // The sum of vectors that time schemes are made of.
 #pragma once
 
-#include "memory/array.hpp"
+#include "field/factor.hpp"
 
 namespace softwet {
 
 struct SumOf {
   Array y;
-  double a, b, c;
+  Factor a, b, c;
   ConstArray x, z, w;
   KOKKOS_FUNCTION void operator()(int i) const { y(i) = a * x(i) + b * z(i) + c * w(i); }
 };

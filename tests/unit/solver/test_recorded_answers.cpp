@@ -93,6 +93,25 @@ TEST_F(Recorded, ItIsOtherwiseThePreconditionerThatItRecords) {
   EXPECT_EQ(to_host(z), std::vector<double>(n, 2));
 }
 
+TEST(Recordings, BeyondTheMostAllAreForgotten) {
+  Recordings<int> recordings(2);
+  int started = 0;
+  const auto start = [&](int key) {
+    const bool ready = recordings.ready(key);
+    if (ready) recordings.start(key, [&started, key] { started = key; });
+    return ready;
+  };
+  EXPECT_FALSE(start(1));
+  EXPECT_FALSE(start(2));
+  EXPECT_TRUE(start(1));
+  EXPECT_EQ(started, 1);
+  EXPECT_EQ(recordings.count(), 1);
+  EXPECT_FALSE(start(3));
+  EXPECT_EQ(recordings.count(), 0);
+  EXPECT_FALSE(start(1));
+  EXPECT_TRUE(start(1));
+}
+
 TEST(RecordAnswers, LeavesOutWhatWorksOnTheHost) {
   RandomMatrix<2> m({{16, 12}, 4});
   const auto recorded = [&](PreconditionerKind name) {

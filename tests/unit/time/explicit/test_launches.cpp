@@ -1,5 +1,8 @@
 // How many kernels and copies an explicit step starts, and how often it waits for them. On a device each costs some
 // microseconds, however small the scene is.
+#include <cstdlib>
+
+#include "time/explicit/explicit_scheme.hpp"
 #include "unit/time/launches.hpp"
 
 namespace softwet::testing_tools {
@@ -16,6 +19,27 @@ TEST(Launches, AnExplicitStepIsFewOfThemAndOneWait) {
   EXPECT_EQ(sum(coupled.copies), on_host ? 0 : 1);
   EXPECT_EQ(sum(coupled.waits), 1);
 }
+
+/// Takes steps that are recorded. What they ask of a device is counted by tests/device/host_code.py: the difference between two runs
+/// with unlike numbers of steps.
+void take_recorded_steps(SceneKind kind) {
+  const char* steps = std::getenv("SOFTWET_TEST_STEPS");
+  Case c = small_case(kind, WallLaw::energy);
+  c.time.scheme = TimeScheme::kick_drift;
+  c.time.end = 1;
+  c.time.dt_max = c.time.dt_initial = 1e-3;
+  for (Load& load : c.loads) load.start = 0;
+  c.solver.launch = Launch::graph;
+  const Scene<2, 2> scene(c);
+  Stepper<2, 2> stepper(scene, c, {});
+  take_first_steps(stepper, scene, c);
+  for (int n = steps ? std::atoi(steps) : 3; n > 0; --n) stepper.step();
+  const auto& scheme = dynamic_cast<ExplicitScheme<2, 2>&>(stepper.scheme());
+  EXPECT_EQ(scheme.recordings(), host_algorithms ? 0 : 2);
+}
+
+TEST(RecordedLaunches, OfARigidWall) { take_recorded_steps(SceneKind::rigid); }
+TEST(RecordedLaunches, OfASoftLayer) { take_recorded_steps(SceneKind::coupled); }
 
 }  // namespace
 }  // namespace softwet::testing_tools

@@ -102,6 +102,17 @@ TEST(BranchMemory, LagIsWhatIsLeftOfTheEquation) {
   }
 }
 
+FollowFactors factors_of(const BranchMemory& memory, double dt) {
+  std::vector<double> numbers(2 * memory.count());
+  memory.find_factors(dt, numbers.data());
+  FollowFactors factors{};
+  for (int b = 0; b < memory.count(); ++b) {
+    factors.faded[b] = numbers[2 * b];
+    factors.followed[b] = numbers[2 * b + 1];
+  }
+  return factors;
+}
+
 // A displacement that moves at one speed is followed exactly, by slow branches and by fast ones.
 TEST(BranchMemory, FollowsASteadyMotionExactly) {
   const double dt = 0.2, speed = 0.7;
@@ -109,7 +120,7 @@ TEST(BranchMemory, FollowsASteadyMotionExactly) {
   const Array out("out", 2), rate("rate", 2), lag("lag", 1);
   const Array before = to_device<Array>(std::vector<double>{0.1}),
               after = to_device<Array>(std::vector<double>{0.1 + speed * dt});
-  memory.follow(dt, before, after, to_device<Array>(std::vector<double>{0.4, -0.2}), out);
+  memory.follow(factors_of(memory, dt), before, after, to_device<Array>(std::vector<double>{0.4, -0.2}), out);
   memory.set_rate(after, out, rate);
   memory.set_lag(after, out, lag);
   const std::vector<double> found = to_host(out), rates = to_host(rate), start{0.4, -0.2};
