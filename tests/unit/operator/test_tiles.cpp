@@ -160,8 +160,8 @@ TEST(Tiles2D, ReducedQuadratureByThreadsOfATeam) {
   if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
   TileCases<2> c(std::array<int, 2>{19, 7});
   c.patch.points = 2;
-  c.check_threads_of_rows<true, WallMotion<2>>(c.terms.fluid, c.patch.fluid());
-  c.check_threads_of_rows<false, WallMotion<2>>(c.terms.energy_wall, c.patch.face());
+  c.check_threads<true, WallMotion<2>, 2>(c.terms.fluid, c.patch.fluid());
+  c.check_threads<false, WallMotion<2>, 2>(c.terms.energy_wall, c.patch.face());
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/fluid/navier_stokes_korteweg.hpp"
-#include "operator/device/element_kernel.hpp"
+#include "scene/scene_terms.hpp"
 
 namespace softwet {
 namespace {
@@ -29,14 +28,29 @@ TEST(TeamBounds, NoMoreThanWanted) {
   EXPECT_EQ((teams_of<TeamBounds<32, 100, 3>>), 3);
 }
 
-/// A product of the fluid in space on a moving mesh with reduced quadrature: twelve teams of its scratch need more than a
-/// multiprocessor of any chip has. Kokkos counts the scratch, two numbers and one for each thread.
-TEST(TeamBounds, ReducedQuadratureInSpaceFits) {
-  using Kernel = ElementKernel<2, 2, true, 3, NavierStokesKorteweg, WallMotion<3>, double>;
-  constexpr int counted = Kernel::bytes + (32 + 2) * 8, teams = teams_of<TeamBounds<32, Kernel::bytes, 12>>;
-  EXPECT_GT(12 * counted, 228 * 1024);
-  EXPECT_GT(teams, 0);
-  EXPECT_LE(teams * counted, multiprocessor.bytes);
+template <int D, bool Tangent, class Real, class List>
+using Reduced = TileKernel<SlopeTileShape<D, 2, 2, Tangent, Real>, Tangent, Real, List>;
+
+/// Teams of the terms of most scenes with reduced quadrature: whole warps, and at least 512 threads on a multiprocessor. Kokkos counts
+/// the scratch, two numbers and one for each thread.
+template <int D, bool Tangent, class Real, class List>
+void check_reduced() {
+  using Kernel = Reduced<D, Tangent, Real, List>;
+  constexpr int threads = SlopeTileShape<D, 2, 2, Tangent, Real>::points;
+  constexpr int teams = teams_of<TeamBounds<threads, Kernel::bytes, SlopeTileShape<D, 2, 2, Tangent, Real>::teams>>;
+  EXPECT_EQ(threads % 32, 0);
+  EXPECT_LE(teams * (Kernel::bytes + (threads + 2) * 8), multiprocessor.bytes);
+  if (multiprocessor.bytes >= 228 * 1024) EXPECT_GE(teams * threads, 512) << Kernel::bytes;
+}
+
+TEST(TeamBounds, ReducedQuadratureFits) {
+  check_reduced<2, false, double, SoftTerms<2, double>>();
+  check_reduced<2, true, double, SoftTerms<2, double>>();
+  check_reduced<2, true, float, SoftTerms<2, float>>();
+  check_reduced<3, false, double, SoftTerms<3, double>>();
+  check_reduced<3, true, double, SoftTerms<3, double>>();
+  check_reduced<3, true, float, SoftTerms<3, float>>();
+  check_reduced<3, false, double, RigidTerms>();
 }
 
 }  // namespace

@@ -1,0 +1,254 @@
+// The sweeps of a tile with slopes of its own: values and slopes from control values along one axis after another, and integrands
+// against values and slopes back to control values. Each sum is made by one thread in one order.
+//
+// The last axis comes first: there a layer of elements has the fewest points and the most control values, and nothing is summed
+// twice in the next layer. Sums along the first axis are made at the points themselves. On the way back the first axis comes
+// first.
+#pragma once
+
+#include "operator/device/tile_plan.hpp"
+#include "operator/device/tile_team.hpp"
+
+namespace softwet {
+
+/// Where a team keeps its numbers; offsets in Reals. After z a field with slopes has its value and its slope along z, after y
+/// the slope along y before the latter. Two rooms are used in turn; what is read last in a pass lies where the next pass does not
+/// begin.
+template <class Plan>
+struct SlopeRooms {
+  using Shape = typename Plan::Shape;
+  static constexpr bool three = Shape::D == 3, has_flux = Plan::Test::has_flux;
+  static constexpr int max(int a, int b) { return a > b ? a : b; }
+  static constexpr int columns = Shape::cx * Shape::cy, layer = Shape::QL * columns;
+  static constexpr int lines = Shape::QL * Shape::qy, line_points = lines * Shape::cx;  ///< along x
+  static constexpr int written = has_flux ? 1 + Shape::D : 1;  ///< numbers of a channel at a point, and after folds
+  static constexpr int folded = has_flux ? Shape::D : 1, folded_again = has_flux ? 2 : 1;
+
+  static constexpr int sweep_z = (Plan::fields + Plan::stored) * layer;
+  static constexpr int sweep_y = (Plan::fields + 2 * Plan::stored) * line_points;
+  static constexpr int at_points = Plan::channels * written * Shape::points;
+  static constexpr int fold_x = Plan::channels * folded * line_points, fold_y = Plan::channels * folded_again * layer;
+  static constexpr int wall_y = three ? Plan::wall_fields * 2 * Shape::qy * Shape::cx : 0;
+
+  static constexpr int first_room = three ? max(max(sweep_z, at_points), wall_y) : sweep_z + fold_x;
+  static constexpr int second_room = three ? max(sweep_y, fold_x + fold_y) : at_points;
+  static constexpr int swept_z = 0, swept = three ? first_room : 0;  ///< before the last sweep
+  static constexpr int integrands = three ? 0 : first_room, folded_x = three ? first_room : sweep_z;
+  static constexpr int folded_y = three ? folded_x + fold_x : folded_x;
+  static constexpr int wall = first_room + second_room, tables = wall + Plan::wall_numbers * Shape::base;
+};
+template <class Plan>
+struct SlopeScratch : SlopeRooms<Plan>, TileTables<Plan, SlopeRooms<Plan>::tables> {
+  using TileTables<Plan, SlopeRooms<Plan>::tables>::three;
+};
+
+/// Values and slopes of the functions of an element at one point.
+template <int n, class Real>
+struct PointBasis {
+  Real value[n], slope[n];
+
+  PointBasis() = default;
+  /// Of point i in the tables.
+  KOKKOS_FORCEINLINE_FUNCTION PointBasis(const Real* values, const Real* slopes, int i) {
+    SOFTWET_UNROLL
+    for (int a = 0; a < n; ++a) {
+      value[a] = values[i * n + a];
+      slope[a] = slopes[i * n + a];
+    }
+  }
+  /// sum_a basis[a] from[a stride]
+  static KOKKOS_FORCEINLINE_FUNCTION Real sum(const Real (&basis)[n], const Real* from, int stride) {
+    Real total = basis[0] * from[0];
+    SOFTWET_UNROLL
+    for (int a = 1; a < n; ++a) total = total + basis[a] * from[a * stride];
+    return total;
+  }
+};
+
+template <class Plan>
+struct SlopeSweeps {
+  using Shape = typename Plan::Shape;
+  using Room = SlopeScratch<Plan>;
+  using Real = typename Plan::Real;
+  static constexpr int D = Shape::D, P = Shape::P, n = Shape::n, Q = Shape::Q, QL = Shape::QL, cx = Shape::cx;
+  static constexpr int channels = Plan::channels;
+  using Basis = PointBasis<n, Real>;
+
+  /// An item: a column of control values of some of the fields. control(i, j, k): place of one; field(f): its array.
+  template <class Team, class Control, class Field>
+  static KOKKOS_FORCEINLINE_FUNCTION void along_z(const Team& team, int pass, Real* t, const Control& control,
+                                                  const Field& field) {
+    constexpr int columns = Room::columns, most = Team::size / columns;
+    constexpr int groups = most < 1 ? 1 : most < Plan::fields ? most : Plan::fields;
+    share(team, columns * groups, [&](int i) {
+      const int column = i % columns;
+      int at[n];
+      SOFTWET_UNROLL
+      for (int a = 0; a < n; ++a) at[a] = control(column % cx, column / cx, a);
+      Basis basis[QL];
+      SOFTWET_UNROLL
+      for (int q = 0; q < QL; ++q) basis[q] = Basis(t + Room::z, t + Room::z_slope, pass * QL + q);
+      for (int f = i / columns; f < Plan::fields; f += groups) {
+        const Real* p = field(f);
+        Real value[n];
+        SOFTWET_UNROLL
+        for (int a = 0; a < n; ++a) value[a] = p[at[a]];
+        Real* to = t + Room::swept_z + (f + Plan::stored_before(f)) * Room::layer + column;
+        SOFTWET_UNROLL
+        for (int q = 0; q < QL; ++q) to[q * columns] = Basis::sum(basis[q].value, value, 1);
+        if (!Plan::has_gradient(f)) continue;
+        SOFTWET_UNROLL
+        for (int q = 0; q < QL; ++q) to[Room::layer + q * columns] = Basis::sum(basis[q].slope, value, 1);
+      }
+    });
+  }
+
+  /// An item: the Q points of an element along y, of one field, for one x and z. The items of a thread lie on one element.
+  template <class Team>
+  static KOKKOS_FORCEINLINE_FUNCTION void along_y(const Team& team, Real* t) {
+    constexpr int NY = Shape::NY;
+    constexpr bool one_element = Team::size % NY == 0;
+    Basis basis[Q];
+    const auto load = [&](int i) {
+      SOFTWET_UNROLL
+      for (int q = 0; q < Q; ++q) basis[q] = Basis(t + Room::y, t + Room::y_slope, i % NY * Q + q);
+    };
+    load(team.rank());
+    share(team, NY * cx * QL * Plan::fields, [&](int i) {
+      if constexpr (!one_element) load(i);
+      const int e = i % NY, x = i / NY % cx, z = i / (NY * cx) % QL, f = i / (NY * cx * QL), before = Plan::stored_before(f);
+      const Real* from = t + Room::swept_z + (f + before) * Room::layer + (z * Shape::cy + e) * cx + x;
+      Real* to = t + Room::swept + (f + 2 * before) * Room::line_points + (z * Shape::qy + e * Q) * cx + x;
+      SOFTWET_UNROLL
+      for (int q = 0; q < Q; ++q) to[q * cx] = Basis::sum(basis[q].value, from, cx);
+      if (!Plan::has_gradient(f)) return;
+      SOFTWET_UNROLL
+      for (int q = 0; q < Q; ++q) {
+        to[Room::line_points + q * cx] = Basis::sum(basis[q].slope, from, cx);
+        to[2 * Room::line_points + q * cx] = Basis::sum(basis[q].value, from + Room::layer, cx);
+      }
+    });
+  }
+
+  /// Control x of a line takes from the points of the elements x - P .. x, as far as there are `elements`: body(basis, point).
+  template <int elements, class Body>
+  static KOKKOS_FORCEINLINE_FUNCTION void for_points_of(const Real* values, const Real* slopes, int x, const Body& body) {
+    for (int a = P; a >= 0; --a) {
+      const int e = x - a;
+      if (e < 0 || e >= elements) continue;
+      for (int q = 0; q < Q; ++q) body(values[(e * Q + q) * n + a], slopes[(e * Q + q) * n + a], e * Q + q);
+    }
+  }
+
+  template <class Team>
+  static KOKKOS_FORCEINLINE_FUNCTION void fold_x(const Team& team, Real* t) {
+    constexpr int folded = Room::folded;
+    share(team, Room::line_points, [&](int i) {
+      Real sum[channels][folded] = {};
+      const Real* from = t + Room::integrands + i / cx * Shape::qx;
+      for_points_of<Shape::NX>(t + Room::x, t + Room::x_slope, i % cx, [&](Real value, Real slope, int q) {
+        SOFTWET_UNROLL
+        for (int c = 0; c < channels; ++c) {
+          const Real* of = from + c * Room::written * Shape::points + q;
+          sum[c][0] = sum[c][0] + value * of[0];
+          if constexpr (Room::has_flux) sum[c][0] = sum[c][0] + slope * of[Shape::points];
+          SOFTWET_UNROLL
+          for (int d = 1; d < folded; ++d) sum[c][d] = sum[c][d] + value * of[(1 + d) * Shape::points];
+        }
+      });
+      SOFTWET_UNROLL
+      for (int c = 0; c < channels; ++c) SOFTWET_UNROLL
+      for (int d = 0; d < folded; ++d) t[Room::folded_x + (c * folded + d) * Room::line_points + i] = sum[c][d];
+    });
+  }
+
+  template <class Team>
+  static KOKKOS_FORCEINLINE_FUNCTION void fold_y(const Team& team, Real* t) {
+    constexpr int again = Room::folded_again;
+    share(team, Room::layer, [&](int i) {
+      const int x = i % cx, y = i / cx % Shape::cy, z = i / Room::columns;
+      Real sum[channels][again] = {};
+      const Real* from = t + Room::folded_x + z * Shape::qy * cx + x;
+      for_points_of<Shape::NY>(t + Room::y, t + Room::y_slope, y, [&](Real value, Real slope, int q) {
+        SOFTWET_UNROLL
+        for (int c = 0; c < channels; ++c) {
+          const Real* of = from + c * Room::folded * Room::line_points + q * cx;
+          sum[c][0] = sum[c][0] + value * of[0];
+          if constexpr (!Room::has_flux) continue;
+          sum[c][0] = sum[c][0] + slope * of[Room::line_points];
+          sum[c][again - 1] = sum[c][again - 1] + value * of[2 * Room::line_points];
+        }
+      });
+      SOFTWET_UNROLL
+      for (int c = 0; c < channels; ++c) SOFTWET_UNROLL
+      for (int d = 0; d < again; ++d) t[Room::folded_y + (c * again + d) * Room::layer + i] = sum[c][d];
+    });
+  }
+
+  /// Adds to the sums of the tile.
+  template <class Team>
+  static KOKKOS_FORCEINLINE_FUNCTION void fold_z(const Team& team, int pass, Real* t) {
+    constexpr int columns = Room::columns;
+    const int below = Shape::Shared ? 0 : pass;
+    share(team, n * columns, [&](int i) {
+      const int column = i % columns, a = i / columns;
+      Real* sums = t + Room::sums + (below + a) * columns + column;
+      SOFTWET_UNROLL
+      for (int c = 0; c < channels; ++c) {
+        const Real* of = t + Room::folded_y + c * Room::folded_again * Room::layer + column;
+        Real sum = 0;
+        SOFTWET_UNROLL
+        for (int q = 0; q < QL; ++q) {
+          const int place = (pass * QL + q) * n + a;
+          sum = sum + t[Room::test + place] * of[q * columns];
+          if constexpr (Room::has_flux) sum = sum + t[Room::test_slope + place] * of[Room::layer + q * columns];
+        }
+        sums[c * Shape::controls] += sum;
+      }
+    });
+  }
+
+  /// Values and slopes of all fields of the wall at the base points, to Room::wall. A tangent that is not there is zero.
+  /// column(i, j): place of a control point in the wall's row; field(f): its control values, or null.
+  template <class Team, class Column, class Field>
+  static KOKKOS_FORCEINLINE_FUNCTION void trace(const Team& team, Real* t, const Column& column, const Field& field) {
+    constexpr int lines = Shape::qy * cx;
+    if constexpr (D == 3) {
+      share(team, Plan::wall_fields * lines, [&](int i) {
+        const int x = i % cx, y = i / cx % Shape::qy, f = i / lines;
+        const Basis basis(t + Room::y, t + Room::y_slope, y);
+        Real value[n];
+        read(value, field(f), [&](int a) { return column(x, y / Q + a); });
+        t[2 * f * lines + i % lines] = Basis::sum(basis.value, value, 1);
+        t[(2 * f + 1) * lines + i % lines] = Basis::sum(basis.slope, value, 1);
+      });
+      team.barrier();
+    }
+    share(team, Plan::wall_fields * Shape::base, [&](int i) {
+      const int p = i % Shape::base, x = p % Shape::qx, f = i / Shape::base;
+      const Basis basis(t + Room::x, t + Room::x_slope, x);
+      Real value[n];
+      if constexpr (D == 3) {
+        read(value, t + 2 * f * lines + p / Shape::qx * cx + x / Q, [](int a) { return a; });
+      } else {
+        read(value, field(f), [&](int a) { return column(x / Q + a, 0); });
+      }
+      Real* to = t + Room::wall + Plan::wall_place(f) * Shape::base + p;
+      to[0] = Basis::sum(basis.value, value, 1);
+      if (!Plan::wall_slopes(f)) return;
+      to[Shape::base] = Basis::sum(basis.slope, value, 1);
+      if constexpr (D == 3)
+        to[2 * Shape::base] = Basis::sum(basis.value, t + (2 * f + 1) * lines + p / Shape::qx * cx + x / Q, 1);
+    });
+    team.barrier();
+  }
+
+ private:
+  template <class Place>
+  static KOKKOS_FORCEINLINE_FUNCTION void read(Real (&value)[n], const Real* from, const Place& place) {
+    SOFTWET_UNROLL
+    for (int a = 0; a < n; ++a) value[a] = from ? from[place(a)] : Real(0);
+  }
+};
+
+}  // namespace softwet
