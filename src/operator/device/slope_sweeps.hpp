@@ -12,8 +12,8 @@
 namespace softwet {
 
 /// Where a team keeps its numbers; offsets in Reals. After z a field with slopes has its value and its slope along z, after y
-/// the slope along y before the latter. Two rooms are used in turn; what is read last in a pass lies where the next pass does not
-/// begin.
+/// the slope along y before the latter. Two rooms are used in turn. What is read last in a pass lies behind what the next one
+/// writes first, so that no barrier is between them.
 template <class Plan>
 struct SlopeRooms {
   using Shape = typename Plan::Shape;
@@ -30,11 +30,12 @@ struct SlopeRooms {
   static constexpr int fold_x = Plan::channels * folded * line_points, fold_y = Plan::channels * folded_again * layer;
   static constexpr int wall_y = three ? Plan::wall_fields * 2 * Shape::qy * Shape::cx : 0;
 
-  static constexpr int first_room = three ? max(max(sweep_z, at_points), wall_y) : sweep_z + fold_x;
-  static constexpr int second_room = three ? max(sweep_y, fold_x + fold_y) : at_points;
+  static constexpr int last_fold = three ? fold_y : fold_x;
+  static constexpr int first_room = max(sweep_z + last_fold, three ? max(at_points, wall_y) : 0);
+  static constexpr int second_room = three ? max(sweep_y, fold_x) : at_points;
   static constexpr int swept_z = 0, swept = three ? first_room : 0;  ///< before the last sweep
   static constexpr int integrands = three ? 0 : first_room, folded_x = three ? first_room : sweep_z;
-  static constexpr int folded_y = three ? folded_x + fold_x : folded_x;
+  static constexpr int folded_y = sweep_z;  ///< what the fold along z reads
   static constexpr int wall = first_room + second_room, tables = wall + Plan::wall_numbers * Shape::base;
 };
 template <class Plan>

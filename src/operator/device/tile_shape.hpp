@@ -49,16 +49,12 @@ struct ChosenTile<3, 3, Tangent, Real> : TileShape<3, 3, 2, 1, 1, 4> {
   static constexpr int teams = 2;
 };
 
-/// The tile of a term with Q points along an axis whose slopes are swept: as many points as fill whole warps, as far as Q allows
-/// it. A product in double precision has fewer elements, because it has twice as many fields.
-template <int D, int P, int Q, bool heavy>
-inline constexpr int slope_tile_width = D == 2 ? 128 / (Q * Q) / (heavy ? 2 : 1) : Q == 2 ? 4 : Q == 3 ? 7 : 2;
-template <int D, int P, int Q, bool heavy>
-inline constexpr int slope_tile_depth = D == 3 && Q == 2 && !heavy ? 4 : D == 3 && Q == 2 ? 2 : 1;
-template <int D, int P, int Q, bool Tangent, class Real, bool heavy = Tangent && std::is_same_v<Real, double>>
-struct SlopeTileShape : TileShape<D, P, slope_tile_width<D, P, Q, heavy>, slope_tile_depth<D, P, Q, heavy>, 1, 4, Q, Q,
+/// The tile of a term with Q points along an axis whose slopes are swept. Two points along an axis, those of reduced quadrature at
+/// degree 2, fill whole warps. So many teams fit that a multiprocessor has 512 threads, or 128 registers for each.
+template <int D, int P, int Q>
+struct SlopeTileShape : TileShape<D, P, D == 2 ? 128 / (Q * Q) : Q == 2 ? 4 : Q == 3 ? 3 : 2, Q == 2 ? 2 : 1, 1, 4, Q, Q,
                                   false, true> {
-  static constexpr int teams = heavy ? 8 : 4;
+  static constexpr int teams = 512 / SlopeTileShape::points;
   static_assert(Q != 2 || SlopeTileShape::points % 32 == 0, "a warp without idle threads");
 };
 
