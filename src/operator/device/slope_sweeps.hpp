@@ -73,6 +73,7 @@ struct SlopeSweeps {
   using Real = typename Plan::Real;
   static constexpr int D = Shape::D, P = Shape::P, n = Shape::n, Q = Shape::Q, QL = Shape::QL, cx = Shape::cx;
   static constexpr int channels = Plan::channels;
+  using Test = typename Plan::Test;
   using Basis = PointBasis<n, Real>;
 
   /// An item: a column of control values of some of the fields. control(i, j, k): place of one; field(f): its array.
@@ -148,18 +149,22 @@ struct SlopeSweeps {
       Real sum[channels][folded] = {};
       const Real* from = t + Room::integrands + i / cx * Shape::qx;
       for_points_of<Shape::NX>(t + Room::x, t + Room::x_slope, i % cx, [&](Real value, Real slope, int q) {
-        SOFTWET_UNROLL
-        for (int c = 0; c < channels; ++c) {
-          const Real* of = from + c * Room::written * Shape::points + q;
-          sum[c][0] = sum[c][0] + value * of[0];
-          if constexpr (Room::has_flux) sum[c][0] = sum[c][0] + slope * of[Shape::points];
-          SOFTWET_UNROLL
-          for (int d = 1; d < folded; ++d) sum[c][d] = sum[c][d] + value * of[(1 + d) * Shape::points];
-        }
+        for_each_index<channels>([&](auto c) {
+          const Real* of = from + c() * Room::written * Shape::points + q;
+          sum[c()][0] = sum[c()][0] + value * of[0];
+          if constexpr (channel_has_flux<Test>(c())) {
+            sum[c()][0] = sum[c()][0] + slope * of[Shape::points];
+            SOFTWET_UNROLL
+            for (int d = 1; d < D; ++d) sum[c()][d] = sum[c()][d] + value * of[(1 + d) * Shape::points];
+          }
+        });
       });
-      SOFTWET_UNROLL
-      for (int c = 0; c < channels; ++c) SOFTWET_UNROLL
-      for (int d = 0; d < folded; ++d) t[Room::folded_x + (c * folded + d) * Room::line_points + i] = sum[c][d];
+      Real* to = t + Room::folded_x + i;
+      for_each_index<channels>([&](auto c) {
+        SOFTWET_UNROLL
+        for (int d = 0; d < (channel_has_flux<Test>(c()) ? D : 1); ++d)
+          to[(c() * folded + d) * Room::line_points] = sum[c()][d];
+      });
     });
   }
 
@@ -167,22 +172,23 @@ struct SlopeSweeps {
   static KOKKOS_FORCEINLINE_FUNCTION void fold_y(const Team& team, Real* t) {
     constexpr int again = Room::folded_again;
     share(team, Room::layer, [&](int i) {
-      const int x = i % cx, y = i / cx % Shape::cy, z = i / Room::columns;
       Real sum[channels][again] = {};
-      const Real* from = t + Room::folded_x + z * Shape::qy * cx + x;
-      for_points_of<Shape::NY>(t + Room::y, t + Room::y_slope, y, [&](Real value, Real slope, int q) {
-        SOFTWET_UNROLL
-        for (int c = 0; c < channels; ++c) {
-          const Real* of = from + c * Room::folded * Room::line_points + q * cx;
-          sum[c][0] = sum[c][0] + value * of[0];
-          if constexpr (!Room::has_flux) continue;
-          sum[c][0] = sum[c][0] + slope * of[Room::line_points];
-          sum[c][again - 1] = sum[c][again - 1] + value * of[2 * Room::line_points];
-        }
+      const Real* from = t + Room::folded_x + i / Room::columns * Shape::qy * cx + i % cx;
+      for_points_of<Shape::NY>(t + Room::y, t + Room::y_slope, i / cx % Shape::cy, [&](Real value, Real slope, int q) {
+        for_each_index<channels>([&](auto c) {
+          const Real* of = from + c() * Room::folded * Room::line_points + q * cx;
+          sum[c()][0] = sum[c()][0] + value * of[0];
+          if constexpr (channel_has_flux<Test>(c())) {
+            sum[c()][0] = sum[c()][0] + slope * of[Room::line_points];
+            sum[c()][1] = sum[c()][1] + value * of[2 * Room::line_points];
+          }
+        });
       });
-      SOFTWET_UNROLL
-      for (int c = 0; c < channels; ++c) SOFTWET_UNROLL
-      for (int d = 0; d < again; ++d) t[Room::folded_y + (c * again + d) * Room::layer + i] = sum[c][d];
+      Real* to = t + Room::folded_y + i;
+      for_each_index<channels>([&](auto c) {
+        to[c() * again * Room::layer] = sum[c()][0];
+        if constexpr (channel_has_flux<Test>(c())) to[(c() * again + 1) * Room::layer] = sum[c()][1];
+      });
     });
   }
 
@@ -193,19 +199,23 @@ struct SlopeSweeps {
     const int below = Shape::Shared ? 0 : pass;
     share(team, n * columns, [&](int i) {
       const int column = i % columns, a = i / columns;
-      Real* sums = t + Room::sums + (below + a) * columns + column;
+      Real value[QL], slope[QL];
       SOFTWET_UNROLL
-      for (int c = 0; c < channels; ++c) {
-        const Real* of = t + Room::folded_y + c * Room::folded_again * Room::layer + column;
+      for (int q = 0; q < QL; ++q) {
+        value[q] = t[Room::test + (pass * QL + q) * n + a];
+        slope[q] = t[Room::test_slope + (pass * QL + q) * n + a];
+      }
+      Real* sums = t + Room::sums + (below + a) * columns + column;
+      for_each_index<channels>([&](auto c) {
+        const Real* of = t + Room::folded_y + c() * Room::folded_again * Room::layer + column;
         Real sum = 0;
         SOFTWET_UNROLL
         for (int q = 0; q < QL; ++q) {
-          const int place = (pass * QL + q) * n + a;
-          sum = sum + t[Room::test + place] * of[q * columns];
-          if constexpr (Room::has_flux) sum = sum + t[Room::test_slope + place] * of[Room::layer + q * columns];
+          sum = sum + value[q] * of[q * columns];
+          if constexpr (channel_has_flux<Test>(c())) sum = sum + slope[q] * of[Room::layer + q * columns];
         }
-        sums[c * Shape::controls] += sum;
-      }
+        sums[c() * Shape::controls] += sum;
+      });
     });
   }
 

@@ -32,7 +32,7 @@ struct SlopeFields {
   }
 };
 
-/// Takes the integrands of a point to the memory of the team.
+/// Takes the integrands of a point to the memory of the team, but for fluxes of channels that have none.
 template <class Plan>
 struct SlopeSink {
   using S = typename Plan::S;
@@ -43,7 +43,7 @@ struct SlopeSink {
     to[channel * written * points] = plain(number);
   }
   KOKKOS_FORCEINLINE_FUNCTION void flux(int channel, int d, const S& number) {
-    to[(channel * written + 1 + d) * points] = plain(number);
+    if (channel_has_flux<typename Plan::Test>(channel)) to[(channel * written + 1 + d) * points] = plain(number);
   }
 };
 

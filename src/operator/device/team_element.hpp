@@ -1,7 +1,7 @@
 // Elements beside each other in the memory that a team of threads of a device shares: their bases, and fields at their points.
 //
-// No thread keeps more than a sum or a point. Matrices, integrals and terms with reduced quadrature are made of this; where
-// slopes follow from values at points, tiles (tile.hpp) need fewer sums.
+// No thread keeps more than a sum or a point. Matrices and integrals are made of this; terms are computed in tiles (tile.hpp,
+// slope_tile.hpp), which need fewer sums.
 #pragma once
 
 #include "operator/batch.hpp"

@@ -17,6 +17,7 @@ struct TileCases {
   Patch<D> patch;
   Terms terms;
   Array direction;
+  double limit = 1e-12;  ///< of differences in double precision
 
   explicit TileCases(const std::array<int, D>& elements) : TileCases(Patch<D>(elements, 2, P)) {}
   explicit TileCases(const Patch<D>& p) : patch(p), direction(patch.draw(patch.layout.size(), -1, 1)) {}
@@ -26,10 +27,10 @@ struct TileCases {
     return task_of<D, Term, Motion>(term, rounded<Real>(region), at, patch.blend);
   }
 
-  /// One evaluation in tiles and as the host does it. @param limit  of the difference, relative to the largest value
+  /// One evaluation in tiles and as the host does it. @param bound  of the difference, relative to the largest value
   template <bool Tangent, class Motion, class Real, class Term>
   void compare(const char* name, const Term& term, const Region<D>& region, Evaluation<D, Real> at,
-               double limit) const {
+               double bound) const {
     Patch<D> random = patch;
     const GivenField<double> field{random.draw(patch.layout.rows * patch.layout.row_size, 0.4, 1.2), 0};
     const GivenField<Real> given = rounded<Real>(field);
@@ -49,12 +50,18 @@ struct TileCases {
       return to_host(copy);
     };
     ASSERT_GT(largest(wide(want)), 1e-6) << name;
-    EXPECT_LT(distance(wide(got), wide(want)), limit) << name << (Tangent ? ", product" : ", residual");
+    EXPECT_LT(distance(wide(got), wide(want)), bound) << name << (Tangent ? ", product" : ", residual");
   }
   template <class Motion, class Term>
   void check(const char* name, const Term& term, const Region<D>& region) const {
-    compare<false, Motion, double>(name, term, region, {patch.layout, patch.stage, {}, {}}, 1e-12);
-    compare<true, Motion, double>(name, term, region, {patch.layout, patch.stage, direction, {}}, 1e-12);
+    compare<false, Motion, double>(name, term, region, {patch.layout, patch.stage, {}, {}}, limit);
+    compare<true, Motion, double>(name, term, region, {patch.layout, patch.stage, direction, {}}, limit);
+  }
+  /// A term that no implicit step has.
+  template <class Term>
+  void check_explicit(const char* name, const Term& term, const Region<D>& region) const {
+    compare<false, NoMotion, double>(name, term, region, {patch.layout, patch.stage, {}, {}}, limit);
+    compare<false, WallMotion<D>, double>(name, term, region, {patch.layout, patch.stage, {}, {}}, limit);
   }
   template <class Motion, class Term>
   void check_single(const char* name, const Term& term, const Region<D>& region) const {
