@@ -46,8 +46,7 @@ void add_with_list(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& s
 template <class Term, int P, int Q>
 inline constexpr bool slopes_follow = Q == P + 1 && Term::where != Where::means;
 template <int D, int P, int Q, bool Tangent, class Term, class Real>
-using TileFor = std::conditional_t<slopes_follow<Term, P, Q>, ChosenTile<D, P, Tangent, Real>,
-                                   SlopeTileShape<D, P, Q>>;
+using TileFor = std::conditional_t<slopes_follow<Term, P, Q>, ChosenTile<D, P, Tangent, Real>, SlopeTileShape<D, P, Q>>;
 
 /// The term's residual, or (Tangent) its Jacobian-vector product, as partial sums.
 template <int P, bool Tangent, class List, int D, class Term, class Motion, class Real>

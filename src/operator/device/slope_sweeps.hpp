@@ -118,7 +118,8 @@ struct SlopeSweeps {
     load(team.rank());
     share(team, NY * cx * QL * Plan::fields, [&](int i) {
       if constexpr (!one_element) load(i);
-      const int e = i % NY, x = i / NY % cx, z = i / (NY * cx) % QL, f = i / (NY * cx * QL), before = Plan::stored_before(f);
+      const int e = i % NY, x = i / NY % cx, z = i / (NY * cx) % QL, f = i / (NY * cx * QL),
+                before = Plan::stored_before(f);
       const Real* from = t + Room::swept_z + (f + before) * Room::layer + (z * Shape::cy + e) * cx + x;
       Real* to = t + Room::swept + (f + 2 * before) * Room::line_points + (z * Shape::qy + e * Q) * cx + x;
       SOFTWET_UNROLL
@@ -134,7 +135,8 @@ struct SlopeSweeps {
 
   /// Control x of a line takes from the points of the elements x - P .. x, as far as there are `elements`: body(basis, point).
   template <int elements, class Body>
-  static KOKKOS_FORCEINLINE_FUNCTION void for_points_of(const Real* values, const Real* slopes, int x, const Body& body) {
+  static KOKKOS_FORCEINLINE_FUNCTION void for_points_of(const Real* values, const Real* slopes, int x,
+                                                        const Body& body) {
     for (int a = P; a >= 0; --a) {
       const int e = x - a;
       if (e < 0 || e >= elements) continue;

@@ -74,47 +74,28 @@ struct RowTables {
 
 /// The fields of a term at the points, which are numbered element by element. A Task or a ReduceTask says where control values
 /// lie.
-template <class Shape, class Trial_, bool Tangent>
-struct RowFields : TrialFields<Trial_, Shape::D, Tangent> {
+template <class Shape, class Trial_>
+struct RowFields : TrialFields<Trial_, Shape::D, false> {
   using Trial = Trial_;
   using Real = typename Shape::Real;
   using S = typename Shape::S;
-  using Names = TrialFields<Trial, Shape::D, Tangent>;
-  using N = std::conditional_t<Tangent, Dual<S>, S>;
+  using Names = TrialFields<Trial, Shape::D, false>;
   static constexpr int D = Shape::D, n = Shape::n, points = Shape::all_points;
   static constexpr int size = Names::fields * (1 + D) * points;
 
   S (*value)[1 + D][points];  ///< [field][0: value, 1..: slopes]
-  const Real* scale;          ///< of the slots
 
-  KOKKOS_FORCEINLINE_FUNCTION RowFields(Real* room, const Real* scale_)
-      : value(reinterpret_cast<S (*)[1 + D][points]>(room)), scale(scale_) {}
+  explicit KOKKOS_FORCEINLINE_FUNCTION RowFields(Real* room) : value(reinterpret_cast<S (*)[1 + D][points]>(room)) {}
 
-  KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
-    if constexpr (Tangent) {
-      const int unknown = Names::unknown_of_slot(s);
-      return {value[s][c][q], unknown < D + 2 ? S(scale[s]) * value[Names::tangent_of(unknown)][c][q] : S(0.0)};
-    } else {
-      return value[s][c][q];
-    }
-  }
+  KOKKOS_FORCEINLINE_FUNCTION S number(int s, int c, int q) const { return value[s][c][q]; }
 
   template <class Team, class TaskType>
   KOKKOS_FORCEINLINE_FUNCTION void load(const Team& team, const TaskType& task, const ElementRow<D>& row,
                                         const RowTables<Shape>& table) const {
-    for_each_index<Names::fields>(
-        [&](auto f) { load_field<f()>(team, control_values<f()>(task), task.region, row, table); });
+    for_each_index<Names::fields>([&](auto f) { load_field<f()>(team, task.slot[f()], task.region, row, table); });
   }
 
  private:
-  template <int f, class TaskType>
-  static KOKKOS_FORCEINLINE_FUNCTION const Real* control_values(const TaskType& task) {
-    if constexpr (f < Names::slots) {
-      return task.slot[f];
-    } else {
-      return task.tangent[Names::unknown_of(f)];
-    }
-  }
   template <int f, class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_field(const Team& team, const Real* from, const Region<D, Real>& region,
                                               const ElementRow<D>& row, const RowTables<Shape>& table) const {

@@ -18,7 +18,7 @@ struct TeamJacobian {
   using N = Dual<S>;
   using Trial = typename Term::template Trial<N, D>;
   using Test = typename Term::template Test<N, D>;
-  using Fields = RowFields<Shape, Trial, false>;
+  using Fields = RowFields<Shape, Trial>;
   using Wall = RowWall<Shape, Motion, false>;
   using Tables = RowTables<Shape>;
   using Folds = MatrixFolds<Shape>;
@@ -49,7 +49,7 @@ struct TeamJacobian {
   KOKKOS_FORCEINLINE_FUNCTION void run(const Team& team, float* room) const {
     const Batch<D> b = colouring.batch(team.tile());
     const Tables table{room};
-    const Fields fields(room + Tables::size, task.scale);
+    const Fields fields(room + Tables::size);
     const Wall wall{{}, room + Tables::size + Fields::size};
     room = wall.wall + Wall::size;
     ElementRow<D> row{};

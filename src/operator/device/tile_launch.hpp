@@ -9,9 +9,9 @@
 #include <cstddef>
 
 #include "memory/start_teams.hpp"
+#include "operator/device/slope_tile.hpp"
 #include "operator/device/stored_bytes.hpp"
 #include "operator/device/team_bounds.hpp"
-#include "operator/device/slope_tile.hpp"
 #include "operator/device/tile.hpp"
 
 namespace softwet {
