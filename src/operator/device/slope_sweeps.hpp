@@ -194,30 +194,45 @@ struct SlopeSweeps {
     });
   }
 
-  /// Adds to the sums of the tile.
+  /// Where the sum of a channel for plane `plane` of control values is kept: of P + 1 planes that an element has, the last take
+  /// the places of those that are complete.
+  static KOKKOS_FORCEINLINE_FUNCTION int kept(int channel, int plane) {
+    return Room::sums + (channel * n + plane % n) * Room::columns;
+  }
+  /// Adds to the sums. A plane that no later pass reaches goes to `out`, [channel][plane][column] of the tile.
   template <class Team>
-  static KOKKOS_FORCEINLINE_FUNCTION void fold_z(const Team& team, int pass, Real* t) {
+  static KOKKOS_FORCEINLINE_FUNCTION void fold_z(const Team& team, int pass, Real* t, Real* out) {
     constexpr int columns = Room::columns;
-    const int below = Shape::Shared ? 0 : pass;
     share(team, n * columns, [&](int i) {
-      const int column = i % columns, a = i / columns;
+      const int column = i % columns, a = i / columns, plane = Shape::Shared ? a : pass + a;
+      const bool begun = pass > 0 && (Shape::Shared || a < P), done = !Shape::Shared && a == 0;
       Real value[QL], slope[QL];
       SOFTWET_UNROLL
       for (int q = 0; q < QL; ++q) {
         value[q] = t[Room::test + (pass * QL + q) * n + a];
         slope[q] = t[Room::test_slope + (pass * QL + q) * n + a];
       }
-      Real* sums = t + Room::sums + (below + a) * columns + column;
       for_each_index<channels>([&](auto c) {
         const Real* of = t + Room::folded_y + c() * Room::folded_again * Room::layer + column;
-        Real sum = 0;
+        Real sum = begun ? t[kept(c(), plane) + column] : Real(0);
         SOFTWET_UNROLL
         for (int q = 0; q < QL; ++q) {
           sum = sum + value[q] * of[q * columns];
           if constexpr (channel_has_flux<Test>(c())) sum = sum + slope[q] * of[Room::layer + q * columns];
         }
-        sums[c() * Shape::controls] += sum;
+        (done ? out[c() * Shape::controls + plane * columns + column] : t[kept(c(), plane) + column]) = sum;
       });
+    });
+  }
+  /// The planes that are left after so many passes; those of layers outside of the region are zero.
+  template <class Team>
+  static KOKKOS_FORCEINLINE_FUNCTION void store(const Team& team, int passes, const Real* t, Real* out) {
+    constexpr int columns = Room::columns;
+    const int done = Shape::Shared ? 0 : passes, left = (Shape::planes - done) * columns;
+    share(team, channels * left, [&](int i) {
+      const int c = i / left, plane = done + i % left / columns, column = i % columns;
+      const bool reached = Shape::Shared || plane < passes + P;
+      out[c * Shape::controls + plane * columns + column] = reached ? t[kept(c, plane) + column] : Real(0);
     });
   }
 

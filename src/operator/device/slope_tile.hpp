@@ -76,8 +76,8 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
         team, pass, t, [&](int i, int j, int k) { return this->control(corner, i, j, k); },
         [&](int f) {
           if constexpr (Plan::Tangent)
-            if (f >= Plan::slots) return direction + task.tangents.of_unknown[Plan::unknown_of(f)];
-          return task.slot[f];
+            if (f >= Plan::slots) return direction + this->task.tangents.of_unknown[Plan::unknown_of(f)];
+          return this->task.slot[f];
         });
     team.barrier();
     if constexpr (D == 3) {
@@ -92,7 +92,7 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
       Sweeps::fold_y(team, t);
       team.barrier();
     }
-    Sweeps::fold_z(team, pass, t);
+    Sweeps::fold_z(team, pass, t, this->partial_of(team));
   }
 
   /// @param direction  of a product
@@ -101,7 +101,6 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
     int corner[D];
     grid.template corner<Shape>(team.tile(), corner);
     this->load_tables(team, corner, t);
-    this->clear(team, t);
     team.barrier();
     if constexpr (Plan::moves)
       Sweeps::trace(
@@ -110,7 +109,7 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
     const int passes = this->passes(corner);
     for (int pass = 0; pass < passes; ++pass) run_pass(team, pass, direction, t);
     team.barrier();
-    this->store(team, t);
+    Sweeps::store(team, passes, t, this->partial_of(team));
   }
 };
 

@@ -120,9 +120,9 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
         team, t, D == 3 ? first : second, [&](int i, int j, int k) { return this->control(corner, i, j, k); },
         [&](auto f) {
           if constexpr (f() < Plan::slots) {
-            return task.slot[f()];
+            return this->task.slot[f()];
           } else {
-            return direction + task.tangents.of_unknown[Plan::unknown_of(f())];
+            return direction + this->task.tangents.of_unknown[Plan::unknown_of(f())];
           }
         });
     team.barrier();
@@ -153,7 +153,7 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     int corner[D];
     grid.template corner<Shape>(team.tile(), corner);
     this->load_tables(team, corner, t);
-    this->clear(team, t);
+    share(team, Base::sums, [&](int i) { t[Room::sums + i] = 0; });
     team.barrier();
     if constexpr (Plan::moves)
       TileMotion<Plan>::trace(
@@ -161,7 +161,7 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
           [&](int f) { return this->of_wall(f, direction); });
     const int passes = this->passes(corner);
     for (int pass = 0; pass < passes; ++pass) run_pass(team, pass, direction, t);
-    this->store(team, t);
+    share(team, Base::sums, [&](int i) { this->partial_of(team)[i] = t[Room::sums + i]; });
   }
 };
 

@@ -43,7 +43,7 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
 };
 
 /// Tables of the bases [point][function], of weights and of positions, and of shares [element], from `begin` on, and behind
-/// them the sums of a tile. Slopes are there where sweeps need them: all of them, or on a wall those across it.
+/// them the sums of a tile, or of the planes of one layer. Slopes are there where sweeps need them: all of them, or on a wall those across it.
 template <class Plan, int begin>
 struct TileTables {
   using Shape = typename Plan::Shape;
@@ -58,7 +58,8 @@ struct TileTables {
   static constexpr int x_slope = z_slope + (own || Plan::on_wall ? z_size : 0), y_slope = x_slope + (own ? x_size : 0);
   static constexpr int test_slope = y_slope + (own ? y_size : 0), x_share = test_slope + (own ? z_size : 0);
   static constexpr int y_share = x_share + (own ? 0 : Shape::NX), z_share = y_share + (three && !own ? Shape::NY : 0);
-  static constexpr int sums = z_share + (own ? 0 : Shape::NZ), size = sums + Plan::channels * Shape::controls;
+  static constexpr int sums = z_share + (own ? 0 : Shape::NZ), planes = own ? Shape::n : Shape::planes;
+  static constexpr int size = sums + Plan::channels * planes * Shape::cx * Shape::cy;
 };
 
 /// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 3D the first holds what was swept along

@@ -165,12 +165,8 @@ struct TilePoints {
   }
 
   template <class Team>
-  KOKKOS_FORCEINLINE_FUNCTION void clear(const Team& team, Real* t) const {
-    share(team, sums, [&](int i) { t[Room::sums + i] = 0; });
-  }
-  template <class Team>
-  KOKKOS_FORCEINLINE_FUNCTION void store(const Team& team, const Real* t) const {
-    share(team, sums, [&](int i) { partial[std::int64_t(team.tile()) * sums + i] = t[Room::sums + i]; });
+  KOKKOS_FORCEINLINE_FUNCTION Real* partial_of(const Team& team) const {
+    return partial + std::int64_t(team.tile()) * sums;
   }
 };
 
