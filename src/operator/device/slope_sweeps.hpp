@@ -76,31 +76,40 @@ struct SlopeSweeps {
   using Test = typename Plan::Test;
   using Basis = PointBasis<n, Real>;
 
-  /// An item: a column of control values of some of the fields. control(i, j, k): place of one; field(f): its array.
+  /// An item: a column of control values of some of the fields. control(i, j, k): place of one; field(f): its array. All that an
+  /// item reads is read before it writes, here and below: a device waits for its reads together then.
   template <class Team, class Control, class Field>
   static KOKKOS_FORCEINLINE_FUNCTION void along_z(const Team& team, int pass, Real* t, const Control& control,
                                                   const Field& field) {
     constexpr int columns = Room::columns, most = Team::size / columns;
     constexpr int groups = most < 1 ? 1 : most < Plan::fields ? most : Plan::fields;
+    constexpr int each = (Plan::fields + groups - 1) / groups;
     share(team, columns * groups, [&](int i) {
-      const int column = i % columns;
+      const int column = i % columns, begin = i / columns;
       int at[n];
       SOFTWET_UNROLL
       for (int a = 0; a < n; ++a) at[a] = control(column % cx, column / cx, a);
+      Real value[each][n];
+      SOFTWET_UNROLL
+      for (int l = 0; l < each; ++l) {
+        if (begin + l * groups >= Plan::fields) continue;
+        const Real* p = field(begin + l * groups);
+        SOFTWET_UNROLL
+        for (int a = 0; a < n; ++a) value[l][a] = p[at[a]];
+      }
       Basis basis[QL];
       SOFTWET_UNROLL
       for (int q = 0; q < QL; ++q) basis[q] = Basis(t + Room::z, t + Room::z_slope, pass * QL + q);
-      for (int f = i / columns; f < Plan::fields; f += groups) {
-        const Real* p = field(f);
-        Real value[n];
-        SOFTWET_UNROLL
-        for (int a = 0; a < n; ++a) value[a] = p[at[a]];
+      SOFTWET_UNROLL
+      for (int l = 0; l < each; ++l) {
+        const int f = begin + l * groups;
+        if (f >= Plan::fields) continue;
         Real* to = t + Room::swept_z + (f + Plan::stored_before(f)) * Room::layer + column;
         SOFTWET_UNROLL
-        for (int q = 0; q < QL; ++q) to[q * columns] = Basis::sum(basis[q].value, value, 1);
+        for (int q = 0; q < QL; ++q) to[q * columns] = Basis::sum(basis[q].value, value[l], 1);
         if (!Plan::has_gradient(f)) continue;
         SOFTWET_UNROLL
-        for (int q = 0; q < QL; ++q) to[Room::layer + q * columns] = Basis::sum(basis[q].slope, value, 1);
+        for (int q = 0; q < QL; ++q) to[Room::layer + q * columns] = Basis::sum(basis[q].slope, value[l], 1);
       }
     });
   }
@@ -122,13 +131,20 @@ struct SlopeSweeps {
                 before = Plan::stored_before(f);
       const Real* from = t + Room::swept_z + (f + before) * Room::layer + (z * Shape::cy + e) * cx + x;
       Real* to = t + Room::swept + (f + 2 * before) * Room::line_points + (z * Shape::qy + e * Q) * cx + x;
+      const bool slopes = Plan::has_gradient(f);
+      Real value[n], along_z[n];
       SOFTWET_UNROLL
-      for (int q = 0; q < Q; ++q) to[q * cx] = Basis::sum(basis[q].value, from, cx);
-      if (!Plan::has_gradient(f)) return;
+      for (int a = 0; a < n; ++a) {
+        value[a] = from[a * cx];
+        if (slopes) along_z[a] = from[Room::layer + a * cx];
+      }
+      SOFTWET_UNROLL
+      for (int q = 0; q < Q; ++q) to[q * cx] = Basis::sum(basis[q].value, value, 1);
+      if (!slopes) return;
       SOFTWET_UNROLL
       for (int q = 0; q < Q; ++q) {
-        to[Room::line_points + q * cx] = Basis::sum(basis[q].slope, from, cx);
-        to[2 * Room::line_points + q * cx] = Basis::sum(basis[q].value, from + Room::layer, cx);
+        to[Room::line_points + q * cx] = Basis::sum(basis[q].slope, value, 1);
+        to[2 * Room::line_points + q * cx] = Basis::sum(basis[q].value, along_z, 1);
       }
     });
   }
@@ -206,7 +222,7 @@ struct SlopeSweeps {
     share(team, n * columns, [&](int i) {
       const int column = i % columns, a = i / columns, plane = Shape::Shared ? a : pass + a;
       const bool begun = pass > 0 && (Shape::Shared || a < P), done = !Shape::Shared && a == 0;
-      Real value[QL], slope[QL];
+      Real value[QL], slope[QL], sum[channels];
       SOFTWET_UNROLL
       for (int q = 0; q < QL; ++q) {
         value[q] = t[Room::test + (pass * QL + q) * n + a];
@@ -214,14 +230,21 @@ struct SlopeSweeps {
       }
       for_each_index<channels>([&](auto c) {
         const Real* of = t + Room::folded_y + c() * Room::folded_again * Room::layer + column;
-        Real sum = begun ? t[kept(c(), plane) + column] : Real(0);
+        sum[c()] = begun ? t[kept(c(), plane) + column] : Real(0);
         SOFTWET_UNROLL
         for (int q = 0; q < QL; ++q) {
-          sum = sum + value[q] * of[q * columns];
-          if constexpr (channel_has_flux<Test>(c())) sum = sum + slope[q] * of[Room::layer + q * columns];
+          sum[c()] = sum[c()] + value[q] * of[q * columns];
+          if constexpr (channel_has_flux<Test>(c())) sum[c()] = sum[c()] + slope[q] * of[Room::layer + q * columns];
         }
-        (done ? out[c() * Shape::controls + plane * columns + column] : t[kept(c(), plane) + column]) = sum;
       });
+      SOFTWET_UNROLL
+      for (int c = 0; c < channels; ++c) {
+        if (done) {
+          out[c * Shape::controls + plane * columns + column] = sum[c];
+        } else {
+          t[kept(c, plane) + column] = sum[c];
+        }
+      }
     });
   }
   /// The planes that are left after so many passes; those of layers outside of the region are zero.
