@@ -84,8 +84,10 @@ struct RowFields : TrialFields<Trial_, Shape::D, false> {
   static constexpr int size = Names::fields * (1 + D) * points;
 
   S (*value)[1 + D][points];  ///< [field][0: value, 1..: slopes]
+  const Real* scale;          ///< of the slots
 
-  explicit KOKKOS_FORCEINLINE_FUNCTION RowFields(Real* room) : value(reinterpret_cast<S (*)[1 + D][points]>(room)) {}
+  KOKKOS_FORCEINLINE_FUNCTION RowFields(Real* room, const Real* scale_)
+      : value(reinterpret_cast<S (*)[1 + D][points]>(room)), scale(scale_) {}
 
   KOKKOS_FORCEINLINE_FUNCTION S number(int s, int c, int q) const { return value[s][c][q]; }
 

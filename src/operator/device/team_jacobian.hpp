@@ -49,7 +49,7 @@ struct TeamJacobian {
   KOKKOS_FORCEINLINE_FUNCTION void run(const Team& team, float* room) const {
     const Batch<D> b = colouring.batch(team.tile());
     const Tables table{room};
-    const Fields fields(room + Tables::size);
+    const Fields fields(room + Tables::size, task.scale);
     const Wall wall{{}, room + Tables::size + Fields::size};
     room = wall.wall + Wall::size;
     ElementRow<D> row{};

@@ -74,7 +74,7 @@ struct TeamReduce {
   KOKKOS_FORCEINLINE_FUNCTION void add_elements(const Team& team, const ElementRow<D>& row, double* room,
                                                 double* total) const {
     const Tables table{room};
-    const Fields fields(room + Tables::size);
+    const Fields fields(room + Tables::size, nullptr);
     const Wall wall{{}, room + Tables::size + Fields::size};
     double* const integrand = wall.wall + Wall::size;
     table.load(team, task.region, row);
