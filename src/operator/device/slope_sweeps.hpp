@@ -155,40 +155,41 @@ struct SlopeSweeps {
     });
   }
 
-  /// Where the sum of a channel for plane `plane` of control values is kept: of P + 1 planes that an element has, the last take
-  /// the places of those that are complete.
-  static KOKKOS_FORCEINLINE_FUNCTION int kept(int channel, int plane) {
-    return Room::sums + (channel * n + plane % n) * Room::columns;
-  }
+  /// Where the sums of the first channel for plane `plane` of control values are kept: of P + 1 planes that an element has, the
+  /// last take the places of those that are complete. Channels are `kept_apart`.
+  static KOKKOS_FORCEINLINE_FUNCTION int kept(int plane) { return Room::sums + plane % n * Room::columns; }
+  static constexpr int kept_apart = n * Room::columns;
+
   /// Adds to the sums. A plane that no later pass reaches goes to `out`, [channel][plane][column] of the tile.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_z(const Team& team, int pass, Real* t, Real* out) {
     constexpr int columns = Room::columns;
     share(team, n * columns, [&](int i) {
       const int column = i % columns, a = i / columns, plane = Shape::Shared ? a : pass + a;
-      const bool begun = pass > 0 && (Shape::Shared || a < P), done = !Shape::Shared && a == 0;
+      Real* const sums = t + kept(plane) + column;
       Real value[QL], slope[QL], sum[channels];
       SOFTWET_UNROLL
       for (int q = 0; q < QL; ++q) {
         value[q] = t[Room::test + (pass * QL + q) * n + a];
         slope[q] = t[Room::test_slope + (pass * QL + q) * n + a];
       }
+      const bool begun = pass > 0 && (Shape::Shared || a < P);
+      SOFTWET_UNROLL
+      for (int c = 0; c < channels; ++c) sum[c] = begun ? sums[c * kept_apart] : Real(0);
       for_each_index<channels>([&](auto c) {
         const Real* of = t + Room::folded_y + c() * Room::folded_again * Room::layer + column;
-        sum[c()] = begun ? t[kept(c(), plane) + column] : Real(0);
         SOFTWET_UNROLL
         for (int q = 0; q < QL; ++q) {
           sum[c()] = sum[c()] + value[q] * of[q * columns];
           if constexpr (channel_has_flux<Test>(c())) sum[c()] = sum[c()] + slope[q] * of[Room::layer + q * columns];
         }
       });
-      SOFTWET_UNROLL
-      for (int c = 0; c < channels; ++c) {
-        if (done) {
-          out[c * Shape::controls + plane * columns + column] = sum[c];
-        } else {
-          t[kept(c, plane) + column] = sum[c];
-        }
+      if (!Shape::Shared && a == 0) {
+        SOFTWET_UNROLL
+        for (int c = 0; c < channels; ++c) out[c * Shape::controls + plane * columns + column] = sum[c];
+      } else {
+        SOFTWET_UNROLL
+        for (int c = 0; c < channels; ++c) sums[c * kept_apart] = sum[c];
       }
     });
   }
@@ -196,11 +197,14 @@ struct SlopeSweeps {
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void store(const Team& team, int passes, const Real* t, Real* out) {
     constexpr int columns = Room::columns;
-    const int done = Shape::Shared ? 0 : passes, left = (Shape::planes - done) * columns;
-    share(team, channels * left, [&](int i) {
-      const int c = i / left, plane = done + i % left / columns, column = i % columns;
+    const int done = Shape::Shared ? 0 : passes;
+    share(team, (Shape::planes - done) * columns, [&](int i) {
+      const int plane = done + i / columns, column = i % columns;
       const bool reached = Shape::Shared || plane < passes + P;
-      out[c * Shape::controls + plane * columns + column] = reached ? t[kept(c, plane) + column] : Real(0);
+      SOFTWET_UNROLL
+      for (int c = 0; c < channels; ++c)
+        out[c * Shape::controls + plane * columns + column] =
+            reached ? t[kept(plane) + c * kept_apart + column] : Real(0);
     });
   }
 
