@@ -58,7 +58,7 @@ struct SlopeTileShape : TileShape<D, P,
                                   : Q == 3 ? 3
                                            : 2,
                                   Q == 2 ? 2 : 1, 1, 4, Q, Q, false, true> {
-  static constexpr int teams = 512 / SlopeTileShape::points;
+  static constexpr int teams = 512 / ((SlopeTileShape::points + 31) / 32 * 32);
   static_assert(Q != 2 || SlopeTileShape::points % 32 == 0, "a warp without idle threads");
 };
 
