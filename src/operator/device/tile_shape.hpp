@@ -49,15 +49,16 @@ struct ChosenTile<3, 3, Tangent, Real> : TileShape<3, 3, 2, 1, 1, 4> {
   static constexpr int teams = 2;
 };
 
-/// The tile of a term with Q points along an axis whose slopes are swept. Two points along an axis, those of reduced quadrature at
-/// degree 2, fill whole warps. So many teams fit that a multiprocessor has 512 threads, or 128 registers for each.
+/// Elements of a tile whose slopes are swept, with Q points along an axis. Two points, those of reduced quadrature at degree 2, fill
+/// whole warps.
+template <int D, int Q>
+inline constexpr int slope_tile_width = D == 2 ? 128 / (Q * Q) : 6 - Q;
+template <int Q>
+inline constexpr int slope_tile_depth = Q == 2 ? 2 : 1;
+
+/// Such a tile. So many teams should fit that a multiprocessor has 512 threads, or 128 registers for each.
 template <int D, int P, int Q>
-struct SlopeTileShape : TileShape<D, P,
-                                  D == 2   ? 128 / (Q * Q)
-                                  : Q == 2 ? 4
-                                  : Q == 3 ? 3
-                                           : 2,
-                                  Q == 2 ? 2 : 1, 1, 4, Q, Q, false, true> {
+struct SlopeTileShape : TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth<Q>, 1, 4, Q, Q, false, true> {
   static constexpr int teams = 512 / ((SlopeTileShape::points + 31) / 32 * 32);
   static_assert(Q != 2 || SlopeTileShape::points % 32 == 0, "a warp without idle threads");
 };
