@@ -165,8 +165,7 @@ TEST(Tiles2D, SinglePrecision) {
 }
 
 /// Terms of one list share a launch. What one evaluation has summed does not come back in the next.
-TEST(Tiles2D, SeveralTermsAtOnce) {
-  const TileCases<2> c(std::array<int, 2>{9, 7});
+void check_several_terms(const TileCases<2>& c) {
   const Array first("first", c.patch.layout.size()), again("again", c.patch.layout.size());
   const Evaluation<2> at{c.patch.layout, c.patch.stage, c.direction, {}};
   const auto fluid = c.task<true, WallMotion<2>>(c.terms.fluid, at, c.patch.fluid());
@@ -189,6 +188,7 @@ TEST(Tiles2D, SeveralTermsAtOnce) {
   sums.add_to(again);
   EXPECT_LT(distance(to_host(again), to_host(first)), 1e-14);
 }
+TEST(Tiles2D, SeveralTermsAtOnce) { check_several_terms(TileCases<2>(std::array<int, 2>{9, 7})); }
 
 /// A product with another vector copies nothing to the device but its numbers.
 TEST(Tiles2D, TermsAreCopiedOnce) {
@@ -216,6 +216,8 @@ TEST(Tiles2D, ThreadsOfATeam) {
   c.check_threads<true, WallMotion<2>>(c.terms.fluid, c.patch.fluid());
   c.check_threads<true, NoMotion>(c.terms.solid, c.patch.solid());
 }
+
+TEST_F(ReducedTiles2D, SeveralTermsAtOnce) { check_several_terms(cases(Patch<2>({9, 7}, 2))); }
 
 TEST_F(ReducedTiles2D, ThreadsOfATeam) {
   const TileCases<2> c = cases(Patch<2>({35, 7}, 2));
