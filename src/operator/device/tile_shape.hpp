@@ -56,11 +56,13 @@ inline constexpr int slope_tile_width = D == 2 ? 128 / (Q * Q) : 6 - Q;
 template <int Q>
 inline constexpr int slope_tile_depth = Q == 2 ? 2 : 1;
 
-/// Such a tile. So many teams should fit that a multiprocessor has 512 threads, or 128 registers for each.
+/// Such a tile. With two points along an axis the residuals of explicit steps have registers enough for so many teams; with more a
+/// multiprocessor should have 512 threads, or 128 registers for each.
 template <int D, int P, int Q>
 struct SlopeTileShape : TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth<Q>, 1, 4, Q, Q, false, true> {
-  static constexpr int teams = 512 / ((SlopeTileShape::points + 31) / 32 * 32);
-  static_assert(Q != 2 || SlopeTileShape::points % 32 == 0, "a warp without idle threads");
+  static constexpr int whole_warps = (SlopeTileShape::points + 31) / 32 * 32;
+  static constexpr int teams = Q > 2 ? 512 / whole_warps : D == 2 ? 5 : 12;
+  static_assert(Q != 2 || whole_warps == SlopeTileShape::points, "no thread of a warp is idle");
 };
 
 // Tiles of other terms, for teams of the same size, so that one launch computes them all.
