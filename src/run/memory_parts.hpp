@@ -17,8 +17,9 @@ constexpr const char* program_part = "program and libraries";
 
 /// Partial sums of the tiles of a device, for each control value of an evaluation: tiles overlap in their control points.
 template <int D>
-double sums_of_tiles(int degree) {
+double sums_of_tiles(int degree, int points) {
   const auto of = []<class Tile>(Tile) { return double(Tile::controls) / (Tile::NX * Tile::NY * Tile::NZ); };
+  if (points <= degree) return degree == 2 ? of(SlopeTileShape<D, 2, 2>()) : of(SlopeTileShape<D, 3, 3>());
   return degree == 2 ? of(ChosenTile<D, 2, false, double>()) : of(ChosenTile<D, 3, false, double>());
 }
 
@@ -35,7 +36,8 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
                                                     {"state and history", 8 * (state + 3 * n)}};
   const bool mixed = precision_of(c) != Precision::full;
   if (!host_algorithms)
-    parts.push_back({"sums of tiles", (mixed ? 12 : 8) * sums_of_tiles<D>(l.axis[0].degree()) * (n + scalar)});
+    parts.push_back(
+        {"sums of tiles", (mixed ? 12 : 8) * sums_of_tiles<D>(l.axis[0].degree(), c.domain.points()) * (n + scalar)});
   if (preconditioner) {
     // Rounded stages: one for products in single precision, and one for the last build, for a checkpoint.
     const int rounded = (mixed ? 1 : 0) + (preconditioner->name() == "none" ? 0 : 1);

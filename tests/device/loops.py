@@ -23,7 +23,7 @@ COLUMNS = ("loops", "integer", "floating")
 INTEGER = re.compile(r"(add|sub|mul|mad|shl|shr|and|or|xor|not|div|rem|setp|selp|min|max|cvt|bfe|bfi|lop3|shf)\.\S*[subp](16|32|64|red)\b")
 FLOATING = re.compile(r"(fma|mul|add|sub)\.\S*f(32|64)\b")
 FUNCTION = re.compile(r"^(?=\.(?:visible |weak |extern )*\.?(?:entry|func)\b)", re.MULTILINE)
-TILE = re.compile(r"TileKernel<ChosenTile<(\d), \d, \w+, \w+>, (true|false), (float|double)")
+TILE = re.compile(r"TileKernel<(?:ChosenTile|(SlopeTileShape))<(\d), \d, \w+(?:, \w+)?>, (true|false), (float|double)")
 
 
 def options(build):
@@ -69,8 +69,8 @@ def kernels(text):
                            check=True).stdout.splitlines()
     found = {}
     for name, part in zip(names, parts):
-        dimension, tangent, real = TILE.search(name.replace("softwet::", "")).groups()
-        key = f"{dimension}D {'product' if tangent == 'true' else 'residual'}, {real}"
+        reduced, dimension, tangent, real = TILE.search(name.replace("softwet::", "")).groups()
+        key = f"{dimension}D {'product' if tangent == 'true' else 'residual'}, {real}{', reduced' if reduced else ''}"
         found[key] = tuple(map(sum, zip(found.get(key, (0, 0, 0)), counts_of(part))))
     return found
 

@@ -1,7 +1,7 @@
 // Elements beside each other in the memory that a team of threads of a device shares: their bases, and fields at their points.
 //
-// No thread keeps more than a sum or a point. Matrices, integrals and terms with reduced quadrature are made of this; where
-// slopes follow from values at points, tiles (tile.hpp) need fewer sums.
+// No thread keeps more than a sum or a point. Matrices and integrals are made of this; terms are computed in tiles (tile.hpp,
+// slope_tile.hpp), which need fewer sums.
 #pragma once
 
 #include "operator/batch.hpp"
@@ -74,13 +74,12 @@ struct RowTables {
 
 /// The fields of a term at the points, which are numbered element by element. A Task or a ReduceTask says where control values
 /// lie.
-template <class Shape, class Trial_, bool Tangent>
-struct RowFields : TrialFields<Trial_, Shape::D, Tangent> {
+template <class Shape, class Trial_>
+struct RowFields : TrialFields<Trial_, Shape::D, false> {
   using Trial = Trial_;
   using Real = typename Shape::Real;
   using S = typename Shape::S;
-  using Names = TrialFields<Trial, Shape::D, Tangent>;
-  using N = std::conditional_t<Tangent, Dual<S>, S>;
+  using Names = TrialFields<Trial, Shape::D, false>;
   static constexpr int D = Shape::D, n = Shape::n, points = Shape::all_points;
   static constexpr int size = Names::fields * (1 + D) * points;
 
@@ -90,31 +89,15 @@ struct RowFields : TrialFields<Trial_, Shape::D, Tangent> {
   KOKKOS_FORCEINLINE_FUNCTION RowFields(Real* room, const Real* scale_)
       : value(reinterpret_cast<S (*)[1 + D][points]>(room)), scale(scale_) {}
 
-  KOKKOS_FORCEINLINE_FUNCTION N number(int s, int c, int q) const {
-    if constexpr (Tangent) {
-      const int unknown = Names::unknown_of_slot(s);
-      return {value[s][c][q], unknown < D + 2 ? S(scale[s]) * value[Names::tangent_of(unknown)][c][q] : S(0.0)};
-    } else {
-      return value[s][c][q];
-    }
-  }
+  KOKKOS_FORCEINLINE_FUNCTION S number(int s, int c, int q) const { return value[s][c][q]; }
 
   template <class Team, class TaskType>
   KOKKOS_FORCEINLINE_FUNCTION void load(const Team& team, const TaskType& task, const ElementRow<D>& row,
                                         const RowTables<Shape>& table) const {
-    for_each_index<Names::fields>(
-        [&](auto f) { load_field<f()>(team, control_values<f()>(task), task.region, row, table); });
+    for_each_index<Names::fields>([&](auto f) { load_field<f()>(team, task.slot[f()], task.region, row, table); });
   }
 
  private:
-  template <int f, class TaskType>
-  static KOKKOS_FORCEINLINE_FUNCTION const Real* control_values(const TaskType& task) {
-    if constexpr (f < Names::slots) {
-      return task.slot[f];
-    } else {
-      return task.tangent[Names::unknown_of(f)];
-    }
-  }
   template <int f, class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_field(const Team& team, const Real* from, const Region<D, Real>& region,
                                               const ElementRow<D>& row, const RowTables<Shape>& table) const {

@@ -18,7 +18,7 @@ struct TeamJacobian {
   using N = Dual<S>;
   using Trial = typename Term::template Trial<N, D>;
   using Test = typename Term::template Test<N, D>;
-  using Fields = RowFields<Shape, Trial, false>;
+  using Fields = RowFields<Shape, Trial>;
   using Wall = RowWall<Shape, Motion, false>;
   using Tables = RowTables<Shape>;
   using Folds = MatrixFolds<Shape>;

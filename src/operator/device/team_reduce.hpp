@@ -17,7 +17,7 @@ struct TeamReduce {
   static constexpr int E = D == 2 ? strip_width : 1, count = Functional::count;
   using Shape = RowShape<D, P, Q, points_across<Functional, Q>, E, double>;
   using N = std::conditional_t<Rate, Dual<double>, double>;
-  using Fields = RowFields<Shape, typename Functional::template Trial<double, D>, false>;
+  using Fields = RowFields<Shape, typename Functional::template Trial<double, D>>;
   using Wall = RowWall<Shape, Motion, Rate>;
   using Tables = RowTables<Shape>;
   static constexpr int points = Shape::all_points;

@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "memory/start_teams.hpp"
+#include "operator/device/slope_tile.hpp"
 #include "operator/device/stored_bytes.hpp"
 #include "operator/device/team_bounds.hpp"
 #include "operator/device/tile.hpp"
@@ -44,6 +45,10 @@ using ShapeOf = std::conditional_t<
 
 inline constexpr int most_sources = 12;
 
+/// The tile of a plan.
+template <class Plan>
+using TileOf = std::conditional_t<Plan::Shape::own_slopes, SlopeTile<Plan>, Tile<Plan>>;
+
 /// The terms of a launch: the place of each in the list of its kernel, where it lies, and its first team.
 struct TileSchedule {
   int count = 0;
@@ -61,7 +66,7 @@ template <class Tile_, bool Tangent, class Real, class... Entries>
 struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   template <class Entry>
   using PlanOf = TilePlan<ShapeOf<Entry, Tile_>, typename Entry::Term, typename Entry::Motion, Tangent, Real>;
-  static constexpr int size = std::max({TileScratch<PlanOf<Entries>>::size...}), bytes = size * sizeof(Real);
+  static constexpr int size = std::max({TileOf<PlanOf<Entries>>::Room::size...}), bytes = size * sizeof(Real);
   static constexpr int threads = on_host ? 1 : Tile_::points;
 
   TileSchedule schedule;
@@ -88,7 +93,7 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   template <class Entry, class Team>
   KOKKOS_FORCEINLINE_FUNCTION void run_if(const Team& team, int s, Real* scratch) const {
     if (schedule.code[s] != TermList<Entries...>::template place<Entry>()) return;
-    reinterpret_cast<const Tile<PlanOf<Entry>>*>(terms + schedule.place[s])->run(team, direction, scratch);
+    reinterpret_cast<const TileOf<PlanOf<Entry>>*>(terms + schedule.place[s])->run(team, direction, scratch);
   }
 };
 

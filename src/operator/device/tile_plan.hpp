@@ -42,11 +42,31 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
   static constexpr int stored = unpacked(places_stored, fields);
 };
 
+/// Tables of the bases [point][function], of weights and of positions, and of shares [element], from `begin` on, and behind
+/// them the sums of a tile, or of the planes of one layer. Slopes are there where sweeps need them: all of them, or on a wall those across it.
+template <class Plan, int begin>
+struct TileTables {
+  using Shape = typename Plan::Shape;
+  static constexpr bool three = Shape::D == 3, own = Shape::own_slopes;
+  static constexpr int zs = Shape::QL * Shape::NZ;  ///< points of the tile along the last axis
+  static constexpr int x_size = Shape::qx * Shape::n, y_size = three ? Shape::qy * Shape::n : 0, z_size = zs * Shape::n;
+
+  static constexpr int x = begin, y = x + x_size, z = y + y_size, test = z + z_size, x_weight = test + z_size;
+  static constexpr int y_weight = x_weight + Shape::qx, z_weight = y_weight + (three ? Shape::qy : 0);
+  static constexpr int x_place = z_weight + zs, y_place = x_place + Shape::qx;
+  static constexpr int z_place = y_place + (three ? Shape::qy : 0), z_slope = z_place + zs;
+  static constexpr int x_slope = z_slope + (own || Plan::on_wall ? z_size : 0), y_slope = x_slope + (own ? x_size : 0);
+  static constexpr int test_slope = y_slope + (own ? y_size : 0), x_share = test_slope + (own ? z_size : 0);
+  static constexpr int y_share = x_share + (own ? 0 : Shape::NX), z_share = y_share + (three && !own ? Shape::NY : 0);
+  static constexpr int sums = z_share + (own ? 0 : Shape::NZ), planes = own ? Shape::n : Shape::planes;
+  static constexpr int size = sums + Plan::channels * planes * Shape::cx * Shape::cy;
+};
+
 /// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 3D the first holds what was swept along
 /// x, then values, then what was folded at the points; the second what was swept along y, then fluxes, then later folds. In
 /// 2D there is one sweep less, and the second room begins.
 template <class Plan>
-struct TileScratch {
+struct TileRooms {
   using Shape = typename Plan::Shape;
   static constexpr bool three = Shape::D == 3;
   static constexpr int max(int a, int b) { return a > b ? a : b; }
@@ -62,17 +82,10 @@ struct TileScratch {
   static constexpr int second_room = max(max(three ? sweep_y : sweep_x, flux), folded_z + folded_y);
   static constexpr int first = 0, second = first_room, wall = second + second_room;
   static constexpr int tables = wall + Plan::wall_numbers * Shape::base;
-
-  // Tables of the bases [point][function], of weights and of positions, and of shares [element].
-  static constexpr int x = tables, y = x + Shape::qx * Shape::n, z = y + (three ? Shape::qy * Shape::n : 0);
-  static constexpr int zs = Shape::QL * Shape::NZ;  ///< points of the tile along the last axis
-  static constexpr int test = z + zs * Shape::n, x_weight = test + zs * Shape::n, y_weight = x_weight + Shape::qx;
-  static constexpr int z_weight = y_weight + (three ? Shape::qy : 0), x_place = z_weight + zs;
-  static constexpr int y_place = x_place + Shape::qx, z_place = y_place + (three ? Shape::qy : 0);
-  static constexpr int z_slope = z_place + zs;  ///< on a wall alone
-  static constexpr int x_share = z_slope + (Plan::on_wall ? zs * Shape::n : 0), y_share = x_share + Shape::NX;
-  static constexpr int z_share = y_share + (three ? Shape::NY : 0), sums = z_share + Shape::NZ;
-  static constexpr int size = sums + Plan::channels * Shape::controls;
+};
+template <class Plan>
+struct TileScratch : TileRooms<Plan>, TileTables<Plan, TileRooms<Plan>::tables> {
+  using TileTables<Plan, TileRooms<Plan>::tables>::three;
 };
 
 /// Derivatives at the points of an element of the Lagrange polynomials through them, which give the slopes of a spline from

@@ -8,11 +8,13 @@ namespace softwet {
 /// NX x NY elements across the wall, M times L layers of them. The team computes L layers in a pass, with one thread for
 /// each quadrature point. Along each axis a tile has as many control points as elements, and `degree` more. An element has QL
 /// points along the last axis: one on a wall. With `Shared` all layers, which are passed one by one, have the same test
-/// functions along the last axis.
-template <int D_, int P_, int NX_, int NY_, int L_, int M_, int QL_ = P_ + 1, bool Shared_ = false>
+/// functions along the last axis. With `own_slopes` slopes are swept from control values; else they follow from the values at the
+/// points of an element, which needs degree + 1 of them along an axis.
+template <int D_, int P_, int NX_, int NY_, int L_, int M_, int Q_ = P_ + 1, int QL_ = Q_, bool Shared_ = false,
+          bool own_slopes_ = false>
 struct TileShape {
-  static constexpr int D = D_, P = P_, n = P + 1, Q = P + 1, QL = QL_;
-  static constexpr bool Shared = Shared_;
+  static constexpr int D = D_, P = P_, n = P + 1, Q = Q_, QL = QL_;
+  static constexpr bool Shared = Shared_, own_slopes = own_slopes_;
   static constexpr int NX = NX_, NY = D == 3 ? NY_ : 1, L = L_, M = M_, NZ = L * M;
   static constexpr int qx = Q * NX, qy = D == 3 ? Q * NY : 1, qz = QL * L;  ///< points of a pass along the axes
   static constexpr int base = qx * qy, points = base * qz;
@@ -20,6 +22,7 @@ struct TileShape {
   static constexpr int planes = Shared ? n : NZ + P, controls = cx * cy * planes;  ///< of the tile
   static_assert(QL == Q || NZ == 1, "a wall has one layer of elements");
   static_assert(!Shared || L == 1, "layers with the same test functions are passed one by one");
+  static_assert(own_slopes ? L == 1 : Q == n, "slopes need values at degree + 1 points, or sweeps of one layer");
 
   static constexpr int width(int d) { return d == 0 ? NX : d == D - 1 ? NZ : NY; }
 };
@@ -46,16 +49,32 @@ struct ChosenTile<3, 3, Tangent, Real> : TileShape<3, 3, 2, 1, 1, 4> {
   static constexpr int teams = 2;
 };
 
+/// Elements of a tile whose slopes are swept, with Q points along an axis. Two points, those of reduced quadrature at degree 2, fill
+/// whole warps.
+template <int D, int Q>
+inline constexpr int slope_tile_width = D == 2 ? 128 / (Q * Q) : 6 - Q;
+template <int Q>
+inline constexpr int slope_tile_depth = Q == 2 ? 2 : 1;
+
+/// Such a tile. With two points along an axis the residuals of explicit steps have registers enough for so many teams; with more a
+/// multiprocessor should have 512 threads, or 128 registers for each.
+template <int D, int P, int Q>
+struct SlopeTileShape : TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth<Q>, 1, 4, Q, Q, false, true> {
+  static constexpr int whole_warps = (SlopeTileShape::points + 31) / 32 * 32;
+  static constexpr int teams = Q > 2 ? 512 / whole_warps : D == 2 ? 5 : 12;
+  static_assert(Q != 2 || whole_warps == SlopeTileShape::points, "no thread of a warp is idle");
+};
+
 // Tiles of other terms, for teams of the same size, so that one launch computes them all.
 /// One layer of elements, for terms beside the wall.
-template <class Tile>
-using LayerOf = TileShape<Tile::D, Tile::P, Tile::NX * Tile::L, Tile::NY, 1, 1>;
+template <class T>
+using LayerOf = TileShape<T::D, T::P, T::NX * T::L, T::NY, 1, 1, T::Q, T::Q, false, T::own_slopes>;
 /// Elements on the wall; most threads of a team have no point there.
-template <class Tile>
-using WallOf = TileShape<Tile::D, Tile::P, Tile::NX * Tile::L, Tile::NY, 1, 1, 1>;
+template <class T>
+using WallOf = TileShape<T::D, T::P, T::NX * T::L, T::NY, 1, 1, T::Q, 1, false, T::own_slopes>;
 /// Layers above each other with the same test functions.
-template <class Tile>
-using SharedOf = TileShape<Tile::D, Tile::P, Tile::NX * Tile::L, Tile::NY, 1, Tile::NZ, Tile::Q, true>;
+template <class T>
+using SharedOf = TileShape<T::D, T::P, T::NX * T::L, T::NY, 1, T::NZ, T::Q, T::Q, true, T::own_slopes>;
 
 /// The elements of a region in tiles: where these begin, how many elements they have, and how many tiles there are along each
 /// axis. Along the first axis tiles begin at multiples of their width of the whole axis, wherever it is cut among processes,

@@ -1,5 +1,6 @@
 // The tiles of a device in 2D, computed on the host. Element counts are no multiples of a tile.
 #include "cli/core/kernel_counts.hpp"
+#include "kernels/fluid/explicit_terms.hpp"
 #include "tile_cases.hpp"
 
 namespace softwet::testing_tools {
@@ -82,15 +83,75 @@ TEST(Tiles2D, BlendedTraction) {
   c.check<WallMotion<2>>("capillary_traction", c.terms.traction, r);
 }
 
-TEST(Tiles2D, ReducedQuadrature) {
-  if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
-  TileCases<2> c(std::array<int, 2>{19, 7});
-  c.patch.points = 2;
+/// Fewer points than degree + 1: slopes are swept. Element counts are no multiples of a tile, and others are less than one.
+class ReducedTiles2D : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
+  }
+  static TileCases<2> cases(Patch<2> patch) {
+    patch.points = 2;
+    TileCases<2> c(patch);
+    c.limit = 1e-13;
+    return c;
+  }
+};
+
+TEST_F(ReducedTiles2D, Fluid) {
+  for (int along : {67, 32, 5}) {
+    const TileCases<2> c = cases(Patch<2>({along, 11}, 2));
+    c.check_fluid("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+    c.check<WallMotion<2>>("density_moment", DensityMoment{}, c.patch.fluid());
+  }
+  const TileCases<2> c = cases(Patch<2>({35, 7}, 2));
+  c.check_single<WallMotion<2, float>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+  const Axisymmetric<NavierStokesKorteweg> around{c.terms.fluid};
+  c.check<WallMotion<2>>("around an axis", around, c.patch.fluid());
+}
+
+/// Terms of explicit steps: one has fluxes in some channels alone, and one none at all.
+TEST_F(ReducedTiles2D, ExplicitSteps) {
+  const TileCases<2> c = cases(Patch<2>({35, 9}, 2, 2, 0.6));
+  c.check_explicit("pressure", PressureForce{c.terms.fluid}, c.patch.fluid());
+  c.check_explicit("convection", ConvectionViscosity{0.3, 0.05}, c.patch.fluid());
+  c.check_explicit("flux of mass", MassFlux{}, c.patch.fluid());
+  c.check_explicit("potential", VariationalDerivative{c.terms.gas, 0.4}, c.patch.fluid());
+}
+
+TEST_F(ReducedTiles2D, GradedElements) {
+  const TileCases<2> c = cases(Patch<2>({37, 9}, 3, 2, 0.6));
   c.check_fluid("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+  c.check_fluid("gradient_wall", c.terms.gradient_wall, c.patch.face());
   c.check<WallMotion<2>>("energy_wall", c.terms.energy_wall, c.patch.face());
   c.check<WallMotion<2>>("capillary_traction", c.terms.traction, c.patch.layer());
   c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
-  c.check_single<WallMotion<2, float>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+  c.check<NoMotion>("surface tension", SurfaceTension{0.6}, c.patch.top());
+  c.check<NoMotion>("dashpots", Dashpots{0.6, 0.4}, c.patch.bottom());
+  Region<2> r = c.patch.fluid();  // test functions that all elements above each other share
+  r.test = linear_from(r.test, c.patch.layout.wall_row, c.patch.blend.low, c.patch.blend.height);
+  r.shared_test = true;
+  c.check<WallMotion<2>>("blended capillary_traction", c.terms.traction, r);
+}
+
+TEST_F(ReducedTiles2D, PeriodicAxis) {
+  Layout<2> l;
+  l.solid_elements = 3;
+  l.axis = {Axis(0.9, 37, 2, true), Axis(0.8, 8, 2, false, 3)};
+  l.row_size = l.axis[0].functions();
+  l.rows = l.axis[1].functions();
+  l.wall_row = l.axis[1].span(3);
+  const TileCases<2> c = cases(Patch<2>(l, {l.axis[1].lower(3), 0.8 - l.axis[1].lower(3)}));
+  c.check_fluid("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+  c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
+}
+
+/// Means over elements: their slopes are swept with any number of points.
+TEST_F(ReducedTiles2D, MeansOverElements) {
+  const Prestretch before{true, {{1.2, 0.9, 1}}, 0.1};
+  const SolidOfMeans of_means{{{{ElasticLaw::neo_hookean, {0.8, 0.5}, before}}}};
+  const TileCases<2> c = cases(Patch<2>({37, 9}, 5, 2, 0.6));
+  c.check<NoMotion>("two points", of_means, c.patch.means());
+  c.check_single<NoMotion>("two points", of_means, c.patch.means());
 }
 
 TEST(Tiles2D, DegreeThree) {
@@ -104,8 +165,7 @@ TEST(Tiles2D, SinglePrecision) {
 }
 
 /// Terms of one list share a launch. What one evaluation has summed does not come back in the next.
-TEST(Tiles2D, SeveralTermsAtOnce) {
-  const TileCases<2> c(std::array<int, 2>{9, 7});
+void check_several_terms(const TileCases<2>& c) {
   const Array first("first", c.patch.layout.size()), again("again", c.patch.layout.size());
   const Evaluation<2> at{c.patch.layout, c.patch.stage, c.direction, {}};
   const auto fluid = c.task<true, WallMotion<2>>(c.terms.fluid, at, c.patch.fluid());
@@ -128,6 +188,7 @@ TEST(Tiles2D, SeveralTermsAtOnce) {
   sums.add_to(again);
   EXPECT_LT(distance(to_host(again), to_host(first)), 1e-14);
 }
+TEST(Tiles2D, SeveralTermsAtOnce) { check_several_terms(TileCases<2>(std::array<int, 2>{9, 7})); }
 
 /// A product with another vector copies nothing to the device but its numbers.
 TEST(Tiles2D, TermsAreCopiedOnce) {
@@ -156,12 +217,12 @@ TEST(Tiles2D, ThreadsOfATeam) {
   c.check_threads<true, NoMotion>(c.terms.solid, c.patch.solid());
 }
 
-TEST(Tiles2D, ReducedQuadratureByThreadsOfATeam) {
-  if (!has_reduced_quadrature) GTEST_SKIP() << "this program has no kernels for reduced quadrature";
-  TileCases<2> c(std::array<int, 2>{19, 7});
-  c.patch.points = 2;
-  c.check_threads_of_rows<true, WallMotion<2>>(c.terms.fluid, c.patch.fluid());
-  c.check_threads_of_rows<false, WallMotion<2>>(c.terms.energy_wall, c.patch.face());
+TEST_F(ReducedTiles2D, SeveralTermsAtOnce) { check_several_terms(cases(Patch<2>({9, 7}, 2))); }
+
+TEST_F(ReducedTiles2D, ThreadsOfATeam) {
+  const TileCases<2> c = cases(Patch<2>({35, 7}, 2));
+  c.check_threads<true, WallMotion<2>, 2>(c.terms.fluid, c.patch.fluid());
+  c.check_threads<false, WallMotion<2>, 2>(c.terms.energy_wall, c.patch.face());
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct TileCases {
   Patch<D> patch;
   Terms terms;
   Array direction;
+  double limit = 1e-12;  ///< of differences in double precision
 
   explicit TileCases(const std::array<int, D>& elements) : TileCases(Patch<D>(elements, 2, P)) {}
   explicit TileCases(const Patch<D>& p) : patch(p), direction(patch.draw(patch.layout.size(), -1, 1)) {}
@@ -26,10 +27,10 @@ struct TileCases {
     return task_of<D, Term, Motion>(term, rounded<Real>(region), at, patch.blend);
   }
 
-  /// One evaluation in tiles and as the host does it. @param limit  of the difference, relative to the largest value
+  /// One evaluation in tiles and as the host does it. @param bound  of the difference, relative to the largest value
   template <bool Tangent, class Motion, class Real, class Term>
   void compare(const char* name, const Term& term, const Region<D>& region, Evaluation<D, Real> at,
-               double limit) const {
+               double bound) const {
     Patch<D> random = patch;
     const GivenField<double> field{random.draw(patch.layout.rows * patch.layout.row_size, 0.4, 1.2), 0};
     const GivenField<Real> given = rounded<Real>(field);
@@ -49,12 +50,18 @@ struct TileCases {
       return to_host(copy);
     };
     ASSERT_GT(largest(wide(want)), 1e-6) << name;
-    EXPECT_LT(distance(wide(got), wide(want)), limit) << name << (Tangent ? ", product" : ", residual");
+    EXPECT_LT(distance(wide(got), wide(want)), bound) << name << (Tangent ? ", product" : ", residual");
   }
   template <class Motion, class Term>
   void check(const char* name, const Term& term, const Region<D>& region) const {
-    compare<false, Motion, double>(name, term, region, {patch.layout, patch.stage, {}, {}}, 1e-12);
-    compare<true, Motion, double>(name, term, region, {patch.layout, patch.stage, direction, {}}, 1e-12);
+    compare<false, Motion, double>(name, term, region, {patch.layout, patch.stage, {}, {}}, limit);
+    compare<true, Motion, double>(name, term, region, {patch.layout, patch.stage, direction, {}}, limit);
+  }
+  /// A term that no implicit step has.
+  template <class Term>
+  void check_explicit(const char* name, const Term& term, const Region<D>& region) const {
+    compare<false, NoMotion, double>(name, term, region, {patch.layout, patch.stage, {}, {}}, limit);
+    compare<false, WallMotion<D>, double>(name, term, region, {patch.layout, patch.stage, {}, {}}, limit);
   }
   template <class Motion, class Term>
   void check_single(const char* name, const Term& term, const Region<D>& region) const {
@@ -70,11 +77,11 @@ struct TileCases {
     check<WallMotion<D>>(name, term, region);
   }
 
-  /// The partial sums of a tile by three threads against those by one.
-  template <bool Tangent, class Motion, class Term>
+  /// The partial sums of tiles by three threads, twice, against those by one.
+  template <bool Tangent, class Motion, int Q = P + 1, class Term>
   void check_threads(const Term& term, const Region<D>& region) const {
     if (!on_host) GTEST_SKIP() << "the tiles of this program lie in the memory of a device";
-    using Shape = ChosenTile<D, P, true, double>;
+    using Shape = ShapeOf<TermOnMesh<Term, Motion>, TileFor<D, P, Q, Tangent, Term, double>>;
     using Plan = TilePlan<Shape, Term, Motion, Tangent, double>;
     double spacing[D];
     for (int d = 0; d < D; ++d) spacing[d] = region.axis[d].spacing;
@@ -83,35 +90,19 @@ struct TileCases {
     const Array one("one", std::size_t(grid.count()) * size), three("three", one.extent(0));
     const Evaluation<D> at{patch.layout, patch.stage, Tangent ? direction : Array(), {}};
     const auto whole = task<Tangent, Motion>(term, at, region);
-    Tile<Plan> tile;
+    TileOf<Plan> tile;
     tile.task.set(whole, at.tangent.data());
-    tile.slope = Collocation<D, Shape::Q, double>::of(spacing);
+    tile.set_spacing(spacing);
     tile.grid = grid;
     tile.partial = three.data();
     TileSums<D, double> sums(patch.layout, at.tangent);
     assemble_in_tiles<P, Tangent>(whole, sums);
     sums.add_to(Array("sum", patch.layout.size()));
     std::memcpy(one.data(), tile_room<double>(0, one.extent(0)), one.extent(0) * sizeof(double));
-    std::vector<double> scratch(TileScratch<Plan>::size, std::nan(""));
-    run_thread_teams(grid.count(), [&](const ThreadTeam& team) { tile.run(team, at.tangent.data(), scratch.data()); });
-    EXPECT_LT(distance(to_host(three), to_host(one)), 1e-13);
-  }
-
-  /// The same for rows of elements, with reduced quadrature.
-  template <bool Tangent, class Motion, class Term>
-  void check_threads_of_rows(const Term& term, const Region<D>& region) const {
-    if (!on_host) GTEST_SKIP() << "the tiles of this program lie in the memory of a device";
-    using Kernel = ElementKernel<P, P, Tangent, D, Term, Motion, double>;
-    const TileGrid<D> grid = TileGrid<D>::template of<typename Kernel::Tile>(region, region.first_axis().run[0]);
-    const Array one("one", std::size_t(grid.count()) * Kernel::channels * Kernel::Tile::controls);
-    const Array three("three", one.extent(0));
-    const auto whole = task<Tangent, Motion>(
-        term, Evaluation<D>{patch.layout, patch.stage, Tangent ? direction : Array(), {}}, region);
-    Kernel::launch(whole, grid, one.data());
-    const Kernel kernel{whole, grid, three.data()};
     const auto by_three = [&] {
-      std::vector<double> scratch(Kernel::size, std::nan(""));
-      run_thread_teams(grid.count(), [&](const ThreadTeam& team) { kernel.run(team, scratch.data()); });
+      std::vector<double> scratch(TileOf<Plan>::Room::size, std::nan(""));
+      run_thread_teams(grid.count(),
+                       [&](const ThreadTeam& team) { tile.run(team, at.tangent.data(), scratch.data()); });
       return to_host(three);
     };
     const std::vector<double> found = by_three();

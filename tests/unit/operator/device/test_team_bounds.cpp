@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/fluid/navier_stokes_korteweg.hpp"
-#include "operator/device/element_kernel.hpp"
+#include "scene/scene_terms.hpp"
 
 namespace softwet {
 namespace {
@@ -29,14 +28,27 @@ TEST(TeamBounds, NoMoreThanWanted) {
   EXPECT_EQ((teams_of<TeamBounds<32, 100, 3>>), 3);
 }
 
-/// A product of the fluid in space on a moving mesh with reduced quadrature: twelve teams of its scratch need more than a
-/// multiprocessor of any chip has. Kokkos counts the scratch, two numbers and one for each thread.
-TEST(TeamBounds, ReducedQuadratureInSpaceFits) {
-  using Kernel = ElementKernel<2, 2, true, 3, NavierStokesKorteweg, WallMotion<3>, double>;
-  constexpr int counted = Kernel::bytes + (32 + 2) * 8, teams = teams_of<TeamBounds<32, Kernel::bytes, 12>>;
-  EXPECT_GT(12 * counted, 228 * 1024);
-  EXPECT_GT(teams, 0);
-  EXPECT_LE(teams * counted, multiprocessor.bytes);
+/// Teams of the terms of most scenes with reduced quadrature: whole warps, and residuals have 512 threads on a multiprocessor of
+/// 228 kB. Kokkos counts the scratch, two numbers and one for each thread.
+template <int D, bool Tangent, class Real, class List>
+void check_reduced() {
+  using Shape = SlopeTileShape<D, 2, 2>;
+  using Kernel = TileKernel<Shape, Tangent, Real, List>;
+  constexpr int teams = teams_of<TeamBounds<Shape::points, Kernel::bytes, Shape::teams>>;
+  EXPECT_EQ(Shape::points % 32, 0);
+  EXPECT_GE(teams, 2);
+  EXPECT_LE(teams * (Kernel::bytes + (Shape::points + 2) * 8), multiprocessor.bytes);
+  if (!Tangent && multiprocessor.bytes >= 228 * 1024) EXPECT_GE(teams * Shape::points, 512) << Kernel::bytes;
+}
+
+TEST(TeamBounds, ReducedQuadratureFits) {
+  check_reduced<2, false, double, SoftTerms<2, double>>();
+  check_reduced<2, true, double, SoftTerms<2, double>>();
+  check_reduced<2, true, float, SoftTerms<2, float>>();
+  check_reduced<3, false, double, SoftTerms<3, double>>();
+  check_reduced<3, true, double, SoftTerms<3, double>>();
+  check_reduced<3, true, float, SoftTerms<3, float>>();
+  check_reduced<3, false, double, RigidTerms>();
 }
 
 }  // namespace

@@ -1,0 +1,173 @@
+// What all tiles have: the task of a term, its tables in the memory of a team, and the term at one point.
+#pragma once
+
+#include "operator/device/tile_task.hpp"
+#include "operator/device/tile_team.hpp"
+
+namespace softwet {
+
+/// What Test::write sees. A sink takes the integrand of a channel against the values of test functions, `integrand(channel,
+/// number)`, and those against their slopes, `flux(channel, axis, number)`.
+template <class Plan, class Point, class Sink>
+struct TileWriter {
+  using N = typename Plan::N;
+  using S = typename Plan::S;
+  static constexpr int D = Plan::D;
+  Sink& to;
+  const Point& point;
+  S weight;
+
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value) const {
+    to.integrand(channel, weight * outcome(point.measured(value)));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& f) const {
+    add(channel, value);
+    add_flux(channel, f);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& f, const N& hoop) const {
+    to.integrand(channel, weight * outcome(point.measured(value, hoop)));
+    add_flux(channel, f);
+  }
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION void add_flux(int channel, const Vector<N, D>& f) const {
+    const Vector<N, D> r = point.reference_flux(f);
+    SOFTWET_UNROLL
+    for (int d = 0; d < D; ++d) to.flux(channel, d, weight * outcome(r[d]));
+  }
+};
+
+/// A term on the tiles of a region. Room says where a team keeps its tables.
+template <class Plan_, class Room_>
+struct TilePoints {
+  using Plan = Plan_;
+  using Room = Room_;
+  using Shape = typename Plan::Shape;
+  using Real = typename Plan::Real;
+  using S = typename Plan::S;
+  using N = typename Plan::N;
+  static constexpr int D = Shape::D, P = Shape::P, n = Shape::n, Q = Shape::Q;
+  static constexpr int sums = Plan::channels * Shape::controls;  ///< of a tile
+
+  TileTask<Plan> task;
+  TileGrid<D> grid;
+  Real* partial;  ///< [tile][channel][plane][cy][cx]
+
+  static KOKKOS_FORCEINLINE_FUNCTION int least(int a, int b) { return a < b ? a : b; }
+  static KOKKOS_FORCEINLINE_FUNCTION int within(int low, int i, int high) { return i < low ? low : least(i, high); }
+
+  /// Place in the wall's row of control (i, j) from the corner of a tile; outside of the region it repeats the nearest one.
+  KOKKOS_FORCEINLINE_FUNCTION int column(const int (&corner)[D], int i, int j) const {
+    int at = grid.first[0] + within(grid.lead, corner[0] + i, grid.elements[0] + P - 1);
+    if constexpr (D == 3) at += least(corner[1] + j, grid.elements[1] + P - 1) * task.stride[1];
+    return at;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION int control(const int (&corner)[D], int i, int j, int k) const {
+    const int row = task.axis[D - 1].first_functions[0] + least(corner[D - 1] + k, grid.elements[D - 1] + P - 1);
+    return column(corner, i, j) + row * task.stride[D - 1];
+  }
+  /// Passes of the tile with this corner.
+  KOKKOS_FORCEINLINE_FUNCTION int passes(const int (&corner)[D]) const {
+    return least(Shape::M, (grid.elements[D - 1] - corner[D - 1] + Shape::L - 1) / Shape::L);
+  }
+
+  /// Tables of an axis for the elements of a tile; those outside of the region have no weight. A place is null where a table is
+  /// not wanted.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_axis(const Team& team, const AxisTables<Real>& rule, int d, int corner,
+                                             int count, Real* basis, Real* slope, Real* weight, Real* place,
+                                             Real* element) const {
+    const int each = d == D - 1 ? Shape::QL : Q;
+    share(team, count * each, [&](int i) {
+      const int e = corner + i / each, q = i % each, low = d == 0 ? grid.lead : 0;
+      const int known = grid.first[d] + within(low, e, grid.elements[d] - 1);
+      for (int a = 0; a < n; ++a) basis[i * n + a] = rule.value(q, a, known);
+      if (slope)
+        for (int a = 0; a < n; ++a) slope[i * n + a] = rule.slope(q, a, known);
+      if (!weight) return;
+      weight[i] = e >= low && e < grid.elements[d] ? rule.weight(q, known) : Real(0);
+      place[i] = rule.position(q, known);
+      if (q == 0 && element) element[i / each] = rule.share(known);
+    });
+  }
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_tables(const Team& team, const int (&corner)[D], Real* t) const {
+    constexpr bool slopes = Shape::own_slopes;
+    const auto slope = [&](int place) { return slopes ? t + place : nullptr; };
+    const auto element = [&](int place) { return slopes ? nullptr : t + place; };
+    load_axis(team, task.axis[0], 0, corner[0], Shape::NX, t + Room::x, slope(Room::x_slope), t + Room::x_weight,
+              t + Room::x_place, element(Room::x_share));
+    if constexpr (D == 3)
+      load_axis(team, task.axis[1], 1, corner[1], Shape::NY, t + Room::y, slope(Room::y_slope), t + Room::y_weight,
+                t + Room::y_place, element(Room::y_share));
+    constexpr int last = D - 1;
+    load_axis(team, task.axis[last], last, corner[last], Shape::NZ, t + Room::z, slope(Room::z_slope),
+              t + Room::z_weight, t + Room::z_place, element(Room::z_share));
+    load_axis(team, task.test, last, corner[last], Shape::NZ, t + Room::test, slope(Room::test_slope), nullptr, nullptr,
+              nullptr);
+    if constexpr (Plan::on_wall && !slopes)
+      share(team, n, [&](int a) { t[Room::z_slope + a] = task.axis[last].slope(0, a, 0); });
+  }
+
+  /// Point p of a pass with what it remembers. @param corner  of the pass; elements outside of the region have the memory of the
+  /// nearest one, and no weight
+  template <class Point>
+  KOKKOS_FORCEINLINE_FUNCTION auto with_memory_of(const Point& point, int p, const int (&corner)[D]) const {
+    if constexpr (memory_size_of<typename Plan::Trial> == 0) {
+      return point;
+    } else {
+      static_assert(Shape::QL == Q, "points of a volume remember");
+      const int at[3] = {p % Shape::qx, D == 3 ? p / Shape::qx % Shape::qy : p / Shape::base, p / Shape::base};
+      Batch<D> b{};
+      b.count = 1;
+      int q = 0;
+      for (int d = D - 1; d >= 0; --d) {
+        const int e = corner[d] + at[d] / Q, low = d == 0 ? grid.lead : 0;
+        b.element[d] = grid.first[d] + within(low, e, grid.elements[d] - 1);
+        q = q * Q + at[d] % Q;
+      }
+      return with_memory<typename Plan::Trial, Q, S>(point, task.memory, task.stride, grid.elements[1], b, q);
+    }
+  }
+
+  /// The term at point p of a pass, from the fields there. sink(p) takes its integrands.
+  template <class Fields, class Sink>
+  KOKKOS_FORCEINLINE_FUNCTION void evaluate(int p, int pass, const int (&corner)[D], const Real* t, const Fields& from,
+                                            const Sink& sink) const {
+    const int x = p % Shape::qx, y = p / Shape::qx % Shape::qy, z = pass * Shape::qz + p / Shape::base;
+    Vector<S, D> reference;
+    reference[0] = S(t[Room::x_place + x]);
+    if constexpr (D == 3) reference[1] = S(t[Room::y_place + y]);
+    const Real height = t[Room::z_place + z];
+    reference[D - 1] = S(height);
+    const auto place =
+        in_coordinates<typename Plan::Term>(point_above_wall<N, Shape::base, Plan::on_wall>(
+                                                task.motion, t + Room::wall + p % Shape::base, reference, height),
+                                            reference);
+    const auto point = with_memory_of(place, p, corner);
+    using Point = std::remove_const_t<decltype(point)>;
+    using From = Reader<N, D, Fields, Point>;
+    const auto test = task.term.residual(Plan::Trial::read(From{from, point, 0}));
+    const int again = anew(p);  // what was derived from p has been given up
+    Real weight = task.factor * t[Room::x_weight + again % Shape::qx] *
+                  t[Room::z_weight + pass * Shape::qz + again / Shape::base];
+    if constexpr (D == 3) weight = weight * t[Room::y_weight + again / Shape::qx % Shape::qy];
+    auto to = sink(again);
+    TileWriter<Plan, Point, decltype(to)> writer{to, point, S(weight)};
+    test.write(writer);
+  }
+
+  /// Field f of the wall's motion; null where it is zero.
+  KOKKOS_FORCEINLINE_FUNCTION const Real* of_wall(int f, const Real* direction) const {
+    if (f < D) return task.motion.displacement[f];
+    if (f < 2 * D) return task.motion.velocity[f - D];
+    return task.tangents.moves ? direction + task.tangents.of_wall[f - 2 * D] : nullptr;
+  }
+
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION Real* partial_of(const Team& team) const {
+    return partial + std::int64_t(team.tile()) * sums;
+  }
+};
+
+}  // namespace softwet
