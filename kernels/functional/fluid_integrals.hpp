@@ -3,20 +3,22 @@
 
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
 #include "kernels/functional/columns.hpp"
+#include "kernels/functional/liquid_volume.hpp"
 
 namespace softwet {
 
 /// Integrands over the current fluid domain, in this order:
 ///   mass rho, kinetic rho |v|^2/2, bulk W(rho), gradient g^2 |grad rho|^2/2,
-///   viscous dissipation tau : grad v, stabilisation eps |grad mu - f|^2, momentum rho v_i (3)
+///   viscous dissipation tau : grad v, stabilisation eps |grad mu - f|^2, momentum rho v_i (3), share of liquid (LiquidVolume)
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct FluidIntegrals {
   static constexpr Where where = Where::fluid;
 
   NavierStokesKorteweg model;
+  LiquidVolume phases = {};
 
-  enum { mass, kinetic, bulk, gradient, viscous, stabilisation, momentum };
-  static constexpr int count = 9;
+  enum { mass, kinetic, bulk, gradient, viscous, stabilisation, momentum, liquid = momentum + 3 };
+  static constexpr int count = 10;
   static constexpr const char* column(int integral) {
     switch (integral) {
       case mass:
@@ -31,6 +33,8 @@ struct FluidIntegrals {
         return "dissipation_viscous";
       case stabilisation:
         return "dissipation_stabilisation";
+      case liquid:
+        return "liquid_volume";
       default:
         return momentum_columns[integral - momentum];
     }
@@ -50,6 +54,7 @@ struct FluidIntegrals {
     const Vector<N, D> driven = drive(t.chemical_potential_gradient, model.force);
     r[stabilisation] = model.stabilisation * t.density * t.density * dot(driven, driven);
     for (int i = 0; i < 3; ++i) r[momentum + i] = i < D ? t.density * t.velocity[i < D ? i : 0] : N(0.0);
+    r[liquid] = phases.of(t.density);
     return r;
   }
 };

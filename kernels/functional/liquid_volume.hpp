@@ -1,29 +1,23 @@
 // The volume of the liquid in a fluid of two phases.
 #pragma once
 
-#include "kernels/point/fluid_fields.hpp"
+#include "kernels/algebra/pack.hpp"
 
 namespace softwet {
 
-/// Integrand over the current fluid domain: s^2 (3 - 2 s) with s = (rho - rho_v) / (rho_l - rho_v), which is taken as 0 in what is
-/// thinner than the vapour and as 1 in what is denser than the liquid. It is 1/2 at the surface, where s is, and its slope is 0
-/// in both phases, so that vapour a little denser than rho_v, as beside a small droplet, hardly counts.
+/// Share of liquid at a point, of which the integral over the current fluid domain is the volume: s^2 (3 - 2 s) with
+/// s = (rho - rho_v) / (rho_l - rho_v), which is taken as 0 in what is thinner than the vapour and as 1 in what is denser than the
+/// liquid. It is 1/2 at the surface, where s is, and its slope is 0 in both phases, so that vapour a little denser than rho_v, as
+/// beside a small droplet, hardly counts.
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct LiquidVolume {
-  static constexpr Where where = Where::fluid;
+  double vapour = 0, liquid = 1;  ///< densities rho_v and rho_l of the phases in equilibrium
 
-  double vapour, liquid;  ///< densities rho_v and rho_l of the phases in equilibrium
-
-  static constexpr int count = 1;
-
-  template <class N, int D, class...>
-  using Trial = DensityValueTrial<N, D>;
-
-  template <class N, int D>
-  KOKKOS_FORCEINLINE_FUNCTION Vector<N, count> value(const DensityValueTrial<N, D>& t) const {
-    const N share = (t.density - vapour) * (1 / (liquid - vapour));
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION N of(const N& density) const {
+    const N share = (density - vapour) * (1 / (liquid - vapour));
     const N above = select(share < 0.0, N(0.0), share), s = select(above < 1.0, above, N(1.0));
-    return {{s * s * (3.0 - 2.0 * s)}};
+    return s * s * (3.0 - 2.0 * s);
   }
 };
 

@@ -34,18 +34,20 @@ class StripTotals {
   std::vector<double> total_;
 };
 
-/// Scratch for partial sums: allocated once, grown when needed, released before Kokkos ends.
+/// Scratch for partial sums: static, allocated once, grown when needed, released before Kokkos ends.
 struct SumScratch {
   Array device;
   HostArray host;
 };
+inline void grow(SumScratch& scratch, std::size_t entries) {
+  if (scratch.device.extent(0) >= entries) return;
+  if (!scratch.device.data()) Kokkos::push_finalize_hook([&scratch] { scratch = {}; });
+  scratch.device = Array(Kokkos::view_alloc("partial sums", Kokkos::WithoutInitializing), entries);
+  scratch.host = mirror_of(scratch.device);
+}
 inline SumScratch& sum_scratch(std::size_t entries) {
   static SumScratch scratch;
-  if (scratch.device.extent(0) < entries) {
-    if (!scratch.device.data()) Kokkos::push_finalize_hook([] { scratch = {}; });
-    scratch.device = Array(Kokkos::view_alloc("partial sums", Kokkos::WithoutInitializing), entries);
-    scratch.host = mirror_of(scratch.device);
-  }
+  grow(scratch, entries);
   return scratch;
 }
 

@@ -180,7 +180,6 @@ template <int D, int P>
 TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const State& state, const Stage& end) {
   const Layout<D>& layout = scene_.layout();
   const Integrals sum = scene_.balance().integrals(end);
-  const double liquid = scene_.balance().liquid_volume(end);
   const double load_power = scene_.balance().load_power(state.time, state.unknown);
   const std::vector<NeedleReading> needles = scene_.balance().needle_readings(end);
   const Extremes extremes = find_extremes(layout, state, layout.has_fluid ? surface().level : 0);
@@ -202,7 +201,6 @@ TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const Stat
   set_integrals(sum, row);
   set("power_load", load_power, row);
   set_needles(needles, row);
-  set("liquid_volume", liquid, row);
   set_extremes(extremes, row);
   set_droplets(snapshot, step, row);
   follow_bodies(snapshot);

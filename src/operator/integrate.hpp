@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <vector>
 
 #include "field/vector.hpp"
 #include "operator/device/team_reduce.hpp"
@@ -139,8 +141,55 @@ void start_integral(const ReduceTask<D, Functional, Motion>& task, const Array& 
   });
 }
 
-/// With Rate, not the integrals but the rates at which they change because the domain moves; `motion.tangent` is then the
-/// velocity of the wall and `motion.scale` 1.
+/// Integrals whose kernels start one after the other, and whose partial sums come to the host in one copy. There is room for one such list
+/// at a time.
+class PendingIntegrals {
+ public:
+  /// Starts an integral, which `take` gets from `finish`, an array of Functional::count numbers. All processes have to call it. What the
+  /// task points to has to hold until then.
+  /// With Rate, not the integrals but the rates at which they change because the domain moves; `motion.tangent` is then the
+  /// velocity of the wall and `motion.scale` 1.
+  template <int P, bool Rate = false, int D, class Functional, class Motion, class Take>
+  void start(const ReduceTask<D, Functional, Motion>& task, Take take) {
+    const IntegralItems<D> in(task.region);
+    const std::size_t first = room(static_cast<std::size_t>(in.items) * Functional::count);
+    const auto range = Kokkos::make_pair(first, used_);
+    start_integral<P, Rate>(task, Kokkos::subview(partial_sums().device, range));
+    waiting_.push_back(
+        [in, range, take] { take(in.template total<Functional::count>(Kokkos::subview(partial_sums().host, range))); });
+  }
+  /// Waits for all that were started, and hands them out in the order in which they were.
+  void finish() {
+    const auto range = Kokkos::make_pair(std::size_t(0), used_);
+    if (used_ > 0)
+      Kokkos::deep_copy(Kokkos::subview(partial_sums().host, range), Kokkos::subview(partial_sums().device, range));
+    for (const auto& hand_out : waiting_) hand_out();
+    waiting_.clear();
+    used_ = 0;
+  }
+
+ private:
+  /// One for all, because `sum_scratch` serves sums that are made in between.
+  static SumScratch& partial_sums() {
+    static SumScratch scratch;
+    return scratch;
+  }
+  /// Where so many partial sums begin. Those that are there are handed out first where they do not fit beside them.
+  std::size_t room(std::size_t entries) {
+    wanted_ += entries;
+    if (used_ + entries > partial_sums().device.extent(0)) {
+      finish();
+      grow(partial_sums(), wanted_);
+    }
+    used_ += entries;
+    return used_ - entries;
+  }
+
+  std::vector<std::function<void()>> waiting_;
+  std::size_t used_ = 0, wanted_ = 0;  ///< partial sums: that wait, that were ever asked for
+};
+
+/// One integral, or with Rate its rate; as PendingIntegrals::start.
 template <int P, bool Rate = false, int D, class Functional, class Motion>
 std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Motion>& task) {
   constexpr int count = Functional::count;

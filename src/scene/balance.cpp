@@ -3,7 +3,6 @@
 #include "field/vector.hpp"
 #include "kernels/fluid/gravity.hpp"
 #include "kernels/functional/fluid_integrals.hpp"
-#include "kernels/functional/liquid_volume.hpp"
 #include "kernels/functional/solid_integrals.hpp"
 #include "kernels/functional/wall_integrals.hpp"
 #include "operator/integrate.hpp"
@@ -13,17 +12,32 @@
 namespace softwet {
 namespace {
 
-/// The integrals of a functional in the coordinates of the scene; with Rate the rates at which the motion of the wall changes them.
-template <int P, class Motion, bool Rate = false, int D, class Functional>
+/// The integrals of a functional in the coordinates of the scene.
+template <int P, class Motion, int D, class Functional>
 std::array<double, Functional::count> integrate(const Region<D>& region, const Functional& functional,
                                                 const Evaluation<D>& at, const Blend& blend) {
-  return with_task_of<Motion>(region, functional, at, blend, [&](auto& task) {
+  return with_task_of<Motion>(region, functional, at, blend, [&](auto& task) { return reduce<P>(task); });
+}
+
+/// Starts them; `take` gets them when they are finished. With Rate the rates at which the motion of the wall changes them.
+template <int P, class Motion, bool Rate = false, int D, class Functional, class Take>
+void start(PendingIntegrals& pending, const Region<D>& region, const Functional& functional, const Evaluation<D>& at,
+           const Blend& blend, const Take& take) {
+  with_task_of<Motion>(region, functional, at, blend, [&](auto& task) {
     if constexpr (Rate) {
       for (int d = 0; d < D; ++d) task.motion.tangent[d] = task.motion.velocity[d];
       task.motion.scale = 1;
     }
-    return reduce<P, Rate>(task);
+    pending.start<P, Rate>(task, take);
   });
+}
+
+/// Starts them for the parts that the functional names.
+template <int P, class Motion, int D, class Functional>
+void start_parts(PendingIntegrals& pending, const Region<D>& region, const Functional& functional,
+                 const Evaluation<D>& at, const Blend& blend, Integrals& result) {
+  start<P, Motion>(pending, region, functional, at, blend,
+                   [&result](const auto& integrals) { result.add<Functional>(integrals); });
 }
 
 }  // namespace
@@ -35,43 +49,46 @@ Balance<D, P>::Balance(const Regions<D>& regions, const Coefficients<D>& coeffic
 
 template <int D, int P>
 template <class Motion>
-void Balance<D, P>::fluid_integrals(const Evaluation<D>& at, Integrals& result) const {
+void Balance<D, P>::fluid_integrals(const Evaluation<D>& at, PendingIntegrals& pending, Integrals& result) const {
   const NavierStokesKorteweg& fluid = coefficients_.fluid();
-  result.add<FluidIntegrals>(integrate<P, Motion>(regions_.fluid(), FluidIntegrals{fluid}, at, regions_.blend()));
+  const Coexistence& phases = coefficients_.coexistence();
+  const FluidIntegrals integrals{fluid, {phases.density_vapour, phases.density_liquid}};
+  start_parts<P, Motion>(pending, regions_.fluid(), integrals, at, regions_.blend(), result);
   GravityEnergy gravity;
   bool acts = false;
   for (int d = 0; d < D; ++d) {
     gravity.force[d] = fluid.force[d];
     acts = acts || gravity.force[d] != 0;
   }
-  if (acts) result.add<GravityEnergy>(integrate<P, Motion>(regions_.fluid(), gravity, at, regions_.blend()));
+  if (acts) start_parts<P, Motion>(pending, regions_.fluid(), gravity, at, regions_.blend(), result);
   if (!regions_.has_wall()) return;
   const WallCoefficients& wall = coefficients_.wall();
   if (wall.stretch_exponent > 0) {
     if constexpr (std::is_same_v<Motion, WallMotion<D>>)
-      wall_integrals<Motion>(StretchedWallIntegrals{{{wall.energy}}, wall.stretch_exponent}, at, result);
+      wall_integrals<Motion>(StretchedWallIntegrals{{{wall.energy}}, wall.stretch_exponent}, at, pending, result);
   } else if (wall.cosines.values.data()) {
-    wall_integrals<Motion>(PaintedWallIntegrals{{wall.energy}}, at, result);
+    wall_integrals<Motion>(PaintedWallIntegrals{{wall.energy}}, at, pending, result);
   } else {
-    wall_integrals<Motion>(WallIntegrals{wall.energy}, at, result);
+    wall_integrals<Motion>(WallIntegrals{wall.energy}, at, pending, result);
   }
 }
 
 template <int D, int P>
 template <class Motion, class Functional>
-void Balance<D, P>::wall_integrals(const Functional& functional, Evaluation<D> at, Integrals& result) const {
+void Balance<D, P>::wall_integrals(const Functional& functional, Evaluation<D> at, PendingIntegrals& pending,
+                                   Integrals& result) const {
   at.given = coefficients_.wall().cosines.origin();
-  result.add<Functional>(integrate<P, Motion>(regions_.wall(), functional, at, regions_.blend()));
+  start_parts<P, Motion>(pending, regions_.wall(), functional, at, regions_.blend(), result);
   if constexpr (std::is_same_v<Motion, WallMotion<D>>)
     if (coefficients_.wall().feeds)
-      result.part(Functional::rate_column) +=
-          integrate<P, Motion, true>(regions_.wall(), functional, at, regions_.blend())[0];
+      start<P, Motion, true>(pending, regions_.wall(), functional, at, regions_.blend(),
+                             [&result](const auto& rates) { result.part(Functional::rate_column) += rates[0]; });
 }
 
 template <int D, int P>
-void Balance<D, P>::solid_integrals(const Evaluation<D>& at, Integrals& result) const {
+void Balance<D, P>::solid_integrals(const Evaluation<D>& at, PendingIntegrals& pending, Integrals& result) const {
   const SolidMotion motion{coefficients_.solid().density()};
-  result.add<SolidMotion>(integrate<P, NoMotion>(regions_.solid(), motion, at, regions_.blend()));
+  start_parts<P, NoMotion>(pending, regions_.solid(), motion, at, regions_.blend(), result);
   const SolidGravity& gravity = forces_.gravity();
   const int count = layout_.solid_rows() * layout_.row_size;
   for (std::size_t d = 0; d < gravity.force.size(); ++d) {
@@ -97,7 +114,7 @@ void Balance<D, P>::followed_by_branches(const Stage& stage, const Array& follow
 }
 
 template <int D, int P>
-void Balance<D, P>::branch_integrals(const Stage& stage, Integrals& result) const {
+void Balance<D, P>::branch_integrals(const Stage& stage, PendingIntegrals& pending, Integrals& result) const {
   if (!stage.memory.data()) return;
   const Branches& branches = coefficients_.solid().branches;
   const int size = layout_.branch_size();
@@ -106,21 +123,23 @@ void Balance<D, P>::branch_integrals(const Stage& stage, Integrals& result) cons
   Stage of_branch = stage;
   of_branch.lag = Array("integrals.lag", size);
   const Evaluation<D> at{layout_, of_branch, {}, {}};
-  const auto square = [&] {
+  const auto add_square = [&](const char* column, double factor) {
     const auto of = [&](const auto& shear) {
-      return integrate<P, NoMotion>(regions_.solid(), shear, at, regions_.blend())[0];
+      start<P, NoMotion>(pending, regions_.solid(), shear, at, regions_.blend(),
+                         [&result, column, factor](const auto& s) { result.part(column) += factor * s[0]; });
     };
-    return layout_.branches_at_points ? of(FiniteShearSquare{}) : of(ShearSquare{});
+    layout_.branches_at_points ? of(FiniteShearSquare{}) : of(ShearSquare{});
   };
   for (int i = 0; i < branches.count; ++i) {
     Kokkos::deep_copy(Exec(), of_branch.lag, followed);
     add_scaled(of_branch.lag, 0, -1, part(stage.memory, i * size, (i + 1) * size));
-    result.part(ShearSquare::energy_column) += branches.modulus[i] * square();
+    add_square(ShearSquare::energy_column, branches.modulus[i]);
     const double moving = branches.share_of_velocity(i, stage.memory_shift);
     combine(of_branch.lag, 1 - moving, part(stage.memory_rate, i * size, (i + 1) * size), 0);
     add_scaled(of_branch.lag, 0, moving, rate);
-    result.part(ShearSquare::dissipation_column) += 2 * branches.modulus[i] * branches.time[i] * square();
+    add_square(ShearSquare::dissipation_column, 2 * branches.modulus[i] * branches.time[i]);
   }
+  pending.finish();  // before the arrays go
 }
 
 template <int D, int P>
@@ -137,12 +156,15 @@ std::vector<NeedleReading> Balance<D, P>::needle_readings(const Stage& stage) co
 template <int D, int P>
 Integrals Balance<D, P>::integrals(const Stage& stage) const {
   Integrals result;
+  PendingIntegrals pending;
   const Evaluation<D> at{layout_, stage, {}, {}};
-  for (const auto& entry : terms_.pieces().list) entry.piece->add_integrals(at, result);
-  if (layout_.has_solid) solid_integrals(at, result);
-  if (layout_.branches > 0) branch_integrals(stage, result);
+  for (const auto& entry : terms_.pieces().list) entry.piece->add_integrals(at, pending, result);
+  if (layout_.has_solid) solid_integrals(at, pending, result);
+  if (layout_.branches > 0) branch_integrals(stage, pending, result);
   if (layout_.has_fluid)
-    layout_.has_solid ? fluid_integrals<WallMotion<D>>(at, result) : fluid_integrals<NoMotion>(at, result);
+    layout_.has_solid ? fluid_integrals<WallMotion<D>>(at, pending, result)
+                      : fluid_integrals<NoMotion>(at, pending, result);
+  pending.finish();
   if (layout_.axisymmetric()) result.turn(regions_.turn());
   for (const NeedleReading& reading : needle_readings(stage)) result.part(Needles<D>::energy_column) += reading.energy;
   return result;
@@ -171,13 +193,6 @@ MeshFaults Balance<D, P>::faults(const Stage& stage) const {
   const Evaluation<D> at{layout_, stage, {}, {}};
   faults.inverted = integrate<P, NoMotion>(regions_.solid(), InvertedSolid{}, at, regions_.blend())[0];
   return faults;
-}
-
-template <int D, int P>
-double Balance<D, P>::liquid_volume(const Stage& stage) const {
-  if (!layout_.has_fluid) return 0;
-  const Coexistence& state = coefficients_.coexistence();
-  return regions_.turn() * over_fluid(LiquidVolume{state.density_vapour, state.density_liquid}, stage)[0];
 }
 
 template <int D, int P>

@@ -30,21 +30,19 @@ class Balance {
   Integrals integrals(const Stage&) const;
   Filling filling(const Stage&) const;
   MeshFaults faults(const Stage&) const;
-  /// Integral of LiquidVolume over the moved fluid domain, of a whole turn in the coordinates (r, z); L0^D, there L0^3. 0 without a
-  /// fluid.
-  double liquid_volume(const Stage&) const;
   /// Power of the loads on a velocity field at a time.
   double load_power(double time, const ConstArray& unknown) const;
   /// What each needle measures of a state, of the whole scene.
   std::vector<NeedleReading> needle_readings(const Stage&) const;
 
  private:
+  // These start kernels, which add to integrals when they are finished.
   template <class Motion>
-  void fluid_integrals(const Evaluation<D>&, Integrals&) const;
+  void fluid_integrals(const Evaluation<D>&, PendingIntegrals&, Integrals&) const;
   template <class Motion, class Functional>
-  void wall_integrals(const Functional&, Evaluation<D>, Integrals&) const;
-  void solid_integrals(const Evaluation<D>&, Integrals&) const;
-  void branch_integrals(const Stage&, Integrals&) const;
+  void wall_integrals(const Functional&, Evaluation<D>, PendingIntegrals&, Integrals&) const;
+  void solid_integrals(const Evaluation<D>&, PendingIntegrals&, Integrals&) const;
+  void branch_integrals(const Stage&, PendingIntegrals&, Integrals&) const;
   /// What branches follow, and its rate: the displacement and the velocity, or strains at points.
   void followed_by_branches(const Stage&, const Array& followed, const Array& rate) const;
   /// Of a functional over the moved fluid domain.

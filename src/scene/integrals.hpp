@@ -9,14 +9,14 @@
 
 namespace softwet {
 
-/// Scales: energies a b^2 L0^D, mass b L0^D; in the coordinates (r, z) those of space, L0^3.
+/// Scales: energies a b^2 L0^D, mass b L0^D, volume L0^D; in the coordinates (r, z) those of space, L0^3.
 /// A name that continues that of a column, after "_", is a part of the column: energy_free_bulk of energy_free, and each energy
 /// of "energy", their total. So are dissipation_solid and dissipation_wall, columns themselves, of dissipation.
 /// Tested: tests/unit/scene/test_integrals.cpp
 class Integrals {
  public:
   /// In the order in which parts are added up.
-  static constexpr std::array<std::string_view, 19> parts{"mass",
+  static constexpr std::array<std::string_view, 20> parts{"mass",
                                                           "energy_kinetic",
                                                           "energy_free_bulk",
                                                           "energy_free_gradient",
@@ -34,7 +34,8 @@ class Integrals {
                                                           "dissipation_stabilisation",
                                                           "dissipation_solid",
                                                           "dissipation_wall",
-                                                          "wall_stretch"};
+                                                          "wall_stretch",
+                                                          "liquid_volume"};
 
   static constexpr bool belongs(std::string_view part, std::string_view column) {
     return part.starts_with(column) && (part.size() == column.size() || part[column.size()] == '_');

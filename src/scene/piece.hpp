@@ -141,7 +141,7 @@ template <int D, class Real = double>
 class Piece : public PieceIn<D, Real> {
  public:
   /// Adds the energy and the dissipation of the term, where it has them.
-  virtual void add_integrals(const Evaluation<D, Real>&, Integrals&) const = 0;
+  virtual void add_integrals(const Evaluation<D, Real>&, PendingIntegrals&, Integrals&) const = 0;
 };
 template <int D>
 class Piece<D, float> : public PieceIn<D, float> {
@@ -170,7 +170,7 @@ class PieceOf final : public Piece<D, Real> {
   /// Overrides in single precision. In double precision nothing calls it, and it is not compiled.
   void jacobian(const Evaluation<D, Real>&, const Stencil<D>&, const StencilValues&) const;
   /// Overrides in double precision.
-  void add_integrals(const Evaluation<D, Real>&, Integrals&) const;
+  void add_integrals(const Evaluation<D, Real>&, PendingIntegrals&, Integrals&) const;
   const char* name() const override { return name_; }
   const Region<D, Real>& region() const override { return region_; }
 
@@ -199,11 +199,12 @@ class PieceOf final : public Piece<D, Real> {
     return task;
   }
   template <class Functional>
-  void add_integral(Evaluation<D, Real> at, const Functional& functional, Integrals& result) const {
+  void add_integral(Evaluation<D, Real> at, const Functional& functional, PendingIntegrals& pending,
+                    Integrals& result) const {
     ReduceTask<D, Functional, Motion> task{region_, functional, {}, {}, {}};
     at.given = given_.origin();
     bind_fields(at, blend_, task);
-    result.add<Functional>(reduce<P>(task));
+    pending.start<P>(task, [&result](const auto& integrals) { result.add<Functional>(integrals); });
   }
 
   using List = ListOf<D, Real, TermOnMesh<Term, Motion>>;
@@ -238,10 +239,11 @@ void PieceOf<D, P, Term, Motion, Real>::jacobian(const Evaluation<D, Real>& at, 
 
 template <int D, int P, class Term, class Motion, class Real>
 void PieceOf<D, P, Term, Motion, Real>::add_integrals([[maybe_unused]] const Evaluation<D, Real>& at,
+                                                      [[maybe_unused]] PendingIntegrals& pending,
                                                       [[maybe_unused]] Integrals& result) const {
   if constexpr (std::is_same_v<Real, double>) {
-    if constexpr (HasEnergy<Term>) add_integral(at, EnergyOf<Term>{term_}, result);
-    if constexpr (HasDissipation<Term>) add_integral(at, DissipationOf<Term>{term_}, result);
+    if constexpr (HasEnergy<Term>) add_integral(at, EnergyOf<Term>{term_}, pending, result);
+    if constexpr (HasDissipation<Term>) add_integral(at, DissipationOf<Term>{term_}, pending, result);
   }
 }
 

@@ -12,7 +12,7 @@ namespace softwet {
 namespace {
 
 TEST(FluidIntegrals, ByHand) {
-  const FluidIntegrals f{{{0.81, 0}, 3.0, 0.5, 0.1, 0.01}};
+  const FluidIntegrals f{{{0.81, 0}, 3.0, 0.5, 0.1, 0.01}, {0.25, 1.25}};
   FluidTrial<double, 2> t{};
   t.velocity = {{2, 3}};
   t.velocity_gradient = {{{1, 2}, {3, 5}}};
@@ -30,6 +30,7 @@ TEST(FluidIntegrals, ByHand) {
   EXPECT_DOUBLE_EQ(v[FluidIntegrals::momentum], 1);
   EXPECT_DOUBLE_EQ(v[FluidIntegrals::momentum + 1], 1.5);
   EXPECT_EQ(v[FluidIntegrals::momentum + 2], 0);
+  EXPECT_DOUBLE_EQ(v[FluidIntegrals::liquid], 0.15625) << "a quarter of the way: 1/16 (3 - 1/2)";
 }
 
 TEST(FluidContents, ByHand) {
@@ -43,7 +44,7 @@ TEST(FluidContents, ByHand) {
 
 TEST(LiquidVolume, ByHand) {
   const LiquidVolume f{0.25, 0.75};
-  const auto at = [&](double density) { return f.value(DensityValueTrial<double, 2>{density})[0]; };
+  const auto at = [&](double density) { return f.of(density); };
   EXPECT_EQ(at(0.25), 0);
   EXPECT_EQ(at(0.75), 1);
   EXPECT_EQ(at(0.5), 0.5);

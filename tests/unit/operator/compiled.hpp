@@ -22,7 +22,7 @@
   SOFTWET_COMPILED_IN(D, TERM, MOTION, double)                                                                   \
   SOFTWET_COMPILED_IN(D, TERM, MOTION, float)                                                                    \
   extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, double>, double>::add_integrals( \
-      const softwet::Evaluation<D, double>&, softwet::Integrals&) const;                                         \
+      const softwet::Evaluation<D, double>&, softwet::PendingIntegrals&, softwet::Integrals&) const;             \
   extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, float>, float>::jacobian(        \
       const softwet::Evaluation<D, float>&, const softwet::Stencil<D>&, const softwet::StencilValues&) const;
 #define SOFTWET_COMPILED_SOLID(D, MATERIAL) SOFTWET_COMPILED(D, Elastodynamics<softwet::MATERIAL>, Still)

@@ -237,12 +237,12 @@ TEST(LiquidVolume, OverTheMovedFluid) {
       const double share = part < 0 ? 0 : part > 1 ? 1 : part == 0.5 ? 0.5 : 0.15625;
       const double height = 0.8 * 2 / 3 * 1.05;
       const double plane = 0.9 * 1.1 * height, round = M_PI * 0.9 * 0.9 * (1.2 * 1.2 * 1.2 - 1) / 0.6 * height;
-      EXPECT_NEAR((s.scene.balance().liquid_volume(s.stage())),
+      EXPECT_NEAR(s.scene.balance().integrals(s.stage())["liquid_volume"],
                   share * (coordinates == Coordinates::plane ? plane : round), 1e-12)
           << part;
     }
   Homogeneous solid(small_case(SceneKind::solid), {});
-  EXPECT_EQ((solid.scene.balance().liquid_volume(solid.stage())), 0);
+  EXPECT_EQ(solid.scene.balance().integrals(solid.stage())["liquid_volume"], 0);
 }
 
 }  // namespace
