@@ -44,13 +44,12 @@ std::vector<double> on_patch(const EarlierState& from, const Layout<D>& to, Patc
                              std::vector<double> values) {
   const RowsOfPart old = rows_of_part(from.axis[D - 1], from.solid_elements, from.has_fluid, from.has_solid, part);
   const RowsOfPart now = rows_of_part(to.axis[D - 1], to.solid_elements, to.has_fluid, to.has_solid, part);
-  const auto rows_of = to.axisymmetric() ? projection : transfer;
   std::size_t stride = 1;
   for (int d = 0; d < D; ++d) {
     const Axis &a = from.axis[d], &b = to.axis[d];
     const bool up = d == D - 1;
-    TransferRows rows =
-        rows_of(a, up ? old.low : 0, up ? old.high : a.elements(), b, up ? now.low : 0, up ? now.high : b.elements());
+    TransferRows rows = projection(a, up ? old.low : 0, up ? old.high : a.elements(), b, up ? now.low : 0,
+                                   up ? now.high : b.elements());
     if (up) rows = TransferRows(rows.begin() + now.first, rows.begin() + now.first + now.rows);
     values = with_axis(values, stride, up ? old.rows : a.functions(), rows, up ? old.first : 0);
     stride *= rows.size();

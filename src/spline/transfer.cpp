@@ -30,16 +30,6 @@ int element_of(const Axis& axis, int function, int low, int high) {
   return alive.empty() ? -1 : alive[alive.size() / 2];
 }
 
-/// Adds `weight` times the value of a spline at x.
-void add_value(const Axis& axis, int low, int high, double x, double weight, std::vector<double>& of_function) {
-  const int element = std::clamp(axis.element_at(x), low, high - 1);
-  const std::vector<double> values = axis.values(element, x);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const int function = axis.span(element) + static_cast<int>(k);
-    of_function[axis.periodic() ? function % axis.owned() : function] += weight * values[k];
-  }
-}
-
 /// Blossom of the Lagrange polynomial that is 1 at points[a] and 0 at the others.
 double blossom_of_lagrange(const std::vector<double>& points, std::size_t a, const std::vector<double>& arguments) {
   std::vector<double> roots;
@@ -90,23 +80,6 @@ std::vector<double> knots_inside(const Axis& axis, int function) {
 }
 
 }  // namespace
-
-std::vector<TransferRow> transfer(const Axis& from, int from_low, int from_high, const Axis& to, int low, int high) {
-  const int p = to.degree();
-  std::vector<TransferRow> rows(to.functions());
-  for (int i = 0; i < to.functions(); ++i) {
-    const int function = to.periodic() ? i % to.owned() : i, element = element_of(to, function, low, high);
-    if (element < 0) continue;
-    const std::vector<double> inside = knots_inside(to, function);
-    std::vector<double> points, weights(from.functions(), 0.0);
-    for (int a = 0; a <= p; ++a) points.push_back(to.lower(element) + to.size(element) * (a + 0.5) / (p + 1));
-    for (int a = 0; a <= p; ++a)
-      add_value(from, from_low, from_high, points[a], blossom_of_lagrange(points, a, inside), weights);
-    for (int j = 0; j < from.functions(); ++j)
-      if (weights[j] != 0) rows[i].function.push_back(j), rows[i].weight.push_back(weights[j]);
-  }
-  return rows;
-}
 
 std::vector<TransferRow> projection(const Axis& from, int from_low, int from_high, const Axis& to, int low, int high) {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(to.owned(), from.functions());

@@ -13,25 +13,20 @@ struct TransferRow {
   std::vector<double> weight;
 };
 
-/// For each stored function of `to` its control value. It is the blossom, at the knots inside the function, of the
-/// polynomial that has the values of the spline at degree + 1 points of one element (Ramshaw 1987; de Boor, A Practical
-/// Guide to Splines, ch. IX):
-///   c_i = sum_a blossom(L_a)(t_{i+1}, ..., t_{i+p}) s(x_a),   L_a: the Lagrange polynomial of the point x_a.
-/// Where the spline is one polynomial there, as on elements that divide those of `from`, with a degree that is not
-/// smaller, the function is the same. Elsewhere the error is of order h^(p+1).
+/// For each stored function of `to` its control value by Bezier projection (Thomas et al. 2015), which keeps the integral of the
+/// spline with the weight of `to`:
+///   c_i = sum_e int_e N_i w dx c_i^e / int N_i w dx,   c^e: coefficients of the best polynomial on element e,
+/// best in the integral over e of w times the square of the error. Where the spline is one polynomial on each element of `to`, as on
+/// elements that divide those of `from`, with a degree that is not smaller, the function is the same. Elsewhere the error is of order
+/// h^(p+1).
 /// @param low, high            elements of `to` on which the spline exists, [low, high)
 /// @param from_low, from_high  those of `from`
 /// Tested: tests/unit/spline/test_transfer.cpp
-std::vector<TransferRow> transfer(const Axis& from, int from_low, int from_high, const Axis& to, int low, int high);
-
-/// The same by Bezier projection (Thomas et al. 2015), which keeps the integral of the spline with the weight of `to`:
-///   c_i = sum_e int_e N_i w dx c_i^e / int N_i w dx,   c^e: coefficients of the best polynomial on element e,
-/// best in the integral over e of w times the square of the error. Where `transfer` gives the same function, so does
-/// this.
 std::vector<TransferRow> projection(const Axis& from, int from_low, int from_high, const Axis& to, int low, int high);
 
-/// The same as `transfer` from the values of a spline of degree 2 at the ends and in the middle of the elements [low,
-/// high), which are numbered from 0: `function` is the number of a value. The spline is the same function.
+/// The same function from the values of a spline of degree 2 at the ends and in the middle of the elements [low, high), which are
+/// numbered from 0: `function` is the number of a value. A control value is the blossom, at the knots inside its function, of the
+/// polynomial on one element (Ramshaw 1987; de Boor, A Practical Guide to Splines, ch. IX).
 std::vector<TransferRow> from_samples(const Axis&, int low, int high);
 
 }  // namespace softwet

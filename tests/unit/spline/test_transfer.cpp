@@ -47,7 +47,8 @@ double difference(const Axis& from, const std::vector<double>& a, const Axis& to
   return most;
 }
 
-TEST(Transfer, IsTheSameFunctionOnElementsThatDivideTheOthers) {
+TEST(Projection, IsTheSameFunctionOnElementsThatDivideTheOthers) {
+  constexpr AxisKind radial = AxisKind::radial;
   struct Pair {
     Axis from, to;
   };
@@ -59,23 +60,7 @@ TEST(Transfer, IsTheSameFunctionOnElementsThatDivideTheOthers) {
                          {Axis(0.9, 6, 2, AxisKind::bounded, 2), Axis(0.9, 6, 2, AxisKind::bounded, 2)},
                          {Axis(0.9, 6, 2, AxisKind::bounded, 2), Axis(0.9, 12, 2, AxisKind::bounded, 4)},
                          {Axis(1.3, 6, 3, AxisKind::bounded, 2), Axis(1.3, 18, 3, AxisKind::bounded, 6)},
-                         {Axis(1.3, 7, 3, AxisKind::periodic), Axis(1.3, 14, 3, AxisKind::periodic)}}) {
-    const std::vector<double> control = wild_control_values(from.functions());
-    const auto rows = transfer(from, 0, from.elements(), to, 0, to.elements());
-    EXPECT_LT(difference(from, control, to, moved(rows, control), 0, to.elements(), 0, from.elements()), 1e-12)
-        << from.elements() << " " << to.elements() << " degree " << to.degree();
-  }
-}
-
-// By projection along a radius too, and its integral with the weight r stays on any elements.
-TEST(Projection, IsTheSameFunctionWhereTransferIs) {
-  struct Pair {
-    Axis from, to;
-  };
-  constexpr AxisKind radial = AxisKind::radial;
-  for (const auto& [from, to] :
-       std::vector<Pair>{{Axis(0.9, 7, 2, radial), Axis(0.9, 14, 2, radial)},
-                         {Axis(0.9, 6, 2, AxisKind::bounded, 2), Axis(0.9, 12, 2, AxisKind::bounded, 4)},
+                         {Axis(0.9, 7, 2, radial), Axis(0.9, 14, 2, radial)},
                          {Axis(1.3, 7, 3, radial), Axis(1.3, 21, 3, radial)},
                          {Axis(1.3, 7, 3, AxisKind::periodic), Axis(1.3, 14, 3, AxisKind::periodic)}}) {
     const std::vector<double> control = wild_control_values(from.functions());
@@ -100,12 +85,10 @@ TEST(Projection, KeepsTheIntegralWithTheWeightOfTheAxis) {
       const double before = integral(from, control);
       const auto rows = projection(from, 0, from.elements(), to, 0, to.elements());
       EXPECT_NEAR(integral(to, moved(rows, control)), before, 1e-13) << to.elements();
-      const auto others = transfer(from, 0, from.elements(), to, 0, to.elements());
-      EXPECT_GT(std::abs(integral(to, moved(others, control)) - before), 1e-3) << "a transfer at points does not";
     }
 }
 
-TEST(Projection, StaysOnItsSideOfTheWall) {
+TEST(Projection, KeepsTheIntegralOnItsSideOfTheWall) {
   const Axis from(0.9, 6, 2, AxisKind::bounded, 2), to(0.9, 9, 2, AxisKind::bounded, 3);
   std::vector<double> control = wild_control_values(from.functions());
   for (int i = 0; i < from.span(2); ++i) control[i] = NAN;  // the fluid has no values below the wall
@@ -117,31 +100,31 @@ TEST(Projection, StaysOnItsSideOfTheWall) {
   EXPECT_NEAR(after, before, 1e-13);
 }
 
-TEST(Transfer, StaysOnItsSideOfTheWall) {
+TEST(Projection, StaysOnItsSideOfTheWall) {
   const Axis from(0.9, 6, 2, AxisKind::bounded, 2), to(0.9, 12, 2, AxisKind::bounded, 4);
   std::vector<double> control = wild_control_values(from.functions());
   for (int i = 0; i < from.span(2); ++i) control[i] = NAN;  // the fluid has no values below the wall
-  const std::vector<double> now = moved(transfer(from, 2, 6, to, 4, 12), control);
+  const std::vector<double> now = moved(projection(from, 2, 6, to, 4, 12), control);
   EXPECT_LT(difference(from, control, to, now, 4, 12, 2, 6), 1e-12);
   control = wild_control_values(from.functions());
   for (int i = from.span(2) + 1; i < from.functions(); ++i) control[i] = NAN;  // nor the solid above it
-  const std::vector<double> below = moved(transfer(from, 0, 2, to, 0, 4), control);
+  const std::vector<double> below = moved(projection(from, 0, 2, to, 0, 4), control);
   EXPECT_LT(difference(from, control, to, below, 0, 4, 0, 2), 1e-12);
 }
 
-TEST(Transfer, ConvergesOnOtherElementsAndDegrees) {
+TEST(Projection, ConvergesOnOtherElementsAndDegrees) {
   // A spline on many elements is nearly smooth: on few elements the error falls like the fourth power for degree 3.
   const Axis smooth(1, 4000, 3);
   std::vector<double> control;
   for (int i = 0; i < smooth.functions(); ++i) control.push_back(std::sin(5 * smooth.greville(i)));
   const auto error = [&](int n) {
     const Axis few(1, n, 3);
-    return difference(smooth, control, few, moved(transfer(smooth, 0, 4000, few, 0, n), control), 0, n, 0, 4000);
+    return difference(smooth, control, few, moved(projection(smooth, 0, 4000, few, 0, n), control), 0, n, 0, 4000);
   };
   EXPECT_NEAR(std::log2(error(26) / error(52)), 4, 0.5);
   const Axis from(1, 8, 2), to(1, 8, 3);
   const std::vector<double> line(from.functions(), 0.7);
-  for (const double c : moved(transfer(from, 0, 8, to, 0, 8), line)) EXPECT_NEAR(c, 0.7, 1e-13);
+  for (const double c : moved(projection(from, 0, 8, to, 0, 8), line)) EXPECT_NEAR(c, 0.7, 1e-13);
 }
 
 // Values at ends and middles of elements determine a spline of degree 2, also beside a kink, on a part of an axis, around a
