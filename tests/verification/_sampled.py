@@ -67,9 +67,9 @@ def longest_way(run, elements):
     return elements / 2 * numpy.abs(numpy.diff(run.history["x_centre"]))[late].max()
 
 
-def at_rest(lab, seed, elements, name=""):
-    """Whether the droplet of a scene comes to rest before the load. @param name  before that of the run"""
-    run = lab.run(f"{name}{seed}, start", PULL, [*settings(sampled(seed), elements), EQUAL, "time.max_steps=1"], expect=None, limit=3600)
+def at_rest(lab, seed, elements):
+    """Whether the droplet of a scene comes to rest before the load."""
+    run = lab.run(f"{seed}, start", PULL, [*settings(sampled(seed), elements), EQUAL, "time.max_steps=1"], expect=None, limit=3600)
     if run.code not in (0, 2):
         raise StudyError(f"seed {seed}: {run.message.strip()}")
     return run.code == 0
