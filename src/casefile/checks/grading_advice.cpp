@@ -44,7 +44,8 @@ double share_left_by_grading(const Case& c) {
 bool is_sampled_pull(const Case& c) {
   if (c.dimension() != 2 || c.axisymmetric() || !c.fluid || !c.substrate || c.domain.degree != 2) return false;
   if (c.droplets.size() != 1 || !c.films.empty() || !sits_on_wall(c, c.droplets[0]) || c.loads.empty()) return false;
-  return c.time.implicit() && is_sampled_fluid(*c.fluid) && is_sampled_solid(*c.substrate);
+  if (!c.time.implicit() || c.time.start != StartState::initial) return false;
+  return is_sampled_fluid(*c.fluid) && is_sampled_solid(*c.substrate);
 }
 
 std::string result_of_sampled_pulls() {

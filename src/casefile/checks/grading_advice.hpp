@@ -12,7 +12,7 @@ namespace softwet {
 double share_left_by_grading(const Case&);
 
 /// Whether a case is of the kind of which scenes were sampled: one droplet in 2D on a layer of one material without fibres, which loads pull
-/// or push, with contact angle, stiffness, Poisson's ratio and temperature as they were there (docs/verification/sampled_graded.md).
+/// or push from the start that the case describes, with contact angle, stiffness, Poisson's ratio and temperature as they were there (docs/verification/sampled_graded.md).
 bool is_sampled_pull(const Case&);
 
 /// What was found in these scenes.
