@@ -3,6 +3,7 @@
 #include "case/error.hpp"
 #include "case/text.hpp"
 #include "casefile/checks/field_times.hpp"
+#include "casefile/checks/grading_advice.hpp"
 #include "scene/initial.hpp"
 
 namespace softwet {
@@ -95,6 +96,8 @@ void Motion<D, P>::advance() {
   journal_.record(reason);
   journal_.require_folder();  // what was written in this moment may be somewhere else
   const bool in_vain = reason == "time.wall_clock reached" && steps <= journal_.first_step() + 1;
+  if (const std::string advice = advice_on_grading(case_); reason == "end reached" && !advice.empty())
+    journal_.tell(advice);
   const std::string more = reason == "end reached" ? ""
                            : in_vain ? "; to go on, run the same command with --resume and with more time: this one is "
                                        "enough for one step of each start"

@@ -11,9 +11,9 @@ from _scene import PULL, cases, check, check_true, history, open_output, run, so
 
 SCENE = [setting for setting in PULL if "elements" not in setting and "capillarity" not in setting]
 SCENE += ["domain.elements=[64,32]", "fluid.capillarity=1/32", "droplet[0].radius=0.11", "time.end=6", "output.fields.times=[0,6]"]
-GRADED = ["domain.grading.fine=box", "domain.grading.box=[[0.26,0.0625],[0.74,0.3]]"]
+EQUAL, GRADED = ["domain.grading.fine=everywhere"], ["domain.grading.fine=box", "domain.grading.box=[[0.26,0.0625],[0.74,0.3]]"]
 
-run("tensotaxis_pull_2d", "equal", SCENE)
+run("tensotaxis_pull_2d", "equal", SCENE + EQUAL)
 run("tensotaxis_pull_2d", "graded", SCENE + GRADED)
 equal, graded = history("equal"), history("graded")
 fields = {name: open_output(name).fields(6) for name in ("equal", "graded")}
@@ -48,7 +48,20 @@ text = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"),
                       capture_output=True, text=True, check=True).stdout
 for word in ('grading.fine = "box"', "graded elements", "% of those of the equal mesh"):
     check_true(f"check tells: {word}", word in text)
-warning = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"), "--set",
+
+# The pull of the paper is graded by its case. Of equal elements check and the end of a run tell what would be left.
+check_true("the case of the paper is graded", '"automatic"' in (cases / "tensotaxis_pull_2d.toml").read_text())
+NEAR = ["domain.elements=[64,32]", "fluid.capillarity=1/32", "load[0].start=0.1", "load[0].ramp=1", "time.end=0.1",
+        "output.fields.times=[]", *EQUAL]
+words = [word for setting in NEAR for word in ("--set", setting)]
+told = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"), *words], capture_output=True, text=True, check=True).stdout
+for word in ('"automatic" would leave 66 % of them', "sampled scenes of this kind"):
+    check_true(f"check of equal elements tells: {word}", word in told, told)
+LOUD = ("--overwrite", "--threads", "1")
+for name, settings, wanted in (("equal_end", [], True), ("graded_end", ["domain.grading.fine=automatic"], False)):
+    said = run("tensotaxis_pull_2d", name, [*NEAR, *settings], LOUD)
+    check_true(f"{name}: its end tells what grading would leave", ('"automatic" would leave 66 %' in said) == wanted, said)
+warning = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"), "--set", "domain.grading.fine=box", "--set",
                           "domain.grading.box=[[0.34,0.1],[0.66,0.3]]"], capture_output=True, text=True, check=True).stderr
 check_true("check warns of a box that ends in the interface", "domain.grading" in warning, warning)
 

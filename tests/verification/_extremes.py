@@ -5,7 +5,7 @@ Base scene: the pull of Fig. 2 on 64x32 elements with gamma_hat = 2h, an early l
 from _case import case, fields
 
 SOFT = ["domain.elements=[64,32]", "fluid.capillarity=1/32", "load[0].start=5", "load[0].ramp=5", "time.end=20",
-        "output.fields.times=[0,20]", "time.max_steps=3000"]
+        "output.fields.times=[0,20]", "time.max_steps=3000", "domain.grading.fine=everywhere"]
 RIGID = ["domain.elements=[64,32]", "fluid.capillarity=1/32", "time.end=20", "output.fields.times=[0,20]",
          "time.max_steps=3000"]
 FORCE = 0.16215

@@ -9,7 +9,8 @@ from _lab import Known, StudyError
 
 PULL = "tensotaxis_pull_2d"
 TOLERANCE = "time.tolerance=5e-5"
-FORMS = {"standard": [], "draft": ["quality=draft"], "fine": [TOLERANCE]}
+EQUAL, GRADED = "domain.grading.fine=everywhere", "domain.grading.fine=automatic"
+FORMS = {"standard": [EQUAL], "draft": ["quality=draft", GRADED], "fine": [EQUAL, TOLERANCE]}
 BOUNDS = {"standard": (1, 3), "draft": (4, 4)}  # of path and peak against fine steps, %
 WAYS = {"standard": 0.12, "draft": 0.3}  # in a step, capillarities
 FIRST = 103  # seed
@@ -68,7 +69,7 @@ def longest_way(run, elements):
 
 def at_rest(lab, seed, elements):
     """Whether the droplet of a scene comes to rest before the load."""
-    run = lab.run(f"{seed}, start", PULL, [*settings(sampled(seed), elements), "time.max_steps=1"], expect=None, limit=3600)
+    run = lab.run(f"{seed}, start", PULL, [*settings(sampled(seed), elements), EQUAL, "time.max_steps=1"], expect=None, limit=3600)
     if run.code not in (0, 2):
         raise StudyError(f"seed {seed}: {run.message.strip()}")
     return run.code == 0

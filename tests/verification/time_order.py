@@ -12,7 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "regress
 import _measure  # noqa: E402
 from _scene import check, run  # noqa: E402
 
-SCENE = ["domain.elements=[64,32]", "fluid.capillarity=1/32", "output.fields.times=[0]"]
+SCENE = ["domain.elements=[64,32]", "fluid.capillarity=1/32", "output.fields.times=[0]", "domain.grading.fine=everywhere"]
 run("tensotaxis_pull_2d", "start", SCENE + ["time.end=200"])
 centre, energy = [], []
 for dt in (8, 4, 2, 1):

@@ -14,6 +14,8 @@ namespace {
 constexpr double margin = 4, margin_above = 2.2;  ///< in capillarities: along the wall, and above droplets on it
 constexpr int fine_rows_below = 4;                ///< of the solid below the wall that stay fine
 constexpr double part_of_way = 0.8;               ///< to a load that a droplet may go: that of the paper goes 0.76
+constexpr double least_poisson_that_holds =
+    0.25;  ///< below it a load may not hold its droplet: at 0.15 it crosses (docs/figures.md)
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -73,6 +75,13 @@ double gap_to(const Droplet& droplet, const Load& load) {
   return std::sqrt(square);
 }
 
+/// How far a load may draw a droplet that is at x.
+double way_to(const Case& c, std::size_t axis, const Load& load, double x) {
+  const double to = x < load.lower[axis] ? load.lower[axis] - x : x > load.upper[axis] ? load.upper[axis] - x : 0.0;
+  if (to == 0 || !c.substrate || c.substrate->poisson >= least_poisson_that_holds) return part_of_way * to;
+  return to > 0 ? load.upper[axis] - x : load.lower[axis] - x;
+}
+
 /// A load that pulls the solid away from a droplet draws it to the load; one that pushes drives it away. The nearest ones count.
 void take_ways(const Case& c, std::size_t axis, const Droplet& droplet, double half, Extent& span) {
   double least = std::numeric_limits<double>::infinity();
@@ -80,8 +89,7 @@ void take_ways(const Case& c, std::size_t axis, const Droplet& droplet, double h
   const double x = droplet.centre[axis], reach = half + least_fine_margin * c.fluid->capillarity;
   for (const Load& load : c.loads) {
     if (gap_to(droplet, load) > 1.01 * least) continue;
-    const double to = x < load.lower[axis] ? load.lower[axis] - x : x > load.upper[axis] ? load.upper[axis] - x : 0.0;
-    const double way = part_of_way * to, pulls = load.force[axis] * to;
+    const double way = way_to(c, axis, load, x), pulls = load.force[axis] * way;
     if (pulls >= 0) span.take(x + way - reach, x + way + reach);
     if (pulls <= 0) span.take(x - way - reach, x - way + reach);
   }

@@ -67,7 +67,11 @@ std::vector<Key> domain_keys() {
        .kind = Kind::choice,
        .choices = words_of(FineElements{}),
        .help = "Where elements have the length domain.size / domain.elements. Elsewhere they grow towards the sides. "
-               "\"automatic\" chooses a box from droplets and loads; softwet check and case.toml show which.",
+               "\"automatic\" chooses a box from droplets and loads; softwet check and case.toml show which. Of equal "
+               "elements "
+               "softwet check shows how many \"automatic\" would leave, and whether it was measured in scenes of that "
+               "kind that "
+               "the path of the droplet is kept.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.domain.grading.fine; }),
        .default_note = "\"everywhere\"; \"box\" where a box is given"},
       {.name = "domain.grading.box",

@@ -5,6 +5,7 @@
 #include "case/mesh.hpp"
 #include "case/text.hpp"
 #include "casefile/checks/field_times.hpp"
+#include "casefile/checks/grading_advice.hpp"
 #include "casefile/formula/profiles.hpp"
 #include "cli/core/describe.hpp"
 #include "kernels/solid/isotropic.hpp"
@@ -112,10 +113,20 @@ std::vector<Line> profiles(const Case& c) {
   return lines;
 }
 
-/// How elements are graded; empty where they are equal.
+/// What grading would spare where elements are equal.
+std::vector<Line> grading_to_be_had(const Case& c) {
+  const double share = share_left_by_grading(c);
+  if (!is_worth_grading(share)) return {};
+  return {{"elements", "all equal; domain.grading.fine = \"automatic\" would leave " + formatted(100 * share, "%.0f") +
+                           " % of them"},
+          {"path of the droplet", is_sampled_pull(c) ? "as it is, " + result_of_sampled_pulls()
+                                                     : "not measured in scenes of this kind: compare a short run"}};
+}
+
+/// How elements are graded; of equal ones what grading would spare.
 std::vector<Line> grading(const Case& c) {
   std::vector<Line> lines;
-  if (c.domain.grading.lower.empty()) return lines;
+  if (c.domain.grading.lower.empty()) return grading_to_be_had(c);
   for (int d = 0; d < c.dimension(); ++d) {
     const std::vector<double> breaks = graded_breaks(c, d);
     const std::string axis = "axis " + std::to_string(d);

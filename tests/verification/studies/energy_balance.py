@@ -13,7 +13,7 @@ import _measure
 
 MINUTES = {"quick": 0.3, "full": 14}
 STEPS = {"quick": (0.025, 0.0125), "full": (0.025, 0.0125, 0.00625, 0.003125, 0.0015625, 0.00078125, 0.000390625)}
-SETTINGS = ["fluid.capillarity=1/16", "fluid.wall_law=energy", "load[0].start=2", "load[0].ramp=4", "time.end=4",
+SETTINGS = ["domain.grading.fine=everywhere", "fluid.capillarity=1/16", "fluid.wall_law=energy", "load[0].start=2", "load[0].ramp=4", "time.end=4",
             "output.fields.times=[0,4]", "time.tolerance=1e3", "solver.newton.rtol=1e-11", "solver.newton.atol=1e-14",
             "solver.krylov.rtol=1e-4", "substrate.density=400", "substrate.young=0.0018885", "load[0].force=[0.000405375,0]"]
 

@@ -15,7 +15,7 @@ SMALL = ["domain.elements=[64,32]", "fluid.capillarity=1/32", "load[0].start=2",
 STEPS = ["time.tolerance=5e-4"]
 COARSE = "the mass of the start depends on a mesh with so few elements to the capillarity, equal or graded: it changes as much when they are halved"
 DEAR = "linear solves on graded elements take a few iterations more, and the machine was shared; {} was asked"
-AUTOMATIC = "domain.grading.fine=automatic"
+EQUAL, AUTOMATIC = "domain.grading.fine=everywhere", "domain.grading.fine=automatic"
 # name: case, settings, least ratio of the cost, greatest difference of the middle of the contact line, of its extent (relative)
 QUICK = {"small pull": ("tensotaxis_pull_2d", [*SMALL, *STEPS], None, 2e-4, 0.01)}
 FULL = {
@@ -30,7 +30,7 @@ FULL = {
 def study(lab):
     rows = []
     for name, (case, settings, cost, path, extent) in (QUICK if lab.quick else FULL).items():
-        equal = lab.run(f"{name}, equal", case, settings, limit=3000)
+        equal = lab.run(f"{name}, equal", case, [*settings, EQUAL], limit=3000)
         graded = lab.run(f"{name}, graded", case, [*settings, AUTOMATIC], limit=3000)
         compare(lab, name, equal, graded, cost, path, extent)
         rows += [row(f"{name}, {kind}", run) for kind, run in (("equal", equal), ("graded", graded))]

@@ -12,7 +12,7 @@ CASE = "tensotaxis_pull_2d"
 def study(lab):
     size, end = ("[32,16]", 5) if lab.quick else ("[64,32]", 50)
     base = [f"domain.elements={size}", f"fluid.capillarity={'1/16' if lab.quick else '1/32'}", f"time.end={end}",
-            f"output.fields.times=[0,{end}]"]
+            f"output.fields.times=[0,{end}]", "domain.grading.fine=everywhere"]
     tight = lab.run("tight", CASE, base + ["solver.newton.rtol=1e-10", "solver.newton.atol=1e-14"])
     drift = numpy.abs(tight.history["mass_drift"]).max()
     lab.expect(f"drift of the mass, Newton 1e-10, t to {end}", "<= 1e-10", f"{drift:.2g}", drift <= 1e-10)

@@ -44,6 +44,24 @@ TEST(FineBox, ATooSmallOneIsReportedWithItsPosition) {
   }
 }
 
+/// A load that pulls holds its droplet where Poisson's ratio is large, and lets it cross where it is small.
+TEST(FineBox, ReachesAsFarAsALoadMayDrawADroplet) {
+  for (const double side : {1.0, -1.0}) {
+    Case c = droplet_at(0.125);
+    const double near = 1 + 0.2 * side, far = 1 + 0.3 * side;
+    c.loads = {{{std::min(near, far), 0}, {std::max(near, far), 0.125}, {0.1 * side, 0}}};
+    const auto reach = [&](double poisson) {
+      Case graded = c;
+      graded.substrate->poisson = poisson;
+      choose_fine_box(graded);
+      return side * ((side > 0 ? graded.domain.grading.upper : graded.domain.grading.lower)[0] - 1);
+    };
+    const double half = 0.15 * std::sin(75 * M_PI / 180) + 3.0 / 64;
+    EXPECT_NEAR(reach(0.45), 0.8 * 0.2 + half, 1e-12);
+    EXPECT_NEAR(reach(0.15), 0.3 + half, 1e-12);
+  }
+}
+
 /// A droplet on the seam of a periodic axis needs a box that reaches around it.
 TEST(FineBox, AroundAPeriodicEnd) {
   Case c = droplet_at(0.125, FineElements::box);

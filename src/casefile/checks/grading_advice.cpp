@@ -1,0 +1,65 @@
+#include "casefile/checks/grading_advice.hpp"
+
+#include <fmt/core.h>
+
+#include "case/cap.hpp"
+#include "case/mesh.hpp"
+#include "casefile/checks/fine_box.hpp"
+
+namespace softwet {
+namespace {
+
+struct Range {
+  double low, high;
+  bool holds(double x) const { return low <= x && x <= high; }
+};
+
+// From which the study sampled_graded takes its scenes, and what it found: largest difference of a path over the way of the droplet, in
+// per cent, rounded up. docs/verification/sampled_graded.md
+constexpr Range sampled_angle{60, 110}, sampled_young{0.6, 1.5}, sampled_poisson{0.25, 0.45},
+    sampled_temperature{0.385, 0.395};
+constexpr int sampled_scenes = 12;
+constexpr double path_kept = 0.5;
+
+bool is_sampled_fluid(const Fluid& fluid) {
+  return !fluid.contact_angle.varies() && sampled_angle.holds(fluid.contact_angle.number) &&
+         sampled_temperature.holds(fluid.temperature) && !fluid.resists_lines();
+}
+
+bool is_sampled_solid(const Substrate& solid) {
+  return !solid.young.varies() && sampled_young.holds(solid.young_modulus()) && sampled_poisson.holds(solid.poisson) &&
+         solid.fibre.stiffness == 0 && solid.joint == 0;
+}
+
+}  // namespace
+
+double share_left_by_grading(const Case& c) {
+  if (!c.domain.grading.lower.empty()) return 1;
+  Case graded = c;
+  graded.domain.grading.fine = FineElements::automatic;
+  choose_fine_box(graded);
+  return share_of_elements(graded);
+}
+
+bool is_sampled_pull(const Case& c) {
+  if (c.dimension() != 2 || c.axisymmetric() || !c.fluid || !c.substrate || c.domain.degree != 2) return false;
+  if (c.droplets.size() != 1 || !c.films.empty() || !sits_on_wall(c, c.droplets[0]) || c.loads.empty()) return false;
+  if (!c.time.implicit() || c.time.start != StartState::initial) return false;
+  return is_sampled_fluid(*c.fluid) && is_sampled_solid(*c.substrate);
+}
+
+std::string result_of_sampled_pulls() {
+  return fmt::format("within {} % of its way in {} sampled scenes of this kind", path_kept, sampled_scenes);
+}
+
+std::string advice_on_grading(const Case& c) {
+  if (!is_sampled_pull(c)) return {};
+  const double share = share_left_by_grading(c);
+  if (!is_worth_grading(share)) return {};
+  return fmt::format(
+      "domain.grading.fine = \"automatic\" would leave {:.0f} % of the elements, and the path of the droplet as it is, "
+      "{}",
+      100 * share, result_of_sampled_pulls());
+}
+
+}  // namespace softwet
