@@ -1,4 +1,4 @@
-// Why a step that was tried does not count.
+// Why an attempted step does not count.
 #pragma once
 
 namespace softwet {

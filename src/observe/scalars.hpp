@@ -51,7 +51,7 @@ class Scalars {
   void set_extremes(const Extremes&, TableRow&) const;
   void set_droplets(const Snapshot<D>&, long step, TableRow&);
   PhaseSamples follow_bodies(const Snapshot<D>&, const std::string& told = "");
-  /// Tells when the energy rises though nothing feeds it.
+  /// Reports when the energy rises though nothing feeds it.
   void follow_energy(const EnergyState&);
   Surface surface() const;
   double laplace_pressure(const Snapshot<D>&) const;

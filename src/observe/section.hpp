@@ -29,7 +29,7 @@ class Section {
   std::array<double, 2> current(double s, double height) const;
   /// Vertical displacement of the wall. Only with a solid.
   std::vector<double> rise(const std::vector<double>& s) const;
-  /// Derivative of the place of the wall, in the plane, by s. Only with a solid.
+  /// Derivative of the position of the wall in the section by s. Only with a solid.
   std::array<double, 2> tangent(double s) const;
   const Snapshot<D>& snapshot() const { return snapshot_; }
 

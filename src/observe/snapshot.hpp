@@ -34,7 +34,7 @@ class Snapshot {
   std::vector<double> chemical_potential(const Grid&) const;
   /// Displacement of the material in the solid, of the mesh in the fluid (blended from the wall).
   std::vector<double> displacement(const Grid&, int d, Medium) const;
-  /// du_d/dX_axis of the solid. It jumps at a joint: there it is that of the rows of one part.
+  /// du_d/dX_axis of the solid. It jumps at a joint, where it follows from the rows of one part.
   std::vector<double> displacement_gradient(const Grid&, int d, int axis, ElementRows) const;
 
   const Layout<D>& layout() const { return layout_; }  ///< of the whole patch

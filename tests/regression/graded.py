@@ -47,20 +47,20 @@ check_same("resumed from case.toml", "half", "graded")
 text = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"), "--set", "domain.grading.fine=automatic"],
                       capture_output=True, text=True, check=True).stdout
 for word in ('grading.fine = "box"', "graded elements", "% of those of the equal mesh"):
-    check_true(f"check tells: {word}", word in text)
+    check_true(f"check says: {word}", word in text)
 
-# The pull of the paper is graded by its case. Of equal elements check and the end of a run tell what would be left.
+# The pull of the paper is graded by its case. Of equal elements check and the end of a run say what would be left.
 check_true("the case of the paper is graded", '"automatic"' in (cases / "tensotaxis_pull_2d.toml").read_text())
 NEAR = ["domain.elements=[64,32]", "fluid.capillarity=1/32", "load[0].start=0.1", "load[0].ramp=1", "time.end=0.1",
         "output.fields.times=[]", *EQUAL]
 words = [word for setting in NEAR for word in ("--set", setting)]
 told = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"), *words], capture_output=True, text=True, check=True).stdout
 for word in ('"automatic" would leave 66 % of them', "sampled scenes of this kind"):
-    check_true(f"check of equal elements tells: {word}", word in told, told)
+    check_true(f"check of equal elements says: {word}", word in told, told)
 LOUD = ("--overwrite", "--threads", "1")
 for name, settings, wanted in (("equal_end", [], True), ("graded_end", ["domain.grading.fine=automatic"], False)):
     said = run("tensotaxis_pull_2d", name, [*NEAR, *settings], LOUD)
-    check_true(f"{name}: its end tells what grading would leave", ('"automatic" would leave 66 %' in said) == wanted, said)
+    check_true(f"{name}: its end says what grading would leave", ('"automatic" would leave 66 %' in said) == wanted, said)
 warning = subprocess.run([softwet, "check", str(cases / "tensotaxis_pull_2d.toml"), "--set", "domain.grading.fine=box", "--set",
                           "domain.grading.box=[[0.34,0.1],[0.66,0.3]]"], capture_output=True, text=True, check=True).stderr
 check_true("check warns of a box that ends in the interface", "domain.grading" in warning, warning)

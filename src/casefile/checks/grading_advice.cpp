@@ -14,8 +14,8 @@ struct Range {
   bool holds(double x) const { return low <= x && x <= high; }
 };
 
-// From which the study sampled_graded takes its scenes, and what it found: largest difference of a path over the way of the droplet, in
-// per cent, rounded up. docs/verification/sampled_graded.md
+// From which the study sampled_graded takes its scenes, and what it found: largest difference of a path over the distance that the
+// droplet travels, in per cent, rounded up. docs/verification/sampled_graded.md
 constexpr Range sampled_angle{60, 110}, sampled_young{0.6, 1.5}, sampled_poisson{0.25, 0.45},
     sampled_temperature{0.385, 0.395};
 constexpr int sampled_scenes = 12;

@@ -21,7 +21,7 @@ std::string result_of_sampled_pulls();
 /// A sentence for the end of a run that had equal elements though it was of that kind and grading would spare a fifth; empty: none.
 std::string advice_on_grading(const Case&);
 
-/// Whether grading would spare enough to tell it.
+/// Whether grading would spare enough to say so.
 inline bool is_worth_grading(double share) {
   constexpr double most_left = 0.8;
   return share <= most_left;

@@ -224,8 +224,8 @@ std::vector<Key> solver_keys() {
        .choices = words_of(Launch{}),
        .help =
            "How a GPU starts the preconditioner and the steps of kick_drift: kernel by kernel (kernels), or recorded "
-           "and started as one (graph). On the one GPU that was tried a graph was hardly faster for preconditioners; "
-           "for steps of small scenes, which are bound by their launches, it was not tried. On a processor, where "
+           "and started as one (graph). On the one GPU tested a graph was hardly faster for preconditioners; "
+           "for steps of small scenes, which are bound by their launches, it was not measured. On a processor, where "
            "several processes share a scene, with other explicit schemes and with consistent masses both are the same.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.launch; })},
       {.name = "solver.precision",

@@ -44,7 +44,7 @@ struct BoundState {
 /// How a scheme adds the rates at a point: w of waves, s of viscosity, e of the stabilisation, u of the flow.
 /// kick_drift: max((sqrt(e^2 + 4 (w + u)^2) + e + s) / 4, s). Without viscosity one wave is stable up to
 ///   (w dt)^2 + 2 e dt = 4, which is this; viscosity alone is stable up to s dt = 1; with all three it is a bound (the
-///   roots of the step were tried on a grid);
+///   roots of the step were tested on a grid);
 /// runge_kutta: the ellipse with half axes 1.73 and 2.51 in the region of stability of three stages and third order,
 ///   sqrt(((w + u) / 1.73)^2 + ((s + e) / 2.51)^2);
 /// without_viscosity: the same with s = 0.
