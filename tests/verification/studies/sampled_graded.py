@@ -2,9 +2,9 @@
 
 The scenes of [sampled_pulls](sampled_pulls.md): contact angle, layer, stiffness, Poisson ratio, size of the droplet, and place, width and
 force of the load are sampled from the seed that names a scene. The load of an even seed pulls the droplet towards itself, that of an odd
-one pushes it away. Each scene starts as the case describes it, relaxes before the load, and is computed on equal elements and with domain.grading.fine = "automatic", whose box was
-chosen on other scenes: eight on 64 x 32 elements to t = 800, and two of them on the mesh of Fig. 2, 128 x 64 elements with half of the
-capillarity, to t = 400, where grading leaves fewer elements.
+one pushes it away. Each scene starts as the case describes it, relaxes before the load, and is computed on equal elements and with
+domain.grading.fine = "automatic", whose box was chosen on other scenes: eight on 64 x 32 elements to t = 800, and two of them on the mesh
+of Fig. 2, 128 x 64 elements with half of the capillarity, to t = 400, where grading leaves fewer elements.
 
 Path: largest difference of X_c(t) - X_c(0) to equal elements, over the range of X_c there. Peak: that of the largest mean speed in 5 units
 of time. The steps of time are small (time.tolerance 5e-4), for else their error would hide that of the mesh.
