@@ -18,7 +18,7 @@ struct Range {
 // droplet travels, in per cent, rounded up. docs/verification/sampled_graded.md
 constexpr Range sampled_angle{60, 110}, sampled_young{0.6, 1.5}, sampled_poisson{0.25, 0.45},
     sampled_temperature{0.385, 0.395};
-constexpr int sampled_scenes = 12;
+constexpr int sampled_scenes = 8;
 constexpr double path_kept = 0.5;
 
 bool is_sampled_fluid(const Fluid& fluid) {
