@@ -282,8 +282,8 @@ TEST(Crossings, OfAWindowAreThoseOfTheRow) {
         const double* const within = depth.data() + static_cast<int>(window.x.front());
         for (const int direction : {1, -1}) {
           const auto right = nearest_crossing(crossings(row, depth.data()), inside, direction);
-          const auto found =
-              nearest_crossing(window, within, row, [&] { return depth; }, inside, direction);
+          const auto found = nearest_crossing(
+              window, within, row, [&] { return depth; }, inside, direction);
           ASSERT_EQ(found.has_value(), right.has_value()) << inside << " " << low << " " << high;
           if (right) {
             EXPECT_EQ(found->x, right->x);
