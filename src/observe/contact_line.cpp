@@ -34,11 +34,16 @@ Sides trace_surface(const Section<D>& section, double left, double right, const 
   if (top - low < 1.5 * start) return sides;
   const std::vector<double> x = section.abscissas(4);
   const std::vector<double> y = equidistant(low + start, low + start + 0.85 * (top - low - start), 24);
-  const std::vector<double> depth = surface.depth(section.density(x, y));
+  const double beside = 0.5 * (right - left);
+  const Window window = window_of(x, left - beside, right + beside);
+  const std::vector<double> depth = surface.depth(section.density(window.x, y));
   for (std::size_t j = 0; j < y.size(); ++j) {
-    const std::vector<Crossing> found = crossings(x, depth.data() + j * x.size());
-    if (const auto c = nearest_crossing(found, middle_x, 1)) sides.left.push_back(section.current(c->x, y[j]));
-    if (const auto c = nearest_crossing(found, middle_x, -1)) sides.right.push_back(section.current(c->x, y[j]));
+    const auto row = [&] { return surface.depth(section.density(x, {y[j]})); };
+    const auto crossing = [&](int direction) {
+      return nearest_crossing(window, depth.data() + j * window.x.size(), x, row, middle_x, direction);
+    };
+    if (const auto c = crossing(1)) sides.left.push_back(section.current(c->x, y[j]));
+    if (const auto c = crossing(-1)) sides.right.push_back(section.current(c->x, y[j]));
   }
   return sides;
 }

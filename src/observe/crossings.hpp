@@ -1,6 +1,7 @@
 // Where the surface of droplets crosses a line of a section.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -33,6 +34,35 @@ inline std::optional<Crossing> nearest_crossing(const std::vector<Crossing>& fou
         (!nearest || std::abs(c.x - inside) < std::abs(nearest->x - inside)))
       nearest = c;
   return nearest;
+}
+
+/// Neighbours in a row of samples, with whether they reach its ends.
+struct Window {
+  std::vector<double> x;
+  bool has_first, has_last;
+  /// Nothing of the row lies farther out on the side on which a direction leads into the droplet.
+  bool whole_side(int direction) const { return direction > 0 ? has_first : has_last; }
+};
+
+/// Those from the last one before `low` to the first one behind `high`. @param x  in ascending order
+inline Window window_of(const std::vector<double>& x, double low, double high) {
+  auto first = std::lower_bound(x.begin(), x.end(), low), last = std::upper_bound(first, x.end(), high);
+  if (first != x.begin()) --first;
+  if (last != x.end()) ++last;
+  return {{first, last}, first == x.begin(), last == x.end()};
+}
+
+/// The crossing nearest to a place of the window. What lies outside the window is farther away, so that the whole row is
+/// sampled only where the window has none.
+/// @param depth  of the samples in the window
+/// @param depth_of_row  gives that of all samples of the row
+template <class Sample>
+std::optional<Crossing> nearest_crossing(const Window& window, const double* depth, const std::vector<double>& row,
+                                         const Sample& depth_of_row, double inside, int direction) {
+  const auto near = nearest_crossing(crossings(window.x, depth), inside, direction);
+  if (near || window.whole_side(direction)) return near;
+  const std::vector<double> all = depth_of_row();
+  return nearest_crossing(crossings(row, all.data()), inside, direction);
 }
 
 /// A crossing at a height, sharpened on the spline itself by the Illinois method (Dowell and Jarratt 1971): the secant, in

@@ -56,13 +56,18 @@ std::optional<double> wall_angle(const Section<D>& section, const Surface& surfa
   return degree * std::atan2(distance > 0 ? -up : up, along);
 }
 
-/// Where the outline on the side of a contact line is now, at a height of the undeformed domain.
+/// Where the outline on the side of a contact line is now, at a height of the undeformed domain. It is looked for first
+/// between a middle of the droplet and a place as far beyond the line.
 template <int D>
 std::optional<std::array<double, 2>> outline(const Section<D>& section, const Surface& surface, double middle,
-                                             int direction, double height) {
+                                             const Crossing& line, double height) {
   const std::vector<double> x = section.abscissas(4);
-  const std::vector<double> depth = surface.depth(section.density(x, {height}));
-  const auto crossing = nearest_crossing(crossings(x, depth.data()), middle, direction);
+  const double beyond = 2 * line.x - middle;
+  const Window window = window_of(x, std::min(middle, beyond), std::max(middle, beyond));
+  const auto sample = [&](const std::vector<double>& at) { return surface.depth(section.density(at, {height})); };
+  const std::vector<double> depth = sample(window.x);
+  const auto row = [&] { return sample(x); };
+  const auto crossing = nearest_crossing(window, depth.data(), x, row, middle, line.direction);
   if (!crossing) return std::nullopt;
   return section.current(sharpen(section, *crossing, height, x[1] - x[0], surface), height);
 }
@@ -75,7 +80,7 @@ std::optional<double> liquid_angle(const Section<D>& section, const Surface& sur
   const bool cut = other == section.reach().low || other == section.reach().high;
   const double middle = cut ? other : 0.5 * (line.x + other), shift = cut ? line.direction * 1e-9 * (top - wall) : 0;
   const auto at = [&](double height) {
-    return height < top ? outline(section, surface, middle + shift, line.direction, height) : std::nullopt;
+    return height < top ? outline(section, surface, middle + shift, line, height) : std::nullopt;
   };
   const auto near = at(wall + distance);
   if (!near) return std::nullopt;

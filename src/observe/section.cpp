@@ -36,22 +36,24 @@ std::vector<double> Section<D>::abscissas(int per_element) const {
 }
 
 template <int D>
+double Section<D>::coordinate(double s, int d) const {
+  const Axis& axis = snapshot_.layout().axis[d];
+  const double x = origin_[d] + s * direction_[d];
+  return axis.periodic() ? x - axis.length() * std::floor(x / axis.length()) : x;
+}
+
+template <int D>
 typename Snapshot<D>::Grid Section<D>::point(double s) const {
   typename Snapshot<D>::Grid at;
-  for (int d = 0; d < D - 1; ++d) {
-    const Axis& axis = snapshot_.layout().axis[d];
-    double x = origin_[d] + s * direction_[d];
-    if (axis.periodic()) x -= axis.length() * std::floor(x / axis.length());
-    at[d] = {x};
-  }
+  for (int d = 0; d < D - 1; ++d) at[d] = {coordinate(s, d)};
   return at;
 }
 
 template <int D>
 std::vector<double> Section<D>::density(const std::vector<double>& s, const std::vector<double>& height) const {
   if constexpr (D == 2) {
-    std::vector<double> x;
-    for (double along : s) x.push_back(point(along)[0][0]);
+    std::vector<double> x(s.size());
+    for (std::size_t i = 0; i < s.size(); ++i) x[i] = coordinate(s[i], 0);
     return snapshot_.density({x, height});
   }
   std::vector<double> values(s.size() * height.size());
@@ -77,7 +79,7 @@ template <int D>
 std::vector<double> Section<D>::rise(const std::vector<double>& s) const {
   std::vector<double> values;
   if constexpr (D == 2) {
-    for (double along : s) values.push_back(point(along)[0][0]);
+    for (double along : s) values.push_back(coordinate(along, 0));
     return snapshot_.displacement({values, {snapshot_.wall_height()}}, 1, Medium::solid);
   }
   for (double along : s) {

@@ -34,7 +34,8 @@ class Section {
   const Snapshot<D>& snapshot() const { return snapshot_; }
 
  private:
-  typename Snapshot<D>::Grid point(double s) const;  ///< horizontal coordinates, inside a periodic domain
+  double coordinate(double s, int axis) const;       ///< horizontal one, inside a periodic domain
+  typename Snapshot<D>::Grid point(double s) const;  ///< all horizontal ones
 
   const Snapshot<D>& snapshot_;
   Place origin_, direction_;
