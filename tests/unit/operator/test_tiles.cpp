@@ -136,7 +136,7 @@ TEST_F(ReducedTiles2D, GradedElements) {
 TEST_F(ReducedTiles2D, PeriodicAxis) {
   Layout<2> l;
   l.solid_elements = 3;
-  l.axis = {Axis(0.9, 37, 2, true), Axis(0.8, 8, 2, false, 3)};
+  l.axis = {Axis(0.9, 37, 2, AxisKind::periodic), Axis(0.8, 8, 2, AxisKind::bounded, 3)};
   l.row_size = l.axis[0].functions();
   l.rows = l.axis[1].functions();
   l.wall_row = l.axis[1].span(3);
