@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"WorkbookForATable",
             "factor = 1 ",
             "factor = \"pulses.xlsx\" ",
-            {"load[0].factor = \"pulses.xlsx\"", "no table", "CSV UTF-8", ".csv"}},
+            {"load[0].factor = \"pulses.xlsx\"", "not a table", "CSV UTF-8", ".csv"}},
         Bad{"EndZero", "end = 1884.0", "end = 0", {"time.end = 0", "(0, inf)"}},
         Bad{"RhoInf", "rho_inf = 0.5", "rho_inf = 1.5", {"time.rho_inf = 1.5", "[0, 1]"}},
         Bad{"StepsOutOfOrder", "dt_max = 50", "dt_max = 1e-3", {"time.dt", "dt_max"}},

@@ -45,7 +45,7 @@ TEST(NeedleCase, RefusesTablesThatAreNone) {
   tells(needle(), {"needle.path=[[0,0],[1,1]]"}, {"needle[0].path", "must be 2 numbers"});
   tells(needle(), {"needle.path=[[0,0,0],[1,1]]"}, {"needle[0].path", "[[t, x, y], ...]"});
   tells(needle(), {"needle.path=[[0,0,0],[0,1,0]]"}, {"needle[0].path", "t = 0 after 0", "times that increase"});
-  tells(needle(), {"needle.path=['[[0, a]]',0]"}, {"needle[0].path", "'a'", "no number"});
+  tells(needle(), {"needle.path=['[[0, a]]',0]"}, {"needle[0].path", "'a'", "not a number"});
   tells(needle(), {"substrate.young=[[0,1],[1,2]]"}, {"substrate.young", "does not vary in time"});
   tells(needle(), {"load.factor=[[0,1,2],[1,2,3]]"}, {"load[0].factor", "[[t, value], ...]"});
 }
