@@ -7,7 +7,7 @@ from _ranks import check_same, has_configuration, run
 
 SOFT = ["domain.elements=[44,16]", "fluid.capillarity=1/16", "load[0].start=2", "load[0].ramp=1"]
 GRADED = ["domain.elements=[64,32]", "fluid.capillarity=1/32", "load[0].start=2", "load[0].ramp=1",
-          "domain.grading.box=[[0.28,0.0625],[0.72,0.3]]"]
+          "domain.grading.fine=box", "domain.grading.box=[[0.28,0.0625],[0.72,0.3]]"]
 SCENES = {
     "pull": ("tensotaxis_pull_2d", [*SOFT, "time.end=4", "output.fields.times=[0,4]"], (2, 3, 4)),
     "double": ("tensotaxis_pull_2d", [*SOFT, "time.max_steps=8", "solver.precision=double"], (3,)),
