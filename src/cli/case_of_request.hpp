@@ -10,8 +10,8 @@ namespace softwet {
 /// Where the results of a request lie.
 std::string folder_of(const CaseRequest&, const Case&);
 
-/// The case of a request, with the scheme that takes less time where it leaves that open; it says which. States of rest are found by implicit
-/// steps, and a run that goes on keeps the scheme that it began with. Throws Error.
+/// The case of a request, with the scheme that takes less time where it leaves that open; it says which. States of rest
+/// are found by implicit steps, and a run that goes on keeps the scheme that it began with. Throws Error.
 Case read_case_of(const CaseRequest&);
 
 }  // namespace softwet

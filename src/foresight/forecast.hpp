@@ -48,8 +48,8 @@ double ridge_error(const Case&);
 double least_gap(const Fluid&);
 
 /// Sentences for the user, each with key, value, bound and remedy: droplets that dissolve or are near each other or a
-/// side, a fluid without any, a solid too soft for its droplet, one whose prestretch asks for another law or folds, one that locks, a density that changes its stiffness, a
-/// tolerance that costs steps. Empty when nothing is known.
+/// side, a fluid without any, a solid too soft for its droplet, one whose prestretch asks for another law or folds, one
+/// that locks, a density that changes its stiffness, a tolerance that costs steps. Empty when nothing is known.
 std::vector<std::string> forecast(const Case&);
 
 }  // namespace softwet

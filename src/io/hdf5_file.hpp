@@ -37,7 +37,8 @@ enum class Hdf5Storage { contiguous, checksummed };
 enum class Hdf5Format { compatible, checksummed };
 
 /// An HDF5 file open for writing or for reading. Names are paths ("/VTKHDF/Points"); missing groups on the way are
-/// made. Nothing in a file shows when it was written: the same content has the same bytes. Failures are Errors naming the path of the file: machine_failed when writing, invalid_input when reading.
+/// made. Nothing in a file shows when it was written: the same content has the same bytes. Failures are Errors naming
+/// the path of the file: machine_failed when writing, invalid_input when reading.
 class Hdf5File {
  public:
   /// Creates or truncates.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include "field/vector.hpp"
@@ -142,9 +143,13 @@ void start_integral(const ReduceTask<D, Functional, Motion>& task, const Array& 
 }
 
 /// Integrals whose kernels start one after the other, and whose partial sums come to the host in one copy. There is room for one such list
-/// at a time.
+/// at a time: to start integrals in another one before `finish` is a mistake, std::logic_error.
 class PendingIntegrals {
  public:
+  PendingIntegrals() = default;
+  PendingIntegrals(const PendingIntegrals&) = delete;
+  ~PendingIntegrals() { leave(); }
+
   /// Starts an integral, which `take` gets from `finish`, an array of Functional::count numbers. All processes have to call it. What the
   /// task points to has to hold until then.
   /// With Rate, not the integrals but the rates at which they change because the domain moves; `motion.tangent` is then the
@@ -164,8 +169,7 @@ class PendingIntegrals {
     if (used_ > 0)
       Kokkos::deep_copy(Kokkos::subview(partial_sums().host, range), Kokkos::subview(partial_sums().device, range));
     for (const auto& hand_out : waiting_) hand_out();
-    waiting_.clear();
-    used_ = 0;
+    leave();
   }
 
  private:
@@ -174,13 +178,25 @@ class PendingIntegrals {
     static SumScratch scratch;
     return scratch;
   }
+  /// Whose partial sums are there; null: nobody's.
+  static const PendingIntegrals*& owner() {
+    static const PendingIntegrals* list = nullptr;
+    return list;
+  }
+  void leave() {
+    if (owner() == this) owner() = nullptr;
+    waiting_.clear();
+    used_ = 0;
+  }
   /// Where so many partial sums begin. Those that are there are handed out first where they do not fit beside them.
   std::size_t room(std::size_t entries) {
+    if (owner() && owner() != this) throw std::logic_error("two lists of integrals are pending at once");
     wanted_ += entries;
     if (used_ + entries > partial_sums().device.extent(0)) {
       finish();
       grow(partial_sums(), wanted_);
     }
+    owner() = this;
     used_ += entries;
     return used_ - entries;
   }

@@ -97,8 +97,8 @@ LoadTimes::Reach LoadTimes::Expression::reach(double t, double wish) const {
   return {begin - t + good, jumps()};
 }
 
-/// The distance of an oscillation from a line is large at its turning points and small between them. Steps that follow its phase would add errors of one sign up, so the next
-/// ones of the same length must fit as well.
+/// The distance of an oscillation from a line is large at its turning points and small between them. Steps that follow
+/// its phase would add errors of one sign up, so the next ones of the same length must fit as well.
 double LoadTimes::Expression::longest(double t, double wish) const {
   const Reach first = reach(t, wish);
   if (first.jump || t + first.dt <= start) return first.dt;

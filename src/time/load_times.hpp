@@ -1,4 +1,5 @@
-// How loads and needles vary over time: which times steps meet, after which a run starts afresh, and how long steps may be in between (host).
+// How loads and needles vary over time: which times steps meet, after which a run starts afresh, and how long steps may
+// be in between (host).
 #pragma once
 
 #include <memory>
@@ -14,7 +15,8 @@ struct Jump {
   double time, behind;
 };
 
-/// The ramps, factors and paths of the loads of a case, and the paths of its needles. Ramps and tables say where they are not smooth. Expressions are looked at.
+/// The ramps, factors and paths of the loads of a case, and the paths of its needles. Ramps and tables say where they
+/// are not smooth. Expressions are looked at.
 /// Tested: tests/unit/time/test_load_times.cpp
 class LoadTimes {
  public:

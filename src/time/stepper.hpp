@@ -30,8 +30,9 @@ class Stepper {
   /// Takes over a state without history: the first step is predicted constant.
   void start(const State& state);
 
-  /// Advances by one accepted step. Where a load jumps it continues after the jump, and starts afresh: from the fields, without rates and history. Throws Error (computation_failed) when no step is small enough; the state is then
-  /// still the last good one.
+  /// Advances by one accepted step. Where a load jumps it continues after the jump, and starts afresh: from the fields,
+  /// without rates and history. Throws Error (computation_failed) when no step is small enough; the state is then still
+  /// the last good one.
   StepReport step();
 
   const State& state() const { return state_; }

@@ -180,14 +180,14 @@ class Lab:
     # --- what came out
 
     def counts(self):
-        """Rows that hold, that are missed for a known cause, that fail."""
+        """Rows that hold, that are missed and have a note, that fail."""
         held = sum(holds for _, _, _, holds, _ in self.asked)
         missed = sum(not holds and bool(cause) for _, _, _, holds, cause in self.asked)
         return held, missed, len(self.asked) - held - missed
 
     def document(self, title, about, minutes, build):
         held, missed, failed = self.counts()
-        verdict = f"{held} of {len(self.asked)} hold" + (f", {missed} missed for a known cause" if missed else "") + (
+        verdict = f"{held} of {len(self.asked)} hold" + (f", {missed} missed as its note says" if missed else "") + (
             f", **{failed} fail**" if failed else "")
         form = " --quick" if self.quick else ""
         lines = [f"# {title}", "", about, "", f"Verdict: {verdict}", "",

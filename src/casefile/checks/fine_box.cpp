@@ -14,8 +14,8 @@ namespace {
 constexpr double margin = 4, margin_above = 2.2;  ///< in capillarities: along the wall, and above droplets on it
 constexpr int fine_rows_below = 4;                ///< of the solid below the wall that stay fine
 constexpr double part_of_way = 0.8;               ///< to a load that a droplet may go: that of the paper goes 0.76
-constexpr double least_poisson_that_holds =
-    0.25;  ///< below it a load may not hold its droplet: at 0.15 it crosses (docs/figures.md)
+/// Below it a load may not hold its droplet: at 0.15 it crosses (docs/figures.md).
+constexpr double least_poisson_that_holds = 0.25;
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -124,8 +124,8 @@ Extent along_wall(const Case& c, std::size_t axis) {
   return span;
 }
 
-/// Surface tension over Young's modulus, without the integral of elastocapillary_length (scene/groups). sigma = 0.55 g (1 - theta)^(3/2) is the law of a van der Waals fluid near its critical
-/// point, with the factor of theta = 0.39.
+/// Surface tension over Young's modulus, without the integral of elastocapillary_length (scene/groups). sigma = 0.55 g
+/// (1 - theta)^(3/2) is the law of a van der Waals fluid near its critical point, with the factor of theta = 0.39.
 double rough_elastocapillary_length(const Case& c) {
   return 0.55 * c.fluid->capillarity * std::pow(1 - c.fluid->temperature, 1.5) / c.substrate->young_modulus();
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "case/case.hpp"
 
@@ -11,8 +10,9 @@ namespace softwet {
 /// Share of the elements that domain.grading.fine = "automatic" would leave; 1 where elements are graded already.
 double share_left_by_grading(const Case&);
 
-/// Whether a case is of the kind of which scenes were sampled: one droplet in 2D on a layer of one material without fibres, which loads pull
-/// or push from the start that the case describes, with contact angle, stiffness, Poisson's ratio and temperature as they were there (docs/verification/sampled_graded.md).
+/// Whether a case is of the kind of which scenes were sampled: one droplet in 2D on a layer of one material, which loads alone pull or
+/// push from the start that the case describes, with contact angle, stiffness, Poisson's ratio and temperature in the ranges sampled
+/// there (docs/verification/sampled_graded.md).
 bool is_sampled_pull(const Case&);
 
 /// What was found in these scenes.

@@ -16,9 +16,9 @@ class GridTable final : public Formula {
  public:
   /// @param path  ends with .csv or .h5  @param variables  that the axes may be, out of x, y, z, t
   /// CSV: a line with the names, "x,y,value", then a line for each point of the grid, in any order; empty lines and lines that begin
-  /// with # do not count. Semicolons or tabulators may replace the commas. HDF5: a dataset for each axis, of one dimension and increasing, and the dataset "value", whose dimensions
-  /// are the axes in the order x, y, z, t.
-  /// Throws FormulaError that names the file, and the line and column of a CSV file.
+  /// with # do not count. Semicolons or tabulators may replace the commas. HDF5: a dataset for each axis, of one
+  /// dimension and increasing, and the dataset "value", whose dimensions are the axes in the order x, y, z, t. Throws
+  /// FormulaError that names the file, and the line and column of a CSV file.
   GridTable(const std::string& path, const std::vector<std::string>& variables);
   /// Of times, which increase, and values.
   GridTable(std::vector<double> times, std::vector<double> values);

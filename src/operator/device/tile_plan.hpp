@@ -43,7 +43,8 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
 };
 
 /// Tables of the bases [point][function], of weights and of positions, and of shares [element], from `begin` on, and behind
-/// them the sums of a tile, or of the planes of one layer. Slopes are there where sweeps need them: all of them, or on a wall those across it.
+/// them the sums of a tile, or of the planes of one layer. Slopes are there where sweeps need them: all of them, or on
+/// a wall those across it.
 template <class Plan, int begin>
 struct TileTables {
   using Shape = typename Plan::Shape;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "observe/crossings.hpp"
 #include "observe/host/table_columns.hpp"
 #include "unit/observe/core/quadric.hpp"
 
@@ -269,39 +268,6 @@ TEST(Contacts, ADryPlaceIsUnderNoDroplet) {
       find_contacts(Drawing(16).density(cap(0.4, 0.4)).snapshot(), Surface{middle}, capillarity, {1, 0});
   EXPECT_TRUE(found[0].holds({0.4, 0.62}));
   EXPECT_FALSE(found[0].holds({0.4, 0.66}));
-}
-
-// Crossings into a droplet at 2.5 and 6.5, out of it at 4.5 and 8.5, sampled at 0, 1, ..., 10.
-TEST(Crossings, OfAWindowAreThoseOfTheRow) {
-  const std::vector<double> row = equidistant(0, 10, 10), depth{-1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1};
-  for (const double inside : {3.0, 3.25, 4.0, 5.5, 7.75, 0.0, 10.0})
-    for (const double low : {0.0, 1.5, 2.75, inside})
-      for (const double high : {inside, 6.0, 7.0, 9.5, 10.0}) {
-        if (low > inside || high < inside) continue;
-        const Window window = window_of(row, low, high);
-        const double* const within = depth.data() + static_cast<int>(window.x.front());
-        for (const int direction : {1, -1}) {
-          const auto right = nearest_crossing(crossings(row, depth.data()), inside, direction);
-          const auto found = nearest_crossing(
-              window, within, row, [&] { return depth; }, inside, direction);
-          ASSERT_EQ(found.has_value(), right.has_value()) << inside << " " << low << " " << high;
-          if (right) {
-            EXPECT_EQ(found->x, right->x);
-          }
-        }
-      }
-}
-
-TEST(Crossings, AWindowThatHasOneLeavesTheRowAlone) {
-  const std::vector<double> row = equidistant(0, 10, 10), depth{-1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1};
-  const Window window = window_of(row, 2.25, 4.75);
-  EXPECT_EQ(window.x, (std::vector<double>{2, 3, 4, 5}));
-  const auto never = [&] {
-    ADD_FAILURE() << "the whole row was sampled";
-    return depth;
-  };
-  EXPECT_EQ(nearest_crossing(window, depth.data() + 2, row, never, 3.5, 1)->x, 2.5);
-  EXPECT_EQ(nearest_crossing(window, depth.data() + 2, row, never, 3.5, -1)->x, 4.5);
 }
 
 }  // namespace
