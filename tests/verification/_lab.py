@@ -187,7 +187,7 @@ class Lab:
 
     def document(self, title, about, minutes, build):
         held, missed, failed = self.counts()
-        verdict = f"{held} of {len(self.asked)} hold" + (f", {missed} missed as its note says" if missed else "") + (
+        verdict = f"{held} of {len(self.asked)} hold" + (f", {missed} missed as noted" if missed else "") + (
             f", **{failed} fail**" if failed else "")
         form = " --quick" if self.quick else ""
         lines = [f"# {title}", "", about, "", f"Verdict: {verdict}", "",
