@@ -26,8 +26,7 @@ constexpr double path_kept = 0.5;
 bool is_sampled_fluid(const Fluid& fluid) {
   return !fluid.contact_angle.varies() && sampled_angle.holds(fluid.contact_angle.number) &&
          sampled_temperature.holds(fluid.temperature) && !fluid.resists_lines() && fluid.gravity.empty() &&
-         fluid.ambient == Phase::vapour && fluid.wall_law == WallLaw::gradient &&
-         fluid.wall_tension == WallTensionModel::none && fluid.wall_stretch_exponent == 0 &&
+         fluid.ambient == Phase::vapour && fluid.wall_law == WallLaw::gradient && fluid.wall_stretch_exponent == 0 &&
          fluid.traction == Traction::layer;
 }
 
