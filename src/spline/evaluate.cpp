@@ -45,6 +45,27 @@ struct Crop {
   }
 };
 
+/// One axis of [outer][extent][inner] contracted: [outer][points][inner].
+/// @param Known  number of functions that live at a point, in which loops of a known length are unrolled; 0: any
+/// @param first  the row of the axis at which the values begin
+template <int Known>
+void contract(const AxisSamples& at, int first, std::size_t extent, std::size_t inner,
+              const std::vector<double>& values, std::vector<double>& result) {
+  const int functions = Known > 0 ? Known : at.functions;
+  const std::size_t points = at.first.size(), outer = values.size() / (extent * inner);
+  double* out = result.data();
+  for (std::size_t o = 0; o < outer; ++o)
+    for (std::size_t q = 0; q < points; ++q, out += inner) {
+      const double* weight = at.weight.data() + q * functions;
+      const double* in = values.data() + (o * extent + at.first[q] - first) * inner;
+      for (std::size_t i = 0; i < inner; ++i) {
+        double sum = 0;
+        for (int a = 0; a < functions; ++a) sum += weight[a] * in[a * inner + i];
+        out[i] = sum;
+      }
+    }
+}
+
 }  // namespace
 
 template <int D>
@@ -53,32 +74,15 @@ std::vector<double> evaluate_grid(const double* box, const std::array<int, D>& w
   for (const AxisSamples& axis : at)
     if (axis.first.empty()) return {};
   Crop<D> crop(box, whole, at);
-  const std::array<int, D>& extent = crop.count;
-  // Contract one axis after the other, last axis first: [k][j][i] -> [qk][j][i] -> ...
-  std::size_t outer = 1, inner = 1;
-  for (int d = 0; d < D - 1; ++d) inner *= extent[d];
+  // Last axis first: [k][j][i] -> [qk][j][i] -> ...
   std::vector<double> now = std::move(crop.values);
+  std::size_t inner = now.size() / crop.count[D - 1];
   for (int d = D - 1; d >= 0; --d) {
-    const std::size_t points = at[d].first.size();
-    const int functions = at[d].functions;
-    std::vector<double> next(outer * points * inner, 0.0);
-    for (std::size_t o = 0; o < outer; ++o)
-      for (std::size_t q = 0; q < points; ++q) {
-        const double* weight = at[d].weight.data() + q * functions;
-        double* out = next.data() + (o * points + q) * inner;
-        const double* in = now.data() + (o * extent[d] + at[d].first[q] - crop.first[d]) * inner;
-        if (d == 0) {
-          double sum = 0;
-          for (int a = 0; a < functions; ++a) sum += weight[a] * in[a];
-          *out = sum;
-          continue;
-        }
-        for (int a = 0; a < functions; ++a, in += inner)
-          for (std::size_t i = 0; i < inner; ++i) out[i] += weight[a] * in[i];
-      }
+    std::vector<double> next(now.size() / crop.count[d] * at[d].first.size());
+    const auto along = at[d].functions == 3 ? contract<3> : at[d].functions == 4 ? contract<4> : contract<0>;
+    along(at[d], crop.first[d], crop.count[d], inner, now, next);
     now = std::move(next);
-    outer *= points;
-    if (d > 0) inner /= extent[d - 1];
+    if (d > 0) inner /= crop.count[d - 1];
   }
   return now;
 }

@@ -1,5 +1,6 @@
 #include "observe/host/droplet_watch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,15 +9,16 @@ namespace {
 
 /// A connected set of points inside.
 struct Region {
-  int deepest = -1;      ///< the point that is the most steps away from the points outside
+  int deepest;           ///< the point that is the most steps away from the points outside
   unsigned touched = 0;  ///< as in Body
 };
 
 /// The connected regions of a grid: points are neighbours along the axes, also across a periodic end.
 class Regions {
  public:
-  explicit Regions(const PhaseSamples& samples)
-      : samples_(samples), label_(samples.depth.size(), -1), shore_(samples.depth.size()) {
+  explicit Regions(const PhaseSamples& samples) : samples_(samples), label_(samples.depth.size(), -1) {
+    for (int d = 0; d < samples_.dimension; ++d)
+      for (int i = 0; i < samples_.points[d]; ++i) beyond_fine_.at(d).push_back(fine_ends_at(d, i));
     for (std::size_t p = 0; p < label_.size(); ++p)
       if (samples_.inside(p) && label_[p] < 0) flood(static_cast<int>(p));
     find_deepest();
@@ -107,8 +109,8 @@ class Regions {
     for (int d = 0; d < samples_.dimension; stride *= samples_.points[d], ++d)
       for (int end : {0, 1}) {
         const int n = samples_.points[d], next = index[d] + (end == 0 ? -1 : 1);
-        const bool beyond = next < 0 || next >= n;
-        visit(d, end, beyond && !samples_.periodic[d] ? -1 : point + ((next + n) % n - index[d]) * stride);
+        const int around = next < 0 ? n - 1 : next < n ? next : 0;
+        visit(d, end, around == next || samples_.periodic[d] ? point + (around - index[d]) * stride : -1);
       }
   }
 
@@ -118,29 +120,29 @@ class Regions {
     return std::isfinite(middle) ? middle + std::remainder(x - middle, samples_.step[d] * samples_.points[d]) : x;
   }
 
-  void look_at_fine_ends(int point, unsigned& touched) const {
-    const std::array<double, 3> x = place(point);
-    for (int d = 0; d < samples_.dimension; ++d) {
-      const double at = samples_.periodic[d] ? nearest_to_fine_part(d, x[d]) : x[d];
-      if (at < samples_.low[d]) touched |= 1U << (first_bit_of_fine_ends + 2 * d);
-      if (at > samples_.high[d]) touched |= 1U << (first_bit_of_fine_ends + 2 * d + 1);
-    }
+  /// The ends of the fine elements that a place along an axis lies beyond, as bits of `Body::touched`.
+  unsigned fine_ends_at(int d, int index) const {
+    const double x = samples_.origin[d] + samples_.step[d] * index;
+    const double at = samples_.periodic[d] ? nearest_to_fine_part(d, x) : x;
+    return (at < samples_.low[d] ? 1U << (first_bit_of_fine_ends + 2 * d) : 0U) |
+           (at > samples_.high[d] ? 1U << (first_bit_of_fine_ends + 2 * d + 1) : 0U);
   }
 
   void flood(int start) {
     const int label = static_cast<int>(regions_.size());
-    regions_.emplace_back();
+    regions_.push_back({.deepest = start});
     std::vector<int> open{start};
     label_[start] = label;
     while (!open.empty()) {
       const int point = open.back();
       open.pop_back();
-      look_at_fine_ends(point, regions_[label].touched);
+      const std::array<int, 3> index = index_of(point);
+      for (int d = 0; d < samples_.dimension; ++d) regions_[label].touched |= beyond_fine_[d][index[d]];
       each_neighbour(point, [&](int axis, int end, int next) {
         if (next < 0) {
           regions_[label].touched |= 1U << (2 * axis + end);
         } else if (!samples_.inside(next)) {
-          shore_[next] = true;
+          shore_.push_back(next);
         } else if (label_[next] < 0) {
           label_[next] = label;
           open.push_back(next);
@@ -151,16 +153,13 @@ class Regions {
 
   /// Goes inwards from all points outside that have a neighbour inside, at once; the last point reached of a region is its deepest.
   void find_deepest() {
-    std::vector<bool> reached(label_.size());
-    std::vector<int> front;
-    for (std::size_t p = 0; p < label_.size(); ++p) {
-      reached[p] = label_[p] < 0;
-      if (shore_[p]) front.push_back(static_cast<int>(p));
-      if (!reached[p] && regions_[label_[p]].deepest < 0) regions_[label_[p]].deepest = static_cast<int>(p);
-    }
+    std::vector<char> reached(label_.size());
+    std::sort(shore_.begin(), shore_.end());
+    shore_.erase(std::unique(shore_.begin(), shore_.end()), shore_.end());
+    std::vector<int> front = shore_;
     for (std::size_t k = 0; k < front.size(); ++k)
       each_neighbour(front[k], [&](int, int, int next) {
-        if (next < 0 || reached[next]) return;
+        if (next < 0 || label_[next] < 0 || reached[next]) return;
         reached[next] = true;
         regions_[label_[next]].deepest = next;
         front.push_back(next);
@@ -168,8 +167,9 @@ class Regions {
   }
 
   const PhaseSamples& samples_;
-  std::vector<int> label_;   ///< the region of each point; -1: outside
-  std::vector<bool> shore_;  ///< outside, with a neighbour inside
+  std::vector<int> label_;                            ///< the region of each point; -1: outside
+  std::vector<int> shore_;                            ///< points outside with a neighbour inside
+  std::array<std::vector<unsigned>, 3> beyond_fine_;  ///< of each place along each axis: `fine_ends_at`
   std::vector<Region> regions_;
 };
 
