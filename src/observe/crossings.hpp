@@ -16,24 +16,30 @@ struct Crossing {
   int direction;
 };
 
+/// Of two neighbours in a row of samples.
+inline std::optional<Crossing> crossing_between(const std::vector<double>& x, const double* depth, std::size_t i) {
+  const double a = depth[i], b = depth[i + 1];
+  if ((a < 0) == (b < 0)) return std::nullopt;
+  return Crossing{x[i] + (x[i + 1] - x[i]) * a / (a - b), a < 0 ? 1 : -1};
+}
+
 inline std::vector<Crossing> crossings(const std::vector<double>& x, const double* depth) {
   std::vector<Crossing> result;
-  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-    const double a = depth[i], b = depth[i + 1];
-    if ((a < 0) == (b < 0)) continue;
-    result.push_back({x[i] + (x[i + 1] - x[i]) * a / (a - b), a < 0 ? 1 : -1});
-  }
+  for (std::size_t i = 0; i + 1 < x.size(); ++i)
+    if (const auto c = crossing_between(x, depth, i)) result.push_back(*c);
   return result;
 }
 
-/// The one nearest to a place inside the droplet, on the side on which that direction leads into it.
-inline std::optional<Crossing> nearest_crossing(const std::vector<Crossing>& found, double inside, int direction) {
-  std::optional<Crossing> nearest;
-  for (const Crossing& c : found)
-    if (c.direction == direction && direction * (inside - c.x) > 0 &&
-        (!nearest || std::abs(c.x - inside) < std::abs(nearest->x - inside)))
-      nearest = c;
-  return nearest;
+/// The one nearest to a place inside the droplet, on the side on which that direction leads into it: outwards from there.
+inline std::optional<Crossing> nearest_crossing(const std::vector<double>& x, const double* depth, double inside,
+                                                int direction) {
+  const int last = static_cast<int>(x.size()) - 2;
+  const auto above = std::upper_bound(x.begin(), x.end(), inside);
+  for (int i = std::clamp(static_cast<int>(above - x.begin()) - 1, 0, last); i >= 0 && i <= last; i -= direction) {
+    const auto c = crossing_between(x, depth, i);
+    if (c && c->direction == direction && direction * (inside - c->x) > 0) return c;
+  }
+  return std::nullopt;
 }
 
 /// Neighbours in a row of samples, with whether they reach its ends.
@@ -59,10 +65,10 @@ inline Window window_of(const std::vector<double>& x, double low, double high) {
 template <class Sample>
 std::optional<Crossing> nearest_crossing(const Window& window, const double* depth, const std::vector<double>& row,
                                          const Sample& depth_of_row, double inside, int direction) {
-  const auto near = nearest_crossing(crossings(window.x, depth), inside, direction);
+  const auto near = nearest_crossing(window.x, depth, inside, direction);
   if (near || window.whole_side(direction)) return near;
   const std::vector<double> all = depth_of_row();
-  return nearest_crossing(crossings(row, all.data()), inside, direction);
+  return nearest_crossing(row, all.data(), inside, direction);
 }
 
 /// A crossing at a height, sharpened on the spline itself by the Illinois method (Dowell and Jarratt 1971): the secant, in

@@ -9,17 +9,28 @@
 namespace softwet::testing_tools {
 namespace {
 
+/// The nearest one of all of a row that lead into the droplet on its side.
+std::optional<Crossing> nearest_of_all(const std::vector<double>& row, const double* depth, double inside,
+                                       int direction) {
+  std::optional<Crossing> nearest;
+  for (const Crossing& c : crossings(row, depth))
+    if (c.direction == direction && direction * (inside - c.x) > 0 &&
+        (!nearest || std::abs(c.x - inside) < std::abs(nearest->x - inside)))
+      nearest = c;
+  return nearest;
+}
+
 // Crossings into a droplet at 2.5 and 6.5, out of it at 4.5 and 8.5, sampled at 0, 1, ..., 10.
 TEST(Crossings, OfAWindowAreThoseOfTheRow) {
   const std::vector<double> row = equidistant(0, 10, 10), depth{-1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1};
-  for (const double inside : {3.0, 3.25, 4.0, 5.5, 7.75, 0.0, 10.0})
+  for (const double inside : {3.0, 3.25, 4.0, 4.5, 5.5, 7.75, 0.0, 10.0})
     for (const double low : {0.0, 1.5, 2.75, inside})
       for (const double high : {inside, 6.0, 7.0, 9.5, 10.0}) {
         if (low > inside || high < inside) continue;
         const Window window = window_of(row, low, high);
         const double* const within = depth.data() + static_cast<int>(window.x.front());
         for (const int direction : {1, -1}) {
-          const auto right = nearest_crossing(crossings(row, depth.data()), inside, direction);
+          const auto right = nearest_of_all(row, depth.data(), inside, direction);
           const auto found = nearest_crossing(
               window, within, row, [&] { return depth; }, inside, direction);
           ASSERT_EQ(found.has_value(), right.has_value()) << inside << " " << low << " " << high;
