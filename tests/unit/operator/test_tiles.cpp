@@ -154,6 +154,15 @@ TEST_F(ReducedTiles2D, MeansOverElements) {
   c.check_single<NoMotion>("two points", of_means, c.patch.means());
 }
 
+TEST_F(ReducedTiles2D, DegreeThree) {
+  Patch<2> patch({35, 9}, 2, 3, 0.6);
+  patch.points = 3;
+  TileCases<2, 3> c(patch);
+  c.limit = 1e-12;
+  c.check<WallMotion<2>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());
+  c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
+}
+
 TEST(Tiles2D, DegreeThree) {
   const TileCases<2, 3> c(std::array<int, 2>{11, 13});
   c.check<WallMotion<2>>("navier_stokes_korteweg", c.terms.fluid, c.patch.fluid());

@@ -2,83 +2,31 @@
 // then: so these tests show that all that changes from step to step is read in memory.
 #include "operator/device/collect.hpp"
 #include "operator/device/stored_bytes.hpp"
-#include "time/explicit/explicit_scheme.hpp"
 #include "unit/scene/formulas.hpp"
 #include "unit/time/explicit_run.hpp"
-#include "unit/time/first_steps.hpp"
+#include "unit/time/recorded_run.hpp"
 
 namespace softwet::testing_tools {
 namespace {
 
-/// A run whose steps have lengths of a list, in turn, in shares of the longest stable one.
-struct RunOfSteps {
-  Case c;
-  Scene<2, 2> scene;
-  Stepper<2, 2> stepper;
-  double longest = 0;
-  int taken = 0;
-  std::vector<double> indicators;
-
-  RunOfSteps(Case of, Launch launch) : c(with_launch(std::move(of), launch)), scene(c), stepper(scene, c, {}) {
-    take_first_steps(stepper, scene, c);
-    longest = 0.9 / scheme().rates().combined;
-  }
-  static Case with_launch(Case c, Launch launch) {
-    c.time.scheme = TimeScheme::kick_drift;
-    c.time.tolerance = 1;
-    c.time.end = 100;
-    c.solver.launch = launch;
-    return c;
-  }
-  const ExplicitScheme<2, 2>& scheme() { return dynamic_cast<const ExplicitScheme<2, 2>&>(stepper.scheme()); }
-  void step(int count) {
-    constexpr double share[] = {0.5, 0.7, 0.3, 0.6, 0.45};
-    for (int i = 0; i < count; ++i) {
-      stepper.control().set_proposed(share[taken++ % 5] * longest);
-      indicators.push_back(stepper.step().indicator);
-    }
-  }
-  std::vector<std::vector<double>> numbers() const {
-    const State& s = const_cast<Stepper<2, 2>&>(stepper).state();
-    std::vector<std::vector<double>> all{{s.time}, indicators};
-    for (const Array& a : {s.unknown, s.velocity_rate, s.displacement, s.displacement_rate, s.moment, s.moment_rate,
-                           s.memory, s.memory_rate})
-      all.push_back(to_host(a));
-    return all;
-  }
-};
-
-/// The same steps of a case, recorded and not. @return recordings at the end
-int expect_same_bits(const Case& c, int steps = 11) {
-  RunOfSteps plain(c, Launch::kernels), recorded(c, Launch::graph);
-  plain.step(steps);
-  recorded.step(steps);
-  EXPECT_EQ(plain.scheme().recordings(), 0);
-  EXPECT_EQ(plain.numbers(), recorded.numbers());
-  return recorded.scheme().recordings();
-}
-
-/// Where nothing is recorded, as on a processor: none.
-int two() { return host_algorithms ? 0 : 2; }
-
 TEST(RecordedSteps, KeepTheirBits) {
   for (const SceneKind kind : {SceneKind::rigid, SceneKind::coupled, SceneKind::solid})
-    EXPECT_EQ(expect_same_bits(moving_droplet(kind)), two());
-  EXPECT_EQ(expect_same_bits(moving_droplet(SceneKind::coupled, true)), two());
-  EXPECT_EQ(expect_same_bits(around_axis(moving_droplet(SceneKind::coupled))), two());
+    EXPECT_EQ(expect_same_bits<2>(moving_droplet(kind)), two());
+  EXPECT_EQ(expect_same_bits<2>(moving_droplet(SceneKind::coupled, true)), two());
+  EXPECT_EQ(expect_same_bits<2>(around_axis(moving_droplet(SceneKind::coupled))), two());
 }
 
 TEST(RecordedSteps, KeepTheirBitsWithLumpedMasses) {
   Case c = moving_droplet(SceneKind::coupled);
   c.time.mass = MassKind::lumped;
-  EXPECT_EQ(expect_same_bits(c), two());
+  EXPECT_EQ(expect_same_bits<2>(c), two());
 }
 
 // Searches of consistent masses wait for the host, and Runge-Kutta schemes have their numbers as arguments.
 TEST(RecordedSteps, AreThoseOfKickDriftWithoutSearchesAlone) {
   Case c = moving_droplet(SceneKind::coupled);
   c.time.mass = MassKind::consistent;
-  EXPECT_EQ(expect_same_bits(c, 4), 0);
+  EXPECT_EQ(expect_same_bits<2>(c, 4), 0);
 }
 
 TEST(RecordedSteps, FollowBranches) {
@@ -86,7 +34,7 @@ TEST(RecordedSteps, FollowBranches) {
     Case c = moving_droplet(SceneKind::coupled);
     c.substrate->strain = strain;
     c.substrate->branches = {{0.9, 0.3}, {1.7, 0.04}};
-    EXPECT_EQ(expect_same_bits(c), two());
+    EXPECT_EQ(expect_same_bits<2>(c), two());
   }
 }
 
@@ -99,22 +47,22 @@ TEST(RecordedSteps, FollowForcesThatGrowAndMove) {
   c.loads.push_back(c.loads[0]);
   c.loads[1].path = {steady(0.3), Profile(0)};
   c.needles.push_back({{0.0, 0.0}, {0.2, 0.1}, 5.0, {steady(0.2), steady(-0.1)}});
-  EXPECT_EQ(expect_same_bits(c), two());
+  EXPECT_EQ(expect_same_bits<2>(c), two());
 }
 
 // A load that begins to act starts a kernel more.
 TEST(RecordedSteps, AreRecordedAgainWhereALoadBegins) {
   Case c = moving_droplet(SceneKind::coupled);
-  RunOfSteps probe(c, Launch::kernels);
+  RunOfSteps<2> probe(c, Launch::kernels);
   probe.step(5);
   c.loads[0].start = probe.stepper.state().time;
-  EXPECT_EQ(expect_same_bits(c, 13), 2 * two());
+  EXPECT_EQ(expect_same_bits<2>(c, 13), 2 * two());
 }
 
 // Other evaluations may ask for more room, and for more tables than a device keeps.
 TEST(RecordedSteps, AreRecordedAgainWhereMemoryHasMoved) {
   if (host_algorithms) GTEST_SKIP() << "on the host nothing is recorded";
-  RunOfSteps run(moving_droplet(SceneKind::rigid), Launch::graph);
+  RunOfSteps<2> run(moving_droplet(SceneKind::rigid), Launch::graph);
   run.step(6);
   EXPECT_EQ(run.scheme().recordings(), 2);
   const long moves = moves_of_tile_rooms;
