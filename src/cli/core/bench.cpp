@@ -220,7 +220,6 @@ void bench_explicit(const Sheet& sheet, const Scene<D, P>& scene, State state) {
     };
     const StepRates now = rates();
     const double dt = 0.9 / now.combined;
-    step.prepare(state.time, dt);
     sheet.line(std::string("step of kick_drift, ") + name,
                seconds_per_call([&] { step.advance(state.time, dt, now); }));
     if (kind != MassKind::corrected) continue;

@@ -73,7 +73,7 @@ template <int D, int P>
 Refusal ExplicitScheme<D, P>::start_kernels(const StepHistory& history, double t, double dt) {
   const StepNumbers& numbers = system_.numbers();
   numbers.send();
-  const Refusal problem = step_->advance(t, dt, rates_);
+  const Refusal problem = step_->start(t, dt, rates_);
   if (!problem.empty()) return problem;
   bound_.ask(bound_state(step_->next_moments()), of_bound_);
   judge_.ask(history, system_.stage(), {numbers.factor(StepNumbers::last), numbers.factor(StepNumbers::before)},

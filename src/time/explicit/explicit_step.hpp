@@ -16,14 +16,19 @@ class ExplicitStep {
   virtual StepFormula formula() const = 0;
   /// Takes the accepted state, with the rates that the next step begins with. The stage of the system is that state.
   virtual Refusal begin(const State&) = 0;
-  /// What the host finds for the next `advance`.
-  virtual void prepare([[maybe_unused]] double t, [[maybe_unused]] double dt) {}
-  /// Whether `advance` only starts kernels, with arguments that follow from the addresses of its vectors and, of loads, from which act.
-  /// These kernels read what changes from step to step in memory, as the system keeps it there.
-  virtual bool recordable() const { return false; }
   /// One step. The stage of the system is the state at its end, with its velocities.
   /// @param rates  of the state that the step begins with
-  virtual Refusal advance(double t, double dt, const StepRates& rates) = 0;
+  Refusal advance(double t, double dt, const StepRates& rates) {
+    prepare(t, dt);
+    return start(t, dt, rates);
+  }
+  /// The first part of a step: what the host finds for it.
+  virtual void prepare([[maybe_unused]] double t, [[maybe_unused]] double dt) {}
+  /// The rest of a step.
+  virtual Refusal start(double t, double dt, const StepRates& rates) = 0;
+  /// Whether `start` only starts kernels, with arguments that follow from the addresses of its vectors and, of loads, from which act.
+  /// These kernels read what changes from step to step in memory, as the system keeps it there.
+  virtual bool recordable() const { return false; }
   /// Moments of the last accepted state, and of the end of the last step.
   virtual ConstArray moments() const = 0;
   virtual ConstArray next_moments() const = 0;

@@ -34,7 +34,7 @@ Refusal KickDrift<D, P>::begin(const State& s) {
 }
 
 template <int D, int P>
-Refusal KickDrift<D, P>::advance(double t, double dt, const StepRates&) {
+Refusal KickDrift<D, P>::start(double t, double dt, const StepRates&) {
   const auto& [y, density, pressure, convection, stabilisation, memory] = now_;
   const Array v = system_.velocities_of(y), u = system_.displacements_of(y), p = system_.moments_of(y);
   const Array v_end = system_.velocities_of(next_.y), u_end = system_.displacements_of(next_.y),

@@ -30,7 +30,7 @@ class KickDrift final : public ExplicitStep<D, P> {
   Refusal begin(const State&) override;
   void prepare(double t, double dt) override { system_.set_step(t, dt); }
   bool recordable() const override { return system_.recordable(); }
-  Refusal advance(double t, double dt, const StepRates&) override;
+  Refusal start(double t, double dt, const StepRates&) override;
   ConstArray moments() const override { return system_.moments_of(now_.y); }
   ConstArray next_moments() const override { return system_.moments_of(next_.y); }
   void accept(double t, double dt, State&, const Array& before) override;

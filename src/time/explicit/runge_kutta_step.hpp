@@ -35,7 +35,7 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
     multiply(system_.velocities_of(y_), part(system_.scene().mask(), 0, system_.velocities()));
     return system_.rates(s.time, y_, rates_);
   }
-  Refusal advance(double t, double dt, const StepRates& rates) override {
+  Refusal start(double t, double dt, const StepRates& rates) override {
     Kokkos::deep_copy(Exec(), next_, y_);
     Array begin = rates_;
     Refusal problem;

@@ -54,7 +54,6 @@ struct ExplicitRunIn {
   }
   void run(double dt, int steps) {
     for (int n = 0; n < steps; ++n) {
-      step->prepare(state.time, dt);
       ASSERT_TRUE(step->advance(state.time, dt, rates()).empty());
       step->accept(state.time + dt, dt, state, before);
     }
