@@ -8,23 +8,22 @@ of Fig. 2, 128 x 64 elements with half of the capillarity, to t = 400, where gra
 
 Path: largest difference of X_c(t) - X_c(0) to equal elements from t = 0 on, the start of the load, over the range of X_c, as `softwet
 tradeoff` measures it. With the relaxation before, it is larger: the first swing of the droplet is off by up to 6e-5, which is 0.6 % of
-the shortest way. Peak: that of the largest mean speed in 5 units of time. The steps of time are small (time.tolerance 5e-4), for else
-their error would hide that of the mesh.
+the shortest way. Peak: that of the largest mean speed in 5 units of time. The steps of time are small (time.tolerance 5e-5), for else
+their error would hide that of the mesh: with 5e-4 the largest speed of scene 107, which the droplet has at t = 20 while it still settles, is
+4.6 and 3.4 % off the one of 5e-6 on equal and graded elements, and so 1.1 % apart.
 
 With time.start = "equilibrium" the place where a droplet comes to rest may depend on the mesh, since a droplet that stands beside the middle
 is carried far by the long steps on the way to rest: of the seeds 103 to 114 the droplets of 107 and 113 began 0.014 apart on the two
 meshes, and their paths were 17 and 9.4 % apart; the other ten kept their paths within 0.1 %."""
 
 import numpy
-from _lab import Known
 from _sampled import EQUAL, FIRST, GRADED, PULL, errors, sampled, settings
 
 MINUTES = {"quick": 0.2, "full": 3}
 EXPLICIT = "takes hundreds of units of time at the temperature 0.39: millions of explicit steps"
 MESHES = {"equal": EQUAL, "graded": GRADED}
-STEPS = "time.tolerance=5e-4"
+STEPS = "time.tolerance=5e-5"
 PATH, PEAK = 0.5, 1  # %
-SLOW = "the largest speed of scene 107, a slow push, is 1.1 % smaller on graded elements, and its path 0.09 % off; the cause was not found"
 SHARE = {64: 0.8, 128: 0.6}  # elements along the wall: largest share of the unknowns
 
 
@@ -49,8 +48,7 @@ def compare(lab, elements, count, end):
     found = {seed: (path_of(runs[seed, "graded"], runs[seed, "equal"]), *errors(runs[seed, "graded"], runs[seed, "equal"])) for seed in seeds}
     for number, what, bound in ((0, "path", PATH), (2, "largest speed", PEAK)):
         worst = max(abs(found[seed][number]) for seed in seeds)
-        lab.expect(f"{name}: {what}, largest difference between graded and equal elements, %", f"<= {bound}", f"{worst:.2g}", worst <= bound,
-                   Known(SLOW, "1.2 %", worst <= 1.2) if number else None)
+        lab.expect(f"{name}: {what}, largest difference between graded and equal elements, %", f"<= {bound}", f"{worst:.2g}", worst <= bound)
     told = sum("fine elements" in str(runs[seed, "graded"].record.get("events")) for seed in seeds)
     lab.expect(f"{name}: droplets that come near the end of the fine elements", f"0 of {count}", told, told == 0)
     share, allowed = max(solved(runs[seed, "graded"]) / solved(runs[seed, "equal"]) for seed in seeds), SHARE[elements]
