@@ -12,25 +12,22 @@
 
 namespace softwet {
 
-/// Adds the lanes of a number one after the other: the first ones to a sum, and the others up to `count` to another one.
+/// Adds the lanes of a number one after the other: the first ones to a sum, and the others up to `count` to another one. A number that has no
+/// lanes goes to the first sum.
 template <class S>
 KOKKOS_FORCEINLINE_FUNCTION void add_in_turn(const S& number, int first, int count, double& sum, double& other) {
-  constexpr int lanes = Lanes<S>::count;
-  double lane[lanes];
-  Kokkos::Experimental::simd_unchecked_store(number, lane, Kokkos::Experimental::simd_flag_default);
-  if (first == strip_width && count == lanes && lanes == 2 * strip_width) {  // a loop that the compiler unrolls
-    double one = sum, two = other;
-    for (int l = 0; l < strip_width; ++l) {
-      one += lane[l];
-      two += lane[strip_width + l];
-    }
-    sum = one, other = two;
+  if constexpr (is_one_number<S>) {
+    sum += number;
   } else {
+    constexpr int lanes = Lanes<S>::count;
+    double lane[lanes];
+    Kokkos::Experimental::simd_unchecked_store(number, lane, Kokkos::Experimental::simd_flag_default);
     for (int l = 0; l < count; ++l) (l < first ? sum : other) += lane[l];
   }
 }
 
-/// N = S: the integral. N = Dual<S>: its rate of change by the motion of the domain alone, at fixed fields.
+/// The points of an element are summed in their order, and then the elements in theirs. N = S: the integral. N = Dual<S>: its rate
+/// of change by the motion of the domain alone, at fixed fields.
 /// @param sum    [strip][functional], of two strips
 /// @param first  number of lanes that belong to the first strip; the others belong to the second one
 template <class S, class N, int D, int P, int Q, class Functional, class Motion>
@@ -43,21 +40,19 @@ KOKKOS_FUNCTION void reduce_batch(const ReduceTask<D, Functional, Motion>& task,
   const Fields values(task, b, basis);
   const LiftedFields<Fields, N> fields{values};
   const BatchGeometry<S, N, D, P, Q, Motion> geometry(task.region, b, basis.x, basis.y, task.motion);
+  S of_elements[Functional::count];
+  for (int f = 0; f < Functional::count; ++f) of_elements[f] = S(0.0);
   for (int q = 0; q < points; ++q) {
     const auto point = point_at<Functional, Q, S>(geometry, task, b, q);
     const Reader<N, D, std::remove_const_t<decltype(fields)>, std::remove_const_t<decltype(point)>> reader{fields,
                                                                                                            point, q};
     const Vector<N, Functional::count> value = task.functional.value(Trial::read(reader));
     const S weight = weight_at<S, D, Q>(task.region, b, q);
-    for (int f = 0; f < Functional::count; ++f) {
-      const S part = weight * outcome(point.measured(value[f]));
-      if constexpr (is_one_number<S>) {
-        sum[f] += part;
-      } else {
-        add_in_turn(part, first, b.count, sum[f], sum[Functional::count + f]);
-      }
-    }
+    for (int f = 0; f < Functional::count; ++f)
+      of_elements[f] = of_elements[f] + weight * outcome(point.measured(value[f]));
   }
+  for (int f = 0; f < Functional::count; ++f)
+    add_in_turn(of_elements[f], first, b.count, sum[f], sum[Functional::count + f]);
 }
 
 /// Partial sums of the strips of one row of elements, element by element. An item is two strips where a batch has lanes for both.
