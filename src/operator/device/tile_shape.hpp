@@ -42,7 +42,7 @@ struct ChosenTile<2, 3, Tangent, Real> : TileShape<2, 3, 4, 1, 4, 2> {
 };
 template <bool Tangent, class Real>
 struct ChosenTile<3, 2, Tangent, Real> : TileShape<3, 2, 3, 2, 1, 4> {
-  static constexpr int teams = Tangent && std::is_same_v<Real, double> ? 2 : 3;
+  static constexpr int teams = Tangent && std::is_same_v<Real, double> ? 2 : 4;
 };
 template <bool Tangent, class Real>
 struct ChosenTile<3, 3, Tangent, Real> : TileShape<3, 3, 2, 1, 1, 4> {
