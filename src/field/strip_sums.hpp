@@ -1,8 +1,10 @@
 // Sums over vectors in one fixed order, so that results depend neither on the number of threads nor on that of processes.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "field/lane_sums.hpp"
 #include "field/range_factors.hpp"
 #include "field/ranks.hpp"
 #include "field/vector_space.hpp"
@@ -38,6 +40,12 @@ class StripTotals {
 struct SumScratch {
   Array device;
   HostArray host;
+  /// The first so many numbers, with all that was started before.
+  void copy_to_host(std::size_t count) const {
+    const auto range = Kokkos::make_pair(std::size_t(0), count);
+    if constexpr (!on_host) Kokkos::deep_copy(Exec(), Kokkos::subview(host, range), Kokkos::subview(device, range));
+    Exec().fence("softwet: sums for the host");
+  }
 };
 inline void grow(SumScratch& scratch, std::size_t entries) {
   if (scratch.device.extent(0) >= entries) return;
@@ -56,6 +64,7 @@ enum class SquareOfFirst { left_out, added };
 
 /// Sums over one strip of some lines, in double precision, whatever the vectors are: of x_k(i) y(i) for several vectors x_k
 /// that follow each other in memory and for each y, and of y(i)^2 of the first y behind them; each entry times its weight.
+/// Partial sums are [block of lines][sum][own strip].   Tested: tests/unit/field/test_lane_sums.cpp
 template <class Real>
 struct StripSums {
   static constexpr int lines_at_once = 64, most_others = 2;
@@ -68,8 +77,6 @@ struct StripSums {
   RangeFactors weights = {};
   VectorSpace space;        ///< of the vectors
   bool whole_lines = true;  ///< all entries of a line have one weight
-  int place = 0;            ///< of its partial sums
-  Array partial = {};       ///< [lines][sum][own strip]
 
   /// @throws std::logic_error  where a vector of a shared space is not made of whole lines
   StripSums(const VectorSpace& space_, const Real* x_, int stride_, int count_, const std::vector<const Real*>& y_,
@@ -90,53 +97,53 @@ struct StripSums {
 
   KOKKOS_FUNCTION int strips() const { return space.last_strip - space.first_strip; }
   KOKKOS_FUNCTION int sums() const { return count * others + (square ? 1 : 0); }
-  int items() const {
+  int blocks() const {
     const int lines = (size + space.stored - 1) / space.stored;
-    return (lines + lines_at_once - 1) / lines_at_once * strips() * sums();
+    return (lines + lines_at_once - 1) / lines_at_once;
   }
-  /// An item of a kernel with one sum, of the entries of a function in the place of x y.
-  template <class Entry>
-  KOKKOS_FORCEINLINE_FUNCTION void sum_of(int item, const Entry& entry) const {
-    const int strip = item % strips(), first = item / strips() * lines_at_once;
-    const int begin = space.begin + strip * strip_width;
-    const int end = strip + 1 < strips() ? begin + strip_width : space.end;
-    const int left = size / space.stored - first, lines = left < lines_at_once ? left : lines_at_once;
-    double sum[2 * strip_width] = {};
-    add(
-        sum, first * space.stored + begin, lines, end - begin, [](int) { return 1.0; }, entry);
-    store(item, sum);
+  int items() const { return blocks() * strips() * sums(); }
+
+  /// Adds an item of a kernel with one sum, of the entries of a function in the place of x y.
+  template <class Sum, class Entry>
+  KOKKOS_FORCEINLINE_FUNCTION void add_entries(int item, Sum& sum, const Entry& entry) const {
+    add_lines(
+        sum, lines_of(item % strips(), item / strips()), [](int) { return 1.0; }, entry);
   }
-  KOKKOS_FORCEINLINE_FUNCTION void store(int item, const double (&sum)[2 * strip_width]) const {
-    partial(place + item) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
-  }
-  KOKKOS_FUNCTION void operator()(int item) const {
-    const int strip = item % strips(), k = item / strips() % sums(), block = item / strips() / sums();
-    const int begin = space.begin + strip * strip_width;
-    const int end = strip + 1 < strips() ? begin + strip_width : space.end;
-    const int first = block * lines_at_once, left = size / space.stored - first;
-    const int start = first * space.stored + begin, lines = left < lines_at_once ? left : lines_at_once;
+  template <class Sum>
+  KOKKOS_FORCEINLINE_FUNCTION void add(int item, Sum& sum) const {
+    const int k = item / strips() % sums();
+    const Lines part = lines_of(item % strips(), item / strips() / sums());
     const bool pair = k < count * others;
     const Real *a = pair ? x + std::int64_t(k / others) * stride : y[0], *b = y[pair ? k % others : 0];
     const RangeFactors& w = weights;
     const auto one = [](int) { return 1.0; };
-    double sum[2 * strip_width] = {};
     if (!b) {
-      add(sum, start, lines, end - begin, one, [=](int i) { return static_cast<double>(a[i]); });
+      add_lines(sum, part, one, [=](int i) { return static_cast<double>(a[i]); });
     } else if (w.count == 0) {
-      add(sum, start, lines, end - begin, one, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
+      add_lines(sum, part, one, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
     } else if (whole_lines) {
-      add(
-          sum, start, lines, end - begin, [&](int i) { return w.at(i); },
-          [=](int i) { return static_cast<double>(a[i]) * b[i]; });
+      add_lines(
+          sum, part, [&](int i) { return w.at(i); }, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
     } else {
-      add(sum, start, lines, end - begin, one, [&](int i) { return w.at(i) * (static_cast<double>(a[i]) * b[i]); });
+      add_lines(sum, part, one, [&](int i) { return w.at(i) * (static_cast<double>(a[i]) * b[i]); });
     }
-    store(item, sum);
+  }
+
+ private:
+  struct Lines {
+    int start, count, width;
+  };
+  KOKKOS_FORCEINLINE_FUNCTION Lines lines_of(int strip, int block) const {
+    const int begin = space.begin + strip * strip_width;
+    const int end = strip + 1 < strips() ? begin + strip_width : space.end;
+    const int first = block * lines_at_once, left = size / space.stored - first;
+    return {first * space.stored + begin, left < lines_at_once ? left : lines_at_once, end - begin};
   }
   /// @param weight  of a line, given one of its entries
   template <class Weight, class Entry>
-  KOKKOS_FORCEINLINE_FUNCTION void add(double (&sum)[2 * strip_width], int start, int lines, int width,
-                                       const Weight& weight, const Entry& entry) const {
+  KOKKOS_FORCEINLINE_FUNCTION void add_lines(double (&sum)[sum_lanes], const Lines& part, const Weight& weight,
+                                             const Entry& entry) const {
+    const int start = part.start, lines = part.count, width = part.width;
     const int stored = space.stored, whole = width < strip_width ? 0 : strip_width;
     int l = 0, i = start;
     for (; l + 1 < lines && whole > 0; l += 2, i += 2 * stored) {  // two lines at once: two sums for each column
@@ -154,39 +161,77 @@ struct StripSums {
     if (lines < lines_at_once)  // what is no whole line, of a vector that is not the scene's
       for (int k = start + lines * stored; k < size; ++k) sum[k % strip_width] += weight(k) * entry(k);
   }
+  /// The same for one of the sums. What is beyond whole columns and lines belongs to those of even lines.
+  template <class Weight, class Entry>
+  KOKKOS_FORCEINLINE_FUNCTION void add_lines(OneLane& lane, const Lines& part, const Weight& weight,
+                                             const Entry& entry) const {
+    const int start = part.start, lines = part.count, width = part.width, column = lane.column();
+    const int stored = space.stored, whole = width < strip_width ? 0 : strip_width;
+    int i = start + lane.first_line() * stored;
+    for (int l = lane.first_line(); l < lines && whole > 0; l += 2, i += 2 * stored)
+      lane.sum += weight(i) * entry(i + column);
+    if (lane.first_line() > 0) return;
+    i = start;
+    for (int l = 0; l < lines && whole < width; ++l, i += stored)
+      for (int k = whole + column; k < width; k += strip_width) lane.sum += weight(i) * entry(i + k);
+    if (lines < lines_at_once)
+      for (int k = start + lines * stored; k < size; ++k)
+        if (k % strip_width == column) lane.sum += weight(k) * entry(k);
+  }
 };
 
 inline StripsHere strips_here(const VectorSpace& space) { return space.shared ? StripsHere::own : StripsHere::all; }
 
-/// Adds what a kernel has left, and the host has read, to totals from the sum `first` on.
-template <class Real, class Partial>
-void add_partial_sums(StripTotals& totals, const StripSums<Real>& k, int place, const Partial& partial, int first) {
-  for (int i = 0; i < k.items(); ++i)
-    totals.add(k.space.first_strip + i % k.strips(), first + i / k.strips() % k.sums(), partial(place + i));
+/// How many numbers of a kernel come to the host: all partial sums, or on a device those of strips.
+template <class Real>
+int numbers_of(const StripSums<Real>& k) {
+  return host_algorithms ? k.items() : k.strips() * k.sums();
+}
+/// Starts the kernels that leave them.
+/// @param blocks  room for partial sums on a device
+template <class Real>
+void start_strip_sums(const StripSums<Real>& k, const Array& numbers, const Array& blocks) {
+  if (host_algorithms || k.blocks() == 1) {
+    start_sums("softwet::sums", k, k.items(), numbers);
+  } else {
+    start_sums("softwet::sums", k, k.items(), blocks);
+    AddBlocks{blocks, k.blocks(), numbers}.start();
+  }
+}
+/// Adds so many numbers of a kernel, which the host has read, to totals from the sum `first` on.
+template <class Real>
+void add_partial_sums(StripTotals& totals, const StripSums<Real>& k, const double* partial, int numbers, int first) {
+  for (int i = 0; i < numbers; ++i)
+    totals.add(k.space.first_strip + i % k.strips(), first + i / k.strips() % k.sums(), partial[i]);
 }
 
-/// The sums of some kernels on vectors of one space, one after another: a kernel each, one copy to the host, and one
+/// The sums of some kernels on vectors of one space, one after another: a kernel each, on a device two, one copy to the host, and one
 /// reduction over all processes.
 template <class Real>
-std::vector<double> strip_sums(std::vector<StripSums<Real>> kernels) {
-  int items = 0, sums = 0;
-  for (StripSums<Real>& k : kernels) {
-    k.place = items;
-    items += k.items();
+std::vector<double> strip_sums(const std::vector<StripSums<Real>>& kernels) {
+  int numbers = 0, blocks = 0, sums = 0;
+  for (const StripSums<Real>& k : kernels) {
+    numbers += numbers_of(k);
+    blocks = host_algorithms ? 0 : std::max(blocks, k.items());
     sums += k.sums();
   }
-  const SumScratch& scratch = sum_scratch(items);
-  for (StripSums<Real>& k : kernels) {
-    k.partial = scratch.device;
-    Kokkos::parallel_for("softwet::sums", Items(0, k.items()), k);
+  const SumScratch& scratch = sum_scratch(std::size_t(numbers) + blocks);
+  const auto part = [&](int begin, int count) {
+    return Kokkos::subview(scratch.device, Kokkos::make_pair(begin, begin + count));
+  };
+  int place = 0;
+  for (const StripSums<Real>& k : kernels) {
+    start_strip_sums(k, part(place, numbers_of(k)), part(numbers, blocks));
+    place += numbers_of(k);
   }
-  const auto range = Kokkos::make_pair(0, items);
-  Kokkos::deep_copy(Kokkos::subview(scratch.host, range), Kokkos::subview(scratch.device, range));
+  scratch.copy_to_host(numbers);
   const VectorSpace space = kernels.empty() ? alone : kernels.front().space;
   StripTotals totals(space.strips, sums, strips_here(space));
   int first = 0;
+  place = 0;
   for (const StripSums<Real>& k : kernels) {
-    add_partial_sums(totals, k, k.place, scratch.host, first);
+    add_partial_sums(totals, k, scratch.host.data() + place, numbers_of(k), first);
+    place += numbers_of(k);
     first += k.sums();
   }
   std::vector<double> all(sums);
