@@ -157,7 +157,7 @@ void start_numbers(const IntegralItems<D>& in, const ReduceTask<D, Functional, M
   }
 }
 
-/// Integrals whose kernels start one after the other, and whose partial sums come to the host in one copy. There is room for one such list
+/// Integrals whose kernels start one after the other, and whose numbers come to the host in one copy. There is room for one such list
 /// at a time: to start integrals in another one before `finish` is a mistake, std::logic_error.
 class PendingIntegrals {
  public:
