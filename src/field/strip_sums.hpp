@@ -171,38 +171,50 @@ struct StripSums {
   template <class Weight, class Entry>
   KOKKOS_FORCEINLINE_FUNCTION void add_lines(OneLane& lane, const Lines& part, const Weight& weight,
                                              const Entry& entry) const {
-    const int start = part.start, lines = part.count, width = part.width, column = lane.column();
-    const int stored = space.stored, whole = width < strip_width ? 0 : strip_width;
-    int i = start + lane.first_line() * stored;
-    for (int l = lane.first_line(); l < lines && whole > 0; l += 2, i += 2 * stored)
-      lane.sum += weight(i) * entry(i + column);
-    if (lane.first_line() > 0) return;
-    i = start;
-    for (int l = 0; l < lines && whole < width; ++l, i += stored)
-      for (int k = whole + column; k < width; k += strip_width) lane.sum += weight(i) * entry(i + k);
+    const int lines = part.count, stored = space.stored, whole = part.width < strip_width ? 0 : strip_width;
+    const int column = lane.column(), odd = lane.first_line(), end = part.start + lines * stored;
+    if (whole > 0)
+      add_places(lane, (lines - odd + 1) / 2, weight, entry,
+                 [&](int m) { return part.start + (odd + 2 * m) * stored + column; });
+    if (odd) return;
+    const int beyond = (part.width - whole - column + strip_width - 1) / strip_width;  // of this lane's columns
+    add_places(lane, lines * beyond, weight, entry,
+               [&](int m) { return part.start + m / beyond * stored + whole + column + m % beyond * strip_width; });
     if (lines < lines_at_once)
-      for (int k = start + lines * stored; k < size; ++k)
+      for (int k = end; k < size; ++k)
         if (k % strip_width == column) lane.sum += weight(k) * entry(k);
+  }
+  /// So many entries in their order. Many are fetched at once, since few threads have to wait for memory.
+  template <class Weight, class Entry, class Place>
+  KOKKOS_FORCEINLINE_FUNCTION static void add_places(OneLane& lane, int count, const Weight& weight, const Entry& entry,
+                                                     const Place& place) {
+    constexpr int together = 16;
+    int m = 0;
+    while (m + together <= count)
+      for (int j = 0; j < together; ++j, ++m) lane.sum += weight(place(m)) * entry(place(m));
+    for (; m < count; ++m) lane.sum += weight(place(m)) * entry(place(m));
   }
 };
 
 inline StripsHere strips_here(const VectorSpace& space) { return space.shared ? StripsHere::own : StripsHere::all; }
 
-/// How many numbers of a kernel come to the host: all partial sums, or on a device those of strips.
+/// Whether a device adds up the blocks of a kernel, in a second one. The host reads and adds up a few thousand partial sums in
+/// the time of its launch (docs/devices.md).
+template <class Real>
+bool adds_blocks(const StripSums<Real>& k) {
+  return !host_algorithms && k.items() > 4096;
+}
+/// How many numbers of a kernel come to the host: partial sums, or sums of strips.
 template <class Real>
 int numbers_of(const StripSums<Real>& k) {
-  return host_algorithms ? k.items() : k.strips() * k.sums();
+  return adds_blocks(k) ? k.strips() * k.sums() : k.items();
 }
 /// Starts the kernels that leave them.
-/// @param blocks  room for partial sums on a device
+/// @param blocks  room for partial sums that do not come to the host
 template <class Real>
 void start_strip_sums(const StripSums<Real>& k, const Array& numbers, const Array& blocks) {
-  if (host_algorithms || k.blocks() == 1) {
-    start_sums("softwet::sums", k, k.items(), numbers);
-  } else {
-    start_sums("softwet::sums", k, k.items(), blocks);
-    AddBlocks{blocks, k.blocks(), numbers}.start();
-  }
+  start_sums("softwet::sums", k, k.items(), adds_blocks(k) ? blocks : numbers);
+  if (adds_blocks(k)) AddBlocks{blocks, k.blocks(), numbers}.start();
 }
 /// Adds so many numbers of a kernel, which the host has read, to totals from the sum `first` on.
 template <class Real>
@@ -211,14 +223,14 @@ void add_partial_sums(StripTotals& totals, const StripSums<Real>& k, const doubl
     totals.add(k.space.first_strip + i % k.strips(), first + i / k.strips() % k.sums(), partial[i]);
 }
 
-/// The sums of some kernels on vectors of one space, one after another: a kernel each, on a device two, one copy to the host, and one
-/// reduction over all processes.
+/// The sums of some kernels on vectors of one space, one after another: a kernel each, or two on a device, one copy to the host,
+/// and one reduction over all processes.
 template <class Real>
 std::vector<double> strip_sums(const std::vector<StripSums<Real>>& kernels) {
   int numbers = 0, blocks = 0, sums = 0;
   for (const StripSums<Real>& k : kernels) {
     numbers += numbers_of(k);
-    blocks = host_algorithms ? 0 : std::max(blocks, k.items());
+    if (adds_blocks(k)) blocks = std::max(blocks, k.items());
     sums += k.sums();
   }
   const SumScratch& scratch = sum_scratch(std::size_t(numbers) + blocks);

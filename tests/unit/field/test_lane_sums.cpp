@@ -94,6 +94,7 @@ TEST(LaneSums, OfNumbersThatAreInNoLines) {
   const std::vector<int> sizes{1, 2, 3, 4, 5, 7, 8, 9, 11, 250, 252, 255, 256, 257, 259, 260, 1023, 1024, 1029, 5003};
   check<double>(alone, sizes);
   check<float>(alone, sizes);
+  check<double>(alone, {200003});  // so many blocks that a device adds them up
 }
 
 /// Strips of four columns, of which the last one is wider or all there is: odd numbers of lines, and of blocks of 64.
