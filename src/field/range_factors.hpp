@@ -21,7 +21,7 @@ struct RangeFactors {
   }
   KOKKOS_FORCEINLINE_FUNCTION double at(int i) const {
     double value = 1;
-    for (int f = 0; f < count; ++f)
+    for (int f = 0; f < most; ++f)  // ranges that are not there are empty: a compiler needs no loop
       if (i >= first[f] && i < last[f]) value = factor[f];
     return value;
   }

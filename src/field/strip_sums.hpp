@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <type_traits>
 
 #include "field/lane_sums.hpp"
 #include "field/range_factors.hpp"
@@ -127,7 +128,7 @@ struct StripSums {
       add_lines(sum, part, one, [=](int i) { return static_cast<double>(a[i]); });
     } else if (w.count == 0) {
       add_lines(sum, part, one, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
-    } else if (whole_lines) {
+    } else if (whole_lines || std::is_same_v<Sum, OneLane>) {
       add_lines(
           sum, part, [&](int i) { return w.at(i); }, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
     } else {
@@ -167,7 +168,7 @@ struct StripSums {
     if (lines < lines_at_once)  // what is no whole line, of a vector that is not the scene's
       for (int k = start + lines * stored; k < size; ++k) sum[k % strip_width] += weight(k) * entry(k);
   }
-  /// The same for one of the sums. What is beyond whole columns and lines belongs to those of even lines.
+  /// The same for one of the sums, which asks for a weight at each entry. What is beyond whole columns and lines belongs to those of even lines.
   template <class Weight, class Entry>
   KOKKOS_FORCEINLINE_FUNCTION void add_lines(OneLane& lane, const Lines& part, const Weight& weight,
                                              const Entry& entry) const {
