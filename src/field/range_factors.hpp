@@ -1,8 +1,9 @@
 // A factor for each of some ranges of the entries of a vector.
 #pragma once
 
-#include <Kokkos_Core.hpp>
 #include <stdexcept>
+
+#include "memory/array.hpp"
 
 namespace softwet {
 
@@ -21,7 +22,7 @@ struct RangeFactors {
   }
   KOKKOS_FORCEINLINE_FUNCTION double at(int i) const {
     double value = 1;
-    for (int f = 0; f < count; ++f)
+    for (int f = 0; f < (host_algorithms ? count : most); ++f)  // ranges that are not there are empty
       if (i >= first[f] && i < last[f]) value = factor[f];
     return value;
   }

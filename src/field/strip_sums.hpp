@@ -1,8 +1,11 @@
 // Sums over vectors in one fixed order, so that results depend neither on the number of threads nor on that of processes.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
+#include <type_traits>
 
+#include "field/lane_sums.hpp"
 #include "field/range_factors.hpp"
 #include "field/ranks.hpp"
 #include "field/vector_space.hpp"
@@ -38,6 +41,18 @@ class StripTotals {
 struct SumScratch {
   Array device;
   HostArray host;
+  /// Copies the first so many numbers when all kernels that were started before have run, and waits for them.
+  void copy_to_host(std::size_t count) const {
+    const auto range = Kokkos::make_pair(std::size_t(0), count);
+    const auto to = Kokkos::subview(host, range);
+    const auto from = Kokkos::subview(device, range);
+    if constexpr (on_host) {
+      Kokkos::deep_copy(to, from);
+    } else {
+      Kokkos::deep_copy(Exec(), to, from);  // one wait, where a copy without Exec() is three
+      Exec().fence("softwet: sums for the host");
+    }
+  }
 };
 inline void grow(SumScratch& scratch, std::size_t entries) {
   if (scratch.device.extent(0) >= entries) return;
@@ -56,6 +71,7 @@ enum class SquareOfFirst { left_out, added };
 
 /// Sums over one strip of some lines, in double precision, whatever the vectors are: of x_k(i) y(i) for several vectors x_k
 /// that follow each other in memory and for each y, and of y(i)^2 of the first y behind them; each entry times its weight.
+/// Partial sums are [block of lines][sum][own strip].   Tested: tests/unit/field/test_lane_sums.cpp
 template <class Real>
 struct StripSums {
   static constexpr int lines_at_once = 64, most_others = 2;
@@ -68,8 +84,6 @@ struct StripSums {
   RangeFactors weights = {};
   VectorSpace space;        ///< of the vectors
   bool whole_lines = true;  ///< all entries of a line have one weight
-  int place = 0;            ///< of its partial sums
-  Array partial = {};       ///< [lines][sum][own strip]
 
   /// @throws std::logic_error  where a vector of a shared space is not made of whole lines
   StripSums(const VectorSpace& space_, const Real* x_, int stride_, int count_, const std::vector<const Real*>& y_,
@@ -90,53 +104,53 @@ struct StripSums {
 
   KOKKOS_FUNCTION int strips() const { return space.last_strip - space.first_strip; }
   KOKKOS_FUNCTION int sums() const { return count * others + (square ? 1 : 0); }
-  int items() const {
+  int blocks() const {
     const int lines = (size + space.stored - 1) / space.stored;
-    return (lines + lines_at_once - 1) / lines_at_once * strips() * sums();
+    return (lines + lines_at_once - 1) / lines_at_once;
   }
-  /// An item of a kernel with one sum, of the entries of a function in the place of x y.
-  template <class Entry>
-  KOKKOS_FORCEINLINE_FUNCTION void sum_of(int item, const Entry& entry) const {
-    const int strip = item % strips(), first = item / strips() * lines_at_once;
-    const int begin = space.begin + strip * strip_width;
-    const int end = strip + 1 < strips() ? begin + strip_width : space.end;
-    const int left = size / space.stored - first, lines = left < lines_at_once ? left : lines_at_once;
-    double sum[2 * strip_width] = {};
-    add(
-        sum, first * space.stored + begin, lines, end - begin, [](int) { return 1.0; }, entry);
-    store(item, sum);
+  int items() const { return blocks() * strips() * sums(); }
+
+  /// Adds an item of a kernel with one sum, of the entries of a function in the place of x y.
+  template <class Sum, class Entry>
+  KOKKOS_FORCEINLINE_FUNCTION void add_entries(int item, Sum& sum, const Entry& entry) const {
+    add_lines(
+        sum, lines_of(item % strips(), item / strips()), [](int) { return 1.0; }, entry);
   }
-  KOKKOS_FORCEINLINE_FUNCTION void store(int item, const double (&sum)[2 * strip_width]) const {
-    partial(place + item) = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
-  }
-  KOKKOS_FUNCTION void operator()(int item) const {
-    const int strip = item % strips(), k = item / strips() % sums(), block = item / strips() / sums();
-    const int begin = space.begin + strip * strip_width;
-    const int end = strip + 1 < strips() ? begin + strip_width : space.end;
-    const int first = block * lines_at_once, left = size / space.stored - first;
-    const int start = first * space.stored + begin, lines = left < lines_at_once ? left : lines_at_once;
+  template <class Sum>
+  KOKKOS_FORCEINLINE_FUNCTION void add(int item, Sum& sum) const {
+    const int k = item / strips() % sums();
+    const Lines part = lines_of(item % strips(), item / strips() / sums());
     const bool pair = k < count * others;
     const Real *a = pair ? x + std::int64_t(k / others) * stride : y[0], *b = y[pair ? k % others : 0];
     const RangeFactors& w = weights;
     const auto one = [](int) { return 1.0; };
-    double sum[2 * strip_width] = {};
     if (!b) {
-      add(sum, start, lines, end - begin, one, [=](int i) { return static_cast<double>(a[i]); });
+      add_lines(sum, part, one, [=](int i) { return static_cast<double>(a[i]); });
     } else if (w.count == 0) {
-      add(sum, start, lines, end - begin, one, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
-    } else if (whole_lines) {
-      add(
-          sum, start, lines, end - begin, [&](int i) { return w.at(i); },
-          [=](int i) { return static_cast<double>(a[i]) * b[i]; });
+      add_lines(sum, part, one, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
+    } else if (whole_lines || std::is_same_v<Sum, OneLane>) {
+      add_lines(
+          sum, part, [&](int i) { return w.at(i); }, [=](int i) { return static_cast<double>(a[i]) * b[i]; });
     } else {
-      add(sum, start, lines, end - begin, one, [&](int i) { return w.at(i) * (static_cast<double>(a[i]) * b[i]); });
+      add_lines(sum, part, one, [&](int i) { return w.at(i) * (static_cast<double>(a[i]) * b[i]); });
     }
-    store(item, sum);
+  }
+
+ private:
+  struct Lines {
+    int start, count, width;
+  };
+  KOKKOS_FORCEINLINE_FUNCTION Lines lines_of(int strip, int block) const {
+    const int begin = space.begin + strip * strip_width;
+    const int end = strip + 1 < strips() ? begin + strip_width : space.end;
+    const int first = block * lines_at_once, left = size / space.stored - first;
+    return {first * space.stored + begin, left < lines_at_once ? left : lines_at_once, end - begin};
   }
   /// @param weight  of a line, given one of its entries
   template <class Weight, class Entry>
-  KOKKOS_FORCEINLINE_FUNCTION void add(double (&sum)[2 * strip_width], int start, int lines, int width,
-                                       const Weight& weight, const Entry& entry) const {
+  KOKKOS_FORCEINLINE_FUNCTION void add_lines(double (&sum)[sum_lanes], const Lines& part, const Weight& weight,
+                                             const Entry& entry) const {
+    const int start = part.start, lines = part.count, width = part.width;
     const int stored = space.stored, whole = width < strip_width ? 0 : strip_width;
     int l = 0, i = start;
     for (; l + 1 < lines && whole > 0; l += 2, i += 2 * stored) {  // two lines at once: two sums for each column
@@ -154,39 +168,89 @@ struct StripSums {
     if (lines < lines_at_once)  // what is no whole line, of a vector that is not the scene's
       for (int k = start + lines * stored; k < size; ++k) sum[k % strip_width] += weight(k) * entry(k);
   }
+  /// The same for one of the sums, which asks for a weight at each entry. What is beyond whole columns and lines belongs to those of even lines.
+  template <class Weight, class Entry>
+  KOKKOS_FORCEINLINE_FUNCTION void add_lines(OneLane& lane, const Lines& part, const Weight& weight,
+                                             const Entry& entry) const {
+    const int lines = part.count, stored = space.stored, whole = part.width < strip_width ? 0 : strip_width;
+    const int column = lane.column(), odd = lane.first_line(), end = part.start + lines * stored;
+    if (whole > 0)
+      add_places(lane, (lines - odd + 1) / 2, weight, entry,
+                 [&](int m) { return part.start + (odd + 2 * m) * stored + column; });
+    if (odd) return;
+    const int beyond = (part.width - whole - column + strip_width - 1) / strip_width;  // of this lane's columns
+    add_places(lane, lines * beyond, weight, entry,
+               [&](int m) { return part.start + m / beyond * stored + whole + column + m % beyond * strip_width; });
+    if (lines < lines_at_once)
+      for (int k = end; k < size; ++k)
+        if (k % strip_width == column) lane.sum += weight(k) * entry(k);
+  }
+  /// So many entries in their order. Many are fetched at once, since few threads have to wait for memory.
+  template <class Weight, class Entry, class Place>
+  KOKKOS_FORCEINLINE_FUNCTION static void add_places(OneLane& lane, int count, const Weight& weight, const Entry& entry,
+                                                     const Place& place) {
+    constexpr int together = 16;
+    int m = 0;
+    while (m + together <= count)
+      for (int j = 0; j < together; ++j, ++m) lane.sum += weight(place(m)) * entry(place(m));
+    for (; m < count; ++m) lane.sum += weight(place(m)) * entry(place(m));
+  }
 };
 
 inline StripsHere strips_here(const VectorSpace& space) { return space.shared ? StripsHere::own : StripsHere::all; }
 
-/// Adds what a kernel has left, and the host has read, to totals from the sum `first` on.
-template <class Real, class Partial>
-void add_partial_sums(StripTotals& totals, const StripSums<Real>& k, int place, const Partial& partial, int first) {
-  for (int i = 0; i < k.items(); ++i)
-    totals.add(k.space.first_strip + i % k.strips(), first + i / k.strips() % k.sums(), partial(place + i));
+/// Whether a device adds up the blocks of a kernel, in a second one. The host reads and adds up a few thousand partial sums in
+/// the time of its launch (docs/devices.md).
+template <class Real>
+bool adds_blocks(const StripSums<Real>& k) {
+  return !host_algorithms && k.items() > 4096;
+}
+/// How many numbers of a kernel come to the host: partial sums, or sums of strips.
+template <class Real>
+int numbers_of(const StripSums<Real>& k) {
+  return adds_blocks(k) ? k.strips() * k.sums() : k.items();
+}
+/// Starts the kernels that leave them.
+/// @param blocks  room for partial sums that do not come to the host
+template <class Real>
+void start_strip_sums(const StripSums<Real>& k, const Array& numbers, const Array& blocks) {
+  start_sums("softwet::sums", k, k.items(), adds_blocks(k) ? blocks : numbers);
+  if (adds_blocks(k)) AddBlocks{blocks, k.blocks(), numbers}.start();
+}
+/// Adds so many numbers of a kernel, which the host has read, to totals from the sum `first` on.
+template <class Real>
+void add_partial_sums(StripTotals& totals, const StripSums<Real>& k, const double* partial, int numbers, int first) {
+  for (int i = 0; i < numbers; ++i)
+    totals.add(k.space.first_strip + i % k.strips(), first + i / k.strips() % k.sums(), partial[i]);
 }
 
-/// The sums of some kernels on vectors of one space, one after another: a kernel each, one copy to the host, and one
-/// reduction over all processes.
+/// The sums of some kernels on vectors of one space, one after another: a kernel each, or two on a device, one copy to the host,
+/// and one reduction over all processes.
 template <class Real>
-std::vector<double> strip_sums(std::vector<StripSums<Real>> kernels) {
-  int items = 0, sums = 0;
-  for (StripSums<Real>& k : kernels) {
-    k.place = items;
-    items += k.items();
+std::vector<double> strip_sums(const std::vector<StripSums<Real>>& kernels) {
+  int numbers = 0, blocks = 0, sums = 0;
+  for (const StripSums<Real>& k : kernels) {
+    numbers += numbers_of(k);
+    if (adds_blocks(k)) blocks = std::max(blocks, k.items());
     sums += k.sums();
   }
-  const SumScratch& scratch = sum_scratch(items);
-  for (StripSums<Real>& k : kernels) {
-    k.partial = scratch.device;
-    Kokkos::parallel_for("softwet::sums", Items(0, k.items()), k);
+  const SumScratch& scratch = sum_scratch(std::size_t(numbers) + blocks);
+  const auto part = [&](int begin, int count) {
+    return Kokkos::subview(scratch.device, Kokkos::make_pair(begin, begin + count));
+  };
+  int place = 0;
+  for (const StripSums<Real>& k : kernels) {
+    start_strip_sums(k, part(place, numbers_of(k)), part(numbers, blocks));
+    place += numbers_of(k);
   }
-  const auto range = Kokkos::make_pair(0, items);
-  Kokkos::deep_copy(Kokkos::subview(scratch.host, range), Kokkos::subview(scratch.device, range));
+  scratch.copy_to_host(numbers);
   const VectorSpace space = kernels.empty() ? alone : kernels.front().space;
   StripTotals totals(space.strips, sums, strips_here(space));
   int first = 0;
+  place = 0;
   for (const StripSums<Real>& k : kernels) {
-    add_partial_sums(totals, k, k.place, scratch.host, first);
+    add_partial_sums(totals, k, scratch.host.data() + place, numbers_of(k), first);
+    place += numbers_of(k);
     first += k.sums();
   }
   std::vector<double> all(sums);

@@ -111,11 +111,13 @@ struct IntegralItems {
         items(rows.items() * strips),
         here(region.columns.strips > 0 ? StripsHere::own : StripsHere::all) {}
 
-  /// From the partial sums of the items, over all processes.
+  /// How many numbers of each functional come to the host: partial sums, or on a device those of strips.
+  int numbers() const { return host_algorithms ? items : strips; }
+  /// From the partial sums of the items, or from so many sums of strips, over all processes.
   template <int count, class Partial>
-  std::array<double, count> total(const Partial& partial) const {
+  std::array<double, count> total(const Partial& partial, int numbers) const {
     StripTotals totals(rows.first_axis.strips, count, here);
-    for (int i = 0; i < items; ++i)
+    for (int i = 0; i < numbers; ++i)
       for (int f = 0; f < count; ++f) totals.add(rows.first_axis.first_strip + i % strips, f, partial(i * count + f));
     std::array<double, count> sum{};
     for (int f = 0; f < count; ++f) sum[f] = totals.total(f);
@@ -137,7 +139,20 @@ void start_integral(const ReduceTask<D, Functional, Motion>& task, const Array& 
   });
 }
 
-/// Integrals whose kernels start one after the other, and whose partial sums come to the host in one copy. There is room for one such list
+/// Starts the kernels that leave the numbers of an integral for the host.
+/// @param blocks  room for the partial sums of all items on a device
+template <int P, bool Rate, int D, class Functional, class Motion>
+void start_numbers(const IntegralItems<D>& in, const ReduceTask<D, Functional, Motion>& task, const Array& numbers,
+                   const Array& blocks) {
+  if constexpr (host_algorithms) {
+    start_integral<P, Rate>(task, numbers);
+  } else {
+    start_integral<P, Rate>(task, blocks);
+    AddBlocks{blocks, in.rows.items(), numbers}.start();
+  }
+}
+
+/// Integrals whose kernels start one after the other, and whose numbers come to the host in one copy. There is room for one such list
 /// at a time: to start integrals in another one before `finish` is a mistake, std::logic_error.
 class PendingIntegrals {
  public:
@@ -152,17 +167,18 @@ class PendingIntegrals {
   template <int P, bool Rate = false, int D, class Functional, class Motion, class Take>
   void start(const ReduceTask<D, Functional, Motion>& task, Take take) {
     const IntegralItems<D> in(task.region);
-    const std::size_t first = room(static_cast<std::size_t>(in.items) * Functional::count);
+    constexpr int count = Functional::count;
+    const std::size_t first = room(static_cast<std::size_t>(in.numbers()) * count);
     const auto range = Kokkos::make_pair(first, used_);
-    start_integral<P, Rate>(task, Kokkos::subview(partial_sums().device, range));
-    waiting_.push_back(
-        [in, range, take] { take(in.template total<Functional::count>(Kokkos::subview(partial_sums().host, range))); });
+    const Array blocks = host_algorithms ? Array() : sum_scratch(static_cast<std::size_t>(in.items) * count).device;
+    start_numbers<P, Rate>(in, task, Kokkos::subview(partial_sums().device, range), blocks);
+    waiting_.push_back([in, range, take] {
+      take(in.template total<count>(Kokkos::subview(partial_sums().host, range), in.numbers()));
+    });
   }
   /// Waits for all that were started, and hands them out in the order in which they were.
   void finish() {
-    const auto range = Kokkos::make_pair(std::size_t(0), used_);
-    if (used_ > 0)
-      Kokkos::deep_copy(Kokkos::subview(partial_sums().host, range), Kokkos::subview(partial_sums().device, range));
+    if (used_ > 0) partial_sums().copy_to_host(used_);
     for (const auto& hand_out : waiting_) hand_out();
     leave();
   }
@@ -205,10 +221,13 @@ template <int P, bool Rate = false, int D, class Functional, class Motion>
 std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Motion>& task) {
   constexpr int count = Functional::count;
   const IntegralItems<D> in(task.region);
-  const SumScratch& scratch = sum_scratch(static_cast<std::size_t>(in.items) * count);
-  start_integral<P, Rate>(task, scratch.device);
-  Kokkos::deep_copy(scratch.host, scratch.device);
-  return in.template total<count>(scratch.host);
+  const std::size_t numbers = std::size_t(in.numbers()) * count;
+  const std::size_t blocks = host_algorithms ? 0 : std::size_t(in.items) * count;
+  const SumScratch& scratch = sum_scratch(numbers + blocks);
+  start_numbers<P, Rate>(in, task, Kokkos::subview(scratch.device, Kokkos::make_pair(std::size_t(0), numbers)),
+                         Kokkos::subview(scratch.device, Kokkos::make_pair(numbers, numbers + blocks)));
+  scratch.copy_to_host(numbers);
+  return in.template total<count>(scratch.host, in.numbers());
 }
 
 /// Starts those of two integrals, on a device as one.

@@ -40,11 +40,13 @@ template <int D, int P>
 MeshFaults FaultSearch<D, P>::faults(const double* numbers) const {
   MeshFaults faults;
   if (of_solid_ == 0) return faults;
-  if (of_fluid_ > 0)
-    faults.folded = IntegralItems<D>(regions_.fluid())
-                        .template total<FluidContents::count>(PartialsOnHost{numbers})[FluidContents::folded];
-  faults.inverted =
-      IntegralItems<D>(regions_.solid()).template total<InvertedSolid::count>(PartialsOnHost{numbers + of_fluid_})[0];
+  if (of_fluid_ > 0) {
+    const IntegralItems<D> fluid(regions_.fluid());
+    faults.folded =
+        fluid.template total<FluidContents::count>(PartialsOnHost{numbers}, fluid.items)[FluidContents::folded];
+  }
+  const IntegralItems<D> solid(regions_.solid());
+  faults.inverted = solid.template total<InvertedSolid::count>(PartialsOnHost{numbers + of_fluid_}, solid.items)[0];
   return faults;
 }
 

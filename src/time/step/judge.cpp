@@ -36,18 +36,33 @@ struct SquaresOfChange {
   double a;
   Factor b, c;
   const double *x, *z, *w, *root;
-  KOKKOS_FUNCTION void operator()(int item) const {
+  template <class Sum>
+  KOKKOS_FORCEINLINE_FUNCTION void add(int item, Sum& sum) const {
     const auto change = [this](int i) { return a * x[i] + b * z[i] + c * w[i]; };
     if (root) {
-      sums.sum_of(item, [&](int i) {
+      sums.add_entries(item, sum, [&](int i) {
         const double d = change(i) * root[i];
         return d * d;
       });
     } else {
-      sums.sum_of(item, [&](int i) {
+      sums.add_entries(item, sum, [&](int i) {
         const double d = change(i);
         return d * d;
       });
+    }
+  }
+};
+
+/// Those of the velocities, and behind them those of the density.
+struct SquaresOfBoth {
+  SquaresOfChange velocity, density;
+  int of_velocity;  ///< items
+  template <class Sum>
+  KOKKOS_FORCEINLINE_FUNCTION void add(int item, Sum& sum) const {
+    if (item < of_velocity) {
+      velocity.add(item, sum);
+    } else {
+      density.add(item - of_velocity, sum);
     }
   }
 };
@@ -72,7 +87,7 @@ Judge<D, P>::Judge(const Scene<D, P>& scene, const Case& c)
     : scene_(scene),
       faults_(scene.regions()),
       undershoot_(c.solver.newton_undershoot),
-      squares_count_(items_of(squares({}))),
+      squares_count_(items_of(squares())),
       partial_("judge.partial", squares_count_) {
   const double thickness = scene.regions().wall_height(), height = scene.layout().axis[D - 1].length() - thickness;
   length_ = !scene.layout().has_fluid ? c.domain.size[D - 1] : thickness > 0 ? std::min(thickness, height) : height;
@@ -151,14 +166,11 @@ Refusal Judge<D, P>::of_end(const Stage& stage) const {
 }
 
 template <int D, int P>
-std::vector<StripSums<double>> Judge<D, P>::squares(const Array& partial) const {
+std::vector<StripSums<double>> Judge<D, P>::squares() const {
   const Layout<D>& l = scene_.layout();
   std::vector<StripSums<double>> sums;
-  int place = 0;
   const auto add = [&](int first, int last) {
     sums.push_back({l.space(), nullptr, 0, 1, {nullptr}, SquareOfFirst::left_out, last - first});
-    sums.back().partial = partial;
-    sums.back().place = std::exchange(place, place + sums.back().items());
   };
   add(0, l.velocity_size());
   if (l.has_fluid) add(l.density_offset(), l.potential_offset());
@@ -170,16 +182,20 @@ void Judge<D, P>::ask_squares(const StepHistory& history, const Array& values, c
                               const Array& partial) const {
   const auto kernel = [&](const StripSums<double>& sums, int first) {
     const double* root = root_of_weight_.data() ? root_of_weight_.data() + first : nullptr;
-    return Counted<SquaresOfChange>{sums.items(),
-                                    {sums, 1, of.last, of.before, values.data() + first,
-                                     history.state.unknown.data() + first, history.previous.data() + first, root}};
+    return SquaresOfChange{sums,
+                           1,
+                           of.last,
+                           of.before,
+                           values.data() + first,
+                           history.state.unknown.data() + first,
+                           history.previous.data() + first,
+                           root};
   };
-  const std::vector<StripSums<double>> sums = squares(partial);
+  const std::vector<StripSums<double>> sums = squares();
   const auto of_velocity = kernel(sums.front(), 0);
-  if (sums.size() == 1) return run("softwet::sums", of_velocity);
+  if (sums.size() == 1) return start_sums("softwet::sums", of_velocity, squares_count_, partial);
   const auto of_density = kernel(sums.back(), scene_.layout().density_offset());
-  run("softwet::sums", Counted<InTurn<SquaresOfChange, SquaresOfChange>>{of_velocity.items + of_density.items,
-                                                                         {of_velocity, of_density}});
+  start_sums("softwet::sums", SquaresOfBoth{of_velocity, of_density, sums.front().items()}, squares_count_, partial);
 }
 
 template <int D, int P>
@@ -200,9 +216,10 @@ double Judge<D, P>::take_indicator(const StepHistory& history, double dt, const 
   const Layout<D>& l = scene_.layout();
   const VectorSpace space = l.space();
   std::vector<double> sizes;
-  for (const StripSums<double>& s : squares({})) {
+  const double* partial = at.host.data();
+  for (const StripSums<double>& s : squares()) {
     StripTotals totals(space.strips, 1, strips_here(space));
-    add_partial_sums(totals, s, s.place, at.host, 0);
+    add_partial_sums(totals, s, std::exchange(partial, partial + s.items()), s.items(), 0);
     sizes.push_back(std::sqrt(totals.total(0)));
   }
   const bool weighted = volume_ > 0;

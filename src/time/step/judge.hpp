@@ -46,7 +46,7 @@ class Judge {
  private:
   void weigh(const Layout<D>&);
   /// Sums of the squares of a vector of unknowns, of the velocities and of the density.
-  std::vector<StripSums<double>> squares(const Array& partial) const;
+  std::vector<StripSums<double>> squares() const;
   void ask_squares(const StepHistory&, const Array& values, const ChangeFactors&, const Array& partial) const;
   Refusal of_faults(const MeshFaults&) const;
 

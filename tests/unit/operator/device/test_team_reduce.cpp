@@ -34,6 +34,17 @@ struct IntegralCases {
     return t;
   }
 
+  /// Rows that a device adds up have the bits of those that the host adds up.
+  template <int count>
+  static void rows_add_up(const char* name, const IntegralItems<D>& in, const Array& items) {
+    const Array strips("strips", in.strips * count);
+    AddBlocks{items, in.rows.items(), strips}.start();
+    const auto total = [&in](const std::vector<double>& partial, int numbers) {
+      return in.template total<count>([&partial](int i) { return partial[i]; }, numbers);
+    };
+    EXPECT_EQ(total(to_host(strips), in.strips), total(to_host(items), in.items)) << name;
+  }
+
   template <bool Rate, int Q, class Motion, class Functional>
   void compare(const char* name, const ReduceTask<D, Functional, Motion>& t) const {
     const Colouring<D> rows(t.region, 1, 0, FirstAxis::in_rows);
@@ -44,6 +55,7 @@ struct IntegralCases {
     TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(t, rows, team, items);
     ASSERT_GT(largest(to_host(host)), 1e-6) << name;
     EXPECT_LT(distance(to_host(team), to_host(host)), 1e-13) << name;
+    rows_add_up<Functional::count>(name, IntegralItems<D>(t.region), team);
     if (!on_host) return;
     // Teams of different sizes are compiled apart, and a compiler may contract their sums in different ways.
     const TeamReduce<D, P, Q, Rate, Functional, Motion> kernel{t, rows, three};
