@@ -142,34 +142,65 @@ void start_integral(const ReduceTask<D, Functional, Motion>& task, const Array& 
   });
 }
 
-/// Integrals whose kernels start one after the other, and whose partial sums come to the host in one copy. There is room for one such list
-/// at a time: to start integrals in another one before `finish` is a mistake, std::logic_error.
+/// Integrals, and other numbers that kernels leave for the host. The kernels start one after the other, and all numbers come in one copy,
+/// with one wait. There is room for one such list at a time: to start something in another one before `finish` is a mistake,
+/// std::logic_error. All processes have to call it. What kernels read has to hold until `finish`.
 class PendingIntegrals {
  public:
   PendingIntegrals() = default;
   PendingIntegrals(const PendingIntegrals&) = delete;
   ~PendingIntegrals() { leave(); }
 
-  /// Starts an integral, which `take` gets from `finish`, an array of Functional::count numbers. All processes have to call it. What the
-  /// task points to has to hold until then.
+  /// Starts an integral, which `take` gets from `finish`, an array of Functional::count numbers.
   /// With Rate, not the integrals but the rates at which they change because the domain moves; `motion.tangent` is then the
   /// velocity of the wall and `motion.scale` 1.
   template <int P, bool Rate = false, int D, class Functional, class Motion, class Take>
   void start(const ReduceTask<D, Functional, Motion>& task, Take take) {
     const IntegralItems<D> in(task.region);
-    const std::size_t first = room(static_cast<std::size_t>(in.items) * Functional::count);
-    const auto range = Kokkos::make_pair(first, used_);
-    start_integral<P, Rate>(task, Kokkos::subview(partial_sums().device, range));
-    waiting_.push_back(
-        [in, range, take] { take(in.template total<Functional::count>(Kokkos::subview(partial_sums().host, range))); });
+    start_numbers(
+        static_cast<std::size_t>(in.items) * Functional::count,
+        [&](const Array& partial) { start_integral<P, Rate>(task, partial); },
+        [in, take](const auto& partial) { take(in.template total<Functional::count>(partial)); });
   }
-  /// Waits for all that were started, and hands them out in the order in which they were.
+  /// Starts sum_i x_i y_i, as `dot` has it, or, without y, sum_i x_i, which `take` gets from `finish`.
+  template <class Take>
+  void start_sum(const VectorSpace& space, const ConstArray& x, const ConstArray& y, Take take) {
+    StripSums<double> sums(space, x.data(), 0, 1, {y.data()}, SquareOfFirst::left_out, static_cast<int>(x.extent(0)));
+    start_numbers(
+        static_cast<std::size_t>(sums.items()),
+        [&](const Array& partial) {
+          sums.partial = partial;
+          Kokkos::parallel_for("softwet::sums", Items(0, sums.items()), sums);
+        },
+        [sums, take, x, y](const auto& partial) {
+          StripTotals totals(sums.space.strips, 1, strips_here(sums.space));
+          add_partial_sums(totals, sums, 0, partial, 0);
+          take(totals.total(0));
+        });
+  }
+  /// Starts kernels by `launch`, which gets an array for so many numbers. `take` gets them on the host from `finish`.
+  template <class Launch, class Take>
+  void start_numbers(std::size_t count, const Launch& launch, Take take) {
+    const std::size_t first = room(count);
+    const auto range = Kokkos::make_pair(first, used_);
+    launch(Kokkos::subview(partial_sums().device, range));
+    waiting_.push_back([range, take] { take(Kokkos::subview(partial_sums().host, range)); });
+  }
+  /// Calls `work` when all that were started before are handed out.
+  void then(std::function<void()> work) { waiting_.push_back(std::move(work)); }
+
+  /// Waits for all that were started, and hands them out in the order in which they were. Copies to the host that the execution space was
+  /// asked for before have then arrived too.
   void finish() {
     const auto range = Kokkos::make_pair(std::size_t(0), used_);
-    if (used_ > 0)
-      Kokkos::deep_copy(Kokkos::subview(partial_sums().host, range), Kokkos::subview(partial_sums().device, range));
+    if constexpr (!on_host)
+      if (used_ > 0)
+        Kokkos::deep_copy(Exec(), Kokkos::subview(partial_sums().host, range),
+                          Kokkos::subview(partial_sums().device, range));
+    Exec().fence("softwet: integrals for the host");
     for (const auto& hand_out : waiting_) hand_out();
     leave();
+    grow(partial_sums(), wanted_);  // the next such list fits as a whole
   }
 
  private:
@@ -192,10 +223,7 @@ class PendingIntegrals {
   std::size_t room(std::size_t entries) {
     if (owner() && owner() != this) throw std::logic_error("two lists of integrals are pending at once");
     wanted_ += entries;
-    if (used_ + entries > partial_sums().device.extent(0)) {
-      finish();
-      grow(partial_sums(), wanted_);
-    }
+    if (used_ + entries > partial_sums().device.extent(0)) finish();
     owner() = this;
     used_ += entries;
     return used_ - entries;
