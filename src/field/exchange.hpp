@@ -198,16 +198,19 @@ std::vector<double> to_host_of_patch(const Layout<D>& layout, const ConstArray& 
   return all;
 }
 
-/// The same on the first process alone; empty on the others.
+/// Values of the whole patch on the first process, from those that each process stores; empty on the others.
 template <int D>
-std::vector<double> to_host_on_root(const Layout<D>& layout, const ConstArray& own) {
-  std::vector<double> values = to_host(own);
+std::vector<double> collect_on_root(const Layout<D>& layout, std::vector<double> values) {
   if (layout.whole()) return values;
   const Columns& c = layout.columns;
   const std::int64_t lines = static_cast<std::int64_t>(values.size()) / c.stored();
   std::vector<double> all(c.rank == 0 ? lines * c.first_function.back() : 0);
   gather_lines(c, lines, values.data(), all.data(), Collects::first_process);
   return all;
+}
+template <int D>
+std::vector<double> to_host_on_root(const Layout<D>& layout, const ConstArray& own) {
+  return collect_on_root(layout, to_host(own));
 }
 
 /// The other way round: what this process stores of values of the whole patch.

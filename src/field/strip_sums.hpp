@@ -44,14 +44,8 @@ struct SumScratch {
   /// Copies the first so many numbers when all kernels that were started before have run, and waits for them.
   void copy_to_host(std::size_t count) const {
     const auto range = Kokkos::make_pair(std::size_t(0), count);
-    const auto to = Kokkos::subview(host, range);
-    const auto from = Kokkos::subview(device, range);
-    if constexpr (on_host) {
-      Kokkos::deep_copy(to, from);
-    } else {
-      Kokkos::deep_copy(Exec(), to, from);  // one wait, where a copy without Exec() is three
-      Exec().fence("softwet: sums for the host");
-    }
+    if constexpr (!on_host) Kokkos::deep_copy(Exec(), Kokkos::subview(host, range), Kokkos::subview(device, range));
+    Exec().fence("softwet: sums for the host");  // one wait, where a copy without Exec() is three
   }
 };
 inline void grow(SumScratch& scratch, std::size_t entries) {
@@ -199,11 +193,12 @@ struct StripSums {
 
 inline StripsHere strips_here(const VectorSpace& space) { return space.shared ? StripsHere::own : StripsHere::all; }
 
-/// Whether a device adds up the blocks of a kernel, in a second one. The host reads and adds up a few thousand partial sums in
-/// the time of its launch (docs/devices.md).
+/// Whether a device adds up so many partial sums, in a second kernel. The host reads and adds up a few thousand in the time of its launch
+/// (docs/devices.md).
+inline bool adds_on_device(std::int64_t partial_sums) { return !host_algorithms && partial_sums > 4096; }
 template <class Real>
 bool adds_blocks(const StripSums<Real>& k) {
-  return !host_algorithms && k.items() > 4096;
+  return adds_on_device(k.items());
 }
 /// How many numbers of a kernel come to the host: partial sums, or sums of strips.
 template <class Real>

@@ -70,7 +70,7 @@ struct FindExtremes {
 }  // namespace
 
 template <int D>
-Extremes find_extremes(const Layout<D>& l, const State& state, double level) {
+void start_extremes(const Layout<D>& l, const State& state, double level, PendingIntegrals& pending, Extremes& found) {
   const auto points = [&](int rows) { return OwnPoints(l.space(), rows * l.row_size); };
   const double* velocity = state.unknown.data();
   const FindExtremes<D> all{.fluid = points(l.fluid_rows()),
@@ -80,20 +80,32 @@ Extremes find_extremes(const Layout<D>& l, const State& state, double level) {
                             .stride = l.rows * l.row_size,
                             .density = velocity + l.density_offset(),
                             .level = level};
-  const SumScratch& scratch = sum_scratch(extremes);
-  const auto range = Kokkos::make_pair(0, int(extremes));
-  const Array device = Kokkos::subview(scratch.device, range);
-  Kokkos::parallel_reduce("softwet::extremes", Items(0, std::max(all.fluid.count, all.solid.count)), all, device);
-  const HostArray host = Kokkos::subview(scratch.host, range);
-  Kokkos::deep_copy(host, device);
-  double found[extremes];
-  std::copy_n(host.data(), int(extremes), found);
-  ranks::largest(found, extremes);
-  if (!l.has_fluid) found[minus_least_density] = found[most_density] = 0;
-  return {-found[minus_least_density], found[most_density], std::sqrt(found[square_in_fluid]),
-          std::sqrt(found[square_in_solid]), std::sqrt(found[square_in_liquid])};
+  pending.start_numbers(
+      extremes,
+      [&all](const Array& best) {
+        Kokkos::parallel_reduce("softwet::extremes", Items(0, std::max(all.fluid.count, all.solid.count)), all, best);
+      },
+      [&found, has_fluid = l.has_fluid](const auto& of_process) {
+        double best[extremes];
+        std::copy_n(of_process.data(), int(extremes), best);
+        ranks::largest(best, extremes);
+        if (!has_fluid) best[minus_least_density] = best[most_density] = 0;
+        found = {-best[minus_least_density], best[most_density], std::sqrt(best[square_in_fluid]),
+                 std::sqrt(best[square_in_solid]), std::sqrt(best[square_in_liquid])};
+      });
 }
 
+template <int D>
+Extremes find_extremes(const Layout<D>& layout, const State& state, double level) {
+  Extremes found;
+  PendingIntegrals pending;
+  start_extremes(layout, state, level, pending, found);
+  pending.finish();
+  return found;
+}
+
+template void start_extremes(const Layout<2>&, const State&, double, PendingIntegrals&, Extremes&);
+template void start_extremes(const Layout<3>&, const State&, double, PendingIntegrals&, Extremes&);
 template Extremes find_extremes(const Layout<2>&, const State&, double);
 template Extremes find_extremes(const Layout<3>&, const State&, double);
 

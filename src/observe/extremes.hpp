@@ -3,6 +3,7 @@
 
 #include "field/layout.hpp"
 #include "field/stage.hpp"
+#include "operator/integrate.hpp"
 
 namespace softwet {
 
@@ -14,8 +15,13 @@ struct Extremes {
   double speed_liquid = 0;                  ///< where the density is above a level
 };
 
-/// Each process looks at its own columns, and all learn the outcome.
+/// Starts to look for them: each process looks at its own columns, and all learn the outcome. It is there when `pending` is finished, and
+/// `found` has to stay where it is until then.
 /// @param level  density of the liquid's surface
+template <int D>
+void start_extremes(const Layout<D>& layout, const State& state, double level, PendingIntegrals& pending,
+                    Extremes& found);
+/// The same, and waits.
 template <int D>
 Extremes find_extremes(const Layout<D>& layout, const State& state, double level);
 

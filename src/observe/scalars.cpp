@@ -179,13 +179,16 @@ double Scalars<D, P>::laplace_pressure(const Snapshot<D>& snapshot) const {
 template <int D, int P>
 TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const State& state, const Stage& end) {
   const Layout<D>& layout = scene_.layout();
-  const Integrals sum = scene_.balance().integrals(end);
-  const double load_power = scene_.balance().load_power(state.time, state.unknown);
-  const std::vector<NeedleReading> needles = scene_.balance().needle_readings(end);
-  const Extremes extremes = find_extremes(layout, state, layout.has_fluid ? surface().level : 0);
-  const Snapshot<D> snapshot(layout, state,
-                             probes_need_velocity(case_) ? SnapshotOf::all_fields : SnapshotOf::all_but_velocity);
+  Measured measured;
+  Extremes extremes;
+  PendingIntegrals pending;
+  start_extremes(layout, state, layout.has_fluid ? surface().level : 0, pending, extremes);
+  scene_.balance().start_row(end, pending, measured);
+  copies_.start(layout, state, probes_need_velocity(case_) ? SnapshotOf::all_fields : SnapshotOf::all_but_velocity);
+  pending.finish();
+  const Snapshot<D> snapshot(layout, copies_);
   if (!ranks::root()) return {};
+  const auto& [sum, load_power, needles] = measured;
   latest_ = memory_;
   latest_.step = step;
   latest_.time = state.time;

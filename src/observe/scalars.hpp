@@ -59,6 +59,7 @@ class Scalars {
   const Case& case_;
   const Scene<D, P>& scene_;
   HistoryMemory memory_, latest_;
+  SnapshotCopies<D> copies_;                    ///< for the next row
   std::vector<Centre> first_seen_, last_seen_;  ///< by `watch`
   PhaseSamples watched_;                        ///< the last of its samples
 };

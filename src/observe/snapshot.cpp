@@ -1,12 +1,43 @@
 #include "observe/snapshot.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "field/exchange.hpp"
 #include "field/vector.hpp"
 #include "kernels/point/geometry.hpp"
 
 namespace softwet {
+
+template <int D>
+void SnapshotCopies<D>::Copy::start(const ConstArray& array) {
+  array_ = array;
+  if constexpr (on_host) return;
+  const std::size_t size = array.extent(0);
+  if (room_.extent(0) < size) room_ = HostArray(Kokkos::view_alloc("snapshot", Kokkos::WithoutInitializing), size);
+  if (size > 0) Kokkos::deep_copy(Exec(), Kokkos::subview(room_, Kokkos::make_pair(std::size_t(0), size)), array);
+}
+
+template <int D>
+std::vector<double> SnapshotCopies<D>::Copy::take() {
+  const ConstArray array = std::exchange(array_, {});
+  const double* values = on_host ? array.data() : room_.data();
+  return std::vector<double>(values, values + array.extent(0));
+}
+
+template <int D>
+void SnapshotCopies<D>::start(const Layout<D>& layout, const State& state, SnapshotOf parts) {
+  scalars_.start(part(state.unknown, layout.density_offset(), layout.size()));
+  displacement_.start(state.displacement);
+  velocity_.start(parts == SnapshotOf::all_fields ? part(state.unknown, 0, layout.velocity_size()) : ConstArray());
+}
+
+template <int D>
+Snapshot<D>::Snapshot(const Layout<D>& layout, SnapshotCopies<D>& copies)
+    : layout_(layout.whole_patch()),
+      velocity_(collect_on_root(layout, copies.velocity_.take())),
+      scalars_(collect_on_root(layout, copies.scalars_.take())),
+      displacement_(collect_on_root(layout, copies.displacement_.take())) {}
 
 template <int D>
 Snapshot<D>::Snapshot(const Layout<D>& layout, const State& state, SnapshotOf parts)
@@ -87,6 +118,8 @@ std::vector<ElementRows> Snapshot<D>::solid_parts() const {
   return {{0, joint}, {joint, layout_.solid_elements}};
 }
 
+template class SnapshotCopies<2>;
+template class SnapshotCopies<3>;
 template class Snapshot<2>;
 template class Snapshot<3>;
 

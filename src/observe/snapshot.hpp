@@ -18,6 +18,29 @@ enum class Medium { fluid, solid };
 /// What a snapshot holds of a state.
 enum class SnapshotOf { all_fields, all_but_velocity };
 
+/// Copies of a state in memory of the host to which a device copies by itself, while it and the host go on.
+template <int D>
+class SnapshotCopies {
+ public:
+  /// Starts them. A start before is forgotten; its memory is used again.
+  void start(const Layout<D>& layout, const State& state, SnapshotOf parts);
+
+ private:
+  template <int>
+  friend class Snapshot;
+
+  class Copy {
+   public:
+    void start(const ConstArray&);
+    std::vector<double> take();
+
+   private:
+    ConstArray array_;  ///< what is copied
+    HostArray room_;
+  };
+  Copy velocity_, scalars_, displacement_;
+};
+
 /// Fields of a state on tensor grids of reference points. 2D: plane strain. Of several processes the first one has the
 /// fields, so that it alone can evaluate them.
 template <int D>
@@ -25,6 +48,8 @@ class Snapshot {
  public:
   /// Collects the state of all processes on the first one: all have to call it.
   Snapshot(const Layout<D>& layout, const State& state, SnapshotOf parts = SnapshotOf::all_fields);
+  /// The same of copies that were started, and have arrived: the host has waited for the execution space since.
+  Snapshot(const Layout<D>& layout, SnapshotCopies<D>& copies);
 
   using Grid = std::array<std::vector<double>, D>;  ///< reference coordinates per axis
 

@@ -111,8 +111,10 @@ struct IntegralItems {
         items(rows.items() * strips),
         here(region.columns.strips > 0 ? StripsHere::own : StripsHere::all) {}
 
-  /// How many numbers of each functional come to the host: partial sums, or on a device those of strips.
-  int numbers() const { return host_algorithms ? items : strips; }
+  /// Whether a device adds up the partial sums of so many functionals, in a second kernel (field/strip_sums.hpp).
+  bool adds_rows(int functionals) const { return adds_on_device(std::int64_t(items) * functionals); }
+  /// How many numbers of each functional come to the host: partial sums, or those of strips.
+  int numbers(int functionals) const { return adds_rows(functionals) ? strips : items; }
   /// From the partial sums of the items, or from so many sums of strips, over all processes.
   template <int count, class Partial>
   std::array<double, count> total(const Partial& partial, int numbers) const {
@@ -140,47 +142,76 @@ void start_integral(const ReduceTask<D, Functional, Motion>& task, const Array& 
 }
 
 /// Starts the kernels that leave the numbers of an integral for the host.
-/// @param blocks  room for the partial sums of all items on a device
+/// @param blocks  room for the partial sums of all items where a device adds them up
 template <int P, bool Rate, int D, class Functional, class Motion>
-void start_numbers(const IntegralItems<D>& in, const ReduceTask<D, Functional, Motion>& task, const Array& numbers,
-                   const Array& blocks) {
-  if constexpr (host_algorithms) {
-    start_integral<P, Rate>(task, numbers);
-  } else {
-    start_integral<P, Rate>(task, blocks);
-    AddBlocks{blocks, in.rows.items(), numbers}.start();
-  }
+void start_integral_and_sums(const IntegralItems<D>& in, const ReduceTask<D, Functional, Motion>& task,
+                             const Array& numbers, const Array& blocks) {
+  const bool adds = in.adds_rows(Functional::count);
+  start_integral<P, Rate>(task, adds ? blocks : numbers);
+  if (adds) AddBlocks{blocks, in.rows.items(), numbers}.start();
 }
 
-/// Integrals whose kernels start one after the other, and whose numbers come to the host in one copy. There is room for one such list
-/// at a time: to start integrals in another one before `finish` is a mistake, std::logic_error.
+/// Integrals, and other numbers that kernels leave for the host. The kernels start one after the other, and all numbers come in one copy,
+/// with one wait. There is room for one such list at a time: to start something in another one before `finish` is a mistake,
+/// std::logic_error. All processes have to call it. What kernels read has to hold until `finish`.
 class PendingIntegrals {
  public:
   PendingIntegrals() = default;
   PendingIntegrals(const PendingIntegrals&) = delete;
   ~PendingIntegrals() { leave(); }
 
-  /// Starts an integral, which `take` gets from `finish`, an array of Functional::count numbers. All processes have to call it. What the
-  /// task points to has to hold until then.
+  /// Starts an integral, which `take` gets from `finish`, an array of Functional::count numbers.
   /// With Rate, not the integrals but the rates at which they change because the domain moves; `motion.tangent` is then the
   /// velocity of the wall and `motion.scale` 1.
   template <int P, bool Rate = false, int D, class Functional, class Motion, class Take>
   void start(const ReduceTask<D, Functional, Motion>& task, Take take) {
     const IntegralItems<D> in(task.region);
     constexpr int count = Functional::count;
-    const std::size_t first = room(static_cast<std::size_t>(in.numbers()) * count);
-    const auto range = Kokkos::make_pair(first, used_);
-    const Array blocks = host_algorithms ? Array() : sum_scratch(static_cast<std::size_t>(in.items) * count).device;
-    start_numbers<P, Rate>(in, task, Kokkos::subview(partial_sums().device, range), blocks);
-    waiting_.push_back([in, range, take] {
-      take(in.template total<count>(Kokkos::subview(partial_sums().host, range), in.numbers()));
-    });
+    start_numbers(
+        static_cast<std::size_t>(in.numbers(count)) * count,
+        [&](const Array& numbers) {
+          const Array blocks = in.adds_rows(count) ? sum_scratch(std::size_t(in.items) * count).device : Array();
+          start_integral_and_sums<P, Rate>(in, task, numbers, blocks);
+        },
+        [in, take](const auto& numbers) { take(in.template total<count>(numbers, in.numbers(count))); });
   }
-  /// Waits for all that were started, and hands them out in the order in which they were.
+  /// Starts sum_i x_i y_i, as `dot` has it, or, without y, sum_i x_i, which `take` gets from `finish`.
+  template <class Take>
+  void start_sum(const VectorSpace& space, const ConstArray& x, const ConstArray& y, Take take) {
+    const StripSums<double> sums(space, x.data(), 0, 1, {y.data()}, SquareOfFirst::left_out,
+                                 static_cast<int>(x.extent(0)));
+    start_numbers(
+        static_cast<std::size_t>(numbers_of(sums)),
+        [&](const Array& numbers) {
+          start_strip_sums(sums, numbers, adds_blocks(sums) ? sum_scratch(sums.items()).device : Array());
+        },
+        [sums, take, x, y](const auto& numbers) {
+          StripTotals totals(sums.space.strips, 1, strips_here(sums.space));
+          add_partial_sums(totals, sums, numbers.data(), numbers_of(sums), 0);
+          take(totals.total(0));
+        });
+  }
+  /// Starts kernels by `launch`, which gets an array for so many numbers. `take` gets them on the host from `finish`.
+  template <class Launch, class Take>
+  void start_numbers(std::size_t count, const Launch& launch, Take take) {
+    const std::size_t first = room(count);
+    const auto range = Kokkos::make_pair(first, used_);
+    launch(Kokkos::subview(partial_sums().device, range));
+    waiting_.push_back([range, take] { take(Kokkos::subview(partial_sums().host, range)); });
+  }
+  /// Calls `work` when all that were started before are handed out.
+  void then(std::function<void()> work) { waiting_.push_back(std::move(work)); }
+
+  /// Waits for all that were started, and hands them out in the order in which they were. Copies to the host that the execution space was
+  /// asked for before have then arrived too.
   void finish() {
-    if (used_ > 0) partial_sums().copy_to_host(used_);
+    if (used_ > 0)
+      partial_sums().copy_to_host(used_);
+    else
+      Exec().fence("softwet: copies to the host");
     for (const auto& hand_out : waiting_) hand_out();
     leave();
+    grow(partial_sums(), wanted_);  // the next such list fits as a whole
   }
 
  private:
@@ -203,10 +234,7 @@ class PendingIntegrals {
   std::size_t room(std::size_t entries) {
     if (owner() && owner() != this) throw std::logic_error("two lists of integrals are pending at once");
     wanted_ += entries;
-    if (used_ + entries > partial_sums().device.extent(0)) {
-      finish();
-      grow(partial_sums(), wanted_);
-    }
+    if (used_ + entries > partial_sums().device.extent(0)) finish();
     owner() = this;
     used_ += entries;
     return used_ - entries;
@@ -221,13 +249,15 @@ template <int P, bool Rate = false, int D, class Functional, class Motion>
 std::array<double, Functional::count> reduce(const ReduceTask<D, Functional, Motion>& task) {
   constexpr int count = Functional::count;
   const IntegralItems<D> in(task.region);
-  const std::size_t numbers = std::size_t(in.numbers()) * count;
-  const std::size_t blocks = host_algorithms ? 0 : std::size_t(in.items) * count;
+  const std::size_t numbers = std::size_t(in.numbers(count)) * count;
+  const std::size_t blocks = in.adds_rows(count) ? std::size_t(in.items) * count : 0;
   const SumScratch& scratch = sum_scratch(numbers + blocks);
-  start_numbers<P, Rate>(in, task, Kokkos::subview(scratch.device, Kokkos::make_pair(std::size_t(0), numbers)),
-                         Kokkos::subview(scratch.device, Kokkos::make_pair(numbers, numbers + blocks)));
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    return Kokkos::subview(scratch.device, Kokkos::make_pair(begin, end));
+  };
+  start_integral_and_sums<P, Rate>(in, task, part(0, numbers), part(numbers, numbers + blocks));
   scratch.copy_to_host(numbers);
-  return in.template total<count>(scratch.host, in.numbers());
+  return in.template total<count>(scratch.host, in.numbers(count));
 }
 
 /// Starts those of two integrals, on a device as one.

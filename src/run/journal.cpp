@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "case/error.hpp"
 #include "case/text.hpp"
@@ -22,6 +23,13 @@ namespace {
 // Seconds.
 constexpr double first_save = 60, record_pause = 15;
 
+/// A device leaves a core to write files while the next steps run; on a processor all cores compute. Several processes hear of an error
+/// together, after each file.
+Writes writes_of(const RunOptions& options) {
+  if (ranks::count() > 1) return Writes::in_turn;
+  return options.writes.value_or(host_algorithms ? Writes::in_turn : Writes::beside_steps);
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -38,7 +46,8 @@ Journal<D, P>::Journal(const Case& c, const RunOptions& options, const Scene<D, 
       progress_(options.quiet || !ranks::root() ? Progress::Voice::silent : Progress::voice(),
                 c.run_start() - c.clock_zero(), c.time.end),
       time_left_(c.clock_zero() + c.time.end, c.time.dt_max, c.time.max_steps),
-      field_times_(std::move(field_times)) {
+      field_times_(std::move(field_times)),
+      writer_(writes_of(options), run_on_all_cores) {
   seconds_.started = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
@@ -77,6 +86,7 @@ void Journal<D, P>::resume() {
   });
   written_ = ranks::shared(written);
   write_fields_due();  // of a time that is new in the case
+  finish_files();
 }
 
 template <int D, int P>
@@ -123,16 +133,28 @@ void Journal<D, P>::write_fields_due() {
     Stopwatch watch(seconds_.output);
     std::vector<double> all = written_;
     all.push_back(time);
-    const Snapshot<D> snapshot(scene_.layout(), stepper_.state());
+    const auto snapshot = std::make_shared<const Snapshot<D>>(scene_.layout(), stepper_.state());
     const auto traction =
         wall_traction(scene_.regions(), scene_.equations(), stage_at(scene_.layout(), stepper_.state()));
-    on_root([&] {
-      write_field_files(options_.out, origin_of(case_), case_.output.field_select, scene_.coefficients(), snapshot,
+    const auto write = [this, snapshot, traction, all] {  // whoever changes one of these waits before (finish_files)
+      write_field_files(options_.out, origin_of(case_), case_.output.field_select, scene_.coefficients(), *snapshot,
                         all);
-      add_interface_rows<D>(*interface_, snapshot, traction, time);
+      add_interface_rows<D>(*interface_, *snapshot, traction, all.back());
       interface_->keep();
-    });
+    };
+    on_root([&] { writer_.start(write); });
     written_ = all;  // with all that belongs to it: a run that is resumed does not write it again
+  }
+}
+
+template <int D, int P>
+void Journal<D, P>::finish_files() {
+  Stopwatch watch(seconds_.output);
+  try {
+    wall_clock_.file(writer_.wait());
+  } catch (...) {
+    written_.pop_back();  // nothing of it is there
+    throw;
   }
 }
 
@@ -191,7 +213,12 @@ void Journal<D, P>::keep_state_of(const Case& asked, const std::function<void()>
 
 template <int D, int P>
 std::string Journal<D, P>::keep_after(const std::string& failure) {
-  std::string state = "is in " + path("checkpoint.h5");
+  std::string state = "is in " + path("checkpoint.h5"), lost;
+  try {
+    finish_files();
+  } catch (const std::exception& error) {  // of a file of an earlier state
+    lost = std::string("; ") + error.what();
+  }
   try {
     save();
   } catch (const std::exception& error) {
@@ -201,7 +228,7 @@ std::string Journal<D, P>::keep_after(const std::string& failure) {
     record("failed: " + failure);
   } catch (const std::exception&) {  // the failure itself is what the user has to hear of
   }
-  return state;
+  return state + lost;
 }
 
 template <int D, int P>

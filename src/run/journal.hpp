@@ -10,6 +10,7 @@
 #include "io/output_time.hpp"
 #include "io/table_file.hpp"
 #include "observe/scalars.hpp"
+#include "run/host/file_writer.hpp"
 #include "run/host/options.hpp"
 #include "run/host/rhythm.hpp"
 #include "run/host/time_left.hpp"
@@ -80,6 +81,8 @@ class Journal {
  private:
   void open_tables();
   void write_fields_due();
+  /// Waits until the files that are written beside the steps are complete. Throws what has kept one from being written.
+  void finish_files();
   void tell_events();
   void write_state();
   void require_tables();
@@ -108,7 +111,8 @@ class Journal {
   long first_step_ = 0;
   std::vector<double> field_times_;  ///< at which field files are due
   WrittenFiles found_;               ///< of the run that this one goes on
-  std::vector<double> written_;      ///< times of the field files there are
+  std::vector<double> written_;      ///< times of the field files there are, the last of them perhaps not yet whole
+  FileWriter writer_;  ///< of field files and rows of interface.csv; ends first, for its task reads the others
 };
 
 }  // namespace softwet

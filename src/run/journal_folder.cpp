@@ -10,6 +10,7 @@
 namespace softwet {
 template <int D, int P>
 void Journal<D, P>::require_folder() {
+  finish_files();
   const std::string place = options_.place ? options_.place() : options_.out;
   enum Found { in_place, moved, removed };
   const Found found = place == options_.out ? in_place : place.empty() ? removed : moved;

@@ -1,5 +1,6 @@
 #include "run/machine.hpp"
 
+#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -71,6 +72,20 @@ int core_count() {
   return omp_get_num_procs();  // also where OpenMP has already bound this thread to one of them
 #else
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+#endif
+}
+
+void run_on_all_cores() {
+#ifdef KOKKOS_ENABLE_OPENMP
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  for (int place = 0; place < omp_get_num_places(); ++place) {
+    std::vector<int> of_place(omp_get_place_num_procs(place));
+    omp_get_place_proc_ids(place, of_place.data());
+    for (int core : of_place)
+      if (core < CPU_SETSIZE) CPU_SET(core, &cores);
+  }
+  if (CPU_COUNT(&cores) > 0) sched_setaffinity(0, sizeof cores, &cores);  // else the thread stays where it is
 #endif
 }
 

@@ -93,8 +93,9 @@ void Balance<D, P>::solid_integrals(const Evaluation<D>& at, PendingIntegrals& p
   const int count = layout_.solid_rows() * layout_.row_size;
   for (std::size_t d = 0; d < gravity.force.size(); ++d) {
     const int first = layout_.displacement_offset(static_cast<int>(d));
-    result.part(SolidGravity::energy_column) -=
-        gravity.force[d] * dot(layout_.space(), gravity.weight, part(at.stage.displacement, first, first + count));
+    pending.start_sum(
+        layout_.space(), gravity.weight, part(at.stage.displacement, first, first + count),
+        [&result, force = gravity.force[d]](double sum) { result.part(SolidGravity::energy_column) -= force * sum; });
   }
 }
 
@@ -143,20 +144,22 @@ void Balance<D, P>::branch_integrals(const Stage& stage, PendingIntegrals& pendi
 }
 
 template <int D, int P>
-std::vector<NeedleReading> Balance<D, P>::needle_readings(const Stage& stage) const {
-  std::vector<NeedleReading> readings = forces_.needles().readings(layout_, stage);
-  for (NeedleReading& reading : readings) {
-    for (double* number : {&reading.energy, &reading.power, &reading.power_on_solid}) *number *= regions_.turn();
-    for (double& force : reading.force) force *= regions_.turn();
-    if (layout_.axisymmetric()) reading.force[0] = 0;  // what points away from the axis cancels
-  }
-  return readings;
+void Balance<D, P>::start_readings(const Stage& stage, PendingIntegrals& pending,
+                                   std::vector<NeedleReading>& readings) const {
+  forces_.needles().start_readings(layout_, stage, pending, readings);
+  pending.then([this, &readings] {
+    for (NeedleReading& reading : readings) {
+      for (double* number : {&reading.energy, &reading.power, &reading.power_on_solid}) *number *= regions_.turn();
+      for (double& force : reading.force) force *= regions_.turn();
+      if (layout_.axisymmetric()) reading.force[0] = 0;  // what points away from the axis cancels
+    }
+  });
 }
 
+/// @param needles  which are handed out before
 template <int D, int P>
-Integrals Balance<D, P>::integrals(const Stage& stage) const {
-  Integrals result;
-  PendingIntegrals pending;
+void Balance<D, P>::start_integrals(const Stage& stage, PendingIntegrals& pending, Integrals& result,
+                                    const std::vector<NeedleReading>& needles) const {
   const Evaluation<D> at{layout_, stage, {}, {}};
   for (const auto& entry : terms_.pieces().list) entry.piece->add_integrals(at, pending, result);
   if (layout_.has_solid) solid_integrals(at, pending, result);
@@ -164,10 +167,44 @@ Integrals Balance<D, P>::integrals(const Stage& stage) const {
   if (layout_.has_fluid)
     layout_.has_solid ? fluid_integrals<WallMotion<D>>(at, pending, result)
                       : fluid_integrals<NoMotion>(at, pending, result);
+  pending.then([this, &result, &needles] {
+    if (layout_.axisymmetric()) result.turn(regions_.turn());
+    for (const NeedleReading& needle : needles) result.part(Needles<D>::energy_column) += needle.energy;
+  });
+}
+
+template <int D, int P>
+void Balance<D, P>::start_load_power(double time, const ConstArray& unknown, PendingIntegrals& pending,
+                                     double& power) const {
+  forces_.start_load_power(time, unknown, pending, power);
+  pending.then([this, &power] { power *= regions_.turn(); });
+}
+
+template <int D, int P>
+void Balance<D, P>::start_row(const Stage& stage, PendingIntegrals& pending, Measured& found) const {
+  start_load_power(stage.time, stage.unknown, pending, found.load_power);
+  start_readings(stage, pending, found.needles);
+  start_integrals(stage, pending, found.integrals, found.needles);
+}
+
+template <int D, int P>
+Integrals Balance<D, P>::integrals(const Stage& stage) const {
+  Integrals result;
+  std::vector<NeedleReading> needles;
+  PendingIntegrals pending;
+  start_readings(stage, pending, needles);
+  start_integrals(stage, pending, result, needles);
   pending.finish();
-  if (layout_.axisymmetric()) result.turn(regions_.turn());
-  for (const NeedleReading& reading : needle_readings(stage)) result.part(Needles<D>::energy_column) += reading.energy;
   return result;
+}
+
+template <int D, int P>
+std::vector<NeedleReading> Balance<D, P>::needle_readings(const Stage& stage) const {
+  std::vector<NeedleReading> readings;
+  PendingIntegrals pending;
+  start_readings(stage, pending, readings);
+  pending.finish();
+  return readings;
 }
 
 template <int D, int P>
@@ -197,7 +234,11 @@ MeshFaults Balance<D, P>::faults(const Stage& stage) const {
 
 template <int D, int P>
 double Balance<D, P>::load_power(double time, const ConstArray& unknown) const {
-  return regions_.turn() * forces_.load_power(time, unknown);
+  double power = 0;
+  PendingIntegrals pending;
+  start_load_power(time, unknown, pending, power);
+  pending.finish();
+  return power;
 }
 
 template class Balance<SOFTWET_DIMENSION, SOFTWET_DEGREE>;

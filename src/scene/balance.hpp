@@ -21,12 +21,21 @@ struct MeshFaults {
   double folded = 0, inverted = 0;
 };
 
+/// What a row of history.csv takes from a scene.
+struct Measured {
+  Integrals integrals;
+  double load_power = 0;               ///< of the loads on the velocity of the state
+  std::vector<NeedleReading> needles;  ///< of the whole scene
+};
+
 /// All processes have to call what takes a stage. What it takes has to outlive it.
 template <int D, int P>
 class Balance {
  public:
   Balance(const Regions<D>&, const Coefficients<D>&, const Forces<D>&, const Terms<D, P>&);
 
+  /// Starts all that a row takes from a state. It is there when `pending` is finished, and `found` has to stay where it is until then.
+  void start_row(const Stage&, PendingIntegrals& pending, Measured& found) const;
   Integrals integrals(const Stage&) const;
   Filling filling(const Stage&) const;
   MeshFaults faults(const Stage&) const;
@@ -36,7 +45,10 @@ class Balance {
   std::vector<NeedleReading> needle_readings(const Stage&) const;
 
  private:
-  // These start kernels, which add to integrals when they are finished.
+  // These start kernels, whose numbers are there when the list is finished.
+  void start_integrals(const Stage&, PendingIntegrals&, Integrals&, const std::vector<NeedleReading>&) const;
+  void start_load_power(double time, const ConstArray& unknown, PendingIntegrals&, double& power) const;
+  void start_readings(const Stage&, PendingIntegrals&, std::vector<NeedleReading>&) const;
   template <class Motion>
   void fluid_integrals(const Evaluation<D>&, PendingIntegrals&, Integrals&) const;
   template <class Motion, class Functional>

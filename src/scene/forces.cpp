@@ -72,8 +72,9 @@ void Forces<D>::add_loads(double time, const Array& out, const double* numbers) 
 }
 
 template <int D>
-double Forces<D>::load_power(double time, const ConstArray& unknown) const {
-  double power = 0;
+void Forces<D>::start_load_power(double time, const ConstArray& unknown, PendingIntegrals& pending,
+                                 double& power) const {
+  power = 0;
   for (const LoadVector<D>& load : loads_) {
     const std::vector<double> force = load.force(time);
     load.move(layout_, time);
@@ -81,10 +82,11 @@ double Forces<D>::load_power(double time, const ConstArray& unknown) const {
     const int count = static_cast<int>(weight.extent(0));
     for (int d = 0; d < D; ++d) {
       const int first = layout_.velocity_offset(d);
-      if (force[d] != 0) power += force[d] * dot(layout_.space(), weight, part(unknown, first, first + count));
+      if (force[d] != 0)
+        pending.start_sum(layout_.space(), weight, part(unknown, first, first + count),
+                          [&power, f = force[d]](double sum) { power += f * sum; });
     }
   }
-  return power;
 }
 
 template class Forces<2>;

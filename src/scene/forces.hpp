@@ -33,8 +33,9 @@ class Forces {
   /// Whether a load acts at a time; one that does not starts no kernel.
   std::vector<bool> acting(double time) const;
 
-  /// Power of the loads on a velocity field at a time; in the coordinates (r, z) for each radian.
-  double load_power(double time, const ConstArray& unknown) const;
+  /// Starts the power of the loads on a velocity field at a time, in the coordinates (r, z) for each radian. It is there when `pending` is
+  /// finished.
+  void start_load_power(double time, const ConstArray& unknown, PendingIntegrals& pending, double& power) const;
 
  private:
   void add_loads(double time, const Array& out, const double* numbers) const;

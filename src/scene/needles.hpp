@@ -13,6 +13,7 @@
 #include "field/stage.hpp"
 #include "field/stencil.hpp"
 #include "kernels/solid/spring.hpp"
+#include "operator/integrate.hpp"
 #include "scene/loads.hpp"
 
 namespace softwet {
@@ -98,7 +99,8 @@ class Needles {
     for (const Needle& needle : c.needles) {
       const std::vector<double> w = weights_on_box(l, needle.lower, needle.upper, 1);
       for (std::size_t i = 0; i < w.size(); ++i) held[i] += needle.stiffness * w[i];
-      all_.push_back({needle, to_device<Array>(w, "needle")});
+      const Array pull(Kokkos::view_alloc("needle.pull", Kokkos::WithoutInitializing), 2 * D * w.size());
+      all_.push_back({needle, to_device<Array>(w, "needle"), pull});
     }
     held_ = to_device<Array>(held, "needles");
   }
@@ -139,35 +141,43 @@ class Needles {
                          needle_kernels::AddDiagonal<D>{stencil, values, held_, scale});
   }
 
-  std::vector<NeedleReading> readings(const Layout<D>& l, const Stage& stage) const {
-    std::vector<NeedleReading> found;
-    if (empty()) return found;
-    const Array gap("needle.gap", nodes(l)), force("needle.force", nodes(l));
+  /// Starts what each needle measures, which is there when `pending` is finished. The list has to stay where it is until then.
+  void start_readings(const Layout<D>& l, const Stage& stage, PendingIntegrals& pending,
+                      std::vector<NeedleReading>& found) const {
+    found.assign(all_.size(), {});
+    if (empty()) return;
     const VectorSpace space = l.space();
-    for (const Held& one : all_) {
-      NeedleReading& reading = found.emplace_back();
+    const int n = nodes(l);
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      const Held& one = all_[k];
+      NeedleReading& reading = found[k];
       for (int d = 0; d < D; ++d) {
+        const Array gap = Kokkos::subview(one.pull, Kokkos::make_pair(2 * d * n, (2 * d + 1) * n)),
+                    force = Kokkos::subview(one.pull, Kokkos::make_pair((2 * d + 1) * n, (2 * d + 2) * n));
         const int u = l.displacement_offset(d), v = l.velocity_offset(d);
-        Kokkos::parallel_for("softwet::needle_reading", Items(0, nodes(l)),
+        Kokkos::parallel_for("softwet::needle_reading", Items(0, n),
                              needle_kernels::Pull{gap,
                                                   force,
                                                   one.weight,
-                                                  part(stage.displacement, u, u + nodes(l)),
+                                                  part(stage.displacement, u, u + n),
                                                   {one.needle.stiffness},
                                                   place(one, d, stage.time)});
-        reading.force[d] = total(space, force);
-        reading.energy += 0.5 * dot(space, force, gap);
-        reading.power += reading.force[d] * speed(one, d, stage.time);
-        reading.power_on_solid += dot(space, force, part(stage.unknown, v, v + nodes(l)));
+        pending.start_sum(space, force, {}, [&reading, d, speed = speed(one, d, stage.time)](double sum) {
+          reading.force[d] = sum;
+          reading.power += sum * speed;
+        });
+        pending.start_sum(space, force, gap, [&reading](double sum) { reading.energy += 0.5 * sum; });
+        pending.start_sum(space, force, part(stage.unknown, v, v + n),
+                          [&reading](double sum) { reading.power_on_solid += sum; });
       }
     }
-    return found;
   }
 
  private:
   struct Held {
     Needle needle;
     Array weight;
+    Array pull;  ///< gap and force along each axis, for readings
   };
 
   static int nodes(const Layout<D>& l) { return l.solid_rows() * l.row_size; }

@@ -5,7 +5,7 @@ FOLDER is the build, by default build/cuda, and LOG what nvcc printed, which has
 counts with 32. `softwet bench` of several scenes runs with a CUDA runtime whose kernels do nothing (the folder cuda). It fails where
 the program crashes, where a kernel asks for more than the chip has, and where a call is made that is forbidden while launches are
 recorded. Numbers of results are not looked at. What each scene asked of the device is printed. Where there are unit tests beside the
-program, those of the launches of explicit steps run too: as many kernels as listed, one copy and one wait; and with
+program, those of the launches of explicit steps and of rows of history.csv run too: as many kernels and copies as listed, and one wait; and with
 solver.krylov.launch = "graph" one graph, one launch and one wait. Exit code 1: something failed; 77: the program is not made for CUDA."""
 
 import os
@@ -124,7 +124,7 @@ def names_the_kernel(runtime):
 
 
 def launches_of_steps(runtime):
-    """The unit tests that count what an explicit step starts, by their names in the code of a device."""
+    """The unit tests that count what an explicit step and a row start, by their names in the code of a device."""
     code, text, counts, _ = runtime.test("Launches.*")
     passed = re.search(r"\[  PASSED  \] (\d+) test", text)
     number = int(passed.group(1)) if passed else 0
@@ -170,7 +170,7 @@ def main():
     for problem in names_the_kernel(runtime):
         failed += 1
         print(f"host_code: FAILED: {problem}")
-    of_steps = {"launches of explicit steps": launches_of_steps, "explicit steps that are recorded": calls_of_recorded_steps}
+    of_steps = {"launches of explicit steps and of rows": launches_of_steps, "explicit steps that are recorded": calls_of_recorded_steps}
     if not (build / "softwet_unit").exists():
         print("host_code: explicit steps: there are no unit tests beside the program")
         of_steps = {}

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 
 #include "casefile/schema/value.hpp"
 
@@ -105,6 +106,7 @@ std::string Vocabulary::text() const {
 struct Expression::Parser {
   mu::Parser library;
   std::array<double, 4> values{};  ///< of x, y, z, t
+  std::mutex turn;                 ///< of the thread that uses them
 };
 
 Expression::Expression(const std::string& text, const Vocabulary& known) : parser_(std::make_unique<Parser>()) {
@@ -132,6 +134,7 @@ Expression::Expression(const std::string& text, const Vocabulary& known) : parse
 Expression::~Expression() = default;
 
 double Expression::at(const std::array<double, 3>& x, double t) const {
+  const std::lock_guard turn(parser_->turn);
   parser_->values = {x[0], x[1], x[2], t};
   return parser_->library.Eval();
 }

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+
+#include "run/host/file_writer.hpp"
 
 namespace softwet {
 
@@ -17,6 +20,7 @@ struct RunOptions {
   /// Where the output folder is now: `out`, another path where somebody has moved it, empty where it was removed. Asked
   /// of the first process.
   std::function<std::string()> place;
+  std::optional<Writes> writes;  ///< when field files are written; none: as it suits the machine
 };
 
 }  // namespace softwet

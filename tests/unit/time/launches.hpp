@@ -1,4 +1,4 @@
-// What an explicit step asks of a device, by name.
+// What is asked of a device, by name.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -36,23 +36,28 @@ inline void count_wait(const char* name, std::uint32_t space, std::uint64_t* id)
   if (std::string(name).find("Profile Tool Fence") == std::string::npos) ++counted.waits[name];
 }
 
-template <int D>
-Counts counts_of_a_step(Case c) {
+template <class Work>
+Counts counts_of(const Work& work) {
   namespace tools = Kokkos::Tools::Experimental;
-  c.time.scheme = TimeScheme::kick_drift;
-  c.time.end = 1;
-  const Scene<D, 2> scene(c);
-  Stepper<D, 2> stepper(scene, c, {});
-  take_first_steps(stepper, scene, c);
   const tools::EventSet before = tools::get_callbacks();
   tools::set_begin_parallel_for_callback(count_kernel);
   tools::set_begin_parallel_reduce_callback(count_kernel);
   tools::set_begin_deep_copy_callback(count_copy);
   tools::set_begin_fence_callback(count_wait);
   counted = {};
-  stepper.step();
+  work();
   tools::set_callbacks(before);
   return counted;
+}
+
+template <int D>
+Counts counts_of_a_step(Case c) {
+  c.time.scheme = TimeScheme::kick_drift;
+  c.time.end = 1;
+  const Scene<D, 2> scene(c);
+  Stepper<D, 2> stepper(scene, c, {});
+  take_first_steps(stepper, scene, c);
+  return counts_of([&] { stepper.step(); });
 }
 
 inline int sum(const std::map<std::string, int>& counts) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <future>
 
 namespace softwet {
 namespace {
@@ -81,6 +82,19 @@ TEST(Expression, TwoOfThemDoNotShareVariables) {
   EXPECT_EQ(one.at({3, 0, 0}, 0), 3);
   EXPECT_EQ(other.at({5, 0, 0}, 0), 10);
   EXPECT_EQ(one.at({4, 0, 0}, 0), 4);
+}
+
+// The computation and a thread that writes fields evaluate the same stiffness.
+TEST(Expression, ThreadsTakeTurns) {
+  const Expression formula("x*x + y", two_axes);
+  const auto wrong = [&formula](double x, double y) {
+    int found = 0;
+    for (int i = 0; i < 3000000; ++i) found += formula.at({x, y, 0}, 0) != x * x + y;
+    return found;
+  };
+  std::future<int> beside = std::async(std::launch::async, wrong, 2.0, 1.0);
+  EXPECT_EQ(wrong(5.0, -3.0), 0);
+  EXPECT_EQ(beside.get(), 0);
 }
 
 }  // namespace

@@ -24,5 +24,15 @@ TEST(WallClock, LeavesRoomForTheLongestStepAndTheLongestCheckpoint) {
   EXPECT_TRUE(clock.over(0.99 * hour - 2 * (60 + 30) + 1));
 }
 
+// It is perhaps being written when the run has to stop.
+TEST(WallClock, LeavesRoomForAFile) {
+  WallClock clock(1);
+  clock.step(60);
+  clock.save(30);
+  for (double seconds : {0.0, 40.0, 10.0}) clock.file(seconds);
+  EXPECT_FALSE(clock.over(0.99 * hour - 2 * (60 + 40 + 30) - 1));
+  EXPECT_TRUE(clock.over(0.99 * hour - 2 * (60 + 40 + 30) + 1));
+}
+
 }  // namespace
 }  // namespace softwet
