@@ -20,7 +20,9 @@ struct OwnPoints {
         width(space.shared ? space.end - space.begin : entries),
         count(entries > 0 ? entries / stored * width : 0) {}
   /// Place of a point in a vector of these rows.
-  KOKKOS_FORCEINLINE_FUNCTION int place(int point) const { return point / width * stored + begin + point % width; }
+  KOKKOS_FORCEINLINE_FUNCTION int place(int point) const {
+    return begin + (width == stored ? point : point / width * stored + point % width);
+  }
 };
 
 /// What is looked for, each as a largest number.
