@@ -23,6 +23,13 @@ struct ScatteredBlocks {
   int count() const { return static_cast<int>(begin.extent(0)); }
 };
 
+/// How blocks are shared out to teams. The results are the same bits.
+enum class BlockTeams {
+  chosen,    ///< whichever is faster
+  one_each,  ///< a block is the work of one team, in one kernel for all of it
+  many_each  ///< many teams share a block, in three kernels a panel and three more
+};
+
 /// Inverts the leading size(b) x size(b) part of each block in place. Rows are scaled to a largest entry of 1 and exchanged
 /// so that pivots are largest in their column. `panel` columns are eliminated by one team; all others then change by one
 /// product of that depth, so that a matrix is read n / panel times. A singular block gets values that are not finite; what
@@ -34,7 +41,7 @@ class GaussJordan {
   static constexpr int panel = 16;
 
   /// Room for `count` blocks of `rows` rows, or for others that have no more rows all together.
-  explicit GaussJordan(std::int64_t count, int rows = 1);
+  explicit GaussJordan(std::int64_t count, int rows = 1, BlockTeams teams = BlockTeams::chosen);
 
   /// @param threads  of the team that eliminates a panel; 0: as many as suit the machine
   void invert(const DenseBlocks& blocks, const BlockSizes& size, int threads = 0) const;
@@ -50,6 +57,7 @@ class GaussJordan {
   void run(const Blocks& blocks, const BlockSizes& pivots, const BlockSizes& size, int count, int rows, int most,
            int threads) const;
 
+  BlockTeams teams_;
   Kokkos::View<float*, Exec> panels_,
       pivot_rows_;                    ///< [block][column of the panel][row]; [block][row of the panel][column]
   Kokkos::View<int*, Exec> pivot_;    ///< [block][step] the row that was exchanged with row `step`

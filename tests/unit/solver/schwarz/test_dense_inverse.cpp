@@ -27,6 +27,8 @@ HostBlocks random_blocks(int count, int rows, int seed) {
   return given;
 }
 
+constexpr BlockTeams all_teams[] = {BlockTeams::many_each, BlockTeams::one_each, BlockTeams::chosen};
+
 /// What both ways leave: [by factors, by elimination], as block(b, row, column).
 std::vector<HostBlocks> both_inverses(const HostBlocks& given, const std::vector<int>& size) {
   std::vector<HostBlocks> found;
@@ -76,10 +78,17 @@ TEST(DenseInverse, SomeUnknownsAreEliminatedAlone) {
     begin.push_back(static_cast<std::int64_t>(given.size()));
     for (int i = 0; i < size[b] * stride[b]; ++i) given.push_back(number(draw));
   }
-  const auto data = to_device<Kokkos::View<float*, Exec>>(given);
-  const ScatteredBlocks blocks{data.data(), to_device<Kokkos::View<std::int64_t*, Exec>>(begin), to_sizes(stride)};
-  GaussJordan(size.size(), 40).eliminate(blocks, to_sizes(pivots), to_sizes(size), 40, 37);
-  const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), data);
+  const auto eliminated = [&](BlockTeams teams) {
+    const auto data = to_device<Kokkos::View<float*, Exec>>(given);
+    const ScatteredBlocks blocks{data.data(), to_device<Kokkos::View<std::int64_t*, Exec>>(begin), to_sizes(stride)};
+    GaussJordan(size.size(), 40, teams).eliminate(blocks, to_sizes(pivots), to_sizes(size), 40, 37);
+    return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), data);
+  };
+  const auto found = eliminated(BlockTeams::many_each);
+  for (const BlockTeams teams : all_teams) {
+    const auto other = eliminated(teams);
+    for (std::size_t i = 0; i < given.size(); ++i) ASSERT_EQ(other(i), found(i)) << i;
+  }
   using Strided = Eigen::Map<const Eigen::Matrix<float, -1, -1, Eigen::RowMajor>, 0, Eigen::OuterStride<>>;
   for (std::size_t b = 0; b < size.size(); ++b) {
     const int m = pivots[b], n = size[b] - m;
@@ -110,6 +119,48 @@ TEST(DenseInverse, TheThreadsOfATeamDoNotMatter) {
   for (int b = 0; b < count; ++b)
     for (int i = 0; i < size[b]; ++i)
       for (int j = 0; j < size[b]; ++j) ASSERT_EQ(found(b, i, j), expected(b, i, j)) << b << " " << i << " " << j;
+}
+
+/// However blocks are shared out, for sizes that end within a panel of the elimination, at its end and behind it.
+TEST(DenseInverse, OneTeamAndManyGiveTheSameBits) {
+  const int n = 2 * GaussJordan::panel + 9;
+  const std::vector<int> size{n, 1, GaussJordan::panel, 0, GaussJordan::panel + 1, 2 * GaussJordan::panel};
+  const HostBlocks given = random_blocks(size.size(), n, 11);
+  std::vector<HostBlocks> found;
+  for (const BlockTeams teams : all_teams)
+    for (const int threads : {0, on_host ? std::min(3, Exec().concurrency()) : 8}) {
+      const DenseBlocks a = copy_of(given);
+      GaussJordan(size.size(), n, teams).invert(a, to_sizes(size), threads);
+      found.push_back(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), a));
+    }
+  for (const HostBlocks& other : found)
+    for (std::size_t b = 0; b < size.size(); ++b)
+      for (int i = 0; i < size[b]; ++i)
+        for (int j = 0; j < size[b]; ++j) ASSERT_EQ(other(b, i, j), found[0](b, i, j)) << b << " " << i << " " << j;
+}
+
+/// Launches of a Gauss-Jordan elimination.
+long launches_of(BlockTeams teams, int count, int rows) {
+  static long launches;
+  const DenseBlocks a = copy_of(random_blocks(count, rows, 3));
+  const BlockSizes size = to_sizes(std::vector<int>(count, rows));
+  const GaussJordan elimination(count, rows, teams);
+  const auto before = Kokkos::Tools::Experimental::get_callbacks();
+  launches = 0;
+  Kokkos::Tools::Experimental::set_begin_parallel_for_callback([](const char*, std::uint32_t, std::uint64_t* id) {
+    *id = 0;
+    ++launches;
+  });
+  elimination.invert(a, size);
+  Kokkos::Tools::Experimental::set_callbacks(before);
+  return launches;
+}
+
+TEST(DenseInverse, ABlockOfItsOwnTeamIsOneLaunch) {
+  const int panels = 3, rows = panels * GaussJordan::panel;
+  EXPECT_EQ(launches_of(BlockTeams::many_each, 2, rows), 3 * panels + 3);
+  EXPECT_EQ(launches_of(BlockTeams::one_each, 2, rows), 1);
+  EXPECT_EQ(launches_of(BlockTeams::chosen, on_host ? 4 * Exec().concurrency() : 2, rows), 1) << "small, or many";
 }
 
 TEST(DenseInverse, ASingularBlockIsNotFiniteAndItsNeighbourIsRight) {
