@@ -21,7 +21,7 @@ TEST(Launches, ARowIsFewOfThemAndOneWait) {
   EXPECT_EQ(sum(rigid.copies), on_host ? 0 : 2);  // numbers, and density with potential
   EXPECT_EQ(sum(rigid.waits), 1);
   const Counts coupled = counts_of_a_row(small_case(SceneKind::coupled, WallLaw::energy));
-  EXPECT_LE(sum(coupled.kernels), 6 + 2);  // a load acts along two axes
+  EXPECT_LE(sum(coupled.kernels), 6 + 2);           // a load acts along two axes
   EXPECT_EQ(sum(coupled.copies), on_host ? 0 : 3);  // and the displacement
   EXPECT_EQ(sum(coupled.waits), 1);
 }
