@@ -1,6 +1,7 @@
 #include "spline/evaluate.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace softwet {
 
@@ -79,8 +80,15 @@ std::vector<double> evaluate_grid(const double* box, const std::array<int, D>& w
   std::size_t inner = now.size() / crop.count[D - 1];
   for (int d = D - 1; d >= 0; --d) {
     std::vector<double> next(now.size() / crop.count[d] * at[d].first.size());
-    const auto along = at[d].functions == 3 ? contract<3> : at[d].functions == 4 ? contract<4> : contract<0>;
-    along(at[d], crop.first[d], crop.count[d], inner, now, next);
+    const auto along = [&](auto known) {
+      contract<known.value>(at[d], crop.first[d], crop.count[d], inner, now, next);
+    };
+    if (at[d].functions == 3)
+      along(std::integral_constant<int, 3>());
+    else if (at[d].functions == 4)
+      along(std::integral_constant<int, 4>());
+    else
+      along(std::integral_constant<int, 0>());
     now = std::move(next);
     if (d > 0) inner /= crop.count[d - 1];
   }
