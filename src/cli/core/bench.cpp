@@ -129,8 +129,8 @@ void bench_gmres(const Sheet& sheet, const std::string& name, const GeneralizedA
   sheet.line(name, seconds_per_call(solve) / iterations, ", " + std::to_string(iterations) + " iterations to 1e-4");
   if (!counted) return;
   char text[160];
-  std::snprintf(text, sizeof text, "  kernels %.1f, copies for which the host waits %.1f, other waits %.1f\n",
-                double(counts.kernels) / iterations, double(counts.blocking_copies) / iterations,
+  std::snprintf(text, sizeof text, "  kernels %.1f, copies to or from the host %.1f, waits %.1f\n",
+                double(counts.kernels) / iterations, double(counts.copies) / iterations,
                 double(counts.waits) / iterations);
   sheet.out << text;
   if (ranks::count() > 1) print_traffic(sheet, before, after, iterations);

@@ -24,7 +24,7 @@ void count_copy(Kokkos_Profiling_SpaceHandle to, const char* to_name, const void
   copying = true;
   const bool of_host = *to_name == 0 || *from_name == 0;  // arrays without a label wrap memory of the host
   if (std::strcmp(to.name, from.name) != 0 || to_place == from_place || of_host) {
-    ++counts.blocking_copies;
+    ++counts.copies;
   } else {
     ++counts.kernels;
   }

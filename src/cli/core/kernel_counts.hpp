@@ -4,10 +4,10 @@
 namespace softwet {
 
 struct KernelCounts {
-  long kernels = 0;          ///< started
-  long blocking_copies = 0;  ///< copies for which the host waits
-  long waits = 0;            ///< other moments at which the host waits until a device has finished
-  long allocations = 0;      ///< of arrays
+  long kernels = 0;      ///< started
+  long copies = 0;       ///< to the host or from it
+  long waits = 0;        ///< moments at which the host waits until a device has finished, but for those of a copy
+  long allocations = 0;  ///< of arrays
 };
 
 /// Counts, by the callbacks of Kokkos for tools, from its construction on until `stop`. A tool that is loaded for the run

@@ -49,7 +49,7 @@ struct RunOfSteps {
 
 /// The same steps of a case, recorded and not. @return recordings at the end
 template <int D>
-int expect_same_bits(const Case& c, int steps = 11) {
+int recordings_with_same_bits(const Case& c, int steps = 11) {
   RunOfSteps<D> plain(c, Launch::kernels), recorded(c, Launch::graph);
   plain.step(steps);
   recorded.step(steps);

@@ -11,22 +11,22 @@ namespace {
 
 TEST(RecordedSteps, KeepTheirBits) {
   for (const SceneKind kind : {SceneKind::rigid, SceneKind::coupled, SceneKind::solid})
-    EXPECT_EQ(expect_same_bits<2>(moving_droplet(kind)), two());
-  EXPECT_EQ(expect_same_bits<2>(moving_droplet(SceneKind::coupled, true)), two());
-  EXPECT_EQ(expect_same_bits<2>(around_axis(moving_droplet(SceneKind::coupled))), two());
+    EXPECT_EQ(recordings_with_same_bits<2>(moving_droplet(kind)), two());
+  EXPECT_EQ(recordings_with_same_bits<2>(moving_droplet(SceneKind::coupled, true)), two());
+  EXPECT_EQ(recordings_with_same_bits<2>(around_axis(moving_droplet(SceneKind::coupled))), two());
 }
 
 TEST(RecordedSteps, KeepTheirBitsWithLumpedMasses) {
   Case c = moving_droplet(SceneKind::coupled);
   c.time.mass = MassKind::lumped;
-  EXPECT_EQ(expect_same_bits<2>(c), two());
+  EXPECT_EQ(recordings_with_same_bits<2>(c), two());
 }
 
 // Searches of consistent masses wait for the host, and Runge-Kutta schemes have their numbers as arguments.
 TEST(RecordedSteps, AreThoseOfKickDriftWithoutSearchesAlone) {
   Case c = moving_droplet(SceneKind::coupled);
   c.time.mass = MassKind::consistent;
-  EXPECT_EQ(expect_same_bits<2>(c, 4), 0);
+  EXPECT_EQ(recordings_with_same_bits<2>(c, 4), 0);
 }
 
 TEST(RecordedSteps, FollowBranches) {
@@ -34,7 +34,7 @@ TEST(RecordedSteps, FollowBranches) {
     Case c = moving_droplet(SceneKind::coupled);
     c.substrate->strain = strain;
     c.substrate->branches = {{0.9, 0.3}, {1.7, 0.04}};
-    EXPECT_EQ(expect_same_bits<2>(c), two());
+    EXPECT_EQ(recordings_with_same_bits<2>(c), two());
   }
 }
 
@@ -47,7 +47,7 @@ TEST(RecordedSteps, FollowForcesThatGrowAndMove) {
   c.loads.push_back(c.loads[0]);
   c.loads[1].path = {steady(0.3), Profile(0)};
   c.needles.push_back({{0.0, 0.0}, {0.2, 0.1}, 5.0, {steady(0.2), steady(-0.1)}});
-  EXPECT_EQ(expect_same_bits<2>(c), two());
+  EXPECT_EQ(recordings_with_same_bits<2>(c), two());
 }
 
 // A load that begins to act starts a kernel more.
@@ -56,7 +56,7 @@ TEST(RecordedSteps, AreRecordedAgainWhereALoadBegins) {
   RunOfSteps<2> probe(c, Launch::kernels);
   probe.step(5);
   c.loads[0].start = probe.stepper.state().time;
-  EXPECT_EQ(expect_same_bits<2>(c, 13), 2 * two());
+  EXPECT_EQ(recordings_with_same_bits<2>(c, 13), 2 * two());
 }
 
 // Other evaluations may ask for more room, and for more tables than a device keeps.
