@@ -33,6 +33,7 @@ inline std::vector<Crossing> crossings(const std::vector<double>& x, const doubl
 /// The one nearest to a place inside the droplet, on the side on which that direction leads into it: outwards from there.
 inline std::optional<Crossing> nearest_crossing(const std::vector<double>& x, const double* depth, double inside,
                                                 int direction) {
+  if (x.size() < 2) return std::nullopt;  // a window at the end of its row
   const int last = static_cast<int>(x.size()) - 2;
   const auto above = std::upper_bound(x.begin(), x.end(), inside);
   for (int i = std::clamp(static_cast<int>(above - x.begin()) - 1, 0, last); i >= 0 && i <= last; i -= direction) {

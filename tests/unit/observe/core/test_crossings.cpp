@@ -41,6 +41,19 @@ TEST(Crossings, OfAWindowAreThoseOfTheRow) {
       }
 }
 
+// A window beyond the end of its row has one sample, and the row is searched.
+TEST(Crossings, AWindowOfOneSampleHasNone) {
+  const std::vector<double> row = equidistant(0, 10, 10), depth{-1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1};
+  const Window window = window_of(row, 11, 12);
+  ASSERT_EQ(window.x.size(), 1U);
+  for (const int direction : {1, -1})
+    EXPECT_FALSE(nearest_crossing(window.x, depth.data() + 10, 11, direction).has_value());
+  const auto found = nearest_crossing(
+      window, depth.data() + 10, row, [&] { return depth; }, 11, 1);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->x, 6.5);
+}
+
 TEST(Crossings, AWindowThatHasOneLeavesTheRowAlone) {
   const std::vector<double> row = equidistant(0, 10, 10), depth{-1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1};
   const Window window = window_of(row, 2.25, 4.75);
