@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "memory/array.hpp"
+#include "memory/chunk.hpp"
 
 namespace softwet {
 
@@ -39,10 +39,10 @@ FusedParts<First, Rest...> fused_parts(const First& first, const Rest&... rest) 
   return {first, fused_parts(rest...)};
 }
 
-/// An item is a piece of the numbers i on the host, where the loops of the parts follow each other, and one i on a device.
+/// An item is a chunk of the numbers i, in which the loops of the parts follow each other.
 template <class Parts>
 struct Fused {
-  static constexpr int piece = on_host ? 512 : 1;
+  static constexpr int piece = chunk(512);
   Parts parts;
   KOKKOS_FUNCTION void operator()(int item) const { parts.run(item * piece, (item + 1) * piece); }
 };
@@ -66,7 +66,7 @@ using FusedKernel = Fused<FusedParts<ForEach<Bodies>...>>;
 template <class... Bodies>
 Counted<FusedKernel<Bodies...>> fused(const ForEach<Bodies>&... parts) {
   constexpr int piece = FusedKernel<Bodies...>::piece;
-  return {(std::max({parts.count...}) + piece - 1) / piece, {fused_parts(parts...)}};
+  return {chunks_in(std::max({parts.count...}), piece), {fused_parts(parts...)}};
 }
 template <class... Bodies>
 void run_fused(const char* name, const ForEach<Bodies>&... parts) {

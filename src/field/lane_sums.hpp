@@ -45,8 +45,8 @@ struct LaneSums {
   int items;
   Array partial;
 
-  void start(const char* name, int threads = on_host ? 1 : lanes_of_team) const {
-    Teams<> policy((items + items_of_team - 1) / items_of_team, threads);
+  void start(const char* name, int threads = team_size(lanes_of_team)) const {
+    Teams<> policy(chunks_in(items, items_of_team), threads);
     start_teams(name, policy.set_scratch_size(0, Kokkos::PerTeam(bytes)), *this);
   }
   template <class Member>
@@ -86,7 +86,7 @@ struct AddBlocks {
   int blocks;
   Array total;
 
-  void start(int threads = on_host ? 1 : 64) const {
+  void start(int threads = team_size(64)) const {
     if (total.extent(0) == 0) return;
     Teams<> policy(static_cast<int>(total.extent(0)), threads);
     start_teams("softwet::add_blocks", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)), *this);

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "memory/array.hpp"
+#include "memory/chunk.hpp"
 
 namespace softwet {
 

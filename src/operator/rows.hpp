@@ -34,6 +34,19 @@ struct Colouring {
   static int colours_of(const Region<D, Real>& region, int stride, int d) {
     return d == D - 1 && stride > 1 && region.shared_test ? region.axis[d].elements : stride;
   }
+  /// Calls visit(colouring) for one colour after another of all elements of a region.
+  template <class Real, class Visit>
+  static void for_all(const Region<D, Real>& region, int stride, FirstAxis along, const Visit& visit) {
+    const bool in_rows = along == FirstAxis::in_rows;
+    int colours = 1;
+    for (int d = in_rows ? 1 : 0; d < D; ++d) colours *= colours_of(region, stride, d);
+    const int runs = in_rows ? 1 : region.first_axis().runs;
+    for (int colour = 0; colour < colours; ++colour)
+      for (int run = 0; run < runs; ++run) {
+        const Colouring colouring(region, stride, colour, along, run);
+        if (colouring.items() > 0) visit(colouring);
+      }
+  }
   int items() const {
     int n = 1;
     for (int d = 0; d < D; ++d) n *= count[d] > 0 ? count[d] : 0;
@@ -130,15 +143,10 @@ void for_colours(const char* name, const Region<D, Real>& region, int stride, co
   constexpr int lanes = Lanes<BatchNumber<Real>>::count;
   if constexpr (on_host)
     if (region.shared_test) return BlockOfColumns<D, lanes, Body>::run(name, region, stride, body);
-  int colours = 1;
-  for (int d = on_host ? 1 : 0; d < D; ++d) colours *= Colouring<D>::colours_of(region, stride, d);
-  const int runs = on_host ? 1 : region.first_axis().runs;
-  for (int colour = 0; colour < colours; ++colour)
-    for (int run = 0; run < runs; ++run) {
-      const Colouring<D> colouring(region, stride, colour, on_host ? FirstAxis::in_rows : FirstAxis::coloured, run);
-      if (colouring.items() == 0) continue;
-      Kokkos::parallel_for(name, Items(0, colouring.items()), ColourItem<D, lanes, Body>{colouring, body});
-    }
+  constexpr FirstAxis along = on_host ? FirstAxis::in_rows : FirstAxis::coloured;
+  Colouring<D>::for_all(region, stride, along, [&](const Colouring<D>& colouring) {
+    Kokkos::parallel_for(name, Items(0, colouring.items()), ColourItem<D, lanes, Body>{colouring, body});
+  });
 }
 
 }  // namespace softwet

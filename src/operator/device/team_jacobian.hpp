@@ -23,7 +23,7 @@ struct TeamJacobian {
   using Tables = RowTables<Shape>;
   using Folds = MatrixFolds<Shape>;
   static constexpr int points = Shape::points, channels = Test::channel_count;
-  static constexpr int threads = on_host ? 1 : 64;
+  static constexpr int threads = team_size(64);
 
   // Room in the scratch, in numbers.
   static constexpr int tangents =
@@ -66,16 +66,11 @@ struct TeamJacobian {
   }
 
   static void launch(const Task<D, Term, Motion, float>& task, const Stencil<D>& stencil, const StencilValues& values) {
-    int colours = 1;
-    for (int d = 0; d < D; ++d) colours *= Colouring<D>::colours_of(task.region, P + 1, d);
-    for (int colour = 0; colour < colours; ++colour)
-      for (int run = 0; run < task.region.first_axis().runs; ++run) {
-        const Colouring<D> colouring(task.region, P + 1, colour, FirstAxis::coloured, run);
-        if (colouring.items() == 0) continue;
-        Teams<TeamBounds<64, bytes, 6>> policy(colouring.items(), threads);
-        start_teams("softwet::jacobian", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
-                    TeamJacobian{task, stencil, values, colouring});
-      }
+    Colouring<D>::for_all(task.region, P + 1, FirstAxis::coloured, [&](const Colouring<D>& colouring) {
+      Teams<TeamBounds<64, bytes, 6>> policy(colouring.items(), threads);
+      start_teams("softwet::jacobian", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
+                  TeamJacobian{task, stencil, values, colouring});
+    });
   }
 
  private:

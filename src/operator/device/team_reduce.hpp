@@ -21,7 +21,7 @@ struct TeamReduce {
   using Wall = RowWall<Shape, Motion, Rate>;
   using Tables = RowTables<Shape>;
   static constexpr int points = Shape::all_points;
-  static constexpr int threads = on_host ? 1 : D == 2 ? 64 : 32;
+  static constexpr int threads = team_size(D == 2 ? 64 : 32);
   static constexpr int size = Tables::size + Fields::size + Wall::size + count * (points + E);  ///< of the scratch
   static constexpr int bytes = size * sizeof(double);
   static_assert(teams_that_fit(threads, bytes) > 0, "a device may give a team 48 kB and no more");

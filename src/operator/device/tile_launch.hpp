@@ -67,7 +67,7 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   template <class Entry>
   using PlanOf = TilePlan<ShapeOf<Entry, Tile_>, typename Entry::Term, typename Entry::Motion, Tangent, Real>;
   static constexpr int size = std::max({TileOf<PlanOf<Entries>>::Room::size...}), bytes = size * sizeof(Real);
-  static constexpr int threads = on_host ? 1 : Tile_::points;
+  static constexpr int threads = team_size(Tile_::points);
 
   TileSchedule schedule;
   const std::byte* terms;

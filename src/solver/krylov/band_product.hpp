@@ -6,13 +6,6 @@
 
 #include "solver/krylov/line_blocks.hpp"
 
-/// Before a loop whose turns do not depend on each other, though arrays may be the same: host compilers vectorise it.
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
-#define SOFTWET_INDEPENDENT _Pragma("GCC ivdep")
-#else
-#define SOFTWET_INDEPENDENT
-#endif
-
 namespace softwet {
 
 /// The product M in of components behind each other, axis by axis: first the sums along the first axis, of these those along
@@ -30,10 +23,16 @@ struct BandProduct {
   LineBlocks<D> blocks;
   const double* in;
 
-  /// Items of a kernel on so many components: blocks on the host, values on a device.
-  int items(int components) const { return components * (host_algorithms ? blocks.count() : nodes); }
+  /// Calls store(value, node, product) for all values of an item.
+  template <class Store>
+  KOKKOS_FORCEINLINE_FUNCTION void for_values(OneValue value, const Store& store) const {
+    store(value.number, value.number % nodes, at(value.number));
+  }
+  template <class Store>
+  void for_values(BlockOfLines block, const Store& store) const;
 
-  /// Value i of the product. On a device.
+ private:
+  /// Value i of the product.
   KOKKOS_FUNCTION double at(int i) const {
     int place[D], rest = i % nodes;
     for (int d = 0; d < D; ++d) {
@@ -43,11 +42,6 @@ struct BandProduct {
     return closed<D - 1>(i, place);
   }
 
-  /// Calls store(value, node, product) for all values of a block. On the host.
-  template <class Store>
-  void run_block(int block, const Store& store) const;
-
- private:
   /// The sum of the axes up to d.
   template <int d>
   KOKKOS_FORCEINLINE_FUNCTION double closed(int i, const int (&place)[D]) const {
@@ -148,8 +142,8 @@ void BandProduct<D, P>::next_line(int d, int place, const LineAt& line, double* 
 
 template <int D, int P>
 template <class Store>
-void BandProduct<D, P>::run_block(int block, const Store& store) const {
-  const int row = extent[0], component = block / blocks.count() * nodes;
+void BandProduct<D, P>::for_values(BlockOfLines item, const Store& store) const {
+  const int block = item.number, row = extent[0], component = block / blocks.count() * nodes;
   int first[3] = {}, last[3] = {1, 1, 1};
   Reach r[3] = {{}, {}, {0, 1, 1, 1}};
   for (int d = 1; d < D; ++d) {

@@ -14,8 +14,8 @@ namespace softwet {
 /// the old values are not read.
 template <class Real>
 struct BasisSum {
-  static constexpr int most = 32;                             ///< vectors at once
-  static constexpr int entries = host_algorithms ? 1024 : 1;  ///< of one item: they stay in the nearest cache
+  static constexpr int most = 32;              ///< vectors at once
+  static constexpr int entries = chunk(1024);  ///< of one item: they stay in the nearest cache
 
   ConstArrayOf<Real> all;
   int size, stride, first, count;
@@ -114,7 +114,7 @@ class KrylovBasis {
         for (int j = 0; j < some; ++j) part.a[m][j] = static_cast<Real>(c[m]->a[first + j]);
       }
       if (first + some == count) part.link = static_cast<Real>(link);
-      Kokkos::parallel_for("softwet::basis_sum", Items(0, (size_ + entries - 1) / entries), part);
+      Kokkos::parallel_for("softwet::basis_sum", Items(0, chunks_in(size_, entries)), part);
     }
   }
 

@@ -1,12 +1,28 @@
-// Blocks of neighbouring lines of values: the items of kernels on the host.
+// Blocks of neighbouring lines of values: the items of kernels on a processor.
 #pragma once
 
 #include "field/layout.hpp"
+
+/// Before a loop whose turns do not depend on each other, though arrays may be the same: host compilers vectorise it.
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define SOFTWET_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define SOFTWET_INDEPENDENT
+#endif
 
 namespace softwet {
 
 /// The two kinds of components: velocities have control points in the solid and in the fluid, scalars in the fluid alone.
 enum class Unknowns { velocities, scalars };
+
+/// What an item of a kernel has: a block of lines on a processor, a value on a device.
+struct BlockOfLines {
+  int number;
+};
+struct OneValue {
+  int number;
+};
+using ValuesOfItem = std::conditional_t<host_algorithms, BlockOfLines, OneValue>;
 
 /// Components behind each other, cut into blocks of lines along the first axis. A block has a range of places along each
 /// of the other axes. Ends of blocks never part the values that end ties connect (time/masses/end_ties.hpp): the first two and the
@@ -39,6 +55,20 @@ struct LineBlocks {
     int all = 1;
     for (int d = 0; d < D; ++d) all *= blocks[d];
     return all;
+  }
+  /// Items of a kernel for all values of so many components.
+  int items(int components) const { return components * (host_algorithms ? count() : nodes); }
+  /// Calls body(value, node) for all values of an item, in any order.
+  template <class Body>
+  KOKKOS_FORCEINLINE_FUNCTION void for_values(OneValue value, const Body& body) const {
+    body(value.number, value.number % nodes);
+  }
+  template <class Body>
+  void for_values(BlockOfLines block, const Body& body) const {
+    for_lines(block.number, [&](int begin, int node) {
+      SOFTWET_INDEPENDENT
+      for (int i = 0; i < extent[0]; ++i) body(begin + i, node + i);
+    });
   }
   /// The block of value i.
   int of(int i) const {

@@ -18,18 +18,13 @@ struct CopyGhosts {
   }
 };
 
-/// An item is a block of lines on the host, and one value on a device.
 template <int D, int P>
 struct StoreProduct {
   BandProduct<D, P> product;
   Array out;
 
   KOKKOS_FUNCTION void operator()(int item) const {
-    if constexpr (host_algorithms) {
-      product.run_block(item, [to = out.data()](int i, int, double sum) { to[i] = sum; });
-    } else {
-      out(item) = product.at(item);
-    }
+    product.for_values(ValuesOfItem{item}, [to = out.data()](int i, int, double sum) { to[i] = sum; });
   }
 };
 
@@ -91,7 +86,7 @@ BandProduct<D, P> MassProduct<D, P>::of(const ConstArray& in, Unknowns of) const
 template <int D, int P>
 void MassProduct<D, P>::apply(const ConstArray& in, const Array& out, int first, int last) const {
   const BandProduct<D, P> product = of(in, kind(first));
-  Kokkos::parallel_for("softwet::mass_product", Items(0, product.items(last - first)),
+  Kokkos::parallel_for("softwet::mass_product", Items(0, product.blocks.items(last - first)),
                        StoreProduct<D, P>{product, out});
 }
 

@@ -1,6 +1,7 @@
 // Kernels of the product with a stencil matrix.
 #pragma once
 
+#include "memory/chunk.hpp"
 #include "solver/matrix/stencil_matrix.hpp"
 
 namespace softwet {
@@ -27,8 +28,7 @@ struct SpreadValues {
 
 /// Rows of a product at once: on the host pieces of neighbouring lines, so that each of the matrix' many streams is
 /// read some hundred entries at a time; on a device one row per thread.
-inline constexpr int stencil_piece = host_algorithms ? 128 : 1, lines_at_once = host_algorithms ? 8 : 1,
-                     stencil_pack = host_algorithms ? 16 : 1;
+inline constexpr int stencil_piece = chunk(128), lines_at_once = chunk(8), stencil_pack = chunk(16);
 
 /// y of one component on pieces of some lines of control points, offset by offset.
 template <int D>
@@ -40,8 +40,8 @@ struct MultiplyPieces {
   ComponentPlaces<D> places;
   int stored;  ///< of a line of x
 
-  KOKKOS_FUNCTION int pieces() const { return (stencil.extent[0] + stencil_piece - 1) / stencil_piece; }
-  KOKKOS_FUNCTION int groups() const { return (stencil.extent[1] + lines_at_once - 1) / lines_at_once; }
+  KOKKOS_FUNCTION int pieces() const { return chunks_in(stencil.extent[0], stencil_piece); }
+  KOKKOS_FUNCTION int groups() const { return chunks_in(stencil.extent[1], lines_at_once); }
   std::int64_t items() const {
     const int planes = stencil.points / (stencil.extent[0] * stencil.extent[1]);
     return std::int64_t(stencil.components) * planes * groups() * pieces();

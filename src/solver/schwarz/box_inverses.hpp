@@ -1,13 +1,13 @@
 // Inverses of boxes in 16 bits, as they lie in memory, and products with them.
 #pragma once
 
-#include "memory/array.hpp"
+#include "memory/chunk.hpp"
 #include "solver/schwarz/bfloat16.hpp"
 
 namespace softwet {
 
 /// Rows of an inverse that one thread multiplies at once.
-inline constexpr int rows_at_once = host_algorithms ? 32 : 1;
+inline constexpr int rows_at_once = chunk(32);
 
 /// Several boxes may use the same inverse.
 struct BoxInverses {
@@ -17,7 +17,7 @@ struct BoxInverses {
   int strip = rows_at_once;                 ///< rows of a strip
 
   /// Entries of an inverse of n unknowns.
-  std::int64_t room(int n) const { return std::int64_t((n + strip - 1) / strip) * strip * n; }
+  std::int64_t room(int n) const { return std::int64_t(chunks_in(n, strip)) * strip * n; }
 
   /// Where an entry of an inverse of n unknowns lies in it.
   KOKKOS_FORCEINLINE_FUNCTION int place(int n, int row, int column) const {

@@ -9,10 +9,10 @@ namespace softwet {
 
 /// Boxes that are multiplied together by the inverse that they share. On a device two: each entry that is read serves both,
 /// and there are still enough teams. What the next pair reads of the same inverse is in the cache, for it is at work then.
-inline constexpr int most_together = host_algorithms ? 8 : 2;
+inline constexpr int most_together = chunk(8, 2);
 
 /// Threads of a team on a device, and their lanes.
-inline constexpr int box_team = on_host ? 1 : 8, box_lanes = on_host ? 1 : 32;
+inline constexpr int box_team = team_size(8), box_lanes = team_size(32);
 
 /// What a launch of the boxes' products does beside: nothing.
 struct NothingBeside {
@@ -40,7 +40,7 @@ struct ApplyBoxes {
   void run() {
     items = beside.items();
     const std::size_t scratch = Scratch::shmem_size(most_together * unknowns);
-    const int league = teams + (items + items_of_team - 1) / items_of_team;
+    const int league = teams + chunks_in(items, items_of_team);
     start_teams("softwet::schwarz", Teams<>(league, box_team, box_lanes).set_scratch_size(0, Kokkos::PerTeam(scratch)),
                 *this);
   }
@@ -60,10 +60,10 @@ struct ApplyBoxes {
       local(i) = static_cast<float>(r(unknown)) * weight(unknown);
     });
     team.team_barrier();
-    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, (n + rows_at_once - 1) / rows_at_once), [&](int chunk) {
+    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, chunks_in(n, rows_at_once)), [&](int piece) {
       int k = 0;
-      for (; k + 1 < count; k += 2) multiply<2>(&member(begin + k), chunk * rows_at_once, n, &local(k * n));
-      for (; k < count; ++k) multiply<1>(&member(begin + k), chunk * rows_at_once, n, &local(k * n));
+      for (; k + 1 < count; k += 2) multiply<2>(&member(begin + k), piece * rows_at_once, n, &local(k * n));
+      for (; k < count; ++k) multiply<1>(&member(begin + k), piece * rows_at_once, n, &local(k * n));
     });
   }
   /// Some rows of the answers of boxes that share an inverse.

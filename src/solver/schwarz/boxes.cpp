@@ -12,9 +12,7 @@ namespace {
 
 using Indices = Kokkos::View<const int*, Exec>;
 /// Boxes whose matrices are held at once during a build: enough to keep all threads busy, and few for the caches.
-int batch_size() {
-  return host_algorithms ? std::max(32, 4 * Kokkos::DefaultHostExecutionSpace().concurrency()) : 4096;
-}
+int batch_size() { return chunk(std::max(32, 4 * Kokkos::DefaultHostExecutionSpace().concurrency()), 4096); }
 
 template <class View, class Number>
 void copy_in(const View& to, const Number* from, int count) {
@@ -29,7 +27,7 @@ struct Store {
   BoxInverses inverses;
   int unknowns;
 
-  KOKKOS_FUNCTION int pieces() const { return (unknowns + rows_at_once - 1) / rows_at_once; }
+  KOKKOS_FUNCTION int pieces() const { return chunks_in(unknowns, rows_at_once); }
   std::int64_t items(int count) const { return std::int64_t(count) * unknowns * pieces(); }
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
@@ -113,9 +111,8 @@ void Boxes<D>::build_some(const StencilMatrix<D>& matrix, const int* boxes, int 
   const DenseBlocks blocks = Kokkos::subview(blocks_, some, Kokkos::ALL, Kokkos::ALL);
   const auto size = Kokkos::subview(to_invert_, some), box = Kokkos::subview(block_box_, some);
   copy_in(box, boxes, count);
-  const FillRows<D> fill{
-      matrix.stencil(),           matrix.values(), size_, local_, start_, column_, box, blocks, sites_, width_,
-      host_algorithms ? row_ : 1, round_};
+  const FillRows<D> fill{matrix.stencil(), matrix.values(), size_,  local_,      start_, column_, box,
+                         blocks,           sites_,          width_, chunk(row_), round_};
   Kokkos::parallel_for("softwet::boxes", Items(0, fill.items(count)), fill);
   shared_.choose(boxes, count, blocks, inverses_);
   place_inverses(boxes, count);

@@ -44,11 +44,11 @@ struct ChooseInverse {
 
   /// @param threads  of a team; 0: as many as suit the machine
   void run(int count, int threads) const {
-    const int lanes = on_host ? 1 : 32;
-    if (threads == 0) threads = on_host ? 1 : 8;
+    if (threads == 0) threads = team_size(8);
     const std::size_t bytes = Room::bytes(static_cast<int>(probe.extent(1)), fields);
     start_teams("softwet::share",
-                Policy(count, threads, lanes).set_chunk_size(1).set_scratch_size(0, Kokkos::PerTeam(bytes)), *this);
+                Policy(count, threads, team_size(32)).set_chunk_size(1).set_scratch_size(0, Kokkos::PerTeam(bytes)),
+                *this);
   }
 
   KOKKOS_FUNCTION void operator()(const Team& team) const {
@@ -100,8 +100,8 @@ struct ChooseInverse {
   /// to = inverse times x. All threads have written x, and may read the result.
   KOKKOS_FUNCTION void multiply_inverse(const Team& team, int box, int n, const Scratch& x, const Scratch& to) const {
     team.team_barrier();
-    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, (n + rows_at_once - 1) / rows_at_once), [&](int chunk) {
-      const int first = chunk * rows_at_once;
+    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, chunks_in(n, rows_at_once)), [&](int piece) {
+      const int first = piece * rows_at_once;
       float sum[1][rows_at_once];
       inverses.multiply<1>(box, n, first, {x.data()}, sum);
       for (int i = 0; i < rows_at_once && first + i < n; ++i) to(first + i) = sum[0][i];

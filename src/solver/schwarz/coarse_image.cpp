@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "memory/chunk.hpp"
 #include "memory/large_pages.hpp"
 #include "solver/schwarz/bfloat16.hpp"
 
@@ -12,8 +13,7 @@ namespace {
 
 /// Neighbouring control points at once: of a line where the values are made, of a row where they are used, and those that
 /// the registers of a processor hold.
-constexpr int line_piece = host_algorithms ? 64 : 1, row_piece = host_algorithms ? 512 : 1,
-              pack = host_algorithms ? 16 : 1;
+constexpr int line_piece = chunk(64), row_piece = chunk(512), pack = chunk(16);
 constexpr int most_shifts = 2 * 3 + 1;  ///< of degree 3
 
 template <int D>
@@ -60,7 +60,7 @@ struct FillImage {
   CoarseImageValues<D> out;
   StencilValues matrix;
 
-  KOKKOS_FUNCTION int pieces() const { return (out.stencil.extent[0] + line_piece - 1) / line_piece; }
+  KOKKOS_FUNCTION int pieces() const { return chunks_in(out.stencil.extent[0], line_piece); }
   KOKKOS_FUNCTION int lines() const { return out.stencil.points / out.stencil.extent[0]; }
   KOKKOS_FUNCTION int across() const { return out.columns() / out.axis[0].columns(); }
   std::int64_t items() const { return std::int64_t(out.stencil.pairs()) * across() * lines() * pieces(); }
@@ -145,7 +145,7 @@ struct SubtractImage {
   ConstArray r, mask;
   Array y;
 
-  KOKKOS_FUNCTION int pieces() const { return (values.row_points + row_piece - 1) / row_piece; }
+  KOKKOS_FUNCTION int pieces() const { return chunks_in(values.row_points, row_piece); }
   std::int64_t items() const { return std::int64_t(values.stencil.components) * values.rows() * pieces(); }
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
@@ -207,7 +207,7 @@ CoarseImage<D>::CoarseImage(const Layout<D>& fine, const ConstArray& mask, const
     values_.in_row *= values_.axis[d].columns();
     values_.row_points *= values_.stencil.extent[d];
   }
-  values_.length = (values_.row_points + pack - 1) / pack * pack;
+  values_.length = chunks_in(values_.row_points, pack) * pack;
   source_ = decltype(source_)("image.source", values_.in_row, values_.row_points);
   const auto source = Kokkos::create_mirror_view(source_);
   for (int d = 0, points = 1, columns = 1, stride = 1; d + 1 < D; ++d) {

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "memory/chunk.hpp"
+
 namespace softwet {
 
 namespace {
 
 /// Entries of a line of control points along the first axis that are summed at once.
-constexpr int sum_piece = host_algorithms ? 64 : 1;
+constexpr int sum_piece = chunk(64);
 
 /// Sums along axis d of all components. An item is a piece of a line of the result.
 template <int D>
@@ -18,7 +20,7 @@ struct SumAxis {
   Array to;
   int d, components;
 
-  KOKKOS_FUNCTION int pieces() const { return (to_place.extent[0] + sum_piece - 1) / sum_piece; }
+  KOKKOS_FUNCTION int pieces() const { return chunks_in(to_place.extent[0], sum_piece); }
   std::int64_t items() const { return std::int64_t(components) * (to_place.points / to_place.extent[0]) * pieces(); }
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {

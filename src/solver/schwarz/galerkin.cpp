@@ -62,7 +62,7 @@ AxisProduct make_product(const Axis& fine, const Refinement& r, const AxisPlaces
 }
 
 /// Entries of neighbouring rows that are summed at once, and lines that are turned at once for the first axis.
-constexpr int coarsen_piece = host_algorithms ? 256 : 1, lines_in_team = host_algorithms ? 16 : 1;
+constexpr int coarsen_piece = chunk(256), lines_in_team = chunk(16);
 
 /// One axis but the first, or on a device any. An item is a piece of the rows that lie side by side.
 template <int D>
@@ -75,7 +75,7 @@ struct CoarsenAxis {
   int below, above;    ///< control points below and above axis d in the order of storage
   int before, behind;  ///< shifts along the axes before and behind axis d
 
-  KOKKOS_FUNCTION int pieces() const { return (below + coarsen_piece - 1) / coarsen_piece; }
+  KOKKOS_FUNCTION int pieces() const { return chunks_in(below, coarsen_piece); }
   std::int64_t items() const { return std::int64_t(before) * behind * above * out.extent[d] * pieces(); }
 
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
@@ -147,7 +147,7 @@ void coarsen(const Stencil<D>& in, const Stencil<D>& out, const AxisProduct& axi
              float* to) {
   const int width = 2 * in.degree + 1;
   if (on_host && d == 0) {
-    const int lines = in.points / in.extent[0], groups = (lines + lines_in_team - 1) / lines_in_team;
+    const int lines = in.points / in.extent[0], groups = chunks_in(lines, lines_in_team);
     const std::size_t scratch = CoarsenLines<D>::Scratch::shmem_size(width * in.extent[0] * lines_in_team);
     start_teams("softwet::galerkin",
                 Teams<>(in.offsets / width * groups, 1).set_scratch_size(1, Kokkos::PerTeam(scratch)),

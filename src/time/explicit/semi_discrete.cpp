@@ -97,7 +97,7 @@ Placed<placed::fields> SemiDiscrete<D, P>::kick_and_move(const SumOf& velocity, 
   const MoveMeshes moved{
       to,    stage_.displacement, other_.displacement, numbers_.factor(StepNumbers::half), u, stage_.unknown, D,
       nodes, l.rows * l.row_size};
-  if (host_algorithms || has_ghosts(l)) {
+  if (has_ghosts(l)) {
     run_fused("softwet::kick", kicked, copied(stage_.density_end, density));
     fill_ghosts();
     run_fused("softwet::move_meshes", ForEach{nodes, moved});

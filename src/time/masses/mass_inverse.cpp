@@ -55,7 +55,7 @@ int MassInverse<D, P>::solve(const MassWeights& w, double factor, const RightSid
     const SeriesStep<D, P> term{
         product_.of(scaled, w.kind()), mass,         mask.data(), k == 0 ? -2.0 : 1.0,           x.data(),
         k == 0 ? x.data() : z.data(),  image.data(), z.data(),    k == 2 ? nullptr : next.data()};
-    using Kernel = WithTies<SeriesStep<D, P>, host_algorithms, std::decay_t<decltype(then)>>;
+    using Kernel = WithTies<SeriesStep<D, P>, ValuesOfItem, std::decay_t<decltype(then)>>;
     run_beside("softwet::mass_step", Kernel{term, ties, then}.on(components), other);
     std::swap(scaled, next);
   };
@@ -132,17 +132,13 @@ int MassInverse<D, P>::velocity(const Stage& stage, double factor, const RightSi
 
 template <int D, int P>
 bool MassInverse<D, P>::weighs_beside() const {
-  return !host_algorithms && kind_ == MassKind::corrected && !has_ghosts(regions_.layout());
+  return kind_ == MassKind::corrected && !has_ghosts(regions_.layout());
 }
 
 template <int D, int P>
-int MassInverse<D, P>::scalar_and_weights([[maybe_unused]] const RightSide& b, [[maybe_unused]] const Array& z) {
-  if constexpr (host_algorithms) {
-    return -1;
-  } else {
-    return solve(weights_.scalar(), 1, b, z, weights_.sums_by_moments(b.moments), weights_.roots_by_moments(),
-                 weights_.factors_by_moments(), Nothing{});
-  }
+void MassInverse<D, P>::scalar_and_weights(const RightSide& b, const Array& z) {
+  solve(weights_.scalar(), 1, b, z, weights_.sums_by_moments(b.moments), weights_.roots_by_moments(),
+        weights_.factors_by_moments(), Nothing{});
 }
 
 template <int D, int P>
@@ -154,7 +150,7 @@ void MassInverse<D, P>::multiply_scalar(const ConstArray& z, const Array& out) {
   product_.fill_ghosts(scaled, w.first, w.last);
   const MultiplyByMass<D, P> multiplied{product_.of(scaled, w.kind()), WeightedPointers(w),
                                         regions_.mask().data() + w.begin, z.data(), out.data()};
-  Kokkos::parallel_for("softwet::mass_product", Items(0, multiplied.product.items(1)), multiplied);
+  Kokkos::parallel_for("softwet::mass_product", Items(0, multiplied.product.blocks.items(1)), multiplied);
 }
 
 template <int D, int P>

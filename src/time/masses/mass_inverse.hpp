@@ -48,7 +48,7 @@ class MassInverse {
   /// Whether a solve can find the weights of velocities beside itself, in the same launches; and such a solve, with the moments of
   /// its right side.
   bool weighs_beside() const;
-  int scalar_and_weights(const RightSide& b, const Array& z);
+  void scalar_and_weights(const RightSide& b, const Array& z);
   /// z = factor S b for velocities.
   int velocity(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance);
 

@@ -23,35 +23,36 @@ struct WeightedPointers {
 namespace mass_kernels {
 
 /// A stage of the series with the ties of its ends: each value, the ties between values, and, where a product follows, its scaled
-/// vector from each value; then what else is done with it. An item is a block of lines on the host. On a device it is a cluster of
-/// ties with all its values, or a value without ties.
-template <class Stage, bool lines = host_algorithms, class After = Nothing>
+/// vector from each value; then what else is done with it. An item is a block of lines on a processor. On a device it is a cluster
+/// of ties with all its values, or a value without ties.
+template <class Stage, class Values = ValuesOfItem, class After = Nothing>
 struct WithTies {
+  static constexpr bool lines = std::is_same_v<Values, BlockOfLines>;
   Stage stage;
   TieClusters ties;
   After after = {};
 
   KOKKOS_FUNCTION void operator()(int item) const {
     if constexpr (lines) {
-      stage.run_block(item);
+      stage.run(BlockOfLines{item});
       if (ties.count() > 0)
         for (int c = ties.of_block(item); c < ties.of_block(item + 1); ++c) stage.tie(ties, c);
-      end_block(item);
+      end(BlockOfLines{item});
     } else if (item >= ties.count()) {
-      const int i = item - ties.count();
-      if (ties.count() > 0 && ties.tied(i)) return;
-      stage.run(i);
-      end(i);
+      const OneValue value{item - ties.count()};
+      if (ties.count() > 0 && ties.tied(value.number)) return;
+      stage.run(value);
+      end(value);
     } else {
       const int first = ties.first_member(item), last = ties.first_member(item + 1);
-      for (int m = first; m < last; ++m) stage.run(ties.member(m));
+      for (int m = first; m < last; ++m) stage.run(OneValue{ties.member(m)});
       stage.tie(ties, item);
-      for (int m = first; m < last; ++m) end(ties.member(m));
+      for (int m = first; m < last; ++m) end(OneValue{ties.member(m)});
     }
   }
 
   int items(int components) const {
-    return lines ? components * stage.blocks().count() : ties.count() + components * stage.nodes();
+    return lines ? components * stage.blocks().count() : ties.count() + components * stage.blocks().nodes;
   }
   Counted<WithTies> on(int components) const { return {items(components), *this}; }
   void launch(const char* name, int components) const {
@@ -59,22 +60,9 @@ struct WithTies {
   }
 
  private:
-  KOKKOS_FORCEINLINE_FUNCTION void end(int i) const {
-    if (stage.scaled) stage.end(i, i % stage.nodes());
-    after(i);
-  }
-  void end_block(int item) const {
-    const int count = stage.blocks().extent[0];
-    if (stage.scaled)
-      stage.blocks().for_lines(item, [&](int begin, int node) {
-        SOFTWET_INDEPENDENT
-        for (int k = 0; k < count; ++k) stage.end(begin + k, node + k);
-      });
-    if constexpr (!std::is_same_v<After, Nothing>)
-      stage.blocks().for_lines(item, [&](int begin, int) {
-        SOFTWET_INDEPENDENT
-        for (int k = 0; k < count; ++k) after(begin + k);
-      });
+  KOKKOS_FORCEINLINE_FUNCTION void end(Values values) const {
+    if (stage.scaled) stage.blocks().for_values(values, [&](int i, int node) { stage.end(i, node); });
+    if constexpr (!std::is_same_v<After, Nothing>) stage.blocks().for_values(values, [&](int i, int) { after(i); });
   }
 };
 
@@ -89,19 +77,13 @@ struct DivideBySums {
   double *x, *scaled;  ///< the latter null where no product follows
   double start;        ///< the first y of the series over x
 
-  KOKKOS_FUNCTION int nodes() const { return lines.nodes; }
-  const LineBlocks<D>& blocks() const { return lines; }
+  KOKKOS_FORCEINLINE_FUNCTION const LineBlocks<D>& blocks() const { return lines; }
 
-  KOKKOS_FORCEINLINE_FUNCTION void divide(int i, int node) const {
-    const double b = side(i);
-    x[i] = mask(i) != 0 ? b * (factor / mass.sums[node]) : 0.0;
-  }
-  KOKKOS_FUNCTION void run(int i) const { divide(i, i % lines.nodes); }
-  void run_block(int block) const {
-    const int count = lines.extent[0];
-    lines.for_lines(block, [&](int begin, int node) {
-      SOFTWET_INDEPENDENT
-      for (int k = 0; k < count; ++k) divide(begin + k, node + k);
+  template <class Values>
+  KOKKOS_FORCEINLINE_FUNCTION void run(Values values) const {
+    lines.for_values(values, [&](int i, int node) {
+      const double b = side(i);
+      x[i] = mask(i) != 0 ? b * (factor / mass.sums[node]) : 0.0;
     });
   }
   KOKKOS_FUNCTION void tie(const TieClusters& ties, int cluster) const { ties.smooth(cluster, x, mass.sums); }
@@ -119,18 +101,15 @@ struct SeriesStep {
   double *image, *next;  ///< A (factor y) / a before the ties, and the result, which may be y
   double* scaled;        ///< root next, or null at the end
 
-  KOKKOS_FUNCTION int nodes() const { return product.nodes; }
-  const LineBlocks<D>& blocks() const { return product.blocks; }
+  KOKKOS_FORCEINLINE_FUNCTION const LineBlocks<D>& blocks() const { return product.blocks; }
 
-  /// @param sum  of the product at value i, which belongs to a control point
-  KOKKOS_FORCEINLINE_FUNCTION void finish(int i, int node, double sum) const {
-    const double value = factor * y[i], part = mask[i] * (mass.left[node] * value + mass.right[node] * sum);
-    image[i] = part;
-    next[i] = x[i] + value - part;
-  }
-  KOKKOS_FUNCTION void run(int i) const { finish(i, i % product.nodes, product.at(i)); }
-  void run_block(int block) const {
-    product.run_block(block, [&](int i, int node, double sum) { finish(i, node, sum); });
+  template <class Values>
+  KOKKOS_FORCEINLINE_FUNCTION void run(Values values) const {
+    product.for_values(values, [&](int i, int node, double sum) {
+      const double value = factor * y[i], part = mask[i] * (mass.left[node] * value + mass.right[node] * sum);
+      image[i] = part;
+      next[i] = x[i] + value - part;
+    });
   }
   KOKKOS_FUNCTION void tie(const TieClusters& ties, int cluster) const { ties.smooth(cluster, image, mass.sums, next); }
   KOKKOS_FUNCTION void end(int i, int node) const { scaled[i] = mass.root[node] * next[i]; }
@@ -143,17 +122,12 @@ struct FindFactors {
   WeightedPointers mass;
   double *left, *right;
 
-  Counted<FindFactors> on_all() const { return {product.items(1), *this}; }
-  KOKKOS_FORCEINLINE_FUNCTION void finish(int i, double sum) const {
-    right[i] = mass.root[i] / mass.sums[i];
-    left[i] = 1 - sum * right[i];
-  }
+  Counted<FindFactors> on_all() const { return {product.blocks.items(1), *this}; }
   KOKKOS_FUNCTION void operator()(int item) const {
-    if constexpr (host_algorithms) {
-      product.run_block(item, [&](int i, int, double sum) { finish(i, sum); });
-    } else {
-      finish(item, product.at(item));
-    }
+    product.for_values(ValuesOfItem{item}, [&](int i, int, double sum) {
+      right[i] = mass.root[i] / mass.sums[i];
+      left[i] = 1 - sum * right[i];
+    });
   }
 };
 
@@ -165,16 +139,11 @@ struct MultiplyByMass {
   const double *mask, *z;
   double* out;
 
-  KOKKOS_FORCEINLINE_FUNCTION void finish(int i, double sum) const {
-    const double image = mask[i] * (mass.left[i] * z[i] + mass.right[i] * sum);
-    out[i] = image * mass.sums[i];
-  }
   KOKKOS_FUNCTION void operator()(int item) const {
-    if constexpr (host_algorithms) {
-      product.run_block(item, [&](int i, int, double sum) { finish(i, sum); });
-    } else {
-      finish(item, product.at(item));
-    }
+    product.for_values(ValuesOfItem{item}, [&](int i, int, double sum) {
+      const double image = mask[i] * (mass.left[i] * z[i] + mass.right[i] * sum);
+      out[i] = image * mass.sums[i];
+    });
   }
 };
 

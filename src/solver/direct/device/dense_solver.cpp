@@ -89,7 +89,7 @@ class DenseSolver final : public StencilSolver<D> {
   }
   void apply(const ConstArray& r, const Array& z) override {
     const int entries = static_cast<int>(z.extent(0));
-    start_teams("softwet::dense_multiply", Teams<>(entries, 1, on_host ? 1 : 32),
+    start_teams("softwet::dense_multiply", Teams<>(entries, 1, team_size(32)),
                 MultiplyDense{inverse_, row_at_, unknown_, r, z});
   }
   std::string name() const override { return "dense"; }

@@ -9,7 +9,7 @@ namespace softwet {
 
 namespace {
 
-constexpr int gauss_lanes = on_host ? 1 : 32;
+constexpr int gauss_lanes = team_size(32);
 
 /// With so few registers that enough threads share a multiprocessor to hide the latency of memory.
 using ManyItems = Kokkos::RangePolicy<Exec, WithLaunch, Kokkos::IndexType<std::int64_t>, Kokkos::LaunchBounds<256, 4>>;
@@ -32,7 +32,7 @@ BlockTeams faster_teams(int count, int rows) {
 /// Kernels for the pieces of the work.
 template <class Blocks>
 void start_piece_by_piece(const GaussBlocks<Blocks>& all, int count, int threads) {
-  if (threads == 0) threads = on_host ? 1 : std::min(16, (all.rows + gauss_lanes - 1) / gauss_lanes);
+  if (threads == 0) threads = team_size(std::min(16, chunks_in(all.rows, gauss_lanes)));
   const LongItems each_column(0, std::int64_t(count) * all.rows);
   const Teams<> team_for_row(count * all.rows, 1, gauss_lanes);
   const std::size_t near = GaussBlocks<Blocks>::panel_bytes(all.rows);
@@ -56,7 +56,7 @@ template <class Blocks>
 void start_block_by_block(const GaussBlocks<Blocks>& all, int count, int threads) {
   using Kernel = EliminateBlock<Blocks>;
   using Policy = Teams<Kokkos::LaunchBounds<32 * Kernel::most_threads, 1>>;
-  if (threads == 0) threads = on_host ? 1 : std::min(count > 132 ? 8 : 16, (all.rows + 15) / 16);
+  if (threads == 0) threads = team_size(std::min(count > 132 ? 8 : 16, chunks_in(all.rows, 16)));
   threads = std::min(threads, Kernel::most_threads);
   start_teams("softwet::eliminate_blocks",
               with_scratch(Policy(count, threads, gauss_lanes), Kernel::bytes(all.rows, all.most)), Kernel{all});

@@ -81,12 +81,12 @@ struct TakePivotRows {
 template <class Blocks>
 struct AddPanel {
   using Block = GaussBlock<Blocks>;
-  static constexpr int together = on_host ? 16 : 1;
+  static constexpr int together = chunk(16);
   GaussBlocks<Blocks> all;
   int first;
 
-  KOKKOS_FUNCTION int pieces() const { return (all.rows + Block::rows_together - 1) / Block::rows_together; }
-  KOKKOS_FUNCTION int groups() const { return (all.rows + together - 1) / together; }
+  KOKKOS_FUNCTION int pieces() const { return chunks_in(all.rows, Block::rows_together); }
+  KOKKOS_FUNCTION int groups() const { return chunks_in(all.rows, together); }
   KOKKOS_FUNCTION void operator()(std::int64_t item) const {
     const int j = static_cast<int>(item % groups()) * together;
     const int begin = static_cast<int>(item / groups() % pieces()) * Block::rows_together;
@@ -128,7 +128,7 @@ struct EliminateBlock {
   using Block = GaussBlock<Blocks>;
   static constexpr int most_threads = Block::depth;  ///< for each of them the panel has a row
   /// Columns that a lane adds to at once: on a device so many that reading the panel does not take longer than the products.
-  static constexpr int together = on_host ? 16 : 4, apart = on_host ? 1 : 32, columns_of_lanes = together * apart;
+  static constexpr int together = chunk(16, 4), apart = team_size(32), columns_of_lanes = together * apart;
   GaussBlocks<Blocks> all;
 
   static std::size_t bytes(int rows, int most) {
@@ -154,8 +154,8 @@ struct EliminateBlock {
   }
   /// Lanes have neighbouring columns.
   KOKKOS_FUNCTION void add_panel(const GaussTeam& team, const Block& block, int first) const {
-    const int lanes = (block.size + columns_of_lanes - 1) / columns_of_lanes * apart;
-    const int pieces = (block.size + Block::rows_together - 1) / Block::rows_together;
+    const int lanes = chunks_in(block.size, columns_of_lanes) * apart;
+    const int pieces = chunks_in(block.size, Block::rows_together);
     Kokkos::parallel_for(Kokkos::TeamVectorRange(team, lanes * pieces), [&](int item) {
       const int lane = item % lanes, j = lane / apart * columns_of_lanes + lane % apart;
       if (j < block.size) block.template add_panel<together, apart>(first, item / lanes * Block::rows_together, j);

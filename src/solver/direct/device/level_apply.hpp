@@ -11,7 +11,7 @@ namespace softwet {
 struct StripProduct {
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
   static constexpr int columns_at_once = 1024;
-  static constexpr int lane_rows = on_host ? LevelStrip::rows : 1, lanes = LevelStrip::rows / lane_rows;
+  static constexpr int lanes = team_size(LevelStrip::rows), lane_rows = LevelStrip::rows / lanes;
 
   Scratch head, sum;  ///< some numbers of the vector; [part][row]
   int parts;

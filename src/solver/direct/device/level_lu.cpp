@@ -33,7 +33,7 @@ class LevelLu final : public StencilSolver<D> {
     for (int depth = static_cast<int>(levels_.size()) - 1; depth >= 0; --depth) {
       const TreeLevel& level = levels_[depth];
       const LevelNumbers here = memory_[depth % 2], below = memory_[1 - depth % 2];
-      const Teams<> columns((level.last - level.first) * level.rows, on_host ? 1 : 4, lanes);
+      const Teams<> columns((level.last - level.first) * level.rows, team_size(4), lanes);
       start_teams("softwet::assemble_fronts", columns,
                   AssembleFronts<D>{entries, fronts_, unknown_, inherited_, here, below, level.first, level.rows});
       const auto some = Kokkos::make_pair(level.first, level.last);
@@ -66,7 +66,7 @@ class LevelLu final : public StencilSolver<D> {
 
  private:
   using Strips = Kokkos::View<LevelStrip*, Exec>;
-  static constexpr int lanes = on_host ? 1 : 32;
+  static constexpr int lanes = team_size(32);
 
   LevelLu(const Layout<D>& layout, const UnknownTable<D>& table, int threads)
       : threads_(threads), scale_(layout, table) {
@@ -141,7 +141,7 @@ class LevelLu final : public StencilSolver<D> {
   template <class Kernel>
   void run(const char* label, int columns, int teams, const Kernel& kernel) const {
     if (teams == 0) return;
-    const int parts = columns > 256 ? 16 : 8, threads = threads_ > 0 ? threads_ : on_host ? 1 : parts;
+    const int parts = columns > 256 ? 16 : 8, threads = threads_ > 0 ? threads_ : team_size(parts);
     start_teams(label,
                 Teams<>(teams, threads, StripProduct::lanes)
                     .set_scratch_size(0, Kokkos::PerTeam(StripProduct::scratch_bytes(parts))),

@@ -66,9 +66,9 @@ TEST(MassSeries, BlocksHaveEveryValueOnceAndWholeClustersOfTies) {
 }
 
 /// Runs the items of a stage with its ties: blocks of lines as on the host, or clusters and values as on a device.
-template <bool lines, class Stage>
+template <class Values, class Stage>
 void run_items(const Stage& stage, const TieClusters& ties, int components) {
-  const WithTies<Stage, lines> kernel{stage, ties};
+  const WithTies<Stage, Values> kernel{stage, ties};
   for (int item = 0; item < kernel.items(components); ++item) kernel(item);
 }
 
@@ -98,19 +98,19 @@ struct Series {
   const TieClusters& clusters() const { return velocities ? ties.velocities() : ties.scalars(); }
 
   /// x, the next vector of the series and what a product reads after that.
-  template <bool lines>
+  template <class Values>
   std::vector<double> run(const Array& b, const Array& y) {
     const Array x("x", count), scaled("scaled", count), image("image", count), next("next", count), last("last", count);
     const int components = velocities ? D : 1;
     const ConstArray mask = part(random.scene.mask(), first, first + count);
     const WeightedPointers pointers(mass);
-    run_items<lines>(DivideBySums<D>{LineBlocks<D>(l(), kind()), mass_kernels::RightSide<D>::of(b), -1.5, mask,
-                                     pointers, x.data(), scaled.data(), -2.0},
-                     clusters(), components);
+    run_items<Values>(DivideBySums<D>{LineBlocks<D>(l(), kind()), mass_kernels::RightSide<D>::of(b), -1.5, mask,
+                                      pointers, x.data(), scaled.data(), -2.0},
+                      clusters(), components);
     product.fill_ghosts(scaled, velocities ? 0 : D, velocities ? D : D + 1);
-    run_items<lines>(SeriesStep<D, 2>{product.of(scaled, kind()), pointers, mask.data(), -2, x.data(), y.data(),
-                                      image.data(), next.data(), last.data()},
-                     clusters(), components);
+    run_items<Values>(SeriesStep<D, 2>{product.of(scaled, kind()), pointers, mask.data(), -2, x.data(), y.data(),
+                                       image.data(), next.data(), last.data()},
+                      clusters(), components);
     std::vector<double> all;
     const std::vector<double> free = to_host(mask);
     for (const Array& a : {x, next, last}) {
@@ -125,7 +125,8 @@ template <int D>
 void expect_same(const Case& c, bool velocities) {
   Series<D> series(c, velocities);
   const Array b = series.draw(), y = series.draw();
-  const std::vector<double> lines = series.template run<true>(b, y), values = series.template run<false>(b, y);
+  const std::vector<double> lines = series.template run<BlockOfLines>(b, y),
+                            values = series.template run<OneValue>(b, y);
   double largest = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     ASSERT_NEAR(lines[i], values[i], 1e-14) << i;
