@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "case/cap.hpp"
 #include "case/mesh.hpp"
@@ -177,7 +178,7 @@ double Scalars<D, P>::laplace_pressure(const Snapshot<D>& snapshot) const {
 }
 
 template <int D, int P>
-TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const State& state, const Stage& end) {
+RowReading<D> Scalars<D, P>::read(long step, const StepReport& report, const State& state, const Stage& end) {
   const Layout<D>& layout = scene_.layout();
   Measured measured;
   Extremes extremes;
@@ -186,26 +187,31 @@ TableRow Scalars<D, P>::evaluate(long step, const StepReport& report, const Stat
   scene_.balance().start_row(end, pending, measured);
   copies_.start(layout, state, probes_need_velocity(case_) ? SnapshotOf::all_fields : SnapshotOf::all_but_velocity);
   pending.finish();
-  const Snapshot<D> snapshot(layout, copies_);
+  return {step, state.time, report, std::move(measured), extremes, Snapshot<D>(layout, copies_)};
+}
+
+template <int D, int P>
+TableRow Scalars<D, P>::row_of(const RowReading<D>& reading) {
   if (!ranks::root()) return {};
-  const auto& [sum, load_power, needles] = measured;
+  const auto& [sum, load_power, needles] = reading.measured;
+  const Snapshot<D>& snapshot = reading.snapshot;
   latest_ = memory_;
-  latest_.step = step;
-  latest_.time = state.time;
-  if (step == 0) latest_.mass_start = sum["mass"];
+  latest_.step = reading.step;
+  latest_.time = reading.time;
+  if (reading.step == 0) latest_.mass_start = sum["mass"];
   double from_outside = load_power;
   for (const NeedleReading& needle : needles) from_outside += needle.power_on_solid;
   follow_energy(energy_of(latest_.time, from_outside, sum));
-  TableRow row{{"step", step},
-               {"t", output_time(state.time, case_.clock_zero())},
-               {"dt", report.dt},
-               {"newton", report.newton},
-               {"krylov", report.krylov}};
+  TableRow row{{"step", reading.step},
+               {"t", output_time(reading.time, case_.clock_zero())},
+               {"dt", reading.report.dt},
+               {"newton", reading.report.newton},
+               {"krylov", reading.report.krylov}};
   set_integrals(sum, row);
   set("power_load", load_power, row);
   set_needles(needles, row);
-  set_extremes(extremes, row);
-  set_droplets(snapshot, step, row);
+  set_extremes(reading.extremes, row);
+  set_droplets(snapshot, reading.step, row);
   follow_bodies(snapshot);
   if (!case_.droplets.empty()) set("laplace", laplace_pressure(snapshot), row);
   const std::vector<double> probed = evaluate_probes(case_, scene_.regions(), scene_.coefficients(), snapshot);

@@ -10,10 +10,22 @@
 #include "observe/extremes.hpp"
 #include "observe/host/history_memory.hpp"
 #include "observe/phase_samples.hpp"
+#include "scene/balance.hpp"
 #include "scene/scene.hpp"
 #include "time/stepper.hpp"
 
 namespace softwet {
+
+/// What a row needs of a state, as numbers of the host: they stay while the state changes.
+template <int D>
+struct RowReading {
+  long step;
+  double time;
+  StepReport report;
+  Measured measured;
+  Extremes extremes;
+  Snapshot<D> snapshot;
+};
 
 template <int D, int P>
 class Scalars {
@@ -23,10 +35,12 @@ class Scalars {
   /// The columns of history.csv in their order.
   std::vector<std::string> columns() const;
 
-  /// One row. `end` is the stage at the state itself. A cell is empty where its quantity does not exist: densities without
-  /// a fluid, the contact line of a droplet that is not on the wall. All processes have to call it; the first one gets the
-  /// row, and it alone follows the droplets from row to row. The others get a row without cells.
-  TableRow evaluate(long step, const StepReport& report, const State& state, const Stage& end);
+  /// Reads what a row needs. `end` is the stage at the state itself. All processes have to call it.
+  RowReading<D> read(long step, const StepReport& report, const State& state, const Stage& end);
+  /// One row. A cell is empty where its quantity does not exist: densities without a fluid, the contact line of a droplet that is
+  /// not on the wall. The first process gets the row, and it alone follows the droplets from row to row. The others get a row without
+  /// cells. This is work of the host alone, which a thread may do beside the next steps.
+  TableRow row_of(const RowReading<D>&);
 
   /// Follows the droplets to a state for which there is no row, before the first row: `told` stands behind the sentence
   /// of each event. All processes have to call it.

@@ -1,6 +1,8 @@
 #include "observe/wetted_wall.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace softwet {
 
@@ -38,15 +40,15 @@ bool WettedWall::wet_middle(int i, int j) const {
   return 0.25 * sum >= 0;
 }
 
-auto WettedWall::step(int point, int di, int dj) const -> Step {
-  std::array<int, 2> index{point % samples_.points(0) + di, point / samples_.points(0) + dj};
+/// The point with these indices along the axes.
+inline auto WettedWall::step(std::array<int, 2> index) const -> Step {
   Step found;
   for (int d : {0, 1}) {
     const int n = samples_.points(d);
-    const int turn = index[d] < 0 ? -1 : index[d] >= n ? 1 : 0;
-    if (turn != 0 && !samples_.periodic[d]) return {};
-    found.turn[d] = turn;
-    index[d] -= turn * n;
+    if (index[d] >= 0 && index[d] < n) continue;
+    if (!samples_.periodic[d]) return {};
+    found.turn[d] = index[d] < 0 ? -1 : 1;
+    index[d] -= found.turn[d] * n;
   }
   found.point = index[0] + index[1] * samples_.points(0);
   return found;
@@ -59,14 +61,14 @@ void WettedWall::flood(int start) {
   std::vector<int> open{start};
   region_[start] = label;
   while (!open.empty()) {
-    const int p = open.back();
+    const int p = open.back(), i = p % samples_.points(0), j = p / samples_.points(0);
     open.pop_back();
     for (int dj = -1; dj <= 1; ++dj)
       for (int di = -1; di <= 1; ++di) {
-        const Step next = step(p, di, dj);
+        const Step next = step({i + di, j + dj});
         if (next.point < 0 || region_[next.point] >= 0 || !wet(next.point)) continue;
         // The cell between p and a diagonal neighbour begins at the lower of their indices.
-        const int cell = di != 0 && dj != 0 ? step(p, di < 0 ? -1 : 0, dj < 0 ? -1 : 0).point : -1;
+        const int cell = di != 0 && dj != 0 ? step({std::min(i, i + di), std::min(j, j + dj)}).point : -1;
         if (cell >= 0 && !wet_middle(cell % samples_.points(0), cell / samples_.points(0))) continue;
         region_[next.point] = label;
         for (int d : {0, 1}) turn_[next.point][d] = turn_[p][d] + next.turn[d];
@@ -99,42 +101,49 @@ void WettedWall::add_cell(int i, int j) {
     return std::pair{region_[point], turn};
   };
   int any = -1;
+  bool is_wet[4];
   for (int c = 0; c < 4; ++c)
-    if (wet(corner(i + around[c][0], j + around[c][1]))) any = c;
+    if ((is_wet[c] = wet(corner(i + around[c][0], j + around[c][1])))) any = c;
   if (any < 0) return;
   const bool middle_is_wet = wet_middle(i, j);
+  std::array<Vertex, 4> corners;
+  Vertex middle;
+  std::optional<std::array<int, 2>> placed;  // the turns with which these were found
   for (int c = 0; c < 4; ++c) {
-    const int next = (c + 1) % 4;
-    const auto is_wet = [&](int k) { return wet(corner(i + around[k][0], j + around[k][1])); };
-    const int owner = is_wet(c) ? c : is_wet(next) ? next : middle_is_wet ? any : -1;
+    const int next = (c + 1) % 4, owner = is_wet[c] ? c : is_wet[next] ? next : middle_is_wet ? any : -1;
     if (owner < 0) continue;
     const auto [region, turn] = known_by(owner);
-    std::array<Vertex, 4> corners;
-    for (int k = 0; k < 4; ++k) corners[k] = vertex(i + around[k][0], j + around[k][1], turn);
-    Vertex middle{};
-    for (const Vertex& v : corners)
-      for (int n = 0; n < 6; ++n) middle.value[n] += 0.25 * v.value[n];
-    add_triangle({corners[c], corners[next], middle}, regions_[region]);
+    if (placed != turn) {
+      middle = {};
+      for (int k = 0; k < 4; ++k) {
+        corners[k] = vertex(i + around[k][0], j + around[k][1], turn);
+        for (int n = 0; n < 6; ++n) middle.value[n] += 0.25 * corners[k].value[n];
+      }
+      placed = turn;
+    }
+    add_triangle(corners[c], corners[next], middle, regions_[region]);
   }
 }
 
 /// Adds the part of a triangle that is wet: area, and area times places.
-void WettedWall::add_triangle(const std::array<Vertex, 3>& triangle, WettedRegion& region) const {
-  std::vector<Vertex> above;
+void WettedWall::add_triangle(const Vertex& first, const Vertex& second, const Vertex& third,
+                              WettedRegion& region) const {
+  const Vertex* const triangle[3] = {&first, &second, &third};
+  std::array<Vertex, 4> above;
+  int count = 0;
   for (int k = 0; k < 3; ++k) {
-    const Vertex &a = triangle[k], &b = triangle[(k + 1) % 3];
+    const Vertex &a = *triangle[k], &b = *triangle[(k + 1) % 3];
     const double da = a.depth(), db = b.depth();
-    if (da >= 0) above.push_back(a);
+    if (da >= 0) above[count++] = a;
     if ((da >= 0) == (db >= 0)) continue;
-    Vertex cut;
-    for (int n = 0; n < 6; ++n) cut.value[n] = a.value[n] + (b.value[n] - a.value[n]) * da / (da - db);
-    above.push_back(cut);
+    for (int n = 0; n < 6; ++n) above[count].value[n] = a.value[n] + (b.value[n] - a.value[n]) * da / (da - db);
+    ++count;
   }
-  for (std::size_t k = 1; k + 1 < above.size(); ++k) {
+  for (int k = 1; k + 1 < count; ++k) {
     const auto &o = above[0].value, &a = above[k].value, &b = above[k + 1].value;
     const double u[3] = {a[0] - o[0], a[1] - o[1], a[2] - o[2]}, v[3] = {b[0] - o[0], b[1] - o[1], b[2] - o[2]};
-    const double area =
-        0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+    const double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
+    const double area = 0.5 * std::sqrt(x * x + y * y + z * z);
     region.area += area;
     for (int d : {0, 1}) {
       region.centre[d] += area * (o[d] + a[d] + b[d]) / 3;

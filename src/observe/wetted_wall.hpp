@@ -44,14 +44,14 @@ class WettedWall {
  private:
   struct Step;
   struct Vertex;
-  Step step(int point, int di, int dj) const;
+  Step step(std::array<int, 2> index) const;
   bool wet(int point) const { return samples_.depth[point] >= 0; }
   bool wet_middle(int i, int j) const;
   int corner(int i, int j) const;
   Vertex vertex(int i, int j, const std::array<int, 2>& turn) const;
   void flood(int start);
   void add_cell(int i, int j);
-  void add_triangle(const std::array<Vertex, 3>& triangle, WettedRegion& region) const;
+  void add_triangle(const Vertex& first, const Vertex& second, const Vertex& third, WettedRegion& region) const;
   void finish();
   bool beside(int region, int axis, int end) const;
 

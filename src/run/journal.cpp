@@ -47,7 +47,8 @@ Journal<D, P>::Journal(const Case& c, const RunOptions& options, const Scene<D, 
                 c.run_start() - c.clock_zero(), c.time.end),
       time_left_(c.clock_zero() + c.time.end, c.time.dt_max, c.time.max_steps),
       field_times_(std::move(field_times)),
-      writer_(writes_of(options), run_on_all_cores) {
+      writer_(writes_of(options), run_on_all_cores),
+      row_writer_(writes_of(options), run_on_all_cores) {
   seconds_.started = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
@@ -99,11 +100,7 @@ void Journal<D, P>::open_tables() {
 template <int D, int P>
 void Journal<D, P>::observe(const StepReport& report) {
   const long step = stepper_.counts().steps;
-  if (step % case_.output.history_every == 0) {
-    write_row(report);
-    scalars_.keep();
-    if (history_) history_->keep();
-  }
+  if (step % case_.output.history_every == 0) write_row(report, RowIs::regular);
   write_fields_due();
   if (step > 0) {
     time_left_.step(step, stepper_.state().time, since_start());
@@ -112,11 +109,32 @@ void Journal<D, P>::observe(const StepReport& report) {
 }
 
 template <int D, int P>
-void Journal<D, P>::write_row(const StepReport& report) {
+void Journal<D, P>::write_row(const StepReport& report, RowIs row) {
+  finish_row();
   Stopwatch watch(seconds_.observers);
-  last_row_ =
-      scalars_.evaluate(stepper_.counts().steps, report, stepper_.state(), stage_at(scene_.layout(), stepper_.state()));
-  on_root([this] { history_->row(last_row_); });
+  const auto reading = std::make_shared<const RowReading<D>>(
+      scalars_.read(stepper_.counts().steps, report, stepper_.state(), stage_at(scene_.layout(), stepper_.state())));
+  row_writer_.start([this, reading, row] {  // whoever needs one of these waits before (finish_row)
+    next_row_ = scalars_.row_of(*reading);
+    on_root([this] { history_->row(next_row_); });
+    if (row == RowIs::last) return;
+    scalars_.keep();
+    if (history_) history_->keep();
+  });
+  if (!row_writer_.running()) take_row();
+}
+
+template <int D, int P>
+void Journal<D, P>::finish_row() {
+  if (!row_writer_.running()) return;
+  Stopwatch watch(seconds_.observers);
+  row_writer_.wait();
+  take_row();
+}
+
+template <int D, int P>
+void Journal<D, P>::take_row() {
+  last_row_ = next_row_;
   tell_events();
 }
 
@@ -149,6 +167,7 @@ void Journal<D, P>::write_fields_due() {
 
 template <int D, int P>
 void Journal<D, P>::finish_files() {
+  finish_row();
   Stopwatch watch(seconds_.output);
   try {
     wall_clock_.file(writer_.wait());

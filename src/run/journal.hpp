@@ -22,6 +22,9 @@
 
 namespace softwet {
 
+/// Whether a row follows output.history.every, or is there for the last state.
+enum class RowIs { regular, last };
+
 /// What all processes are asked to do.
 enum class Wish { go_on, end_in_time, stop };
 
@@ -45,7 +48,7 @@ class Journal {
 
   /// The row, fields and progress of a step.
   void observe(const StepReport&);
-  void write_row(const StepReport&);
+  void write_row(const StepReport&, RowIs = RowIs::last);
   /// Brings checkpoint, history.csv and run.json up to date when their time has come.
   void keep_files_current();
   void save();
@@ -81,7 +84,10 @@ class Journal {
  private:
   void open_tables();
   void write_fields_due();
-  /// Waits until the files that are written beside the steps are complete. Throws what has kept one from being written.
+  /// Waits until the row that was begun is written, and takes note of it. Throws what has kept it from being written.
+  void finish_row();
+  void take_row();
+  /// Waits until all that is written beside the steps is complete. Throws what has kept something from being written.
   void finish_files();
   void tell_events();
   void write_state();
@@ -106,13 +112,16 @@ class Journal {
   TimeLeft time_left_;
   std::size_t told_ = 0;       ///< events the user has heard of
   TableRow last_row_;          ///< of history.csv
+  TableRow next_row_;          ///< while it is being written
   RunSeconds seconds_;         ///< of the whole run
   double seconds_before_ = 0;  ///< the total at the resume
   long first_step_ = 0;
   std::vector<double> field_times_;  ///< at which field files are due
   WrittenFiles found_;               ///< of the run that this one goes on
   std::vector<double> written_;      ///< times of the field files there are, the last of them perhaps not yet whole
-  FileWriter writer_;  ///< of field files and rows of interface.csv; ends first, for its task reads the others
+  // They end first, for their tasks read the others.
+  FileWriter writer_;      ///< of field files and rows of interface.csv
+  FileWriter row_writer_;  ///< of rows of history.csv
 };
 
 }  // namespace softwet

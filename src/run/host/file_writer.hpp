@@ -35,6 +35,8 @@ class FileWriter {
       task();
     }
   }
+  /// Whether a task was started that nobody has waited for.
+  bool running() const { return running_.valid(); }
   /// Waits for the last task, and throws what it has thrown, once.
   /// @return  the seconds that it has taken; 0 where none was running
   double wait() { return running_.valid() ? running_.get() : 0; }

@@ -16,13 +16,13 @@ struct DissectionNode {
   std::vector<int> own, border;  ///< indices into the vector of unknowns
   std::vector<int> children;
   std::vector<int> border_in_parent;  ///< local number of each border unknown in the parent
-  /// The block of matrix entries between two control points. Unknowns of a point follow each other.
-  struct PointPair {
-    std::int64_t place;                      ///< of the entry (0, 0), see for_column_point
-    int row, column;                         ///< local numbers of the points' first unknowns
-    std::uint8_t row_fields, column_fields;  ///< bit c: the point has component c as an unknown
-  };
-  std::vector<PointPair> pairs;  ///< with a row or column among `own`, and none eliminated
+
+  /// number[unknown] is its local number, for those of the node.
+  void number_locally(std::vector<int>& number) const {
+    int next = 0;
+    for (int unknown : own) number[unknown] = next++;
+    for (int unknown : border) number[unknown] = next++;
+  }
 };
 
 /// The tree. Nodes of one depth are independent of each other: levels[d] lists them.
@@ -32,7 +32,7 @@ struct Dissection {
 };
 
 /// Cuts the box of control points recursively by slabs of `degree` points, which no matrix entry crosses, until boxes
-/// hold at most `leaf` control points. All fields of a control point stay together. George 1973.
+/// hold at most `leaf` control points. The unknowns of a control point follow each other. George 1973.
 template <int D>
 Dissection dissect(const Layout<D>&, const UnknownTable<D>&, int leaf);
 

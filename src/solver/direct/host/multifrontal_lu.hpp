@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "solver/direct/host/front.hpp"
+#include "solver/direct/host/point_pairs.hpp"
 #include "solver/direct/host/work_split.hpp"
 #include "solver/matrix/equilibration.hpp"
 #include "solver/preconditioner.hpp"
@@ -33,6 +34,7 @@ class BlockLu final : public StencilSolver<D> {
       : stencil_(layout),
         table_(layout, to_host(mask)),
         tree_(dissect(layout, table_, D == 2 ? 24 : 64)),
+        pairs_(find_point_pairs(tree_, layout, table_)),
         equilibrator_(layout, table_),
         scale_{std::vector<float>(layout.size()), std::vector<float>(layout.size())},
         fronts_(tree_.nodes.size()),
@@ -99,7 +101,7 @@ class BlockLu final : public StencilSolver<D> {
   const Equilibration& scale() const { return scale_; }
   double bytes() const override {
     double total = 0;
-    for (const DissectionNode& node : tree_.nodes) total += sizeof(DissectionNode::PointPair) * node.pairs.size();
+    for (const auto& of_node : pairs_) total += sizeof(PointPair) * of_node.size();
     const Sizes sizes = count();
     return total + sizes.factors + 4.0 * (sizes.vectors + sizes.complements + sizes.fronts + slots_ * scratch_size());
   }
@@ -201,7 +203,7 @@ class BlockLu final : public StencilSolver<D> {
     };
     const int fields = stencil_.components;
     const std::int64_t block = std::int64_t(stencil_.offsets) * stencil_.points;
-    for (const DissectionNode::PointPair& pair : node.pairs) {
+    for (const PointPair& pair : pairs_[n]) {
       const float* entries = entries_.data() + pair.place;
       int column = pair.column;
       for (int u = 0; u < fields; ++u) {
@@ -240,6 +242,7 @@ class BlockLu final : public StencilSolver<D> {
   Stencil<D> stencil_;
   UnknownTable<D> table_;
   Dissection tree_;
+  std::vector<std::vector<PointPair>> pairs_;  ///< [node]
   Equilibrator<D> equilibrator_;
   Equilibration scale_;
   std::vector<Front<Number>> fronts_;

@@ -11,8 +11,8 @@ Counts counts_of_a_row(const Case& c) {
   Homogeneous s(c, {{{0.05, 0.01}, {0, -0.02}}});
   s.state.time = 3;  // loads act
   Scalars<2, 2> scalars(s.data, s.scene);
-  scalars.evaluate(0, {}, s.state, s.stage());
-  return counts_of([&] { scalars.evaluate(1, {}, s.state, s.stage()); });
+  scalars.row_of(scalars.read(0, {}, s.state, s.stage()));
+  return counts_of([&] { scalars.row_of(scalars.read(1, {}, s.state, s.stage())); });
 }
 
 TEST(Launches, ARowIsFewOfThemAndOneWait) {

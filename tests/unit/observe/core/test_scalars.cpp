@@ -36,7 +36,7 @@ struct FirstRow {
     const Homogeneous s(c, {{{0.05, 0.01}, {0, -0.02}}});
     Scalars<2, 2> scalars(s.data, s.scene);
     columns = scalars.columns();
-    row = scalars.evaluate(0, {0.25, 3, 7, 0}, s.state, s.stage());
+    row = scalars.row_of(scalars.read(0, {0.25, 3, 7, 0}, s.state, s.stage()));
   }
   bool has(const std::string& column) const { return row.cell(column).has_value(); }
 };
