@@ -69,6 +69,16 @@ struct FindExtremes {
   }
 };
 
+template <int D, class Take>
+void start(const FindExtremes<D>& all, PendingIntegrals& pending, const Take& take) {
+  pending.start_numbers(
+      extremes,
+      [&all](const Array& best) {
+        Kokkos::parallel_reduce("softwet::extremes", Items(0, std::max(all.fluid.count, all.solid.count)), all, best);
+      },
+      take);
+}
+
 }  // namespace
 
 template <int D>
@@ -82,19 +92,14 @@ void start_extremes(const Layout<D>& l, const State& state, double level, Pendin
                             .stride = l.rows * l.row_size,
                             .density = velocity + l.density_offset(),
                             .level = level};
-  pending.start_numbers(
-      extremes,
-      [&all](const Array& best) {
-        Kokkos::parallel_reduce("softwet::extremes", Items(0, std::max(all.fluid.count, all.solid.count)), all, best);
-      },
-      [&found, has_fluid = l.has_fluid](const auto& of_process) {
-        double best[extremes];
-        std::copy_n(of_process.data(), int(extremes), best);
-        ranks::largest(best, extremes);
-        if (!has_fluid) best[minus_least_density] = best[most_density] = 0;
-        found = {-best[minus_least_density], best[most_density], std::sqrt(best[square_in_fluid]),
-                 std::sqrt(best[square_in_solid]), std::sqrt(best[square_in_liquid])};
-      });
+  start(all, pending, [&found, has_fluid = l.has_fluid](const auto& of_process) {
+    double best[extremes];
+    std::copy_n(of_process.data(), int(extremes), best);
+    ranks::largest(best, extremes);
+    if (!has_fluid) best[minus_least_density] = best[most_density] = 0;
+    found = {-best[minus_least_density], best[most_density], std::sqrt(best[square_in_fluid]),
+             std::sqrt(best[square_in_solid]), std::sqrt(best[square_in_liquid])};
+  });
 }
 
 template <int D>

@@ -145,6 +145,20 @@ struct SavedArrays {
   }
 };
 
+/// Opens a checkpoint of the same case and reads it.
+template <int D>
+void open_and_read(const std::string& path, const Case& c, const Layout<D>& layout,
+                   std::optional<EntriesFromFile>& file, RunMemory& run, SolverCounts& counts, RunSeconds& seconds,
+                   SavedArrays& saved) {
+  together([&] {
+    file.emplace(path);
+    file->require_case(c);
+    visit(*file, run);
+    visit_costs(*file, counts, seconds);
+    saved.read(*file, layout);
+  });
+}
+
 }  // namespace
 
 template <int D, int P>
@@ -191,13 +205,7 @@ HistoryMemory read_checkpoint(const std::string& path, const Case& c, Stepper<D,
   run.history = at_start;
   SolverCounts counts;
   std::optional<EntriesFromFile> file;
-  together([&] {
-    file.emplace(path);
-    file->require_case(c);
-    visit(*file, run);
-    visit_costs(*file, counts, seconds);
-    saved.read(*file, layout);
-  });
+  open_and_read(path, c, layout, file, run, counts, seconds, saved);
   require_same_time(path, run.time);
   saved.put_back(layout);
   state.time = run.time;

@@ -1,6 +1,5 @@
 // Block LU and Schwarz against products.
 #include "scene/initial.hpp"
-#include "solver/direct/dissection.hpp"
 #include "solver/direct/host/block_lu.hpp"
 #include "solver/krylov/gmres.hpp"
 #include "solver/schwarz/patches.hpp"
@@ -166,18 +165,6 @@ TEST(BlockLu, StoresSinglePrecisionWhereHalfIsNotEnough) {
   matrix.fill(nearly_singular(s.layout(), 1));
   EXPECT_EQ(defect_of(*sufficient, matrix, b), defect_of(*resumed, matrix, b));
   EXPECT_EQ(sufficient->bytes(), resumed->bytes());
-}
-
-TEST(Dissection, EveryUnknownIsEliminatedOnce) {
-  RandomScene s(longer(small_case(SceneKind::coupled), 31, 18));
-  const std::vector<double> mask = to_host(s.scene.mask());
-  const Dissection tree = dissect(s.layout(), UnknownTable<2>(s.layout(), mask), 40);
-  std::vector<int> times(mask.size(), 0);
-  for (const DissectionNode& node : tree.nodes)
-    for (int i : node.own) ++times[i];
-  for (std::size_t i = 0; i < mask.size(); ++i) EXPECT_EQ(times[i], mask[i] != 0 ? 1 : 0) << i;
-  EXPECT_GT(tree.levels.size(), 3u);
-  EXPECT_TRUE(tree.nodes.back().border.empty());
 }
 
 /// Up to the 16 bits of the inverse: 2^-8 in each entry, which sums of large entries that nearly cancel make 1 %.
