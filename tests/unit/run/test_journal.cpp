@@ -51,10 +51,13 @@ struct Finished {
       Motion<2, 2>(c, options).run();
     } catch (const Error& error) {
       code = error.code();
-      problem = error.what();
-      for (std::size_t at; (at = problem.find(options.out)) != std::string::npos;)
-        problem.replace(at, options.out.size(), "OUT");
+      problem = without_place(error.what());
     }
+  }
+  std::string without_place(std::string text) const {
+    const std::string place = folder / "out";
+    for (std::size_t at; (at = text.find(place)) != std::string::npos;) text.replace(at, place.size(), "OUT");
+    return text;
   }
   /// All files but the checkpoint; of run.json the end alone, without the time of day: events, why it stopped, and the last row.
   std::map<std::string, std::string> files() const {
@@ -65,7 +68,7 @@ struct Finished {
         all[fs::relative(entry.path(), folder / "out").string()] = content_of(entry.path().string());
     if (fs::exists(folder / "out/run.json")) {
       const std::string record = content_of(folder / "out/run.json");
-      all["run.json"] = record.substr(std::min(record.size(), record.find("\"events\"")));
+      all["run.json"] = without_place(record.substr(std::min(record.size(), record.find("\"events\""))));
     }
     return all;
   }
