@@ -56,7 +56,7 @@ shutil.copytree(ROOT / "src", copy)
 (copy / "time/newcomer.hpp").write_text("#pragma once\n")
 (copy / "solver/krylov/newcomer.cpp").write_text("")
 (copy / "memory/README.md").write_text(
-    "A sentence about `array` is no row.\n\n| file | what it holds |\n|---|---|\n| `large_pages`, `team_scratch`, `start_teams` | `array` |\n")
+    "A sentence about `array` is no row.\n\n| file | what it holds |\n|---|---|\n| `chunk`, `large_pages`, `team_scratch`, `start_teams` | `array` |\n")
 found = missing(copy)
 for sentence in ("src/machine has no README.md", "src/time/README.md does not name `newcomer`",
                  "src/solver/README.md does not name `krylov/newcomer`", "src/memory/README.md does not name `array`"):
