@@ -86,20 +86,21 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
 
   /// Where the share of the element of point p along axis d stands.
   static KOKKOS_FORCEINLINE_FUNCTION int share_place(int p, int pass, int d) {
-    if (d == 0) return Room::x_share + p % Shape::qx / Q;
-    if (d == 1 && D == 3) return Room::y_share + p / Shape::qx % Shape::qy / Q;
-    return Room::z_share + (pass * Shape::qz + p / Shape::base) / Shape::QL;
+    if (d == 0) return Room::x_share + quotient(rest(p, Shape::qx), Q);
+    if (d == 1 && D == 3) return Room::y_share + quotient(rest(quotient(p, Shape::qx), Shape::qy), Q);
+    return Room::z_share + pass * Shape::L + Sweeps::layer(p);
   }
 
   /// The term at point p of a pass.
   KOKKOS_FORCEINLINE_FUNCTION void evaluate_at(int p, int pass, const int (&corner)[D], const Real* t, Real* values,
                                                Real* flux, PointState<Plan>& own) const {
+    const Tile* const self = anew(this);
     int q[D], step[D][Q];
     Real row[D][Q];
     Sweeps::neighbours(p, q, step);
     SOFTWET_UNROLL
     for (int d = 0; d < D; ++d) SOFTWET_UNROLL
-    for (int r = 0; r < Q; ++r) row[d][r] = slope.forward[d][q[d]][r] * t[share_place(p, pass, d)];
+    for (int r = 0; r < Q; ++r) row[d][r] = self->slope.forward[d][q[d]][r] * t[share_place(p, pass, d)];
     this->evaluate(p, pass, corner, t, TileFields<Plan>{own, values + p, row, step, task.scale}, [&](int again) {
       TileSink<Plan> to{own, flux + again, {}};
       SOFTWET_UNROLL
@@ -116,15 +117,14 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     int corner[D];
     grid.template corner<Shape>(team.tile(), corner);
     corner[D - 1] += pass * Shape::L;
-    Sweeps::along_x(
-        team, t, D == 3 ? first : second, [&](int i, int j, int k) { return this->control(corner, i, j, k); },
-        [&](auto f) {
-          if constexpr (f() < Plan::slots) {
-            return this->task.slot[f()];
-          } else {
-            return direction + this->task.tangents.of_unknown[Plan::unknown_of(f())];
-          }
-        });
+    const Tile* const self = anew(this);
+    Sweeps::along_x(team, pass, t, D == 3 ? first : second, [&](auto f, int at) {
+      if constexpr (f() < Plan::slots) {
+        return self->task.slot[f()] + at;
+      } else {
+        return direction + (self->task.tangents.of_unknown[Plan::unknown_of(f())] + at);
+      }
+    });
     team.barrier();
     if constexpr (D == 3) {
       Sweeps::along_y(team, t, first, second);
@@ -134,8 +134,8 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     team.barrier();
     share_points<Shape::points>(team, [&](int p, int l) { evaluate_at(p, pass, corner, t, first, second, own[l]); });
     team.barrier();
-    share_points<Shape::points>(team,
-                                [&](int p, int l) { Sweeps::fold_fluxes(slope, p, second, own[l].integrand, first); });
+    share_points<Shape::points>(
+        team, [&](int p, int l) { Sweeps::fold_fluxes(*anew(&slope), p, second, own[l].integrand, first); });
     team.barrier();
     Sweeps::fold_z(team, pass, t, first, second);
     team.barrier();
@@ -144,7 +144,7 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
       team.barrier();
     }
     Sweeps::fold_x(team, pass, t, D == 3 ? second + Room::folded_z : second, t + Room::sums);
-    team.barrier();
+    if constexpr (D == 2) team.barrier();  // in 3D the next sweep along x writes to the first room, which is not in use
   }
 
   /// @param direction  of a product
@@ -153,14 +153,14 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     int corner[D];
     grid.template corner<Shape>(team.tile(), corner);
     this->load_tables(team, corner, t);
+    this->load_places(team, corner, Sweeps::places(t));
     share(team, Base::sums, [&](int i) { t[Room::sums + i] = 0; });
     team.barrier();
     if constexpr (Plan::moves)
-      TileMotion<Plan>::trace(
-          team, slope, t, [&](int i, int j) { return this->column(corner, i, j); },
-          [&](int f) { return this->of_wall(f, direction); });
+      TileMotion<Plan>::trace(team, slope, t, [&](int f) { return this->of_wall(f, direction); });
     const int passes = this->passes(corner);
     for (int pass = 0; pass < passes; ++pass) run_pass(team, pass, direction, t);
+    if constexpr (D == 3) team.barrier();
     share(team, Base::sums, [&](int i) { this->partial_of(team)[i] = t[Room::sums + i]; });
   }
 };

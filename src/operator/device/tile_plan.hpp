@@ -44,7 +44,8 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
 
 /// Tables of the bases [point][function], of weights and of positions, and of shares [element], from `begin` on, and behind
 /// them the sums of a tile, or of the planes of one layer. Slopes are there where sweeps need them: all of them, or on
-/// a wall those across it.
+/// a wall those across it. Where control values stand is a sum of integers, one of the element along the first axis and one of
+/// the control point along each other axis; they lie there too.
 template <class Plan, int begin>
 struct TileTables {
   using Shape = typename Plan::Shape;
@@ -59,7 +60,11 @@ struct TileTables {
   static constexpr int x_slope = z_slope + (own || Plan::on_wall ? z_size : 0), y_slope = x_slope + (own ? x_size : 0);
   static constexpr int test_slope = y_slope + (own ? y_size : 0), x_share = test_slope + (own ? z_size : 0);
   static constexpr int y_share = x_share + (own ? 0 : Shape::NX), z_share = y_share + (three && !own ? Shape::NY : 0);
-  static constexpr int sums = z_share + (own ? 0 : Shape::NZ), planes = own ? Shape::n : Shape::planes;
+  static constexpr int places = z_share + (own ? 0 : Shape::NZ);
+  static constexpr int y_places = Shape::NX, z_places = y_places + (three ? Shape::cy : 0);  ///< among the integers
+  static constexpr int integers = own ? 0 : z_places + Shape::NZ + Shape::P,
+                       in_one = sizeof(typename Plan::Real) / sizeof(int);
+  static constexpr int sums = places + (integers + in_one - 1) / in_one, planes = own ? Shape::n : Shape::planes;
   static constexpr int size = sums + Plan::channels * planes * Shape::cx * Shape::cy;
 };
 

@@ -102,9 +102,11 @@ struct TileGrid {
   /// First element of a tile along each axis, from the begin of the grid.
   template <class Shape>
   KOKKOS_FORCEINLINE_FUNCTION void corner(int tile, int (&element)[D]) const {
+    unsigned rest = static_cast<unsigned>(tile);
     for (int d = 0; d < D; ++d) {
-      element[d] = tile % tiles[d] * Shape::width(d);
-      tile /= tiles[d];
+      const unsigned along = static_cast<unsigned>(tiles[d]);
+      element[d] = static_cast<int>(rest % along) * Shape::width(d);
+      rest /= along;
     }
   }
 };

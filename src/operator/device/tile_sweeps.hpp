@@ -14,14 +14,22 @@ KOKKOS_FORCEINLINE_FUNCTION void fold_line(const Real* table, int place, Real (&
   constexpr int n = P + 1;
   SOFTWET_UNROLL
   for (int c = 0; c < sums; ++c) sum[c] = 0;
-  for (int a = elements == 1 ? place : P; a >= (elements == 1 ? place : 0); --a) {
-    const int e = place - a;
-    if (e < 0 || e >= elements) continue;
+  const auto add = [&](int e, int a) {
+    SOFTWET_UNROLL
     for (int q = 0; q < Q; ++q) {
       const Real basis = table[(e * Q + q) * n + a];
       SOFTWET_UNROLL
       for (int c = 0; c < sums; ++c) sum[c] = sum[c] + basis * from(c, e * Q + q);
     }
+  };
+  if constexpr (elements < n) {
+    SOFTWET_UNROLL
+    for (int e = 0; e < elements; ++e)
+      if (elements == 1 || (place >= e && place <= e + P)) add(e, place - e);
+  } else {
+    SOFTWET_UNROLL
+    for (int a = P; a >= 0; --a)
+      if (place >= a && place < elements + a) add(place - a, a);
   }
 }
 
@@ -40,66 +48,84 @@ struct TileSweeps {
     return sum;
   }
 
-  /// Every plane and line of a pass along x. control(i, j, k): place of a control value; field(f): its array.
-  template <class Team, class Control, class Field>
-  static KOKKOS_FORCEINLINE_FUNCTION void along_x(const Team& team, const Real* tables, Real* out,
-                                                  const Control& control, const Field& field) {
+  /// Where the integers of Room::places stand.
+  static KOKKOS_FORCEINLINE_FUNCTION int* places(Real* tables) { return reinterpret_cast<int*>(tables + Room::places); }
+  static KOKKOS_FORCEINLINE_FUNCTION const int* places(const Real* tables) {
+    return reinterpret_cast<const int*>(tables + Room::places);
+  }
+
+  /// Every plane and line of a pass along x. field(f, at): value `at` of a field. All fields are read before one is written: a compiler
+  /// cannot know that these are different memory.
+  template <class Team, class Field>
+  static KOKKOS_FORCEINLINE_FUNCTION void along_x(const Team& team, int pass, const Real* tables, Real* out,
+                                                  const Field& field) {
     share(team, Room::x_swept, [&](int i) {
-      const int q = i % Shape::qx, j = i / Shape::qx % Shape::cy, k = i / Shape::qx / Shape::cy;
-      Real basis[n];
-      int at[n];
-      SOFTWET_UNROLL
-      for (int a = 0; a < n; ++a) {
-        basis[a] = tables[Room::x + q * n + a];
-        at[a] = control(q / Q + a, j, k);
-      }
+      const int line = quotient(i, Shape::qx), q = rest(i, Shape::qx), k = quotient(line, Shape::cy);
+      int at = places(tables)[quotient(q, Q)] + places(tables)[Room::z_places + pass * Shape::L + k];
+      if constexpr (D == 3) at += places(tables)[Room::y_places + rest(line, Shape::cy)];
+      Real value[Plan::fields][n], basis[n];
       for_each_index<Plan::fields>([&](auto f) {
-        const Real* p = field(f);
-        Real sum = basis[0] * p[at[0]];
+        const Real* from = field(f, at);
         SOFTWET_UNROLL
-        for (int a = 1; a < n; ++a) sum = sum + basis[a] * p[at[a]];
-        out[f() * Room::x_swept + i] = sum;
+        for (int a = 0; a < n; ++a) value[f()][a] = constant(from + a);
       });
+      SOFTWET_UNROLL
+      for (int a = 0; a < n; ++a) basis[a] = tables[Room::x + q * n + a];
+      for_each_index<Plan::fields>([&](auto f) { out[f() * Room::x_swept + i] = combination(basis, value[f()], 1); });
     });
   }
 
   /// An item: the Q points of an element across, of one field, line and plane. The items of a thread lie on one element.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void along_y(const Team& team, const Real* tables, const Real* in, Real* out) {
-    constexpr int line = Shape::qx * Shape::NY, count = line * Shape::cz * Plan::fields;
-    constexpr bool one_element = Team::size % line == 0;
-    Real basis[Q][n];
-    const auto load = [&](int i) {
+    constexpr int line = Shape::qx * Shape::NY, planes = Shape::cz * Plan::fields;
+    constexpr int apart = Team::size % line == 0 ? Team::size / line : 0;  // the planes of a thread
+    const auto sweep = [&](int i) {
+      const int x = rest(i, Shape::qx), e = rest(quotient(i, Shape::qx), Shape::NY), first = quotient(i, line);
+      Real basis[Q][n];
       SOFTWET_UNROLL
       for (int q = 0; q < Q; ++q) SOFTWET_UNROLL
-      for (int a = 0; a < n; ++a) basis[q][a] = tables[Room::y + (i / Shape::qx % Shape::NY * Q + q) * n + a];
+      for (int a = 0; a < n; ++a) basis[q][a] = tables[Room::y + (e * Q + q) * n + a];
+      const Real* from = in + (first * Shape::cy + e) * Shape::qx + x;
+      Real* to = out + first * Shape::base + e * Q * Shape::qx + x;
+      const auto cross = [&](int l) {
+        SOFTWET_UNROLL
+        for (int q = 0; q < Q; ++q)
+          to[l * apart * Shape::base + q * Shape::qx] =
+              combination(basis[q], from + l * apart * Shape::cy * Shape::qx, Shape::qx);
+      };
+      if constexpr (apart == 0) {
+        cross(0);
+      } else {
+        SOFTWET_UNROLL
+        for (int l = 0; l < (planes + apart - 1) / apart; ++l)
+          if ((l + 1) * apart <= planes || first + l * apart < planes) cross(l);
+      }
     };
-    load(team.rank());
-    share(team, count, [&](int i) {
-      if constexpr (!one_element) load(i);
-      const int x = i % Shape::qx, e = i / Shape::qx % Shape::NY, plane = i / line;  // planes of all fields
-      const Real* from = in + (plane * Shape::cy + e) * Shape::qx + x;
-      Real* to = out + plane * Shape::base + e * Q * Shape::qx + x;
-      SOFTWET_UNROLL
-      for (int q = 0; q < Q; ++q) to[q * Shape::qx] = combination(basis[q], from, Shape::qx);
-    });
+    if constexpr (apart == 0) {
+      share(team, line * planes, sweep);
+    } else {
+      sweep(team.rank());
+    }
   }
 
   /// Point p of a pass: values of fields with gradients to `values`, others to own.value; on a wall slopes across it too.
   template <class Own>
   static KOKKOS_FORCEINLINE_FUNCTION void along_z(int p, int pass, const Real* tables, const Real* in, Real* values,
                                                   Own& own) {
-    const int z = p / Shape::base;
+    const int z = quotient(p, Shape::base);
     Real basis[n];
     SOFTWET_UNROLL
     for (int a = 0; a < n; ++a) basis[a] = tables[Room::z + (pass * Shape::qz + z) * n + a];
-    const Real* from = in + z / Shape::QL * Shape::base + p % Shape::base;
+    const Real* from = in + layer(p) * Shape::base + rest(p, Shape::base);
+    Real sum[Plan::fields];
+    for_each_index<Plan::fields>(
+        [&](auto f) { sum[f()] = combination(basis, from + f() * Room::y_swept, Shape::base); });
     for_each_index<Plan::fields>([&](auto f) {
-      const Real sum = combination(basis, from + f() * Room::y_swept, Shape::base);
       if constexpr (Plan::has_gradient(f())) {
-        values[Plan::stored_before(f()) * Shape::points + p] = sum;
+        values[Plan::stored_before(f()) * Shape::points + p] = sum[f()];
       } else {
-        own.value[f()] = sum;
+        own.value[f()] = sum[f()];
       }
     });
     if constexpr (Plan::on_wall) {
@@ -110,15 +136,20 @@ struct TileSweeps {
     }
   }
 
+  /// The layer of a pass with point p.
+  static KOKKOS_FORCEINLINE_FUNCTION int layer(int p) {
+    return Shape::L == 1 ? 0 : quotient(p, Shape::base * Shape::QL);
+  }
+
   /// Point p of a pass in its element, and how far the points of the element are from it along each axis, itself first.
   static KOKKOS_FORCEINLINE_FUNCTION void neighbours(int p, int (&q)[D], int (&step)[D][Q]) {
     const int stride[3] = {1, D == 3 ? Shape::qx : Shape::base, Shape::base};
-    q[0] = p % Shape::qx % Q;
-    if constexpr (D == 3) q[1] = p / Shape::qx % Shape::qy % Q;
-    q[D - 1] = p / Shape::base % Q;
+    q[0] = rest(p, Q);
+    if constexpr (D == 3) q[1] = rest(quotient(p, Shape::qx), Q);
+    q[D - 1] = quotient(p, Shape::base) - layer(p) * Shape::QL;
     SOFTWET_UNROLL
     for (int d = 0; d < D; ++d) SOFTWET_UNROLL
-    for (int r = 0; r < Q; ++r) step[d][r] = ((q[d] + r) % Q - q[d]) * stride[d];
+    for (int r = 0; r < Q; ++r) step[d][r] = q[d] + r < Q ? r * stride[d] : (r - Q) * stride[d];
   }
 
   /// The integrand at point p and the fluxes at the points of its element, as an integrand against values alone. On a face fluxes
@@ -131,23 +162,25 @@ struct TileSweeps {
     SOFTWET_UNROLL
     for (int d = 0; d < D; ++d) SOFTWET_UNROLL
     for (int r = 0; r < Q; ++r) row[d][r] = slope.transposed[d][q[d]][r];
+    Real sum[Plan::channels];
     SOFTWET_UNROLL
     for (int c = 0; c < Plan::channels; ++c) {
-      Real sum = integrand[c];
+      sum[c] = integrand[c];
       if constexpr (Plan::Test::has_flux) SOFTWET_UNROLL
       for (int d = 0; d < Plan::collocated; ++d) SOFTWET_UNROLL
-      for (int r = 0; r < Q; ++r) sum = sum + row[d][r] * flux[(c * D + d) * Shape::points + p + step[d][r]];
-      out[c * Shape::points + p] = sum;
+      for (int r = 0; r < Q; ++r) sum[c] = sum[c] + row[d][r] * flux[(c * D + d) * Shape::points + p + step[d][r]];
     }
+    SOFTWET_UNROLL
+    for (int c = 0; c < Plan::channels; ++c) out[c * Shape::points + p] = sum[c];
   }
 
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_z(const Team& team, int pass, const Real* tables, const Real* in,
                                                  Real* out) {
     share(team, Room::y_swept, [&](int i) {
-      const int at = i % Shape::base;
+      const int at = rest(i, Shape::base);
       Real sum[Plan::channels];
-      fold_line<P, Shape::QL, Shape::L>(tables + Room::test + pass * Shape::qz * n, i / Shape::base, sum,
+      fold_line<P, Shape::QL, Shape::L>(tables + Room::test + pass * Shape::qz * n, quotient(i, Shape::base), sum,
                                         [&](int c, int q) { return in[c * Shape::points + q * Shape::base + at]; });
       SOFTWET_UNROLL
       for (int c = 0; c < Plan::channels; ++c) out[c * Room::y_swept + i] = sum[c];
@@ -156,7 +189,8 @@ struct TileSweeps {
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_y(const Team& team, const Real* tables, const Real* in, Real* out) {
     share(team, Room::x_swept, [&](int i) {
-      const int q = i % Shape::qx, j = i / Shape::qx % Shape::cy, k = i / Shape::qx / Shape::cy;
+      const int line = quotient(i, Shape::qx), q = rest(i, Shape::qx);
+      const int j = rest(line, Shape::cy), k = quotient(line, Shape::cy);
       Real sum[Plan::channels];
       fold_line<P, Q, Shape::NY>(tables + Room::y, j, sum, [&](int c, int y) {
         return in[c * Room::y_swept + k * Shape::base + y * Shape::qx + q];
@@ -165,18 +199,24 @@ struct TileSweeps {
       for (int c = 0; c < Plan::channels; ++c) out[c * Room::x_swept + i] = sum[c];
     });
   }
-  /// Adds to the sums of the tile.
+  /// Adds to the sums of the tile. An item: a control value in one of the groups of channels, as many as threads allow.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_x(const Team& team, int pass, const Real* tables, const Real* in,
                                                  Real* sums) {
-    constexpr int lines = Shape::cy * Shape::cz;
-    share(team, Shape::cx * lines * Plan::channels, [&](int i) {
-      const int x = i % Shape::cx, line = i / Shape::cx % lines, c = i / Shape::cx / lines;
-      Real sum[1];
-      fold_line<P, Q, Shape::NX>(tables + Room::x, x, sum,
-                                 [&](int, int q) { return in[c * Room::x_swept + line * Shape::qx + q]; });
-      const int below = Shape::Shared ? 0 : pass * Shape::L * Shape::cy;
-      sums[c * Shape::controls + (below + line) * Shape::cx + x] += sum[0];
+    constexpr int values = Shape::cx * Shape::cy * Shape::cz, channels = Plan::channels, fit = Team::size / values;
+    constexpr int wanted = fit < 1 ? 1 : fit, each = (channels + wanted - 1) / wanted,
+                  groups = (channels + each - 1) / each;
+    share(team, values * groups, [&](int i) {
+      const int first = groups == 1 ? 0 : quotient(i, values) * each, value = groups == 1 ? i : rest(i, values);
+      const int line = quotient(value, Shape::cx), x = value - line * Shape::cx;
+      Real sum[each];
+      fold_line<P, Q, Shape::NX>(tables + Room::x, x, sum, [&](int c, int q) {
+        return in[(first + c) * Room::x_swept + line * Shape::qx + q];  // of the last channel too, where there is one
+      });
+      const int below = Shape::Shared ? 0 : pass * Shape::L * Shape::cy * Shape::cx;
+      SOFTWET_UNROLL
+      for (int c = 0; c < each; ++c)
+        if (channels % each == 0 || first + c < channels) sums[(first + c) * Shape::controls + below + value] += sum[c];
     });
   }
 };
