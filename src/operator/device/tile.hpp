@@ -8,7 +8,7 @@
 
 #include "operator/device/tile_motion.hpp"
 #include "operator/device/tile_point.hpp"
-#include "operator/device/tile_sweeps.hpp"
+#include "operator/device/tile_sweeps_3d.hpp"
 
 namespace softwet {
 
@@ -78,6 +78,7 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
   using typename Base::S;
   using typename Base::Shape;
   using Sweeps = TileSweeps<Plan>;
+  using Sweeps3D = TileSweeps3D<Plan>;
   using Base::D, Base::Q, Base::task, Base::grid;
 
   Collocation<D, Q, Real> slope;
@@ -109,7 +110,8 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     });
   }
 
-  /// One pass: L layers of elements, added to the sums of the tile.
+  /// One pass: L layers of elements, added to the sums of the tile. In 3D the next pass begins without a barrier, because it writes
+  /// first where no thread reads any more.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void run_pass(const Team& team, int pass, const Real* direction, Real* t) const {
     PointState<Plan> own[(Shape::points + Team::size - 1) / Team::size];  // points of a thread: one on a device
@@ -127,24 +129,30 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     });
     team.barrier();
     if constexpr (D == 3) {
-      Sweeps::along_y(team, t, first, second);
-      team.barrier();
+      Sweeps3D::along_y_and_z(team, pass, t, first, second, first + Room::kept);
+    } else {
+      share_points<Shape::points>(team, [&](int p, int l) { Sweeps::along_z(p, pass, t, second, first, own[l]); });
     }
-    share_points<Shape::points>(team, [&](int p, int l) { Sweeps::along_z(p, pass, t, second, first, own[l]); });
     team.barrier();
-    share_points<Shape::points>(team, [&](int p, int l) { evaluate_at(p, pass, corner, t, first, second, own[l]); });
+    Real *const values = D == 3 ? second : first, *const flux = D == 3 ? first : second;
+    share_points<Shape::points>(team, [&](int p, int l) {
+      if constexpr (D == 3) Sweeps3D::take(first + Room::kept + p, own[l]);
+      evaluate_at(p, pass, corner, t, values, flux, own[l]);
+    });
     team.barrier();
     share_points<Shape::points>(
-        team, [&](int p, int l) { Sweeps::fold_fluxes(*anew(&slope), p, second, own[l].integrand, first); });
-    team.barrier();
-    Sweeps::fold_z(team, pass, t, first, second);
+        team, [&](int p, int l) { Sweeps::fold_fluxes(*anew(&slope), p, flux, own[l].integrand, values); });
     team.barrier();
     if constexpr (D == 3) {
-      Sweeps::fold_y(team, t, second, second + Room::folded_z);
+      Sweeps3D::fold_z_and_y(team, pass, t, values, first + Room::folded_zy);
+      team.barrier();
+      Sweeps3D::fold_x(team, pass, t, first + Room::folded_zy, t + Room::sums);
+    } else {
+      Sweeps::fold_z(team, pass, t, values, second);
+      team.barrier();
+      Sweeps::fold_x(team, pass, t, second, t + Room::sums);
       team.barrier();
     }
-    Sweeps::fold_x(team, pass, t, D == 3 ? second + Room::folded_z : second, t + Room::sums);
-    if constexpr (D == 2) team.barrier();  // in 3D the next sweep along x writes to the first room, which is not in use
   }
 
   /// @param direction  of a product

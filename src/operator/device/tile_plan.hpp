@@ -68,24 +68,33 @@ struct TileTables {
   static constexpr int size = sums + Plan::channels * planes * Shape::cx * Shape::cy;
 };
 
-/// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 3D the first holds what was swept along
-/// x, then values, then what was folded at the points; the second what was swept along y, then fluxes, then later folds. In
-/// 2D there is one sweep less, and the second room begins.
+/// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 2D the second holds what was swept along x, the
+/// first values, the second fluxes, the first what was folded at the points, and the second what was folded along z. In 3D the rooms
+/// change places, and behind what was swept along x there are the numbers that a point keeps for itself: the values of fields
+/// without gradients and slopes across a wall. They lie where fluxes of the same point are written later. What was folded along z
+/// and y stands behind what the next pass sweeps along x.
 template <class Plan>
 struct TileRooms {
   using Shape = typename Plan::Shape;
   static constexpr bool three = Shape::D == 3;
   static constexpr int max(int a, int b) { return a > b ? a : b; }
-  static constexpr int x_swept = Shape::cz * Shape::cy * Shape::qx, y_swept = Shape::cz * Shape::base;
-  static constexpr int sweep_x = Plan::fields * x_swept, sweep_y = Plan::fields * y_swept;
+  static_assert(!three || Shape::L == 1, "in 3D a pass is one layer");
+  static constexpr int x_swept = Shape::cz * Shape::cy * Shape::qx, z_folded = Shape::cz * Shape::base;
+  static constexpr int sweep_x = Plan::fields * x_swept;
   static constexpr int values = Plan::stored * Shape::points;
   static constexpr int flux = Plan::Test::has_flux ? Plan::channels * Shape::D * Shape::points : 0;
-  static constexpr int folded = Plan::channels * Shape::points;
-  static constexpr int folded_z = Plan::channels * y_swept, folded_y = three ? Plan::channels * x_swept : 0;
-  static constexpr int wall_x = three ? Plan::wall_fields * Shape::cy * Shape::qx : 0;
+  static constexpr int folded = Plan::channels * Shape::points, wall_x = Plan::wall_fields * Shape::cy * Shape::qx;
+  static constexpr int of_points = max(values, folded);
 
-  static constexpr int first_room = max(max(three ? sweep_x : 0, values), max(folded, wall_x));
-  static constexpr int second_room = max(max(three ? sweep_y : sweep_x, flux), folded_z + folded_y);
+  // In 3D:
+  static constexpr int kept = (sweep_x + Shape::points - 1) / Shape::points * Shape::points;
+  static constexpr int across = Plan::fields - Plan::stored;  ///< among the numbers that a point keeps
+  static constexpr int keeps = (across + (Plan::on_wall ? Plan::fields : 0)) * Shape::points;
+  static constexpr int folded_zy = sweep_x,
+                       in_3d = max(max(kept + keeps, folded_zy + Plan::channels * x_swept), max(flux, wall_x));
+
+  static constexpr int first_room = three ? in_3d : of_points;
+  static constexpr int second_room = three ? of_points : max(max(sweep_x, flux), Plan::channels* z_folded);
   static constexpr int first = 0, second = first_room, wall = second + second_room;
   static constexpr int tables = wall + Plan::wall_numbers * Shape::base;
 };

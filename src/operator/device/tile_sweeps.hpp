@@ -22,10 +22,8 @@ KOKKOS_FORCEINLINE_FUNCTION void fold_line(const Real* table, int place, Real (&
       for (int c = 0; c < sums; ++c) sum[c] = sum[c] + basis * from(c, e * Q + q);
     }
   };
-  if constexpr (elements < n) {
-    SOFTWET_UNROLL
-    for (int e = 0; e < elements; ++e)
-      if (elements == 1 || (place >= e && place <= e + P)) add(e, place - e);
+  if constexpr (elements == 1) {
+    add(0, place);
   } else {
     SOFTWET_UNROLL
     for (int a = P; a >= 0; --a)
@@ -75,41 +73,7 @@ struct TileSweeps {
     });
   }
 
-  /// An item: the Q points of an element across, of one field, line and plane. The items of a thread lie on one element.
-  template <class Team>
-  static KOKKOS_FORCEINLINE_FUNCTION void along_y(const Team& team, const Real* tables, const Real* in, Real* out) {
-    constexpr int line = Shape::qx * Shape::NY, planes = Shape::cz * Plan::fields;
-    constexpr int apart = Team::size % line == 0 ? Team::size / line : 0;  // the planes of a thread
-    const auto sweep = [&](int i) {
-      const int x = rest(i, Shape::qx), e = rest(quotient(i, Shape::qx), Shape::NY), first = quotient(i, line);
-      Real basis[Q][n];
-      SOFTWET_UNROLL
-      for (int q = 0; q < Q; ++q) SOFTWET_UNROLL
-      for (int a = 0; a < n; ++a) basis[q][a] = tables[Room::y + (e * Q + q) * n + a];
-      const Real* from = in + (first * Shape::cy + e) * Shape::qx + x;
-      Real* to = out + first * Shape::base + e * Q * Shape::qx + x;
-      const auto cross = [&](int l) {
-        SOFTWET_UNROLL
-        for (int q = 0; q < Q; ++q)
-          to[l * apart * Shape::base + q * Shape::qx] =
-              combination(basis[q], from + l * apart * Shape::cy * Shape::qx, Shape::qx);
-      };
-      if constexpr (apart == 0) {
-        cross(0);
-      } else {
-        SOFTWET_UNROLL
-        for (int l = 0; l < (planes + apart - 1) / apart; ++l)
-          if ((l + 1) * apart <= planes || first + l * apart < planes) cross(l);
-      }
-    };
-    if constexpr (apart == 0) {
-      share(team, line * planes, sweep);
-    } else {
-      sweep(team.rank());
-    }
-  }
-
-  /// Point p of a pass: values of fields with gradients to `values`, others to own.value; on a wall slopes across it too.
+  /// In 2D: point p of a pass: values of fields with gradients to `values`, others to own.value; on a wall slopes across it too.
   template <class Own>
   static KOKKOS_FORCEINLINE_FUNCTION void along_z(int p, int pass, const Real* tables, const Real* in, Real* values,
                                                   Own& own) {
@@ -120,7 +84,7 @@ struct TileSweeps {
     const Real* from = in + layer(p) * Shape::base + rest(p, Shape::base);
     Real sum[Plan::fields];
     for_each_index<Plan::fields>(
-        [&](auto f) { sum[f()] = combination(basis, from + f() * Room::y_swept, Shape::base); });
+        [&](auto f) { sum[f()] = combination(basis, from + f() * Room::x_swept, Shape::base); });
     for_each_index<Plan::fields>([&](auto f) {
       if constexpr (Plan::has_gradient(f())) {
         values[Plan::stored_before(f()) * Shape::points + p] = sum[f()];
@@ -132,7 +96,7 @@ struct TileSweeps {
       SOFTWET_UNROLL
       for (int a = 0; a < n; ++a) basis[a] = tables[Room::z_slope + z * n + a];
       for_each_index<Plan::fields>(
-          [&](auto f) { own.across[f()] = combination(basis, from + f() * Room::y_swept, Shape::base); });
+          [&](auto f) { own.across[f()] = combination(basis, from + f() * Room::x_swept, Shape::base); });
     }
   }
 
@@ -177,46 +141,27 @@ struct TileSweeps {
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_z(const Team& team, int pass, const Real* tables, const Real* in,
                                                  Real* out) {
-    share(team, Room::y_swept, [&](int i) {
+    share(team, Room::z_folded, [&](int i) {
       const int at = rest(i, Shape::base);
       Real sum[Plan::channels];
       fold_line<P, Shape::QL, Shape::L>(tables + Room::test + pass * Shape::qz * n, quotient(i, Shape::base), sum,
                                         [&](int c, int q) { return in[c * Shape::points + q * Shape::base + at]; });
       SOFTWET_UNROLL
-      for (int c = 0; c < Plan::channels; ++c) out[c * Room::y_swept + i] = sum[c];
+      for (int c = 0; c < Plan::channels; ++c) out[c * Room::z_folded + i] = sum[c];
     });
   }
-  template <class Team>
-  static KOKKOS_FORCEINLINE_FUNCTION void fold_y(const Team& team, const Real* tables, const Real* in, Real* out) {
-    share(team, Room::x_swept, [&](int i) {
-      const int line = quotient(i, Shape::qx), q = rest(i, Shape::qx);
-      const int j = rest(line, Shape::cy), k = quotient(line, Shape::cy);
-      Real sum[Plan::channels];
-      fold_line<P, Q, Shape::NY>(tables + Room::y, j, sum, [&](int c, int y) {
-        return in[c * Room::y_swept + k * Shape::base + y * Shape::qx + q];
-      });
-      SOFTWET_UNROLL
-      for (int c = 0; c < Plan::channels; ++c) out[c * Room::x_swept + i] = sum[c];
-    });
-  }
-  /// Adds to the sums of the tile. An item: a control value in one of the groups of channels, as many as threads allow.
+  /// Adds to the sums of the tile.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_x(const Team& team, int pass, const Real* tables, const Real* in,
                                                  Real* sums) {
-    constexpr int values = Shape::cx * Shape::cy * Shape::cz, channels = Plan::channels, fit = Team::size / values;
-    constexpr int wanted = fit < 1 ? 1 : fit, each = (channels + wanted - 1) / wanted,
-                  groups = (channels + each - 1) / each;
-    share(team, values * groups, [&](int i) {
-      const int first = groups == 1 ? 0 : quotient(i, values) * each, value = groups == 1 ? i : rest(i, values);
-      const int line = quotient(value, Shape::cx), x = value - line * Shape::cx;
-      Real sum[each];
-      fold_line<P, Q, Shape::NX>(tables + Room::x, x, sum, [&](int c, int q) {
-        return in[(first + c) * Room::x_swept + line * Shape::qx + q];  // of the last channel too, where there is one
-      });
-      const int below = Shape::Shared ? 0 : pass * Shape::L * Shape::cy * Shape::cx;
-      SOFTWET_UNROLL
-      for (int c = 0; c < each; ++c)
-        if (channels % each == 0 || first + c < channels) sums[(first + c) * Shape::controls + below + value] += sum[c];
+    constexpr int lines = Shape::cy * Shape::cz;
+    share(team, Shape::cx * lines * Plan::channels, [&](int i) {
+      const int x = rest(i, Shape::cx), line = rest(quotient(i, Shape::cx), lines), c = quotient(i, Shape::cx * lines);
+      Real sum[1];
+      fold_line<P, Q, Shape::NX>(tables + Room::x, x, sum,
+                                 [&](int, int q) { return in[c * Room::x_swept + line * Shape::qx + q]; });
+      const int below = Shape::Shared ? 0 : pass * Shape::L * Shape::cy;
+      sums[c * Shape::controls + (below + line) * Shape::cx + x] += sum[0];
     });
   }
 };
