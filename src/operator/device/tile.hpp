@@ -19,6 +19,7 @@ struct PointState {
   Real value[Plan::fields];                       ///< of fields without gradients
   Real across[Plan::on_wall ? Plan::fields : 1];  ///< slopes across a wall
   Real integrand[Plan::channels];
+  Real flux[Plan::channels][Plan::D];
 };
 
 /// Fields at one point, as Reader wants them.
@@ -65,7 +66,7 @@ struct TileSink {
 
   KOKKOS_FORCEINLINE_FUNCTION void integrand(int channel, const S& number) { own.integrand[channel] = plain(number); }
   KOKKOS_FORCEINLINE_FUNCTION void flux(int channel, int d, const S& number) {
-    to[(channel * D + d) * Plan::Shape::points] = plain(number * share[d]);
+    own.flux[channel][d] = to[(channel * D + d) * Plan::Shape::points] = plain(number * share[d]);
   }
 };
 
@@ -140,8 +141,8 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
       evaluate_at(p, pass, corner, t, values, flux, own[l]);
     });
     team.barrier();
-    share_points<Shape::points>(
-        team, [&](int p, int l) { Sweeps::fold_fluxes(*anew(&slope), p, flux, own[l].integrand, values); });
+    share_points<Shape::points>(team,
+                                [&](int p, int l) { Sweeps::fold_fluxes(*anew(&slope), p, flux, own[l], values); });
     team.barrier();
     if constexpr (D == 3) {
       Sweeps3D::fold_z_and_y(team, pass, t, values, first + Room::folded_zy);

@@ -118,21 +118,24 @@ struct TileSweeps {
 
   /// The integrand at point p and the fluxes at the points of its element, as an integrand against values alone. On a face fluxes
   /// are tangential.
+  template <class Own>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_fluxes(const Collocation<D, Q, Real>& slope, int p, const Real* flux,
-                                                      const Real (&integrand)[Plan::channels], Real* out) {
+                                                      const Own& own, Real* out) {
     int q[D], step[D][Q];
-    Real row[D][Q];
+    Real row[D][Q], sum[Plan::channels];
     neighbours(p, q, step);
     SOFTWET_UNROLL
     for (int d = 0; d < D; ++d) SOFTWET_UNROLL
     for (int r = 0; r < Q; ++r) row[d][r] = slope.transposed[d][q[d]][r];
-    Real sum[Plan::channels];
     SOFTWET_UNROLL
     for (int c = 0; c < Plan::channels; ++c) {
-      sum[c] = integrand[c];
+      sum[c] = own.integrand[c];
       if constexpr (Plan::Test::has_flux) SOFTWET_UNROLL
-      for (int d = 0; d < Plan::collocated; ++d) SOFTWET_UNROLL
-      for (int r = 0; r < Q; ++r) sum[c] = sum[c] + row[d][r] * flux[(c * D + d) * Shape::points + p + step[d][r]];
+      for (int d = 0; d < Plan::collocated; ++d) {
+        sum[c] = sum[c] + row[d][0] * own.flux[c][d];
+        SOFTWET_UNROLL
+        for (int r = 1; r < Q; ++r) sum[c] = sum[c] + row[d][r] * flux[(c * D + d) * Shape::points + p + step[d][r]];
+      }
     }
     SOFTWET_UNROLL
     for (int c = 0; c < Plan::channels; ++c) out[c * Shape::points + p] = sum[c];
