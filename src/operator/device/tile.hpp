@@ -93,16 +93,41 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     return Room::z_share + pass * Shape::L + Sweeps::layer(p);
   }
 
+  /// Where the row of point p along axis d stands.
+  static KOKKOS_FORCEINLINE_FUNCTION int row_place(int p, int pass, int d) {
+    if (d == 0) return Room::x_row + rest(p, Shape::qx) * Q;
+    if (d == 1 && D == 3) return Room::y_row + rest(quotient(p, Shape::qx), Shape::qy) * Q;
+    return Room::z_row + (pass * Shape::qz + quotient(p, Shape::base)) * Q;
+  }
+  /// The rows, when the shares are there.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_rows(const Team& team, Real* t) const {
+    if constexpr (Room::knows_rows) {
+      load_rows_along<0>(team, Shape::qx, t + Room::x_row, t + Room::x_share);
+      if constexpr (D == 3) load_rows_along<1>(team, Shape::qy, t + Room::y_row, t + Room::y_share);
+      if constexpr (!Plan::on_wall)
+        load_rows_along<D - 1>(team, Shape::QL * Shape::NZ, t + Room::z_row, t + Room::z_share);
+    }
+  }
+  template <int d, class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_rows_along(const Team& team, int count, Real* row, const Real* element) const {
+    share_from(team, (1 + d) * Base::warps_apart, count * Q, [&](int i) {
+      const int at = quotient(i, Q);
+      row[i] = slope.forward[d][rest(at, Q)][rest(i, Q)] * element[quotient(at, Q)];
+    });
+  }
+
   /// The term at point p of a pass.
   KOKKOS_FORCEINLINE_FUNCTION void evaluate_at(int p, int pass, const int (&corner)[D], const Real* t, Real* values,
                                                Real* flux, PointState<Plan>& own) const {
-    const Tile* const self = anew(this);
     int q[D], step[D][Q];
     Real row[D][Q];
     Sweeps::neighbours(p, q, step);
     SOFTWET_UNROLL
-    for (int d = 0; d < D; ++d) SOFTWET_UNROLL
-    for (int r = 0; r < Q; ++r) row[d][r] = self->slope.forward[d][q[d]][r] * t[share_place(p, pass, d)];
+    for (int d = 0; d < Plan::collocated; ++d) SOFTWET_UNROLL
+    for (int r = 0; r < Q; ++r)
+      row[d][r] =
+          Room::knows_rows ? t[row_place(p, pass, d) + r] : slope.forward[d][q[d]][r] * t[share_place(p, pass, d)];
     this->evaluate(p, pass, corner, t, TileFields<Plan>{own, values + p, row, step, task.scale}, [&](int again) {
       TileSink<Plan> to{own, flux + again, {}};
       SOFTWET_UNROLL
@@ -165,6 +190,8 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     this->load_places(team, corner, Sweeps::places(t));
     share(team, Base::sums, [&](int i) { t[Room::sums + i] = 0; });
     team.barrier();
+    load_rows(team, t);
+    this->load_blend(team, t);
     if constexpr (Plan::moves)
       TileMotion<Plan>::trace(team, slope, t, [&](int f) { return this->of_wall(f, direction); });
     const int passes = this->passes(corner);

@@ -46,6 +46,8 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
 /// them the sums of a tile, or of the planes of one layer. Slopes are there where sweeps need them: all of them, or on
 /// a wall those across it. Where control values stand is a sum of integers, one of the element along the first axis and one of
 /// the control point along each other axis; they lie there too.
+/// So do the numbers of a Blend at the heights of the points, and, where slopes follow from values, the rows that give them
+/// [point][point of the element, itself first]: for products in double precision in 3D a team has no room for these.
 template <class Plan, int begin>
 struct TileTables {
   using Shape = typename Plan::Shape;
@@ -60,7 +62,12 @@ struct TileTables {
   static constexpr int x_slope = z_slope + (own || Plan::on_wall ? z_size : 0), y_slope = x_slope + (own ? x_size : 0);
   static constexpr int test_slope = y_slope + (own ? y_size : 0), x_share = test_slope + (own ? z_size : 0);
   static constexpr int y_share = x_share + (own ? 0 : Shape::NX), z_share = y_share + (three && !own ? Shape::NY : 0);
-  static constexpr int places = z_share + (own ? 0 : Shape::NZ);
+  static constexpr bool room = !(three && Plan::Tangent && sizeof(typename Plan::Real) == 8);
+  static constexpr bool knows_blend = room && Plan::moves, knows_rows = room && !own;
+  static constexpr int blend = z_share + (own ? 0 : Shape::NZ), blend_slope = blend + (knows_blend ? zs : 0);
+  static constexpr int x_row = blend_slope + knows_blend, y_row = x_row + (knows_rows ? Shape::qx * Shape::Q : 0);
+  static constexpr int z_row = y_row + (three && knows_rows ? Shape::qy * Shape::Q : 0);
+  static constexpr int places = z_row + (knows_rows && !Plan::on_wall ? zs * Shape::Q : 0);
   static constexpr int y_places = Shape::NX, z_places = y_places + (three ? Shape::cy : 0);  ///< among the integers
   static constexpr int integers = own ? 0 : z_places + Shape::NZ + Shape::P,
                        in_one = sizeof(typename Plan::Real) / sizeof(int);

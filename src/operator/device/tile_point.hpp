@@ -125,6 +125,27 @@ struct TilePoints {
       share(team, n, [&](int a) { t[Room::z_slope + a] = task.axis[last].slope(0, a, 0); });
   }
 
+  /// The numbers of the Blend, when the tables are there.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_blend(const Team& team, Real* t) const {
+    if constexpr (Room::knows_blend)
+      share_from(team, 4 * warps_apart, Shape::QL * Shape::NZ, [&](int i) {
+        t[Room::blend + i] = static_cast<Real>(task.motion.blend.value(t[Room::z_place + i]));
+        if (i == 0) t[Room::blend_slope] = static_cast<Real>(task.motion.blend.slope());
+      });
+  }
+
+  /// Geometry at point p of a pass, in layer z of the points of a tile.
+  KOKKOS_FORCEINLINE_FUNCTION auto geometry(int p, int z, const Real* t, const Vector<S, D>& reference) const {
+    const Real* const wall = t + Room::wall + rest(p, Shape::base);
+    if constexpr (Room::knows_blend) {
+      const KnownBlend<Real> blend{t[Room::blend + z], t[Room::blend_slope]};
+      return moving_point<N, Shape::base, Plan::on_wall>(blend, task.motion.scale, wall, reference, 0);
+    } else {
+      return point_above_wall<N, Shape::base, Plan::on_wall>(task.motion, wall, reference, t[Room::z_place + z]);
+    }
+  }
+
   /// Point p of a pass with what it remembers. @param corner  of the pass; elements outside of the region have the memory of the
   /// nearest one, and no weight
   template <class Point>
@@ -155,12 +176,8 @@ struct TilePoints {
     Vector<S, D> reference;
     reference[0] = S(t[Room::x_place + x]);
     if constexpr (D == 3) reference[1] = S(t[Room::y_place + y]);
-    const Real height = t[Room::z_place + z];
-    reference[D - 1] = S(height);
-    const auto place =
-        in_coordinates<typename Plan::Term>(point_above_wall<N, Shape::base, Plan::on_wall>(
-                                                task.motion, t + Room::wall + rest(p, Shape::base), reference, height),
-                                            reference);
+    reference[D - 1] = S(t[Room::z_place + z]);
+    const auto place = in_coordinates<typename Plan::Term>(geometry(p, z, t, reference), reference);
     const auto point = with_memory_of(place, p, corner);
     using Point = std::remove_const_t<decltype(point)>;
     using From = Reader<N, D, Fields, Point>;
