@@ -45,9 +45,9 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
 /// Tables of the bases [point][function], of weights and of positions, and of shares [element], from `begin` on, and behind
 /// them the sums of a tile, or of the planes of one layer. Slopes are there where sweeps need them: all of them, or on
 /// a wall those across it. Where control values stand is a sum of integers, one of the element along the first axis and one of
-/// the control point along each other axis; they lie there too.
-/// So do the numbers of a Blend at the heights of the points, and, where slopes follow from values, the rows that give them
-/// [point][point of the element, itself first]: for products in double precision in 3D a team has no room for these.
+/// the control point along each other axis; they lie there too. So do the numbers of a Blend at the heights of the points, and, where
+/// slopes follow from values, the rows that give them [point][point of the element, itself first]: for products in double
+/// precision in 3D a team has no room for these.
 template <class Plan, int begin>
 struct TileTables {
   using Shape = typename Plan::Shape;
@@ -87,7 +87,11 @@ struct TileRooms {
   static constexpr int max(int a, int b) { return a > b ? a : b; }
   static_assert(!three || Shape::L == 1, "in 3D a pass is one layer");
   static constexpr int x_swept = Shape::cz * Shape::cy * Shape::qx, z_folded = Shape::cz * Shape::base;
-  static constexpr int sweep_x = Plan::fields * x_swept;
+  /// Numbers of a field that was swept along x. In 3D, where neighbouring threads go from an element across to the next field, there are
+  /// some more, so that they read from different banks of the memory.
+  static constexpr int banks = 32, a_row = Shape::qx * Shape::NY,
+                       field = three ? x_swept + (banks + (a_row - x_swept) % banks) % banks : x_swept;
+  static constexpr int sweep_x = Plan::fields * field;
   static constexpr int values = Plan::stored * Shape::points;
   static constexpr int flux = Plan::Test::has_flux ? Plan::channels * Shape::D * Shape::points : 0;
   static constexpr int folded = Plan::channels * Shape::points, wall_x = Plan::wall_fields * Shape::cy * Shape::qx;
@@ -101,7 +105,7 @@ struct TileRooms {
                        in_3d = max(max(kept + keeps, folded_zy + Plan::channels * x_swept), max(flux, wall_x));
 
   static constexpr int first_room = three ? in_3d : of_points;
-  static constexpr int second_room = three ? of_points : max(max(sweep_x, flux), Plan::channels* z_folded);
+  static constexpr int second_room = three ? of_points : max(max(sweep_x, flux), Plan::channels * z_folded);
   static constexpr int first = 0, second = first_room, wall = second + second_room;
   static constexpr int tables = wall + Plan::wall_numbers * Shape::base;
 };

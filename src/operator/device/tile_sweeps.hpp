@@ -69,7 +69,7 @@ struct TileSweeps {
       });
       SOFTWET_UNROLL
       for (int a = 0; a < n; ++a) basis[a] = tables[Room::x + q * n + a];
-      for_each_index<Plan::fields>([&](auto f) { out[f() * Room::x_swept + i] = combination(basis, value[f()], 1); });
+      for_each_index<Plan::fields>([&](auto f) { out[f() * Room::field + i] = combination(basis, value[f()], 1); });
     });
   }
 
@@ -83,8 +83,7 @@ struct TileSweeps {
     for (int a = 0; a < n; ++a) basis[a] = tables[Room::z + (pass * Shape::qz + z) * n + a];
     const Real* from = in + layer(p) * Shape::base + rest(p, Shape::base);
     Real sum[Plan::fields];
-    for_each_index<Plan::fields>(
-        [&](auto f) { sum[f()] = combination(basis, from + f() * Room::x_swept, Shape::base); });
+    for_each_index<Plan::fields>([&](auto f) { sum[f()] = combination(basis, from + f() * Room::field, Shape::base); });
     for_each_index<Plan::fields>([&](auto f) {
       if constexpr (Plan::has_gradient(f())) {
         values[Plan::stored_before(f()) * Shape::points + p] = sum[f()];
@@ -96,7 +95,7 @@ struct TileSweeps {
       SOFTWET_UNROLL
       for (int a = 0; a < n; ++a) basis[a] = tables[Room::z_slope + z * n + a];
       for_each_index<Plan::fields>(
-          [&](auto f) { own.across[f()] = combination(basis, from + f() * Room::x_swept, Shape::base); });
+          [&](auto f) { own.across[f()] = combination(basis, from + f() * Room::field, Shape::base); });
     }
   }
 

@@ -34,7 +34,7 @@ struct TileSweeps3D {
     constexpr int line = Shape::qx * Shape::NY;
     share(team, line * Plan::fields, [&](int i) {
       const int f = quotient(i, line), at = rest(i, line), e = quotient(at, Shape::qx), x = rest(at, Shape::qx);
-      const Real* from = in + f * Room::x_swept + e * Shape::qx + x;
+      const Real* from = in + f * Room::field + e * Shape::qx + x;
       Real swept[Q][n];
       SOFTWET_UNROLL
       for (int q = 0; q < Q; ++q) {
@@ -68,8 +68,8 @@ struct TileSweeps3D {
   static KOKKOS_FORCEINLINE_FUNCTION void fold_z_and_y(const Team& team, int pass, const Real* tables, const Real* in,
                                                        Real* out) {
     share(team, Shape::qx * Shape::cz * Plan::channels, [&](int i) {
-      const int x = rest(i, Shape::qx), k = rest(quotient(i, Shape::qx), Shape::cz),
-                c = quotient(i, Shape::qx * Shape::cz);
+      const int k = rest(i, Shape::cz), c = quotient(i, Shape::qx * Shape::cz);
+      const int x = quotient(i, Shape::cz) - c * Shape::qx;
       Real folded[Shape::qy], sum[Shape::cy];
       SOFTWET_UNROLL
       for (int y = 0; y < Shape::qy; ++y) folded[y] = 0;
