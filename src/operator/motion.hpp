@@ -41,9 +41,9 @@ struct Blended {
 };
 
 /// From the motion of the wall below a point: displacement(i, c) and tangent(i, c) with c = 0 for the value and 1.. for the slopes
-/// along the wall, and velocity(i). `scale` is d displacement / d velocity.
-template <class N, class S, int D, class Real, class Wall>
-KOKKOS_FORCEINLINE_FUNCTION Blended<N, D> blended(const Blend& blend, Real scale, const Vector<S, D>& reference,
+/// along the wall, and velocity(i). `scale` is d displacement / d velocity, `blend` a Blend or what answers as one.
+template <class N, class S, int D, class AsBlend, class Real, class Wall>
+KOKKOS_FORCEINLINE_FUNCTION Blended<N, D> blended(const AsBlend& blend, Real scale, const Vector<S, D>& reference,
                                                   double height, const Wall& wall) {
   const Real beta = static_cast<Real>(blend.value(height)), slope = static_cast<Real>(blend.slope());
   const auto number = [&](const S& value, int i, int c, Real factor) {
@@ -65,16 +65,16 @@ KOKKOS_FORCEINLINE_FUNCTION Blended<N, D> blended(const Blend& blend, Real scale
 }
 
 /// Geometry at a point of the moving mesh.
-template <class N, class S, int D, class Real, class Wall>
-KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> blended_point(const Blend& blend, Real scale,
+template <class N, class S, int D, class AsBlend, class Real, class Wall>
+KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> blended_point(const AsBlend& blend, Real scale,
                                                             const Vector<S, D>& reference, double height,
                                                             const Wall& wall) {
   const Blended<N, D> b = blended<N>(blend, scale, reference, height, wall);
   return MovingPoint<N, D>(b.gradient, b.velocity, b.position);
 }
 /// The same on the wall, with `face`.
-template <class N, bool face, class S, int D, class Real, class Wall>
-KOKKOS_FORCEINLINE_FUNCTION auto point_or_face(const Blend& blend, Real scale, const Vector<S, D>& reference,
+template <class N, bool face, class S, int D, class AsBlend, class Real, class Wall>
+KOKKOS_FORCEINLINE_FUNCTION auto point_or_face(const AsBlend& blend, Real scale, const Vector<S, D>& reference,
                                                double height, const Wall& wall) {
   const MovingPoint<N, D> point = blended_point<N>(blend, scale, reference, height, wall);
   if constexpr (face) {

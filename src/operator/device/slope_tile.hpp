@@ -102,6 +102,7 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
     grid.template corner<Shape>(team.tile(), corner);
     this->load_tables(team, corner, t);
     team.barrier();
+    this->load_blend(team, t);
     if constexpr (Plan::moves)
       Sweeps::trace(
           team, t, [&](int i, int j) { return this->column(corner, i, j); },

@@ -8,7 +8,7 @@
 
 #include "operator/device/tile_motion.hpp"
 #include "operator/device/tile_point.hpp"
-#include "operator/device/tile_sweeps.hpp"
+#include "operator/device/tile_sweeps_3d.hpp"
 
 namespace softwet {
 
@@ -19,6 +19,7 @@ struct PointState {
   Real value[Plan::fields];                       ///< of fields without gradients
   Real across[Plan::on_wall ? Plan::fields : 1];  ///< slopes across a wall
   Real integrand[Plan::channels];
+  Real flux[Plan::channels][Plan::D];
 };
 
 /// Fields at one point, as Reader wants them.
@@ -65,7 +66,7 @@ struct TileSink {
 
   KOKKOS_FORCEINLINE_FUNCTION void integrand(int channel, const S& number) { own.integrand[channel] = plain(number); }
   KOKKOS_FORCEINLINE_FUNCTION void flux(int channel, int d, const S& number) {
-    to[(channel * D + d) * Plan::Shape::points] = plain(number * share[d]);
+    own.flux[channel][d] = to[(channel * D + d) * Plan::Shape::points] = plain(number * share[d]);
   }
 };
 
@@ -78,6 +79,7 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
   using typename Base::S;
   using typename Base::Shape;
   using Sweeps = TileSweeps<Plan>;
+  using Sweeps3D = TileSweeps3D<Plan>;
   using Base::D, Base::Q, Base::task, Base::grid;
 
   Collocation<D, Q, Real> slope;
@@ -86,9 +88,33 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
 
   /// Where the share of the element of point p along axis d stands.
   static KOKKOS_FORCEINLINE_FUNCTION int share_place(int p, int pass, int d) {
-    if (d == 0) return Room::x_share + p % Shape::qx / Q;
-    if (d == 1 && D == 3) return Room::y_share + p / Shape::qx % Shape::qy / Q;
-    return Room::z_share + (pass * Shape::qz + p / Shape::base) / Shape::QL;
+    if (d == 0) return Room::x_share + quotient(rest(p, Shape::qx), Q);
+    if (d == 1 && D == 3) return Room::y_share + quotient(rest(quotient(p, Shape::qx), Shape::qy), Q);
+    return Room::z_share + pass * Shape::L + Sweeps::layer(p);
+  }
+
+  /// Where the row of point p along axis d stands.
+  static KOKKOS_FORCEINLINE_FUNCTION int row_place(int p, int pass, int d) {
+    if (d == 0) return Room::x_row + rest(p, Shape::qx) * Q;
+    if (d == 1 && D == 3) return Room::y_row + rest(quotient(p, Shape::qx), Shape::qy) * Q;
+    return Room::z_row + (pass * Shape::qz + quotient(p, Shape::base)) * Q;
+  }
+  /// The rows, when the shares are there.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_rows(const Team& team, Real* t) const {
+    if constexpr (Room::knows_rows) {
+      load_rows_along<0>(team, Shape::qx, t + Room::x_row, t + Room::x_share);
+      if constexpr (D == 3) load_rows_along<1>(team, Shape::qy, t + Room::y_row, t + Room::y_share);
+      if constexpr (!Plan::on_wall)
+        load_rows_along<D - 1>(team, Shape::QL * Shape::NZ, t + Room::z_row, t + Room::z_share);
+    }
+  }
+  template <int d, class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_rows_along(const Team& team, int count, Real* row, const Real* element) const {
+    share_from(team, (1 + d) * Base::warps_apart, count * Q, [&](int i) {
+      const int at = quotient(i, Q);
+      row[i] = slope.forward[d][rest(at, Q)][rest(i, Q)] * element[quotient(at, Q)];
+    });
   }
 
   /// The term at point p of a pass.
@@ -98,8 +124,10 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     Real row[D][Q];
     Sweeps::neighbours(p, q, step);
     SOFTWET_UNROLL
-    for (int d = 0; d < D; ++d) SOFTWET_UNROLL
-    for (int r = 0; r < Q; ++r) row[d][r] = slope.forward[d][q[d]][r] * t[share_place(p, pass, d)];
+    for (int d = 0; d < Plan::collocated; ++d) SOFTWET_UNROLL
+    for (int r = 0; r < Q; ++r)
+      row[d][r] =
+          Room::knows_rows ? t[row_place(p, pass, d) + r] : slope.forward[d][q[d]][r] * t[share_place(p, pass, d)];
     this->evaluate(p, pass, corner, t, TileFields<Plan>{own, values + p, row, step, task.scale}, [&](int again) {
       TileSink<Plan> to{own, flux + again, {}};
       SOFTWET_UNROLL
@@ -108,7 +136,8 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     });
   }
 
-  /// One pass: L layers of elements, added to the sums of the tile.
+  /// One pass: L layers of elements, added to the sums of the tile. In 3D the next pass begins without a barrier, because it writes
+  /// first where no thread reads any more.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void run_pass(const Team& team, int pass, const Real* direction, Real* t) const {
     PointState<Plan> own[(Shape::points + Team::size - 1) / Team::size];  // points of a thread: one on a device
@@ -116,35 +145,40 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     int corner[D];
     grid.template corner<Shape>(team.tile(), corner);
     corner[D - 1] += pass * Shape::L;
-    Sweeps::along_x(
-        team, t, D == 3 ? first : second, [&](int i, int j, int k) { return this->control(corner, i, j, k); },
-        [&](auto f) {
-          if constexpr (f() < Plan::slots) {
-            return this->task.slot[f()];
-          } else {
-            return direction + this->task.tangents.of_unknown[Plan::unknown_of(f())];
-          }
-        });
+    const Tile* const self = anew(this);
+    Sweeps::along_x(team, pass, t, D == 3 ? first : second, [&](auto f, int at) {
+      if constexpr (f() < Plan::slots) {
+        return self->task.slot[f()] + at;
+      } else {
+        return direction + (self->task.tangents.of_unknown[Plan::unknown_of(f())] + at);
+      }
+    });
     team.barrier();
     if constexpr (D == 3) {
-      Sweeps::along_y(team, t, first, second);
-      team.barrier();
+      Sweeps3D::along_y_and_z(team, pass, t, first, second, first + Room::kept);
+    } else {
+      share_points<Shape::points>(team, [&](int p, int l) { Sweeps::along_z(p, pass, t, second, first, own[l]); });
     }
-    share_points<Shape::points>(team, [&](int p, int l) { Sweeps::along_z(p, pass, t, second, first, own[l]); });
     team.barrier();
-    share_points<Shape::points>(team, [&](int p, int l) { evaluate_at(p, pass, corner, t, first, second, own[l]); });
+    Real *const values = D == 3 ? second : first, *const flux = D == 3 ? first : second;
+    share_points<Shape::points>(team, [&](int p, int l) {
+      if constexpr (D == 3) Sweeps3D::take(first + Room::kept + p, own[l]);
+      evaluate_at(p, pass, corner, t, values, flux, own[l]);
+    });
     team.barrier();
     share_points<Shape::points>(team,
-                                [&](int p, int l) { Sweeps::fold_fluxes(slope, p, second, own[l].integrand, first); });
-    team.barrier();
-    Sweeps::fold_z(team, pass, t, first, second);
+                                [&](int p, int l) { Sweeps::fold_fluxes(*anew(&slope), p, flux, own[l], values); });
     team.barrier();
     if constexpr (D == 3) {
-      Sweeps::fold_y(team, t, second, second + Room::folded_z);
+      Sweeps3D::fold_z_and_y(team, pass, t, values, first + Room::folded_zy);
+      team.barrier();
+      Sweeps3D::fold_x(team, pass, t, first + Room::folded_zy, t + Room::sums);
+    } else {
+      Sweeps::fold_z(team, pass, t, values, second);
+      team.barrier();
+      Sweeps::fold_x(team, pass, t, second, t + Room::sums);
       team.barrier();
     }
-    Sweeps::fold_x(team, pass, t, D == 3 ? second + Room::folded_z : second, t + Room::sums);
-    team.barrier();
   }
 
   /// @param direction  of a product
@@ -153,14 +187,16 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     int corner[D];
     grid.template corner<Shape>(team.tile(), corner);
     this->load_tables(team, corner, t);
+    this->load_places(team, corner, Sweeps::places(t));
     share(team, Base::sums, [&](int i) { t[Room::sums + i] = 0; });
     team.barrier();
+    load_rows(team, t);
+    this->load_blend(team, t);
     if constexpr (Plan::moves)
-      TileMotion<Plan>::trace(
-          team, slope, t, [&](int i, int j) { return this->column(corner, i, j); },
-          [&](int f) { return this->of_wall(f, direction); });
+      TileMotion<Plan>::trace(team, slope, t, [&](int f) { return this->of_wall(f, direction); });
     const int passes = this->passes(corner);
     for (int pass = 0; pass < passes; ++pass) run_pass(team, pass, direction, t);
+    if constexpr (D == 3) team.barrier();
     share(team, Base::sums, [&](int i) { this->partial_of(team)[i] = t[Room::sums + i]; });
   }
 };

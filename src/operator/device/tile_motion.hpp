@@ -14,52 +14,56 @@ struct TileMotion {
   static constexpr int D = Shape::D, n = Shape::n, Q = Shape::Q;
 
   /// Values and slopes of all fields of the wall at the base points, to Room::wall. A tangent that is not there is zero.
-  /// column(i, j): place of a control point in the wall's row; field(f): its control values, or null.
-  template <class Team, class Column, class Field>
+  /// field(f): the control values of a field, or null. An item is a point of one field.
+  template <class Team, class Field>
   static KOKKOS_FORCEINLINE_FUNCTION void trace(const Team& team, const Collocation<D, Q, Real>& slope, Real* t,
-                                                const Column& column, const Field& field) {
-    Real* const swept = D == 3 ? t + Room::first : t + Room::wall;
-    for (int f = 0; f < Plan::wall_fields; ++f) {
-      const Real* p = field(f);
-      Real* const out = D == 3 ? swept + f * Shape::cy * Shape::qx : swept + Plan::wall_place(f) * Shape::base;
-      share(team, Shape::cy * Shape::qx, [&](int i) {
-        const int q = i % Shape::qx, j = i / Shape::qx;
-        Real sum = 0;
-        if (p)
-          for (int a = 0; a < n; ++a) sum = sum + t[Room::x + q * n + a] * p[column(q / Q + a, j)];
-        out[i] = sum;
-      });
-    }
+                                                const Field& field) {
+    constexpr int lines = Shape::cy * Shape::qx;
+    const int* const places = reinterpret_cast<const int*>(t + Room::places);
+    share(team, Plan::wall_fields * lines, [&](int item) {
+      const int f = quotient(item, lines), i = rest(item, lines), q = rest(i, Shape::qx);
+      const Real* const p = field(f);
+      int at = places[quotient(q, Q)];
+      if constexpr (D == 3) at += places[Room::y_places + quotient(i, Shape::qx)];
+      Real sum = 0;
+      if (p) SOFTWET_UNROLL
+      for (int a = 0; a < n; ++a) sum = sum + t[Room::x + q * n + a] * constant(p + at + a);
+      t[D == 3 ? Room::first + item : Room::wall + Plan::wall_place(f) * Shape::base + i] = sum;
+    });
     team.barrier();
     if constexpr (D == 3) {
-      for (int f = 0; f < Plan::wall_fields; ++f)
-        share(team, Shape::base, [&](int i) {
-          const int q = i % Shape::qx, y = i / Shape::qx;
-          const Real* from = swept + (f * Shape::cy + y / Q) * Shape::qx + q;
-          Real sum = 0;
-          for (int a = 0; a < n; ++a) sum = sum + t[Room::y + y * n + a] * from[a * Shape::qx];
-          t[Room::wall + Plan::wall_place(f) * Shape::base + i] = sum;
-        });
+      share(team, Plan::wall_fields * Shape::base, [&](int item) {
+        const int f = quotient(item, Shape::base), i = rest(item, Shape::base);
+        const int q = rest(i, Shape::qx), y = quotient(i, Shape::qx);
+        const Real* from = t + Room::first + (f * Shape::cy + quotient(y, Q)) * Shape::qx + q;
+        Real sum = 0;
+        SOFTWET_UNROLL
+        for (int a = 0; a < n; ++a) sum = sum + t[Room::y + y * n + a] * from[a * Shape::qx];
+        t[Room::wall + Plan::wall_place(f) * Shape::base + i] = sum;
+      });
       team.barrier();
     }
-    for (int f = 0; f < Plan::wall_fields; ++f)
-      if (Plan::wall_slopes(f)) add_slopes(team, slope, t, t + Room::wall + Plan::wall_place(f) * Shape::base);
+    constexpr int sloped = Plan::wall_fields / D - 1;  // sets of D fields: the second has no slopes
+    share(team, sloped * D * Shape::base, [&](int item) {
+      const int f = quotient(item, Shape::base);
+      add_slopes(slope, t, rest(item, Shape::base), t + Room::wall + Plan::wall_place(f < D ? f : f + D) * Shape::base);
+    });
     team.barrier();
   }
 
-  /// The slopes along the wall of the values in v[0 .. base - 1], behind them.
-  template <class Team>
-  static KOKKOS_FORCEINLINE_FUNCTION void add_slopes(const Team& team, const Collocation<D, Q, Real>& slope,
-                                                     const Real* tables, Real* v) {
-    share(team, Shape::base, [&](int i) {
-      const int q[2] = {i % Shape::qx % Q, i / Shape::qx % Q}, stride[2] = {1, Shape::qx};
-      const int share[2] = {Room::x_share + i % Shape::qx / Q, Room::y_share + i / Shape::qx / Q};
-      for (int d = 0; d < D - 1; ++d) {
-        Real sum = 0;
-        for (int r = 0; r < Q; ++r) sum = sum + slope.forward[d][q[d]][r] * v[i + ((q[d] + r) % Q - q[d]) * stride[d]];
-        v[(1 + d) * Shape::base + i] = sum * tables[share[d]];
-      }
-    });
+  /// The slopes along the wall at point i of the values in v[0 .. base - 1], behind them.
+  static KOKKOS_FORCEINLINE_FUNCTION void add_slopes(const Collocation<D, Q, Real>& slope, const Real* tables, int i,
+                                                     Real* v) {
+    const int x = rest(i, Shape::qx), y = quotient(i, Shape::qx), stride[2] = {1, Shape::qx};
+    const int q[2] = {rest(x, Q), rest(y, Q)};
+    const int share[2] = {Room::x_share + quotient(x, Q), Room::y_share + quotient(y, Q)};
+    SOFTWET_UNROLL
+    for (int d = 0; d < D - 1; ++d) {
+      Real sum = 0;
+      SOFTWET_UNROLL
+      for (int r = 0; r < Q; ++r) sum = sum + slope.forward[d][q[d]][r] * v[i + (q[d] + r < Q ? r : r - Q) * stride[d]];
+      v[(1 + d) * Shape::base + i] = sum * tables[share[d]];
+    }
   }
 };
 

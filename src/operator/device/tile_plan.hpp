@@ -44,7 +44,10 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
 
 /// Tables of the bases [point][function], of weights and of positions, and of shares [element], from `begin` on, and behind
 /// them the sums of a tile, or of the planes of one layer. Slopes are there where sweeps need them: all of them, or on
-/// a wall those across it.
+/// a wall those across it. Where control values stand is a sum of integers, one of the element along the first axis and one of
+/// the control point along each other axis; they lie there too. So do the numbers of a Blend at the heights of the points, and, where
+/// slopes follow from values, the rows that give them [point][point of the element, itself first]: for products in double
+/// precision in 3D a team has no room for these.
 template <class Plan, int begin>
 struct TileTables {
   using Shape = typename Plan::Shape;
@@ -59,28 +62,50 @@ struct TileTables {
   static constexpr int x_slope = z_slope + (own || Plan::on_wall ? z_size : 0), y_slope = x_slope + (own ? x_size : 0);
   static constexpr int test_slope = y_slope + (own ? y_size : 0), x_share = test_slope + (own ? z_size : 0);
   static constexpr int y_share = x_share + (own ? 0 : Shape::NX), z_share = y_share + (three && !own ? Shape::NY : 0);
-  static constexpr int sums = z_share + (own ? 0 : Shape::NZ), planes = own ? Shape::n : Shape::planes;
+  static constexpr bool room = !(three && Plan::Tangent && sizeof(typename Plan::Real) == 8);
+  static constexpr bool knows_blend = room && Plan::moves, knows_rows = room && !own;
+  static constexpr int blend = z_share + (own ? 0 : Shape::NZ), blend_slope = blend + (knows_blend ? zs : 0);
+  static constexpr int x_row = blend_slope + knows_blend, y_row = x_row + (knows_rows ? Shape::qx * Shape::Q : 0);
+  static constexpr int z_row = y_row + (three && knows_rows ? Shape::qy * Shape::Q : 0);
+  static constexpr int places = z_row + (knows_rows && !Plan::on_wall ? zs * Shape::Q : 0);
+  static constexpr int y_places = Shape::NX, z_places = y_places + (three ? Shape::cy : 0);  ///< among the integers
+  static constexpr int integers = own ? 0 : z_places + Shape::NZ + Shape::P,
+                       in_one = sizeof(typename Plan::Real) / sizeof(int);
+  static constexpr int sums = places + (integers + in_one - 1) / in_one, planes = own ? Shape::n : Shape::planes;
   static constexpr int size = sums + Plan::channels * planes * Shape::cx * Shape::cy;
 };
 
-/// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 3D the first holds what was swept along
-/// x, then values, then what was folded at the points; the second what was swept along y, then fluxes, then later folds. In
-/// 2D there is one sweep less, and the second room begins.
+/// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 2D the second holds what was swept along x, the
+/// first values, the second fluxes, the first what was folded at the points, and the second what was folded along z. In 3D the rooms
+/// change places, and behind what was swept along x there are the numbers that a point keeps for itself: the values of fields
+/// without gradients and slopes across a wall. They lie where fluxes of the same point are written later. What was folded along z
+/// and y stands behind what the next pass sweeps along x.
 template <class Plan>
 struct TileRooms {
   using Shape = typename Plan::Shape;
   static constexpr bool three = Shape::D == 3;
   static constexpr int max(int a, int b) { return a > b ? a : b; }
-  static constexpr int x_swept = Shape::cz * Shape::cy * Shape::qx, y_swept = Shape::cz * Shape::base;
-  static constexpr int sweep_x = Plan::fields * x_swept, sweep_y = Plan::fields * y_swept;
+  static_assert(!three || Shape::L == 1, "in 3D a pass is one layer");
+  static constexpr int x_swept = Shape::cz * Shape::cy * Shape::qx, z_folded = Shape::cz * Shape::base;
+  /// Numbers of a field that was swept along x. In 3D, where neighbouring threads go from an element across to the next field, there are
+  /// some more, so that they read from different banks of the memory.
+  static constexpr int banks = 32, a_row = Shape::qx * Shape::NY,
+                       field = three ? x_swept + (banks + (a_row - x_swept) % banks) % banks : x_swept;
+  static constexpr int sweep_x = Plan::fields * field;
   static constexpr int values = Plan::stored * Shape::points;
   static constexpr int flux = Plan::Test::has_flux ? Plan::channels * Shape::D * Shape::points : 0;
-  static constexpr int folded = Plan::channels * Shape::points;
-  static constexpr int folded_z = Plan::channels * y_swept, folded_y = three ? Plan::channels * x_swept : 0;
-  static constexpr int wall_x = three ? Plan::wall_fields * Shape::cy * Shape::qx : 0;
+  static constexpr int folded = Plan::channels * Shape::points, wall_x = Plan::wall_fields * Shape::cy * Shape::qx;
+  static constexpr int of_points = max(values, folded);
 
-  static constexpr int first_room = max(max(three ? sweep_x : 0, values), max(folded, wall_x));
-  static constexpr int second_room = max(max(three ? sweep_y : sweep_x, flux), folded_z + folded_y);
+  // In 3D:
+  static constexpr int kept = (sweep_x + Shape::points - 1) / Shape::points * Shape::points;
+  static constexpr int across = Plan::fields - Plan::stored;  ///< among the numbers that a point keeps
+  static constexpr int keeps = (across + (Plan::on_wall ? Plan::fields : 0)) * Shape::points;
+  static constexpr int folded_zy = sweep_x,
+                       in_3d = max(max(kept + keeps, folded_zy + Plan::channels * x_swept), max(flux, wall_x));
+
+  static constexpr int first_room = three ? in_3d : of_points;
+  static constexpr int second_room = three ? of_points : max(max(sweep_x, flux), Plan::channels * z_folded);
   static constexpr int first = 0, second = first_room, wall = second + second_room;
   static constexpr int tables = wall + Plan::wall_numbers * Shape::base;
 };

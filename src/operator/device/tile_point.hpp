@@ -48,6 +48,7 @@ struct TilePoints {
   using N = typename Plan::N;
   static constexpr int D = Shape::D, P = Shape::P, n = Shape::n, Q = Shape::Q;
   static constexpr int sums = Plan::channels * Shape::controls;  ///< of a tile
+  static constexpr int warps_apart = 32;                         ///< threads of the first ones of different warps
 
   TileTask<Plan> task;
   TileGrid<D> grid;
@@ -59,12 +60,27 @@ struct TilePoints {
   /// Place in the wall's row of control (i, j) from the corner of a tile; outside of the region it repeats the nearest one.
   KOKKOS_FORCEINLINE_FUNCTION int column(const int (&corner)[D], int i, int j) const {
     int at = grid.first[0] + within(grid.lead, corner[0] + i, grid.elements[0] + P - 1);
-    if constexpr (D == 3) at += least(corner[1] + j, grid.elements[1] + P - 1) * task.stride[1];
+    if constexpr (D == 3) at += place_along(1, corner[1] + j);
     return at;
   }
   KOKKOS_FORCEINLINE_FUNCTION int control(const int (&corner)[D], int i, int j, int k) const {
-    const int row = task.axis[D - 1].first_functions[0] + least(corner[D - 1] + k, grid.elements[D - 1] + P - 1);
-    return column(corner, i, j) + row * task.stride[D - 1];
+    return column(corner, i, j) + place_along(D - 1, corner[D - 1] + k);
+  }
+  /// What control i along an axis but the first adds to its place.
+  KOKKOS_FORCEINLINE_FUNCTION int place_along(int d, int i) const {
+    const int at = least(i, grid.elements[d] + P - 1);
+    return (d == D - 1 ? task.axis[d].first_functions[0] + at : at) * task.stride[d];
+  }
+  /// The integers of Room::places. Elements outside of the region have the control values of the nearest one.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_places(const Team& team, const int (&corner)[D], int* places) const {
+    share_from(team, warps_apart, Shape::NX,
+               [&](int e) { places[e] = grid.first[0] + within(grid.lead, corner[0] + e, grid.elements[0] - 1); });
+    if constexpr (D == 3)
+      share_from(team, 2 * warps_apart, Shape::cy,
+                 [&](int j) { places[Room::y_places + j] = place_along(1, corner[1] + j); });
+    share_from(team, 3 * warps_apart, Shape::NZ + P,
+               [&](int k) { places[Room::z_places + k] = place_along(D - 1, corner[D - 1] + k); });
   }
   /// Passes of the tile with this corner.
   KOKKOS_FORCEINLINE_FUNCTION int passes(const int (&corner)[D]) const {
@@ -74,12 +90,12 @@ struct TilePoints {
   /// Tables of an axis for the elements of a tile; those outside of the region have no weight. A place is null where a table is
   /// not wanted.
   template <class Team>
-  KOKKOS_FORCEINLINE_FUNCTION void load_axis(const Team& team, const AxisTables<Real>& rule, int d, int corner,
-                                             int count, Real* basis, Real* slope, Real* weight, Real* place,
+  KOKKOS_FORCEINLINE_FUNCTION void load_axis(const Team& team, int first_thread, const AxisTables<Real>& rule, int d,
+                                             int corner, int count, Real* basis, Real* slope, Real* weight, Real* place,
                                              Real* element) const {
     const int each = d == D - 1 ? Shape::QL : Q;
-    share(team, count * each, [&](int i) {
-      const int e = corner + i / each, q = i % each, low = d == 0 ? grid.lead : 0;
+    share_from(team, first_thread, count * each, [&](int i) {
+      const int e = corner + quotient(i, each), q = rest(i, each), low = d == 0 ? grid.lead : 0;
       const int known = grid.first[d] + within(low, e, grid.elements[d] - 1);
       for (int a = 0; a < n; ++a) basis[i * n + a] = rule.value(q, a, known);
       if (slope)
@@ -87,7 +103,7 @@ struct TilePoints {
       if (!weight) return;
       weight[i] = e >= low && e < grid.elements[d] ? rule.weight(q, known) : Real(0);
       place[i] = rule.position(q, known);
-      if (q == 0 && element) element[i / each] = rule.share(known);
+      if (q == 0 && element) element[quotient(i, each)] = rule.share(known);
     });
   }
   template <class Team>
@@ -95,18 +111,39 @@ struct TilePoints {
     constexpr bool slopes = Shape::own_slopes;
     const auto slope = [&](int place) { return slopes ? t + place : nullptr; };
     const auto element = [&](int place) { return slopes ? nullptr : t + place; };
-    load_axis(team, task.axis[0], 0, corner[0], Shape::NX, t + Room::x, slope(Room::x_slope), t + Room::x_weight,
+    load_axis(team, 0, task.axis[0], 0, corner[0], Shape::NX, t + Room::x, slope(Room::x_slope), t + Room::x_weight,
               t + Room::x_place, element(Room::x_share));
     if constexpr (D == 3)
-      load_axis(team, task.axis[1], 1, corner[1], Shape::NY, t + Room::y, slope(Room::y_slope), t + Room::y_weight,
-                t + Room::y_place, element(Room::y_share));
+      load_axis(team, warps_apart, task.axis[1], 1, corner[1], Shape::NY, t + Room::y, slope(Room::y_slope),
+                t + Room::y_weight, t + Room::y_place, element(Room::y_share));
     constexpr int last = D - 1;
-    load_axis(team, task.axis[last], last, corner[last], Shape::NZ, t + Room::z, slope(Room::z_slope),
+    load_axis(team, 2 * warps_apart, task.axis[last], last, corner[last], Shape::NZ, t + Room::z, slope(Room::z_slope),
               t + Room::z_weight, t + Room::z_place, element(Room::z_share));
-    load_axis(team, task.test, last, corner[last], Shape::NZ, t + Room::test, slope(Room::test_slope), nullptr, nullptr,
-              nullptr);
+    load_axis(team, 3 * warps_apart, task.test, last, corner[last], Shape::NZ, t + Room::test, slope(Room::test_slope),
+              nullptr, nullptr, nullptr);
     if constexpr (Plan::on_wall && !slopes)
       share(team, n, [&](int a) { t[Room::z_slope + a] = task.axis[last].slope(0, a, 0); });
+  }
+
+  /// The numbers of the Blend, when the tables are there.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void load_blend(const Team& team, Real* t) const {
+    if constexpr (Room::knows_blend)
+      share_from(team, 4 * warps_apart, Shape::QL * Shape::NZ, [&](int i) {
+        t[Room::blend + i] = static_cast<Real>(task.motion.blend.value(t[Room::z_place + i]));
+        if (i == 0) t[Room::blend_slope] = static_cast<Real>(task.motion.blend.slope());
+      });
+  }
+
+  /// Geometry at point p of a pass, in layer z of the points of a tile.
+  KOKKOS_FORCEINLINE_FUNCTION auto geometry(int p, int z, const Real* t, const Vector<S, D>& reference) const {
+    const Real* const wall = t + Room::wall + rest(p, Shape::base);
+    if constexpr (Room::knows_blend) {
+      const KnownBlend<Real> blend{t[Room::blend + z], t[Room::blend_slope]};
+      return moving_point<N, Shape::base, Plan::on_wall>(blend, task.motion.scale, wall, reference, 0);
+    } else {
+      return point_above_wall<N, Shape::base, Plan::on_wall>(task.motion, wall, reference, t[Room::z_place + z]);
+    }
   }
 
   /// Point p of a pass with what it remembers. @param corner  of the pass; elements outside of the region have the memory of the
@@ -134,24 +171,21 @@ struct TilePoints {
   template <class Fields, class Sink>
   KOKKOS_FORCEINLINE_FUNCTION void evaluate(int p, int pass, const int (&corner)[D], const Real* t, const Fields& from,
                                             const Sink& sink) const {
-    const int x = p % Shape::qx, y = p / Shape::qx % Shape::qy, z = pass * Shape::qz + p / Shape::base;
+    const int x = rest(p, Shape::qx), y = rest(quotient(p, Shape::qx), Shape::qy);
+    const int z = pass * Shape::qz + quotient(p, Shape::base);
     Vector<S, D> reference;
     reference[0] = S(t[Room::x_place + x]);
     if constexpr (D == 3) reference[1] = S(t[Room::y_place + y]);
-    const Real height = t[Room::z_place + z];
-    reference[D - 1] = S(height);
-    const auto place =
-        in_coordinates<typename Plan::Term>(point_above_wall<N, Shape::base, Plan::on_wall>(
-                                                task.motion, t + Room::wall + p % Shape::base, reference, height),
-                                            reference);
+    reference[D - 1] = S(t[Room::z_place + z]);
+    const auto place = in_coordinates<typename Plan::Term>(geometry(p, z, t, reference), reference);
     const auto point = with_memory_of(place, p, corner);
     using Point = std::remove_const_t<decltype(point)>;
     using From = Reader<N, D, Fields, Point>;
     const auto test = task.term.residual(Plan::Trial::read(From{from, point, 0}));
     const int again = anew(p);  // what was derived from p has been given up
-    Real weight = task.factor * t[Room::x_weight + again % Shape::qx] *
-                  t[Room::z_weight + pass * Shape::qz + again / Shape::base];
-    if constexpr (D == 3) weight = weight * t[Room::y_weight + again / Shape::qx % Shape::qy];
+    Real weight = task.factor * t[Room::x_weight + rest(again, Shape::qx)] *
+                  t[Room::z_weight + pass * Shape::qz + quotient(again, Shape::base)];
+    if constexpr (D == 3) weight = weight * t[Room::y_weight + rest(quotient(again, Shape::qx), Shape::qy)];
     auto to = sink(again);
     TileWriter<Plan, Point, decltype(to)> writer{to, point, S(weight)};
     test.write(writer);

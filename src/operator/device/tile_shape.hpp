@@ -102,10 +102,13 @@ struct TileGrid {
   /// First element of a tile along each axis, from the begin of the grid.
   template <class Shape>
   KOKKOS_FORCEINLINE_FUNCTION void corner(int tile, int (&element)[D]) const {
-    for (int d = 0; d < D; ++d) {
-      element[d] = tile % tiles[d] * Shape::width(d);
-      tile /= tiles[d];
+    unsigned above = static_cast<unsigned>(tile);
+    for (int d = 0; d + 1 < D; ++d) {
+      const unsigned along = static_cast<unsigned>(tiles[d]);
+      element[d] = static_cast<int>(above % along) * Shape::width(d);
+      above /= along;
     }
+    element[D - 1] = static_cast<int>(above) * Shape::width(D - 1);
   }
 };
 

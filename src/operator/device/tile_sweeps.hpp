@@ -14,14 +14,20 @@ KOKKOS_FORCEINLINE_FUNCTION void fold_line(const Real* table, int place, Real (&
   constexpr int n = P + 1;
   SOFTWET_UNROLL
   for (int c = 0; c < sums; ++c) sum[c] = 0;
-  for (int a = elements == 1 ? place : P; a >= (elements == 1 ? place : 0); --a) {
-    const int e = place - a;
-    if (e < 0 || e >= elements) continue;
+  const auto add = [&](int e, int a) {
+    SOFTWET_UNROLL
     for (int q = 0; q < Q; ++q) {
       const Real basis = table[(e * Q + q) * n + a];
       SOFTWET_UNROLL
       for (int c = 0; c < sums; ++c) sum[c] = sum[c] + basis * from(c, e * Q + q);
     }
+  };
+  if constexpr (elements == 1) {
+    add(0, place);
+  } else {
+    SOFTWET_UNROLL
+    for (int a = P; a >= 0; --a)
+      if (place >= a && place < elements + a) add(place - a, a);
   }
 }
 
@@ -40,129 +46,110 @@ struct TileSweeps {
     return sum;
   }
 
-  /// Every plane and line of a pass along x. control(i, j, k): place of a control value; field(f): its array.
-  template <class Team, class Control, class Field>
-  static KOKKOS_FORCEINLINE_FUNCTION void along_x(const Team& team, const Real* tables, Real* out,
-                                                  const Control& control, const Field& field) {
+  /// Where the integers of Room::places stand.
+  static KOKKOS_FORCEINLINE_FUNCTION int* places(Real* tables) { return reinterpret_cast<int*>(tables + Room::places); }
+  static KOKKOS_FORCEINLINE_FUNCTION const int* places(const Real* tables) {
+    return reinterpret_cast<const int*>(tables + Room::places);
+  }
+
+  /// Every plane and line of a pass along x. field(f, at): value `at` of a field. All fields are read before one is written: a compiler
+  /// cannot know that these are different memory.
+  template <class Team, class Field>
+  static KOKKOS_FORCEINLINE_FUNCTION void along_x(const Team& team, int pass, const Real* tables, Real* out,
+                                                  const Field& field) {
     share(team, Room::x_swept, [&](int i) {
-      const int q = i % Shape::qx, j = i / Shape::qx % Shape::cy, k = i / Shape::qx / Shape::cy;
-      Real basis[n];
-      int at[n];
-      SOFTWET_UNROLL
-      for (int a = 0; a < n; ++a) {
-        basis[a] = tables[Room::x + q * n + a];
-        at[a] = control(q / Q + a, j, k);
-      }
+      const int line = quotient(i, Shape::qx), q = rest(i, Shape::qx), k = quotient(line, Shape::cy);
+      int at = places(tables)[quotient(q, Q)] + places(tables)[Room::z_places + pass * Shape::L + k];
+      if constexpr (D == 3) at += places(tables)[Room::y_places + rest(line, Shape::cy)];
+      Real value[Plan::fields][n], basis[n];
       for_each_index<Plan::fields>([&](auto f) {
-        const Real* p = field(f);
-        Real sum = basis[0] * p[at[0]];
+        const Real* from = field(f, at);
         SOFTWET_UNROLL
-        for (int a = 1; a < n; ++a) sum = sum + basis[a] * p[at[a]];
-        out[f() * Room::x_swept + i] = sum;
+        for (int a = 0; a < n; ++a) value[f()][a] = constant(from + a);
       });
+      SOFTWET_UNROLL
+      for (int a = 0; a < n; ++a) basis[a] = tables[Room::x + q * n + a];
+      for_each_index<Plan::fields>([&](auto f) { out[f() * Room::field + i] = combination(basis, value[f()], 1); });
     });
   }
 
-  /// An item: the Q points of an element across, of one field, line and plane. The items of a thread lie on one element.
-  template <class Team>
-  static KOKKOS_FORCEINLINE_FUNCTION void along_y(const Team& team, const Real* tables, const Real* in, Real* out) {
-    constexpr int line = Shape::qx * Shape::NY, count = line * Shape::cz * Plan::fields;
-    constexpr bool one_element = Team::size % line == 0;
-    Real basis[Q][n];
-    const auto load = [&](int i) {
-      SOFTWET_UNROLL
-      for (int q = 0; q < Q; ++q) SOFTWET_UNROLL
-      for (int a = 0; a < n; ++a) basis[q][a] = tables[Room::y + (i / Shape::qx % Shape::NY * Q + q) * n + a];
-    };
-    load(team.rank());
-    share(team, count, [&](int i) {
-      if constexpr (!one_element) load(i);
-      const int x = i % Shape::qx, e = i / Shape::qx % Shape::NY, plane = i / line;  // planes of all fields
-      const Real* from = in + (plane * Shape::cy + e) * Shape::qx + x;
-      Real* to = out + plane * Shape::base + e * Q * Shape::qx + x;
-      SOFTWET_UNROLL
-      for (int q = 0; q < Q; ++q) to[q * Shape::qx] = combination(basis[q], from, Shape::qx);
-    });
-  }
-
-  /// Point p of a pass: values of fields with gradients to `values`, others to own.value; on a wall slopes across it too.
+  /// In 2D: point p of a pass: values of fields with gradients to `values`, others to own.value; on a wall slopes across it too.
   template <class Own>
   static KOKKOS_FORCEINLINE_FUNCTION void along_z(int p, int pass, const Real* tables, const Real* in, Real* values,
                                                   Own& own) {
-    const int z = p / Shape::base;
+    const int z = quotient(p, Shape::base);
     Real basis[n];
     SOFTWET_UNROLL
     for (int a = 0; a < n; ++a) basis[a] = tables[Room::z + (pass * Shape::qz + z) * n + a];
-    const Real* from = in + z / Shape::QL * Shape::base + p % Shape::base;
+    const Real* from = in + layer(p) * Shape::base + rest(p, Shape::base);
+    Real sum[Plan::fields];
+    for_each_index<Plan::fields>([&](auto f) { sum[f()] = combination(basis, from + f() * Room::field, Shape::base); });
     for_each_index<Plan::fields>([&](auto f) {
-      const Real sum = combination(basis, from + f() * Room::y_swept, Shape::base);
       if constexpr (Plan::has_gradient(f())) {
-        values[Plan::stored_before(f()) * Shape::points + p] = sum;
+        values[Plan::stored_before(f()) * Shape::points + p] = sum[f()];
       } else {
-        own.value[f()] = sum;
+        own.value[f()] = sum[f()];
       }
     });
     if constexpr (Plan::on_wall) {
       SOFTWET_UNROLL
       for (int a = 0; a < n; ++a) basis[a] = tables[Room::z_slope + z * n + a];
       for_each_index<Plan::fields>(
-          [&](auto f) { own.across[f()] = combination(basis, from + f() * Room::y_swept, Shape::base); });
+          [&](auto f) { own.across[f()] = combination(basis, from + f() * Room::field, Shape::base); });
     }
+  }
+
+  /// The layer of a pass with point p.
+  static KOKKOS_FORCEINLINE_FUNCTION int layer(int p) {
+    return Shape::L == 1 ? 0 : quotient(p, Shape::base * Shape::QL);
   }
 
   /// Point p of a pass in its element, and how far the points of the element are from it along each axis, itself first.
   static KOKKOS_FORCEINLINE_FUNCTION void neighbours(int p, int (&q)[D], int (&step)[D][Q]) {
     const int stride[3] = {1, D == 3 ? Shape::qx : Shape::base, Shape::base};
-    q[0] = p % Shape::qx % Q;
-    if constexpr (D == 3) q[1] = p / Shape::qx % Shape::qy % Q;
-    q[D - 1] = p / Shape::base % Q;
+    q[0] = rest(p, Q);
+    if constexpr (D == 3) q[1] = rest(quotient(p, Shape::qx), Q);
+    q[D - 1] = quotient(p, Shape::base) - layer(p) * Shape::QL;
     SOFTWET_UNROLL
     for (int d = 0; d < D; ++d) SOFTWET_UNROLL
-    for (int r = 0; r < Q; ++r) step[d][r] = ((q[d] + r) % Q - q[d]) * stride[d];
+    for (int r = 0; r < Q; ++r) step[d][r] = q[d] + r < Q ? r * stride[d] : (r - Q) * stride[d];
   }
 
   /// The integrand at point p and the fluxes at the points of its element, as an integrand against values alone. On a face fluxes
   /// are tangential.
+  template <class Own>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_fluxes(const Collocation<D, Q, Real>& slope, int p, const Real* flux,
-                                                      const Real (&integrand)[Plan::channels], Real* out) {
+                                                      const Own& own, Real* out) {
     int q[D], step[D][Q];
-    Real row[D][Q];
+    Real row[D][Q], sum[Plan::channels];
     neighbours(p, q, step);
     SOFTWET_UNROLL
     for (int d = 0; d < D; ++d) SOFTWET_UNROLL
     for (int r = 0; r < Q; ++r) row[d][r] = slope.transposed[d][q[d]][r];
     SOFTWET_UNROLL
     for (int c = 0; c < Plan::channels; ++c) {
-      Real sum = integrand[c];
+      sum[c] = own.integrand[c];
       if constexpr (Plan::Test::has_flux) SOFTWET_UNROLL
-      for (int d = 0; d < Plan::collocated; ++d) SOFTWET_UNROLL
-      for (int r = 0; r < Q; ++r) sum = sum + row[d][r] * flux[(c * D + d) * Shape::points + p + step[d][r]];
-      out[c * Shape::points + p] = sum;
+      for (int d = 0; d < Plan::collocated; ++d) {
+        sum[c] = sum[c] + row[d][0] * own.flux[c][d];
+        SOFTWET_UNROLL
+        for (int r = 1; r < Q; ++r) sum[c] = sum[c] + row[d][r] * flux[(c * D + d) * Shape::points + p + step[d][r]];
+      }
     }
+    SOFTWET_UNROLL
+    for (int c = 0; c < Plan::channels; ++c) out[c * Shape::points + p] = sum[c];
   }
 
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_z(const Team& team, int pass, const Real* tables, const Real* in,
                                                  Real* out) {
-    share(team, Room::y_swept, [&](int i) {
-      const int at = i % Shape::base;
+    share(team, Room::z_folded, [&](int i) {
+      const int at = rest(i, Shape::base);
       Real sum[Plan::channels];
-      fold_line<P, Shape::QL, Shape::L>(tables + Room::test + pass * Shape::qz * n, i / Shape::base, sum,
+      fold_line<P, Shape::QL, Shape::L>(tables + Room::test + pass * Shape::qz * n, quotient(i, Shape::base), sum,
                                         [&](int c, int q) { return in[c * Shape::points + q * Shape::base + at]; });
       SOFTWET_UNROLL
-      for (int c = 0; c < Plan::channels; ++c) out[c * Room::y_swept + i] = sum[c];
-    });
-  }
-  template <class Team>
-  static KOKKOS_FORCEINLINE_FUNCTION void fold_y(const Team& team, const Real* tables, const Real* in, Real* out) {
-    share(team, Room::x_swept, [&](int i) {
-      const int q = i % Shape::qx, j = i / Shape::qx % Shape::cy, k = i / Shape::qx / Shape::cy;
-      Real sum[Plan::channels];
-      fold_line<P, Q, Shape::NY>(tables + Room::y, j, sum, [&](int c, int y) {
-        return in[c * Room::y_swept + k * Shape::base + y * Shape::qx + q];
-      });
-      SOFTWET_UNROLL
-      for (int c = 0; c < Plan::channels; ++c) out[c * Room::x_swept + i] = sum[c];
+      for (int c = 0; c < Plan::channels; ++c) out[c * Room::z_folded + i] = sum[c];
     });
   }
   /// Adds to the sums of the tile.
@@ -171,7 +158,7 @@ struct TileSweeps {
                                                  Real* sums) {
     constexpr int lines = Shape::cy * Shape::cz;
     share(team, Shape::cx * lines * Plan::channels, [&](int i) {
-      const int x = i % Shape::cx, line = i / Shape::cx % lines, c = i / Shape::cx / lines;
+      const int x = rest(i, Shape::cx), line = rest(quotient(i, Shape::cx), lines), c = quotient(i, Shape::cx * lines);
       Real sum[1];
       fold_line<P, Q, Shape::NX>(tables + Room::x, x, sum,
                                  [&](int, int q) { return in[c * Room::x_swept + line * Shape::qx + q]; });

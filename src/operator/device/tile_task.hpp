@@ -2,6 +2,7 @@
 #pragma once
 
 #include "operator/device/tile_plan.hpp"
+#include "operator/device/tile_team.hpp"
 
 namespace softwet {
 
@@ -22,11 +23,15 @@ struct AxisTables {
             static_cast<int>(rule.value.extent(1)),
             static_cast<int>(rule.value.extent(2))};
   }
-  KOKKOS_FORCEINLINE_FUNCTION Real value(int q, int a, int e) const { return values[(q * functions + a) * stored + e]; }
-  KOKKOS_FORCEINLINE_FUNCTION Real slope(int q, int a, int e) const { return slopes[(q * functions + a) * stored + e]; }
-  KOKKOS_FORCEINLINE_FUNCTION Real weight(int q, int e) const { return weights[q * stored + e]; }
-  KOKKOS_FORCEINLINE_FUNCTION Real position(int q, int e) const { return positions[q * stored + e]; }
-  KOKKOS_FORCEINLINE_FUNCTION Real share(int e) const { return shares[e]; }
+  KOKKOS_FORCEINLINE_FUNCTION Real value(int q, int a, int e) const {
+    return constant(values + ((q * functions + a) * stored + e));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Real slope(int q, int a, int e) const {
+    return constant(slopes + ((q * functions + a) * stored + e));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Real weight(int q, int e) const { return constant(weights + (q * stored + e)); }
+  KOKKOS_FORCEINLINE_FUNCTION Real position(int q, int e) const { return constant(positions + (q * stored + e)); }
+  KOKKOS_FORCEINLINE_FUNCTION Real share(int e) const { return constant(shares + e); }
 };
 
 /// Where a product finds its tangents in the vector that it multiplies: control value (0, 0, 0) of each unknown, and that of the

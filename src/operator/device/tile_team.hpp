@@ -16,6 +16,29 @@ KOKKOS_FORCEINLINE_FUNCTION int anew(int x) {
   return x;
 }
 
+/// A pointer likewise, so that a device compiler keeps it where loads need it.
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION T* anew(T* x) {
+#if defined(__CUDA_ARCH__)
+  asm volatile("" : "+l"(x));
+#endif
+  return x;
+}
+
+/// i / by and i % by of a number that is not negative, for which a device needs fewer instructions than for one with a sign.
+KOKKOS_FORCEINLINE_FUNCTION int quotient(int i, unsigned by) { return static_cast<int>(static_cast<unsigned>(i) / by); }
+KOKKOS_FORCEINLINE_FUNCTION int rest(int i, unsigned by) { return static_cast<int>(static_cast<unsigned>(i) % by); }
+
+/// A number in memory that no thread of the kernel writes, so that a device may read it before what was written so far is there.
+template <class Real>
+KOKKOS_FORCEINLINE_FUNCTION Real constant(const Real* at) {
+#if defined(__CUDA_ARCH__)
+  return __ldg(at);
+#else
+  return *at;
+#endif
+}
+
 /// A team of Kokkos with so many threads: one for each point of a pass on a device, one for all on the host.
 template <int threads, class Member>
 struct TileTeam {
@@ -25,13 +48,27 @@ struct TileTeam {
 
   KOKKOS_FORCEINLINE_FUNCTION int tile() const { return anew(tile_); }
   KOKKOS_FORCEINLINE_FUNCTION int rank() const { return anew(member.team_rank()); }
-  KOKKOS_FORCEINLINE_FUNCTION void barrier() const { member.team_barrier(); }
+  /// That of Kokkos asks each time whether a block of a device holds several teams; here it holds one.
+  KOKKOS_FORCEINLINE_FUNCTION void barrier() const {
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+    __syncthreads();
+#else
+    member.team_barrier();
+#endif
+  }
 };
 
 /// The items 0 .. count - 1, shared by the threads of a team.
 template <class Team, class Body>
 KOKKOS_FORCEINLINE_FUNCTION void share(const Team& team, int count, const Body& body) {
   for (int i = team.rank(); i < count; i += Team::size) body(i);
+}
+
+/// The same, from thread `first` on, so that other warps take other short lists.
+template <class Team, class Body>
+KOKKOS_FORCEINLINE_FUNCTION void share_from(const Team& team, int first, int count, const Body& body) {
+  const int behind = team.rank() - first % Team::size;
+  for (int i = behind < 0 ? behind + Team::size : behind; i < count; i += Team::size) body(i);
 }
 
 /// body(point, how many points of this thread came before): the points 0 .. count - 1, shared likewise.

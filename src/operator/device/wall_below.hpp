@@ -35,14 +35,28 @@ struct WallBelow {
   KOKKOS_FORCEINLINE_FUNCTION S tangent(int i, int c) const { return S(at[(D * D + D + i * D + c) * apart]); }
 };
 
-/// Geometry at a point; `wall` is the first number of the point of the wall below it.
+/// A Blend at one height, from numbers that a team keeps.
+template <class Real>
+struct KnownBlend {
+  Real at, slope_;
+  KOKKOS_FORCEINLINE_FUNCTION Real value(double) const { return at; }
+  KOKKOS_FORCEINLINE_FUNCTION Real slope() const { return slope_; }
+};
+
+/// Geometry at a point above a wall that moves; `wall` is the first number of the point of the wall below it.
+template <class N, int apart, bool face, class AsBlend, class Real, class S, int D>
+KOKKOS_FORCEINLINE_FUNCTION auto moving_point(const AsBlend& blend, Real scale, const Real* wall,
+                                              const Vector<S, D>& reference, double height) {
+  return point_or_face<N, face>(blend, scale, reference, height, WallBelow<S, D, apart, Real>{wall});
+}
+/// The same, or at a point of a fixed mesh.
 template <class N, int apart, bool face, class Motion, class Real, class S, int D>
 KOKKOS_FORCEINLINE_FUNCTION auto point_above_wall(const Motion& motion, const Real* wall, const Vector<S, D>& reference,
                                                   double height) {
   if constexpr (std::is_same_v<Motion, NoMotion>) {
     return fixed_point<N>(reference);
   } else {
-    return point_or_face<N, face>(motion.blend, motion.scale, reference, height, WallBelow<S, D, apart, Real>{wall});
+    return moving_point<N, apart, face>(motion.blend, motion.scale, wall, reference, height);
   }
 }
 

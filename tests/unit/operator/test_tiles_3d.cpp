@@ -105,5 +105,13 @@ TEST(Tiles3D, ThreadsOfATeam) {
   c.check_threads<true, WallMotion<3>>(c.terms.fluid, c.patch.fluid());
 }
 
+/// As on a device: then short lists begin at other threads, and a pass begins before the last one has been added up.
+TEST(Tiles3D, AsManyThreadsAsPoints) {
+  const TileCases<3> c(std::array<int, 3>{4, 3, 9});
+  constexpr int threads = ChosenTile<3, 2, false, double>::points;
+  c.check_threads<false, WallMotion<3>, 3, threads>(c.terms.fluid, c.patch.fluid());
+  c.check_threads<true, WallMotion<3>, 3, threads>(c.terms.gradient_wall, c.patch.face());
+}
+
 }  // namespace
 }  // namespace softwet::testing_tools

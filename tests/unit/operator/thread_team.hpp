@@ -9,14 +9,17 @@
 namespace softwet::testing_tools {
 
 /// Threads that meet at each barrier.
-struct ThreadTeam {
-  static constexpr int size = 3;
+template <int threads>
+struct ThreadTeamOf {
+  static constexpr int size = threads;
   int rank_, tile_;
   std::barrier<>* all;
   int rank() const { return rank_; }
   int tile() const { return tile_; }
   void barrier() const { all->arrive_and_wait(); }
 };
+
+using ThreadTeam = ThreadTeamOf<3>;
 
 /// A team of one thread.
 struct OneThread {
@@ -28,12 +31,12 @@ struct OneThread {
 };
 
 /// Runs body(team) in all threads of a team for each of the tiles 0 .. count - 1, one tile after another.
-template <class Body>
+template <class Team = ThreadTeam, class Body>
 void run_thread_teams(int count, const Body& body) {
   for (int tile = 0; tile < count; ++tile) {
-    std::barrier<> all(ThreadTeam::size);
+    std::barrier<> all(Team::size);
     std::vector<std::thread> threads;
-    for (int r = 0; r < ThreadTeam::size; ++r) threads.emplace_back([&, r] { body(ThreadTeam{r, tile, &all}); });
+    for (int r = 0; r < Team::size; ++r) threads.emplace_back([&, r] { body(Team{r, tile, &all}); });
     for (std::thread& thread : threads) thread.join();
   }
 }

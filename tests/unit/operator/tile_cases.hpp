@@ -77,8 +77,8 @@ struct TileCases {
     check<WallMotion<D>>(name, term, region);
   }
 
-  /// The partial sums of tiles by three threads, twice, against those by one.
-  template <bool Tangent, class Motion, int Q = P + 1, class Term>
+  /// The partial sums of tiles by some threads, twice, against those by one.
+  template <bool Tangent, class Motion, int Q = P + 1, int threads = ThreadTeam::size, class Term>
   void check_threads(const Term& term, const Region<D>& region) const {
     if (!on_host) GTEST_SKIP() << "the tiles of this program lie in the memory of a device";
     using Shape = ShapeOf<TermOnMesh<Term, Motion>, TileFor<D, P, Q, Tangent, Term, double>>;
@@ -87,26 +87,27 @@ struct TileCases {
     for (int d = 0; d < D; ++d) spacing[d] = region.axis[d].spacing;
     const TileGrid<D> grid = TileGrid<D>::template of<Shape>(region, region.first_axis().run[0]);
     const int size = Plan::channels * Shape::controls;
-    const Array one("one", std::size_t(grid.count()) * size), three("three", one.extent(0));
+    const Array one("one", std::size_t(grid.count()) * size), several("several", one.extent(0));
     const Evaluation<D> at{patch.layout, patch.stage, Tangent ? direction : Array(), {}};
     const auto whole = task<Tangent, Motion>(term, at, region);
     TileOf<Plan> tile;
     tile.task.set(whole, at.tangent.data());
     tile.set_spacing(spacing);
     tile.grid = grid;
-    tile.partial = three.data();
+    tile.partial = several.data();
     TileSums<D, double> sums(patch.layout, at.tangent);
     assemble_in_tiles<P, Tangent>(whole, sums);
     sums.add_to(Array("sum", patch.layout.size()));
     std::memcpy(one.data(), tile_room<double>(0, one.extent(0)), one.extent(0) * sizeof(double));
-    const auto by_three = [&] {
+    using Team = ThreadTeamOf<threads>;
+    const auto by_several = [&] {
       std::vector<double> scratch(TileOf<Plan>::Room::size, std::nan(""));
-      run_thread_teams(grid.count(),
-                       [&](const ThreadTeam& team) { tile.run(team, at.tangent.data(), scratch.data()); });
-      return to_host(three);
+      run_thread_teams<Team>(grid.count(),
+                             [&](const Team& team) { tile.run(team, at.tangent.data(), scratch.data()); });
+      return to_host(several);
     };
-    const std::vector<double> found = by_three();
-    EXPECT_EQ(found, by_three());
+    const std::vector<double> found = by_several();
+    EXPECT_EQ(found, by_several());
     EXPECT_LT(distance(found, to_host(one)), 1e-13);
   }
 };
