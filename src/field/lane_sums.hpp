@@ -46,7 +46,7 @@ struct LaneSums {
   Array partial;
 
   void start(const char* name, int threads = team_size(lanes_of_team)) const {
-    Teams<> policy(chunks_in(items, items_of_team), threads);
+    SmallTeams<lanes_of_team> policy(chunks_in(items, items_of_team), threads);
     start_teams(name, policy.set_scratch_size(0, Kokkos::PerTeam(bytes)), *this);
   }
   template <class Member>

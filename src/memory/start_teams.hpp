@@ -7,6 +7,16 @@
 
 namespace softwet {
 
+/// Teams that have at most so many threads. Without this bound the compiler for AMD leaves registers for 1024 of them; nvcc
+/// does not.
+#if defined(KOKKOS_ENABLE_HIP)
+template <int threads>
+using SmallTeams = Teams<Kokkos::LaunchBounds<threads, 1>>;
+#else
+template <int threads>
+using SmallTeams = Teams<>;
+#endif
+
 /// Starts a kernel for teams. Where a device cannot take such teams, the error names the kernel.
 template <class Policy, class Kernel>
 void start_teams(const char* name, const Policy& teams, const Kernel& kernel) {

@@ -32,7 +32,7 @@ struct TeamReduce {
 
   static void launch(const ReduceTask<D, Functional, Motion>& task, const Colouring<D>& rows, const Array& partial,
                      int items) {
-    Teams<> policy(items, threads);
+    SmallTeams<64> policy(items, threads);
     start_teams("softwet::reduce", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)), TeamReduce{task, rows, partial});
   }
 
@@ -116,7 +116,7 @@ struct TeamReducePair {
   int of_first;  ///< teams
 
   void launch(int of_second) const {
-    Teams<> policy(of_first + of_second, threads);
+    SmallTeams<64> policy(of_first + of_second, threads);
     start_teams("softwet::reduce", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)), *this);
   }
 

@@ -8,24 +8,36 @@
 namespace softwet {
 namespace {
 
-template <class Bounds>
-constexpr int teams_of = static_cast<int>(Bounds::minBperSM);
-
 TEST(TeamBounds, MemoryLimitsTeams) {
   constexpr int chip = multiprocessor.bytes;
-  EXPECT_EQ(teams_that_fit(32, 10000), std::min(chip / (10000 + 36 * 8 + 1024), multiprocessor.threads / 32));
+  EXPECT_EQ(teams_that_fit(32, 10000),
+            std::min(chip / (10000 + 36 * 8 + 1024), multiprocessor.threads / multiprocessor.warp));
   EXPECT_GT(teams_that_fit(32, 48 * 1024 - 36 * 8), 0);
   EXPECT_EQ(teams_that_fit(32, 48 * 1024 - 36 * 8 + 1), 0);
 }
 
 TEST(TeamBounds, ThreadsLimitTeams) {
   EXPECT_EQ(teams_that_fit(1024, 0), multiprocessor.threads / 1024);
-  EXPECT_EQ(teams_that_fit(33, 0), std::min(multiprocessor.bytes / (37 * 8 + 1024), multiprocessor.threads / 64));
+  const int next = multiprocessor.warp + 1;
+  EXPECT_EQ(teams_that_fit(next, 0), std::min(multiprocessor.bytes / ((next + 4) * 8 + 1024),
+                                              multiprocessor.threads / (2 * multiprocessor.warp)));
 }
 
 TEST(TeamBounds, NoMoreThanWanted) {
-  EXPECT_EQ((teams_of<TeamBounds<32, 100, 12>>), 12);
-  EXPECT_EQ((teams_of<TeamBounds<32, 100, 3>>), 3);
+  EXPECT_EQ((BoundsOfTeams<32, 100, 12>::teams), 12);
+  EXPECT_EQ((BoundsOfTeams<32, 100, 3>::teams), 3);
+}
+
+/// Teams on a multiprocessor; for AMD warps on one of its four units, as many as such teams have.
+TEST(TeamBounds, SecondNumber) {
+  const bool units = multiprocessor.warp == 64;
+  EXPECT_EQ(second_bound(32, 12), units ? 3 : 12);
+  EXPECT_EQ(second_bound(162, 4), units ? 3 : 4);
+  EXPECT_EQ(second_bound(252, 3), 3);
+  EXPECT_EQ(second_bound(64, 1), 1);
+  using Bounds = TeamBounds<162, 100, 4>;
+  EXPECT_EQ(Bounds::maxTperB, 162u);
+  EXPECT_EQ(Bounds::minBperSM, static_cast<unsigned>(second_bound(162, 4)));
 }
 
 /// Teams of the terms of most scenes with reduced quadrature: whole warps, and residuals have 512 threads on a multiprocessor of
@@ -34,7 +46,7 @@ template <int D, bool Tangent, class Real, class List>
 void check_reduced() {
   using Shape = SlopeTileShape<D, 2, 2>;
   using Kernel = TileKernel<Shape, Tangent, Real, List>;
-  constexpr int teams = teams_of<TeamBounds<Shape::points, Kernel::bytes, Shape::teams>>;
+  constexpr int teams = BoundsOfTeams<Shape::points, Kernel::bytes, Shape::teams>::teams;
   EXPECT_EQ(Shape::points % 32, 0);
   EXPECT_GE(teams, 2);
   EXPECT_LE(teams * (Kernel::bytes + (Shape::points + 2) * 8), multiprocessor.bytes);
