@@ -1,5 +1,5 @@
 // The sweeps of a tile in 3D across the wall and above it, two axes at once: what a thread sweeps along one axis it keeps for the
-// other one. A device reads and writes the memory that a team shares half as often then, and waits at fewer barriers.
+// other one. A device reads and writes the memory that a team shares less often then, and waits at fewer barriers.
 #pragma once
 
 #include "operator/device/tile_sweeps.hpp"
