@@ -95,7 +95,7 @@ struct TileRooms {
   static constexpr int values = Plan::stored * Shape::points;
   static constexpr int flux = Plan::Test::has_flux ? Plan::channels * Shape::D * Shape::points : 0;
   static constexpr int folded = Plan::channels * Shape::points, wall_x = Plan::wall_fields * Shape::cy * Shape::qx;
-  static constexpr int of_points = max(values, folded);
+  static constexpr int of_points = max(values, folded), z_folded_all = Plan::channels * z_folded;
 
   // In 3D:
   static constexpr int kept = (sweep_x + Shape::points - 1) / Shape::points * Shape::points;
@@ -105,7 +105,8 @@ struct TileRooms {
                        in_3d = max(max(kept + keeps, folded_zy + Plan::channels * x_swept), max(flux, wall_x));
 
   static constexpr int first_room = three ? in_3d : of_points;
-  static constexpr int second_room = three ? of_points : max(max(sweep_x, flux), Plan::channels * z_folded);
+  static constexpr int in_2d = max(max(sweep_x, flux), z_folded_all);
+  static constexpr int second_room = three ? of_points : in_2d;
   static constexpr int first = 0, second = first_room, wall = second + second_room;
   static constexpr int tables = wall + Plan::wall_numbers * Shape::base;
 };
