@@ -88,15 +88,15 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
 
   /// Where the share of the element of point p along axis d stands.
   static KOKKOS_FORCEINLINE_FUNCTION int share_place(int p, int pass, int d) {
-    if (d == 0) return Room::x_share + quotient(rest(p, Shape::qx), Q);
-    if (d == 1 && D == 3) return Room::y_share + quotient(rest(quotient(p, Shape::qx), Shape::qy), Q);
+    if (d == 0) return Room::x_share + quotient(modulo(p, Shape::qx), Q);
+    if (d == 1 && D == 3) return Room::y_share + quotient(modulo(quotient(p, Shape::qx), Shape::qy), Q);
     return Room::z_share + pass * Shape::L + Sweeps::layer(p);
   }
 
   /// Where the row of point p along axis d stands.
   static KOKKOS_FORCEINLINE_FUNCTION int row_place(int p, int pass, int d) {
-    if (d == 0) return Room::x_row + rest(p, Shape::qx) * Q;
-    if (d == 1 && D == 3) return Room::y_row + rest(quotient(p, Shape::qx), Shape::qy) * Q;
+    if (d == 0) return Room::x_row + modulo(p, Shape::qx) * Q;
+    if (d == 1 && D == 3) return Room::y_row + modulo(quotient(p, Shape::qx), Shape::qy) * Q;
     return Room::z_row + (pass * Shape::qz + quotient(p, Shape::base)) * Q;
   }
   /// The rows, when the shares are there.
@@ -113,7 +113,7 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
   KOKKOS_FORCEINLINE_FUNCTION void load_rows_along(const Team& team, int count, Real* row, const Real* element) const {
     share_from(team, (1 + d) * Base::warps_apart, count * Q, [&](int i) {
       const int at = quotient(i, Q);
-      row[i] = slope.forward[d][rest(at, Q)][rest(i, Q)] * element[quotient(at, Q)];
+      row[i] = slope.forward[d][modulo(at, Q)][modulo(i, Q)] * element[quotient(at, Q)];
     });
   }
 

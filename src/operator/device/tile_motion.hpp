@@ -21,7 +21,7 @@ struct TileMotion {
     constexpr int lines = Shape::cy * Shape::qx;
     const int* const places = reinterpret_cast<const int*>(t + Room::places);
     share(team, Plan::wall_fields * lines, [&](int item) {
-      const int f = quotient(item, lines), i = rest(item, lines), q = rest(i, Shape::qx);
+      const int f = quotient(item, lines), i = modulo(item, lines), q = modulo(i, Shape::qx);
       const Real* const p = field(f);
       int at = places[quotient(q, Q)];
       if constexpr (D == 3) at += places[Room::y_places + quotient(i, Shape::qx)];
@@ -33,8 +33,8 @@ struct TileMotion {
     team.barrier();
     if constexpr (D == 3) {
       share(team, Plan::wall_fields * Shape::base, [&](int item) {
-        const int f = quotient(item, Shape::base), i = rest(item, Shape::base);
-        const int q = rest(i, Shape::qx), y = quotient(i, Shape::qx);
+        const int f = quotient(item, Shape::base), i = modulo(item, Shape::base);
+        const int q = modulo(i, Shape::qx), y = quotient(i, Shape::qx);
         const Real* from = t + Room::first + (f * Shape::cy + quotient(y, Q)) * Shape::qx + q;
         Real sum = 0;
         SOFTWET_UNROLL
@@ -46,7 +46,8 @@ struct TileMotion {
     constexpr int sloped = Plan::wall_fields / D - 1;  // sets of D fields: the second has no slopes
     share(team, sloped * D * Shape::base, [&](int item) {
       const int f = quotient(item, Shape::base);
-      add_slopes(slope, t, rest(item, Shape::base), t + Room::wall + Plan::wall_place(f < D ? f : f + D) * Shape::base);
+      add_slopes(slope, t, modulo(item, Shape::base),
+                 t + Room::wall + Plan::wall_place(f < D ? f : f + D) * Shape::base);
     });
     team.barrier();
   }
@@ -54,8 +55,8 @@ struct TileMotion {
   /// The slopes along the wall at point i of the values in v[0 .. base - 1], behind them.
   static KOKKOS_FORCEINLINE_FUNCTION void add_slopes(const Collocation<D, Q, Real>& slope, const Real* tables, int i,
                                                      Real* v) {
-    const int x = rest(i, Shape::qx), y = quotient(i, Shape::qx), stride[2] = {1, Shape::qx};
-    const int q[2] = {rest(x, Q), rest(y, Q)};
+    const int x = modulo(i, Shape::qx), y = quotient(i, Shape::qx), stride[2] = {1, Shape::qx};
+    const int q[2] = {modulo(x, Q), modulo(y, Q)};
     const int share[2] = {Room::x_share + quotient(x, Q), Room::y_share + quotient(y, Q)};
     SOFTWET_UNROLL
     for (int d = 0; d < D - 1; ++d) {

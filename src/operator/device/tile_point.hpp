@@ -95,7 +95,7 @@ struct TilePoints {
                                              Real* element) const {
     const int each = d == D - 1 ? Shape::QL : Q;
     share_from(team, first_thread, count * each, [&](int i) {
-      const int e = corner + quotient(i, each), q = rest(i, each), low = d == 0 ? grid.lead : 0;
+      const int e = corner + quotient(i, each), q = modulo(i, each), low = d == 0 ? grid.lead : 0;
       const int known = grid.first[d] + within(low, e, grid.elements[d] - 1);
       for (int a = 0; a < n; ++a) basis[i * n + a] = rule.value(q, a, known);
       if (slope)
@@ -137,7 +137,7 @@ struct TilePoints {
 
   /// Geometry at point p of a pass, in layer z of the points of a tile.
   KOKKOS_FORCEINLINE_FUNCTION auto geometry(int p, int z, const Real* t, const Vector<S, D>& reference) const {
-    const Real* const wall = t + Room::wall + rest(p, Shape::base);
+    const Real* const wall = t + Room::wall + modulo(p, Shape::base);
     if constexpr (Room::knows_blend) {
       const KnownBlend<Real> blend{t[Room::blend + z], t[Room::blend_slope]};
       return moving_point<N, Shape::base, Plan::on_wall>(blend, task.motion.scale, wall, reference, 0);
@@ -171,7 +171,7 @@ struct TilePoints {
   template <class Fields, class Sink>
   KOKKOS_FORCEINLINE_FUNCTION void evaluate(int p, int pass, const int (&corner)[D], const Real* t, const Fields& from,
                                             const Sink& sink) const {
-    const int x = rest(p, Shape::qx), y = rest(quotient(p, Shape::qx), Shape::qy);
+    const int x = modulo(p, Shape::qx), y = modulo(quotient(p, Shape::qx), Shape::qy);
     const int z = pass * Shape::qz + quotient(p, Shape::base);
     Vector<S, D> reference;
     reference[0] = S(t[Room::x_place + x]);
@@ -183,9 +183,9 @@ struct TilePoints {
     using From = Reader<N, D, Fields, Point>;
     const auto test = task.term.residual(Plan::Trial::read(From{from, point, 0}));
     const int again = anew(p);  // what was derived from p has been given up
-    Real weight = task.factor * t[Room::x_weight + rest(again, Shape::qx)] *
+    Real weight = task.factor * t[Room::x_weight + modulo(again, Shape::qx)] *
                   t[Room::z_weight + pass * Shape::qz + quotient(again, Shape::base)];
-    if constexpr (D == 3) weight = weight * t[Room::y_weight + rest(quotient(again, Shape::qx), Shape::qy)];
+    if constexpr (D == 3) weight = weight * t[Room::y_weight + modulo(quotient(again, Shape::qx), Shape::qy)];
     auto to = sink(again);
     TileWriter<Plan, Point, decltype(to)> writer{to, point, S(weight)};
     test.write(writer);

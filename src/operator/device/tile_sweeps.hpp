@@ -58,9 +58,9 @@ struct TileSweeps {
   static KOKKOS_FORCEINLINE_FUNCTION void along_x(const Team& team, int pass, const Real* tables, Real* out,
                                                   const Field& field) {
     share(team, Room::x_swept, [&](int i) {
-      const int line = quotient(i, Shape::qx), q = rest(i, Shape::qx), k = quotient(line, Shape::cy);
+      const int line = quotient(i, Shape::qx), q = modulo(i, Shape::qx), k = quotient(line, Shape::cy);
       int at = places(tables)[quotient(q, Q)] + places(tables)[Room::z_places + pass * Shape::L + k];
-      if constexpr (D == 3) at += places(tables)[Room::y_places + rest(line, Shape::cy)];
+      if constexpr (D == 3) at += places(tables)[Room::y_places + modulo(line, Shape::cy)];
       Real value[Plan::fields][n], basis[n];
       for_each_index<Plan::fields>([&](auto f) {
         const Real* from = field(f, at);
@@ -81,7 +81,7 @@ struct TileSweeps {
     Real basis[n];
     SOFTWET_UNROLL
     for (int a = 0; a < n; ++a) basis[a] = tables[Room::z + (pass * Shape::qz + z) * n + a];
-    const Real* from = in + layer(p) * Shape::base + rest(p, Shape::base);
+    const Real* from = in + layer(p) * Shape::base + modulo(p, Shape::base);
     Real sum[Plan::fields];
     for_each_index<Plan::fields>([&](auto f) { sum[f()] = combination(basis, from + f() * Room::field, Shape::base); });
     for_each_index<Plan::fields>([&](auto f) {
@@ -107,8 +107,8 @@ struct TileSweeps {
   /// Point p of a pass in its element, and how far the points of the element are from it along each axis, itself first.
   static KOKKOS_FORCEINLINE_FUNCTION void neighbours(int p, int (&q)[D], int (&step)[D][Q]) {
     const int stride[3] = {1, D == 3 ? Shape::qx : Shape::base, Shape::base};
-    q[0] = rest(p, Q);
-    if constexpr (D == 3) q[1] = rest(quotient(p, Shape::qx), Q);
+    q[0] = modulo(p, Q);
+    if constexpr (D == 3) q[1] = modulo(quotient(p, Shape::qx), Q);
     q[D - 1] = quotient(p, Shape::base) - layer(p) * Shape::QL;
     SOFTWET_UNROLL
     for (int d = 0; d < D; ++d) SOFTWET_UNROLL
@@ -144,7 +144,7 @@ struct TileSweeps {
   static KOKKOS_FORCEINLINE_FUNCTION void fold_z(const Team& team, int pass, const Real* tables, const Real* in,
                                                  Real* out) {
     share(team, Room::z_folded, [&](int i) {
-      const int at = rest(i, Shape::base);
+      const int at = modulo(i, Shape::base);
       Real sum[Plan::channels];
       fold_line<P, Shape::QL, Shape::L>(tables + Room::test + pass * Shape::qz * n, quotient(i, Shape::base), sum,
                                         [&](int c, int q) { return in[c * Shape::points + q * Shape::base + at]; });
@@ -158,7 +158,8 @@ struct TileSweeps {
                                                  Real* sums) {
     constexpr int lines = Shape::cy * Shape::cz;
     share(team, Shape::cx * lines * Plan::channels, [&](int i) {
-      const int x = rest(i, Shape::cx), line = rest(quotient(i, Shape::cx), lines), c = quotient(i, Shape::cx * lines);
+      const int x = modulo(i, Shape::cx), line = modulo(quotient(i, Shape::cx), lines),
+                c = quotient(i, Shape::cx * lines);
       Real sum[1];
       fold_line<P, Q, Shape::NX>(tables + Room::x, x, sum,
                                  [&](int, int q) { return in[c * Room::x_swept + line * Shape::qx + q]; });

@@ -33,7 +33,7 @@ struct TileSweeps3D {
                                                         Real* values, Real* kept) {
     constexpr int line = Shape::qx * Shape::NY;
     share(team, line * Plan::fields, [&](int i) {
-      const int f = quotient(i, line), at = rest(i, line), e = quotient(at, Shape::qx), x = rest(at, Shape::qx);
+      const int f = quotient(i, line), at = modulo(i, line), e = quotient(at, Shape::qx), x = modulo(at, Shape::qx);
       const Real* from = in + f * Room::field + e * Shape::qx + x;
       Real swept[Q][n];
       SOFTWET_UNROLL
@@ -68,7 +68,7 @@ struct TileSweeps3D {
   static KOKKOS_FORCEINLINE_FUNCTION void fold_z_and_y(const Team& team, int pass, const Real* tables, const Real* in,
                                                        Real* out) {
     share(team, Shape::qx * Shape::cz * Plan::channels, [&](int i) {
-      const int k = rest(i, Shape::cz), c = quotient(i, Shape::qx * Shape::cz);
+      const int k = modulo(i, Shape::cz), c = quotient(i, Shape::qx * Shape::cz);
       const int x = quotient(i, Shape::cz) - c * Shape::qx;
       Real folded[Shape::qy], sum[Shape::cy];
       SOFTWET_UNROLL
@@ -93,7 +93,7 @@ struct TileSweeps3D {
                                                  Real* sums) {
     constexpr int lines = Shape::cy * Shape::cz, count = lines * Plan::channels;
     share_from(team, Team::size > count ? Team::size - count : 0, count, [&](int i) {
-      const int line = rest(i, lines), c = quotient(i, lines);
+      const int line = modulo(i, lines), c = quotient(i, lines);
       Real folded[Shape::qx], sum[Shape::cx];
       SOFTWET_UNROLL
       for (int q = 0; q < Shape::qx; ++q) folded[q] = in[c * Room::x_swept + line * Shape::qx + q];

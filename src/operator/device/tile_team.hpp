@@ -27,7 +27,7 @@ KOKKOS_FORCEINLINE_FUNCTION T* anew(T* x) {
 
 /// i / by and i % by of a number that is not negative, for which a device needs fewer instructions than for one with a sign.
 KOKKOS_FORCEINLINE_FUNCTION int quotient(int i, unsigned by) { return static_cast<int>(static_cast<unsigned>(i) / by); }
-KOKKOS_FORCEINLINE_FUNCTION int rest(int i, unsigned by) { return static_cast<int>(static_cast<unsigned>(i) % by); }
+KOKKOS_FORCEINLINE_FUNCTION int modulo(int i, unsigned by) { return static_cast<int>(static_cast<unsigned>(i) % by); }
 
 /// A number in memory that no thread of the kernel writes, so that a device may read it before what was written so far is there.
 template <class Real>
