@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "case/error.hpp"
 #include "case/text.hpp"
@@ -11,7 +10,6 @@
 #include "field/together.hpp"
 #include "machine/memory.hpp"
 #include "observe/interface_table.hpp"
-#include "observe/output_fields.hpp"
 #include "run/interrupt.hpp"
 #include "run/machine.hpp"
 #include "run/memory_parts.hpp"
@@ -105,75 +103,6 @@ void Journal<D, P>::observe(const StepReport& report) {
   if (step > 0) {
     time_left_.step(step, stepper_.state().time, since_start());
     progress_.step(output_time(), step, report.dt, last_row_, time_left_.seconds());
-  }
-}
-
-template <int D, int P>
-void Journal<D, P>::write_row(const StepReport& report, RowIs row) {
-  finish_row();
-  Stopwatch watch(seconds_.observers);
-  const auto reading = std::make_shared<const RowReading<D>>(
-      scalars_.read(stepper_.counts().steps, report, stepper_.state(), stage_at(scene_.layout(), stepper_.state())));
-  row_writer_.start([this, reading, row] {  // whoever needs one of these waits before (finish_row)
-    next_row_ = scalars_.row_of(*reading);
-    on_root([this] { history_->row(next_row_); });
-    if (row == RowIs::last) return;
-    scalars_.keep();
-    if (history_) history_->keep();
-  });
-  if (!row_writer_.running()) take_row();
-}
-
-template <int D, int P>
-void Journal<D, P>::finish_row() {
-  if (!row_writer_.running()) return;
-  Stopwatch watch(seconds_.observers);
-  row_writer_.wait();
-  take_row();
-}
-
-template <int D, int P>
-void Journal<D, P>::take_row() {
-  last_row_ = next_row_;
-  tell_events();
-}
-
-template <int D, int P>
-void Journal<D, P>::tell_events() {
-  for (; told_ < scalars_.events().size(); ++told_) progress_.tell(sentence(scalars_.events()[told_]));
-}
-
-template <int D, int P>
-void Journal<D, P>::write_fields_due() {
-  for (double time : field_times_) {
-    if (!same_time(output_time(), time) || (!written_.empty() && same_time(written_.back(), time))) continue;
-    require_folder();
-    Stopwatch watch(seconds_.output);
-    std::vector<double> all = written_;
-    all.push_back(time);
-    const auto snapshot = std::make_shared<const Snapshot<D>>(scene_.layout(), stepper_.state());
-    const auto traction =
-        wall_traction(scene_.regions(), scene_.equations(), stage_at(scene_.layout(), stepper_.state()));
-    const auto write = [this, snapshot, traction, all] {  // whoever changes one of these waits before (finish_files)
-      write_field_files(options_.out, origin_of(case_), case_.output.field_select, scene_.coefficients(), *snapshot,
-                        all);
-      add_interface_rows<D>(*interface_, *snapshot, traction, all.back());
-      interface_->keep();
-    };
-    on_root([&] { writer_.start(write); });
-    written_ = all;  // with all that belongs to it: a run that is resumed does not write it again
-  }
-}
-
-template <int D, int P>
-void Journal<D, P>::finish_files() {
-  finish_row();
-  Stopwatch watch(seconds_.output);
-  try {
-    wall_clock_.file(writer_.wait());
-  } catch (...) {
-    written_.pop_back();  // nothing of it is there
-    throw;
   }
 }
 
