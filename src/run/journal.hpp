@@ -48,7 +48,7 @@ class Journal {
 
   /// The row, fields and progress of a step.
   void observe(const StepReport&);
-  void write_row(const StepReport&, RowIs = RowIs::last);
+  void write_row(const StepReport&, RowIs);
   /// Brings checkpoint, history.csv and run.json up to date when their time has come.
   void keep_files_current();
   void save();
@@ -86,6 +86,7 @@ class Journal {
   void write_fields_due();
   /// Waits until the row that was begun is written, and takes note of it. Throws what has kept it from being written.
   void finish_row();
+  /// Takes over the row that is written, and prints its events.
   void take_row();
   /// Waits until all that is written beside the steps is complete. Throws what has kept something from being written.
   void finish_files();

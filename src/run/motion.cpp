@@ -90,7 +90,7 @@ void Motion<D, P>::advance() {
     journal_.step_done(before);
   }
   const long steps = stepper_.counts().steps;
-  if (steps > journal_.first_step() && steps % case_.output.history_every != 0) journal_.write_row(report);
+  if (steps > journal_.first_step() && steps % case_.output.history_every != 0) journal_.write_row(report, RowIs::last);
   journal_.save();
   const std::string reason = stop_reason();
   journal_.record(reason);

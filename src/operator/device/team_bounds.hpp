@@ -41,11 +41,11 @@ constexpr int teams_that_fit(int threads, int scratch) {
 
 /// The second number of launch bounds: teams on a multiprocessor. The compiler for AMD takes it as warps on each of the four
 /// units of a multiprocessor.
-constexpr int second_bound(int threads, int teams) {
+constexpr int second_bound([[maybe_unused]] int threads, int teams) {
 #if defined(KOKKOS_ENABLE_HIP)
   return (teams * warps_of(threads) + 3) / 4;
 #else
-  return threads > 0 ? teams : 0;
+  return teams;
 #endif
 }
 

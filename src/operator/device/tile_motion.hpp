@@ -43,6 +43,7 @@ struct TileMotion {
       });
       team.barrier();
     }
+    static_assert(Plan::wall_slopes(0) && !Plan::wall_slopes(D) && Plan::wall_slopes(2 * D));
     constexpr int sloped = Plan::wall_fields / D - 1;  // sets of D fields: the second has no slopes
     share(team, sloped * D * Shape::base, [&](int item) {
       const int f = quotient(item, Shape::base);
