@@ -7,14 +7,16 @@
 
 namespace softwet {
 
-/// Teams that have at most so many threads. Without this bound the compiler for AMD leaves registers for 1024 of them; nvcc
-/// does not.
+/// Teams of at most so many threads, and items in blocks of 256, for kernels with many registers. Without such a bound the
+/// compiler for AMD leaves registers for 1024 threads; nvcc does not.
 #if defined(KOKKOS_ENABLE_HIP)
 template <int threads>
 using SmallTeams = Teams<Kokkos::LaunchBounds<threads, 1>>;
+using SmallBlocks = Kokkos::RangePolicy<Exec, WithLaunch, Kokkos::LaunchBounds<256, 1>>;
 #else
 template <int threads>
 using SmallTeams = Teams<>;
+using SmallBlocks = Items;
 #endif
 
 /// Starts a kernel for teams. Where a device cannot take such teams, the error names the kernel.

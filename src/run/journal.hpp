@@ -66,7 +66,7 @@ class Journal {
   Progress& progress() { return progress_; }
   Scalars<D, P>& scalars() { return scalars_; }
 
-  double since_start() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double since_start() const { return std::chrono::duration<double>(Clock::now() - options_.begun).count(); }
   /// Adds the time since the start to that of the setup.
   void end_setup() { seconds_.setup += since_start(); }
   /// Takes note of a step that began at `before`, seconds since the start.
@@ -100,7 +100,6 @@ class Journal {
   std::string path(const std::string& name) const { return options_.out + "/" + name; }
 
   using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
   Rhythm saves_, records_;
   WallClock wall_clock_;
   const Case& case_;

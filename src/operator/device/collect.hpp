@@ -147,17 +147,16 @@ class TileSums {
     return s;
   }
 
-  static constexpr int room_for_term = 2304;  ///< bytes
-
-  /// Puts a term with so many tiles into the next launch of its kernel; returns where the term is to be written.
-  std::byte* add_tiles(TileLaunch<Real>* kernel, int code, int tiles) {
-    if (kernel != kernel_) launch();
-    kernel_ = kernel;
+  /// Puts a term with so many tiles and bytes into the next launch of its kernel; returns where the term is to be written.
+  std::byte* add_tiles(TileLaunch<Real>* kernel, int code, int tiles, std::size_t bytes) {
     TileSchedule& s = schedule_;
-    if (s.count == most_sources) throw std::logic_error("more terms than a launch has room for");
+    if (kernel != kernel_ || s.count == most_sources || used_ + bytes > sizeof terms_) launch();
+    kernel_ = kernel;
     s.code[s.count] = code;
-    s.place[s.count] = s.count * room_for_term;
+    s.place[s.count] = static_cast<int>(used_);
     s.first[s.count + 1] = s.first[s.count] + tiles;
+    constexpr std::size_t step = alignof(std::max_align_t);
+    used_ += (bytes + step - 1) / step * step;
     return terms_ + s.place[s.count++];
   }
   const Real* direction() const { return direction_.data(); }
@@ -183,9 +182,10 @@ class TileSums {
  private:
   void launch() {
     if (schedule_.count > 0)
-      kernel_(schedule_, stored_bytes(terms_, schedule_.place[schedule_.count - 1] + room_for_term), direction());
+      kernel_(schedule_, stored_bytes(terms_, used_), direction());
     schedule_ = {};
-    std::memset(terms_, 0, sizeof terms_);
+    std::memset(terms_, 0, used_);
+    used_ = 0;
   }
   void collect(const ArrayOf<Real>& out, const ConstArray& mask) {
     launch();
@@ -198,8 +198,8 @@ class TileSums {
   ConstArrayOf<Real> direction_;
   TileLaunch<Real>* kernel_ = nullptr;
   TileSchedule schedule_;
-  alignas(std::max_align_t) std::byte terms_[most_sources * room_for_term] = {};
-  static_assert(sizeof(terms_) <= most_stored_bytes);
+  alignas(std::max_align_t) std::byte terms_[most_stored_bytes] = {};
+  std::size_t used_ = 0;  ///< of these bytes
   CollectTiles<D, Real> collect_;
 };
 

@@ -20,9 +20,9 @@ void add_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums)
     source.template shape<Shape>(grid);
     source.first_row = task.region.test.first;
     source.shared_test = Shape::Shared;
-    std::byte* room = sums.add_tiles(&Kernel::launch, List::template place<Entry>(), grid.count());
-    static_assert(sizeof(TileOf<Plan>) <= TileSums<D, Real>::room_for_term &&
-                  std::is_trivially_copyable_v<TileOf<Plan>>);
+    static_assert(sizeof(TileOf<Plan>) <= most_stored_bytes && std::is_trivially_copyable_v<TileOf<Plan>>);
+    std::byte* room =
+        sums.add_tiles(&Kernel::launch, List::template place<Entry>(), grid.count(), sizeof(TileOf<Plan>));
     auto* tile = new (room) TileOf<Plan>;
     tile->task.set(task, sums.direction());
     tile->set_spacing(spacing);

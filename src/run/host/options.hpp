@@ -1,6 +1,7 @@
 // What the command line says of a run.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct RunOptions {
   /// Where the output folder is now: `out`, another path where somebody has moved it, empty where it was removed. Asked
   /// of the first process.
   std::function<std::string()> place;
+  std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();  ///< seconds of a run count from here
   std::optional<Writes> writes;  ///< when field files are written; none: as it suits the machine
 };
 

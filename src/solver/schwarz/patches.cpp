@@ -1,6 +1,7 @@
 #include "solver/schwarz/patches.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace softwet {
 
@@ -119,6 +120,23 @@ void for_origins(const std::vector<int> (&starts)[D], const Visit& visit) {
   }
 }
 
+/// The unknowns of each box, and of each unknown its places in the boxes, in their order.
+void store_unknowns(PatchTables& t, const std::vector<int>& unknowns, int all) {
+  t.dof.assign(static_cast<std::size_t>(t.count) * t.unknowns, -1);
+  t.grouped.assign(all + 1, 0);
+  for (int unknown : unknowns) ++t.grouped[unknown + 1];
+  std::partial_sum(t.grouped.begin(), t.grouped.end(), t.grouped.begin());
+  t.place.resize(unknowns.size());
+  std::vector<int> next(t.grouped.begin(), t.grouped.end() - 1);
+  auto unknown = unknowns.begin();
+  for (int box = 0; box < t.count; ++box)
+    for (int i = 0; i < t.size[box]; ++i, ++unknown) {
+      const int at = box * t.unknowns + i;
+      t.dof[at] = *unknown;
+      t.place[next[*unknown]++] = at;
+    }
+}
+
 }  // namespace
 
 template <int D>
@@ -137,33 +155,20 @@ PatchTables make_patches(const Layout<D>& layout, const UnknownTable<D>& table, 
   starts[0] = touching(layout, starts[0], t.column, width);
   t.row = static_cast<int>(starts[0].size());
   t.rows = static_cast<int>(starts[1].size());
-  std::vector<std::vector<int>> dof;
+  std::vector<int> unknowns;  // of all boxes, one box after the other
   for_origins<D>(starts, [&](const int* origin) {
     t.start.insert(t.start.end(), origin, origin + D);
-    const std::size_t first = t.local.size();
+    const std::size_t first = t.local.size(), before = unknowns.size();
     t.local.resize(first + t.sites, -1);
-    std::vector<int>& unknowns = dof.emplace_back();
     for_box(layout, stencil, table, t.column, origin, width, t.sites, [&](int site, int unknown) {
-      t.local[first + site] = static_cast<int>(unknowns.size());
+      t.local[first + site] = static_cast<int>(unknowns.size() - before);
       unknowns.push_back(unknown);
     });
-    t.size.push_back(static_cast<int>(unknowns.size()));
+    t.size.push_back(static_cast<int>(unknowns.size() - before));
     t.unknowns = std::max(t.unknowns, t.size.back());
   });
-  t.count = static_cast<int>(dof.size());
-  t.dof.assign(static_cast<std::size_t>(t.count) * t.unknowns, -1);
-  std::vector<std::vector<int>> places(layout.size());
-  for (int box = 0; box < t.count; ++box)
-    for (int i = 0; i < t.size[box]; ++i) {
-      const int at = box * t.unknowns + i;
-      t.dof[at] = dof[box][i];
-      places[dof[box][i]].push_back(at);
-    }
-  for (const std::vector<int>& group : places) {
-    t.grouped.push_back(static_cast<int>(t.place.size()));
-    t.place.insert(t.place.end(), group.begin(), group.end());
-  }
-  t.grouped.push_back(static_cast<int>(t.place.size()));
+  t.count = static_cast<int>(t.size.size());
+  store_unknowns(t, unknowns, layout.size());
   return t;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "memory/start_teams.hpp"
 #include "time/explicit/largest_rates.hpp"
 
 namespace softwet {
@@ -12,18 +13,11 @@ using namespace step_points;
 
 using Worst = Kokkos::MaxLoc<double, int>::value_type;
 
-/// Points, whose kernels need many registers. Without a bound the compiler for AMD leaves those for 1024 threads in a block.
-#if defined(KOKKOS_ENABLE_HIP)
-using PointItems = Kokkos::RangePolicy<Exec, WithLaunch, Kokkos::LaunchBounds<256, 1>>;
-#else
-using PointItems = Items;
-#endif
-
 /// The largest combined rate and its item.
 template <class Point>
 Worst worst_of(const Point& point, int items) {
   Worst worst;
-  Kokkos::parallel_reduce("softwet::step_place", PointItems(0, items), LargestPlace<Point>{point},
+  Kokkos::parallel_reduce("softwet::step_place", SmallBlocks(0, items), LargestPlace<Point>{point},
                           Kokkos::MaxLoc<double, int>(worst));
   return worst;
 }
@@ -206,7 +200,7 @@ void StepBound<D, P>::ask(const BoundState& state, const HostNumbers& found) con
         .fluid_points = l.scalar_size(),
         .solid_points = l.solid_rows() * l.row_size,
         .values = l.size() / space.stored * width};
-    Kokkos::parallel_reduce("softwet::step_rates", PointItems(0, largest.items()), largest, found.device);
+    Kokkos::parallel_reduce("softwet::step_rates", SmallBlocks(0, largest.items()), largest, found.device);
   });
 }
 
