@@ -181,8 +181,7 @@ class TileSums {
 
  private:
   void launch() {
-    if (schedule_.count > 0)
-      kernel_(schedule_, stored_bytes(terms_, used_), direction());
+    if (schedule_.count > 0) kernel_(schedule_, stored_bytes(terms_, used_), direction());
     schedule_ = {};
     std::memset(terms_, 0, used_);
     used_ = 0;
