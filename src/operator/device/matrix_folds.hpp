@@ -1,4 +1,4 @@
-// The axes of an element's matrix, folded one after another by a team of threads.
+// The axes of the matrix of a row of elements, folded one after another by a team of threads.
 #pragma once
 
 #include "operator/device/team_element.hpp"
@@ -6,65 +6,151 @@
 
 namespace softwet {
 
-/// As fold_axis, for a team. In 3D three folds follow each other, in 2D two.
+/// The elements of a row share their functions along the other axes, so the first fold adds them up, and the others have one
+/// matrix for all of them. A pair of the first axis is a test function of the row and the distance of its neighbour; test
+/// functions are numbered fastest everywhere, so that neighbouring threads read and write neighbouring numbers.
 template <class Shape>
 struct MatrixFolds {
   using Tables = RowTables<Shape>;
-  static constexpr int D = Shape::D, P = Shape::P, Q = Shape::Q, QL = Shape::QL;
-  static constexpr int n2 = (P + 1) * (P + 1), wall_points = power(Q, D - 1);
-  static constexpr int after_x = D * D * n2 * (wall_points / Q * QL), after_y = D == 3 ? 4 * n2 * n2 * QL : 0;
+  static constexpr int D = Shape::D, P = Shape::P, Q = Shape::Q, QL = Shape::QL, E = Shape::E, n = P + 1, n2 = n * n;
+  static constexpr int tests = E + P, distances = 2 * P + 1, pairs = tests * distances;  ///< of the first axis
+  static constexpr int rest = Shape::points / Q;                                         ///< points of the other axes
+  static constexpr int before = D == 3 ? n2 : 1;                                         ///< pairs of the axis between
+
+  /// Products of a test and a trial function at a point: of their values, of the value and the slope, and so on. A device reads them
+  /// at once.
+  struct alignas(16) Products {
+    float of[2][2];  ///< [slope of the test function][slope of the trial function]
+  };
+  // Room in the scratch, in numbers. Products of the first axis are numbered [element and point][pair], others [pair][point].
+  static constexpr int of_x = E * Q * n2, of_y = D == 3 ? Q * n2 : 0, of_last = QL * n2;
+  static constexpr int products = 4 * (of_x + of_y + of_last);
+  static constexpr int after_x = D * D * rest * pairs, after_y = D == 3 ? 4 * n2 * QL * pairs : 0;
   static constexpr int size = after_x + after_y;
 
-  /// in(k, l, q): derivative k of the test and l of the trial function at point q, where used(k, l); add(entry, value) is called
-  /// for each entry of the matrix, numbered by the pairs of functions with that of the first axis slowest.
-  template <class Team, class Used, class In, class Add>
-  static KOKKOS_FORCEINLINE_FUNCTION void run(const Team& team, const Tables& table, float* room, const Used& used,
-                                              const In& in, const Add& add) {
-    float* const y = room + after_x;
-    constexpr int rest_x = wall_points / Q * QL;
+  /// The elements [begin, end) of the row are there. A pair lives on those of [first, last], on none where first > last.
+  struct Held {
+    int begin, end;
+    KOKKOS_FORCEINLINE_FUNCTION int first(int pair) const {
+      const int test = pair % tests, other = neighbour(pair), low = (other > test ? other : test) - P;
+      return low > begin ? low : begin;
+    }
+    KOKKOS_FORCEINLINE_FUNCTION int last(int pair) const {
+      const int test = pair % tests, other = neighbour(pair), high = other < test ? other : test;
+      return high < end ? high : end - 1;
+    }
+  };
+  /// How far the entries of the next functions of the last axis are apart.
+  struct Steps {
+    std::int64_t test, trial;
+  };
+  static KOKKOS_FORCEINLINE_FUNCTION int neighbour(int pair) { return pair % tests + pair / tests - P; }
+
+  template <class Team>
+  static KOKKOS_FORCEINLINE_FUNCTION void load(const Team& team, const Tables& table, Products* to) {
+    share(team, of_x, [&](int i) { to[i] = products_of(table, 0, 0, i / n2, i % n2); });
+    if constexpr (D == 3) share(team, of_y, [&](int i) { to[of_x + i] = products_of(table, 1, 1, i % Q, i / Q); });
+    share(team, of_last, [&](int i) { to[of_x + of_y + i] = products_of(table, D, D - 1, i % QL, i / QL); });
+  }
+
+  /// @param in     in(k, l, q): derivative k of the test and l of the trial function at point q
+  /// @param entry  entry(pair, middle): where the entry of a pair of the first axis and of the axis between is, of the test and trial
+  ///               functions 0 of the last axis; that of functions i and j is i steps.test + j steps.trial behind it
+  template <class Team, class In, class Entry>
+  static KOKKOS_FORCEINLINE_FUNCTION void run(const Team& team, const Products* products, float* x, const Held& held,
+                                              const In& in, const Entry& entry, const Steps& steps) {
+    float* const y = x + after_x;
     team.barrier();  // what was folded before has been read
-    share(team, after_x, [&](int i) {
-      const int pair = i / rest_x % n2, kl = i / rest_x / n2;
-      room[i] = fold<Q>(table, 0, 0, kl / D, kl % D, pair, used,
-                        [&](int k, int l, int q) { return in(k, l, i % rest_x * Q + q); });
-    });
+    share(team, rest * pairs, [&](int i) { fold_x(products, held, i % pairs, i / pairs, in, x + i); });
     team.barrier();
-    const auto all = [](int, int) { return true; };
-    if constexpr (D == 2) {
-      share(team, n2 * n2, [&](int i) {
-        add(i, fold<QL>(table, 2, 1, 0, 0, i % n2, all,
-                        [&](int k, int l, int q) { return room[((k * 2 + l) * n2 + i / n2) * rest_x + q]; }));
-      });
-    } else {
-      share(team, after_y, [&](int i) {
-        const int pair = i / QL % n2, before = i / QL / n2 % n2, kl = i / QL / n2 / n2;
-        y[i] = fold<Q>(table, 1, 1, kl / 2, kl % 2, pair, all, [&](int k, int l, int q) {
-          return room[((k * 3 + l) * n2 + before) * rest_x + i % QL * Q + q];
-        });
+    if constexpr (D == 3) {
+      share(team, n * QL * pairs, [&](int item) {
+        const int pair = item % pairs, q = item / pairs % QL, i = item / pairs / QL;
+        const Values<D, Q> values(
+            [&](int k, int l, int p) { return x[((k * D + l) * rest + q * Q + p) * pairs + pair]; });
+        for (int j = 0; j < n; ++j) {
+          float sum[2][2];
+          values.sum(products + of_x + (i * n + j) * Q, sum);
+          for (int k = 0; k < 2; ++k)
+            for (int l = 0; l < 2; ++l) y[(((k * 2 + l) * n2 + i * n + j) * QL + q) * pairs + pair] = sum[k][l];
+        }
       });
       team.barrier();
-      share(team, n2 * n2 * n2, [&](int i) {
-        add(i, fold<QL>(table, 3, 2, 0, 0, i % n2, all,
-                        [&](int k, int l, int q) { return y[((k * 2 + l) * n2 * n2 + i / n2) * QL + q]; }));
-      });
     }
+    const float* const from = D == 3 ? y : x;
+    share(team, before * pairs, [&](int item) {
+      const int pair = item % pairs, middle = item / pairs;
+      if (held.first(pair) > held.last(pair)) return;
+      const Values<2, QL> values(
+          [&](int k, int l, int q) { return from[(((k * 2 + l) * before + middle) * QL + q) * pairs + pair]; });
+      add(values, products + of_x + of_y, entry(pair, middle), steps);
+    });
   }
 
  private:
-  /// One sum: derivatives (k, l) along later axes, a pair of functions of this one. Where k = 0 the test function has no
-  /// derivative, or one along this axis.
-  template <int Points, class Used, class In>
-  static KOKKOS_FORCEINLINE_FUNCTION float fold(const Tables& table, int row, int column, int k, int l, int pair,
-                                                const Used& used, const In& in) {
-    const int i = pair / (P + 1), j = pair % (P + 1);
-    float sum = 0;
-    for (int a = k > 0 ? k + 1 : 0; a <= (k > 0 ? k + 1 : 1); ++a)
-      for (int b = l > 0 ? l + 1 : 0; b <= (l > 0 ? l + 1 : 1); ++b) {
-        if (!used(a, b)) continue;
-        for (int q = 0; q < Points; ++q)
-          sum += table.basis(row, a == 1, q, i) * table.basis(column, b == 1, q, j) * in(a, b, q);
+  static KOKKOS_FORCEINLINE_FUNCTION Products products_of(const Tables& table, int row, int column, int q, int pair) {
+    Products p;
+    for (int k = 0; k < 2; ++k)
+      for (int l = 0; l < 2; ++l)
+        p.of[k][l] = table.basis(row, k == 1, q, pair / n) * table.basis(column, l == 1, q, pair % n);
+    return p;
+  }
+
+  /// The sums of a pair at one point of the other axes: to[derivatives along these], of test and trial function. Of the
+  /// derivatives of `in`, 0 is the value, 1 that along this axis, and the others those along later axes.
+  template <class In>
+  static KOKKOS_FORCEINLINE_FUNCTION void fold_x(const Products* products, const Held& held, int pair, int r,
+                                                 const In& in, float* to) {
+    const int test = pair % tests, other = neighbour(pair), last = held.last(pair);
+    float sum[D][D] = {};
+    for (int e = held.first(pair); e <= last; ++e)
+      for (int q = 0; q < Q; ++q) {
+        const Products p = products[(e * Q + q) * n2 + (test - e) * n + other - e];
+        for (int k = 0; k <= D; ++k)
+          for (int l = 0; l <= D; ++l)
+            sum[k > 1 ? k - 1 : 0][l > 1 ? l - 1 : 0] += p.of[k == 1][l == 1] * in(k, l, (e * rest + r) * Q + q);
       }
-    return sum;
+    for (int k = 0; k < D; ++k)
+      for (int l = 0; l < D; ++l) to[(k * D + l) * rest * pairs] = sum[k][l];
+  }
+
+  /// What is folded along an axis: of its derivatives, 1 is that along this axis, 2 that along a later one.
+  template <int derivatives, int points>
+  struct Values {
+    float value[derivatives][derivatives][points];
+
+    template <class In>
+    explicit KOKKOS_FORCEINLINE_FUNCTION Values(const In& in) {
+      for (int k = 0; k < derivatives; ++k)
+        for (int l = 0; l < derivatives; ++l)
+          for (int q = 0; q < points; ++q) value[k][l][q] = in(k, l, q);
+    }
+    /// Sums with products of a pair at all points: [test function has a derivative along a later axis][trial function].
+    KOKKOS_FORCEINLINE_FUNCTION void sum(const Products* products,
+                                         float (&to)[derivatives - 1][derivatives - 1]) const {
+      for (int k = 0; k < derivatives - 1; ++k)
+        for (int l = 0; l < derivatives - 1; ++l) to[k][l] = 0;
+      for (int q = 0; q < points; ++q) {
+        const Products p = products[q];
+        for (int k = 0; k < derivatives; ++k)
+          for (int l = 0; l < derivatives; ++l) to[k / 2][l / 2] += p.of[k == 1][l == 1] * value[k][l][q];
+      }
+    }
+  };
+
+  /// All entries are read before the first is written, so that a device waits for memory once.
+  template <class Values>
+  static KOKKOS_FORCEINLINE_FUNCTION void add(const Values& values, const Products* products, float* to,
+                                              const Steps& steps) {
+    float entry[n][n];
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) entry[i][j] = to[i * steps.test + j * steps.trial];
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        float sum[1][1];
+        values.sum(products + (i * n + j) * QL, sum);
+        to[i * steps.test + j * steps.trial] = entry[i][j] + sum[0][0];
+      }
   }
 };
 
