@@ -111,9 +111,14 @@ void Boxes<D>::build_some(const StencilMatrix<D>& matrix, const int* boxes, int 
   const DenseBlocks blocks = Kokkos::subview(blocks_, some, Kokkos::ALL, Kokkos::ALL);
   const auto size = Kokkos::subview(to_invert_, some), box = Kokkos::subview(block_box_, some);
   copy_in(box, boxes, count);
-  const FillRows<D> fill{matrix.stencil(), matrix.values(), size_,  local_,      start_, column_, box,
-                         blocks,           sites_,          width_, chunk(row_), round_};
-  Kokkos::parallel_for("softwet::boxes", Items(0, fill.items(count)), fill);
+  const BoxRows<D> rows{matrix.stencil(), matrix.values(), size_,  local_, start_, column_, box,
+                        blocks,           sites_,          width_, round_};
+  if constexpr (host_algorithms) {
+    const FillRows<D> fill{rows, row_};
+    Kokkos::parallel_for("softwet::boxes", Items(0, fill.items(count)), fill);
+  } else {
+    FillRowsByTeams<D>{rows}.run(count);
+  }
   shared_.choose(boxes, count, blocks, inverses_);
   place_inverses(boxes, count);
   invert_->invert(blocks, size);

@@ -28,17 +28,26 @@ struct ChooseInverse {
   using Team = Policy::member_type;
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 
+  /// Of each probe a vector.
+  struct Vectors {
+    Scratch all;
+    int rows;
+    KOKKOS_FUNCTION Vectors(const Team& team, int rows_) : all(team.team_scratch(0), probes * rows_), rows(rows_) {}
+    KOKKOS_FUNCTION float* of(int p) const { return all.data() + p * rows; }
+  };
   /// What the threads of a team share.
   struct Room {
-    Scratch size_of_row, r, x, y, distance;
+    Scratch size_of_row;
+    Vectors r, x, y;
+    Scratch distance;
     KOKKOS_FUNCTION Room(const Team& team, int rows, int fields)
         : size_of_row(team.team_scratch(0), rows),
-          r(team.team_scratch(0), rows),
-          x(team.team_scratch(0), rows),
-          y(team.team_scratch(0), rows),
+          r(team, rows),
+          x(team, rows),
+          y(team, rows),
           distance(team.team_scratch(0), fields) {}
     static std::size_t bytes(int rows, int fields) {
-      return 4 * Scratch::shmem_size(rows) + Scratch::shmem_size(fields);
+      return Scratch::shmem_size(rows) + 3 * Scratch::shmem_size(probes * rows) + Scratch::shmem_size(fields);
     }
   };
 
@@ -73,56 +82,66 @@ struct ChooseInverse {
     }
     Kokkos::single(Kokkos::PerTeam(team), [&] { answer(block) = found; });
   }
-  /// Largest |A_c^-1 A_b x - x|_f / |x|_f of the probes; not a number where the inverse has entries that are none.
+  /// Largest |A_c^-1 A_b x - x|_f / |x|_f of the probes; not a number where the inverse has entries that are none. Each entry of a
+  /// matrix that is read serves all probes.
   KOKKOS_FUNCTION float distance(const Team& team, const Room& room, int n, int candidate) const {
     const int block = team.league_rank();
-    float largest = 0;
-    for (int p = 0; p < probes; ++p) {
-      Kokkos::parallel_for(Kokkos::TeamVectorRange(team, n),
-                           [&](int i) { room.r(i) = probe(p, i) * room.size_of_row(i); });
-      multiply_inverse(team, candidate, n, room.r, room.x);
-      Kokkos::parallel_for(Kokkos::TeamThreadRange(team, n), [&](int i) {
+    Kokkos::parallel_for(Kokkos::TeamVectorRange(team, n), [&](int i) {
+      for (int p = 0; p < probes; ++p) room.r.of(p)[i] = probe(p, i) * room.size_of_row(i);
+    });
+    multiply_inverse(team, candidate, n, room.r, room.x);
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, n), [&](int i) {
+      for (int p = 0; p < probes; ++p) {
+        const float* const x = room.x.of(p);
         float product = 0;
         Kokkos::parallel_reduce(
-            Kokkos::ThreadVectorRange(team, n), [&](int j, float& sum) { sum += matrices(block, i, j) * room.x(j); },
+            Kokkos::ThreadVectorRange(team, n), [&](int j, float& sum) { sum += matrices(block, i, j) * x[j]; },
             product);
-        Kokkos::single(Kokkos::PerThread(team), [&] { room.r(i) = product; });
-      });
-      multiply_inverse(team, candidate, n, room.r, room.y);
-      compare_fields(team, room, n);
+        Kokkos::single(Kokkos::PerThread(team), [&] { room.r.of(p)[i] = product; });
+      }
+    });
+    multiply_inverse(team, candidate, n, room.r, room.y);
+    float largest = 0;
+    for (int p = 0; p < probes; ++p) {
+      compare_fields(team, room, p, n);
       for (int f = 0; f < fields; ++f) {
         if (Kokkos::isnan(room.distance(f))) return room.distance(f);
         largest = Kokkos::max(largest, room.distance(f));
       }
+      team.team_barrier();  // all have read them
     }
     return largest;
   }
   /// to = inverse times x. All threads have written x, and may read the result.
-  KOKKOS_FUNCTION void multiply_inverse(const Team& team, int box, int n, const Scratch& x, const Scratch& to) const {
+  KOKKOS_FUNCTION void multiply_inverse(const Team& team, int box, int n, const Vectors& x, const Vectors& to) const {
     team.team_barrier();
     Kokkos::parallel_for(Kokkos::TeamVectorRange(team, chunks_in(n, rows_at_once)), [&](int piece) {
       const int first = piece * rows_at_once;
-      float sum[1][rows_at_once];
-      inverses.multiply<1>(box, n, first, {x.data()}, sum);
-      for (int i = 0; i < rows_at_once && first + i < n; ++i) to(first + i) = sum[0][i];
+      const float* from[probes];
+      for (int p = 0; p < probes; ++p) from[p] = x.of(p);
+      float sum[probes][rows_at_once];
+      inverses.multiply<probes>(box, n, first, from, sum);
+      for (int p = 0; p < probes; ++p)
+        for (int i = 0; i < rows_at_once && first + i < n; ++i) to.of(p)[first + i] = sum[p][i];
     });
     team.team_barrier();
   }
   /// |y - x|_f / |x|_f
-  KOKKOS_FUNCTION void compare_fields(const Team& team, const Room& room, int n) const {
+  KOKKOS_FUNCTION void compare_fields(const Team& team, const Room& room, int p, int n) const {
     const int kind = question(team.league_rank(), 0);
+    const float *const x = room.x.of(p), *const y = room.y.of(p);
     Kokkos::parallel_for(Kokkos::TeamThreadRange(team, fields), [&](int f) {
       float difference = 0, length = 0;
       Kokkos::parallel_reduce(
           Kokkos::ThreadVectorRange(team, n),
           [&](int i, float& sum) {
-            if (field(kind, i) == f) sum += (room.y(i) - room.x(i)) * (room.y(i) - room.x(i));
+            if (field(kind, i) == f) sum += (y[i] - x[i]) * (y[i] - x[i]);
           },
           difference);
       Kokkos::parallel_reduce(
           Kokkos::ThreadVectorRange(team, n),
           [&](int i, float& sum) {
-            if (field(kind, i) == f) sum += room.x(i) * room.x(i);
+            if (field(kind, i) == f) sum += x[i] * x[i];
           },
           length);
       Kokkos::single(Kokkos::PerThread(team),
