@@ -145,6 +145,26 @@ TEST(FilesBesideSteps, NoCheckpointWithoutItsFiles) {
   EXPECT_FALSE(fs::exists(beside.folder / "out/checkpoint.h5"));
 }
 
+// The setup of scene and solver is a part of the run.
+TEST(RunSeconds, CountFromTheStart) {
+  ScratchFolder folder;
+  RunOptions options;
+  options.out = folder / "";
+  options.quiet = true;
+  options.begun -= std::chrono::seconds(100);
+  Case c = with_fields();
+  c.time.max_steps = 1;
+  Motion<2, 2>(c, options).run();
+  const std::string record = content_of(folder / "run.json");
+  for (const std::string name : {"\"setup\":", "\"total\":"}) {
+    const std::size_t at = record.find(name);
+    ASSERT_NE(at, std::string::npos) << name;
+    const double seconds = std::stod(record.substr(at + name.size()));
+    EXPECT_GE(seconds, 100) << name;
+    EXPECT_LT(seconds, 200) << name;
+  }
+}
+
 // A step fails while a file is being written: the last good state is kept, and it knows the file.
 TEST(FilesBesideSteps, AStepThatFailsLosesNoFile) {
   const Case c = with_fields();
