@@ -1,6 +1,8 @@
 // Kernels of the products with the inverses of boxes, and of their weighted sum.
 #pragma once
 
+#include <algorithm>
+
 #include "field/range_factors.hpp"
 #include "memory/start_teams.hpp"
 #include "solver/schwarz/box_inverses.hpp"
@@ -11,8 +13,11 @@ namespace softwet {
 /// and there are still enough teams. What the next pair reads of the same inverse is in the cache, for it is at work then.
 inline constexpr int most_together = chunk(8, 2);
 
-/// Threads of a team on a device, and their lanes.
-inline constexpr int box_team = team_size(8), box_lanes = team_size(32);
+/// Lanes of a thread on a device, and threads of a team: as many lanes as there are rows to take.
+inline constexpr int box_lanes = team_size(32);
+constexpr int box_team(int unknowns) {
+  return on_host ? 1 : std::clamp(chunks_in(chunks_in(unknowns, rows_at_once), box_lanes), 1, 8);
+}
 
 /// What a launch of the boxes' products does beside: nothing.
 struct NothingBeside {
@@ -41,8 +46,9 @@ struct ApplyBoxes {
     items = beside.items();
     const std::size_t scratch = Scratch::shmem_size(most_together * unknowns);
     const int league = teams + chunks_in(items, items_of_team);
-    start_teams("softwet::schwarz", Teams<>(league, box_team, box_lanes).set_scratch_size(0, Kokkos::PerTeam(scratch)),
-                *this);
+    // registers for what is read ahead
+    Teams<Kokkos::LaunchBounds<256, 5>> policy(league, box_team(unknowns), box_lanes);
+    start_teams("softwet::schwarz", policy.set_scratch_size(0, Kokkos::PerTeam(scratch)), *this);
   }
 
   KOKKOS_FUNCTION void operator()(const Team& team) const {

@@ -57,7 +57,7 @@ Boxes<D>::Boxes(const Layout<D>& layout, const PatchTables& t, int width, float 
       round_(layout.axis[0].periodic() ? layout.axis[0].owned() : 0),
       sizes_(t.size),
       shared_(t, layout.components(), share) {
-  if (!host_algorithms) inverses_.strip = unknowns_;
+  if (!host_algorithms) inverses_.strip = chunks_in(unknowns_, rows_at_once) * rows_at_once;
   for (int n : t.size) most_ += inverses_.room(n);
   used_ = most_;
   begin_.resize(count_);

@@ -24,7 +24,7 @@ struct ChooseInverse {
   float limit;
   int fields;
 
-  using Policy = Teams<Kokkos::Schedule<Kokkos::Dynamic>>;
+  using Policy = Teams<Kokkos::Schedule<Kokkos::Dynamic>, Kokkos::LaunchBounds<256, 4>>;
   using Team = Policy::member_type;
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 
