@@ -110,7 +110,7 @@ struct FillRowsByTeams : BoxRows<D> {
   /// @param threads  of a team; 0: as many as suit the machine
   void run(int count, int threads = 0) const {
     const std::size_t bytes = Scratch::shmem_size(width * row_size());
-    Teams<> policy(items(count), threads > 0 ? threads : team_size(128));
+    SmallTeams<128> policy(items(count), threads > 0 ? threads : team_size(128));
     start_teams("softwet::boxes", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)), *this);
   }
 
