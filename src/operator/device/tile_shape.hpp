@@ -5,6 +5,9 @@
 
 namespace softwet {
 
+/// Threads for so many points, when `lanes` of each 16 have one.
+constexpr int slots_of(int points, int lanes) { return points / lanes * 16 + points % lanes; }
+
 /// NX x NY elements across the wall, M times L layers of them. The team computes L layers in a pass, with one thread for
 /// each quadrature point. Along each axis a tile has as many control points as elements, and `degree` more. An element has QL
 /// points along the last axis: one on a wall. With `Shared` all layers, which are passed one by one, have the same test
@@ -20,6 +23,10 @@ struct TileShape {
   static constexpr int base = qx * qy, points = base * qz;
   static constexpr int cx = NX + P, cy = D == 3 ? NY + P : 1, cz = L + P;          ///< control points of a pass
   static constexpr int planes = Shared ? n : NZ + P, controls = cx * cy * planes;  ///< of the tile
+  /// Of 16 threads beside each other so many have a point (share_points). In 3D that leaves no line of points of an element in two
+  /// such groups, and what they read of their neighbours lies in different banks of the memory.
+  static constexpr int lanes = D == 3 && !own_slopes ? 16 / Q * Q : 16;
+  static constexpr int threads = lanes == 16 ? points : (slots_of(points, lanes) + 31) / 32 * 32;
   static_assert(QL == Q || NZ == 1, "a wall has one layer of elements");
   static_assert(!Shared || L == 1, "layers with the same test functions are passed one by one");
   static_assert(own_slopes ? L == 1 : Q == n, "slopes need values at degree + 1 points, or sweeps of one layer");
