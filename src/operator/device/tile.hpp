@@ -41,7 +41,8 @@ struct TileFields {
   const Real* scale;
 
   KOKKOS_FORCEINLINE_FUNCTION S part(int field, int c) const {
-    if (!Plan::has_gradient(field)) return S(own.value[field]);
+    if (!Plan::has_gradient(field))
+      return S(D == 3 ? values[(Plan::stored + field - Plan::stored_before(field)) * TileScratch<Plan>::point_field] : own.value[field]);
     const Real* v = values + Plan::stored_before(field) * TileScratch<Plan>::point_field;
     if (c == 0) return S(v[0]);
     if (c > Plan::collocated) return S(own.across[field]);
@@ -210,7 +211,7 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
       if (pass == passes) return;
       Sweeps3D::along_y_and_z(team, pass, t);
       team.barrier();
-      PointState<Plan> own[own_points<Team>];
+      PointState<Plan> own[own_points<Team>]{};
       int corner[D];
       corner_of(team, pass, corner);
       each_point(team, [&](int p, int l) {

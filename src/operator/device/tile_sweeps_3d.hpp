@@ -57,7 +57,7 @@ struct TileSweeps3D {
   static KOKKOS_FORCEINLINE_FUNCTION void take(const Real* t, int p, Own& own) {
     const Real* const kept = t + Room::kept + p;
     for_each_index<Plan::fields>([&](auto f) {
-      if constexpr (!Plan::has_gradient(f())) own.value[f()] = kept[(f() - Plan::stored_before(f())) * Room::point_field];
+      if constexpr (false && !Plan::has_gradient(f())) own.value[f()] = kept[(f() - Plan::stored_before(f())) * Room::point_field];
       if constexpr (Plan::on_wall) own.across[f()] = kept[(Room::across + f()) * Room::point_field];
     });
   }
