@@ -12,12 +12,12 @@
 
 namespace softwet {
 
-/// So many axes, the first ones, along which a point folds fluxes. In 3D what folds along the others does it for them too: it has the points of
-/// an element in registers.
+/// So many axes, the first ones, along which a point folds fluxes. In 3D the fold along the other axes does it for them, since it has all points
+/// of an element in registers.
 template <class Plan>
 inline constexpr int fold_axes = Plan::D == 3 ? 1 : Plan::collocated;
 
-/// What a point keeps between two barriers: registers on a device.
+/// What a point keeps between two barriers: registers on a device. In 3D `value` and `across` are in memory instead.
 template <class Plan>
 struct PointState {
   using Real = typename Plan::Real;
@@ -33,6 +33,7 @@ struct TileFields {
   using Shape = typename Plan::Shape;
   using Real = typename Plan::Real;
   using S = typename Plan::S;
+  using Room = TileScratch<Plan>;
   static constexpr int D = Shape::D, Q = Shape::Q;
   const PointState<Plan>& own;
   const Real* values;  ///< of fields with gradients, at this point
@@ -40,12 +41,13 @@ struct TileFields {
   const int (&step)[D][Q];
   const Real* scale;
 
+  /// In 3D what a point keeps stands behind its values.
+  KOKKOS_FORCEINLINE_FUNCTION Real kept(int i) const { return values[Room::kept + i * Room::point_field]; }
   KOKKOS_FORCEINLINE_FUNCTION S part(int field, int c) const {
-    if (!Plan::has_gradient(field))
-      return S(D == 3 ? values[(Plan::stored + field - Plan::stored_before(field)) * TileScratch<Plan>::point_field] : own.value[field]);
-    const Real* v = values + Plan::stored_before(field) * TileScratch<Plan>::point_field;
+    if (!Plan::has_gradient(field)) return S(D == 3 ? kept(field - Plan::stored_before(field)) : own.value[field]);
+    const Real* v = values + Plan::stored_before(field) * Room::point_field;
     if (c == 0) return S(v[0]);
-    if (c > Plan::collocated) return S(own.across[field]);
+    if (c > Plan::collocated) return S(D == 3 ? kept(Room::across + field) : own.across[field]);
     Real sum = row[c - 1][0] * v[0];
     SOFTWET_UNROLL
     for (int r = 1; r < Q; ++r) sum = sum + row[c - 1][r] * v[step[c - 1][r]];
@@ -132,7 +134,8 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
   }
 
   /// The term at point p of a pass.
-  KOKKOS_FORCEINLINE_FUNCTION void evaluate_at(int p, int pass, const int (&corner)[D], Real* t, PointState<Plan>& own) const {
+  KOKKOS_FORCEINLINE_FUNCTION void evaluate_at(int p, int pass, const int (&corner)[D], Real* t,
+                                               PointState<Plan>& own) const {
     int q[D], step[D][Q];
     Real row[D][Q];
     Sweeps::neighbours(p, q, step);
@@ -141,12 +144,13 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     for (int r = 0; r < Q; ++r)
       row[d][r] =
           Room::knows_rows ? t[row_place(p, pass, d) + r] : slope.forward[d][q[d]][r] * t[share_place(p, pass, d)];
-    this->evaluate(p, pass, corner, t, TileFields<Plan>{own, t + Room::first + p, row, step, task.scale}, [&](int again) {
-      TileSink<Plan> to{own, t + fluxes + again, t + Room::flux + again, {}};
-      SOFTWET_UNROLL
-      for (int d = 0; d < D; ++d) to.share[d] = S(t[share_place(again, pass, d)]);
-      return to;
-    });
+    this->evaluate(p, pass, corner, t, TileFields<Plan>{own, t + Room::first + p, row, step, task.scale},
+                   [&](int again) {
+                     TileSink<Plan> to{own, t + fluxes + again, t + Room::flux + again, {}};
+                     SOFTWET_UNROLL
+                     for (int d = 0; d < D; ++d) to.share[d] = S(t[share_place(again, pass, d)]);
+                     return to;
+                   });
   }
 
   template <class Team>
@@ -211,17 +215,12 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
       if (pass == passes) return;
       Sweeps3D::along_y_and_z(team, pass, t);
       team.barrier();
-      PointState<Plan> own[own_points<Team>]{};
+      PointState<Plan> own[own_points<Team>]{};  // else a thread without a point keeps that of the last pass
       int corner[D];
       corner_of(team, pass, corner);
-      each_point(team, [&](int p, int l) {
-        Sweeps3D::take(t, p, own[l]);
-        evaluate_at(p, pass, corner, t, own[l]);
-      });
+      each_point(team, [&](int p, int l) { evaluate_at(p, pass, corner, t, own[l]); });
       team.barrier();
-      each_point(team, [&](int p, int l) {
-        Sweeps::template fold_fluxes<1>(*anew(&slope), p, t + fluxes, own[l], t);
-      });
+      each_point(team, [&](int p, int l) { Sweeps::template fold_fluxes<1>(*anew(&slope), p, t + fluxes, own[l], t); });
       team.barrier();
     }
   }

@@ -133,7 +133,8 @@ struct TileSweeps {
       for (int d = 0; d < axes; ++d) {
         sum[c] = sum[c] + row[d][0] * own.flux[c][d];
         SOFTWET_UNROLL
-        for (int r = 1; r < Q; ++r) sum[c] = sum[c] + row[d][r] * flux[(c * axes + d) * Room::point_field + p + step[d][r]];
+        for (int r = 1; r < Q; ++r)
+          sum[c] = sum[c] + row[d][r] * flux[(c * axes + d) * Room::point_field + p + step[d][r]];
       }
     }
     SOFTWET_UNROLL

@@ -52,16 +52,6 @@ struct TileSweeps3D {
     });
   }
 
-  /// What point p keeps for itself, from memory.
-  template <class Own>
-  static KOKKOS_FORCEINLINE_FUNCTION void take(const Real* t, int p, Own& own) {
-    const Real* const kept = t + Room::kept + p;
-    for_each_index<Plan::fields>([&](auto f) {
-      if constexpr (false && !Plan::has_gradient(f())) own.value[f()] = kept[(f() - Plan::stored_before(f())) * Room::point_field];
-      if constexpr (Plan::on_wall) own.across[f()] = kept[(Room::across + f()) * Room::point_field];
-    });
-  }
-
   /// An item: the points above each other and across at one place along x, of one channel. Integrands take what fluxes along y and z add to
   /// them, and are folded along both axes.
   template <class Team>
@@ -151,8 +141,7 @@ struct TileSweeps3D {
       for (int q = 0; q < Q; ++q) line[q] = flux[Room::of_flux + q * Shape::base + y * Shape::qx];
       SOFTWET_UNROLL
       for (int q = 0; q < Q; ++q) SOFTWET_UNROLL
-      for (int r = 0; r < Q; ++r)
-        integrand[q][y] = integrand[q][y] + slope.transposed[2][q][r] * line[(q + r) % Q];
+      for (int r = 0; r < Q; ++r) integrand[q][y] = integrand[q][y] + slope.transposed[2][q][r] * line[(q + r) % Q];
     }
   }
 };
