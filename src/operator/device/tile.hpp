@@ -12,14 +12,19 @@
 
 namespace softwet {
 
-/// What a point keeps between two barriers: registers on a device.
+/// So many axes, the first ones, along which a point folds fluxes. In 3D the fold along the other axes does it for them, since it has all points
+/// of an element in registers.
+template <class Plan>
+inline constexpr int fold_axes = Plan::D == 3 ? 1 : Plan::collocated;
+
+/// What a point keeps between two barriers: registers on a device. In 3D `value` and `across` are in memory instead.
 template <class Plan>
 struct PointState {
   using Real = typename Plan::Real;
   Real value[Plan::fields];                       ///< of fields without gradients
   Real across[Plan::on_wall ? Plan::fields : 1];  ///< slopes across a wall
   Real integrand[Plan::channels];
-  Real flux[Plan::channels][Plan::D];
+  Real flux[Plan::channels][fold_axes<Plan>];  ///< along the first axes
 };
 
 /// Fields at one point, as Reader wants them.
@@ -28,6 +33,7 @@ struct TileFields {
   using Shape = typename Plan::Shape;
   using Real = typename Plan::Real;
   using S = typename Plan::S;
+  using Room = TileScratch<Plan>;
   static constexpr int D = Shape::D, Q = Shape::Q;
   const PointState<Plan>& own;
   const Real* values;  ///< of fields with gradients, at this point
@@ -35,11 +41,13 @@ struct TileFields {
   const int (&step)[D][Q];
   const Real* scale;
 
+  /// In 3D what a point keeps stands behind its values.
+  KOKKOS_FORCEINLINE_FUNCTION Real kept(int i) const { return values[Room::kept + i * Room::point_field]; }
   KOKKOS_FORCEINLINE_FUNCTION S part(int field, int c) const {
-    if (!Plan::has_gradient(field)) return S(own.value[field]);
-    const Real* v = values + Plan::stored_before(field) * Shape::points;
+    if (!Plan::has_gradient(field)) return S(D == 3 ? kept(field - Plan::stored_before(field)) : own.value[field]);
+    const Real* v = values + Plan::stored_before(field) * Room::point_field;
     if (c == 0) return S(v[0]);
-    if (c > Plan::collocated) return S(own.across[field]);
+    if (c > Plan::collocated) return S(D == 3 ? kept(Room::across + field) : own.across[field]);
     Real sum = row[c - 1][0] * v[0];
     SOFTWET_UNROLL
     for (int r = 1; r < Q; ++r) sum = sum + row[c - 1][r] * v[step[c - 1][r]];
@@ -59,14 +67,22 @@ struct TileFields {
 template <class Plan>
 struct TileSink {
   using S = typename Plan::S;
-  static constexpr int D = Plan::D;
+  using Real = typename Plan::Real;
+  using Room = TileScratch<Plan>;
+  static constexpr int D = Plan::D, axes = fold_axes<Plan>;
   PointState<Plan>& own;
-  typename Plan::Real* to;  ///< fluxes [channel][d][point], at this point
-  S share[D];               ///< of the element along each axis
+  Real* to;    ///< fluxes along the first axes [channel][d][point], at this point
+  Real* rest;  ///< along the others [d][channel][point]
+  S share[D];  ///< of the element along each axis
 
   KOKKOS_FORCEINLINE_FUNCTION void integrand(int channel, const S& number) { own.integrand[channel] = plain(number); }
   KOKKOS_FORCEINLINE_FUNCTION void flux(int channel, int d, const S& number) {
-    own.flux[channel][d] = to[(channel * D + d) * Plan::Shape::points] = plain(number * share[d]);
+    const Real scaled = plain(number * share[d]);
+    if (d < axes) {
+      own.flux[channel][d] = to[(channel * axes + d) * Room::point_field] = scaled;
+    } else if (d < Plan::collocated) {
+      rest[(d - axes) * Room::of_flux + channel * Room::point_field] = scaled;
+    }
   }
 };
 
@@ -118,8 +134,8 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
   }
 
   /// The term at point p of a pass.
-  KOKKOS_FORCEINLINE_FUNCTION void evaluate_at(int p, int pass, const int (&corner)[D], const Real* t, Real* values,
-                                               Real* flux, PointState<Plan>& own) const {
+  KOKKOS_FORCEINLINE_FUNCTION void evaluate_at(int p, int pass, const int (&corner)[D], Real* t,
+                                               PointState<Plan>& own) const {
     int q[D], step[D][Q];
     Real row[D][Q];
     Sweeps::neighbours(p, q, step);
@@ -128,55 +144,83 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     for (int r = 0; r < Q; ++r)
       row[d][r] =
           Room::knows_rows ? t[row_place(p, pass, d) + r] : slope.forward[d][q[d]][r] * t[share_place(p, pass, d)];
-    this->evaluate(p, pass, corner, t, TileFields<Plan>{own, values + p, row, step, task.scale}, [&](int again) {
-      TileSink<Plan> to{own, flux + again, {}};
-      SOFTWET_UNROLL
-      for (int d = 0; d < D; ++d) to.share[d] = S(t[share_place(again, pass, d)]);
-      return to;
-    });
+    this->evaluate(p, pass, corner, t, TileFields<Plan>{own, t + Room::first + p, row, step, task.scale},
+                   [&](int again) {
+                     TileSink<Plan> to{own, t + fluxes + again, t + Room::flux + again, {}};
+                     SOFTWET_UNROLL
+                     for (int d = 0; d < D; ++d) to.share[d] = S(t[share_place(again, pass, d)]);
+                     return to;
+                   });
   }
 
-  /// One pass: L layers of elements, added to the sums of the tile. In 3D the next pass begins without a barrier, because it writes
-  /// first where no thread reads any more.
   template <class Team>
-  KOKKOS_FORCEINLINE_FUNCTION void run_pass(const Team& team, int pass, const Real* direction, Real* t) const {
-    PointState<Plan> own[(Shape::points + Team::size - 1) / Team::size];  // points of a thread: one on a device
-    Real *const first = t + Room::first, *const second = t + Room::second;
-    int corner[D];
-    grid.template corner<Shape>(team.tile(), corner);
-    corner[D - 1] += pass * Shape::L;
+  KOKKOS_FORCEINLINE_FUNCTION void sweep_x(const Team& team, int pass, const Real* direction, const Real* t,
+                                           Real* to) const {
     const Tile* const self = anew(this);
-    Sweeps::along_x(team, pass, t, D == 3 ? first : second, [&](auto f, int at) {
+    Sweeps::along_x(team, pass, t, to, [&](auto f, int at) {
       if constexpr (f() < Plan::slots) {
         return self->task.slot[f()] + at;
       } else {
         return direction + (self->task.tangents.of_unknown[Plan::unknown_of(f())] + at);
       }
     });
+  }
+  /// The corner of a pass.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void corner_of(const Team& team, int pass, int (&corner)[D]) const {
+    grid.template corner<Shape>(team.tile(), corner);
+    corner[D - 1] += pass * Shape::L;
+  }
+  template <class Team, class Body>
+  static KOKKOS_FORCEINLINE_FUNCTION void each_point(const Team& team, const Body& body) {
+    share_points<Shape::points, Shape::lanes>(team, body);
+  }
+  /// Points of a thread: one on a device.
+  template <class Team>
+  static constexpr int own_points = (slots_of(Shape::points, Shape::lanes) + Team::size - 1) / Team::size;
+  static constexpr int fluxes = D == 3 ? Room::flux_x : Room::second;  ///< along the first axes
+
+  /// One pass in 2D: L layers of elements, added to the sums of the tile.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void run_pass(const Team& team, int pass, const Real* direction, Real* t) const {
+    PointState<Plan> own[own_points<Team>];
+    Real *const first = t + Room::first, *const second = t + Room::second;
+    int corner[D];
+    corner_of(team, pass, corner);
+    sweep_x(team, pass, direction, t, second);
     team.barrier();
-    if constexpr (D == 3) {
-      Sweeps3D::along_y_and_z(team, pass, t, first, second, first + Room::kept);
-    } else {
-      share_points<Shape::points>(team, [&](int p, int l) { Sweeps::along_z(p, pass, t, second, first, own[l]); });
-    }
+    each_point(team, [&](int p, int l) { Sweeps::along_z(p, pass, t, second, first, own[l]); });
     team.barrier();
-    Real *const values = D == 3 ? second : first, *const flux = D == 3 ? first : second;
-    share_points<Shape::points>(team, [&](int p, int l) {
-      if constexpr (D == 3) Sweeps3D::take(first + Room::kept + p, own[l]);
-      evaluate_at(p, pass, corner, t, values, flux, own[l]);
+    each_point(team, [&](int p, int l) { evaluate_at(p, pass, corner, t, own[l]); });
+    team.barrier();
+    each_point(team, [&](int p, int l) {
+      Sweeps::template fold_fluxes<fold_axes<Plan>>(*anew(&slope), p, second, own[l], first);
     });
     team.barrier();
-    share_points<Shape::points>(team,
-                                [&](int p, int l) { Sweeps::fold_fluxes(*anew(&slope), p, flux, own[l], values); });
+    Sweeps::fold_z(team, pass, t, first, second);
     team.barrier();
-    if constexpr (D == 3) {
-      Sweeps3D::fold_z_and_y(team, pass, t, values, first + Room::folded_zy);
+    Sweeps::fold_x(team, pass, t, second, t + Room::sums);
+    team.barrier();
+  }
+
+  /// The passes in 3D, a layer of elements each. While the last warps fold a pass, the first ones sweep the next one.
+  template <class Team>
+  KOKKOS_FORCEINLINE_FUNCTION void run_passes(const Team& team, int passes, const Real* direction, Real* t) const {
+    for (int pass = 0;; ++pass) {
+      if (pass > 0) Sweeps3D::fold_z_and_y(team, pass - 1, *anew(&slope), t);
+      if constexpr (Plan::tight) team.barrier();
+      if (pass < passes) sweep_x(team, pass, direction, t, t + Room::swept);
       team.barrier();
-      Sweeps3D::fold_x(team, pass, t, first + Room::folded_zy, t + Room::sums);
-    } else {
-      Sweeps::fold_z(team, pass, t, values, second);
+      if (pass > 0) Sweeps3D::fold_x(team, pass - 1, t);
+      if (pass == passes) return;
+      Sweeps3D::along_y_and_z(team, pass, t);
       team.barrier();
-      Sweeps::fold_x(team, pass, t, second, t + Room::sums);
+      PointState<Plan> own[own_points<Team>]{};  // else a thread without a point keeps that of the last pass
+      int corner[D];
+      corner_of(team, pass, corner);
+      each_point(team, [&](int p, int l) { evaluate_at(p, pass, corner, t, own[l]); });
+      team.barrier();
+      each_point(team, [&](int p, int l) { Sweeps::template fold_fluxes<1>(*anew(&slope), p, t + fluxes, own[l], t); });
       team.barrier();
     }
   }
@@ -195,8 +239,12 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
     if constexpr (Plan::moves)
       TileMotion<Plan>::trace(team, slope, t, [&](int f) { return this->of_wall(f, direction); });
     const int passes = this->passes(corner);
-    for (int pass = 0; pass < passes; ++pass) run_pass(team, pass, direction, t);
-    if constexpr (D == 3) team.barrier();
+    if constexpr (D == 3) {
+      run_passes(team, passes, direction, t);
+      team.barrier();
+    } else {
+      for (int pass = 0; pass < passes; ++pass) run_pass(team, pass, direction, t);
+    }
     share(team, Base::sums, [&](int i) { this->partial_of(team)[i] = t[Room::sums + i]; });
   }
 };

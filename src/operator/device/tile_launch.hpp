@@ -67,7 +67,7 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   template <class Entry>
   using PlanOf = TilePlan<ShapeOf<Entry, Tile_>, typename Entry::Term, typename Entry::Motion, Tangent, Real>;
   static constexpr int size = std::max({TileOf<PlanOf<Entries>>::Room::size...}), bytes = size * sizeof(Real);
-  static constexpr int threads = team_size(Tile_::points);
+  static constexpr int threads = team_size(Tile_::threads);
 
   TileSchedule schedule;
   const std::byte* terms;
@@ -84,7 +84,7 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   }
 
   static void launch(const TileSchedule& schedule, const std::byte* terms, const Real* direction) {
-    Teams<TeamBounds<Tile_::points, bytes, Tile_::teams>> policy(schedule.first[schedule.count], threads);
+    Teams<TeamBounds<Tile_::threads, bytes, Tile_::teams>> policy(schedule.first[schedule.count], threads);
     start_teams("softwet::tiles", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
                 TileKernel{schedule, terms, direction});
   }

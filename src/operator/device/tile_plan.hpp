@@ -27,6 +27,8 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
   /// Axes along which slopes follow from the values at the points of an element: not across a wall.
   static constexpr int collocated = on_wall ? D - 1 : D;
   static constexpr int channels = Test::channel_count;
+  /// A product in double precision in 3D has no room for more than it needs.
+  static constexpr bool tight = D == 3 && Tangent && sizeof(Real) == 8;
 
   /// Number of fields with gradients before one.
   static constexpr int stored_before(int field) { return unpacked(places_stored, field); }
@@ -46,8 +48,7 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
 /// them the sums of a tile, or of the planes of one layer. Slopes are there where sweeps need them: all of them, or on
 /// a wall those across it. Where control values stand is a sum of integers, one of the element along the first axis and one of
 /// the control point along each other axis; they lie there too. So do the numbers of a Blend at the heights of the points, and, where
-/// slopes follow from values, the rows that give them [point][point of the element, itself first]: for products in double
-/// precision in 3D a team has no room for these.
+/// slopes follow from values, the rows that give them [point][point of the element, itself first], unless memory is tight.
 template <class Plan, int begin>
 struct TileTables {
   using Shape = typename Plan::Shape;
@@ -62,8 +63,7 @@ struct TileTables {
   static constexpr int x_slope = z_slope + (own || Plan::on_wall ? z_size : 0), y_slope = x_slope + (own ? x_size : 0);
   static constexpr int test_slope = y_slope + (own ? y_size : 0), x_share = test_slope + (own ? z_size : 0);
   static constexpr int y_share = x_share + (own ? 0 : Shape::NX), z_share = y_share + (three && !own ? Shape::NY : 0);
-  static constexpr bool room = !(three && Plan::Tangent && sizeof(typename Plan::Real) == 8);
-  static constexpr bool knows_blend = room && Plan::moves, knows_rows = room && !own;
+  static constexpr bool knows_blend = !Plan::tight && Plan::moves, knows_rows = !Plan::tight && !own;
   static constexpr int blend = z_share + (own ? 0 : Shape::NZ), blend_slope = blend + (knows_blend ? zs : 0);
   static constexpr int x_row = blend_slope + knows_blend, y_row = x_row + (knows_rows ? Shape::qx * Shape::Q : 0);
   static constexpr int z_row = y_row + (three && knows_rows ? Shape::qy * Shape::Q : 0);
@@ -75,11 +75,13 @@ struct TileTables {
   static constexpr int size = sums + Plan::channels * planes * Shape::cx * Shape::cy;
 };
 
-/// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 2D the second holds what was swept along x, the
-/// first values, the second fluxes, the first what was folded at the points, and the second what was folded along z. In 3D the rooms
-/// change places, and behind what was swept along x there are the numbers that a point keeps for itself: the values of fields
-/// without gradients and slopes across a wall. They lie where fluxes of the same point are written later. What was folded along z
-/// and y stands behind what the next pass sweeps along x.
+/// Where a team keeps its numbers; offsets in Reals. In 2D two rooms are used in turn: the second holds what was swept along x, the
+/// first values, the second fluxes, the first what was folded at the points, and the second what was folded along z.
+///
+/// In 3D numbers at points come first: values, and later integrands; behind them what a point keeps for itself, that is the values of
+/// fields without gradients and slopes across a wall, and later its fluxes along y and z, and along x. What is swept along x and
+/// what was folded along z and y use the place of fluxes along x, which are read first; so the next pass is swept along x
+/// while this one is folded. Where memory is tight they use the places of all fluxes, and the next pass waits.
 template <class Plan>
 struct TileRooms {
   using Shape = typename Plan::Shape;
@@ -87,27 +89,28 @@ struct TileRooms {
   static constexpr int max(int a, int b) { return a > b ? a : b; }
   static_assert(!three || Shape::L == 1, "in 3D a pass is one layer");
   static constexpr int x_swept = Shape::cz * Shape::cy * Shape::qx, z_folded = Shape::cz * Shape::base;
-  /// Numbers of a field that was swept along x. In 3D, where neighbouring threads go from an element across to the next field, there are
-  /// some more, so that they read from different banks of the memory.
-  static constexpr int banks = 32, a_row = Shape::qx * Shape::NY,
-                       field = three ? x_swept + (banks + (a_row - x_swept) % banks) % banks : x_swept;
+  /// The banks of the memory, and so many numbers or some more, such that in 3D a line of points of the next field or channel begins in the
+  /// bank behind that of the last one. Threads that go along x from line to line of different fields then have no bank in common.
+  static constexpr int banks = 128 / sizeof(typename Plan::Real);
+  static constexpr int apart(int numbers) {
+    return three && !Plan::tight ? numbers + (banks + (Shape::qx - numbers) % banks) % banks : numbers;
+  }
+  static constexpr int field = apart(x_swept), point_field = apart(Shape::points);  ///< from one field to the next
   static constexpr int sweep_x = Plan::fields * field;
-  static constexpr int values = Plan::stored * Shape::points;
-  static constexpr int flux = Plan::Test::has_flux ? Plan::channels * Shape::D * Shape::points : 0;
-  static constexpr int folded = Plan::channels * Shape::points, wall_x = Plan::wall_fields * Shape::cy * Shape::qx;
-  static constexpr int of_points = max(values, folded), z_folded_all = Plan::channels * z_folded;
+  static constexpr int values = Plan::stored * point_field, folded = Plan::channels * point_field;
+  static constexpr int of_points = max(values, folded), of_flux = Plan::Test::has_flux ? folded : 0;  ///< along an axis
+  static constexpr int wall_x = Plan::wall_fields * Shape::cy * Shape::qx;
 
   // In 3D:
-  static constexpr int kept = (sweep_x + Shape::points - 1) / Shape::points * Shape::points;
-  static constexpr int across = Plan::fields - Plan::stored;  ///< among the numbers that a point keeps
-  static constexpr int keeps = (across + (Plan::on_wall ? Plan::fields : 0)) * Shape::points;
-  static constexpr int folded_zy = sweep_x,
-                       in_3d = max(max(kept + keeps, folded_zy + Plan::channels * x_swept), max(flux, wall_x));
+  static constexpr int kept = values, across = Plan::fields - Plan::stored;  ///< fields that a point keeps
+  static constexpr int kept_end = kept + (across + (Plan::on_wall ? Plan::fields : 0)) * point_field;
+  static constexpr int flux = of_points, flux_x = flux + (Plan::collocated - 1) * of_flux;
+  static constexpr int swept = Plan::tight ? kept_end : max(kept_end, flux_x), folded_zy = max(swept + sweep_x, flux_x);
+  static constexpr int in_3d = max(max(folded_zy + Plan::channels * field, flux_x + of_flux), wall_x);
 
-  static constexpr int first_room = three ? in_3d : of_points;
-  static constexpr int in_2d = max(max(sweep_x, flux), z_folded_all);
-  static constexpr int second_room = three ? of_points : in_2d;
-  static constexpr int first = 0, second = first_room, wall = second + second_room;
+  // In 2D:
+  static constexpr int in_2d = max(max(sweep_x, Shape::D* of_flux), Plan::channels* z_folded);
+  static constexpr int first = 0, second = of_points, wall = three ? in_3d : second + in_2d;
   static constexpr int tables = wall + Plan::wall_numbers * Shape::base;
 };
 template <class Plan>

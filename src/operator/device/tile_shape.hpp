@@ -5,21 +5,29 @@
 
 namespace softwet {
 
+/// Threads for so many points, when `lanes` of each 16 have one.
+constexpr int slots_of(int points, int lanes) { return points / lanes * 16 + points % lanes; }
+
 /// NX x NY elements across the wall, M times L layers of them. The team computes L layers in a pass, with one thread for
 /// each quadrature point. Along each axis a tile has as many control points as elements, and `degree` more. An element has QL
 /// points along the last axis: one on a wall. With `Shared` all layers, which are passed one by one, have the same test
 /// functions along the last axis. With `own_slopes` slopes are swept from control values; else they follow from the values at the
 /// points of an element, which needs degree + 1 of them along an axis.
 template <int D_, int P_, int NX_, int NY_, int L_, int M_, int Q_ = P_ + 1, int QL_ = Q_, bool Shared_ = false,
-          bool own_slopes_ = false>
+          bool own_slopes_ = false, bool dense_ = false>
 struct TileShape {
   static constexpr int D = D_, P = P_, n = P + 1, Q = Q_, QL = QL_;
-  static constexpr bool Shared = Shared_, own_slopes = own_slopes_;
+  static constexpr bool Shared = Shared_, own_slopes = own_slopes_, dense = dense_;
   static constexpr int NX = NX_, NY = D == 3 ? NY_ : 1, L = L_, M = M_, NZ = L * M;
   static constexpr int qx = Q * NX, qy = D == 3 ? Q * NY : 1, qz = QL * L;  ///< points of a pass along the axes
   static constexpr int base = qx * qy, points = base * qz;
   static constexpr int cx = NX + P, cy = D == 3 ? NY + P : 1, cz = L + P;          ///< control points of a pass
   static constexpr int planes = Shared ? n : NZ + P, controls = cx * cy * planes;  ///< of the tile
+  /// Of 16 threads beside each other so many have a point (share_points). In 3D that leaves no line of points of an element in two
+  /// such groups, and what they read of their neighbours lies in different banks of the memory. With `dense` all threads have one,
+  /// since Kokkos keeps some memory for each thread.
+  static constexpr int lanes = D == 3 && !own_slopes && !dense ? 16 / Q * Q : 16;
+  static constexpr int threads = lanes == 16 ? points : (slots_of(points, lanes) + 31) / 32 * 32;
   static_assert(QL == Q || NZ == 1, "a wall has one layer of elements");
   static_assert(!Shared || L == 1, "layers with the same test functions are passed one by one");
   static_assert(own_slopes ? L == 1 : Q == n, "slopes need values at degree + 1 points, or sweeps of one layer");
@@ -41,8 +49,10 @@ struct ChosenTile<2, 3, Tangent, Real> : TileShape<2, 3, 4, 1, 4, 2> {
   static constexpr int teams = 2;
 };
 template <bool Tangent, class Real>
-struct ChosenTile<3, 2, Tangent, Real> : TileShape<3, 2, 3, 2, 1, 4> {
-  static constexpr int teams = Tangent && std::is_same_v<Real, double> ? 2 : 4;
+inline constexpr bool large = Tangent&& std::is_same_v<Real, double>;  ///< all numbers of a product in double precision
+template <bool Tangent, class Real>
+struct ChosenTile<3, 2, Tangent, Real> : TileShape<3, 2, 3, 2, 1, 4, 3, 3, false, false, large<Tangent, Real>> {
+  static constexpr int teams = large<Tangent, Real> ? 2 : 4;
 };
 template <bool Tangent, class Real>
 struct ChosenTile<3, 3, Tangent, Real> : TileShape<3, 3, 2, 1, 1, 4> {
@@ -68,13 +78,13 @@ struct SlopeTileShape : TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth
 // Tiles of other terms, for teams of the same size, so that one launch computes them all.
 /// One layer of elements, for terms beside the wall.
 template <class T>
-using LayerOf = TileShape<T::D, T::P, T::NX * T::L, T::NY, 1, 1, T::Q, T::Q, false, T::own_slopes>;
+using LayerOf = TileShape<T::D, T::P, T::NX * T::L, T::NY, 1, 1, T::Q, T::Q, false, T::own_slopes, T::dense>;
 /// Elements on the wall; most threads of a team have no point there.
 template <class T>
-using WallOf = TileShape<T::D, T::P, T::NX * T::L, T::NY, 1, 1, T::Q, 1, false, T::own_slopes>;
+using WallOf = TileShape<T::D, T::P, T::NX * T::L, T::NY, 1, 1, T::Q, 1, false, T::own_slopes, T::dense>;
 /// Layers above each other with the same test functions.
 template <class T>
-using SharedOf = TileShape<T::D, T::P, T::NX * T::L, T::NY, 1, T::NZ, T::Q, T::Q, true, T::own_slopes>;
+using SharedOf = TileShape<T::D, T::P, T::NX * T::L, T::NY, 1, T::NZ, T::Q, T::Q, true, T::own_slopes, T::dense>;
 
 /// The elements of a region in tiles: where these begin, how many elements they have, and how many tiles there are along each
 /// axis. Along the first axis tiles begin at multiples of their width of the whole axis, wherever it is cut among processes,

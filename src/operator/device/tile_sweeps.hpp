@@ -115,29 +115,30 @@ struct TileSweeps {
     for (int r = 0; r < Q; ++r) step[d][r] = q[d] + r < Q ? r * stride[d] : (r - Q) * stride[d];
   }
 
-  /// The integrand at point p and the fluxes at the points of its element, as an integrand against values alone. On a face fluxes
-  /// are tangential.
-  template <class Own>
+  /// The integrand at point p and the fluxes at the points of its element along the first axes, as an integrand against values and fluxes
+  /// along the other ones. On a face fluxes are tangential.
+  template <int axes, class Own>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_fluxes(const Collocation<D, Q, Real>& slope, int p, const Real* flux,
                                                       const Own& own, Real* out) {
     int q[D], step[D][Q];
-    Real row[D][Q], sum[Plan::channels];
+    Real row[axes][Q], sum[Plan::channels];
     neighbours(p, q, step);
     SOFTWET_UNROLL
-    for (int d = 0; d < D; ++d) SOFTWET_UNROLL
+    for (int d = 0; d < axes; ++d) SOFTWET_UNROLL
     for (int r = 0; r < Q; ++r) row[d][r] = slope.transposed[d][q[d]][r];
     SOFTWET_UNROLL
     for (int c = 0; c < Plan::channels; ++c) {
       sum[c] = own.integrand[c];
       if constexpr (Plan::Test::has_flux) SOFTWET_UNROLL
-      for (int d = 0; d < Plan::collocated; ++d) {
+      for (int d = 0; d < axes; ++d) {
         sum[c] = sum[c] + row[d][0] * own.flux[c][d];
         SOFTWET_UNROLL
-        for (int r = 1; r < Q; ++r) sum[c] = sum[c] + row[d][r] * flux[(c * D + d) * Shape::points + p + step[d][r]];
+        for (int r = 1; r < Q; ++r)
+          sum[c] = sum[c] + row[d][r] * flux[(c * axes + d) * Room::point_field + p + step[d][r]];
       }
     }
     SOFTWET_UNROLL
-    for (int c = 0; c < Plan::channels; ++c) out[c * Shape::points + p] = sum[c];
+    for (int c = 0; c < Plan::channels; ++c) out[c * Room::point_field + p] = sum[c];
   }
 
   template <class Team>

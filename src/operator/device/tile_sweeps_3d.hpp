@@ -24,88 +24,90 @@ struct TileSweeps3D {
   using Room = TileScratch<Plan>;
   using Real = typename Plan::Real;
   using Sweeps = TileSweeps<Plan>;
-  static constexpr int P = Shape::P, n = Shape::n, Q = Shape::Q, QL = Shape::QL;
+  static constexpr int D = 3, P = Shape::P, n = Shape::n, Q = Shape::Q, QL = Shape::QL;
 
   /// An item: the points above each other of an element across, at one place along x, of one field. Fields with gradients go to
-  /// `values`, others, and slopes across a wall, to `kept`.
+  /// Room::values, others, and slopes across a wall, to Room::kept.
   template <class Team>
-  static KOKKOS_FORCEINLINE_FUNCTION void along_y_and_z(const Team& team, int pass, const Real* tables, const Real* in,
-                                                        Real* values, Real* kept) {
-    constexpr int line = Shape::qx * Shape::NY;
-    share(team, line * Plan::fields, [&](int i) {
-      const int f = quotient(i, line), at = modulo(i, line), e = quotient(at, Shape::qx), x = modulo(at, Shape::qx);
-      const Real* from = in + f * Room::field + e * Shape::qx + x;
+  static KOKKOS_FORCEINLINE_FUNCTION void along_y_and_z(const Team& team, int pass, Real* t) {
+    constexpr int lines = Shape::qx * Plan::fields;
+    share(team, lines * Shape::NY, [&](int i) {
+      const int e = quotient(i, lines), at = modulo(i, lines), f = quotient(at, Shape::qx), x = modulo(at, Shape::qx);
+      const Real* from = t + Room::swept + f * Room::field + e * Shape::qx + x;
       Real swept[Q][n];
       SOFTWET_UNROLL
       for (int q = 0; q < Q; ++q) {
         Real basis[n];
         SOFTWET_UNROLL
-        for (int a = 0; a < n; ++a) basis[a] = tables[Room::y + (e * Q + q) * n + a];
+        for (int a = 0; a < n; ++a) basis[a] = t[Room::y + (e * Q + q) * n + a];
         SOFTWET_UNROLL
         for (int k = 0; k < n; ++k)
           swept[q][k] = Sweeps::combination(basis, from + k * Shape::cy * Shape::qx, Shape::qx);
       }
       const int before = Plan::stored_before(f), first = e * Q * Shape::qx + x;
-      sweep_above(
-          tables + Room::z + pass * QL * n, swept,
-          (Plan::has_gradient(f) ? values + before * Shape::points : kept + (f - before) * Shape::points) + first);
+      const int place = Plan::has_gradient(f) ? before : Plan::stored + f - before;
+      sweep_above(t + Room::z + pass * QL * n, swept, t + place * Room::point_field + first);
       if constexpr (Plan::on_wall)
-        sweep_above(tables + Room::z_slope, swept, kept + (Room::across + f) * Shape::points + first);
+        sweep_above(t + Room::z_slope, swept, t + Room::kept + (Room::across + f) * Room::point_field + first);
     });
   }
 
-  /// What a point keeps for itself, from memory.
-  template <class Own>
-  static KOKKOS_FORCEINLINE_FUNCTION void take(const Real* kept, Own& own) {
-    for_each_index<Plan::fields>([&](auto f) {
-      if constexpr (!Plan::has_gradient(f())) own.value[f()] = kept[(f() - Plan::stored_before(f())) * Shape::points];
-      if constexpr (Plan::on_wall) own.across[f()] = kept[(Room::across + f()) * Shape::points];
-    });
-  }
-
-  /// An item: a line of points across at one place along x, for one plane of control values and one channel.
+  /// An item: the points above each other and across at one place along x, of one channel. Integrands take what fluxes along y and z add to
+  /// them, and are folded along both axes.
   template <class Team>
-  static KOKKOS_FORCEINLINE_FUNCTION void fold_z_and_y(const Team& team, int pass, const Real* tables, const Real* in,
-                                                       Real* out) {
-    share(team, Shape::qx * Shape::cz * Plan::channels, [&](int i) {
-      const int k = modulo(i, Shape::cz), c = quotient(i, Shape::qx * Shape::cz);
-      const int x = quotient(i, Shape::cz) - c * Shape::qx;
-      Real folded[Shape::qy], sum[Shape::cy];
+  static KOKKOS_FORCEINLINE_FUNCTION void fold_z_and_y(const Team& team, int pass, const Collocation<D, Q, Real>& slope,
+                                                       Real* t) {
+    share_last(team, Shape::qx * Plan::channels, [&](int i) {
+      const int c = quotient(i, Shape::qx), x = modulo(i, Shape::qx);
+      const Real* const in = t + c * Room::point_field + x;
+      Real integrand[QL][Shape::qy];
       SOFTWET_UNROLL
-      for (int y = 0; y < Shape::qy; ++y) folded[y] = 0;
+      for (int z = 0; z < QL; ++z) SOFTWET_UNROLL
+      for (int y = 0; y < Shape::qy; ++y) integrand[z][y] = in[z * Shape::base + y * Shape::qx];
+      if constexpr (Plan::Test::has_flux) add_fluxes(slope, t + Room::flux + c * Room::point_field + x, integrand);
       SOFTWET_UNROLL
-      for (int q = 0; q < QL; ++q) {
-        const Real basis = tables[Room::test + (pass * QL + q) * n + k];
+      for (int k = 0; k < Shape::cz; ++k) {
+        Real line[Shape::qy], sum[Shape::cy];
         SOFTWET_UNROLL
-        for (int y = 0; y < Shape::qy; ++y)
-          folded[y] = folded[y] + basis * in[c * Shape::points + q * Shape::base + y * Shape::qx + x];
+        for (int y = 0; y < Shape::qy; ++y) line[y] = 0;
+        SOFTWET_UNROLL
+        for (int z = 0; z < QL; ++z) {
+          const Real basis = t[Room::test + (pass * QL + z) * n + k];
+          SOFTWET_UNROLL
+          for (int y = 0; y < Shape::qy; ++y) line[y] = line[y] + basis * integrand[z][y];
+        }
+        fold_whole_line<P, Q, Shape::NY>(t + Room::y, line, sum);
+        SOFTWET_UNROLL
+        for (int j = 0; j < Shape::cy; ++j)
+          t[Room::folded_zy + c * Room::field + (k * Shape::cy + j) * Shape::qx + x] = sum[j];
       }
-      fold_whole_line<P, Q, Shape::NY>(tables + Room::y, folded, sum);
-      SOFTWET_UNROLL
-      for (int j = 0; j < Shape::cy; ++j) out[c * Room::x_swept + (k * Shape::cy + j) * Shape::qx + x] = sum[j];
     });
   }
 
-  /// Adds to the sums of the tile. An item: a line of control values of one channel. The last threads take them, since the first ones
-  /// go on to sweep the next pass along x.
+  /// Adds to the sums of the tile. An item: a line of control values of one channel.
   template <class Team>
-  static KOKKOS_FORCEINLINE_FUNCTION void fold_x(const Team& team, int pass, const Real* tables, const Real* in,
-                                                 Real* sums) {
-    constexpr int lines = Shape::cy * Shape::cz, count = lines * Plan::channels;
-    share_from(team, Team::size > count ? Team::size - count : 0, count, [&](int i) {
+  static KOKKOS_FORCEINLINE_FUNCTION void fold_x(const Team& team, int pass, Real* t) {
+    constexpr int lines = Shape::cy * Shape::cz;
+    share_last(team, lines * Plan::channels, [&](int i) {
       const int line = modulo(i, lines), c = quotient(i, lines);
       Real folded[Shape::qx], sum[Shape::cx];
       SOFTWET_UNROLL
-      for (int q = 0; q < Shape::qx; ++q) folded[q] = in[c * Room::x_swept + line * Shape::qx + q];
-      fold_whole_line<P, Q, Shape::NX>(tables + Room::x, folded, sum);
+      for (int q = 0; q < Shape::qx; ++q) folded[q] = t[Room::folded_zy + c * Room::field + line * Shape::qx + q];
+      fold_whole_line<P, Q, Shape::NX>(t + Room::x, folded, sum);
       const int below = Shape::Shared ? 0 : pass * Shape::cy;
-      Real* const to = sums + c * Shape::controls + (below + line) * Shape::cx;
+      Real* const to = t + Room::sums + c * Shape::controls + (below + line) * Shape::cx;
       SOFTWET_UNROLL
       for (int x = 0; x < Shape::cx; ++x) to[x] += sum[x];
     });
   }
 
  private:
+  /// Items for the last warps, since the first ones sweep meanwhile.
+  template <class Team, class Body>
+  static KOKKOS_FORCEINLINE_FUNCTION void share_last(const Team& team, int count, const Body& body) {
+    share_from(team, Team::size > count ? (Team::size - count) / 32 * 32 : 0, count, body);
+  }
+
   static KOKKOS_FORCEINLINE_FUNCTION void sweep_above(const Real* table, const Real (&swept)[Q][n], Real* to) {
     SOFTWET_UNROLL
     for (int z = 0; z < QL; ++z) {
@@ -114,6 +116,32 @@ struct TileSweeps3D {
       for (int a = 0; a < n; ++a) basis[a] = table[z * n + a];
       SOFTWET_UNROLL
       for (int q = 0; q < Q; ++q) to[z * Shape::base + q * Shape::qx] = Sweeps::combination(basis, swept[q], 1);
+    }
+  }
+
+  /// Adds to integrands what fluxes along y and z are against values; a point takes its own one first. `flux`: those along y, and behind
+  /// those of all channels along z.
+  static KOKKOS_FORCEINLINE_FUNCTION void add_fluxes(const Collocation<D, Q, Real>& slope, const Real* flux,
+                                                     Real (&integrand)[QL][Shape::qy]) {
+    SOFTWET_UNROLL
+    for (int z = 0; z < QL; ++z) SOFTWET_UNROLL
+    for (int e = 0; e < Shape::NY; ++e) {
+      Real line[Q];
+      SOFTWET_UNROLL
+      for (int q = 0; q < Q; ++q) line[q] = flux[z * Shape::base + (e * Q + q) * Shape::qx];
+      SOFTWET_UNROLL
+      for (int q = 0; q < Q; ++q) SOFTWET_UNROLL
+      for (int r = 0; r < Q; ++r)
+        integrand[z][e * Q + q] = integrand[z][e * Q + q] + slope.transposed[1][q][r] * line[(q + r) % Q];
+    }
+    if constexpr (!Plan::on_wall) SOFTWET_UNROLL
+    for (int y = 0; y < Shape::qy; ++y) {
+      Real line[Q];
+      SOFTWET_UNROLL
+      for (int q = 0; q < Q; ++q) line[q] = flux[Room::of_flux + q * Shape::base + y * Shape::qx];
+      SOFTWET_UNROLL
+      for (int q = 0; q < Q; ++q) SOFTWET_UNROLL
+      for (int r = 0; r < Q; ++r) integrand[q][y] = integrand[q][y] + slope.transposed[2][q][r] * line[(q + r) % Q];
     }
   }
 };

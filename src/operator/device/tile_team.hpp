@@ -3,6 +3,8 @@
 
 #include <Kokkos_Core.hpp>
 
+#include "operator/device/tile_shape.hpp"
+
 namespace softwet {
 
 /// A number as if it had just been read. Else a device compiler computes places once, keeps them over the point functions, and
@@ -71,13 +73,15 @@ KOKKOS_FORCEINLINE_FUNCTION void share_from(const Team& team, int first, int cou
   for (int i = behind < 0 ? behind + Team::size : behind; i < count; i += Team::size) body(i);
 }
 
-/// body(point, how many points of this thread came before): the points 0 .. count - 1, shared likewise.
-template <int count, class Team, class Body>
+/// body(point, how many points of this thread came before): the points 0 .. count - 1, shared likewise, `lanes` of them among each
+/// 16 threads.
+template <int count, int lanes = 16, class Team, class Body>
 KOKKOS_FORCEINLINE_FUNCTION void share_points(const Team& team, const Body& body) {
-  constexpr int each = (count + Team::size - 1) / Team::size;
+  constexpr int slots = slots_of(count, lanes), each = (slots + Team::size - 1) / Team::size;
   for (int l = 0; l < each; ++l) {
-    const int point = team.rank() + l * Team::size;
-    if (count == each * Team::size || point < count) body(point, l);
+    const int slot = team.rank() + l * Team::size, lane = modulo(slot, 16);
+    if ((slots == each * Team::size || slot < slots) && (lanes == 16 || lane < lanes))
+      body(lanes == 16 ? slot : quotient(slot, 16) * lanes + lane, l);
   }
 }
 
