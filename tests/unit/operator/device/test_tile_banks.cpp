@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "../thread_team.hpp"
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
 #include "operator/device/tile.hpp"
 
