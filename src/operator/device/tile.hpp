@@ -165,7 +165,6 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
       }
     });
   }
-  /// The corner of a pass.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void corner_of(const Team& team, int pass, int (&corner)[D]) const {
     grid.template corner<Shape>(team.tile(), corner);
@@ -175,8 +174,7 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
   static KOKKOS_FORCEINLINE_FUNCTION void each_point(const Team& team, const Body& body) {
     share_points<Shape::points, Shape::lanes>(team, body);
   }
-  /// Points of a thread: one on a device.
-  template <class Team>
+  template <class Team>  // points of a thread: one on a device
   static constexpr int own_points = (slots_of(Shape::points, Shape::lanes) + Team::size - 1) / Team::size;
   static constexpr int fluxes = D == 3 ? Room::flux_x : Room::second;  ///< along the first axes
 

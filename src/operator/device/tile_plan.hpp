@@ -109,7 +109,8 @@ struct TileRooms {
   static constexpr int in_3d = max(max(folded_zy + Plan::channels * field, flux_x + of_flux), wall_x);
 
   // In 2D:
-  static constexpr int in_2d = max(max(sweep_x, Shape::D* of_flux), Plan::channels* z_folded);
+  static constexpr int all_fluxes = Shape::D * of_flux, z_folded_all = Plan::channels * z_folded;
+  static constexpr int in_2d = max(max(sweep_x, all_fluxes), z_folded_all);
   static constexpr int first = 0, second = of_points, wall = three ? in_3d : second + in_2d;
   static constexpr int tables = wall + Plan::wall_numbers * Shape::base;
 };

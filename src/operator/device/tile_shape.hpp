@@ -48,11 +48,13 @@ template <bool Tangent, class Real>
 struct ChosenTile<2, 3, Tangent, Real> : TileShape<2, 3, 4, 1, 4, 2> {
   static constexpr int teams = 2;
 };
+/// All numbers of a product in double precision.
 template <bool Tangent, class Real>
-inline constexpr bool large = Tangent&& std::is_same_v<Real, double>;  ///< all numbers of a product in double precision
+inline constexpr bool double_product = Tangent ? std::is_same_v<Real, double> : false;
 template <bool Tangent, class Real>
-struct ChosenTile<3, 2, Tangent, Real> : TileShape<3, 2, 3, 2, 1, 4, 3, 3, false, false, large<Tangent, Real>> {
-  static constexpr int teams = large<Tangent, Real> ? 2 : 4;
+struct ChosenTile<3, 2, Tangent, Real>
+    : TileShape<3, 2, 3, 2, 1, 4, 3, 3, false, false, double_product<Tangent, Real>> {
+  static constexpr int teams = double_product<Tangent, Real> ? 2 : 4;
 };
 template <bool Tangent, class Real>
 struct ChosenTile<3, 3, Tangent, Real> : TileShape<3, 3, 2, 1, 1, 4> {
