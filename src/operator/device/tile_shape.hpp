@@ -1,6 +1,7 @@
 // Tiles: how many elements a team of threads of a device takes at once.
 #pragma once
 
+#include "operator/device/team_bounds.hpp"
 #include "spline/region.hpp"
 
 namespace softwet {
@@ -17,7 +18,7 @@ struct TileShape {
   static constexpr bool Shared = Shared_, own_slopes = own_slopes_;
   static constexpr int NX = NX_, NY = D == 3 ? NY_ : 1, L = L_, M = M_, NZ = L * M;
   static constexpr int qx = Q * NX, qy = D == 3 ? Q * NY : 1, qz = QL * L;  ///< points of a pass along the axes
-  static constexpr int base = qx * qy, points = base * qz;
+  static constexpr int base = qx * qy, points = base * qz, lines = qy * qz;        ///< lines of points along x
   static constexpr int cx = NX + P, cy = D == 3 ? NY + P : 1, cz = L + P;          ///< control points of a pass
   static constexpr int planes = Shared ? n : NZ + P, controls = cx * cy * planes;  ///< of the tile
   static_assert(QL == Q || NZ == 1, "a wall has one layer of elements");
@@ -25,6 +26,7 @@ struct TileShape {
   static_assert(own_slopes ? L == 1 : Q == n, "slopes need values at degree + 1 points, or sweeps of one layer");
 
   static constexpr int width(int d) { return d == 0 ? NX : d == D - 1 ? NZ : NY; }
+  static constexpr int team(int) { return points; }  ///< threads of a team with so many bytes of scratch
 };
 
 /// The tile of a residual or, with Tangent, of a product, in a volume; `teams` of them should fit on a multiprocessor. The
@@ -57,11 +59,17 @@ template <int Q>
 inline constexpr int slope_tile_depth = Q == 2 ? 2 : 1;
 
 /// Such a tile. With two points along an axis the residuals of explicit steps have registers enough for so many teams; with more a
-/// multiprocessor should have 512 threads, or 128 registers for each.
+/// multiprocessor should have 512 threads, or 128 registers for each. In 3D two points fill two warps. One warp takes them all where the
+/// scratch leaves room for so many teams of it: it waits for no other one, and what leads to a tile is done once.
 template <int D, int P, int Q>
 struct SlopeTileShape : TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth<Q>, 1, 4, Q, Q, false, true> {
-  static constexpr int whole_warps = (SlopeTileShape::points + 31) / 32 * 32;
-  static constexpr int teams = Q > 2 ? 512 / whole_warps : D == 2 ? 5 : 12;
+  static constexpr int whole_warps = (SlopeTileShape::points + 31) / 32 * 32, many = 12;
+  static constexpr int team(int bytes) {
+    constexpr int warp = multiprocessor.warp;
+    return D == 3 && 2 * warp == SlopeTileShape::points && teams_that_fit(warp, bytes) >= many ? warp
+                                                                                              : SlopeTileShape::points;
+  }
+  static constexpr int teams = Q > 2 ? 512 / whole_warps : D == 2 ? 5 : 24;
   static_assert(Q != 2 || whole_warps == SlopeTileShape::points, "no thread of a warp is idle");
 };
 
