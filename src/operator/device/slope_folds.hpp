@@ -17,44 +17,32 @@ struct SlopeFolds {
   static constexpr int channels = Plan::channels, points = Shape::points, lines = Shape::lines;
   using Basis = PointBasis<n, Real>;
 
-  /// In 3D. An item: a line of points along x, of one channel.
+  /// In 3D: the lines of points along x.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void along_x(const Team& team, Real* t) {
-    share_known<lines * channels>(team, [&](int i) {
-      const int c = quotient(i, lines), line = modulo(i, lines);
-      const Real* const from = t + Room::integrands + Channels::numbers_before(c) * points + line;
-      Real* const to = t + Room::folded + Channels::folded_before(c) * Room::folded_apart + line * cx;
-      of_kind(c, [&](auto value, auto flux) {
-        constexpr int numbers = flux() ? D : 1;
-        Real sum[cx][numbers] = {};
-        SOFTWET_UNROLL
-        for (int q = 0; q < Shape::qx; ++q) SOFTWET_UNROLL
-        for (int a = 0; a < n; ++a)
-          add<value(), flux()>(Basis::at(t + Room::x, q, a), from + q * lines, sum[q / Q + a]);
-        SOFTWET_UNROLL
-        for (int d = 0; d < numbers; ++d) SOFTWET_UNROLL
-        for (int x = 0; x < cx; ++x) to[d * Room::folded_apart + x] = sum[x][d];
-      });
-    });
+    constexpr bool by_number =
+        Channels::few && (Channels::with_both == 0 || lines * Channels::folded <= Team::size);
+    if constexpr (by_number) {
+      share_known<lines * Channels::folded>(
+          team, [&](int i) { number_along_x(t, quotient(i, lines), modulo(i, lines)); });
+    } else {
+      share_known<lines * channels>(team, [&](int i) { channel_along_x(t, quotient(i, lines), modulo(i, lines)); });
+    }
   }
 
-  /// In 3D. An item: the lines at one place along x, of one channel.
+  /// In 3D, of folded lines. The planes that later passes add to stay with the team.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void along_y_and_z(const Team& team, int pass, bool last, Real* t, Real* out) {
-    share_known<cx * channels>(team, [&](int i) {
-      const int c = quotient(i, cx), x = modulo(i, cx);
-      const Real* const from = t + Room::folded + Channels::folded_before(c) * Room::folded_apart + x;
-      of_kind(c, [&](auto, auto flux) {
-        Real sum[QL][Shape::cy][flux() ? 2 : 1] = {};
-        SOFTWET_UNROLL
-        for (int y = 0; y < Shape::qy; ++y) SOFTWET_UNROLL
-        for (int a = 0; a < n; ++a) SOFTWET_UNROLL
-        for (int z = 0; z < QL; ++z)
-          add_across<flux()>(Basis::at(t + Room::y, y, a),
-                             from + (z * Shape::qy + y % Q * Shape::NY + y / Q) * cx, sum[z][y / Q + a]);
-        along_z(t, pass, last, c, x, sum, out);
+    if constexpr (Room::columns * channels <= Team::size) {
+      share_known<Room::columns * channels>(team, [&](int i) {
+        const int c = quotient(i, Room::columns), column = modulo(i, Room::columns);
+        column_along_y_and_z(t, pass, last, c, modulo(column, cx), quotient(column, cx), out);
       });
-    });
+    } else {
+      share_known<cx * channels>(team, [&](int i) {
+        line_along_y_and_z(t, pass, last, quotient(i, cx), modulo(i, cx), out);
+      });
+    }
   }
 
   /// In 2D. An item: control x of one channel.
@@ -64,7 +52,7 @@ struct SlopeFolds {
       const int c = quotient(i, cx), x = modulo(i, cx);
       const Real* const from = t + Room::integrands + Channels::numbers_before(c) * points;
       of_kind(c, [&](auto value, auto flux) {
-        Real sum[QL][1][flux() ? D : 1] = {};
+        Real sum[QL][1][numbers] = {};
         SOFTWET_UNROLL
         for (int a = P; a >= 0; --a) {
           const int e = x - a;
@@ -91,23 +79,97 @@ struct SlopeFolds {
   }
 
  private:
+  /// Numbers of a column that was folded along the other axes: against values, and against slopes along the last axis.
+  static constexpr int numbers = Channels::any_flux ? 2 : 1;
+
   /// body(whether channel c has an integrand against values, whether it has fluxes), as types.
   template <class Body>
   static KOKKOS_FORCEINLINE_FUNCTION void of_kind(int c, const Body& body) {
-    constexpr int values = Channels::values_before(channels), fluxes = Channels::fluxes_before(channels);
-    if constexpr ((values == 0 || values == channels) && (fluxes == 0 || fluxes == channels)) {
-      body(std::bool_constant<(values > 0)>(), std::bool_constant<(fluxes > 0)>());
-    } else {
-      const bool value = Channels::values_before(c + 1) > Channels::values_before(c);
-      if (Channels::fluxes_before(c + 1) == Channels::fluxes_before(c)) {
-        body(std::true_type(), std::false_type());
-      } else if (value) {
-        body(std::true_type(), std::true_type());
-      } else {
-        body(std::false_type(), std::true_type());
-      }
+    using Yes = std::true_type;
+    using No = std::false_type;
+    constexpr int with_both = Channels::with_both;
+    constexpr bool both = with_both == channels, fluxes = Channels::numbers == D * channels && !both;
+    if constexpr (Channels::alike) {
+      body(std::bool_constant<!fluxes>(), std::bool_constant<(both || fluxes)>());
+    } else if (Channels::fluxes_before(c + 1) == Channels::fluxes_before(c)) {
+      body(Yes(), No());
+    } else if (with_both == 0 || Channels::values_before(c + 1) == Channels::values_before(c)) {
+      body(No(), Yes());
+    } else if constexpr (with_both > 0) {
+      body(Yes(), Yes());
     }
   }
+
+  /// All numbers of a channel.
+  static KOKKOS_FORCEINLINE_FUNCTION void channel_along_x(Real* t, int c, int line) {
+    const Real* const from = t + Room::integrands + Channels::numbers_before(c) * points + line;
+    Real* const to = t + Room::folded + Channels::folded_before(c) * Room::folded_apart + line * cx;
+    of_kind(c, [&](auto value, auto flux) {
+      constexpr int sums = flux() ? D : 1;
+      Real sum[cx][sums] = {};
+      SOFTWET_UNROLL
+      for (int q = 0; q < Shape::qx; ++q) SOFTWET_UNROLL
+      for (int a = 0; a < n; ++a)
+        add<value(), flux()>(Basis::at(t + Room::x, q, a), from + q * lines, sum[q / Q + a]);
+      SOFTWET_UNROLL
+      for (int d = 0; d < sums; ++d) SOFTWET_UNROLL
+      for (int x = 0; x < cx; ++x) to[d * Room::folded_apart + x] = sum[x][d];
+    });
+  }
+
+  /// Folded number k.
+  static KOKKOS_FORCEINLINE_FUNCTION void number_along_x(Real* t, int k, int line) {
+    const Real* const from = t + Room::integrands + Channels::first_of(k) * points + line;
+    const Real* const table = t + Room::x + (Channels::kind_of(k) == Channels::of_slopes ? 1 : 0);
+    const bool slopes_too = Channels::with_both > 0 && Channels::kind_of(k) == Channels::of_both;
+    Real sum[cx] = {};
+    SOFTWET_UNROLL
+    for (int q = 0; q < Shape::qx; ++q) SOFTWET_UNROLL
+    for (int a = 0; a < n; ++a) {
+      Real& s = sum[q / Q + a];
+      s = s + table[2 * (q * n + a)] * from[q * lines];
+      if (slopes_too) s = s + table[2 * (q * n + a) + 1] * from[points + q * lines];
+    }
+    Real* const to = t + Room::folded + k * Room::folded_apart + line * cx;
+    SOFTWET_UNROLL
+    for (int x = 0; x < cx; ++x) to[x] = sum[x];
+  }
+
+  /// The lines at one place along x, of one channel.
+  static KOKKOS_FORCEINLINE_FUNCTION void line_along_y_and_z(Real* t, int pass, bool last, int c, int x, Real* out) {
+    const Real* const from = t + Room::folded + Channels::folded_before(c) * Room::folded_apart + x;
+    Real sum[QL][Shape::cy][numbers] = {};
+    of_kind(c, [&](auto, auto flux) {
+      SOFTWET_UNROLL
+      for (int y = 0; y < Shape::qy; ++y) SOFTWET_UNROLL
+      for (int a = 0; a < n; ++a) SOFTWET_UNROLL
+      for (int z = 0; z < QL; ++z)
+        add_across<flux()>(Basis::at(t + Room::y, y, a), from + line_of(z, y / Q, y % Q) * cx, sum[z][y / Q + a]);
+    });
+    along_z(t, pass, last, c, x, sum, out);
+  }
+
+  /// Control (x, y) of one channel.
+  static KOKKOS_FORCEINLINE_FUNCTION void column_along_y_and_z(Real* t, int pass, bool last, int c, int x, int y,
+                                                               Real* out) {
+    const Real* const from = t + Room::folded + Channels::folded_before(c) * Room::folded_apart + x;
+    Real sum[QL][1][numbers] = {};
+    of_kind(c, [&](auto, auto flux) {
+      SOFTWET_UNROLL
+      for (int e = 0; e < Shape::NY; ++e) {
+        const int a = y - e;
+        if (a < 0 || a > P) continue;
+        SOFTWET_UNROLL
+        for (int q = 0; q < Q; ++q) SOFTWET_UNROLL
+        for (int z = 0; z < QL; ++z)
+          add_across<flux()>(Basis::at(t + Room::y, e * Q + q, a), from + line_of(z, e, q) * cx, sum[z][0]);
+      }
+    });
+    along_z(t, pass, last, c, y * cx + x, sum, out);
+  }
+
+  /// The line along x of point q of element e across, as in PointNumbers.
+  static KOKKOS_FORCEINLINE_FUNCTION int line_of(int z, int e, int q) { return z * Shape::qy + q * Shape::NY + e; }
 
   /// Adds what a point has along the first axis: from[number * points].
   template <bool value, bool flux, int sums>
@@ -135,7 +197,7 @@ struct SlopeFolds {
   /// Folds `count` columns of channel c, the first one at `column`, along the last axis: folded[z][column][against values, against slopes].
   /// A plane of control values that no later pass reaches goes to `out`, [channel][plane][column] of the tile. The others, which the same
   /// thread adds to in the next pass, stay with the team.
-  template <int count, int numbers>
+  template <int count>
   static KOKKOS_FORCEINLINE_FUNCTION void along_z(Real* t, int pass, bool last, int c, int column,
                                                   const Real (&folded)[QL][count][numbers], Real* out) {
     constexpr bool shared = Shape::Shared;

@@ -5,7 +5,8 @@
 
 namespace softwet {
 
-/// What channels have of integrands: one against values, and one against the slopes along each axis.
+/// What channels have of integrands: one against values, and one against the slopes along each axis. Along the first axis these two are
+/// folded to one number.
 template <class Test, int D>
 struct SlopeChannels {
   static constexpr int channels = Test::channel_count;
@@ -16,7 +17,6 @@ struct SlopeChannels {
   static constexpr int values_before(int c) { return unpacked(values, c); }
   static constexpr int fluxes_before(int c) { return unpacked(fluxes, c); }
   static constexpr int numbers_before(int c) { return values_before(c) + D * fluxes_before(c); }
-  /// When those along the first axis are folded: one number in place of two.
   static constexpr int folded_before(int c) { return c + (D - 1) * fluxes_before(c); }
 
  private:
@@ -29,6 +29,35 @@ struct SlopeChannels {
     });
   }
   static constexpr Packed values = counted(has_value), fluxes = counted(has_flux);
+
+ public:
+  static constexpr int numbers = unpacked(values, channels) + D * unpacked(fluxes, channels);
+  static constexpr int folded = channels + (D - 1) * unpacked(fluxes, channels);
+  static constexpr bool any_flux = unpacked(fluxes, channels) > 0;
+  /// Channels that have both, and whether there are such with one of them alone.
+  static constexpr int with_both = unpacked(values, channels) + unpacked(fluxes, channels) - channels;
+  static constexpr bool alike = with_both == channels || numbers == channels || numbers == D * channels;
+
+  /// Folded number k: the first of its integrands, and whether these are against values, slopes, or values and then slopes.
+  enum Kind { of_values, of_slopes, of_both };
+  static constexpr bool few = folded < 16 && numbers < 16;  ///< so that they can be packed
+  static constexpr int first_of(int k) { return unpacked(firsts, k); }
+  static constexpr int kind_of(int k) { return unpacked(kinds, k); }
+
+ private:
+  static constexpr int channel_of(int k) {
+    int c = 0;
+    while (folded_before(c + 1) <= k) ++c;
+    return c;
+  }
+  static constexpr Packed firsts = packed<few ? folded : 0>([](int k) {
+    const int c = channel_of(k), d = k - folded_before(c);
+    return numbers_before(c) + d + (d > 0 && has_value(c) ? 1 : 0);
+  });
+  static constexpr Packed kinds = packed<few ? folded : 0>([](int k) {
+    const int c = channel_of(k), d = k - folded_before(c);
+    return d > 0 || !has_flux(c) ? of_values : has_value(c) ? of_both : of_slopes;
+  });
 };
 
 /// Where a team keeps its numbers; offsets in Reals. After the sweeps across a field with slopes has its value and its slopes along the
@@ -46,11 +75,11 @@ struct SlopeRooms {
   static constexpr int apart = line_points + (three ? Shape::NY * Shape::cx / D : 0);
   static constexpr int swept_all = (Plan::fields + (D - 1) * Plan::stored) * apart;
   static constexpr int folded_apart = three ? line_points + Shape::cx / D : 0;
-  static constexpr int folded_all = Channels::folded_before(Plan::channels) * folded_apart;
+  static constexpr int folded_all = Channels::folded * folded_apart;
   static constexpr int wall_y = three ? Plan::wall_fields * 2 * Shape::qy * Shape::cx : 0;
 
   static constexpr int first_room = max(swept_all, folded_all);
-  static constexpr int second_room = max(Channels::numbers_before(Plan::channels) * Shape::points, wall_y - first_room);
+  static constexpr int second_room = max(Channels::numbers * Shape::points, wall_y - first_room);
   static constexpr int swept = 0, folded = 0, integrands = first_room, wall = integrands + second_room;
   static constexpr int to_pairs = (wall + Plan::wall_numbers * Shape::base) % 2;  ///< pairs of numbers begin at even places
   static constexpr int tables = wall + Plan::wall_numbers * Shape::base + to_pairs;

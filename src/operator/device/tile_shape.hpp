@@ -58,19 +58,20 @@ inline constexpr int slope_tile_width = D == 2 ? 128 / (Q * Q) : 6 - Q;
 template <int Q>
 inline constexpr int slope_tile_depth = Q == 2 ? 2 : 1;
 
-/// Such a tile. With two points along an axis the residuals of explicit steps have registers enough for so many teams; with more a
-/// multiprocessor should have 512 threads, or 128 registers for each. In 3D two points fill two warps. One warp takes them all where the
-/// scratch leaves room for so many teams of it: it waits for no other one, and what leads to a tile is done once.
+/// Such a tile. With two points along an axis the residuals of explicit steps have registers enough for so many teams of a thread for
+/// each point; with more a multiprocessor should have 512 threads, or 128 registers for each. Where the scratch leaves room for many
+/// teams of two points, half as many threads have two points each, which share what they read, and what leads to a tile is done by fewer
+/// warps; in 3D that is one warp, which waits for no other.
 template <int D, int P, int Q>
 struct SlopeTileShape : TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth<Q>, 1, 4, Q, Q, false, true> {
-  static constexpr int whole_warps = (SlopeTileShape::points + 31) / 32 * 32, many = 12;
+  using Base = TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth<Q>, 1, 4, Q, Q, false, true>;
+  static constexpr int whole_warps = (Base::points + 31) / 32 * 32, many = 12;
   static constexpr int team(int bytes) {
-    constexpr int warp = multiprocessor.warp;
-    return D == 3 && 2 * warp == SlopeTileShape::points && teams_that_fit(warp, bytes) >= many ? warp
-                                                                                              : SlopeTileShape::points;
+    constexpr int half = Base::points / 2;
+    return Q == 2 && half % multiprocessor.warp == 0 && teams_that_fit(half, bytes) >= many ? half : Base::points;
   }
-  static constexpr int teams = Q > 2 ? 512 / whole_warps : D == 2 ? 5 : 24;
-  static_assert(Q != 2 || whole_warps == SlopeTileShape::points, "no thread of a warp is idle");
+  static constexpr int teams = Q > 2 ? 512 / whole_warps : D == 2 ? 5 : 10;
+  static_assert(Q != 2 || whole_warps == Base::points, "no thread of a warp is idle");
 };
 
 // Tiles of other terms, for teams of the same size, so that one launch computes them all.

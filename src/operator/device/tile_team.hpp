@@ -88,10 +88,11 @@ KOKKOS_FORCEINLINE_FUNCTION void share_reads(const Team& team, const Read& read,
     });
   } else {
     Numbers own[each];
+    const int rank = team.rank();
     const auto for_own = [&](const auto& body) {
       SOFTWET_UNROLL
       for (int l = 0; l < each; ++l) {
-        const int i = team.rank() + l * Team::size;
+        const int i = rank + l * Team::size;
         if (count >= (l + 1) * Team::size || i < count) body(i, own[l]);
       }
     };
