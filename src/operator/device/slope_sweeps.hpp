@@ -89,7 +89,7 @@ struct SlopeSweeps {
         if constexpr (D == 3) to[2 * Shape::base] = Basis::sum(basis.value, slope_y, 1);
       }
     });
-    team.barrier();
+    if constexpr (D == 3) team.barrier();  // the first sweep writes where this one reads
   }
 
  private:

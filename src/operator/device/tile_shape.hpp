@@ -65,7 +65,7 @@ inline constexpr int slope_tile_depth = Q == 2 ? 2 : 1;
 template <int D, int P, int Q>
 struct SlopeTileShape : TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth<Q>, 1, 4, Q, Q, false, true> {
   using Base = TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth<Q>, 1, 4, Q, Q, false, true>;
-  static constexpr int whole_warps = (Base::points + 31) / 32 * 32, many = 12;
+  static constexpr int whole_warps = (Base::points + 31) / 32 * 32, many = D == 2 ? 10 : 12;
   static constexpr int team(int bytes) {
     constexpr int half = Base::points / 2;
     return Q == 2 && half % multiprocessor.warp == 0 && teams_that_fit(half, bytes) >= many ? half : Base::points;
