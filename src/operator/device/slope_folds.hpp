@@ -20,11 +20,10 @@ struct SlopeFolds {
   /// In 3D: the lines of points along x.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void along_x(const Team& team, Real* t) {
-    constexpr bool by_number =
-        Channels::few && (Channels::with_both == 0 || lines * Channels::folded <= Team::size);
+    constexpr bool by_number = Channels::few && (Channels::with_both == 0 || lines * Channels::folded <= Team::size);
     if constexpr (by_number) {
-      share_known<lines * Channels::folded>(
-          team, [&](int i) { number_along_x(t, quotient(i, lines), modulo(i, lines)); });
+      share_known<lines * Channels::folded>(team,
+                                            [&](int i) { number_along_x(t, quotient(i, lines), modulo(i, lines)); });
     } else {
       share_known<lines * channels>(team, [&](int i) { channel_along_x(t, quotient(i, lines), modulo(i, lines)); });
     }
@@ -39,9 +38,8 @@ struct SlopeFolds {
         column_along_y_and_z(t, pass, last, c, modulo(column, cx), quotient(column, cx), out);
       });
     } else {
-      share_known<cx * channels>(team, [&](int i) {
-        line_along_y_and_z(t, pass, last, quotient(i, cx), modulo(i, cx), out);
-      });
+      share_known<cx * channels>(
+          team, [&](int i) { line_along_y_and_z(t, pass, last, quotient(i, cx), modulo(i, cx), out); });
     }
   }
 
@@ -109,8 +107,7 @@ struct SlopeFolds {
       Real sum[cx][sums] = {};
       SOFTWET_UNROLL
       for (int q = 0; q < Shape::qx; ++q) SOFTWET_UNROLL
-      for (int a = 0; a < n; ++a)
-        add<value(), flux()>(Basis::at(t + Room::x, q, a), from + q * lines, sum[q / Q + a]);
+      for (int a = 0; a < n; ++a) add<value(), flux()>(Basis::at(t + Room::x, q, a), from + q * lines, sum[q / Q + a]);
       SOFTWET_UNROLL
       for (int d = 0; d < sums; ++d) SOFTWET_UNROLL
       for (int x = 0; x < cx; ++x) to[d * Room::folded_apart + x] = sum[x][d];

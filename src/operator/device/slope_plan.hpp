@@ -50,14 +50,17 @@ struct SlopeChannels {
     while (folded_before(c + 1) <= k) ++c;
     return c;
   }
-  static constexpr Packed firsts = packed<few ? folded : 0>([](int k) {
-    const int c = channel_of(k), d = k - folded_before(c);
-    return numbers_before(c) + d + (d > 0 && has_value(c) ? 1 : 0);
-  });
-  static constexpr Packed kinds = packed<few ? folded : 0>([](int k) {
-    const int c = channel_of(k), d = k - folded_before(c);
-    return d > 0 || !has_flux(c) ? of_values : has_value(c) ? of_both : of_slopes;
-  });
+  static constexpr Packed firsts = packed < few ? folded
+                                                : 0 > ([](int k) {
+                                                    const int c = channel_of(k), d = k - folded_before(c);
+                                                    return numbers_before(c) + d + (d > 0 && has_value(c) ? 1 : 0);
+                                                  });
+  static constexpr Packed kinds = packed < few
+                                      ? folded
+                                      : 0 > ([](int k) {
+                                          const int c = channel_of(k), d = k - folded_before(c);
+                                          return d > 0 || !has_flux(c) ? of_values : has_value(c) ? of_both : of_slopes;
+                                        });
 };
 
 /// Where a team keeps its numbers; offsets in Reals. After the sweeps across a field with slopes has its value and its slopes along the
@@ -81,7 +84,8 @@ struct SlopeRooms {
   static constexpr int first_room = max(swept_all, folded_all);
   static constexpr int second_room = max(Channels::numbers * Shape::points, wall_y - first_room);
   static constexpr int swept = 0, folded = 0, integrands = first_room, wall = integrands + second_room;
-  static constexpr int to_pairs = (wall + Plan::wall_numbers * Shape::base) % 2;  ///< pairs of numbers begin at even places
+  static constexpr int to_pairs =
+      (wall + Plan::wall_numbers * Shape::base) % 2;  ///< pairs of numbers begin at even places
   static constexpr int tables = wall + Plan::wall_numbers * Shape::base + to_pairs;
 };
 template <class Plan>

@@ -66,7 +66,11 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
     share_known<all>(team, [&](int i) {
       const int axis = i < y ? 0 : i < z ? 1 : i < test ? D - 1 : D;
       load_point(axis < D ? task.axis[axis] : task.test, axis < D ? axis : D - 1, corner, i,
-                 i - (axis == 0 ? 0 : i < z ? y : i < test ? z : test), i < test, t);
+                 i - (axis == 0  ? 0
+                      : i < z    ? y
+                      : i < test ? z
+                                 : test),
+                 i < test, t);
     });
     load_places(team, corner, Sweeps::places(t));
   }
@@ -145,7 +149,8 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
       if constexpr (D == 3) {
         evaluate_at<several>(quotient(i, Shape::lines) * several, modulo(i, Shape::lines), pass, corner, t);
       } else {
-        evaluate_at<several>(modulo(i, Shape::qx / several) * several, quotient(i, Shape::qx / several), pass, corner, t);
+        evaluate_at<several>(modulo(i, Shape::qx / several) * several, quotient(i, Shape::qx / several), pass, corner,
+                             t);
       }
     });
   }

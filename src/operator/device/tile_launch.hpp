@@ -86,7 +86,8 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   }
 
   static void launch(const TileSchedule& schedule, const std::byte* terms, const Real* direction) {
-    Teams<TeamBounds<threads, bytes, Tile_::teams * Tile_::points / threads>> policy(schedule.first[schedule.count], team_size(threads));
+    Teams<TeamBounds<threads, bytes, Tile_::teams * Tile_::points / threads>> policy(schedule.first[schedule.count],
+                                                                                     team_size(threads));
     start_teams("softwet::tiles", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
                 TileKernel{schedule, terms, direction});
   }

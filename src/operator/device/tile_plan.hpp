@@ -52,9 +52,10 @@ template <class Plan, int begin>
 struct TileTables {
   using Shape = typename Plan::Shape;
   static constexpr bool three = Shape::D == 3, own = Shape::own_slopes;
-  static constexpr int zs = Shape::QL * Shape::NZ;  ///< points of the tile along the last axis
+  static constexpr int zs = Shape::QL * Shape::NZ;                 ///< points of the tile along the last axis
   static constexpr int functions = own ? 2 * Shape::n : Shape::n;  ///< numbers of the functions at a point
-  static constexpr int x_size = Shape::qx * functions, y_size = three ? Shape::qy * functions : 0, z_size = zs * functions;
+  static constexpr int x_size = Shape::qx * functions, y_size = three ? Shape::qy * functions : 0,
+                       z_size = zs * functions;
 
   static constexpr int x = begin, y = x + x_size, z = y + y_size, test = z + z_size, x_weight = test + z_size;
   static constexpr int y_weight = x_weight + Shape::qx, z_weight = y_weight + (three ? Shape::qy : 0);
@@ -70,8 +71,7 @@ struct TileTables {
   static constexpr int places = z_row + (knows_rows && !Plan::on_wall ? zs * Shape::Q : 0);
   static constexpr int y_places = own ? Shape::cx : Shape::NX;  ///< among the integers
   static constexpr int z_places = y_places + (three ? Shape::cy : 0);
-  static constexpr int integers = z_places + Shape::NZ + Shape::P,
-                       in_one = sizeof(typename Plan::Real) / sizeof(int);
+  static constexpr int integers = z_places + Shape::NZ + Shape::P, in_one = sizeof(typename Plan::Real) / sizeof(int);
   static constexpr int sums = places + (integers + in_one - 1) / in_one;
   static constexpr int planes = !own ? Shape::planes : Shape::Shared ? Shape::n : Shape::P;
   static constexpr int size = sums + Plan::channels * planes * Shape::cx * Shape::cy;

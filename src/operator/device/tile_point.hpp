@@ -125,8 +125,7 @@ struct TilePoints {
               t + Room::z_place, t + Room::z_share);
     load_axis(team, 3 * warps_apart, task.test, last, corner[last], Shape::NZ, t + Room::test, nullptr, nullptr,
               nullptr);
-    if constexpr (Plan::on_wall)
-      share(team, n, [&](int a) { t[Room::z_slope + a] = task.axis[last].slope(0, a, 0); });
+    if constexpr (Plan::on_wall) share(team, n, [&](int a) { t[Room::z_slope + a] = task.axis[last].slope(0, a, 0); });
   }
 
   /// The numbers of the Blend, when the tables are there.

@@ -17,7 +17,7 @@ struct TileShape {
   static constexpr int D = D_, P = P_, n = P + 1, Q = Q_, QL = QL_;
   static constexpr bool Shared = Shared_, own_slopes = own_slopes_;
   static constexpr int NX = NX_, NY = D == 3 ? NY_ : 1, L = L_, M = M_, NZ = L * M;
-  static constexpr int qx = Q * NX, qy = D == 3 ? Q * NY : 1, qz = QL * L;  ///< points of a pass along the axes
+  static constexpr int qx = Q * NX, qy = D == 3 ? Q * NY : 1, qz = QL * L;         ///< points of a pass along the axes
   static constexpr int base = qx * qy, points = base * qz, lines = qy * qz;        ///< lines of points along x
   static constexpr int cx = NX + P, cy = D == 3 ? NY + P : 1, cz = L + P;          ///< control points of a pass
   static constexpr int planes = Shared ? n : NZ + P, controls = cx * cy * planes;  ///< of the tile
