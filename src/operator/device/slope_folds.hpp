@@ -14,13 +14,13 @@ struct SlopeFolds {
   using Real = typename Plan::Real;
   using Channels = typename Room::Channels;
   static constexpr int D = Shape::D, P = Shape::P, n = Shape::n, Q = Shape::Q, QL = Shape::QL, cx = Shape::cx;
-  static constexpr int channels = Plan::channels, points = Shape::points, lines = Shape::lines;
+  static constexpr int channels = Plan::channels, lines = Shape::lines;
   using Basis = PointBasis<n, Real>;
 
   /// In 3D: the lines of points along x.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void along_x(const Team& team, Real* t) {
-    constexpr bool by_number = Channels::few && (Channels::with_both == 0 || lines * Channels::folded <= Team::size);
+    constexpr bool by_number = Room::by_number && (Channels::with_both == 0 || lines * Channels::folded <= Team::size);
     if constexpr (by_number) {
       share_known<lines * Channels::folded>(team,
                                             [&](int i) { number_along_x(t, quotient(i, lines), modulo(i, lines)); });
@@ -48,7 +48,7 @@ struct SlopeFolds {
   static KOKKOS_FORCEINLINE_FUNCTION void along_x_and_z(const Team& team, int pass, bool last, Real* t, Real* out) {
     share_known<cx * channels>(team, [&](int i) {
       const int c = quotient(i, cx), x = modulo(i, cx);
-      const Real* const from = t + Room::integrands + Channels::numbers_before(c) * points;
+      const Real* const from = t + Room::integrands + Room::integrand(c);
       of_kind(c, [&](auto value, auto flux) {
         Real sum[QL][1][numbers] = {};
         SOFTWET_UNROLL
@@ -100,14 +100,15 @@ struct SlopeFolds {
 
   /// All numbers of a channel.
   static KOKKOS_FORCEINLINE_FUNCTION void channel_along_x(Real* t, int c, int line) {
-    const Real* const from = t + Room::integrands + Channels::numbers_before(c) * points + line;
+    const Real* const from = t + Room::integrands + Room::integrand(c) + line;
     Real* const to = t + Room::folded + Channels::folded_before(c) * Room::folded_apart + line * cx;
     of_kind(c, [&](auto value, auto flux) {
       constexpr int sums = flux() ? D : 1;
       Real sum[cx][sums] = {};
       SOFTWET_UNROLL
       for (int q = 0; q < Shape::qx; ++q) SOFTWET_UNROLL
-      for (int a = 0; a < n; ++a) add<value(), flux()>(Basis::at(t + Room::x, q, a), from + q * lines, sum[q / Q + a]);
+      for (int a = 0; a < n; ++a)
+        add<value(), flux()>(Basis::at(t + Room::x, q, a), from + Room::place(q) * lines, sum[q / Q + a]);
       SOFTWET_UNROLL
       for (int d = 0; d < sums; ++d) SOFTWET_UNROLL
       for (int x = 0; x < cx; ++x) to[d * Room::folded_apart + x] = sum[x][d];
@@ -116,7 +117,7 @@ struct SlopeFolds {
 
   /// Folded number k.
   static KOKKOS_FORCEINLINE_FUNCTION void number_along_x(Real* t, int k, int line) {
-    const Real* const from = t + Room::integrands + Channels::first_of(k) * points + line;
+    const Real* const from = t + Room::integrands + Channels::first_of(k) * Room::number + line;
     const Real* const table = t + Room::x + (Channels::kind_of(k) == Channels::of_slopes ? 1 : 0);
     const bool slopes_too = Channels::with_both > 0 && Channels::kind_of(k) == Channels::of_both;
     Real sum[cx] = {};
@@ -124,8 +125,8 @@ struct SlopeFolds {
     for (int q = 0; q < Shape::qx; ++q) SOFTWET_UNROLL
     for (int a = 0; a < n; ++a) {
       Real& s = sum[q / Q + a];
-      s = s + table[2 * (q * n + a)] * from[q * lines];
-      if (slopes_too) s = s + table[2 * (q * n + a) + 1] * from[points + q * lines];
+      s = s + table[2 * (q * n + a)] * from[Room::place(q) * lines];
+      if (slopes_too) s = s + table[2 * (q * n + a) + 1] * from[Room::number + Room::place(q) * lines];
     }
     Real* const to = t + Room::folded + k * Room::folded_apart + line * cx;
     SOFTWET_UNROLL
@@ -168,15 +169,15 @@ struct SlopeFolds {
   /// The line along x of point q of element e across, as in PointNumbers.
   static KOKKOS_FORCEINLINE_FUNCTION int line_of(int z, int e, int q) { return z * Shape::qy + q * Shape::NY + e; }
 
-  /// Adds what a point has along the first axis: from[number * points].
+  /// Adds what a point has along the first axis: from[number * Room::number].
   template <bool value, bool flux, int sums>
   static KOKKOS_FORCEINLINE_FUNCTION void add(const ValueAndSlope<Real>& basis, const Real* from, Real (&sum)[sums]) {
     if constexpr (value) sum[0] = sum[0] + basis.value * from[0];
     if constexpr (flux) {
-      const Real* const along = from + (value ? points : 0);
+      const Real* const along = from + (value ? Room::number : 0);
       sum[0] = sum[0] + basis.slope * along[0];
       SOFTWET_UNROLL
-      for (int d = 1; d < D; ++d) sum[d] = sum[d] + basis.value * along[d * points];
+      for (int d = 1; d < D; ++d) sum[d] = sum[d] + basis.value * along[d * Room::number];
     }
   }
 
@@ -199,7 +200,7 @@ struct SlopeFolds {
                                                   const Real (&folded)[QL][count][numbers], Real* out) {
     constexpr bool shared = Shape::Shared;
     constexpr int columns = Room::columns;
-    Real* const kept = t + Room::sums + c * Room::planes * columns + column;
+    Real* const kept = t + Room::sums + c * Room::kept + column;
     Basis basis[QL];
     SOFTWET_UNROLL
     for (int q = 0; q < QL; ++q) basis[q] = Basis(t + Room::test, pass * QL + q);

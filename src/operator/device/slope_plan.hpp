@@ -81,8 +81,17 @@ struct SlopeRooms {
   static constexpr int folded_all = Channels::folded * folded_apart;
   static constexpr int wall_y = three ? Plan::wall_fields * 2 * Shape::qy * Shape::cx : 0;
 
+  /// Integrands are [number][point], where channels are folded number by number, and else have some room behind each channel.
+  static constexpr bool by_number = Channels::few && (Channels::with_both == 0 || Plan::channels == 1);
+  static constexpr int number = Shape::points + (three && by_number ? Shape::lines : 0);
+  static constexpr int behind = three && !by_number ? Shape::lines : 0;
+  static constexpr int integrand(int c) { return Channels::numbers_before(c) * number + c * behind; }
+  static constexpr int at_points = Channels::numbers * number + Plan::channels * behind;
+  /// In 3D, where point x has its points among those of a line, as in PointNumbers.
+  static constexpr int place(int x) { return x % Shape::Q * Shape::NX + x / Shape::Q; }
+
   static constexpr int first_room = max(swept_all, folded_all);
-  static constexpr int second_room = max(Channels::numbers * Shape::points, wall_y - first_room);
+  static constexpr int second_room = max(at_points, wall_y - first_room);
   static constexpr int swept = 0, folded = 0, integrands = first_room, wall = integrands + second_room;
   static constexpr int to_pairs =
       (wall + Plan::wall_numbers * Shape::base) % 2;  ///< pairs of numbers begin at even places

@@ -82,7 +82,8 @@ struct SlopeSweeps {
       SOFTWET_UNROLL
       for (int q = 0; q < Q; ++q) {
         const Basis basis(t + Room::x, e * Q + q);
-        Real* const to = t + Room::wall + Plan::wall_place(f) * Shape::base + (e * Q + q) * Shape::qy + across;
+        Real* const to = t + Room::wall + Plan::wall_place(f) * Shape::base +
+                         (D == 3 ? q * Shape::NX + e : e * Q + q) * Shape::qy + across;  // as in PointNumbers
         to[0] = Basis::sum(basis.value, value, 1);
         if (!Plan::wall_slopes(f)) continue;
         to[Shape::base] = Basis::sum(basis.slope, value, 1);

@@ -32,16 +32,16 @@ struct SlopeFields {
 template <class Plan>
 struct SlopeSink {
   using S = typename Plan::S;
-  using Channels = typename SlopeRooms<Plan>::Channels;
-  static constexpr int points = Plan::Shape::points;
-  typename Plan::Real* to;  ///< [number][point], at this point
+  using Room = SlopeRooms<Plan>;
+  using Channels = typename Room::Channels;
+  typename Plan::Real* to;  ///< at this point
 
   KOKKOS_FORCEINLINE_FUNCTION void integrand(int channel, const S& number) {
-    if (Channels::has_value(channel)) to[Channels::numbers_before(channel) * points] = plain(number);
+    if (Channels::has_value(channel)) to[Room::integrand(channel)] = plain(number);
   }
   KOKKOS_FORCEINLINE_FUNCTION void flux(int channel, int d, const S& number) {
-    const int before = Channels::numbers_before(channel) + (Channels::has_value(channel) ? 1 : 0);
-    if (Channels::has_flux(channel)) to[(before + d) * points] = plain(number);
+    const int before = Channels::has_value(channel) ? 1 : 0;
+    if (Channels::has_flux(channel)) to[Room::integrand(channel) + (before + d) * Room::number] = plain(number);
   }
 };
 
@@ -104,13 +104,13 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
     });
   }
 
-  /// The last sweep, along x: fields at points x, x + 1, ... of an element, on line `line` of a pass.
+  /// The last sweep, along x: fields at points q, q + 1, ... of element e along x, on line `line` of a pass.
   template <int count>
-  static KOKKOS_FORCEINLINE_FUNCTION void read(const Real* t, int x, int line, Fields (&fields)[count]) {
+  static KOKKOS_FORCEINLINE_FUNCTION void read(const Real* t, int e, int q, int line, Fields (&fields)[count]) {
     PointBasis<n, Real> basis[count];
     SOFTWET_UNROLL
-    for (int i = 0; i < count; ++i) basis[i] = PointBasis<n, Real>(t + Room::x, x + i);
-    const Real* const from = t + line * Shape::cx + quotient(x, Q);
+    for (int i = 0; i < count; ++i) basis[i] = PointBasis<n, Real>(t + Room::x, e * Q + q + i);
+    const Real* const from = t + line * Shape::cx + e;
     for_each_index<Plan::fields>([&](auto f) {
       SOFTWET_UNROLL
       for (int c = 0; c < (Plan::has_gradient(f()) ? D : 1); ++c) {
@@ -127,15 +127,16 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
     });
   }
 
-  /// The term at `count` points, from point x along x on, on a line.
+  /// The term at these points.
   template <int count>
-  KOKKOS_FORCEINLINE_FUNCTION void evaluate_at(int x, int line, int pass, const int (&corner)[D], Real* t) const {
+  KOKKOS_FORCEINLINE_FUNCTION void evaluate_at(int e, int q, int line, int pass, const int (&corner)[D],
+                                               Real* t) const {
     Fields fields[count];
-    read(t, x, line, fields);
+    read(t, e, q, line, fields);
     SOFTWET_UNROLL
     for (int i = 0; i < count; ++i) {
       fields[i].scale = task.scale;
-      const int p = D == 3 ? (x + i) * Shape::lines + line : line * Shape::qx + x + i;
+      const int p = D == 3 ? ((q + i) * Shape::NX + e) * Shape::lines + line : line * Shape::qx + e * Q + q + i;
       this->evaluate(p, pass, corner, t, fields[i],
                      [&](int again) { return SlopeSink<Plan>{t + Room::integrands + again}; });
     }
@@ -144,13 +145,16 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
   /// The points of a pass: each thread has one, or those of an element on a line where there are no more threads than that.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void evaluate_all(const Team& team, int pass, const int (&corner)[D], Real* t) const {
-    constexpr int several = Team::size * Q <= Shape::points ? Q : 1;
+    constexpr int several = Team::size * Q <= Shape::points ? Q : 1, along = Shape::qx / several;
     share_points<Shape::points / several>(team, [&](int i, int) {
-      if constexpr (D == 3) {
-        evaluate_at<several>(quotient(i, Shape::lines) * several, modulo(i, Shape::lines), pass, corner, t);
+      const int line = D == 3 ? modulo(i, Shape::lines) : quotient(i, along);
+      const int x = D == 3 ? quotient(i, Shape::lines) : modulo(i, along);
+      if constexpr (several > 1) {
+        evaluate_at<several>(x, 0, line, pass, corner, t);
+      } else if constexpr (D == 3) {
+        evaluate_at<1>(modulo(x, Shape::NX), quotient(x, Shape::NX), line, pass, corner, t);
       } else {
-        evaluate_at<several>(modulo(i, Shape::qx / several) * several, quotient(i, Shape::qx / several), pass, corner,
-                             t);
+        evaluate_at<1>(quotient(x, Q), modulo(x, Q), line, pass, corner, t);
       }
     });
   }
@@ -159,10 +163,11 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void run_pass(const Team& team, int pass, bool last, int (&corner)[D],
                                             const Real* direction, Real* t) const {
+    const SlopeTile* const self = anew(this);
     Sweeps::across(team, pass, t, [&](int f) {
       if constexpr (Plan::Tangent)
-        if (f >= Plan::slots) return direction + this->task.tangents.of_unknown[Plan::unknown_of(f)];
-      return this->task.slot[f];
+        if (f >= Plan::slots) return direction + self->task.tangents.of_unknown[Plan::unknown_of(f)];
+      return self->task.slot[f];
     });
     team.barrier();
     evaluate_all(team, pass, corner, t);

@@ -38,16 +38,18 @@ struct TileWriter {
 };
 
 /// Point p of a pass along each axis, and among the points of the wall. Where sweeps make slopes in 3D, a place along x has its points
-/// together, first those of neighbouring elements across: then neighbouring threads have neighbouring lines along x.
+/// together, and neighbouring elements come before the points of an element, along x and across: then threads beside each other read and
+/// write numbers beside each other.
 template <class Shape>
 struct PointNumbers {
   int x, y, z, wall;
 
   static KOKKOS_FORCEINLINE_FUNCTION PointNumbers of(int p) {
     if constexpr (Shape::own_slopes && Shape::D == 3) {
-      const int x = quotient(p, Shape::lines), line = modulo(p, Shape::lines), across = modulo(line, Shape::qy);
+      const int place = quotient(p, Shape::lines), line = modulo(p, Shape::lines), across = modulo(line, Shape::qy);
+      const int x = modulo(place, Shape::NX) * Shape::Q + quotient(place, Shape::NX);
       const int y = modulo(across, Shape::NY) * Shape::Q + quotient(across, Shape::NY);
-      return {x, y, quotient(line, Shape::qy), x * Shape::qy + across};
+      return {x, y, quotient(line, Shape::qy), place * Shape::qy + across};
     } else {
       return {modulo(p, Shape::qx), modulo(quotient(p, Shape::qx), Shape::qy), quotient(p, Shape::base),
               modulo(p, Shape::base)};

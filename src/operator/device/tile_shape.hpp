@@ -70,7 +70,7 @@ struct SlopeTileShape : TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth
     constexpr int half = Base::points / 2;
     return Q == 2 && half % multiprocessor.warp == 0 && teams_that_fit(half, bytes) >= many ? half : Base::points;
   }
-  static constexpr int teams = Q > 2 ? 512 / whole_warps : D == 2 ? 5 : 10;
+  static constexpr int teams = Q > 2 ? 512 / whole_warps : D == 2 ? 5 : 8;
   static_assert(Q != 2 || whole_warps == Base::points, "no thread of a warp is idle");
 };
 
