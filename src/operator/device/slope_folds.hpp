@@ -200,7 +200,7 @@ struct SlopeFolds {
                                                   const Real (&folded)[QL][count][numbers], Real* out) {
     constexpr bool shared = Shape::Shared;
     constexpr int columns = Room::columns;
-    Real* const kept = t + Room::sums + c * Room::kept + column;
+    Real* const kept = t + Room::sums + c * Room::channel_sums + column;
     Basis basis[QL];
     SOFTWET_UNROLL
     for (int q = 0; q < QL; ++q) basis[q] = Basis(t + Room::test, pass * QL + q);

@@ -74,8 +74,8 @@ struct TileTables {
   static constexpr int integers = z_places + Shape::NZ + Shape::P, in_one = sizeof(typename Plan::Real) / sizeof(int);
   static constexpr int sums = places + (integers + in_one - 1) / in_one;
   static constexpr int planes = !own ? Shape::planes : Shape::Shared ? Shape::n : Shape::P;
-  static constexpr int kept = planes * Shape::cx * Shape::cy + (own && three ? Shape::cx : 0);  ///< of a channel
-  static constexpr int size = sums + Plan::channels * kept;
+  static constexpr int channel_sums = planes * Shape::cx * Shape::cy + (own && three ? Shape::cx : 0);  ///< of a channel
+  static constexpr int size = sums + Plan::channels * channel_sums;
 };
 
 /// Where a team keeps its numbers; offsets in Reals. Two rooms are used in turn. In 2D the second holds what was swept along x, the
