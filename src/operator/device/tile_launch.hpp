@@ -67,8 +67,9 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   template <class Entry>
   using PlanOf = TilePlan<ShapeOf<Entry, Tile_>, typename Entry::Term, typename Entry::Motion, Tangent, Real>;
   static constexpr int size = std::max({TileOf<PlanOf<Entries>>::Room::size...});
-  static constexpr int aligned = 16;  ///< bytes; scratch begins at a multiple of 8
-  static constexpr int bytes = size * sizeof(Real) + aligned - 8;
+  static constexpr int begins_at = 8;  ///< scratch: at a multiple of so many bytes
+  static constexpr int wanted_at = Tile_::own_slopes ? 16 : begins_at;
+  static constexpr int bytes = size * sizeof(Real) + wanted_at - begins_at;
   static constexpr int threads = Tile_::team(bytes);  ///< of a team on a device
 
   TileSchedule schedule;
@@ -78,7 +79,8 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   template <class Member>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const Member& member) const {
     constexpr std::size_t room = size * sizeof(Real);
-    auto* scratch = static_cast<Real*>(member.team_shmem().get_shmem_aligned(room, aligned));
+    auto* scratch = static_cast<Real*>(wanted_at > begins_at ? member.team_shmem().get_shmem_aligned(room, wanted_at)
+                                                             : member.team_shmem().get_shmem(room));
     int s = 0;
     while (member.league_rank() >= schedule.first[s + 1]) ++s;
     const TileTeam<team_size(threads), Member> team{member, member.league_rank() - schedule.first[s]};

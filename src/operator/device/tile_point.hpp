@@ -133,11 +133,18 @@ struct TilePoints {
   /// The numbers of the Blend, when the tables are there.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_blend(const Team& team, Real* t) const {
-    if constexpr (Room::knows_blend)
-      share_known<Room::zs, 4 * warps_apart>(team, [&](int i) {
+    if constexpr (Room::knows_blend) {
+      constexpr int first = 4 * warps_apart;
+      const auto load = [&](int i) {
         t[Room::blend + i] = static_cast<Real>(task.motion.blend.value(t[Room::z_place + i]));
         if (i == 0) t[Room::blend_slope] = static_cast<Real>(task.motion.blend.slope());
-      });
+      };
+      if constexpr (Shape::own_slopes) {
+        share_known<Room::zs, first>(team, load);
+      } else {
+        share_from(team, first, Room::zs, load);
+      }
+    }
   }
 
   /// Geometry at a point above point `at` of the wall, in layer z of the points of a tile.
