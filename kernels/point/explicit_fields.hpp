@@ -35,6 +35,7 @@ struct MassFluxTest {
 
   static constexpr int channel_count = 1;
   static constexpr bool has_flux = true;
+  static constexpr bool value_of(int) { return false; }
   static constexpr Component channel(int) { return {Field::density}; }
 
   template <class Writer>
@@ -66,6 +67,7 @@ struct PressureTest {
   static constexpr int channel_count = D + 1;
   static constexpr bool has_flux = true;
   static constexpr bool flux_of(int c) { return c == D; }
+  static constexpr bool value_of(int c) { return c < D; }
   static constexpr Component channel(int c) {
     return c < D ? Component{Field::velocity, c} : Component{Field::density};
   }

@@ -81,6 +81,17 @@ constexpr bool channel_has_flux(int c) {
   }
 }
 
+/// Whether a channel has an integrand against values of test functions. A bundle in which some have none says so by `value_of`; they then
+/// write zeros.
+template <class Test>
+constexpr bool channel_has_value(int c) {
+  if constexpr (requires { Test::value_of(c); }) {
+    return Test::value_of(c);
+  } else {
+    return true;
+  }
+}
+
 /// The gradients of the components of a vector, whose slots follow each other from `first` on, as a tensor of the kind M:
 /// Matrix<N, D>, or AxialMatrix<N> in the coordinates (r, z), which has v_r / r too.
 template <class M, class N, int D, class Reader>

@@ -66,8 +66,11 @@ template <class Tile_, bool Tangent, class Real, class... Entries>
 struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
   template <class Entry>
   using PlanOf = TilePlan<ShapeOf<Entry, Tile_>, typename Entry::Term, typename Entry::Motion, Tangent, Real>;
-  static constexpr int size = std::max({TileOf<PlanOf<Entries>>::Room::size...}), bytes = size * sizeof(Real);
-  static constexpr int threads = team_size(Tile_::threads);
+  static constexpr int size = std::max({TileOf<PlanOf<Entries>>::Room::size...});
+  static constexpr int begins_at = 8;  ///< scratch: at a multiple of so many bytes
+  static constexpr int wanted_at = Tile_::own_slopes ? 16 : begins_at;
+  static constexpr int bytes = size * sizeof(Real) + wanted_at - begins_at;
+  static constexpr int threads = Tile_::team(bytes);  ///< of a team on a device
 
   TileSchedule schedule;
   const std::byte* terms;
@@ -75,16 +78,18 @@ struct TileKernel<Tile_, Tangent, Real, TermList<Entries...>> {
 
   template <class Member>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const Member& member) const {
-    constexpr std::size_t room = bytes;
-    auto* scratch = static_cast<Real*>(member.team_shmem().get_shmem(room));
+    constexpr std::size_t room = size * sizeof(Real);
+    auto* scratch = static_cast<Real*>(wanted_at > begins_at ? member.team_shmem().get_shmem_aligned(room, wanted_at)
+                                                             : member.team_shmem().get_shmem(room));
     int s = 0;
     while (member.league_rank() >= schedule.first[s + 1]) ++s;
-    const TileTeam<threads, Member> team{member, member.league_rank() - schedule.first[s]};
+    const TileTeam<team_size(threads), Member> team{member, member.league_rank() - schedule.first[s]};
     (run_if<Entries>(team, s, scratch), ...);
   }
 
   static void launch(const TileSchedule& schedule, const std::byte* terms, const Real* direction) {
-    Teams<TeamBounds<Tile_::threads, bytes, Tile_::teams>> policy(schedule.first[schedule.count], threads);
+    constexpr int wanted = Tile_::teams * Tile_::threads / threads;
+    Teams<TeamBounds<threads, bytes, wanted>> policy(schedule.first[schedule.count], team_size(threads));
     start_teams("softwet::tiles", policy.set_scratch_size(0, Kokkos::PerTeam(bytes)),
                 TileKernel{schedule, terms, direction});
   }

@@ -45,34 +45,39 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
 };
 
 /// Tables of the bases [point][function], of weights and of positions, and of shares [element], from `begin` on, and behind
-/// them the sums of a tile, or of the planes of one layer. Slopes are there where sweeps need them: all of them, or on
-/// a wall those across it. Where control values stand is a sum of integers, one of the element along the first axis and one of
-/// the control point along each other axis; they lie there too. So do the numbers of a Blend at the heights of the points, and, where
-/// slopes follow from values, the rows that give them [point][point of the element, itself first], unless memory is tight.
+/// them the sums of a tile, or of the planes that a pass leaves to the next one. Where sweeps make slopes, a function has its value and
+/// its slope beside each other; on other walls slopes across them are there. Where control values stand is a sum of integers, one of the
+/// element (or, where sweeps make slopes, of the control point) along the first axis and one of the control point along each other axis;
+/// they lie there too. So do the numbers of a Blend at the heights of the points, and, where slopes follow from values, the rows that give
+/// them [point][point of the element, itself first], unless memory is tight.
 template <class Plan, int begin>
 struct TileTables {
   using Shape = typename Plan::Shape;
   static constexpr bool three = Shape::D == 3, own = Shape::own_slopes;
-  static constexpr int zs = Shape::QL * Shape::NZ;  ///< points of the tile along the last axis
-  static constexpr int x_size = Shape::qx * Shape::n, y_size = three ? Shape::qy * Shape::n : 0, z_size = zs * Shape::n;
+  static constexpr int zs = Shape::QL * Shape::NZ;                 ///< points of the tile along the last axis
+  static constexpr int functions = own ? 2 * Shape::n : Shape::n;  ///< numbers of the functions at a point
+  static constexpr int x_size = Shape::qx * functions, y_size = three ? Shape::qy * functions : 0,
+                       z_size = zs * functions;
 
   static constexpr int x = begin, y = x + x_size, z = y + y_size, test = z + z_size, x_weight = test + z_size;
   static constexpr int y_weight = x_weight + Shape::qx, z_weight = y_weight + (three ? Shape::qy : 0);
   static constexpr int x_place = z_weight + zs, y_place = x_place + Shape::qx;
   static constexpr int z_place = y_place + (three ? Shape::qy : 0), z_slope = z_place + zs;
-  static constexpr int x_slope = z_slope + (own || Plan::on_wall ? z_size : 0), y_slope = x_slope + (own ? x_size : 0);
-  static constexpr int test_slope = y_slope + (own ? y_size : 0), x_share = test_slope + (own ? z_size : 0);
+  static constexpr int x_share = z_slope + (Plan::on_wall && !own ? z_size : 0);
   static constexpr int y_share = x_share + (own ? 0 : Shape::NX), z_share = y_share + (three && !own ? Shape::NY : 0);
   static constexpr bool knows_blend = !Plan::tight && Plan::moves, knows_rows = !Plan::tight && !own;
   static constexpr int blend = z_share + (own ? 0 : Shape::NZ), blend_slope = blend + (knows_blend ? zs : 0);
   static constexpr int x_row = blend_slope + knows_blend, y_row = x_row + (knows_rows ? Shape::qx * Shape::Q : 0);
   static constexpr int z_row = y_row + (three && knows_rows ? Shape::qy * Shape::Q : 0);
   static constexpr int places = z_row + (knows_rows && !Plan::on_wall ? zs * Shape::Q : 0);
-  static constexpr int y_places = Shape::NX, z_places = y_places + (three ? Shape::cy : 0);  ///< among the integers
-  static constexpr int integers = own ? 0 : z_places + Shape::NZ + Shape::P,
-                       in_one = sizeof(typename Plan::Real) / sizeof(int);
-  static constexpr int sums = places + (integers + in_one - 1) / in_one, planes = own ? Shape::n : Shape::planes;
-  static constexpr int size = sums + Plan::channels * planes * Shape::cx * Shape::cy;
+  static constexpr int y_places = own ? Shape::cx : Shape::NX;  ///< among the integers
+  static constexpr int z_places = y_places + (three ? Shape::cy : 0);
+  static constexpr int integers = z_places + Shape::NZ + Shape::P, in_one = sizeof(typename Plan::Real) / sizeof(int);
+  static constexpr int sums = places + (integers + in_one - 1) / in_one;
+  static constexpr int planes = !own ? Shape::planes : Shape::Shared ? Shape::n : Shape::P;
+  static constexpr int channel_sums =
+      planes * Shape::cx * Shape::cy + (own && three ? Shape::cx : 0);  ///< of a channel
+  static constexpr int size = sums + Plan::channels * channel_sums;
 };
 
 /// Where a team keeps its numbers; offsets in Reals. In 2D two rooms are used in turn: the second holds what was swept along x, the

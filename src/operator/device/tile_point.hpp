@@ -37,6 +37,26 @@ struct TileWriter {
   }
 };
 
+/// Point p of a pass along each axis, and among the points of the wall. Where sweeps make slopes in 3D, a place along x has its points
+/// together, and neighbouring elements come before the points of an element, along x and across: then threads beside each other read and
+/// write numbers beside each other.
+template <class Shape>
+struct PointNumbers {
+  int x, y, z, wall;
+
+  static KOKKOS_FORCEINLINE_FUNCTION PointNumbers of(int p) {
+    if constexpr (Shape::own_slopes && Shape::D == 3) {
+      const int place = quotient(p, Shape::lines), line = modulo(p, Shape::lines), across = modulo(line, Shape::qy);
+      const int x = modulo(place, Shape::NX) * Shape::Q + quotient(place, Shape::NX);
+      const int y = modulo(across, Shape::NY) * Shape::Q + quotient(across, Shape::NY);
+      return {x, y, quotient(line, Shape::qy), place * Shape::qy + across};
+    } else {
+      return {modulo(p, Shape::qx), modulo(quotient(p, Shape::qx), Shape::qy), quotient(p, Shape::base),
+              modulo(p, Shape::base)};
+    }
+  }
+};
+
 /// A term on the tiles of a region. Room says where a team keeps its tables.
 template <class Plan_, class Room_>
 struct TilePoints {
@@ -57,16 +77,7 @@ struct TilePoints {
   static KOKKOS_FORCEINLINE_FUNCTION int least(int a, int b) { return a < b ? a : b; }
   static KOKKOS_FORCEINLINE_FUNCTION int within(int low, int i, int high) { return i < low ? low : least(i, high); }
 
-  /// Place in the wall's row of control (i, j) from the corner of a tile; outside of the region it repeats the nearest one.
-  KOKKOS_FORCEINLINE_FUNCTION int column(const int (&corner)[D], int i, int j) const {
-    int at = grid.first[0] + within(grid.lead, corner[0] + i, grid.elements[0] + P - 1);
-    if constexpr (D == 3) at += place_along(1, corner[1] + j);
-    return at;
-  }
-  KOKKOS_FORCEINLINE_FUNCTION int control(const int (&corner)[D], int i, int j, int k) const {
-    return column(corner, i, j) + place_along(D - 1, corner[D - 1] + k);
-  }
-  /// What control i along an axis but the first adds to its place.
+  /// What control i along an axis but the first adds to its place. Outside of the region it repeats the nearest one.
   KOKKOS_FORCEINLINE_FUNCTION int place_along(int d, int i) const {
     const int at = least(i, grid.elements[d] + P - 1);
     return (d == D - 1 ? task.axis[d].first_functions[0] + at : at) * task.stride[d];
@@ -91,53 +102,54 @@ struct TilePoints {
   /// not wanted.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_axis(const Team& team, int first_thread, const AxisTables<Real>& rule, int d,
-                                             int corner, int count, Real* basis, Real* slope, Real* weight, Real* place,
+                                             int corner, int count, Real* basis, Real* weight, Real* place,
                                              Real* element) const {
     const int each = d == D - 1 ? Shape::QL : Q;
     share_from(team, first_thread, count * each, [&](int i) {
       const int e = corner + quotient(i, each), q = modulo(i, each), low = d == 0 ? grid.lead : 0;
       const int known = grid.first[d] + within(low, e, grid.elements[d] - 1);
       for (int a = 0; a < n; ++a) basis[i * n + a] = rule.value(q, a, known);
-      if (slope)
-        for (int a = 0; a < n; ++a) slope[i * n + a] = rule.slope(q, a, known);
       if (!weight) return;
       weight[i] = e >= low && e < grid.elements[d] ? rule.weight(q, known) : Real(0);
       place[i] = rule.position(q, known);
-      if (q == 0 && element) element[quotient(i, each)] = rule.share(known);
+      if (q == 0) element[quotient(i, each)] = rule.share(known);
     });
   }
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_tables(const Team& team, const int (&corner)[D], Real* t) const {
-    constexpr bool slopes = Shape::own_slopes;
-    const auto slope = [&](int place) { return slopes ? t + place : nullptr; };
-    const auto element = [&](int place) { return slopes ? nullptr : t + place; };
-    load_axis(team, 0, task.axis[0], 0, corner[0], Shape::NX, t + Room::x, slope(Room::x_slope), t + Room::x_weight,
-              t + Room::x_place, element(Room::x_share));
+    load_axis(team, 0, task.axis[0], 0, corner[0], Shape::NX, t + Room::x, t + Room::x_weight, t + Room::x_place,
+              t + Room::x_share);
     if constexpr (D == 3)
-      load_axis(team, warps_apart, task.axis[1], 1, corner[1], Shape::NY, t + Room::y, slope(Room::y_slope),
-                t + Room::y_weight, t + Room::y_place, element(Room::y_share));
+      load_axis(team, warps_apart, task.axis[1], 1, corner[1], Shape::NY, t + Room::y, t + Room::y_weight,
+                t + Room::y_place, t + Room::y_share);
     constexpr int last = D - 1;
-    load_axis(team, 2 * warps_apart, task.axis[last], last, corner[last], Shape::NZ, t + Room::z, slope(Room::z_slope),
-              t + Room::z_weight, t + Room::z_place, element(Room::z_share));
-    load_axis(team, 3 * warps_apart, task.test, last, corner[last], Shape::NZ, t + Room::test, slope(Room::test_slope),
-              nullptr, nullptr, nullptr);
-    if constexpr (Plan::on_wall && !slopes)
-      share(team, n, [&](int a) { t[Room::z_slope + a] = task.axis[last].slope(0, a, 0); });
+    load_axis(team, 2 * warps_apart, task.axis[last], last, corner[last], Shape::NZ, t + Room::z, t + Room::z_weight,
+              t + Room::z_place, t + Room::z_share);
+    load_axis(team, 3 * warps_apart, task.test, last, corner[last], Shape::NZ, t + Room::test, nullptr, nullptr,
+              nullptr);
+    if constexpr (Plan::on_wall) share(team, n, [&](int a) { t[Room::z_slope + a] = task.axis[last].slope(0, a, 0); });
   }
 
   /// The numbers of the Blend, when the tables are there.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_blend(const Team& team, Real* t) const {
-    if constexpr (Room::knows_blend)
-      share_from(team, 4 * warps_apart, Shape::QL * Shape::NZ, [&](int i) {
+    if constexpr (Room::knows_blend) {
+      constexpr int first = 4 * warps_apart;
+      const auto load = [&](int i) {
         t[Room::blend + i] = static_cast<Real>(task.motion.blend.value(t[Room::z_place + i]));
         if (i == 0) t[Room::blend_slope] = static_cast<Real>(task.motion.blend.slope());
-      });
+      };
+      if constexpr (Shape::own_slopes) {
+        share_known<Room::zs, first>(team, load);
+      } else {
+        share_from(team, first, Room::zs, load);
+      }
+    }
   }
 
-  /// Geometry at point p of a pass, in layer z of the points of a tile.
-  KOKKOS_FORCEINLINE_FUNCTION auto geometry(int p, int z, const Real* t, const Vector<S, D>& reference) const {
-    const Real* const wall = t + Room::wall + modulo(p, Shape::base);
+  /// Geometry at a point above point `at` of the wall, in layer z of the points of a tile.
+  KOKKOS_FORCEINLINE_FUNCTION auto geometry(int at, int z, const Real* t, const Vector<S, D>& reference) const {
+    const Real* const wall = t + Room::wall + at;
     if constexpr (Room::knows_blend) {
       const KnownBlend<Real> blend{t[Room::blend + z], t[Room::blend_slope]};
       return moving_point<N, Shape::base, Plan::on_wall>(blend, task.motion.scale, wall, reference, 0);
@@ -154,7 +166,8 @@ struct TilePoints {
       return point;
     } else {
       static_assert(Shape::QL == Q, "points of a volume remember");
-      const int at[3] = {p % Shape::qx, D == 3 ? p / Shape::qx % Shape::qy : p / Shape::base, p / Shape::base};
+      const auto number = PointNumbers<Shape>::of(p);
+      const int at[3] = {number.x, D == 3 ? number.y : number.z, number.z};
       Batch<D> b{};
       b.count = 1;
       int q = 0;
@@ -171,21 +184,21 @@ struct TilePoints {
   template <class Fields, class Sink>
   KOKKOS_FORCEINLINE_FUNCTION void evaluate(int p, int pass, const int (&corner)[D], const Real* t, const Fields& from,
                                             const Sink& sink) const {
-    const int x = modulo(p, Shape::qx), y = modulo(quotient(p, Shape::qx), Shape::qy);
-    const int z = pass * Shape::qz + quotient(p, Shape::base);
+    const auto number = PointNumbers<Shape>::of(p);
+    const int z = pass * Shape::qz + number.z;
     Vector<S, D> reference;
-    reference[0] = S(t[Room::x_place + x]);
-    if constexpr (D == 3) reference[1] = S(t[Room::y_place + y]);
+    reference[0] = S(t[Room::x_place + number.x]);
+    if constexpr (D == 3) reference[1] = S(t[Room::y_place + number.y]);
     reference[D - 1] = S(t[Room::z_place + z]);
-    const auto place = in_coordinates<typename Plan::Term>(geometry(p, z, t, reference), reference);
+    const auto place = in_coordinates<typename Plan::Term>(geometry(number.wall, z, t, reference), reference);
     const auto point = with_memory_of(place, p, corner);
     using Point = std::remove_const_t<decltype(point)>;
     using From = Reader<N, D, Fields, Point>;
     const auto test = task.term.residual(Plan::Trial::read(From{from, point, 0}));
     const int again = anew(p);  // what was derived from p has been given up
-    Real weight = task.factor * t[Room::x_weight + modulo(again, Shape::qx)] *
-                  t[Room::z_weight + pass * Shape::qz + quotient(again, Shape::base)];
-    if constexpr (D == 3) weight = weight * t[Room::y_weight + modulo(quotient(again, Shape::qx), Shape::qy)];
+    const auto numbers = PointNumbers<Shape>::of(again);
+    Real weight = task.factor * t[Room::x_weight + numbers.x] * t[Room::z_weight + pass * Shape::qz + numbers.z];
+    if constexpr (D == 3) weight = weight * t[Room::y_weight + numbers.y];
     auto to = sink(again);
     TileWriter<Plan, Point, decltype(to)> writer{to, point, S(weight)};
     test.write(writer);

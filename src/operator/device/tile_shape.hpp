@@ -1,6 +1,7 @@
 // Tiles: how many elements a team of threads of a device takes at once.
 #pragma once
 
+#include "operator/device/team_bounds.hpp"
 #include "spline/region.hpp"
 
 namespace softwet {
@@ -19,8 +20,8 @@ struct TileShape {
   static constexpr int D = D_, P = P_, n = P + 1, Q = Q_, QL = QL_;
   static constexpr bool Shared = Shared_, own_slopes = own_slopes_, dense = dense_;
   static constexpr int NX = NX_, NY = D == 3 ? NY_ : 1, L = L_, M = M_, NZ = L * M;
-  static constexpr int qx = Q * NX, qy = D == 3 ? Q * NY : 1, qz = QL * L;  ///< points of a pass along the axes
-  static constexpr int base = qx * qy, points = base * qz;
+  static constexpr int qx = Q * NX, qy = D == 3 ? Q * NY : 1, qz = QL * L;         ///< points of a pass along the axes
+  static constexpr int base = qx * qy, points = base * qz, lines = qy * qz;        ///< lines of points along x
   static constexpr int cx = NX + P, cy = D == 3 ? NY + P : 1, cz = L + P;          ///< control points of a pass
   static constexpr int planes = Shared ? n : NZ + P, controls = cx * cy * planes;  ///< of the tile
   /// Of 16 threads beside each other so many have a point (share_points). In 3D that leaves no line of points of an element in two
@@ -33,6 +34,7 @@ struct TileShape {
   static_assert(own_slopes ? L == 1 : Q == n, "slopes need values at degree + 1 points, or sweeps of one layer");
 
   static constexpr int width(int d) { return d == 0 ? NX : d == D - 1 ? NZ : NY; }
+  static constexpr int team(int) { return threads; }  ///< threads of a team with so many bytes of scratch
 };
 
 /// The tile of a residual or, with Tangent, of a product, in a volume; `teams` of them should fit on a multiprocessor. The
@@ -68,13 +70,20 @@ inline constexpr int slope_tile_width = D == 2 ? 128 / (Q * Q) : 6 - Q;
 template <int Q>
 inline constexpr int slope_tile_depth = Q == 2 ? 2 : 1;
 
-/// Such a tile. With two points along an axis the residuals of explicit steps have registers enough for so many teams; with more a
-/// multiprocessor should have 512 threads, or 128 registers for each.
+/// Such a tile. With two points along an axis the residuals of explicit steps have registers enough for so many teams of a thread for
+/// each point; with more a multiprocessor should have 512 threads, or 128 registers for each. Where the scratch leaves room for many
+/// teams of two points, half as many threads have two points each, which share what they read, and what leads to a tile is done by fewer
+/// warps; in 3D that is one warp, which waits for no other.
 template <int D, int P, int Q>
 struct SlopeTileShape : TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth<Q>, 1, 4, Q, Q, false, true> {
-  static constexpr int whole_warps = (SlopeTileShape::points + 31) / 32 * 32;
-  static constexpr int teams = Q > 2 ? 512 / whole_warps : D == 2 ? 5 : 12;
-  static_assert(Q != 2 || whole_warps == SlopeTileShape::points, "no thread of a warp is idle");
+  using Base = TileShape<D, P, slope_tile_width<D, Q>, slope_tile_depth<Q>, 1, 4, Q, Q, false, true>;
+  static constexpr int whole_warps = (Base::points + 31) / 32 * 32, many = D == 2 ? 10 : 12;
+  static constexpr int team(int bytes) {
+    constexpr int half = Base::points / 2;
+    return Q == 2 && half % multiprocessor.warp == 0 && teams_that_fit(half, bytes) >= many ? half : Base::points;
+  }
+  static constexpr int teams = Q > 2 ? 512 / whole_warps : D == 2 ? 5 : 8;
+  static_assert(Q != 2 || whole_warps == Base::points, "no thread of a warp is idle");
 };
 
 // Tiles of other terms, for teams of the same size, so that one launch computes them all.

@@ -66,6 +66,43 @@ KOKKOS_FORCEINLINE_FUNCTION void share(const Team& team, int count, const Body& 
   for (int i = team.rank(); i < count; i += Team::size) body(i);
 }
 
+/// Likewise of a number that is known to the compiler: no loop where the team has a thread for each, from thread `first` on if it can.
+template <int count, int first = 0, class Team, class Body>
+KOKKOS_FORCEINLINE_FUNCTION void share_known(const Team& team, const Body& body) {
+  if constexpr (count > Team::size) {
+    share(team, count, body);
+  } else {
+    const int i = team.rank() - (first + count <= Team::size ? first : 0);
+    if (count == Team::size || (i >= 0 && i < count)) body(i);
+  }
+}
+
+/// The items 0 .. count - 1 as share gives them, in two steps: read(item, numbers), of all items of a thread where these are few, then
+/// write(item, numbers). So a device waits for memory once.
+template <int count, class Numbers, class Team, class Read, class Write>
+KOKKOS_FORCEINLINE_FUNCTION void share_reads(const Team& team, const Read& read, const Write& write) {
+  constexpr int each = (count + Team::size - 1) / Team::size, few = 4;
+  if constexpr (each > few) {
+    share(team, count, [&](int i) {
+      Numbers own;
+      read(i, own);
+      write(i, own);
+    });
+  } else {
+    Numbers own[each];
+    const int rank = team.rank();
+    const auto for_own = [&](const auto& body) {
+      SOFTWET_UNROLL
+      for (int l = 0; l < each; ++l) {
+        const int i = rank + l * Team::size;
+        if (count >= (l + 1) * Team::size || i < count) body(i, own[l]);
+      }
+    };
+    for_own(read);
+    for_own(write);
+  }
+}
+
 /// The same, from thread `first` on, so that other warps take other short lists.
 template <class Team, class Body>
 KOKKOS_FORCEINLINE_FUNCTION void share_from(const Team& team, int first, int count, const Body& body) {

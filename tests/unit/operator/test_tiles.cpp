@@ -234,5 +234,13 @@ TEST_F(ReducedTiles2D, ThreadsOfATeam) {
   c.check_threads<false, WallMotion<2>, 2>(c.terms.energy_wall, c.patch.face());
 }
 
+/// As on a device: a thread for each point, or for two of them.
+TEST_F(ReducedTiles2D, AsManyThreadsAsADevice) {
+  const TileCases<2> c = cases(Patch<2>({35, 7}, 2, 2, 0.6));
+  constexpr int points = SlopeTileShape<2, 2, 2>::points;
+  c.check_threads<false, WallMotion<2>, 2, points>(c.terms.fluid, c.patch.fluid());
+  c.check_threads<false, NoMotion, 2, points / 2>(PressureForce{c.terms.fluid}, c.patch.fluid());
+}
+
 }  // namespace
 }  // namespace softwet::testing_tools

@@ -70,12 +70,31 @@ TEST_F(ReducedTiles3D, GradedElements) {
   c.check<WallMotion<3>>("energy_wall", c.terms.energy_wall, c.patch.face());
   c.check<WallMotion<3>>("capillary_traction", c.terms.traction, c.patch.layer());
   c.check<NoMotion>("saint_venant_kirchhoff", c.terms.solid, c.patch.solid());
+}
+
+/// Terms of explicit steps: channels have integrands against values, fluxes, or both.
+TEST_F(ReducedTiles3D, ExplicitSteps) {
+  const TileCases<3> c = cases({6, 5, 7}, 0.6);
   c.check_explicit("pressure", PressureForce{c.terms.fluid}, c.patch.fluid());
+  c.check_explicit("convection", ConvectionViscosity{0.3, 0.05}, c.patch.fluid());
+  c.check_explicit("flux of mass", MassFlux{}, c.patch.fluid());
+  c.check_explicit("potential", VariationalDerivative{c.terms.gas, 0.4}, c.patch.fluid());
 }
 
 TEST_F(ReducedTiles3D, ThreadsOfATeam) {
   const TileCases<3> c = cases({5, 3, 7});
   c.check_threads<false, WallMotion<3>, 2>(c.terms.fluid, c.patch.fluid());
+}
+
+/// As on a device: a thread for two points, or for each, and short lists that other warps take.
+TEST_F(ReducedTiles3D, AsManyThreadsAsADevice) {
+  const TileCases<3> c = cases({5, 3, 7}, 0.6);
+  constexpr int points = SlopeTileShape<3, 2, 2>::points;
+  c.check_threads<false, WallMotion<3>, 2, points>(c.terms.fluid, c.patch.fluid());
+  c.check_threads<true, WallMotion<3>, 2, points>(c.terms.gradient_wall, c.patch.face());
+  c.check_threads<false, WallMotion<3>, 2, points / 2>(ConvectionViscosity{0.3, 0.05}, c.patch.fluid());
+  c.check_threads<false, NoMotion, 2, points / 2>(PressureForce{c.terms.fluid}, c.patch.fluid());
+  c.check_threads<false, WallMotion<3>, 2, points / 2>(MassFlux{}, c.patch.fluid());
 }
 
 /// A product has two launches, as in 2D: the tiles of all terms, and what collects them.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/fluid/explicit_terms.hpp"
 #include "scene/scene_terms.hpp"
 
 namespace softwet {
@@ -40,16 +41,17 @@ TEST(TeamBounds, SecondNumber) {
   EXPECT_EQ(Bounds::minBperSM, static_cast<unsigned>(second_bound(162, 4)));
 }
 
-/// Teams of the terms of most scenes with reduced quadrature: whole warps, and residuals have 512 threads on a multiprocessor of
+/// Teams of the terms of most scenes with reduced quadrature: whole warps, and residuals have 512 points on a multiprocessor of
 /// 228 kB. Kokkos counts the scratch, two numbers and one for each thread.
 template <int D, bool Tangent, class Real, class List>
 void check_reduced() {
   using Shape = SlopeTileShape<D, 2, 2>;
   using Kernel = TileKernel<Shape, Tangent, Real, List>;
-  constexpr int teams = BoundsOfTeams<Shape::points, Kernel::bytes, Shape::teams>::teams;
-  EXPECT_EQ(Shape::points % 32, 0);
+  constexpr int threads = Kernel::threads;
+  constexpr int teams = BoundsOfTeams<threads, Kernel::bytes, Shape::teams * Shape::points / threads>::teams;
+  EXPECT_EQ(threads % multiprocessor.warp, 0);
   EXPECT_GE(teams, 2);
-  EXPECT_LE(teams * (Kernel::bytes + (Shape::points + 2) * 8), multiprocessor.bytes);
+  EXPECT_LE(teams * (Kernel::bytes + (threads + 2) * 8), multiprocessor.bytes);
   if (!Tangent && multiprocessor.bytes >= 228 * 1024) EXPECT_GE(teams * Shape::points, 512) << Kernel::bytes;
 }
 
@@ -61,6 +63,17 @@ TEST(TeamBounds, ReducedQuadratureFits) {
   check_reduced<3, true, double, SoftTerms<3, double>>();
   check_reduced<3, true, float, SoftTerms<3, float>>();
   check_reduced<3, false, double, RigidTerms>();
+}
+
+/// Terms of explicit steps need less scratch, and half as many threads, where these are whole warps.
+TEST(TeamBounds, PointsOfAThread) {
+  const bool halves = multiprocessor.warp == 32 && multiprocessor.bytes >= 228 * 1024;
+  EXPECT_EQ((TileKernel<SlopeTileShape<3, 2, 2>, false, double, TermList<TermOnMesh<MassFlux, NoMotion>>>::threads),
+            halves ? 32 : 64);
+  EXPECT_EQ((TileKernel<SlopeTileShape<2, 2, 2>, false, double, TermList<TermOnMesh<MassFlux, NoMotion>>>::threads),
+            halves ? 64 : 128);
+  EXPECT_EQ((SlopeTileShape<3, 2, 2>::team(40 * 1024)), 64);
+  EXPECT_EQ((SlopeTileShape<3, 3, 3>::team(1024)), 27 * 3);
 }
 
 }  // namespace
