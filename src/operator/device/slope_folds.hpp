@@ -78,7 +78,7 @@ struct SlopeFolds {
 
  private:
   /// Numbers of a column that was folded along the other axes: against values, and against slopes along the last axis.
-  static constexpr int numbers = Channels::any_flux ? 2 : 1;
+  static constexpr int numbers = Channels::all_fluxes > 0 ? 2 : 1;
 
   /// body(whether channel c has an integrand against values, whether it has fluxes), as types.
   template <class Body>
@@ -86,9 +86,8 @@ struct SlopeFolds {
     using Yes = std::true_type;
     using No = std::false_type;
     constexpr int with_both = Channels::with_both;
-    constexpr bool both = with_both == channels, fluxes = Channels::numbers == D * channels && !both;
     if constexpr (Channels::alike) {
-      body(std::bool_constant<!fluxes>(), std::bool_constant<(both || fluxes)>());
+      body(std::bool_constant<(Channels::all_values > 0)>(), std::bool_constant<(Channels::all_fluxes > 0)>());
     } else if (Channels::fluxes_before(c + 1) == Channels::fluxes_before(c)) {
       body(Yes(), No());
     } else if (with_both == 0 || Channels::values_before(c + 1) == Channels::values_before(c)) {

@@ -31,12 +31,11 @@ struct SlopeChannels {
   static constexpr Packed values = counted(has_value), fluxes = counted(has_flux);
 
  public:
-  static constexpr int numbers = unpacked(values, channels) + D * unpacked(fluxes, channels);
-  static constexpr int folded = channels + (D - 1) * unpacked(fluxes, channels);
-  static constexpr bool any_flux = unpacked(fluxes, channels) > 0;
-  /// Channels that have both, and whether there are such with one of them alone.
-  static constexpr int with_both = unpacked(values, channels) + unpacked(fluxes, channels) - channels;
-  static constexpr bool alike = with_both == channels || numbers == channels || numbers == D * channels;
+  static constexpr int all_values = unpacked(values, channels), all_fluxes = unpacked(fluxes, channels);
+  static constexpr int numbers = all_values + D * all_fluxes, folded = channels + (D - 1) * all_fluxes;
+  /// Channels that have both, and whether all of them have the same.
+  static constexpr int with_both = all_values + all_fluxes - channels;
+  static constexpr bool alike = with_both == channels || all_values == 0 || all_fluxes == 0;
 
   /// Folded number k: the first of its integrands, and whether these are against values, slopes, or values and then slopes.
   enum Kind { of_values, of_slopes, of_both };
@@ -50,17 +49,15 @@ struct SlopeChannels {
     while (folded_before(c + 1) <= k) ++c;
     return c;
   }
-  static constexpr Packed firsts = packed < few ? folded
-                                                : 0 > ([](int k) {
-                                                    const int c = channel_of(k), d = k - folded_before(c);
-                                                    return numbers_before(c) + d + (d > 0 && has_value(c) ? 1 : 0);
-                                                  });
-  static constexpr Packed kinds = packed < few
-                                      ? folded
-                                      : 0 > ([](int k) {
-                                          const int c = channel_of(k), d = k - folded_before(c);
-                                          return d > 0 || !has_flux(c) ? of_values : has_value(c) ? of_both : of_slopes;
-                                        });
+  static constexpr int listed = few ? folded : 0;
+  static constexpr Packed firsts = packed<listed>([](int k) {
+    const int c = channel_of(k), d = k - folded_before(c);
+    return numbers_before(c) + d + (d > 0 && has_value(c) ? 1 : 0);
+  });
+  static constexpr Packed kinds = packed<listed>([](int k) {
+    const int c = channel_of(k), d = k - folded_before(c);
+    return d > 0 || !has_flux(c) ? of_values : has_value(c) ? of_both : of_slopes;
+  });
 };
 
 /// Where a team keeps its numbers; offsets in Reals. After the sweeps across a field with slopes has its value and its slopes along the

@@ -1,6 +1,7 @@
 // The tiles of a device in 2D, computed on the host. Element counts are no multiples of a tile.
 #include "cli/core/kernel_counts.hpp"
 #include "kernels/fluid/explicit_terms.hpp"
+#include "mixed_channels.hpp"
 #include "tile_cases.hpp"
 
 namespace softwet::testing_tools {
@@ -116,6 +117,7 @@ TEST_F(ReducedTiles2D, ExplicitSteps) {
   c.check_explicit("convection", ConvectionViscosity{0.3, 0.05}, c.patch.fluid());
   c.check_explicit("flux of mass", MassFlux{}, c.patch.fluid());
   c.check_explicit("potential", VariationalDerivative{c.terms.gas, 0.4}, c.patch.fluid());
+  c.check_explicit("channels of two kinds", MixedChannels{}, c.patch.fluid());
 }
 
 TEST_F(ReducedTiles2D, GradedElements) {

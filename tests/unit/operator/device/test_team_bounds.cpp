@@ -52,7 +52,9 @@ void check_reduced() {
   EXPECT_EQ(threads % multiprocessor.warp, 0);
   EXPECT_GE(teams, 2);
   EXPECT_LE(teams * (Kernel::bytes + (threads + 2) * 8), multiprocessor.bytes);
-  if (!Tangent && multiprocessor.bytes >= 228 * 1024) EXPECT_GE(teams * Shape::points, 512) << Kernel::bytes;
+  if (!Tangent && multiprocessor.bytes >= 228 * 1024) {
+    EXPECT_GE(teams * Shape::points, 512) << Kernel::bytes;
+  }
 }
 
 TEST(TeamBounds, ReducedQuadratureFits) {
