@@ -15,8 +15,12 @@ using FluidTerms = TermList<TermOnMesh<NavierStokesKorteweg, Motion>, TermOnMesh
                             TermOnMesh<CapillaryTraction, Motion>, TermOnMesh<GradientWall, Motion>, Others...>;
 
 using RigidTerms = FluidTerms<NoMotion>;
+/// In 3D and single precision, that of products, the solid has a launch of its own: the code of all terms would be so long that nvcc
+/// makes a function of it, which keeps its numbers in memory.
 template <int D, class Real>
-using SoftTerms = FluidTerms<WallMotion<D, Real>, TermOnMesh<Elastodynamics<SaintVenantKirchhoff>, NoMotion>>;
+using SoftTerms =
+    std::conditional_t<D == 3 && std::is_same_v<Real, float>, FluidTerms<WallMotion<D, Real>>,
+                       FluidTerms<WallMotion<D, Real>, TermOnMesh<Elastodynamics<SaintVenantKirchhoff>, NoMotion>>>;
 
 /// The list that a term belongs to.
 template <int D, class Real, class Entry>
