@@ -7,8 +7,9 @@ of the source, so it does not do. --stages shows each stage of a pass, --keep wr
 
 A row is a kernel. With full quadrature it has instructions that a warp executes in one pass, as a mean over the warps of a team, by class;
 with reduced quadrature instructions of all warps for one element, with its share of what is done once for a tile, and behind them those of
-a warp in a pass. Then come registers of a thread, and bytes of a thread that are spilled. Classes: floating (with conversions), integer (addresses, comparisons, moves), shared (memory of the
-team), other (memory of the device, constants), stack (spilled registers), branches, barriers.
+a warp in a pass, and the threads of a team. Then come registers of a thread, and bytes of a thread that are spilled. Classes: floating (with
+conversions), integer (addresses, comparisons, moves), shared (memory of the team), other (memory of the device, constants), stack (spilled
+registers), branches, barriers.
 
 How often an instruction is counted:
 - A pass is the smallest loop with a first sweep and the evaluation at points. What is outside of it, once for each tile, is counted with
@@ -205,8 +206,9 @@ def main():
     for reduced in (False, True):
         head = "reduced: warps for an element" if reduced else "a warp in a pass"
         print(f"  {head:38}{'all':>8}" + "".join(f"{c:>10}" for c in CLASSES) + ("    a pass   threads" if reduced else "") + "  registers   spilled")
-        for mangled, kernel in sorted(((m, k) for m, k in kernels.items() if k.reduced == reduced), key=lambda item: item[1]):
-            show_kernel(functions[mangled], kernel, of_thread[mangled], arguments.stages)
+        for mangled, kernel in sorted(kernels.items(), key=lambda item: item[1]):
+            if kernel.reduced == reduced:
+                show_kernel(functions[mangled], kernel, of_thread[mangled], arguments.stages)
     return 0
 
 
