@@ -5,18 +5,23 @@ FOLDER is a CUDA build, by default build/cuda, whose options compile passes.cpp,
 nvdisasm, which NVIDIA gives beside nvcc and as a Python package (nvidia-cuda-nvdisasm); it must be on PATH. cuobjdump prints no lines
 of the source, so it does not do. --stages shows each stage of a pass, --keep writes the machine code to a file.
 
-A row is a kernel: instructions that a warp executes in one pass, as a mean over the warps of a team, by class; registers of a thread, and
-bytes of a thread that are spilled. Classes: floating (with conversions), integer (addresses, comparisons, moves), shared (memory of the
-team), other (memory of the device, constants), stack (spilled registers), branches, barriers.
+A row is a kernel. With full quadrature it has instructions that a warp executes in one pass, as a mean over the warps of a team, by class;
+with reduced quadrature instructions of all warps for one element, with its share of what is done once for a tile, and behind them those of
+a warp in a pass, and the threads of a team. Then come registers of a thread, and bytes of a thread that are spilled. Classes: floating (with
+conversions), integer (addresses, comparisons, moves), shared (memory of the team), other (memory of the device, constants), stack (spilled
+registers), branches, barriers.
 
 How often an instruction is counted:
-- A pass is the smallest loop with a first sweep and the evaluation at points. What is outside of it, once for each tile, is not counted.
+- A pass is the smallest loop with a first sweep and the evaluation at points. What is outside of it, once for each tile, is counted with
+  reduced quadrature alone.
 - The stage of an instruction is the function of a sweep, a fold or the evaluation that it was inlined from, by its line in the source. One
   without such a line belongs to the stage before it.
 - The items of a stage are shared by the threads of the team as `share` and `share_from` do. A warp executes a loop over items in as many
-  rounds as it has items for, and skips a stage where it has none. How many items there are follows from the shape of the tile (Shape).
-- Other loops count once; so do all loops of kernels for reduced quadrature, marked *, whose items are not known here.
-- Calls of rare branches, such as divisions of denormal numbers, do not count.
+  rounds as it has items for, and skips a stage where it has none. How many items there are follows from the shape of the tile (tile_stages.py).
+- With reduced quadrature the stage is the function that run_pass or run of slope_tile.hpp calls.
+- Other loops count once.
+- Calls of rare branches, such as divisions of denormal numbers, do not count; with reduced quadrature neither do the distribution of work
+  of Kokkos, which is not used, and the planes of cut tiles.
 
 The numbers belong to one compiler, and nothing fails because of them. tests/device/loops.py holds bounds."""
 
@@ -29,73 +34,24 @@ import subprocess
 import sys
 
 from loops import HERE, TILE, options
+from tile_stages import ReducedTile, Tile, functions_of_lines, reduced_lines, reduced_stage_at, stage_at
 
-DEVICE = HERE.parents[1] / "src" / "operator" / "device"
 CLASSES = ("floating", "integer", "shared", "other", "stack", "branches", "barriers")
 OPCODES = {
     "floating": "DADD DMUL DFMA DSETP DMNMX FADD FMUL FFMA FSETP FMNMX FSEL FCHK MUFU FSWZADD F2F I2F F2I I2FP F2FP FRND",
     "shared": "LDS STS ATOMS", "other": "LDG LD STG ST LDC ULDC RED ATOM", "stack": "LDL STL",
     "branches": "BRA BSSY BSYNC EXIT CALL RET WARPSYNC NOP BREAK BRX YIELD BMOV JMP", "barriers": "BAR MEMBAR ERRBAR DEPBAR CCTL"}
 CLASS_OF = {opcode: name for name, words in OPCODES.items() for opcode in words.split()}
-STAGES = ("along_x", "along_y", "along_z", "along_y_and_z", "evaluate_at", "fold_fluxes", "fold_z_and_y", "fold_x", "fold_y", "fold_z")
-WARP = 32
+# Text of Kokkos 5.0.2 that distributes work among teams: (file, lines)
+DISTRIBUTION = {"Kokkos_Cuda_Parallel_Team.hpp": {*range(385, 412), 478}, "Kokkos_MinMax.hpp": None, "device_atomic_functions.hpp": None}
 
-Instruction = collections.namedtuple("Instruction", "opcode target stage")
-Kernel = collections.namedtuple("Kernel", "reduced dimension product real moves")
-
-
-class Shape:
-    """The tile of the fluid at degree 2, as ChosenTile of tile_shape.hpp has it, and the items of its stages: (how many, first thread)."""
-
-    def __init__(self, kernel):
-        across, self.size = ((7, 1, 4), 252) if kernel.dimension == 2 else ((3, 2, 1), 192)
-        nx, ny, layers = across
-        self.warps = -(-self.size // WARP)
-        fields = 2 * kernel.dimension + 2 + (kernel.dimension + 2 if kernel.product else 0)
-        channels, qx, cz = kernel.dimension + 2, 3 * nx, layers + 2
-        if kernel.dimension == 2:
-            self.rounds = {"along_x": (cz * qx, 0), "fold_z": (cz * qx, 0), "fold_x": ((nx + 2) * cz * channels, 0)}
-        else:
-            lines = (ny + 2) * cz
-            self.rounds = {"along_x": (lines * qx, 0), "along_y_and_z": (qx * ny * fields, 0),
-                           "fold_z_and_y": self.last(qx * channels), "fold_x": self.last(lines * channels)}
-
-    def last(self, count):
-        """As share_last of tile_sweeps_3d.hpp."""
-        return count, max(0, (self.size - count) // WARP * WARP)
-
-    def of(self, stage):
-        """Rounds of all warps, and how many warps have items, each over the number of warps."""
-        if stage not in self.rounds:
-            return 1, 1
-        count, first = self.rounds[stage]
-        rounds = []
-        for warp in range(self.warps):
-            items = [(thread - first) % self.size for thread in range(WARP * warp, min(WARP * (warp + 1), self.size))]
-            rounds.append(max(0, -(-(count - min(items)) // self.size)))
-        return sum(rounds) / self.warps, sum(map(bool, rounds)) / self.warps
+Instruction = collections.namedtuple("Instruction", "opcode target stage reduced_stage kind unused")
+Kernel = collections.namedtuple("Kernel", "reduced dimension product real moves term team")
 
 
-def functions_of_lines():
-    """{header: [(line, function that begins there)]}"""
-    begins = re.compile(r"\b(?:void|auto|Real|int|S)\s+(\w+)\(")
-    found = {}
-    for header in DEVICE.glob("*.hpp"):
-        lines = header.read_text().splitlines()
-        found[header.name] = [(n, match[1]) for n, text in enumerate(lines, 1) if "KOKKOS_" in text and (match := begins.search(text))]
-    return found
-
-
-def stage_at(chain, functions):
-    """Of the innermost of these (file, line) that is in a stage."""
-    for file, line in chain:
-        path = pathlib.PurePath(file)
-        if path.parent.name != "device" or path.name not in functions:
-            continue
-        before = [name for begin, name in functions[path.name] if begin <= line]
-        if before and before[-1] in STAGES:
-            return before[-1]
-    return None
+def is_distribution(chain):
+    name, line = (pathlib.PurePath(chain[0][0]).name, chain[0][1]) if chain else ("", 0)
+    return name in DISTRIBUTION and (DISTRIBUTION[name] is None or line in DISTRIBUTION[name])
 
 
 def compiled(build, target):
@@ -115,7 +71,7 @@ def compiled(build, target):
 
 def read(text):
     """{mangled function: (instructions, {label: place of the next instruction})}"""
-    functions, found, chain, lines = functions_of_lines(), {}, [], []
+    functions, calls, found, chain, lines = functions_of_lines(), reduced_lines(), {}, [], []
     code = labels = None
     for line in text.splitlines():
         if section := re.match(r"\.text\.(\S+):", line):
@@ -131,7 +87,8 @@ def read(text):
             if lines:
                 chain, lines = lines, []
             target = re.search(r"\.L_x_\d+", word[2])
-            code.append(Instruction(word[1].split(".")[0], target and target[0], stage_at(chain, functions)))
+            code.append(Instruction(word[1].split(".")[0], target and target[0], stage_at(chain, functions),
+                                    *reduced_stage_at(chain, calls), is_distribution(chain)))
     return found
 
 
@@ -158,7 +115,7 @@ def pass_of(code, loops):
     return min(found, key=lambda loop: loop[1] - loop[0], default=None)
 
 
-def counted(code, labels, shape):
+def counted(code, labels, tile):
     """{stage: {class: instructions of a warp in a pass}}; none where there is no pass."""
     loops = loops_of(code, labels)
     whole = pass_of(code, loops)
@@ -170,15 +127,58 @@ def counted(code, labels, shape):
         stage = code[k].stage or stage
         if k in skipped:
             continue
-        rounds, some = shape.of(stage) if shape else (1, 1)
+        rounds, some = tile.of(stage)
         name = CLASS_OF.get(code[k].opcode, "integer")
         often = 1 if name == "barriers" else rounds if any(a <= k <= b for a, b in inner) else some
         found.setdefault(stage, collections.Counter())[name] += often
     return found
 
 
-def show(name, counts, rest=""):
-    print(f"  {name:38}{sum(counts.values()):8.0f}" + "".join(f"{counts[c]:10.0f}" for c in CLASSES) + rest)
+def counted_reduced(code, labels, tile):
+    """The same for an element, and the instructions of a warp in a pass."""
+    loops = loops_of(code, labels)
+    points = [k for k, i in enumerate(code) if i.reduced_stage == "evaluate_all"]
+    wholes = [loop for loop in loops if sum(loop[0] <= k <= loop[1] for k in points) > 0.8 * len(points)]
+    if not points or not wholes:
+        return None, 0
+    whole = min(wholes, key=lambda loop: loop[1] - loop[0])
+    inner = [loop for loop in loops if loop[1] - loop[0] < whole[1] - whole[0]]
+    called = next((k for k, i in enumerate(code) if i.opcode == "RET"), len(code))  # functions stand behind the kernel
+    end = max(k for k, i in enumerate(code[:called]) if i.opcode == "EXIT") if called < len(code) else len(code) - 1
+    skipped, found, stage, in_passes = rare(code, labels), {}, "other", 0
+    for k, instruction in enumerate(code[:end + 1]):
+        in_pass = whole[0] <= k <= whole[1]
+        stage = instruction.reduced_stage or (stage if in_pass else "other")
+        if k in skipped or instruction.unused:
+            continue
+        often = tile.often(stage, in_pass, any(a <= k <= b for a, b in inner), instruction.kind)
+        name = CLASS_OF.get(instruction.opcode, "integer")
+        found.setdefault(stage, collections.Counter())[name] += often / tile.elements
+        in_passes += often * in_pass
+    return found, in_passes / tile.warps / tile.passes
+
+
+def show(name, counts, digits, rest=""):
+    print(f"  {name:38}{sum(counts.values()):8.{digits}f}" + "".join(f"{counts[c]:10.{digits}f}" for c in CLASSES) + rest)
+
+
+def show_kernel(function, kernel, of_thread, stages):
+    how = f"{kernel.dimension}D {'product' if kernel.product else 'residual'}, {kernel.real}"
+    row = f"{kernel.dimension}D {kernel.term}" if kernel.reduced else how
+    row += ", moving" if kernel.moves else ", rigid"
+    registers, spilled = of_thread
+    if kernel.reduced:
+        counts, of_pass = counted_reduced(*function, ReducedTile(kernel))
+        rest = f"{of_pass:10.0f}{kernel.team:10}"
+    else:
+        counts, rest = counted(*function, Tile(kernel)), ""
+    if counts is None:
+        print(f"  {row}: no loop of passes found")
+        return
+    show(row, sum(counts.values(), collections.Counter()), int(kernel.reduced), f"{rest}{registers:11}{spilled:10}")
+    if stages:
+        for stage, numbers in counts.items():
+            show("  " + stage, numbers, int(kernel.reduced))
 
 
 def main():
@@ -197,23 +197,18 @@ def main():
         arguments.keep.write_text(text)
     functions = read(text)
     names = subprocess.run(["c++filt"], input="\n".join(functions), text=True, capture_output=True, check=True).stdout.splitlines()
-    print(f"  {'a warp in a pass':38}{'all':>8}" + "".join(f"{c:>10}" for c in CLASSES) + "  registers   spilled")
+    kernels = {}
     for mangled, name in zip(functions, names):
         match = TILE.search(name.replace("softwet::", ""))
-        if not match or mangled not in of_thread:
-            continue
-        kernel = Kernel(bool(match[1]), int(match[2]), match[3] == "true", match[4], "WallMotion" in name)
-        row = f"{kernel.dimension}D {'product' if kernel.product else 'residual'}, {kernel.real}, {'moving' if kernel.moves else 'rigid'}"
-        row += ", reduced*" if kernel.reduced else ""
-        counts = counted(*functions[mangled], None if kernel.reduced else Shape(kernel))
-        if counts is None:
-            print(f"  {row}: no loop of passes found")
-            continue
-        registers, spilled = of_thread[mangled]
-        show(row, sum(counts.values(), collections.Counter()), f"{registers:11}{spilled:10}")
-        if arguments.stages:
-            for stage, numbers in counts.items():
-                show("  " + stage, numbers)
+        if match and mangled in of_thread:
+            term, team = re.search(r"TermOnMesh<softwet::(\w+)", name)[1], int(re.search(r"LaunchBounds<(\d+)", name)[1])
+            kernels[mangled] = Kernel(bool(match[1]), int(match[2]), match[3] == "true", match[4], "WallMotion" in name, term, team)
+    for reduced in (False, True):
+        head = "reduced: warps for an element" if reduced else "a warp in a pass"
+        print(f"  {head:38}{'all':>8}" + "".join(f"{c:>10}" for c in CLASSES) + ("    a pass   threads" if reduced else "") + "  registers   spilled")
+        for mangled, kernel in sorted(kernels.items(), key=lambda item: item[1]):
+            if kernel.reduced == reduced:
+                show_kernel(functions[mangled], kernel, of_thread[mangled], arguments.stages)
     return 0
 
 
