@@ -52,9 +52,9 @@ struct TeamJacobian {
     static constexpr int size =
         Folds::products + Tables::size + Fields::size + Wall::size + tangents + flags + Folds::size;
   };
-  static constexpr int most_threads = 128, threads = team_size(most_threads);
+  static constexpr int most_threads = 128, threads = team_size(most_threads), alignment = 16;
   template <int E>
-  static constexpr bool fits = teams_that_fit(most_threads, Room<E>::size * sizeof(float) + 16) >= 2;
+  static constexpr bool fits = teams_that_fit(most_threads, Room<E>::size * sizeof(float) + alignment) >= 2;
   static constexpr int E = fits<8> ? 8 : fits<4> ? 4 : fits<2> ? 2 : 1;
 
   using Shape = typename Room<E>::Shape;
@@ -65,7 +65,7 @@ struct TeamJacobian {
   using Rows = RowsApart<E, P>;
   static constexpr int offsets_before_last = power(Folds::distances, D - 1);
   static constexpr int points = Shape::all_points, tangents = Room<E>::tangents, size = Room<E>::size;
-  static constexpr int bytes = size * sizeof(float), alignment = 16;
+  static constexpr int bytes = size * sizeof(float);
 
   Task<D, Term, Motion, float> task;
   Stencil<D> stencil;

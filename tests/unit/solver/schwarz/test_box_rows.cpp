@@ -82,7 +82,7 @@ struct BoxCase {
   }
 };
 
-TEST(BoxRows, AreThoseOfTheStencilInThePlane) {
+TEST(BoxRows, AreThoseOfTheStencilIn2D) {
   for (const Case& c : {small_case(SceneKind::coupled), small_case(SceneKind::rigid, WallLaw::energy, true),
                         small_case(SceneKind::solid)})
     for (const auto& [width, stride] : {std::pair{3, 2}, {5, 3}, {8, 6}, {12, 12}}) {
@@ -92,7 +92,7 @@ TEST(BoxRows, AreThoseOfTheStencilInThePlane) {
     }
 }
 
-TEST(BoxRows, AreThoseOfTheStencilInSpace) {
+TEST(BoxRows, AreThoseOfTheStencilIn3D) {
   for (const Shape& shape : shapes_3d())
     for (const auto& [width, stride] : {std::pair{3, 2}, {4, 3}, {6, 6}}) {
       SCOPED_TRACE(testing::Message() << "width " << width);
