@@ -119,6 +119,8 @@ check("equal ratios", abs(float(rows[1]["substrate.young"]) ** 2 - 0.5), 1e-12)
 said = steady("static_droplet_soft_2d", "end", [*SMALL], [*ONE, "--along", "substrate.young=1,0.02"], code=2)
 check_true("the end of a branch is reported", "the branch ends: at substrate.young = " in said, said)
 check_true("and is in the table", {row["state"] for row in states("end")} == {"at rest", "not at rest"})
+check_true("with values of states of rest alone", all((row["energy_total"] != "") == (row["state"] == "at rest") and row["steps"]
+                                                      for row in states("end")), str(states("end")))
 
 # --- what is refused
 for setting, word in (("load[0].factor=\"1+0.1*sin(t)\"", "factor"), ("time.scheme=\"kick_drift\"", "time.scheme")):

@@ -27,12 +27,16 @@ def stability_of(rest):
 
 
 def row_of(folder, value, state):
-    """One row: what was asked for, whether it was found, and its numbers."""
+    """One row: what was asked for, whether it was found, and its numbers. Where it was not found, only how the search went:
+    the fields that it left are no state of rest."""
     run = softwet.open(folder)
-    rest, last = run.record["rest"], {name: column[-1] for name, column in run.history.items()}
+    rest = run.record["rest"]
+    search = {"value": value, "state": state, "folder": folder.name, **{name: rest[name] for name in SHOWN}}
+    if state != FOUND:
+        return search
+    last = {name: column[-1] for name, column in run.history.items()}
     moved = rest.get("moved") or []
-    return {"value": value, "state": state, "folder": folder.name, **{name: rest[name] for name in SHOWN},
-            **stability_of(rest), **wall_of(run), **{name: last[name] for name in HISTORY if name in last},
+    return {**search, **stability_of(rest), **wall_of(run), **{name: last[name] for name in HISTORY if name in last},
             **{f"moved_{k}": way for k, way in enumerate(moved, 1)}}
 
 

@@ -31,13 +31,14 @@ class Table:
         end = ["", ""] if state == "running" else [note.get("exit"), note.get("reason")]
         row = [member.name, *member.values, state, *end,
                f"{note['seconds']:.2f}" if note else "", record.get("counts", {}).get("steps"),
-               record.get("stop", {}).get("t"), *self.from_history(member, bool(record))]
+               record.get("stop", {}).get("t"), *self.from_history(member, bool(record), state == "done")]
         if ended:
             self.kept[member.name] = (note, row)
         return row
 
-    def from_history(self, member, begun):
-        """Last values of the columns, and the largest |velocity| at t >= 0, the start of the load."""
+    def from_history(self, member, begun, complete):
+        """Last values of the columns, and the largest |velocity| at t >= 0, the start of the load. Empty for a member that is
+        not done: what it had come to is no result beside those of the others."""
         rows = []
         if begun:
             try:
@@ -45,9 +46,10 @@ class Table:
                     rows = [row for row in csv.DictReader(file) if None not in row.values()]  # whole rows
             except FileNotFoundError:  # a run that starts anew has just removed it
                 pass
-        if not rows:
+        if rows:
+            self.warn(member, list(rows[0]))
+        if not rows or not complete:
             return [""] * (len(self.columns) + 1)
-        self.warn(member, list(rows[0]))
         speeds = [abs(float(row["velocity"])) for row in rows if row.get("velocity") and float(row["t"]) >= 0]
         return [*(rows[-1].get(name, "") for name in self.columns), max(speeds, default="")]
 
