@@ -10,6 +10,7 @@
 #include "field/together.hpp"
 #include "io/checkpoint_file.hpp"
 #include "io/field_file.hpp"
+#include "run/host/earlier_losses.hpp"
 #include "scene/earlier_state.hpp"
 #include "scene/patch_axes.hpp"
 
@@ -133,7 +134,7 @@ EarlierState read_fields(const std::string& folder, const Case& c, double time) 
 
 }  // namespace
 
-Case with_earlier_run(const Case& given) {
+Case with_earlier_run(const Case& given, const std::function<void(const std::string&)>& warn) {
   Case c = given;
   if (!c.initial || c.initial->from.empty()) return c;
   const std::string& folder = c.initial->from;
@@ -144,6 +145,8 @@ Case with_earlier_run(const Case& given) {
       const std::vector<double>& time = c.initial->time;
       c.initial->earlier =
           std::make_shared<EarlierState>(time.empty() ? read_state(folder, then) : read_fields(folder, then, time[0]));
+      if (!warn) return;
+      for (const std::string& sentence : losses_of_earlier(c, then, folder)) warn(sentence);
     } catch (const Error& error) {
       const std::string message = error.what();
       if (message.rfind("initial.", 0) == 0) throw;

@@ -51,11 +51,25 @@ void warn_of_threads() {
             << granted << "\n";
 }
 
+void warn_of_loss(const std::string& sentence) {
+  if (ranks::root()) std::cerr << "softwet: warning: " << sentence << std::endl;
+}
+
+/// The case with the result that it starts from. In a state of rest branches carry nothing, whatever they carried before.
+Case with_start(const Case& given, const RunOptions& options) {
+  if (options.resume) return given;
+  Case c = given;
+  if (options.steady) c.time.start = StartState::equilibrium;
+  c = with_earlier_run(c, warn_of_loss);
+  c.time.start = given.time.start;
+  return c;
+}
+
 }  // namespace
 
 void run_case(const Case& given, const RunOptions& options) {
   on_machine(options.threads, [&] {
-    const Case c = options.resume ? given : with_earlier_run(given);
+    const Case c = with_start(given, options);
     warn_of_threads();
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
@@ -68,7 +82,7 @@ void run_case(const Case& given, const RunOptions& options) {
 void describe_case(const Case& given, std::ostream& out) {
   describe_scene(given, out);
   on_machine(0, [&] {  // what a preconditioner holds depends on the number of threads
-    const Case c = with_earlier_run(given);
+    const Case c = with_earlier_run(given, warn_of_loss);
     with_configuration(c, [&](auto configuration) {
       using Chosen = decltype(configuration);
       describe_discretisation<Chosen::dimension, Chosen::degree>(c, out);
