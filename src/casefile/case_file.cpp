@@ -142,6 +142,33 @@ void warn_of_long_tables(const Case& c, std::vector<std::string>& found) {
     for (const Profile& shift : c.needles[k].path) look(fmt::format("needle[{}].path", k), shift, 0);
 }
 
+/// Numbers that are not those without them and change nothing, because what they belong to is not there.
+void warn_of_idle_keys(const Case& c, std::vector<std::string>& found) {
+  const auto tell = [&](bool idle, const std::string& key, const auto& value, const auto& usual,
+                        const std::string& remedy) {
+    if (idle && value != usual) found.push_back(fmt::format("{} = {} has no effect: {}", key, value, remedy));
+  };
+  if (c.fluid)
+    tell(
+        c.fluid->contact_angle_range.empty(), "fluid.creep_speed", c.fluid->creep_speed, Fluid{}.creep_speed,
+        "without a fluid.contact_angle_range no contact line sticks; write for example contact_angle_range = [65, 85], "
+        "two angles in [0, 180], or remove creep_speed");
+  if (!c.substrate) return;
+  const Substrate& s = *c.substrate;
+  const std::string fibre =
+      "without substrate.fibre.stiffness there are no fibres; write a stiffness above 0, or "
+      "remove it";
+  const std::string gel =
+      "without substrate.gel.exponent the solid has no power law; write an exponent in (0, 1), or "
+      "remove it";
+  tell(s.fibre.stiffness == 0, "substrate.fibre.angle", s.fibre.angle, Fibre{}.angle, fibre);
+  tell(s.fibre.stiffness == 0, "substrate.fibre.azimuth", s.fibre.azimuth, Fibre{}.azimuth, fibre);
+  tell(!s.gel.acts(), "substrate.gel.time", s.gel.time, PowerLaw{}.time, gel);
+  if (s.gel.decades != PowerLaw{}.decades && s.gel.decades.size() == 2)
+    tell(!s.gel.acts(), "substrate.gel.decades", fmt::format("[{}, {}]", s.gel.decades[0], s.gel.decades[1]),
+         std::string(), gel);
+}
+
 constexpr std::size_t largest_file = 16 << 20;  ///< bytes; of a case with a hundred thousand droplets
 
 [[noreturn]] void reject_path(const std::string& path, const std::string& reason) {
@@ -199,6 +226,7 @@ std::vector<std::string> warnings(const Case& c) {
                       std::abs(jump->height), jump->place[0],
                       c.dimension() == 3 ? fmt::format(", y = {:.4g}", jump->place[1]) : ""));
   warn_of_long_tables(c, found);
+  warn_of_idle_keys(c, found);
   const double largest = c.spacing();
   if (c.fluid && c.fluid->capillarity < largest) {
     found.push_back(

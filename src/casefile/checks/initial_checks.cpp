@@ -76,8 +76,14 @@ void check_film(const Checker& check, std::size_t index) {
   for (const Numbers& corner : {film.lower, film.upper})
     check.require_axes(box, corner.size(), "write box = [[lower corner], [upper corner]]");
   for (std::size_t axis = 0; axis < film.lower.size(); ++axis) {
-    if (film.lower[axis] < film.upper[axis]) continue;
-    check.refuse(box, fmt::format("is empty along axis {}", axis), "the first corner must lie below the second");
+    if (film.lower[axis] >= film.upper[axis])
+      check.refuse(box, fmt::format("is empty along axis {}", axis), "the first corner must lie below the second");
+    const double bottom = axis == check.vertical() ? check.interface() : 0.0, top = check.c.domain.size[axis];
+    if (film.upper[axis] > bottom + slack * top && film.lower[axis] < top * (1 - slack)) continue;
+    check.refuse(box,
+                 fmt::format("is [{:.6g}, {:.6g}] along axis {}, outside of the fluid, which is [{:.6g}, {:.6g}]",
+                             film.lower[axis], film.upper[axis], axis, bottom, top),
+                 "move the box so that a part of it lies in the fluid, or remove the [[film]]");
   }
 }
 
@@ -140,7 +146,7 @@ void check_initial(const Checker& check) {
   check_given_fields(check);
   for (std::size_t i = 0; i < check.c.droplets.size(); ++i) check_droplet(check, i);
   for (std::size_t i = 0; i < check.c.films.size(); ++i)
-    check.with({fmt::format("film[{}].box", i), "fluid"}, [&] { check_film(check, i); });
+    check.with({fmt::format("film[{}].box", i), "fluid", "substrate.thickness"}, [&] { check_film(check, i); });
   for (std::size_t i = 0; i < check.c.waves.size(); ++i) {
     check.with({fmt::format("wave[{}].field", i), "fluid", "substrate"}, [&] { check_field_of_wave(check, i); });
     check.with({fmt::format("wave[{}].mode", i), "boundary"}, [&] { check_mode_of_wave(check, i); });
