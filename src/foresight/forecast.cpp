@@ -102,6 +102,24 @@ std::string material_that_bears(const Case& c) {
   return "write substrate.material = \"neo_hookean\"; or ";
 }
 
+/// A tenth of the Young modulus is what scenes were sampled with (docs/limits.md); a solid that has as much already needs more.
+std::string slowing_viscosity(const Case& c) {
+  const double has = c.substrate->viscosity, sampled = 0.1 * c.substrate->young_modulus(), near = 0.99 * sampled;
+  return "substrate.viscosity = " + short_text(has < near ? sampled : 3 * has) +
+         (has > 0 ? " in place of " + short_text(has) : "") + ", which slows the first motion down";
+}
+
+/// Empty where the tension of the wall acts already, and where the case splits it by hand.
+std::string tension_that_holds(const Case& c) {
+  if (c.fluid->wall_tension == WallTensionModel::acts || c.has_wet_tension_by_hand()) return "";
+  const std::string law = c.fluid->wall_law == WallLaw::energy ? "" : " and fluid.wall_law = \"energy\"";
+  const std::string acts = "fluid.wall_tension = \"acts\"" + law;
+  if (c.substrate->surface_tension > 0)
+    return "write " + acts + ", with which the tension of the solid holds the ridge";
+  return "give the solid the surface tension that it has (gels have one), for example substrate.surface_tension = " +
+         short_text(surface_tension(*c.fluid)) + " as the liquid, with " + acts;
+}
+
 void add_softness(const Case& c, std::vector<std::string>& found) {
   const double length = elastocapillary_length(c), bound = longest_elastocapillary_length(c);
   if (length > measured::surely_held * bound && length <= bound)
@@ -110,17 +128,15 @@ void add_softness(const Case& c, std::vector<std::string>& found) {
         short_text(length) + ", between " + short_text(measured::surely_held * bound) + " and " + short_text(bound) +
         ", where it depends on the scene whether the solid bears the droplet: some of those sampled at random "
         "folded at the contact line; if this one stops, " +
-        material_that_bears(c) + gentle_start(c) + ", or write young = " +
-        short_text(1.05 * c.substrate->young.least() * length / (measured::surely_held * bound)) +
-        " or more, or the surface_tension that the solid has");
+        gentle_start(c) + "; or write young = " +
+        short_text(1.05 * c.substrate->young.least() * length / (measured::surely_held * bound)) + " or more");
   if (length <= bound) return;
-  found.push_back(
-      "substrate.young = " + short_text(c.substrate->young.least()) + ": the elastocapillary length sigma/E is " +
-      short_text(length) + " (thickness: " + short_text(c.substrate->thickness) +
-      ", fluid.capillarity: " + short_text(c.fluid->capillarity) + "); above " + short_text(bound) +
-      " the droplet was measured to turn the solid inside out soon after the start: " + material_that_bears(c) +
-      gentle_start(c) + ", or write young = " + short_text(1.05 * c.substrate->young.least() * length / bound) +
-      " or more, or the surface_tension that the solid has: gels have one");
+  found.push_back("substrate.young = " + short_text(c.substrate->young.least()) +
+                  ": the elastocapillary length sigma/E is " + short_text(length) +
+                  " (thickness: " + short_text(c.substrate->thickness) +
+                  ", fluid.capillarity: " + short_text(c.fluid->capillarity) + "); above " + short_text(bound) +
+                  " the droplet was measured to turn the solid inside out soon after the start: " + gentle_start(c) +
+                  "; or write young = " + short_text(1.05 * c.substrate->young.least() * length / bound) + " or more");
 }
 
 /// Below liquid: by hand, or as Young's law gives it.
@@ -147,6 +163,7 @@ double locking_poisson(const Substrate& s) {
 }
 
 void add_locking(const Case& c, std::vector<std::string>& found) {
+  constexpr double usual = 0.49;  // of a gel that counts as incompressible
   const double error = locking_error(c), of_ridge = ridge_error(c);
   const bool selective = c.substrate->volume_quadrature == VolumeQuadrature::selective;
   const std::string remedy = selective ? "" : "substrate.volume_quadrature = \"selective\", ";
@@ -161,7 +178,10 @@ void add_locking(const Case& c, std::vector<std::string>& found) {
                     " elements to fluid.capillarity: nearly incompressible, the solid locks at the contact line, where "
                     "its ridge is about " +
                     short_text(100 * of_ridge) + " % too low; write " + remedy + at_degree_3 +
-                    "more elements, or poisson = 0.49, whose ridge is within 1.3 % of the one at 0.4999");
+                    (c.substrate->poisson > usual
+                         ? "more elements, or poisson = 0.49, whose ridge is within 1.3 % of the one "
+                           "at 0.4999"
+                         : "more elements"));
     return;
   }
   if (error < measured::error_to_tell) return;
@@ -173,7 +193,8 @@ void add_locking(const Case& c, std::vector<std::string>& found) {
 
 void add_density(const Case& c, std::vector<std::string>& found) {
   const Substrate& s = *c.substrate;
-  if (s.density == 1) return;
+  // A layer is about as dense as its liquid, whose density is near 1; softwet units writes such densities.
+  if (s.density > 1 / measured::unusual_density && s.density < measured::unusual_density) return;
   found.push_back("substrate.density = " + short_text(s.density) + " multiplies substrate.young = " +
                   short_text(s.young.least()) + ": the Young modulus is " + short_text(s.young_modulus()) +
                   " a b^2; at a fixed young, another density is another stiffness (softwet explain substrate.young)");
@@ -206,11 +227,14 @@ bool too_soft(const Case& c) {
 }
 
 std::string gentle_start(const Case& c) {
-  const std::string viscous = "a little substrate.viscosity, which slows the first motion down";
-  if (c.time.start == StartState::equilibrium) return "write " + viscous;
-  return "begin at rest with time.start = \"equilibrium\", look for the state of rest alone with softwet steady, or "
-         "write " +
-         viscous;
+  const std::string viscous = slowing_viscosity(c), tension = tension_that_holds(c);
+  if (c.time.start == StartState::equilibrium)
+    return material_that_bears(c) + tension + (tension.empty() ? "" : "; or ") +
+           "compute the motion in place of the state of rest, with " + viscous;
+  return material_that_bears(c) + "write " + viscous + (tension.empty() ? "" : "; or ") + tension +
+         "; or, which helps in few scenes, begin at rest with time.start = \"equilibrium\" or look for the state of "
+         "rest "
+         "alone with softwet steady";
 }
 
 double locking_error(const Case& c) {

@@ -26,8 +26,8 @@ double longest_elastocapillary_length(const Case&);
 /// True where sigma / E is longer.
 bool too_soft(const Case&);
 
-/// What to write so that a soft solid bears its droplet from the start on; it begins with "begin at rest". Where the scene begins so
-/// already, another remedy. Measured: docs/limits.md.
+/// What to write so that a soft solid bears its droplet from the start on, what helped most sampled scenes first: the material where the
+/// solid has a tension, viscosity, the tension of the solid, a start at rest. A state of rest knows no viscosity. Measured: docs/limits.md.
 std::string gentle_start(const Case&);
 
 /// Largest error of the displacement of a layer of degree 2, relative, under a smooth load within it:

@@ -27,6 +27,9 @@ inline constexpr double ridge_degree_3 = 0.52, ridge_degree_3_rate = 5, ridge_de
 // Tolerances that cost steps: solver.newton.atol of cases/tensotaxis_pull_2d.toml, docs/solver_choices.md.
 inline constexpr double loose_tolerance = 1e-5;
 
+// Density of a solid, over that of its liquid or below it, which no gel and no metal has: a warning says that it changes the stiffness.
+inline constexpr double unusual_density = 25;
+
 // Explicit steps that cost less than the implicit ones of the same scene: docs/fast_scenes.md.
 inline constexpr double most_explicit_steps_2d = 1300, most_explicit_steps_3d = 2000;
 

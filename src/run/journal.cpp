@@ -151,11 +151,24 @@ void Journal<D, P>::keep_state_of(const Case& asked, const std::function<void()>
       require_folder();  // somebody may have moved it while a file was being written
     if (error.code() != Exit::computation_failed) throw;
     const std::string advice = remedy(asked, stepper_.counts().last_rejection, output_time()), failure = error.what();
+    const std::string fields = show_last_state();
     throw Error(error.code(), failure + "; " + advice + "; the last good state, that of t = " +
-                                  short_text(output_time(), 6) + ", " + keep_after(failure));
+                                  short_text(output_time(), 6) + ", " + keep_after(failure) + fields);
   } catch (const std::exception& error) {               // memory or the device: the state is still the last good one
     if (ranks::count() == 1) keep_after(error.what());  // of several processes, this one alone has failed
     throw;
+  }
+}
+
+template <int D, int P>
+std::string Journal<D, P>::show_last_state() {
+  try {
+    finish_files();
+    write_fields(output_time());
+    finish_files();
+    return ", its fields in " + path("fields");
+  } catch (const std::exception& error) {
+    return std::string("; its fields could not be written: ") + error.what();
   }
 }
 

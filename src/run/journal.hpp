@@ -84,6 +84,8 @@ class Journal {
  private:
   void open_tables();
   void write_fields_due();
+  /// Field files and rows of interface.csv of the state, which has this time, unless they are the last that there are.
+  void write_fields(double time);
   /// Waits until the row that was begun is written, and takes note of it. Throws what has kept it from being written.
   void finish_row();
   /// Takes over the row that is written, and prints its events.
@@ -95,6 +97,9 @@ class Journal {
   void require_tables();
   /// Tries to save after a failure. @return what became of the last good state: "is in out/checkpoint.h5"
   std::string keep_after(const std::string& failure);
+  /// Tries to write the fields of the state at which a computation has stopped, for those who look for the place. @return
+  /// what the user reads of it
+  std::string show_last_state();
   /// @param memory  peak of each process, MiB
   void write_record(const std::string& reason, const std::vector<double>& memory);
   std::string path(const std::string& name) const { return options_.out + "/" + name; }

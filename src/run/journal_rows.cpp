@@ -46,24 +46,27 @@ void Journal<D, P>::tell_events() {
 
 template <int D, int P>
 void Journal<D, P>::write_fields_due() {
-  for (double time : field_times_) {
-    if (!same_time(output_time(), time) || (!written_.empty() && same_time(written_.back(), time))) continue;
-    require_folder();
-    Stopwatch watch(seconds_.output);
-    std::vector<double> all = written_;
-    all.push_back(time);
-    const auto snapshot = std::make_shared<const Snapshot<D>>(scene_.layout(), stepper_.state());
-    const auto traction =
-        wall_traction(scene_.regions(), scene_.equations(), stage_at(scene_.layout(), stepper_.state()));
-    const auto write = [this, snapshot, traction, all] {  // whoever changes one of these waits before (finish_files)
-      write_field_files(options_.out, origin_of(case_), case_.output.field_select, scene_.coefficients(), *snapshot,
-                        all);
-      add_interface_rows<D>(*interface_, *snapshot, traction, all.back());
-      interface_->keep();
-    };
-    on_root([&] { writer_.start(write); });
-    written_ = all;  // with all that belongs to it: a run that is resumed does not write it again
-  }
+  for (double time : field_times_)
+    if (same_time(output_time(), time)) write_fields(time);
+}
+
+template <int D, int P>
+void Journal<D, P>::write_fields(double time) {
+  if (!written_.empty() && same_time(written_.back(), time)) return;
+  require_folder();
+  Stopwatch watch(seconds_.output);
+  std::vector<double> all = written_;
+  all.push_back(time);
+  const auto snapshot = std::make_shared<const Snapshot<D>>(scene_.layout(), stepper_.state());
+  const auto traction =
+      wall_traction(scene_.regions(), scene_.equations(), stage_at(scene_.layout(), stepper_.state()));
+  const auto write = [this, snapshot, traction, all] {  // whoever changes one of these waits before (finish_files)
+    write_field_files(options_.out, origin_of(case_), case_.output.field_select, scene_.coefficients(), *snapshot, all);
+    add_interface_rows<D>(*interface_, *snapshot, traction, all.back());
+    interface_->keep();
+  };
+  on_root([&] { writer_.start(write); });
+  written_ = all;  // with all that belongs to it: a run that is resumed does not write it again
 }
 
 template <int D, int P>
@@ -80,6 +83,7 @@ void Journal<D, P>::finish_files() {
 
 template void Journal<SOFTWET_DIMENSION, SOFTWET_DEGREE>::write_row(const StepReport&, RowIs);
 template void Journal<SOFTWET_DIMENSION, SOFTWET_DEGREE>::write_fields_due();
+template void Journal<SOFTWET_DIMENSION, SOFTWET_DEGREE>::write_fields(double);
 template void Journal<SOFTWET_DIMENSION, SOFTWET_DEGREE>::finish_files();
 
 }  // namespace softwet

@@ -4,6 +4,7 @@
 #include "case/text.hpp"
 #include "casefile/checks/field_times.hpp"
 #include "casefile/checks/grading_advice.hpp"
+#include "run/remedy.hpp"
 #include "scene/initial.hpp"
 
 namespace softwet {
@@ -17,10 +18,10 @@ std::vector<double> events(const Case& c) {
   return times;
 }
 
-[[noreturn]] void give_up_start(const std::string& why) {
+[[noreturn]] void give_up_start(const std::string& why, const std::string& advice) {
   throw Error(Exit::computation_failed,
-              "the scene does not come to rest (time.start = \"equilibrium\"): " + why +
-                  "; write time.start = \"initial\" to compute its motion from the state of the case file");
+              "the scene does not come to rest (time.start = \"equilibrium\"): " + why + "; " + advice +
+                  "; time.start = \"initial\" computes its motion from the state of the case file");
 }
 
 }  // namespace
@@ -57,7 +58,8 @@ bool Motion<D, P>::begin() {
   if (case_.time.start == StartState::equilibrium) {
     journal_.more_to_record = [this](RunRecord& run) { way_to_rest_.describe(run["start"]); };
     if (!way_to_rest_.go(state, state.time, " (time.start)")) return false;
-    if (!way_to_rest_.why_not().empty()) give_up_start(way_to_rest_.why_not());
+    if (!way_to_rest_.why_not().empty())
+      give_up_start(way_to_rest_.why_not(), remedy(case_, way_to_rest_.relaxation().refusal, case_.run_start()));
   }
   stepper_.scheme().initialise(state);
   stepper_.start(state);

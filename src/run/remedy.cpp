@@ -5,6 +5,7 @@
 
 #include "case/text.hpp"
 #include "foresight/forecast.hpp"
+#include "foresight/measured.hpp"
 #include "scene/groups.hpp"
 
 namespace softwet {
@@ -40,7 +41,7 @@ std::string softer_than_its_loads(const Case& c) {
   std::string soft = length > 0 ? "the elastocapillary length sigma/E is " + short_text(length) + ", the layer is " +
                                       short_text(c.substrate->thickness) + " thick; "
                                 : "";
-  if (too_soft(c)) soft += gentle_start(c) + "; or ";
+  if (c.fluid && length > measured::surely_held * longest_elastocapillary_length(c)) soft += gentle_start(c) + "; or ";
   if (c.loads.empty() && !c.needles.empty())
     return soft + "raise substrate.young, or move the needle more slowly and less far (needle[].path)";
   if (c.loads.empty()) return soft + "raise substrate.young";
@@ -50,6 +51,12 @@ std::string softer_than_its_loads(const Case& c) {
          "a Saint Venant-Kirchhoff solid loses its stiffness under strong compression, \"neo_hookean\" "
          "(substrate.material) does not: " +
          gentler;
+}
+
+/// The beginning of a list of what may help; empty where nothing begins to act.
+std::string ramp_of_loads(const Case& c) {
+  if (!c.loads.empty()) return "a longer load[].ramp, ";
+  return c.needles.empty() ? "" : "a slower needle[].path, ";
 }
 
 std::string for_the_density(const Case& c) {
@@ -62,7 +69,16 @@ std::string for_the_density(const Case& c) {
   if (c.fluid->capillarity < 2 * h)
     return "the liquid-vapour interface is " + short_text(c.fluid->capillarity / h) +
            " elements wide: two resolve it, with more domain.elements or a larger fluid.capillarity";
-  return "a softer load ramp, a larger fluid.viscosity or a tighter time.tolerance may help";
+  return ramp_of_loads(c) + "a larger fluid.viscosity or a tighter time.tolerance may help";
+}
+
+/// Between the angles of a range the force on a line changes within the speed of its creep, the faster the harder for Newton's method.
+std::string of_lines_that_stick(const Case& c) {
+  const Fluid& fluid = *c.fluid;
+  return "contact lines stick (fluid.contact_angle_range), and Newton's method may not find where: write a larger "
+         "fluid.creep_speed than " +
+         short_text(fluid.creep_speed) + ", for example " + short_text(std::min(1.0, 10 * fluid.creep_speed)) +
+         " (up to 1), " + ramp_of_loads(c) + "more elements or a tighter time.tolerance";
 }
 
 /// The key of a load or needle that is not a number within the smallest steps after a time; empty where all are.
@@ -98,6 +114,8 @@ std::string remedy(const Case& c, const Refusal& refusal, double time) {
   if (cause == Refusal::solid_inverted || cause == Refusal::mesh_folded) return softer_than_its_loads(c);
   if (cause == Refusal::close_packed || cause == Refusal::negative_density || cause == Refusal::density_of_moments)
     return for_the_density(c);
+  const bool sticks = c.fluid && !c.fluid->contact_angle_range.empty();
+  if (sticks && (cause == Refusal::newton || cause == Refusal::linear_solver)) return of_lines_that_stick(c);
   if (too_soft(c)) return softer_than_its_loads(c);
   if (cause == Refusal::beyond_bound)
     return "where the limit of explicit steps falls without end, the density, the mesh or the solid leaves its range: "
@@ -105,7 +123,8 @@ std::string remedy(const Case& c, const Refusal& refusal, double time) {
            "time.scheme = \"generalized_alpha\", or a finer mesh; where it is only short, write a smaller time.dt_min";
   if (cause == Refusal::linear_solver)
     return "solver.krylov.preconditioner = \"automatic\", or more iterations with solver.krylov.max";
-  return "a finer mesh, a larger fluid.capillarity, a softer load ramp or a tighter time.tolerance may help";
+  return "a finer mesh, " + std::string(c.fluid ? "a larger fluid.capillarity, " : "") + ramp_of_loads(c) +
+         "or a tighter time.tolerance may help";
 }
 
 }  // namespace softwet

@@ -57,6 +57,28 @@ TEST(Remedy, ASoftSolidIsBroughtToRestBeforeItIsMadeStiffer) {
   EXPECT_FALSE(blames(remedy(c, {Refusal::solid_inverted}, 0), "substrate.viscosity")) << "it is not soft";
 }
 
+TEST(Remedy, ASceneWithoutLoadsIsNotToldOfTheirRamp) {
+  for (auto cause : {Refusal::newton, Refusal::negative_density, Refusal::solid_inverted}) {
+    Case c = small_case(SceneKind::coupled);
+    c.loads.clear();
+    c.needles.clear();
+    c.fluid->capillarity = 2 * c.spacing();  // enough, so that it is not blamed
+    EXPECT_FALSE(blames(remedy(c, {cause}, 0), "load")) << remedy(c, {cause}, 0);
+    c.loads.resize(1);
+    c.loads[0].factor = 1;
+    EXPECT_TRUE(blames(remedy(c, {cause}, 0), "load[].ramp")) << remedy(c, {cause}, 0);
+  }
+}
+
+TEST(Remedy, LinesThatStickAreToldTheSpeedOfTheirCreep) {
+  Case c = small_case(SceneKind::coupled);
+  c.fluid->contact_angle_range = {65, 85};
+  c.fluid->creep_speed = 2e-5;
+  EXPECT_TRUE(blames(remedy(c, {Refusal::newton}, 0), "a larger fluid.creep_speed than 2e-05, for example 0.0002"));
+  c.fluid->contact_angle_range = {};
+  EXPECT_FALSE(blames(remedy(c, {Refusal::newton}, 0), "creep_speed"));
+}
+
 TEST(Remedy, UnusualSettingsComeFirst) {
   for (auto cause : {Refusal::newton, Refusal::solid_inverted, Refusal::negative_density, Refusal::linear_solver}) {
     Case loose = soft(), few = soft(), long_steps = soft(), linear = soft();
