@@ -1,4 +1,5 @@
 // What a run writes from step to step, beside the next steps where it may: rows and field files.
+#include <algorithm>
 #include <memory>
 
 #include "casefile/checks/field_times.hpp"
@@ -47,12 +48,12 @@ void Journal<D, P>::tell_events() {
 template <int D, int P>
 void Journal<D, P>::write_fields_due() {
   for (double time : field_times_)
-    if (same_time(output_time(), time)) write_fields(time);
+    if (same_time(output_time(), time) || stepper_.passes(case_.clock_zero() + time)) write_fields(time);
 }
 
 template <int D, int P>
 void Journal<D, P>::write_fields(double time) {
-  if (!written_.empty() && same_time(written_.back(), time)) return;
+  if (std::any_of(written_.begin(), written_.end(), [time](double t) { return same_time(t, time); })) return;
   require_folder();
   Stopwatch watch(seconds_.output);
   std::vector<double> all = written_;

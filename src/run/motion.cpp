@@ -112,7 +112,7 @@ void Motion<D, P>::advance() {
 template <int D, int P>
 bool Motion<D, P>::at_end() const {
   const double t = journal_.output_time();
-  return t >= case_.time.end || same_time(t, case_.time.end);
+  return t >= case_.time.end || same_time(t, case_.time.end) || stepper_.passes(case_.clock_zero() + case_.time.end);
 }
 
 template <int D, int P>

@@ -84,17 +84,40 @@ bool LoadTimes::Expression::follows_line(double t, double dt) const {
 
 /// From t, or from the start of the load where that is later.
 LoadTimes::Reach LoadTimes::Expression::reach(double t, double wish) const {
-  if (t + wish <= start || follows_line(std::max(t, start), t + wish - std::max(t, start))) return {wish, false};
-  const double begin = std::max(t, start);
-  double good = 0.5 * (t + wish - begin), bad = 2 * good;
-  for (; good > no_time_at(t) && !follows_line(begin, good); good *= 0.5) bad = good;
-  const auto jumps = [&] { return std::abs(at(begin + bad) - at(begin + good)) > tolerance; };
-  constexpr int enough = 4;  // halvings, where the change is none that only its time ends
-  for (int k = 0; bad - good > no_time_at(t) && (k < enough || jumps()); ++k) {
-    const double middle = 0.5 * (good + bad);
-    (follows_line(begin, middle) ? good : bad) = middle;
+  const double begin = std::max(t, start), no_time = no_time_at(t);
+  if (t + wish <= start || follows_line(begin, t + wish - begin)) return {wish, false};
+  double bad = t + wish, good = 0.5 * (begin + bad);
+  for (; good - begin > no_time && !follows_line(begin, good - begin); good = 0.5 * (begin + good)) bad = good;
+  if (good - begin <= no_time && changes(begin, good)) {  // a jump that is all but there
+    bad = good;
+    good = begin;
   }
-  return {begin - t + good, jumps()};
+  constexpr int enough = 4;  // halvings, where the change is none that only its time ends
+  for (int k = 0; bad - good > no_time && (k < enough || changes(good, bad)); ++k) {
+    const double middle = 0.5 * (good + bad);
+    (follows_line(begin, middle - begin) ? good : bad) = middle;
+  }
+  if (!changes(good, bad)) return {good - t, false};
+  good = before_change(good, bad);
+  return {t + (good - t) > good ? std::nextafter(good - t, 0.0) : good - t, true};
+}
+
+bool LoadTimes::Expression::changes(double from, double to) const { return std::abs(at(to) - at(from)) > tolerance; }
+
+/// The last number at which the value is still that at `from`, though it is not at `to`.
+double LoadTimes::Expression::before_change(double from, double to) const {
+  double good = from;
+  for (double middle = 0.5 * (good + to); good < middle && middle < to; middle = 0.5 * (good + to))
+    (changes(from, middle) ? to : good) = middle;
+  return good;
+}
+
+/// Where time goes on from t: behind what changes in no time there; else t.
+double LoadTimes::Expression::behind(double t) const {
+  const double from = std::max(t, start), far = t + 2 * no_time_at(t);
+  if (far <= start || !changes(from, far)) return t;
+  const double past = just_behind(std::nextafter(before_change(from, far), unbounded), zero);
+  return past < far && !changes(past, far) ? past : far;
 }
 
 /// The distance of an oscillation from a line is large at its turning points and small between them. Steps that follow
@@ -115,13 +138,13 @@ double LoadTimes::longest(double t, double wish) const {
 }
 
 double LoadTimes::behind(double t) const {
-  const double rounding = 1e-12 * std::max(1.0, std::abs(t));
+  double last = t;
   for (const Jump& jump : jumps_)
-    if (std::abs(t - jump.time) <= rounding && t < jump.behind) return jump.behind;
-  const double after = t + 2 * no_time_at(t);
-  for (const Expression& e : expressions_)
-    if (after > e.start && std::abs(e.at(after) - e.at(std::max(t, e.start))) > e.tolerance) return after;
-  return t;
+    if (t < jump.behind && jump.time <= t + no_time_at(t)) last = std::max(last, jump.behind);
+  for (const Expression& e : expressions_) last = std::max(last, e.behind(t));
+  return last;
 }
+
+double LoadTimes::jump_at(double t) const { return behind(t) > t ? t : unbounded; }
 
 }  // namespace softwet

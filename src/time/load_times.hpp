@@ -30,11 +30,13 @@ class LoadTimes {
 
   /// The longest step from t, at most `wish`, that does not step over a change of a factor or of a path that is an expression: between
   /// the ends of the step, and of the next ones of the same length, each stays within 0.003 of its range over the run of the line
-  /// between its values at both ends (or within 0.00015 of its largest value). For sin(w t) that is about w dt < 0.22. Before a jump it
-  /// ends there.
+  /// between its values at both ends (or within 0.00015 of its largest value). For sin(w t) that is about w dt < 0.22. At a jump it ends
+  /// with the last number that has the value of before.
   double longest(double t, double wish) const;
-  /// Where time goes on from t: behind a jump that is there; else t.
+  /// Where time goes on from t: behind all jumps that are within 1e-8 max(1, t) of it; else t.
   double behind(double t) const;
+  /// t where a jump is there; else infinity.
+  double jump_at(double t) const;
 
  private:
   /// How far a line goes, and whether a jump ends it.
@@ -49,8 +51,11 @@ class LoadTimes {
     std::vector<double> times;  ///< at which it is always looked at
     double at(double t) const { return formula->at({0, 0, 0}, t - zero); }
     bool follows_line(double t, double dt) const;
+    bool changes(double from, double to) const;
+    double before_change(double from, double to) const;
     Reach reach(double t, double wish) const;
     double longest(double t, double wish) const;
+    double behind(double t) const;
   };
 
   /// @param start  from which on it acts

@@ -8,16 +8,19 @@ namespace softwet {
 StepControl::StepControl(const StepLimits& limits, std::vector<double> events)
     : limits_(limits), events_(std::move(events)), proposed_(limits.initial) {
   std::sort(events_.begin(), events_.end());
+  const auto same = [](double a, double b) { return b - a <= 1e-9 * std::max(1.0, std::abs(b)); };  // as same_time
+  events_.erase(std::unique(events_.begin(), events_.end(), same), events_.end());
 }
 
-double StepControl::next(double t, double largest) const {
+double StepControl::next(double t, double largest, double jump) const {
   constexpr double rounding = 1e-9;  // of the sum of many equal steps
   const double wish = std::min(proposed_, largest);
   const double tiny = 1e-12 * std::max(1.0, std::abs(t));
-  const auto event = std::upper_bound(events_.begin(), events_.end(), t + tiny);
-  if (event == events_.end()) return wish;
-  double left = *event - t;
-  if (t + left > *event) left = std::nextafter(left, 0.0);
+  const auto listed = std::upper_bound(events_.begin(), events_.end(), t + tiny);
+  const double event = listed == events_.end() ? jump : std::min(*listed, jump);
+  if (!std::isfinite(event)) return wish;
+  double left = event - t;
+  if (t + left > event) left = std::nextafter(left, 0.0);
   if (left <= std::min(stretch * wish, (1 + rounding) * std::min(limits_.largest, largest))) return left;
   return left < 2 * wish ? 0.5 * left : wish;
 }

@@ -21,12 +21,15 @@ enum class Effort { usual, laborious };
 ///   e = max( rms(rho - rho_pred) / (rho_l - rho_v),  dt rms(v - v_pred) / H )  ~ dt^2,   H the thinner layer
 class StepControl {
  public:
+  /// @param events  in any order; of those that are the same but for a rounding the first one is met
   StepControl(const StepLimits& limits, std::vector<double> events);
 
   /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly, where it does not end behind
   /// it by a rounding either. It may be shorter than the smallest one for that, and is never longer than the largest one.
   /// @param largest  that the scheme can take from there, at least the smallest one; it is not exceeded but by a rounding
-  double next(double t, double largest = std::numeric_limits<double>::infinity()) const;
+  /// @param jump  an event that is not in the list: no step ends behind it
+  double next(double t, double largest = std::numeric_limits<double>::infinity(),
+              double jump = std::numeric_limits<double>::infinity()) const;
 
   /// From now on as from a first state.
   void begin_anew() { proposed_ = std::min(proposed_, limits_.initial); }

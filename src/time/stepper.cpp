@@ -87,7 +87,8 @@ StepReport Stepper<D, P>::step() {
   for (;;) {
     const double largest = scheme_->largest_step(state_, control_.proposed());
     if (!(largest >= control_.smallest())) stop_below_smallest(largest);
-    const double dt = control_.next(state_.time, std::min(largest, loads_.longest(state_.time, control_.most())));
+    const double smooth = loads_.longest(state_.time, control_.most());
+    const double dt = control_.next(state_.time, std::min(largest, smooth), loads_.jump_at(state_.time + smooth));
     const StepAttempt tried = scheme_->attempt({state_, previous_, previous_dt_}, dt);
     if (!tried.refusal.empty()) {
       ++counts_.rejected_newton;

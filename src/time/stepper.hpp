@@ -35,6 +35,9 @@ class Stepper {
   /// the last good one.
   StepReport step();
 
+  /// Whether a jump of a load, at the time of the state, ends behind a later time: no step ends there.
+  bool passes(double time) const { return state_.time < time && time <= loads_.behind(state_.time); }
+
   const State& state() const { return state_; }
   State& state() { return state_; }
   Array previous() const { return previous_; }

@@ -126,6 +126,31 @@ TEST(LoadTimes, AJumpOfAnExpressionIsFound) {
   EXPECT_EQ(times.longest(times.behind(t), 5), 5);
 }
 
+TEST(LoadTimes, AJumpEndsAStepAtTheLastNumberBeforeIt) {
+  for (const double at : {0.3, 5.0, 731.3}) {
+    const LoadTimes times(loaded(0, 1, [=](double t) { return t < at ? 0.0 : 1.0; }));
+    const double t = at - 0.2, before = t + times.longest(t, 0.5);
+    EXPECT_LT(before, at);
+    EXPECT_NEAR(before, at, 4e-16 * at);
+    EXPECT_EQ(times.jump_at(before), before);
+    EXPECT_GT(times.behind(before), at);
+    EXPECT_NEAR(times.behind(before), at, 1e-15 * at);
+    EXPECT_TRUE(std::isinf(times.jump_at(t)));
+    EXPECT_TRUE(std::isinf(times.jump_at(times.behind(before))));
+  }
+}
+
+TEST(LoadTimes, AJumpThatIsAllButThereBoundsNoStepBeforeIt) {
+  for (const double near : {0.0, 1e-12, 0.6e-8, 1.7e-8}) {
+    Case c = loaded(0, 1, [](double t) { return t < 7 ? 0.0 : 1.0; });
+    c.loads.push_back(loaded(0, 1, [=](double t) { return t < 7 + near ? 0.0 : 1.0; }).loads[0]);
+    const LoadTimes times(c);
+    const double before = 4 + times.longest(4, 5);
+    EXPECT_NEAR(before, 7, 4e-15) << near;
+    EXPECT_GT(times.behind(before), 7 + near) << "of both";
+  }
+}
+
 /// A needle beside a load that begins at run time 3, where t is 0.
 Case with_needle(std::function<double(double)> path, std::vector<double> points = {}) {
   Case c = loaded(3, 5);

@@ -59,6 +59,20 @@ TEST(StepControl, AnEventIsMetByAStepBelowTheSmallest) {
   EXPECT_NEAR(control.next(1.0), 0.1 * limits.smallest, 1e-15);
 }
 
+TEST(StepControl, EventsThatDifferByARoundingAreOne) {
+  StepControl control(limits, {1.0 + 3e-10, 1.0, 1.5});
+  EXPECT_DOUBLE_EQ(control.next(0.95), 1.0 - 0.95);
+  EXPECT_DOUBLE_EQ(control.next(1.0), 0.1);
+}
+
+TEST(StepControl, NoStepEndsBehindAJump) {
+  StepControl control(limits, {1.0});
+  const double jump = std::nextafter(1.0, 0.0), unbounded = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(0.93 + control.next(0.93, jump - 0.93, jump), jump) << "not at an event just behind";
+  EXPECT_EQ(0.93 + control.next(0.93, unbounded, 1.05), 1.0) << "at an event before";
+  EXPECT_DOUBLE_EQ(control.next(1.0, unbounded, 1.05), 1.05 - 1.0);
+}
+
 TEST(StepControl, GrowthFollowsTheIndicator) {
   StepControl control(limits, {});
   control.accept(0.1, 1e-3);  // as large as wanted: factor 0.9
