@@ -13,9 +13,9 @@ constexpr double weighted_margin = 2, field_margin = 8;
 /// A residual of fewer times its round-off is not worth the full weight of a field.
 constexpr double signal_over_round_off = 100;
 
-/// Accepted error of velocity and density up to which the prediction of a step may stand without an iteration: a scene at
-/// rest costs nothing so. A looser `atol` ends iterations, but does not save the first one, for steps that extrapolate the
-/// states before and solve nothing drift away.
+/// Accepted error of velocity and density up to which the prediction of a step may stand without an iteration: a fluid at
+/// rest costs nothing so, and a solid one linear solve, see Newton::settled. A looser `atol` ends iterations, but does not
+/// save the first one, for steps that extrapolate the states before and solve nothing drift away.
 constexpr double at_rest = 1e-10;
 
 /// What the first linear solve of a step is solved to. With 0.02 steps take a fifth fewer iterations, but end closer to
@@ -67,6 +67,13 @@ bool Convergence::reached() const {
   return size_ <= weighted_margin * weighted_norm(round_off);
 }
 
+bool Convergence::accepts(double remaining) {
+  const bool stalls = std::isfinite(remaining_) && !(remaining < 0.5 * remaining_);
+  insists_ = std::isfinite(remaining);
+  remaining_ = remaining;
+  return remaining <= 1 || stalls;
+}
+
 bool Convergence::diverges() {
   if (iteration_ <= 2) return false;
   constexpr double far = 1e4;
@@ -78,6 +85,7 @@ bool Convergence::diverges() {
 }
 
 double Convergence::forcing() const {
+  if (insists_) return std::min(0.1, control_.krylov_rtol);
   double forcing = first_forcing;
   if (iteration_ > 0) {
     const double ratio = size_ / previous_;

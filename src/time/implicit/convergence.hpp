@@ -1,6 +1,7 @@
 // Whether the residual of Newton's method is small enough, field by field and as a whole, and how accurate the next linear solve is.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "case/choices.hpp"
@@ -39,6 +40,11 @@ class Convergence {
   bool finite() const;
   /// Whether the last residual is small enough.
   bool reached() const;
+  bool vanishes() const { return size_ == 0; }
+  /// Whether a state whose residual is small enough is accepted. Where stiff parts stand beside soft ones a residual that is small
+  /// for the stiff ones may move the soft ones far. Where one more solve has not halved what remains, this is round-off.
+  /// @param remaining  how far a linear solve would still move fields, over what is accepted; infinite before the first solve
+  bool accepts(double remaining);
   /// Whether steps are given up, from the third iteration on: the residual has risen twice, or stays above that of the start. One rise
   /// may be a long step along a soft direction, as the translation of a droplet; Newton's method converges from there.
   bool diverges();
@@ -60,6 +66,8 @@ class Convergence {
   double start_ = 0, previous_ = 0, size_ = 0;
   int iteration_ = -1;
   bool risen_ = false;
+  double remaining_ = std::numeric_limits<double>::infinity();
+  bool insists_ = false;  ///< the residual is small, but the fields would still move
 };
 
 }  // namespace softwet

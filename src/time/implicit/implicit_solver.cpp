@@ -1,10 +1,17 @@
 #include "time/implicit/implicit_solver.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "solver/choose.hpp"
 #include "solver/recorded_answers.hpp"
 
 namespace softwet {
 namespace {
+
+/// Change of the displacement in a step, relative, that needs no solve.
+constexpr double still = 1e-10;
 
 NewtonControl newton_control(const Case& c) {
   NewtonControl n;
@@ -66,6 +73,7 @@ ImplicitSolver<D, P>::ImplicitSolver(const Scene<D, P>& m, const Case& c, const 
       integrator(m, c.time.rho_inf),
       newton(m.layout().space(), m.layout().size(), c.solver.krylov_restart, preconditioner_of(c, m),
              linear_solves(c, m.equations().precision())),
+      judges_solid(m.layout().has_solid && c.solver.preconditioner != PreconditionerKind::none),
       control(newton_control(c)),
       x("implicit.x", m.layout().size()) {
   double volume = 1;
@@ -92,13 +100,29 @@ std::vector<FieldRange> ImplicitSolver<D, P>::fields() const {
 }
 
 template <int D, int P>
+double ImplicitSolver<D, P>::remaining(const Array& at, const Array& correction, double stretch) const {
+  const Layout<D>& l = scene.layout();
+  const Stage& stage = integrator.stage();
+  const auto rows = solid_part(scene, stage).ranges;
+  double moves = 0;
+  for (const double along : norms(l.space(), correction, rows)) moves = std::hypot(moves, along);
+  const double speed = norm(l.space(), part(at, 0, l.velocity_size())),
+               moved = norm(l.space(), stage.displacement) / stage.displacement_scale * stretch,
+               at_rest = l.has_fluid ? control.atol * std::sqrt(entries_of_patch(l, l.velocity_size())) : 0;
+  return moves / std::max({control.rtol * speed, still * moved, at_rest, std::numeric_limits<double>::min()});
+}
+
+template <int D, int P>
 NonlinearSystem ImplicitSolver<D, P>::system() {
-  return {[this](const Array& at, const Array& r) { integrator.residual(at, r); },
-          [this](const Array& z, const Array& out) { integrator.product(z, out); },
-          [this](const StencilValues& values) { integrator.jacobian(values); },
-          [this](const Array& at) { return judge.of_values(at); },
-          [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { integrator.product(z, out); },
-          solid_part(scene, integrator.stage())};
+  NonlinearSystem system{[this](const Array& at, const Array& r) { integrator.residual(at, r); },
+                         [this](const Array& z, const Array& out) { integrator.product(z, out); },
+                         [this](const StencilValues& values) { integrator.jacobian(values); },
+                         [this](const Array& at) { return judge.of_values(at); },
+                         [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { integrator.product(z, out); },
+                         solid_part(scene, integrator.stage())};
+  if (judges_solid)
+    system.remaining = [this](const Array& at, const Array& correction) { return remaining(at, correction); };
+  return system;
 }
 
 template <int D, int P>

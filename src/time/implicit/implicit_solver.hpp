@@ -21,6 +21,9 @@ struct ImplicitSolver {
   NonlinearSystem system();
   /// The fields of the residual, with the floors of their norms.
   std::vector<FieldRange> fields() const;
+  /// How far a correction of the unknowns would move the solid, over what is accepted.
+  /// @param stretch  the unknowns hold the velocities of the solid so many times
+  double remaining(const Array& at, const Array& correction, double stretch = 1) const;
   /// Solves a system from `x` on, and judges what it found. The indicator is not set.
   StepAttempt solve(const NonlinearSystem&, const std::vector<FieldRange>&);
 
@@ -28,6 +31,7 @@ struct ImplicitSolver {
   const Judge<D, P>& judge;
   GeneralizedAlpha<D, P> integrator;
   Newton newton;
+  bool judges_solid;  ///< what `remaining` says counts: there is a solid, and a preconditioner for it
   NewtonControl control;
   double volume_norm;  ///< the norm of a vector of residuals that are 1 per volume
   Array x;             ///< the unknowns of the stage

@@ -7,6 +7,9 @@
 namespace softwet {
 namespace {
 
+/// Ratio of the solid's part of the Jacobian to that at the build from which on a preconditioner does not measure what remains.
+constexpr double other_step = 3;
+
 std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(const VectorSpace& space, int size, int restart,
                                                                    LinearSolves precision) {
   if (precision == LinearSolves::single) return LinearSpace<float>(space, size, restart);
@@ -128,6 +131,31 @@ std::vector<double> Newton::residual(const NonlinearSystem& system, const std::v
   return norms(space_, residual_, fields);
 }
 
+void Newton::rough_correction(const NonlinearSystem& system) {
+  Stopwatch watch(counts_.apply_seconds, counts_.applications++);
+  const RangeFactors renewed = system.solid.factors(built_for_);
+  if (auto* single = std::get_if<LinearSpace<float>>(&linear_)) {
+    convert(single->right, residual_);
+    preconditioner_->answer(single->right, single->step, renewed);
+    convert(step_, single->step);
+  } else {
+    preconditioner_->answer(residual_, step_, renewed);
+  }
+}
+
+bool Newton::settled(const NonlinearSystem& system, Convergence& convergence, bool moved, const Array& x) {
+  if (!convergence.reached()) return false;
+  if (!system.remaining || convergence.vanishes()) return true;
+  // One that was built for a step of another length judges soft parts by the change of the stiff ones.
+  const double ratio = built_for_ / system.solid.size;
+  if (moved && std::max(ratio, 1 / ratio) > other_step) {
+    build(system);
+    rebuild_ = false;
+  }
+  if (moved) rough_correction(system);
+  return convergence.accepts(moved ? system.remaining(x, step_) : std::numeric_limits<double>::infinity());
+}
+
 NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<FieldRange>& fields,
                            const NewtonControl& control, const Array& x) {
   NewtonResult result;
@@ -138,21 +166,26 @@ NewtonResult Newton::solve(const NonlinearSystem& system, const std::vector<Fiel
   // Products in single precision bring more round-off.
   const bool single = std::holds_alternative<LinearSpace<float>>(linear_);
   Convergence convergence(fields, control, single ? 1e-4 : 1e-6);
-  bool moved = false;
+  bool moved = false, ever = false;
   for (;; ++result.iterations) {
     convergence.add(residual(system, fields, x));
     if (!convergence.finite()) return refuse({Refusal::not_finite});
     result.reduction = convergence.reduction();
-    result.converged = convergence.reached();
+    const bool small = convergence.reached();
+    result.converged = settled(system, convergence, ever, x) || (small && result.iterations == control.max);
     if (result.converged) return result;
     if (result.iterations == control.max || (moved && convergence.diverges())) return refuse({Refusal::newton});
     const LinearStep step = linear_step(system, convergence, control, x);
     result.krylov += step.linear.iterations;
     moved = step.moves;
     if (!moved) continue;  // once more with a new preconditioner
-    if (step.linear.reduction > 0.9) return refuse({Refusal::linear_solver});
+    if (step.linear.reduction > 0.9) {
+      result.converged = small;  // round-off that no solve makes smaller
+      return small ? result : refuse({Refusal::linear_solver});
+    }
     const Refusal complaint = update(system, x);
     if (!complaint.empty()) return refuse(complaint);
+    ever = true;
   }
 }
 

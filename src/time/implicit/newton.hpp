@@ -44,6 +44,8 @@ struct NonlinearSystem {
   /// The product in single precision, for a Newton that solves its linear systems in single precision.
   std::function<void(const ArrayOf<float>& z, const ArrayOf<float>& out)> single_product = {};
   SolidPart solid = {};  ///< at this step
+  /// How far a correction would move the solid from x, over what is accepted. Where there is none the residual alone decides.
+  std::function<double(const Array& x, const Array& correction)> remaining = {};
 };
 
 /// A linear solve, and whether its solution is worth a step.
@@ -91,6 +93,11 @@ class Newton {
                         const ArrayOf<float>& out);
   void build(const NonlinearSystem&);
   Refusal update(const NonlinearSystem&, const Array& x);
+  /// What the preconditioner makes of the residual: about the correction that is still missing, in step_.
+  void rough_correction(const NonlinearSystem&);
+  /// Whether x is the solution: its residual is small, and a linear solve has been made and would not move the solid much more.
+  /// @param moved  a linear solve has been made
+  bool settled(const NonlinearSystem&, Convergence&, bool moved, const Array& x);
 
   VectorSpace space_;
   std::variant<LinearSpace<double>, LinearSpace<float>> linear_;

@@ -150,10 +150,12 @@ Relaxation relax(const Scene<D, P>& scene, const Case& c, State& state, const st
     done.rate = std::max(size.fields, size.vapour) / dt;
     done.excess = tried.excess;
     watch(state, done);
-    if (tried.excess < digits_of_rest) return ended();
+    const bool solved = tried.excess < digits_of_rest, long_step = !scene.layout().has_solid || dt >= moderate_step;
+    if (solved && tried.still && long_step) return ended();
     idle = tried.excess < 0.5 * least || done.rate >= rest || size.fields > still ? 0 : idle + 1;
     least = std::min(least, tried.excess);
     length.accept(tried.step, size.fields);
+    if (solved) length.dt = std::max(length.dt, moderate_step);
   }
   if (done.rate < rest) return ended();
   done.why = "after " + std::to_string(most_steps) + " steps its fields still change by " + short_text(done.rate, 2) +

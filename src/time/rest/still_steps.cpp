@@ -1,14 +1,17 @@
 #include "time/rest/still_steps.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "solver/scale_fields.hpp"
 #include "time/rest/rest_control.hpp"
 
 namespace softwet {
 namespace {
 
-/// Steps that are longer are stretched ones of this length, see StillSteps::settle. A thin vapour fills in about
-/// this time.
-constexpr double moderate_step = 2e3;
+/// Change of the displacement in a step, relative, that counts as none.
+constexpr double still_part = 1e-6;
 
 /// The scales of a stage of a step that is `stretch` times shorter.
 Stage shorter(Stage stage, double stretch) {
@@ -28,15 +31,20 @@ StillSteps<D, P>::StillSteps(const Scene<D, P>& scene, const Case& c, const Judg
 
 template <int D, int P>
 NonlinearSystem StillSteps<D, P>::system() {
-  return {[this](const Array& x, const Array& r) {
-            solver_.integrator.residual(unstretched(x), r);
-            tie_mass(r);
-          },
-          [this](const Array& z, const Array& out) { product(z, out); },
-          [this](const StencilValues& values) { solver_.integrator.jacobian(values, stretch_); },
-          [this](const Array& x) { return solver_.judge.of_values(x); },
-          [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { product(z, out); },
-          solid_part(solver_.scene, shorter(solver_.integrator.stage(), stretch_))};
+  NonlinearSystem system{[this](const Array& x, const Array& r) {
+                           solver_.integrator.residual(unstretched(x), r);
+                           tie_mass(r);
+                         },
+                         [this](const Array& z, const Array& out) { product(z, out); },
+                         [this](const StencilValues& values) { solver_.integrator.jacobian(values, stretch_); },
+                         [this](const Array& x) { return solver_.judge.of_values(x); },
+                         [this](const ArrayOf<float>& z, const ArrayOf<float>& out) { product(z, out); },
+                         solid_part(solver_.scene, shorter(solver_.integrator.stage(), stretch_))};
+  if (solver_.judges_solid)
+    system.remaining = [this](const Array& x, const Array& correction) {
+      return solver_.remaining(x, correction, stretch_);
+    };
+  return system;
 }
 
 template <int D, int P>
@@ -106,11 +114,24 @@ Settling StillSteps<D, P>::settle(const State& state, double dt) {
   solver_.newton.forget_preconditioner();  // steps grow too fast for one of the step before
   Settling settling;
   const std::vector<FieldRange> ranges = measure(settling);
-  if (settling.excess < digits_of_rest) return settling;
+  if (settling.excess < digits_of_rest && !solver_.scene.layout().has_solid) return settling;
   settling.step = solver_.solve(system(), ranges);
   Kokkos::deep_copy(Exec(), solver_.x, unstretched(solver_.x));
   move_ghosts(solver_.scene.layout(), solver_.x, GhostAction::update);
+  settling.still = !still_moves();
   return settling;
+}
+
+template <int D, int P>
+bool StillSteps<D, P>::still_moves() const {
+  const Layout<D>& l = solver_.scene.layout();
+  const Stage& stage = solver_.integrator.stage();
+  double moves = 0;
+  for (const double along : norms(l.space(), solver_.x, solid_part(solver_.scene, stage).ranges))
+    moves = std::hypot(moves, along * stage.displacement_scale);
+  const double last_digit =
+      std::numeric_limits<double>::epsilon() * l.axis[D - 1].length() * std::sqrt(entries_of_patch(l, l.solid_size()));
+  return moves > std::max(still_part * norm(l.space(), stage.displacement), 0.1 * last_digit);
 }
 
 template <int D, int P>
@@ -124,6 +145,7 @@ NewtonResult StillSteps<D, P>::respond(const State& rest, double dt, const Array
     product(z, out);
     add_scaled(out, 0, 1, r);
   };
+  linear.remaining = {};
   linear.complaint = [](const Array&) { return Refusal(); };
   NewtonControl control = solver_.control;
   control.rtol = 1e-7;

@@ -11,6 +11,7 @@ struct Settling {
   StepAttempt step;
   /// Of the residual at the start over what the last digit of the fields makes of it, the largest of all fields.
   double excess = 0;
+  bool still = true;  ///< the step has not moved the solid but by round-off
 };
 
 /// Steps of backward Euler of any length, in which loads stand still at the time of the state.
@@ -20,8 +21,9 @@ class StillSteps {
   StillSteps(const Scene<D, P>&, const Case&, const Judge<D, P>&);
 
   void initialise(State& state) { solver_.integrator.initialise(state); }
-  /// A step towards rest. Takes no iteration
-  /// where nothing is left to solve: where `excess` is below `digits_of_rest`. The indicator is not set.
+  /// A step towards rest. Without a solid it takes no iteration where nothing is left to solve: where `excess` is below
+  /// `digits_of_rest`. The last digit of a stiff part of a solid may hide the load of a soft one, which a solve finds. The indicator is not
+  /// set.
   /// The equations of an endless step are singular: the total mass is left open. Those of a long step nearly are, and
   /// the velocities of the solid have the size of its displacement over the step. So Newton's method sees them as a
   /// step of moderate length, T, stretched s = dt / T times: its unknown is s v in the solid, the sum of the rows of
@@ -39,6 +41,8 @@ class StillSteps {
   NonlinearSystem system();
   /// The ranges of the fields of the step that has begun, and how far its start is from rest.
   std::vector<FieldRange> measure(Settling&);
+  /// Whether the step that was solved moves the solid.
+  bool still_moves() const;
   /// Adds to the residual of a stretched step, or to a product, what makes the total mass count as in one that is not.
   void tie_mass(const Array& r) const;
   /// The unknowns with the velocities of the solid, which Newton's method sees multiplied with the stretch.
