@@ -89,7 +89,7 @@ std::vector<Footprint> find_footprints(const Section<D>& section, const Surface&
   const std::vector<double> trace = surface.depth(section.density(x, {low}));
   const std::vector<Crossing> found = with_cut_droplets(crossings(x, trace.data()), reach, trace);
   const auto sharp = [&](const Crossing& c) {
-    return c.x == reach.low || c.x == reach.high ? c.x : sharpen(section, c, low, spacing, surface);
+    return section.at_low_side(c.x) || section.at_high_side(c.x) ? c.x : sharpen(section, c, low, spacing, surface);
   };
   std::vector<Footprint> result;
   for (std::size_t i = 0; i + 1 < found.size(); ++i) {
@@ -98,14 +98,15 @@ std::vector<Footprint> find_footprints(const Section<D>& section, const Surface&
     const Point line_left = section.current(left, low), line_right = section.current(right, low);
     Footprint f;
     f.x_left = line_left[0], f.x_right = line_right[0];
+    f.cut_left = section.at_low_side(left), f.cut_right = section.at_high_side(right);
     // A cut droplet has its middle on the side: as wide beyond it as before.
-    const double mirrored_left = left == reach.low ? 2 * reach.low - right : left,
-                 mirrored_right = right == reach.high ? 2 * reach.high - left : right;
+    const double mirrored_left = f.cut_left ? 2 * reach.low - right : left,
+                 mirrored_right = f.cut_right ? 2 * reach.high - left : right;
     const Sides sides = trace_surface(section, mirrored_left, mirrored_right, surface, 2 * capillarity);
     f.angle_left = angle_at(fit_circle(sides.left), line_left[1], surface);
     f.angle_right = angle_at(fit_circle(sides.right), line_right[1], surface);
-    if (left != reach.low) f.left = line_shape(section, surface, {left, 1}, right, capillarity);
-    if (right != reach.high) f.right = line_shape(section, surface, {right, -1}, left, capillarity);
+    if (!f.cut_left) f.left = line_shape(section, surface, {left, 1}, right, capillarity);
+    if (!f.cut_right) f.right = line_shape(section, surface, {right, -1}, left, capillarity);
     f.dimple = dimple(section, left, right);
     result.push_back(f);
   }

@@ -12,9 +12,10 @@ struct Footprint {
   double x_left = 0, x_right = 0;  ///< where rho = (rho_l + rho_v)/2 on the wall, or the side that cuts it
   std::optional<double> angle_left, angle_right;  ///< apparent angles, degrees, in the liquid
   LineShape left, right;
-  std::optional<double> dimple = {};  ///< smallest rise of the wall between the ends
+  std::optional<double> dimple = {};         ///< smallest rise of the wall between the ends
+  bool cut_left = false, cut_right = false;  ///< by a side of the domain: nothing lies beyond
   double centre() const { return 0.5 * (x_left + x_right); }
-  bool holds(double x) const { return x_left <= x && x <= x_right; }
+  bool holds(double x) const { return (cut_left || x_left <= x) && (cut_right || x <= x_right); }
 };
 
 /// A circle fitted to points (algebraic least squares, Kasa 1976).

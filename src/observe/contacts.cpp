@@ -3,6 +3,8 @@
 #include <cmath>
 #include <memory>
 
+#include "observe/host/places.hpp"
+
 namespace softwet {
 namespace {
 
@@ -54,9 +56,9 @@ std::vector<Contact> find_contacts(const Snapshot<2>& snapshot, const Surface& s
   const Axis& axis = snapshot.layout().axis[0];
   std::vector<Contact> found;
   for (Footprint f : find_footprints(side_view(snapshot, surface), surface, capillarity)) {
-    const double turn = axis.periodic() ? axis.length() * std::floor(f.centre() / axis.length()) : 0;
+    const double turn = axis.periodic() ? whole_turns(f.centre(), axis.length()) : 0;
     f.x_left -= turn, f.x_right -= turn;
-    if (snapshot.layout().axisymmetric() && f.x_left == 0)
+    if (snapshot.layout().axisymmetric() && f.cut_left)
       f.x_left = -f.x_right, f.angle_left = f.angle_right, f.left = f.right;
     TableRow cells{{"x_left", f.x_left}, {"x_right", f.x_right}, {"x_centre", f.centre()}, {"dimple", f.dimple}};
     set_end("left", f.angle_left, f.left, cells);

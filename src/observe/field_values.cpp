@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "observe/host/places.hpp"
 #include "scene/beside_joint.hpp"
 
 namespace softwet {
@@ -32,9 +33,10 @@ std::vector<Matrix<double, 3>> displacement_gradients(const Snapshot<D>& s, cons
     }
   if (!s.layout().axisymmetric()) return gradients;
   const std::vector<double> radial = s.displacement(grid, 0, Medium::solid);
+  const double element = s.layout().axis[0].spacing();
   for (std::size_t i = 0; i < radial.size(); ++i) {
     const double r = grid[0][i % grid[0].size()];
-    gradients[i](2, 2) = r > 0 ? radial[i] / r : gradients[i](0, 0);
+    gradients[i](2, 2) = at_end(r, 0, element) ? gradients[i](0, 0) : radial[i] / r;
   }
   return gradients;
 }

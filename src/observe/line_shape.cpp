@@ -4,24 +4,17 @@
 #include <cmath>
 
 #include "observe/crossings.hpp"
+#include "observe/host/places.hpp"
 
 namespace softwet {
 namespace {
 
 constexpr double degree = 180 / M_PI;
 
-/// The largest of equidistant samples, refined by the parabola through it and its neighbours.
-double top_of(const std::vector<double>& value) {
-  const std::size_t i = std::max_element(value.begin(), value.end()) - value.begin();
-  if (i == 0 || i + 1 == value.size()) return value[i];
-  const double slope = 0.5 * (value[i + 1] - value[i - 1]), bend = value[i + 1] - 2 * value[i] + value[i - 1];
-  return bend < 0 ? value[i] - 0.5 * slope * slope / bend : value[i];
-}
-
 /// The largest rise of the wall between two places, with a sample for each eighth of a distance or more.
 template <int D>
 double largest_rise(const Section<D>& section, double low, double high, double distance, double sign) {
-  const int parts = std::clamp(static_cast<int>(std::ceil(8 * (high - low) / distance)), 2, 400);
+  const int parts = std::clamp(parts_no_longer(high - low, distance / 8), 2, 400);
   std::vector<double> rise = section.rise(equidistant(low, high, parts));
   for (double& value : rise) value *= sign;
   return sign * top_of(rise);
@@ -77,7 +70,7 @@ template <int D>
 std::optional<double> liquid_angle(const Section<D>& section, const Surface& surface, const Crossing& line,
                                    double other, double distance) {
   const double wall = section.snapshot().wall_height(), top = section.snapshot().layout().axis[D - 1].length();
-  const bool cut = other == section.reach().low || other == section.reach().high;
+  const bool cut = section.at_low_side(other) || section.at_high_side(other);
   const double middle = cut ? other : 0.5 * (line.x + other), shift = cut ? line.direction * 1e-9 * (top - wall) : 0;
   const auto at = [&](double height) {
     return height < top ? outline(section, surface, middle + shift, line, height) : std::nullopt;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "observe/field_values.hpp"
+#include "observe/host/places.hpp"
 #include "observe/host/probe_quantity.hpp"
 #include "scene/beside_joint.hpp"
 
@@ -140,7 +141,7 @@ template <int D>
 std::vector<double> weights(const Regions<D>& regions, const Snapshot<D>& s, const ProbeSite<D>& site) {
   std::vector<double> weight(site.size(), 1.0), moved;
   if (site.in_fluid) weight = measures(regions, s, site);
-  const bool on_axis = !site.extends(0) && site.grid[0][0] <= no_extent * s.layout().axis[0].length();
+  const bool on_axis = !site.extends(0) && at_end(site.grid[0][0], 0, s.layout().axis[0].spacing());
   const bool axial = s.layout().axisymmetric() && !on_axis;
   if (axial) moved = s.displacement(site.grid, 0, site.in_fluid ? Medium::fluid : Medium::solid);
   for (std::size_t i = 0; i < weight.size(); ++i) {

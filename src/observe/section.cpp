@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "observe/host/places.hpp"
+
 namespace softwet {
 
 namespace {
@@ -30,9 +32,27 @@ template <int D>
 std::vector<double> Section<D>::abscissas(int per_element) const {
   const std::vector<Axis>& axis = snapshot_.layout().axis;
   if constexpr (D == 2) return equidistant(reach_.low, reach_.high, per_element * axis[0].equal_parts());
-  const double spacing = std::min(axis[0].spacing(), axis[1].spacing());
-  const int elements = static_cast<int>(std::ceil((reach_.high - reach_.low) / spacing - 1e-9));
-  return equidistant(reach_.low, reach_.high, per_element * elements);
+  // Through a corner of the domain a section may have no length.
+  return equidistant(reach_.low, reach_.high,
+                     per_element * std::max(1, parts_no_longer(reach_.high - reach_.low, spacing())));
+}
+
+template <int D>
+double Section<D>::spacing() const {
+  const std::vector<Axis>& axis = snapshot_.layout().axis;
+  double shortest = axis[0].spacing();
+  for (int d = 1; d < D - 1; ++d) shortest = std::min(shortest, axis[d].spacing());
+  return shortest;
+}
+
+template <int D>
+bool Section<D>::at_low_side(double s) const {
+  return reach_.low_is_side && at_end(s, reach_.low, spacing());
+}
+
+template <int D>
+bool Section<D>::at_high_side(double s) const {
+  return reach_.high_is_side && at_end(s, reach_.high, spacing());
 }
 
 template <int D>

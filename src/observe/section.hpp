@@ -21,6 +21,9 @@ class Section {
       : snapshot_(snapshot), origin_(origin), direction_(direction), reach_(reach) {}
 
   const Reach& reach() const { return reach_; }
+  /// Whether a place is where a side of the domain ends the reach.
+  bool at_low_side(double s) const;
+  bool at_high_side(double s) const;
   /// `per_element` equidistant values of s per element, or slightly more, from low to high.
   std::vector<double> abscissas(int per_element) const;
   /// Values at all pairs of s and height, s fastest.
@@ -36,6 +39,7 @@ class Section {
  private:
   double coordinate(double s, int axis) const;       ///< horizontal one, inside a periodic domain
   typename Snapshot<D>::Grid point(double s) const;  ///< all horizontal ones
+  double spacing() const;                            ///< of the shortest elements along a horizontal axis
 
   const Snapshot<D>& snapshot_;
   Place origin_, direction_;
