@@ -8,7 +8,7 @@ import subprocess
 
 from _scene import cases, check, check_true, environment, history, run, softwet
 
-SCENE = ["domain.elements=[24,24]", "fluid.capillarity=1/24", "output.fields.times=[]"]
+SCENE = ["domain.elements=[32,32]", "fluid.capillarity=1/32", "output.fields.times=[]"]
 RUN = [*SCENE, "substrate.young=1", "time.tolerance=1e-2"]
 
 
