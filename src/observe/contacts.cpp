@@ -56,11 +56,12 @@ std::vector<Contact> find_contacts(const Snapshot<2>& snapshot, const Surface& s
   const Axis& axis = snapshot.layout().axis[0];
   std::vector<Contact> found;
   for (Footprint f : find_footprints(side_view(snapshot, surface), surface, capillarity)) {
-    const double turn = axis.periodic() ? whole_turns(f.centre(), axis.length()) : 0;
+    double centre = axis.periodic() ? in_first_turn(f.centre(), axis.length()) : f.centre();
+    const double turn = f.centre() - centre;
     f.x_left -= turn, f.x_right -= turn;
     if (snapshot.layout().axisymmetric() && f.cut_left)
-      f.x_left = -f.x_right, f.angle_left = f.angle_right, f.left = f.right;
-    TableRow cells{{"x_left", f.x_left}, {"x_right", f.x_right}, {"x_centre", f.centre()}, {"dimple", f.dimple}};
+      f.x_left = -f.x_right, f.angle_left = f.angle_right, f.left = f.right, centre = 0;
+    TableRow cells{{"x_left", f.x_left}, {"x_right", f.x_right}, {"x_centre", centre}, {"dimple", f.dimple}};
     set_end("left", f.angle_left, f.left, cells);
     set_end("right", f.angle_right, f.right, cells);
     found.push_back({{f.centre(), 0}, cells, [f, axis](const Place& place) {

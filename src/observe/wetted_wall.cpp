@@ -159,7 +159,7 @@ void WettedWall::finish() {
     for (int d : {0, 1})
       for (double* sum : {&region.centre[d], &region.reference_centre[d]}) {
         if (region.area > 0) *sum /= region.area;
-        if (samples_.periodic[d]) *sum -= whole_turns(*sum, samples_.length[d]);
+        if (samples_.periodic[d]) *sum = in_first_turn(*sum, samples_.length[d]);
       }
   for (int r = 0; r < static_cast<int>(regions_.size()); ++r)
     for (int d : {0, 1})

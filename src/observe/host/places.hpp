@@ -10,9 +10,11 @@ namespace softwet {
 /// Whether a place is an end of its axis, but for rounding: within a billionth of an element.
 inline bool at_end(double place, double end, double element) { return std::abs(place - end) <= 1e-9 * element; }
 
-/// How far a place on a periodic axis lies beyond one turn from 0, in whole turns. One that is below 0 by rounding alone does
-/// not count as one of the turn before.
-inline double whole_turns(double place, double length) { return length * std::floor(place / length + 1e-9); }
+/// A place on a periodic axis within its first turn, from 0 to `length`. One that is below 0 by rounding alone is at 0, and not at
+/// the end of the turn.
+inline double in_first_turn(double place, double length) {
+  return std::max(0.0, place - length * std::floor(place / length + 1e-9));
+}
 
 /// The number of equal parts, none longer than `longest`; a ratio that is a whole number but for rounding is that number.
 inline int parts_no_longer(double length, double longest) {

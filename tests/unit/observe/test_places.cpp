@@ -16,11 +16,11 @@ TEST(Places, EndOfAnAxis) {
 }
 
 TEST(Places, TurnsOfAPeriodicAxis) {
-  EXPECT_EQ(whole_turns(-1e-17, 2), 0);
-  EXPECT_EQ(whole_turns(0, 2), 0);
-  EXPECT_EQ(whole_turns(-0.1, 2), -2);
-  EXPECT_EQ(whole_turns(4.5, 2), 4);
-  EXPECT_EQ(whole_turns(std::nextafter(2, 0), 2), 2);
+  EXPECT_EQ(in_first_turn(-1e-17, 2), 0);
+  EXPECT_EQ(in_first_turn(0, 2), 0);
+  EXPECT_DOUBLE_EQ(in_first_turn(-0.1, 2), 1.9);
+  EXPECT_DOUBLE_EQ(in_first_turn(4.5, 2), 0.5);
+  EXPECT_EQ(in_first_turn(std::nextafter(2, 0), 2), 0);
 }
 
 // The window of a ridge, 8 g wide, wherever the contact line is.
