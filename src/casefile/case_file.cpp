@@ -183,6 +183,8 @@ Case parse(std::string_view text, const std::string& place, const std::vector<st
   Document document = read_document(text, place, problems);
   for (const std::string& assignment : overrides) problems.keep([&] { apply_override(document, assignment); });
   Case c = resolve(document, problems);
+  if (c.initial && !c.initial->from.empty())  // the resolved case holds from any folder
+    c.initial->from = std::filesystem::absolute(c.initial->from).lexically_normal().string();
   build_profiles(c, document, problems, tables);
   check_case(c, document, problems);
   problems.throw_if_any();

@@ -32,7 +32,7 @@ def start(count, case, folder, settings, options=("--overwrite", "--quiet"), thr
 def run(count, case, folder, settings, options=("--overwrite", "--quiet"), threads=1, code=0):
     """Runs to the end. @return what was printed on stderr"""
     process = start(count, case, folder, settings, options, threads)
-    _, errors = process.communicate(timeout=300)
+    _, errors = process.communicate(timeout=900)
     if process.returncode != code:
         sys.exit(f"exit code {process.returncode}, not {code}: {process.args}\n{errors}")
     return errors

@@ -25,7 +25,7 @@ def start_pair(first, second):
 def end_of(process, name, code):
     """Waits for the end. A process that waits for one that is gone would do so for ever."""
     try:
-        _, errors = process.communicate(timeout=60)
+        _, errors = process.communicate(timeout=900)
     except subprocess.TimeoutExpired:
         process.terminate()
         check_true(f"{name}: all processes end", False)

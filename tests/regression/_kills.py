@@ -66,7 +66,7 @@ def kill(process, number):
 def end(process):
     """Waits for the end of a process. @return what it has printed on stderr"""
     try:
-        return process.communicate(timeout=300)[1]
+        return process.communicate(timeout=900)[1]
     except BaseException:
         process.kill()
         raise

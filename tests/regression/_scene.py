@@ -38,7 +38,7 @@ def run(case, folder, settings=(), options=("--overwrite", "--quiet", "--threads
 
 def run_file(path, folder, settings=(), options=("--overwrite", "--quiet", "--threads", "1"), code=0):
     result = subprocess.run(command_of_file(path, folder, settings, options), capture_output=True, text=True,
-                            timeout=300, env=environment)
+                            timeout=900, env=environment)
     if result.returncode != code:
         sys.exit(f"exit code {result.returncode}, not {code}: {result.args}\n{result.stderr}")
     return result.stderr

@@ -53,7 +53,7 @@ def rest(case):
     """The output of `softwet steady`."""
     folder = case.removesuffix(".toml")
     done = subprocess.run([softwet, "steady", case, "--out", folder, "--overwrite", "--threads", "1"], capture_output=True,
-                          text=True, timeout=300, env=environment)
+                          text=True, timeout=900, env=environment)
     if done.returncode != 0:
         sys.exit(f"{case}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
     return open_output(folder)

@@ -66,7 +66,7 @@ class Scene:
         self.kept = {str(path.relative_to(self.folder)) for path in self.folder.rglob("*")}
 
     def fails(self, name, arguments, code, parts):
-        result = subprocess.run([self.softwet, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=120)
+        result = subprocess.run([self.softwet, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=900)
         expect(name, result, code, parts, self.folder, self.kept)
 
 
@@ -123,7 +123,7 @@ def too_large(softwet, root, good):
     fine = ["--set", "domain.elements=[256, 128]", "--threads", "1", "--out", "new"]
     limit = 600 << 20
     result = subprocess.run([softwet, "run", "good.toml", *fine], cwd=scene.folder, capture_output=True, text=True,
-                            timeout=120, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+                            timeout=900, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
     expect("run, factors beyond the limit", result, 3, ["memory"], scene.folder, scene.kept)
 
 

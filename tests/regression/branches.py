@@ -56,7 +56,7 @@ fields = {{ times = [] }}
 
 
 def ask(*words):
-    return subprocess.run([softwet, *words], capture_output=True, text=True, timeout=300, env=environment)
+    return subprocess.run([softwet, *words], capture_output=True, text=True, timeout=900, env=environment)
 
 
 def steps(dt):

@@ -25,7 +25,7 @@ PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 MISTAKEN = ROOT / "docs/wrong_inputs.md"  # its commands are wrong on purpose
 FILE = re.compile(r"<!-- file: (\S+) -->\n```\w*\n(.*?)```", re.DOTALL)
 BLOCK = re.compile(r"(?:<!-- run:(?P<how>[^\n]*?)-->\n)?```console\n(?P<text>.*?)```", re.DOTALL)
-SECONDS = 120  # for one command
+SECONDS = 900  # for one command
 failures = []
 
 environment = {**environment, "OMP_NUM_THREADS": "1", "PYTHONPATH": str(ROOT / "tools"), "PYTHONDONTWRITEBYTECODE": "1",

@@ -42,3 +42,11 @@ end = 1.0
 """)
 run_file("space.toml", "space", few)
 explained("space", 3)
+
+# Keys by the ends of their names, and by the words of their meanings.
+for words, parts in (("wall_law", ["fluid.wall_law\n", "one of"]), ("stiffness", ["substrate.fibre.stiffness ", "needle[].stiffness "]),
+                     ("Surface tension", ["substrate.surface_tension ", "substrate.surface_tension_wet "])):
+    result = subprocess.run([softwet, "explain", words], capture_output=True, text=True)
+    check_true(f"explain {words}", result.returncode == 0 and all(part in result.stdout for part in parts), result.stdout + result.stderr)
+result = subprocess.run([softwet, "explain", "no such words"], capture_output=True, text=True)
+check_true("explain: words that no key has", result.returncode == 1 and "no such words" in result.stderr, result.stderr)

@@ -101,7 +101,7 @@ def check_series(folder, case, dimension, part):
 def read_by_paraview(paths):
     script = pathlib.Path(__file__).with_name("_read_series.py")
     result = subprocess.run(["pvpython", "--force-offscreen-rendering", str(script), *paths], capture_output=True,
-                            text=True, timeout=120)
+                            text=True, timeout=900)
     answer = [line for line in result.stdout.splitlines() if line.startswith("found ")]
     if result.returncode or not answer:
         sys.exit(f"pvpython ended with {result.returncode}:\n{result.stdout}{result.stderr}")

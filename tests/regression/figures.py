@@ -24,7 +24,7 @@ TIMES = {"pull": "[0,235,471,1884]", "push": "[0,1962,3924,7848]"}
 
 def figures(words, code=0):
     result = subprocess.run([sys.executable, str(TOOL), *map(str, words)], capture_output=True, text=True, cwd="/",
-                            timeout=300)
+                            timeout=900)
     check_true(f"figures {words[0]}: exit code {code}", result.returncode == code, result.stderr)
     return result.stderr
 
@@ -78,7 +78,7 @@ check_true("a folder that is none: one line that says so", "is not an output fol
 
 def plot(*words):
     return subprocess.run([sys.executable, str(TOOL.with_name("plot")), *words], capture_output=True, text=True,
-                          timeout=60)
+                          timeout=900)
 
 
 run("tensotaxis_pull_2d", "still", SMALL + ["load.force=[0,0]", "time.end=0.01", "output.fields.times=[0]"])

@@ -38,7 +38,7 @@ def disturbed(name, disturb, stop=False):
         process.send_signal(signal.SIGTERM)
     process.send_signal(signal.SIGCONT)
     try:
-        message = process.communicate(timeout=60)[1]
+        message = process.communicate(timeout=900)[1]
     except subprocess.TimeoutExpired:
         process.kill()
         message = "it did not end"

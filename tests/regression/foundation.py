@@ -82,6 +82,6 @@ for boundary, words in (('bottom = "clamped", foundation = [1, 0]', ("boundary.f
                         ('bottom = "slip", foundation = [1, 2]', ("boundary.foundation", "slip", "[0, 2]")),
                         ('bottom = "free", foundation = [1]', ("boundary.foundation", "2 numbers")),
                         ('bottom = "free", foundation = [-1, 0]', ("boundary.foundation", "[0, inf)"))):
-    done = subprocess.run([softwet, "check", write_layer("refused", boundary=boundary)], capture_output=True, text=True, timeout=60,
+    done = subprocess.run([softwet, "check", write_layer("refused", boundary=boundary)], capture_output=True, text=True, timeout=900,
                           env=environment)
     check_true(f"{boundary}: refused", done.returncode == 1 and all(word in done.stderr for word in words), done.stderr.strip())

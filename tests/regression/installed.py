@@ -22,7 +22,7 @@ def check(name, good, seen=""):
 
 
 def start(*words):
-    return subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=300,
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=900,
                           env={**ENVIRONMENT, "OMP_WAIT_POLICY": "passive"})
 
 

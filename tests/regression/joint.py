@@ -90,7 +90,7 @@ def begin_from(name, rows, row):
 def read_by_paraview(name):
     script = pathlib.Path(__file__).with_name("_read_series.py")
     path = str(pathlib.Path(name) / "fields" / "solid.hdf.series")
-    result = subprocess.run(["pvpython", "--force-offscreen-rendering", str(script), path], capture_output=True, text=True, timeout=120)
+    result = subprocess.run(["pvpython", "--force-offscreen-rendering", str(script), path], capture_output=True, text=True, timeout=900)
     check_true(f"{name}: ParaView opens it", result.returncode == 0 and "found " in result.stdout, result.stderr)
 
 

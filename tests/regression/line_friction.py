@@ -104,7 +104,7 @@ for name, case, settings in (("rigid", "tilted.toml", [*STICKY, "fluid.gravity=[
 for name, settings in (("sticky", STICKY), ("plain", [ANGLE])):
     result = subprocess.run([softwet, "steady", "tilted.toml", "--out", f"rest_{name}", "--overwrite", "--quiet", "--threads", "1",
                              *(word for setting in settings for word in ("--set", setting))],
-                            capture_output=True, text=True, timeout=300, env=environment)
+                            capture_output=True, text=True, timeout=900, env=environment)
     check_true(f"{name}: comes to rest", result.returncode == 0, result.stderr)
 widths = [history(f"rest_{name}")["x_right"][-1] - history(f"rest_{name}")["x_left"][-1] for name in ("sticky", "plain")]
 check("with hysteresis the droplet is as wide at rest as without it", abs(widths[0] - widths[1]), 1e-6)

@@ -22,7 +22,7 @@ PLAIN = {name: value for name, value in environment.items()
 
 
 def answer(words, variables=(), **options):
-    return subprocess.run(words, capture_output=True, text=True, timeout=120, env={**PLAIN, **dict(variables)},
+    return subprocess.run(words, capture_output=True, text=True, timeout=900, env={**PLAIN, **dict(variables)},
                           **options)
 
 

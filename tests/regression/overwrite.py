@@ -21,7 +21,7 @@ def refused(name, case, settings, code, memory=None):
     words = command(case, "run", settings, OVERWRITE)
     limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory))) if memory else None
     before = content()
-    result = subprocess.run(words, capture_output=True, text=True, timeout=300, env=environment, preexec_fn=limit)
+    result = subprocess.run(words, capture_output=True, text=True, timeout=900, env=environment, preexec_fn=limit)
     check_true(f"{name}: exit code {code}", result.returncode == code, result.stderr.strip())
     check_true(f"{name}: the old result stays", content() == before, str(sorted(before.keys() ^ content().keys())))
 

@@ -84,7 +84,7 @@ solver = {{ newton = {{ rtol = 1e-10, atol = 1e-15 }}, krylov = {{ rtol = 1e-4 }
 
 
 def call(words, code=0):
-    done = subprocess.run([softwet, *words], capture_output=True, text=True, timeout=300, env=environment)
+    done = subprocess.run([softwet, *words], capture_output=True, text=True, timeout=900, env=environment)
     check_true(f"{' '.join(words[:1] + words[2:])}: exit code {code}", done.returncode == code, done.stdout + done.stderr)
     return done.stdout + done.stderr
 

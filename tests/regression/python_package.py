@@ -159,7 +159,7 @@ changed = {name: value for name, value in environment.items() if name != "SOFTWE
 
 def plot(**changes):
     return subprocess.run([str(bare), str(tools / "plot"), "pull", "--interface", "--out", "wall.png"], text=True,
-                          capture_output=True, timeout=60, env={**changed, **changes})
+                          capture_output=True, timeout=900, env={**changed, **changes})
 
 
 if importlib.util.find_spec("matplotlib"):

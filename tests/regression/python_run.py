@@ -80,6 +80,32 @@ refused("a computation that fails", lambda: softwet.run(pull, "failed", hopeless
 by_hand = softwet.run(LAYER, "failed", threads=1, progress=False, overwrite=True)
 check_true("a dict is computed", by_hand.case["substrate"]["young"] == "0.7 + 0.1*x" and by_hand.state == "done")
 
+# --- what was checked is what runs: sources that change later, and another working folder ----------------------------------
+for folder in ("changed", "elsewhere"):
+    shutil.rmtree(folder, ignore_errors=True)
+source = {**LAYER, "substrate": {**LAYER["substrate"], "young": 1.0}, "time": {"end": 0.1}}
+settings = {"domain.elements": [8, 2]}
+kept = softwet.Case(source, settings)
+source["substrate"]["young"] = 2.0
+settings["domain.elements"][0] = 12
+check_true("a dict that changes later", [softwet.Case(case, {"time.end": 0.2})["substrate"]["young"] for case in (kept, source)] == [1, 2]
+           and kept.run("changed", threads=1, progress=False).case["domain"]["elements"] == [8, 2])
+check_true("and its run", softwet.open("changed").case["substrate"]["young"] == 1)
+pathlib.Path("kept.toml").write_text(kept.text)
+from_file = softwet.Case("kept.toml")
+pathlib.Path("kept.toml").write_text(kept.text.replace("young = 1", "young = 3"))
+check_true("a file that changes later", from_file["substrate"]["young"] == 1 and softwet.Case("kept.toml")["substrate"]["young"] == 3
+           and from_file.run("changed", threads=1, progress=False, overwrite=True).case["substrate"]["young"] == 1)
+earlier = softwet.Case(kept, {"initial.from": "changed"})
+pathlib.Path("elsewhere").mkdir()
+os.chdir("elsewhere")
+moved = from_file.run("run", threads=1, progress=False)
+second = earlier.run("second", threads=1, progress=False)
+os.chdir("..")
+check_true("another working folder", moved.history["t"][-1] == 0.1 and second.history["t"][-1] == 0.1)
+check_true("the resolved case holds from any folder", pathlib.Path(second.case["initial"]["from"]) == pathlib.Path("changed").resolve())
+check_true("no file is left by them", not list(pathlib.Path().glob("**/.case*")))
+
 # --- Ctrl-C, of Python alone, as the stop button of a notebook sends it ----------------------------------------------------
 code = f"""
 import softwet
@@ -91,11 +117,11 @@ except KeyboardInterrupt:
 """
 process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                            env={**environment, "PYTHONPATH": str(tools)})
-end = time.monotonic() + 120
+end = time.monotonic() + 900
 while not pathlib.Path("stopped/run.json").exists() and process.poll() is None and time.monotonic() < end:
     time.sleep(0.05)
 process.send_signal(signal.SIGINT)
-out, told = process.communicate(timeout=120)
+out, told = process.communicate(timeout=900)
 check_true("Ctrl-C stops the run with a checkpoint", process.returncode == 0 and "stopped is stopped" in out and
            pathlib.Path("stopped/checkpoint.h5").exists(), f"{process.returncode} {out} {told}")
 check_true("and what the program says is passed on", "stopped by user" in told and "--resume" in told, told)
@@ -118,14 +144,14 @@ if not pathlib.Path("cases").exists():
 shutil.rmtree("out", ignore_errors=True)
 blocks = re.findall(r"```python\n(.*?)```", (DOCS / "python.md").read_text(), re.DOTALL)
 result = subprocess.run([sys.executable, "-W", "error", "-c", "\n".join(blocks)], capture_output=True, text=True,
-                        env={**environment, "PYTHONPATH": str(tools)}, timeout=300)
+                        env={**environment, "PYTHONPATH": str(tools)}, timeout=900)
 check_true("docs/python.md", result.returncode == 0 and "1 --set substrate.poisson=0.6" in result.stdout, result.stdout + result.stderr)
 try:
     import scipy.optimize  # noqa: F401
 except ImportError:
     sys.exit(print("no scipy: docs/fit_young.py is left out"))
 result = subprocess.run([sys.executable, "-W", "error", str(DOCS / "fit_young.py")], capture_output=True, text=True,
-                        env={**environment, "PYTHONPATH": str(tools)}, timeout=300)
+                        env={**environment, "PYTHONPATH": str(tools)}, timeout=900)
 found = re.search(r"Young's modulus: ([0-9.]+)", result.stdout)
 check_true("docs/fit_young.py", result.returncode == 0 and found, result.stdout + result.stderr)
 check("it finds the modulus of which the heights were made", abs(float(found.group(1)) - 0.5), 2e-3)

@@ -24,7 +24,7 @@ from softwet._report import tables  # noqa: E402
 
 def report(folder, *words, code=0):
     result = subprocess.run([sys.executable, str(tools / "report"), folder, *words], capture_output=True, text=True,
-                            timeout=120, env=environment)
+                            timeout=900, env=environment)
     check_true(f"report {folder}: exit code {code}", result.returncode == code and "Warning" not in result.stderr,
                result.stderr)
     return result.stderr

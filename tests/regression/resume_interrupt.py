@@ -30,7 +30,7 @@ for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         message = run("tensotaxis_pull_2d", "stopped", PULL, options, code=1)
         check_true("the folder is taken while it runs", "another run" in message and "is writing" in message, message.strip())
     process.send_signal(number)
-    message = process.communicate(timeout=60)[1]
+    message = process.communicate(timeout=900)[1]
     name = signal.Signals(number).name
     check_true(f"{name}: exit code 0", process.returncode == 0, f"{process.returncode}")
     check_true(f"{name}: says how to go on", "stopped by user" in message and "--resume" in message, message.strip())
@@ -73,5 +73,5 @@ os.close(reader)
 process = subprocess.Popen(command("tensotaxis_pull_2d", "unread", PULL + ["time.max_steps=2"], ["--overwrite", "--threads", "1"]),
                            stderr=writer, env=environment)
 os.close(writer)
-check_true("unread: exit code 0", process.wait(timeout=60) == 0, f"{process.returncode}")
+check_true("unread: exit code 0", process.wait(timeout=900) == 0, f"{process.returncode}")
 check_true("unread: it computed", record("unread")["counts"]["steps"] == 2)

@@ -22,7 +22,7 @@ SETS = [word for setting in PULL for word in ("--set", setting)]
 
 
 def start(*words, code=0):
-    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, timeout=120, env=environment)
+    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, timeout=900, env=environment)
     check_true(f"{pathlib.Path(words[0]).name} {words[1]}: exit code {code}", done.returncode == code and
                "Traceback" not in done.stderr, f"{done.returncode} {done.stderr}")
     return done

@@ -49,7 +49,7 @@ def bare_path(folder, user, installed):
 
 
 def start(folder, *words, **environment):
-    return subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True, timeout=60,
+    return subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True, timeout=900,
                           env={**os.environ, **environment})
 
 

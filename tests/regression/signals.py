@@ -24,7 +24,7 @@ def waiting(settings=(), command=("run", "pipe", "--out", "run")):
     process = subprocess.Popen([softwet, *command, "--threads", "1", *words],
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment,
                                preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
-    end = time.monotonic() + 30
+    end = time.monotonic() + 900
     while not hears(process.pid, signal.SIGTERM) and time.monotonic() < end:
         time.sleep(0.01)
     heard = hears(process.pid, signal.SIGTERM)
@@ -37,7 +37,7 @@ def waiting(settings=(), command=("run", "pipe", "--out", "run")):
 def fed(process):
     """The run gets its case. @return its message"""
     pathlib.Path("pipe").write_text(CASE.read_text())
-    return "".join(process.communicate(timeout=60))
+    return "".join(process.communicate(timeout=900))
 
 
 for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU):
@@ -64,7 +64,7 @@ process = waiting()
 process.send_signal(signal.SIGTERM)
 time.sleep(1.2)
 process.send_signal(signal.SIGTERM)
-message = process.communicate(timeout=60)[1]
+message = process.communicate(timeout=900)[1]
 check_true("a second signal ends the run at once", process.returncode == -signal.SIGTERM, str(process.returncode))
 check_true("and says so", "ended at once by a second signal" in message, message)
 
@@ -90,4 +90,4 @@ process = waiting(command=("steady", "pipe", "--out", "run"))
 process.stdout.close()
 process.stderr.close()
 pathlib.Path("pipe").write_text(CASE.read_text())
-check_true("steady outlives its reader", process.wait(timeout=60) == 0 and record("run")["stop"]["reason"] == "at rest")
+check_true("steady outlives its reader", process.wait(timeout=900) == 0 and record("run")["stop"]["reason"] == "at rest")

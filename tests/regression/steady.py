@@ -20,7 +20,7 @@ def steady(case, folder, settings=(), options=ONE, code=0):
     sets = [word for setting in settings for word in ("--set", setting)]
     path = case if str(case).endswith(".toml") else cases / f"{case}.toml"
     done = subprocess.run([softwet, "steady", str(path), "--out", str(folder), *sets, *options], capture_output=True,
-                          text=True, timeout=300, env=environment)
+                          text=True, timeout=900, env=environment)
     check_true(f"{folder}: exit code {code}", done.returncode == code, done.stdout + done.stderr)
     return done.stdout + done.stderr
 

@@ -23,7 +23,7 @@ def words(case, folder, settings, *more):
 
 def steady(case, folder, settings, *more, code=0):
     """@return what the command said"""
-    done = subprocess.run(words(case, folder, settings, *more), capture_output=True, text=True, timeout=300, env=environment)
+    done = subprocess.run(words(case, folder, settings, *more), capture_output=True, text=True, timeout=900, env=environment)
     check_true(f"{folder} {' '.join(more)}: exit code {code}", done.returncode == code, done.stdout + done.stderr)
     return done.stdout + done.stderr
 
@@ -64,7 +64,7 @@ text = (cases / "solid_layer_2d.toml").read_text()
 pathlib.Path("field.toml").write_text(text + '\n[initial]\ndisplacement = [0, "0.001*y"]\n')
 sets = [word for setting in LAYER for word in ("--set", setting)]
 done = subprocess.run([softwet, "steady", "field.toml", "--out", "field", *sets, "--threads", "1", "--along",
-                       "substrate.young=1,0.9"], capture_output=True, text=True, timeout=300, env=environment)
+                       "substrate.young=1,0.9"], capture_output=True, text=True, timeout=900, env=environment)
 check_true("fields at the start", done.returncode == 0, done.stdout + done.stderr)
 resolved = pathlib.Path("field/young=0.9/case.toml").read_text()
 check_true("are those of the state before", "young=1" in resolved and "0.001*y" not in resolved, resolved)
@@ -121,13 +121,13 @@ for number in (signal.SIGTERM, signal.SIGINT):
     check_true("a state that is new", "at rest" in line, line)
     time.sleep(0.05)
     process.send_signal(number)
-    said, errors = process.communicate(timeout=60)
+    said, errors = process.communicate(timeout=900)
     check_true(f"{number.name}: exit code 0", process.returncode == 0, f"{process.returncode} {said}{errors}")
     check_true(f"{number.name}: says what goes on", "stopped by user" in said and "the same command goes on" in said and not errors, said + errors)
     check_true(f"{number.name}: before the last state", 0 < len(states("parts")) < 7, str(len(states("parts"))))
 process = start(stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 process.stdout.close()  # nobody reads
-check_true("a command that nobody reads goes on to its end", process.wait(timeout=120) == 0)
+check_true("a command that nobody reads goes on to its end", process.wait(timeout=900) == 0)
 check_true("its states are those of a command that was not stopped", [record(f"parts/{row['folder']}")["rest"]["steps"] for row in states("parts")] ==
            [record(f"whole/{row['folder']}")["rest"]["steps"] for row in states("whole")])
 check_true("to the last bit", all(pathlib.Path("parts", row["folder"], "history.csv").read_bytes() ==

@@ -41,11 +41,11 @@ def member_hears(sweep):
 def stopped(line, until):
     """A sweep that gets SIGTERM once `until` holds for its process. @return its exit code, and what it said"""
     process = subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ONE_THREAD)
-    end = time.monotonic() + 60
+    end = time.monotonic() + 900
     while not until(process) and process.poll() is None and time.monotonic() < end:
         time.sleep(0.01)
     process.send_signal(signal.SIGTERM)
-    told = "".join(process.communicate(timeout=60))
+    told = "".join(process.communicate(timeout=900))
     return process.returncode, told
 
 
@@ -60,18 +60,18 @@ code, told = stopped(REST, lambda sweep: (first / "member.log").exists() and mem
 check_true("stopped at rest: before its first row", not (first / "history.csv").exists())
 check_true("stopped at rest: exit code 2, the same command goes on", code == 2 and "goes on" in told, f"{code} {told}")
 check_true("stopped at rest: interrupted", states("rest")[0] == ("interrupted", "0"), str(states("rest")))
-done = subprocess.run(REST, capture_output=True, text=True, env=ONE_THREAD, timeout=300)
+done = subprocess.run(REST, capture_output=True, text=True, env=ONE_THREAD, timeout=900)
 check_true("stopped at rest: the same command ends", done.returncode == 0, done.stderr)
 check_true("stopped at rest: all rows", history(first)["step"].tolist() == [0, 1])
 
 # --- a full disk -----------------------------------------------------------------------------------------------------
 FULL = words("solid_layer_2d", "substrate.poisson=0.1,0.2", SOLID, ["--out", "full"])
-done = subprocess.run(FULL, capture_output=True, text=True, env=ONE_THREAD, timeout=120,
+done = subprocess.run(FULL, capture_output=True, text=True, env=ONE_THREAD, timeout=900,
                       preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000)))
 check_true("full disk: exit code 3 and the reason", done.returncode == 3 and "File too large" in done.stderr and
            "the same command goes on" in done.stderr, f"{done.returncode} {done.stderr}")
 check_true("full disk: interrupted", states("full") == [("interrupted", "3")] * 2, str(states("full")))
-done = subprocess.run(FULL, capture_output=True, text=True, env=ONE_THREAD, timeout=120)
+done = subprocess.run(FULL, capture_output=True, text=True, env=ONE_THREAD, timeout=900)
 check_true("full disk: goes on with room", done.returncode == 0 and states("full") == [("done", "0")] * 2, done.stderr)
 
 # --- a task of an array ----------------------------------------------------------------------------------------------
@@ -86,6 +86,6 @@ check_true("submitted again it goes on", code == 0 and history(member)["step"][-
 # Members do not ask the launcher of the task whether they are one of several.
 shutil.rmtree("array")
 TWO = words("solid_layer_2d", "substrate.poisson=0.1,0.2", SOLID, ["--out", "array"])
-done = subprocess.run(TWO, capture_output=True, text=True, timeout=120,
+done = subprocess.run(TWO, capture_output=True, text=True, timeout=900,
                       env={**ONE_THREAD, "SLURM_STEP_NUM_TASKS": "2", "SLURM_PROCID": "1"})
 check_true("a sweep in a step of several tasks", done.returncode == 0, done.stderr)

@@ -24,14 +24,14 @@ python = [path.name for path in sorted(pathlib.Path("copy").iterdir())
           if path.is_file() and path.read_bytes().startswith(b"#!/usr/bin/env python3")]
 check_true("there are tools in Python", {"sweep", "plot", "report", "verify"} <= set(python), str(python))
 for name in python:
-    subprocess.run([sys.executable, f"copy/{name}", "--help"], capture_output=True, env=PLAIN, timeout=60)
+    subprocess.run([sys.executable, f"copy/{name}", "--help"], capture_output=True, env=PLAIN, timeout=900)
 left = [str(path) for path in pathlib.Path("copy").rglob("__pycache__")]
 check_true("nothing is written beside the tools", not left, str(left))
 
 if importlib.util.find_spec("matplotlib") is None:
     sys.exit(print("no matplotlib: no page is made here"))
 for name, home in (("no folder", "/proc/nowhere"), ("a file", str(pathlib.Path("copy/sweep").absolute()))):
-    done = subprocess.run([sys.executable, "copy/report", "run"], capture_output=True, text=True, timeout=120,
+    done = subprocess.run([sys.executable, "copy/report", "run"], capture_output=True, text=True, timeout=900,
                           env={**PLAIN, "HOME": home})
     check_true(f"HOME is {name}: no word of matplotlib", done.returncode == 0 and not done.stderr, done.stderr)
 check_true("what matplotlib kept is gone", not os.listdir("temporary"), str(os.listdir("temporary")))

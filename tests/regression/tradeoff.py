@@ -25,7 +25,7 @@ def tradeoff(*options, case=CASE, settings=SMALL, reference=TIME_ONLY, parameter
     words = [word for option, values in (("--set", settings), ("--reference", reference), ("--parameters", parameters))
              for value in values for word in (option, value)]
     done = subprocess.run([softwet, "tradeoff", case, *words, *options], capture_output=True, text=True, env=quiet,
-                          timeout=300)
+                          timeout=900)
     if done.returncode != code:
         check_true(f"exit code {code}", False, f"{done.returncode}\n{done.stdout}{done.stderr}")
     return done

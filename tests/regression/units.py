@@ -21,7 +21,7 @@ WRONG = [("--radius", "100", "nm, um, mm"), ("--radius", "-1mm", "above 0"), ("-
 
 def command(softwet, options):
     words = [word for pair in options.items() for word in pair]
-    return subprocess.run([softwet, "units", *words], capture_output=True, text=True, timeout=60)
+    return subprocess.run([softwet, "units", *words], capture_output=True, text=True, timeout=900)
 
 
 def coexistence(theta):

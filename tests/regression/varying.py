@@ -19,7 +19,7 @@ table.write_text("t,value\n" + "".join(f"{t},{v}\n" for t, v in zip(KINKS, [1, -
 
 
 def ask(*words):
-    return subprocess.run([softwet, *words], capture_output=True, text=True, timeout=120, env=environment)
+    return subprocess.run([softwet, *words], capture_output=True, text=True, timeout=900, env=environment)
 
 
 def bytes_of(folder):

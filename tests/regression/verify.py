@@ -29,7 +29,7 @@ def verify(*words, tools=None, **changes):
     environment = {**os.environ, **changes}
     if tools:
         environment["SOFTWET_TOOLS"] = str(tools)
-    return subprocess.run([softwet, "verify", *words], capture_output=True, text=True, env=environment, timeout=300)
+    return subprocess.run([softwet, "verify", *words], capture_output=True, text=True, env=environment, timeout=900)
 
 
 def fails(name, result, code, *parts):

@@ -15,7 +15,7 @@ CHOSEN = "3000"
 def looks(command, **variables):
     """The number of looks before a thread sleeps; None where the runtime does not say."""
     kept = {name: value for name, value in os.environ.items() if name not in ("OMP_WAIT_POLICY", "GOMP_SPINCOUNT")}
-    done = subprocess.run([softwet, command, "--help"], capture_output=True, text=True, timeout=60,
+    done = subprocess.run([softwet, command, "--help"], capture_output=True, text=True, timeout=900,
                           env={**kept, "OMP_DISPLAY_ENV": "verbose", **variables})
     check_true(f"softwet {command} --help, {variables}", done.returncode == 0)
     found = re.findall(r"GOMP_SPINCOUNT = '(\d+)'", done.stderr)  # reported twice by a program that begins again

@@ -14,7 +14,7 @@ SHORT = 0.25 / 3600  # hours
 
 def compute(folder, hours, *options):
     words = command("tensotaxis_pull_2d", folder, [*PULL, f"time.wall_clock={hours}"], [*options, "--threads", "1"])
-    done = subprocess.run(words, capture_output=True, text=True, timeout=300, env=environment)
+    done = subprocess.run(words, capture_output=True, text=True, timeout=900, env=environment)
     check_true(f"exit code 0 with {hours:g} hours {' '.join(options)}", done.returncode == 0, done.stderr)
     return done.stderr
 

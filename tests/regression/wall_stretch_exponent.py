@@ -19,7 +19,7 @@ ALPHA, BETA = 60.0, 0.8
 
 
 def call(words, code=0):
-    done = subprocess.run([softwet, *words], capture_output=True, text=True, timeout=300, env=environment)
+    done = subprocess.run([softwet, *words], capture_output=True, text=True, timeout=900, env=environment)
     check_true(f"{' '.join(words[:2])}: exit code {code}", done.returncode == code, done.stdout + done.stderr)
     return done.stdout + done.stderr
 

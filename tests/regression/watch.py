@@ -16,7 +16,7 @@ from _scene import PULL, check_true, command, environment, history, record, run,
 
 
 def tell(name, *words, code=0, **changes):
-    result = subprocess.run([softwet, name, *words], capture_output=True, text=True, timeout=60,
+    result = subprocess.run([softwet, name, *words], capture_output=True, text=True, timeout=900,
                             env={**environment, **changes})
     check_true(f"softwet {name} {' '.join(words)}: exit code {code}", result.returncode == code, result.stderr)
     return result.stdout if code == 0 else result.stdout + result.stderr
@@ -82,5 +82,5 @@ finally:
     process.send_signal(signal.SIGKILL)
     process.wait()
 rewrite("alive", state="running") if os.path.exists("alive/run.json") else None
-text = watch.communicate(timeout=30)[0]
+text = watch.communicate(timeout=900)[0]
 check_true("watch sees that it died", watch.returncode == 2 and "died" in text, f"{watch.returncode} {text[-2000:]}")

@@ -160,7 +160,7 @@ class Inputs:
         self.case = (self.folder / "first.toml").read_text()
 
     def answer(self, words):
-        return subprocess.run([self.softwet, *words], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        return subprocess.run([self.softwet, *words], cwd=self.folder, capture_output=True, text=True, timeout=900)
 
     def all(self):
         """(input as text, result, parts) of each wrong input."""

@@ -1,6 +1,7 @@
 """Cases: from a file or from Python, checked by the program, and computed by it."""
 
 import contextlib
+import copy
 import json
 import math
 import numbers
@@ -67,21 +68,23 @@ class Case:
     case.warnings                what the program says of it: a list of sentences
     case.run(...)                computes it, see softwet.run
 
+    What is computed is what was checked: a dict or a file that changes later, and another working folder, change nothing.
     Paths of tables are relative to the folder of the file, and for a dict to the working folder. What is wrong with a case
     raises softwet.Failure."""
 
     def __init__(self, source, sets=None):
         if isinstance(source, Case):
-            self._source, self.sets = source._source, {**source.sets, **(sets or {})}
+            self._source, self.sets = source._source, {**source.sets, **copy.deepcopy(sets or {})}
         elif isinstance(source, (dict, str, os.PathLike)):
-            self._source, self.sets = source, dict(sets or {})
+            self._source, self.sets = Source(source), copy.deepcopy(dict(sets or {}))
         else:
             raise Problem(f"{source!r} is not a case: give the path of a file, a dict of tables, or a softwet.Case")
-        with self._words() as words:
-            self.text, lines = self._told(lambda: program.ask("check", "--resolved", *words), words[0])
+        self.text, lines = self._with_words(lambda words: program.ask("check", "--resolved", *words))
         self.warnings = program.sentences(lines, program.WARNING)
         import tomllib
         self._tables = CaseTable("the case", tomllib.loads(self.text))
+        if earlier := self._tables.get("initial", {}).get("from"):
+            self.sets["initial.from"] = toml_text(os.path.abspath(earlier))
 
     def __repr__(self):
         return f"<softwet.Case {self['name']}>"
@@ -110,33 +113,54 @@ class Case:
         options += [option for option, wish in (("--overwrite", overwrite), ("--resume", resume), ("--quiet", not progress))
                     if wish]
         tell = program.tell_on_stderr if progress else lambda line: None
-        with self._words() as words:
-            self._told(lambda: program.compute(["run", *words, *options], tell), words[0])
-        return Run(folder)
+        self._with_words(lambda words: program.compute(["run", *words, *options], tell))
+        return Run(folder.absolute())
+
+    def _with_words(self, action):
+        """Does something with the words of a command line that name the case. A failure names the source as the user did."""
+        with self._source.file() as path:
+            try:
+                return action([path, *assignments(self.sets)])
+            except program.Failure as failure:
+                raise program.Failure(failure.code, str(failure).replace(path, self._source.name)) from None
+
+
+class Source:
+    """The text of a case, and the folder to which its tables are relative.
+
+    given  the path of a file, which is read here, or a dict of tables"""
+
+    def __init__(self, given):
+        self._path = None
+        if isinstance(given, dict):
+            self.name, self._text, self._folder = "the case", toml_file(given), os.getcwd()
+            return
+        self.name, self._path = os.fspath(given), os.path.abspath(given)
+        self._text, self._folder = _text_of(self._path), os.path.dirname(self._path)
 
     @contextlib.contextmanager
-    def _words(self):
-        """The words of a command line that name the case; a dict is a file for so long."""
-        if not isinstance(self._source, dict):
-            yield [os.fspath(self._source), *assignments(self.sets)]
+    def file(self):
+        """A path with the text: the user's file while it still holds that text, else a file beside it."""
+        if self._path is not None and _text_of(self._path) == self._text:
+            yield self._path
             return
         try:
-            file = tempfile.NamedTemporaryFile("w", dir=os.getcwd(), prefix=".case_", suffix=".toml", encoding="utf-8")
+            file = tempfile.NamedTemporaryFile("w", dir=self._folder, prefix=".case_", suffix=".toml", encoding="utf-8", newline="")
         except OSError as error:
-            raise Problem(f"cannot write the case into the working folder: {error}") from error
+            raise Problem(f"cannot write the case into the folder {self._folder}, where its tables are: {error}") from error
         with file:
-            file.write(toml_file(self._source))
+            file.write(self._text)
             file.flush()
-            yield [file.name, *assignments(self.sets)]
+            yield file.name
 
-    def _told(self, action, path):
-        """Does something; a failure names the dict and not the file that stood for it."""
-        try:
-            return action()
-        except program.Failure as failure:
-            if not isinstance(self._source, dict):
-                raise
-            raise program.Failure(failure.code, str(failure).replace(path, "the case")) from None
+
+def _text_of(path):
+    """The text of a file; None where there is none to read, which the program reports."""
+    try:
+        with open(path, encoding="utf-8", newline="") as file:
+            return file.read()
+    except (OSError, UnicodeDecodeError):
+        return None
 
 
 def run(case, out=None, sets=None, threads=None, progress=True, overwrite=False, resume=False):

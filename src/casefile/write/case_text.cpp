@@ -1,8 +1,12 @@
 // Schema to text: the resolved case, the case to start from, and the explanation of keys.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cctype>
 #include <functional>
+#include <iterator>
 #include <sstream>
+#include <vector>
 
 #include "case/error.hpp"
 #include "casefile/case_file.hpp"
@@ -71,6 +75,43 @@ bool matches(const Key& key, const std::string& name) {
   return false;
 }
 
+/// Whether a text has a word or its beginning, large letters like small ones.
+bool has_word(const std::string& text, const std::string& word) {
+  const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(b); };
+  return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
+}
+
+/// The keys whose names end with `name`, whole parts of a name alone: "wall_law" is the end of fluid.wall_law.
+std::vector<const Key*> keys_ending(const std::string& name) {
+  std::vector<const Key*> found;
+  for (const Key& key : schema())
+    if (key.name.ends_with("." + name)) found.push_back(&key);
+  return found;
+}
+
+/// The keys whose names or meanings have all words of `words`.
+std::vector<const Key*> keys_about(const std::string& words) {
+  std::vector<const Key*> found;
+  for (const Key& key : schema()) {
+    std::istringstream list(words);
+    const std::string text = key.name + " " + key.help;
+    if (std::all_of(std::istream_iterator<std::string>(list), {},
+                    [&](const std::string& word) { return has_word(text, word); }))
+      found.push_back(&key);
+  }
+  return found;
+}
+
+/// One key as a whole, several by their names and the first sentences of their meanings; "" for none.
+std::string explain_found(const std::vector<const Key*>& found, const std::string& what) {
+  if (found.empty()) return {};
+  if (found.size() == 1) return explain_key(*found.front(), true);
+  std::string text = fmt::format("{}: {} keys; softwet explain KEY has more\n", what, found.size());
+  for (const Key* key : found)
+    text += fmt::format("  {:<36} {}\n", key->name, key->help.substr(0, key->help.find(". ")));
+  return text;
+}
+
 }  // namespace
 
 std::string write_case(const Case& c) {
@@ -117,7 +158,10 @@ std::string explain(const std::string& name) {
   }
   if (name.empty())
     text += "\nWhat a run writes: softwet explain history, softwet explain interface, softwet explain fields\n";
+  if (text.empty()) text = explain_found(keys_ending(name), fmt::format("names that end with '{}'", name));
   if (text.empty()) text = explain_columns(name);
+  if (text.empty() && name.find(' ') != std::string::npos)
+    text = explain_found(keys_about(name), fmt::format("meanings with the words '{}'", name));
   if (!text.empty()) return text;
   throw Error(Exit::invalid_input,
               fmt::format("explain: unknown key or column '{}'; {}", name, suggest(name, column_names()).sentence));
