@@ -158,8 +158,8 @@ std::string explain(const std::string& name) {
   }
   if (name.empty())
     text += "\nWhat a run writes: softwet explain history, softwet explain interface, softwet explain fields\n";
-  if (text.empty()) text = explain_found(keys_ending(name), fmt::format("names that end with '{}'", name));
   if (text.empty()) text = explain_columns(name);
+  if (text.empty()) text = explain_found(keys_ending(name), fmt::format("names that end with '{}'", name));
   if (text.empty() && name.find(' ') != std::string::npos)
     text = explain_found(keys_about(name), fmt::format("meanings with the words '{}'", name));
   if (!text.empty()) return text;
