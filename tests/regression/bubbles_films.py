@@ -20,7 +20,7 @@ output.fields.times = []
 """)
 
 
-# Half a bubble on its plane of symmetry, as docs/verification/angle.toml has half a droplet.
+# Half a bubble on its plane of symmetry, as the study "angle" has half a droplet.
 write("bubble", 'contact_angle = 60, ambient = "liquid"',
       'time = { end = 1, start = "equilibrium" }\ndroplet = [{ centre = [0, 0], radius = 0.2 }]')
 run_file("bubble.toml", "bubble", [], ALOUD)

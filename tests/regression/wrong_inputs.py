@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """Wrong inputs, each answered with its place, the value, what may stand there and what to write instead.
-usage: wrong_inputs.py SOFTWET [--docs FILE]     --docs writes all answers as a table (docs/wrong_inputs.md)"""
+usage: wrong_inputs.py SOFTWET"""
 
 import argparse
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
@@ -182,26 +181,9 @@ def problems_of(what, result, parts):
     return problems + [f"no '{part}'" for part in parts if part not in result.stderr]
 
 
-def table(answers):
-    def cell(text):
-        text = re.sub(r"/\S*/(?=stiffness\.csv)", "", text)  # the folder of the test
-        return text.replace("|", "\\|").replace("\n", " / ")
-
-    lines = ["# Wrong inputs and their answers", "",
-             "This page shows how softwet answers wrong input, so that its messages can be judged side by side.", "",
-             "Each line replaces one line of the case that `softwet init first.toml` writes, or is a command line. The answer",
-             "goes to stderr behind `softwet: error:`, and the exit code is 1. Several mistakes give several lines. Written by",
-             "`tests/regression/wrong_inputs.py build/release/softwet --docs docs/wrong_inputs.md`; the same file tests them.",
-             "", "| input | answer |", "|---|---|"]
-    lines += [f"| `{cell(what)}` | {cell(result.stderr.strip().replace(ERROR, ''))} |" if what else
-              f"| (the line removed) | {cell(result.stderr.strip().replace(ERROR, ''))} |" for what, result, _ in answers]
-    return "\n".join(lines) + "\n"
-
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("softwet", type=pathlib.Path)
-    parser.add_argument("--docs", type=pathlib.Path)
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         answers = list(Inputs(str(arguments.softwet.resolve()), folder).all())
@@ -210,8 +192,6 @@ def main():
         problems = problems_of(what, result, parts)
         failures += bool(problems)
         print(f"{'FAIL' if problems else 'ok':4}  {what!r}: {result.stderr.strip()} {'; '.join(problems)}")
-    if arguments.docs:
-        arguments.docs.write_text(table(answers))
     print(f"{len(answers)} wrong inputs, {failures} without the right answer")
     sys.exit(1 if failures or len(answers) < 60 else 0)
 

@@ -200,10 +200,10 @@ class Lab:
             lines += ["## Asked and measured", "", *asked_table(rows, shown), ""]
             if len(shown) < len(rows):
                 file = self.numbers(("what", "asked", "measured", "holds"), rows, "asked")
-                lines += [f"The other {len(rows) - len(shown)} rows hold; all are in [{file}]({file}).", ""]
+                lines += [f"The other {len(rows) - len(shown)} rows hold; all are in `{file}`.", ""]
             lines += [f"({i}) {cause}." for i, cause in enumerate(causes, 1)] + [""]
         lines += self.lines
         if self.commands:
             file = self.write_commands()
-            lines += ["", f"The commands of all runs: [{file}]({file})."]
+            lines += ["", f"The commands of all runs: `{file}`. The command above writes it, and the other tables and cases, beside its page."]
         return re.sub(r"\n{3,}", "\n\n", "\n".join(lines).strip()) + "\n"

@@ -1,4 +1,5 @@
-"""How the page of a study shows its tables: whole where they are short, and else a part, with all rows in a CSV file beside it."""
+"""How the page of a study shows its tables: whole where they are short, and else a part, with all rows in a CSV file that the command of the
+study writes."""
 
 import re
 
@@ -22,7 +23,7 @@ def named_table(columns, rows, file):
     """Lines of a table that the CSV file has whole."""
     rows = list(rows)
     shown = rows if len(rows) <= MOST else rows[:MOST // 2]
-    more = [] if len(rows) <= MOST else ["", f"These are {len(shown)} of {len(rows)} rows; all are in [{file}]({file})."]
+    more = [] if len(rows) <= MOST else ["", f"These are {len(shown)} of {len(rows)} rows; all are in `{file}`."]
     return ["", *markdown(columns, shown), *more, ""]
 
 

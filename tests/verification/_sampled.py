@@ -114,4 +114,4 @@ def compare(lab, elements, count, share, known=None):
                *(f"{form}: {what}" for form in WAYS for what in ("steps", "Krylov"))), rows, "errors")
     lab.title("Scenes")
     file = lab.numbers(("seed", *KNOWN), [(seed, *scene.values()) for seed, scene in scenes.items()], "scenes")
-    lab.text(f"What each seed gives is in [{file}]({file}).")
+    lab.text(f"What each seed gives is in `{file}`.")

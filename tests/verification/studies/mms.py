@@ -86,7 +86,7 @@ def show(lab, name, title, columns, sizes, found):
 
 
 def summary(title, columns, observed, file, picture):
-    links = f"[errors]({file})" + (f", [picture]({picture})" if picture else "")
+    links = f"`{file}`" + (f", [picture]({picture})" if picture else "")
     first, last = columns[0].removesuffix(" elements"), columns[-1].removeprefix("dt = ")
     return (title.removesuffix(f", {LENGTHS}"), f"{first} to {last}", *(observed.get(field, "") for field in NAMES), links)
 
@@ -294,4 +294,4 @@ def study(lab):
     explicit_course(lab, measurement)
     explicit_space(lab, measurement)
     file = lab.numbers(list(measurement.rows[0]), [list(row.values()) for row in measurement.rows], "errors")
-    lab.text(f"All errors, with what they were computed with: [{file}]({file}).")
+    lab.text(f"All errors, with what they were computed with: `{file}`.")

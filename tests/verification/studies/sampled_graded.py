@@ -60,7 +60,7 @@ def compare(lab, elements, count, end):
     lab.table(("seed", "load", "way", "unknowns left", "path %", "with the relaxation %", "peak %", "steps", "Krylov"), [row(seed, runs, found) for seed in seeds],
               f"paths_{elements}")
     file = lab.numbers(("seed", *scenes[FIRST]), [(seed, *scene.values()) for seed, scene in scenes.items()], f"scenes_{elements}")
-    lab.text(f"Steps and iterations of GMRES: equal and graded elements. What each seed gives is in [{file}]({file}).")
+    lab.text(f"Steps and iterations of GMRES: equal and graded elements. What each seed gives is in `{file}`.")
 
 
 def path_of(graded, equal):

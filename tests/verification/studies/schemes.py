@@ -47,7 +47,7 @@ def show(lab, forms, reasons, measured):
     lab.title("What was measured")
     file = lab.numbers(MEASURED, measured, "measured")
     missed = {row[0] for row in measured if any(cell.startswith("**") for cell in row[3:])}
-    lab.text(f"All {len(measured)} rows are in [{file}]({file})." + (" Those of studies that some scheme misses:" if missed else ""))
+    lab.text(f"All {len(measured)} rows are in `{file}`." + (" Those of studies that some scheme misses:" if missed else ""))
     if missed:
         lab.table(MEASURED, [row for row in measured if row[0] in missed])
 
