@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -39,6 +40,18 @@ check("nothing of Kokkos", not [name for name in files if "kokkos" in name.lower
 check("nothing that needs the sources", not files & {f"share/softwet/tools/{name}" for name in ("setup", "run", "test")})
 
 softwet = prefix / "bin/softwet"
+# The licence of every library that the program calls is in what is passed on.
+LIBRARIES = {"hdf5": "HDF5", "fmt": "fmt", "muparser": "muParser", "gomp": "libgomp", "omp": "libgomp", "stdc++": "libstdc++", "gcc_s": "libgcc",
+             "c": "glibc", "m": "glibc", "mvec": "glibc", "pthread": "glibc", "dl": "glibc", "umfpack": "UMFPACK", "openblas": "OpenBLAS",
+             "mpi": "MPI", "cuda": "CUDA", "cudart": "CUDA"}
+if shutil.which("readelf"):
+    listed = subprocess.run(["readelf", "-d", softwet], capture_output=True, text=True, check=True).stdout
+    called = re.findall(r"NEEDED.*\[(?:lib)?([a-z_+]+[0-9]?[a-z_+]*)[^\]]*\]", listed)
+    copyright = (prefix / "share/doc/softwet/copyright").read_text()
+    check("it calls libraries", len(called) >= 4, listed)
+    for name in called:
+        known = next((word for key, word in LIBRARIES.items() if name == key or name.startswith(key + "_")), "nothing" if name != "ld-linux" else "glibc")
+        check(f"the licence of {name}", known in copyright, called)
 done = start(softwet, "run", prefix / "share/softwet/cases/solid_layer_2d.toml", "--set", "time.max_steps=2", "--out", "out",
              "--overwrite", "--threads", "1")
 check("run", done.returncode == 0 and pathlib.Path("out/history.csv").exists(), done)

@@ -41,6 +41,10 @@ install(FILES ${softwet_generated}/softwet.bash DESTINATION ${softwet_manual}/ba
 if(SKBUILD)
   return()
 endif()
-install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION share/doc/softwet)
+install(FILES README.md CHANGELOG.md CITATION.cff LICENSE THIRD_PARTY.md DESTINATION share/doc/softwet)
 install(DIRECTORY docs DESTINATION share/doc/softwet)
-install(FILES LICENSE DESTINATION share/doc/softwet RENAME copyright)  # the name that Debian asks for
+# What Debian asks for: the licence, and those of the libraries that the program holds.
+file(READ ${PROJECT_SOURCE_DIR}/LICENSE licence)
+file(READ ${PROJECT_SOURCE_DIR}/THIRD_PARTY.md third_party)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/copyright CONTENT "@licence@\n@third_party@" @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/generated/copyright DESTINATION share/doc/softwet)

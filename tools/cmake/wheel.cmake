@@ -17,4 +17,4 @@ install(CODE [[
     file(COPY_FILE "${file}" "${folder}/${name}" ONLY_IF_DIFFERENT)
   endforeach()
 ]])
-install(FILES LICENSE DESTINATION .)
+install(FILES LICENSE THIRD_PARTY.md DESTINATION .)
