@@ -21,6 +21,7 @@
 #include "field/together.hpp"
 #include "io/atomic_file.hpp"
 #include "machine/memory.hpp"
+#include "machine/terminal.hpp"
 #include "machine/threads.hpp"
 #include "run/host/output_folder.hpp"
 
@@ -32,7 +33,7 @@ void warn(const Case& c) {
   if (!ranks::root()) return;
   std::vector<std::string> all = warnings(c);
   for (const std::string& sentence : forecast_case(c)) all.push_back(sentence);
-  for (const std::string& warning : all) std::cerr << "softwet: warning: " << warning << "\n";
+  for (const std::string& warning : all) std::cerr << for_stderr("softwet: warning: " + warning) << "\n";
 }
 
 /// Refuses what cannot fit, and reports what deserves a look.
@@ -204,7 +205,15 @@ void add_run(CLI::App& app, CaseRequest& request) {
   command.add_flag("--overwrite", request.overwrite, "replace the result in the output folder");
   add_threads(command, request);
   command.add_flag("--quiet", request.options.quiet, "no progress line");
-  command.callback([&request] { run_command(request); });
+  CLI::Option* needs = command.add_flag("--needs",
+                                        "print which configuration of the program the case needs and whether this "
+                                        "build has it, and compute nothing");
+  command.callback([&request, needs] {
+    if (needs->count() > 0)
+      fmt::print("{}\n", configuration_line(read_case_of(request)));
+    else
+      run_command(request);
+  });
 }
 
 /// A state that is followed along a key is a chain of such commands, which a program of the folder tools starts.

@@ -25,6 +25,7 @@
 #include "cli/units_command.hpp"
 #include "field/ranks.hpp"
 #include "machine/launcher.hpp"
+#include "machine/terminal.hpp"
 
 namespace softwet {
 namespace {
@@ -72,7 +73,7 @@ int report(Exit code, const std::string& problem) {
   if (!ranks::root() && !alone) return static_cast<int>(code);
   const std::string message = alone ? fmt::format("process {}: {}", ranks::mine(), problem) : problem;
   std::istringstream lines(message);
-  for (std::string line; std::getline(lines, line);) std::cerr << "softwet: error: " << line << "\n";
+  for (std::string line; std::getline(lines, line);) std::cerr << for_stderr("softwet: error: " + line) << "\n";
   if (alone || !ranks::all_end()) ranks::abort(static_cast<int>(code));
   return static_cast<int>(code);
 }

@@ -10,6 +10,7 @@
 #include "field/together.hpp"
 #include "machine/memory.hpp"
 #include "observe/interface_table.hpp"
+#include "run/host/results.hpp"
 #include "run/interrupt.hpp"
 #include "run/machine.hpp"
 #include "run/memory_parts.hpp"
@@ -121,6 +122,13 @@ void Journal<D, P>::write_state() {
   write_checkpoint<D, P>(path("checkpoint.h5"), case_, stepper_, scalars_.memory(), files, seconds_);
   record("running");
   wall_clock_.save(since_start() - before);
+}
+
+template <int D, int P>
+void Journal<D, P>::tell_of_result(const std::string& before) {
+  tell(before + "the result is in " + options_.out + summary(scalars_.events()));
+  for (const std::string& line : result_lines(case_, last_row_)) progress_.add(line);
+  for (const std::string& line : next_lines(case_, options_.out, !written_.empty())) progress_.add("  " + line);
 }
 
 template <int D, int P>

@@ -60,9 +60,8 @@ class Journal {
   void keep_state_of(const Case& asked, const std::function<void()>& compute);
 
   void tell(const std::string& message) { progress_.tell(message); }
-  void tell_of_result(const std::string& before) {
-    tell(before + "the result is in " + options_.out + summary(scalars_.events()));
-  }
+  /// Where the result is, what it came to, and what to do next with it.
+  void tell_of_result(const std::string& before);
   Progress& progress() { return progress_; }
   Scalars<D, P>& scalars() { return scalars_; }
 

@@ -1,39 +1,27 @@
 #include "run/progress.hpp"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 
 #include "case/text.hpp"
+#include "machine/terminal.hpp"
 #include "run/host/time_left.hpp"
 
 namespace softwet {
-namespace {
 
-/// Characters in a row of the terminal; a longer line would not be rewritten but pile up.
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : 80;
-}
-
-}  // namespace
-
-Progress::Voice Progress::voice() { return isatty(STDERR_FILENO) ? Voice::terminal : Voice::lines; }
+Progress::Voice Progress::voice() { return speaks_to_terminal() ? Voice::terminal : Voice::lines; }
 
 void Progress::step(double t, long step, double dt, const TableRow& row, const std::optional<double>& seconds_left) {
   if (!is_due()) return;
   const double share = std::clamp((t - start_) / std::max(end_ - start_, 1e-300), 0.0, 1.0);
   std::string line = formatted(t, "t = %.6g") + formatted(end_, " of %.6g") + formatted(100 * share, " (%.0f %%)");
   if (seconds_left) line += ", " + rough_duration(*seconds_left) + " left";
-  line += ", step " + std::to_string(step) + formatted(dt, ", dt = %.3g");
-  const std::pair<const char*, const char*> shown[] = {{"x_centre", ", x = %.4f"},
-                                                       {"y_centre", ", y = %.4f"},
-                                                       {"velocity", ", V = %.2e"},
-                                                       {"mass_drift", ", mass drift %+.0e"}};
-  for (const auto& [column, format] : shown)
+  for (const auto& [column, format] :
+       {std::pair{"x_centre", ", x_centre %.4f"}, std::pair{"y_centre", ", y_centre %.4f"},
+        std::pair{"velocity", ", velocity %.1e"}})
     if (const TableRow::Cell cell = row.cell(column)) line += formatted(*cell, format);
+  line += ", step " + std::to_string(step) + formatted(dt, ", dt = %.3g");
+  if (const TableRow::Cell cell = row.cell("mass_drift")) line += formatted(*cell, ", mass_drift %+.0e");
   show(line);
 }
 
@@ -53,6 +41,7 @@ bool Progress::is_due() {
 
 void Progress::show(const std::string& line) {
   if (voice_ == Voice::terminal) {
+    // A line longer than the terminal would not be rewritten but pile up.
     std::fprintf(stderr, "\r%s\033[K", line.substr(0, terminal_width() - 1).c_str());
     open_line_ = true;
   } else {
@@ -64,7 +53,11 @@ void Progress::show(const std::string& line) {
 void Progress::tell(const std::string& message) {
   if (voice_ == Voice::silent) return;
   finish_line();
-  std::fprintf(stderr, "softwet: %s\n", message.c_str());
+  std::fprintf(stderr, "%s\n", for_stderr("softwet: " + message).c_str());
+}
+
+void Progress::add(const std::string& line) {
+  if (voice_ != Voice::silent) std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 void Progress::finish_line() {

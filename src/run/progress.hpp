@@ -27,6 +27,8 @@ class Progress {
   void settle(long step, double change);
   /// A message on a line of its own, also before and after the run.
   void tell(const std::string& message);
+  /// A line that belongs to the message before.
+  void add(const std::string& line);
 
  private:
   using Clock = std::chrono::steady_clock;

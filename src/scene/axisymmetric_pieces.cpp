@@ -3,9 +3,7 @@
 
 namespace softwet {
 
-#if SOFTWET_DIMENSION == 2
 template Pieces<SOFTWET_DIMENSION, double> make_axisymmetric_pieces<SOFTWET_DIMENSION, SOFTWET_DEGREE>(
     const Regions<SOFTWET_DIMENSION>&, const Coefficients<SOFTWET_DIMENSION>&, const Case&);
-#endif
 
 }  // namespace softwet

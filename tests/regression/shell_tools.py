@@ -143,8 +143,41 @@ def on_a_gpu(root, folder):
     check("a device that is not known", new.returncode == 3 and "99.0" in new.stderr and "Kokkos_ARCH_AMPERE80" in new.stderr, new)
 
 
+def what_a_case_needs(folder):
+    """tools/run builds what a case needs: the first time by its file, then as the program says; and says what and how long."""
+    program = folder / "build/release/softwet"
+    script(program, "")
+    answer = program.read_text()
+    # In place of a build: the program appears; it lacks 3D until that is built.
+    script(folder / "tools/setup", f"""echo "$*" >>setup.txt
+mkdir -p build/release
+cat >{program} <<'P'
+{answer}case "$*" in *--needs*) case "$*" in *three*) grep -q 3x2 setup.txt && echo "3x2 built" || echo "3x2 missing" ;; *) echo "2x2 built" ;; esac ;;
+*) echo "words=$*" ;; esac
+P
+chmod +x {program}
+""")
+    cases = {"plain.toml": ("", "2x2"), "three.toml": ("size = [1, 1, 0.5]\n", "3x2"), "cubic.toml": ("domain = { degree = 3 }\n", "2x3"),
+             "axis.toml": ('size = [1, 0.5]\ncoordinates = "axisymmetric"\n', "rz2"), "comment.toml": ("# degree = 3\n", "2x2")}
+    for name, (text, configuration) in cases.items():
+        program.unlink(missing_ok=True)
+        (folder / "setup.txt").unlink(missing_ok=True)
+        (folder / name).write_text(text)
+        done = start(folder, folder / "tools/run", name, "--quiet")
+        calls = (folder / "setup.txt").read_text().splitlines()
+        check(f"the first build of {name}", calls == [f"--with {configuration} softwet"] and "minutes on" in done.stderr, (calls, done))
+        check(f"{name} runs", done.stdout == f"words=run {name} --quiet\n", done)
+    (folder / "setup.txt").unlink()
+    done = start(folder, folder / "tools/run", "three.toml")
+    calls = (folder / "setup.txt").read_text().splitlines()
+    check("a part is added", calls == ["softwet", "--with 3x2 softwet"] and "3D, degree 2" in done.stderr, (calls, done))
+    wrong = start(folder, ROOT / "tools/setup", "--with", "4x2")
+    check("a configuration that there is not", wrong.returncode == 1 and "4x2" in wrong.stderr and "3x2" in wrong.stderr, wrong)
+
+
 with tempfile.TemporaryDirectory() as name:
     root = pathlib.Path(name)
+    what_a_case_needs(tree(root / "needs"))
     on_a_gpu(root, tree(root / "a_gpu"))
     answers(tree(root / "answers"))
     missing_packages(root, tree(root / "missing"))

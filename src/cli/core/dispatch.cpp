@@ -17,6 +17,7 @@
 #include "foresight/forecast.hpp"
 #include "foresight/steps_foreseen.hpp"
 #include "machine/backend_error.hpp"
+#include "machine/terminal.hpp"
 #include "machine/threads.hpp"
 #include "run/earlier_run.hpp"
 #include "run/machine.hpp"
@@ -52,7 +53,7 @@ void warn_of_threads() {
 }
 
 void warn_of_loss(const std::string& sentence) {
-  if (ranks::root()) std::cerr << "softwet: warning: " << sentence << std::endl;
+  if (ranks::root()) std::cerr << for_stderr("softwet: warning: " + sentence) << std::endl;
 }
 
 /// The case with the result that it starts from. In a state of rest branches carry nothing, whatever they carried before.
@@ -122,6 +123,8 @@ void bench_case(const Case& given, const RunOptions& options, std::ostream& out)
     });
   });
 }
+
+std::string configuration_line(const Case& c) { return configuration_of(c) + (is_compiled(c) ? " built" : " missing"); }
 
 void describe_build(std::ostream& out) {
   const ParallelRuntime runtime(0);

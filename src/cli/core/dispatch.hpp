@@ -38,6 +38,9 @@ void convert_units(const PhysicalScene&, std::ostream&);
 /// Error.
 void bench_case(const Case&, const RunOptions&, std::ostream&);
 
+/// The configuration that a case needs, and whether this build has it: "3x2 built", "rz2 missing".
+std::string configuration_line(const Case&);
+
 /// Prints version, commit, backend, threads, instruction set and the compiled configurations.
 void describe_build(std::ostream&);
 

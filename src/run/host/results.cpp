@@ -1,0 +1,85 @@
+#include "run/host/results.hpp"
+
+#include <fmt/core.h>
+
+#include "observe/host/table_columns.hpp"
+
+namespace softwet {
+namespace {
+
+/// Words about some columns of a row, which name those that exist.
+class Line {
+ public:
+  Line(const TableRow& row, int dimension) : row_(row), power_(std::to_string(dimension)) {}
+
+  /// "LABEL NUMBER", and with `unit` that of the column.
+  Line& add(const std::string& label, const std::string& column, bool unit = false) {
+    const TableRow::Cell cell = row_.cell(column);
+    if (!cell) return *this;
+    text_ += fmt::format("{}{} {:.5g}", text_.empty() ? "" : ", ", label, *cell);
+    if (unit) text_ += unit_of(column);
+    return *this;
+  }
+  /// Both sides of something where both exist, or the one that does.
+  Line& add_pair(const std::string& first, const std::string& second, const char* between) {
+    const TableRow::Cell a = row_.cell(first), b = row_.cell(second);
+    if (!a && !b) return *this;
+    text_ += text_.empty() ? "" : ", ";
+    text_ += a && b ? fmt::format("{:.5g} {} {:.5g}", *a, between, *b) : fmt::format("{:.5g}", a ? *a : *b);
+    text_ += unit_of(first);
+    return *this;
+  }
+  void put(const char* title, std::vector<std::string>& lines) const {
+    if (!text_.empty()) lines.push_back(fmt::format("  {:<13} {}", title, text_));
+  }
+
+ private:
+  /// " L0^2" of a column in L0^d.
+  std::string unit_of(const std::string& column) const {
+    std::string unit = history_column(column).unit;
+    if (const auto d = unit.find("^d"); d != std::string::npos) unit.replace(d, 2, "^" + power_);
+    return unit.empty() ? "" : " " + unit;
+  }
+
+  const TableRow& row_;
+  std::string power_, text_;
+};
+
+}  // namespace
+
+std::vector<std::string> result_lines(const Case& c, const TableRow& row) {
+  const bool plane = c.dimension() == 2;
+  const std::string left = plane ? "left" : "rear", right = plane ? "right" : "front";
+  const auto line = [&] { return Line(row, c.axisymmetric() ? 3 : c.dimension()); };
+  std::vector<std::string> lines;
+  line()
+      .add("x =", "x_centre", plane)
+      .add("y =", "y_centre", true)
+      .add("velocity", "velocity", true)
+      .put("droplet", lines);
+  if (plane)
+    line().add_pair("x_left", "x_right", "to").put("contact line", lines);
+  else
+    line().add("area", "contact_area", true).put("contact line", lines);
+  line().add_pair("angle_" + left, "angle_" + right, "and").put("angles", lines);
+  line().add_pair("ridge_" + left, "ridge_" + right, "and").add("dimple", "dimple", true).put("ridge", lines);
+  line().add("volume", "liquid_volume", true).add("mass drift", "mass_drift").put("liquid", lines);
+  line()
+      .add("total", "energy_total", true)
+      .add("kinetic", "energy_kinetic")
+      .add("elastic", "energy_elastic")
+      .put("energy", lines);
+  line().add("fluid", "speed_max_fluid").add("solid", "speed_max_solid", true).put("speeds", lines);
+  if (const std::size_t more = c.droplets.size(); more > 1)
+    lines.push_back(fmt::format("  {:<13} {} more in history.csv", "droplets", more - 1));
+  return lines;
+}
+
+std::vector<std::string> next_lines(const Case& c, const std::string& folder, bool fields) {
+  std::vector<std::string> lines{fmt::format("next:           tools/report {}", folder)};
+  if (fields)
+    lines.push_back(fmt::format("in ParaView:    {}/fields/{}.hdf.series", folder, c.substrate ? "solid" : "fluid"));
+  return lines;
+}
+
+}  // namespace softwet
