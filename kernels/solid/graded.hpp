@@ -15,22 +15,45 @@ inline ElasticLaw law_of(const SaintVenantKirchhoff&) { return ElasticLaw::saint
 inline ElasticLaw law_of(const Hooke&) { return ElasticLaw::hooke; }
 inline ElasticLaw law_of(const NeoHookean&) { return ElasticLaw::neo_hookean; }
 
-/// A law that is chosen at run time, so that one kernel serves all, of a solid with a prestretch.
+/// A law that is chosen at run time, so that one kernel serves all, of a solid with a prestretch. One part of a solid may carry a uniform
+/// stress for another one, diag(c): psi + c : Grad u and P + diag(c). The stress of all parts is the same for that.
 struct ChosenMaterial {
   ElasticLaw law = ElasticLaw::saint_venant_kirchhoff;
   LameParameters stiffness;
   Prestretch prestretch = {};
+  Vector<double, 3> carried{{0, 0, 0}};  ///< c along the axes; in (r, z) the third is that around the axis
 
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION M first_piola(const M& grad_u) const {
-    return prestretch.first_piola(stress_of_law(prestretch.whole(grad_u)));
+    return with_carried(prestretch.first_piola(stress_of_law(prestretch.whole(grad_u))));
   }
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION auto energy(const M& grad_u) const {
-    return prestretch.energy(energy_of_law(prestretch.whole(grad_u)));
+    return prestretch.energy(energy_of_law(prestretch.whole(grad_u))) + work_of_carried(grad_u);
   }
 
  private:
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> with_carried(Matrix<N, D> p) const {
+    SOFTWET_UNROLL
+    for (int i = 0; i < D; ++i) p(i, i) = p(i, i) + carried[i];
+    return p;
+  }
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION AxialMatrix<N> with_carried(const AxialMatrix<N>& p) const {
+    return {with_carried(p.plane), p.hoop + carried[2]};
+  }
+  template <class N, int D>
+  KOKKOS_FORCEINLINE_FUNCTION N work_of_carried(const Matrix<N, D>& grad_u) const {
+    N sum = carried[0] * grad_u(0, 0);
+    SOFTWET_UNROLL
+    for (int i = 1; i < D; ++i) sum = sum + carried[i] * grad_u(i, i);
+    return sum;
+  }
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION N work_of_carried(const AxialMatrix<N>& grad_u) const {
+    return work_of_carried(grad_u.plane) + carried[2] * grad_u.hoop;
+  }
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION auto energy_of_law(const M& g) const {
     if (law == ElasticLaw::hooke) return Hooke{stiffness}.energy(g);

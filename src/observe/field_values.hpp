@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "case/case.hpp"
 #include "observe/snapshot.hpp"
 #include "scene/coefficients.hpp"
 
@@ -23,8 +24,10 @@ class FieldValues {
 
   /// @param rows  the elements that the points lie in: of the fluid, from the wall up, or of one part of the solid. What jumps at
   ///              their ends is read from inside of them.
-  FieldValues(const Coefficients<D>& coefficients, const Snapshot<D>& snapshot, const Grid& grid, ElementRows rows)
-      : coefficients_(coefficients),
+  FieldValues(const Case& c, const Coefficients<D>& coefficients, const Snapshot<D>& snapshot, const Grid& grid,
+              ElementRows rows)
+      : case_(c),
+        coefficients_(coefficients),
         snapshot_(snapshot),
         grid_(grid),
         rows_(rows),
@@ -36,9 +39,9 @@ class FieldValues {
 
  private:
   std::vector<double> tensor(const std::string& field);
-  std::array<double, 3> place(std::size_t point) const;
   const std::vector<Matrix<double, 3>>& gradients();
 
+  const Case& case_;
   const Coefficients<D>& coefficients_;
   const Snapshot<D>& snapshot_;
   const Grid& grid_;

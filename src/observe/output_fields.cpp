@@ -88,7 +88,8 @@ void write_list(const std::string& folder, const std::string& part, const std::v
 
 template <int D>
 void write_field_files(const std::string& output, const FieldOrigin& origin, const std::vector<std::string>& selected,
-                       const Coefficients<D>& coefficients, const Snapshot<D>& s, const std::vector<double>& times) {
+                       const Case& c, const Coefficients<D>& coefficients, const Snapshot<D>& s,
+                       const std::vector<double>& times) {
   const Layout<D>& layout = s.layout();
   const std::string folder = output + "/fields/";
   for (const std::string part : {"fluid", "solid"}) {
@@ -100,7 +101,7 @@ void write_field_files(const std::string& output, const FieldOrigin& origin, con
     std::vector<PointField> fields;
     for (const ElementRows rows : in_fluid ? std::vector{s.fluid_rows()} : s.solid_parts()) {
       const typename Snapshot<D>::Grid grid = points_of(layout, rows);
-      FieldValues<D> values(coefficients, s, grid, rows);
+      FieldValues<D> values(c, coefficients, s, grid, rows);
       append(positions<D>(grid, values.of("displacement")), points);
       add_selected_fields(values, in_fluid, selected, fields);
     }
@@ -109,9 +110,9 @@ void write_field_files(const std::string& output, const FieldOrigin& origin, con
   }
 }
 
-template void write_field_files(const std::string&, const FieldOrigin&, const std::vector<std::string>&,
+template void write_field_files(const std::string&, const FieldOrigin&, const std::vector<std::string>&, const Case&,
                                 const Coefficients<2>&, const Snapshot<2>&, const std::vector<double>&);
-template void write_field_files(const std::string&, const FieldOrigin&, const std::vector<std::string>&,
+template void write_field_files(const std::string&, const FieldOrigin&, const std::vector<std::string>&, const Case&,
                                 const Coefficients<3>&, const Snapshot<3>&, const std::vector<double>&);
 
 }  // namespace softwet

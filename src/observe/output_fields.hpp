@@ -17,7 +17,7 @@ namespace softwet {
 /// @param times     of all field files of the run, on the clock of the output; this one's, the last, is file times.size() - 1
 template <int D>
 void write_field_files(const std::string& folder, const FieldOrigin& origin, const std::vector<std::string>& selected,
-                       const Coefficients<D>& coefficients, const Snapshot<D>& snapshot,
+                       const Case&, const Coefficients<D>& coefficients, const Snapshot<D>& snapshot,
                        const std::vector<double>& times);
 
 }  // namespace softwet

@@ -160,9 +160,9 @@ std::vector<double> weights(const Regions<D>& regions, const Snapshot<D>& s, con
 
 /// The quantity at each point.
 template <int D>
-std::vector<double> values_of(const ProbeQuantity& quantity, const Coefficients<D>& coefficients, const Snapshot<D>& s,
-                              const ProbeSite<D>& site) {
-  const std::vector<double> field = FieldValues<D>(coefficients, s, site.grid, site.rows).of(quantity.field->name);
+std::vector<double> values_of(const ProbeQuantity& quantity, const Case& c, const Coefficients<D>& coefficients,
+                              const Snapshot<D>& s, const ProbeSite<D>& site) {
+  const std::vector<double> field = FieldValues<D>(c, coefficients, s, site.grid, site.rows).of(quantity.field->name);
   const std::size_t components = field.size() / site.size();
   std::vector<double> values(site.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -175,11 +175,11 @@ std::vector<double> values_of(const ProbeQuantity& quantity, const Coefficients<
 }
 
 template <int D>
-double evaluate(const Probe& probe, const Regions<D>& regions, const Coefficients<D>& coefficients,
+double evaluate(const Probe& probe, const Case& c, const Regions<D>& regions, const Coefficients<D>& coefficients,
                 const Snapshot<D>& s) {
   std::vector<double> values, weight;
   for (const ProbeSite<D>& site : sites_of(probe, s, regions.points())) {
-    append(values_of(probe_quantity(probe.quantity), coefficients, s, site), values);
+    append(values_of(probe_quantity(probe.quantity), c, coefficients, s, site), values);
     if (sums_up(probe.operation)) append(weights(regions, s, site), weight);
   }
   if (probe.operation == ProbeOperation::value) return values[0];
@@ -196,7 +196,7 @@ template <int D>
 std::vector<double> evaluate_probes(const Case& c, const Regions<D>& regions, const Coefficients<D>& coefficients,
                                     const Snapshot<D>& snapshot) {
   std::vector<double> numbers;
-  for (const Probe& probe : c.probes) numbers.push_back(evaluate(probe, regions, coefficients, snapshot));
+  for (const Probe& probe : c.probes) numbers.push_back(evaluate(probe, c, regions, coefficients, snapshot));
   return numbers;
 }
 

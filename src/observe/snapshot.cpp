@@ -29,7 +29,9 @@ template <int D>
 void SnapshotCopies<D>::start(const Layout<D>& layout, const State& state, SnapshotOf parts) {
   scalars_.start(part(state.unknown, layout.density_offset(), layout.size()));
   displacement_.start(state.displacement);
-  velocity_.start(parts == SnapshotOf::all_fields ? part(state.unknown, 0, layout.velocity_size()) : ConstArray());
+  const bool rates = parts == SnapshotOf::all_fields;
+  velocity_.start(rates ? part(state.unknown, 0, layout.velocity_size()) : ConstArray());
+  memory_.start(rates ? ConstArray(state.memory) : ConstArray());
 }
 
 template <int D>
@@ -37,15 +39,17 @@ Snapshot<D>::Snapshot(const Layout<D>& layout, SnapshotCopies<D>& copies)
     : layout_(layout.whole_patch()),
       velocity_(collect_on_root(layout, copies.velocity_.take())),
       scalars_(collect_on_root(layout, copies.scalars_.take())),
-      displacement_(collect_on_root(layout, copies.displacement_.take())) {}
+      displacement_(collect_on_root(layout, copies.displacement_.take())),
+      memory_(collect_on_root(layout, copies.memory_.take())) {}
 
 template <int D>
 Snapshot<D>::Snapshot(const Layout<D>& layout, const State& state, SnapshotOf parts)
     : layout_(layout.whole_patch()),
       scalars_(to_host_on_root(layout, part(state.unknown, layout.density_offset(), layout.size()))),
       displacement_(to_host_on_root(layout, state.displacement)) {
-  if (parts == SnapshotOf::all_fields)
-    velocity_ = to_host_on_root(layout, part(state.unknown, 0, layout.velocity_size()));
+  if (parts != SnapshotOf::all_fields) return;
+  velocity_ = to_host_on_root(layout, part(state.unknown, 0, layout.velocity_size()));
+  memory_ = to_host_on_root(layout, state.memory);
 }
 
 template <int D>
@@ -109,6 +113,32 @@ template <int D>
 std::vector<double> Snapshot<D>::displacement_gradient(const Grid& grid, int d, int axis, ElementRows rows) const {
   return component(displacement_, layout_.displacement_offset(d), layout_.solid_rows(), grid, 0, rows.first, rows.last,
                    axis);
+}
+
+template <int D>
+std::vector<double> Snapshot<D>::velocity_gradient(const Grid& grid, int d, int axis, ElementRows rows) const {
+  return component(velocity_, layout_.velocity_offset(d), layout_.rows, grid, 0, rows.first, rows.last, axis);
+}
+
+template <int D>
+std::vector<double> Snapshot<D>::branch_gradient(const Grid& grid, int branch, int d, int axis,
+                                                 ElementRows rows) const {
+  return component(memory_, branch * layout_.branch_size() + layout_.displacement_offset(d), layout_.solid_rows(), grid,
+                   0, rows.first, rows.last, axis);
+}
+
+template <int D>
+std::vector<double> Snapshot<D>::branch_displacement(const Grid& grid, int branch, int d) const {
+  return component(memory_, branch * layout_.branch_size() + layout_.displacement_offset(d), layout_.solid_rows(), grid,
+                   0, 0, layout_.solid_elements);
+}
+
+template <int D>
+std::vector<double> Snapshot<D>::displacement(const std::array<AxisSamples, D>& at, int d) const {
+  std::array<int, D> extent;
+  for (int axis = 0; axis < D; ++axis)
+    extent[axis] = axis == D - 1 ? layout_.solid_rows() : layout_.axis[axis].functions();
+  return evaluate_grid<D>(displacement_.data() + layout_.displacement_offset(d), extent, at);
 }
 
 template <int D>

@@ -16,6 +16,7 @@ struct ElementRows {
 enum class Medium { fluid, solid };
 
 /// What a snapshot holds of a state.
+/// Without velocities it lacks what branches of a solid remember too.
 enum class SnapshotOf { all_fields, all_but_velocity };
 
 /// Copies of a state in memory of the host to which a device copies by itself, while it and the host go on.
@@ -38,7 +39,7 @@ class SnapshotCopies {
     ConstArray array_;  ///< what is copied
     HostArray room_;
   };
-  Copy velocity_, scalars_, displacement_;
+  Copy velocity_, scalars_, displacement_, memory_;
 };
 
 /// Fields of a state on tensor grids of reference points. 2D: plane strain. Of several processes the first one has the
@@ -61,6 +62,15 @@ class Snapshot {
   std::vector<double> displacement(const Grid&, int d, Medium) const;
   /// du_d/dX_axis of the solid. It jumps at a joint, where it follows from the rows of one part.
   std::vector<double> displacement_gradient(const Grid&, int d, int axis, ElementRows) const;
+  /// The same of the velocity of the solid.
+  std::vector<double> velocity_gradient(const Grid&, int d, int axis, ElementRows) const;
+  /// The same of the displacement that branch number `branch` remembers, under small strains.
+  std::vector<double> branch_gradient(const Grid&, int branch, int d, int axis, ElementRows) const;
+  std::vector<double> branch_displacement(const Grid&, int branch, int d) const;
+  /// The displacement of the solid sampled in other ways than at points, such as by means over elements.
+  std::vector<double> displacement(const std::array<AxisSamples, D>&, int d) const;
+  /// What the branches of the solid remember (State::memory); empty without branches.
+  const std::vector<double>& memory() const { return memory_; }
 
   const Layout<D>& layout() const { return layout_; }  ///< of the whole patch
   ElementRows fluid_rows() const { return {layout_.solid_elements, layout_.axis[D - 1].elements()}; }
@@ -76,7 +86,7 @@ class Snapshot {
                                 int lowest, int highest, int derivative = -1) const;
 
   Layout<D> layout_;
-  std::vector<double> velocity_, scalars_, displacement_;  ///< scalars: density and chemical potential
+  std::vector<double> velocity_, scalars_, displacement_, memory_;  ///< scalars: density and chemical potential
 };
 
 }  // namespace softwet

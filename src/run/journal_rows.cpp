@@ -62,7 +62,8 @@ void Journal<D, P>::write_fields(double time) {
   const auto traction =
       wall_traction(scene_.regions(), scene_.equations(), stage_at(scene_.layout(), stepper_.state()));
   const auto write = [this, snapshot, traction, all] {  // whoever changes one of these waits before (finish_files)
-    write_field_files(options_.out, origin_of(case_), case_.output.field_select, scene_.coefficients(), *snapshot, all);
+    write_field_files(options_.out, origin_of(case_), case_.output.field_select, case_, scene_.coefficients(),
+                      *snapshot, all);
     add_interface_rows<D>(*interface_, *snapshot, traction, all.back());
     interface_->keep();
   };

@@ -12,6 +12,7 @@
 #include "scene/coefficients.hpp"
 #include "scene/pieces.hpp"
 #include "scene/regions.hpp"
+#include "scene/selective.hpp"
 
 namespace softwet {
 
@@ -71,12 +72,9 @@ class PieceMaker {
       const ElasticLaw law = law_of(solid.material);
       if (s.volume_quadrature == VolumeQuadrature::full)
         return add_graded(name, GradedSolid{{{law, solid_.stiffness, solid_.prestretch}, solid.density}});
-      const SelectiveParts parts = SelectiveParts::of(solid_.stiffness);
-      add_graded(name, GradedSolid{{{law, parts.everywhere, solid_.prestretch}, solid.density}});
-      Prestretch of_means = solid_.prestretch;
-      of_means.energy_at_rest = 0;  // the other part has that of both
-      if (parts.of_means.lambda > 0)
-        add_graded("solid, means of elements", SolidOfMeans{{{{law, parts.of_means, of_means}}}});
+      const SelectiveMaterials parts = selective_materials(law, solid_.stiffness, solid_.prestretch);
+      add_graded(name, GradedSolid{{parts.everywhere, solid.density}});
+      if (parts.has_means()) add_graded("solid, means of elements", SolidOfMeans{{{parts.of_means}}});
     };
     std::visit(elastic, solid_.law);
     const double finite = s.strain == Strain::small ? 0 : 1;

@@ -90,7 +90,7 @@ template <int D>
 Region<D> Regions<D>::of(Where where, int points) const {
   const int wall = layout_.solid_elements, all = layout_.axis[D - 1].elements();
   if (where == Where::solid) return rows(0, wall, points);
-  if (where == Where::means) return rows(0, wall, points, mean_rules);
+  if (where == Where::means) return means_of_rows(0, wall, points);
   if (where == Where::top) {
     Region<D> r = rows(wall - 1, wall, points);
     r.axis[D - 1] = r.test = high_face_rule(layout_.axis[D - 1], wall - 1);
@@ -112,25 +112,41 @@ std::vector<Region<D>> Regions<D>::parts_of(Where where, int points) const {
   const int joint = layout_.axis[D - 1].joint();
   const int wall = layout_.solid_elements;
   if (joint > 0 && where == Where::solid) return {rows(0, joint, points), rows(joint, wall, points)};
-  if (joint > 0 && where == Where::means)
-    return {rows(0, joint, points, mean_rules), rows(joint, wall, points, mean_rules)};
+  if (joint > 0 && where == Where::means) return {means_of_rows(0, joint, points), means_of_rows(joint, wall, points)};
   return {of(where, points)};
 }
 
 template <int D>
-Region<D> Regions<D>::rows(int first, int last, int points, const RuleMakers& rule) const {
+template <class Along>
+Region<D> Regions<D>::rows_of(int first, int last, const Along& rule) const {
   Region<D> r;
   int stride = 1;
   for (int d = 0; d < D; ++d) {
-    const Axis& axis = layout_.axis[d];
-    const int low = d < D - 1 ? 0 : first, high = d < D - 1 ? axis.elements() : last;
-    r.axis[d] = d == 0 ? rule.of_columns(axis, layout_.columns.elements, points) : rule.of(axis, low, high, points);
+    const int low = d < D - 1 ? 0 : first, high = d < D - 1 ? layout_.axis[d].elements() : last;
+    r.axis[d] = rule(d, low, high);
     r.stride[d] = stride;
     stride *= layout_.extent(d);
   }
   r.columns = layout_.columns.elements;
   r.test = r.axis[D - 1];
   return r;
+}
+
+template <int D>
+Region<D> Regions<D>::rows(int first, int last, int points) const {
+  return rows_of(first, last, [&](int d, int low, int high) {
+    const Axis& axis = layout_.axis[d];
+    return d == 0 ? gauss_rule(axis, layout_.columns.elements, points) : gauss_rule(axis, low, high, points);
+  });
+}
+
+template <int D>
+Region<D> Regions<D>::means_of_rows(int first, int last, int points) const {
+  const MeanWeight weight = layout_.axisymmetric() ? MeanWeight::radius : MeanWeight::uniform;
+  return rows_of(first, last, [&](int d, int low, int high) {
+    const Axis& axis = layout_.axis[d];
+    return d == 0 ? mean_rule(axis, layout_.columns.elements, points, weight) : mean_rule(axis, low, high, points);
+  });
 }
 
 template <int D>

@@ -41,7 +41,11 @@ class Regions {
   void build_axes(const Case&);
   void build_mask(const Case&);
   /// Rows of elements [first, last) over the whole width, with Gauss points or another rule per element and axis.
-  Region<D> rows(int first, int last, int points, const RuleMakers& = gauss_rules) const;
+  Region<D> rows(int first, int last, int points) const;
+  Region<D> means_of_rows(int first, int last, int points) const;
+  /// @param rule  along axis d for its elements [low, high)
+  template <class Along>
+  Region<D> rows_of(int first, int last, const Along& rule) const;
 
   int points_;
   Layout<D> layout_;

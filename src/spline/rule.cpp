@@ -7,29 +7,13 @@ namespace softwet {
 namespace {
 
 enum class Weigh { length, point };
-enum class Tables { at_points, means };
-
-/// Values of the living functions of an element, or their slopes: at a point of it, or their means over it.
-struct Living {
-  std::vector<double> values, slopes;
-};
 Living at_point(const Axis& axis, int e, double x) { return {axis.values(e, x), axis.slopes(e, x)}; }
-Living means_of(const Axis& axis, int e) {
-  const Gauss rule(axis.degree() + 1);
-  Living sum{std::vector<double>(axis.degree() + 1), std::vector<double>(axis.degree() + 1)};
-  for (std::size_t q = 0; q < rule.point.size(); ++q) {
-    const Living here = at_point(axis, e, axis.lower(e) + axis.size(e) * rule.point[q]);
-    for (int a = 0; a <= axis.degree(); ++a) {
-      sum.values[a] += rule.weight[q] * here.values[a];
-      sum.slopes[a] += rule.weight[q] * here.slopes[a];
-    }
-  }
-  return sum;
-}
 
 /// Points on each element as fractions of it, with weights per unit length (or for each point of a trace).
+/// @param tables  of the functions of an element, for a point of it
+template <class Of = decltype(&at_point)>
 AxisRule tabulate(const Axis& axis, const std::vector<int>& elements, const std::vector<double>& fraction,
-                  const std::vector<double>& weight, Weigh weigh = Weigh::point, Tables tables = Tables::at_points) {
+                  const std::vector<double>& weight, Weigh weigh = Weigh::point, const Of& tables = at_point) {
   const int n = axis.degree() + 1, q = static_cast<int>(fraction.size()), count = static_cast<int>(elements.size());
   const int padded = count + lane_padding;
   Kokkos::View<double***, Kokkos::LayoutRight, Exec> value("value", q, n, padded), slope("slope", q, n, padded);
@@ -48,7 +32,7 @@ AxisRule tabulate(const Axis& axis, const std::vector<int>& elements, const std:
     for (int p = 0; p < q; ++p) {
       x(p, l) = axis.lower(e) + length * fraction[p];
       w(p, l) = l >= count ? 0.0 : weigh == Weigh::length ? weight[p] * length : weight[p];
-      const Living living = tables == Tables::means ? means_of(axis, e) : at_point(axis, e, x(p, l));
+      const Living living = tables(axis, e, x(p, l));
       for (int a = 0; a < n; ++a) {
         v(p, a, l) = living.values[a];
         s(p, a, l) = living.slopes[a];
@@ -75,9 +59,10 @@ AxisRule gauss_rule(const Axis& axis, const std::vector<int>& elements, int poin
   return tabulate(axis, elements, rule.point, rule.weight, Weigh::length);
 }
 
-AxisRule mean_rule(const Axis& axis, const std::vector<int>& elements, int points) {
+AxisRule mean_rule(const Axis& axis, const std::vector<int>& elements, int points, MeanWeight weight) {
   const std::vector<double> middle(points, 0.5), share(points, 1.0 / points);
-  return tabulate(axis, elements, middle, share, Weigh::length, Tables::means);
+  return tabulate(axis, elements, middle, share, Weigh::length,
+                  [weight](const Axis& along, int e, double) { return means_of(along, e, weight); });
 }
 
 /// The elements of each stored column.
@@ -98,12 +83,12 @@ AxisRule gauss_rule(const Axis& axis, const ElementColumns& columns, int points)
   return gauss_rule(axis, elements_of(columns), points);
 }
 
-AxisRule mean_rule(const Axis& axis, int first, int last, int points) {
-  return mean_rule(axis, range(first, last), points);
+AxisRule mean_rule(const Axis& axis, int first, int last, int points, MeanWeight weight) {
+  return mean_rule(axis, range(first, last), points, weight);
 }
 
-AxisRule mean_rule(const Axis& axis, const ElementColumns& columns, int points) {
-  return mean_rule(axis, elements_of(columns), points);
+AxisRule mean_rule(const Axis& axis, const ElementColumns& columns, int points, MeanWeight weight) {
+  return mean_rule(axis, elements_of(columns), points, weight);
 }
 
 AxisRule low_face_rule(const Axis& axis, int first) { return tabulate(axis, range(first, first + 1), {0.0}, {1.0}); }

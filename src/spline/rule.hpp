@@ -6,6 +6,7 @@
 #include "memory/array.hpp"
 #include "spline/axis.hpp"
 #include "spline/columns.hpp"
+#include "spline/means.hpp"
 
 namespace softwet {
 
@@ -36,15 +37,8 @@ AxisRule gauss_rule(const Axis&, const ElementColumns&, int points);
 
 /// The means of the functions and of their slopes over each element, `points` times with a share of its length: kernels for so many
 /// points then see one point with these means.
-AxisRule mean_rule(const Axis&, int first, int last, int points);
-AxisRule mean_rule(const Axis&, const ElementColumns&, int points);
-
-/// How the rules of a region are made.
-struct RuleMakers {
-  AxisRule (*of)(const Axis&, int first, int last, int points);
-  AxisRule (*of_columns)(const Axis&, const ElementColumns&, int points);
-};
-inline constexpr RuleMakers gauss_rules{gauss_rule, gauss_rule}, mean_rules{mean_rule, mean_rule};
+AxisRule mean_rule(const Axis&, int first, int last, int points, MeanWeight = MeanWeight::uniform);
+AxisRule mean_rule(const Axis&, const ElementColumns&, int points, MeanWeight = MeanWeight::uniform);
 
 /// One point of weight 1 at the lower end of element `first`: the trace on a face.
 AxisRule low_face_rule(const Axis&, int first);

@@ -11,7 +11,7 @@ void write_first_fields(const Case& c, const std::string& folder) {
   const Scene<D, P> scene(c);
   const State state = initial_state<D, P>(c, scene);
   const Snapshot<D> snapshot(scene.layout(), state);
-  write_field_files(folder, origin_of(c), {"density", "displacement"}, scene.coefficients(), snapshot,
+  write_field_files(folder, origin_of(c), {"density", "displacement"}, c, scene.coefficients(), snapshot,
                     {c.run_start() - c.clock_zero()});
 }
 

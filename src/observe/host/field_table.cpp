@@ -13,8 +13,12 @@ const std::vector<FieldInfo>& field_table() {
       {"pressure", scalar, true, false, "a b^2", "pressure of the van der Waals fluid of this density"},
       {"displacement", vector, false, true, "L0", "displacement u of the material from where it was at the start"},
       {"green_lagrange_strain", tensor, false, true, "1", "E = (F^T F - I) / 2 with F = I + Grad u"},
-      {"first_piola_stress", tensor, false, true, "a b^2", "P = F S: force per reference area, row i is its direction"},
-      {"cauchy_stress", tensor, false, true, "a b^2", "sigma = P F^T / J: force per deformed area"},
+      {"first_piola_stress", tensor, false, true, "a b^2",
+       "first Piola-Kirchhoff stress that acts, of elasticity as it is integrated, fibres, viscosity and branches: "
+       "force per reference area, row i is its direction"},
+      {"cauchy_stress", tensor, false, true, "a b^2",
+       "sigma = P F^T / J of the first_piola_stress that acts, with viscosity and branches: force per deformed area; "
+       "with small strains it is the same as P"},
       {"volume_ratio", scalar, false, true, "1", "J = det F: deformed over reference volume"},
   };
   return table;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "case/gel.hpp"
+
 namespace softwet {
 namespace {
 
@@ -49,8 +51,12 @@ ProbeQuantity probe_quantity(const std::string& name) {
 }
 
 bool probes_need_velocity(const Case& c) {
-  return std::any_of(c.probes.begin(), c.probes.end(),
-                     [](const Probe& probe) { return probe_quantity(probe.quantity).field->name == "velocity"; });
+  const bool rates = c.substrate && (shear_viscosity(*c.substrate) > 0 || c.substrate->bulk_viscosity > 0 ||
+                                     c.substrate->has_branches());
+  return std::any_of(c.probes.begin(), c.probes.end(), [&](const Probe& probe) {
+    const std::string& field = probe_quantity(probe.quantity).field->name;
+    return field == "velocity" || (rates && (field == "cauchy_stress" || field == "first_piola_stress"));
+  });
 }
 
 }  // namespace softwet

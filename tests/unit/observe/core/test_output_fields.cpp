@@ -17,7 +17,8 @@ struct Written {
   ScratchFolder folder;
 
   explicit Written(const Homogeneous& run, const std::vector<std::string>& names = {}) {
-    write_field_files(folder / "", {"scene", "1.0", "abc"}, names, run.scene.coefficients(), run.snapshot(), {1.5});
+    write_field_files(folder / "", {"scene", "1.0", "abc"}, names, run.data, run.scene.coefficients(), run.snapshot(),
+                      {1.5});
   }
   Hdf5File open(const std::string& part) const {
     return Hdf5File::open(folder / ("fields/" + part + "_0000.hdf"), "write it again");
