@@ -85,11 +85,12 @@ template <int D>
 std::vector<Footprint> find_footprints(const Section<D>& section, const Surface& surface, double capillarity) {
   const Reach& reach = section.reach();
   const std::vector<double> x = section.abscissas(4);
-  const double low = section.snapshot().wall_height(), spacing = x[1] - x[0];
+  const double low = section.snapshot().wall_height(), element = 4 * (x[1] - x[0]);
   const std::vector<double> trace = surface.depth(section.density(x, {low}));
   const std::vector<Crossing> found = with_cut_droplets(crossings(x, trace.data()), reach, trace);
   const auto sharp = [&](const Crossing& c) {
-    return section.at_low_side(c.x) || section.at_high_side(c.x) ? c.x : sharpen(section, c, low, spacing, surface);
+    return section.at_low_side(c.x) || section.at_high_side(c.x) ? c.x
+                                                                 : sharpen_mean(section, c, low, element, surface);
   };
   std::vector<Footprint> result;
   for (std::size_t i = 0; i + 1 < found.size(); ++i) {

@@ -9,7 +9,7 @@ namespace softwet {
 
 /// The footprint of a droplet, bubble or film in a section (2D: the domain, x = s), in current coordinates.
 struct Footprint {
-  double x_left = 0, x_right = 0;  ///< where rho = (rho_l + rho_v)/2 on the wall, or the side that cuts it
+  double x_left = 0, x_right = 0;  ///< where the mean of rho is (rho_l + rho_v)/2 on the wall, or the side that cuts it
   std::optional<double> angle_left, angle_right;  ///< apparent angles, degrees, in the liquid
   LineShape left, right;
   std::optional<double> dimple = {};         ///< smallest rise of the wall between the ends

@@ -1,7 +1,8 @@
-// Where the surface of droplets crosses a line of a section.
+// Where the surface of droplets crosses a line of a section, at a point of the spline or in a mean over elements.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -72,27 +73,75 @@ std::optional<Crossing> nearest_crossing(const Window& window, const double* dep
   return nearest_crossing(row, all.data(), inside, direction);
 }
 
-/// A crossing at a height, sharpened on the spline itself by the Illinois method (Dowell and Jarratt 1971): the secant, in
-/// which an end that stays counts half.
+/// Where a function that is negative at `low` and positive at `high` is 0, by the Illinois method (Dowell and Jarratt 1971): the
+/// secant, in which an end that stays counts half. Empty where the signs are others. @param length  that counts as one
+template <class Function>
+std::optional<double> zero_between(const Function& function, double low, double high, double length) {
+  double at_low = function(low), at_high = function(high);
+  if (!(at_low < 0 && at_high > 0)) return std::nullopt;
+  double x = low;
+  for (int i = 0, kept = 0; i < 60 && high - low > 1e-14 * length; ++i) {
+    x = (low * at_high - high * at_low) / (at_high - at_low);
+    const double at_x = function(x);
+    if (std::abs(at_x) < 1e-15) return x;
+    if (at_x > 0) {
+      if (kept < 0) at_low *= 0.5;
+      high = x, at_high = at_x, kept = -1;
+    } else {
+      if (kept > 0) at_high *= 0.5;
+      low = x, at_low = at_x, kept = 1;
+    }
+  }
+  return x;
+}
+
+/// A crossing at a height, sharpened on the spline itself.
 template <int D>
 double sharpen(const Section<D>& section, const Crossing& c, double height, double spacing, const Surface& surface) {
   const auto excess = [&](double x) { return c.direction * surface.depth(section.density({x}, {height})[0]); };
-  double lo = c.x - spacing, hi = c.x + spacing, at_lo = excess(lo), at_hi = excess(hi), x = c.x;
-  if (!(at_lo < 0 && at_hi > 0)) return x;
-  for (int i = 0, kept = 0; i < 60 && hi - lo > 1e-14 * spacing; ++i) {
-    x = (lo * at_hi - hi * at_lo) / (at_hi - at_lo);
-    const double at_x = excess(x);
-    if (at_x == 0) return x;
-    if (at_x > 0) {
-      if (kept < 0) at_lo *= 0.5;
-      hi = x, at_hi = at_x, kept = -1;
-    } else {
-      if (kept > 0) at_hi *= 0.5;
-      lo = x, at_lo = at_x, kept = 1;
-    }
-    if (std::abs(at_x) < 1e-15) return x;
+  return zero_between(excess, c.x - spacing, c.x + spacing, spacing).value_or(c.x);
+}
+
+/// A weighted mean along a line, over two elements to each side, that leaves parabolas as they are. A spline swings about the
+/// interface that it resolves, with the period of an element, and such a mean of splines cancels it (Bramble and Schatz, Math. Comp.
+/// 31, 94, 1977: the kernel of three hat functions, here as a sum over equidistant places).
+struct MeanOverElements {
+  static constexpr int parts = 8;          ///< of an element
+  static constexpr int reach = 2 * parts;  ///< places to each side
+  std::array<double, 2 * reach + 1> weight{};
+
+  constexpr MeanOverElements() {
+    const auto hat = [](int k) { return std::max(0, parts - (k < 0 ? -k : k)) / double(parts * parts); };
+    const double side = (parts * parts - 1) / (12.0 * parts * parts);  // half the second moment of the sum of one hat
+    for (int k = -reach; k <= reach; ++k)
+      weight[k + reach] = (1 + 2 * side) * hat(k) - side * (hat(k - parts) + hat(k + parts));
   }
-  return x;
+
+  /// @param element  length of an element;  @param values  gives those at many places
+  template <class Values>
+  double operator()(const Values& values, double x, double element) const {
+    const std::vector<double> at = values(equidistant(x - 2 * element, x + 2 * element, 2 * reach));
+    double sum = 0;
+    for (std::size_t k = 0; k < at.size(); ++k) sum += weight[k] * at[k];
+    return sum;
+  }
+};
+
+/// Where the mean depth beside a crossing is 0; the sharpened crossing itself where a side of the domain or another crossing is so near
+/// that the mean has none. @param element  length of an element
+template <int D>
+double sharpen_mean(const Section<D>& section, const Crossing& c, double height, double element,
+                    const Surface& surface) {
+  constexpr MeanOverElements mean;
+  const double sharp = sharpen(section, c, height, element / 4, surface), beside = element / 2;
+  const Reach& reach = section.reach();
+  double room = 2 * element + beside;
+  if (reach.low_is_side) room = std::min(room, sharp - reach.low);
+  if (reach.high_is_side) room = std::min(room, reach.high - sharp);
+  const double part = room / (2 * element + beside);
+  const auto depth = [&](const std::vector<double>& x) { return surface.depth(section.density(x, {height})); };
+  const auto excess = [&](double x) { return c.direction * mean(depth, x, part * element); };
+  return zero_between(excess, sharp - part * beside, sharp + part * beside, element).value_or(sharp);
 }
 
 }  // namespace softwet

@@ -64,7 +64,8 @@ const std::vector<Column> of_droplet{
      "dry.",
      3},
     {"x_left", "L0",
-     "Left contact point of a droplet, bubble or film: where rho = (rho_l + rho_v)/2 on the deformed wall. One that is "
+     "Left contact point of a droplet, bubble or film: where rho = (rho_l + rho_v)/2 on the deformed wall, rho being a "
+     "mean over two elements to each side, which does not swing with the mesh as single points do. One that is "
      "cut by a side of the domain ends at the side; on an axis of symmetry its left contact point is minus the right "
      "one.",
      2},
