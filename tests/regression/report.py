@@ -8,7 +8,8 @@ import subprocess
 import sys
 
 import numpy
-from _scene import PULL, RIGID, check, check_true, environment, record, run, run_file, tools, write_box
+from _scene import PULL, RIGID, cases, check, check_true, environment, record, run, run_file, tools, write_box
+from _scene import softwet as softwet_program
 
 try:
     import matplotlib.pyplot as plt
@@ -113,3 +114,48 @@ check_true("units of labels", [unit_of("t"), unit_of("velocity"), unit_of("angle
            [r"$L_0\,(ab)^{-1/2}$", "$(ab)^{1/2}$", "degrees", "", r"$a b^2 (ab)^{1/2} L_0^2$"])
 letters = [axes.get_title(loc="left")[:3] for axes in history_curves.draw_curves(pull).axes if axes.get_visible()]
 check_true("letters on the panels", letters == [f"({c})" for c in "abcdef"[:len(letters)]] and len(letters) > 3, str(letters))
+
+# --- states of rest: of one command, and of a branch -------------------------------------------------------------------
+REST = ["domain.elements=[32,16]", "fluid.capillarity=1/16"]
+
+
+def steady(case, folder, settings, *words, code=0):
+    sets = [word for setting in settings for word in ("--set", setting)]
+    done = subprocess.run([softwet_program, "steady", str(cases / f"{case}.toml"), "--out", folder, "--overwrite", "--threads", "1",
+                           "--quiet", *sets, *words], capture_output=True, text=True, timeout=900, env=environment)
+    check_true(f"steady {folder}: exit code {code}", done.returncode == code, done.stderr)
+
+
+def tell(tool, *words, code=0):
+    done = subprocess.run([sys.executable, str(tools / tool), *words], capture_output=True, text=True, timeout=900, env=environment)
+    check_true(f"{tool} {' '.join(words)}: exit code {code}", done.returncode == code, done.stderr)
+    return done.stdout + done.stderr
+
+
+steady("static_droplet_rigid_2d", "at_rest", REST)
+page("at_rest")
+steady("solid_layer_2d", "solid_at_rest", ["domain.elements=[16,4]", "output.fields.times=[]"])
+page("solid_at_rest")
+steady("static_droplet_soft_2d", "branch", REST, "--along", "substrate.young=1,0.8")
+for member in ("branch/young=1", "branch/young=0.8"):
+    page(member)
+steady("static_droplet_soft_2d", "no_rest", [*REST, "substrate.young=0.001"], code=2)
+page("no_rest")
+curves = history_curves.Curves(softwet.open("branch/young=0.8"), least=1)
+row = {name: values[-1] for name, values in softwet.open("branch/young=0.8").history.items()}
+told = dict(tables.result(curves, tables.Budget(curves)))
+check_true("the numbers of the state", told["droplet: ridges"] == f"{row['ridge_left']:.4g} and {row['ridge_right']:.4g}" and
+           told[f"{history_curves.energy_label(curves)}: total"] == f"{row['energy_total']:.4e}", str(told))
+found = record("branch/young=0.8")["rest"]
+told = tables.rest(record("branch/young=0.8"))
+check_true("how it was found, and the rates of disturbances", dict(told)["end"] == "at rest" and
+           [value for name, value in told if name == "rate of a disturbance"] == [f"{rate:.4g}" for rate in
+                                                                                found["stability"]["growth_rates"]], str(told))
+check_true("its cost", dict(tables.cost(record("branch/young=0.8")))["steps; rejected"] == f"{found['steps']}; {found['rejected']}")
+for tool in ("report", "plot", "watch"):
+    check_true(f"{tool} of a branch names a state", "branch/young=0.8" in tell(tool, "branch", code=1))
+check_true("curves of a state", "one row" in tell("plot", "branch/young=1", "--history", code=1))
+lines = tell("status", "branch", "at_rest").splitlines()
+check_true("status of a branch", [line.partition(": ")[0] for line in lines] == ["branch/young=0.8", "branch/young=1", "at_rest"] and
+           all(": done, at rest, " in line and "growth rate" in line and "of 300" not in line for line in lines), str(lines))
+check_true("watch of a state", "a state of rest has one row" in tell("watch", "at_rest"))

@@ -21,7 +21,9 @@ class Run:
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
         if not (self.folder / "case.toml").is_file():
-            raise Problem(f"{folder} is not an output folder of softwet run: it has no case.toml")
+            inside = min((path.parent for path in self.folder.glob("*/case.toml")), default=None)
+            told = f"; those of a sweep or of states of rest lie in it: give one of them, for example {inside}" if inside else ""
+            raise Problem(f"{folder} is not an output folder of softwet run: it has no case.toml{told}")
 
     def __repr__(self):
         return f"softwet.open({str(self.folder)!r})"

@@ -15,14 +15,17 @@ FURTHER = ("tab:cyan", "tab:pink", "tab:olive", "tab:brown")  # energies without
 
 
 class Curves:
-    """The rows of a run that are shown. @param start  first time; None: 0, the start of the load"""
+    """The rows of a run that are shown. @param start  first time; None: 0, the start of the load, if two rows follow it
+    @param least  rows that are needed: two make a curve, and a state of rest has one"""
 
-    def __init__(self, run, start=None, reference=None):
+    def __init__(self, run, start=None, reference=None, least=2):
         table = run.history
         if start is None:
-            start = 0.0 if table["t"][-1] > 0 else -math.inf
+            start = 0.0 if (table["t"] >= -1e-9).sum() > 1 else -math.inf
         shown = table["t"] >= start - 1e-9
-        if shown.sum() < 2:
+        if shown.sum() < least:
+            if len(shown) < least:
+                raise Problem("history.csv has one row, that of a state of rest or of a start, and a curve needs two")
             raise Problem(f"history.csv has fewer than two rows from t = {start:g} on; its last is t = "
                           f"{table['t'][-1]:g}")
         self.table = {name: values[shown] for name, values in table.items()}

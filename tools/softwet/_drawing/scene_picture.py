@@ -46,7 +46,7 @@ class FirstState:
 
     def mesh_lines(self):
         """Positions of the ends of the elements along each axis."""
-        parts = [self.fields(part).positions for part in self.run.parts]
+        parts = [self.fields(part).reference for part in self.run.parts]
 
         def along(d, points):
             index = [0] * len(self.size)

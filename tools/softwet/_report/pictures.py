@@ -5,7 +5,7 @@ import textwrap
 import numpy as np
 
 from .._drawing.fields import Scene, is_axisymmetric
-from .._drawing.look import GREY, Problem
+from .._drawing.look import GREY, UNIT, Problem, matplotlib, refine
 from .._drawing.scene_picture import draw, with_first_state
 
 
@@ -78,6 +78,22 @@ def section(figure, run, times):
         axes.locator_params(nbins=4)
     figure.colorbar(image, ax=list(panels), label=r"$\rho / b$, middle plane", aspect=14, shrink=0.8)
     return panels
+
+
+def has_moved(walls):
+    """Whether the wall has an upright displacement at some of the times. @param walls  of run.interface"""
+    return any(np.ptp(wall["displacement_y"]) > 0 for wall in walls.values())
+
+
+def wall(axes, run):
+    """The upright displacement of the wall at all field times, in two dimensions."""
+    walls = run.interface
+    for (time, points), colour in zip(walls.items(), matplotlib.colormaps["viridis"](np.linspace(0, 0.88, len(walls)))):
+        x = refine(points["x_reference"] + points["displacement_x"])
+        axes.plot(x, 1e3 * refine(points["displacement_y"]), color=colour, label=f"$t = {time:g}$")
+    axes.axhline(0, color=GREY, linewidth=0.6, zorder=0)
+    axes.set(xlabel=UNIT["x"], ylabel=r"$u_y \;/\; 10^{-3} L_0$", title="vertical displacement of the interface",
+             xlim=(0, run.case["domain"]["size"][0]))
 
 
 def fields(figure, run):

@@ -89,6 +89,8 @@ class Budget:
 def result(curves, budget):
     """What came out, at the last row."""
     table = curves.table
+    if len(curves.t) == 1:
+        return state(curves)
     rows = [("t, step", f"{curves.t[-1]:.6g}, {table['step'][-1]:.0f}")]
     for suffix in curves.droplets:
         centre = table[("x_centre" if curves.flat else "track_centre") + suffix][-1]
@@ -99,9 +101,7 @@ def result(curves, budget):
         name = f"droplet {suffix[1:]}" if suffix else "droplet"
         rows += [(f"{name}: place", number(float(centre)) if np.isfinite(centre) else "gone"),
                  (f"{name}: peak velocity", f"{speeds[where]:.3e} at t = {curves.t[where]:.4g}")]
-        angles = [table[f"angle_{side}{suffix}"][-1] for side in (("left", "right") if curves.flat else ("rear", "front"))]
-        if np.isfinite(angles).all():
-            rows.append((f"{name}: angles", " and ".join(f"{angle:.2f}" for angle in angles) + " degrees"))
+        rows += [(f"{name}: {text}", value) for text, value in at_the_line(curves, suffix, ("angle",))]
     if np.isfinite(table["mass_drift"]).any():
         rows.append(("largest drift of the mass", f"{np.nanmax(np.abs(table['mass_drift'])):.1e}"))
     rows += [(name, f"{values[-1]:.4e}") for name, values in (
@@ -110,18 +110,66 @@ def result(curves, budget):
     return rows
 
 
+LINE = {"angle": ("angles", "{:.2f}", " degrees"), "ridge": ("ridges", "{:.4g}", ""), "contact": ("contact line", "{:.5g}", "")}
+
+
+def at_the_line(curves, suffix, kinds):
+    """Numbers at both ends of a droplet, in the last row. @param kinds  of LINE; those that are not known are left out"""
+    rows = []
+    for kind in kinds:
+        ends = ("left", "right") if curves.flat else ("rear", "front")
+        start = kind if kind != "contact" else "x" if curves.flat else "track"
+        values = [curves.table.get(f"{start}_{end}{suffix}", [np.nan])[-1] for end in ends]
+        name, form, unit = LINE[kind]
+        if np.isfinite(values).all():
+            rows.append((name, " and ".join(map(form.format, values)) + unit))
+    return rows
+
+
+def state(curves):
+    """What the one row of a state of rest holds: its droplets, and its energies."""
+    rows, table = [("t", f"{curves.t[-1]:.6g}")], curves.table
+    for suffix in curves.droplets:
+        name = f"droplet {suffix[1:]}" if suffix else "droplet"
+        rows += [(f"{name}: {text}", value) for text, value in at_the_line(curves, suffix, ("contact", "angle", "ridge"))]
+        dimple = table.get("dimple" + suffix, [np.nan])[-1]
+        rows += [(f"{name}: dimple", f"{dimple:.4g}")] if np.isfinite(dimple) else []
+    energies = sorted((name for name in table if name.startswith("energy_")), key="energy_total".__eq__)
+    least = 1e-12 * abs(table["energy_total"][-1])
+    return rows + [(f"{energy_label(curves)}: {name.removeprefix('energy_')}", f"{table[name][-1]:.4e}")
+                   for name in energies if abs(table[name][-1]) > least]  # an empty one is no number
+
+
+def rest(record):
+    """How `softwet steady` found its state, and whether it is stable; none of a run."""
+    found = record.get("rest")
+    if not found:
+        return []
+    rows = [("end", shortened(record.get("stop", {}).get("reason", ""))),
+            ("residual, over that of the last digit", number(found["residual_over_round_off"])),
+            ("largest speed", f"{found['largest_speed']:.1e}"), ("change of the mass", f"{found['mass_change']:.1e}"),
+            ("droplets moved by", ", ".join(map(number, found.get("moved", []))))]
+    stability = found.get("stability", {})
+    rates = zip(stability.get("growth_rates", []), stability.get("frequencies", []))
+    rows += [("rate of a disturbance" + (", frequency" if frequency else ""), number(rate) +
+              (f", {number(frequency)}" if frequency else "")) for rate, frequency in rates]
+    return [(name, value) for name, value in rows if value]
+
+
 def cost(record):
     """What it took, from run.json."""
     if "seconds" not in record:
         return [("run.json", "not written yet")]
-    seconds, counts = record["seconds"], record["counts"]
+    seconds, counts = record["seconds"], {**record["counts"], **record.get("rest", {})}  # of a search for a state of rest
+    refused = counts.get("rejected", counts["rejected_by_newton"] + counts["rejected_by_error"])
     total = seconds["total"] or 1.0
     parts = sorted(((value, name) for name, value in seconds.items() if name != "total"), reverse=True)[:3]
+    builds = [] if "rest" in record else [str(counts["preconditioner_builds"])]  # that search does not count them
     return [("where", f"{record['host']}, {record['backend']}, {record['threads']} threads"),
             ("unknowns solved", f"{record['unknowns']['solved']}"),
-            ("steps; rejected", f"{counts['steps']}; {counts['rejected_by_newton'] + counts['rejected_by_error']}"),
+            ("steps; rejected", f"{counts['steps']}; {refused}"),
             ("Newton, Krylov iterations", f"{counts['newton']}, {counts['krylov']}"),
-            ("preconditioner; builds", f"{record['preconditioner']}; {counts['preconditioner_builds']}"),
+            ("preconditioner; builds", "; ".join([record["preconditioner"], *builds])),
             ("wall seconds", f"{total:.1f}"),
             *((f"of that {name.replace('_', ' ')}", f"{100 * value / total:.0f} %") for value, name in parts),
             ("peak memory", f"{record['peak_memory_mib']:.0f} MiB")]

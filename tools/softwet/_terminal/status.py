@@ -63,6 +63,14 @@ def state_text(run, state):
     return f"stopped, {remedy}" if state == "stopped" else state
 
 
+def search_text(record, state):
+    """Of a search for a state of rest: whether it is one, the steps, and what a small disturbance does."""
+    found = record["rest"]
+    rates = found.get("stability", {}).get("growth_rates", [])
+    return [record.get("stop", {}).get("reason", "") if state == "done" else "", f"{found.get('steps', 0)} steps of the search"] + (
+        [f"largest growth rate {max(rates):.3g}"] if rates else [])
+
+
 def rate_text(record):
     steps, seconds = record.get("counts", {}).get("steps", 0), record.get("seconds", {}).get("total", 0)
     return f"{seconds / steps:.2g} s a step" if steps > 0 and seconds > 0 else ""
@@ -80,7 +88,9 @@ def status(run, state):
     record, row = run.record, newest_row(run)
     since = age(record.get("updated"))
     parts = [f"{run.folder}: {state_text(run, state)}"]
-    if "t" in row:
+    if "rest" in record:
+        parts += search_text(record, state)
+    elif "t" in row:
         parts += [f"t = {row['t']:.6g} of {run.case['time']['end']:g}", f"step {row.get('step', 0):.0f}"]
         parts += [f"dt {row['dt']:.3g}"] if row.get("dt", 0) > 0 else []
     else:
