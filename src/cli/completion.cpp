@@ -82,7 +82,7 @@ std::string command_branches(const CLI::App& app) {
 
 constexpr const char* script = R"(# Completion of softwet for bash; written by `softwet completion bash`.
 _softwet() {{
-  local IFS=$' \t\n' options= argument= current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}}
+  local IFS=$' \t\n' options= argument= line= table= entry= current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}}
   local commands='{commands}'
   local keys='{keys}'
   COMPREPLY=()
@@ -91,12 +91,21 @@ _softwet() {{
   elif [[ $before == = ]]; then
     before=${{COMP_WORDS[COMP_CWORD-2]}}
   fi
-  _softwet_words() {{ COMPREPLY=($(compgen -W "$1" -- "$current")); }}
-  _softwet_paths() {{ IFS=$'\n'; COMPREPLY=($(compgen "$@" -- "$current")); compopt -o filenames 2>/dev/null; }}
-  _softwet_cases() {{ _softwet_paths -d; COMPREPLY+=($(compgen -f -X '!*.toml' -- "$current")); }}
+  # Each line of compgen is a word as it stands: in COMPREPLY=($(compgen ...)) it would be a pattern for names of files.
+  _softwet_add() {{ while IFS= read -r line; do COMPREPLY+=("$line"); done < <(compgen "$@" -- "$current"); }}
+  _softwet_words() {{ _softwet_add -W "$1"; }}
+  _softwet_paths() {{ _softwet_add "$@"; compopt -o filenames 2>/dev/null; }}
+  _softwet_cases() {{ _softwet_paths -d; _softwet_add -f -X '!*.toml'; }}
   _softwet_folders() {{ _softwet_paths -d; }}
   _softwet_files() {{ _softwet_paths -f; }}
-  _softwet_assignments() {{ COMPREPLY=($(compgen -W "$keys" -S = -- "$current")); compopt -o nospace 2>/dev/null; }}
+  _softwet_assignments() {{  # load[1].fo is completed as load.fo is
+    if [[ $current =~ ^([a-z_.]+)(\[[0-9]+\])(.*)$ ]]; then
+      table=${{BASH_REMATCH[1]}} entry=${{BASH_REMATCH[2]}} current=${{BASH_REMATCH[1]}}${{BASH_REMATCH[3]}}
+    fi
+    _softwet_add -W "$keys" -S =
+    COMPREPLY=("${{COMPREPLY[@]/#"$table"/"$table$entry"}}")
+    compopt -o nospace 2>/dev/null
+  }}
   _softwet_topics() {{ _softwet_words "$keys {columns}"; }}
   _softwet_commands() {{ _softwet_words "$commands"; }}
   _softwet_shells() {{ _softwet_words bash; }}
@@ -104,6 +113,7 @@ _softwet() {{
     _softwet_words "$commands --help --version"
     return
   fi
+  [[ $before =~ ^([a-z_.]+)\[[0-9]+\](.*)$ ]] && before=${{BASH_REMATCH[1]}}${{BASH_REMATCH[2]}}
   case $before in
 {options}{choices}  esac
   case ${{COMP_WORDS[1]}} in

@@ -4,7 +4,9 @@ usage: answers.py SOFTWET"""
 
 import os
 import pathlib
+import pty
 import re
+import select
 import shutil
 import subprocess
 import sys
@@ -84,6 +86,64 @@ def test_completion():
     check_true("case files", found == {"my.toml"}, found)
 
 
+# Names that a shell would take for something else. A pattern that was not quoted would find the name behind it.
+NAMES = {"br[": ("br[1].toml", "br1.toml"), "st*": ("st*r.toml", "star.toml"), "qu?": ("qu?ry.toml", "query.toml"),
+         "two ": ("two  blanks.toml", "two.toml"), "back\\": ("back\\slash.toml", "back.toml"), "it'": ("it's.toml", "it.toml"),
+         'say"': ('say"so".toml', "say.toml"), "dol": ("dol$HOME.toml", "do.toml"), "bra": ("bra{a,b}.toml", "br.toml"),
+         "semi": ("semi;colon.toml", "se.toml"), "til": ("til~de.toml", "ti.toml"), "dir[": ("dir[2]/", "dir2/")}
+
+
+def touch(folder, names):
+    shutil.rmtree(folder, ignore_errors=True)
+    pathlib.Path(folder).mkdir()
+    for name in names:
+        path = pathlib.Path(folder, name)
+        path.mkdir() if name.endswith("/") else path.touch()
+
+
+def at_a_prompt(folder, typed):
+    """The words that a command gets that is typed at the prompt of bash, then a tab, then return; over a pseudo-terminal."""
+    process, terminal = pty.fork()
+    if process == 0:
+        os.chdir(folder)
+        os.execvpe("bash", ["bash", "--norc", "--noprofile", "-i"], {**os.environ, "PS1": "", "TERM": "dumb", "HISTFILE": ""})
+
+    def read_until(mark):
+        said = b""
+        while mark not in said:
+            if not select.select([terminal], [], [], 900)[0]:
+                break
+            try:
+                said += os.read(terminal, 4096)
+            except OSError:  # the shell has ended
+                break
+        return said.decode(errors="replace")
+
+    os.write(terminal, f"set +H; bind 'set enable-bracketed-paste off'; . <('{softwet}' completion bash); "
+                       "softwet() { printf '<%s>' \"$@\"; echo 'E'ND; }; echo RE''ADY\n".encode())
+    read_until(b"READY\r\n")
+    os.write(terminal, typed.encode() + b"\t\n")
+    said = read_until(b"END\r\n")
+    os.close(terminal)
+    os.waitpid(process, 0)
+    return re.findall(r"<([^\n]*)>END", said)
+
+
+def test_names():
+    """Completion offers the names that are there, as they are."""
+    for start, names in NAMES.items():
+        touch("names", names)
+        program = 'source <("$0" completion bash); COMP_WORDS=("$@"); COMP_CWORD=2; _softwet; printf "%s\n" "${COMPREPLY[@]}"'
+        done = subprocess.run(["bash", "-c", program, softwet, "softwet", "run", start], cwd="names", capture_output=True, text=True)
+        check_true(f"'{start}'", done.stdout.splitlines() == [names[0].rstrip("/")], done)
+        quoted = re.sub(r"([^A-Za-z0-9])", r"\\\1", start)
+        words = at_a_prompt("names", f"softwet run {quoted}")
+        check_true(f"'{quoted}' at a prompt", words == [f"run><{names[0]}"], f"{words}")
+    check_true("an entry of a list", completed("softwet run a.toml --set load[1].fo") == {"load[1].force="})
+    check_true("of a list in a table", completed("softwet run a.toml --set substrate.branch[10].t") == {"substrate.branch[10].time="})
+    check_true("and its words", completed("softwet run a.toml --set probe[1].operation=v") == {"value"})
+
+
 def test_cut_output():
     """What `| head` does: the reader ends first. Nothing is complained about, and a run goes on."""
     def cut(line, end):
@@ -115,4 +175,5 @@ test_help_and_version()
 test_help_of_tools()
 test_manual()
 test_completion()
+test_names()
 test_cut_output()
