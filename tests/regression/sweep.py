@@ -87,7 +87,7 @@ def is_free(log):
         return True
 
 
-for folder in ("product", "long", "array", "droplet", "other"):
+for folder in ("product", "long", "array", "droplet", "counted", "other"):
     shutil.rmtree(folder, ignore_errors=True)
 
 # The product of two keys, two members at once, one of which fails.
@@ -259,3 +259,21 @@ for name, row in table("droplet").items():
         check_true(f"{name}: {column}", float(row[column]) == found[column][-1], row[column])
     speeds = [abs(v) for v, t in zip(found["velocity"], found["t"]) if t >= 0 and v == v]
     check_true(f"{name}: velocity_peak", float(row["velocity_peak"]) == max(speeds), row["velocity_peak"])
+
+# --threads: of each member, whatever OMP_NUM_THREADS says; its range is that of softwet run.
+COUNTED = ["substrate.poisson=0.3,0.4"]
+done = sweep(COUNTED, SOLID, ["--out", "counted", "--jobs", "2", "--threads", "3"], threads=1)
+check_true("--threads reaches the members", [record(f"counted/poisson={n}")["threads"] for n in (0.3, 0.4)] == [3, 3])
+many = int(re.search(r"(\d+) threads", told)[1])
+check_true("more threads than cores are reported", ("times --threads 3 are 6 threads on" in done.stderr) == (many < 6), done.stderr)
+again = sweep(COUNTED, SOLID, ["--out", "counted", "--threads", "2"])
+check_true("another number of threads is no other sweep", "started" not in again.stdout, again.stdout)
+listed = sweep(COUNTED, SOLID, ["--out", "other/dry", "--threads", "2", "--dry-run"]).stdout
+check_true("--dry-run shows them", listed.count(" --threads=2") == 2, listed)
+sweep(COUNTED, SOLID, ["--out", "other/counted", "--threads", "3", "--slurm", "other/counted.sh"])
+text = pathlib.Path("other/counted.sh").read_text()
+check_true("the script asks for as many processors", "--cpus-per-task=3\n" in text and "${SLURM_CPUS_PER_TASK:-3}" in text, text)
+for number in ("0", "513", "two"):
+    refused(f"--threads {number}", ["--threads", number], COUNTED, SOLID, ["--out", "other/dry", "--threads", number])
+bounds = subprocess.run([softwet, "run", CASE, "--threads", "0"], capture_output=True, text=True).stderr
+check_true("the bounds are those of softwet run", "512" in bounds and "--threads" in bounds, bounds)

@@ -46,7 +46,7 @@ def stamps(folder):
     return {path: path.stat().st_mtime_ns for path in sorted(pathlib.Path(folder).glob("*/*"))}
 
 
-for folder in ("pull", "limited"):
+for folder in ("pull", "limited", "counted"):
     shutil.rmtree(folder, ignore_errors=True)
 
 listed = tradeoff("--out", "pull", "--dry-run").stdout
@@ -101,7 +101,15 @@ refused("no such parameter", "there is no such parameter", "--out", "pull", para
 refused("no case", "no.toml", "--out", "nowhere", case="no.toml")
 refused("a wrong setting", "must be", "--out", "nowhere", settings=["time.rho_inf=7"])
 refused("no number of jobs", "--jobs 0", "--out", "nowhere", "--jobs", "0")
+refused("no number of threads", "--threads 0", "--out", "nowhere", "--threads", "0")
 check_true("refusals write nothing", not pathlib.Path("nowhere").exists())
+
+# --threads: of each member. One setting is changed.
+tradeoff("--out", "counted", "--threads", "2", "--combine", "0", settings=[*SMALL, "time.max_steps=2"],
+         parameters=["time.rho_inf=0.6"])
+threads = [json.loads(path.read_text())["threads"] for path in pathlib.Path("counted").glob("*/run.json")]
+check_true("--threads reaches the members", len(threads) == 4 and set(threads) == {2}, str(threads))
+check_true("and the command in the table", "--threads=2" in pathlib.Path("counted/tradeoff.md").read_text())
 
 # A member that takes too long is asked to end, counts as failed, and is not computed again.
 folder = pathlib.Path("limited").resolve() / "long"

@@ -6,10 +6,11 @@ import re
 import resource
 import signal
 import subprocess
+import sys
 import time
 
 from .._tools.messages import last_line, say
-from ..program import ERROR
+from ..program import ERROR, WARNING
 from . import process
 from .files import read_json, take, write_atomic
 from .member import STOPPED
@@ -78,14 +79,28 @@ def cores(program):
     return int(found[1]) if found else len(os.sched_getaffinity(0))
 
 
+def threads_option(threads):
+    """The words that give a run its number of threads. @param threads  None: what it takes by itself"""
+    return [f"--threads={threads}"] if threads else []
+
+
+def warn_of_cores(program, jobs, threads):
+    """Says so where members at once have more threads than there are cores."""
+    if not threads or jobs * threads <= cores(str(program)):
+        return
+    print(f"{WARNING}--jobs {jobs} times --threads {threads} are {jobs * threads} threads on {cores(str(program))} cores: members "
+          f"wait for each other; give --threads {max(1, cores(str(program)) // jobs)} or fewer --jobs", file=sys.stderr)
+
+
 class Computation:
     """Computes members, `jobs` at once. The first SIGINT, SIGTERM or SIGHUP asks the runs to write their checkpoints
     and end, the next one ends them at once.
     @param case  path of the case;  @param changed  called after starts and ends of members
-    @param limit  seconds after which a run is asked to end; it then counts as failed. None: no limit"""
+    @param limit  seconds after which a run is asked to end; it then counts as failed. None: no limit
+    @param threads  of each run; None: OMP_NUM_THREADS, or else its share of the cores"""
 
-    def __init__(self, program, case, jobs, retry, changed, limit=None):
-        self.limit = limit
+    def __init__(self, program, case, jobs, retry, changed, limit=None, threads=None):
+        self.limit, self.threads = limit, threads_option(threads)
         self.program, self.case, self.jobs, self.changed = str(program), str(case), jobs, changed
         self.wanted = ("waiting", "interrupted", "failed") if retry else ("waiting", "interrupted")
         self.running, self.signals = [], 0
@@ -153,6 +168,6 @@ class Computation:
         seconds = note.get("seconds", 0) + (member.lost_seconds() if note and "reason" not in note else 0)
         begun = {"exit": None, "seconds": seconds, "processor": note.get("processor", 0)}
         write_atomic(member.note_path, json.dumps(begun) + "\n")
-        words = [self.program, "run", self.case, *member.words(), "--out", str(member.folder), *options]
+        words = [self.program, "run", self.case, *member.words(), "--out", str(member.folder), *options, *self.threads]
         self.running.append(Job(member, log, process.start(words, log, env=self.environment), begun))
         say(f"{member.name}: {'resumed' if '--resume' in options else 'started'}")

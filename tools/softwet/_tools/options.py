@@ -22,7 +22,17 @@ def parse(command, about):
     for option in options:
         add(group if option in alone else parser, option)
     add_program(parser)
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    for option in options:
+        check_range(option, vars(arguments).get(option["name"].lstrip("-").replace("-", "_")))
+    return arguments
+
+
+def check_range(option, value):
+    """Refuses a number that the option does not take."""
+    low, high = option.get("least"), option.get("most")
+    if low is not None and value is not None and not low <= value <= high:
+        fail(f"{option['name']} {value}: must be in [{low}, {high}]; it is the {option['help'].partition(';')[0]}")
 
 
 def add_program(parser):
