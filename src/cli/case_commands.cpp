@@ -205,11 +205,11 @@ void add_run(CLI::App& app, CaseRequest& request) {
   command.add_flag("--overwrite", request.overwrite, "replace the result in the output folder");
   add_threads(command, request);
   command.add_flag("--quiet", request.options.quiet, "no progress line");
-  CLI::Option* needs = command.add_flag("--needs",
-                                        "print which configuration of the program the case needs and whether this "
-                                        "build has it, and compute nothing");
-  command.callback([&request, needs] {
-    if (needs->count() > 0)
+  command.add_flag("--needs", request.needs,
+                   "print which configuration of the program the case needs and whether this "
+                   "build has it, and compute nothing");
+  command.callback([&request] {
+    if (request.needs)
       fmt::print("{}\n", configuration_line(read_case_of(request)));
     else
       run_command(request);

@@ -54,9 +54,9 @@ void throw_disk_error(const std::string& path, const std::string& what, int erro
               path + ": " + what + ": " + std::strerror(error_number) + "; " + remedy_of(error_number) + elsewhere);
 }
 
-AtomicFile::AtomicFile(const std::string& path) : path_(path), partial_path_(path + ".partial") {
+AtomicFile::AtomicFile(const std::string& path, Folder folder) : path_(path), partial_path_(path + ".partial") {
   std::error_code error;
-  std::filesystem::create_directories(folder_of(path), error);
+  if (folder == Folder::made) std::filesystem::create_directories(folder_of(path), error);
   if (error) throw_disk_error(folder_of(path), "the folder cannot be made", error.value());
   ::unlink(partial_path_.c_str());  // left by a run that was killed, or a pipe that would be waited for
 }
@@ -74,8 +74,8 @@ void AtomicFile::commit() {
   make_durable(folder_of(path_), O_RDONLY | O_DIRECTORY);
 }
 
-void write_text_atomically(const std::string& path, const std::string& text) {
-  AtomicFile target(path);
+void write_text_atomically(const std::string& path, const std::string& text, AtomicFile::Folder folder) {
+  AtomicFile target(path, folder);
   std::FILE* file = std::fopen(target.partial_path().c_str(), "wb");
   if (file == nullptr) throw_disk_error(target.partial_path(), "cannot be written", errno);
   errno = 0;

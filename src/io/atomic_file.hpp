@@ -9,8 +9,11 @@ namespace softwet {
 /// `commit()` makes it durable and moves it to its place. Without `commit()` the partial file is removed.
 class AtomicFile {
  public:
-  /// Makes the parent folder where it is missing. Throws Error (machine_failed) when it cannot.
-  explicit AtomicFile(const std::string& path);
+  /// Whether a folder that is missing is made. That of a run may have been moved, and a new one in its place would hide that.
+  enum class Folder { made, there };
+
+  /// Throws Error (machine_failed) when the folder cannot be made.
+  explicit AtomicFile(const std::string& path, Folder folder = Folder::made);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
@@ -28,7 +31,8 @@ class AtomicFile {
 };
 
 /// Writes a text file through AtomicFile. Throws Error (machine_failed).
-void write_text_atomically(const std::string& path, const std::string& text);
+void write_text_atomically(const std::string& path, const std::string& text,
+                           AtomicFile::Folder folder = AtomicFile::Folder::made);
 
 /// Throws Error (machine_failed): what could not be done with which path, the reason of the system, the remedy.
 /// @param error_number  errno, taken right after the failure

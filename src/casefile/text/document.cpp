@@ -45,11 +45,11 @@ class Walker {
       return one.second->source().begin.line < other.second->source().begin.line;
     });
     for (const auto& [word, node] : nodes)
-      problems_.keep([&, name = prefix + word, node = node] { enter(name, *node, prefix, index); });
+      problems_.keep([&, name = prefix + word, node = node] { enter(name, *node, index); });
   }
 
  private:
-  void enter(const std::string& name, const toml::node& node, const std::string& prefix, std::size_t index) {
+  void enter(const std::string& name, const toml::node& node, std::size_t index) {
     if (const Key* key = find_key(name)) {
       document_.entries[indexed_name(key->name, index)] = make_entry(*key, index, node, at(node));
     } else if (find_table(name + "[]")) {
