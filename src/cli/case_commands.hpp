@@ -17,7 +17,7 @@ struct CaseRequest {
   std::string case_path;
   std::vector<std::string> overrides;
   RunOptions options;
-  bool needs = false;      ///< asks what the program has to have for the case
+  bool needs = false;  ///< asks what the program has to have for the case
   bool overwrite = false;
   bool resolved = false;              ///< check: print the resolved case alone
   std::string picture;                ///< of the scene, that `check` draws; empty: none

@@ -59,8 +59,6 @@ std::string RecordValue::json(int level) const {
   return std::visit([level](const auto& content) { return json_of(content, level); }, content_);
 }
 
-void RunRecord::write(const std::string& path) const {
-  write_text_atomically(path, json(), AtomicFile::Folder::there);
-}
+void RunRecord::write(const std::string& path) const { write_text_atomically(path, json(), AtomicFile::Folder::there); }
 
 }  // namespace softwet
