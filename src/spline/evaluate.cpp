@@ -1,7 +1,7 @@
 #include "spline/evaluate.hpp"
 
 #include <algorithm>
-#include <type_traits>
+#include <utility>
 
 namespace softwet {
 
@@ -67,6 +67,18 @@ void contract(const AxisSamples& at, int first, std::size_t extent, std::size_t 
     }
 }
 
+void contract(const AxisSamples& at, int first, std::size_t extent, std::size_t inner,
+              const std::vector<double>& values, std::vector<double>& result) {
+  switch (at.functions) {
+    case 3:
+      return contract<3>(at, first, extent, inner, values, result);
+    case 4:
+      return contract<4>(at, first, extent, inner, values, result);
+    default:
+      return contract<0>(at, first, extent, inner, values, result);
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -80,15 +92,7 @@ std::vector<double> evaluate_grid(const double* box, const std::array<int, D>& w
   std::size_t inner = now.size() / crop.count[D - 1];
   for (int d = D - 1; d >= 0; --d) {
     std::vector<double> next(now.size() / crop.count[d] * at[d].first.size());
-    const auto along = [&](auto known) {
-      contract<known.value>(at[d], crop.first[d], crop.count[d], inner, now, next);
-    };
-    if (at[d].functions == 3)
-      along(std::integral_constant<int, 3>());
-    else if (at[d].functions == 4)
-      along(std::integral_constant<int, 4>());
-    else
-      along(std::integral_constant<int, 0>());
+    contract(at[d], crop.first[d], crop.count[d], inner, now, next);
     now = std::move(next);
     if (d > 0) inner /= crop.count[d - 1];
   }
