@@ -3,10 +3,45 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/cap.hpp"
 #include "case/gel.hpp"
 #include "scene/equilibrium.hpp"
 
 namespace softwet {
+namespace {
+
+// docs/verification/speed_ripple.md: on a soft layer, with two elements to the capillarity; from there to three it falls with the
+// fourth power.
+constexpr double ripple_of_two_elements = 0.013, ripple_to_tell = 0.001;
+
+bool acts_along(const std::vector<double>& vector) { return !vector.empty() && vector[0] != 0; }
+
+/// A droplet on the wall that no side cuts.
+bool has_droplet_on_wall(const Case& c) {
+  return std::any_of(c.droplets.begin(), c.droplets.end(), [&](const Droplet& droplet) {
+    const double side = 1e-9 * c.domain.size[0], x = droplet.centre[0];
+    return sits_on_wall(c, droplet) && x > side && x < c.domain.size[0] - side;
+  });
+}
+
+/// Whether something acts on droplets along the wall.
+bool is_driven_along_wall(const Case& c) {
+  if (!c.loads.empty() || c.fluid->contact_angle.varies() || acts_along(c.fluid->gravity)) return true;
+  if (std::any_of(c.needles.begin(), c.needles.end(), [](const Needle& n) { return !n.path.empty(); })) return true;
+  if (std::any_of(c.droplets.begin(), c.droplets.end(), [](const Droplet& d) { return acts_along(d.velocity); }))
+    return true;
+  return c.substrate &&
+         (c.substrate->young.varies() || c.substrate->fibre.stiffness > 0 || acts_along(c.substrate->gravity));
+}
+
+}  // namespace
+
+double speed_ripple(const Case& c) {
+  if (c.dimension() != 2 || c.axisymmetric() || c.domain.degree != 2 || !c.fluid) return 0;
+  if (!has_droplet_on_wall(c) || !is_driven_along_wall(c)) return 0;
+  const double across = c.fluid->capillarity * c.domain.elements[0] / c.domain.size[0];
+  return ripple_of_two_elements * std::pow(2 / std::max(across, 1.0), 4);
+}
 
 double Liquid::ohnesorge() const { return viscosity / std::sqrt(density * tension * radius); }
 
@@ -65,6 +100,11 @@ std::vector<Group> groups(const Case& c) {
     all.push_back({"time_inertia", liquid.time_inertia(), "sqrt(rho_l R^3 / sigma): capillarity against inertia"});
     all.push_back({"time_viscosity", liquid.time_viscosity(), "rho_l R^2 / mu: viscosity against inertia"});
   }
+  if (const double ripple = speed_ripple(c); ripple >= ripple_to_tell)
+    all.push_back(
+        {"speed_ripple", ripple,
+         "what the mesh adds to the speed of a droplet, rms over it, with the period of an element; 1.2 times as "
+         "many elements along each axis halve it"});
   if (c.substrate)
     all.push_back(
         {"time_elasticity", time_elasticity(*c.substrate), "Hs / sqrt(G / rho_0^s): a shear wave in the layer"});

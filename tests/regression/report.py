@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/report writes its page for the kinds of scenes, and its energy budget is that of history.csv; how the pictures
+"""tools/report writes its page for the kinds of scenes, and its energy budget is that of history.csv; the ripple of V; how the pictures
 of tools/plot show few points, the start's spike and loads. usage: report.py SOFTWET"""
 
 import json
@@ -41,7 +41,8 @@ def page(folder):
 
 # --- pages -----------------------------------------------------------------------------------------------------------
 run("tensotaxis_pull_2d", "pull", [*PULL, "load.ramp=4"])
-told = {**record("pull"), "groups": {"elastocapillary_over_radius": 0.034}, "started": "2026-01-01T00:00:00Z",
+written = record("pull")
+told = {**written, "groups": {"elastocapillary_over_radius": 0.034}, "started": "2026-01-01T00:00:00Z",
         "events": [{"t": 1.0, "what": "a droplet touches a side"}]}
 pathlib.Path("pull/run.json").write_text(json.dumps(told))
 page("pull")
@@ -86,6 +87,31 @@ check("work of the loads", abs(budget.work[-1] - numpy.trapz(power, t)), 1e-15)
 check("the budget adds up", abs(budget.change - budget.work - budget.stretch + budget.lost - budget.rest).max(), 1e-15)
 check_true("groups as run.json lists them", tables.groups(told) == [("elastocapillary over radius", "0.034")] and
            tables.groups({}) == [])
+
+
+# --- the ripple of the speed -----------------------------------------------------------------------------------------
+def rippling(of_run, run_record):
+    return [value for key, value in tables.result(of_run, tables.Budget(of_run), run_record) if "ripple" in key]
+
+
+check_true("a droplet that is driven along two elements to the capillarity",
+           rippling(curves, written) == ["about 1.3 %; 1.2 times the elements halve it"], str(rippling(curves, written)))
+check_true("one that rests", rippling(history_curves.Curves(softwet.open("rigid")), record("rigid")) == [])
+
+
+def checked(case, *settings):
+    sets = [word for setting in settings for word in ("--set", setting)]
+    told = subprocess.run([softwet_program, "check", str(cases / f"{case}.toml"), *sets], capture_output=True, text=True, timeout=900,
+                          env=environment)
+    check_true(f"check {case} {' '.join(settings)}", told.returncode == 0, told.stderr)
+    return [line.split()[1] for line in told.stdout.splitlines() if line.strip().startswith("speed_ripple")]
+
+
+check_true("check of the pull", checked("tensotaxis_pull_2d") == ["0.013"])
+check_true("on shorter elements", checked("tensotaxis_pull_2d", "domain.elements=[160,80]") == ["0.005325"])
+check_true("where it is small", checked("tensotaxis_pull_2d", "domain.elements=[256,128]") == [])
+for case in ("static_droplet_soft_2d", "sessile_soft_axisymmetric", "solid_layer_2d"):
+    check_true("where nothing drives a droplet", checked(case) == [], case)
 
 # --- how pictures show things ----------------------------------------------------------------------------------------
 check_true("few points are marked, many are not", markers(24) and not markers(25))

@@ -46,6 +46,24 @@ TEST(Groups, OfASceneWithTheLargestDroplet) {
   EXPECT_NEAR(value.at("time_elasticity"), 0.125 / std::sqrt(0.2), 1e-12);
 }
 
+TEST(Groups, TheRippleOfASpeedWhereADropletIsDriven) {
+  EXPECT_EQ(speed_ripple(pull()), 0) << "at rest";
+  Case loaded = pull();
+  loaded.loads = {{.lower = {0.7, 0}, .upper = {0.8, 0.125}, .force = {0.1, 0}}};
+  EXPECT_NEAR(speed_ripple(loaded), 0.013, 1e-15) << "two elements to the capillarity";
+  Case tilted = pull();
+  tilted.fluid->gravity = {1e-3, 0};
+  EXPECT_NEAR(speed_ripple(tilted), 0.013, 1e-15);
+  tilted.fluid->gravity = {0, -1e-3};
+  EXPECT_EQ(speed_ripple(tilted), 0) << "downwards";
+  loaded.domain.elements = {192, 96};
+  EXPECT_NEAR(speed_ripple(loaded), 0.013 * 16 / 81, 1e-15);
+  for (Droplet& droplet : loaded.droplets) droplet.centre[1] = 0.3;
+  EXPECT_EQ(speed_ripple(loaded), 0) << "droplets in the air";
+  loaded.droplets = {{{0, 0.125}, 0.16}};
+  EXPECT_EQ(speed_ripple(loaded), 0) << "half a droplet, which stays";
+}
+
 TEST(Groups, OnlyWhatThereIs) {
   Case c = pull();
   c.droplets.clear();

@@ -86,7 +86,7 @@ class Budget:
         self.rest = self.change - self.work - self.stretch + self.lost
 
 
-def result(curves, budget):
+def result(curves, budget, record):
     """What came out, at the last row."""
     table = curves.table
     if len(curves.t) == 1:
@@ -101,6 +101,9 @@ def result(curves, budget):
         name = f"droplet {suffix[1:]}" if suffix else "droplet"
         rows += [(f"{name}: place", number(float(centre)) if np.isfinite(centre) else "gone"),
                  (f"{name}: peak velocity", f"{speeds[where]:.3e} at t = {curves.t[where]:.4g}")]
+        ripple = (record.get("groups") or {}).get("speed_ripple")
+        if ripple:
+            rows.append((f"{name}: ripple of V by the mesh", f"about {100 * ripple:.1f} %; 1.2 times the elements halve it"))
         rows += [(f"{name}: {text}", value) for text, value in at_the_line(curves, suffix, ("angle",))]
     if np.isfinite(table["mass_drift"]).any():
         rows.append(("largest drift of the mass", f"{np.nanmax(np.abs(table['mass_drift'])):.1e}"))
