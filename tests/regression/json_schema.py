@@ -10,6 +10,8 @@ import subprocess
 import tomllib
 
 from _json_schema import faults, plain
+from _list_lengths import case as case_of_lists
+from _list_lengths import lists_of, resized, value_of
 from _scene import cases, check_true, softwet
 
 # A line of the case of `softwet init`, and what stands in its place.
@@ -30,7 +32,9 @@ WRONG = [("viscosity =", "viscosty ="), ("[fluid]", "[fluids]"), ("radius = 0.15
          ("poisson = 0.45", "poisson = 0.5"), ('left = "slip"', 'left = "sliding"'), ('name = "first"', "name = 1"),
          ('name = "first"', 'name = "../escape"'), ('name = "first"', 'name = ""'),
          ("box = [[0.7, 0.0], [0.8, 0.125]]", "box = [[0.7, 0.0]]"), ("young = 0.7554", "young = [1]"),
-         ("times = [0.0, 235.0, 471.0, 1884.0]", 'times = ["0-471"]'), ("[time]", "[[time]]")]
+         ("times = [0.0, 235.0, 471.0, 1884.0]", 'times = ["0-471"]'), ("[time]", "[[time]]"),
+         ('name = "first"', f'name = "{"a" * 201}"'), ('name = "first"', 'name = ".first"'), ("young = 0.7554", "young = 1e31"),
+         ("viscosity = ", "viscosity = 1e-31 #")]
 
 
 def shown(*words):
@@ -123,3 +127,30 @@ for old, new in WRONG:
     judges.refuse(f"{old} -> {new}", file)
     answer = shown("check", str(file))
     check_true(f"softwet refuses {old} -> {new}", answer.returncode == 1, answer.stderr)
+
+# --- lists of numbers: the schema takes those numbers of entries that the program takes in two or in three dimensions ----------
+def complaints(text, name, value):
+    """What the program says about a key when it has this value."""
+    file = folder / "lists.toml"
+    file.write_text(text)
+    sets = [f"--set={name}={json.dumps(value)}", *(["--set=substrate.prestretch=[]"] if ".gel." in name else [])]
+    return [line for line in shown("check", str(file), *sets).stderr.splitlines() if f": {name} = " in line]
+
+
+bases = {dimension: case_of_lists(dimension) for dimension in (2, 3)}
+tried = set()
+for name, schema in lists_of(judges.schema):
+    shown_name = name.replace("probe[0].box", "probe[1].box")  # a probe has a point or a box
+    given = value_of(tomllib.loads(bases[3]), name) or (shown_name != name and [[0.75] * 3] * 2)
+    if not given:
+        continue
+    tried.add(name)
+    for count in range(5):
+        if (name, count) == ("probe[0].point", 0):  # the schema cannot know that there is no box either
+            continue
+        value = resized(given, count)
+        said = [complaints(text, shown_name, value) for text in bases.values()]
+        check_true(f"{name} with {count} entries: the schema takes it where the program does in 2D or 3D",
+                   all(said) == bool(faults(value, schema)), str(said))
+untried = {name for name, _ in lists_of(judges.schema)} - tried
+check_true("all lists of numbers", untried == {"load[0].factor", "output.fields.times", "output.fields.select"}, str(untried))

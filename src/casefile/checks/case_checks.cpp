@@ -21,6 +21,10 @@ void check_name(const Checker& check) {
   const bool plain = std::all_of(name.begin(), name.end(), [&](char letter) {
     return std::isalnum(static_cast<unsigned char>(letter)) || others.find(letter) != std::string::npos;
   });
+  const std::size_t most = find_key("name")->longest;
+  if (name.size() > most)
+    check.refuse("name", fmt::format("has {} letters, and may have {} at most", name.size(), most),
+                 "it names the output folder, for example droplet_1");
   if (plain && !name.empty() && name.front() != '.') return;
   check.refuse("name", "must be letters, digits, '_', '-' or '.'", "it names the output folder, for example droplet_1");
 }

@@ -42,14 +42,38 @@ Json list_of(const Json& items) {
   return json;
 }
 
+Json list_of(const Json& items, std::size_t least, std::size_t most) {
+  Json json = list_of(items);
+  json["minItems"] = static_cast<std::int64_t>(least);
+  json["maxItems"] = static_cast<std::int64_t>(most);
+  return json;
+}
+
+/// A list with one of the numbers of entries that the key allows: runs of them, [0, 2, 3] is empty, or 2 to 3 entries.
+Json list_of_lengths(const Key& key, const Json& items) {
+  if (key.lengths.empty()) return list_of(items);
+  std::vector<Json> runs;
+  for (std::size_t i = 0, first = 0; i < key.lengths.size(); ++i) {
+    if (i + 1 < key.lengths.size() && key.lengths[i + 1] == key.lengths[i] + 1) continue;
+    runs.push_back(list_of(items, key.lengths[first], key.lengths[i]));
+    first = i + 1;
+  }
+  return runs.size() == 1 ? runs[0] : one_of(runs);
+}
+
 /// A number in the range of the key; whole ones as integers, so that an editor shows them as such.
 Json plain_number(const Key& key, Kind kind) {
   const bool whole = kind == Kind::integer;
   const auto bound = [whole](double value) { return whole ? Json(static_cast<std::int64_t>(value)) : Json(value); };
   Json json = of_type(whole ? "integer" : "number");
   const Range& range = key.range;
-  if (std::isfinite(range.low)) json[range.low_open ? "exclusiveMinimum" : "minimum"] = bound(range.low);
-  if (std::isfinite(range.high)) json[range.high_open ? "exclusiveMaximum" : "maximum"] = bound(range.high);
+  const bool above_zero = range.low == 0 && range.low_open && !whole;
+  const double low = above_zero ? smallest_number : std::isfinite(range.low) ? range.low : -largest_number;
+  const double high = std::isfinite(range.high) ? range.high : largest_number;
+  if (!whole || std::isfinite(range.low))
+    json[range.low_open && low == range.low ? "exclusiveMinimum" : "minimum"] = bound(low);
+  if (!whole || std::isfinite(range.high))
+    json[range.high_open && high == range.high ? "exclusiveMaximum" : "maximum"] = bound(high);
   return json;
 }
 
@@ -62,23 +86,18 @@ Json choice_of(const Key& key) {
   return json;
 }
 
+/// Times and ranges of them; one time where the key takes one at most.
 Json times_of(const Key& key) {
-  const Json moment = one_of({plain_number(key, Kind::number), text_like(range_of_times)});
-  return one_of({plain_number(key, Kind::number), text_like(range_of_times), list_of(moment)});
+  const bool one = key.lengths.size() && key.lengths.back() == 1;
+  const Json text = text_like(one ? ratio : range_of_times), moment = one_of({plain_number(key, Kind::number), text});
+  return one_of({plain_number(key, Kind::number), text, list_of_lengths(key, moment)});
 }
 
-Json schema_of_box(const Key& key) {
-  Json json = list_of(list_of(number_or_ratio(key, Kind::number)));
-  json["minItems"] = 2;
-  json["maxItems"] = 2;
-  return json;
-}
+Json schema_of_box(const Key& key) { return list_of(list_of_lengths(key, number_or_ratio(key, Kind::number)), 2, 2); }
 
-/// Rows [t, value, ..].
-Json table_over_time() {
-  Json row = list_of(of_type("number"));
-  row["minItems"] = 2;
-  Json rows = list_of(row);
+/// Rows [t, value, ..] with so many values.
+Json table_over_time(std::size_t least, std::size_t most) {
+  Json rows = list_of(list_of(number_or_ratio(Key{}, Kind::number), least + 1, most + 1));
   rows["minItems"] = 1;
   return rows;
 }
@@ -86,12 +105,15 @@ Json table_over_time() {
 /// A quoted text is an expression or the path of a table, but for a number with a decimal comma.
 Json profile_of(const Key& key) {
   std::vector<Json> kinds{plain_number(key, Kind::number), of_type("string")};
-  if (key.support == Support::time) kinds.push_back(table_over_time());
+  if (key.support == Support::time) kinds.push_back(table_over_time(1, 1));
   return one_of(kinds);
 }
 
 Json text_of(const Key& key) {
-  return key.letters.empty() ? of_type("string") : text_like("[A-Za-z0-9" + key.letters + "]+");
+  if (key.letters.empty()) return of_type("string");
+  const std::string any = "A-Za-z0-9" + key.letters, first = key.first.empty() ? any : key.first;
+  const std::string more = key.longest > 0 ? "{0," + std::to_string(key.longest - 1) + "}" : "*";
+  return text_like("[" + first + "][" + any + "]" + more);
 }
 
 Json type_of(const Key& key) {
@@ -101,9 +123,9 @@ Json type_of(const Key& key) {
     case Kind::integer:
       return number_or_ratio(key, Kind::integer);
     case Kind::numbers:
-      return list_of(number_or_ratio(key, Kind::number));
+      return list_of_lengths(key, number_or_ratio(key, Kind::number));
     case Kind::integers:
-      return list_of(number_or_ratio(key, Kind::integer));
+      return list_of_lengths(key, number_or_ratio(key, Kind::integer));
     case Kind::box:
       return schema_of_box(key);
     case Kind::times:
@@ -115,8 +137,8 @@ Json type_of(const Key& key) {
     case Kind::profile:
       return profile_of(key);
     case Kind::profiles:
-      if (key.support == Support::time) return one_of({list_of(profile_of(key)), table_over_time()});
-      return list_of(profile_of(key));
+      if (key.support == Support::time) return one_of({list_of_lengths(key, profile_of(key)), table_over_time(2, 3)});
+      return list_of_lengths(key, profile_of(key));
     case Kind::text:
       break;
   }

@@ -31,6 +31,11 @@ struct Range {
 };
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr Range positive{0, infinity, true, true};
+/// Sizes of numbers other than 0, so that products of several inputs (h^4, 1 / dt^2) stay numbers.
+inline constexpr double smallest_number = 1e-30, largest_number = 1e30;
+/// How many entries a list may have with one for each axis, and where it may be left empty.
+inline std::vector<std::size_t> of_axes() { return {2, 3}; }
+inline std::vector<std::size_t> of_axes_or_none() { return {0, 2, 3}; }
 
 /// One table of a case file. `present` and `count` see the resolved case; `open` makes room for entry number i.
 struct Table {
@@ -58,6 +63,10 @@ struct Key {
   Range range{};
   std::vector<std::string> choices{};  ///< of a choice, or of each of the names
   std::string letters{};               ///< of a text: all that it may have beside letters and digits; empty: anything
+  std::string first{};                 ///< of a text: what it may begin with, as "A-Za-z"; empty: with any of them
+  std::size_t longest = 0;             ///< of a text: most letters; 0: any number
+  std::vector<std::size_t>
+      lengths{};  ///< of a list, or of each corner of a box: how many entries it may have; empty: any
   bool required = false;
   std::string example{};  ///< TOML text, the value of the paper's pull scene; empty: the default is the example
   std::string source{};   ///< short note `init` writes behind the value

@@ -48,6 +48,7 @@ std::vector<Key> boundary_keys() {
        .kind = Kind::numbers,
        .unit = "a b^2/L0",
        .range = {0, infinity, false, true},
+       .lengths = {0, 2},
        .help = "Springs [kap_n, kap_t] below the solid, on each undeformed area of its bottom: the stress kap_n u_n "
                "against motion through it and kap_t u_t against motion along it. Needs bottom = \"free\"; with bottom "
                "= \"slip\" springs along a roller, [0, kap_t].",
@@ -58,6 +59,7 @@ std::vector<Key> boundary_keys() {
        .kind = Kind::numbers,
        .unit = "b sqrt(ab)",
        .range = {0, infinity, false, true},
+       .lengths = {0, 2},
        .help = "Dashpots [c_n, c_t] below the solid, beside the springs of boundary.foundation or alone: the stress "
                "c_n v_n against velocities through its bottom and c_t v_t against those along it. What they dissipate "
                "is a part of the column dissipation_solid. Needs bottom = \"free\"; with bottom = \"slip\" dashpots "

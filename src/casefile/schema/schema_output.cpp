@@ -12,6 +12,7 @@ std::vector<Key> probe_keys() {
       {.name = "probe[].name",
        .kind = Kind::text,
        .letters = "_",
+       .first = "A-Za-z",
        .required = true,
        .example = "\"ridge_height\"",
        .help = "Name of the column of history.csv. It begins with a letter, and no other column has it.",
@@ -26,6 +27,7 @@ std::vector<Key> probe_keys() {
       {.name = "probe[].point",
        .kind = Kind::numbers,
        .unit = "L0",
+       .lengths = of_axes_or_none(),
        .example = "[0.5, 0.125]",
        .help = "Position in the undeformed domain: in the solid it moves with the material, in the fluid with the "
                "mesh, which follows the wall below it and rests at the top. Write a point or a box.",
@@ -34,6 +36,7 @@ std::vector<Key> probe_keys() {
       {.name = "probe[].box",
        .kind = Kind::box,
        .unit = "L0",
+       .lengths = of_axes_or_none(),
        .help = "Lower and upper corner of a box in the undeformed domain. Where both are equal along an axis, it "
                "is a face, a line or a point.",
        .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.probes[i]; }),
@@ -63,6 +66,7 @@ std::vector<Key> files_keys() {
       {.name = "output.history.track",
        .kind = Kind::numbers,
        .range = {-1e30, 1e30, false, false},
+       .lengths = {2},
        .help =
            "Horizontal direction [x, y] along which droplets are followed in 3D: their velocity, contact points and "
            "angles. Only the direction counts, not the length.",

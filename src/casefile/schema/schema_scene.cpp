@@ -11,10 +11,13 @@ std::vector<Key> domain_keys() {
       {.name = "name",
        .kind = Kind::text,
        .letters = "_.-",
+       .first = "A-Za-z0-9_-",
+       .longest = 200,
        .required = true,
        .example = "\"tensotaxis_pull_2d\"",
        .source = "Bueno et al. 2017, Fig. 2, left column; [?] = not stated in the paper",
-       .help = "Name of the case, and of its output folder: letters, digits, '_', '-' and '.'.",
+       .help = "Name of the case, and of its output folder: letters, digits, '_', '-' and '.', 200 at most, and no '.' "
+               "in front.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.name; })},
       {.name = "quality",
        .kind = Kind::choice,
@@ -27,6 +30,7 @@ std::vector<Key> domain_keys() {
        .kind = Kind::numbers,
        .unit = "L0",
        .range = positive,
+       .lengths = of_axes(),
        .required = true,
        .example = "[1.0, 0.5]",
        .source = "solid and fluid together; the last axis is vertical",
@@ -35,6 +39,7 @@ std::vector<Key> domain_keys() {
       {.name = "domain.elements",
        .kind = Kind::integers,
        .range = {1, 100000, false, false},
+       .lengths = of_axes(),
        .required = true,
        .example = "[128, 64]",
        .help = "Elements along each axis; as many numbers as domain.size.",
@@ -77,6 +82,7 @@ std::vector<Key> domain_keys() {
       {.name = "domain.grading.box",
        .kind = Kind::box,
        .unit = "L0",
+       .lengths = of_axes_or_none(),
        .help =
            "Lower and upper corner of the box of fine elements. Keep it four capillarities away from interfaces and "
            "contact lines, also from where they move to: a mesh that grows within an interface drives droplets. Along "
@@ -141,6 +147,7 @@ std::vector<Key> fluid_keys() {
        .kind = Kind::numbers,
        .unit = "degrees",
        .range = {0, 180, true, true},
+       .lengths = {0, 2},
        .help =
            "Hysteresis: receding and advancing contact angle, two numbers in this order. A line between these angles "
            "sticks, up to the creep of fluid.creep_speed. The static angle fluid.contact_angle is then the one whose "
@@ -192,6 +199,7 @@ std::vector<Key> fluid_keys() {
       {.name = "fluid.gravity",
        .kind = Kind::numbers,
        .unit = "ab/L0",
+       .lengths = of_axes_or_none(),
        .help = "Uniform force per unit mass on the fluid, one component for each axis; the last is vertical. The solid "
                "does not feel it, it has substrate.gravity. Periodic sides allow none along their axis.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->gravity; }),
@@ -223,6 +231,7 @@ std::vector<Key> fluid_keys() {
        .kind = Kind::numbers,
        .unit = "b",
        .range = {0, 0.999, true, false},
+       .lengths = {0, 2},
        .help = "Densities of vapour and liquid at the start, two numbers in this order.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.fluid->initial; }),
        .default_note = "[], in equilibrium with the curved interface (Kelvin, Laplace)"},

@@ -81,6 +81,7 @@ std::vector<Key> substrate_keys() {
       {.name = "substrate.prestretch",
        .kind = Kind::numbers,
        .range = {0.4, 3, false, false},
+       .lengths = {0, 1, 2},
        .help =
            "Stretch along the wall before the scene begins: [l_1] in 2D, where the strain stays plane, [l_1, l_2] "
            "along x and y in 3D, [l] along r and around the axis in (r, z). The height of the layer adapts so that its "
@@ -122,6 +123,7 @@ std::vector<Key> substrate_keys() {
        .kind = Kind::numbers,
        .unit = "a b^2 L0",
        .range = {0, infinity, false, true},
+       .lengths = {0, 2},
        .help =
            "Moduli [lambda_s, G_s] of the solid's top face, which then resists stretch along itself: energy "
            "lambda_s/2 (tr E_s)^2 + G_s E_s : E_s of each undeformed area, with the Green strain E_s of the face, "
@@ -132,6 +134,7 @@ std::vector<Key> substrate_keys() {
       {.name = "substrate.gravity",
        .kind = Kind::numbers,
        .unit = "ab/L0",
+       .lengths = of_axes_or_none(),
        .help = "Uniform force per unit mass on all of the solid, one component for each axis; the last is vertical.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->gravity; }),
        .default_note = "[], none"},
@@ -168,6 +171,7 @@ std::vector<Key> substrate_keys() {
       {.name = "substrate.gel.decades",
        .kind = Kind::numbers,
        .range = {-12, 12, false, false},
+       .lengths = {2},
        .help = "Decades of w time between which gel.exponent has to hold: [-2, 2] is 0.01 < w time < 100. 1.5 branches "
                "stand for a decade, and for one more on both sides, up to 12 in all. A motion of the speed V over the "
                "length l has w = V/l.",
@@ -201,6 +205,7 @@ std::vector<Key> load_keys() {
       {.name = "load[].box",
        .kind = Kind::box,
        .unit = "L0",
+       .lengths = of_axes(),
        .required = true,
        .example = "[[0.7, 0.0], [0.8, 0.125]]",
        .source = "[?]",
@@ -209,6 +214,7 @@ std::vector<Key> load_keys() {
       {.name = "load[].force",
        .kind = Kind::numbers,
        .unit = "ab/L0",
+       .lengths = of_axes(),
        .required = true,
        .example = "[0.16215, 0.0]",
        .source = "f-hat, eq. (13)",
@@ -241,6 +247,7 @@ std::vector<Key> load_keys() {
       {.name = "load[].path",
        .kind = Kind::profiles,
        .unit = "L0",
+       .lengths = of_axes_or_none(),
        .help = "Displacement of the box over time, one entry for each axis: [\"0.1*t\", 0.0] moves it along x, and so "
                "does the table [[0, 0, 0], [10, 1, 0]], linear between its times. Round a periodic "
                "axis it comes in on the other side; what leaves the solid elsewhere does not act.",
@@ -255,6 +262,7 @@ std::vector<Key> needle_keys() {
       {.name = "needle[].box",
        .kind = Kind::box,
        .unit = "L0",
+       .lengths = of_axes(),
        .required = true,
        .example = "[[0.7, 0.0], [0.8, 0.125]]",
        .help =
@@ -275,6 +283,7 @@ std::vector<Key> needle_keys() {
       {.name = "needle[].path",
        .kind = Kind::profiles,
        .unit = "L0",
+       .lengths = of_axes_or_none(),
        .help = "Displacement U of the needle over time, one entry for each axis: [\"0.1*t\", 0.0] moves the box along "
                "x, and "
                "so does the table [[0, 0, 0], [10, 1, 0]], linear between its times. "

@@ -28,9 +28,6 @@ Words words_of(const Key& key, const Value& value) {
   return key.kind == Kind::names ? std::get<Words>(value) : Words{};
 }
 
-/// So that products of several inputs (h^4, 1 / dt^2) stay numbers.
-constexpr double smallest = 1e-30, largest = 1e30;
-
 void check_range(const Key& key, const Value& value, const std::string& name, const std::string& text,
                  const std::string& place) {
   for (double number : numbers_of(value)) {
@@ -39,8 +36,8 @@ void check_range(const Key& key, const Value& value, const std::string& name, co
       reject(place, name, text, "must be a " + allowed_text(key),
              fmt::format("{}write for example {} = {}", reason, key.leaf(), example_text(key)));
     }
-    if (number != 0 && (std::abs(number) < smallest || std::abs(number) > largest))
-      reject(place, name, text, fmt::format("must be 0 or between {} and {} in size", smallest, largest),
+    if (number != 0 && (std::abs(number) < smallest_number || std::abs(number) > largest_number))
+      reject(place, name, text, fmt::format("must be 0 or between {} and {} in size", smallest_number, largest_number),
              "choose the scales L0, a, b of the case so that its numbers are near 1");
   }
   for (const std::string& word : words_of(key, value)) {
