@@ -24,6 +24,7 @@
 #include "cli/tool_commands.hpp"
 #include "cli/units_command.hpp"
 #include "field/ranks.hpp"
+#include "io/path_state.hpp"
 #include "machine/launcher.hpp"
 #include "machine/terminal.hpp"
 
@@ -211,7 +212,9 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const std::bad_alloc&) {
     return report(Exit::machine_failed, "out of memory; 'softwet check CASE' shows how much a case needs");
   } catch (const std::filesystem::filesystem_error& error) {
-    return report(Exit::machine_failed, error.what());
+    const std::string problem = too_long(error.path1().string());
+    if (problem.empty()) return report(Exit::machine_failed, error.what());
+    return report(Exit::invalid_input, fmt::format("'{}': {}; give a shorter one", error.path1().string(), problem));
   } catch (const std::exception& error) {
     return report(Exit::computation_failed, error.what());
   }

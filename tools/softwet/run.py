@@ -20,7 +20,11 @@ class Run:
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
-        if not (self.folder / "case.toml").is_file():
+        try:
+            there = (self.folder / "case.toml").is_file()
+        except OSError as error:  # a name that the file system does not take
+            raise Problem(f"{folder} is not an output folder of softwet run: {error.strerror}") from error
+        if not there:
             inside = min((path.parent for path in self.folder.glob("*/case.toml")), default=None)
             told = f"; those of a sweep or of states of rest lie in it: give one of them, for example {inside}" if inside else ""
             raise Problem(f"{folder} is not an output folder of softwet run: it has no case.toml{told}")

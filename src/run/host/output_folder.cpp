@@ -47,6 +47,13 @@ void write_resolved(const fs::path& folder, const Case& c) {
                         "# Resolved case: every key with the value of this run.\n" + write_case(c));
 }
 
+constexpr std::size_t longest_file = 64;  ///< bytes of names in the folder, "fields/solid_000123.h5.partial"
+
+/// Its beginning and its end, where a path is too long for a message.
+std::string ends_of(const std::string& path) {
+  return path.size() <= 200 ? path : path.substr(0, 100) + "..." + path.substr(path.size() - 60);
+}
+
 [[noreturn]] void refuse(const std::string& message) { throw Error(Exit::invalid_input, message); }
 
 void check_old_result(const fs::path& folder, OldResult old) {
@@ -107,6 +114,8 @@ fs::path first_missing(const fs::path& folder) {
 OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old) : path_(path), case_(c), old_(old) {
   const fs::path folder(path);
   std::error_code error;
+  if (const std::string problem = too_long(path, longest_file); !problem.empty())
+    refuse(fmt::format("the output folder '{}': {}; give a shorter one with --out", ends_of(path), problem));
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail_to_write(path, "a file has that name");
   lock();  // first: what a run that is under way has written so far is not a result
   check_old_result(folder, old);

@@ -13,7 +13,7 @@ REMEDIES = {
     errno.ENOTDIR: "a part of the path is a file; choose another path",
     errno.EISDIR: "a folder has that name; give the name of a file",
     errno.ENOENT: "make its folder, or choose another path",
-    errno.ENAMETOOLONG: "choose a shorter path",
+    errno.ENAMETOOLONG: "choose a shorter path, whose names have 255 bytes at most",
     errno.EACCES: "it is not yours; choose another path, or ask its owner",
     errno.EPERM: "it is not yours; choose another path, or ask its owner",
     errno.EROFS: "the file system is read-only; choose another path",
@@ -29,9 +29,9 @@ def fail(message, code=1):
 
 
 def fail_of_machine(error):
-    """Ends with exit code 3 and the remedy of an OSError."""
+    """Ends with exit code 3 and the remedy of an OSError; with 1 where the path itself is wrong."""
     place = f"cannot use '{error.filename}': " if error.filename else ""
-    fail(f"{place}{error.strerror or error}; {REMEDIES.get(error.errno, 'the same command goes on')}", 3)
+    fail(f"{place}{error.strerror or error}; {REMEDIES.get(error.errno, 'the same command goes on')}", 1 if error.errno == errno.ENAMETOOLONG else 3)
 
 
 def say(message):
