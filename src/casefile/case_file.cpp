@@ -181,7 +181,8 @@ constexpr std::size_t largest_file = 16 << 20;  ///< bytes; of a case with a hun
 Case parse(std::string_view text, const std::string& place, const std::vector<std::string>& overrides, Tables tables) {
   Problems problems;
   Document document = read_document(text, place, problems);
-  for (const std::string& assignment : overrides) problems.keep([&] { apply_override(document, assignment); });
+  for (const std::string& assignment : overrides)
+    problems.keep([&] { apply_override(document, assignment, problems); });
   Case c = resolve(document, problems);
   if (c.initial && !c.initial->from.empty())  // the resolved case holds from any folder
     c.initial->from = std::filesystem::absolute(c.initial->from).lexically_normal().string();

@@ -183,7 +183,8 @@ CLI::Option* add_case(CLI::App& command, CaseRequest& request) {
   command
       .add_option_function<std::string>(
           "--set", [&request](const std::string& assignment) { request.overrides.push_back(assignment); },
-          "set a key of the case, for example --set time.end=10 or --set load[0].ramp=2; repeatable")
+          "set a key of the case, for example --set time.end=10 or --set load[0].ramp=2, or a whole table: --set "
+          "'substrate.gel={ exponent = 0.5, time = 1 }'; repeatable")
       ->type_name("KEY=VALUE")
       ->trigger_on_parse();
   return option->required();

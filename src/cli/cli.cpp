@@ -106,6 +106,22 @@ std::string meant_option(const CLI::App& app, int argc, const char* const* argv)
   return {};
 }
 
+/// "'load.ramp=2' stands alone: ..." for the first assignment that no option takes: --set is missing before it, or the shell made
+/// two words of one, as bash does with {a=1,b=2}.
+std::string stray_assignment(int argc, const char* const* argv) {
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i], before = argv[i - 1];
+    const bool is_value = before.rfind("--", 0) == 0 && before.find('=') == std::string::npos;
+    const auto equals = word.find('=');
+    if (word.rfind("--", 0) == 0 || is_value || equals == std::string::npos || equals == 0) continue;
+    return fmt::format(
+        "'{0}' stands alone: write --set before it, and single quotes around what has braces, brackets or "
+        "blanks, --set '{0}', so that the shell leaves it whole; ",
+        word);
+  }
+  return {};
+}
+
 std::string version_line() { return fmt::format("softwet {} ({})", version, commit); }
 
 void help_command(const CLI::App& app, const std::string& command) {
@@ -183,7 +199,7 @@ int parse(CLI::App& app, int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     std::string message = error.what();
     for (char& c : message) c = c == '\n' ? ' ' : c;
-    return report(Exit::invalid_input, message + "; " + meant_option(app, argc, argv) +
+    return report(Exit::invalid_input, message + "; " + meant_option(app, argc, argv) + stray_assignment(argc, argv) +
                                            "'softwet --help' and 'softwet COMMAND --help' show what there is");
   }
 }

@@ -1,4 +1,4 @@
-// From a TOML node to a Value of the kind a key asks for. Only document.cpp, entry.cpp and toml_value.cpp see the TOML library.
+// From a TOML node to a Value of the kind a key asks for. Only the sources of this room see the TOML library.
 #pragma once
 
 #include <optional>
