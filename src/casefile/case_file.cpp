@@ -14,6 +14,7 @@
 #include "case/error.hpp"
 #include "casefile/checks/case_checks.hpp"
 #include "casefile/checks/fine_box.hpp"
+#include "casefile/checks/stiff_parts.hpp"
 #include "casefile/formula/jumps.hpp"
 #include "casefile/formula/profiles.hpp"
 #include "casefile/schema/quality.hpp"
@@ -230,6 +231,7 @@ std::vector<std::string> warnings(const Case& c) {
                       c.dimension() == 3 ? fmt::format(", y = {:.4g}", jump->place[1]) : ""));
   warn_of_long_tables(c, found);
   warn_of_idle_keys(c, found);
+  warn_of_stiff_parts(c, found);
   const double largest = c.spacing();
   if (c.fluid && c.fluid->capillarity < largest) {
     found.push_back(

@@ -178,27 +178,66 @@ void choose_fine_box(Case& c) {
   }
 }
 
+namespace {
+
+/// What the fine elements have to hold along an axis: where a droplet or film lies, and which of its ends are interfaces.
+struct Body {
+  std::string name;
+  Extent span;
+  bool below = true, above = true;
+};
+
+Body body_of(const Case& c, std::size_t droplet, std::size_t axis) {
+  const Droplet& one = c.droplets[droplet];
+  const double half = half_width(c, one), x = one.centre[axis];
+  const bool upright = axis + 1 == c.domain.size.size();
+  return {fmt::format("droplet[{}]", droplet), upright ? height_of(c, one) : Extent{x - half, x + half},
+          !(upright && sits_on_wall(c, one))};
+}
+
+Body body_of_film(const Case& c, std::size_t film, std::size_t axis) {
+  const double low = c.films[film].lower[axis], high = c.films[film].upper[axis];
+  const double ground = axis + 1 == c.domain.size.size() ? c.wall_height() : 0, slack = 1e-9 * c.domain.size[axis];
+  const bool whole = high - low >= c.domain.size[axis] - slack;  // along a periodic axis it has no ends then
+  const bool ends = c.boundary.side[axis][0] == Side::periodic;
+  return {fmt::format("film[{}]", film),
+          {low, high},
+          !whole && (ends || low > ground + slack),
+          !whole && (ends || high < c.domain.size[axis] - slack)};
+}
+
+std::string warning_about(const Case& c, const Body& body, std::size_t axis) {
+  const bool upright = axis + 1 == c.domain.size.size(), periodic = c.boundary.side[axis][0] == Side::periodic;
+  const double capillarities = upright && !body.below ? least_fine_margin_above : least_fine_margin;
+  const double margin = capillarities * c.fluid->capillarity;
+  const FinePart fine = nearest_fine_part(c, axis, 0.5 * (body.span.low + body.span.high));
+  const bool below = body.below && body.span.low - margin < fine.low;
+  if (!below && !(body.above && body.span.high + margin > fine.high)) return {};
+  double low = std::min(body.span.low - (body.below ? margin : 0), fine.low),
+         high = std::max(body.span.high + (body.above ? margin : 0), fine.high);
+  if (!periodic) low = std::max(low, 0.0), high = std::min(high, c.domain.size[axis]);
+  if (high - low > c.domain.size[axis]) low = 0, high = c.domain.size[axis];
+  return fmt::format(
+      "{} lies in [{:.4g}, {:.4g}] along axis {}, and the fine elements of domain.grading end at {:.4g}: less than {} "
+      "capillarities away. Longer elements within the interface drive it, by up to one or two of the short ones "
+      "(docs/limits.md); write a larger box, [{:.4g}, {:.4g}] along this axis{}",
+      body.name, body.span.low, body.span.high, axis, below ? fine.low : fine.high, capillarities, low, high,
+      periodic && (low < 0 || high > c.domain.size[axis]) ? ", which may reach around the ends of a periodic one" : "");
+}
+
+}  // namespace
+
 std::string warning_about_fine_box(const Case& c) {
   if (!c.fluid) return {};
-  const std::size_t vertical = c.domain.size.size() - 1;
-  for (std::size_t k = 0; k < c.droplets.size(); ++k)
-    for (std::size_t axis = 0; axis <= vertical; ++axis) {
-      const Droplet& droplet = c.droplets[k];
-      const double half = half_width(c, droplet), x = droplet.centre[axis];
-      const Extent span = axis == vertical ? height_of(c, droplet) : Extent{x - half, x + half};
-      const FinePart fine = nearest_fine_part(c, axis, x);
-      const bool on_wall = axis == vertical && sits_on_wall(c, droplet);
-      const double capillarities = on_wall ? least_fine_margin_above : least_fine_margin;
-      const double margin = capillarities * c.fluid->capillarity;
-      const bool below = span.low - margin < fine.low && !on_wall;
-      if (below || span.high + margin > fine.high)
-        return fmt::format(
-            "droplet[{}] lies in [{:.4g}, {:.4g}] along axis {}, and the fine elements of domain.grading end at "
-            "{:.4g}: less "
-            "than {} capillarities away. Longer elements within the interface drive the droplet; write a larger box",
-            k, span.low, span.high, axis, below ? fine.low : fine.high, capillarities);
-    }
-  return {};
+  const std::size_t axes = c.domain.size.size();
+  const auto first_of = [&](std::size_t count, const auto& body) {
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t axis = 0; axis < axes; ++axis)
+        if (std::string what = warning_about(c, body(c, k, axis), axis); !what.empty()) return what;
+    return std::string();
+  };
+  const std::string of_droplets = first_of(c.droplets.size(), body_of);
+  return of_droplets.empty() ? first_of(c.films.size(), body_of_film) : of_droplets;
 }
 
 }  // namespace softwet

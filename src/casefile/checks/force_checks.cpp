@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include "casefile/checks/checker.hpp"
+#include "casefile/checks/stiff_parts.hpp"
 
 namespace softwet {
 namespace {
@@ -36,12 +37,27 @@ void check_load(const Checker& check, std::size_t index) {
   check_path(check, table + ".path", load.path);
 }
 
+/// Beyond a stiffness the reading of a needle is made of the last digits of displacements.
+void check_reading(const Checker& check, const std::string& key, const Needle& needle) {
+  const double most = largest_needle_stiffness(check.c, needle), rigid = rigid_needle_stiffness(check.c);
+  if (needle.stiffness <= most) return;
+  check.refuse(
+      key,
+      fmt::format("must be in (0, {:.2g}] for this solid and path: the needle reads its stiffness times the gap "
+                  "between its position and the solid, and beyond that the gap has fewer than three digits",
+                  most),
+      fmt::format("write for example {:.1g}{}", std::min(rigid, 0.1 * most),
+                  rigid <= 0.1 * most ? ", which already holds the box rigidly: 1e4 E/h^2" : ""));
+}
+
 void check_needle(const Checker& check, std::size_t index) {
   const Needle& needle = check.c.needles[index];
   const std::string table = fmt::format("needle[{}]", index), path = table + ".path";
   check.with({table + ".box", "substrate", "substrate.thickness"},
              [&] { check_box_of_solid(check, table, "a needle holds a part of", needle.lower, needle.upper); });
   check_path(check, path, needle.path);
+  check.with({table + ".stiffness", table + ".box", path, "substrate", "substrate.thickness", "substrate.young"},
+             [&] { check_reading(check, table + ".stiffness", needle); });
   check.with({path, "domain.coordinates"}, [&] {
     if (check.c.axisymmetric() && !needle.path.empty() && (needle.path[0].varies() || needle.path[0].number != 0))
       check.refuse(path, "must be 0 along the first axis with domain.coordinates = \"axisymmetric\"",

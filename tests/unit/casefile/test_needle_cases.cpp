@@ -1,4 +1,7 @@
 // Cases with needles: what they may say, and what is refused.
+#include <fmt/core.h>
+
+#include "casefile/checks/stiff_parts.hpp"
 #include "unit/casefile/bad_case.hpp"
 
 namespace softwet::testing_tools {
@@ -48,6 +51,19 @@ TEST(NeedleCase, RefusesTablesThatAreNone) {
   tells(needle(), {"needle.path=['[[0, a]]',0]"}, {"needle[0].path", "'a'", "not a number"});
   tells(needle(), {"substrate.young=[[0,1],[1,2]]"}, {"substrate.young", "does not vary in time"});
   tells(needle(), {"load.factor=[[0,1,2],[1,2,3]]"}, {"load[0].factor", "[[t, value], ...]"});
+}
+
+// Where the last digit of a displacement is a thousandth of what the solid resists.
+TEST(NeedleCase, RefusesAStiffnessWhoseReadingLacksDigits) {
+  Case c = parse_case(needle(), "case.toml");
+  const double young = c.substrate->young_modulus(), last = 2.220446049250313e-16, most = 1e-3 * young / last;
+  EXPECT_DOUBLE_EQ(largest_needle_stiffness(c, {}), most) << "the layer is 1 long";
+  c.needles[0].path[0] = -4;
+  EXPECT_DOUBLE_EQ(largest_needle_stiffness(c, c.needles[0]), most / 4);
+  const auto asks = [&](double times) { return message_of(with(fmt::format("stiffness = {:.17g}", times * most))); };
+  EXPECT_EQ(asks(0.99), "(accepted)");
+  expect_parts(asks(1.01),
+               {"needle[0].stiffness", fmt::format("(0, {:.2g}]", most), "three digits", "write for example"});
 }
 
 TEST(NeedleCase, RefusesWhatIsNone) {

@@ -76,6 +76,41 @@ TEST(FineBox, AroundAPeriodicEnd) {
   EXPECT_EQ(warning_about_fine_box(c), "");
 }
 
+/// The box that the warning names holds the droplet, also where the droplet needs all of the axis.
+TEST(FineBox, TheWarningNamesOneThatIsLargeEnough) {
+  Case c = droplet_at(0.125, FineElements::box);
+  c.boundary.side[0] = {Side::periodic, Side::periodic};
+  c.droplets[0].centre[0] = 0;
+  c.domain.grading.lower = {0, 0};
+  c.domain.grading.upper = {0.4, 0.6};
+  const std::string what = warning_about_fine_box(c);
+  EXPECT_NE(what.find("a larger box, [-0.1918, 0.4"), std::string::npos) << what;  // 0.15 sin 75 degrees and 3/64
+  EXPECT_NE(what.find("] along this axis, which may reach around"), std::string::npos) << what;
+  c.droplets[0] = {{1.0, 0.5}, 0.98};
+  c.domain.grading.lower[0] = 0.5, c.domain.grading.upper[0] = 1.5;
+  EXPECT_NE(warning_about_fine_box(c).find("[0, 2] along this axis"), std::string::npos) << warning_about_fine_box(c);
+}
+
+/// A film has interfaces at the ends that lie within the domain.
+TEST(FineBox, HoldsTheEndsOfFilms) {
+  const auto said = [](std::vector<double> lower, std::vector<double> upper, std::vector<double> fine, Side side) {
+    Case c = droplet_at(0.125, FineElements::box);
+    c.droplets.clear();
+    c.boundary.side[0] = {side, side};
+    c.films = {{std::move(lower), std::move(upper)}};
+    c.domain.grading.lower = {fine[0], 0};
+    c.domain.grading.upper = {fine[1], fine[2]};
+    return warning_about_fine_box(c);
+  };
+  for (const Side side : {Side::slip, Side::periodic})
+    EXPECT_EQ(said({0, 0.125}, {2, 0.4}, {0.8, 1.2, 0.5}, side), "") << "it has no ends along the wall";
+  EXPECT_NE(said({0, 0.125}, {2, 0.4}, {0, 2, 0.41}, Side::slip).find("film[0] lies in [0.125, 0.4] along axis 1"),
+            std::string::npos);
+  EXPECT_NE(said({0, 0.125}, {1, 0.4}, {0, 1.02, 0.5}, Side::slip).find("end at"), std::string::npos);
+  EXPECT_EQ(said({0, 0.125}, {1, 0.4}, {0.9, 1.1, 0.5}, Side::slip), "") << "its left end is a side";
+  EXPECT_NE(said({0, 0.125}, {1, 0.4}, {0.9, 1.1, 0.5}, Side::periodic).find("[-0.04688, "), std::string::npos);
+}
+
 std::string answer_to(const std::string& left, const std::string& box, const std::vector<std::string>& more = {}) {
   std::vector<std::string> settings{"boundary.left=\"" + left + "\"", "boundary.right=\"" + left + "\"",
                                     "domain.grading.box=" + box};
