@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace softwet {
 namespace {
 
@@ -105,7 +107,8 @@ TEST(AxisRule, RestrictionKeepsOneFunction) {
 TEST(AxisRule, MeansAroundAnAxisHaveNoResultantOfAUniformStress) {
   const Axis axis(0.9, 7, 2, AxisKind::bounded);
   const AxisRule rule = mean_rule(axis, 0, 7, 3, MeanWeight::radius);
-  const auto v = host(rule.value), s = host(rule.slope), w = host(rule.weight), x = host(rule.position);
+  const auto v = host(rule.value), s = host(rule.slope);
+  const auto w = host(rule.weight), x = host(rule.position);
   std::vector<double> force(9);
   for (int e = 0; e < 7; ++e) {
     double radius = 0, stretch = 0;
