@@ -169,7 +169,7 @@ steady("static_droplet_soft_2d", "no_rest", [*REST, "substrate.young=0.001"], co
 page("no_rest")
 curves = history_curves.Curves(softwet.open("branch/young=0.8"), least=1)
 row = {name: values[-1] for name, values in softwet.open("branch/young=0.8").history.items()}
-told = dict(tables.result(curves, tables.Budget(curves)))
+told = dict(tables.result(curves, tables.Budget(curves), record("branch/young=0.8")))
 check_true("the numbers of the state", told["droplet: ridges"] == f"{row['ridge_left']:.4g} and {row['ridge_right']:.4g}" and
            told[f"{history_curves.energy_label(curves)}: total"] == f"{row['energy_total']:.4e}", str(told))
 found = record("branch/young=0.8")["rest"]
