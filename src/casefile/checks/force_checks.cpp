@@ -39,8 +39,9 @@ void check_load(const Checker& check, std::size_t index) {
 
 /// Beyond a stiffness the reading of a needle is made of the last digits of displacements.
 void check_reading(const Checker& check, const std::string& key, const Needle& needle) {
-  const double most = largest_needle_stiffness(check.c, needle), rigid = rigid_needle_stiffness(check.c);
+  const double most = largest_needle_stiffness(check.c, needle);
   if (needle.stiffness <= most) return;
+  const double rigid = rigid_needle_stiffness(check.c);
   check.refuse(
       key,
       fmt::format("must be in (0, {:.2g}] for this solid and path: the needle reads its stiffness times the gap "
@@ -56,7 +57,8 @@ void check_needle(const Checker& check, std::size_t index) {
   check.with({table + ".box", "substrate", "substrate.thickness"},
              [&] { check_box_of_solid(check, table, "a needle holds a part of", needle.lower, needle.upper); });
   check_path(check, path, needle.path);
-  check.with({table + ".stiffness", table + ".box", path, "substrate", "substrate.thickness", "substrate.young"},
+  check.with({table + ".stiffness", table + ".box", path, "domain.size", "domain.elements", "domain.grading",
+              "substrate", "substrate.thickness", "substrate.young", "substrate.density"},
              [&] { check_reading(check, table + ".stiffness", needle); });
   check.with({path, "domain.coordinates"}, [&] {
     if (check.c.axisymmetric() && !needle.path.empty() && (needle.path[0].varies() || needle.path[0].number != 0))
