@@ -13,10 +13,10 @@ class Line {
   Line(const TableRow& row, int dimension) : row_(row), power_(std::to_string(dimension)) {}
 
   /// "LABEL NUMBER", and with `unit` that of the column.
-  Line& add(const std::string& label, const std::string& column, bool unit = false) {
+  Line& add(const std::string& label, const std::string& column, bool unit = false, int digits = 5) {
     const TableRow::Cell cell = row_.cell(column);
     if (!cell) return *this;
-    text_ += fmt::format("{}{} {:.5g}", text_.empty() ? "" : ", ", label, *cell);
+    text_ += fmt::format("{}{} {:.{}g}", text_.empty() ? "" : ", ", label, *cell, digits);
     if (unit) text_ += unit_of(column);
     return *this;
   }
@@ -55,7 +55,7 @@ std::vector<std::string> result_lines(const Case& c, const TableRow& row) {
   line()
       .add("x =", "x_centre", plane)
       .add("y =", "y_centre", true)
-      .add("velocity", "velocity", true)
+      .add("velocity", "velocity", true, 3)
       .put("droplet", lines);
   if (plane)
     line().add_pair("x_left", "x_right", "to").put("contact line", lines);
@@ -64,11 +64,7 @@ std::vector<std::string> result_lines(const Case& c, const TableRow& row) {
   line().add_pair("angle_" + left, "angle_" + right, "and").put("angles", lines);
   line().add_pair("ridge_" + left, "ridge_" + right, "and").add("dimple", "dimple", true).put("ridge", lines);
   line().add("volume", "liquid_volume", true).add("mass drift", "mass_drift").put("liquid", lines);
-  line()
-      .add("total", "energy_total", true)
-      .add("kinetic", "energy_kinetic")
-      .add("elastic", "energy_elastic")
-      .put("energy", lines);
+  line().add("total", "energy_total", true).add("elastic", "energy_elastic").put("energy", lines);
   line().add("fluid", "speed_max_fluid").add("solid", "speed_max_solid", true).put("speeds", lines);
   if (const std::size_t more = c.droplets.size(); more > 1)
     lines.push_back(fmt::format("  {:<13} {} more in history.csv", "droplets", more - 1));
