@@ -72,9 +72,10 @@ std::vector<std::string> result_lines(const Case& c, const TableRow& row) {
 }
 
 std::vector<std::string> next_lines(const Case& c, const std::string& folder, bool fields) {
-  std::vector<std::string> lines{fmt::format("next:           tools/report {}", folder)};
+  std::vector<std::string> lines{fmt::format("  {:<13} tools/report {}", "next:", folder)};
   if (fields)
-    lines.push_back(fmt::format("in ParaView:    {}/fields/{}.hdf.series", folder, c.substrate ? "solid" : "fluid"));
+    lines.push_back(
+        fmt::format("  {:<13} {}/fields/{}.hdf.series", "in ParaView:", folder, c.substrate ? "solid" : "fluid"));
   return lines;
 }
 
