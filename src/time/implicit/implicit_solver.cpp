@@ -11,7 +11,7 @@ namespace softwet {
 namespace {
 
 /// Change of the displacement in a step, relative, that needs no solve.
-constexpr double unmoved = 1e-10;
+constexpr double negligible_change = 1e-10;
 
 NewtonControl newton_control(const Case& c) {
   NewtonControl n;
@@ -109,7 +109,8 @@ double ImplicitSolver<D, P>::remaining(const Array& at, const Array& correction,
   const double speed = norm(l.space(), part(at, 0, l.velocity_size())),
                moved = norm(l.space(), stage.displacement) / stage.displacement_scale * stretch,
                at_rest = l.has_fluid ? control.atol * std::sqrt(entries_of_patch(l, l.velocity_size())) : 0;
-  return moves / std::max({control.rtol * speed, unmoved * moved, at_rest, std::numeric_limits<double>::min()});
+  return moves /
+         std::max({control.rtol * speed, negligible_change * moved, at_rest, std::numeric_limits<double>::min()});
 }
 
 template <int D, int P>
