@@ -52,11 +52,10 @@ std::vector<std::string> result_lines(const Case& c, const TableRow& row) {
   const std::string left = plane ? "left" : "rear", right = plane ? "right" : "front";
   const auto line = [&] { return Line(row, c.axisymmetric() ? 3 : c.dimension()); };
   std::vector<std::string> lines;
-  line()
-      .add("x =", "x_centre", plane)
-      .add("y =", "y_centre", true)
-      .add("velocity", "velocity", true, 3)
-      .put("droplet", lines);
+  Line place = line();
+  place.add("x =", "x_centre", plane);
+  if (!plane) place.add("y =", "y_centre", true);
+  place.add("velocity", "velocity", true, 3).put("droplet", lines);
   if (plane)
     line().add_pair("x_left", "x_right", "to").put("contact line", lines);
   else
