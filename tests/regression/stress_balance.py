@@ -57,7 +57,7 @@ for box, (law, words), (rate, more), (quadrature, which) in itertools.product(BO
         continue
     name = f"{box}_{law}_{rate}_{quadrature}"
     rows = compute(name, column(box, f"{words}, {more}, {which}", 0.45))
-    # Under finite strains the balance holds between the ends of a step, at which rows are.
+    # The equations hold within a step, and rows are written at its end: under finite strains that differs by the error of a step.
     exact = 1e-6 if law == "small" else 1e-4
     right, allowed = -FORCE * (HEIGHT - LOADED), exact if quadrature == "full" else 5e-3
     check(f"{name}: mean stress, off", numpy.abs(rows["mean"][1:] / MEAN - 1).max(), exact)
