@@ -103,8 +103,8 @@ enum class Launch { kernels, graph };
 inline std::vector<std::string> words_of(Launch) { return {"kernels", "graph"}; }
 
 /// What a case asks for; what is computed is a Precision (case/precision.hpp).
-enum class PrecisionChoice { automatic, full, mixed, single };
-inline std::vector<std::string> words_of(PrecisionChoice) { return {"automatic", "double", "mixed", "single"}; }
+enum class PrecisionChoice { automatic, full, mixed };
+inline std::vector<std::string> words_of(PrecisionChoice) { return {"automatic", "double", "mixed"}; }
 
 /// A named set of defaults (casefile/schema/quality.hpp).
 enum class Quality { draft, standard, reference };

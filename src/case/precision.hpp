@@ -6,8 +6,8 @@
 namespace softwet {
 
 /// full: nothing but the preconditioner. mixed: the linear solves of Newton's method too, with their products of the
-/// Jacobian and their vectors. single: its residuals too. States, sums, integrals and the mass are always double.
-enum class Precision { full, mixed, single };
+/// Jacobian and their vectors. States, residuals, sums, integrals and the mass are always double.
+enum class Precision { full, mixed };
 
 /// Least reduction that a linear solve in single precision is asked for.
 inline constexpr double least_single_rtol = 1e-5;
@@ -34,8 +34,6 @@ inline Precision precision_of(const Case& c) {
       return hindrance_of_single(c) == Hindrance::none ? Precision::mixed : Precision::full;
     case PrecisionChoice::mixed:
       return Precision::mixed;
-    case PrecisionChoice::single:
-      return Precision::single;
     case PrecisionChoice::full:
       return Precision::full;
   }
@@ -43,7 +41,7 @@ inline Precision precision_of(const Case& c) {
 }
 
 inline const char* name_of(Precision p) {
-  return p == Precision::full ? "double" : p == Precision::mixed ? "mixed" : "single";
+  return p == Precision::full ? "double" : "mixed";
 }
 
 }  // namespace softwet

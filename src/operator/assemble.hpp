@@ -18,47 +18,64 @@ struct AssembleBatch {
   }
 };
 
+/// Runs a body for the batches of a row of columns on the host, from element `bottom` to `top` along the last axis. It is called
+/// through a pointer, so that one loop is compiled for all terms.
+template <int D>
+struct ColumnBody {
+  const void* task;
+  void (*run)(const void* task, const ElementColumns& columns, const Batch<D>& row, int bottom, int top);
+};
+
 /// Rows of columns on the host, cut along the last axis into blocks of the same height. Blocks of one colour share no
 /// control value: they are two blocks apart, and degree + 1 elements along the middle axis of three.
-template <int D, int P, int Q, bool Tangent, class Term, class Motion, class Real>
-struct AssembleColumns {
+template <int D>
+struct BlocksOfRows {
   static constexpr int height = 8;  // at least the degree
-  Task<D, Term, Motion, Real> task;
-  int first_block, first_row, rows;  ///< of this colour; rows along the middle axis
+  ColumnBody<D> body;
+  int first_block, first_row, rows, stride, layers;  ///< of this colour; rows along the middle axis
   ElementColumns columns;
 
   void operator()(int item) const {
-    using S = Pack<Real>;
-    constexpr int lanes = Lanes<S>::count;
-    Batch<D> b{};
-    if constexpr (D == 3) b.element[1] = first_row + (P + 1) * (item % rows);
+    Batch<D> row{};
+    if constexpr (D == 3) row.element[1] = first_row + stride * (item % rows);
     const int bottom = (first_block + 2 * (item / rows)) * height;
-    const int top = std::min(bottom + height, task.region.axis[D - 1].elements);
-    for_batches<D, lanes>(columns, b, [&](const Batch<D>& batch) {
-      assemble_column<S, std::conditional_t<Tangent, Dual<S>, S>, D, P, Q, Term, Motion>(task, batch, bottom, top);
-    });
+    body.run(body.task, columns, row, bottom, std::min(bottom + height, layers));
   }
 
   /// Runs one colour after another.
-  static void run(const Task<D, Term, Motion, Real>& task) {
-    const int all_rows = D == 3 ? task.region.axis[1].elements : 1, apart = D == 3 ? P + 1 : 1;
-    const int blocks = (task.region.axis[D - 1].elements + height - 1) / height;
-    const ElementColumns columns = task.region.first_axis();
+  template <class Real>
+  static void run(const Region<D, Real>& region, int stride, const ColumnBody<D>& body) {
+    const int layers = region.axis[D - 1].elements;
+    const int all_rows = D == 3 ? region.axis[1].elements : 1, apart = D == 3 ? stride : 1;
+    const int blocks = (layers + height - 1) / height;
+    const ElementColumns columns = region.first_axis();
     for (int colour = 0; colour < 2 * apart; ++colour) {
       const int row = colour % apart, block = colour / apart;
       const int rows = (all_rows - row + apart - 1) / apart, items = rows * ((blocks - block + 1) / 2);
-      if (items > 0)
-        Kokkos::parallel_for("softwet::assemble", Items(0, items), AssembleColumns{task, block, row, rows, columns});
+      if (items > 0) for_items("softwet::assemble", items, BlocksOfRows{body, block, row, rows, apart, layers, columns});
     }
   }
 };
+
+/// Columns of a term: its residual, or (Tangent) its Jacobian-vector product.
+template <int D, int P, int Q, bool Tangent, class Term, class Motion, class Real>
+void assemble_columns(const Task<D, Term, Motion, Real>& task) {
+  const auto run = [](const void* it, const ElementColumns& columns, const Batch<D>& row, int bottom, int top) {
+    using S = Pack<Real>;
+    const auto& task = *static_cast<const Task<D, Term, Motion, Real>*>(it);
+    for_batches<D, Lanes<S>::count>(columns, row, [&](const Batch<D>& batch) {
+      assemble_column<S, std::conditional_t<Tangent, Dual<S>, S>, D, P, Q, Term, Motion>(task, batch, bottom, top);
+    });
+  };
+  BlocksOfRows<D>::run(task.region, P + 1, {&task, run});
+}
 
 /// On the host: adds the term's residual, or (Tangent) its Jacobian-vector product, to task.test[].
 template <int P, bool Tangent, int D, class Term, class Motion, class Real>
 void assemble_at_once(const Task<D, Term, Motion, Real>& task) {
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
     if constexpr (Term::where == Where::solid || Term::where == Where::means || Term::where == Where::fluid) {
-      AssembleColumns<D, P, Q, Tangent, Term, Motion, Real>::run(task);
+      assemble_columns<D, P, Q, Tangent>(task);
     } else {
       for_colours("softwet::assemble", task.region, P + 1, AssembleBatch<D, P, Q, Tangent, Term, Motion, Real>{task});
     }

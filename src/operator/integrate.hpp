@@ -134,7 +134,7 @@ void start_integral(const ReduceTask<D, Functional, Motion>& task, const Array& 
   with_points<P>(task.region, [&]<int Q>(PointsPerAxis<Q>) {
     if constexpr (host_algorithms) {
       const ReduceRow<D, P, Q, Rate, Functional, Motion> kernel{task, in.rows, partial};
-      Kokkos::parallel_for("softwet::reduce", Items(0, kernel.items()), kernel);
+      for_items("softwet::reduce", kernel.items(), kernel);
     } else {
       TeamReduce<D, P, Q, Rate, Functional, Motion>::launch(task, in.rows, partial, in.items);
     }

@@ -150,29 +150,21 @@ struct JacobianBatch {
   }
 };
 
-/// Points per axis in the quadrature of matrices, for a scene with `points`. In 3D it is reduced: Schwarz takes no more
-/// iterations for that. In 2D LU would, so matrices have the quadrature of the scene.
+/// Points per axis in the quadrature of matrices, whatever the scene has. In 3D it is reduced: Schwarz takes no more iterations
+/// for that. In 2D LU would.
 template <int D, int P>
-constexpr int matrix_points(int points) {
-  return D == 3 ? P : points;
-}
+inline constexpr int matrix_points = D == 3 ? P : P + 1;
 
 /// Adds the term's Jacobian with frozen geometry (task.motion without tangent) to a stencil. The region has matrix_points.
 template <int P, int D, class Term, class Motion>
 void assemble_jacobian(const Task<D, Term, Motion, float>& task, const Stencil<D>& stencil,
                        const StencilValues& values) {
-  const auto run = [&]<int Q>(PointsPerAxis<Q>) {
-    if constexpr (host_algorithms) {
-      for_colours("softwet::jacobian", task.region, P + 1, JacobianBatch<D, P, Q, Term, Motion>{task, stencil, values});
-    } else {
-      TeamJacobian<D, P, Q, Term, Motion>::launch(task, stencil, values);
-    }
-  };
-  if constexpr (D == 3) {
-    if (task.region.axis[0].points != P) throw std::logic_error("a matrix needs a region with reduced quadrature");
-    run(PointsPerAxis<P>());
+  constexpr int Q = matrix_points<D, P>;
+  if (task.region.axis[0].points != Q) throw std::logic_error("a matrix needs a region with the quadrature of matrices");
+  if constexpr (host_algorithms) {
+    for_colours("softwet::jacobian", task.region, P + 1, JacobianBatch<D, P, Q, Term, Motion>{task, stencil, values});
   } else {
-    with_points<P>(task.region, run);
+    TeamJacobian<D, P, Q, Term, Motion>::launch(task, stencil, values);
   }
 }
 

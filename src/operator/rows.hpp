@@ -83,30 +83,62 @@ KOKKOS_FORCEINLINE_FUNCTION void for_batches(const ElementColumns& columns, Batc
   }
 }
 
-/// An item of one colour: a row of elements on the host, one element on a device.
-template <int D, int lanes, class Body>
-struct ColourItem {
+/// A loop body for threads of the host, called through a pointer, so that one loop is compiled for all bodies.
+struct HostItem {
+  const void* body;
+  void (*run)(const void* body, int item);
+
+  void operator()(int item) const { run(body, item); }
+};
+
+/// Runs body(item) for so many items on the threads of the host, and waits.
+template <class Body>
+void for_items(const char* name, int items, const Body& body) {
+  const HostItem item{&body, [](const void* it, int i) { (*static_cast<const Body*>(it))(i); }};
+  Kokkos::parallel_for(name, Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>(0, items), item);
+}
+
+/// Runs a body for the batches of a row of elements on the host, likewise called through a pointer.
+template <int D>
+struct RowBody {
+  const void* body;
+  void (*run)(const void* body, const ElementColumns& columns, const Batch<D>& row);
+
+  template <int lanes, class Body>
+  static RowBody of(const Body& body) {
+    return {&body, [](const void* it, const ElementColumns& columns, const Batch<D>& row) {
+              for_batches<D, lanes>(columns, row, *static_cast<const Body*>(it));
+            }};
+  }
+};
+
+/// An item of one colour on the host: a row of elements.
+template <int D>
+struct ColourRow {
+  Colouring<D> colouring;
+  RowBody<D> row;
+
+  void operator()(int item) const { row.run(row.body, colouring.first_axis, colouring.batch(item)); }
+};
+
+/// An item of one colour on a device: one element.
+template <int D, class Body>
+struct ColourElement {
   Colouring<D> colouring;
   Body body;
 
-  KOKKOS_FUNCTION void operator()(int item) const {
-    if constexpr (on_host) {
-      for_batches<D, lanes>(colouring.first_axis, colouring.batch(item), body);
-    } else {
-      body(colouring.batch(item));
-    }
-  }
+  KOKKOS_FUNCTION void operator()(int item) const { body(colouring.batch(item)); }
 };
 
 /// Layers with the same test functions, on the host. An item is a block of elements along the first axis with all layers above
 /// each other. Blocks begin at multiples of their width on the whole axis. Those of a colour share no control value: they are
 /// two blocks apart, and `stride` elements along the middle axis of three.
-template <int D, int lanes, class Body>
+template <int D>
 struct BlockOfColumns {
   static constexpr int width = 16;  // at least the degree
   ElementRun along;
   int first_block, first_row, rows, stride, layers;  ///< of this colour; rows along the middle axis
-  Body body;
+  RowBody<D> row;
 
   void operator()(int item) const {
     const int begin = (first_block + 2 * (item / rows)) * width - along.shift;
@@ -116,11 +148,11 @@ struct BlockOfColumns {
                     along.shift};
     Batch<D> b{};
     if constexpr (D == 3) b.element[1] = first_row + stride * (item % rows);
-    for (b.element[D - 1] = 0; b.element[D - 1] < layers; ++b.element[D - 1]) for_batches<D, lanes>(block, b, body);
+    for (b.element[D - 1] = 0; b.element[D - 1] < layers; ++b.element[D - 1]) row.run(row.body, block, b);
   }
 
   template <class Real>
-  static void run(const char* name, const Region<D, Real>& region, int stride, const Body& body) {
+  static void run(const char* name, const Region<D, Real>& region, int stride, const RowBody<D>& body) {
     const int all_rows = D == 3 ? region.axis[1].elements : 1, apart = D == 3 ? stride : 1;
     const ElementColumns columns = region.first_axis();
     for (int r = 0; r < columns.runs; ++r) {
@@ -130,23 +162,31 @@ struct BlockOfColumns {
         const int block = first + (first + colour / apart) % 2, row = colour % apart;
         const int rows = (all_rows - row + apart - 1) / apart, items = rows * ((end - block + 1) / 2);
         if (items > 0)
-          Kokkos::parallel_for(name, Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>(0, items),
-                               BlockOfColumns{along, block, row, rows, apart, region.axis[D - 1].elements, body});
+          for_items(name, items, BlockOfColumns{along, block, row, rows, apart, region.axis[D - 1].elements, body});
       }
     }
   }
 };
 
+/// On the host: runs a body for all rows of a region, one colour after another.
+template <int D, class Real>
+void for_rows(const char* name, const Region<D, Real>& region, int stride, const RowBody<D>& body) {
+  if (region.shared_test) return BlockOfColumns<D>::run(name, region, stride, body);
+  Colouring<D>::for_all(region, stride, FirstAxis::in_rows, [&](const Colouring<D>& colouring) {
+    for_items(name, colouring.items(), ColourRow<D>{colouring, body});
+  });
+}
+
 /// Runs body(batch) for all elements of a region, one colour after another.
 template <int D, class Real, class Body>
 void for_colours(const char* name, const Region<D, Real>& region, int stride, const Body& body) {
-  constexpr int lanes = Lanes<BatchNumber<Real>>::count;
-  if constexpr (on_host)
-    if (region.shared_test) return BlockOfColumns<D, lanes, Body>::run(name, region, stride, body);
-  constexpr FirstAxis along = on_host ? FirstAxis::in_rows : FirstAxis::coloured;
-  Colouring<D>::for_all(region, stride, along, [&](const Colouring<D>& colouring) {
-    Kokkos::parallel_for(name, Items(0, colouring.items()), ColourItem<D, lanes, Body>{colouring, body});
-  });
+  if constexpr (on_host) {
+    for_rows(name, region, stride, RowBody<D>::template of<Lanes<BatchNumber<Real>>::count>(body));
+  } else {
+    Colouring<D>::for_all(region, stride, FirstAxis::coloured, [&](const Colouring<D>& colouring) {
+      Kokkos::parallel_for(name, Items(0, colouring.items()), ColourElement<D, Body>{colouring, body});
+    });
+  }
 }
 
 }  // namespace softwet

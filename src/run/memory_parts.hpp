@@ -42,7 +42,7 @@ std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const La
     // Rounded stages: one for products in single precision, and one for the last build, for a checkpoint.
     const int rounded = (mixed ? 1 : 0) + (preconditioner->name() == "none" ? 0 : 1);
     const double friction = l.rate_rows > 0 ? 20 * n : 0;  // what Newton's method knows of it, and a mass
-    const double work = (precision_of(c) == Precision::single ? 12 * n : 8 * n) + friction;
+    const double work = 8 * n + friction;
     parts.insert(parts.end(), {{"stage", (8 + 4 * rounded) * stage + work},
                                {"Newton", 8 * (mixed ? 6 : 5) * n},
                                {"Krylov basis", (mixed ? 4 : 8) * n * (2.0 * c.solver.krylov_restart + 2)},

@@ -3,8 +3,6 @@
 #include "field/vector.hpp"
 
 namespace softwet {
-namespace {}  // namespace
-
 template <int D, int P>
 Equations<D, P>::Equations(const Regions<D>& regions, const Forces<D>& forces, const Terms<D, P>& terms,
                            Precision precision)
@@ -16,8 +14,7 @@ Equations<D, P>::Equations(const Regions<D>& regions, const Forces<D>& forces, c
       precision_(precision) {}
 
 template <int D, int P>
-template <class Real>
-void Equations<D, P>::finish_residual(const StageOf<Real>& stage, const Array& out) const {
+void Equations<D, P>::finish_residual(const Stage& stage, const Array& out) const {
   forces_.add_to_residual(stage.time, stage.displacement, out);
   if (source_) source_(stage.time, out);
   move_ghosts(layout_, out, GhostAction::add);
@@ -48,13 +45,6 @@ void Equations<D, P>::add_viscosity_of_solid(const Stage& stage, TileSums<D, dou
 template <int D, int P>
 void Equations<D, P>::residual(const Stage& stage, const Array& out) const {
   pieces_.run({layout_, stage, {}, out});
-  finish_residual(stage, out);
-}
-
-template <int D, int P>
-void Equations<D, P>::residual(const StageOf<float>& stage, const ArrayOf<float>& work, const Array& out) const {
-  single_.run({layout_, stage, {}, work});
-  convert(out, work);
   finish_residual(stage, out);
 }
 

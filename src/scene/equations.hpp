@@ -46,8 +46,7 @@ class Equations {
   void product(const Stage&, const Array& direction, const Array& out, Geometry,
                const ConstArray& unbalanced = {}) const;
 
-  // The same in single precision.
-  void residual(const StageOf<float>&, const ArrayOf<float>& work, const Array& out) const;
+  /// The product in single precision.
   void product(const StageOf<float>&, const ArrayOf<float>& direction, const ArrayOf<float>& out, Geometry,
                const ConstArrayOf<float>& unbalanced = {}) const;
 
@@ -60,8 +59,7 @@ class Equations {
   void run_product(const Pieces<D, Real>&, const StageOf<Real>&, const ArrayOf<Real>& direction,
                    const ArrayOf<Real>& out, Geometry, const ConstArrayOf<Real>& unbalanced) const;
   /// What follows the terms in a residual: loads, needles, the source, ghosts, and prescribed values.
-  template <class Real>
-  void finish_residual(const StageOf<Real>&, const Array& out) const;
+  void finish_residual(const Stage&, const Array& out) const;
 
   const Layout<D>& layout_;
   ConstArray mask_;

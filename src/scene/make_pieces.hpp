@@ -55,7 +55,7 @@ class PieceMaker {
     constexpr Where where = Term::where;
     return std::make_unique<PieceOf<D, P, Here, Motion, Real>>(
         name, regions_.parts_of(where, regions_.points())[part],
-        regions_.parts_of(where, matrix_points<D, P>(regions_.points()))[part], Here{term}, regions_.blend(), instant,
+        regions_.parts_of(where, matrix_points<D, P>)[part], Here{term}, regions_.blend(), instant,
         given);
   }
   template <class Motion, class Term>
@@ -98,7 +98,7 @@ class PieceMaker {
     using Here = InCoordinates<FiniteBranchStress, Axial>;
     pieces_.list.push_back({std::make_unique<PieceOf<D, P, Here, NoMotion, Real>>(
                                 "branches of the solid", regions_.solid(),
-                                regions_.of(Where::solid, matrix_points<D, P>(regions_.points())), Here{}),
+                                regions_.of(Where::solid, matrix_points<D, P>), Here{}),
                             nullptr});
   }
 

@@ -130,16 +130,16 @@ template <int D, class Real>
 class PieceIn {
  public:
   virtual ~PieceIn() = default;
-  virtual void residual(const Evaluation<D, Real>&) const = 0;
   virtual void product(const Evaluation<D, Real>&) const = 0;
   virtual const char* name() const = 0;
   virtual const Region<D, Real>& region() const = 0;
 };
 
-/// Integrals are made in double precision alone, matrices in single precision.
+/// Residuals and integrals are made in double precision alone, matrices in single precision.
 template <int D, class Real = double>
 class Piece : public PieceIn<D, Real> {
  public:
+  virtual void residual(const Evaluation<D, Real>&) const = 0;
   /// Adds the energy and the dissipation of the term, where it has them.
   virtual void add_integrals(const Evaluation<D, Real>&, PendingIntegrals&, Integrals&) const = 0;
 };
@@ -165,11 +165,11 @@ class PieceOf final : public Piece<D, Real> {
     if constexpr (std::is_same_v<Real, float>) matrix_region_ = rounded<Real>(matrix_region);
   }
 
-  void residual(const Evaluation<D, Real>&) const override;
   void product(const Evaluation<D, Real>&) const override;
   /// Overrides in single precision. In double precision nothing calls it, and it is not compiled.
   void jacobian(const Evaluation<D, Real>&, const Stencil<D>&, const StencilValues&) const;
-  /// Overrides in double precision.
+  // Override in double precision, likewise.
+  void residual(const Evaluation<D, Real>&) const;
   void add_integrals(const Evaluation<D, Real>&, PendingIntegrals&, Integrals&) const;
   const char* name() const override { return name_; }
   const Region<D, Real>& region() const override { return region_; }

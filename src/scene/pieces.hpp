@@ -30,7 +30,7 @@ struct Pieces {
   std::unique_ptr<Piece<D, Real>> rigid_traction;          ///< of a rigid wall, for output alone
 
   /// Sets the result of an evaluation to the sum of the pieces from number `first` on: of their products where it has a
-  /// tangent, else of their residuals. With a mask, what is prescribed is zero.
+  /// tangent, else, in double precision, of their residuals. With a mask, what is prescribed is zero.
   void run(const Evaluation<D, Real>& at, std::size_t first = 0, const ConstArray& mask = {}) const {
     if constexpr (host_algorithms) Kokkos::deep_copy(Exec(), at.test, Real(0));
     TileSums<D, Real> sums(at.layout, at.tangent);
@@ -39,7 +39,11 @@ struct Pieces {
     for (std::size_t i = first; i < list.size(); ++i) {
       const Entry& entry = list[i];
       const Piece<D, Real>& piece = entry.exact && at.geometry == Geometry::exact ? *entry.exact : *entry.piece;
-      at.tangent.data() ? piece.product(together) : piece.residual(together);
+      if (at.tangent.data()) {
+        piece.product(together);
+      } else if constexpr (std::is_same_v<Real, double>) {
+        piece.residual(together);
+      }
     }
     if constexpr (!host_algorithms) {
       sums.store(at.test, mask);

@@ -1,4 +1,4 @@
-// The terms in single precision: residuals, products and matrices, with twice as many elements in a pack.
+// The terms in single precision: products and matrices, with twice as many elements in a pack.
 #include "scene/make_pieces.hpp"
 
 namespace softwet {

@@ -175,11 +175,8 @@ void check_material(const Checker& check) {
 
 void check_precision(const Checker& check) {
   const SolverControl& solver = check.c.solver;
-  if (solver.precision == PrecisionChoice::full || solver.precision == PrecisionChoice::automatic) return;
+  if (solver.precision != PrecisionChoice::mixed) return;
   const std::string key = "solver.precision";
-  if (solver.precision == PrecisionChoice::single && !check.c.needles.empty())
-    check.refuse(key, "lacks the digits that the stiff springs of a [[needle]] need in residuals",
-                 "write \"automatic\": linear solves are in single precision then");
   switch (hindrance_of_single(check.c)) {
     case Hindrance::none:
       return;

@@ -234,15 +234,11 @@ std::vector<Key> solver_keys() {
        .kind = Kind::choice,
        .choices = words_of(PrecisionChoice{}),
        .help =
-           "Precision of the numbers in the computation with generalized_alpha. automatic: mixed, except for explicit "
-           "schemes, for solver.krylov.jacobian = \"difference\" and for solver.krylov.rtol below 1e-5, which need "
-           "double "
-           "precision. mixed: the "
-           "linear solves of Newton's "
-           "method, with their products of the Jacobian and their vectors, are in single precision. The results have "
-           "the accuracy of double. single: the residuals are in single precision too, which limits how far Newton's "
-           "method gets. States, integrals and the mass are always in double precision, and preconditioners "
-           "in single. docs/performance.md shows what each of them costs and where it ends.",
+           "Precision of the linear solves of Newton's method with generalized_alpha: their products of the Jacobian and "
+           "their vectors. mixed: single precision. The results have the accuracy of double. automatic: mixed, except for "
+           "explicit schemes, for solver.krylov.jacobian = \"difference\" and for solver.krylov.rtol below 1e-5, which "
+           "need double precision. States, residuals and integrals are always in double precision, and preconditioners "
+           "in single.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.precision; })},
   };
 }

@@ -47,7 +47,6 @@ GeneralizedAlpha<D, P>::GeneralizedAlpha(const Scene<D, P>& scene, double rho_in
   const Layout<D>& l = scene.layout();
   stage_ = make_stage<double>(l);
   if (scene.equations().precision() != Precision::full) single_stage_ = make_stage<float>(l);
-  if (scene.equations().precision() == Precision::single) single_work_ = ArrayOf<float>("stage.work", l.size());
 }
 
 template <int D, int P>
@@ -108,25 +107,12 @@ template <int D, int P>
 void GeneralizedAlpha<D, P>::residual(const Array& x, const Array& r) {
   fill_stage(x);
   if (scene_.equations().precision() != Precision::full) round_stage(single_stage_, stage_);
-  if (scene_.equations().precision() == Precision::single) {
-    scene_.equations().residual(single_stage_, single_work_, r);
-  } else {
-    scene_.equations().residual(stage_, r);
-  }
+  scene_.equations().residual(stage_, r);
   const Layout<D>& l = scene_.layout();
   if (!l.has_fluid) return;
   add_scaled(r, l.density_offset(), 1 - alpha_.am / alpha_.ga, start_.moment_rate);
   add_scaled(r, l.density_offset(), -stage_.moment_rate, start_.moment);
   friction_.set(r);
-}
-
-template <int D, int P>
-void GeneralizedAlpha<D, P>::round_off(const Array& x, const Array& out) {
-  fill_stage(x);
-  round_stage(single_stage_, stage_);
-  scene_.equations().residual(single_stage_, single_work_, out);
-  scene_.equations().residual(stage_, work_);
-  add_scaled(out, 0, -1, work_);
 }
 
 template <int D, int P>

@@ -50,8 +50,6 @@ class GeneralizedAlpha {
   void begin_still(const State& state, double dt);
 
   void residual(const Array& x, const Array& r);
-  /// What single precision makes of the residual at x: the residual in single precision minus that in double precision.
-  void round_off(const Array& x, const Array& out);
   /// What the last digit of the fields changes in the residual at x: the residual at a point whose values, and positions of the
   /// solid, differ by one unit of their last place, up or down, minus the one at x. Positions have the size of the scene's
   /// height.
@@ -93,7 +91,6 @@ class GeneralizedAlpha {
   Stage stage_;
   StageOf<float> single_stage_;    ///< the stage, rounded; not in double precision
   StageOf<float> jacobian_stage_;  ///< that of the last Jacobian as a matrix; allocated by the first one
-  ArrayOf<float> single_work_;
   State start_;
   Array work_;
   double dt_ = 0, end_time_ = 0;

@@ -28,17 +28,7 @@ struct ExtrapolateDensity {
 
 template <int D, int P>
 ImplicitScheme<D, P>::ImplicitScheme(const Scene<D, P>& scene, const Case& c, const Judge<D, P>& judge)
-    : solver_(scene, c, judge) {
-  if (scene.equations().precision() == Precision::single)
-    round_off_ = Array("implicit.round_off", scene.layout().size());
-}
-
-template <int D, int P>
-void ImplicitScheme<D, P>::measure_round_off(std::vector<FieldRange>& fields) {
-  solver_.integrator.round_off(solver_.x, round_off_);
-  const std::vector<double> sizes = norms(solver_.scene.layout().space(), round_off_, fields);
-  for (std::size_t f = 0; f < fields.size(); ++f) fields[f].round_off = sizes[f];
-}
+    : solver_(scene, c, judge) {}
 
 template <int D, int P>
 void ImplicitScheme<D, P>::predict(const StepHistory& history, double dt) {
@@ -62,9 +52,7 @@ StepAttempt ImplicitScheme<D, P>::attempt(const StepHistory& history, double dt)
   GeneralizedAlpha<D, P>& integrator = solver_.integrator;
   integrator.begin(history.state, dt, history.previous_dt > 0 ? Rates::known : Rates::unknown);
   predict(history, dt);
-  std::vector<FieldRange> ranges = solver_.fields();
-  if (solver_.scene.equations().precision() == Precision::single) measure_round_off(ranges);
-  StepAttempt attempt = solver_.solve(solver_.system(), ranges);
+  StepAttempt attempt = solver_.solve(solver_.system(), solver_.fields());
   if (!attempt.refusal.empty()) return attempt;
   move_ghosts(solver_.scene.layout(), solver_.x, GhostAction::update);  // the prediction left them out
   const double factor = dt / integrator.stage().end_scale / history.previous_dt;

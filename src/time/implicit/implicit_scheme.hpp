@@ -30,11 +30,8 @@ class ImplicitScheme final : public Scheme<D, P> {
 
  private:
   void predict(const StepHistory&, double dt);
-  /// The round-off of residuals in single precision, as it is at the prediction.
-  void measure_round_off(std::vector<FieldRange>&);
 
   ImplicitSolver<D, P> solver_;
-  Array round_off_;  ///< empty but in single precision
 };
 
 }  // namespace softwet

@@ -85,11 +85,7 @@ std::vector<FieldRange> StillSteps<D, P>::measure(Settling& settling) {
   GeneralizedAlpha<D, P>& integrator = solver_.integrator;
   const VectorSpace space = solver_.scene.layout().space();
   std::vector<FieldRange> ranges = solver_.fields();
-  if (solver_.scene.equations().precision() == Precision::single) {
-    integrator.round_off(solver_.x, round_off_);
-  } else {
-    integrator.last_digits(solver_.x, wide_, round_off_);
-  }
+  integrator.last_digits(solver_.x, wide_, round_off_);
   const std::vector<double> digits = norms(space, round_off_, ranges);
   integrator.residual(solver_.x, round_off_);
   const std::vector<double> sizes = norms(space, round_off_, ranges);

@@ -163,7 +163,7 @@ struct TermCases {
     ASSERT_GT(largest(expected), 1e-6) << name;
     EXPECT_LT(distance(found, expected), 1e-13) << name << (moves ? ", moving" : ", fixed");
     check_product(piece, moves);
-    if (matrix_points<D, P>(patch.points) != patch.points) return;  // there is no such matrix
+    if (matrix_points<D, P> != patch.points) return;  // there is no such matrix
     check_jacobian(piece, single);
   }
 
@@ -180,7 +180,7 @@ struct TermCases {
     ASSERT_GT(largest(expected), 1e-6);
     EXPECT_LT(distance(cases.patch.residual(piece, cases.patch.stage), expected), 1e-13);
     cases.check_product(piece, false);
-    if (matrix_points<D, P>(patch.points) != patch.points) return;  // there is no such matrix
+    if (matrix_points<D, P> != patch.points) return;  // there is no such matrix
     TermCases forgotten(cases.patch);
     forgotten.patch.stage.lag = {};
     forgotten.check_jacobian(piece, single);

@@ -1,4 +1,4 @@
-// A scene in single precision against the same scene in double precision: residuals and products.
+// A scene in single precision against the same scene in double precision: products.
 #include "field/vector.hpp"
 #include "unit/scene/scenes.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 constexpr double allowed = 1e-6;
 
 Case in_single(Case c) {
-  c.solver.precision = PrecisionChoice::single;
+  c.solver.precision = PrecisionChoice::mixed;
   return c;
 }
 
@@ -37,17 +37,13 @@ void check_single(const char* name, const Case& c, double bound = allowed) {
   RandomScene s(in_single(c));
   const Layout<2>& l = s.layout();
   const StageOf<float> stage = single_stage(s.stage());
-  const ArrayOf<float> work("work", l.size()), z("z", l.size()), out("out", l.size());
-  const Array r("r", l.size()), direction = s.direction();
-  s.scene.equations().residual(stage, work, r);
-  const double residual = field_distance(l, to_host(r), s.residual(s.stage()));
+  const ArrayOf<float> z("z", l.size()), out("out", l.size());
+  const Array direction = s.direction();
   convert(z, direction);
   s.scene.equations().product(stage, z, out, Geometry::exact);
   const double product = field_distance(l, widened(out), s.product(direction, Geometry::exact));
-  std::printf("  %-28s single against double: residual %.1e, product %.1e\n", name, residual, product);
-  EXPECT_LT(residual, bound) << name;
+  std::printf("  %-28s product in single against double: %.1e\n", name, product);
   EXPECT_LT(product, bound) << name;
-  EXPECT_GT(residual, 1e-9) << name << ": this is double precision";
   EXPECT_GT(product, 1e-9) << name << ": this is double precision";
 }
 

@@ -70,12 +70,11 @@ long expect_same_bits(const Case& c, int steps) {
 TEST(StepMemory, ImplicitRunsGoOnWithTheirPreconditioner) {
   constexpr int steps = 12;
   for (const PreconditionerKind preconditioner : {PreconditionerKind::lu, PreconditionerKind::schwarz})
-    for (const PrecisionChoice precision : {PrecisionChoice::full, PrecisionChoice::mixed, PrecisionChoice::single}) {
+    for (const PrecisionChoice precision : {PrecisionChoice::full, PrecisionChoice::mixed}) {
       SCOPED_TRACE(word_of(preconditioner) + ", " + word_of(precision));
       Case c = restless_droplet(SceneKind::coupled);
       c.solver.preconditioner = preconditioner;
       c.solver.precision = precision;
-      if (c.solver.precision == PrecisionChoice::single) c.solver.newton_rtol = 1e-2;
       EXPECT_LT(expect_same_bits(c, steps), steps) << "no preconditioner was kept";
     }
 }
@@ -87,14 +86,13 @@ TEST(StepMemory, ImplicitRunsGoOnInAllScenes) {
 }
 
 TEST(StepMemory, ImplicitRunsGoOnWithTheirBranches) {
-  for (const PrecisionChoice precision : {PrecisionChoice::full, PrecisionChoice::mixed, PrecisionChoice::single})
+  for (const PrecisionChoice precision : {PrecisionChoice::full, PrecisionChoice::mixed})
     for (const SceneKind kind : {SceneKind::coupled, SceneKind::solid}) {
       SCOPED_TRACE(word_of(precision));
       Case c = restless_droplet(kind);
       c.substrate->strain = Strain::small;
       c.substrate->branches = {{0.9, 0.3}, {1.7, 0.004}};
       c.solver.precision = precision;
-      if (c.solver.precision == PrecisionChoice::single) c.solver.newton_rtol = 1e-2;
       expect_same_bits(c, 8);
     }
 }

@@ -18,7 +18,7 @@ struct MatrixCases {
   StageOf<float> stage;
 
   explicit MatrixCases(const std::array<int, D>& elements) : patch(elements, 2, P) {
-    patch.points = matrix_points<D, P>(P + 1);
+    patch.points = matrix_points<D, P>;
     stage = single_stage(patch.stage);
   }
 
@@ -29,7 +29,7 @@ struct MatrixCases {
     const StencilValues batches("batches", stencil.size()), teams("teams", stencil.size());
     const Region<D, float> rounded_region = rounded<float>(region);
     const auto task = task_of<D, Term, Motion>(term, rounded_region, at, patch.blend);
-    constexpr int Q = matrix_points<D, P>(P + 1);
+    constexpr int Q = matrix_points<D, P>;
     for_colours("batches", task.region, P + 1, JacobianBatch<D, P, Q, Term, Motion>{task, stencil, batches});
     TeamJacobian<D, P, Q, Term, Motion>::launch(task, stencil, teams);
     const auto wide = [](const StencilValues& v) {
