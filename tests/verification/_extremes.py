@@ -82,8 +82,7 @@ RUNS = {
     "stretched 8x64": soft("domain.elements=[8,64]"),
     "degree 3": soft("domain.degree=3"),
     "mixed precision": soft("solver.precision=mixed"),
-    "single precision": soft("solver.precision=single"),
-    "single precision, explicit": soft("solver.precision=single", "time.scheme=kick_drift"),
+    "mixed precision, explicit": soft("solver.precision=mixed", "time.scheme=kick_drift"),
     "rho_inf 0": soft("time.rho_inf=0"),
     "rho_inf 1": soft("time.rho_inf=1"),
     **{f"fixed dt {dt:g}": soft(*fixed(dt)) for dt in (1e-6, 1e-3, 1, 10, 100, 1000)},
@@ -151,8 +150,8 @@ EXPECTED = {
     **dict.fromkeys(("E 0.001", "E 0.01", "E 0.03", "E 1e-3, rho0s 1e-3", "E 1e-2, load x 10", "load x 1000"), "stops"),
     # Beyond what a key may be: no two phases, no contact line, no stable or an incompressible solid, a precision that
     # explicit schemes do not have, a droplet that crosses a side.
-    **dict.fromkeys(("theta 1.0", "angle 0", "angle 180", "nu -1", "nu 0.5", "single precision, explicit",
+    **dict.fromkeys(("theta 1.0", "angle 0", "angle 180", "nu -1", "nu 0.5", "mixed precision, explicit",
                      "droplet cut by a side"), "refused"),
 }
 QUICK = ("base soft", "angle 5, wall energy", "nu 0.5", "E 0.001", "load x 1000", "film", "no droplet",
-         "single precision, explicit", "droplet of radius gamma/4", "fixed dt 100")
+         "mixed precision, explicit", "droplet of radius gamma/4", "fixed dt 100")

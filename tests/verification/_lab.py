@@ -50,6 +50,10 @@ class Lab:
         self.commands, self.seconds = {}, {}
         folder.mkdir(parents=True, exist_ok=True)
 
+    def has_configuration(self, name):
+        """Whether the program was built for it, e.g. "2D degree 3"."""
+        return name in subprocess.run([self.program, "info"], capture_output=True, text=True, check=True).stdout
+
     # --- runs
 
     def run(self, label, case, settings=(), options=(), **keywords):

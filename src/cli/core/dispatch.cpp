@@ -131,8 +131,9 @@ void describe_build(std::ostream& out) {
   out << "softwet         " << version << " (" << commit << ")"
       << "\n"
       << "configurations  " << compiled_configurations() << "\n"
-      << "backend         " << backend_name() << ", " << thread_count() << " threads\n"
-      << "MPI             " << (ranks::has_mpi() ? "yes" : "no") << "\n"
+      << "backend         " << backend_name() << ", " << thread_count() << " threads\n";
+  if (const int devices = Kokkos::num_devices(); devices > 0) out << "devices         " << devices << "\n";
+  out << "MPI             " << (ranks::has_mpi() ? "yes" : "no") << "\n"
       << "instructions    " << instruction_set() << ", " << lanes() << " elements per pack\n"
       << "preconditioners ";
   for (const PreconditionerKind kind : preconditioners()) out << word_of(kind) << ", ";

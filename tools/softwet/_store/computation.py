@@ -12,6 +12,7 @@ import time
 from .._tools.messages import last_line, say
 from ..program import ERROR, WARNING
 from . import process
+from .devices import Devices, check_room
 from .files import read_json, take, write_atomic
 from .member import STOPPED
 
@@ -30,10 +31,12 @@ def processor_seconds():
 
 
 class Job:
-    """A member that runs. @param log  holds its lock;  @param note  its note, with the seconds of earlier parts"""
+    """A member that runs. @param log  holds its lock;  @param note  its note, with the seconds of earlier parts
+    @param device  its device, or None"""
 
-    def __init__(self, member, log, process, note):
+    def __init__(self, member, log, process, note, device):
         self.member, self.log, self.process, self.seconds = member, log, process, note["seconds"]
+        self.device = device
         self.processor = note["processor"]
         self.start, self.signals, self.overdue = time.monotonic(), 0, False
 
@@ -97,9 +100,12 @@ class Computation:
     and end, the next one ends them at once.
     @param case  path of the case;  @param changed  called after starts and ends of members
     @param limit  seconds after which a run is asked to end; it then counts as failed. None: no limit
-    @param threads  of each run; None: OMP_NUM_THREADS, or else its share of the cores"""
+    @param threads  of each run; None: OMP_NUM_THREADS, or else its share of the cores
+    @param devices  for members; None: those that the program sees, one member on each"""
 
-    def __init__(self, program, case, jobs, retry, changed, limit=None, threads=None):
+    def __init__(self, program, case, jobs, retry, changed, limit=None, threads=None, devices=None):
+        self.devices = devices or Devices(program)
+        check_room(self.devices, jobs, option=devices is not None)
         self.limit, self.threads = limit, threads_option(threads)
         self.program, self.case, self.jobs, self.changed = str(program), str(case), jobs, changed
         self.wanted = ("waiting", "interrupted", "failed") if retry else ("waiting", "interrupted")
@@ -144,6 +150,7 @@ class Computation:
             if job.process.poll() is not None:  # its processor time is known as soon as it has ended
                 ended.append(job)
                 self.running.remove(job)
+                self.devices.give_back(job.device)
                 job.finish(processor_seconds() - before)
         return bool(ended)
 
@@ -169,5 +176,8 @@ class Computation:
         begun = {"exit": None, "seconds": seconds, "processor": note.get("processor", 0)}
         write_atomic(member.note_path, json.dumps(begun) + "\n")
         words = [self.program, "run", self.case, *member.words(), "--out", str(member.folder), *options, *self.threads]
-        self.running.append(Job(member, log, process.start(words, log, env=self.environment), begun))
-        say(f"{member.name}: {'resumed' if '--resume' in options else 'started'}")
+        device = self.devices.take()
+        environment = {**self.environment, **self.devices.environment(device)}
+        self.running.append(Job(member, log, process.start(words, log, env=environment), begun, device))
+        where = "" if device is None else f" on device {device}"
+        say(f"{member.name}: {'resumed' if '--resume' in options else 'started'}{where}")
