@@ -8,7 +8,7 @@ A study is a file of tests/verification/studies:
     MINUTES = {"quick": 0.2, "full": 5}   # as measured on one core, rounded up; in one line
     def study(lab): ...
 
-tools/verify calls study(lab) and writes <out>/<name>/<name>.md with the tables and pictures beside it."""
+tools/verify calls study(lab) and writes <out>/<name>/<name>.md with its tables and pictures."""
 
 import csv
 import pathlib
@@ -84,7 +84,7 @@ class Lab:
             return {label: future.result() for label, future in futures.items()}
 
     def case_file(self, case):
-        """Path of a case and its name in commands. The text of a case becomes a file beside the tables."""
+        """Path of a case and its name in commands. The text of a case becomes a file in the folder of the tables."""
         if "\n" not in case:
             return ROOT / "cases" / f"{case}.toml", f"cases/{case}.toml"
         if case not in self.texts:
@@ -209,5 +209,5 @@ class Lab:
         lines += self.lines
         if self.commands:
             file = self.write_commands()
-            lines += ["", f"The commands of all runs: `{file}`. The command above writes it, and the other tables and cases, beside its page."]
+            lines += ["", f"The commands of all runs: `{file}`. The command above writes it with the other tables and the cases."]
         return re.sub(r"\n{3,}", "\n\n", "\n".join(lines).strip()) + "\n"

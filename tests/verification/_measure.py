@@ -114,7 +114,7 @@ def radial_at_potential(capillarity, excess):
 
 def balance_error(folder, start, end):
     """Sum over the steps in [start, end] of |change of the energy - trapezoidal integral of (- dissipation + power of
-    the load + wall stretch)|, as a part of what is dissipated. A solid alone has no wall that stretches."""
+    the load + wall stretch)|, as a part of the dissipation. A solid alone has no wall that stretches."""
     rows = history(folder)
     t, rate = rows["t"], rows["power_load"] + numpy.nan_to_num(rows["wall_stretch"]) - rows["dissipation"]
     dt = numpy.diff(t)

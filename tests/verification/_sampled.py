@@ -107,7 +107,7 @@ def compare(lab, elements, count, share, known=None):
         for form in WAYS:
             row += [runs[f"{seed}, {form}"].record["counts"][of] for of in ("steps", "krylov")]
     draft, standard = (sum(work(runs[f"{seed}, {form}"]) for seed in scenes) for form in ("draft", "standard"))
-    lab.expect("iterations times unknowns of a draft over those of the default", f"<= {share}", f"{draft / standard:.2f}",
+    lab.expect("iterations times unknowns of a draft over the default", f"<= {share}", f"{draft / standard:.2f}",
                draft <= share * standard)
     lab.title("Errors of each scene")
     lab.table(("seed", *(f"{form}: {what}" for form in BOUNDS for what in ("path %", "peak %")),

@@ -73,9 +73,9 @@ def study(lab):
         rows.append((label, f"{k:.4g}", f"{s.imag / (c * k):.5f}", f"{found.imag / (c * k):.5f}", f"{-s.real:.4g}",
                      f"{-theory.real:.4g}", f"{-found.real:.4g}", f"{left:.0e}"))
     worst = max(dampings, key=lambda label: abs(dampings[label]))
-    lab.expect("damping of all waves, with that of the scheme", "+- 1 %",
+    lab.expect("damping of all waves, with damping by the scheme", "+- 1 %",
                f"at most {100 * dampings[worst]:+.3f} %, {worst}", abs(dampings[worst]) <= 0.01)
-    lab.table(("wave", "k", "w/(c k) exact", "w/(c k)", "damping by viscosity, exact", "with that of the scheme",
+    lab.table(("wave", "k", "w/(c k) exact", "w/(c k)", "damping by viscosity, exact", "with damping by the scheme",
                "damping", "misfit"), rows, "dispersion")
     if not lab.quick:
         lab.plot("dispersion", lambda axes: draw(axes, runs, asked))
@@ -97,7 +97,7 @@ def draw(axes, runs, asked):
 
 
 def steps(lab):
-    """The error left is that of the time step: second order."""
+    """The error left comes from the time step: second order."""
     lab.title("Convergence in time")
     plane = PlaneInterface(0.85)
     s = exact(plane, "liquid", 9 * numpy.pi, 1 / 64, 1e-4)

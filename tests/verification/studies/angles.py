@@ -3,7 +3,7 @@
 Young's law: the circle through the interface of a droplet at rest meets the wall at the angle alpha of the case. Half a
 droplet on a slip side. The circle is fitted to the level (rho_l + rho_v)/2 above a layer of 3 gamma_hat at the wall,
 with its centre on the slip side; the angle is the one at which it meets y = 0, cos(alpha) = -y_centre/R. The interface
-has a width, so what is left falls with gamma_hat/R, not with the mesh. Elements are gamma_hat/2 wide; gamma_hat is 1/64,
+has a width, so the rest falls with gamma_hat/R, not with the mesh. Elements are gamma_hat/2 wide; gamma_hat is 1/64,
 but 1/128 for the law "gradient" at 30, 135 and 150 degrees, which are off by more at 1/64 (see below)."""
 
 import _measure

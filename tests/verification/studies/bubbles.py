@@ -5,7 +5,7 @@ Periodic unit square, theta = 0.85, viscosity gamma_hat/2, bubbles of radius 0.1
 the isothermal Navier-Stokes-Korteweg equations, CMAME 199 (2010), and demo/NavierStokesKorteweg2D.c of PetIGA; the demo
 names no times of events, the text of the paper was not at hand. Energy here: int W + g^2/2 |grad rho|^2 + rho |v|^2/2 (the demo's has |v|^2/2 without the density, which no
 law makes fall). Known: it may only fall (no walls, no loads), mass and momentum are constant, and the vapour ends as one
-round bubble. The profile of the start is that of the plane interface, a little wider than the demo's 2 gamma_hat.
+round bubble. The start has the profile of the plane interface, a little wider than the demo's 2 gamma_hat.
 Counted at every field time: separate pieces of vapour (rho < (rho_v + rho_l)/2), across the periodic sides.
 The smaller bubbles vanish into the largest through the liquid, without touching it: the smallest by t = 2.5 on 128 x 128
 elements and by t = 4.5 on 256 x 256."""

@@ -166,8 +166,8 @@ def study(lab):
 
 
 def explicit(lab):
-    """Frequencies on 48 x 24 elements, nu = 0.3; decay and frequency with long steps against those of the
-    scheme itself."""
+    """Frequencies on 48 x 24 elements, nu = 0.3; decay and frequency with long steps against the
+    scheme's own."""
     worst = ("", 0.0)
     for name, (text, settings, number, pressure) in WAVES.items():
         omega = speed(0.3, pressure) * number

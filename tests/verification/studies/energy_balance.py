@@ -3,7 +3,7 @@
 With the wall-energy law d/dt of the energy = - dissipation + power of the load + int f_w div_Gamma vh holds for the
 semi-discrete equations when the wall's test functions are blended over the fluid like its mesh (fluid.traction =
 "blended"), except for what the convective form of the inertia adds to the kinetic energy. The balance is summed over the
-steps from t = 0 to 4 (the ramp of the load). What is missing in it, as a part of the dissipation, is the error of the
+steps from t = 0 to 4 (the ramp of the load). The imbalance, as a part of the dissipation, is the error of the
 time scheme, which falls with the square of the step, and a small rest. With the test functions of one layer of elements
 (the default, which is faster) the part that comes from the mesh is larger. The solid is 400 times denser than in Fig. 2,
 with the same Young modulus and force per volume, so that these steps resolve its elastic waves. On a rigid wall the
@@ -25,7 +25,7 @@ def judge(lab, mesh, steps, parts):
         lab.expect(f"{mesh}: open at dt = {steps[1]} / at twice that", "<= 1/4 + 10 %", f"{ratio:.3f}", ratio <= 0.275)
         return
     order, rest = _measure.falls(parts)
-    lab.expect(f"{mesh}: order in dt of what is open, less its rest", ">= 1.86 (1/4 + 10 %)", f"{order:.2f}", order >= 1.86)
+    lab.expect(f"{mesh}: order in dt of the imbalance, less its rest", ">= 1.86 (1/4 + 10 %)", f"{order:.2f}", order >= 1.86)
     lab.expect(f"{mesh}: rest at dt = 0", "<= 1e-5", f"{rest:.1e}", abs(rest) <= 1e-5)
     lab.expect(f"{mesh}: open at dt = {steps[2]}", "<= 0.001", f"{parts[2]:.1e}", parts[2] <= 1e-3)
 
@@ -57,6 +57,6 @@ def explicit(lab):
     parts = [_measure.balance_error(run.folder, 0, 0.4) for run in runs]
     order, rest = _measure.falls(parts)
     if abs(parts[0] - parts[-1]) > 0.2 * abs(rest):  # else the steps err too little for an order to be seen
-        lab.expect("order in dt of what is open, less its rest", ">= 1.86", f"{order:.2f}", order >= 1.86)
+        lab.expect("order in dt of the imbalance, less its rest", ">= 1.86", f"{order:.2f}", order >= 1.86)
     lab.expect("rest at dt = 0", "<= 1e-4", f"{rest:.1e}", abs(rest) <= 1e-4)
     lab.expect(f"open at dt = {steps[0]}", "<= 0.001", f"{parts[0]:.1e}", parts[0] <= 1e-3)

@@ -3,7 +3,7 @@
 The runs of the study extremes (tests/verification/_extremes.py) with `kick_drift` and `rkl2`, and eight of them with `ssp_rk3`, with
 lumped and with consistent masses. Explicit steps are short, so each run takes a number of steps and not a time: 60, and 20 with
 consistent masses. The load begins at once, with its ramp of 5
-units of time, so that only sudden loads reach their size. The study extremes says what is judged, and how. Left out are the runs
+units of time, so that only sudden loads reach their size. The study extremes says how runs are judged. Left out are the runs
 whose subject is a key of the implicit scheme alone. Asked: no run fails, the refused ones are refused here too, and those with
 phases near to each other, with a stiff or a heavy solid, with viscosities of 0.1 and more and with a rigid wall survive."""
 

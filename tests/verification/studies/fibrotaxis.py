@@ -2,12 +2,12 @@
 
 A droplet on a soft solid whose fibres are inclined to the wall starts to move by itself, though solid and wall are the same everywhere
 (Bhopalam, Bueno and Gomez, Soft Matter 2024, who named it and found it fastest where the contact angle is near the angle of the
-fibres, or that plus 90 degrees; their energy of the fibres was not at hand, so that their numbers are not compared). Here the fibres are those of substrate.fibre between periodic sides, where a droplet can
+fibres, or that plus 90 degrees; their energy of the fibres is not known here, so their numbers are not compared). Here substrate.fibre gives the fibres, between periodic sides, where a droplet can
 move for ever. Speeds are means over the last third of the run.
 
 A motion that lasts needs power. On a uniform wall no energy falls while a droplet moves as a whole, so what viscosity dissipates has to
 come from elsewhere: with the paper's force on the wall, fluid.wall_tension = "none", it is the column wall_stretch, the energy that
-the wall gains by its stretch at nobody's cost. With "acts", the force that belongs to the energy, the droplet must stay."""
+the wall gains by its stretch and no balance pays for. With "acts", the force that belongs to the energy, the droplet must stay."""
 
 import numpy
 from _case import case, sides
@@ -55,7 +55,7 @@ def study(lab):
     fed = mean(moving, "wall_stretch") / mean(moving, "dissipation")
     lab.expect("steady motion: power of wall_stretch over dissipation", "1 +- 0.05", f"{fed:.3f}", abs(fed - 1) <= 0.05)
     stays, same = speed(runs["acts"]), speed(runs["none, the same tension"])
-    lab.expect("wall_tension = acts: speed over that of none with the same surface tension", "<= 0.002",
+    lab.expect("wall_tension = acts: speed over the speed with none and the same surface tension", "<= 0.002",
                f"{abs(stays / same):.1e}", abs(stays) <= 2e-3 * abs(same))
     if not lab.quick:
         fastest = max(found.values(), key=abs)

@@ -1,7 +1,7 @@
 """Graded elements against equal ones: the same path for less.
 
 Each scene is computed on equal elements and with domain.grading.fine = "automatic", one after the other on one core. The steps of time are
-small (time.tolerance 5e-4), for else their error would hide that of the mesh: X_c(700) of the pull depends on it by 2e-3. Equal elements are
+small (time.tolerance 5e-4), for else their error would hide the error of the mesh: X_c(700) of the pull depends on it by 2e-3. Equal elements are
 the reference for what grading adds to their error. The mass at the start depends on the mesh by what the interface is above the droplet
 where elements begin to grow, 2.2 capillarities away. The quick form asks for the share of the unknowns, not for seconds."""
 
@@ -61,7 +61,7 @@ def compare(lab, name, equal, graded, cost, path, extent):
     lab.expect(f"{name}: drift of the mass", "<= 1e-12", f"{drift:.1e}", drift <= 1e-12)
     if cost is None:
         share = graded.record["unknowns"]["solved"] / equal.record["unknowns"]["solved"]
-        return lab.expect(f"{name}: unknowns over those of equal elements", "<= 0.7", f"{share:.2f}", share <= 0.7)
+        return lab.expect(f"{name}: unknowns over the unknowns of equal elements", "<= 0.7", f"{share:.2f}", share <= 0.7)
     ratio = equal.processor_seconds / graded.processor_seconds
-    return lab.expect(f"{name}: cost of equal elements over that of graded ones", f">= {cost:g}", f"{ratio:.2f}", ratio >= cost,
+    return lab.expect(f"{name}: cost of equal elements over cost of graded ones", f">= {cost:g}", f"{ratio:.2f}", ratio >= cost,
                       Known(DEAR.format(cost), "0.9 of that", ratio >= 0.9 * cost))

@@ -4,7 +4,7 @@ At rest the chemical potential and the potential of the force add up to a consta
 W'(rho) - g^2 rho'' + f y = C with rho' = 0 at both ends and the mass of the run (f: force per unit mass, downwards).
 scipy.integrate.solve_bvp solves this equation with the van der Waals law of tests/oracle/radial_droplet.py, without any
 code of softwet. The pull of gravity is strong enough that the density of each phase changes along the column. Energy:
-on a fixed mesh the total energy, that of gravity included, changes as - dissipation, up to the error of the time scheme,
+on a fixed mesh the total energy, gravity included, changes as - dissipation, up to the error of the time scheme,
 which falls with the square of the step, and of the convective form of the inertia."""
 
 import _measure
@@ -67,7 +67,7 @@ def study(lab):
                for n, e in found.items()], "rest")
     last = found[meshes[-1]]
     squeezed = FORCE * 0.5 / energy_curvature(THETA, plane.liquid)
-    lab.expect("gravity squeezes the liquid: density at the bottom above that of the flat interface",
+    lab.expect("gravity squeezes the liquid: density at the bottom above the density of the flat interface",
                f">= {0.3 * squeezed:.3g}", f"{last['bottom'] - plane.liquid:.3g}", last["bottom"] - plane.liquid >= 0.3 * squeezed)
     lab.expect(f"density, {meshes[-1]} elements", "<= 1e-4", f"{last['density']:.1e}", last["density"] <= 1e-4)
     lab.expect(f"mu + f y, {meshes[-1]} elements", "<= 1e-5", f"{last['constant']:.1e}", last["constant"] <= 1e-5)

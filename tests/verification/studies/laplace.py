@@ -4,9 +4,9 @@ A quarter (2D) or an eighth (3D) of a droplet between slip sides, at 90 degrees 
 (mu - mu_sat)(rho_l - rho_v) R = (D - 1) sigma with sigma of the plane interface; their ratio is the Laplace ratio. It neglects the width of the interface and
 the compression of the liquid, which matter more for small droplets. Exact answer: the radial solution of the mass of
 the run in the disc or ball of the volume of its box (tests/oracle/radial_droplet.py), for the chemical potential, both
-densities and the radius R of the middle density. The density outside is that of the corner of the box against that on the
+densities and the radius R of the middle density. The density outside is taken at the corner of the box and compared with the
 rim of the ball: nearer to the droplet, on the side of the box, the interface has not ended (3 gamma_hat from it in 3D, where
-the density is 6 % above that of the vapour). In 3D the mesh is refined with gamma_hat = 4/3 elements, and once alone."""
+the density is 6 % above the vapour). In 3D the mesh is refined with gamma_hat = 4/3 elements, and once alone."""
 
 import _measure
 import _shape

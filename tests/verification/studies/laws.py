@@ -5,7 +5,7 @@ round-off if Newton's method is solved tightly. This is shown on a fixed mesh, o
 
 Momentum: a droplet in a periodic box. The capillary force (w, rho grad mu) keeps the momentum for constant w only where
 rho grad mu = - div Sigma holds pointwise, so the momentum drifts by an error of the mesh. (The unit test
-tests/unit/scene/test_divergence_form.cpp compares the force with that of the stress, (grad w, Sigma), which keeps it.) Inertia is
+tests/unit/scene/test_divergence_form.cpp compares the force with the force of the stress, (grad w, Sigma), which keeps it.) Inertia is
 discretised in the convective form, which does not conserve momentum exactly either. The drift is the change of the momentum. For a droplet at rest it is given as a part of its mass
 times the largest speed seen, for a moving droplet as a part of its momentum.
 

@@ -274,7 +274,7 @@ def explicit_space(lab, measurement):
 
 def study(lab):
     measurement = Measurement(lab)
-    lab.text("Theory, splines of degree p: order p + 1 of velocity and displacement, and at least that of density (its error "
+    lab.text("Theory, splines of degree p: order p + 1 of velocity and displacement, and at least p + 1 of density (its error "
              "is often smaller still on uniform meshes, because the mass equation smooths what velocity errors do to it). The "
              "potential mu = W' - g^2 Lap rho has no control of its own: a density error of order p + 1 with the wave "
              "length of the mesh is an error of order p - 1 in mu. The checkerboard control eps = C h^2 rho^2 / m damps such "

@@ -1,6 +1,6 @@
 """Oscillation of a free droplet in its second mode, two dimensions.
 
-A quarter of a droplet between slip sides starts as an ellipse. Its half axis on the bottom side, less that of the same
+A quarter of a droplet between slip sides starts as an ellipse. Its half axis on the bottom side, less the half axis of the same
 droplet started as a circle (the profile settles, the vapour fills), is fitted by a damped wave.
 Lamb's sharp answer: omega^2 = n (n^2 - 1) sigma/((rho_l + rho_v) R^3), damping 2 n (n - 1) nu/R^2, n = 2. The best
 answer is the eigenvalue of the linearised Navier-Stokes-Korteweg equations about the exact droplet of the same mass

@@ -1,10 +1,10 @@
 """The energy at every step of kick_drift, and its error, for steps that are parts of the bound.
 
-`kick_drift` keeps an energy that differs from that of the tables by the shortest waves: the nearer its steps are to the limit of
+`kick_drift` keeps an energy that differs from the energy of the tables by the shortest waves: the nearer its steps are to the limit of
 stability, the more. Here scenes that nothing feeds run with several values of `time.safety`, the part of the bound that a step takes,
 with a row for every step. Rows in which the energy rises are counted, and the largest rise is given as a part of what the whole run
 dissipates. The error of the density at the end is the root of the mean square of its difference to a run with `time.safety = 0.2` on the
-same mesh, over that of the density. So it is the error of the steps, without that of the mesh.
+same mesh, over the norm of the density. So it is the error of the steps alone, without the mesh.
 
 Scenes: small forms of the fast cases (docs/fast_scenes.md), a droplet that meets a wall late, one in a corner, and 16 sampled at random: one
 or two fast droplets between slip sides on a wall with an angle and an energy, at temperatures from 0.6 to 0.95.
@@ -108,6 +108,6 @@ def study(lab):
             rows.append((name, f"{part:g}", steps, rising, f"{largest:.1e}", f"{total:.1e}", f"{100 * error:.2g} %"))
             if part == DEFAULT:
                 lab.expect(f"{name}: rows of {steps} in which the energy rises", "none", str(rising), rising == 0,
-                           Known(SETTLES, "one row, by 0.1 % of what is dissipated", rising <= 1 and largest <= 1e-3))
+                           Known(SETTLES, "one row, by 0.1 % of the dissipation", rising <= 1 and largest <= 1e-3))
     lab.title("Scenes")
     lab.table(("scene", "time.safety", "steps", "rows that rise", "largest rise", "sum of rises", "density"), rows, "scenes")

@@ -1,18 +1,18 @@
 """Sampled pulls and pushes on graded elements against equal ones: the path of the droplet.
 
 The scenes of [sampled_pulls](sampled_pulls.md): contact angle, layer, stiffness, Poisson ratio, size of the droplet, and place, width and
-force of the load are sampled from the seed that names a scene. The load of an even seed pulls the droplet towards itself, that of an odd
+force of the load are sampled from the seed that names a scene. The load of an even seed pulls the droplet towards itself, the load of an odd
 one pushes it away. Each scene starts as the case describes it, relaxes before the load, and is computed on equal elements and with
 domain.grading.fine = "automatic", whose box was chosen on other scenes: eight on 64 x 32 elements to t = 800, and two of them on the mesh
 of Fig. 2, 128 x 64 elements with half of the capillarity, to t = 400, where grading leaves fewer elements.
 
 Path: largest difference of X_c(t) - X_c(0) to equal elements from t = 0 on, the start of the load, over the range of X_c, as `softwet
 tradeoff` measures it. With the relaxation before, it is larger: the first swing of the droplet is off by up to 6e-5, which is 0.6 % of
-the shortest way. Peak: that of the largest mean speed in 5 units of time. The steps of time are small (time.tolerance 5e-5), for else
-their error would hide that of the mesh: with 5e-4 the largest speed of scene 107, which the droplet has at t = 20 while it still settles, is
+the shortest way. Peak: difference of the largest mean speed in 5 units of time. The steps of time are small (time.tolerance 5e-5), for else
+their error would hide the error of the mesh: with 5e-4 the largest speed of scene 107, which the droplet has at t = 20 while it still settles, is
 4.6 and 3.4 % off the one of 5e-6 on equal and graded elements, and so 1.1 % apart.
 
-With time.start = "equilibrium" the place where a droplet comes to rest may depend on the mesh, since a droplet that stands beside the middle
+With time.start = "equilibrium" the place where a droplet comes to rest may depend on the mesh, since a droplet that starts off the middle
 is carried far by the long steps on the way to rest: of the seeds 103 to 114 the droplets of 107 and 113 began 0.014 apart on the two
 meshes, and their paths were 17 and 9.4 % apart; the other ten kept their paths within 0.1 %."""
 
@@ -52,10 +52,10 @@ def compare(lab, elements, count, end):
     told = sum("fine elements" in str(runs[seed, "graded"].record.get("events")) for seed in seeds)
     lab.expect(f"{name}: droplets that come near the end of the fine elements", f"0 of {count}", told, told == 0)
     share, allowed = max(solved(runs[seed, "graded"]) / solved(runs[seed, "equal"]) for seed in seeds), SHARE[elements]
-    lab.expect(f"{name}: unknowns over those of equal elements, largest of the scenes", f"<= {allowed}", f"{share:.2f}", share <= allowed)
+    lab.expect(f"{name}: unknowns over the unknowns of equal elements, largest of the scenes", f"<= {allowed}", f"{share:.2f}", share <= allowed)
     work_of = {mesh: sum(work(runs[seed, mesh]) for seed in seeds) for mesh in MESHES}
     ratio = work_of["graded"] / work_of["equal"]
-    lab.expect(f"{name}: iterations times unknowns over those of equal elements", f"<= {allowed}", f"{ratio:.2f}", ratio <= allowed)
+    lab.expect(f"{name}: iterations times unknowns over the unknowns of equal elements", f"<= {allowed}", f"{ratio:.2f}", ratio <= allowed)
     lab.title(f"Scenes on {name} elements")
     lab.table(("seed", "load", "way", "unknowns left", "path %", "with the relaxation %", "peak %", "steps", "Krylov"), [row(seed, runs, found) for seed in seeds],
               f"paths_{elements}")

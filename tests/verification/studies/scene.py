@@ -2,7 +2,7 @@
 
 A rigid wall has no displacement, and a solid alone has no density and no chemical potential. What a scene does not have
 is neither stored nor computed. The three scenes have 128 x 64 elements of fluid, 128 x 16 of solid, and 128 x 48 of fluid
-on 128 x 16 of solid. The numbers are those of `softwet check` and `softwet bench`."""
+on 128 x 16 of solid. The numbers come from `softwet check` and `softwet bench`."""
 
 import re
 

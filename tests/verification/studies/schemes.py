@@ -2,7 +2,7 @@
 
 The other studies run with `generalized_alpha`. Each says in its own file whether it applies to the explicit schemes: a text
 EXPLICIT says why not, a function explicit(lab) is the form that suits them. Here these forms run with `kick_drift`, `rkl2` and
-`ssp_rk3`, with corrected masses and full quadrature where nothing else is said. Steps are those of the bound, with the default
+`ssp_rk3`, with corrected masses and full quadrature where nothing else is said. Steps follow the bound, with the default
 `time.safety`, unless a form says otherwise. A scene whose steps would be too short (a thin vapour) has a higher temperature."""
 
 import importlib.util
@@ -47,7 +47,7 @@ def show(lab, forms, reasons, measured):
     lab.title("What was measured")
     file = lab.numbers(MEASURED, measured, "measured")
     missed = {row[0] for row in measured if any(cell.startswith("**") for cell in row[3:])}
-    lab.text(f"All {len(measured)} rows are in `{file}`." + (" Those of studies that some scheme misses:" if missed else ""))
+    lab.text(f"All {len(measured)} rows are in `{file}`." + (" Rows of studies that some scheme misses:" if missed else ""))
     if missed:
         lab.table(MEASURED, [row for row in measured if row[0] in missed])
 

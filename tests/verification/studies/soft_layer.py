@@ -5,7 +5,7 @@ surface by u = C t, with the compliance C(k) of a layer of height H on a roller 
 tests/verification/_layer.py derives. Slip sides make its series exact: cosines for t_y, sines for t_x.
 
 Half a droplet on a slip side. interface.csv holds a traction lumped over the splines of the wall; here it is turned
-into the spline that does the same work on every spline (mass matrix). What is left vanishes with 1/E (deformed
+into the spline that does the same work on every spline (mass matrix). The rest vanishes with 1/E (deformed
 geometry) and with h."""
 
 import _layer

@@ -63,7 +63,7 @@ def rigid_walls(lab):
         if m == 2:
             lab.expect("rigid wall, two elements to the capillarity: ripple of the speed (rms)", "<= 1.1 %; a single point: 2.4 %",
                        f"{speed[0]:.2f} %", speed[0] <= 1.1)
-            lab.expect("it is that of the momentum", "+- 0.1 %", f"{momentum[0]:.2f} %", abs(speed[0] - momentum[0]) <= 0.1)
+            lab.expect("it equals the ripple of the momentum", "+- 0.1 %", f"{momentum[0]:.2f} %", abs(speed[0] - momentum[0]) <= 0.1)
     lab.title("On a rigid wall")
     lab.text("In per cent. The last column is what `softwet check` foresees: 1.3 % (2 h / gamma)^4, with the length h of an element, from the "
              "pull on 128 x 64 elements. With one element to the capillarity the droplet lurches from element to element.")
@@ -93,7 +93,7 @@ def pulls(lab):
         lab.expect(f"pull, {name}: ripple of the speed (rms) over what check foresees", "0.7 to 1.3", f"{share:.2f}",
                    0.7 <= share <= 1.3)
     lab.title("In the pull of Fig. 2")
-    lab.text("Ripples in per cent, except those of the angles, in degrees. No other setting on the same elements halves the ripple of the "
+    lab.text("Ripples in per cent, except of the angles, in degrees. No other setting on the same elements halves the ripple of the "
              "speed; fewer points of integration raise it, so it does not come from them. Elements of 0.4 capillarities have 0.4 of it at "
              "1.5 times the cost. Angles and ridges ripple with the elements too.")
     lab.table(("elements and settings", "speed, rms", "speed, largest", "momentum, rms", "momentum, largest", "angles, rms",

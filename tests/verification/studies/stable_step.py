@@ -8,10 +8,10 @@ run goes on beyond its end: droplets in such small boxes dissolve, which changes
 States: a droplet in the middle of a box, on a rigid wall, in a corner between slip sides, on the soft layer, and on a wall in three
 dimensions, on its axis of symmetry in the coordinates (r, z) on both walls; two elements to a capillarity. A quarter of a droplet whose viscosity is so small that the stabilisation limits the steps, and
 a beam alone, whose free sides meet, with two elements across. Steps are stable where none is refused and the kinetic energy stays below 10 times the
-largest one of the run of half the bound: what is unstable grows by more than that in 300 steps.
+largest one of the run of half the bound: unstable waves grow by more than that in 300 steps.
 
 Asked: steps of the bound are stable everywhere, and the largest stable step is at most 2.5 of it. The bound adds what limits a step, each at its
-worst wave. Where several count, no wave has them all, and the bound is that of the worst moment of a run in which it changes.
+worst wave. Where several count, no wave has them all, and the bound belongs to the worst moment of a run in which it changes.
 
 Motion: droplets that meet a side, a wall or a corner late, at temperatures from 0.39 to 0.95, with the default `time.safety`. Liquid at a
 side shortens the stable steps several times, so that a bound from before is too long. The wall law has an energy.
@@ -166,7 +166,7 @@ def judged(lab, label, run, symmetric):
         return len(run.history["t"]) - 1, "stopped", "", "", run.record["counts"]["rejected_by_newton"]
     energy, refused = run.history["energy_total"], run.record["counts"]["rejected_by_newton"]
     rise, fall = numpy.diff(energy), energy[0] - energy[-1]
-    lab.expect(f"{label}: largest change of the energy in a step, over what is dissipated", "below 0", f"{rise.max() / fall:.1e}",
+    lab.expect(f"{label}: largest change of the energy in a step, over the dissipation", "below 0", f"{rise.max() / fall:.1e}",
                rise.max() < 0)
     lab.expect(f"{label}: refused steps", "none", str(refused), refused == 0)
     told = [event["what"] for event in run.record["events"] if "energy" in event["what"]]

@@ -5,7 +5,7 @@ large deformation. Its displacement is read from the field file, and turned back
 
     int psi(F) + k/2 (|F a_0|^2 - 1)^2  +  int_top U (a - 1)  -  int rho f.u,   a: area of the deformed top over the undeformed one,
 
-is written here from these formulas, without code of softwet; its slopes are those of the densities, along imaginary steps. The
+is written here from these formulas, without code of softwet; its slopes come from the densities, along imaginary steps. The
 integrals take the same Gauss points. At rest the slope along every control value that may move is 0. It is compared with the largest
 slope of the weakest part: were that part wrong, as much would be left. energy_elastic, energy_surface and energy_gravity are compared
 with the same integrals."""

@@ -8,7 +8,7 @@ Twenty scenes are sampled: rectangles, solids around an axis of symmetry, and bl
 ratios up to 0.49, most with fibres up to 3000 times as stiff as the material or with a tense face, or with both; with corrected or with
 lumped masses. They start bent and at rest, and go on for thousands of steps.
 
-The energy of the tables has consistent masses. Those of the steps are at least as large, so that it lies below the energy that the steps
+The energy of the tables has consistent masses. The masses of the steps are at least as large, so that it is below the energy that the steps
 keep, and touches it where nothing moves, as at the start. Steps near their limit keep that up to a few percent.
 
 Asked: no energy beyond 1.05 of the first, no refused step, no event about the energy. With steps of one length, 0.8 of the shortest

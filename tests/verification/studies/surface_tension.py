@@ -9,7 +9,7 @@ cos(2 w t). The w that is fitted is compared with linear theory, after the error
 droplet of the radius R is sigma/R inside (tests/oracle/ridge_locking.py). Linear theory turns it into displacements: u(k) = C(k) t(k),
 where a tension U of the wall adds U k^2 to the inverse of u_y/t_y. With fluid.wall_tension = "acts" the tension is U + f_w(rho(x)).
 It varies along the wall and couples the waves, and its slope cancels the tangential traction. The stiff layer has 50 times the Young
-modulus and the surface tension of the soft one, so that its displacements are those of linear theory over 50. A tension below the liquid
+modulus and the surface tension of the soft one, so that its displacements are linear theory's over 50. A tension below the liquid
 of U - sigma cos(alpha) that is given by hand has to give the same wall as f_w that acts, up to the 1e-5 by which the wall energy is
 smoothed at its ends.
 
@@ -185,7 +185,7 @@ def droplet(lab):
         lab.expect(f"{name}: profiles of u_x and u_y", "within 3 % of the ridge", " and ".join(f"{100 * w:.2f} %" for w in off),
                    off.max() <= 0.03)
     lab.title("A droplet at rest")
-    lab.text(f"Lengths times {FACTOR}: those of linear theory with E = {YOUNG}. The right half of a droplet of alpha = {FIG2.angle:g} "
+    lab.text(f"Lengths times {FACTOR}, as in linear theory with E = {YOUNG}. The right half of a droplet of alpha = {FIG2.angle:g} "
              f"degrees and R = {FIG2.radius}, on 64 elements of 1/128.")
     lab.table(("fluid.wall_tension", "ridge", "middle", "far side", "u_x at the line", "ridge", "middle", "far side, softwet",
                "u_x at the line, softwet", "profile u_x", "profile u_y"), rows, "droplet")
@@ -237,10 +237,10 @@ def balance(lab):
                        parts[1] <= 0.275 * parts[0])
         else:
             order, rest = _measure.falls(parts)
-            lab.expect(f"{tension}: order in dt of what is open, less its rest", ">= 1.86 (1/4 + 10 %)", f"{order:.2f}", order >= 1.86)
+            lab.expect(f"{tension}: order in dt of the imbalance, less its rest", ">= 1.86 (1/4 + 10 %)", f"{order:.2f}", order >= 1.86)
             lab.expect(f"{tension}: rest at dt = 0", "<= 2e-5", f"{rest:.1e}", abs(rest) <= 2e-5)
     lab.title("Energy")
-    lab.text("What is left open in the balance from t = 0 to 4, as a part of the dissipation.")
+    lab.text("The imbalance from t = 0 to 4, as a part of the dissipation.")
     lab.table(("fluid.wall_tension", *(f"dt = {dt}" for dt in sizes)), rows, "balance")
     last = runs[f"acts, dt = {sizes[-1]}"].history
     stretch, surface = numpy.abs(last["wall_stretch"]).max(), numpy.ptp(last["energy_surface"]) / numpy.ptp(last["energy_elastic"])
@@ -267,13 +267,13 @@ def soft(lab):
         rows.append((inverse, *(f"{v:.3e}" for v in now[0]), *(f"{v:.1f}" for v in now[1]), f"{u[1, 0]:.3e}", f"{theory[1, 0]:.3e}",
                      f"{line:.4f}", f"{run.history['angle_right'][-1]:.1f}"))
     lab.title("Soft")
-    lab.text("sigma/E = 0.031. Opening: the angle of the solid between its steepest slopes beside the line, in degrees; Neumann's law asks "
+    lab.text("sigma/E = 0.031. Opening: the angle of the solid between its steepest slopes next to the line, in degrees; Neumann's law asks "
              "for 93.6 at an interface without width. Slopes are near 0.4, so that linear theory is no more than a guide.")
     lab.table(("1/gamma", "ridge", "ridge, linear", "opening", "opening, linear", "middle", "middle, linear", "line at x", "angle"), rows,
               "soft")
     for inverse, (((ridge, linear), (angle, _)), speed) in results.items():
         lab.expect(f"1/gamma = {inverse}: it comes to rest; speed of the solid at the end", "<= 1e-5", f"{speed:.1e}", speed <= 1e-5)
-        lab.expect(f"1/gamma = {inverse}: ridge over that of linear theory", "0.75 to 1", f"{ridge / linear:.2f}",
+        lab.expect(f"1/gamma = {inverse}: ridge over the ridge of linear theory", "0.75 to 1", f"{ridge / linear:.2f}",
                    0.75 <= ridge / linear <= 1)
     softer(lab)
     lab.expect("a thinner interface opens the wall more, towards Neumann's law", "by 5 to 15 degrees",
@@ -311,7 +311,7 @@ def widths(lab):
                      f"{100 * found[label][1]:+.2f} %"))
     lab.title("Width of the interface")
     lab.text("alpha = 90 degrees, R = 0.2, nu = 0.49. Young's modulus and the tension U = 2 sigma go with the surface tension of the fluid, "
-             "which goes with gamma: the line force over the modulus is that of gamma = 1/128 and E = 0.05, whatever the width. Kink: the "
+             "which goes with gamma: the line force over the modulus has its value for gamma = 1/128 and E = 0.05, whatever the width. Kink: the "
              f"steepest slopes on both sides of the ridge together; of an interface without width 1/2. Stiff: times {FACTOR}.")
     lab.table(("scene", "ridge, linear", "ridge", "off", "kink, linear", "kink", "off"), rows, "widths")
     for label, (ridge, bend, _) in found.items():

@@ -133,10 +133,10 @@ def angles(lab, run):
     wall = _measure.cap(run.folder, 0, 1 / 64)
     flat = numpy.degrees(numpy.arccos((0.125 - wall["circle"][1]) / wall["radius"]))
     lab.text(f"Apparent angles of `history.csv` are read where the fitted circle meets the height of the contact line: "
-             f"{wall['angle']:.1f} degrees before the load. The contact line stands on the ridge, {wall['line'][1] - 0.125:.2g} "
+             f"{wall['angle']:.1f} degrees before the load. The contact line is on the ridge, {wall['line'][1] - 0.125:.2g} "
              f"above the undeformed wall; at the height of that wall the same circle has {flat:.1f}. An independent solver "
              f"reports 72.2 without saying at which height; the height would explain it, but that is not shown. Read at one "
-             f"common height, left and right do not differ: their difference is that of the heights of the contact lines.")
+             f"common height, left and right do not differ: their difference comes from the heights of the contact lines.")
 
 
 def explicit(lab):

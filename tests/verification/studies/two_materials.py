@@ -61,7 +61,7 @@ def stiff_bottom(lab):
     down = {form: _measure.interface(lab.run(f"layer, {form}", text, settings).folder)["displacement_y"].min()
             for form, (text, settings) in words.items()}
     off = {form: down[form] / down["clamped"] - 1 for form in ("joint", "no joint")}
-    lab.expect("layer on a stiff one: its dent over that of the layer on a clamped bottom", "within 0.3 %",
+    lab.expect("layer on a stiff one: its dent over the dent of the layer on a clamped bottom", "within 0.3 %",
                f"off by {100 * off['joint']:.2g} %, without a joint by {100 * off['no joint']:.2g} %", abs(off["joint"]) <= 3e-3)
 
 

@@ -3,7 +3,7 @@
 The stress of Kelvin and Voigt adds S_v = 2 eta (E' - tr E'/3 1) + zeta tr E' 1 to the elastic one. For small strains a wave e^(s t) of the
 wave number k obeys rho s^2 + V k^2 s + C k^2 = 0 exactly: shear waves with V = eta, C = G, pressure waves with V = zeta + 4 eta/3, C =
 lambda + 2 G. The measured s is compared with what generalized-alpha makes of the exact one (its recurrence, see elastic_waves), so that the
-rest is that of the mesh. Where both roots are real the solid creeps back: each wave then is a sum of two exponentials, which are
+rest comes from the mesh. Where both roots are real the solid creeps back: each wave then is a sum of two exponentials, which are
 found from three consecutive values (Prony).
 
 A column without inertia under its weight from t = 0 creeps with u/u_inf = 1 - e^(-t/tau), tau = (zeta + 4 eta/3)/(lambda + 2 G).
@@ -115,7 +115,7 @@ def waves(lab):
         rows.append((name, *(told(s[-1]) for s in (exact[name], theory, found)), f"{error:.1e}"))
         worst = max(worst, (name, error), key=lambda pair: pair[1])
     lab.title("Waves")
-    lab.text("The root with the largest imaginary part, or the slower one of two that are real. The error is that of both as a part of the "
+    lab.text("The root with the largest imaginary part, or the slower one of two that are real. The error is taken of both, as a part of the "
              "larger.")
     lab.table(("wave", "exact s", "exact s under the time scheme", "measured", "error"), rows, "waves")
     lab.expect("largest error of s", "<= 1e-4", f"{worst[1]:.1e}, {worst[0]}", worst[1] <= 1e-4)
@@ -202,10 +202,10 @@ def balance(lab):
         lab.expect(f"{material}: open at dt = {sizes[-1]} / at twice that", "<= 1/4 + 10 %", f"{parts[-1] / parts[-2]:.3f}",
                    parts[-1] <= 0.275 * parts[-2])
         differ = numpy.abs(last["dissipation"] - last["dissipation_solid"]).max()
-        lab.expect(f"{material}: dissipation, of a solid alone, is that of the solid", "0", f"{differ:g}", differ == 0)
+        lab.expect(f"{material}: dissipation, of a solid alone, less dissipation_solid", "0", f"{differ:g}", differ == 0)
     lab.title("Energy")
-    lab.text("What is left open in the balance from t = 0.1 to 1, as a part of what is dissipated, and the part of the energy that is "
-             "dissipated. The first step is one of backward Euler, which takes energy of its own from the shortest waves.")
+    lab.text("The imbalance from t = 0.1 to 1, as a part of the dissipation, and the dissipated part of the energy. "
+             "The first step is one of backward Euler, which takes energy of its own from the shortest waves.")
     lab.table(("material", *(f"dt = {dt}" for dt in sizes), "dissipated"), rows, "balance")
 
 

@@ -1,10 +1,10 @@
 """Walls whose contact angle varies along them.
 
-Stripe: on a rigid wall of 110 degrees lies a stripe of half width 0.15 with 60 degrees; the angle passes from one to the other over
+Stripe: a rigid wall of 110 degrees has a stripe of half width 0.15 with 60 degrees; the angle passes from one to the other over
 two elements, 85 + 25 tanh((|x - 1/2| - 0.15) / b). A droplet whose circle would meet the edges of the stripe at an angle between the two is
 held there. In equilibrium its contact points lie where the angle of the wall is the one of the circle with its area over the chord 2 c
-between them, A = c^2 (t - sin t cos t) / sin^2 t; for a sharp stripe c = 0.15. Measured areas are those of the liquid: the mass beyond
-that of the vapour over the difference of the two densities.
+between them, A = c^2 (t - sin t cos t) / sin^2 t; for a sharp stripe c = 0.15. Measured areas belong to the liquid: the mass beyond
+the vapour's over the difference of the two densities.
 
 Gradient: the cosine of the contact angle grows along a rigid wall. A droplet moves towards the wetting side, faster in proportion to the
 gradient and to one over the viscosity (Brochard, Langmuir 5, 432, 1989, for wedges: an order of magnitude here), and what
@@ -109,13 +109,13 @@ def gradient(lab):
     lab.expect("the droplet moves towards the wetting side", "> 0", f"{base:.3g}", base > 0)
     for label, asked, slack in (("half the gradient", 0.5, 0.05), ("the other way", -1, 0.01), ("twice the viscosity", 0.5, 0.1)):
         part = speeds[label] / base
-        lab.expect(f"speed with {label}, over that of the gradient", f"{asked} +- {slack}", f"{part:.3f}", abs(part - asked) <= slack)
+        lab.expect(f"speed with {label}, over the speed with the gradient", f"{asked} +- {slack}", f"{part:.3f}", abs(part - asked) <= slack)
     rows = runs["gradient: the gradient"].history
     late = rows["t"] >= 5
     t, lost, energy = rows["t"][late], rows["dissipation"][late], rows["energy_total"][late]
     sum_lost = float(((lost[1:] + lost[:-1]) / 2 * numpy.diff(t)).sum())
     part = (energy[0] - energy[-1]) / sum_lost
-    lab.expect("what the energy loses over what is dissipated, t = 5 to 20", "1 +- 0.03", f"{part:.4f}", abs(part - 1) <= 0.03)
+    lab.expect("loss of the energy over the dissipation, t = 5 to 20", "1 +- 0.03", f"{part:.4f}", abs(part - 1) <= 0.03)
     lab.title("Speed on a gradient of the cosine")
     lab.table(("scene", "speed"), [(label, float(f"{speed:.3g}")) for label, speed in speeds.items()], "gradient")
 
