@@ -124,15 +124,15 @@ shutil.rmtree("swept", ignore_errors=True)
 subprocess.run([program, "sweep", str(cases / "solid_layer_2d.toml"), "--vary", "substrate.poisson=0.1,0.3", "--vary",
                 "load.force=[0.1,0],[-0.1,0]", "--set", "domain.elements=[8,2]", "--set", "time.max_steps=2", "--out",
                 "swept"], check=True, capture_output=True, env=environment)
-swept = softwet.sweep("swept")
+swept = softwet.open_sweep("swept")
 check_true("sweep: members and values", len(swept) == 4 and [m.values["substrate.poisson"] for m in swept] ==
            [0.1, 0.1, 0.3, 0.3] and swept[1].values["load.force"] == [-0.1, 0] and swept[3].status == "done")
 check_true("sweep: their runs", all(m.run.case["substrate"]["poisson"] == m.values["substrate.poisson"] and
                                     len(m.run.history["t"]) == 3 for m in swept))
-check_true("a folder of output folders", [m.name for m in softwet.sweep(".")] == ["box", "cut", "pull"])
+check_true("a folder of output folders", [m.name for m in softwet.open_sweep(".")] == ["box", "cut", "pull"])
 told = subprocess.run([program, "status", "swept"], capture_output=True, text=True, env=environment)
 check_true("status of a sweep", told.returncode == 0 and told.stdout.count(": stopped") == 4, told.stdout + told.stderr)
-refused("no sweep", lambda: softwet.sweep("pull"), "pull holds no output folder")
+refused("no sweep", lambda: softwet.open_sweep("pull"), "pull holds no output folder")
 
 # --- the examples of the documentation, in their order -----------------------------------------------------------------
 shutil.rmtree("out", ignore_errors=True)
@@ -146,7 +146,7 @@ check_true("docs/reading_results.md", result.returncode == 0 and "no fields at t
            result.stdout + result.stderr)
 
 pathlib.Path("swept/sweep.json").write_text(json.dumps({"vary": ["a=1"]}))
-refused("a cut sweep", lambda: softwet.sweep("swept"), "cannot read the sweep swept", "--table")
+refused("a cut sweep", lambda: softwet.open_sweep("swept"), "cannot read the sweep swept", "--table")
 
 # --- the choice of the interpreter -------------------------------------------------------------------------------------
 shutil.rmtree("bare", ignore_errors=True)

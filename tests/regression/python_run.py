@@ -16,7 +16,7 @@ from _scene import PULL, cases, check, check_true, environment, tools
 from _same import check_same
 
 import softwet
-from softwet.definition import assignments, toml_file, toml_text
+from softwet.definition import assignments, toml_file, toml_text, values_of
 
 DOCS = tools.parent / "docs"
 PULL_CASE = cases / "tensotaxis_pull_2d.toml"
@@ -105,6 +105,39 @@ os.chdir("..")
 check_true("another working folder", moved.history["t"][-1] == 0.1 and second.history["t"][-1] == 0.1)
 check_true("the resolved case holds from any folder", pathlib.Path(second.case["initial"]["from"]) == pathlib.Path("changed").resolve())
 check_true("no file is left by them", not list(pathlib.Path().glob("**/.case*")))
+
+# --- a sweep -----------------------------------------------------------------------------------------------------------
+for folder in ("swept", "broken"):
+    shutil.rmtree(folder, ignore_errors=True)
+check_true("values", values_of({"a": [1, numpy.float64(0.5), "1/3", [1, 2.5]], "b": "0:1:3"}) ==
+           ["--vary", "a=1,0.5,1/3,[1,2.5]", "--vary", "b=0:1:3"])
+of_layer = {"domain.elements": [8, 2], "time.end": 0.1}
+kinds = {"substrate.poisson": [0.1, 0.3], "load[0].force": [[0.1, 0], [-0.1, 0]]}
+swept = softwet.sweep(LAYER, kinds, "swept", of_layer, jobs=2, threads=1, columns=["energy_elastic"], progress=False)
+check_true("its members", isinstance(swept, softwet.Sweep) and len(swept) == 4 and {member.status for member in swept} == {"done"} and
+           swept[1].values == {"substrate.poisson": 0.1, "load[0].force": [-0.1, 0]})
+table = swept.table
+check_true("its table", table["substrate.poisson"] == [0.1, 0.1, 0.3, 0.3] and table["t"] == [0.1] * 4 and
+           table["status"] == ["done"] * 4 and all(map(numpy.isnan, table["velocity_peak"])) and
+           table["energy_elastic"] == [member.run.history["energy_elastic"][-1] for member in swept])
+before = pathlib.Path("swept", swept[0].name, "history.csv").stat().st_mtime_ns
+more = softwet.sweep(LAYER, {**kinds, "substrate.poisson": [0.1, 0.3, 0.4]}, "swept", of_layer, threads=1, progress=False)
+check_true("values are added, and the others stay", len(more) == 6 and softwet.open_sweep("swept").table["t"] == [0.1] * 6 and
+           pathlib.Path("swept", swept[0].name, "history.csv").stat().st_mtime_ns == before)
+broken = softwet.sweep(LAYER, {"solver.newton.max": [1, 20]}, "broken", {**of_layer, "time.dt_initial": 0.1, "time.dt_min": 0.05},
+                       threads=1, progress=False)
+check_true("a member that fails is in the table", broken.table["status"] == ["failed", "done"] and numpy.isnan(broken.table["x_centre"][0]))
+refused("a wrong value of a sweep", lambda: softwet.sweep(LAYER, {"substrate.poisson": [0.1, 0.6]}, "none", of_layer), 1,
+        "substrate.poisson = 0.6")
+refused("nothing to vary", lambda: softwet.sweep(LAYER, {}), 0, "nothing to vary", "'substrate.poisson': [")
+try:
+    import pandas
+except ImportError:
+    print("no pandas: nothing is read as a DataFrame; on Debian: apt-get install python3-pandas")
+else:
+    frame, history = pandas.DataFrame(more.table), pandas.DataFrame(swept[0].run.history)
+    check_true("pandas: a sweep and a history", len(frame) == 6 and frame[frame["substrate.poisson"] < 0.2]["status"].eq("done").all() and
+               len(history) == len(swept[0].run.history["t"]) and history["t"].iloc[-1] == 0.1)
 
 # --- Ctrl-C, of Python alone, as the stop button of a notebook sends it ----------------------------------------------------
 code = f"""

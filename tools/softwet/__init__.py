@@ -14,7 +14,9 @@
     fluid["density"], fluid.positions
     fluid.on_grid(200, 100)["density"]        # the same on a uniform grid
     softwet.columns()["energy_wall"].unit     # what a column of history.csv means, and its unit
-    for member in softwet.sweep("out/tensotaxis_pull_2d_sweep"):
+    swept = softwet.sweep("cases/tensotaxis_pull_2d.toml", {"substrate.young": [0.5, 1, 2]}, jobs=3)
+    swept.table["substrate.young"], swept.table["velocity_peak"]
+    for member in softwet.open_sweep("out/tensotaxis_pull_2d_sweep"):
         print(member.values, member.run.history["x_centre"][-1])
 
 Everything is in the units of the paper: lengths in L0, times in L0/sqrt(ab), velocities in sqrt(ab), densities in b,
@@ -25,15 +27,15 @@ program refuses or fails to compute raises softwet.Failure, a Problem with its s
 
 from .case import read_case
 from .columns import Column, columns
-from .definition import Case, run
+from .definition import Case, run, sweep
 from .problem import Problem
 from .program import Failure
 from .run import Run
 from .sweep import Member, Sweep
 from .table import read_table
 
-__all__ = ["Case", "Column", "Failure", "Member", "Problem", "Run", "Sweep", "columns", "open", "read_case", "read_table",
-           "run", "sweep"]
+__all__ = ["Case", "Column", "Failure", "Member", "Problem", "Run", "Sweep", "columns", "open", "open_sweep", "read_case",
+           "read_table", "run", "sweep"]
 
 
 def open(folder):
@@ -41,6 +43,6 @@ def open(folder):
     return Run(folder)
 
 
-def sweep(folder):
+def open_sweep(folder):
     """The folder of `softwet sweep`, or a folder that holds output folders. @return Sweep; raises Problem"""
     return Sweep(folder)

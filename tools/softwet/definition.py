@@ -13,6 +13,7 @@ from . import program
 from .case import CaseTable
 from .problem import Problem
 from .run import Run
+from .sweep import Sweep
 
 
 def toml_text(value):
@@ -57,6 +58,16 @@ def assignments(sets):
     return words
 
 
+def values_of(vary):
+    """The options --vary of {key: values}: a list of values, or a text as on the command line, "0:0.45:4"."""
+    words = []
+    for key, values in vary.items():
+        if not isinstance(values, str):
+            values = ",".join(value if isinstance(value, str) else toml_text(value).replace(" ", "") for value in values)
+        words += ["--vary", f"{key}={values}"]
+    return words
+
+
 class Case:
     """A case that `softwet check` has accepted.
 
@@ -67,6 +78,7 @@ class Case:
     case.text                    the same as a case file
     case.warnings                what the program says of it: a list of sentences
     case.run(...)                computes it, see softwet.run
+    case.sweep(vary, ...)        computes it for several values, see softwet.sweep
 
     What is computed is what was checked: a dict or a file that changes later, and another working folder, change nothing.
     Paths of tables are relative to the folder of the file, and for a dict to the working folder. What is wrong with a case
@@ -115,6 +127,24 @@ class Case:
         tell = program.tell_on_stderr if progress else lambda line: None
         self._with_words(lambda words: program.compute(["run", *words, *options], tell))
         return Run(folder.absolute())
+
+    def sweep(self, vary, out=None, jobs=1, threads=None, columns=None, progress=True, retry=False):
+        """Computes the case for all combinations of values: see softwet.sweep. @return Sweep"""
+        if not vary:
+            raise Problem("nothing to vary; give keys and their values, for example {'substrate.poisson': [0, 0.15, 0.3]}")
+        folder = pathlib.Path(out if out is not None else f"out/{self['name']}_sweep")
+        options = [*values_of(vary), "--out", str(folder), "--jobs", str(jobs)]
+        options += ["--threads", str(threads)] if threads is not None else []
+        options += ["--columns", ",".join(columns)] if columns else []
+        options += ["--retry"] if retry else []
+        tell = program.tell_on_stderr if progress else lambda line: None
+        try:
+            self._with_words(lambda words: program.compute(["sweep", *words, *options], tell))
+        except program.Failure as failure:
+            if failure.code != 2 or not (folder / "sweep.csv").is_file():
+                raise
+            program.tell_on_stderr(f"{program.WARNING}{failure}")  # what a member came to is a result
+        return Sweep(folder.absolute())
 
     def _with_words(self, action):
         """Does something with the words of a command line that name the case. A failure names the source as the user did."""
@@ -175,3 +205,18 @@ def run(case, out=None, sets=None, threads=None, progress=True, overwrite=False,
     @return    Run. Where the case is wrong or the run fails, softwet.Failure has the sentence of the program and its exit
                code. Ctrl-C stops the run after its step; its checkpoint is there when KeyboardInterrupt comes out."""
     return Case(case, sets).run(out, threads, progress, overwrite, resume)
+
+
+def sweep(case, vary=None, out=None, sets=None, jobs=1, threads=None, columns=None, progress=True, retry=False):
+    """Computes a case for all combinations of values with the program, as `softwet sweep`, and returns the folder. The same
+    call again goes on: it computes what is missing, and values may be added.
+
+    case, sets  as of softwet.run
+    vary      {key: values}: a list, or a text as on the command line, {"substrate.poisson": "0:0.45:4"}
+    out       folder of the sweep; default: out/<name of the case>_sweep
+    jobs      number of runs at once;  threads  of each run
+    columns   columns of history.csv whose last values the table gets
+    progress  prints how the members stand;  retry  computes failed members again
+    @return   Sweep; pandas.DataFrame(sweep.table) has a row for each member. A member that fails is there with this status.
+              What is wrong with the case or the values raises softwet.Failure."""
+    return Case(case, sets).sweep(vary, out, jobs, threads, columns, progress, retry)

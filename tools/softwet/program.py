@@ -74,14 +74,14 @@ def compute(words, tell):
     """Starts the program, passes on what it says, and waits for it. An exception on the way, as Ctrl-C raises, asks the
     program to stop, waits for its checkpoint, and goes on. @param `tell`  called with each line; raises Failure"""
     try:
-        process = subprocess.Popen([find_program(), *words], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.PIPE, text=True, errors="replace")
+        process = subprocess.Popen([find_program(), *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.STDOUT, text=True, errors="replace")
     except OSError as error:
         raise Problem(f"softwet does not start: {error}") from error
     lines = []
     with process:
         try:
-            for line in process.stderr:
+            for line in process.stdout:
                 lines.append(line.rstrip("\n"))
                 if not line.startswith(ERROR):  # that comes as an exception
                     tell(lines[-1])
@@ -97,7 +97,7 @@ def stop(process, tell):
     while True:
         try:
             process.send_signal(signal.SIGINT)
-            for line in process.stderr:
+            for line in process.stdout:
                 tell(line.rstrip("\n"))
             process.wait()
             return

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import pathlib
 from fractions import Fraction
 from functools import cached_property
@@ -42,7 +43,8 @@ class Member:
 class Sweep:
     """Members of a sweep in their order: iterate over it, count them with len, take one with [i].
 
-    A folder without sweep.csv that holds output folders is taken too; its members have no values."""
+    A folder without sweep.csv that holds output folders is taken too; its members have no values.
+    table  {column of sweep.csv: list of numbers and texts, nan where a cell is empty}, for pandas.DataFrame"""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
@@ -66,6 +68,13 @@ class Sweep:
             raise Problem(f"cannot read the sweep {self.folder}: {error!r}; 'softwet sweep ... --table' writes its table "
                           "again") from error
         return keys, members
+
+    @cached_property
+    def table(self):
+        """The columns of sweep.csv."""
+        names = list(self.members[0].row) or ["member"]
+        rows = [member.row or {"member": member.name} for member in self.members]
+        return {name: [math.nan if row[name] == "" else value_of(row[name]) for row in rows] for name in names}
 
     def __iter__(self):
         return iter(self.members)

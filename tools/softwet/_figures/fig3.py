@@ -51,7 +51,7 @@ class Member:
 def members(folder):
     """The runs of a sweep, by falling Poisson ratio; those that cannot be read are named and left out."""
     found = []
-    for member in softwet.sweep(folder):
+    for member in softwet.open_sweep(folder):
         try:
             found.append(Member(member.run))
         except Problem as problem:

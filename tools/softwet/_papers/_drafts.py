@@ -105,7 +105,7 @@ def mean(history, values):
 
 def droplets(folder, name):
     """{values of --vary: Droplet} of a sweep on its meshes, {} without one; a tuple, or the value itself where one key is varied."""
-    sweeps = [softwet.sweep(folder / f"{name}_{mesh}") for mesh in MESHES if (folder / f"{name}_{mesh}").is_dir()]
+    sweeps = [softwet.open_sweep(folder / f"{name}_{mesh}") for mesh in MESHES if (folder / f"{name}_{mesh}").is_dir()]
     runs = {}
     for member in (member for members in sweeps for member in members):
         values = tuple(member.values.values())

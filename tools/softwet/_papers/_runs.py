@@ -5,7 +5,7 @@ import shlex
 import shutil
 import time
 
-from softwet import Failure, Problem, program, sweep
+from softwet import Failure, Problem, program, open_sweep
 from softwet import open as open_output
 from softwet.definition import assignments, toml_file
 
@@ -76,7 +76,7 @@ def done(folder, command):
     """Whether an output folder, or that of a sweep, has all its results."""
     try:
         if command == "sweep":
-            return all(member.status == "done" for member in sweep(folder))
+            return all(member.status == "done" for member in open_sweep(folder))
         return open_output(folder).state == "done"
     except Problem:
         return False
