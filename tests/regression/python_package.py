@@ -171,6 +171,13 @@ check_true("SOFTWET_PYTHON without the modules", result.returncode == 1 and "num
 result = plot(SOFTWET_PYTHON="/nowhere/python3")
 check_true("SOFTWET_PYTHON that is none", result.returncode == 1 and "'/nowhere/python3' does not start" in result.stderr,
            result.stderr)
+pathlib.Path("bare/some/numpy").mkdir(parents=True)  # a python3 with some packages
+pathlib.Path("bare/some/h5py").mkdir()
+for tool, package, remedy in (("tradeoff", "pandas", "apt-get install python3-pandas"),):
+    result = subprocess.run([str(bare), str(tools / tool), "pull"], text=True, capture_output=True,
+                            env={**changed, "SOFTWET_PYTHON": str(bare.resolve()), "PYTHONPATH": "bare/some"})
+    check_true(f"{tool} without {package}", result.returncode == 1 and result.stderr.count("\n") == 1 and package in result.stderr and
+               "h5py" not in result.stderr and remedy in result.stderr, result.stderr)
 rooms = [f"softwet.{room}.{path.stem}" for room in ("_tools", "_store", "_terminal")
          for path in (tools / "softwet" / room).glob("[!_]*.py")]
 result = subprocess.run([str(bare), "-c", f"import {', '.join(rooms)}"], capture_output=True, text=True,

@@ -10,6 +10,10 @@ import subprocess
 
 from _scene import PULL, cases, check_true, environment, softwet
 
+try:
+    import pandas  # noqa: F401
+except ImportError:
+    raise SystemExit(print("no pandas: nothing to test; on Debian: apt-get install python3-pandas") or 0)
 from softwet._store.computation import Computation
 from softwet._store.member import Member
 

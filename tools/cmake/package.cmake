@@ -23,7 +23,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
-  "python3-numpy, python3-scipy, python3-h5py, python3-matplotlib, man-db, bash-completion")
+  "python3-numpy, python3-scipy, python3-h5py, python3-matplotlib, python3-pandas, man-db, bash-completion")
 
 # The sources as committed: git fills in the version, and files that git does not know stay out.
 set(CPACK_SOURCE_GENERATOR TGZ)

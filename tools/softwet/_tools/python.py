@@ -15,6 +15,7 @@ import sys
 import tempfile
 
 NEWEST = "tomllib"  # the module that Python has since 3.11
+OF_PIP = {"pyvista"}  # modules that Debian 12 has no package of
 STARTED = "SOFTWET_PYTHON_STARTED"  # in the environment of a tool that was started again
 
 
@@ -29,24 +30,36 @@ def need(*modules):
         if "matplotlib" in modules:
             give_folder_to_matplotlib()
         return
-    for python in [chosen] if chosen else ["python3", "/usr/bin/python3"]:
-        if not started and serves(python, modules):
+    others = [chosen] if chosen else ["python3", "/usr/bin/python3"]
+    lacking = [None if NEWEST in missing else missing] if started else [lacks(python, modules) for python in others]
+    for python, found in zip(others, lacking):
+        if found == [] and not started:
             start_again(python)
+    least = min((found for found in lacking if found is not None), key=len, default=None)
+    end_without(chosen, list(modules) if least is None else least, least is not None)
+
+
+def end_without(chosen, lacking, starts):
+    """Ends with a sentence that names the modules that are lacking. @param starts  whether the interpreter does"""
+    remedies = {"on Debian: apt-get install": [f"python3-{name}" for name in lacking if name not in OF_PIP],
+                "python3 -m pip install": [name for name in lacking if name in OF_PIP]}
+    remedy = ", ".join(f"{command} {' '.join(names)}" for command, names in remedies.items() if names)
+    if chosen and not starts:
+        end(f"SOFTWET_PYTHON = '{chosen}' does not start or is older than 3.11; give another python3, or unset it", 1)
     if chosen:
-        has_no = f", has no {' and '.join(modules)}," if modules else ""
-        end(f"SOFTWET_PYTHON = '{chosen}' does not start{has_no} or is older than 3.11; give a python3 that serves, or unset it", 1)
-    packages = " ".join(f"python3-{module}" for module in modules) or "python3"
-    with_them = f" with {' and '.join(modules)}" if modules else ""
-    end(f"no python3 of 3.11 or newer{with_them}; on Debian: apt-get install {packages}, elsewhere set SOFTWET_PYTHON to one", 3)
+        end(f"SOFTWET_PYTHON = '{chosen}' has no {' and '.join(lacking)}; {remedy}, or give another python3", 1)
+    with_them = f" with {' and '.join(lacking)}" if lacking else ""
+    end(f"no python3 of 3.11 or newer{with_them}; {remedy or 'on Debian: apt-get install python3'}, elsewhere set SOFTWET_PYTHON to one", 3)
 
 
-def serves(python, modules):
-    """Whether the interpreter starts and has the modules."""
-    question = f"from importlib.util import find_spec; raise SystemExit(None in map(find_spec, {[NEWEST, *modules]}))"
+def lacks(python, modules):
+    """The modules that an interpreter has not; None where it does not start or is older than 3.11."""
+    question = f"from importlib.util import find_spec; print(*[name for name in {[NEWEST, *modules]} if find_spec(name) is None])"
     try:
-        return subprocess.run([python, "-c", question], capture_output=True).returncode == 0
+        done = subprocess.run([python, "-c", question], capture_output=True, text=True)
     except OSError:
-        return False
+        return None
+    return None if done.returncode or NEWEST in done.stdout.split() else done.stdout.split()
 
 
 def give_folder_to_matplotlib():

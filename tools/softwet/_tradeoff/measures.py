@@ -184,11 +184,11 @@ def about(name):
 
 
 def measure(run, reference):
-    """{name: number} of all measures; a measure whose files are missing or cannot be read is nan."""
+    """{measure: number} of the measures that the two runs have; one whose files are missing or cannot be read is left out."""
     values = {}
     for name, function in MEASURES.items():
         try:
             values[name] = float(function(run, reference))
         except Problem:
-            values[name] = np.nan
-    return values
+            continue
+    return {name: value for name, value in values.items() if not np.isnan(value)}

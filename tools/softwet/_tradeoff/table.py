@@ -1,18 +1,21 @@
-"""Results of `softwet tradeoff`: one row per member, the Pareto front, and the table as text, CSV, JSON and Markdown."""
+"""Results of `softwet tradeoff`: a data frame with a row for each member, the Pareto front, and the table as text, CSV, JSON and
+Markdown."""
 
 import functools
 import json
-import math
 
-from .._store.files import write_atomic, write_csv
+import pandas
+
+from .._store.files import write_atomic
 from .measures import MEASURES, OWN, UNITS, about, measure
 from softwet import open as open_output
 
 COSTS = {"seconds": ("seconds", "total"), "processor": (), "steps": ("counts", "steps"),
          "residuals": ("counts", "residuals"), "products": ("counts", "products"), "krylov": ("counts", "krylov"),
          "memory_mib": ("peak_memory_mib",)}
-DISTURBED = ("seconds", "processor", "memory_mib")  # costs that differ from one run to the next; the others are exact
-SHOWN = ("krylov", "products", "residuals", "memory_mib")
+COUNTS = ["steps", "residuals", "products", "krylov"]  # costs that are exact; the others differ from one run to the next
+EXACT = [*COUNTS, *MEASURES]  # two members that agree in these computed the same
+SHOWN = ["krylov", "products", "residuals", "memory_mib"]
 NEAR = 1.15  # a member is near the front where none is better by this factor in cost and error
 
 
@@ -39,6 +42,20 @@ class Entry:
         return self.setting.label if self.kind in ("parameter", "combination") else self.kind
 
 
+def frame_of(entries, cost="seconds"):
+    """The members as a data frame, one row each: what it is, its costs and errors, nan where there is none."""
+    frame = pandas.DataFrame([
+        {"member": entry.setting.name if entry.kind in ("parameter", "combination") else entry.kind, "kind": entry.kind,
+         "parameters": " ".join(entry.setting.parameters), "settings": entry.setting.label, "status": entry.state,
+         "reason": getattr(entry, "reason", ""), "front": int(entry.front), "ratio": None,
+         **{name: values.get(name) for known, values in ((COSTS, entry.costs), (MEASURES, entry.errors)) for name in known}}
+        for entry in entries])
+    frame = frame.astype({**dict.fromkeys([*COSTS, *MEASURES], float), **dict.fromkeys(COUNTS, "Int64")})
+    spent = frame[cost].where(frame[cost] > 0)
+    frame["ratio"] = spent / spent[0]
+    return frame
+
+
 def compare(entries):
     """Fills in the errors of all members that are done.
     @return {measure: estimated error of the reference}; None where it is not known"""
@@ -50,41 +67,29 @@ def compare(entries):
     for entry in entries:
         if entry.state == "done" and not entry.errors:
             entry.errors = measure(open_output(entry.member.folder), truth)
-            entry.errors = {name: None if math.isnan(value) else value for name, value in entry.errors.items()}
-            if entry is reference:
-                entry.errors = {name: entry.errors[name] if name in OWN else None for name in MEASURES}
+    reference.errors = {name: value for name, value in reference.errors.items() if name in OWN}
     if not companion or companion.state != "done":
         return {}
-    order = companion.order
-    divisor = 2 ** order - 1 if order else 1
-    return {name: value / divisor for name, value in companion.errors.items() if value is not None and name not in OWN}
-
-
-def error_of(entry, name, floor):
-    """The error of a member, not less than what the reference itself is off."""
-    value = entry.errors.get(name)
-    return None if value is None else max(value, floor.get(name, 0))
-
-
-def computed(entry):
-    """What a member did: two with the same exact costs and errors differ by nothing but disturbances of their time."""
-    return (*(value for name, value in entry.costs.items() if name not in DISTURBED), *entry.errors.values())
+    divisor = 2 ** companion.order - 1 if companion.order else 1
+    return {name: value / divisor for name, value in companion.errors.items() if name not in OWN}
 
 
 def rated(entries, name, floor, cost):
-    """[(entry, cost, error)] of the members that a reader may choose from: all but the reference and its companion.
-    Members that computed the same have the smallest cost of any of them."""
-    chosen = [entry for entry in entries if entry.kind not in ("reference", "companion") and entry.state == "done"
-              and entry.costs[cost] and error_of(entry, name, floor) is not None]
-    least = {}
-    for entry in chosen:
-        least[computed(entry)] = min(entry.costs[cost], least.get(computed(entry), math.inf))
-    return [(entry, least[computed(entry)], error_of(entry, name, floor)) for entry in chosen]
+    """[(entry, cost, error)] of the members that a reader may choose from: all but the reference and its companion. An error is not
+    less than what the reference itself is off. Members that computed the same have the smallest cost of any of them."""
+    frame = frame_of(entries)
+    frame["error"] = frame[name].clip(lower=floor.get(name, 0))
+    chosen = frame[~frame.kind.isin(["reference", "companion"]) & frame.status.eq("done") & frame[cost].gt(0) & frame.error.notna()]
+    least = chosen.groupby(EXACT, dropna=False)[cost].transform("min")
+    return [(entries[i], float(least[i]), float(chosen.error[i])) for i in chosen.index]
 
 
 def like_base(entries):
     """The members that computed the same as the base."""
-    return [entry for entry in entries[1:] if entry.state == "done" and computed(entry) == computed(entries[0])]
+    frame = frame_of(entries)
+    exact = frame[EXACT].astype(float).fillna(-1)
+    same = exact.eq(exact.loc[0]).all(axis=1) & frame.status.eq("done")
+    return [entry for entry, is_same in zip(entries[1:], same[1:]) if is_same]
 
 
 def beaten(seconds, error, others, factor=1.0):
@@ -107,42 +112,29 @@ def near_front(points):
 
 # --- cells
 
-def ratio(entry, base, cost):
-    """Cost over that of the base; None where one is not known."""
-    return entry.costs[cost] / base.costs[cost] if entry.costs[cost] and base.costs[cost] else None
-
-
 def number(value, digits=3):
-    return "" if value is None else f"{value:.{digits}g}" if abs(value) < 10 ** digits else f"{value:.0f}"
+    return "" if pandas.isna(value) else f"{value:.{digits}g}" if abs(value) < 10 ** digits else f"{value:.0f}"
 
 
-def error_cell(entry, name, floor):
-    value, limit = entry.errors.get(name), floor.get(name)
-    if entry.kind == "reference" and name not in OWN:
+def error_cell(kind, value, name, floor):
+    """The error of a member of this kind as a text."""
+    limit = floor.get(name)
+    if kind == "reference" and name not in OWN:
         return f"~ {number(limit, 2)}" if limit is not None else ""
-    if value is None:
-        return ""
     return f"<= {number(limit, 2)}" if limit and value <= limit else number(value)
 
 
-def shown_measures(entries):
-    return [name for name in MEASURES if any(entry.errors.get(name) is not None for entry in entries)]
-
-
-def cells(entry, base, names, floor, cost):
-    """What a row of the table shows: mark, setting, costs, errors."""
-    costs = [number(ratio(entry, base, cost)), number(entry.costs[cost]), *(number(entry.costs[c], 4) for c in SHOWN)]
-    return ["*" if entry.front else "", entry.label, *costs, *(error_cell(entry, name, floor) for name in names)]
-
-
-def heads(names, cost):
-    spent = "seconds" if cost == "seconds" else f"{cost} s"
-    return ["", "setting", "x base", spent, *SHOWN, *(f"{name} {UNITS[name]}".strip() for name in names)]
-
-
-def table_rows(entries, names, floor, cost):
-    done = [entry for entry in entries if entry.state == "done"]
-    return [heads(names, cost), *(cells(entry, entries[0], names, floor, cost) for entry in done)]
+def table_rows(entries, floor, cost):
+    """The table of the members that are done as texts, with its heads. @return its rows, and the measures that it has"""
+    frame = frame_of(entries, cost)
+    names = [name for name in MEASURES if frame[name].notna().any()]
+    frame["label"] = [entry.label for entry in entries]
+    rows = [["", "setting", "x base", "seconds" if cost == "seconds" else f"{cost} s", *SHOWN,
+             *(f"{name} {UNITS[name]}".strip() for name in names)]]
+    for _, row in frame[frame.status.eq("done")].iterrows():
+        rows.append(["*" if row.front else "", row.label, number(row.ratio), number(row[cost]), *(number(row[c], 4) for c in SHOWN),
+                     *(error_cell(row.kind, row[name], name, floor) for name in names)])
+    return rows, names
 
 
 def others(entries):
@@ -154,8 +146,7 @@ def others(entries):
 
 def terminal(entries, floor, cost):
     """The table for a terminal."""
-    names = shown_measures(entries)
-    rows = table_rows(entries, names, floor, cost)
+    rows, _ = table_rows(entries, floor, cost)
     widths = [max(map(len, column)) for column in zip(*rows)]
     lines = ["  ".join(cell.ljust(w) if i < 2 else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths))).rstrip()
              for row in rows]
@@ -163,8 +154,7 @@ def terminal(entries, floor, cost):
 
 
 def markdown(entries, floor, notes, cost):
-    names = shown_measures(entries)
-    rows = table_rows(entries, names, floor, cost)
+    rows, names = table_rows(entries, floor, cost)
     lines = [f"| {' | '.join(f'`{cell}`' if i == 1 and '=' in cell else cell for i, cell in enumerate(row))} |"
              for row in rows]
     lines.insert(1, "|" + "---|" * len(rows[0]))
@@ -173,21 +163,12 @@ def markdown(entries, floor, notes, cost):
                       *(f"- **{name}**: {about(name)}" for name in names), ""])
 
 
-def records(entries, cost):
-    """One dict per member, for CSV and JSON: numbers as they are, None where there is none."""
-    base = entries[0]
-    return [{"member": entry.setting.name if entry.kind in ("parameter", "combination") else entry.kind, "kind": entry.kind,
-             "parameters": " ".join(entry.setting.parameters), "settings": entry.setting.label, "status": entry.state,
-             "reason": entry.reason, "front": int(entry.front), "ratio": ratio(entry, base, cost), **entry.costs,
-             **{name: entry.errors.get(name) for name in MEASURES}} for entry in entries]
-
-
 def write_table(path, entries, cost):
-    rows = records(entries, cost)
-    write_csv(path, [rows[0], *([f"{value:.6g}" if isinstance(value, float) else value for value in row.values()] for row in rows)])
+    write_atomic(path, frame_of(entries, cost).to_csv(index=False, float_format="%.6g"))
 
 
 def write_json(path, entries, floor, facts, cost):
+    frame = frame_of(entries, cost).astype(object)
     document = {**facts, "measures": {name: {"unit": UNITS[name], "definition": about(name)} for name in MEASURES},
-                "reference_error": floor, "members": records(entries, cost)}
+                "reference_error": floor, "members": frame.where(frame.notna(), None).to_dict("records")}
     write_atomic(path, json.dumps(document, indent=1, allow_nan=False) + "\n")
