@@ -40,8 +40,6 @@ inline Precision precision_of(const Case& c) {
   return Precision::full;
 }
 
-inline const char* name_of(Precision p) {
-  return p == Precision::full ? "double" : "mixed";
-}
+inline const char* name_of(Precision p) { return p == Precision::full ? "double" : "mixed"; }
 
 }  // namespace softwet

@@ -52,7 +52,8 @@ struct BlocksOfRows {
     for (int colour = 0; colour < 2 * apart; ++colour) {
       const int row = colour % apart, block = colour / apart;
       const int rows = (all_rows - row + apart - 1) / apart, items = rows * ((blocks - block + 1) / 2);
-      if (items > 0) for_items("softwet::assemble", items, BlocksOfRows{body, block, row, rows, apart, layers, columns});
+      if (items > 0)
+        for_items("softwet::assemble", items, BlocksOfRows{body, block, row, rows, apart, layers, columns});
     }
   }
 };

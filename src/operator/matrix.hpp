@@ -160,7 +160,8 @@ template <int P, int D, class Term, class Motion>
 void assemble_jacobian(const Task<D, Term, Motion, float>& task, const Stencil<D>& stencil,
                        const StencilValues& values) {
   constexpr int Q = matrix_points<D, P>;
-  if (task.region.axis[0].points != Q) throw std::logic_error("a matrix needs a region with the quadrature of matrices");
+  if (task.region.axis[0].points != Q)
+    throw std::logic_error("a matrix needs a region with the quadrature of matrices");
   if constexpr (host_algorithms) {
     for_colours("softwet::jacobian", task.region, P + 1, JacobianBatch<D, P, Q, Term, Motion>{task, stencil, values});
   } else {

@@ -53,10 +53,9 @@ class PieceMaker {
              int part = 0) const {
     using Here = InCoordinates<Term, Axial>;
     constexpr Where where = Term::where;
-    return std::make_unique<PieceOf<D, P, Here, Motion, Real>>(
-        name, regions_.parts_of(where, regions_.points())[part],
-        regions_.parts_of(where, matrix_points<D, P>)[part], Here{term}, regions_.blend(), instant,
-        given);
+    return std::make_unique<PieceOf<D, P, Here, Motion, Real>>(name, regions_.parts_of(where, regions_.points())[part],
+                                                               regions_.parts_of(where, matrix_points<D, P>)[part],
+                                                               Here{term}, regions_.blend(), instant, given);
   }
   template <class Motion, class Term>
   void add(const char* name, const Term& term, Instant instant = Instant::stage, const GivenField<double>& given = {}) {
@@ -96,10 +95,10 @@ class PieceMaker {
   void add_branches(Strain strain) {
     if (strain == Strain::small) return add<NoMotion>("branches of the solid", BranchStress{});
     using Here = InCoordinates<FiniteBranchStress, Axial>;
-    pieces_.list.push_back({std::make_unique<PieceOf<D, P, Here, NoMotion, Real>>(
-                                "branches of the solid", regions_.solid(),
-                                regions_.of(Where::solid, matrix_points<D, P>), Here{}),
-                            nullptr});
+    pieces_.list.push_back(
+        {std::make_unique<PieceOf<D, P, Here, NoMotion, Real>>("branches of the solid", regions_.solid(),
+                                                               regions_.of(Where::solid, matrix_points<D, P>), Here{}),
+         nullptr});
   }
 
   template <class Term>

@@ -91,6 +91,7 @@ void bench_single(const Sheet& sheet, Case c, const State& state) {
   const Array r("r", scheme.size());
   const ArrayOf<float> z("z", scheme.size()), out("out", scheme.size());
   convert(z, state.unknown);
+  scheme.residual(state.unknown, r);  // the point of the product
   sheet.line("product, exact, single precision", seconds_per_call([&] { scheme.product(z, out); }));
   bench_terms(sheet, scene.layout(), scene.terms().single_pieces(), scheme.single_stage(), z, out);
   sheet.line("dot, single precision", seconds_per_call([&] { dot(scene.layout().space(), z, out); }));

@@ -13,14 +13,13 @@
 #include "patch.hpp"
 
 // The members that are no part of the class, one by one: compilers need not inline the others.
-#define SOFTWET_COMPILED_IN(D, TERM, MOTION, REAL)                                                      \
-  extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, REAL>, REAL>::residual( \
-      const softwet::Evaluation<D, REAL>&) const;                                                       \
-  extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, REAL>, REAL>::product(  \
-      const softwet::Evaluation<D, REAL>&) const;
 #define SOFTWET_COMPILED(D, TERM, MOTION)                                                                        \
-  SOFTWET_COMPILED_IN(D, TERM, MOTION, double)                                                                   \
-  SOFTWET_COMPILED_IN(D, TERM, MOTION, float)                                                                    \
+  extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, double>, double>::residual(      \
+      const softwet::Evaluation<D, double>&) const;                                                              \
+  extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, double>, double>::product(       \
+      const softwet::Evaluation<D, double>&) const;                                                              \
+  extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, float>, float>::product(         \
+      const softwet::Evaluation<D, float>&) const;                                                               \
   extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, double>, double>::add_integrals( \
       const softwet::Evaluation<D, double>&, softwet::PendingIntegrals&, softwet::Integrals&) const;             \
   extern template void softwet::PieceOf<D, 2, softwet::TERM, softwet::MOTION<D, float>, float>::jacobian(        \

@@ -68,7 +68,6 @@ struct TileCases {
     const StageOf<float> stage = single_stage(patch.stage);
     const ArrayOf<float> z("z", direction.extent(0));
     convert(z, direction);
-    compare<false, Motion, float>(name, term, region, {patch.layout, stage, {}, {}}, 2e-6);
     compare<true, Motion, float>(name, term, region, {patch.layout, stage, z, {}}, 2e-6);
   }
   template <class Term>
