@@ -33,7 +33,7 @@ template <class Changes>
 void LoadTimes::add_points(const std::vector<double>& points, const Changes& changes) {
   const int last = static_cast<int>(points.size()) - 1;
   for (int i = 0; i <= last; ++i) {
-    int next = i;  // the last point at the same time, except for what is not a time
+    int next = i;  // the last point at the same time, up to rounding
     bool jumps = false;
     while (next < last && points[next + 1] - points[i] < no_time_at(points[i])) jumps = changes(next++) || jumps;
     kinks_.push_back(points[i]);
@@ -69,7 +69,8 @@ void LoadTimes::add_profile(double start, const Profile& profile, double end) {
   expressions_.push_back(std::move(e));
 }
 
-/// Whether the value between t and t + dt lies on a line, at the times that are always tested and at some irregular ones.
+/// Whether the value between t and t + dt lies on a line, at the times that are always tested and at some irregular
+/// ones.
 bool LoadTimes::Expression::follows_line(double t, double dt) const {
   const double from = at(t), to = at(t + dt);
   const auto near = [&](double s) { return std::abs(at(s) - from - (s - t) / dt * (to - from)) <= tolerance; };

@@ -9,8 +9,9 @@
 
 namespace softwet {
 
-/// Where a load jumps, or all but jumps, on the clock of the computation. A step ends at `time`, with the load of before. The next one
-/// goes on from `behind`, with the load of after, and without the rates and the history of what was before.
+/// Where a load jumps, or nearly jumps, on the clock of the computation. A step ends at `time`, with the load before
+/// the jump. The next one goes on from `behind`, with the load after the jump, and without the rates and the history of
+/// earlier steps.
 struct Jump {
   double time, behind;
 };
@@ -24,14 +25,14 @@ class LoadTimes {
 
   /// Times that a step has to end at: starts and ends of ramps, points of tables.
   const std::vector<double>& kinks() const { return kinks_; }
-  /// Starts without a ramp, points of a table that are closer than 1e-8 max(1, t), and changes that are short against dt_initial and
-  /// against what follows.
+  /// Starts without a ramp, points of a table that are closer than 1e-8 max(1, t), and changes that are short against
+  /// dt_initial and against what follows.
   const std::vector<Jump>& jumps() const { return jumps_; }
 
-  /// The longest step from t, at most `wish`, that does not step over a change of a factor or of a path that is an expression: between
-  /// the ends of the step, and of the next ones of the same length, each stays within 0.003 of its range over the run of the line
-  /// between its values at both ends (or within 0.00015 of its largest value). For sin(w t) that is about w dt < 0.22. At a jump it ends
-  /// with the last number that has the value of before.
+  /// The longest step from t, at most `wish`, that does not step over a change of a factor or of a path that is an
+  /// expression: between the ends of the step, and of the next ones of the same length, each stays within 0.003 of its
+  /// range over the run of the line between its values at both ends (or within 0.00015 of its largest value). For sin(w
+  /// t) that is about w dt < 0.22. At a jump it ends with the last number that has the value of before.
   double longest(double t, double wish) const;
   /// Where time goes on from t: behind all jumps that are within 1e-8 max(1, t) of it; else t.
   double behind(double t) const;

@@ -14,7 +14,7 @@ struct StepLimits {
   double slow = std::numeric_limits<double>::infinity();  ///< a longer step skips the oscillations of the scene
 };
 
-/// Of the solver in a step: close to giving up where it was laborious.
+/// Effort of the solver in a step: `laborious` means that it almost failed.
 enum class Effort { usual, laborious };
 
 /// Step-size controller. The indicator compares a step's result with the linear extrapolation of the two states before:
@@ -24,14 +24,16 @@ class StepControl {
   /// @param events  in any order; of those that are the same but for a rounding the first one is met
   StepControl(const StepLimits& limits, std::vector<double> events);
 
-  /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly, where it does not end behind
-  /// it by a rounding either. It may be shorter than the smallest one for that, and is never longer than the largest one.
-  /// @param largest  that the scheme can take from there, at least the smallest one; it is not exceeded but by a rounding
+  /// Step to take from t: the proposed one, cut (or slightly stretched) to meet the next event exactly, where it does
+  /// not end behind it by a rounding either. It may be shorter than the smallest one for that, and is never longer than
+  /// the largest one.
+  /// @param largest  that the scheme can take from there, at least the smallest one; it is not exceeded but by a
+  ///   rounding
   /// @param jump  an event that is not in the list: no step ends behind it
   double next(double t, double largest = std::numeric_limits<double>::infinity(),
               double jump = std::numeric_limits<double>::infinity()) const;
 
-  /// From now on as from a first state.
+  /// Makes the next step as after a first state.
   void begin_anew() { proposed_ = std::min(proposed_, limits_.initial); }
 
   /// After an accepted step of size dt with its indicator.
@@ -40,8 +42,8 @@ class StepControl {
   /// After a step that failed: halves. Returns false when the step has become smaller than allowed.
   bool reject(double dt);
 
-  /// Indicator that a step of size dt may have. Swings forget the error of a step; creeping motion, which is all that a step
-  /// longer than they are can follow, adds errors of one sign up along its path. So longer steps may have less:
+  /// Indicator that a step of size dt may have. Swings forget the error of a step; creeping motion, which is all that a
+  /// step longer than they are can follow, adds errors of one sign up along its path. So longer steps may have less:
   ///   tolerance * slow / dt,  not above the tolerance and not below a quarter of it
   double allowed(double dt) const;
 

@@ -24,7 +24,7 @@ struct StepCounts {
 template <int D, int P>
 class Stepper {
  public:
-  /// @param events  times that steps end at, beside those of the loads
+  /// @param events  times at which steps end, in addition to the times of the loads
   Stepper(const Scene<D, P>& scene, const Case& c, std::vector<double> events);
 
   /// Takes over a state without history: the first step is predicted constant.

@@ -10,8 +10,9 @@
 
 namespace softwet {
 
-/// A bound from the state before a step limits it (StepBound), for kick_drift in a solid without its swings (HeldRate). A step whose end has a bound below it is refused, and a
-/// shorter one follows: so contact with a wall or a side, a merger or a squeezed film cannot carry a run beyond its limit.
+/// A bound from the state before a step limits it (StepBound), for kick_drift in a solid without its swings (HeldRate).
+/// A step whose end has a bound below it is refused, and a shorter one follows: so contact with a wall or a side, a
+/// merger or a squeezed film cannot carry a run beyond its limit.
 template <int D, int P>
 class ExplicitScheme final : public Scheme<D, P> {
  public:
@@ -33,19 +34,20 @@ class ExplicitScheme final : public Scheme<D, P> {
   int recordings() const { return recordings_ ? recordings_->count() : 0; }
 
  private:
-  /// The rates that the step begins with, unless they are those of the last accepted step.
+  /// The rates that the step begins with; rates of the last accepted step are kept.
   Refusal begin(const State&);
   /// The stage of the system with its moments.
   BoundState bound_state(const ConstArray& moments) const;
-  /// The kernels of a step and of what the host has to know of its end, and the copy of that. What changes from step to step was
-  /// prepared.
+  /// Starts the kernels of a step, the sums that the host needs of its end, and their copy to the host. The numbers of
+  /// the step are prepared.
   Refusal start_kernels(const StepHistory&, double t, double dt);
-  /// Starts them, as one where they are recorded.
+  /// Starts these kernels, as one graph where steps are recorded.
   Refusal start_step(const StepHistory&, double dt);
-  /// What follows from this alone, with the prepared numbers, may stay recorded: the vectors, of which a step has two sets, which loads
-  /// act, whether there is an error to be found, and memory that others may let grow.
+  /// Whatever follows from this key and the prepared numbers may stay recorded: the vectors, of which a step has two
+  /// sets, the loads that act, whether an error is computed, and memory that other code may let grow.
   std::vector<std::uintptr_t> key_of(const StepHistory&, double t_end) const;
-  /// Why the end of a step is not admissible, when all of that is there. Takes its rates, and the indicator of its error.
+  /// Why the end of a step is not admissible, once its numbers are there. Takes the rates and the indicator of the
+  /// error.
   Refusal judge_end(const StepHistory&, double dt, double& indicator);
 
   const Judge<D, P>& judge_;

@@ -26,8 +26,8 @@ class ExplicitStep {
   virtual void prepare([[maybe_unused]] double t, [[maybe_unused]] double dt) {}
   /// The rest of a step.
   virtual Refusal start(double t, double dt, const StepRates& rates) = 0;
-  /// Whether `start` only starts kernels, with arguments that follow from the addresses of its vectors and, of loads, from which act.
-  /// These kernels read what changes from step to step in memory, as the system keeps it there.
+  /// Whether `start` only starts kernels, with arguments that follow from the addresses of its vectors and, of loads,
+  /// from which act. These kernels read what changes from step to step in memory, as the system keeps it there.
   virtual bool recordable() const { return false; }
   /// Moments of the last accepted state, and of the end of the last step.
   virtual ConstArray moments() const = 0;

@@ -1,4 +1,4 @@
-// The rate that the steps of kick_drift follow in a solid: that of their bound, without its swings.
+// The rate that the steps of kick_drift follow in a solid: the rate of their bound, without its swings.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,10 @@
 
 namespace softwet {
 
-/// Steps of one length keep an energy that is near the true one, and so do steps whose length changes much more slowly than
-/// waves swing. A length that swings with the waves feeds them without end (parametric resonance), however little it swings.
-/// So the rate rises at once, as stability asks, and falls late and slowly: to the largest one of the last `window` steps, where
-/// this is less than `enough` of it, by `fall` of it in a step.
+/// Steps of one length keep an energy that is near the true one, and so do steps whose length changes much more slowly
+/// than waves swing. A length that swings with the waves feeds them without end (parametric resonance), however little
+/// it swings. So the rate rises at once, as stability asks, and falls late and slowly: to the largest one of the last
+/// `window` steps, where this is less than `enough` of it, by `fall` of it in a step.
 /// All members are numbers of a checkpoint.   Tested: tests/unit/time/explicit/test_held_rate.cpp
 class HeldRate {
  public:

@@ -5,10 +5,10 @@
 
 namespace softwet {
 
-/// Kick, drift, kick with a predicted velocity, of second order, but for the stabilisation F, which counts as it was before the
-/// step: of first order, with a coefficient that falls with h^2. From v, u, p and the density with its accelerations P (of
-/// pressure, capillarity, elasticity and loads) and C (of convection and viscosity) and the rates F of the moments by
-/// the stabilisation:
+/// Kick, drift, kick with a predicted velocity, of second order, but for the stabilisation F, which counts as it was
+/// before the step: of first order, with a coefficient that falls with h^2. From v, u, p and the density with its
+/// accelerations P (of pressure, capillarity, elasticity and loads) and C (of convection and viscosity) and the rates F
+/// of the moments by the stabilisation:
 ///
 ///   vh  = v + dt/2 (P + C)                                   first kick
 ///   u1  = u + dt vh                                          drift, with which branches of the solid go
@@ -20,7 +20,8 @@ namespace softwet {
 ///   v1  = vh + dt/2 (P1 + C1)                                second kick
 ///
 /// Waves of the frequency w alone are stable up to w dt = 2. The sum of the moments is kept to rounding.
-/// Source: Verlet 1967, with Heun's predictor for forces that depend on velocities.   Tested: tests/unit/time/explicit/test_kick_drift.cpp
+/// Source: Verlet 1967, with Heun's predictor for forces that depend on velocities.
+/// Tested: tests/unit/time/explicit/test_kick_drift.cpp
 template <int D, int P>
 class KickDrift final : public ExplicitStep<D, P> {
  public:

@@ -7,7 +7,8 @@
 
 namespace softwet::step_points {
 
-/// What is found of values, behind the rates: whether one is not finite, the largest density, and minus the smallest one.
+/// What a pass finds of the values, stored behind the rates: whether one is not finite, the largest density, and minus
+/// the smallest density.
 enum ValueRange { not_finite = mechanisms, most_density, least_density, found_numbers };
 
 /// Values of unknowns, each process's own. One that is not finite counts as an infinite density.

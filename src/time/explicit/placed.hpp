@@ -1,4 +1,4 @@
-// What the stage of an explicit step holds, as a type: a call that needs what is not there does not compile.
+// The parts that the stage of an explicit step holds, as a type: a call that needs a missing part does not compile.
 #pragma once
 
 #include "case/refusal.hpp"
@@ -22,8 +22,9 @@ concept Holding = placed::include(parts, wanted);
 template <unsigned parts, unsigned wanted>
 concept Ready = Holding<parts, wanted> &&(parts&(placed::flux | placed::rates)) == 0;
 
-/// The stage of a SemiDiscrete with some of its parts in place. A call takes one and gives the next one. Where it is refused, what
-/// follows does nothing, and the last one has the refusal.   Tested: tests/unit/time/explicit/test_placed.cpp
+/// The stage of a SemiDiscrete with some of its parts in place. A call takes one and gives the next one. Where it is
+/// refused, what follows does nothing, and the last one has the refusal.
+/// Tested: tests/unit/time/explicit/test_placed.cpp
 template <unsigned parts>
 class [[nodiscard]] Placed {
  public:

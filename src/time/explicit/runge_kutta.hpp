@@ -7,8 +7,8 @@
 
 namespace softwet {
 
-/// Strong-stability-preserving scheme of third order with three stages: from y at t, with its rates k = f(t, y), to y at
-/// t + dt. Stable for eigenvalues z / dt with |z| <= 1.73 on the imaginary axis and 2.51 on the negative one.
+/// Strong-stability-preserving scheme of third order with three stages: from y at t, with its rates k = f(t, y), to y
+/// at t + dt. Stable for eigenvalues z / dt with |z| <= 1.73 on the imaginary axis and 2.51 on the negative one.
 /// Source: Shu and Osher 1988.   Tested: tests/unit/time/explicit/test_runge_kutta.cpp
 class SspRk3 {
  public:
@@ -20,8 +20,8 @@ class SspRk3 {
   Array stage_, rate_;
 };
 
-/// Runge-Kutta-Legendre scheme of second order for equations y' = g(y) with real negative eigenvalues down to -r. Its s stages
-/// bear dt r <= (s^2 + s - 2) / 2, so that a step is as long as wanted. Nothing is solved for.
+/// Runge-Kutta-Legendre scheme of second order for equations y' = g(y) with real negative eigenvalues down to -r. Its s
+/// stages bear dt r <= (s^2 + s - 2) / 2, so that a step is as long as wanted. Nothing is solved for.
 /// Source: Meyer, Balsara and Aslam 2014 (RKL2).   Tested: tests/unit/time/explicit/test_runge_kutta.cpp
 class Rkl2 {
  public:

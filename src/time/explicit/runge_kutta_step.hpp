@@ -6,16 +6,19 @@
 
 namespace softwet {
 
-/// A step of SspRk3. With Viscosity::apart it leaves viscosity out, and half a step of viscosity by Rkl2 comes before and after it (Strang). Where a
-/// solid is viscous, these have an acceleration c by all else, and what is between has c less:
+/// A step of SspRk3. With Viscosity::apart it leaves viscosity out, and half a step of viscosity by Rkl2 comes before
+/// and after it (Strang). Where a solid is viscous, both halves have an acceleration c by everything else, and the step
+/// between them has c less:
 ///   v' = V(v) + c for dt/2,   y' = f(y) - (c, 0, 0) for dt,   v' = V(v) + c for dt/2,
 ///   c = the acceleration in f(t_0 + a dt, y_0 + a dt y_0') with the velocities of the start, a = 2/5
-/// Of second order, and as long as waves allow however viscous the solid or thin the vapour is: where viscosity balances c, both
-/// parts rest, and what creeps does so with its true speed. Without c its speed would be wrong by s dt/2 coth(s dt/2), with the rate
-/// s of viscosity. Where nothing creeps, c = 0 has the smaller errors.   Source: Speth, Green, MacNamara and Strang 2013 (balanced splitting).
-/// The a is ours. Elasticity of the rate w changes by w^2 v t while the solid creeps at v, so that the part between moves it by
-/// dt v (1 - (1/6 - a/2) (w dt)^2) and leaves its velocity too small by (1/2 - a) (w dt)^2 v. Stages as few as stability needs damp
-/// what is stiff by a half in each half step, not to nothing, so a third of that is left in the next step: both cancel at a = 2/5.
+/// The scheme is of second order. Its steps are as long as waves allow, however viscous the solid or thin the vapour
+/// is: where viscosity balances c, both parts rest, and creep has its true speed. Without c the speed of creep would be
+/// wrong by s dt/2 coth(s dt/2), with the rate s of viscosity. Where nothing creeps, c = 0 has the smaller errors.
+/// Source: Speth, Green, MacNamara and Strang 2013 (balanced splitting).
+/// The value of a is ours. Elasticity of the rate w changes by w^2 v t while the solid creeps at v, so that the step in
+/// the middle moves it by dt v (1 - (1/6 - a/2) (w dt)^2) and leaves its velocity too small by (1/2 - a) (w dt)^2 v. As
+/// few stages as stability needs damp stiff modes by a half in each half step, not to nothing, so a third of this error
+/// is left in the next step: both errors cancel at a = 2/5.
 /// Tested: tests/unit/time/explicit/test_kick_drift.cpp
 template <int D, int P>
 class RungeKuttaStep final : public ExplicitStep<D, P> {
@@ -78,7 +81,7 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
  private:
   using ExplicitStep<D, P>::system_;
 
-  /// What a step does between those of viscosity.
+  /// The equations of the step between the two halves of viscosity.
   struct Gentle final : Evolution {
     SemiDiscrete<D, P>& system;
     Array constant;  ///< c; empty: 0
@@ -92,7 +95,7 @@ class RungeKuttaStep final : public ExplicitStep<D, P> {
     }
   };
 
-  /// Finds c. The next vector is that of the start again afterwards.
+  /// Finds c. Afterwards the next vector is again the vector at the start.
   Refusal look_ahead(double t, double dt) {
     constexpr double part = 0.4;
     const auto move = [&](const Array& y, const Array& rate) { add_scaled(y, 0, part * dt, rate); };

@@ -1,4 +1,5 @@
-// The equations of a scene as an evolution: discrete in space, continuous in time, in the parts that explicit schemes need.
+// The equations of a scene as an evolution: discrete in space, continuous in time, in the parts that explicit schemes
+// need.
 #pragma once
 
 #include "field/step_memory.hpp"
@@ -22,8 +23,8 @@ struct MassCounts {
 /// y = (v, u, p): velocities, displacements of the solid, and the moments p_i = (q_i, rho J) of the density. Stepping
 /// moments keeps the mass exactly, on a moving mesh too. From y follow the density, M[x] rho = p, and the chemical
 /// potential; then  u' = v,  p' = -F,  A[rho, x] v' = forces.
-/// `rates` is all of that. What it is made of works on the stage, which holds the last values of everything; each call takes and
-/// gives what the stage holds by then (Placed).
+/// `rates` is all of that. What it is made of works on the stage, which holds the last values of everything; each call
+/// takes and gives what the stage holds by then (Placed).
 template <int D, int P>
 class SemiDiscrete final : public Evolution {
  public:
@@ -57,8 +58,8 @@ class SemiDiscrete final : public Evolution {
   /// Kernels of a step that was recorded have run to the time t: the stage is that at its end.
   void end_recorded(double t);
 
-  /// A step begins: velocities that are a sum, the density that the stage has then, and displacements from u to `to`. The mesh
-  /// is that half way through the step.
+  /// Begins a step: velocities are a sum, the stage has this density, and displacements move from u to `to`. The mesh
+  /// is the mesh half way through the step.
   Placed<placed::fields> kick_and_move(const SumOf& velocity, const ConstArray& density, double t, double dt,
                                        const ConstArray& u, const Array& to);
 
@@ -87,14 +88,15 @@ class SemiDiscrete final : public Evolution {
   auto find_flux(Placed<has>&& at) {
     return std::move(at).template after<has | placed::flux>([&] { return flux(); });
   }
-  /// out = moments + dt (G + rates), and the density of these.
+  /// out = moments + dt (G + rates), and the density of these moments.
   template <unsigned has>
     requires Holding<has, placed::fields | placed::flux>
   auto move_moments(Placed<has>&& at, const Factor& dt, const ConstArray& moments, const ConstArray& rates,
                     const Array& out) {
     return std::move(at).template after<placed::fields>([&] { return density_of(moved(dt, moments, rates, out)); });
   }
-  /// The same at the end of the step that began with `kick_and_move`, on the mesh there, and the masses of velocities.
+  /// As `move_moments`, at the end of the step that began with `kick_and_move`, on the mesh there; it also finds the
+  /// masses of velocities.
   template <unsigned has>
     requires Holding<has, placed::fields | placed::flux>
   auto move_to_end(Placed<has>&& at, const Factor& dt, const ConstArray& moments, const ConstArray& rates,
@@ -102,7 +104,7 @@ class SemiDiscrete final : public Evolution {
     return std::move(at).template after<placed::fields | placed::weights>(
         [&] { return end_of(moved(dt, moments, rates, out)); });
   }
-  /// Branches of the solid follow it from displacements u to those of the stage, at one speed.
+  /// Branches of the solid follow it from displacements u to the displacements of the stage, at one speed.
   template <unsigned has>
     requires Ready<has, placed::mesh>
   auto move_branches(Placed<has>&& at, const ConstArray& u, const ConstArray& memory, const Array& out) {
@@ -149,14 +151,14 @@ class SemiDiscrete final : public Evolution {
 
   /// Rates of the displacements by the velocities of the stage, as a part of a launch.
   ForEach<TakeMotion> taken_motion(const Array& rate) const;
-  /// Rates are zero at ghosts, those of a state are not.
+  /// Fills the ghosts of the rates of a state; the rates of the scheme are zero there.
   void fill_rate_ghosts(State&);
-  /// What the state of a branch says beside its displacement, of the stage.
+  /// Writes into `state` what the branches carry in the stage.
   void take_branches(const ConstArray& memory, const State& state) const;
-  /// Moments of a state that is given by its unknowns and displacements: those that give its density back. Branches of the solid carry
-  /// nothing.
+  /// Sets the moments that give back the density of a state, which is given by its unknowns and displacements. Branches
+  /// of the solid carry nothing.
   void set_moments(State&);
-  /// Where solves begin. @param state  the one that was accepted last
+  /// Visits the vectors where solves begin. @param state  the last accepted one
   void visit_memory(StepMemory&, const State& state);
 
   const Scene<D, P>& scene() const { return scene_; }
@@ -192,7 +194,8 @@ class SemiDiscrete final : public Evolution {
 
   void fill_ghosts();  ///< of all unknowns of the stage
   void set_lag(const ConstArray& memory);
-  /// The stage is the one half way through a step, or the one at its end. Each has its own mesh, always in the same place.
+  /// The stage is either half way through a step or at its end. Each of the two has a mesh of its own, always in the
+  /// same place.
   void take_stage(bool at_end);
   RightSide moved(const Factor& dt, const ConstArray& moments, const ConstArray& rates, const Array& out) const;
   Kick kick(const SumOf& velocity) const { return {velocity, velocities_of(stage_.unknown)}; }
@@ -212,13 +215,13 @@ class SemiDiscrete final : public Evolution {
   MassInverse<D, P> masses_;
   BranchMemory branches_;
   Stage stage_;
-  Stage other_;  ///< that at the end of a step while `stage_` is that half way, and the other way round
+  Stage other_;  ///< the stage at the end of a step while `stage_` is half way, and the other way round
   bool at_end_ = false;
   StepNumbers numbers_;
   Viscosity viscosity_ = Viscosity::among_all;
-  Array force_;  ///< of terms, a vector of unknowns; who reads a part leaves zero there, so that terms can be added
-  TileSumsOf<D> tiles_;    ///< what is not added to it yet
-  Array potential_force_;  ///< that of the potential
+  Array force_;  ///< of terms, a vector of unknowns; a reader leaves zero where it has read, so that terms can be added
+  TileSumsOf<D> tiles_;    ///< forces that are not yet added to `force_`
+  Array potential_force_;  ///< force of the chemical potential
   Array velocity_;         ///< a vector of unknowns, of which the velocities count
   MassCounts counts_;
 };

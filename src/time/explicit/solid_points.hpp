@@ -24,12 +24,12 @@ struct SolidBound {
   double joined[D][D] = {};  ///< part of dP/dF between two axes that counts
   double wave = 0;           ///< frequency of elastic waves = wave sqrt(stiffness)
   double surface = 0;        ///< square of the frequency of capillary waves on the undeformed top face
-  double along_face = 0;     ///< the same of waves along it, by its modulus
-  double springs = 0;        ///< that of the bottom on its springs
+  double along_face = 0;     ///< square of the frequency of waves along the top face, by its modulus
+  double springs = 0;        ///< square of the frequency of the bottom on its springs
   double held = 0;           ///< square of the frequency of the springs of needles
   double viscous = 0;        ///< rate of viscosity in the undeformed state
   double branches = 0;       ///< stiffness of branches, at least the largest row of its part in any solid
-  double dashpots = 0;       ///< that of the dashpots of the bottom
+  double dashpots = 0;       ///< rate of the dashpots of the bottom
 
   /// @param symbols    of ends
   /// @param many       axes whose symbols add up
@@ -109,12 +109,12 @@ struct SolidBound {
     const double length = Kokkos::max(1.0, contract(deformed, deformed) / (Axial ? 3 : D));
     return length * length;
   }
-  /// Of branches, which under finite strains grow stiffer in a stretch.
+  /// Stiffness of branches, which under finite strains grow stiffer in a stretch.
   KOKKOS_FUNCTION double stiffness_of_branches(const Tensor<double>& gradient) const {
     if constexpr (std::is_same_v<Material, Hooke>) return branches;
     return branches > 0 ? branches * lengthened(gradient) : 0;
   }
-  /// Largest eigenvalue of dP/dF of the fibres, that of F a_0 (x) a_0.
+  /// Largest eigenvalue of dP/dF of the fibres; its eigenvector is F a_0 (x) a_0.
   KOKKOS_FUNCTION double stiffness_of_fibres(const Tensor<double>& gradient) const {
     if (fibres.stiffness == 0) return 0;
     const auto deformed = add_diagonal(gradient, 1.0);

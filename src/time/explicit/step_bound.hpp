@@ -29,7 +29,7 @@ inline std::array<LoneRate, 6> lone_rates(const StepRates& r) {
            {"elasticity", 0.5 * r.elasticity}}};
 }
 
-/// Of the values of a state.
+/// Ranges of the values of a state.
 struct ValueRanges {
   bool finite = true;
   double least_density = 0, most_density = 0;  ///< infinite where one is not finite
@@ -41,30 +41,30 @@ struct BoundState {
   ConstArray moments, sums;          ///< of the density, and row sums of the scalar mass
 };
 
-/// How a scheme adds the rates at a point: w of waves, s of viscosity, e of the stabilisation, u of the flow.
+/// How a scheme combines the rates at a point: w of waves, s of viscosity, e of the stabilisation, u of the flow.
 /// kick_drift: max((sqrt(e^2 + 4 (w + u)^2) + e + s) / 4, s). Without viscosity one wave is stable up to
 ///   (w dt)^2 + 2 e dt = 4, which is this; viscosity alone is stable up to s dt = 1; with all three it is a bound (the
 ///   roots of the step were tested on a grid);
 /// runge_kutta: the ellipse with half axes 1.73 and 2.51 in the region of stability of three stages and third order,
 ///   sqrt(((w + u) / 1.73)^2 + ((s + e) / 2.51)^2);
-/// without_viscosity: the same with s = 0.
+/// without_viscosity: runge_kutta with s = 0.
 enum class StepFormula { kick_drift, without_viscosity, runge_kutta };
 
 /// At a control point with density rho and moments p over row sums a, on elements of the shortest length h:
 ///   w = sqrt(A^2 c^2 + C^2 g^2 rho / h^2) / h,  c^2 = max(rho W'', 0)
 ///   s = V (4/3) m / (p / a) / h^2,   e = eps k (c^2 / rho + g^2 k),  k = F / h^2,   u = U |v - vh| / h
-/// with the symbols A, C, V, F, U (E, B, T) of the masses, those of ends in the elements beside an end; in the solid
-/// everywhere, and those of its joint. Where the mesh moves, h shrinks with the smallest stretch of the mesh above the
-/// wall there. In the solid w = E sqrt(K / rho_0) / h with K the largest row of dP/dF of its material along an axis and
-/// the largest eigenvalue of that of its fibres, together; where two sides that are free meet, waves along both axes
-/// join through Poisson's effect, and half of the row along the other axis is added: that is at least what blocks and
-/// beams have, at Poisson ratios up to 0.49. Viscosity of the solid: s = E^2 (4/3 eta + zeta) / rho_0 / h^2; on its top
-/// face w^2 has B^2 (D - 1) Ups / rho_0 / h^3 more, and the same with the modulus lambda_s + 2 G_s in place of Ups,
-/// times what the stretch of the face makes stiffer; on its bottom w^2 has T^2 kap / rho_0 / h more by the springs of a
-/// foundation, and s has T^2 c / rho_0 / h more by its dashpots; K has 2 sum G_i more by branches, times |F|^4 under
-/// finite strains; with needles of the stiffness k it has X k / rho_0 more, X = 1 with lumped masses (`held` of the
-/// symbols).
-/// Control values bound the fields, for these are their means, and all of these rates are largest at an end of a range.
+/// with the symbols A, C, V, F, U (E, B, T) of the masses: the symbols of ends in the elements at an end and everywhere
+/// in the solid, which also has the symbols of its joint. Where the mesh moves, h shrinks with the smallest stretch of
+/// the mesh above the wall there. In the solid w = E sqrt(K / rho_0) / h with K the largest row of dP/dF of its
+/// material along an axis and the largest eigenvalue of dP/dF of its fibres, together. Where two free sides meet, waves
+/// along both axes join through Poisson's effect, and half of the row along the other axis is added, which is at least
+/// what blocks and beams have, at Poisson ratios up to 0.49. Viscosity of the solid: s = E^2 (4/3 eta + zeta) / rho_0 /
+/// h^2; on its top face w^2 has B^2 (D - 1) Ups / rho_0 / h^3 more, where the modulus lambda_s + 2 G_s counts like a
+/// tension Ups, times the factor by which the stretch of the face stiffens it; on its bottom w^2 has T^2 kap / rho_0 /
+/// h more by the springs of a foundation, and s has T^2 c / rho_0 / h more by its dashpots; K has 2 sum G_i more by
+/// branches, times |F|^4 under finite strains; with needles of the stiffness k it has X k / rho_0 more, X = 1 with
+/// lumped masses (`held` of the symbols). Control values bound the fields, which are their means, and all of these
+/// rates are largest at an end of a range.
 /// Tested: tests/unit/time/explicit/test_step_bound.cpp, test_step_bound_of_solids.cpp, and against a search for the
 /// limit: the study stable_step
 template <int D, int P>
@@ -78,7 +78,7 @@ class StepBound {
   void ask(const BoundState&, const HostNumbers&) const;
   static StepRates rates(const HostNumbers&);
   static ValueRanges ranges(const HostNumbers&);
-  /// At once.
+  /// Computes the rates and waits for them.
   StepRates rates(const BoundState&) const;
   /// Where the combined rate is largest, in the undeformed domain.
   std::array<double, D> place_of_largest(const BoundState&) const;
@@ -87,7 +87,8 @@ class StepBound {
   /// Calls visit(points of the fluid, points of the solid). On the host the stretches of columns were found before.
   template <class Visit>
   void visit_points(const BoundState&, const Visit& visit) const;
-  /// Of the solid. @tparam Axial  in the coordinates (r, z), where waves have a hoop strain too
+  /// The point of the solid at which rates are computed. @tparam Axial  in the coordinates (r, z), where waves have a
+  /// hoop strain too
   template <bool Axial, class Solid>
   auto solid_point(const Solid&, const ConstArray& displacement) const;
 

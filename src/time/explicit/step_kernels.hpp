@@ -6,8 +6,8 @@
 
 namespace softwet {
 
-/// Displacements half way through a step and at its end, at one speed: u = from + dt v and to = u + dt v, by control point of the
-/// solid. They are placed in two stages too.
+/// Displacements half way through a step and at its end, at one speed: u = from + dt v and to = u + dt v, by control
+/// point of the solid. Both are also stored in the displacements of two stages.
 struct MoveMeshes {
   Array to, half_way, end;
   Factor dt;  ///< half of the step
@@ -25,7 +25,7 @@ struct MoveMeshes {
   }
 };
 
-/// The same by velocity, for launches that write these.
+/// MoveMeshes by velocity, for launches that write velocities.
 struct MoveMeshesByVelocity {
   MoveMeshes meshes;
   KOKKOS_FUNCTION void operator()(int i) const {

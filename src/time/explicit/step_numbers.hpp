@@ -8,11 +8,13 @@
 
 namespace softwet {
 
-/// Numbers that the host finds for each step. Kernels have them as arguments, or, where steps are recorded, read them in memory of the
-/// device, to which `send` copies all of them.   Tested: tests/unit/time/explicit/test_recorded_steps.cpp
+/// Numbers that the host finds for each step. Kernels have them as arguments, or, where steps are recorded, read them
+/// in memory of the device, to which `send` copies all of them.
+/// Tested: tests/unit/time/explicit/test_recorded_steps.cpp
 class StepNumbers {
  public:
-  /// Half a step, a step, and the factors of the two states before in the error of the step; then those of branches and of forces.
+  /// Half a step, a step, and the factors of the two previous states in the error of the step; the numbers of branches
+  /// and of forces follow.
   enum Place { half, whole, last, before, fixed };
 
   /// @param branches, forces  how many numbers they have
@@ -29,9 +31,10 @@ class StepNumbers {
   double* of_forces() { return found_.data() + first_of_forces_; }
 
   Factor factor(int k) const { return factor_at(place(k), found_(k)); }
-  /// Where kernels read those of forces; null: forces follow from the time.
+  /// Where kernels read the numbers of forces; null: forces follow from the time.
   const double* place_of_forces() const { return place(first_of_forces_); }
-  /// Before the kernels of the step. The host may find those of the next step when it has waited for this one.
+  /// Copies the numbers before the kernels of a step start. The host may find the numbers of the next step once it has
+  /// waited for this one.
   void send() const {
     if (!in_memory_) return;
     Kokkos::deep_copy(Exec(), sent_, found_);

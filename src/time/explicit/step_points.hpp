@@ -58,7 +58,8 @@ struct StretchOfColumn {
   double slope;
 
   KOKKOS_FUNCTION void operator()(int i) const { stretch(i) = at(i); }
-  /// Of column i, as it was stored before, or on a device on the way: a launch would take longer.
+  /// The stretch of column i: the stored one on the host; on a device it is computed here, since a launch would take
+  /// longer.
   KOKKOS_FUNCTION double of(int i) const {
     if constexpr (host_algorithms) return stretch(i);
     return displacement ? at(i) : 1.0;

@@ -6,17 +6,17 @@
 
 namespace softwet {
 
-/// At an open end of an axis the last function has a third of the mass of those inside (degree 2), so that the difference
-/// of the last two control values c_0, c_1 has the highest frequency of all. A tie adds to the lumped mass of this
-/// difference,  D = diag(a) + k d d^T  with  d.c = c_0 - c_1.  Then  W = D^{-1} diag(a)  keeps the mean of the two, weighted
-/// with a, and the part 1 / (1 + k / a_0 + k / a_1) of their difference. What is uniform stays so.
-/// Where a velocity is held, its neighbours are not tied to it. Where solid and fluid meet, velocities are tied on the side of
-/// the solid; where two materials are joined, on the lower side. Ties of several sides follow each other: halves of all but the last set,
-/// that one, and the other halves in reverse, which is symmetric in the weights.
+/// At an open end of an axis the last function has a third of the mass of the functions inside (degree 2), so that the
+/// difference of the last two control values c_0, c_1 has the highest frequency of all. A tie adds to the lumped mass
+/// of this difference,  D = diag(a) + k d d^T  with  d.c = c_0 - c_1.  Then  W = D^{-1} diag(a)  keeps the mean of the
+/// two, weighted with a, and the part 1 / (1 + k / a_0 + k / a_1) of their difference. Uniform fields stay uniform.
+/// Where a velocity is held, its neighbours are not tied to it. Where solid and fluid meet, velocities are tied on the
+/// side of the solid; where two materials are joined, on the lower side. Ties of several sides follow each other: the
+/// halves of all but the last set, the last set, and the other halves in reverse, which is symmetric in the weights.
 /// Smaller parts make steps longer, up to a limit, and cost accuracy where a wall has a contact angle.
 inline constexpr double kept_of_scalars = 0.6, kept_of_velocities = 0.4;
 
-/// Takes a part of the difference of two values away: of the one at `first`, and of that `step` further.
+/// Takes away a part of the difference of two values: the one at `first`, and the one `step` further.
 struct EndTie {
   int first, step;
   bool whole;  ///< else the half of a tie that comes twice
@@ -34,8 +34,8 @@ struct TieClusters {
 
   KOKKOS_FUNCTION int count() const { return static_cast<int>(start.extent(0)) - 1; }
 
-  /// Takes a part of the difference of each pair of a cluster away and keeps its mean, weighted with `weights`. What x loses is
-  /// added to `gains` where there are some.
+  /// Takes a part of the difference of each pair of a cluster away and keeps its mean, weighted with `weights`. What x
+  /// loses is added to `gains` where there are some.
   KOKKOS_FUNCTION void smooth(int cluster, double* x, const double* weights, double* gains = nullptr) const {
     const bool gain = gains != nullptr;
     for (int k = start(cluster); k < start(cluster + 1); ++k) {

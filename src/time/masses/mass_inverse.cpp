@@ -29,7 +29,7 @@ template <int D, int P>
 void MassInverse<D, P>::set_weights(const ConstArray& moments, const ConstArray& density) {
   if (kind_ != MassKind::lumped || !regions_.layout().has_fluid) return weights_.set_moments(moments);
   const Array product = weights_.scalar().of(first_);
-  multiply_scalar(density, product);  // lumped moments would be those of the density at the control points
+  multiply_scalar(density, product);  // lumped moments would give the density at the control points
   weights_.set_moments(product);
 }
 
@@ -155,7 +155,8 @@ void MassInverse<D, P>::multiply_scalar(const ConstArray& z, const Array& out) {
 
 template <int D, int P>
 void MassInverse<D, P>::invert_scalar(const ConstArray& z, const Array& p) {
-  // Conjugate gradients for S p = z, preconditioned by the mass: the eigenvalues of their product are 1 - 3 e^3 + 2 e^4.
+  // Conjugate gradients for S p = z, preconditioned by the mass: the eigenvalues of their product are 1 - 3 e^3 + 2
+  // e^4.
   constexpr int rounds = 200;
   constexpr double tolerance = 1e-13;
   const VectorSpace space = regions_.layout().space();

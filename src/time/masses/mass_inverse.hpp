@@ -8,21 +8,22 @@
 
 namespace softwet {
 
-/// Approximate inverses S of the mass A of the moved mesh, weighted with J for scalars and with the density for velocities.
-/// With the row sums a of A, the ties D of their ends and e = 1 - D^{-1} A,
+/// Approximate inverses S of the mass A of the moved mesh, weighted with J for scalars and with the density for
+/// velocities. With the row sums a of A, the ties D of their ends and e = 1 - D^{-1} A,
 ///   lumped      S = D^{-1}
 ///   corrected   S = (1 + e + e^2 - 2 e^3) D^{-1}:  A S = 1 - 3 e^3 + ... for smooth fields, and S = D^{-1} for what
-///               oscillates from function to function, so that steps are 1.6 to 1.9 times shorter than with lumped masses
+///               oscillates from function to function, so that steps are 1.6 to 1.9 times shorter than with lumped
+///               masses
 ///               and not 25 times and more, as with consistent ones
-/// Products with A are those with the mass M of the fixed mesh, whose row sums are m:
+/// Products with A follow from products with the mass M of the fixed mesh, whose row sums are m:
 ///   A c = a c - s (c (M s) - M (s c)),   s = sqrt(a / m),
-/// symmetric, exact on a fixed mesh, and of fourth order else. A 1 = a, so that S a = 1: what is uniform stays so, and the sum
-/// of the moments A S p is that of p to rounding. Velocities that are held are left out.
-/// Where s rises by more than a fifth from one function to another that overlaps with it, it is cut to that. Then S stays
-/// positive however much heavier a neighbour is: with random weights in one, two and three dimensions the polynomial was at
-/// least 0.7, and without the cut -500.
-/// Row sums of the mass of velocities are the moments of the density themselves, (w_i, rho J) = p_i, plus those of the solid.
-/// With lumped masses A rho takes their place, which says more about the density.
+/// symmetric, exact on a fixed mesh, and of fourth order else. A 1 = a, so that S a = 1: uniform fields stay uniform,
+/// and the moments A S p have the sum of p up to rounding. Velocities that are held are left out.
+/// Where s rises by more than a fifth between two functions that overlap, the larger value is cut to this rise. Then S
+/// stays positive however much heavier a neighbour is: with random weights in one, two and three dimensions the
+/// polynomial was at least 0.7, and without the cut -500. Row sums of the mass of velocities are the moments of the
+/// density themselves, (w_i, rho J) = p_i, plus the row sums of the solid. With lumped masses A rho takes their place,
+/// which represents the density better.
 /// Tested: tests/unit/time/masses/test_mass_inverse.cpp
 template <int D, int P>
 class MassInverse {
@@ -34,7 +35,7 @@ class MassInverse {
 
   /// Takes the mesh of a stage: it weights scalars.
   void set_mesh(const Stage& stage) { weights_.set_mesh(stage); }
-  /// The same of one stage now, and of another one from `take_other` on, which called again takes the first one back.
+  /// Takes the meshes of two stages: the first until `take_other`, then the second; another call switches back.
   void set_meshes(const Stage& now, const Stage& later) { weights_.set_meshes(now, later); }
   void take_other() { weights_.take_other(); }
   /// Takes the moments and the density that weight velocities. With consistent masses the stage's density does.
@@ -45,14 +46,15 @@ class MassInverse {
   using RightSide = mass_kernels::RightSide<D>;
   /// z = factor S b for a scalar.
   int scalar(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance);
-  /// Whether a solve can find the weights of velocities beside itself, in the same launches; and such a solve, with the moments of
-  /// its right side.
+  /// Whether a solve can find the weights of velocities in its own launches; and such a solve, with the moments of its
+  /// right side.
   bool weighs_beside() const;
   void scalar_and_weights(const RightSide& b, const Array& z);
   /// z = factor S b for velocities.
   int velocity(const Stage&, double factor, const RightSide& b, const Array& z, double tolerance);
 
-  /// What is done in the launches of a solve for accelerations: sums with them, and rates and copies that have nothing to do with them.
+  /// What the launches of a solve for accelerations also do: sums with the accelerations, and unrelated rates and
+  /// copies.
   struct Companions {
     Kick kick;  ///< by value of z
     ForEach<mass_kernels::TakeRates<D>> rates = {};
@@ -66,7 +68,8 @@ class MassInverse {
   ConstArray velocity_sums() const { return weights_.velocity().sums; }  ///< of one component
 
  private:
-  /// @param beside  kernels that share launches with the three terms of the series;  @param after  by value of z, when it is there
+  /// @param beside  kernels that share launches with the three terms of the series  @param after  called with each
+  /// value of z
   template <class First, class Second, class Third, class After>
   int solve(const MassWeights&, double factor, const RightSide&, const Array& z, const Counted<First>& beside,
             const Counted<Second>&, const Counted<Third>&, const After& after);

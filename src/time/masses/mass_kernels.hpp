@@ -36,7 +36,7 @@ inline void weigh(const Array& y, const ConstArray& a) {
   Kokkos::parallel_for("softwet::weigh", Items(0, y.extent(0)), Weigh{y, a, nodes});
 }
 
-/// Row sums of velocities: those of the solid, and where there is fluid its moments, at least the floor.
+/// Row sums of velocities: the row sums of the solid, plus the moments of the fluid, at least the floor.
 struct SumVelocityRows {
   Array sums;
   ConstArray solid, moments, volume;
@@ -65,8 +65,8 @@ struct FindRoots {
   KOKKOS_FUNCTION void operator()(int i) const { root(i) = Kokkos::sqrt(sums(i) / unit(i)); }
 };
 
-/// A part of a vector of forces, which is taken: zero is left for the next sum of terms. What the tiles of a device have summed is
-/// added as it is read.
+/// A part of a vector of forces, which is taken: zero is left for the next sum of terms. What the tiles of a device
+/// have summed is added as it is read.
 template <int D>
 struct TakenForce {
   Array values;
@@ -80,7 +80,8 @@ struct TakenForce {
   }
 };
 
-/// The right side of a mass: a vector b, a force, minus a force, or the moments b + dt (rates - mask force), which are kept.
+/// The right side of a mass: a vector b, a force, minus a force, or the moments b + dt (rates - mask force), which are
+/// kept.
 template <int D>
 struct RightSide {
   ConstArray b;
@@ -108,8 +109,8 @@ struct RightSide {
   }
 };
 
-/// rates = 0 - mask force of a force that is taken. It is +0 where the mask is 0, whatever sign the force has there: ghosts have the same
-/// bits in any number of processes.
+/// rates = 0 - mask force of a force that is taken. It is +0 where the mask is 0, whatever sign the force has there:
+/// ghosts have the same bits in any number of processes.
 template <int D>
 struct TakeRates {
   Array rates;

@@ -22,9 +22,9 @@ struct WeightedPointers {
 
 namespace mass_kernels {
 
-/// A stage of the series with the ties of its ends: each value, the ties between values, and, where a product follows, its scaled
-/// vector from each value; then what else is done with it. An item is a block of lines on a processor. On a device it is a cluster
-/// of ties with all its values, or a value without ties.
+/// A stage of the series with the ties of its ends: each value, the ties between values, and, where a product follows,
+/// its scaled vector from each value; then what else is done with it. An item is a block of lines on a processor. On a
+/// device it is a cluster of ties with all its values, or a value without ties.
 template <class Stage, class Values = ValuesOfItem, class After = Nothing>
 struct WithTies {
   static constexpr bool lines = std::is_same_v<Values, BlockOfLines>;
@@ -66,7 +66,8 @@ struct WithTies {
   }
 };
 
-/// x = W D^{-1} (factor b) with ties W and zeros where the mask has some, and scaled = start root x for the first product.
+/// x = W D^{-1} (factor b) with ties W and zeros where the mask has some, and scaled = start root x for the first
+/// product.
 template <int D>
 struct DivideBySums {
   LineBlocks<D> lines;

@@ -12,8 +12,9 @@ namespace {
 
 using Dense = Eigen::MatrixXd;
 
-/// Elements of length 1 in a row: (N_i, N_j), (N_i', N_j') and (N_i, N_j') with the weight of the axis. Along a radius those of
-/// the hoop strain too, (N_i / r, N_j / r) and the mean of (N_i / r, N_j') and its transpose; zero elsewhere.
+/// Elements of length 1 in a row: (N_i, N_j), (N_i', N_j') and (N_i, N_j') with the weight of the axis. Along a radius
+/// there are also (N_i / r, N_j / r) of the hoop strain and the mean of (N_i / r, N_j') and its transpose; zero
+/// elsewhere.
 struct ElementLine {
   Dense mass, stiffness, slope, hoop, mixed;
   int at_joint;  ///< the function that is 1 at the joint; 0: there is none
@@ -87,8 +88,9 @@ Dense inverse(const Dense& mass, MassKind kind, double kept, LineEnd below, Line
 
 double largest(const Dense& m) { return m.eigenvalues().cwiseAbs().maxCoeff(); }
 
-/// Largest factor between what is lumped, as springs at control values are, and a mass. Ties make lumped masses larger. So
-/// the eigenvalues of e in the series lie in [0, 1], in any dimension, and the largest value of it there bounds corrected masses.
+/// Largest factor between a lumped quantity, such as springs at control values, and a mass. Ties make lumped masses
+/// larger. So the eigenvalues of e in the series lie in [0, 1], in any dimension, and the largest value of the series
+/// there bounds corrected masses.
 double held_factor(const ElementLine& line, MassKind kind) {
   if (kind == MassKind::lumped) return 1;
   if (kind == MassKind::corrected) return series<double>(1, (1 + std::sqrt(7.0)) / 6);

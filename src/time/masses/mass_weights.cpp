@@ -117,7 +117,7 @@ template <class... Bodies>
 void SceneWeights<D, P>::prepare(const MassWeights& w, const ForEach<Bodies>&... sums) {
   run("softwet::mass_sums", sums_and_roots(w, rough_, sums...));
   product_.fill_ghosts(w.sums, w.first, w.first + 1);
-  // Products with lumped masses are those of scalars alone.
+  // Only scalars have products with lumped masses.
   if (kind_ == MassKind::consistent || (kind_ == MassKind::lumped && w.kind() == Unknowns::velocities)) return;
   product_.fill_ghosts(part_of(rough_, w.nodes()), w.first, w.first + 1);
   run("softwet::smallest_neighbour", cut_roots(w, rough_));

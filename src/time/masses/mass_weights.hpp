@@ -8,7 +8,7 @@
 
 namespace softwet {
 
-/// Those of one kind of unknowns.
+/// Mass weights of the velocities, or of one scalar.
 struct MassWeights : WeightedMass {
   int begin, end, first, last;  ///< in a vector of unknowns, and as components
   int nodes() const { return static_cast<int>(sums.extent(0)); }
@@ -25,12 +25,12 @@ class SceneWeights {
   const MassWeights& scalar() const { return scalar_; }
   const MassWeights& velocity() const { return velocity_; }
 
-  /// Those of scalars on the mesh of a stage.
+  /// Finds the weights of scalars on the mesh of a stage.
   void set_mesh(const Stage&);
-  /// The same of one stage now, and of another one from `take_other` on, which called again takes the first one back.
+  /// Finds the weights of two stages. The first count until `take_other`, then the second; another call switches back.
   void set_meshes(const Stage& now, const Stage& later);
   void take_other();
-  /// Those of velocities, by the moments of the density.
+  /// Finds the weights of velocities by the moments of the density.
   void set_moments(const ConstArray& moments) { prepare(velocity_, row_sums(moments)); }
 
   // The kernels of `set_moments`, which follow each other. Where nothing has ghosts they may be launched with others.

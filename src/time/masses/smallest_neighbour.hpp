@@ -11,8 +11,8 @@ namespace softwet {
 /// Entry (k, i) is the place of function i + k - degree; at an end or where a process does not store it, i itself.
 using NeighbourTable = Kokkos::View<const int**, Kokkos::LayoutRight, Exec>;
 
-/// Values cut to `ratio` times the smallest one around each. An item is a line of values along the first axis on the host,
-/// and one value on a device.
+/// Values cut to `ratio` times the smallest one around each. An item is a line of values along the first axis on the
+/// host, and one value on a device.
 template <int D, int P>
 struct CutToNeighbours {
   static constexpr int width = 2 * P + 1;

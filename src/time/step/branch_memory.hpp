@@ -9,7 +9,8 @@
 namespace softwet {
 
 /// How a step of generalized-alpha changes a field a with the rate a':
-///   a_{n+1} = a_n + kept a'_n + taken a'_{n+am},   a_{n+af} = a_n + af (a_{n+1} - a_n),   a'_{n+1} = old a'_n + fresh a'_{n+am}
+///   a_{n+1} = a_n + kept a'_n + taken a'_{n+am},   a_{n+af} = a_n + af (a_{n+1} - a_n),   a'_{n+1} = old a'_n + fresh
+///     a'_{n+am}
 struct AlphaStep {
   double af, kept, taken, old, fresh;
 };
@@ -19,12 +20,13 @@ struct FollowFactors {
   Factor faded[Branches::most], followed[Branches::most];
 };
 
-/// Each branch has the equation tau a' = x - a, where x is what it follows: under small strains the displacement, under finite ones the
-/// Green-Lagrange strain at each point. Under generalized-alpha a' is that at n + am, x and a are those at n + af; eliminated, with
-/// c = af taken:
-///   h = a_n + af kept a'_n,   x_{n+af} - a_{n+af} = tau / (tau + c) (x_{n+af} - h),   a'_{n+am} = (x_{n+af} - h) / (tau + c)
-/// It is of second order and stable for any step over tau, as the scheme is. Explicit steps take the exact solution for an x that moves at
-/// one speed, of second order too.
+/// Each branch has the equation tau a' = x - a, where x is what it follows: under small strains the displacement, under
+/// finite ones the Green-Lagrange strain at each point. Under generalized-alpha a' is that at n + am, x and a are those
+/// at n + af; eliminated, with c = af taken:
+///   h = a_n + af kept a'_n,   x_{n+af} - a_{n+af} = tau / (tau + c) (x_{n+af} - h),   a'_{n+am} = (x_{n+af} - h) /
+///     (tau + c)
+/// It is of second order and stable for any step over tau, as the scheme is. Explicit steps take the exact solution for
+/// an x that moves at one speed, of second order too.
 /// Tested: tests/unit/time/step/test_branch_memory.cpp
 class BranchMemory {
  public:
@@ -43,7 +45,7 @@ class BranchMemory {
   bool empty() const { return branches_.count == 0; }
   int count() const { return branches_.count; }
   int size() const { return branches_.count * size_; }
-  /// Branches that carry nothing: a = x, a' = 0.
+  /// Sets a = x, a' = 0: branches carry nothing.
   void rest(const State&) const;
 
   // A step of generalized-alpha.
@@ -51,7 +53,7 @@ class BranchMemory {
   double weight(double c) const { return branches_.weight(c); }
   /// @param lag  of finite strains, h = sum w_i h_i / W of FiniteBranchStress, for the whole step
   void begin(const State&, const AlphaStep&, const Array& lag);
-  /// Of small strains, q = W u - sum w_i h_i of BranchStress. @param displacement  at n + af
+  /// For small strains, q = W u - sum w_i h_i of BranchStress. @param displacement  at n + af
   void set_lag(const ConstArray& displacement, const Array& lag) const {
     if (!strain_) sum_of(lag, weight(step_.af * step_.taken), displacement, -1, pull_, 0, pull_);
   }

@@ -10,8 +10,8 @@
 namespace softwet {
 namespace {
 
-/// Smallest and largest value of an array over all processes, each in its own columns; a value that is not finite becomes
-/// the largest, infinity.
+/// Smallest and largest value of an array over all processes, each in its own columns; a value that is not finite
+/// becomes the largest, infinity.
 std::pair<double, double> range(const VectorSpace& space, const ConstArray& x) {
   Kokkos::MinMaxScalar<double> r;
   const int stored = space.stored, begin = space.begin, width = space.end - space.begin;
@@ -53,7 +53,7 @@ struct SquaresOfChange {
   }
 };
 
-/// Those of the velocities, and behind them those of the density.
+/// Squares of the velocities, followed by squares of the density.
 struct SquaresOfBoth {
   SquaresOfChange velocity, density;
   int of_velocity;  ///< items

@@ -1,4 +1,4 @@
-// Whether values are admissible, and how large the local error of a step is: the same for all schemes.
+// Whether values are admissible, and how large the local error of a step is, for all schemes.
 #pragma once
 
 #include "field/factor.hpp"
@@ -9,7 +9,7 @@
 
 namespace softwet {
 
-/// Of the last state and of the one before in x - x_f, where x_f = (1 + f) last - f before is their extrapolation.
+/// Factors of the last two states in x - x_f, where x_f = (1 + f) last - f before is their extrapolation.
 struct ChangeFactors {
   Factor last, before;
   static double of_last(double f) { return -1 - f; }
@@ -23,21 +23,21 @@ class Judge {
 
   /// Why values of the unknowns are not admissible; empty when they are.
   Refusal of_values(const ConstArray& unknown) const;
-  /// The same where their ranges are known.
+  /// Why values with these ranges are not admissible.
   Refusal of_ranges(bool finite, double least_density, double most_density) const;
-  /// The same for the mesh of a stage, which the integrals describe.
+  /// Why the mesh of a stage is not admissible; the integrals describe it.
   Refusal of_mesh(const Stage&) const;
-  /// That, and the density at the end of the step.
+  /// Why the mesh or the density at the end of the step is not admissible.
   Refusal of_end(const Stage&) const;
 
   /// Compares values with the extrapolation of the two states before, f = (time from the last state) / previous_dt:
   ///   max( rms(rho - rho_f) / (rho_l - rho_v),  dt rms(v - v_f) / H )  ~ dt^2,   H the thinner layer
-  /// The means are those of control values. Where elements are graded, these are weighted with the integrals of their
+  /// The means are taken over control values. Where elements are graded, these are weighted with the integrals of their
   /// functions, so that a place counts by its volume, not by how many functions it has.
   double indicator(const StepHistory&, const Array& values, double f, double dt) const;
 
-  // For a step whose end the host judges late: how many numbers it needs, what starts the kernels that find them, and, when they are there,
-  // whether the mesh is admissible, and the indicator.
+  // For a step whose end the host judges late: how many numbers it needs, what starts the kernels that find them, and,
+  // when they are there, whether the mesh is admissible, and the indicator.
   int numbers() const { return squares_count_ + faults_.numbers(); }
   void ask(const StepHistory&, const Stage& end, const ChangeFactors&, const HostNumbers&) const;
   Refusal take_mesh(const HostNumbers&) const;

@@ -44,13 +44,13 @@ class Scheme {
   /// Forgets the rates of the last accepted state: the loads have jumped.
   virtual void begin_anew() {}
 
-  /// Largest step that is stable from a state. @param wish  the one that the control of the error would take
+  /// Largest step that is stable from a state. @param wish  the step that the control of the error would take
   virtual double largest_step(const State&, [[maybe_unused]] double wish) {
     return std::numeric_limits<double>::infinity();
   }
 
-  /// All that the next steps need of the last ones beside the states. @param state  the last one, also where the memory
-  /// is put back
+  /// Visits all that the next steps need of the last ones in addition to the states. @param state  the last one, into
+  /// which a restart writes
   virtual void visit_memory(StepMemory&, const State& state) = 0;
 
   /// How this program computes what it remembers: the memory of another one would have other bits.

@@ -19,8 +19,8 @@ class Stopwatch {
  public:
   explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
 
-  /// For what is called again and again, call number `call`: on a device the host would wait each time, so that one call of
-  /// `sample` is measured and counts for all.
+  /// For frequent calls, call number `call`: on a device the host would wait each time, so only one of `sample` calls
+  /// is measured and counts for all.
   Stopwatch(double& seconds, long call) : seconds_(seconds) {
     if (!host_algorithms) {
       weight_ = call % sample == 0 ? sample : 0;
