@@ -19,7 +19,8 @@ std::array<double, Functional::count> integrate(const Region<D>& region, const F
   return with_task_of<Motion>(region, functional, at, blend, [&](auto& task) { return reduce<P>(task); });
 }
 
-/// Starts them; `take` gets them when they are finished. With Rate the rates at which the motion of the wall changes them.
+/// Starts them; `take` gets them when they are finished. With Rate the rates at which the motion of the wall changes
+/// them.
 template <int P, class Motion, bool Rate = false, int D, class Functional, class Take>
 void start(PendingIntegrals& pending, const Region<D>& region, const Functional& functional, const Evaluation<D>& at,
            const Blend& blend, const Take& take) {

@@ -12,7 +12,8 @@
 
 namespace softwet {
 
-/// Mass and volume of the fluid, as the moments of the density have them: in the coordinates (r, z) those for each radian.
+/// Mass and volume of the fluid, as the moments of the density have them: in the coordinates (r, z) those for each
+/// radian.
 struct Filling {
   double mass = 0, volume = 0;
 };
@@ -34,7 +35,8 @@ class Balance {
  public:
   Balance(const Regions<D>&, const Coefficients<D>&, const Forces<D>&, const Terms<D, P>&);
 
-  /// Starts all that a row takes from a state. It is there when `pending` is finished, and `found` has to stay where it is until then.
+  /// Starts all that a row takes from a state. It is there when `pending` is finished, and `found` has to stay where it
+  /// is until then.
   void start_row(const Stage&, PendingIntegrals& pending, Measured& found) const;
   Integrals integrals(const Stage&) const;
   Filling filling(const Stage&) const;
@@ -57,7 +59,7 @@ class Balance {
   void branch_integrals(const Stage&, PendingIntegrals&, Integrals&) const;
   /// What branches follow, and its rate: the displacement and the velocity, or strains at points.
   void followed_by_branches(const Stage&, const Array& followed, const Array& rate) const;
-  /// Of a functional over the moved fluid domain.
+  /// Integrals of a functional over the moved fluid domain.
   template <class Functional>
   std::array<double, Functional::count> over_fluid(const Functional&, const Stage&) const;
 

@@ -8,7 +8,8 @@
 
 namespace softwet {
 
-/// E of a displacement at all points of the solid, at the places of PointMemory. In the coordinates (r, z) with its hoop entry.
+/// E of a displacement at all points of the solid, at the places of PointMemory. In the coordinates (r, z) with its
+/// hoop entry.
 template <int P, int D>
 void write_strains(const Regions<D>&, const ConstArray& displacement, const Array& out);
 /// E' of the displacement and the velocity of a stage.

@@ -45,7 +45,7 @@ void require_modulus(const Case& c, double least_cosine) {
                   short_text(loss) + " or more, or fluid.wall_tension = \"none\"");
 }
 
-/// The same values on all rows that live on the wall.
+/// The field that has the same values on all rows that live on the wall.
 template <int D>
 GivenField<double> on_wall(const Layout<D>& layout, const std::vector<double>& of_row) {
   const int row = layout.has_solid ? layout.wall_row : 0;

@@ -1,4 +1,5 @@
-// What the equations of a scene have in them: the numbers of fluid, wall and solid, and those that are given at each point.
+// What the equations of a scene have in them: the numbers of fluid, wall and solid, and those that are given at each
+// point.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@
 
 namespace softwet {
 
-/// Of the wall that the fluid wets.
+/// Coefficients of the wall that the fluid wets.
 struct WallCoefficients {
   WallEnergy energy;           ///< its law has capillarity and cosine of the gradient law too
   GivenField<double> cosines;  ///< of the contact angle; empty where it does not vary and the wall has no exponent
@@ -37,10 +38,11 @@ using Solid = std::variant<Elastodynamics<SaintVenantKirchhoff>, Elastodynamics<
 
 struct SolidCoefficients {
   Solid law;                 ///< where the stiffness varies in space, where it is largest
-  LameParameters stiffness;  ///< the same
+  LameParameters stiffness;  ///< stiffness of `law`
   GivenField<double> graded
-      [2];  ///< stiffness over that of `law`, below and above a joint; empty where the law has a kernel of its own
-  Prestretch prestretch;  ///< of the material; that of fibres is part of them
+      /// Stiffness over the stiffness of `law`, below and above a joint; empty where the law has a kernel of its own.
+      [2];
+  Prestretch prestretch;  ///< of the material; `fibres` include their own
   Fibres fibres;          ///< of stiffness 0 where there are none
   Branches branches;      ///< none, or those of a viscoelastic solid
   SolidRates rates;
@@ -51,7 +53,8 @@ struct SolidCoefficients {
     return std::visit([](const auto& solid) { return solid.density; }, law);
   }
   /// First Piola-Kirchhoff stress of the material, as stiff as it is at the point x of the undeformed solid, and of its
-  /// fibres, with the prestretch; without its viscosity and its branches. On the host. In 2D Grad u has the third axis too.
+  /// fibres, with the prestretch; without its viscosity and its branches. On the host. In 2D Grad u has the third axis
+  /// too.
   Matrix<double, 3> first_piola(const Matrix<double, 3>& grad_u, const std::array<double, 3>& x) const;
 };
 

@@ -57,7 +57,7 @@ std::vector<double> on_patch(const EarlierState& from, const Layout<D>& to, Patc
   return values;
 }
 
-/// Copies what is stored here of a component of the whole patch.
+/// Copies the values of a component of the whole patch that this process stores.
 template <int D>
 void take_stored(const Layout<D>& l, const std::vector<double>& all, double* values) {
   const std::size_t width = l.axis[0].functions(), stored = l.extent(0), lines = all.size() / width;

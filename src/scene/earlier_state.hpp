@@ -21,10 +21,10 @@ struct EarlierState {
 std::vector<double> control_values_of_samples(const std::vector<Axis>&, int low, int high, std::vector<double> samples);
 
 /// Sets velocity, density, potential and displacement from an earlier run, as far as it has the material. In a mesh
-/// whose elements divide those of the earlier one, with a degree that is not smaller, they are the same functions; in
-/// others they are near, and keep their integrals over the undeformed fluid or solid (spline/transfer.hpp). A density
-/// stays between the smallest and the largest control value of the earlier one, which cuts overshoots beside an
-/// interface that the mesh does not resolve.
+/// whose elements divide the elements of the earlier one, with a degree that is not smaller, they are the same
+/// functions; in other meshes they are near, and keep their integrals over the undeformed fluid or solid
+/// (spline/transfer.hpp). A density stays between the smallest and the largest control value of the earlier one, which
+/// cuts overshoots next to an interface that the mesh does not resolve.
 template <int D>
 void give_earlier(const EarlierState&, const Layout<D>&, std::vector<double>& unknown,
                   std::vector<double>& displacement);

@@ -24,7 +24,8 @@ PhaseDensities densities_at(double temperature, double potential);
 /// Surface tension sigma = g int_{rho_v}^{rho_l} sqrt(2 D(rho)) d rho, scale a b^2 L0.
 double surface_tension(const Fluid& fluid);
 
-/// Mean slope of the planar interface, weighted by its share of the surface tension: int 2 D d rho / (g int sqrt(2 D) d rho), scale b/L0.
+/// Mean slope of the planar interface, weighted by its share of the surface tension: int 2 D d rho / (g int sqrt(2 D) d
+/// rho), scale b/L0.
 double mean_interface_slope(const Fluid& fluid);
 
 /// Half width w of tanh(x / w) with the slope of the planar interface in its middle; scale L0.

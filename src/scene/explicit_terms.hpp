@@ -10,13 +10,13 @@ namespace softwet {
 /// Whether viscosity counts among all else, or is treated apart.
 enum class Viscosity { among_all, apart };
 
-/// How often memory that kernels of terms share has moved or has got other contents, where a device has some. Kernels that were recorded
-/// before may not be started then.
+/// How often memory that kernels of terms share has moved or has got other contents, where a device has some. Kernels
+/// that were recorded before may not be started then.
 inline long moves_of_term_memory() { return moves_of_tile_rooms + replaced_copies_of_bytes(); }
 
-/// Parts of the residual, added to a vector with the layout of the unknowns; `collect` or `taken` ends a sum of them. All together they
-/// are the residual without the terms of the acceleration and of the moments and without (q, mu), and without its mask: what is
-/// prescribed has values too.
+/// Parts of the residual, added to a vector with the layout of the unknowns; `collect` or `taken` ends a sum of them.
+/// Together they are the residual without the terms of the acceleration and of the moments and without (q, mu). The
+/// mask is not applied: prescribed unknowns have values too.
 /// Tested: tests/unit/scene/test_explicit_terms.cpp
 template <int D, int P>
 class ExplicitTerms {
@@ -37,7 +37,8 @@ class ExplicitTerms {
   void add_viscosity_of_solid(const Stage&, const Array& out) const;
   /// Ends a sum: adds what a device has summed, and sums what ghosts hold.
   void collect(const Array& out) const;
-  /// The same, but on a device without ghosts this has what is missing, for the kernel that reads the vector next.
+  /// Ends a sum as `collect` does, except on a device without ghosts: there it returns the missing sums, for the kernel
+  /// that reads the vector next.
   TileSumsOf<D> taken(const Array& out) const;
 
  private:

@@ -5,7 +5,7 @@
 
 namespace softwet {
 
-/// `Balance::faults` in two halves. Of a scene whose mesh does not move nothing is asked.
+/// `Balance::faults` in two halves. A scene whose mesh does not move needs no kernels.
 template <int D, int P>
 class FaultSearch {
  public:

@@ -27,14 +27,15 @@ class Forces {
     needles_.add_to_residual(layout_, time, displacement, out, numbers ? numbers + D * loads_.size() : nullptr);
   }
 
-  // For steps that are recorded: how many numbers kernels read, and these at a time. Then loads that move are where they are then.
+  // For steps that are recorded: how many numbers kernels read, and these at a time. Then loads that move are where
+  // they are then.
   int numbers() const { return D * static_cast<int>(loads_.size()) + needles_.numbers(); }
   void find(double time, double* numbers) const;
   /// Whether a load acts at a time; one that does not starts no kernel.
   std::vector<bool> acting(double time) const;
 
-  /// Starts the power of the loads on a velocity field at a time, in the coordinates (r, z) for each radian. It is there when `pending` is
-  /// finished.
+  /// Starts the power of the loads on a velocity field at a time, in the coordinates (r, z) for each radian. It is
+  /// there when `pending` is finished.
   void start_load_power(double time, const ConstArray& unknown, PendingIntegrals& pending, double& power) const;
 
  private:

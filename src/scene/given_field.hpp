@@ -8,7 +8,8 @@
 
 namespace softwet {
 
-/// A field that is known before the run, as control values on some rows of the patch, such as the stiffness on those of the solid.
+/// A field that is known before the run, as control values on some rows of the patch, such as the stiffness on the rows
+/// of the solid.
 template <class Real>
 struct GivenField {
   ArrayOf<Real> values;
@@ -18,7 +19,7 @@ struct GivenField {
   const Real* origin() const { return values.data() ? values.data() - shift : nullptr; }
 };
 
-/// The same in the precision Real.
+/// The field in the precision Real.
 template <class Real>
 GivenField<Real> rounded(const GivenField<double>& field) {
   if constexpr (std::is_same_v<Real, double>) {

@@ -1,4 +1,4 @@
-// The fields that [initial] gives at each point, in place of those of droplets and films.
+// The fields that [initial] gives at each point, in place of the fields of droplets and films.
 #pragma once
 
 #include <algorithm>

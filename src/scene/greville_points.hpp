@@ -27,8 +27,8 @@ void at_greville_points(const Layout<D>& l, int first, int rows, const Visit& vi
   }
 }
 
-/// Calls visit(i, x, weight) for each sample of each control value i of a component with rows [first, first + rows): the sum
-/// of weight f(x) is a control value of f (spline/sampling.hpp).
+/// Calls visit(i, x, weight) for each sample of each control value i of a component with rows [first, first + rows):
+/// the sum of weight f(x) is a control value of f (spline/sampling.hpp).
 template <int D, class Visit>
 void at_samples(const Layout<D>& l, int first, int rows, const Visit& visit) {
   std::array<std::vector<Samples>, D> of_axis;

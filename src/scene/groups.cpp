@@ -10,8 +10,8 @@
 namespace softwet {
 namespace {
 
-// docs/verification/speed_ripple.md: on a soft layer, with two elements to the capillarity; from there to three it falls with the
-// fourth power.
+// docs/verification/speed_ripple.md: on a soft layer, with two elements to the capillarity; from there to three it
+// falls with the fourth power.
 constexpr double ripple_of_two_elements = 0.013, ripple_to_tell = 0.001;
 
 bool acts_along(const std::vector<double>& vector) { return !vector.empty() && vector[0] != 0; }

@@ -38,11 +38,13 @@ double elastocapillary_length(const Case&);
 /// Time in which a shear wave crosses the layer, Hs / sqrt(G / rho_0^s); scale L0/sqrt(ab). Only with a solid.
 double time_elasticity(const Substrate&);
 
-/// Ripple of the speed of a droplet that is driven along the wall, over it, root of the mean square: it meets each element alike.
+/// Ripple of the speed of a droplet that is driven along the wall, over it, root of the mean square: it meets each
+/// element alike.
 ///   1.3 % (2 h / gamma)^4     h: length of an element along x, the short ones where they are graded
 /// 0 where nothing drives a droplet, and where it was not measured: in 3D, with degree 3.
-/// Measured for h / gamma from 1/3 to 1: docs/verification/speed_ripple.md. It is within 30 % on a soft layer from two elements to the
-/// capillarity on, and too large on a rigid wall; with one element a droplet lurches from element to element.
+/// Measured for h / gamma from 1/3 to 1: docs/verification/speed_ripple.md. It is within 30 % on a soft layer from two
+/// elements to the capillarity on, and too large on a rigid wall; with one element a droplet lurches from element to
+/// element.
 double speed_ripple(const Case&);
 
 struct Group {
@@ -51,8 +53,8 @@ struct Group {
   std::string meaning;
 };
 
-/// The groups and time scales a scene has: those of a droplet with a droplet, those of a solid with a solid.
-/// Speeds are those of 1 in history.csv, sqrt(ab). Tested by hand-worked numbers: tests/unit/scene/test_groups.cpp
+/// The groups and time scales of a scene: some need a droplet, some a solid. A speed of 1 in history.csv is sqrt(ab).
+/// Tested by hand-worked numbers: tests/unit/scene/test_groups.cpp
 std::vector<Group> groups(const Case&);
 
 }  // namespace softwet

@@ -125,7 +125,8 @@ void at_parts(const Case& c, const std::vector<Shape>& all, const InterfaceProfi
   }
 }
 
-/// Moving droplets: the sum of velocity times part. The solid, which has the wall in common with the fluid, stays at rest.
+/// Moving droplets: the sum of velocity times part. The solid, which has the wall in common with the fluid, stays at
+/// rest.
 template <int D>
 void fill_velocity(const Case& c, const Layout<D>& l, const std::vector<Shape>& all, const InterfaceProfile& profile,
                    std::vector<double>& unknown) {

@@ -9,9 +9,10 @@
 
 namespace softwet {
 
-/// Scales: energies a b^2 L0^D, mass b L0^D, volume L0^D; in the coordinates (r, z) those of space, L0^3.
-/// A name that continues that of a column, after "_", is a part of the column: energy_free_bulk of energy_free, and each energy
-/// of "energy", their total. So are dissipation_solid and dissipation_wall, columns themselves, of dissipation.
+/// Scales: energies a b^2 L0^D, mass b L0^D, volume L0^D; in the coordinates (r, z) L0^3 replaces L0^D.
+/// A name that continues the name of a column, after "_", is a part of this column: energy_free_bulk of energy_free,
+/// and each energy of "energy", their total. The columns dissipation_solid and dissipation_wall are parts of
+/// dissipation.
 /// Tested: tests/unit/scene/test_integrals.cpp
 class Integrals {
  public:
@@ -68,7 +69,7 @@ class Integrals {
     for (int k = 0; k < Functional::count; ++k) values_[at[k]] += integrals[k];
   }
 
-  /// From those for each radian about an axis to those of a whole turn. Of the momentum what points away from the axis cancels.
+  /// Turns integrals for each radian about an axis into integrals of a whole turn. The radial momentum cancels.
   void turn(double angle) {
     for (double& value : values_) value *= angle;
     part("momentum_x") = 0;

@@ -9,8 +9,8 @@
 
 namespace softwet {
 
-/// The sine that makes B of mu_f is that of the static angle. A line whose density has the mean slope of the interface has the rate r0 at
-/// the speed fluid.creep_speed.
+/// The sine in B of mu_f is the sine of the static angle. A line whose density has the mean slope of the interface has
+/// the rate r0 at the speed fluid.creep_speed.
 inline LineFriction line_friction_of(const Fluid& fluid, EnergyWall barrier) {
   const double sine = std::sin(fluid.contact_angle.number * M_PI / 180), g = fluid.capillarity;
   barrier.cosine = fluid.hysteresis();

@@ -18,7 +18,7 @@ class Masses {
   /// Part of the density: out_i = (q_i, z J) on the reference domain. Moments are the product with the density.
   void scalar(const Stage&, const Array& z, const Array& out) const;
 
-  /// The same added to `out`, with what is prescribed; the ghosts of z are filled.
+  /// Adds this product to `out`, without the mask: prescribed unknowns have values too; the ghosts of z are filled.
   void add_scalar(const Stage&, const Array& z, const Array& out) const;
 
   /// Velocities: out_i = inertia (w_i, rho z) + (grad w_i, tau(z)) in the fluid, inertia (w_i, rho_0 z) in the solid.
@@ -31,7 +31,7 @@ class Masses {
   void add(const Term&, const Region<D>&, const Evaluation<D>&) const;
   template <class Term>
   void add_fluid(const Term&, const Evaluation<D>&) const;
-  /// Sums what ghosts hold, and drops what is prescribed.
+  /// Adds the values of ghosts to their owners, and zeroes prescribed unknowns.
   void collect(const Array& out) const;
 
   const Regions<D>& regions_;

@@ -85,8 +85,8 @@ struct Pull {
 
 }  // namespace needle_kernels
 
-/// The needles of a case. A needle holds the control values u_i with the weights w_i = int_box N_i dX of its box, which goes with the
-/// solid: force w_i k (U - u_i), energy sum_i w_i k/2 |U - u_i|^2. Tested: tests/unit/scene/test_needles.cpp
+/// The needles of a case. A needle holds the control values u_i with the weights w_i = int_box N_i dX of its box, which goes with the solid: force w_i k (U - u_i), energy sum_i w_i k/2 |U - u_i|^2.
+/// Tested: tests/unit/scene/test_needles.cpp
 template <int D>
 class Needles {
  public:
@@ -141,7 +141,8 @@ class Needles {
                          needle_kernels::AddDiagonal<D>{stencil, values, held_, scale});
   }
 
-  /// Starts what each needle measures, which is there when `pending` is finished. The list has to stay where it is until then.
+  /// Starts what each needle measures, which is there when `pending` is finished. The list has to stay where it is
+  /// until then.
   void start_readings(const Layout<D>& l, const Stage& stage, PendingIntegrals& pending,
                       std::vector<NeedleReading>& found) const {
     found.assign(all_.size(), {});
@@ -182,7 +183,7 @@ class Needles {
 
   static int nodes(const Layout<D>& l) { return l.solid_rows() * l.row_size; }
   double place(const Held& one, int d, double time) const { return one.needle.place(d, time - clock_zero_); }
-  /// From a little before: at a corner of the path that of the step that ends there.
+  /// Speed just before a time: at a corner of the path it is the speed of the step that ends there.
   double speed(const Held& one, int d, double time) const {
     const double before = 1e-7 * std::max(1.0, std::abs(time));
     return (place(one, d, time) - place(one, d, time - before)) / before;

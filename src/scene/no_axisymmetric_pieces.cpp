@@ -1,4 +1,5 @@
-// In place of the terms in the coordinates (r, z) in a build without them, which refuses their cases (cli/core/configurations.hpp).
+// In place of the terms in the coordinates (r, z) in a build without them, which refuses their cases
+// (cli/core/configurations.hpp).
 #include <stdexcept>
 
 #include "scene/pieces.hpp"

@@ -6,7 +6,8 @@
 
 namespace softwet {
 
-/// Axis d, radial where it is r of (r, z), with the kink between solid and fluid and the joint of the solid on the vertical one.
+/// Axis d, radial where it is r of (r, z), with the kink between solid and fluid and the joint of the solid on the
+/// vertical one.
 inline Axis axis_of(const Case& c, int d, int degree) {
   const bool periodic = c.boundary.side[d][0] == Side::periodic;
   const AxisKind kind = c.axisymmetric() && d == 0 ? AxisKind::radial

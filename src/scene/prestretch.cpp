@@ -27,8 +27,9 @@ auto with_law(const Case& c, const LameParameters& stiffness, const Visit& visit
                                                              : visit(SaintVenantKirchhoff{stiffness});
 }
 
-/// The stretch along an axis that leaves no stress along it: Newton's method for l_v P_vv = 0 in ln l_v. Of both laws this is convex above
-/// its largest root, so that from above, where |ln(l_1 l_2)| is for any Poisson ratio, the values fall to that root. 0 where there is none.
+/// The stretch along an axis that leaves no stress along it: Newton's method for l_v P_vv = 0 in ln l_v. For both laws
+/// this function is convex above its largest root. |ln(l_1 l_2)| is above the root for any Poisson ratio, so that
+/// values from there fall to the root. 0 where there is none.
 template <class Law>
 double free_stretch(const Law& law, const Vector<double, 3>& stretch, int axis) {
   constexpr int most = 200;

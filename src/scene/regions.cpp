@@ -17,7 +17,8 @@
 namespace softwet {
 namespace {
 
-/// This process's columns of an axis, with those beside them that the boxes of `schwarz` reach where it may be chosen.
+/// This process's columns of an axis, with the neighbouring columns that the boxes of `schwarz` reach where it may be
+/// chosen.
 Columns own_columns(const Axis& axis, const Case& c) {
   const bool boxes = c.dimension() == 3 || c.solver.preconditioner == PreconditionerKind::schwarz;
   const int count = ranks::count(), most = most_ranks(axis);

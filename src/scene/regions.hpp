@@ -1,4 +1,5 @@
-// Where a scene is computed: its patch with the unknowns, the boxes of elements on which terms act, and what sides prescribe.
+// Where a scene is computed: its patch with the unknowns, the boxes of elements on which terms act, and what sides
+// prescribe.
 #pragma once
 
 #include <cmath>
@@ -25,8 +26,8 @@ class Regions {
   const Blend& blend() const { return blend_; }  ///< of the motion of the wall over the height of the fluid
   double wall_height() const { return blend_.low; }
   bool has_wall() const { return has_wall_; }  ///< whether the fluid ends at one, rigid or soft
-  /// What integrals of the equations have to be multiplied by for those of the whole scene: in the coordinates (r, z) they are
-  /// those for each radian.
+  /// Factor from integrals of the equations to integrals over the whole scene: in the coordinates (r, z) the equations
+  /// are integrated for each radian.
   double turn() const { return layout_.axisymmetric() ? 2 * M_PI : 1; }
 
   const Region<D>& fluid() const { return fluid_; }
@@ -34,7 +35,7 @@ class Regions {
   const Region<D>& wall() const { return wall_; }
   /// Where a term is integrated, with the points of the scene or others.
   Region<D> of(Where, int points) const;
-  /// The same in parts: the solid below and above its joint, where it has one.
+  /// The parts of this region: the solid below and above its joint, where it has one.
   std::vector<Region<D>> parts_of(Where, int points) const;
 
  private:

@@ -14,11 +14,12 @@
 
 namespace softwet {
 
-/// Owns the objects of a scene, each of which is whole when it is made and takes those that it needs. What needs one alone takes that one.
+/// Owns the objects of a scene, each of which is whole when it is made and takes those that it needs. What needs one
+/// alone takes that one.
 template <int D, int P>
 class Scene {
  public:
-  /// Errors: those of Regions and of Coefficients.
+  /// Errors: see Regions and Coefficients.
   explicit Scene(const Case& c)
       : regions_(c),
         coefficients_(regions_, c),

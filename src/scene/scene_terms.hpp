@@ -1,4 +1,4 @@
-// The terms that a device computes in one launch: those of scenes with a soft or with a rigid wall.
+// The terms that a device computes in one launch, for scenes with a soft and with a rigid wall.
 #pragma once
 
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
@@ -8,15 +8,15 @@
 
 namespace softwet {
 
-/// The terms that most scenes have. A kernel has the registers and the scratch of its largest term, and its code grows with each
-/// of them. A term that is not here is launched by itself.
+/// The terms that most scenes have. A kernel has the registers and the scratch of its largest term, and its code grows
+/// with each of them. A term that is not here is launched by itself.
 template <class Motion, class... Others>
 using FluidTerms = TermList<TermOnMesh<NavierStokesKorteweg, Motion>, TermOnMesh<DensityMoment, Motion>,
                             TermOnMesh<CapillaryTraction, Motion>, TermOnMesh<GradientWall, Motion>, Others...>;
 
 using RigidTerms = FluidTerms<NoMotion>;
-/// In 3D and single precision, that of products, the solid has a launch of its own: the code of all terms would be so long that nvcc
-/// makes a function of it, which keeps its numbers in memory.
+/// In 3D and single precision, which products use, the solid has a launch of its own: the code of all terms would be so
+/// long that nvcc makes a function of it, which keeps its numbers in memory.
 template <int D, class Real>
 using SoftTerms =
     std::conditional_t<D == 3 && std::is_same_v<Real, float>, FluidTerms<WallMotion<D, Real>>,

@@ -5,9 +5,9 @@
 
 namespace softwet {
 
-/// Their energies and stresses add up to those of the law with its prestretch (SelectiveParts). Each part has no energy and no stress of
-/// means where the displacement is 0: what the part of means has there `everywhere` carries, so that a stretched layer is at rest
-/// where the full law is, whatever the mesh and however the stiffness varies.
+/// Their energies and stresses add up to the energy and stress of the law with its prestretch (SelectiveParts). Where
+/// the displacement is 0, each part has no energy, and means have no stress: `everywhere` carries their stress, so that
+/// a stretched layer is at rest where the full law is, whatever the mesh and however the stiffness varies.
 struct SelectiveMaterials {
   ChosenMaterial everywhere, of_means;
 

@@ -1,4 +1,4 @@
-// What a solid has beside its elasticity, from the numbers of a case.
+// Rates of a solid in addition to its elasticity, from the numbers of a case.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 
 namespace softwet {
 
-/// What a solid has beside its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest tension of its top face, the modulus
-/// lambda_s + 2 G_s of this face, the stiffer springs and the stronger dashpots of its foundation, the largest stiffness of needles, and what
-/// its branches add to the stiffness against fast waves.
+/// Properties of a solid in addition to its elasticity, for bounds of explicit steps: 4/3 eta + zeta, the largest
+/// tension of its top face, the modulus lambda_s + 2 G_s of this face, the stiffer springs and the stronger dashpots of
+/// its foundation, the largest stiffness of needles, and the stiffness that its branches add against fast waves.
 struct SolidRates {
   double viscosity = 0, tension = 0, modulus = 0, foundation = 0, dashpots = 0, held = 0, branches = 0;
 };
 
-/// At least the largest stiffness of springs at a point of the solid: those of needles whose boxes overlap add up.
+/// An upper bound of the stiffness of springs at a point of the solid: needles whose boxes overlap add up.
 inline double stiffness_of_needles(const Case& c) {
   const auto overlap = [](const Needle& a, const Needle& b) {
     for (std::size_t d = 0; d < a.lower.size(); ++d)
