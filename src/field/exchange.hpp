@@ -1,4 +1,5 @@
-// Columns that travel between processes: copies of those of the neighbours, and whole vectors collected by everybody.
+// Columns that travel between processes: copies of the columns of neighbours, and whole vectors collected from all
+// processes.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +25,8 @@ struct MessageSpace {
   }
 };
 
-/// The stored columns that a process sends to its neighbours and those it receives, once and for all. A process may be its
-/// own neighbour, around a periodic axis.
+/// The stored columns that a process sends to its neighbours and those it receives, once and for all. A process may be
+/// its own neighbour, around a periodic axis.
 struct ColumnExchange {
   struct Neighbour {
     int rank;
@@ -126,7 +127,7 @@ void for_lines_on_host(std::int64_t lines, const Body& body) {
   Kokkos::DefaultHostExecutionSpace().fence();
 }
 
-/// Who gets what is collected.
+/// The processes that receive collected values.
 enum class Collects { every_process, first_process };
 
 /// Lines of all columns of the patch, collected from what each process stores. `own` and `all` are in the memory of the
@@ -213,7 +214,7 @@ std::vector<double> to_host_on_root(const Layout<D>& layout, const ConstArray& o
   return collect_on_root(layout, to_host(own));
 }
 
-/// The other way round: what this process stores of values of the whole patch.
+/// The part of values of the whole patch that this process stores: the inverse of collecting.
 template <int D>
 Array from_patch(const Layout<D>& layout, const std::vector<double>& all) {
   if (layout.whole()) return to_device<Array>(all);

@@ -7,8 +7,8 @@
 
 namespace softwet {
 
-/// A number, or the place of one in memory of a device, which is read whenever the kernel runs: so a kernel that is recorded goes on
-/// with new numbers.
+/// A number, or the place of one in memory of a device, which is read whenever the kernel runs: so a kernel that is
+/// recorded goes on with new numbers.
 class PlacedNumber {
  public:
   KOKKOS_FUNCTION PlacedNumber(double number = 0) : number_(number) {}
@@ -20,7 +20,8 @@ class PlacedNumber {
   const double* place_ = nullptr;
 };
 
-/// A number of a kernel that may change from step to step. Where algorithms are those of a processor nothing is recorded.
+/// A number of a kernel that may change from step to step. With the algorithms of a processor no step is recorded, and
+/// it is a plain number.
 using Factor = std::conditional_t<host_algorithms, double, PlacedNumber>;
 
 /// The number at a place in memory of the device, where there is a place.

@@ -73,12 +73,12 @@ void run_fused(const char* name, const ForEach<Bodies>&... parts) {
   run(name, fused(parts...));
 }
 
-/// Nothing to do, in the place of a kernel or of an operation.
+/// Does nothing, in the place of a kernel or of an operation.
 struct Nothing {
   KOKKOS_FUNCTION void operator()(int) const {}
 };
 
-/// The items of one kernel behind those of another one.
+/// A kernel that runs the items of one kernel, followed by the items of another.
 template <class First, class Second>
 struct InTurn {
   Counted<First> first;
@@ -92,8 +92,8 @@ struct InTurn {
   }
 };
 
-/// Runs two kernels, on a device as one: there is no order between them, so neither may read what the other one writes. On a
-/// processor threads would have unlike shares of them, and a launch costs little.
+/// Runs two kernels, on a device as one: there is no order between them, so neither may read what the other one writes.
+/// On a processor threads would have unlike shares of them, and a launch costs little.
 template <class First, class Second>
 void run_beside(const char* name, const Counted<First>& first, const Counted<Second>& second) {
   if constexpr (host_algorithms || std::is_same_v<Second, Nothing>) {

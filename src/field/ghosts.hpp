@@ -76,8 +76,8 @@ struct MoveGhosts {
   }
 };
 
-/// Whether the last stored functions of an axis are ghosts whose sums belong to its first ones: on a periodic axis. Of
-/// several processes the first has them (spline/columns.hpp).
+/// Whether the last stored functions of an axis are ghosts whose sums belong to its first ones: on a periodic axis.
+/// Among several processes only the first has them (spline/columns.hpp).
 template <int D>
 bool closes(const Layout<D>& layout, int d) {
   return layout.axis[d].periodic() && (d > 0 || layout.columns.rank == 0);
@@ -125,7 +125,7 @@ struct FoldGhosts {
   }
 };
 
-/// Adds the rows of ghosts to those of the control points they repeat.
+/// Adds the rows of ghosts to the rows of the control points that they repeat.
 template <int D>
 void fold_ghosts(const Layout<D>& layout, const Stencil<D>& stencil, const StencilValues& values) {
   for (int d = 0; d < D; ++d) {

@@ -8,8 +8,8 @@
 
 namespace softwet {
 
-/// An item has one sum for each column of a strip and for even and for odd lines. They are added up side by side, on a processor
-/// by one thread in vector registers, and then to each other in one fixed order.
+/// An item has one sum for each column of a strip and for even and for odd lines. They are added up side by side, on a
+/// processor by one thread in vector registers, and then to each other in one fixed order.
 inline constexpr int sum_lanes = 2 * strip_width;
 static_assert(sum_lanes == 8);
 KOKKOS_FORCEINLINE_FUNCTION double sum_of_lanes(const double* sum) {
@@ -78,8 +78,8 @@ void start_sums(const char* name, const Kernel& kernel, int items, const Array& 
   }
 }
 
-/// total(r) is the sum of partial(b totals + r) over all blocks b, in their order. A team has one r: its threads fetch the numbers of
-/// many blocks at once, and one of them adds these up.
+/// total(r) is the sum of partial(b totals + r) over all blocks b, in their order. A team has one r: its threads fetch
+/// the numbers of many blocks at once, and one of them adds these up.
 struct AddBlocks {
   static constexpr int at_once = 512, bytes = at_once * sizeof(double);
   ConstArray partial;

@@ -13,8 +13,8 @@ struct ColumnExchange;
 
 /// The patch: one axis per dimension, rows of control points along the last axis. Velocity lives on all rows, the
 /// displacement on the solid's rows, density and chemical potential on the fluid's; they share the wall's row.
-/// A component is a dense box [k][j][i], i fastest; a row is everything but the last axis. Where several processes compute
-/// a scene, each stores some of its columns, and sizes and offsets are those of what it stores.
+/// A component is a dense box [k][j][i], i fastest; a row is everything but the last axis. Where several processes
+/// compute a scene, each stores some of its columns, and sizes and offsets count what it stores.
 template <int D>
 struct Layout {
   std::vector<Axis> axis;                          ///< of the whole patch
@@ -24,9 +24,9 @@ struct Layout {
   bool has_fluid = true, has_solid = true;
   int row_size = 0, rows = 0;
   int wall_row = 0;   ///< last row of the solid = first row of the fluid
-  int rate_rows = 0;  ///< rows of the density, from the wall on, whose rates are kept behind those of the velocity
+  int rate_rows = 0;  ///< rows of the density, from the wall on, whose rates are kept behind the rates of the velocity
   int branches = 0;   ///< of a viscoelastic solid
-  /// Lines of columns that each branch remembers: those of a displacement, or of strains at points (PointMemory).
+  /// Lines of columns that each branch remembers: lines of a displacement, or of strains at points (PointMemory).
   int branch_lines = 0;
   bool branches_at_points = false;
 
@@ -38,12 +38,12 @@ struct Layout {
     for (const Axis& one : axis) least = std::min(least, one.spacing());
     return least;
   }
-  /// Stored control points along an axis; for the last one those of the whole patch.
+  /// Stored control points along an axis; along the last one all of the patch.
   int extent(int d) const { return d == 0 && columns.stored() > 0 ? columns.stored() : axis[d].functions(); }
   /// The axis function that column i of axis d belongs to.
   int function(int i, int d) const { return d == 0 && columns.stored() > 0 ? columns.function[i] : i; }
-  /// The places along an axis before its values repeat; 0: never. Of a part of a periodic axis only the first process's
-  /// has both ends.
+  /// The places along an axis before its values repeat; 0: never. Where processes share a periodic axis only the first
+  /// one has both ends.
   int period(int d) const {
     if (!axis[d].periodic()) return 0;
     if (d > 0 || whole()) return axis[d].owned();
@@ -53,7 +53,7 @@ struct Layout {
   bool own(int i, int d) const { return d > 0 || columns.stored() == 0 || columns.own(i); }
   /// Whether all columns are stored here, once.
   bool whole() const { return columns.ranks == 1; }
-  /// Of the vectors on these columns: of the unknowns, and of any number of rows.
+  /// The space of the vectors on these columns: vectors of unknowns, and of any number of rows.
   VectorSpace space() const { return VectorSpace(columns); }
   /// The layout of all columns.
   Layout whole_patch() const {
@@ -69,7 +69,7 @@ struct Layout {
   int fluid_rows() const { return has_fluid ? rows - wall_row : 0; }
   int velocity_size() const { return D * rows * row_size; }
   int scalar_size() const { return fluid_rows() * row_size; }
-  /// Of the rates of the first unknowns: of the velocity, and of the rows of the density that have some.
+  /// Size of the rates of the first unknowns: of the velocity, and of the rows of the density that have rates.
   int rate_size() const { return velocity_size() + rate_rows * row_size; }
   int solid_size() const { return D * solid_rows() * row_size; }
   int branch_size() const { return branch_lines * extent(0); }

@@ -50,7 +50,7 @@ List shared(List list, int from = 0) {
   return list;
 }
 
-/// What is sent to a process and received from it.
+/// Data sent to a process, and data received from it.
 struct Message {
   int rank;
   const void* send;
@@ -62,10 +62,11 @@ void exchange(const std::vector<Message>&);
 
 /// Collects the parts of all processes, one after the other; `bytes` of each.
 void gather(const void* part, const std::vector<int>& bytes, void* all);
-/// The same on the first process alone; `all` means nothing on the others.
+/// Collects the parts on the first process alone; `all` has no meaning on the others.
 void gather_on_root(const void* part, const std::vector<int>& bytes, void* all);
 
-/// Waits a little while until all processes are at their end. False: some are not, for they have not heard of a failure.
+/// Waits a little while until all processes are at their end. False: some are not, for they have not heard of a
+/// failure.
 bool all_end();
 /// Ends all processes at once, with this exit code.
 [[noreturn]] void abort(int code);

@@ -17,7 +17,7 @@ struct State {
   Array moment_rate;        ///< dp_i/dt
   Array memory = {};        ///< a_i or A_i of Branches, one behind the other
   Array memory_rate = {};   ///< their rates, of a time memory_shift before
-  double memory_shift = 0;  ///< of the last step, of use for what is reported alone; 0 behind a checkpoint
+  double memory_shift = 0;  ///< of the last step, for reporting only; 0 after a restart
 };
 
 /// Fields at the generalized-alpha point and at the end of the step. Unknowns are the values at n + af.
@@ -36,7 +36,7 @@ struct StageOf {
   double density_rate_scale = 0;   ///< d (d rho/dt) / d rho; 0 where the rates count as 0
   ArrayOf<Real> lag = {};          ///< q of BranchStress at n+af, or h of FiniteBranchStress at the points
   double branch_weight = 0;        ///< W of Branches: d q / d displacement; 0 where the branches carry nothing
-  ConstArray memory = {}, memory_rate = {};  ///< of the branches, where the stage is that of a state
+  ConstArray memory = {}, memory_rate = {};  ///< of the branches, where the stage belongs to a state
   double memory_shift = 0;
 };
 using Stage = StageOf<double>;

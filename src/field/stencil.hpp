@@ -10,8 +10,8 @@ namespace softwet {
 /// In single precision: such a matrix only serves preconditioners.
 using StencilValues = Kokkos::View<float*, Exec>;
 
-/// Control points along an axis of the boxes of `schwarz` (solver/schwarz/schwarz.hpp). A process stores one column less beside its
-/// own ones.
+/// Control points along an axis of the boxes of `schwarz` (solver/schwarz/schwarz.hpp). On each side a process stores
+/// one column less in addition to its own columns.
 constexpr int box_width(int dimension) { return dimension == 2 ? 8 : 4; }
 
 /// Index i on an axis of `extent` places, wrapped where the axis has a period (0: none); -1 outside.

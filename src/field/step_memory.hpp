@@ -1,4 +1,4 @@
-// What a program remembers from one time step to the next beside its state, as a checkpoint sees it.
+// What a program remembers from one time step to the next in addition to its state, as a checkpoint sees it.
 #pragma once
 
 #include "memory/array.hpp"
@@ -7,7 +7,7 @@ namespace softwet {
 
 /// Visits, under names, what decides about the bits of later steps and does not follow from the state. The same visit
 /// writes a checkpoint and reads one, so that nothing can be forgotten in one of the two. Vectors are lines of columns
-/// of the patch, and of several processes each has its own columns of them. All processes visit the same in the same
+/// of the patch; each of several processes has its own columns of them. All processes make the same visits in the same
 /// order.
 class StepMemory {
  public:

@@ -1,4 +1,4 @@
-// Sums over vectors in one fixed order, so that results depend neither on the number of threads nor on that of processes.
+// Sums over vectors in one fixed order, so that results depend on the number neither of threads nor of processes.
 #pragma once
 
 #include <algorithm>
@@ -63,9 +63,9 @@ inline SumScratch& sum_scratch(std::size_t entries) {
 /// Whether a sum of squares comes behind the sums of products.
 enum class SquareOfFirst { left_out, added };
 
-/// Sums over one strip of some lines, in double precision, whatever the vectors are: of x_k(i) y(i) for several vectors x_k
-/// that follow each other in memory and for each y, and of y(i)^2 of the first y behind them; each entry times its weight.
-/// Partial sums are [block of lines][sum][own strip].   Tested: tests/unit/field/test_lane_sums.cpp
+/// Sums over one strip of some lines, in double precision, whatever the vectors are: of x_k(i) y(i) for several vectors
+/// x_k that follow each other in memory and for each y, and of y(i)^2 of the first y behind them; each entry times its
+/// weight. Partial sums are [block of lines][sum][own strip].   Tested: tests/unit/field/test_lane_sums.cpp
 template <class Real>
 struct StripSums {
   static constexpr int lines_at_once = 64, most_others = 2;
@@ -159,10 +159,11 @@ struct StripSums {
     l = 0, i = start;
     for (; l < lines && whole < width; ++l, i += stored)
       for (int k = whole; k < width; ++k) sum[k % strip_width] += weight(i) * entry(i + k);
-    if (lines < lines_at_once)  // what is no whole line, of a vector that is not the scene's
+    if (lines < lines_at_once)  // entries beyond whole lines, of a vector that is not the scene's
       for (int k = start + lines * stored; k < size; ++k) sum[k % strip_width] += weight(k) * entry(k);
   }
-  /// The same for one of the sums, which asks for a weight at each entry. What is beyond whole columns and lines belongs to those of even lines.
+  /// One of several sums, with a weight per entry. Entries beyond whole columns and lines belong to the sums of even
+  /// lines.
   template <class Weight, class Entry>
   KOKKOS_FORCEINLINE_FUNCTION void add_lines(OneLane& lane, const Lines& part, const Weight& weight,
                                              const Entry& entry) const {
@@ -193,8 +194,8 @@ struct StripSums {
 
 inline StripsHere strips_here(const VectorSpace& space) { return space.shared ? StripsHere::own : StripsHere::all; }
 
-/// Whether a device adds up so many partial sums, in a second kernel. The host reads and adds up a few thousand in the time of its launch
-/// (docs/devices.md).
+/// Whether a device adds up so many partial sums, in a second kernel. The host reads and adds up a few thousand in the
+/// time of its launch (docs/devices.md).
 inline bool adds_on_device(std::int64_t partial_sums) { return !host_algorithms && partial_sums > 4096; }
 template <class Real>
 bool adds_blocks(const StripSums<Real>& k) {
@@ -219,8 +220,8 @@ void add_partial_sums(StripTotals& totals, const StripSums<Real>& k, const doubl
     totals.add(k.space.first_strip + i % k.strips(), first + i / k.strips() % k.sums(), partial[i]);
 }
 
-/// The sums of some kernels on vectors of one space, one after another: a kernel each, or two on a device, one copy to the host,
-/// and one reduction over all processes.
+/// The sums of some kernels on vectors of one space, one after another: a kernel each, or two on a device, one copy to
+/// the host, and one reduction over all processes.
 template <class Real>
 std::vector<double> strip_sums(const std::vector<StripSums<Real>>& kernels) {
   int numbers = 0, blocks = 0, sums = 0;
