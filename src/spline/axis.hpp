@@ -13,8 +13,8 @@ enum class AxisKind { bounded, periodic, radial };
 class Axis {
  public:
   /// @param length    extent, L0
-  /// @param kink      element index whose lower knot is repeated `degree` times (C0 there), that of the wall; 0: none
-  /// @param joint     another one
+  /// @param kink      index of the element at the wall, whose lower knot is repeated `degree` times (C0 there); 0: none
+  /// @param joint     index of the element at a joint, with a knot repeated in the same way; 0: none
   Axis(double length, int elements, int degree, AxisKind kind = AxisKind::bounded, int kink = 0, int joint = 0);
   /// Elements between ascending breaks, of which the first is 0 and the last the length.
   Axis(std::vector<double> breaks, int degree, AxisKind kind = AxisKind::bounded, int kink = 0, int joint = 0);
@@ -51,7 +51,7 @@ class Axis {
   /// Values or first derivatives of the degree + 1 functions alive on an element at x (derivative: 1/L0).
   std::vector<double> values(int element, double x) const;
   std::vector<double> slopes(int element, double x) const;
-  /// The same, written to result[0 .. degree].
+  /// Writes the values of the functions to result[0 .. degree].
   void values(int element, double x, double* result) const;
   void slopes(int element, double x, double* result) const;
 

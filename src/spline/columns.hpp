@@ -5,7 +5,7 @@
 
 namespace softwet {
 
-/// Elements of a strip. The last strip also has what is left over.
+/// Elements of a strip. The last strip also has the remaining elements.
 inline constexpr int strip_width = 4;
 
 /// Elements that follow each other: the stored element l is element l + shift of the axis.
@@ -13,8 +13,8 @@ struct ElementRun {
   int begin = 0, end = 0, shift = 0;
 };
 
-/// The elements along the first axis that a process runs. Those whose integrals it sums are the stored elements
-/// [own_begin, own_end), in the strips [first_strip, last_strip) of all `strips`. Strips 0: nothing was cut.
+/// The elements along the first axis that a process runs. It sums the integrals of the stored elements [own_begin,
+/// own_end), in the strips [first_strip, last_strip) of all `strips`. Strips 0: nothing was cut.
 struct ElementColumns {
   ElementRun run[2];
   int runs = 0;
@@ -25,14 +25,14 @@ struct ElementColumns {
 /// All of so many elements.
 ElementColumns whole_elements(int elements);
 
-/// The columns of an axis that a process stores: its own ones, [begin, end) in storage, and copies of `beside` others on
-/// both sides. A process owns whole strips. The copies behind the end of a periodic axis count as columns of their own and
-/// belong to the last process.
+/// The columns of an axis that a process stores: its own ones, [begin, end) in storage, and copies of `beside`
+/// neighbouring columns on both sides. A process owns whole strips. The copies behind the end of a periodic axis count
+/// as columns of their own and belong to the last process.
 ///
 /// The elements of a process are all those that its own control points live on, so that nothing has to be added up
-/// between processes. Around a periodic axis the first process keeps the last columns apart, behind its others. Its last
-/// elements have control points of their own there, and what these get beyond the end is added to the first columns. A
-/// single process does the same, so the order is the same.
+/// between processes. Around a periodic axis the first process keeps the last columns apart, behind its others. Its
+/// last elements have control points of their own there, and what these get beyond the end is added to the first
+/// columns. A single process does the same, so the order is the same.
 struct Columns {
   int rank = 0, ranks = 1;
   std::vector<int> function;  ///< of each stored column; empty: nothing was cut
@@ -44,7 +44,8 @@ struct Columns {
   bool own(int column) const { return column >= begin && column < end; }
 };
 
-/// The part of one of `ranks` processes; at most `most_ranks` have one. At least `degree` columns are stored beside it.
+/// The part of one of `ranks` processes; at most `most_ranks` have one. At least `degree` neighbouring columns are
+/// stored on each side.
 Columns cut_columns(const Axis&, int rank, int ranks, int beside = 0);
 int most_ranks(const Axis&);
 

@@ -15,7 +15,7 @@ struct AxisSamples {
   std::vector<double> weight;  ///< per point: their values, or their slopes, 1/L0
 };
 
-/// What is sampled of the functions of an axis.
+/// Whether values or slopes of the functions of an axis are sampled.
 enum class Sampled { values, slopes };
 
 /// @param shift  row of the axis at which the component starts (0 except along the last axis)
@@ -23,7 +23,8 @@ enum class Sampled { values, slopes };
 AxisSamples sample_axis(const Axis&, const std::vector<double>& points, Sampled = Sampled::values, int shift = 0,
                         int lowest = 0, int highest = 1 << 30);
 
-/// At the tensor product of samples, first axis fastest: values of a component, or its derivative along the axis of slopes.
+/// At the tensor product of samples, first axis fastest: values of a component, or its derivative along the axis of
+/// slopes.
 /// @param box       control values [k][j][i]
 /// @param extent    stored functions per axis
 template <int D>

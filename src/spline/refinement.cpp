@@ -17,7 +17,8 @@ double oslo(const std::vector<double>& coarse, const std::vector<double>& fine, 
   return sum;
 }
 
-/// Knots that are equal for both axes where they are the same place: those of equal elements as multiples of a fine length.
+/// Knots that are equal for both axes where they are at the same place: knots of equal elements are multiples of a fine
+/// length.
 std::vector<double> comparable_knots(const Axis& axis, double spacing) {
   std::vector<double> knots = axis.knots();
   if (axis.graded()) return knots;
@@ -32,7 +33,8 @@ bool can_be_halved(const Axis& fine, int least) {
   return n % 2 == 0 ? fine.graded() || fine.kink() % 2 == 0 : fine.graded() && !fine.periodic();
 }
 
-/// Joins neighbours from the kink outwards. A joint that is no end of the joined elements is one of the fine functions alone.
+/// Joins neighbours from the kink outwards. A joint that is no end of the joined elements is one of the fine functions
+/// alone.
 Axis halved(const Axis& fine) {
   const int n = fine.elements(), kink = fine.kink();
   const int joint = (fine.joint() - kink) % 2 == 0 ? fine.joint() : 0;

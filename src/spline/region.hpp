@@ -26,7 +26,7 @@ struct Region {
   }
 };
 
-/// The same box with tables of the precision Real.
+/// The region with tables of the precision Real.
 template <class Real, int D>
 Region<D, Real> rounded(const Region<D>& region) {
   if constexpr (std::is_same_v<Real, double>) {

@@ -26,30 +26,30 @@ struct AxisRuleOf {
 };
 using AxisRule = AxisRuleOf<double>;
 
-/// The same rule with tables rounded to single precision.
+/// The rule with tables rounded to single precision.
 AxisRuleOf<float> in_single(const AxisRule&);
 
 /// Gauss points on the elements [first, last).
 AxisRule gauss_rule(const Axis&, int first, int last, int points);
 
-/// The same on the elements that a process stores.
+/// Gauss rule on the elements that a process stores.
 AxisRule gauss_rule(const Axis&, const ElementColumns&, int points);
 
-/// The means of the functions and of their slopes over each element, `points` times with a share of its length: kernels for so many
-/// points then see one point with these means.
+/// The means of the functions and of their slopes over each element, `points` times with a share of its length: kernels
+/// for so many points then see one point with these means.
 AxisRule mean_rule(const Axis&, int first, int last, int points, MeanWeight = MeanWeight::uniform);
 AxisRule mean_rule(const Axis&, const ElementColumns&, int points, MeanWeight = MeanWeight::uniform);
 
 /// One point of weight 1 at the lower end of element `first`: the trace on a face.
 AxisRule low_face_rule(const Axis&, int first);
 
-/// The same at the upper end of element `last`.
+/// The point at the upper end of element `last`.
 AxisRule high_face_rule(const Axis&, int last);
 
-/// The same points as `rule` with every function but `function` (local index) set to zero: restricts a test space.
+/// The points of `rule` with every function but `function` (local index) set to zero: restricts a test space.
 AxisRule restricted_to(const AxisRule& rule, int function);
 
-/// The same points as `rule` with one test function for all elements, 1 - (x - low) / height, at control value `row`.
+/// The points of `rule` with one test function for all elements, 1 - (x - low) / height, at control value `row`.
 AxisRule linear_from(const AxisRule& rule, int row, double low, double height);
 
 }  // namespace softwet

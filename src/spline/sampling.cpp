@@ -5,7 +5,8 @@
 namespace softwet {
 namespace {
 
-/// An element under a function: its number, the function's number on it, and how far it is moved around a periodic axis.
+/// An element under a function: its number, the function's number on it, and how far it is moved around a periodic
+/// axis.
 struct Support {
   int element, function;
   double moved;

@@ -14,9 +14,9 @@ struct Samples {
   std::vector<double> place, weight;
 };
 
-/// Of each function of an axis. Where the elements under a function are equal: its Greville point alone. Where they are
-/// not: Gauss points with the weights N_i / int N_i, so that the integral of the spline there is that of the function,
-/// with the weight of the axis in both.
+/// The samples of each function of an axis. Where the elements under a function are equal, its Greville point alone.
+/// Elsewhere, Gauss points with the weights N_i / int N_i, so that the spline keeps the integral of the sampled
+/// function, with the weight of the axis in both integrals.
 std::vector<Samples> samples_of(const Axis&);
 
 }  // namespace softwet

@@ -39,14 +39,14 @@ double blossom_of_lagrange(const std::vector<double>& points, std::size_t a, con
   return blossom_of_product(roots, arguments) / scale;
 }
 
-/// Functions of `to` on an element of it against those of `from`, with the weight of `to`.
+/// Products of the functions of `to` on an element of it with the functions of `from`, with the weight of `to`.
 struct ElementProducts {
   Eigen::MatrixXd own;    ///< int N_a N_b w
   Eigen::MatrixXd mixed;  ///< int N_a M_j w, by function of `from`
   Eigen::VectorXd sums;   ///< int N_a w
 };
 
-/// Exact: the elements of `from` cut that of `to` into parts.
+/// The integrals are exact: the elements of `from` cut the element of `to` into parts.
 ElementProducts products_on(const Axis& from, int from_low, int from_high, const Axis& to, int element) {
   const int n = to.degree() + 1;
   ElementProducts all{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, from.functions()),
