@@ -85,7 +85,8 @@ struct Pull {
 
 }  // namespace needle_kernels
 
-/// The needles of a case. A needle holds the control values u_i with the weights w_i = int_box N_i dX of its box, which goes with the solid: force w_i k (U - u_i), energy sum_i w_i k/2 |U - u_i|^2.
+/// The needles of a case. A needle holds the control values u_i with the weights w_i = int_box N_i dX of its box, which
+/// goes with the solid: force w_i k (U - u_i), energy sum_i w_i k/2 |U - u_i|^2.
 /// Tested: tests/unit/scene/test_needles.cpp
 template <int D>
 class Needles {
