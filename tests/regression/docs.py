@@ -2,7 +2,7 @@
 """The pages of the documentation are true: their commands work, their links lead somewhere, the reference is up to date.
 usage: docs.py SOFTWET [PAGE...]   with the names of pages, the commands of these alone
 
-A block of commands in README.md and docs/*.md starts with ```console, and a comment before it says how it is run here:
+A block of commands in README.md, docs/*.md and docs/development/*.md starts with ```console. A comment before it says how it is run here:
   <!-- run: KEY=VALUE ... -->        as it stands, with these settings (--set) for softwet run, steady, check, sweep and tradeoff
   <!-- run: check KEY=VALUE ... -->  only checked: softwet check instead of run, --dry-run for the last two, no tools
   <!-- run: no, REASON -->           not at all
@@ -21,7 +21,8 @@ import sys
 from _scene import environment, softwet
 
 ROOT = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"])
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+# README.md, docs/*.md and the pages of docs/development; what commands write has no commands
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs/development").glob("*.md"))]
 FILE = re.compile(r"<!-- file: (\S+) -->\n```\w*\n(.*?)```", re.DOTALL)
 BLOCK = re.compile(r"(?:<!-- run:(?P<how>[^\n]*?)-->\n)?```console\n(?P<text>.*?)```", re.DOTALL)
 SECONDS = 900  # for one command
@@ -151,8 +152,9 @@ def check_links(pages):
 def check_front_page():
     """Every page of docs/ has its place in docs/README.md."""
     front = (ROOT / "docs/README.md").read_text()
-    for page in sorted((ROOT / "docs").glob("*.md")):
-        expect(f"docs/README.md leads to {page.name}", page.name == "README.md" or f"]({page.name})" in front)
+    for page in PAGES[1:]:
+        name = page.relative_to(ROOT / "docs").as_posix()
+        expect(f"docs/README.md leads to {name}", name == "README.md" or f"]({name})" in front)
 
 
 every_page = [path for folder in ("", "cases", "docs", "kernels", "src", "tests", "tools")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """tools/papers computes every paper in its quick form, draws it and judges it, and keeps what was computed. Every paper has its section,
-picture and numbers in docs/papers.md. usage: papers.py SOFTWET"""
+picture, numbers and table of agreement in docs/validation.md. usage: papers.py SOFTWET"""
 
 import csv
 import os
@@ -29,10 +29,17 @@ except ImportError:
 
 names = [line.split()[0] for line in papers("--list").stdout.splitlines()]
 check_true("there are papers", len(names) > 1, str(names))
-page = (ROOT / "docs/papers.md").read_text()
+page = (ROOT / "docs/validation.md").read_text()
 for name in names:
-    check_true(f"docs/papers.md has {name}", f"tools/papers {name}\n" in page and f"](papers/{name}.png)" in page
-               and f"](papers/{name}.csv)" in page)
+    check_true(f"docs/validation.md has {name}", f"tools/papers {name}\n" in page and f"](papers/{name}.png)" in page
+               and f"](papers/{name}.csv)" in page and f"](papers/{name}.md)" in page)
+    agreement = (ROOT / f"docs/papers/{name}.md").read_text().splitlines()
+    check_true(f"docs/papers/{name}.md is its table of agreement", agreement[0] == "| quantity | paper or formula | softwet | agreement |",
+               agreement[:1])
+    rows = [line.split("|")[4].strip() for line in agreement[2:]]
+    counted = f"| {sum(row.startswith('agrees') for row in rows)} of {len(rows)} |"
+    check_true(f"docs/validation.md counts the rows of {name} that agree", f"| [{name}](#{name}) |" in page and
+               counted in page.split(f"| [{name}](#{name}) |")[1].splitlines()[0], counted)
     check_true(f"{name}: its picture is small", (ROOT / f"docs/papers/{name}.png").stat().st_size < LARGEST)
 
 told = papers("nobody_1900", code=2).stderr

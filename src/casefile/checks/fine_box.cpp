@@ -14,7 +14,7 @@ namespace {
 constexpr double margin = 4, margin_above = 2.2;  ///< in capillarities: along the wall, and above droplets on it
 constexpr int fine_rows_below = 4;                ///< of the solid below the wall that stay fine
 constexpr double part_of_way = 0.8;               ///< to a load that a droplet may go: that of the paper goes 0.76
-/// Below it a load may not hold its droplet: at 0.15 it crosses (docs/figures.md).
+/// Below it a load may not hold its droplet: at 0.15 it crosses (docs/validation.md).
 constexpr double least_poisson_that_holds = 0.25;
 
 struct Extent {

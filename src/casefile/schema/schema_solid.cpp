@@ -109,7 +109,7 @@ std::vector<Key> substrate_keys() {
        .help = "Surface tension of the solid's dry top face, the same at any stretch. Soft gels need it: where the "
                "elastocapillary length sigma/E is as long as the interface is wide, it holds the ridge at the contact "
                "line. "
-               "docs/first_gel.md gets it from mN/m.",
+               "docs/your_droplet.md gets it from mN/m.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->surface_tension; })},
       {.name = "substrate.surface_tension_wet",
        .unit = "a b^2 L0",

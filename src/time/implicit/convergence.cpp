@@ -19,7 +19,7 @@ constexpr double signal_over_round_off = 100;
 constexpr double at_rest = 1e-10;
 
 /// What the first linear solve of a step is solved to. With 0.02 steps take a fifth fewer iterations, but end closer to
-/// `rtol`: a droplet at rest then differs 25 times more from its mirror image (docs/tried_and_left.md).
+/// `rtol`: a droplet at rest then differs 25 times more from its mirror image (docs/development/solver_choices.md).
 constexpr double first_forcing = 0.1;
 
 }  // namespace
