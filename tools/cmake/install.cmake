@@ -12,8 +12,9 @@ endif()
 
 # Tools that need the sources stay with them.
 install(DIRECTORY tools/ DESTINATION ${softwet_share}/tools USE_SOURCE_PERMISSIONS
-  PATTERN setup EXCLUDE PATTERN setup.py EXCLUDE PATTERN pyproject.toml EXCLUDE PATTERN run EXCLUDE PATTERN rooms EXCLUDE PATTERN test EXCLUDE PATTERN bench EXCLUDE PATTERN fuzz EXCLUDE
-  PATTERN gallery EXCLUDE PATTERN cmake EXCLUDE PATTERN __pycache__ EXCLUDE)
+  PATTERN setup EXCLUDE PATTERN setup.py EXCLUDE PATTERN pyproject.toml EXCLUDE PATTERN run EXCLUDE PATTERN rooms EXCLUDE
+  PATTERN test EXCLUDE PATTERN bench EXCLUDE PATTERN fuzz EXCLUDE PATTERN gallery EXCLUDE PATTERN site_links.py EXCLUDE
+  PATTERN cmake EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY cases/ DESTINATION ${softwet_share}/cases)
 
 # The studies of `softwet verify`, where tools/verify looks for them.
