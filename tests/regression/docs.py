@@ -10,6 +10,7 @@ The comment <!-- file: NAME --> before a block makes a file of it. The blocks of
 folder that holds cases/ and tools/. tools/run stands for softwet run; tools/setup and tools/test are left out. python3
 is the one that runs this test, and finds the package softwet."""
 
+import importlib.util
 import os
 import pathlib
 import re
@@ -37,6 +38,9 @@ except ImportError:
     print("no matplotlib: tools that draw are left out")
     left_out = {"tools/setup", "tools/test", "tools/plot", "tools/report", "tools/figures", "tools/figures3d",
                 "tools/papers"}
+if importlib.util.find_spec("pyvista") is None:
+    print("no pyvista: pictures in 3D are left out")
+    left_out |= {"tools/figures3d"}
 
 
 def expect(name, condition, detail=""):

@@ -173,7 +173,8 @@ check_true("SOFTWET_PYTHON that is none", result.returncode == 1 and "'/nowhere/
            result.stderr)
 pathlib.Path("bare/some/numpy").mkdir(parents=True)  # a python3 with some packages
 pathlib.Path("bare/some/h5py").mkdir()
-for tool, package, remedy in (("tradeoff", "pandas", "apt-get install python3-pandas"),):
+pathlib.Path("bare/some/matplotlib").mkdir()
+for tool, package, remedy in (("tradeoff", "pandas", "apt-get install python3-pandas"), ("figures3d", "pyvista", "pip install pyvista")):
     result = subprocess.run([str(bare), str(tools / tool), "pull"], text=True, capture_output=True,
                             env={**changed, "SOFTWET_PYTHON": str(bare.resolve()), "PYTHONPATH": "bare/some"})
     check_true(f"{tool} without {package}", result.returncode == 1 and result.stderr.count("\n") == 1 and package in result.stderr and

@@ -1,24 +1,33 @@
 """Pictures of runs in three dimensions: droplets on the deformed substrate, and the profile of its surface.
 
-Surfaces are cut out of the fields, projected, sorted by depth and plotted as polygons of matplotlib: no window system and
-no 3D library is needed.
-"""
+PyVista renders the surfaces, without a display too. Lines and labels are those of matplotlib: they stay sharp in a PDF."""
+
+import itertools
 
 from . import look as outputs
-from .output3d import Output, box_edges, indices, level_set, on_lattice, profile, quads, refine, track_line
-import contourpy  # a part of matplotlib
+from .output3d import Output, profile, track_line
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PolyCollection
 
-LIQUID = np.array([0.36, 0.62, 0.86])
+LIQUID = (0.36, 0.62, 0.86)
 RED, GREEN = "#c0392b", "#2e8b57"
 ORDER = [RED, GREEN, "#d4a017", "#1f5fa8"]  # red, green, yellow, blue: the times of Figs. 4C and 5C of the paper
 COLOURS = "PuOr_r"
-LIGHT = np.array([-0.45, 0.55, 0.70])  # to the left, above, towards the eye
-LIGHT /= np.linalg.norm(LIGHT)
+LIGHT = (-0.45, 0.55, 0.70)  # to the left, above, towards the eye
 LETTERS = "ABCDEFGHI"  # of the scenes and of the profile
+PIXELS = 1500  # of the longer side of a rendered picture
+
+
+def pyvista():
+    """The library, which says nothing of a display that is not there. Raises Problem where it is missing."""
+    try:
+        import pyvista as library
+        from vtkmodules.vtkCommonCore import vtkLogger
+    except ImportError as missing:
+        raise outputs.Problem(f"{missing}; pictures in 3D need PyVista: python3 -m pip install pyvista") from missing
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    return library
 
 
 # --- the view --------------------------------------------------------------------------------------------------------
@@ -30,119 +39,100 @@ class View:
         self.eye = np.array([np.cos(up) * np.cos(around), np.cos(up) * np.sin(around), np.sin(up)])
         self.right = np.array([-np.sin(around), np.cos(around), 0.0])
         self.up = np.cross(self.eye, self.right)
-        self.light = LIGHT @ [self.right, self.up, self.eye]
 
     def flat(self, points):
         """Places on the page."""
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
-    def polygons(self, corners, colours, **style):
-        """A collection of polygons (n, corners, 3), farthest first."""
-        order = np.argsort((corners @ self.eye).mean(axis=1))
-        return PolyCollection(self.flat(corners[order]), facecolors=colours[order], edgecolors="face", linewidths=0.15,
-                              rasterized=True, **style)
+    def render(self, axes, mesh, zorder, alpha=1.0, **look):
+        """Draws a pyvista mesh to scale into axes whose coordinates are places on the page."""
+        page = self.flat(np.array(list(itertools.product(*np.reshape(mesh.bounds, (3, 2))))))
+        low, high = page.min(axis=0), page.max(axis=0)
+        pixels = np.maximum(np.ceil(PIXELS * (high - low) / max(high - low)), 2).astype(int)
+        plotter = pyvista().Plotter(off_screen=True, window_size=[int(n) for n in pixels], lighting="none")
+        plotter.add_light(pyvista().Light(position=LIGHT, light_type="camera light"))
+        plotter.add_mesh(mesh, smooth_shading=True, show_scalar_bar=False, **look)
+        centre, across = np.array(mesh.center), float(mesh.length) or 1.0
+        plotter.camera_position = [centre + 2 * across * self.eye, centre, self.up]
+        plotter.enable_parallel_projection()
+        plotter.camera.parallel_scale = 0.5 * (high - low)[1]
+        plotter.camera.clipping_range = (across, 3 * across)
+        plotter.enable_anti_aliasing("ssaa")
+        image = plotter.screenshot(transparent_background=True, return_img=True)
+        plotter.close()
+        x, y = self.flat(centre)
+        half = 0.5 * (high - low)[1] * np.array([pixels[0] / pixels[1], 1])
+        axes.imshow(image, extent=(x - half[0], x + half[0], y - half[1], y + half[1]), zorder=zorder, alpha=alpha,
+                    interpolation="antialiased")
 
 
 # --- the scene -------------------------------------------------------------------------------------------------------
-def see_through(image, _):
-    """Makes a surface transparent as a whole, so that no seams show between its polygons."""
-    return np.concatenate([image[..., :3], np.minimum(image[..., 3:], 0.68)], axis=-1), 0, 0
-
-
 class Scene:
     """What is plotted at one time."""
 
     def __init__(self, output, time, magnify, view):
         self.output, self.time, self.magnify, self.view = output, time, magnify, view
-        self.solid = output.positions("solid", time, magnify)
-        self.lines = output.lines("solid", time)[::-1]  # of the same points, x first
-        self.lift = refine(output.run.fields(time, "solid").moved()[..., 2], output.fine)
-        self.density = None
-        if output.middle is not None:
-            density = output.run.fields(time, "fluid").read("density")
-            liquid = np.nonzero((density >= output.middle).any(axis=(1, 2)))[0]
-            if len(liquid):  # whole elements, up to just above the droplet
-                self.rows = slice(0, min((liquid.max() + 4) // 2 * 2 + 1, len(density)))
-                self.density = refine(density[self.rows], output.fine)
+
+    def mesh(self, part, field):
+        """The part of the scene as a pyvista grid, with the vertical displacement magnified."""
+        pyvista()
+        places = self.output.run.fields(self.time, part)
+        grid = places.to_pyvista(field)
+        grid["lift"] = grid.points[:, 2] - np.repeat(places.lines[0], len(grid.points) // len(places.lines[0]))
+        grid.points[:, 2] += (self.magnify - 1) * grid["lift"]
+        return grid
+
+    def lifted(self):
+        """The largest vertical displacement of the surface."""
+        return np.abs(self.output.run.fields(self.time, "solid").moved(slice(-1, None))[..., 2]).max()
 
     def draw(self, axes, limit, first):
         """@param limit colours from -limit to limit, displacement in L0; @param first the scene of the dashed line"""
-        image = self.draw_substrate(axes, limit)
-        self.draw_section(axes)
+        image = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(-1e3 * limit, 1e3 * limit), COLOURS)
+        solid = self.mesh("solid", "displacement")
+        self.view.render(axes, solid, 1, scalars="lift", cmap=COLOURS, clim=(-limit, limit), ambient=0.7, diffuse=0.36,
+                         split_sharp_edges=True)
+        self.draw_rims(axes, solid)
+        self.draw_on_wall(axes, track_line(self.output)[1], color=GREEN, linewidth=1.0, zorder=2.5)
         if first is not self:
-            for line in first.contact_lines():
+            for line in first.output.contact_lines(first.time):
                 self.draw_on_wall(axes, line, color="black", linewidth=1.0, linestyle=(0, (4, 2.5)), zorder=3)
         self.draw_loads(axes)
         self.draw_droplet(axes)
         if first is self:
-            self.draw_axes(axes)
+            self.draw_axes(axes, self.view.flat(solid.points))
         axes.set_aspect("equal")
         axes.set_axis_off()
         axes.autoscale_view()
         return image
 
-    def draw_substrate(self, axes, limit):
-        image = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(-1e3 * limit, 1e3 * limit), COLOURS)
-        faces = [(self.solid[-1], self.lift[-1], np.array([0, 0, 1.0]))]
-        for axis, side in ((0, 0), (0, -1), (1, 0), (1, -1)):
-            normal = np.zeros(3)
-            normal[axis] = -1 if side == 0 else 1
-            if normal @ self.view.eye > 0:
-                cut = (slice(None), slice(None), side) if axis == 0 else (slice(None), side)
-                faces.append((self.solid[cut], self.lift[cut], normal))
-        for points, lift, normal in faces:
-            corners = quads(points)
-            across = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
-            across *= np.sign(across @ normal)[:, None] / np.linalg.norm(across, axis=1)[:, None]
-            colours = image.to_rgba(1e3 * quads(lift[..., None]).mean(axis=(1, 2)))
-            colours[:, :3] *= (0.7 + 0.3 * np.clip(across @ self.view.light / self.view.light[2], 0, 1))[:, None]
-            axes.add_collection(self.view.polygons(corners, colours, zorder=1))
-            rim = np.concatenate([points[0], points[1:, -1], points[-1, -2::-1], points[-2::-1, 0]])
+    def draw_rims(self, axes, solid):
+        """The edges of the top, and of the sides that the eye sees."""
+        nx, ny, nz = solid.dimensions
+        points = solid.points.reshape(nz, ny, nx, 3)
+        faces = [points[-1]]
+        for axis, side in itertools.product((0, 1), (0, -1)):
+            if self.view.eye[axis] * (-1 if side == 0 else 1) > 0:
+                faces.append(points[:, :, side] if axis == 0 else points[:, side])
+        for face in faces:
+            rim = np.concatenate([face[0], face[1:, -1], face[-1, -2::-1], face[-2::-1, 0]])
             axes.plot(*self.view.flat(rim).T, color="0.25", linewidth=0.6, zorder=2, solid_joinstyle="round")
-        return image
 
     def draw_droplet(self, axes):
-        if self.density is None:
+        if self.output.middle is None:
             return
-        lines = self.output.lines("fluid", self.time, self.rows)
-        slope = -np.stack(np.gradient(self.density, *lines)[::-1], axis=-1)
-        place = self.output.positions("fluid", self.time, self.magnify, self.rows)
-        corners, normal = level_set(self.density, self.output.middle, place, slope)
-        normal = normal.mean(axis=1)
-        normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
-        seen = normal @ self.view.eye > -0.05
-        corners, normal = corners[seen], normal[seen]
-        half = self.view.eye + self.view.light
-        gloss = np.clip(normal @ (half / np.linalg.norm(half)), 0, 1) ** 40
-        shade = 0.55 + 0.45 * np.clip(normal @ self.view.light, 0, 1)
-        colours = np.ones((len(corners), 4))
-        colours[:, :3] = np.clip(LIQUID * shade[:, None] + 0.55 * gloss[:, None], 0, 1)
-        surface = self.view.polygons(corners, colours, zorder=4)
-        surface.set_agg_filter(see_through)
-        axes.add_collection(surface)
-        for line in self.contact_lines():
+        droplet = self.mesh("fluid", "density").contour([self.output.middle], scalars="density")
+        if droplet.n_points:
+            self.view.render(axes, droplet, 4, alpha=0.68, color=LIQUID, ambient=0.5, diffuse=0.5, specular=0.55, specular_power=40)
+        for line in self.output.contact_lines(self.time):
             self.draw_on_wall(axes, line, color="#173a5e", linewidth=0.9, zorder=3.2)
 
-    def contact_lines(self):
-        """Lines of the wall where the droplets end, places (n, 2) in the plane of the wall."""
-        if self.density is None:
-            return []
-        lines = contourpy.contour_generator(z=self.density[0]).lines(self.output.middle)
-        return [on_lattice(self.solid[-1, ..., :2], line) for line in lines if len(line) > 1]
-
-    def wall_at(self, places):
-        """Points of the deformed surface above places (n, 2)."""
-        surface, rest = self.solid[-1], places
-        for _ in range(20):  # the displacement is small and smooth: the error shrinks by its slope each time
-            rest = rest + places - on_lattice(surface, indices(self.lines[:2], rest))[:, :2]
-        return on_lattice(surface, indices(self.lines[:2], rest))
-
     def draw_on_wall(self, axes, places, **style):
-        axes.plot(*self.view.flat(self.wall_at(places)).T, solid_joinstyle="round", **style)
+        points = self.output.on_wall(self.time, places, self.magnify)
+        axes.plot(*self.view.flat(points).T, solid_joinstyle="round", **style)
 
-    def draw_axes(self, axes):
-        """The directions of the coordinates, in the lower left corner."""
-        page = self.view.flat(self.solid.reshape(-1, 3))
+    def draw_axes(self, axes, page):
+        """The directions of the coordinates, in the lower left corner. @param page  places of the substrate"""
         reach = 0.075 * self.output.size[0]
         tips = self.view.flat(np.eye(3))
         corner = page.min(axis=0) - 1.5 * reach * np.minimum(tips.min(axis=0), 0)
@@ -155,45 +145,32 @@ class Scene:
             for artist in (arrow, label):
                 artist.set_in_layout(False)
 
-    def draw_section(self, axes):
-        """The vertical plane of the profile: its line on the surface."""
-        self.draw_on_wall(axes, track_line(self.output)[1], color=GREEN, linewidth=1.0, zorder=2.5)
-
     def draw_loads(self, axes):
         """Boxes where the solid has carried them, and the direction of the force: an arrow while the load acts, shorter
         while it grows. The boxes of needles have full lines."""
         for needle in self.output.case.get("needle", []):
-            self.draw_box(axes, *np.array(needle["box"], dtype=float), "-")
+            self.draw_box(axes, np.array(needle["box"], dtype=float), "-")
         for load in self.output.case.get("load", []):
-            low, high = np.array(load["box"], dtype=float)
-            self.draw_box(axes, low, high, (0, (3, 1.5)))
-            force = np.array(load["force"], dtype=float)
+            box, force = np.array(load["box"], dtype=float), np.array(load["force"], dtype=float)
+            self.draw_box(axes, box, (0, (3, 1.5)))
             part = outputs.fraction_of(load, self.output.case, self.time)
             if not force.any() or part == 0:
                 continue
-            centre = self.carried(np.array([[*(0.5 * (low + high))[:2], high[2]]]))[0]
+            centre = self.output.carried(self.time, np.array([[*box.mean(axis=0)[:2], box[1, 2]]]), self.magnify)[0]
             reach = part * 0.13 * self.output.size[0] * force / np.linalg.norm(force)
             tail, head = self.view.flat(np.array([centre - reach, centre + reach]))
             axes.annotate("", head, tail, zorder=6, arrowprops={"arrowstyle": "-|>,head_width=0.28,head_length=0.55",
                                                                 "color": RED, "linewidth": 1.8, "shrinkA": 0,
                                                                 "shrinkB": 0})
 
-    def draw_box(self, axes, low, high, style):
-        for start, end in box_edges(low, high):
-            line = start + np.linspace(0, 1, 25)[:, None] * (end - start)
-            axes.plot(*self.view.flat(self.carried(line)).T, color=RED, linewidth=0.9, linestyle=style, zorder=3.5)
-
-    def carried(self, points):
-        """Where reference points of the solid are now."""
-        index = indices(self.lines, points)
-        level = np.clip(np.floor(index[:, 2]).astype(int), 0, len(self.solid) - 2)
-        share = (index[:, 2] - level)[:, None]
-        result = np.empty_like(points)
-        for k in np.unique(level):
-            at = level == k
-            below, above = (on_lattice(self.solid[k + n], index[at, :2]) for n in (0, 1))
-            result[at] = (1 - share[at]) * below + share[at] * above
-        return result
+    def draw_box(self, axes, box, style):
+        """The twelve edges of a box. @param box  its low and its high corner"""
+        for axis, *others in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            for corner in itertools.product((0, 1), repeat=2):
+                line = np.linspace(*box, 25)
+                line[:, others] = box[corner, others]
+                points = self.output.carried(self.time, line, self.magnify)
+                axes.plot(*self.view.flat(points).T, color=RED, linewidth=0.9, linestyle=style, zorder=3.5)
 
 
 # --- the profile -----------------------------------------------------------------------------------------------------
@@ -227,7 +204,7 @@ def figure(folder, scenes=None, profiles=None, magnify=1.0, turn=16.0, rise=30.0
     profiles = [output.run.time(t) for t in profiles] if profiles else (started[1:] or started)
     view = View(output.track, turn, rise)
     drawn = [Scene(output, time, magnify, view) for time in scenes]
-    limit = max(np.abs(scene.lift[-1]).max() for scene in drawn) or 1e-3
+    limit = max(scene.lifted() for scene in drawn) or 1e-3
     plt.rcParams.update(outputs.STYLE)
     picture = plt.figure(figsize=(7.2, 5.0 if len(scenes) < 3 else 6.2), layout="constrained")
     top, bottom = picture.subfigures(2, 1, height_ratios=[1.35, 1])

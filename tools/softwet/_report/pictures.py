@@ -58,7 +58,7 @@ def deep(figure, run, times):
     output = Output(run.folder)
     view = View(output.track)
     scenes = [Scene3d(output, t, 1.0, view) for t in times]
-    limit = max(np.abs(scene.lift[-1]).max() for scene in scenes) or 1e-3
+    limit = max(scene.lifted() for scene in scenes) or 1e-3
     panels = figure.subplots(1, len(scenes), squeeze=False)[0]
     for scene, axes in zip(scenes, panels):
         image = scene.draw(axes, limit, scenes[0])
@@ -106,6 +106,13 @@ def fields(figure, run):
     if run.dimension == 3 and "fluid" in run.parts and "density" not in run.fields(times[0]):
         figure.text(0.5, 0.5, NO_DENSITY, ha="center", color=GREY)
         return []
+    if draw is deep:
+        from .._drawing.scene3d import pyvista
+        try:
+            pyvista()
+        except Problem as problem:
+            figure.text(0.5, 0.5, problem, ha="center", color=GREY, fontsize=6)
+            return []
     panels = draw(figure, run, times)
     for time, axes in zip(times, panels):
         axes.set_title(f"$t = {time:g}$", loc="left")
