@@ -83,7 +83,7 @@ KOKKOS_FORCEINLINE_FUNCTION int first_control(const Region<D, Real>& region, con
   return offset;
 }
 
-/// The same for the test functions.
+/// Offset of the first test function of a batch in a component.
 template <int D, class Real>
 KOKKOS_FORCEINLINE_FUNCTION int first_test(const Region<D, Real>& region, const Batch<D>& b) {
   const int last = b.element[D - 1];

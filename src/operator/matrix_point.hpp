@@ -52,7 +52,7 @@ struct FrozenPoint {
   KOKKOS_FORCEINLINE_FUNCTION Vector<N, D> mesh_velocity() const { return fixed(point.mesh_velocity()); }
 };
 
-/// Slots of a batch whose tangent is that of one reference derivative (0: value) of one unknown.
+/// Slots of a batch whose tangent is the derivative by one reference derivative (0: value) of one unknown.
 template <class Fields, class N, class Trial, int D>
 struct SeededFields {
   const Fields& fields;
@@ -65,8 +65,9 @@ struct SeededFields {
   }
 };
 
-/// Where an entry of an element's matrix is stored, of a pair of components. Entries are numbered by the pairs of functions, that
-/// of the first axis slowest; `first` is the control point of the element's first function.
+/// Where an entry of an element's matrix is stored, for a pair of components. Entries are numbered by pairs of
+/// functions, with the function of the first axis slowest; `first` is the control point of the element's first
+/// function.
 template <int D, int P>
 KOKKOS_FORCEINLINE_FUNCTION std::int64_t place_of_entry(const Stencil<D>& stencil, int row, int column, int first,
                                                         int entry) {

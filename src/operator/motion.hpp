@@ -40,8 +40,9 @@ struct Blended {
   Vector<N, D> velocity, position;
 };
 
-/// From the motion of the wall below a point: displacement(i, c) and tangent(i, c) with c = 0 for the value and 1.. for the slopes
-/// along the wall, and velocity(i). `scale` is d displacement / d velocity, `blend` a Blend or what answers as one.
+/// From the motion of the wall below a point: displacement(i, c) and tangent(i, c) with c = 0 for the value and 1.. for
+/// the slopes along the wall, and velocity(i). `scale` is d displacement / d velocity, `blend` a Blend or what answers
+/// as one.
 template <class N, class S, int D, class AsBlend, class Real, class Wall>
 KOKKOS_FORCEINLINE_FUNCTION Blended<N, D> blended(const AsBlend& blend, Real scale, const Vector<S, D>& reference,
                                                   double height, const Wall& wall) {
@@ -72,7 +73,7 @@ KOKKOS_FORCEINLINE_FUNCTION MovingPoint<N, D> blended_point(const AsBlend& blend
   const Blended<N, D> b = blended<N>(blend, scale, reference, height, wall);
   return MovingPoint<N, D>(b.gradient, b.velocity, b.position);
 }
-/// The same on the wall, with `face`.
+/// Geometry at a point of the moving mesh, or with `face` on the wall.
 template <class N, bool face, class S, int D, class AsBlend, class Real, class Wall>
 KOKKOS_FORCEINLINE_FUNCTION auto point_or_face(const AsBlend& blend, Real scale, const Vector<S, D>& reference,
                                                double height, const Wall& wall) {
@@ -84,7 +85,7 @@ KOKKOS_FORCEINLINE_FUNCTION auto point_or_face(const AsBlend& blend, Real scale,
   }
 }
 
-/// The same with its tangent in closed form, in a volume.
+/// Geometry at a point of the moving mesh in a volume, with its tangent in closed form.
 template <class S, int D, class Real, class Wall>
 KOKKOS_FORCEINLINE_FUNCTION VariedPoint<S, D> varied_point(const Blend& blend, Real scale,
                                                            const Vector<S, D>& reference, double height,

@@ -1,8 +1,8 @@
 // Small numbers packed into one constant.
 //
-// What is known when the program is compiled must not cost a device anything. A constexpr function with a loop does: where its
-// argument is not a constant of the language, a device runs the loop, for each field of each point. So such answers are packed, and a
-// kernel reads them by a shift, which a compiler folds.
+// A value that is known when the program is compiled must not cost a device anything. A constexpr function with a loop
+// does: where its argument is not a constant of the language, a device runs the loop, for each field of each point. So
+// such values are packed, and a kernel reads them by a shift, which a compiler folds.
 #pragma once
 
 #include <Kokkos_Core.hpp>

@@ -68,15 +68,16 @@ inline constexpr int memory_size_of = [] {
   return 0;
 }();
 
-/// Where the points of a region keep numbers beside the fields, `size` at each of the Q^D points of an element: [layer of elements]
-/// [row][number][point][column], so that an element has the column of its first control point, and neighbours share a pack.
+/// Where the points of a region keep numbers in addition to the fields, `size` at each of the Q^D points of an element:
+/// [layer of elements] [row][number][point][column], so that an element has the column of its first control point, and
+/// neighbours share a pack.
 template <int D, int Q, int size>
 struct PointMemory {
   static constexpr int points = power(Q, D);
 
-  /// @param stride  of the region: the columns that are stored are those of its second axis
+  /// @param stride  of the region: stored columns are the columns of its second axis
   static KOKKOS_FORCEINLINE_FUNCTION int apart(const int (&stride)[D]) { return points * stride[1]; }
-  /// Of number 0 at point q of an element. @param rows  of elements along the second of three axes
+  /// Place of number 0 at point q of an element. @param rows  of elements along the second of three axes
   static KOKKOS_FORCEINLINE_FUNCTION int place(const int (&stride)[D], int rows, const int (&element)[D], int q) {
     const int row = D == 3 ? element[D - 1] * rows + element[1] : element[D - 1];
     return row * size * apart(stride) + q * stride[1] + element[0];
@@ -129,8 +130,8 @@ struct FieldsFound {
   }
 };
 
-/// The fields that a device interpolates: the slots of a term and then, for a product, the tangents of the unknowns that it
-/// reads. What a kernel asks for is read from constants.
+/// The fields that a device interpolates: the slots of a term and then, for a product, the tangents of the unknowns
+/// that it reads. What a kernel asks for is read from constants.
 template <class Trial, int D, bool Tangent>
 struct TrialFields {
   using Found = FieldsFound<Trial, D>;

@@ -1,4 +1,5 @@
-// The tiles of an evaluation, one launch for each list of terms, and what they have summed as control values, one launch in all.
+// The tiles of an evaluation, one launch for each list of terms, and what they have summed as control values, one
+// launch in all.
 #pragma once
 
 #include <cstring>
@@ -69,7 +70,7 @@ struct CollectTiles {
   int components = 0, offset[D + 2] = {}, first_row[D + 2] = {};
   ArrayOf<Real> out;
   ConstArray mask;   ///< empty: none
-  bool add = false;  ///< to what is in `out`
+  bool add = false;  ///< whether sums are added to the values of `out`
 
   KOKKOS_FUNCTION void operator()(int entry) const {
     const Real total = added_to(add ? out(entry) : Real(0), entry);
@@ -116,8 +117,8 @@ Real* tile_room(int term, std::size_t size) {
   return rooms[term].data();
 }
 
-/// The terms of one evaluation that are computed in tiles. On the host there are none. Their tables have to be there until
-/// the sums are asked for. Partial sums have one place for all evaluations, so that these follow each other.
+/// The terms of one evaluation that are computed in tiles. On the host there are none. Their tables have to be there
+/// until the sums are asked for. Partial sums have one place for all evaluations, so that these follow each other.
 template <int D, class Real>
 class TileSums {
  public:
@@ -147,7 +148,8 @@ class TileSums {
     return s;
   }
 
-  /// Puts a term with so many tiles and bytes into the next launch of its kernel; returns where the term is to be written.
+  /// Puts a term with so many tiles and bytes into the next launch of its kernel; returns where the term is to be
+  /// written.
   std::byte* add_tiles(TileLaunch<Real>* kernel, int code, int tiles, std::size_t bytes) {
     TileSchedule& s = schedule_;
     if (kernel != kernel_ || s.count == most_sources || used_ + bytes > sizeof terms_) launch();
@@ -166,7 +168,7 @@ class TileSums {
     collect_.add = true;
     if (collect_.sources > 0) collect(out, {});
   }
-  /// The same as a part of a kernel of the caller, which is launched before other tiles are.
+  /// Gives the sums to a kernel of the caller, which is launched before other tiles.
   CollectTiles<D, Real> taken() {
     launch();
     CollectTiles<D, Real> sums = collect_;

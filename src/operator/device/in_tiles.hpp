@@ -5,7 +5,7 @@
 
 namespace softwet {
 
-/// Puts the tiles of a term among those of the evaluation.
+/// Adds the tiles of a term to the tiles of the evaluation.
 template <class Kernel, class Entry, class List, int D, class Term, class Motion, class Real>
 void add_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
   static_assert(List::template has<Entry>, "the kernel of a list runs the terms of the list");
@@ -31,7 +31,7 @@ void add_tiles(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums)
   }
 }
 
-/// Puts the tiles of a term among those of its list, which share a launch. With shared test functions it has its own launch.
+/// Adds the tiles of a term to its list, whose tiles share a launch. With shared test functions it has its own launch.
 template <class Tile, bool Tangent, class List, int D, class Term, class Motion, class Real>
 void add_with_list(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& sums) {
   if constexpr (Term::where == Where::beside_wall) {
@@ -42,7 +42,7 @@ void add_with_list(const Task<D, Term, Motion, Real>& task, TileSums<D, Real>& s
   add_tiles<TileKernel<Tile, Tangent, Real, List>, TermOnMesh<Term, Motion>, List>(task, sums);
 }
 
-/// Whether slopes follow from values: those of means over an element do not follow from means of values.
+/// Whether slopes follow from values. Means of slopes over an element do not follow from means of values.
 template <class Term, int P, int Q>
 inline constexpr bool slopes_follow = Q == P + 1 && Term::where != Where::means;
 template <int D, int P, int Q, bool Tangent, class Term, class Real>

@@ -6,9 +6,10 @@
 
 namespace softwet {
 
-/// The elements of a row share their functions along the other axes, so the first fold adds them up, and the others have one
-/// matrix for all of them. A pair of the first axis is a test function of the row and the distance of its neighbour; test
-/// functions are numbered fastest everywhere, so that neighbouring threads read and write neighbouring numbers.
+/// The elements of a row share their functions along the other axes, so the first fold adds them up, and the others
+/// have one matrix for all of them. A pair of the first axis is a test function of the row and the distance of its
+/// neighbour; test functions are numbered fastest everywhere, so that neighbouring threads read and write neighbouring
+/// numbers.
 template <class Shape>
 struct MatrixFolds {
   using Tables = RowTables<Shape>;
@@ -17,18 +18,20 @@ struct MatrixFolds {
   static constexpr int rest = Shape::points / Q;                                         ///< points of the other axes
   static constexpr int before = D == 3 ? n2 : 1;                                         ///< pairs of the axis between
 
-  /// Products of a test and a trial function at a point: of their values, of the value and the slope, and so on. A device reads them
-  /// at once.
+  /// Products of a test and a trial function at a point: of their values, of the value and the slope, and so on. A
+  /// device reads them at once.
   struct alignas(16) Products {
     float of[2][2];  ///< [slope of the test function][slope of the trial function]
   };
-  // Room in the scratch, in numbers. Products of the first axis are numbered [element and point][pair], others [pair][point].
+  // Room in the scratch, in numbers. Products of the first axis are numbered [element and point][pair], others
+  // [pair][point].
   static constexpr int of_x = E * Q * n2, of_y = D == 3 ? Q * n2 : 0, of_last = QL * n2;
   static constexpr int products = 4 * (of_x + of_y + of_last);
   static constexpr int after_x = D * D * rest * pairs, after_y = D == 3 ? 4 * n2 * QL * pairs : 0;
   static constexpr int size = after_x + after_y;
 
-  /// The elements [begin, end) of the row are there. A pair lives on those of [first, last], on none where first > last.
+  /// The elements [begin, end) of the row are present. A pair lives on the elements [first, last] among them, on none
+  /// where first > last.
   struct Held {
     int begin, end;
     KOKKOS_FORCEINLINE_FUNCTION int first(int pair) const {
@@ -54,13 +57,14 @@ struct MatrixFolds {
   }
 
   /// @param in     in(k, l, q): derivative k of the test and l of the trial function at point q
-  /// @param entry  entry(pair, middle): where the entry of a pair of the first axis and of the axis between is, of the test and trial
-  ///               functions 0 of the last axis; that of functions i and j is i steps.test + j steps.trial behind it
+  /// @param entry  entry(pair, middle): place of the entry of a pair of the first axis and of the axis between, for the
+  ///   test and trial functions 0 of the last axis; the entry of functions i and j is i steps.test + j steps.trial
+  ///   further
   template <class Team, class In, class Entry>
   static KOKKOS_FORCEINLINE_FUNCTION void run(const Team& team, const Products* products, float* x, const Held& held,
                                               const In& in, const Entry& entry, const Steps& steps) {
     float* const y = x + after_x;
-    team.barrier();  // what was folded before has been read
+    team.barrier();  // the previous folds have been read
     share(team, rest * pairs, [&](int i) { fold_x(products, held, i % pairs, i / pairs, in, x + i); });
     team.barrier();
     if constexpr (D == 3) {
@@ -97,7 +101,8 @@ struct MatrixFolds {
   }
 
   /// The sums of a pair at one point of the other axes: to[derivatives along these], of test and trial function. Of the
-  /// derivatives of `in`, 0 is the value, 1 that along this axis, and the others those along later axes.
+  /// derivatives of `in`, 0 is the value, 1 the derivative along this axis, and the others are derivatives along later
+  /// axes.
   template <class In>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_x(const Products* products, const Held& held, int pair, int r,
                                                  const In& in, float* to) {
@@ -114,7 +119,7 @@ struct MatrixFolds {
       for (int l = 0; l < D; ++l) to[(k * D + l) * rest * pairs] = sum[k][l];
   }
 
-  /// What is folded along an axis: of its derivatives, 1 is that along this axis, 2 that along a later one.
+  /// Values to fold along an axis: of their derivatives, 1 is along this axis, 2 along a later one.
   template <int derivatives, int points>
   struct Values {
     float value[derivatives][derivatives][points];

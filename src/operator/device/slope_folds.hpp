@@ -1,5 +1,6 @@
-// The way back in a tile with slopes of its own: integrands at points, against values and slopes, to control values, along one axis after
-// another, the first one first. Each sum is made by one thread, which takes the points in their order.
+// The way back in a tile with slopes of its own: integrands at points, against values and slopes, to control values,
+// along one axis after another, the first one first. Each sum is made by one thread, which takes the points in their
+// order.
 #pragma once
 
 #include "operator/device/slope_plan.hpp"
@@ -191,9 +192,10 @@ struct SlopeFolds {
     }
   }
 
-  /// Folds `count` columns of channel c, the first one at `column`, along the last axis: folded[z][column][against values, against slopes].
-  /// A plane of control values that no later pass reaches goes to `out`, [channel][plane][column] of the tile. The others, which the same
-  /// thread adds to in the next pass, stay with the team.
+  /// Folds `count` columns of channel c, the first one at `column`, along the last axis: folded[z][column][against
+  /// values, against slopes]. A plane of control values that no later pass reaches goes to `out`,
+  /// [channel][plane][column] of the tile. The others, which the same thread adds to in the next pass, stay with the
+  /// team.
   template <int count>
   static KOKKOS_FORCEINLINE_FUNCTION void along_z(Real* t, int pass, bool last, int c, int column,
                                                   const Real (&folded)[QL][count][numbers], Real* out) {

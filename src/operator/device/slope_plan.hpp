@@ -5,15 +5,15 @@
 
 namespace softwet {
 
-/// What channels have of integrands: one against values, and one against the slopes along each axis. Along the first axis these two are
-/// folded to one number.
+/// What channels have of integrands: one against values, and one against the slopes along each axis. Along the first
+/// axis these two are folded to one number.
 template <class Test, int D>
 struct SlopeChannels {
   static constexpr int channels = Test::channel_count;
   static constexpr bool has_value(int c) { return channel_has_value<Test>(c); }
   static constexpr bool has_flux(int c) { return channel_has_flux<Test>(c); }
 
-  /// Of channels before one.
+  /// Sums over the channels before channel c.
   static constexpr int values_before(int c) { return unpacked(values, c); }
   static constexpr int fluxes_before(int c) { return unpacked(fluxes, c); }
   static constexpr int numbers_before(int c) { return values_before(c) + D * fluxes_before(c); }
@@ -37,7 +37,8 @@ struct SlopeChannels {
   static constexpr int with_both = all_values + all_fluxes - channels;
   static constexpr bool alike = with_both == channels || all_values == 0 || all_fluxes == 0;
 
-  /// Folded number k: the first of its integrands, and whether these are against values, slopes, or values and then slopes.
+  /// Folded number k: the first of its integrands, and whether these are against values, slopes, or values and then
+  /// slopes.
   enum Kind { of_values, of_slopes, of_both };
   static constexpr bool few = folded < 16 && numbers < 16;  ///< so that they can be packed
   static constexpr int first_of(int k) { return unpacked(firsts, k); }
@@ -60,9 +61,10 @@ struct SlopeChannels {
   });
 };
 
-/// Where a team keeps its numbers; offsets in Reals. After the sweeps across a field with slopes has its value and its slopes along the
-/// axes but the first. In 3D integrands that were folded along x take the place of what was swept. Numbers are apart so that
-/// neighbouring threads, which go on to the next field or channel, find them in other banks of the memory.
+/// Where a team keeps its numbers; offsets in Reals. After the sweeps across, a field with slopes has its value and its
+/// slopes along all axes but the first. In 3D integrands that were folded along x replace the swept values. Numbers are
+/// spaced such that neighbouring threads, which go on to the next field or channel, find them in other banks of the
+/// memory.
 template <class Plan>
 struct SlopeRooms {
   using Shape = typename Plan::Shape;
@@ -78,13 +80,14 @@ struct SlopeRooms {
   static constexpr int folded_all = Channels::folded * folded_apart;
   static constexpr int wall_y = three ? Plan::wall_fields * 2 * Shape::qy * Shape::cx : 0;
 
-  /// Integrands are [number][point], where channels are folded number by number, and else have some room behind each channel.
+  /// Integrands are [number][point], where channels are folded number by number, and else have some room behind each
+  /// channel.
   static constexpr bool by_number = Channels::few && (Channels::with_both == 0 || Plan::channels == 1);
   static constexpr int number = Shape::points + (three && by_number ? Shape::lines : 0);
   static constexpr int behind = three && !by_number ? Shape::lines : 0;
   static constexpr int integrand(int c) { return Channels::numbers_before(c) * number + c * behind; }
   static constexpr int at_points = Channels::numbers * number + Plan::channels * behind;
-  /// In 3D, where point x has its points among those of a line, as in PointNumbers.
+  /// In 3D, the place of the points of x among the points of a line, as in PointNumbers.
   static constexpr int place(int x) { return x % Shape::Q * Shape::NX + x / Shape::Q; }
 
   static constexpr int first_room = max(swept_all, folded_all);
@@ -111,7 +114,7 @@ struct PointBasis {
   Real value[n], slope[n];
 
   PointBasis() = default;
-  /// Of point i in a table.
+  /// Reads the basis of point i from a table.
   KOKKOS_FORCEINLINE_FUNCTION PointBasis(const Real* table, int i) {
     SOFTWET_UNROLL
     for (int a = 0; a < n; ++a) {

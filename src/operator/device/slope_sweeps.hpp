@@ -1,9 +1,9 @@
-// The sweeps of a tile with slopes of its own: values and slopes from control values along one axis after another. Each sum is made
-// by one thread in one order.
+// The sweeps of a tile with slopes of its own: values and slopes from control values along one axis after another. Each
+// sum is made by one thread in one order.
 //
-// The last axis comes first: there a layer of elements has the fewest points and the most control values, and nothing is summed
-// twice in the next layer. In 3D the thread keeps these sums and sweeps them along y. Sums along the first axis are made at the points
-// themselves. On the way back the first axis comes first (slope_folds.hpp).
+// The last axis comes first: there a layer of elements has the fewest points and the most control values, and nothing
+// is summed twice in the next layer. In 3D the thread keeps these sums and sweeps them along y. Sums along the first
+// axis are made at the points themselves. On the way back the first axis comes first (slope_folds.hpp).
 #pragma once
 
 #include "operator/device/slope_plan.hpp"
@@ -29,8 +29,8 @@ struct SlopeSweeps {
     return Room::swept + (f + (D - 1) * Plan::stored_before(f)) * Room::apart;
   }
 
-  /// An item: the elements of a pass above each other at control x, of one field; in 3D those of an element across. field(f): its control
-  /// values.
+  /// Sweeps across. An item is one field in a stack of elements of a pass at control x; in 3D in one element across.
+  /// field(f) gives its control values.
   template <class Team, class Field>
   static KOKKOS_FORCEINLINE_FUNCTION void across(const Team& team, int pass, Real* t, const Field& field) {
     constexpr int rows = D == 3 ? n : 1, items = Shape::NY * cx;
@@ -60,8 +60,9 @@ struct SlopeSweeps {
         });
   }
 
-  /// Values and slopes of all fields of the wall at the base points, to Room::wall. A tangent that is not there is zero.
-  /// field(f): its control values, or null. An item of the last sweep: the points of an element at one place across.
+  /// Values and slopes of all fields of the wall at the base points, to Room::wall. A tangent that is not there is
+  /// zero. field(f): its control values, or null. An item of the last sweep: the points of an element at one place
+  /// across.
   template <class Team, class Field>
   static KOKKOS_FORCEINLINE_FUNCTION void trace(const Team& team, Real* t, const Field& field) {
     if constexpr (D == 3) trace_across(team, t, field);

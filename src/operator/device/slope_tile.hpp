@@ -1,5 +1,6 @@
-// The kernel of a device for terms with fewer than degree + 1 points along an axis, or of means over elements: slopes do not follow from
-// values there, so that a tile sweeps them too. As in tile.hpp elements share all sums along the other axes.
+// The kernel of a device for terms with fewer than degree + 1 points along an axis, or of means over elements: slopes
+// do not follow from values there, so that a tile sweeps them too. As in tile.hpp elements share all sums along the
+// other axes.
 #pragma once
 
 #include "operator/device/slope_folds.hpp"
@@ -142,7 +143,8 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
     }
   }
 
-  /// The points of a pass: each thread has one, or those of an element on a line where there are no more threads than that.
+  /// Evaluates the points of a pass: each thread has one or, where there are too few threads, all points of an element
+  /// on a line.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void evaluate_all(const Team& team, int pass, const int (&corner)[D], Real* t) const {
     constexpr int several = Team::size * Q <= Shape::points ? Q : 1, along = Shape::qx / several;

@@ -1,4 +1,5 @@
-// How many teams of a kernel share a multiprocessor of a device. Beside the sizes of tiles this is all that is known of machines.
+// How many teams of a kernel share a multiprocessor of a device. Only this and the sizes of tiles depend on the
+// machine.
 #pragma once
 
 #include <Kokkos_Core.hpp>
@@ -30,8 +31,8 @@ inline constexpr Multiprocessor multiprocessor{228 * 1024, 2048, 32};
 
 constexpr int warps_of(int threads) { return (threads + multiprocessor.warp - 1) / multiprocessor.warp; }
 
-/// How many teams with so many threads and bytes of scratch fit; 0: a device does not give a team so much. Kokkos keeps a number
-/// for each thread of a team and some more, and a chip one kilobyte for each team.
+/// How many teams with so many threads and bytes of scratch fit; 0: a device does not give a team so much. Kokkos keeps
+/// a number for each thread of a team and some more, and a chip one kilobyte for each team.
 constexpr int teams_that_fit(int threads, int scratch) {
   const int bytes = scratch + (threads + 4) * 8;
   if (bytes > 48 * 1024) return 0;
@@ -39,8 +40,8 @@ constexpr int teams_that_fit(int threads, int scratch) {
   return std::min(multiprocessor.bytes / (bytes + 1024), multiprocessor.threads / whole_warps);
 }
 
-/// The second number of launch bounds: teams on a multiprocessor. The compiler for AMD takes it as warps on each of the four
-/// units of a multiprocessor.
+/// The second number of launch bounds: teams on a multiprocessor. The compiler for AMD takes it as warps on each of the
+/// four units of a multiprocessor.
 constexpr int second_bound([[maybe_unused]] int threads, int teams) {
 #if defined(KOKKOS_ENABLE_HIP)
   return (teams * warps_of(threads) + 3) / 4;
@@ -56,8 +57,8 @@ struct BoundsOfTeams {
   using type = Kokkos::LaunchBounds<threads, second_bound(threads, teams)>;
 };
 
-/// The launch bounds of such teams: as many as wanted on a multiprocessor, or as fit. Kokkos starts no kernel whose bounds ask
-/// for more.
+/// The launch bounds of such teams: as many as wanted on a multiprocessor, or as fit. Kokkos starts no kernel whose
+/// bounds ask for more.
 template <int threads, int scratch, int wanted>
 using TeamBounds = typename BoundsOfTeams<threads, scratch, wanted>::type;
 

@@ -1,7 +1,8 @@
-// Elements beside each other in the memory that a team of threads of a device shares: their bases, and fields at their points.
+// Neighbouring elements in the memory that a team of threads of a device shares: their bases, and fields at their
+// points.
 //
-// No thread keeps more than a sum or a point. Matrices and integrals are made of this; terms are computed in tiles (tile.hpp,
-// slope_tile.hpp), which need fewer sums.
+// No thread keeps more than a sum or a point. Matrices and integrals are made of this; terms are computed in tiles
+// (tile.hpp, slope_tile.hpp), which need fewer sums.
 #pragma once
 
 #include "operator/batch.hpp"
@@ -10,8 +11,8 @@
 
 namespace softwet {
 
-/// E elements that follow each other along the first axis from `element` on. Those outside of [low, high) are none of the
-/// region; what is read for them is that of the nearest one.
+/// E elements that follow each other along the first axis from `element` on. Elements outside of [low, high) do not
+/// belong to the region; the nearest one is read in their place.
 template <int D>
 struct ElementRow {
   int element[D], low, high;
@@ -37,8 +38,8 @@ struct RowShape {
   using S = OneNumber<Real>;
 };
 
-/// Bases of each axis, that of the first one element after element, and behind them those of the test functions along the
-/// last axis.
+/// Bases of each axis: of the first axis element after element, and of the test functions along the last axis at the
+/// end.
 template <class Shape>
 struct RowTables {
   using Real = typename Shape::Real;
@@ -72,8 +73,8 @@ struct RowTables {
   }
 };
 
-/// The fields of a term at the points, which are numbered element by element. A Task or a ReduceTask says where control values
-/// lie.
+/// The fields of a term at the points, which are numbered element by element. A Task or a ReduceTask says where control
+/// values lie.
 template <class Shape, class Trial_>
 struct RowFields : TrialFields<Trial_, Shape::D, false> {
   using Trial = Trial_;

@@ -1,8 +1,9 @@
-// The Jacobian of a term on a device: a team of threads makes the matrix of a row of elements in the memory that it shares.
+// The Jacobian of a term on a device: a team of threads makes the matrix of a row of elements in the memory that it
+// shares.
 //
-// Each step is cut into items that threads take one by one, and what one step leaves for the next lies in the scratch of the
-// team: no thread keeps more than a point or a sum. Neighbouring threads add to entries of neighbouring control points, which
-// lie beside each other (field/stencil.hpp).
+// Each step is cut into items that threads take one by one, and its results for the next step lie in the scratch of the
+// team: no thread keeps more than a point or a sum. Neighbouring threads add to entries of neighbouring control points,
+// which are neighbours in memory (field/stencil.hpp).
 #pragma once
 
 #include "memory/start_teams.hpp"
@@ -12,8 +13,8 @@
 
 namespace softwet {
 
-/// Rows of E elements along the first axis, so far apart that they share no control point. They begin at multiples of E of the whole
-/// axis, whichever part of it is stored, so that every sum has the same order.
+/// Rows of E elements along the first axis, so far apart that they share no control point. They begin at multiples of E
+/// of the whole axis, whichever part of it is stored, so that every sum has the same order.
 template <int E, int P>
 struct RowsApart {
   static constexpr int colours = 1 + (P + E - 1) / E;
@@ -183,8 +184,8 @@ struct TeamJacobian {
     return any > 0;
   }
 
-  /// Where an entry of the row's matrix is stored, of the functions 0 along the last axis. `first` is the control point of the row's
-  /// first test function.
+  /// Where an entry of the row's matrix is stored, of the functions 0 along the last axis. `first` is the control point
+  /// of the row's first test function.
   KOKKOS_FORCEINLINE_FUNCTION std::int64_t place(int component, int u, int first, int pair, int middle) const {
     constexpr int n = P + 1;
     int point = first + pair % Folds::tests, offset = pair / Folds::tests;

@@ -11,7 +11,7 @@
 
 namespace softwet {
 
-/// Partial sums as those of ReduceRow. The points of an element are summed in their order, and then the elements in theirs.
+/// Partial sums, as in ReduceRow. The points of an element are summed in their order, and then the elements in theirs.
 template <int D, int P, int Q, bool Rate, class Functional, class Motion>
 struct TeamReduce {
   static constexpr int E = D == 2 ? strip_width : 1, count = Functional::count;

@@ -1,9 +1,10 @@
-// The kernel of a device: a team of threads takes a tile of elements through a term, one thread for each point of a pass.
+// The kernel of a device: a team of threads takes a tile of elements through a term, one thread for each point of a
+// pass.
 //
-// Elements of a tile share the sweeps of values along the axes. Slopes follow from the values at the points of an element, and
-// on the way back fluxes turn into integrands against values in the same way. A tile writes the control values that it sums,
-// with those it shares with other tiles; `collect.hpp` adds them up. So no point is computed twice, nothing is written by
-// two threads, and results are the same bits for any team and any order of tiles.
+// Elements of a tile share the sweeps of values along the axes. Slopes follow from the values at the points of an
+// element, and on the way back fluxes turn into integrands against values in the same way. A tile writes the control
+// values that it sums, with those it shares with other tiles; `collect.hpp` adds them up. So no point is computed
+// twice, nothing is written by two threads, and results are the same bits for any team and any order of tiles.
 #pragma once
 
 #include "operator/device/tile_motion.hpp"
@@ -12,8 +13,8 @@
 
 namespace softwet {
 
-/// So many axes, the first ones, along which a point folds fluxes. In 3D the fold along the other axes does it for them, since it has all points
-/// of an element in registers.
+/// So many axes, the first ones, along which a point folds fluxes. In 3D the fold along the other axes does it for
+/// them, since it has all points of an element in registers.
 template <class Plan>
 inline constexpr int fold_axes = Plan::D == 3 ? 1 : Plan::collocated;
 
@@ -213,7 +214,7 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
       if (pass == passes) return;
       Sweeps3D::along_y_and_z(team, pass, t);
       team.barrier();
-      PointState<Plan> own[own_points<Team>]{};  // else a thread without a point keeps that of the last pass
+      PointState<Plan> own[own_points<Team>]{};  // zeros: a thread without a point would keep its last state
       int corner[D];
       corner_of(team, pass, corner);
       each_point(team, [&](int p, int l) { evaluate_at(p, pass, corner, t, own[l]); });

@@ -1,8 +1,8 @@
 // The tiles of several terms in one launch.
 //
-// The kernel is made for a list of terms. The terms of an evaluation lie behind each other in memory of the device. A team
-// finds its own by its number, and runs the code of that term. The terms are copied to the device when they have changed: not
-// for each product of a linear solve, because the vector that it multiplies is no part of them.
+// The kernel is made for a list of terms. The terms of an evaluation lie behind each other in memory of the device. A
+// team finds its own by its number, and runs the code of that term. The terms are copied to the device when they have
+// changed: not for each product of a linear solve, because the vector that it multiplies is no part of them.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace softwet {
 
-/// A term on a mesh with or without motion, as a type; with `shared_test` the elements above each other have the same test
-/// functions.
+/// A term on a mesh with or without motion, as a type; with `shared_test` the elements above each other have the same
+/// test functions.
 template <class Term_, class Motion_, bool shared_test_ = false>
 struct TermOnMesh {
   using Term = Term_;
@@ -36,7 +36,7 @@ struct TermList {
   }
 };
 
-/// The shape of the tiles of a term, given that of a volume.
+/// The shape of the tiles of a term, given the shape for a volume.
 template <class Entry, class Tile>
 using ShapeOf = std::conditional_t<
     Entry::shared_test, SharedOf<Tile>,

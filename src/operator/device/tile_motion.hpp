@@ -13,8 +13,8 @@ struct TileMotion {
   using Real = typename Plan::Real;
   static constexpr int D = Shape::D, n = Shape::n, Q = Shape::Q;
 
-  /// Values and slopes of all fields of the wall at the base points, to Room::wall. A tangent that is not there is zero.
-  /// field(f): the control values of a field, or null. An item is a point of one field.
+  /// Values and slopes of all fields of the wall at the base points, to Room::wall. A tangent that is not there is
+  /// zero. field(f): the control values of a field, or null. An item is a point of one field.
   template <class Team, class Field>
   static KOKKOS_FORCEINLINE_FUNCTION void trace(const Team& team, const Collocation<D, Q, Real>& slope, Real* t,
                                                 const Field& field) {

@@ -44,12 +44,13 @@ struct TilePlan : TrialFields<typename Term_::template Trial<double, Shape_::D>,
   static constexpr int stored = unpacked(places_stored, fields);
 };
 
-/// Tables of the bases [point][function], of weights and of positions, and of shares [element], from `begin` on, and behind
-/// them the sums of a tile, or of the planes that a pass leaves to the next one. Where sweeps make slopes, a function has its value and
-/// its slope beside each other; on other walls slopes across them are there. Where control values stand is a sum of integers, one of the
-/// element (or, where sweeps make slopes, of the control point) along the first axis and one of the control point along each other axis;
-/// they lie there too. So do the numbers of a Blend at the heights of the points, and, where slopes follow from values, the rows that give
-/// them [point][point of the element, itself first], unless memory is tight.
+/// Tables of the bases [point][function], of weights and of positions, and of shares [element], from `begin` on; the
+/// sums of a tile follow, or the sums of the planes that a pass leaves to the next one. Where sweeps make slopes, the
+/// value and the slope of a function are adjacent; on other walls there are slopes across them. The place of a control
+/// value is a sum of integers: one of the element (or, where sweeps make slopes, of the control point) along the first
+/// axis, and one of the control point along each other axis. These integers lie in the tables, and so do the numbers of
+/// a Blend at the heights of the points. Where slopes follow from values, the tables also have the rows for slopes
+/// [point][point of the element, itself first], unless memory is tight.
 template <class Plan, int begin>
 struct TileTables {
   using Shape = typename Plan::Shape;
@@ -80,13 +81,15 @@ struct TileTables {
   static constexpr int size = sums + Plan::channels * channel_sums;
 };
 
-/// Where a team keeps its numbers; offsets in Reals. In 2D two rooms are used in turn: the second holds what was swept along x, the
-/// first values, the second fluxes, the first what was folded at the points, and the second what was folded along z.
+/// Where a team keeps its numbers; offsets in Reals. In 2D two rooms are used alternately: the second holds the numbers
+/// swept along x, the first values, the second fluxes, the first the points folded along x, and the second their folds
+/// along z.
 ///
-/// In 3D numbers at points come first: values, and later integrands; behind them what a point keeps for itself, that is the values of
-/// fields without gradients and slopes across a wall, and later its fluxes along y and z, and along x. What is swept along x and
-/// what was folded along z and y use the place of fluxes along x, which are read first; so the next pass is swept along x
-/// while this one is folded. Where memory is tight they use the places of all fluxes, and the next pass waits.
+/// In 3D numbers at points come first: values, and later integrands. The numbers that a point keeps for itself follow:
+/// the values of fields without gradients and slopes across a wall, and later its fluxes along y and z, and along x.
+/// Numbers swept along x and numbers folded along z and y use the place of fluxes along x, which are read first; so the
+/// next pass is swept along x while this one is folded. Where memory is tight they use the places of all fluxes, and
+/// the next pass waits.
 template <class Plan>
 struct TileRooms {
   using Shape = typename Plan::Shape;
@@ -94,8 +97,9 @@ struct TileRooms {
   static constexpr int max(int a, int b) { return a > b ? a : b; }
   static_assert(!three || Shape::L == 1, "in 3D a pass is one layer");
   static constexpr int x_swept = Shape::cz * Shape::cy * Shape::qx, z_folded = Shape::cz * Shape::base;
-  /// The banks of the memory, and so many numbers or some more, such that in 3D a line of points of the next field or channel begins in the
-  /// bank behind that of the last one. Threads that go along x from line to line of different fields then have no bank in common.
+  /// The banks of the memory, and a count of at least `numbers` such that in 3D a line of points of the next field or
+  /// channel begins in the bank behind the end of the previous line. Threads that go along x from line to line of
+  /// different fields then have no bank in common.
   static constexpr int banks = 128 / sizeof(typename Plan::Real);
   static constexpr int apart(int numbers) {
     return three && !Plan::tight ? numbers + (banks + (Shape::qx - numbers) % banks) % banks : numbers;
@@ -124,10 +128,11 @@ struct TileScratch : TileRooms<Plan>, TileTables<Plan, TileRooms<Plan>::tables> 
   using TileTables<Plan, TileRooms<Plan>::tables>::three;
 };
 
-/// Derivatives at the points of an element of the Lagrange polynomials through them, which give the slopes of a spline from
-/// its values, since it is a polynomial of degree Q - 1 there. The rows are turned so that a point's own entry comes first:
-/// forward[d][q][r] = l'_{q+r}(x_q), transposed[d][q][r] = l'_q(x_{q+r}), indices modulo Q. They are those of the shortest
-/// element of an axis. Those of another one are its share as large, the shortest length over its own.
+/// Derivatives at the points of an element of the Lagrange polynomials through them. They give the slopes of a spline
+/// from its values, since it is a polynomial of degree Q - 1 there. The rows are rotated so that a point's own entry
+/// comes first: forward[d][q][r] = l'_{q+r}(x_q), transposed[d][q][r] = l'_q(x_{q+r}), indices modulo Q. They hold for
+/// the shortest element of an axis; for another element they are multiplied by its share, the shortest length over its
+/// own.
 template <int D, int Q, class Real>
 struct Collocation {
   Real forward[D][Q][Q], transposed[D][Q][Q];

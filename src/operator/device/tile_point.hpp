@@ -6,8 +6,8 @@
 
 namespace softwet {
 
-/// What Test::write sees. A sink takes the integrand of a channel against the values of test functions, `integrand(channel,
-/// number)`, and those against their slopes, `flux(channel, axis, number)`.
+/// What Test::write sees. A sink takes the integrand of a channel against the values of test functions,
+/// `integrand(channel, number)`, and those against their slopes, `flux(channel, axis, number)`.
 template <class Plan, class Point, class Sink>
 struct TileWriter {
   using N = typename Plan::N;
@@ -37,9 +37,9 @@ struct TileWriter {
   }
 };
 
-/// Point p of a pass along each axis, and among the points of the wall. Where sweeps make slopes in 3D, a place along x has its points
-/// together, and neighbouring elements come before the points of an element, along x and across: then threads beside each other read and
-/// write numbers beside each other.
+/// Point p of a pass along each axis, and among the points of the wall. Where sweeps make slopes in 3D, the points of
+/// one place along x are adjacent, and neighbouring elements come before the points of an element, along x and across:
+/// so neighbouring threads read and write neighbouring numbers.
 template <class Shape>
 struct PointNumbers {
   int x, y, z, wall;
@@ -98,8 +98,8 @@ struct TilePoints {
     return least(Shape::M, (grid.elements[D - 1] - corner[D - 1] + Shape::L - 1) / Shape::L);
   }
 
-  /// Tables of an axis for the elements of a tile; those outside of the region have no weight. A place is null where a table is
-  /// not wanted.
+  /// Tables of an axis for the elements of a tile; those outside of the region have no weight. A place is null where a
+  /// table is not wanted.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void load_axis(const Team& team, int first_thread, const AxisTables<Real>& rule, int d,
                                              int corner, int count, Real* basis, Real* weight, Real* place,
@@ -158,8 +158,8 @@ struct TilePoints {
     }
   }
 
-  /// Point p of a pass with what it remembers. @param corner  of the pass; elements outside of the region have the memory of the
-  /// nearest one, and no weight
+  /// Point p of a pass with what it remembers. @param corner  of the pass; elements outside of the region have the
+  /// memory of the nearest one, and no weight
   template <class Point>
   KOKKOS_FORCEINLINE_FUNCTION auto with_memory_of(const Point& point, int p, const int (&corner)[D]) const {
     if constexpr (memory_size_of<typename Plan::Trial> == 0) {
@@ -195,7 +195,7 @@ struct TilePoints {
     using Point = std::remove_const_t<decltype(point)>;
     using From = Reader<N, D, Fields, Point>;
     const auto test = task.term.residual(Plan::Trial::read(From{from, point, 0}));
-    const int again = anew(p);  // what was derived from p has been given up
+    const int again = anew(p);  // the numbers derived from p were discarded
     const auto numbers = PointNumbers<Shape>::of(again);
     Real weight = task.factor * t[Room::x_weight + numbers.x] * t[Room::z_weight + pass * Shape::qz + numbers.z];
     if constexpr (D == 3) weight = weight * t[Room::y_weight + numbers.y];

@@ -1,5 +1,5 @@
-// The sweeps of a tile: from control values to values at points, and from integrands back to control values. Each sum is made
-// by one thread in one order.
+// The sweeps of a tile: from control values to values at points, and from integrands back to control values. Each sum
+// is made by one thread in one order.
 #pragma once
 
 #include "operator/device/tile_plan.hpp"
@@ -7,8 +7,8 @@
 
 namespace softwet {
 
-/// Control `place` of a line takes from the elements place - P .. place, as far as there are `elements`; their Q points follow
-/// each other. sum[c] = sum over points of basis times from(c, point).
+/// Control `place` of a line takes from the elements place - P .. place, as far as there are `elements`; their Q points
+/// follow each other. sum[c] = sum over points of basis times from(c, point).
 template <int P, int Q, int elements, int sums, class Real, class From>
 KOKKOS_FORCEINLINE_FUNCTION void fold_line(const Real* table, int place, Real (&sum)[sums], const From& from) {
   constexpr int n = P + 1;
@@ -52,8 +52,8 @@ struct TileSweeps {
     return reinterpret_cast<const int*>(tables + Room::places);
   }
 
-  /// Every plane and line of a pass along x. field(f, at): value `at` of a field. All fields are read before one is written: a compiler
-  /// cannot know that these are different memory.
+  /// Every plane and line of a pass along x. field(f, at): value `at` of a field. All fields are read before one is
+  /// written: a compiler cannot know that these are different memory.
   template <class Team, class Field>
   static KOKKOS_FORCEINLINE_FUNCTION void along_x(const Team& team, int pass, const Real* tables, Real* out,
                                                   const Field& field) {
@@ -73,7 +73,8 @@ struct TileSweeps {
     });
   }
 
-  /// In 2D: point p of a pass: values of fields with gradients to `values`, others to own.value; on a wall slopes across it too.
+  /// In 2D: point p of a pass: values of fields with gradients to `values`, others to own.value; on a wall slopes
+  /// across it too.
   template <class Own>
   static KOKKOS_FORCEINLINE_FUNCTION void along_z(int p, int pass, const Real* tables, const Real* in, Real* values,
                                                   Own& own) {
@@ -115,8 +116,8 @@ struct TileSweeps {
     for (int r = 0; r < Q; ++r) step[d][r] = q[d] + r < Q ? r * stride[d] : (r - Q) * stride[d];
   }
 
-  /// The integrand at point p and the fluxes at the points of its element along the first axes, as an integrand against values and fluxes
-  /// along the other ones. On a face fluxes are tangential.
+  /// The integrand at point p and the fluxes at the points of its element along the first axes, as an integrand against
+  /// values and fluxes along the other ones. On a face fluxes are tangential.
   template <int axes, class Own>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_fluxes(const Collocation<D, Q, Real>& slope, int p, const Real* flux,
                                                       const Own& own, Real* out) {

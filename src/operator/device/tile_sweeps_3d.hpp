@@ -1,13 +1,14 @@
-// The sweeps of a tile in 3D across the wall and above it, two axes at once: what a thread sweeps along one axis it keeps for the
-// other one. A device reads and writes the memory that a team shares less often then, and waits at fewer barriers.
+// The sweeps of a tile in 3D across the wall and above it, two axes at once: what a thread sweeps along one axis it
+// keeps for the other one. A device reads and writes the memory that a team shares less often then, and waits at fewer
+// barriers.
 #pragma once
 
 #include "operator/device/tile_sweeps.hpp"
 
 namespace softwet {
 
-/// The points of a line of elements back to its control values: in[Q * elements] to sum[elements + P]. Each sum takes its points in
-/// their order.
+/// The points of a line of elements back to its control values: in[Q * elements] to sum[elements + P]. Each sum takes
+/// its points in their order.
 template <int P, int Q, int elements, class Real>
 KOKKOS_FORCEINLINE_FUNCTION void fold_whole_line(const Real* table, const Real (&in)[Q * elements],
                                                  Real (&sum)[elements + P]) {
@@ -26,8 +27,8 @@ struct TileSweeps3D {
   using Sweeps = TileSweeps<Plan>;
   static constexpr int D = 3, P = Shape::P, n = Shape::n, Q = Shape::Q, QL = Shape::QL;
 
-  /// An item: the points above each other of an element across, at one place along x, of one field. Fields with gradients go to
-  /// Room::values, others, and slopes across a wall, to Room::kept.
+  /// An item: the points above each other of an element across, at one place along x, of one field. Fields with
+  /// gradients go to Room::values, others, and slopes across a wall, to Room::kept.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void along_y_and_z(const Team& team, int pass, Real* t) {
     constexpr int lines = Shape::qx * Plan::fields;
@@ -52,8 +53,8 @@ struct TileSweeps3D {
     });
   }
 
-  /// An item: the points above each other and across at one place along x, of one channel. Integrands take what fluxes along y and z add to
-  /// them, and are folded along both axes.
+  /// An item: the points above each other and across at one place along x, of one channel. Integrands take what fluxes
+  /// along y and z add to them, and are folded along both axes.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void fold_z_and_y(const Team& team, int pass, const Collocation<D, Q, Real>& slope,
                                                        Real* t) {
@@ -119,8 +120,8 @@ struct TileSweeps3D {
     }
   }
 
-  /// Adds to integrands what fluxes along y and z are against values; a point takes its own one first. `flux`: those along y, and behind
-  /// those of all channels along z.
+  /// Adds to integrands the share of the fluxes along y and z in the values; a point takes its own one first. `flux`:
+  /// the fluxes along y, followed by the fluxes of all channels along z.
   static KOKKOS_FORCEINLINE_FUNCTION void add_fluxes(const Collocation<D, Q, Real>& slope, const Real* flux,
                                                      Real (&integrand)[QL][Shape::qy]) {
     SOFTWET_UNROLL

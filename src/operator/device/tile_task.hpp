@@ -34,8 +34,8 @@ struct AxisTables {
   KOKKOS_FORCEINLINE_FUNCTION Real share(int e) const { return constant(shares + e); }
 };
 
-/// Where a product finds its tangents in the vector that it multiplies: control value (0, 0, 0) of each unknown, and that of the
-/// wall's row of each velocity.
+/// Where a product finds its tangents in the vector that it multiplies: control value (0, 0, 0) of each unknown, and
+/// the first one in the wall's row of each velocity.
 template <int D>
 struct Tangents {
   int of_unknown[D + 2], of_wall[D];

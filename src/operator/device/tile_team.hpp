@@ -7,8 +7,8 @@
 
 namespace softwet {
 
-/// A number as if it had just been read. Else a device compiler computes places once, keeps them over the point functions, and
-/// registers run out.
+/// A number as if it had just been read. Else a device compiler computes places once, keeps them over the point
+/// functions, and registers run out.
 KOKKOS_FORCEINLINE_FUNCTION int anew(int x) {
 #if defined(__CUDA_ARCH__)
   asm volatile("" : "+r"(x));
@@ -27,11 +27,13 @@ KOKKOS_FORCEINLINE_FUNCTION T* anew(T* x) {
   return x;
 }
 
-/// i / by and i % by of a number that is not negative, for which a device needs fewer instructions than for one with a sign.
+/// i / by and i % by of a number that is not negative, for which a device needs fewer instructions than for one with a
+/// sign.
 KOKKOS_FORCEINLINE_FUNCTION int quotient(int i, unsigned by) { return static_cast<int>(static_cast<unsigned>(i) / by); }
 KOKKOS_FORCEINLINE_FUNCTION int modulo(int i, unsigned by) { return static_cast<int>(static_cast<unsigned>(i) % by); }
 
-/// A number in memory that no thread of the kernel writes, so that a device may read it before what was written so far is there.
+/// A number in memory that no thread of the kernel writes, so that a device may read it without waiting for earlier
+/// writes.
 template <class Real>
 KOKKOS_FORCEINLINE_FUNCTION Real constant(const Real* at) {
 #if defined(__CUDA_ARCH__)
@@ -46,11 +48,11 @@ template <int threads, class Member>
 struct TileTeam {
   static constexpr int size = threads;
   const Member& member;
-  int tile_;  ///< among those of its term
+  int tile_;  ///< number of the tile among the tiles of its term
 
   KOKKOS_FORCEINLINE_FUNCTION int tile() const { return anew(tile_); }
   KOKKOS_FORCEINLINE_FUNCTION int rank() const { return anew(member.team_rank()); }
-  /// That of Kokkos asks each time whether a block of a device holds several teams; here it holds one.
+  /// A barrier without the question of Kokkos whether a block of a device holds several teams: here it holds one.
   KOKKOS_FORCEINLINE_FUNCTION void barrier() const {
 #if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
     __syncthreads();
@@ -66,7 +68,8 @@ KOKKOS_FORCEINLINE_FUNCTION void share(const Team& team, int count, const Body& 
   for (int i = team.rank(); i < count; i += Team::size) body(i);
 }
 
-/// Likewise of a number that is known to the compiler: no loop where the team has a thread for each, from thread `first` on if it can.
+/// Shares a number of items that the compiler knows: no loop where the team has a thread for each, from thread `first`
+/// on if possible.
 template <int count, int first = 0, class Team, class Body>
 KOKKOS_FORCEINLINE_FUNCTION void share_known(const Team& team, const Body& body) {
   if constexpr (count > Team::size) {
@@ -77,8 +80,8 @@ KOKKOS_FORCEINLINE_FUNCTION void share_known(const Team& team, const Body& body)
   }
 }
 
-/// The items 0 .. count - 1 as share gives them, in two steps: read(item, numbers), of all items of a thread where these are few, then
-/// write(item, numbers). So a device waits for memory once.
+/// The items 0 .. count - 1 as share gives them, in two steps: read(item, numbers), of all items of a thread where
+/// these are few, then write(item, numbers). So a device waits for memory once.
 template <int count, class Numbers, class Team, class Read, class Write>
 KOKKOS_FORCEINLINE_FUNCTION void share_reads(const Team& team, const Read& read, const Write& write) {
   constexpr int each = (count + Team::size - 1) / Team::size, few = 4;
@@ -103,15 +106,15 @@ KOKKOS_FORCEINLINE_FUNCTION void share_reads(const Team& team, const Read& read,
   }
 }
 
-/// The same, from thread `first` on, so that other warps take other short lists.
+/// Shares the items from thread `first` on, so that other warps take other short lists.
 template <class Team, class Body>
 KOKKOS_FORCEINLINE_FUNCTION void share_from(const Team& team, int first, int count, const Body& body) {
   const int behind = team.rank() - first % Team::size;
   for (int i = behind < 0 ? behind + Team::size : behind; i < count; i += Team::size) body(i);
 }
 
-/// body(point, how many points of this thread came before): the points 0 .. count - 1, shared likewise, `lanes` of them among each
-/// 16 threads.
+/// body(point, how many points of this thread came before): the points 0 .. count - 1, shared likewise, `lanes` of them
+/// among each 16 threads.
 template <int count, int lanes = 16, class Team, class Body>
 KOKKOS_FORCEINLINE_FUNCTION void share_points(const Team& team, const Body& body) {
   constexpr int slots = slots_of(count, lanes), each = (slots + Team::size - 1) / Team::size;

@@ -12,8 +12,8 @@ KOKKOS_FORCEINLINE_FUNCTION void for_each_index(const Body& body) {
   (std::make_integer_sequence<int, count>());
 }
 
-/// Numbers for each point of the wall: displacement [i][value, slopes], velocity [i], and for a product tangent [i][value,
-/// slopes].
+/// Numbers for each point of the wall: displacement [i][value, slopes], velocity [i], and for a product tangent
+/// [i][value, slopes].
 template <int D, class Motion, bool Tangent>
 struct WallFields {
   static constexpr bool moves = !std::is_same_v<Motion, NoMotion>;
@@ -25,7 +25,8 @@ struct WallFields {
   }
 };
 
-/// What is known of the wall below a point, as point_or_face wants it; `apart` is the distance between the numbers of a point.
+/// The fields of the wall below a point, in the form of point_or_face; `apart` is the distance between the numbers of a
+/// point.
 template <class S, int D, int apart, class Real>
 struct WallBelow {
   const Real* at;
@@ -49,7 +50,7 @@ KOKKOS_FORCEINLINE_FUNCTION auto moving_point(const AsBlend& blend, Real scale, 
                                               const Vector<S, D>& reference, double height) {
   return point_or_face<N, face>(blend, scale, reference, height, WallBelow<S, D, apart, Real>{wall});
 }
-/// The same, or at a point of a fixed mesh.
+/// Geometry at a point above a wall that moves, or at a point of a fixed mesh.
 template <class N, int apart, bool face, class Motion, class Real, class S, int D>
 KOKKOS_FORCEINLINE_FUNCTION auto point_above_wall(const Motion& motion, const Real* wall, const Vector<S, D>& reference,
                                                   double height) {

@@ -120,7 +120,7 @@ struct ColumnIntegrals {
 };
 
 /// Residual (N = S) or Jacobian-vector product (N = Dual<S>) of the elements [first, last) of a column. The control
-/// layers of its elements follow each other one by one, and the test functions are those of the trial.
+/// layers of its elements follow each other one by one, and trial and test functions are equal.
 template <class S, class N, int D, int P, int Q, class Term, class Motion>
 void assemble_column(const Task<D, Term, Motion, RealOf<S>>& task, Batch<D> b, int first, int last) {
   using Real = RealOf<S>;

@@ -72,7 +72,7 @@ struct ElementLayers : AxisBasis<Real, P, Q> {
   }
 };
 
-/// The planes of one field around an element: that of layer k at k % (degree + 1).
+/// The planes of one field around an element: the plane of layer k is at k % (degree + 1).
 template <class S, int D, int P, int Q>
 struct PlaneRing {
   Plane<S, D, Q> plane[P + 1];
