@@ -25,10 +25,10 @@ struct Circle {
 std::optional<Circle> fit_circle(const std::vector<std::array<double, 2>>& points);
 
 /// Footprints of the phase that is inside, from left to right. A droplet that reaches a side of the domain ends there,
-/// without an angle. The apparent angle of a side is that of a circle fitted to the level set of its half of the
-/// droplet, from 2 g above the wall, where it meets the height of that side's contact line. Where the fit begins (g ..
-/// 3 g) and ends moves the angle by 0.05 degrees. The height matters: a contact line on a ridge of 5e-3 reads 2 degrees
-/// less than the same circle at the undeformed wall (docs/verification/tensotaxis.md).
+/// without an angle. To find the apparent angle of a side, a circle is fitted to the level set of its half of the
+/// droplet, from 2 g above the wall; its angle is taken where it meets the height of that side's contact line. Where
+/// the fit begins (g .. 3 g) and ends moves the angle by 0.05 degrees. The height matters: a contact line on a ridge of
+/// 5e-3 reads 2 degrees less than the same circle at the undeformed wall (docs/verification/tensotaxis.md).
 /// @param capillarity  g, sets where the fit begins
 template <int D>
 std::vector<Footprint> find_footprints(const Section<D>&, const Surface&, double capillarity);

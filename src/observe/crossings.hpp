@@ -17,7 +17,7 @@ struct Crossing {
   int direction;
 };
 
-/// Of two neighbours in a row of samples.
+/// The crossing between two neighbours in a row of samples.
 inline std::optional<Crossing> crossing_between(const std::vector<double>& x, const double* depth, std::size_t i) {
   const double a = depth[i], b = depth[i + 1];
   if ((a < 0) == (b < 0)) return std::nullopt;
@@ -31,7 +31,8 @@ inline std::vector<Crossing> crossings(const std::vector<double>& x, const doubl
   return result;
 }
 
-/// The one nearest to a place inside the droplet, on the side on which that direction leads into it: outwards from there.
+/// The crossing nearest to a place inside the droplet, on the side on which the direction leads into it: outwards from
+/// there.
 inline std::optional<Crossing> nearest_crossing(const std::vector<double>& x, const double* depth, double inside,
                                                 int direction) {
   if (x.size() < 2) return std::nullopt;  // a window at the end of its row
@@ -52,7 +53,7 @@ struct Window {
   bool whole_side(int direction) const { return direction > 0 ? has_first : has_last; }
 };
 
-/// Those from the last one before `low` to the first one behind `high`. @param x  in ascending order
+/// The samples from the last one before `low` to the first one behind `high`. @param x  in ascending order
 inline Window window_of(const std::vector<double>& x, double low, double high) {
   auto first = std::lower_bound(x.begin(), x.end(), low), last = std::upper_bound(first, x.end(), high);
   if (first != x.begin()) --first;
@@ -60,10 +61,10 @@ inline Window window_of(const std::vector<double>& x, double low, double high) {
   return {{first, last}, first == x.begin(), last == x.end()};
 }
 
-/// The crossing nearest to a place of the window. What lies outside the window is farther away, so that the whole row is
+/// The crossing nearest to a place of the window. Samples outside the window are farther away, so that the whole row is
 /// sampled only where the window has none.
 /// @param depth  of the samples in the window
-/// @param depth_of_row  gives that of all samples of the row
+/// @param depth_of_row  returns the depth of all samples of the row
 template <class Sample>
 std::optional<Crossing> nearest_crossing(const Window& window, const double* depth, const std::vector<double>& row,
                                          const Sample& depth_of_row, double inside, int direction) {
@@ -73,8 +74,9 @@ std::optional<Crossing> nearest_crossing(const Window& window, const double* dep
   return nearest_crossing(row, all.data(), inside, direction);
 }
 
-/// Where a function that is negative at `low` and positive at `high` is 0, by the Illinois method (Dowell and Jarratt 1971): the
-/// secant, in which an end that stays counts half. Empty where the signs are others. @param length  that counts as one
+/// Where a function that is negative at `low` and positive at `high` is 0, by the Illinois method (Dowell and Jarratt
+/// 1971): the secant, in which an end that stays counts half. Empty where the signs are others. @param length  that
+/// counts as one
 template <class Function>
 std::optional<double> zero_between(const Function& function, double low, double high, double length) {
   double at_low = function(low), at_high = function(high);
@@ -102,9 +104,9 @@ double sharpen(const Section<D>& section, const Crossing& c, double height, doub
   return zero_between(excess, c.x - spacing, c.x + spacing, spacing).value_or(c.x);
 }
 
-/// A weighted mean along a line, over two elements to each side, that leaves parabolas as they are. A spline swings about the
-/// interface that it resolves, with the period of an element, and such a mean of splines cancels it (Bramble and Schatz, Math. Comp.
-/// 31, 94, 1977: the kernel of three hat functions, here as a sum over equidistant places).
+/// A weighted mean along a line, over two elements to each side, that leaves parabolas as they are. A spline swings
+/// about the interface that it resolves, with the period of an element, and such a mean of splines cancels it (Bramble
+/// and Schatz, Math. Comp. 31, 94, 1977: the kernel of three hat functions, here as a sum over equidistant places).
 struct MeanOverElements {
   static constexpr int parts = 8;          ///< of an element
   static constexpr int reach = 2 * parts;  ///< places to each side
@@ -117,7 +119,7 @@ struct MeanOverElements {
       weight[k + reach] = (1 + 2 * side) * hat(k) - side * (hat(k - parts) + hat(k + parts));
   }
 
-  /// @param element  length of an element;  @param values  gives those at many places
+  /// @param element  length of an element;  @param values  returns values at many places
   template <class Values>
   double operator()(const Values& values, double x, double element) const {
     const std::vector<double> at = values(equidistant(x - 2 * element, x + 2 * element, 2 * reach));
@@ -127,8 +129,8 @@ struct MeanOverElements {
   }
 };
 
-/// Where the mean depth beside a crossing is 0; the sharpened crossing itself where a side of the domain or another crossing is so near
-/// that the mean has none. @param element  length of an element
+/// Where the mean depth around a crossing is 0; the sharpened crossing itself where a side of the domain or another
+/// crossing is so near that there is no mean. @param element  length of an element
 template <int D>
 double sharpen_mean(const Section<D>& section, const Crossing& c, double height, double element,
                     const Surface& surface) {

@@ -6,7 +6,8 @@
 
 namespace softwet {
 
-/// Springs of needles count as forces from outside, without their energy: a needle that jumps does no work on the solid in no time.
+/// Springs of needles count as forces from outside, without their energy: a needle that jumps does no work on the solid
+/// in no time.
 /// @param load_power  of the loads, and of such springs, on the state's velocities
 /// @param sum         the integrals of the state
 inline EnergyState energy_of(double time, double load_power, const Integrals& sum) {

@@ -25,10 +25,10 @@ struct OwnPoints {
   }
 };
 
-/// What is looked for, each as a largest number.
+/// The extremes, each as a largest number.
 enum Extreme { minus_least_density, most_density, square_in_fluid, square_in_liquid, square_in_solid, extremes };
 
-/// All of them in one pass: squares are those of velocities, 0 where no point counts.
+/// Finds all extremes in one pass: squares are squares of velocities, 0 where no point counts.
 template <int D>
 struct FindExtremes {
   using value_type = double[];
@@ -58,7 +58,7 @@ struct FindExtremes {
   }
 
  private:
-  /// What is no number does not count.
+  /// A value that is not a number does not count.
   KOKKOS_FORCEINLINE_FUNCTION static void raise(double& best, double value) {
     if (value > best) best = value;
   }

@@ -15,15 +15,15 @@ inline void append(const std::vector<double>& more, std::vector<double>& to) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// Fields of one material on a tensor grid of reference points. In 2D a tensor is that of plane strain or, in the
-/// coordinates (r, z), of axial symmetry, the third axis around the axis.
+/// Fields of one material on a tensor grid of reference points. In 2D a tensor describes plane strain or, in the
+/// coordinates (r, z), axial symmetry, where the third axis goes around the axis.
 template <int D>
 class FieldValues {
  public:
   using Grid = typename Snapshot<D>::Grid;
 
-  /// @param rows  the elements that the points lie in: of the fluid, from the wall up, or of one part of the solid. What jumps at
-  ///              their ends is read from inside of them.
+  /// @param rows  the elements that the points lie in: of the fluid, from the wall up, or of one part of the solid.
+  ///   What jumps at their ends is read from inside of them.
   FieldValues(const Case& c, const Coefficients<D>& coefficients, const Snapshot<D>& snapshot, const Grid& grid,
               ElementRows rows)
       : case_(c),
@@ -33,8 +33,8 @@ class FieldValues {
         rows_(rows),
         medium_(rows.first >= snapshot.layout().solid_elements ? Medium::fluid : Medium::solid) {}
 
-  /// Of the field of that name, which this material has (observe/host/field_table.hpp); components fastest: 1, D, or 9
-  /// of a tensor, row by row. Scales as in the table.
+  /// Values of the field with this name, which this material has (observe/host/field_table.hpp); components fastest: 1,
+  /// D, or 9 of a tensor, row by row. Scales as in the table.
   std::vector<double> of(const std::string& field);
 
  private:

@@ -7,7 +7,7 @@
 namespace softwet {
 namespace {
 
-/// Integrals of the wall's functions; a ghost of a periodic axis has that of the function it copies.
+/// Integrals of the wall's functions; a ghost of a periodic axis has the integral of the function that it copies.
 template <int D>
 std::vector<double> wall_weights(const Layout<D>& layout) {
   std::vector<double> weight(layout.row_size, 1.0);

@@ -34,10 +34,11 @@ std::optional<double> place_beside(const Section<D>& section, double line, doubl
   return std::nullopt;
 }
 
-/// Below what a place of the wall is: a droplet (in liquid a bubble), or what is around it.
+/// What covers a place of the wall: a droplet (in liquid a bubble), or its surroundings.
 enum class Below { droplet, surroundings };
 
-/// Angle of the wall beside a line, on the side of positive or negative distances; empty where it is not below that.
+/// Angle of the wall next to a line, on the side of positive or negative distances; empty where something else covers
+/// the wall there.
 template <int D>
 std::optional<double> wall_angle(const Section<D>& section, const Surface& surface, double line, double distance,
                                  Below below) {
@@ -77,7 +78,7 @@ std::optional<double> liquid_angle(const Section<D>& section, const Surface& sur
   };
   const auto near = at(wall + distance);
   if (!near) return std::nullopt;
-  // As high above the contact line as is asked for, which is not the same in the undeformed domain.
+  // This height above the contact line is the requested one in the deformed domain, not in the undeformed one.
   const double height = wall + 2 * distance - ((*near)[1] - section.current(line.x, wall)[1]);
   const auto low = at(height - 0.1 * distance), high = at(height + 0.1 * distance);
   if (!low || !high) return std::nullopt;

@@ -1,4 +1,4 @@
-// The shape of wall and liquid beside a contact line, in a vertical plane.
+// The shape of wall and liquid near a contact line, in a vertical plane.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@ struct Crossing;  // observe/crossings.hpp
 /// Capillarities from the contact point at which local angles are read, and within which the ridge is looked for.
 constexpr double local_distance = 4;
 
-/// Lengths in L0, angles in degrees. Empty where there is no solid, or where the place lies beyond the droplet or the domain.
+/// Lengths in L0, angles in degrees. Empty where there is no solid, or where the place lies beyond the droplet or the
+/// domain.
 struct LineShape {
   std::optional<double> ridge;               ///< largest rise of the wall near the line
   std::optional<double> wall_wet, wall_dry;  ///< of the wall to the horizontal, positive where it rises to the line

@@ -61,7 +61,8 @@ std::vector<double> positions(const typename Snapshot<D>::Grid& grid, std::vecto
   return displacement;
 }
 
-/// The fields of one material that were asked for. @param names  of fields; empty: all. @param fields  gain the values of a part
+/// The fields of one material that were asked for. @param names  of fields; empty: all. @param fields  gain the values
+/// of a part
 template <int D>
 void add_selected_fields(FieldValues<D>& values, bool in_fluid, const std::vector<std::string>& names,
                          std::vector<PointField>& fields) {

@@ -65,8 +65,8 @@ LinePoints points_of_part(ProbeOperation operation, int gauss_points) {
   return {gauss.point, gauss.weight};
 }
 
-/// The parts of a place along the vertical axis, each in elements of one side: a place that ends at the joint of a solid lies on
-/// its own side, one without height at the joint above it.
+/// The parts of a place along the vertical axis, each in elements of one side: a place that ends at the joint of a
+/// solid lies on its own side, one without height at the joint above it.
 template <int D>
 std::vector<ElementRows> sides_of(const Probe& probe, const Snapshot<D>& s) {
   const Layout<D>& layout = s.layout();
@@ -135,8 +135,8 @@ std::vector<double> measures(const Regions<D>& regions, const Snapshot<D>& s, co
   return measure;
 }
 
-/// What each point counts in an integral. A whole turn makes a circle of a point and a face of a line, but on the axis of symmetry
-/// both stay what they are.
+/// What each point counts in an integral. A whole turn makes a circle of a point and a face of a line, but on the axis
+/// of symmetry both stay what they are.
 template <int D>
 std::vector<double> weights(const Regions<D>& regions, const Snapshot<D>& s, const ProbeSite<D>& site) {
   std::vector<double> weight(site.size(), 1.0), moved;

@@ -9,8 +9,8 @@
 
 namespace softwet {
 
-/// The number of each probe, in the order of the case. Integrals have the Gauss points of the scene in each element, or part
-/// of one, that the box holds: that of the density over all of the fluid is the mass.
+/// The number of each probe, in the order of the case. Integrals have the Gauss points of the scene in each element, or
+/// part of one, that the box holds: the integral of the density over all of the fluid is the mass.
 template <int D>
 std::vector<double> evaluate_probes(const Case&, const Regions<D>&, const Coefficients<D>&, const Snapshot<D>&);
 

@@ -23,7 +23,7 @@ std::string energy_sentence(double rise, bool law, bool implicit) {
          (implicit ? "time.tolerance" : "time.safety") + " makes them shorter";
 }
 
-/// Of a droplet or, behind these, a film.
+/// Whether a body, a droplet or one of the films behind the droplets, begins on the wall.
 bool begins_on_wall(const Case& c, std::size_t body) {
   if (body < c.droplets.size()) return sits_on_wall(c, c.droplets[body]);
   const double wall = c.wall_height();

@@ -37,9 +37,10 @@ class Scalars {
 
   /// Reads what a row needs. `end` is the stage at the state itself. All processes have to call it.
   RowReading<D> read(long step, const StepReport& report, const State& state, const Stage& end);
-  /// One row. A cell is empty where its quantity does not exist: densities without a fluid, the contact line of a droplet that is
-  /// not on the wall. The first process gets the row, and it alone follows the droplets from row to row. The others get a row without
-  /// cells. This is work of the host alone, which a thread may do beside the next steps.
+  /// One row. A cell is empty where its quantity does not exist: densities without a fluid, the contact line of a
+  /// droplet that is not on the wall. The first process gets the row, and it alone follows the droplets from row to
+  /// row. The others get a row without cells. Only the host does this work, so a thread may do it during the next
+  /// steps.
   TableRow row_of(const RowReading<D>&);
 
   /// Follows the droplets to a state for which there is no row, before the first row: `told` stands behind the sentence
@@ -48,7 +49,7 @@ class Scalars {
   /// How far each body has moved between the first and the last state that was watched; empty where it is gone.
   std::vector<std::optional<double>> moved() const;
 
-  /// Makes the row last evaluated the one that the next velocities refer to.
+  /// Makes the row evaluated last the reference of the next velocities.
   void keep() { memory_ = latest_; }
 
   const HistoryMemory& memory() const { return memory_; }

@@ -7,7 +7,8 @@
 
 namespace softwet {
 
-/// Rows of elements [first, last) along the vertical axis. A point on a line of elements at their end is taken from their side.
+/// Rows of elements [first, last) along the vertical axis. A point on a line of elements at their end is taken from
+/// their side.
 struct ElementRows {
   int first, last;
 };
@@ -36,20 +37,20 @@ class SnapshotCopies {
     std::vector<double> take();
 
    private:
-    ConstArray array_;  ///< what is copied
+    ConstArray array_;  ///< source of the copy
     HostArray room_;
   };
   Copy velocity_, scalars_, displacement_, memory_;
 };
 
-/// Fields of a state on tensor grids of reference points. 2D: plane strain. Of several processes the first one has the
-/// fields, so that it alone can evaluate them.
+/// Fields of a state on tensor grids of reference points. 2D: plane strain. Among several processes the first one has
+/// the fields, and it alone can evaluate them.
 template <int D>
 class Snapshot {
  public:
   /// Collects the state of all processes on the first one: all have to call it.
   Snapshot(const Layout<D>& layout, const State& state, SnapshotOf parts = SnapshotOf::all_fields);
-  /// The same of copies that were started, and have arrived: the host has waited for the execution space since.
+  /// Takes started copies that have arrived: the host has waited for the execution space since.
   Snapshot(const Layout<D>& layout, SnapshotCopies<D>& copies);
 
   using Grid = std::array<std::vector<double>, D>;  ///< reference coordinates per axis
@@ -62,9 +63,9 @@ class Snapshot {
   std::vector<double> displacement(const Grid&, int d, Medium) const;
   /// du_d/dX_axis of the solid. It jumps at a joint, where it follows from the rows of one part.
   std::vector<double> displacement_gradient(const Grid&, int d, int axis, ElementRows) const;
-  /// The same of the velocity of the solid.
+  /// Gradient of the velocity of the solid, likewise.
   std::vector<double> velocity_gradient(const Grid&, int d, int axis, ElementRows) const;
-  /// The same of the displacement that branch number `branch` remembers, under small strains.
+  /// Gradient of the displacement that branch number `branch` remembers, under small strains.
   std::vector<double> branch_gradient(const Grid&, int branch, int d, int axis, ElementRows) const;
   std::vector<double> branch_displacement(const Grid&, int branch, int d) const;
   /// The displacement of the solid sampled in other ways than at points, such as by means over elements.

@@ -7,8 +7,9 @@
 namespace softwet {
 namespace {
 
-/// Of a vector field: slope(d, axis) has its values at all points, and value(d) those of a component. In 2D the third row and column are 0,
-/// plane strain, but in the coordinates (r, z) for v_r / r, which is dv_r/dr at the axis.
+/// Gradients of a vector field: slope(d, axis) has its values at all points, and value(d) the values of a component. In
+/// 2D the third row and column are 0, plane strain, except in the coordinates (r, z) for v_r / r, which is dv_r/dr at
+/// the axis.
 template <int D, class Slope, class Value>
 std::vector<Matrix<double, 3>> gradients_from(const SolidPoints<D>& at, const Slope& slope, const Value& value) {
   std::vector<Matrix<double, 3>> gradients(at.size(), Matrix<double, 3>{});

@@ -34,8 +34,8 @@ std::vector<Matrix<double, 3>> velocity_gradients(const SolidPoints<D>&);
 template <int D>
 std::vector<Matrix<double, 3>> branch_gradients(const SolidPoints<D>&, int branch);
 
-/// Of the means of Grad u over the elements of some columns and rows along each axis, which take the place of the points of a grid. In (r, z) the
-/// mean of u_r over the radius of the middle.
+/// Means of Grad u over the elements of some columns and rows along each axis, which take the place of the points of a
+/// grid. In (r, z), the hoop entry is the mean of u_r over the radius of the middle.
 template <int D>
 std::vector<Matrix<double, 3>> mean_gradients(const Snapshot<D>&, const std::array<std::vector<int>, D>& elements);
 

@@ -52,7 +52,7 @@ class MeansOfElements {
       stress_.push_back(share(at.snapshot.layout(), elements, k, solid) * material.first_piola(means[k]));
   }
 
-  /// The mean of those of the elements that hold a point.
+  /// The mean of the stresses of the elements that hold a point.
   Tensor at(std::size_t point) const {
     std::array<const std::vector<int>*, D> holders;
     std::size_t count = 1;
@@ -76,7 +76,7 @@ class MeansOfElements {
   }
 
  private:
-  /// The mean of the stiffness over that of the material.
+  /// The mean stiffness of an element over the stiffness of the material.
   static double share(const Layout<D>& layout, const std::array<std::vector<int>, D>& elements, std::size_t k,
                       const SolidCoefficients& solid) {
     if (!solid.young.varies()) return 1;

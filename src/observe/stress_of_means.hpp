@@ -8,8 +8,8 @@
 
 namespace softwet {
 
-/// Of a stress at points of which all belongs to Grad u there, the part that takes means over elements (SelectiveParts) becomes that of the
-/// means. On lines of elements it is the mean of the elements beside them.
+/// Takes a stress at points that follows from Grad u there alone, and replaces the part that takes means over elements
+/// (SelectiveParts) by the stress of the means. On lines between elements it is the mean of the neighbouring elements.
 template <int D>
 void take_means(const SolidPoints<D>&, const std::vector<Matrix<double, 3>>& gradients, const SolidCoefficients&,
                 std::vector<Matrix<double, 3>>& stress);

@@ -11,9 +11,9 @@ struct Surface {
   double level = 0;              ///< (rho_l + rho_v)/2, scale b
   Phase inside = Phase::liquid;  ///< vapour: bubbles
 
-  /// Of a density: positive inside, 0 on the surface, negative outside.
+  /// Depth of a density: positive inside, 0 on the surface, negative outside.
   double depth(double density) const { return inside == Phase::liquid ? density - level : level - density; }
-  /// The same of many, in their place.
+  /// Depths of many densities, in place.
   std::vector<double> depth(std::vector<double> densities) const {
     for (double& value : densities) value = depth(value);
     return densities;

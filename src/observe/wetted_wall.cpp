@@ -167,7 +167,7 @@ void WettedWall::finish() {
         regions_[r].cut[d] = static_cast<int>(beside(r, d, samples_.cells[d])) - static_cast<int>(beside(r, d, 0));
 }
 
-/// Whether the point of a side beside the centre of a region belongs to it; `end` is the side's index along the axis.
+/// Whether the point of a side next to the centre of a region belongs to it; `end` is the side's index along the axis.
 bool WettedWall::beside(int region, int axis, int end) const {
   const int other = 1 - axis;
   const double share = regions_[region].reference_centre[other] / samples_.length[other];

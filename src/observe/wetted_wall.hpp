@@ -24,8 +24,8 @@ struct WallSamples {
 struct WettedRegion {
   double area = 0;           ///< of the deformed wall
   Place centre{};            ///< of that area, now; inside a periodic domain
-  Place reference_centre{};  ///< the same, of the points before they moved
-  /// Per axis: -1 where the low side beside the centre is in the region, 1 where the high side is, 0: none, both.
+  Place reference_centre{};  ///< of this area, of the points before they moved
+  /// Per axis: -1 where the low side next to the centre is in the region, 1 where the high side is, 0: none, both.
   std::array<int, 2> cut{0, 0};
 };
 
@@ -38,7 +38,7 @@ class WettedWall {
 
   /// In the order of their first points.
   const std::vector<WettedRegion>& regions() const { return regions_; }
-  /// The region at a place of the deformed wall: that of the nearest sample; -1: dry.
+  /// The region of the sample nearest to a place of the deformed wall; -1: dry.
   int region_at(const Place& now) const;
 
  private:

@@ -15,8 +15,8 @@ struct Event {
   std::string what;  ///< a sentence without its time: "the droplet vanished"
 };
 
-/// Bits of `Body::touched`: those of the sides of the domain, 2 axis + (0: low, 1: high), and the same again for the ends of the
-/// fine elements.
+/// Bits of `Body::touched`: first the sides of the domain, 2 axis + (0: low, 1: high), then the ends of the fine
+/// elements in the same order.
 inline constexpr unsigned bits_of_sides = 6, first_bit_of_fine_ends = 8;
 inline constexpr unsigned all_touched = ((1U << bits_of_sides) - 1) * (1 + (1U << first_bit_of_fine_ends));
 

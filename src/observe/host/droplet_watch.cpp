@@ -151,7 +151,8 @@ class Regions {
     }
   }
 
-  /// Goes inwards from all points outside that have a neighbour inside, at once; the last point reached of a region is its deepest.
+  /// Goes inwards from all points outside that have a neighbour inside, at once; the last point reached of a region is
+  /// its deepest.
   void find_deepest() {
     std::vector<char> reached(label_.size());
     std::sort(shore_.begin(), shore_.end());
@@ -201,7 +202,7 @@ std::string side_name(int axis, int end, int dimension) {
   return std::string("the ") + names[axis][end] + " side";
 }
 
-/// What is new about a body that is there.
+/// Reports the sides that a body has met since the last state.
 void meet_sides(Body& body, const Region& region, const std::string& name, int dimension, unsigned wall_bit,
                 std::vector<std::string>& said) {
   const unsigned fresh = region.touched & ~body.touched;

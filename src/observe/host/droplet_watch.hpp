@@ -26,14 +26,14 @@ struct PhaseSamples {
 
 /// Follows the bodies to a new state and returns a sentence for each thing that happened since the last one. A body is
 /// the connected region that holds its place or, where it has moved on, the nearest one that no other body holds. What
-/// holds in the first state, such as half a droplet on its plane of symmetry, is not an event, unless a body is missing or
-/// overlaps another; nothing is reported twice.
+/// holds in the first state, such as half a droplet on its plane of symmetry, is not an event, unless a body is missing
+/// or overlaps another; nothing is reported twice.
 std::vector<std::string> follow(std::vector<Body>& bodies, const PhaseSamples& samples,
                                 const std::vector<std::string>& names);
 
 /// The centres of bodies that `follow` has seen in these samples: means of the places inside, weighted by their depth.
-/// Along a periodic axis the mean is one of angles, and 0 where a body reaches all round. A body about an axis of symmetry has its
-/// centre on it. Empty for a body that is
+/// Along a periodic axis the mean is one of angles, and 0 where a body reaches all round. A body about an axis of
+/// symmetry has its centre on it. Empty for a body that is
 /// gone.
 using Centre = std::optional<std::array<double, 3>>;
 std::vector<Centre> centres_of(const std::vector<Body>& bodies, const PhaseSamples& samples);

@@ -22,7 +22,7 @@ double EnergyBalance::follow(const EnergyState& next, const EnergyRule& rule) {
     if (told) return 0;
   } else {
     if (step <= 0) told = false;
-    rise = told ? 0 : std::max(0.0, rise + step);  // what was reported is not reported again
+    rise = told ? 0 : std::max(0.0, rise + step);  // a reported rise is not reported again
   }
   if (rise <= rule.share * (moving + lost) + share_of_fed * fed + round_off_of(next)) return 0;
   told = true;

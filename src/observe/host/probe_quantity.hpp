@@ -23,7 +23,8 @@ std::vector<std::string> probe_quantities();
 /// The quantity of that name, which is one of the names.
 ProbeQuantity probe_quantity(const std::string& name);
 
-/// Whether a probe of the case looks at a velocity, or at a stress that depends on one or on branches: not every snapshot holds them.
+/// Whether a probe of the case looks at a velocity, or at a stress that depends on one or on branches: not every
+/// snapshot holds them.
 bool probes_need_velocity(const Case&);
 
 }  // namespace softwet

@@ -124,7 +124,7 @@ const std::vector<Column> of_droplet{
      "wall is pressed down. In 3D in the section along output.history.track."},
 };
 
-/// The columns of history.csv behind those of the droplets; laplace exists only with droplets.
+/// The columns of history.csv that follow the columns of the droplets; laplace exists only with droplets.
 const std::vector<Column> of_balance{
     {"energy_total", energy_unit, "Sum of all energies: the other columns that begin with energy_."},
     {"mass_drift", "", "mass divided by the mass of step 0, minus 1.", any_dimension, Needs::fluid},
@@ -174,7 +174,7 @@ const std::vector<Column> of_balance{
      "in 2D and twice that in 3D and in axisymmetric scenes."},
 };
 
-/// Those of a scene with needles: of all of them, and the force of each.
+/// Columns of a scene with needles: the sum over all needles, and the force of each.
 const std::vector<Column> of_needles{
     {"energy_needle", energy_unit,
      "Energy in the springs of the needles: the sum of k w_i |U - u_i|^2/2 over the control values u_i of the "

@@ -25,16 +25,16 @@ struct Column {
 /// Names of the columns that each droplet, bubble or film has in history.csv.
 std::vector<std::string> contact_names(int dimension);
 
-/// Header of history.csv. The columns of droplet number k = 2, 3, ... end in _k; the films are numbered on behind them. Those of
-/// needles are numbered alike, and are not there without one.
+/// Header of history.csv. The columns of droplet number k = 2, 3, ... end in _k; the numbers of the films follow. The
+/// columns of needles are numbered in the same way; without needles there are none.
 std::vector<std::string> history_names(int dimension, std::size_t droplets, std::size_t films = 0,
                                        std::size_t needles = 0);
 
 /// What the names of the columns of a body end in. @param body  0 is the first droplet
 std::string ending_of_body(std::size_t body);
 
-/// The column of history.csv with this name, of a first droplet where it is one's. Throws std::logic_error where there is
-/// none.
+/// The column of history.csv with this name, of a first droplet where it is one's. Throws std::logic_error where there
+/// is none.
 const Column& history_column(const std::string& name);
 
 /// Header of interface.csv.
