@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 BUILD = pathlib.Path(sys.argv[1]).resolve().parent
+SOURCE = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"])
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "SOFTWET_TOOLS"}
 LAYOUT = ("bin/softwet", "share/softwet/cases/tensotaxis_pull_2d.toml", "share/softwet/tools/plot",
           "share/softwet/tests/verification/studies/laplace.py", "share/man/man1/softwet.1",
@@ -52,6 +53,39 @@ if shutil.which("readelf"):
     for name in called:
         known = next((word for key, word in LIBRARIES.items() if name == key or name.startswith(key + "_")), "nothing" if name != "ld-linux" else "glibc")
         check(f"the licence of {name}", known in copyright, called)
+
+copyright = (prefix / "share/doc/softwet/copyright").read_text()
+for name in ("Kokkos", "Eigen", "toml++", "CLI11", "fmt", "muParser", "HDF5"):
+    check(f"the licence text of {name}", f"# Licence of {name}\n" in copyright)
+if (BUILD / "_deps/kokkos-src/LICENSE").exists():
+    check("as its source has it", (BUILD / "_deps/kokkos-src/LICENSE").read_text() in copyright)
+
+# The module shows where the installation is, wherever that is.
+module = next(iter((prefix / "share/softwet/modulefiles/softwet").glob("*.*")))
+check("the module has the version", f"VERSION {module.name} " in (SOURCE / "CMakeLists.txt").read_text(), module)
+if shutil.which("tclsh"):
+    pathlib.Path("module.tcl").write_text(f"""foreach word {{conflict module-whatis}} {{ proc $word args {{}} }}
+proc prepend-path {{name value}} {{ puts "$name=$value" }}
+set ModulesCurrentModulefile {module}
+source {module}
+""")
+    done = start("tclsh", "module.tcl")
+    paths = dict(line.split("=") for line in done.stdout.splitlines())
+    check("the module", paths == {"PATH": f"{prefix}/bin", "PYTHONPATH": f"{prefix}/lib/python3/dist-packages"}, done)
+    check("names paths that exist", all(pathlib.Path(path).is_dir() for path in paths.values()), paths)
+
+# A package holds these libraries and no other: nothing that HDF5 brings along for files on servers (curl, OpenSSL, Kerberos, LDAP).
+ALLOWED = {f"lib{name}" for name in ("c", "m", "mvec", "pthread", "dl", "rt", "resolv", "fmt", "muparser", "gomp", "omp", "stdc++", "gcc_s")}
+if shutil.which("ldd") and shutil.which("objdump"):
+    own = "SOFTWET_OWN_HDF5:BOOL=ON" in (BUILD / "CMakeCache.txt").read_text()
+    for program in (softwet, "/bin/true", shutil.which("cmake")):
+        done = start("cmake", f"-DPROGRAM={program}", "-P", SOURCE / "tools/cmake/package_libraries.cmake")
+        refused = set(re.findall(r"\b(lib\S+?)[.]so", done.stderr))
+        called = set(re.findall(r"\b(lib\S+?)[.]so\S* =>", start("ldd", program).stdout))
+        check(f"packages refuse what they may not hold of {program}", (refused, done.returncode != 0) == (called - ALLOWED, bool(refused)),
+              (refused, called))
+        check("a program for packages calls nothing else", program != softwet or not own or not refused, refused)
+
 done = start(softwet, "run", prefix / "share/softwet/cases/solid_layer_2d.toml", "--set", "time.max_steps=2", "--out", "out",
              "--overwrite", "--threads", "1")
 check("run", done.returncode == 0 and pathlib.Path("out/history.csv").exists(), done)

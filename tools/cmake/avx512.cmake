@@ -1,5 +1,5 @@
 # SOFTWET_AVX512_BESIDE: the same program once more for AVX-512, as softwet-x86-64-v4 beside softwet, which starts it in its own place
-# where the processor can (src/cli/processor.c).
+# where the processor can (src/cli/processor.c). It compiles everything twice.
 include(ExternalProject)
 if(NOT SOFTWET_ARCH STREQUAL "x86-64-v3")
   message(FATAL_ERROR "softwet: SOFTWET_AVX512_BESIDE needs a program for AVX2: give -DSOFTWET_ARCH=x86-64-v3, as the preset portable does")
@@ -7,8 +7,15 @@ endif()
 
 set(softwet_beside_options)
 foreach(option CMAKE_BUILD_TYPE CMAKE_C_COMPILER CMAKE_CXX_COMPILER CMAKE_CXX_COMPILER_LAUNCHER SOFTWET_UMFPACK
-        SOFTWET_REDUCED_QUADRATURE SOFTWET_UNITY Kokkos_ENABLE_SERIAL Kokkos_ENABLE_OPENMP)
+        SOFTWET_REDUCED_QUADRATURE SOFTWET_UNITY SOFTWET_FETCH SOFTWET_OWN_HDF5 Kokkos_ENABLE_SERIAL Kokkos_ENABLE_OPENMP)
   list(APPEND softwet_beside_options -D${option}=${${option}})
+endforeach()
+foreach(library hdf5 tomlplusplus cli11 fmt muparser eigen)  # sources that are here already
+  FetchContent_GetProperties(${library})
+  if(${library}_POPULATED)
+    string(TOUPPER ${library} name)
+    list(APPEND softwet_beside_options -DFETCHCONTENT_SOURCE_DIR_${name}=${${library}_SOURCE_DIR})
+  endif()
 endforeach()
 list(JOIN SOFTWET_CONFIGURATIONS "|" softwet_beside_configurations)
 if(SKBUILD)  # the libraries of a wheel

@@ -1,6 +1,7 @@
 # cmake --install: the program, its tools, cases, manual and documentation. Every path is relative to the prefix, and the
 # program finds its tools beside itself, so that the folder can be moved.
 set(softwet_share share/softwet)
+include(tools/cmake/licences.cmake)
 
 if(SKBUILD)
   include(tools/cmake/wheel.cmake)
@@ -8,13 +9,18 @@ if(SKBUILD)
 else()
   install(TARGETS softwet RUNTIME DESTINATION bin)
   set(softwet_manual share)
+  if(SOFTWET_OWN_HDF5 AND NOT SOFTWET_MPI AND NOT SOFTWET_SYSTEM_KOKKOS AND NOT Kokkos_ENABLE_CUDA AND NOT Kokkos_ENABLE_HIP)  # for a package
+    install(CODE "
+      include(\"${PROJECT_SOURCE_DIR}/tools/cmake/package_libraries.cmake\")
+      softwet_package_libraries(libraries \"$<TARGET_FILE:softwet>\")")
+  endif()
 endif()
 
 # Tools that need the sources stay with them.
 install(DIRECTORY tools/ DESTINATION ${softwet_share}/tools USE_SOURCE_PERMISSIONS
   PATTERN setup EXCLUDE PATTERN setup.py EXCLUDE PATTERN pyproject.toml EXCLUDE PATTERN run EXCLUDE PATTERN rooms EXCLUDE
   PATTERN test EXCLUDE PATTERN bench EXCLUDE PATTERN fuzz EXCLUDE PATTERN gallery EXCLUDE PATTERN site_links.py EXCLUDE
-  PATTERN cmake EXCLUDE PATTERN __pycache__ EXCLUDE)
+  PATTERN cmake EXCLUDE PATTERN packaging EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY cases/ DESTINATION ${softwet_share}/cases)
 
 # The studies of `softwet verify`, where tools/verify looks for them.
@@ -44,8 +50,7 @@ if(SKBUILD)
 endif()
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE THIRD_PARTY.md DESTINATION share/doc/softwet)
 install(DIRECTORY docs DESTINATION share/doc/softwet)
-# What Debian asks for: the licence, and those of the libraries that the program holds.
-file(READ ${PROJECT_SOURCE_DIR}/LICENSE licence)
-file(READ ${PROJECT_SOURCE_DIR}/THIRD_PARTY.md third_party)
-file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/copyright CONTENT "@licence@\n@third_party@" @ONLY)
+# module use PREFIX/share/softwet/modulefiles
+configure_file(tools/packaging/modulefile.in ${PROJECT_BINARY_DIR}/generated/modulefile @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/generated/modulefile DESTINATION ${softwet_share}/modulefiles/softwet RENAME ${PROJECT_VERSION})
 install(FILES ${PROJECT_BINARY_DIR}/generated/copyright DESTINATION share/doc/softwet)

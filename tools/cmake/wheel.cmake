@@ -5,16 +5,17 @@ target_link_options(softwet PRIVATE -Wl,--disable-new-dtags)  # the path holds f
 install(TARGETS softwet RUNTIME DESTINATION bin)
 
 # Each library once, by the name that others ask for: a wheel knows no links.
-install(CODE "set(softwet_program \"$<TARGET_FILE:softwet>\")")
+install(CODE "
+  set(softwet_program \"$<TARGET_FILE:softwet>\")
+  include(\"${PROJECT_SOURCE_DIR}/tools/cmake/package_libraries.cmake\")")
 install(CODE [[
   set(folder "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib")
   file(MAKE_DIRECTORY "${folder}")
-  file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${softwet_program}" RESOLVED_DEPENDENCIES_VAR libraries
-    PRE_EXCLUDE_REGEXES "^lib(c|m|mvec|pthread|dl|rt|resolv|util)[.]so" "^ld-linux")
+  softwet_package_libraries(libraries "${softwet_program}")
   foreach(library IN LISTS libraries)
     get_filename_component(name "${library}" NAME)
     file(REAL_PATH "${library}" file)
     file(COPY_FILE "${file}" "${folder}/${name}" ONLY_IF_DIFFERENT)
   endforeach()
 ]])
-install(FILES LICENSE THIRD_PARTY.md DESTINATION .)
+install(FILES LICENSE THIRD_PARTY.md ${PROJECT_BINARY_DIR}/generated/copyright DESTINATION .)
