@@ -2,8 +2,10 @@
 """tools/setup, tools/run and tools/test answer before they build, and a missing cmake gets one message that helps.
 usage: shell_tools.py SOFTWET"""
 
+import hashlib
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -143,6 +145,35 @@ def on_a_gpu(root, folder):
     check("a device that is not known", new.returncode == 3 and "99.0" in new.stderr and "Kokkos_ARCH_AMPERE80" in new.stderr, new)
 
 
+def source_of_hdf5(root, folder):
+    """The preset portable builds HDF5 from a file with the right checksum; without one CMake fetches it."""
+    path = bare_path(root / "hdf5", 1000, True)
+    for name in ("head", "tr", "sha256sum", "cp", "mv", "rm", "sort"):
+        pathlib.Path(path, name).symlink_to(shutil.which(name))
+    for name in ("ninja", "c++", "flock"):
+        script(pathlib.Path(path, name), "")
+    script(pathlib.Path(path, "cmake"), 'case $1 in --preset) echo "$*" >cmake.txt ;; esac\n')
+    genuine = folder / "hdf5.tar.gz"
+    genuine.write_text("the source")
+    setup = folder / "tools/setup"
+    setup.write_text(re.sub(r"(library=HDF5 .* sha256=)\w+", rf"\g<1>{hashlib.sha256(genuine.read_bytes()).hexdigest()}", setup.read_text()))
+    (folder / "other.tar.gz").write_text("another one")
+
+    def given(preset, file):
+        shutil.rmtree(folder / "build/downloads", ignore_errors=True)
+        done = start(folder, setup, "softwet", PATH=path, SOFTWET_PRESET=preset, SOFTWET_HDF5_TARBALL=file,
+                     SOFTWET_CMAKE_ARGS="-DFETCHCONTENT_SOURCE_DIR_KOKKOS=x")
+        found = [word.partition("=")[2] for word in (folder / "cmake.txt").read_text().split() if word.startswith("-DSOFTWET_HDF5_TARBALL=")]
+        check(f"{preset} with '{file}' builds", done.returncode == 0, done)
+        return found, done.stderr
+
+    found, said = given("portable", "hdf5.tar.gz")
+    check("the source of HDF5", len(found) == 1 and pathlib.Path(found[0]).read_text() == "the source", (found, said))
+    found, said = given("portable", "other.tar.gz")
+    check("another file", not found and "other.tar.gz is not HDF5" in said, (found, said))
+    check("a build for one machine", given("release", "hdf5.tar.gz")[0] == [], "it was given a source of HDF5")
+
+
 def what_a_case_needs(folder):
     """tools/run builds what a case needs: the first time by its file, then as the program says; and says what and how long."""
     program = folder / "build/release/softwet"
@@ -179,6 +210,7 @@ with tempfile.TemporaryDirectory() as name:
     root = pathlib.Path(name)
     what_a_case_needs(tree(root / "needs"))
     on_a_gpu(root, tree(root / "a_gpu"))
+    source_of_hdf5(root, tree(root / "of_hdf5"))
     answers(tree(root / "answers"))
     missing_packages(root, tree(root / "missing"))
     failed_configure(root, tree(root / "configure"))
