@@ -55,8 +55,8 @@ def study(lab):
     rise = numpy.diff(acts["energy_total"]).max() / (acts["energy_total"][0] - acts["energy_total"][-1])
     lab.expect("acts: largest rise of the energy in a step over what it loses in all", "<= 0.001", f"{rise:.1e}", rise <= 1e-3)
     lab.title("Speed of the droplet")
-    lab.text("sqrt(ab); positive: towards the stiffer side. On this Saint Venant-Kirchhoff layer all droplets go to the softer side, as those "
-             "of experiments do. On a neo-Hookean layer the direction turns with the contact angle, as found in 2018: `tools/papers "
+    lab.text("sqrt(ab); positive: towards the stiffer side. On this Saint Venant-Kirchhoff layer all droplets go to the softer side, as in "
+             "experiments. On a neo-Hookean layer the direction turns with the contact angle, as found in 2018: `tools/papers "
              "bueno_2018`.")
     rows = [(c, *(float(f"{found[s, c, f]:.3g}") for f in FORCES for s in slopes if s > 0)) for c in contacts]
     lab.table(("contact angle", *(f"{f}, s = {s}" for f in FORCES for s in slopes if s > 0)), rows, "speed")
