@@ -12,7 +12,7 @@ namespace {
 struct Outline {
   std::string name;
   std::vector<double> lower, upper;       ///< of all that is in the fluid
-  std::vector<double> centre, semi_axis;  ///< of a droplet; of a cap, those of its footprint
+  std::vector<double> centre, semi_axis;  ///< of a droplet; of a cap, centre and semi-axes of its footprint
   bool cap = false;
 };
 

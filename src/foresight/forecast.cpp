@@ -15,8 +15,8 @@
 namespace softwet {
 namespace {
 
-/// (dV/dR) / R^(D-1) of a droplet: of a disc 2 pi, of a ball 4 pi, less for a cap and for a half on a slip side, which an axis of
-/// symmetry is not.
+/// (dV/dR) / R^(D-1) of a droplet: of a disc 2 pi, of a ball 4 pi, less for a cap and for a half on a slip side, which
+/// an axis of symmetry is not.
 double growth(const Case& c, const Droplet& droplet) {
   const double pi = std::acos(-1.0), cosine = sits_on_wall(c, droplet) ? cap_cosine(c, droplet) : -1;
   const double angle = std::acos(cosine);
@@ -102,7 +102,8 @@ std::string material_that_bears(const Case& c) {
   return "write substrate.material = \"neo_hookean\"; or ";
 }
 
-/// A tenth of the Young modulus is what scenes were sampled with (docs/limits.md); a solid that has as much already needs more.
+/// A tenth of the Young modulus is what scenes were sampled with (docs/limits.md); a solid that has as much already
+/// needs more.
 std::string slowing_viscosity(const Case& c) {
   const double has = c.substrate->viscosity, sampled = 0.1 * c.substrate->young_modulus(), near = 0.99 * sampled;
   return "substrate.viscosity = " + short_text(has < near ? sampled : 3 * has) +

@@ -1,4 +1,4 @@
-// What is known to go wrong in a scene before it is computed (host).
+// Problems of a scene that are known before it is computed (host).
 #pragma once
 
 #include <string>
@@ -17,17 +17,19 @@ namespace softwet {
 double least_radius(const Case&, const Droplet&);
 
 /// Longest sigma / E that a Saint Venant-Kirchhoff solid bears under a droplet; scale L0: 0.85 capillarities or 0.17
-/// radii of the largest droplet, whichever is longer, times 1 + Upsilon / (2 sigma) with the surface tension Upsilon of the dry
-/// solid. Measured in 2D at temperature 0.39 (docs/limits.md): in the scenes of its tables runs went through below and stopped above,
-/// soon after the start; of eight scenes sampled at random five stopped at 0.85 capillarities already. A layer that was compressed before
-/// has the stiffness of its face less (`stiffness_of_face`); that factor is from theory, not measured. Only with a fluid and a solid.
+/// radii of the largest droplet, whichever is longer, times 1 + Upsilon / (2 sigma) with the surface tension Upsilon of
+/// the dry solid. Measured in 2D at temperature 0.39 (docs/limits.md): in the scenes of its tables runs went through
+/// below and stopped above, soon after the start; of eight scenes sampled at random five stopped at 0.85 capillarities
+/// already. A layer that was compressed before has the stiffness of its face less (`stiffness_of_face`); that factor is
+/// from theory, not measured. Only with a fluid and a solid.
 double longest_elastocapillary_length(const Case&);
 
 /// True where sigma / E is longer.
 bool too_soft(const Case&);
 
-/// What to write so that a soft solid bears its droplet from the start on, what helped most sampled scenes first: the material where the
-/// solid has a tension, viscosity, the tension of the solid, a start at rest. A state of rest knows no viscosity. Measured: docs/limits.md.
+/// What to write so that a soft solid bears its droplet from the start on, what helped most sampled scenes first: the
+/// material where the solid has a tension, viscosity, the tension of the solid, a start at rest. A state of rest knows
+/// no viscosity. Measured: docs/limits.md.
 std::string gentle_start(const Case&);
 
 /// Largest error of the displacement of a layer of degree 2, relative, under a smooth load within it:

@@ -1,11 +1,11 @@
-// The constants of what is said before a run, and where each was measured.
+// The constants of the advice before a run, and where each was measured.
 #pragma once
 
 namespace softwet::measured {
 
 // Droplets that dissolve, and gaps that close: runs of single droplets, docs/limits.md.
 inline constexpr double least_radius = 1.75;    ///< over the half width of an interface
-inline constexpr double radius_of_flank = 0.5;  ///< of a half width, beside the radius of a sharp droplet
+inline constexpr double radius_of_flank = 0.5;  ///< of a half width, compared with the radius of a sharp droplet
 inline constexpr double least_gap = 4;          ///< in half widths
 
 // Solids too soft for their droplets: runs of static_droplet_soft_2d and sampled scenes, docs/limits.md.
@@ -27,7 +27,8 @@ inline constexpr double ridge_degree_3 = 0.52, ridge_degree_3_rate = 5, ridge_de
 // Tolerances that cost steps: solver.newton.atol of cases/tensotaxis_pull_2d.toml, docs/solver_choices.md.
 inline constexpr double loose_tolerance = 1e-5;
 
-// Density of a solid, over that of its liquid or below it, which no gel and no metal has: a warning says that it changes the stiffness.
+// Density of a solid over its liquid, or of the liquid over the solid, that no gel and no metal has: a warning says
+// that it changes the stiffness.
 inline constexpr double unusual_density = 25;
 
 // Explicit steps that cost less than the implicit ones of the same scene: docs/fast_scenes.md.

@@ -49,13 +49,13 @@ double rate_of_fluid(const Case& c, const MassSymbols& at_ends, double shortest)
   return std::max(rate(flat.density_vapour, at_ends), rate(flat.density_liquid, of_liquid));
 }
 
-/// Whether nothing holds the velocity at an end of an axis, away from those of the others.
+/// Whether nothing holds the velocity at an end of an axis, away from the ends of the other axes.
 bool has_free_end(const Case& c, int axis) {
   const auto& ends = c.boundary.side[axis];
   return !c.fluid && (ends[0] == Side::free || ends[1] == Side::free);
 }
 
-/// Of a solid whose displacement is 0.
+/// Largest rate of a solid whose displacement is 0.
 template <int D, bool Axial, class Material>
 double rate_of_material(const Case& c, const MassSymbols& symbols, double shortest) {
   using Bound = step_points::SolidBound<D, Material, Axial>;
