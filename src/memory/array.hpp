@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-// Lambdas run on the device alone. nvcc hides lambdas for host and device behind a wrapper, which calls a null pointer where a
-// lambda is in an inline function or a template that several sources compile.
+// Lambdas run on the device alone. nvcc hides lambdas for host and device behind a wrapper, which calls a null pointer
+// where a lambda is in an inline function or a template that several sources compile.
 #if defined(KOKKOS_ENABLE_CUDA) || defined(KOKKOS_ENABLE_HIP)
 #undef KOKKOS_LAMBDA
 #define KOKKOS_LAMBDA [=] __device__
@@ -34,8 +34,8 @@ inline HostArray mirror_of(const Array& array) {
   return HostArray(Kokkos::view_alloc(array.label(), Kokkos::WithoutInitializing), array.extent(0));
 }
 
-/// True where algorithms are those made for a processor: columns of elements in SIMD packs, factors, pieces of lines. Else
-/// they are those of a device, with one thread for each point or entry. These run on the host too, where a build asks for it
+/// True with the algorithms of a processor: columns of elements in SIMD packs, factors, pieces of lines. False with the
+/// algorithms of a device: one thread for each point or entry. These run on the host too, where a build asks for it
 /// (SOFTWET_DEVICE_ALGORITHMS), so that all of them can be tested without a device.
 #ifdef SOFTWET_DEVICE_ALGORITHMS
 inline constexpr bool host_algorithms = false;
@@ -43,9 +43,9 @@ inline constexpr bool host_algorithms = false;
 inline constexpr bool host_algorithms = on_host;
 #endif
 
-/// How kernels are started: by these policies, whose hint makes a kernel's numbers travel with its launch. Without it Kokkos 5
-/// puts those of more than 512 bytes into constant memory on AMD's GPUs, and at the next such launch the host waits until
-/// the kernel before has ended. On NVIDIA's they travel so in any case.
+/// Policies that start kernels. Their hint makes a kernel's numbers travel with its launch. Without it Kokkos 5 puts
+/// numbers of more than 512 bytes into constant memory on AMD's GPUs, and at the next such launch the host waits until
+/// the previous kernel has ended. On NVIDIA's GPUs they travel with the launch in any case.
 using WithLaunch = Kokkos::Experimental::WorkItemProperty::HintLightWeight_t;
 using Items = Kokkos::RangePolicy<Exec, WithLaunch>;
 using LongItems = Kokkos::RangePolicy<Exec, WithLaunch, Kokkos::IndexType<std::int64_t>>;

@@ -1,12 +1,13 @@
-// How kernels are cut for the machine: all sizes that a processor and a device want different are given by these functions.
+// How kernels are cut for the machine: all sizes that a processor and a device want different are given by these
+// functions.
 #pragma once
 
 #include "memory/array.hpp"
 
 namespace softwet {
 
-/// Neighbouring entries that one item of a kernel takes: on a processor so many as its vector registers and nearest cache hold;
-/// on a device one, where nothing else is said, so that neighbouring threads have neighbouring entries.
+/// Neighbouring entries that one item of a kernel takes: on a processor so many as its vector registers and nearest
+/// cache hold; on a device one, where nothing else is said, so that neighbouring threads have neighbouring entries.
 constexpr int chunk(int of_processor, int of_device = 1) { return host_algorithms ? of_processor : of_device; }
 
 /// Chunks of so many entries that `count` entries make.

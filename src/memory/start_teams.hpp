@@ -7,8 +7,8 @@
 
 namespace softwet {
 
-/// Teams of at most so many threads, and items in blocks of 256, for kernels with many registers. Without such a bound the
-/// compiler for AMD leaves registers for 1024 threads; nvcc does not.
+/// Teams of at most so many threads, and items in blocks of 256, for kernels with many registers. Without such a bound
+/// the compiler for AMD leaves registers for 1024 threads; nvcc does not.
 #if defined(KOKKOS_ENABLE_HIP)
 template <int threads>
 using SmallTeams = Teams<Kokkos::LaunchBounds<threads, 1>>;
