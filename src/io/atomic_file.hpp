@@ -1,4 +1,4 @@
-// A file that appears whole or not at all: written beside its place as PATH.partial, then renamed.
+// A file that appears whole or not at all: written as PATH.partial in the same folder, then renamed.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@ namespace softwet {
 /// `commit()` makes it durable and moves it to its place. Without `commit()` the partial file is removed.
 class AtomicFile {
  public:
-  /// Whether a folder that is missing is made. That of a run may have been moved, and a new one in its place would hide that.
+  /// Whether a missing folder is made. The folder of a run may have been moved, and a new one in its place would hide
+  /// that.
   enum class Folder { made, there };
 
   /// Throws Error (machine_failed) when the folder cannot be made.

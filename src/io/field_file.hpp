@@ -34,9 +34,10 @@ struct FieldOrigin {
 };
 
 /// Writes one block (the fluid, the solid) at one time, atomically: PATH holds the whole file or is left as it was.
-/// Attributes of the file: case, version, commit, time, unit_length, unit_time; each array has the attribute unit. Along axes
-/// whose elements are graded: the arrays element_ends_x, _y, _z beside the group of VTK. With a joint: the attribute
-/// rows_below_joint, the points of the joint first those of the cells below, then those of the cells above.
+/// Attributes of the file: case, version, commit, time, unit_length, unit_time; each array has the attribute unit.
+/// Along axes whose elements are graded: the arrays element_ends_x, _y, _z next to the group of VTK. With a joint: the
+/// attribute rows_below_joint; the points of the joint appear first as points of the cells below, then as points of the
+/// cells above.
 /// @param path    ends with .hdf
 /// @param points  positions, shape (points, dimension), components fastest
 /// @param time    stored as field data "TimeValue" too

@@ -30,10 +30,10 @@ class TableFile {
   /// Throws Error (machine_failed).
   static TableFile create(const std::string& path, const std::vector<std::string>& columns);
 
-  /// Continues the table of a run resumed from a checkpoint. What lies behind the mark is dropped (the file is replaced
+  /// Continues the table of a run resumed from a checkpoint. Rows behind the mark are dropped (the file is replaced
   /// atomically). An empty file begins a new table here.
-  /// Throws Error: invalid_input when the file is missing or is not up to the mark what was written, with the first
-  /// line that cannot be from a run; machine_failed.
+  /// Throws Error: invalid_input when the file is missing or differs from what was written up to the mark, with the
+  /// first line that cannot be from a run; machine_failed.
   static TableFile append_after(const std::string& path, const std::vector<std::string>& columns, const TableMark&);
 
   TableFile(TableFile&&) = default;
@@ -60,8 +60,8 @@ class TableFile {
   /// Whether its path still leads to the file that is written: not where somebody has removed or replaced it.
   bool in_place() const;
 
-  /// Where it does not: writes all rows there, atomically. What stood there is kept as PATH.replaced. Rows that are added
-  /// afterwards are lost. Throws Error (machine_failed).
+  /// Where it does not: writes all rows there, atomically. What stood there is kept as PATH.replaced. Rows that are
+  /// added afterwards are lost. Throws Error (machine_failed).
   void put_back();
 
   const std::string& path() const { return path_; }
