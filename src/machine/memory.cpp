@@ -54,7 +54,7 @@ double left_by_process_limit() {
   return std::max(0.0, static_cast<double>(limit.rlim_cur) - 1024 * number_after("VmSize:", "/proc/self/status", 0));
 }
 
-/// @param memory  what is asked for, in words
+/// @param memory  the kind of memory, in words
 void refuse_above(const Case& c, double needed, double available, const char* memory) {
   if (needed <= available) return;
   std::string mesh;

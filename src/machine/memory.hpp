@@ -26,7 +26,7 @@ double left_by_control_groups(const std::string& root = "");
 
 /// Throws Error (machine_failed) with both amounts when `needed` bytes are more than can be had.
 void require_bytes(const Case&, double needed);
-/// The same for the memory of a device.
+/// Refuses a case that needs more than the memory of a device.
 void require_device_bytes(const Case&, double needed, double available);
 
 /// "734 MiB", "12.5 GiB".
