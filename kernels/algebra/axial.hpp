@@ -5,9 +5,9 @@
 
 namespace softwet {
 
-/// A tensor in cylindrical coordinates (r, z, angle) that has no entry between the angle and another axis: a 2 x 2 matrix along r and
-/// z, and the hoop entry. Functions of a tensor do with it what they do with the 3 x 3 matrix that it represents; what follows
-/// (r, z) alone, such as A b, takes the 2 x 2 part.
+/// A tensor in cylindrical coordinates (r, z, angle) that has no entry between the angle and another axis: a 2 x 2
+/// matrix along r and z, and the hoop entry. Functions of a tensor do with it what they do with the 3 x 3 matrix that
+/// it represents; what follows (r, z) alone, such as A b, takes the 2 x 2 part.
 /// Tested: tests/unit/algebra/test_axial.cpp
 template <class N>
 struct AxialMatrix {

@@ -42,9 +42,9 @@ struct Lanes<Kokkos::Experimental::basic_simd<R, Abi>> {
 template <class S>
 using RealOf = typename Lanes<S>::Real;
 
-/// A pack in single precision beside a parameter: Kokkos would widen both to double, except for a parameter on the right
-/// of a pack of one lane, which it rounds itself. Packs are numbers of the host: some of their operators do nothing on a
-/// device.
+/// A pack in single precision with a parameter: Kokkos would widen both to double, except for a parameter on the right
+/// of a pack of one lane, which it rounds itself. Packs are numbers of the host: some of their operators do nothing on
+/// a device.
 template <class Abi>
 using SinglePack = Kokkos::Experimental::basic_simd<float, Abi>;
 #define SOFTWET_ROUND_PARAMETER(operation)                                                              \
@@ -113,8 +113,8 @@ KOKKOS_FORCEINLINE_FUNCTION N arsinh(const N& x) {
   return select(negative, N(0.0 - y), y);
 }
 
-/// ln(a/b)/2 - z - z^3/3 for positive numbers a and b and z = (a - b)/(a + b): of fifth order in z. No digits are lost where
-/// a and b are close: there it is the series of artanh(z) without its first two terms.
+/// ln(a/b)/2 - z - z^3/3 for positive numbers a and b and z = (a - b)/(a + b): of fifth order in z. No digits are lost
+/// where a and b are close: there it is the series of artanh(z) without its first two terms.
 template <class S>
 KOKKOS_FORCEINLINE_FUNCTION S half_logarithm_rest(const S& a, const S& b, const S& z) {
   const S square = z * z;

@@ -1,5 +1,5 @@
-// One number in single precision, for a device. Parameters of terms are doubles, and a plain float beside one would be computed
-// as a double: `Single` rounds them, as packs do on the host.
+// One number in single precision, for a device. Parameters of terms are doubles, and a plain float combined with one
+// would be computed as a double: `Single` rounds them, as packs do on the host.
 #pragma once
 
 #include <Kokkos_Core.hpp>
@@ -30,7 +30,7 @@ struct Single {
   KOKKOS_FORCEINLINE_FUNCTION auto operator operation(double a, const Single& b) {        \
     return as_single(static_cast<float>(a) operation b.value);                            \
   }
-/// Results of arithmetic are numbers, those of comparisons stay what they are.
+/// Results of arithmetic are Single; results of comparisons remain bool.
 KOKKOS_FORCEINLINE_FUNCTION Single as_single(float x) { return Single(x); }
 KOKKOS_FORCEINLINE_FUNCTION bool as_single(bool x) { return x; }
 SOFTWET_SINGLE(+)

@@ -1,5 +1,6 @@
 // What the balances of mass and momentum of the fluid are made of. Implicit schemes evaluate them at once
-// (navier_stokes_korteweg.hpp), explicit schemes part by part (explicit_terms.hpp). Stresses and the potential have their own files.
+// (navier_stokes_korteweg.hpp), explicit schemes part by part (explicit_terms.hpp). Stresses and the potential have
+// their own files.
 // Source: Bueno et al. 2017, eq. (7).   Tested: tests/unit/fluid/test_navier_stokes_korteweg.cpp
 #pragma once
 

@@ -19,10 +19,11 @@ struct WettingTrial {
   }
 };
 
-/// -<q, B r' + k g sqrt(2 D(rho)) h(r'/r0)>_Gamma,   h(s) = s / sqrt(1 + s^2), beside the law "energy" of the contact angle.
-/// It dissipates B r'^2 + k g sqrt(2 D) r' h >= 0 for each area of the wall. A line of the profile g d rho/ds = -sqrt(2 D) that moves
-/// with the speed U has r' = U sin(alpha) sqrt(2 D)/g. So B = mu_f g^2 / (sigma sin(alpha)) is the line friction mu_f, with
-/// sigma (cos(alpha) - cos(alpha_dyn)) = mu_f U, and k is half of cos(receding) - cos(advancing).
+/// -<q, B r' + k g sqrt(2 D(rho)) h(r'/r0)>_Gamma,   h(s) = s / sqrt(1 + s^2), added to the law "energy" of the contact
+/// angle. It dissipates B r'^2 + k g sqrt(2 D) r' h >= 0 for each area of the wall. A line of the profile g d rho/ds =
+/// -sqrt(2 D) that moves with the speed U has r' = U sin(alpha) sqrt(2 D)/g. So B = mu_f g^2 / (sigma sin(alpha)) is
+/// the line friction mu_f, with sigma (cos(alpha) - cos(alpha_dyn)) = mu_f U, and k is half of cos(receding) -
+/// cos(advancing).
 /// Source: Yue 2020, J. Fluid Mech. 899, A15, for the idea.   Tested: tests/unit/fluid/test_line_friction.cpp
 struct LineFriction {
   static constexpr Where where = Where::wall;
@@ -72,10 +73,11 @@ struct UnbalancedTrial {
   }
 };
 
-/// -<q, e r'>_Gamma, linear in r': what Newton's method adds to the Jacobian of LineFriction. With K = k g sqrt(2 D) the wall has the
-/// equation R = F - K h(s), whose slope by s is flat where a line moves: from there a step leaps across the bend of h, and back. The
-/// equation F sqrt(1 + s^2) = K s is the same and has no such bend. Its slope over sqrt(1 + s^2) is K - F h, with F = R + K h
-/// between -K and K; where that is more than K h' it is taken: e = max(0, (K - F h) / sqrt(1 + s^2) - K h') / r0. It vanishes with R.
+/// -<q, e r'>_Gamma, linear in r': what Newton's method adds to the Jacobian of LineFriction. With K = k g sqrt(2 D)
+/// the wall has the equation R = F - K h(s), whose slope by s is flat where a line moves: from there a step leaps
+/// across the bend of h, and back. The equation F sqrt(1 + s^2) = K s is the same and has no such bend. Its slope over
+/// sqrt(1 + s^2) is K - F h, with F = R + K h between -K and K; where that is more than K h' it is taken: e = max(0, (K
+/// - F h) / sqrt(1 + s^2) - K h') / r0. It vanishes with R.
 /// Source: Chan, Golub, Mulet 1999, SIAM J. Sci. Comput. 20, 1964, for the regularised norm, whose derivative is h.
 /// Tested: tests/unit/fluid/test_line_friction.cpp
 struct LineFrictionBend {

@@ -4,7 +4,8 @@
 //   potential  (q, mu - W'(rho)) - (grad q, g^2 grad rho) = 0
 //   momentum   (w, rho [v_t + (v - vh).grad v]) + (grad w, tau) + (w, rho (grad mu - f)) = 0
 //
-// f is a uniform force per unit mass, such as gravity. At rest grad mu = f, so that the stabilisation moves no mass then.
+// f is a uniform force per unit mass, such as gravity. At rest grad mu = f, so that the stabilisation moves no mass
+// then.
 //
 // `NavierStokesKorteweg` holds all of this but the moment (q, rho), which is `DensityMoment`.
 // Next to the wall the momentum force (w, rho grad mu) is replaced by its variational form (grad w, Sigma) for the

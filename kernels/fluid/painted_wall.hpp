@@ -6,8 +6,8 @@
 
 namespace softwet {
 
-/// A law of the contact angle, linear in the cosine, where the cosine varies: the paint sticks to the material points of the wall.
-/// Law has the cosine 1; the given field is the one at the position.
+/// A law of the contact angle, linear in the cosine, where the cosine varies: the paint sticks to the material points
+/// of the wall. Law has the cosine 1; the given field is the cosine at the position.
 /// Tested: tests/unit/fluid/test_stretched_wall.cpp, tests/unit/scene/test_energy.cpp
 template <class Law>
 struct PaintedWall {
@@ -41,8 +41,9 @@ struct WallTensionTrial {
   }
 };
 
-/// <cos(alpha) f(rho) P_Gamma : grad w>_Gamma,   P_Gamma = I - n n: the tension that a wall has because the fluid wets it. With the
-/// energy f of the cosine 1 this is the derivative of the wall energy f_w by the position of the wall, so that f_w acts on the wall.
+/// <cos(alpha) f(rho) P_Gamma : grad w>_Gamma,   P_Gamma = I - n n: the tension that a wall has because the fluid wets
+/// it. With the energy f of the cosine 1 this is the derivative of the wall energy f_w by the position of the wall, so
+/// that f_w acts on the wall.
 /// Tested: tests/unit/fluid/test_stretched_wall.cpp, tests/unit/scene/test_energy.cpp
 struct WallTension {
   static constexpr Where where = Where::wall;

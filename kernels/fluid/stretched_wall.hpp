@@ -5,7 +5,8 @@
 
 namespace softwet {
 
-/// What a law of the wall sees, and the deformed over the undeformed area a; in the coordinates (r, z) it has the stretch r / R.
+/// What a law of the wall sees, and the deformed over the undeformed area a; in the coordinates (r, z) it has the
+/// stretch r / R.
 template <class Inner, class N>
 struct StretchedTrial {
   Inner wall;
@@ -26,11 +27,12 @@ struct StretchedTrial {
   }
 };
 
-/// A law of the wall that is linear in the cosine c of the contact angle, with s a^(-beta) c in its place. The wall energy
-///   int_{Gamma_0} a^(1 - beta) c f(rho) dA_0 = int_Gamma a^(-beta) c f(rho) dA,   f that of the cosine 1,
+/// A law of the wall that is linear in the cosine c of the contact angle, with s a^(-beta) c in its place. The wall
+/// energy
+///   int_{Gamma_0} a^(1 - beta) c f(rho) dA_0 = int_Gamma a^(-beta) c f(rho) dA,   f for the cosine 1,
 /// has the derivative a^(-beta) c f'(rho) by the density, which is PaintedWall<EnergyWall> with s = 1, and the tension
-/// (1 - beta) a^(-beta) c f(rho), which is WallTension with s = 1 - beta. So the effective contact angle has the cosine a^(-beta) c.
-/// Where a counts from an area before a prestretch, c has the factor a_0^(-beta).
+/// (1 - beta) a^(-beta) c f(rho), which is WallTension with s = 1 - beta. So the effective contact angle has the cosine
+/// a^(-beta) c. Where a counts from an area before a prestretch, c has the factor a_0^(-beta).
 /// Tested: tests/unit/fluid/test_stretched_wall.cpp, tests/unit/scene/test_stretched_wall.cpp
 template <class Law>
 struct StretchedWall {

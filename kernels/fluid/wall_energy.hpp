@@ -9,8 +9,8 @@
 namespace softwet {
 
 /// f_w(rho) = -cos(alpha) g int_{rho_v}^{rho} (sqrt(2 D + d^2) - d), scale a b^2 L0: minus the integral of the force.
-/// It is tabulated once, on the host, by a Chebyshev series on either side of the middle density. The variable of a series
-/// is t = arsinh((rho - phase) / width), in which the bend of the root at the phase is as wide as 1.
+/// It is tabulated once, on the host, by a Chebyshev series on either side of the middle density. The variable of a
+/// series is t = arsinh((rho - phase) / width), in which the bend of the root at the phase is as wide as 1.
 /// The error is below 1e-12 of the surface tension for temperatures from 0.2 to 0.99. Where a density is outside of
 /// [first, last], the force is integrated from there on point by point, with an error below 1e-8 down to -0.1.
 /// Tested: tests/unit/fluid/test_wall_energy.cpp
@@ -40,7 +40,7 @@ struct WallEnergy {
     return w;
   }
 
-  /// Its derivative is the force, to the last digit, and not that of the series.
+  /// The derivative is the force itself, to the last digit, not the derivative of the series.
   template <class S>
   KOKKOS_FORCEINLINE_FUNCTION Dual<S> value(const Dual<S>& rho) const {
     return {value(rho.value), S(0.0) - law.force(rho.value) * rho.tangent};
@@ -64,8 +64,8 @@ struct WallEnergy {
   }
 
  private:
-  /// The series on [from, to] without its constant: that of the derivative by t from its values at the roots of a
-  /// Chebyshev polynomial, integrated term by term.
+  /// The series on [from, to] without its constant: the series of the derivative by t, from its values at the roots of
+  /// a Chebyshev polynomial, integrated term by term.
   static Half half(const EnergyWall& law, double phase, double from, double to) {
     const double slope = std::sqrt(law.gas.curvature(phase)), narrowest = 1e-6;
     Half h;
@@ -87,8 +87,8 @@ struct WallEnergy {
     return h;
   }
 
-  /// Integral of the force from a density over `span` by 8 panels of 8-point Gauss-Legendre in s, rho = from + span s^2:
-  /// the points gather where W'' is largest.
+  /// Integral of the force from a density over `span` by 8 panels of 8-point Gauss-Legendre in s, rho = from + span
+  /// s^2: the points gather where W'' is largest.
   template <class N>
   KOKKOS_FUNCTION N integral(const N& from, const N& span) const {
     // Abscissae and weights on [-1, 1], positive half.

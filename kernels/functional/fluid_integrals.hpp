@@ -9,7 +9,8 @@ namespace softwet {
 
 /// Integrands over the current fluid domain, in this order:
 ///   mass rho, kinetic rho |v|^2/2, bulk W(rho), gradient g^2 |grad rho|^2/2,
-///   viscous dissipation tau : grad v, stabilisation eps |grad mu - f|^2, momentum rho v_i (3), share of liquid (LiquidVolume)
+///   viscous dissipation tau : grad v, stabilisation eps |grad mu - f|^2, momentum rho v_i (3), share of liquid
+///     (LiquidVolume)
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct FluidIntegrals {
   static constexpr Where where = Where::fluid;

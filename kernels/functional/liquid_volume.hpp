@@ -5,10 +5,10 @@
 
 namespace softwet {
 
-/// Share of liquid at a point, of which the integral over the current fluid domain is the volume: s^2 (3 - 2 s) with
-/// s = (rho - rho_v) / (rho_l - rho_v), which is taken as 0 in what is thinner than the vapour and as 1 in what is denser than the
-/// liquid. It is 1/2 at the surface, where s is, and its slope is 0 in both phases, so that vapour a little denser than rho_v, as
-/// beside a small droplet, hardly counts.
+/// Share of liquid at a point; its integral over the current fluid domain is the volume. It is s^2 (3 - 2 s) with s =
+/// (rho - rho_v) / (rho_l - rho_v), where s is 0 below the density of the vapour and 1 above the density of the liquid.
+/// It is 1/2 at the surface, as s is, and its slope is 0 in both phases, so that vapour a little denser than rho_v, as
+/// around a small droplet, hardly counts.
 /// Tested: tests/unit/functional/test_integrals.cpp
 struct LiquidVolume {
   double vapour = 0, liquid = 1;  ///< densities rho_v and rho_l of the phases in equilibrium

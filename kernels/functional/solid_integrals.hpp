@@ -1,4 +1,4 @@
-// Integrals over the solid: kinetic energy, momentum; and what is turned inside out.
+// Integrals over the solid: kinetic energy, momentum; and where it is turned inside out.
 #pragma once
 
 #include "kernels/functional/columns.hpp"

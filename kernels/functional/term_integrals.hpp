@@ -1,5 +1,5 @@
-// The energy and the dissipation of a term as functionals. A functional names the column of history.csv to which each of its
-// integrals belongs (src/scene/integrals.hpp).
+// The energy and the dissipation of a term as functionals. A functional names the column of history.csv to which each
+// of its integrals belongs (src/scene/integrals.hpp).
 #pragma once
 
 #include "kernels/point/fields.hpp"

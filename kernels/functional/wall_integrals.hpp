@@ -25,7 +25,7 @@ struct WallIntegrals {
   }
 };
 
-/// The same where the cosine of the contact angle is a given field: cos(alpha) f(rho), f that of the cosine 1.
+/// WallIntegrals with a given field for the cosine of the contact angle: cos(alpha) f(rho), where f has the cosine 1.
 struct PaintedWallIntegrals : WallIntegrals {
   template <class N, int D, class...>
   using Trial = WithGiven<DensityValueTrial<N, D>, N>;
@@ -36,7 +36,7 @@ struct PaintedWallIntegrals : WallIntegrals {
   }
 };
 
-/// The same of a stretched wall: a^(-beta) cos(alpha) f(rho).
+/// PaintedWallIntegrals of a stretched wall: a^(-beta) cos(alpha) f(rho).
 /// Tested: tests/unit/fluid/test_stretched_wall.cpp
 struct StretchedWallIntegrals : PaintedWallIntegrals {
   double exponent = 0;  ///< beta

@@ -1,23 +1,23 @@
-// What trial and test bundles are made of. They say what a term sees at a point, and which discrete fields feed it.
+// The parts of trial and test bundles. They say what a term sees at a point, and which discrete fields feed it.
 //
-// A *slot* is one scalar field interpolated to the point, named by its field and component. Its tangent is a multiple of
-// the tangent of one unknown; the stage (src/field/stage.hpp) holds the factors. A *reader* (src/operator) hands out
+// A *slot* is one scalar field interpolated to the point, named by its field and component. Its tangent is a multiple
+// of the tangent of one unknown; the stage (src/field/stage.hpp) holds the factors. A *reader* (src/operator) hands out
 // values and physical gradients of slots, as plain or dual numbers.
 //
-// A bundle that holds the gradient of a vector, or a stress, has the kind M of these tensors as a parameter: Matrix<N, D>, or
-// AxialMatrix<N> in the coordinates (r, z). The formulas of the terms are the same for both. `Axisymmetric` makes a term of
-// the plane one in (r, z).
+// A bundle that holds the gradient of a vector, or a stress, has the kind M of these tensors as a parameter: Matrix<N,
+// D>, or AxialMatrix<N> in the coordinates (r, z). The formulas of the terms are the same for both. `Axisymmetric`
+// turns a 2D term into a term in (r, z).
 #pragma once
 
 #include "kernels/algebra/axial.hpp"
 
 namespace softwet {
 
-/// Unknowns are velocity, density and potential; each has an equation: momentum, mass, and that of the potential.
-/// Acceleration and displacement follow from the velocity, and so does the lag, what the displacement of a viscoelastic solid is ahead
-/// of its branches; the rate of the density beside the wall follows from the density. An operand is the vector that a linear operator
-/// acts on; its components are numbered as those of the unknowns. A given field is known before the run, such as a stiffness that varies in space;
-/// a term reads at most one.
+/// Unknowns are velocity, density and potential; their equations are the balance of momentum, the balance of mass, and
+/// the equation of the potential. Acceleration and displacement follow from the velocity. So does the lag, by which the
+/// displacement of a viscoelastic solid is ahead of its branches. The rate of the density at the wall follows from the
+/// density. An operand is the vector that a linear operator acts on; its components have the numbers of the unknowns. A
+/// given field is known before the run, such as a stiffness that varies in space; a term reads at most one.
 enum class Field { velocity, density, potential, acceleration, displacement, lag, density_rate, operand, given };
 
 /// A component of a field.
@@ -25,7 +25,7 @@ struct Component {
   Field field;
   int index = 0;
 
-  /// Its place among the unknowns, or that of the unknown which it follows from: velocity 0 .. D - 1, density D,
+  /// Its place among the unknowns, or the place of the unknown from which it follows: velocity 0 .. D - 1, density D,
   /// potential D + 1. A given field follows from none of them, D + 2.
   constexpr int unknown(int dimension) const {
     if (field == Field::given) return dimension + 2;
@@ -42,15 +42,16 @@ struct Slot {
   bool gradient;
 };
 
-/// Where a term is integrated; `beside_wall` is the layer of the fluid that touches the wall Gamma, where the term meets
-/// the wall's basis functions alone. Gamma has two faces: `wall` is the face of the fluid, on the moved mesh, and `top` the face of the solid
-/// in its undeformed state. `bottom` is the lower face of the solid, undeformed too. `means` are the elements of the solid, where a term
-/// sees the means of fields and gradients over an element.
+/// Where a term is integrated; `beside_wall` is the layer of the fluid that touches the wall Gamma, where the term
+/// meets the wall's basis functions alone. Gamma has two faces: `wall` is the face of the fluid, on the moved mesh, and
+/// `top` the face of the solid in its undeformed state. `bottom` is the lower face of the solid, undeformed too.
+/// `means` are the elements of the solid, where a term sees the means of fields and gradients over an element.
 enum class Where { solid, means, top, bottom, fluid, wall, beside_wall };
 constexpr bool on_face(Where where) { return where == Where::wall || where == Where::top || where == Where::bottom; }
 
-/// A term or a functional of the plane in the coordinates (r, z): its tensors have a hoop entry, and integrals have the weight r.
-/// A term without tensors takes the weight alone. T stands for Term, so that a name which it lacks is missed where it is used.
+/// A term or a functional of the plane in the coordinates (r, z): its tensors have a hoop entry, and integrals have the
+/// weight r. A term without tensors takes the weight alone. T stands for Term, so that a name which it lacks is missed
+/// where it is used.
 template <class Term>
 struct Axisymmetric : Term {
   static constexpr bool axisymmetric = true;
@@ -70,8 +71,8 @@ inline constexpr bool is_axisymmetric = [] {
   return false;
 }();
 
-/// Whether a channel of a test bundle has a flux. A bundle in which some have none says so by `flux_of`; they then write zeros,
-/// which a processor does not integrate.
+/// Whether a channel of a test bundle has a flux. A bundle in which some have none says so by `flux_of`; they then
+/// write zeros, which a processor does not integrate.
 template <class Test>
 constexpr bool channel_has_flux(int c) {
   if constexpr (requires { Test::flux_of(c); }) {
@@ -81,8 +82,8 @@ constexpr bool channel_has_flux(int c) {
   }
 }
 
-/// Whether a channel has an integrand against values of test functions. A bundle in which some have none says so by `value_of`; they then
-/// write zeros.
+/// Whether a channel has an integrand against values of test functions. A bundle in which some have none says so by
+/// `value_of`; they then write zeros.
 template <class Test>
 constexpr bool channel_has_value(int c) {
   if constexpr (requires { Test::value_of(c); }) {
@@ -92,8 +93,8 @@ constexpr bool channel_has_value(int c) {
   }
 }
 
-/// The gradients of the components of a vector, whose slots follow each other from `first` on, as a tensor of the kind M:
-/// Matrix<N, D>, or AxialMatrix<N> in the coordinates (r, z), which has v_r / r too.
+/// The gradients of the components of a vector, whose slots follow each other from `first` on, as a tensor of the kind
+/// M: Matrix<N, D>, or AxialMatrix<N> in the coordinates (r, z), which has v_r / r too.
 template <class M, class N, int D, class Reader>
 KOKKOS_FORCEINLINE_FUNCTION M gradient_of(const Reader& at, int first) {
   M all;
@@ -107,7 +108,8 @@ KOKKOS_FORCEINLINE_FUNCTION M gradient_of(const Reader& at, int first) {
   return all;
 }
 
-/// The slot of component i of a vector of which a term reads gradients alone. Of v_r it reads the value too, for v_r / r.
+/// The slot of component i of a vector of which a term reads gradients alone. For v_r it reads the value too, for v_r /
+/// r.
 template <class M>
 constexpr Slot gradient_slot(Field field, int i) {
   return {{field, i}, is_axial_matrix<M> && i == 0, true};

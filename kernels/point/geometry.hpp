@@ -60,8 +60,8 @@ struct MovingPoint {
   KOKKOS_FORCEINLINE_FUNCTION N volume_ratio() const { return volume; }
 };
 
-/// The moving map on a face of the last axis: integrals are over its deformed area, |cof F e_D| times the undeformed one.
-/// Fluxes are tangential there, as P_Gamma = 1 - n n is: only slopes along the face meet them.
+/// The moving map on a face of the last axis: integrals are over its deformed area, |cof F e_D| times the undeformed
+/// one. Fluxes are tangential there, as P_Gamma = 1 - n n is: only slopes along the face meet them.
 template <class N, int D>
 struct MovingFace : MovingPoint<N, D> {
   N measure;            ///< |cof F e_D|
@@ -81,9 +81,9 @@ struct MovingFace : MovingPoint<N, D> {
   KOKKOS_FORCEINLINE_FUNCTION N area_ratio() const { return measure; }  ///< of the deformed over the undeformed area
 };
 
-/// A point in the coordinates (r, z), where r is its distance from the axis: of the moved mesh in the fluid, undeformed in the
-/// solid. Integrals have the weight r, those over the angle are left out. A test function w of the radial component has a
-/// further gradient w / r, which meets the hoop entry of a flux.
+/// A point in the coordinates (r, z), where r is its distance from the axis: of the moved mesh in the fluid, undeformed
+/// in the solid. Integrals have the weight r, those over the angle are left out. A test function w of the radial
+/// component has a further gradient w / r, which meets the hoop entry of a flux.
 template <class Point>
 struct AxialPoint : Point {
   using Number = std::remove_cvref_t<decltype(std::declval<Point>().position[0])>;

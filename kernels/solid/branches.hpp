@@ -1,4 +1,4 @@
-// A solid that flows and fades: Maxwell branches beside its elasticity (generalised Maxwell).
+// A solid that flows and fades: Maxwell branches parallel to its elasticity (generalised Maxwell).
 #pragma once
 
 #include "kernels/algebra/dual.hpp"
@@ -11,12 +11,15 @@ namespace softwet {
 /// Springs G_i that act in shear alone, each in series with a dashpot, so that its stress fades within the time tau_i:
 ///   psi_i = 1/2 (e - A_i) : C_i : (e - A_i),   C_i = 2 G_i dev,   tau_i A_i' = e - A_i
 /// The dashpots dissipate tau_i A_i' : C_i : A_i'.
-/// - Small strains: e = sym Grad u and A_i = sym Grad a_i of a displacement a_i of the dashpot, with tau_i a_i' = u - a_i.
-/// - Finite strains: e = E, the Green-Lagrange strain, and A_i is a symmetric tensor at each Gauss point. A rotation of the deformed body
-///   changes neither E nor A_i.
-/// A time scheme that finds e - A_i = tau_i / (tau_i + c) (e - h_i) at the end of a step, with h_i from its beginning and a time c of its
-/// own, meets the stress W dev(e - h) with W = sum w_i and W h = sum w_i h_i, however many branches there are.
-/// Source: Simo, Hughes, Computational Inelasticity, chapter 10 (generalised relaxation).   Tested: tests/unit/solid/test_branches.cpp
+/// - Small strains: e = sym Grad u and A_i = sym Grad a_i of a displacement a_i of the dashpot, with tau_i a_i' = u -
+///   a_i.
+/// - Finite strains: e = E, the Green-Lagrange strain, and A_i is a symmetric tensor at each Gauss point. A rotation of
+///   the deformed body changes neither E nor A_i.
+/// A time scheme that finds e - A_i = tau_i / (tau_i + c) (e - h_i) at the end of a step, with h_i from its beginning
+/// and a time c of its own, meets the stress W dev(e - h) with W = sum w_i and W h = sum w_i h_i, however many branches
+/// there are.
+/// Source: Simo, Hughes, Computational Inelasticity, chapter 10 (generalised relaxation).
+/// Tested: tests/unit/solid/test_branches.cpp
 struct Branches {
   static constexpr int most = 12;
 
@@ -28,8 +31,9 @@ struct Branches {
   KOKKOS_FORCEINLINE_FUNCTION double weight(int i, double c) const {
     return 2 * modulus[i] * (time[i] / (time[i] + c));
   }
-  /// What of the rate of branch i at the time of a state is the velocity, where the rate that a scheme keeps is that of a time `shift` before
-  /// it, a' - shift a'': with tau a'' = u' - a' the rate is (tau kept + shift u') / (tau + shift), of second order for any tau.
+  /// Share of the velocity in the rate of branch i at the time of a state. A scheme keeps the rate at a time `shift`
+  /// before the state, a' - shift a''. With tau a'' = u' - a' the rate is (tau kept + shift u') / (tau + shift), of
+  /// second order for any tau.
   KOKKOS_FORCEINLINE_FUNCTION double share_of_velocity(int i, double shift) const { return shift / (time[i] + shift); }
   /// Sum of w_i: the stiffness of all branches against a step.
   double weight(double c) const {
@@ -39,7 +43,7 @@ struct Branches {
   }
 };
 
-/// Gradient of what the displacement is ahead of those of the branches, with their weights or of one branch alone.
+/// Gradient of the displacement minus the displacements of the branches, with their weights or of one branch alone.
 template <class N, int D, class M = Matrix<N, D>>
 struct LagStrain {
   M gradient;
@@ -153,7 +157,8 @@ KOKKOS_FORCEINLINE_FUNCTION auto shear_square(const M& e) {
   return contract(e, e) - (1.0 / 3) * (tr * tr);
 }
 
-/// Integrand dev e : dev e of e = sym Grad q. Times G_i it is psi_i of q = u - a_i, and times 2 G_i tau_i what is dissipated, of q = a_i'.
+/// Integrand dev e : dev e of e = sym Grad q. Times G_i it is psi_i for q = u - a_i, and times 2 G_i tau_i it is the
+/// dissipation for q = a_i'.
 /// Tested: tests/unit/solid/test_branches.cpp
 struct ShearSquare {
   static constexpr Where where = Where::solid;
@@ -170,7 +175,8 @@ struct ShearSquare {
   }
 };
 
-/// The same under finite strains, of what points remember: e = E - A_i for the energy, e = A_i' for what is dissipated.
+/// ShearSquare under finite strains, of the strains that points remember: e = E - A_i for the energy, e = A_i' for the
+/// dissipation.
 /// Tested: tests/unit/solid/test_branches.cpp
 struct FiniteShearSquare {
   static constexpr Where where = Where::solid;

@@ -5,8 +5,9 @@
 
 namespace softwet {
 
-/// Tangents x_,a = e_a + u_,a, their products g_ab = x_,a . x_,b, and the ratio sqrt(det g) of the deformed to the undeformed area.
-/// In the coordinates (r, z) they are those along r and z alone: the direction around the axis adds the stretch r / R.
+/// Tangents x_,a = e_a + u_,a, their products g_ab = x_,a . x_,b, and the ratio sqrt(det g) of the deformed to the
+/// undeformed area. In the coordinates (r, z) they are those along r and z alone: the direction around the axis adds
+/// the stretch r / R.
 template <class N, int D>
 struct Face {
   Vector<N, D> tangent[D - 1];  ///< x_,a

@@ -8,9 +8,10 @@
 
 namespace softwet {
 
-/// Energy k/2 (I_4 - 1)^2 for each undeformed volume, I_4 = |F a_0|^2, in addition to the energy of the material; P = 2 k (I_4 - 1) F a_0 (x) a_0.
-/// Along the fibres a small strain meets the further modulus 4 k.
-/// Scale of k: a b^2.   Source: the standard reinforcing model of fibres.   Tested: tests/unit/solid/test_solid_terms.cpp
+/// Energy k/2 (I_4 - 1)^2 for each undeformed volume, I_4 = |F a_0|^2, in addition to the energy of the material; P = 2
+/// k (I_4 - 1) F a_0 (x) a_0. Along the fibres a small strain meets the further modulus 4 k.
+/// Scale of k: a b^2.   Source: the standard reinforcing model of fibres.
+/// Tested: tests/unit/solid/test_solid_terms.cpp
 struct Fibres {
   static constexpr Where where = Where::solid;
   static constexpr const char* energy_column = "energy_elastic";
@@ -20,7 +21,7 @@ struct Fibres {
   double finite = 1;  ///< 0 where strains are small: F = I in P, and I_4 - 1 = 2 a_0 . Grad u a_0
   double excess = 0;  ///< added to I_4 - 1: 1 - 1/l^2 of fibres that are stretched by l where u = 0
 
-  /// The same fibres in a solid that was stretched before. With F_0 a_0 = l e their energy for each stretched volume is
+  /// These fibres in a solid that was stretched before. With F_0 a_0 = l e their energy for each stretched volume is
   ///   k/2 (l^2 |F e|^2 - 1)^2 / J_0 = (k l^4 / J_0)/2 (|F e|^2 - 1/l^2)^2
   Fibres after(const Prestretch& before) const {
     if (!before.acts) return *this;

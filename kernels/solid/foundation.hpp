@@ -18,9 +18,9 @@ struct FaceModuli {
   }
 };
 
-/// <w, kap_n u_n n + kap_t u_t> over the undeformed bottom of the solid, whose normal n is vertical: the derivative of the energy
-/// (kap_n u_n^2 + kap_t |u_t|^2)/2 of each undeformed area. The springs are linear at any displacement, push and pull alike, and those
-/// across and along the face know nothing of each other.
+/// <w, kap_n u_n n + kap_t u_t> over the undeformed bottom of the solid, whose normal n is vertical: the derivative of
+/// the energy (kap_n u_n^2 + kap_t |u_t|^2)/2 of each undeformed area. The springs are linear at any displacement, push
+/// and pull alike, and those across and along the face know nothing of each other.
 /// Scale of kap_n and kap_t: a b^2/L0.   Source: Winkler's foundation.   Tested: tests/unit/solid/test_solid_terms.cpp
 struct Foundation {
   static constexpr Where where = Where::bottom;
@@ -43,9 +43,9 @@ struct Foundation {
   }
 };
 
-/// <w, c_n v_n n + c_t v_t> over the undeformed bottom of the solid, beside the springs or alone. It dissipates c_n v_n^2 + c_t |v_t|^2
-/// >= 0 for each undeformed area.
-/// Scale of c_n and c_t: b sqrt(ab).   Tested: tests/unit/solid/test_solid_terms.cpp
+/// <w, c_n v_n n + c_t v_t> over the undeformed bottom of the solid, with springs or without. It dissipates c_n v_n^2 +
+/// c_t |v_t|^2 >= 0 for each undeformed area. Scale of c_n and c_t: b sqrt(ab).
+/// Tested: tests/unit/solid/test_solid_terms.cpp
 struct Dashpots {
   static constexpr Where where = Where::bottom;
   static constexpr const char* dissipation_column = "dissipation_solid";

@@ -15,8 +15,9 @@ inline ElasticLaw law_of(const SaintVenantKirchhoff&) { return ElasticLaw::saint
 inline ElasticLaw law_of(const Hooke&) { return ElasticLaw::hooke; }
 inline ElasticLaw law_of(const NeoHookean&) { return ElasticLaw::neo_hookean; }
 
-/// A law that is chosen at run time, so that one kernel serves all, of a solid with a prestretch. One part of a solid may carry a uniform
-/// stress for another one, diag(c): psi + c : Grad u and P + diag(c). The stress of all parts is the same for that.
+/// A law that is chosen at run time, so that one kernel serves all laws, of a solid with a prestretch. One part of a
+/// solid may carry a uniform stress for another one, diag(c): psi + c : Grad u and P + diag(c). This leaves the stress
+/// of all parts together unchanged.
 struct ChosenMaterial {
   ElasticLaw law = ElasticLaw::saint_venant_kirchhoff;
   LameParameters stiffness;
@@ -68,7 +69,8 @@ struct ChosenMaterial {
   }
 };
 
-/// Momentum balance of the solid, (w, rho_0 v_t) + (Grad w, s P), with the stiffness s(X) over that of the material.
+/// Momentum balance of the solid, (w, rho_0 v_t) + (Grad w, s P), with s(X) the stiffness over the stiffness of the
+/// material.
 /// Tested: tests/unit/solid/test_solid_terms.cpp
 struct GradedSolid : Elastodynamics<ChosenMaterial> {
   template <class N, int D, class M = Matrix<N, D>>

@@ -17,11 +17,11 @@ struct LameParameters {
   }
 };
 
-/// A nearly incompressible solid in two parts that add up to it: what is integrated as always, with the first Lame parameter of at most
-/// nu = 0.4, and the rest of that parameter alone, for the mean of the displacement gradient over an element. Splines have two
-/// displacements for each element in 2D and do not lock under the rest; the first part keeps every deformation stiff whose means
-/// are zero.
-/// Measured: docs/limits.md.   Tested: tests/unit/solid/test_selective.cpp
+/// A nearly incompressible solid in two parts that add up to it. The first is integrated as usual, with a first Lame
+/// parameter of at most nu = 0.4. The second has the rest of that parameter alone, for the mean of the displacement
+/// gradient over an element. Splines have two displacements for each element in 2D and do not lock under the second
+/// part; the first part resists every deformation whose means are zero. Measured: docs/limits.md.
+/// Tested: tests/unit/solid/test_selective.cpp
 struct SelectiveParts {
   static constexpr double poisson = 0.4;
 
@@ -47,14 +47,14 @@ KOKKOS_FORCEINLINE_FUNCTION Matrix<N, D> green_lagrange_strain(const Matrix<N, D
   return e;
 }
 
-/// The same in the coordinates (r, z), where F has the hoop entry 1 + u_r / r.
+/// Green-Lagrange strain in the coordinates (r, z), where F has the hoop entry 1 + u_r / r.
 template <class N>
 KOKKOS_FORCEINLINE_FUNCTION AxialMatrix<N> green_lagrange_strain(const AxialMatrix<N>& grad_u) {
   return {green_lagrange_strain(grad_u.plane), grad_u.hoop + 0.5 * (grad_u.hoop * grad_u.hoop)};
 }
 
-/// E' = sym(F^T Grad v), the rate of the Green-Lagrange strain; Grad v counts `finite` times in its quadratic part, which small
-/// strains leave out.
+/// E' = sym(F^T Grad v), the rate of the Green-Lagrange strain; Grad v counts `finite` times in its quadratic part,
+/// which small strains leave out.
 template <class M>
 KOKKOS_FORCEINLINE_FUNCTION M green_lagrange_rate(const M& grad_u, const M& grad_v, double finite = 1) {
   const M g = grad_v + finite * product(transpose(grad_u), grad_v);
@@ -81,8 +81,8 @@ KOKKOS_FORCEINLINE_FUNCTION auto quadratic_energy(const LameParameters& m, const
   return (0.5 * m.lambda) * (tr * tr) + m.shear_modulus * contract(e, e);
 }
 
-/// Cauchy stress P F^T / J of a first Piola-Kirchhoff stress P. Plane strain has a stress along the third axis too: give
-/// both with shape (3, 3).
+/// Cauchy stress P F^T / J of a first Piola-Kirchhoff stress P. Plane strain has a stress along the third axis too:
+/// give both with shape (3, 3).
 template <class N>
 KOKKOS_FORCEINLINE_FUNCTION Matrix<N, 3> cauchy_stress(const Matrix<N, 3>& p, const Matrix<N, 3>& grad_u) {
   return (1.0 / volume_ratio(grad_u)) * (p + product(p, transpose(grad_u)));

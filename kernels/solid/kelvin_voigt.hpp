@@ -1,4 +1,4 @@
-// Viscosity of the solid, beside its elasticity (Kelvin-Voigt).
+// Viscosity of the solid, parallel to its elasticity (Kelvin-Voigt).
 #pragma once
 
 #include "kernels/point/solid_fields.hpp"
@@ -6,9 +6,9 @@
 
 namespace softwet {
 
-/// (Grad w, F S_v),   S_v = 2 eta (E' - tr E'/3 I) + zeta tr E' I,   E' = sym(F^T Grad v), the rate of the Green-Lagrange strain.
-/// It dissipates S_v : E' >= 0 for each undeformed volume, and nothing in a rigid rotation. In 2D E'_33 = 0.
-/// Scale of eta and zeta: L0 b sqrt(ab).   Tested: tests/unit/solid/test_solid_terms.cpp
+/// (Grad w, F S_v),   S_v = 2 eta (E' - tr E'/3 I) + zeta tr E' I,   E' = sym(F^T Grad v), the rate of the
+/// Green-Lagrange strain. It dissipates S_v : E' >= 0 for each undeformed volume, and nothing in a rigid rotation. In
+/// 2D E'_33 = 0. Scale of eta and zeta: L0 b sqrt(ab).   Tested: tests/unit/solid/test_solid_terms.cpp
 struct KelvinVoigt {
   static constexpr Where where = Where::solid;
   static constexpr const char* dissipation_column = "dissipation_solid";

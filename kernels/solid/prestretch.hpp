@@ -5,17 +5,19 @@
 
 namespace softwet {
 
-/// The uniform deformation F_0 = diag(l_1, l_2, l_3) from the state in which a material has no stress to the state in which its
-/// displacement is 0, and J_0 = det F_0. Of a law with the energy psi^(F) and the stress P^(F) it makes
+/// The uniform deformation F_0 = diag(l_1, l_2, l_3) from the state in which a material has no stress to the state in
+/// which its displacement is 0, and J_0 = det F_0. A law with the energy psi^(F) and the stress P^(F) becomes
 ///   psi(F) = (psi^(F F_0) - psi^(F_0)) / J_0,   P(F) = P^(F F_0) F_0^T / J_0,
-/// both for each volume of the stretched state; P is the derivative of psi. The stress P F^T / J of the deformed state is that of the law
-/// at F F_0.
-/// Source: a change of reference configuration, Ogden, Non-Linear Elastic Deformations, chapter 6 (small on large deformations).
+/// both for each volume of the stretched state; P is the derivative of psi. The stress P F^T / J of the deformed state
+/// is the stress of the law at F F_0.
+/// Source: a change of reference configuration, Ogden, Non-Linear Elastic Deformations, chapter 6 (small on large
+/// deformations).
 /// Tested: tests/unit/solid/test_prestretch.cpp
 struct Prestretch {
-  bool acts = false;                     ///< false: F_0 = I, and nothing is computed
-  Vector<double, 3> stretch{{1, 1, 1}};  ///< l along the axes; the third is 1 in 2D and that around the axis in (r, z)
-  double energy_at_rest = 0;             ///< psi^(F_0)
+  bool acts = false;  ///< false: F_0 = I, and nothing is computed
+  /// Stretches l along the axes; the third is 1 in 2D and the stretch around the axis in (r, z).
+  Vector<double, 3> stretch{{1, 1, 1}};
+  double energy_at_rest = 0;  ///< psi^(F_0)
 
   KOKKOS_FORCEINLINE_FUNCTION double volume_ratio() const { return stretch[0] * stretch[1] * stretch[2]; }
 

@@ -7,7 +7,8 @@ namespace softwet {
 
 /// For each volume of the undeformed solid, with the gap from the displacement u to the position U, gap = U - u:
 ///   energy k/2 |gap|^2,   force on the solid k gap = - d energy / d u,   power of the motion k gap . U'
-/// So the energy grows by the power of the motion minus the work of the force on the solid, k gap . u'. Along each axis by itself.
+/// So the energy grows by the power of the motion minus the work of the force on the solid, k gap . u'. Along each axis
+/// by itself.
 /// Tested: tests/unit/solid/test_spring.cpp
 struct Spring {
   double stiffness = 0;  ///< k, scale a b^2/L0^2

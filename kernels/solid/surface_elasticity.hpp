@@ -7,13 +7,15 @@
 
 namespace softwet {
 
-/// Energy lambda_s/2 (tr E_s)^2 + G_s E_s : E_s for each undeformed area of the top face, with the Green strain of the face,
-/// E_s,ab = (x_,a . x_,b - delta_ab)/2, which is the part along the face of that of the solid. Its derivative is
-///   int P_s : Grad w dA_0,   P_s(i, a) = x_i,b S_ab,   S = lambda_s tr(E_s) 1 + 2 G_s E_s, the second Piola-Kirchhoff stress
-/// In 2D the strain is plane, and S = (lambda_s + 2 G_s) (|x'|^2 - 1)/2. In the coordinates (r, z) the strain around the axis is
-/// ((r/R)^2 - 1)/2, and its stress meets (r/R) w_r / R. Only slopes along the face enter, and beside a solid of small strain, too, they
-/// enter in full.
-/// Scale of lambda_s and G_s: a b^2 L0.   Source: Gurtin and Murdoch's surfaces, in the material form.
+/// Energy lambda_s/2 (tr E_s)^2 + G_s E_s : E_s for each undeformed area of the top face, with the Green strain of the
+/// face, E_s,ab = (x_,a . x_,b - delta_ab)/2, which is the part along the face of the strain of the solid. Its
+/// derivative is
+///   int P_s : Grad w dA_0,   P_s(i, a) = x_i,b S_ab,   S = lambda_s tr(E_s) 1 + 2 G_s E_s, the second Piola-Kirchhoff
+///     stress
+/// In 2D the strain is plane, and S = (lambda_s + 2 G_s) (|x'|^2 - 1)/2. In the coordinates (r, z) the strain around
+/// the axis is ((r/R)^2 - 1)/2, and its stress meets (r/R) w_r / R. Only slopes along the face enter, and they enter in
+/// full even where the solid has small strains. Scale of lambda_s and G_s: a b^2 L0.   Source: Gurtin and Murdoch's
+/// surfaces, in the material form.
 /// Tested: tests/unit/solid/test_solid_terms.cpp
 struct SurfaceElasticity {
   static constexpr Where where = Where::top;

@@ -6,13 +6,13 @@
 
 namespace softwet {
 
-/// Energy Ups (a - 1) for each undeformed area, where a = sqrt(det g) is the deformed over the undeformed area, g_ab = x_,a . x_,b,
-/// and x_,a = e_a + u_,a are the tangents of the deformed face. Its derivative is
+/// Energy Ups (a - 1) for each undeformed area, where a = sqrt(det g) is the deformed over the undeformed area, g_ab =
+/// x_,a . x_,b, and x_,a = e_a + u_,a are the tangents of the deformed face. Its derivative is
 ///   int P_s : Grad w dA_0,   P_s(i, a) = Ups a g^ab x_i,b;   in 2D P_s = Ups x'/a
-/// In the coordinates (r, z) a = |x'| r/R with the undeformed radius R: P_s = Ups (r/R) x'/|x'|, and w_r / R meets Ups |x'|.
-/// Only slopes along the face enter. Ups is uniform: it is that of the dry face, and what the fluid adds where it wets the face is
-/// `WallTension`.
-/// Scale of Ups: a b^2 L0.   Tested: tests/unit/solid/test_solid_terms.cpp
+/// In the coordinates (r, z) a = |x'| r/R with the undeformed radius R: P_s = Ups (r/R) x'/|x'|, and w_r / R meets Ups
+/// |x'|. Only slopes along the face enter. Ups is uniform: it is the tension of the dry face, and `WallTension` adds
+/// the contribution of the fluid where it wets the face. Scale of Ups: a b^2 L0.
+/// Tested: tests/unit/solid/test_solid_terms.cpp
 struct SurfaceTension {
   static constexpr Where where = Where::top;
   static constexpr const char* energy_column = "energy_surface";

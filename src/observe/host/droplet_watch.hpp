@@ -33,8 +33,7 @@ std::vector<std::string> follow(std::vector<Body>& bodies, const PhaseSamples& s
 
 /// The centres of bodies that `follow` has seen in these samples: means of the places inside, weighted by their depth.
 /// Along a periodic axis the mean is one of angles, and 0 where a body reaches all round. A body about an axis of
-/// symmetry has its centre on it. Empty for a body that is
-/// gone.
+/// symmetry has its centre on it. Empty for a body that is gone.
 using Centre = std::optional<std::array<double, 3>>;
 std::vector<Centre> centres_of(const std::vector<Body>& bodies, const PhaseSamples& samples);
 
