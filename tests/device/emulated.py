@@ -1,0 +1,336 @@
+#!/usr/bin/env python3
+"""usage: tests/device/emulated.py BUILD_CUDA BUILD_RELEASE [options]      Executes the kernels of a CUDA build on a processor.
+
+Small scenes are computed twice: by the program of BUILD_CUDA with the CUDA runtime of tests/device/emulate, which executes its
+kernels, and by the program of BUILD_RELEASE. Their history.csv must agree, column by column, and the runtime must find no fault.
+BUILD_CUDA is compiled with NVCC_APPEND_FLAGS=--no-compress; with -lineinfo as well, faults name lines of the sources. Scenes whose
+configuration or quadrature one of the builds lacks are left out and named. Without options a selection of scenes runs, which takes
+about a minute of one core.
+
+--all            every case as a small scene, and all variants, with all checks (EMU_CHECK=2 EMU_LATE=1) and with each of the seeds
+--seeds LIST     orders of warps and of blocks, such as 0,7 (default: 0; with --all: 0,7)
+--only TEXT      scenes whose name has the text
+--list           prints the names of the scenes
+--unit I/N       runs slice I of N (from 1) of softwet_unit of BUILD_CUDA instead of scenes, with EMU_CHECK=2
+--barriers TEXT  leaves out the barriers of kernels whose name has the text, one after another, in each scene: every one must be
+                 noticed, by a fault or by a difference
+--limit S        seconds for a run (default 900)
+
+Exit code 1: a scene differs, a fault was found, or a run failed. 77: there is no nvcc, or the program does not use the CUDA
+runtime as a library."""
+
+import argparse
+import collections
+import csv
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+import tomllib
+
+sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+CASES = HERE.parents[1] / "cases"
+
+# A device takes sums in another order. Columns are compared relative to their largest number, but for those whose numbers are small
+# differences of larger ones, or vanish by symmetry.
+EXPLICIT = 1e-12
+ABSOLUTE = ("mass_drift", "momentum_x", "momentum_y", "momentum_z", "laplace", "velocity")
+# With these tolerances of Newton's method another preconditioner or another precision of the linear solves changes results of a processor
+# by up to 1.4e-7 (tensotaxis_pull_2d, lu and schwarz).
+NEWTON, IMPLICIT = ["solver.newton.rtol=1e-8", "solver.newton.atol=1e-14"], 1e-6
+NOT_COMPARED = ("newton", "krylov", "step")  # numbers of iterations, which rounding may change
+
+Scene = collections.namedtuple("Scene", "case settings steps allowed fast")
+FULL, REDUCED = "domain.quadrature=full", "domain.quadrature=reduced"
+GRAPH, LUMPED, CONSISTENT = "solver.krylov.launch=graph", "time.mass=lumped", "time.mass=consistent"
+DOUBLE, SCHWARZ = "solver.precision=double", "solver.krylov.preconditioner=schwarz"
+PULL, NEEDLE = "tensotaxis_pull_2d", "fig4_needle_3d_small"
+# Small scenes need these too: a box of fine elements around fewer of them.
+FURTHER = {"style_2013_axisymmetric": ["domain.grading.box=[[0,0],[0.5,0.5]]"]}
+# case: settings of a variant, steps (0: as many as the case itself), whether it is in the selection
+VARIANTS = {
+    "impact_rigid_2d": [([FULL], 0, True), ([REDUCED], 0, True), ([FULL, GRAPH], 0, True), ([LUMPED], 0, False),
+                        ([CONSISTENT], 4, False), (["time.scheme=ssp_rk3"], 4, False), (["time.scheme=rkl2"], 4, False)],
+    "impact_soft_2d": [([FULL], 0, True), ([REDUCED], 0, True), ([GRAPH], 0, False)],
+    "impact_rigid_3d": [([FULL], 0, True), ([REDUCED], 0, False), ([GRAPH], 0, False)],
+    "impact_soft_3d": [([FULL], 0, True), ([REDUCED], 0, False), ([GRAPH], 0, False)],
+    PULL: [([FULL], 0, True), ([REDUCED], 0, False), ([GRAPH], 0, False), ([DOUBLE], 0, False), ([SCHWARZ], 0, False)],
+    NEEDLE: [([FULL], 0, True), ([REDUCED], 0, False), ([DOUBLE], 0, False)],
+    "impact_axisymmetric": [([FULL], 0, True)],
+    "power_law_gel_2d": [([FULL], 0, True)],
+}
+
+
+class Build:
+    """A build folder: its program, and what was compiled."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder).resolve()
+        self.program = self.folder / "softwet"
+        text = (self.folder / "CMakeCache.txt").read_text()
+        options = dict(re.findall(r"^(SOFTWET_\w+):\w+=(.*)$", text, re.MULTILINE))
+        self.configurations = options["SOFTWET_CONFIGURATIONS"].split(";")
+        self.reduced = options.get("SOFTWET_REDUCED_QUADRATURE", "ON") in ("ON", "TRUE", "1")
+
+
+class Runtime:
+    """The CUDA runtime that executes kernels on a processor, in the folder emulate of the build."""
+
+    def __init__(self, build):
+        self.folder = build.folder / "emulate"
+        libraries = subprocess.run(["ldd", build.program], capture_output=True, text=True).stdout
+        if not re.search(r"libcudart\.so\.\d+", libraries):
+            sys.exit(leave(f"{build.program} does not use the CUDA runtime as a library"))
+        made = subprocess.run([HERE / "emulate/build", self.folder, "--no-tests"], capture_output=True, text=True)
+        if made.returncode == 77:
+            sys.exit(leave("there is no nvcc here"))
+        if made.returncode:
+            sys.exit(f"emulated: the runtime was not built: {made.stdout}{made.stderr}")
+
+    def environment(self, **variables):
+        return {**os.environ, "LD_LIBRARY_PATH": str(self.folder), **variables}
+
+
+def leave(why):
+    print(f"emulated: left out: {why}")
+    return 77
+
+
+def run(words, environment, limit):
+    """(exit code or None: stopped, what it printed, seconds)"""
+    start = time.monotonic()
+    try:
+        done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              errors="replace", timeout=limit, env={**environment, "OMP_NUM_THREADS": "1"})
+    except subprocess.TimeoutExpired as stopped:
+        return None, (stopped.stdout or b"").decode(errors="replace"), limit
+    return done.returncode, done.stdout, time.monotonic() - start
+
+
+def small(case):
+    """Settings that give a case few elements: 12 along the longest side in 2D and 5 in 3D, and along the last axis as many as the
+    thickness of the solid asks for."""
+    values = tomllib.loads((CASES / f"{case}.toml").read_text())
+    size = values["domain"]["size"]
+    most = 12 if len(size) == 2 else 5
+    width = max(size) / most
+    elements = [max(4, round(length / width)) for length in size]
+    thickness = values.get("substrate", {}).get("thickness")
+    if thickness:
+        share = thickness / size[-1]
+        elements[-1] = next(n for n in range(elements[-1], 60) if abs(n * share - round(n * share)) < 1e-9)
+    settings = [f"domain.elements={elements}", *FURTHER.get(case, [])]
+    if "capillarity" in values.get("fluid", {}):
+        settings.append(f"fluid.capillarity={width * (1 if len(size) == 2 else 1.5):.4f}")
+    return settings
+
+
+def make_scenes():
+    """{name: scene}: each case with its defaults, and the variants."""
+    scenes = {}
+    for path in sorted(CASES.glob("*.toml")):
+        case, values = path.stem, tomllib.loads(path.read_text())
+        explicit = values.get("time", {}).get("scheme") == "kick_drift"
+        flat = len(values["domain"]["size"]) == 2
+        steps, allowed = (10 if flat else 3, EXPLICIT) if explicit else (2 if flat else 1, IMPLICIT)
+        own = small(case) + ([] if explicit else NEWTON)
+        scenes[case] = Scene(case, own, steps, allowed, False)
+        for settings, other, fast in VARIANTS.get(case, ()):
+            name = ", ".join([case] + [setting.split("=")[1] for setting in settings])
+            bound = IMPLICIT if CONSISTENT in settings else allowed
+            scenes[name] = Scene(case, own + settings, other or steps, bound, fast)
+    return scenes
+
+
+def lacks(scene, cuda, release):
+    """What one of the builds lacks for a scene, or None."""
+    domain = tomllib.loads((CASES / f"{scene.case}.toml").read_text())["domain"]
+    flat = "rz" if domain.get("coordinates") == "axisymmetric" else f"{len(domain['size'])}x"
+    configuration = f"{flat}{domain.get('degree', 2)}"
+    for build in (cuda, release):
+        if configuration not in build.configurations:
+            return f"configuration {configuration} in {build.folder}"
+        if REDUCED in scene.settings and not build.reduced:
+            return f"reduced quadrature in {build.folder}"
+    return None
+
+
+def rows(folder):
+    with open(folder / "history.csv") as file:
+        return list(csv.DictReader(file))
+
+
+def difference(expected, found):
+    """(largest difference, its column and row): of each column in parts of its largest magnitude."""
+    if len(expected) != len(found) or not expected:
+        return float("inf"), f"{len(found)} rows, not {len(expected)}"
+    worst, place = 0.0, "all columns are equal"
+    for column in expected[0]:
+        if column in NOT_COMPARED or column.startswith("wall_time"):
+            continue
+        pairs = [(row[column], other.get(column, "")) for row, other in zip(expected, found)]
+        if any((x == "") != (y == "") for x, y in pairs):
+            return float("inf"), f"{column} is empty in one"
+        numbers = [(float(x), float(y)) for x, y in pairs if x != ""]
+        scale = 1 if column in ABSOLUTE else max([abs(x) for x, _ in numbers] + [1e-12])
+        for n, (x, y) in enumerate(numbers):
+            off = abs(x - y) / scale if x == x and y == y else 0 if x != x and y != y else float("inf")
+            if off > worst:
+                worst, place = off, f"{column}, row {n}: {y!r}, not {x!r}"
+    return worst, place
+
+
+class Comparison:
+    """Runs scenes with both programs."""
+
+    def __init__(self, cuda, release, runtime, limit):
+        self.cuda, self.release, self.runtime, self.limit = cuda, release, runtime, limit
+        self.out = runtime.folder / "scenes"
+        self.out.mkdir(exist_ok=True)
+        self.expected = {}  # of each scene: exit code, rows, seconds
+
+    def words(self, program, scene, folder):
+        settings = list(scene.settings)
+        if not {FULL, REDUCED} & set(settings) and not (self.cuda.reduced and self.release.reduced):
+            settings.append(FULL)
+        settings += [f"time.max_steps={scene.steps}", "output.history.every=1", "output.fields.times=[]"]
+        shutil.rmtree(folder, ignore_errors=True)
+        return [program, "run", CASES / f"{scene.case}.toml", "--out", folder, "--quiet",
+                *(word for setting in settings for word in ("--set", setting))]
+
+    def reference(self, name, scene):
+        if name not in self.expected:
+            folder = self.out / (re.sub(r"\W+", "_", name) + "_expected")
+            code, text, seconds = run(self.words(self.release.program, scene, folder), os.environ, self.limit)
+            if code != 0:
+                print(text)
+            self.expected[name] = code, rows(folder) if code == 0 else [], seconds
+        return self.expected[name]
+
+    def compare(self, name, scene, **variables):
+        """(what is wrong or "", a line about the run)"""
+        code, expected, first = self.reference(name, scene)
+        if code != 0:
+            return f"the reference ended with exit code {code}", ""
+        folder = self.out / re.sub(r"\W+", "_", name)
+        words = self.words(self.cuda.program, scene, folder)
+        code, text, seconds = run(words, self.runtime.environment(**variables), self.limit)
+        (self.out / (folder.name + ".log")).write_text(text)
+        found = re.findall(r"FAULT.*|cannot go on.*", text)
+        written = rows(folder) if (folder / "history.csv").is_file() else []
+        off, place = difference(expected, written)
+        wrong = [f"exit code {code}"] if code != 0 else []
+        wrong += [f"{len(found)} faults, the first: {found[0]}"] if found else []
+        wrong += [f"differs by {off:.2g} of {scene.allowed:g}: {place}"] if not off <= scene.allowed else []
+        return "; ".join(wrong), f"{off:.2g} of {scene.allowed:g} ({place}); {first:.1f} s, {seconds:.1f} s"
+
+
+def compare_all(comparison, scenes, seeds, variables):
+    failed = 0
+    for seed in seeds:
+        for name, scene in scenes.items():
+            wrong, line = comparison.compare(name, scene, EMU_SEED=seed, **variables)
+            failed += bool(wrong)
+            print(f"emulated: {'FAILED' if wrong else 'ok'}: {name}, seed {seed}: {wrong or line}", flush=True)
+    print(f"emulated: {len(scenes)} scenes, {len(seeds)} seeds, {failed} failed")
+    return 1 if failed else 0
+
+
+def barriers_of(report, text):
+    """{(kernel, number): where} of barriers that a run has passed, from a report of the runtime."""
+    kernel, found = "", {}
+    for line in report.read_text().splitlines():
+        if line.startswith("kernel "):
+            kernel = line[7:]
+        elif barrier := re.match(r"  barrier (\d+) at (.*): passed (\d+)", line):
+            if int(barrier[3]) and text in kernel:
+                found[kernel, int(barrier[1])] = barrier[2]
+    return found
+
+
+def leave_out_barriers(comparison, scenes, text):
+    """Leaves out one barrier after another of the kernels whose names have the text, in each scene that passes it."""
+    passed, noticed = {}, {}
+    report = comparison.out / "report.txt"
+    for name, scene in scenes.items():
+        wrong, _ = comparison.compare(name, scene, EMU_REPORT="2", EMU_REPORT_FILE=str(report), EMU_REPORT_ONLY=text)
+        if wrong:
+            print(f"emulated: FAILED: {name}: {wrong}")
+            return 1
+        for (kernel, number), where in barriers_of(report, text).items():
+            passed[kernel, number] = where
+            if noticed.get((kernel, number)):
+                continue
+            noticed[kernel, number], _ = comparison.compare(name, scene, EMU_CHECK="2", EMU_STOP="1", EMU_DROP=str(number),
+                                                            EMU_DROP_IN=kernel)
+    missed = [barrier for barrier in passed if not noticed[barrier]]
+    for kernel, number in missed:
+        print(f"emulated: NOT NOTICED: barrier {number} at {passed[kernel, number]} of {kernel[:300]}")
+    print(f"emulated: {len(passed)} barriers were left out, {len(missed)} were not noticed")
+    return 1 if missed else 0
+
+
+def run_unit_tests(cuda, runtime, part, limit):
+    """One slice of the unit tests of a CUDA build."""
+    number, count = (int(word) for word in part.split("/"))
+    variables = {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(number - 1), "EMU_CHECK": "2"}
+    code, text, seconds = run([cuda.folder / "softwet_unit", "--gtest_brief=1"], runtime.environment(**variables), limit)
+    found = re.findall(r"FAULT.*|cannot go on.*", text)
+    good = code == 0 and not found and "PASSED" in text
+    if not good:
+        print(text[-8000:])
+    result = "ok" if good else f"FAILED: exit code {code}, {len(found)} faults"
+    print(f"emulated: unit tests, slice {part}: {result}; {seconds:.0f} s")
+    return 0 if good else 1
+
+
+def options():
+    parser = argparse.ArgumentParser(usage=__doc__, add_help=False)
+    parser.add_argument("cuda", type=pathlib.Path)
+    parser.add_argument("release", type=pathlib.Path)
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--seeds")
+    parser.add_argument("--only", default="")
+    parser.add_argument("--unit")
+    parser.add_argument("--barriers")
+    parser.add_argument("--limit", type=int, default=900)
+    return parser.parse_args()
+
+
+def main():
+    if len(sys.argv) > 1 and sys.argv[1] in ("-h", "--help"):
+        print(__doc__)
+        return 0
+    given = options()
+    cuda, release = Build(given.cuda), Build(given.release)
+    wanted = {name: scene for name, scene in make_scenes().items()
+              if given.only in name and (given.all or given.only or scene.fast)}
+    scenes = {}
+    for name, scene in wanted.items():
+        if missing := lacks(scene, cuda, release):
+            print(f"emulated: left out: {name}: no {missing}")
+        else:
+            scenes[name] = scene
+    if given.list:
+        print("\n".join(scenes))
+        return 0
+    if not scenes and not given.unit:
+        print("emulated: no scene is left; --list --all prints the names")
+        return 1
+    runtime = Runtime(cuda)
+    if given.unit:
+        return run_unit_tests(cuda, runtime, given.unit, given.limit)
+    comparison = Comparison(cuda, release, runtime, given.limit)
+    if given.barriers:
+        return leave_out_barriers(comparison, scenes, given.barriers)
+    seeds = (given.seeds or ("0,7" if given.all else "0")).split(",")
+    return compare_all(comparison, scenes, seeds, {"EMU_CHECK": "2", "EMU_LATE": "1"} if given.all else {})
+
+
+if __name__ == "__main__":
+    sys.exit(main())
