@@ -6,7 +6,7 @@
 
 namespace softwet {
 
-/// Exit codes of the program (docs/five_minutes.md: contract with the user).
+/// Exit codes of the program (docs/quick_start.md: contract with the user).
 enum class Exit { done = 0, invalid_input = 1, computation_failed = 2, machine_failed = 3 };
 
 /// Thrown wherever softwet cannot go on. `what()` is the whole message shown to the user: place, value, range, remedy.

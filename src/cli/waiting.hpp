@@ -10,7 +10,7 @@ namespace softwet {
 /// GCC looks 300000 times, which takes milliseconds: on a machine that others use too, a thread then holds its core to the
 /// end of its turn while it waits for a thread that has none. With this number of looks it sleeps after some thirty
 /// microseconds. The runtime reads the variable when it is loaded, which is before main, so that the program has to begin
-/// again. docs/performance.md has what was measured. Tested: tests/regression/waiting.py
+/// again. docs/development/performance.md has what was measured. Tested: tests/regression/waiting.py
 void choose_waiting(char** argv);
 
 }  // namespace softwet

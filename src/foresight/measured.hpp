@@ -24,7 +24,7 @@ inline constexpr double error_to_tell = 0.01;
 inline constexpr double ridge_degree_2 = 1.7, ridge_degree_2_rate = 6, ridge_degree_2_exponent = 0.3;
 inline constexpr double ridge_degree_3 = 0.52, ridge_degree_3_rate = 5, ridge_degree_3_exponent = 0.15;
 
-// Tolerances that cost steps: solver.newton.atol of cases/tensotaxis_pull_2d.toml, docs/solver_choices.md.
+// Tolerances that cost steps: solver.newton.atol of cases/tensotaxis_pull_2d.toml, docs/development/solver_choices.md.
 inline constexpr double loose_tolerance = 1e-5;
 
 // Density of a solid over its liquid, or of the liquid over the solid, that no gel and no metal has: a warning says

@@ -20,7 +20,7 @@ inline std::vector<PreconditionerKind> preconditioners() {
 #endif
 }
 
-/// Number of unknowns up to which `automatic` takes LU in 3D (docs/solver_choices.md).
+/// Number of unknowns up to which `automatic` takes LU in 3D (docs/development/solver_choices.md).
 constexpr int small_in_3d = 3000;
 
 /// lu: by fronts one after the other, or on a device by those of a level together.

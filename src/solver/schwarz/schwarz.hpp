@@ -17,7 +17,7 @@ struct SchwarzControl {
 
   /// Wider boxes need fewer iterations and more memory; these are a compromise. In three dimensions one more level is
   /// faster than factors of 25 000 unknowns. Boxes share inverses as far as that costs no iterations
-  /// (docs/solver_choices.md). On a device nothing is done on the host.
+  /// (docs/development/solver_choices.md). On a device nothing is done on the host.
   static SchwarzControl for_dimension(int d) {
     SchwarzControl c = d == 2 ? SchwarzControl{.width = box_width(2), .stride = 6}
                               : SchwarzControl{.width = box_width(3), .stride = 3, .direct_up_to = 10000};
@@ -34,7 +34,7 @@ struct SchwarzControl {
 /// of the number of boxes that hold the unknown; A_c = P^T A P on half as many elements per axis, and so on below.
 /// With `multiplicative` the boxes get the residual that the coarse correction leaves, r - A P A_c^-1 P^T r, and half of
 /// their answer is added. This takes fewer iterations and costs a product with A P, which is cheap on the coarse levels.
-/// The finest level is additive (docs/solver_choices.md says why).
+/// The finest level is additive (docs/development/solver_choices.md says why).
 /// Applying is one dense product for each box, on the host or a device (solver/schwarz/boxes.hpp); sums have a fixed order.
 /// Of several processes each has the boxes that touch its own columns, on every level whose columns can be cut as the
 /// finest one's are. The others are collected and done alike by all. The layout has width - 1 columns beside one's own, the

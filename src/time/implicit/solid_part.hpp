@@ -9,7 +9,7 @@ namespace softwet {
 
 /// Unknowns whose own part of the Jacobian grows and falls with the time step as a whole: the velocities of a solid. Their
 /// part of the answer of a preconditioner is multiplied by the ratio of the sizes at its build and now. So a preconditioner
-/// lives longer while steps grow (docs/solver_choices.md).
+/// lives longer while steps grow (docs/development/solver_choices.md).
 struct SolidPart {
   struct Range {
     int first, last;

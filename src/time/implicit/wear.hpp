@@ -9,7 +9,7 @@ namespace softwet {
 /// How much a lagged preconditioner has wasted. Linear solves that together gain four digits, about those of a step, make a
 /// window; one solve would be no measure, because those of a step differ. Waste are the iterations of a window above those of
 /// the best one so far and a third more. When it reaches a quarter of the cost of a build a new preconditioner is due
-/// (docs/solver_choices.md gives the reasons). Where a new one is no better than the old one was at its end, it is kept twice as long,
+/// (docs/development/solver_choices.md says why). Where a new one is no better than the old one was at its end, it is kept twice as long,
 /// up to four times.
 class Wear {
  public:
