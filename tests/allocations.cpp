@@ -1,5 +1,5 @@
-// Replaces operator new of the test program by one that counts. It is a library of its own: sources that see both this and its
-// callers are warned of a mismatch that is none, and compilers for a device refuse its exception.
+// Replaces operator new of the test program by one that counts. It is a library of its own: sources that see both this
+// and its callers are warned of a mismatch that is none, and compilers for a device refuse its exception.
 #include "allocations.hpp"
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// The tile kernels whose machine code machine_code.py counts: the fluid alone, so that a kernel has one loop of passes, and with reduced
-// quadrature the terms of explicit steps, each in a launch of its own as there, and the fluid.
+// The tile kernels whose machine code machine_code.py counts: the fluid alone, so that a kernel has one loop of passes,
+// and with reduced quadrature the terms of explicit steps, each in a launch of its own as there, and the fluid.
 #include "kernels/fluid/explicit_terms.hpp"
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
 #include "scene/piece.hpp"

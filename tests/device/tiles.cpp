@@ -1,5 +1,5 @@
-// The tile kernels whose instructions loops.py counts: the fluid on a moving mesh, with full and with reduced quadrature, whose kernels
-// a CUDA build need not have.
+// The tile kernels whose instructions loops.py counts: the fluid on a moving mesh, with full and with reduced
+// quadrature, whose kernels a CUDA build need not have.
 #include "kernels/fluid/navier_stokes_korteweg.hpp"
 #include "scene/piece.hpp"
 

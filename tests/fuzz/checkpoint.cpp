@@ -1,8 +1,9 @@
 // A checkpoint built from the input, object by object: left out, of another type, of another shape, with other numbers.
 //
 // Properties: nothing but an Error of bad input comes out, and its message names the file; a run that is accepted has
-// the sizes asked for, finite numbers, times and counts that are not negative, and a step size above zero. The same holds for
-// what an explicit scheme remembers (its vectors, and the rates that bound its step) and for a preconditioner's age.
+// the requested sizes, finite numbers, times and counts that are not negative, and a step size above zero. The memory
+// of an explicit scheme (its vectors, and the rates that bound its step) and the age of a preconditioner obey the same
+// rules.
 #include <fuzzer/FuzzedDataProvider.h>
 #include <hdf5.h>
 

@@ -1,8 +1,8 @@
-// history.csv opened again by a resumed run. Input: how much of the file belongs to the checkpoint, one byte of it that changes, then
-// the file.
+// history.csv opened again by a resumed run. Input: how much of the file belongs to the checkpoint, one byte of it that
+// changes, then the file.
 //
-// Properties: nothing but an Error of bad input comes out; what stays is what the checkpoint knows; opening again changes nothing; rows
-// can be added.
+// Properties: nothing but an Error of bad input comes out; what stays is what the checkpoint knows; opening again
+// changes nothing; rows can be added.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// What the parts of the CUDA runtime without a device share: what is counted, and whether launches are being recorded.
+// What the parts of the CUDA runtime without a device share: the counts, and whether launches are being recorded.
 #pragma once
 
 #include <cuda_runtime_api.h>

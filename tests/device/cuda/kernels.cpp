@@ -1,10 +1,11 @@
-// A CUDA runtime without a device: kernels. They do nothing but being counted, so a program that nvcc compiled runs all its code of
-// the host. Numbers that it prints mean nothing.
+// A CUDA runtime without a device: kernels. They do nothing but being counted, so a program that nvcc compiled runs all
+// its code of the host. Numbers that it prints mean nothing.
 //
-// What a device refuses is refused here too: launches that ask for more than a multiprocessor has, and calls that are forbidden while
-// launches are recorded. The chip is that of an H100. Variables of the environment:
-//   SOFTWET_STUB_REPORT   file for what was counted, one line "name number" each
-//   SOFTWET_STUB_KERNELS  what kernels need, one line "name registers shared_bytes" each; without it each has 32 registers
+// Requests that a device refuses are refused here too: launches that ask for more than a multiprocessor has, and calls
+// that are forbidden while launches are recorded. The chip has the limits of an H100. Variables of the environment:
+//   SOFTWET_STUB_REPORT   file for the counts, one line "name number" each
+//   SOFTWET_STUB_KERNELS  what kernels need, one line "name registers shared_bytes" each; without it each has 32
+//     registers
 //   SOFTWET_STUB_SHARED   bytes of shared memory of a multiprocessor, for a smaller chip
 #include <cstdio>
 #include <cstring>
@@ -37,7 +38,7 @@ std::size_t shared_of_multiprocessor() {
   return given ? std::strtoull(given, nullptr, 10) : 228 << 10;
 }
 
-/// What is known of kernels by their names in the program.
+/// The needs of kernels by their names in the program.
 class Kernels {
  public:
   Kernels() {
@@ -82,7 +83,7 @@ struct Launch {
 
 extern "C" {
 
-// --- kernels -----------------------------------------------------------------------------------------------------------
+// --- kernels ---------------------------------------------------------------------------------------------------------
 void** __cudaRegisterFatBinary(void*) {
   static void* handle;
   return &handle;
@@ -141,7 +142,7 @@ cudaError_t cudaFuncGetAttributes(cudaFuncAttributes* found, const void* functio
 cudaError_t cudaFuncSetAttribute(const void*, cudaFuncAttribute, int) { return cudaSuccess; }
 cudaError_t cudaFuncSetCacheConfig(const void*, cudaFuncCache) { return cudaSuccess; }
 
-// --- the device --------------------------------------------------------------------------------------------------------
+// --- the device ------------------------------------------------------------------------------------------------------
 cudaError_t cudaGetDeviceCount(int* count) {
   *count = 1;
   return cudaSuccess;

@@ -1,4 +1,5 @@
-// A CUDA runtime without a device: memory of the device is memory of the host, copies copy, and streams, events and graphs are handles.
+// A CUDA runtime without a device: memory of the device is memory of the host, copies copy, and streams, events and
+// graphs are handles.
 #include <cstring>
 
 #include "counts.hpp"
@@ -30,7 +31,7 @@ cudaError_t copy(void* to, const void* from, std::size_t bytes) {
 
 extern "C" {
 
-// --- memory ------------------------------------------------------------------------------------------------------------
+// --- memory ----------------------------------------------------------------------------------------------------------
 cudaError_t cudaMalloc(void** place, std::size_t bytes) {
   const cudaError_t error = unless_recording();
   return error ? error : allocate(place, bytes);
@@ -75,7 +76,7 @@ cudaError_t cudaPointerGetAttributes(cudaPointerAttributes* found, const void* p
   return cudaSuccess;
 }
 
-// --- streams, events, graphs -------------------------------------------------------------------------------------------
+// --- streams, events, graphs -----------------------------------------------------------------------------------------
 cudaError_t cudaDeviceSynchronize() { return wait(); }
 cudaError_t cudaStreamSynchronize(cudaStream_t) { return wait(); }
 cudaError_t cudaStreamCreate(cudaStream_t* stream) { return make(stream); }

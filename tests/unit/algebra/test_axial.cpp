@@ -30,7 +30,7 @@ class Axial : public testing::Test {
   std::mt19937 random_{20261127};
 };
 
-/// The third axis is that of the angle.
+/// The third axis is the angle.
 Matrix<double, 3> full(const AxialMatrix<double>& a) {
   Matrix<double, 3> m{};
   for (int i = 0; i < 2; ++i)

@@ -29,7 +29,7 @@ TEST(GelFit, HasBranchesForEachDecadeAndOneMoreOnBothSides) {
   EXPECT_EQ(GelFit::of(2.5, {}).viscosity, 0);
 }
 
-// G is that of the solid at rest; a gel beside branches that are given has both.
+// G belongs to the solid at rest; a gel combined with given branches has both.
 TEST(GelFit, GoesBesideWhatIsGiven) {
   Substrate s;
   s.density = 2;
@@ -48,7 +48,8 @@ TEST(GelFit, GoesBesideWhatIsGiven) {
   EXPECT_DOUBLE_EQ(shear_viscosity(s), 0.1 + fit.viscosity);
 }
 
-// At w time = 10 the modulus is |1 + sqrt(10 i)| = 3.9103 times that of the solid at rest: without branches 1 - 1/.. of it is missing.
+// At w time = 10 the modulus is |1 + sqrt(10 i)| = 3.9103 times the modulus at rest: without branches 1 - 1/.. of it is
+// missing.
 TEST(GelFit, KnowsWhatIsMissing) {
   const PowerLaw law{0.5, 1, {-1, 1}};
   const double real = 1 + std::sqrt(5.0), imaginary = std::sqrt(5.0);

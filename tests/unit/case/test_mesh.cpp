@@ -78,7 +78,7 @@ TEST(Mesh, AroundAPeriodicAxisNeighboursKeepTheRatio) {
   EXPECT_GT(graded_axes, 1000);
 }
 
-/// What was right is as it was: elements that have grown to the longest ones on both sides meet at the seam.
+/// A correct mesh stays as it was: elements that have grown to the longest ones on both sides meet at the seam.
 TEST(Mesh, APeriodicAxisWhoseEndsAreAlikeIsThatBetweenWalls) {
   Case c = around(54, 74, 128, 2, 1.3);
   const std::vector<double> ring = graded_breaks(c, 0);

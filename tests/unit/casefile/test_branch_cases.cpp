@@ -1,4 +1,4 @@
-// Cases with a viscoelastic solid: what they may say, and what is refused.
+// Cases with a viscoelastic solid, accepted and refused.
 #include "case/gel.hpp"
 #include "unit/casefile/bad_case.hpp"
 

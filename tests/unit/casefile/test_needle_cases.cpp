@@ -1,4 +1,4 @@
-// Cases with needles: what they may say, and what is refused.
+// Cases with needles, accepted and refused.
 #include <fmt/core.h>
 
 #include "casefile/checks/stiff_parts.hpp"

@@ -13,7 +13,7 @@ namespace softwet::testing_tools {
 
 class KeptMemory final : public StepMemory {
  public:
-  /// From now on visits put back what was kept.
+  /// Makes later visits put back the kept values.
   void put_back() { restores_ = true; }
 
   bool restores() const override { return restores_; }

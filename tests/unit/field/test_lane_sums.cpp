@@ -1,4 +1,5 @@
-// Sums as a device adds them up, with a thread for each of the sums of an item and a team for each sum of blocks, against the host.
+// Sums as a device adds them up, with a thread for each of the sums of an item and a team for each sum of blocks,
+// against the host.
 #include "field/lane_sums.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,8 @@
 namespace softwet {
 namespace {
 
-/// Numbers of 18 bits and very different sizes. Products of two of them and a weight of few bits are exact, so that a compiler may
-/// contract or not; sums are rounded, so that their order shows.
+/// Numbers of 18 bits and very different sizes. Products of two of them and a weight of few bits are exact, so that a
+/// compiler may contract or not; sums are rounded, so that their order shows.
 double number(int i, int kind) {
   std::uint64_t h = (std::uint64_t(i) * 3 + kind + 1) * 0x9E3779B97F4A7C15u;
   h ^= h >> 29;
@@ -39,7 +40,8 @@ struct Vectors {
         y(numbers<Real>(size, 1)),
         z(numbers<Real>(size, 2)) {}
 
-  /// All kinds of sums: of squares, of products with one and with two vectors, without and with weights, and of entries.
+  /// All kinds of sums: of squares, of products with one and with two vectors, without and with weights, and of
+  /// entries.
   std::vector<StripSums<Real>> kernels() const {
     RangeFactors whole_lines, any;
     const int line = size / 3 / space.stored * space.stored;

@@ -38,7 +38,7 @@ TEST(Vector, CombineAddMultiply) {
 
   std::vector<double> bad(100, std::nan(""));
   const Array fresh = to_device<Array>(bad);
-  combine(fresh, 2, to_device<Array>(x), 0);  // factor zero: what was there does not matter
+  combine(fresh, 2, to_device<Array>(x), 0);  // factor zero: the old values do not matter
   r = to_host(fresh);
   for (int i = 0; i < 100; ++i) EXPECT_EQ(r[i], 2 * x[i]);
 
@@ -56,7 +56,8 @@ TEST(Vector, CombineAddMultiply) {
 /// Vectors on lines of so many columns that one process has.
 VectorSpace lines_of(int columns) { return VectorSpace(cut_columns(Axis(1.0, columns - 2, 2), 0, 1)); }
 
-// Vectors of the columns of a mesh are summed by strips; others as a whole. Those of columns are whole lines of them.
+// Vectors of the columns of a mesh are whole lines of columns and are summed by strips; other vectors are summed as a
+// whole.
 TEST(Vector, NormsOfSeveralParts) {
   const Array x = to_device<Array>(ramp(24 * 150 + 7, 1.1));
   struct Part {
@@ -130,7 +131,7 @@ TEST(Vector, WeightedNorm) {
     }
 }
 
-// Vectors of single precision: what is added up is double, so that a sum of many small parts keeps them.
+// Vectors of single precision are summed in double precision, so that a sum of many small parts keeps them.
 TEST(Vector, SumsOfSinglePrecisionAreDouble) {
   const int n = 1 << 20;
   const ArrayOf<float> x("x", n);

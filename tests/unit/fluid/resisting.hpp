@@ -13,7 +13,8 @@ inline Case resisting(Case c) {
   return c;
 }
 
-/// What the term adds to the equation of the potential, times the rate of the density: minus the dissipation. And the product of the scene.
+/// What the term adds to the equation of the potential, times the rate of the density: minus the dissipation. And the
+/// product of the scene.
 template <int D>
 void check_scene(Case c) {
   c.fluid->contact_angle = resisting(c).fluid->contact_angle;

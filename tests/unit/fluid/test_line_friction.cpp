@@ -30,8 +30,8 @@ EnergyWall wall_of(const Fluid& f) {
           state};
 }
 
-/// Force along the wall on a line with the profile of the interface at rest that moves with a speed: the integral over the density of what
-/// stands in the equation of the potential.
+/// Force along the wall on a line with the profile of the interface at rest that moves with a speed: the integral over
+/// the density of what stands in the equation of the potential.
 double force_on_line(const Fluid& f, double speed) {
   const EnergyWall wall = wall_of(f);
   const LineFriction term = line_friction_of(f, wall);
@@ -101,7 +101,7 @@ TEST(LineFriction, TangentAgainstDifferences) {
     }
 }
 
-/// The slope of R by the rate in a product, R = F - K h, with what is added.
+/// The slope of R by the rate in a product, R = F - K h, with the addition of LineFrictionBend.
 double slope(const LineFriction& law, double rho, double rate, double unbalanced) {
   const Dual<double> of_law =
       law.residual(WettingTrial<Dual<double>, 2>{Dual<double>(rho, 0.0), Dual<double>(rate, 1.0)}).potential;

@@ -79,7 +79,8 @@ const std::vector<Scene> scenes = {
 double rounding_of_excess(const Row& r, double epsilon, double sums) {
   return epsilon * (std::abs(r.slope * r.density) + sums * r.excess);
 }
-/// In double precision: that of the small coefficients too, which are the difference of numbers 1/(1 - theta) times larger.
+/// Rounding in double precision, with the rounding of the small coefficients, which are the difference of numbers 1/(1
+/// - theta) times larger.
 double rounding_of_excess(const Scene& s, const Row& r) { return rounding_of_excess(r, 2.3e-16, 5 / (1 - s.theta)); }
 
 TEST(Excess, AllDigitsCloseToThePhases) {
@@ -97,7 +98,8 @@ TEST(Excess, SinglePrecisionKeepsItsDigits) {
     }
 }
 
-// Of the same density in double precision; errors are given as parts of the largest force and of its largest derivative.
+// Compares with the same density in double precision; errors are given as parts of the largest force and of its largest
+// derivative.
 TEST(Excess, ForceAndDerivativeInSinglePrecision) {
   using P = Pack<float>;
   for (const Scene& s : scenes) {
@@ -194,7 +196,8 @@ TEST(WallEnergy, PacksOfBothPhasesAndOutside) {
   }
 }
 
-// f_w(liquid) - f_w(vapour) = -cos(alpha) sigma: Young's law. The tension at theta = 0.39, to ten digits: equilibrium.py.
+// f_w(liquid) - f_w(vapour) = -cos(alpha) sigma: Young's law. The tension at theta = 0.39, to ten digits:
+// equilibrium.py.
 TEST(WallEnergy, GivesYoungsLaw) {
   const WallEnergy wall = WallEnergy::of(scenes[0].law(0));
   EXPECT_NEAR(wall.value(wall.law.state.density_liquid), -0.5 * 0.1 * 0.2532027493, 1e-9 * 0.0126);

@@ -1,4 +1,4 @@
-// What is foretold against what was measured: docs/verification/extremes.md, locking.md, and runs of single droplets.
+// Forecasts compared with measurements: docs/verification/extremes.md, locking.md, and runs of single droplets.
 #include "foresight/forecast.hpp"
 
 #include <gtest/gtest.h>
@@ -151,7 +151,8 @@ TEST(Forecast, SolidTooSoftForItsDroplet) {
   EXPECT_TRUE(tells(heavy, "the Young modulus is 8 a b^2"));
 }
 
-/// Radius, angle and stiffness as in scenes sampled at random (docs/limits.md): at 0.5 capillarities none of eight stopped, at 0.65 one.
+/// Radius, angle and stiffness as in scenes sampled at random (docs/limits.md): at 0.5 capillarities none of eight
+/// stopped, at 0.65 one.
 TEST(Forecast, SoftnessThatDependsOnTheScene) {
   const auto doubts = [](double length_over_capillarity) {
     Case c = soft(0.2532027 / length_over_capillarity);
@@ -184,7 +185,8 @@ TEST(Forecast, LockingAsMeasured) {
   }
 }
 
-/// docs/limits.md: the softest solids that went through, with the surface tension of the solid over that of the liquid.
+/// docs/limits.md: the softest solids that went through, by the surface tension of the solid over the surface tension
+/// of the liquid.
 TEST(Forecast, SoftSolidsThatTensionHolds) {
   const struct {
     double tension, through, stopped;  ///< sigma / (E capillarity)
@@ -290,7 +292,7 @@ TEST(Forecast, CapsAndFilmsAreNearWhereTheyMeetTheWall) {
   EXPECT_TRUE(tells(c, "film[0] and film[1] are 0.05 apart (and 1 more)"));
 }
 
-/// As many as a field of droplets has; each looks at those beside it alone.
+/// As many droplets as a field has; each looks at its neighbours alone.
 TEST(Forecast, ManyDroplets) {
   Case c = forecast_droplet(0.39, 90, 4);
   c.domain = {.size = {100, 100}, .elements = {6400, 6400}, .degree = 2};

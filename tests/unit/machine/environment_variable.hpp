@@ -12,7 +12,7 @@ namespace softwet::testing_tools {
 /// Values of variables; nothing: it is not set.
 using Variables = std::map<std::string, std::optional<std::string>>;
 
-/// Sets variables, or takes them out, and puts back what was there.
+/// Sets variables, or removes them, and restores their old values.
 class Environment {
  public:
   explicit Environment(const Variables& values) {

@@ -1,4 +1,4 @@
-// The number of threads: what is asked for, the environment, the control groups, and the limit of Kokkos.
+// The number of threads: the request, the environment, the control groups, and the limit of Kokkos.
 #include "machine/threads.hpp"
 
 #include <gtest/gtest.h>

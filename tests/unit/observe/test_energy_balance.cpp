@@ -17,7 +17,7 @@ TEST(EnergyBalance, WhatIsFedIsNoRise) {
   for (int k = 0; k <= 10; ++k) EXPECT_EQ(balance.follow(state(k, 2.0 * k, 0, 2), {0.01}), 0) << k;
   EXPECT_NEAR(balance.rise, 0, 1e-14);
   EXPECT_NEAR(balance.fed, 20, 1e-13);
-  // A quarter of what was fed in may be missing, because powers are known at the states alone.
+  // A quarter of the energy fed in may be missing, because powers are known at the states alone.
   EXPECT_EQ(balance.follow(state(11, 20 + 2 + 5.4, 0, 2), {0.01}), 0);
   EXPECT_GT(balance.follow(state(12, 20 + 4 + 6.1, 0, 2), {0.0}), 0);
 }
@@ -64,7 +64,7 @@ TEST(EnergyBalance, AnEpisodeIsReportedOnce) {
   EXPECT_TRUE(told(5, 10.7)) << "another one";
 }
 
-// An energy that swings below the one that is kept, and then stands above its first value.
+// An energy that swings below the kept energy, and then stands above its first value.
 TEST(EnergyBalance, OneThatSwingsIsHeldAgainstItsFirstValue) {
   constexpr EnergyRule rule{0.25, EnergyFloor::first};
   EnergyBalance balance;
@@ -83,7 +83,7 @@ TEST(EnergyBalance, WhatIsLostCannotBeGainedBack) {
   EXPECT_NEAR(balance.follow(state(2, 9, 1, 0, 2), rule), 3, 1e-12) << "10 - 4 would be right";
 }
 
-// At rest nothing moves and nothing was lost: what is left is round-off.
+// At rest nothing moves and nothing was lost: only round-off is left.
 TEST(EnergyBalance, RoundOffIsNoRise) {
   EnergyBalance balance;
   for (int k = 0; k < 1000; ++k)

@@ -1,4 +1,5 @@
-// The pieces that the program has compiled, in src/scene/pieces.cpp and pieces_single.cpp: it is these that tests are to test.
+// The pieces that the program has compiled, in src/scene/pieces.cpp and pieces_single.cpp: it is these that tests are
+// to test.
 #pragma once
 
 #include "kernels/fluid/line_friction.hpp"

@@ -225,7 +225,8 @@ struct NaiveRule {
 /// The whole elements, or their face at the low or high end of the last axis.
 enum NaiveFace { no_face, low_face, high_face };
 
-/// body(point, weight in the reference) at `points` Gauss points per axis; on a face: that of the first element.
+/// body(point, weight in the reference) at `points` Gauss points per axis; on a face, at the points of the first
+/// element.
 template <int D>
 void for_points(const Layout<D>& l, int points, int first, int last, int face, const NaiveMotion<D>* motion,
                 const std::function<void(const NaivePoint<D>&, double)>& body) {

@@ -84,7 +84,7 @@ struct Patch {
     stage.branch_weight = 0.7;
   }
 
-  /// The same patch with rates of the density beside the wall.
+  /// This patch with rates of the density at the wall.
   Patch with_rates() const {
     Patch p = *this;
     p.layout.rate_rows = p.layout.axis[D - 1].degree() + 1;
@@ -92,7 +92,7 @@ struct Patch {
     return p;
   }
 
-  /// The same patch with branches of the solid.
+  /// This patch with branches of the solid.
   Patch with_branches() const {
     Patch p = *this;
     p.layout.branches = 1;
@@ -101,7 +101,7 @@ struct Patch {
     return p;
   }
 
-  /// The same patch where each point of the solid remembers as many numbers.
+  /// This patch, where each point of the solid remembers `size` numbers.
   Patch with_point_memory(int size) const {
     Patch p = *this;
     const Region<D> r = solid();

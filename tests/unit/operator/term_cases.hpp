@@ -110,7 +110,7 @@ struct TermCases {
   static std::vector<int> equations(const Axisymmetric<Term>& term) {
     return equations(static_cast<const Term&>(term));
   }
-  /// Of all others: momentum.
+  /// Equations of all other terms: momentum.
   template <class Term>
   static std::vector<int> equations(const Term&) {
     return from(0, D);
@@ -144,7 +144,7 @@ struct TermCases {
     return sum;
   }
 
-  /// Motion<D, Real> is that of the fluid's mesh.
+  /// Motion<D, Real> is the motion of the fluid's mesh.
   template <template <int, class> class Motion, class Term>
   void check(const char* name, const Term& term, const Region<D>& region, int first, int last,
              int only_row = -1) const {

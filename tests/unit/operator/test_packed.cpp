@@ -18,7 +18,8 @@ TEST(Packed, GivesBackWhatWasPacked) {
   for (int i = 0; i < 16; ++i) EXPECT_EQ(unpacked(sixteen, i), 15 - i);
 }
 
-/// Fields of a product: the slots, and behind them the tangents of the unknowns that some slot follows from, in their order.
+/// Fields of a product: the slots, and behind them the tangents of the unknowns that some slot follows from, in their
+/// order.
 template <class Term, int D>
 void check_fields(const char* name) {
   using Trial = typename Term::template Trial<double, D>;

@@ -1,4 +1,4 @@
-// The driver in degree 3, with terms that compile quickly: in the volume, on the wall, and in the layer beside it.
+// The driver in degree 3, with terms that compile quickly: in the volume, on the wall, and in the layer at the wall.
 #include "term_cases.hpp"
 
 namespace softwet::testing_tools {

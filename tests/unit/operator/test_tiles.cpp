@@ -84,7 +84,8 @@ TEST(Tiles2D, BlendedTraction) {
   c.check<WallMotion<2>>("capillary_traction", c.terms.traction, r);
 }
 
-/// Fewer points than degree + 1: slopes are swept. Element counts are no multiples of a tile, and others are less than one.
+/// Fewer points than degree + 1: slopes are swept. Element counts are no multiples of a tile, and others are less than
+/// one.
 class ReducedTiles2D : public testing::Test {
  protected:
   void SetUp() override {

@@ -1,5 +1,5 @@
-// A team of threads of the host in place of one of a device. A barrier that is missing shows here, but for luck, and to the
-// thread sanitizer always.
+// A team of threads of the host in place of one of a device. A barrier that is missing shows here, but for luck, and to
+// the thread sanitizer always.
 #pragma once
 
 #include <barrier>

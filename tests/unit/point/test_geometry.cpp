@@ -18,7 +18,7 @@ TEST(Geometry, AffineMapByHand) {
   const auto g = p.physical({{10, 23.5}});
   EXPECT_DOUBLE_EQ(g[0], 5);
   EXPECT_DOUBLE_EQ(g[1], 7);
-  // Power of a flux is the same in both configurations: J flux . grad_x q = reference_flux . Grad q.
+  // The power of a flux is equal in both configurations: J flux . grad_x q = reference_flux . Grad q.
   const Vector<double, 2> flux{{0.3, -1.1}};
   const auto f = p.reference_flux(flux);
   EXPECT_NEAR(f[0] * 10 + f[1] * 23.5, 6 * (0.3 * 5 - 1.1 * 7), 1e-13);

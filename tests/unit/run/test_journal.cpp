@@ -1,5 +1,5 @@
-// A run whose rows and field files are written beside its steps leaves the files of one that waits for them, and ends alike where one
-// fails.
+// A run that writes rows and field files during its steps leaves the same files as a run that waits for them, and ends
+// in the same way where one fails.
 #include "run/journal.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,8 @@ struct Finished {
     for (std::size_t at; (at = text.find(place)) != std::string::npos;) text.replace(at, place.size(), "OUT");
     return text;
   }
-  /// All files but the checkpoint; of run.json the end alone, without the time of day: events, why it stopped, and the last row.
+  /// All files but the checkpoint; of run.json the end alone, without the time of day: events, why it stopped, and the
+  /// last row.
   std::map<std::string, std::string> files() const {
     std::map<std::string, std::string> all;
     for (const auto& entry : fs::recursive_directory_iterator(folder / "out"))
@@ -105,7 +106,7 @@ TEST(FilesBesideSteps, GoOnAfterAResume) {
   expect_alike(beside, Finished(with_fields(), Writes::in_turn));
 }
 
-/// The times of the field files that a checkpoint knows, and that of its state.
+/// The times of the field files that a checkpoint knows, and the time of its state.
 std::vector<double> times_of(const std::string& checkpoint, const Case& c) {
   const Scene<2, 2> scene(c);
   Stepper<2, 2> stepper(scene, c, {});
@@ -117,7 +118,7 @@ std::vector<double> times_of(const std::string& checkpoint, const Case& c) {
   return times;
 }
 
-// A folder stands where the second file has to go. The checkpoint is that of the first state in both.
+// A folder stands where the second file has to go. In both runs the checkpoint holds the first state.
 TEST(FilesBesideSteps, AFileThatFailsEndsTheRun) {
   const auto spoil = [](const ScratchFolder& folder) {
     fs::create_directories(folder / "out/fields/solid_0001.hdf/taken");

@@ -11,7 +11,7 @@
 namespace softwet::testing_tools {
 namespace {
 
-/// A solid so soft that it is what is blamed where the settings are usual.
+/// A solid so soft that it is blamed where the settings are usual.
 Case soft() {
   Case c = small_case(SceneKind::coupled);
   c.substrate->young = 1e-3;

@@ -43,8 +43,8 @@ void fill_branches(RandomSceneIn<D>& s, std::vector<double>& memory, std::vector
   s.stage().memory_rate = to_device<Array>(rate);
 }
 
-/// A branch takes from the motion what its spring gains while its dashpot stands still, and the dashpot dissipates what it takes
-/// from the spring.
+/// A branch takes from the motion what its spring gains while its dashpot stands still, and the dashpot dissipates what
+/// it takes from the spring.
 template <int D>
 void expect_energy_law_of_branches(Case c, Strain strain) {
   c.substrate->strain = strain;

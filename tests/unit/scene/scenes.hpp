@@ -39,14 +39,14 @@ inline Case small_case(SceneKind kind, WallLaw law = WallLaw::gradient, bool per
   return c;
 }
 
-/// The same in the coordinates (r, z), without the forces along r.
+/// The case in the coordinates (r, z), without the forces along r.
 inline Case axisymmetric(Case c) {
   c.domain.coordinates = Coordinates::axisymmetric;
   for (Load& load : c.loads) load.force[0] = 0;
   return c;
 }
 
-/// The same in 3D: as deep as three elements.
+/// `small_case` in 3D, three elements deep.
 inline Case small_case_in_3d(SceneKind kind, WallLaw law = WallLaw::gradient) {
   Case c = small_case(kind, law);
   c.domain.size.insert(c.domain.size.begin() + 1, 0.5);
@@ -121,8 +121,8 @@ struct RandomSceneIn {
     scene.equations().product(terms.patch.stage, copy, out, geometry);
     return to_host(out);
   }
-  /// Rate of the energies while the solid moves with the velocities and these change with the accelerations of the stage; the other
-  /// fields rest. @param e  step of the differences
+  /// Rate of the energies while the solid moves with the velocities and these change with the accelerations of the
+  /// stage; the other fields rest. @param e  step of the differences
   double rate_of_energy(double e) {
     const std::vector<double> velocity = to_host(stage().unknown), acceleration = to_host(stage().acceleration);
     const auto energy = [&](double time) {

@@ -27,8 +27,8 @@ void check_product(RandomSceneIn<D>& s) {
   EXPECT_LT(distance(to_host(y), s.product(z, Geometry::frozen)), 1e-5);
 }
 
-/// The rate of the wall energy by the motion of the wall is the column wall_stretch, and the work of the tension of the wall; by the
-/// density it is the equation of the potential that says so.
+/// The rate of the wall energy by the motion of the wall is the column wall_stretch, and the work of the tension of the
+/// wall; by the density it is the equation of the potential that says so.
 template <int D>
 void check_stretched_wall(const Case& c) {
   RandomSceneIn<D> none(c);

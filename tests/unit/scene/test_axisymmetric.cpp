@@ -1,5 +1,5 @@
-// Scenes in the coordinates (r, z): residual against the reference assembly, product against differences, integrals and the
-// energy law.
+// Scenes in the coordinates (r, z): residual against the reference assembly, product against differences, integrals and
+// the energy law.
 #include "unit/scene/formulas.hpp"
 #include "unit/scene/rates.hpp"
 #include "unit/scene/scenes.hpp"
@@ -7,7 +7,7 @@
 namespace softwet::testing_tools {
 namespace {
 
-/// All that a solid can have beside its material, with a wall whose tension acts.
+/// All optional properties of a solid, with a wall whose tension acts.
 Case rich(SceneKind kind) {
   Case c = axisymmetric(small_case(kind, WallLaw::energy));
   if (c.substrate) {
@@ -75,7 +75,8 @@ std::vector<double> naive_fluid(RandomScene& s) {
   return sum;
 }
 
-/// @param all  terms of the scene have their reference here; that of the wall's tension depends on a field of the test
+/// @param all  all terms of the scene have their reference here; the reference of the wall's tension depends on a field
+///   of the test
 void check_axial_scene(const Case& c, bool all = true) {
   RandomScene s(c);
   std::vector<double> expected(s.layout().size(), 0.0);
@@ -139,8 +140,8 @@ TEST(Axisymmetric, FluxesOfMassSumToZero) {
   }
 }
 
-// Testing momentum with v gives the rate of the energies less the power of the load and what is dissipated; integrals of the scene
-// are those of a whole turn, those of the residual of a radian.
+// Testing momentum with v gives the rate of the energies less the power of the load and the dissipation; integrals of
+// the scene are over a whole turn, integrals of the residual over a radian.
 TEST(Axisymmetric, EnergyLawOfARichSolid) {
   for (const MaterialModel material : {MaterialModel::saint_venant_kirchhoff, MaterialModel::neo_hookean}) {
     Case c = rich(SceneKind::solid);
@@ -214,7 +215,8 @@ TEST(Axisymmetric, EnergyLawOnARigidWall) {
   EXPECT_NEAR(2 * M_PI * contraction, expected, 1e-9 * std::abs(expected));
 }
 
-// A uniform fluid above a solid that is stretched to a wider cylinder: everything is a volume or an area in closed form.
+// A uniform fluid above a solid that is stretched to a wider cylinder: everything is a volume or an area in closed
+// form.
 TEST(Axisymmetric, IntegralsOfAStretchedCylinder) {
   RandomScene s(axisymmetric(small_case(SceneKind::coupled, WallLaw::energy)));
   const Layout<2>& l = s.layout();

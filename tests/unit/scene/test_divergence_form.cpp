@@ -1,5 +1,5 @@
-// The capillary force (w, rho grad mu) against its divergence form (grad w, Sigma), a term of this test alone: that one keeps
-// the momentum to round-off, and both are the same force but for an error of the mesh.
+// The capillary force (w, rho grad mu) against its divergence form (grad w, Sigma), a term of this test alone: that one
+// keeps the momentum to round-off, and both are the same force but for an error of the mesh.
 #include "scene/initial.hpp"
 #include "time/explicit/semi_discrete.hpp"
 #include "unit/scene/scenes.hpp"
@@ -37,7 +37,7 @@ struct Forces {
   double momentum = 0, of_divergence_form = 0;  ///< sums over the functions: change of the momentum along x
 };
 
-/// Of the fluid at rest, with the chemical potential that belongs to its density.
+/// Forces of the fluid at rest, with the chemical potential that belongs to its density.
 Forces forces(const Case& c) {
   const Scene<2, 2> scene(c);
   const Layout<2>& l = scene.layout();

@@ -1,5 +1,5 @@
-// The fields of an earlier run on another mesh: linear ones stay, in 2D, (r, z) and 3D and on each process, and in (r, z) the
-// mass stays.
+// The fields of an earlier run on another mesh: linear ones stay, in 2D, (r, z) and 3D and on each process, and in (r,
+// z) the mass stays.
 #include "scene/earlier_state.hpp"
 
 #include <gtest/gtest.h>
@@ -113,7 +113,7 @@ double mass_of_ball(const Layout<2>& l) {
   return sum * width * height / (parts * parts);
 }
 
-/// The same of control values of a density.
+/// Mass of the control values of a density.
 double mass_of(const Layout<2>& l, const double* density) {
   const std::vector<double> along = l.axis[0].integrals(0, l.axis[0].length(), 0, l.axis[0].elements()),
                             up = l.axis[1].integrals(0, l.axis[1].length(), l.solid_elements, l.axis[1].elements());
@@ -123,8 +123,8 @@ double mass_of(const Layout<2>& l, const double* density) {
   return sum;
 }
 
-// A droplet that starts on a mesh has its mass up to an error; that of an earlier run keeps its own on another mesh far better.
-// Averaged without the weight r it would miss it by some millionths.
+// A droplet that starts on a mesh has its mass up to an error; a droplet of an earlier run keeps its mass on another
+// mesh far better. Averaged without the weight r it would miss it by some millionths.
 TEST(EarlierState, AroundAnAxisTheMassStaysOnOtherMeshes) {
   const Layout<2> old = layout_of<2>({30, 36}, 6, 2, AxisKind::radial);
   EarlierState from = lines_on(old);

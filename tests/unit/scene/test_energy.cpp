@@ -80,7 +80,7 @@ TEST(EnergyLaw, OfTheSolid) {
   EXPECT_NEAR(contract(r, x, 0, l.size()), expected, 1e-9 * std::abs(expected));
 }
 
-/// All that a solid can have beside its material.
+/// All optional properties of a solid.
 Case rich_solid(SceneKind kind) {
   Case c = small_case(kind, WallLaw::energy);
   c.substrate->viscosity = 0.2;
@@ -95,7 +95,7 @@ Case rich_solid(SceneKind kind) {
   return c;
 }
 
-// The same for a solid with fibres, viscosity, gravity and the surface tension of its face.
+// The energy law of a solid with fibres, viscosity, gravity and the surface tension of its face.
 TEST(EnergyLaw, OfARichSolid) {
   for (bool small : {false, true}) {
     Case c = rich_solid(SceneKind::solid);
@@ -115,7 +115,7 @@ TEST(EnergyLaw, OfARichSolid) {
   }
 }
 
-// The same for solids that are stretched before: their energy counts from where nothing is displaced.
+// The energy law of solids that are stretched before: their energy counts from where nothing is displaced.
 TEST(EnergyLaw, OfAStretchedSolid) {
   for (const MaterialModel material : {MaterialModel::neo_hookean, MaterialModel::saint_venant_kirchhoff})
     for (const bool around : {false, true}) {
@@ -223,8 +223,9 @@ TEST(Integrals, GravityOnAMovedMesh) {
               -rho * area * (0.3 * 0.45 - 0.8 * 0.5 * (low + 0.8)), 1e-14);
 }
 
-/// Of a fluid of one density above a wall that widens by a fifth and sinks by a tenth of its height: the mesh follows it by a share that
-/// falls from 1 at the wall to 0 at the top, so that the width is 0.9 (1 + 0.2 share) and each height is stretched by 1.05.
+/// Liquid volume of a fluid of one density above a wall that widens by a fifth and sinks by a tenth of its height: the
+/// mesh follows it by a share that falls from 1 at the wall to 0 at the top, so that the width is 0.9 (1 + 0.2 share)
+/// and each height is stretched by 1.05.
 TEST(LiquidVolume, OverTheMovedFluid) {
   for (const double part : {-0.1, 0.25, 0.5, 1.1})
     for (const Coordinates coordinates : {Coordinates::plane, Coordinates::axisymmetric}) {

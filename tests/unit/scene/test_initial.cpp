@@ -72,7 +72,8 @@ TEST(InitialState, BubbleInLiquid) {
   EXPECT_NEAR(density_at(c, 0.9, 0.25), 0.6, 1e-9);
 }
 
-/// alpha = 60 degrees in the liquid: a droplet on the wall is half as high as its radius, a bubble one and a half times.
+/// alpha = 60 degrees in the liquid: a droplet on the wall is half as high as its radius, a bubble one and a half
+/// times.
 TEST(InitialState, CapOnTheWallMeetsItAtTheAngleInTheLiquid) {
   Case c = fluid_box();
   c.fluid->contact_angle = 60;
@@ -93,7 +94,7 @@ TEST(InitialState, DropletBelowTheSizeOfAnyEquilibriumStaysBetweenThePhases) {
 }
 
 /// int f^n over a plane with the disc of radius R whose profile f is, from the moments of f^n less a sharp step over
-/// the capillarity g: R^2 pi + 2 pi (R g m_0 + g^2 m_1). Those of f and f^2 at 0.85 are from
+/// the capillarity g: R^2 pi + 2 pi (R g m_0 + g^2 m_1). The moments of f and f^2 at 0.85 are from
 /// tests/oracle/interface_profile.py.
 double integral_of_part(int power, double radius, double g) {
   const double moment[2][2] = {{-0.0622741518429, 2.38339086207}, {-1.27076446611, 2.58342770968}};
@@ -140,7 +141,7 @@ TEST(InitialState, MovingDropletLeavesWallsAndSolidAtRest) {
 }
 
 /// Half of a droplet whose middle density is at R = 0.15, in its vapour: the start has the mass of the droplet at rest.
-/// That of the droplet alone, beyond the vapour, is from tests/oracle/radial_droplet.py (capillarity 1/64, 0.39).
+/// The mass of the droplet alone, beyond the vapour, is from tests/oracle/radial_droplet.py (capillarity 1/64, 0.39).
 TEST(InitialState, DropletHasTheMassOfTheOneAtRest) {
   Case c = fluid_box();
   c.domain = {.size = {0.5, 0.5}, .elements = {128, 128}, .degree = 2};

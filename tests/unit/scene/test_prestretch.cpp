@@ -110,7 +110,8 @@ TEST(PrestretchedLayer, StiffnessOfItsFace) {
   EXPECT_LT(face(0.541, 0.4999), 0);
   EXPECT_GT(face(0.669, 0.4999, true), 0);
   EXPECT_LT(face(0.663, 0.4999, true), 0);
-  // Waves of the wave number 60 on a layer of height 0.25 by small-on-large theory, C_yy(1) / C_yy(l) at Poisson's ratio 0.4999.
+  // Waves of the wave number 60 on a layer of height 0.25 by small-on-large theory, C_yy(1) / C_yy(l) at Poisson's
+  // ratio 0.4999.
   for (const auto& [stretch, expected] :
        {std::pair{0.6, 0.26175}, {0.7, 0.56681}, {0.8, 0.75824}, {0.9, 0.89267}, {1.2, 1.19240}, {1.4, 1.40045}})
     EXPECT_NEAR(face(stretch, 0.4999), expected, 2e-3) << stretch;

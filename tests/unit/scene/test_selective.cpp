@@ -12,7 +12,7 @@ Case nearly_incompressible(Case c, double poisson, VolumeQuadrature quadrature) 
   return c;
 }
 
-/// Of each law, in 2D, (r, z), with a joint and with a prestretch.
+/// Solids of each law, in 2D, (r, z), with a joint and with a prestretch.
 std::vector<Case> solids() {
   std::vector<Case> all(6, small_case(SceneKind::solid));
   all[1].substrate->material = MaterialModel::neo_hookean;

@@ -1,4 +1,4 @@
-// Walls whose energy depends on their stretch, in 2D and in (r, z): energy, product, prestretch, and what is refused.
+// Walls whose energy depends on their stretch, in 2D and in (r, z): energy, product, prestretch, and refused cases.
 #include "unit/scene/stretched_wall.hpp"
 
 #include "case/error.hpp"

@@ -162,7 +162,8 @@ TEST(Varying, WallThatWouldHaveNoTensionIsRefused) {
   expect_error(Exit::invalid_input, {"fluid.wall_tension", "surface_tension above"}, [&] { Scene<2, 2>{c}; });
 }
 
-/// A column of two materials between slip sides, under its weight: the stiffness is M below the joint and `ratio` M above.
+/// A column of two materials between slip sides, under its weight: the stiffness is M below the joint and `ratio` M
+/// above.
 struct Column {
   static constexpr double height = 0.8, weight = 0.3, poisson = 0.3, ratio = 4;
   Case c;
@@ -225,7 +226,7 @@ TEST(Varying, ProductsBesideAJointAreThoseOfDifferences) {
   EXPECT_LT(distance(exact, difference), 1e-8);
 }
 
-// The energy is that of the two parts.
+// The energy is the sum of the energies of the two parts.
 TEST(Varying, EnergyOfJoinedMaterialsIsThatOfTheirParts) {
   Case joined = small_case(SceneKind::solid);
   joined.substrate->joint = 0.4;

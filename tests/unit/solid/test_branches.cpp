@@ -94,7 +94,8 @@ TEST(Branches, MeetAStepByTheirTimes) {
   EXPECT_EQ(Branches{}.weight(0.5), 0);
 }
 
-// --- Finite strains ------------------------------------------------------------------------------------------------------
+// --- Finite strains
+// ------------------------------------------------------------------------------------------------------
 
 template <class N, int D, class M>
 RememberedStrain<N, D, M> strained(const M& gradient, const Matrix<double, 3>& memory) {

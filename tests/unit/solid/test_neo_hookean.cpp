@@ -48,7 +48,7 @@ TEST(NeoHookean, RotationIsFree) {
   EXPECT_NEAR(material.energy(g), 0, 1e-15);
 }
 
-// Under compression the stress goes on growing; that of Saint Venant-Kirchhoff falls off again.
+// Under compression the stress goes on growing; the stress of Saint Venant-Kirchhoff falls off again.
 TEST(NeoHookean, StaysStiffUnderCompression) {
   const SaintVenantKirchhoff soft{{1.5, 0.7}};
   const auto stress = [](const auto& m, double s) {

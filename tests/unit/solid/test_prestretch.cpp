@@ -1,4 +1,5 @@
-// A law seen from a stretched state: its stress is that of the whole deformation, and its energy and stress belong together.
+// A law seen from a stretched state: it has the stress of the whole deformation, and its energy and stress belong
+// together.
 #include "kernels/solid/prestretch.hpp"
 
 #include "kernels/algebra/dual.hpp"
@@ -58,7 +59,8 @@ TEST(Prestretch, PlaneStrain) {
   with_each_law([](const auto&, const auto&, const auto& in_plane) { expect_plane_strain(in_plane, 1e-14); });
 }
 
-// sigma = P F^T / J of the law at F F_0; energies of the same piece of material differ by that of the stretched state.
+// sigma = P F^T / J of the law at F F_0; energies of the same piece of material differ by the energy of the stretched
+// state.
 TEST(Prestretch, StressAndEnergyAreThoseOfTheWholeDeformation) {
   with_each_law([](const auto& law, const auto& in_space, const auto&) {
     const Matrix<double, 3> g = random_gradient<3>(0.3),

@@ -62,7 +62,7 @@ void expect_derivative(const char* name, const Term& term) {
       name, [&](const auto& g) { return term.energy(SolidStrain<std::remove_cvref_t<decltype(g(0, 0))>, D>{g}); },
       [&](const Matrix<double, D>& g) { return term.residual(SolidStrain<double, D>{g}).momentum_flux; });
 }
-/// The same in the coordinates (r, z).
+/// Checks the derivative of a term in the coordinates (r, z).
 template <class Term>
 void expect_derivative_around_axis(const char* name, const Term& term) {
   using M = AxialMatrix<double>;
@@ -165,7 +165,7 @@ TEST(SurfaceElasticity, ByHand) {
   EXPECT_NEAR(shear(1, 1), 0.16, 1e-15);
 }
 
-// A stretch along r and about the axis is that of a face in 3D along two axes.
+// A stretch along r and about the axis equals the stretch of a face in 3D along two axes.
 TEST(SurfaceElasticity, AroundAnAxisIsThatOfTwoAxes) {
   const SurfaceElasticity term{0.5, 0.75};
   const SolidStrain<double, 2, AxialMatrix<double>> around{{{{{0.3, 7}, {0.2, -3}}}, -0.1}};
@@ -198,7 +198,7 @@ TEST(Foundation, ForcesAreTheSlopesOfItsEnergy) {
   EXPECT_NEAR((Foundation{5, 2}.energy(SolidDisplacement<double, 2>{{{0.3, -0.4}}})), 0.09 + 0.4, 1e-15);
 }
 
-// The same for dashpots: 5 across the face, 2 along it; what they take is the product of force and velocity.
+// Dashpots: 5 across the face, 2 along it; their power is the product of force and velocity.
 template <int D>
 void expect_dashpots() {
   const Dashpots term{5, 2};

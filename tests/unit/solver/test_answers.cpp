@@ -65,7 +65,7 @@ TEST(Answers, AreThoseOfApplyTimesFactors) {
   expect_answers_of_all<3>({{8, 6, 6}, 2});
 }
 
-/// Without factors nothing is multiplied, and the bits are those of `apply`.
+/// Without factors nothing is multiplied, and the bits are equal to the bits of `apply`.
 TEST(Answers, WithoutFactorsTheyAreThoseOfApply) {
   RandomMatrix<2> m({{16, 12}, 4});
   const auto solver = make_schwarz<2>(m.layout, m.mask, usual);

@@ -47,8 +47,8 @@ Case longer(Case c, int nx, int ny) {
   return c;
 }
 
-/// Rounding errors grow by the condition of the fronts, 1e4 and less here: from 2^-24 in single precision, and from 2^-11
-/// of half precision by as much as GMRES mends in one iteration.
+/// Rounding errors grow by the condition of the fronts, 1e4 and less here: from 2^-24 in single precision, and from
+/// 2^-11 of half precision by as much as GMRES mends in one iteration.
 TEST(BlockLu, SolvesEverySceneToItsPrecision) {
   std::vector<Case> cases{small_case(SceneKind::coupled), longer(small_case(SceneKind::coupled), 31, 18),
                           small_case(SceneKind::rigid), small_case(SceneKind::solid),

@@ -1,5 +1,5 @@
-// Preconditioners whose kernels are recorded. Without a device the recorded kernels start one by one: then these tests show
-// what is recorded when, and whether a recording may stand for an answer.
+// Preconditioners whose kernels are recorded. Without a device the recorded kernels start one by one: then these tests
+// show what is recorded and when, and whether a recording may stand for an answer.
 #include "cli/core/kernel_counts.hpp"
 #include "field/vector.hpp"
 #include "solver/choose.hpp"
@@ -53,7 +53,7 @@ TEST_F(Recorded, TheSecondAnswerOfAPairOfVectorsIsRecorded) {
   EXPECT_EQ(recorded.recordings(), 1);
   EXPECT_EQ(answer(other), std::vector<double>(n, 2));
   EXPECT_EQ(recorded.recordings(), 2);
-  Kokkos::deep_copy(r, 4.0);  // the vectors are those of the recording, their numbers are not
+  Kokkos::deep_copy(r, 4.0);  // the recorded vectors with other numbers
   EXPECT_EQ(answer(z), std::vector<double>(n, 8));
 }
 

@@ -8,7 +8,7 @@
 namespace softwet {
 namespace {
 
-/// Whether all functions up to `beside` away from the own ones are stored, and each own function in its own column.
+/// Whether all functions within `beside` columns of the own ones are stored, and each own function in its own column.
 void check_beside(const Axis& axis, const Columns& c, int beside) {
   const std::vector<int> place = places_of_functions(axis, c);
   const int own_end = std::min(c.first_function[c.rank + 1], axis.owned());

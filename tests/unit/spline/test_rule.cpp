@@ -103,7 +103,8 @@ TEST(AxisRule, RestrictionKeepsOneFunction) {
     }
 }
 
-// The force of a uniform stress on a function, along r and around the axis, is what leaves or enters at the ends of the axis: nothing inside.
+// The force of a uniform stress on a function, along r and around the axis, is what leaves or enters at the ends of the
+// axis: nothing inside.
 TEST(AxisRule, MeansAroundAnAxisHaveNoResultantOfAUniformStress) {
   const Axis axis(0.9, 7, 2, AxisKind::bounded);
   const AxisRule rule = mean_rule(axis, 0, 7, 3, MeanWeight::radius);

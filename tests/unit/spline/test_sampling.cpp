@@ -40,7 +40,8 @@ TEST(Sampling, WeightsArePositiveAndAddUpToOneAtTheGrevillePoint) {
     }
 }
 
-// Sampled at Greville points the spline has another integral than the function. Around an axis of symmetry integrals have the weight x.
+// Sampled at Greville points the spline has another integral than the function. Around an axis of symmetry integrals
+// have the weight x.
 TEST(Sampling, TheIntegralIsThatOfTheFunction) {
   std::vector<double> breaks{0};
   for (int e = 0; e < 40; ++e) breaks.push_back(breaks.back() + 0.03 + 0.01 * std::sin(3.1 * e * e));

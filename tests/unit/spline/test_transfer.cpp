@@ -127,7 +127,7 @@ TEST(Projection, ConvergesOnOtherElementsAndDegrees) {
   for (const double c : moved(projection(from, 0, 8, to, 0, 8), line)) EXPECT_NEAR(c, 0.7, 1e-13);
 }
 
-// Values at ends and middles of elements determine a spline of degree 2, also beside a kink, on a part of an axis, around a
+// Values at ends and middles of elements determine a spline of degree 2, also at a kink, on a part of an axis, around a
 // periodic axis and on graded elements.
 TEST(Samples, HoldASplineOfDegreeTwo) {
   const Axis equal(1.3, 7, 2), kinked(1.3, 7, 2, AxisKind::bounded, 3), periodic(1.3, 7, 2, AxisKind::periodic),

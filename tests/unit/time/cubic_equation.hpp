@@ -42,7 +42,7 @@ struct CubicEquation {
   }
 };
 
-/// The same system with a product whose vectors are in single precision.
+/// This system with a product whose vectors are in single precision.
 inline NonlinearSystem with_single_product(CubicEquation& cubic, const Array& x) {
   NonlinearSystem system = cubic.system(x);
   system.single_product = [product = std::exchange(system.product, nullptr)](const ArrayOf<float>& z,

@@ -22,7 +22,7 @@ inline Case moving_droplet(SceneKind kind, bool periodic = false) {
   return c;
 }
 
-/// The same in the coordinates (r, z), with the droplet on the axis.
+/// The case in the coordinates (r, z), with the droplet on the axis.
 inline Case around_axis(Case c) {
   for (Droplet& droplet : c.droplets) droplet.centre[0] = 0;
   return axisymmetric(c);

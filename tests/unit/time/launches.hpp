@@ -1,4 +1,4 @@
-// What is asked of a device, by name.
+// Counts of the requests to a device, by name.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ inline void count_copy(Kokkos::Tools::SpaceHandle to, const char* name, const vo
   ++(across ? counted.copies : counted.kernels)[std::string("copy to ") + name];
 }
 
-/// A fence of all spaces counts once. Those that Kokkos makes for its tools are none of the program's.
+/// A fence of all spaces counts once. Fences that Kokkos makes for its tools do not belong to the program.
 inline void count_wait(const char* name, std::uint32_t space, std::uint64_t* id) {
   *id = 0;
   if (space != Kokkos::Tools::Experimental::device_id(Exec())) return;

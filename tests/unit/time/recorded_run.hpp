@@ -1,4 +1,4 @@
-// The same explicit steps, recorded and started kernel by kernel.
+// Equal explicit steps, recorded and started kernel by kernel.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ struct RunOfSteps {
   }
 };
 
-/// The same steps of a case, recorded and not. @return recordings at the end
+/// Runs equal steps of a case, recorded and not. @return recordings at the end
 template <int D>
 int recordings_with_same_bits(const Case& c, int steps = 11) {
   RunOfSteps<D> plain(c, Launch::kernels), recorded(c, Launch::graph);

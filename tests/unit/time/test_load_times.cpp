@@ -151,7 +151,7 @@ TEST(LoadTimes, AJumpThatIsAllButThereBoundsNoStepBeforeIt) {
   }
 }
 
-/// A needle beside a load that begins at run time 3, where t is 0.
+/// A needle combined with a load that begins at run time 3, where t is 0.
 Case with_needle(std::function<double(double)> path, std::vector<double> points = {}) {
   Case c = loaded(3, 5);
   auto formula = std::make_shared<Given>();

@@ -1,5 +1,5 @@
-// A layer that a needle holds in all of it and that slips over its bottom: after a jump of the needle by U it swings as a whole,
-// u = U (1 - cos(w t)), w = sqrt(k/rho_0). Of second order with all schemes, and the energy stays.
+// A layer that a needle holds in all of it and that slips over its bottom: after a jump of the needle by U it swings as
+// a whole, u = U (1 - cos(w t)), w = sqrt(k/rho_0). All schemes are of second order here, and the energy stays.
 #include "unit/time/explicit_run.hpp"
 #include "unit/time/first_steps.hpp"
 
@@ -73,8 +73,8 @@ TEST(Needle, ALayerSwingsAsAWholeWithExplicitSteps) {
   EXPECT_LT(explicit_error(TimeScheme::ssp_rk3, MassKind::lumped, 80), 1e-4 * jump);
 }
 
-// A rigid needle that jumps: what Newton's method leaves is small where nothing is held, too. It is as small as the default tolerance,
-// 1e-3, for each of three steps; of the residual with the stiff springs, 1e-3 would leave 0.4 here.
+// A rigid needle that jumps: what Newton's method leaves is small where nothing is held, too. It is as small as the
+// default tolerance, 1e-3, for each of three steps; of the residual with the stiff springs, 1e-3 would leave 0.4 here.
 TEST(Needle, AStiffOneDoesNotLoosenTheRest) {
   std::vector<std::vector<double>> found;
   for (const double rtol : {1e-3, 1e-11}) {

@@ -5,8 +5,8 @@
 
 namespace softwet {
 
-/// A value and its derivatives by `count` numbers. N is a number at a point; where it is a dual number, the derivatives have
-/// tangents, which are the second derivatives that a Jacobian-vector product needs.
+/// A value and its derivatives by `count` numbers. N is a number at a point; where it is a dual number, the derivatives
+/// have tangents, which are the second derivatives that a Jacobian-vector product needs.
 template <class N, int count>
 struct Gradient {
   N value;
@@ -98,8 +98,8 @@ KOKKOS_FORCEINLINE_FUNCTION Gradient<N, count> select(const Mask& m, const Gradi
   return r;
 }
 
-/// How a law finds its stress from its energy: by one entry of the gradient after another, with dual numbers of its numbers, or by all
-/// entries at once.
+/// How a law finds its stress from its energy: by one entry of the gradient after another, with dual numbers of its
+/// numbers, or by all entries at once.
 enum class Way { by_entry, at_once };
 
 /// d energy / d g by the entries of the first `columns` columns of g; the others are zero.

@@ -1,4 +1,4 @@
-// The laws of the program with their stress from their energy alone, beside the closed forms of kernels/.
+// The laws of the program with their stress from their energy alone, for comparison with the closed forms of kernels/.
 #pragma once
 
 #include "gradient.hpp"
@@ -61,7 +61,7 @@ struct FluidOfEnergy : NavierStokesKorteweg {
   }
 };
 
-/// The wall with -f_w' as the derivative of its energy, a series. Of dual numbers `WallEnergy` itself takes the force.
+/// The wall with -f_w' as the derivative of its energy, a series. For dual numbers `WallEnergy` itself takes the force.
 struct WallOfEnergy {
   static constexpr Where where = Where::wall;
 

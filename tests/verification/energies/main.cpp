@@ -1,7 +1,7 @@
-// softwet_energies: what it costs to take the stress of a law from its energy by numbers that know their derivatives, or to choose a
-// material at run time, instead of compiling its closed form. Residual and product of each term alternate with those of the closed form,
-// and how far both differ.
-// usage: softwet_energies [TURNS] [NAME], 1 thread: OMP_NUM_THREADS=1
+// softwet_energies: the cost of taking the stress of a law from its energy by numbers that know their derivatives, or
+// of choosing a material at run time, instead of compiling its closed form. Residual and product of each term alternate
+// with the closed form, and the difference of the results is printed. usage: softwet_energies [TURNS] [NAME], 1 thread:
+// OMP_NUM_THREADS=1
 #include <softwet_configurations.hpp>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // The exact solutions: smooth fields chosen freely, in reference coordinates X, that obey the sides of the scene.
 //
 // Horizontal sides are slip sides: a vector component is a sine along its own axis, everything else a cosine. On the
-// top of the coupled scene v = 0, on that of the others v_n = 0. All fields are templates in the number, so that their
-// derivatives come from jets.
+// top of the coupled scene v = 0, on the top of the other scenes v_n = 0. All fields are templates in the number, so
+// that their derivatives come from jets.
 #pragma once
 
 #include <numbers>
@@ -22,7 +22,7 @@ struct Point {
   Vector<N, D> x;
   N t;
 
-  /// The same point with D + 1 directions to differentiate along: x_0, .., x_{D-1}, t.
+  /// This point with D + 1 directions to differentiate along: x_0, .., x_{D-1}, t.
   Point<Jet<N, D + 1>, D> seeded() const {
     Point<Jet<N, D + 1>, D> p;
     for (int d = 0; d < D; ++d) {
@@ -108,14 +108,14 @@ struct Exact {
     return p;
   }
 
-  /// Displacement of the fluid's mesh: that of the wall, falling linearly to zero at the top.
+  /// Displacement of the fluid's mesh: it falls linearly from the displacement of the wall to zero at the top.
   template <class N>
   Vector<N, D> mesh_displacement(const Point<N, D>& p) const {
     if (scene == SceneKind::fluid) return Vector<N, D>{};
     return (1.0 - height(p.x)) * displacement(foot(p));
   }
 
-  /// Velocity of the fluid: that of the wall at the wall, 0 (coupled) or tangential (fluid) at the top.
+  /// Velocity of the fluid: it moves with the wall at the wall, and is 0 (coupled) or tangential (fluid) at the top.
   template <class N>
   Vector<N, D> velocity(const Point<N, D>& p) const {
     using std::cos, std::sin;

@@ -21,8 +21,9 @@ struct Settings {
   double against = 0;   ///< above 0: step of a second computation that takes the place of the exact solution
 };
 
-/// A box of fine elements off the middle, and beside it lengths that are nearly the same function of the place for any number of
-/// elements: there are coarsest^(8 / elements) between neighbours, or a little less, since a whole number of them fills an axis.
+/// A box of fine elements off the middle, and around it lengths that are nearly the same function of the place for any
+/// number of elements: there are coarsest^(8 / elements) between neighbours, or a little less, since a whole number of
+/// them fills an axis.
 inline Grading grading_of(const Settings& s, const std::vector<double>& size) {
   Grading grading;
   if (s.coarsest == 1) return grading;

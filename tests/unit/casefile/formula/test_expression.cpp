@@ -1,4 +1,4 @@
-// Expressions: their values, and what is said of those that are wrong.
+// Expressions: their values, and messages about wrong ones.
 #include "casefile/formula/expression.hpp"
 
 #include <gtest/gtest.h>

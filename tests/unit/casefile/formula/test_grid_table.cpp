@@ -1,4 +1,4 @@
-// Tables: interpolation, what lies outside of the grid, and what is said of files that are wrong.
+// Tables: interpolation, places outside of the grid, and messages about wrong files.
 #include "casefile/formula/grid_table.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Physical numbers and those of a case: the paper's scales.
+// Physical numbers and the numbers of a case: the paper's scales.
 #include "cli/core/scales.hpp"
 
 #include <gtest/gtest.h>

@@ -53,8 +53,8 @@ struct Homogeneous {
   Snapshot<2> snapshot() const { return {scene.layout(), state}; }
 };
 
-/// A column of two materials, the upper one a hundred times stiffer, under the same stress: both are pushed together along y, by
-/// `below` and by a hundredth of it above the joint, the end of so many of its six rows.
+/// A column of two materials, the upper one a hundred times stiffer, under the same stress: both are pushed together
+/// along y, by `below` and by a hundredth of it above the joint, the end of so many of its six rows.
 struct Joined : Homogeneous {
   static constexpr double height = 0.8, below = -1e-2, above = -1e-4, modulus_below = 3.5;  ///< lambda + 2 G
 

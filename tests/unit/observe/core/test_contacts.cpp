@@ -210,8 +210,8 @@ TEST(Contacts, OverAPeriodicCorner) {
   EXPECT_NEAR(advance(Drawing(16, AxisKind::periodic).layout(), {0.79, 0.4}, {0.01, 0.4}, {1, 0}), 0.02, 1e-12);
 }
 
-/// A bubble is the same with liquid and vapour changed: its dry foot, and the angle in the liquid, 180 degrees less
-/// that of the cap inside.
+/// A bubble is a droplet with liquid and vapour exchanged: its foot is dry, and the angle in the liquid is 180 degrees
+/// less the angle of the cap inside.
 TEST(Contacts, BubblesHaveADryFootAndAnAngleInTheLiquid) {
   for (const Place& at : {Place{0.4, 0.4}, Place{0.4, 0.0}}) {
     const Cells wet = only(Drawing(16).density(cap(at[0], at[1])), {1, 0});

@@ -1,4 +1,4 @@
-// Crossings of a level along a row of samples, all of them or those of a window.
+// Crossings of a level along a row of samples: all of them, or the crossings of a window.
 #include "observe/crossings.hpp"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,8 @@ TEST(MeanOverElements, LeavesParabolasAsTheyAre) {
   }
 }
 
-/// The quadratic spline with elements of length 1 that is nearest to a function in the mean square. The function is constant far away.
+/// The quadratic spline with elements of length 1 that is nearest to a function in the mean square. The function is
+/// constant far away.
 class NearestSpline {
  public:
   template <class Function>
@@ -107,8 +108,9 @@ class NearestSpline {
   Eigen::VectorXd control_;
 };
 
-/// How far a zero of a spline may lie from that of the profile of an interface, two elements to the capillarity: the largest distances of
-/// the spline itself and of its mean, in elements, over all places of the interface in an element.
+/// Distances between a zero of a spline and the zero of the profile of an interface, two elements to the capillarity:
+/// the largest distances of the spline itself and of its mean, in elements, over all places of the interface in an
+/// element.
 std::pair<double, double> errors_of_zeros() {
   double of_spline = 0, of_mean = 0;
   for (int k = 0; k < 16; ++k) {

@@ -30,7 +30,7 @@ State part_of(const State& whole, const Layout<2>& layout) {
   return part;
 }
 
-/// The largest of the control points [first, last) of component 0, and behind them those of component 1.
+/// The largest speed at the control points [first, last) of component 0, which are followed by component 1.
 double largest_speed(const std::vector<double>& x, const Layout<2>& l, int first, int last, bool above) {
   double largest = 0;
   for (int i = first; i < last; ++i) {
@@ -68,7 +68,7 @@ TEST(Extremes, NoSpeedWhereNothingIsDenseEnough) {
   EXPECT_GT(found.speed_fluid, 0);
 }
 
-// Each process looks at its own columns: the largest of all parts is that of the whole.
+// Each process looks at its own columns: the largest value of all parts is the largest value of the whole.
 TEST(Extremes, OfThePartsAreThoseOfTheWhole) {
   for (const bool periodic : {false, true}) {
     Case c = small_case(SceneKind::coupled, WallLaw::gradient, periodic);

@@ -81,8 +81,9 @@ TEST(FieldFiles, StressWhereTheStiffnessVaries) {
   }
 }
 
-// x = 1.2 X, y = 0.9 Y of a layer that was stretched by 1.1 before: sigma is that of the stretches 1.32 and 0.9 l_v, where the layer alone
-// has no stress upright: (l_v^2 - 1) (lambda + 2 G) = -lambda (1.1^2 - 1). Strain and volume ratio count from the stretched layer.
+// x = 1.2 X, y = 0.9 Y of a layer that was stretched by 1.1 before: sigma belongs to the stretches 1.32 and 0.9 l_v,
+// where the layer alone has no stress upright: (l_v^2 - 1) (lambda + 2 G) = -lambda (1.1^2 - 1). Strain and volume
+// ratio count from the stretched layer.
 TEST(FieldFiles, StressOfAStretchedLayer) {
   Case c = small_case(SceneKind::solid);
   c.substrate->prestretch = {1.1};

@@ -35,7 +35,7 @@ TEST(Probes, ValueAtAPointOfTheSolid) {
   EXPECT_NEAR(read(s, at("density", {0.37, 0.5})), Homogeneous::density, 1e-14);
 }
 
-// Of a box that cuts elements, in the undeformed solid.
+// A box that cuts elements, in the undeformed solid.
 TEST(Probes, IntegralMeanAndExtremesInTheSolid) {
   Homogeneous s(small_case(SceneKind::coupled), gradient);
   const std::vector<double> low{0.13, 0.02}, high{0.71, 0.23};
@@ -82,7 +82,8 @@ TEST(Probes, RingInTheSolid) {
   EXPECT_NEAR(read(s, at("volume_ratio", {0, 0.1})), 1.2 * 1.2, 1e-13) << "u_r / r is the slope at the axis";
 }
 
-/// Strains jump at a joint: a point on it is read from above, a box from its own side, and the stress is the same on both sides.
+/// Strains jump at a joint: a point on it is read from above, a box from its own side, and the stress is the same on
+/// both sides.
 TEST(Probes, AtAJoint) {
   for (int row = 1; row < 6; ++row) {
     Joined s(row);

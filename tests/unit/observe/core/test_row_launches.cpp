@@ -6,7 +6,7 @@
 namespace softwet::testing_tools {
 namespace {
 
-/// Of the second row: the first one makes room for the sums and the copies.
+/// Counts of the second row: the first one allocates the sums and the copies.
 Counts counts_of_a_row(const Case& c) {
   Homogeneous s(c, {{{0.05, 0.01}, {0, -0.02}}});
   s.state.time = 3;  // loads act

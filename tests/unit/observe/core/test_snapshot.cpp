@@ -1,4 +1,4 @@
-// A snapshot of copies that were started is the one that waits for its own.
+// A snapshot of started copies equals the snapshot that waits for its own.
 #include "observe/snapshot.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Snapshot, OfCopiesIsThatOfTheState) {
     }
 }
 
-// The same memory serves the next start, and nothing of the one before is left.
+// The memory serves the next start too, and nothing of the previous one is left.
 TEST(Snapshot, OfCopiesThatAreStartedAgain) {
   const RandomScene s(small_case(SceneKind::coupled));
   SnapshotCopies<2> copies;

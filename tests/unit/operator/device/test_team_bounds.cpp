@@ -41,8 +41,8 @@ TEST(TeamBounds, SecondNumber) {
   EXPECT_EQ(Bounds::minBperSM, static_cast<unsigned>(second_bound(162, 4)));
 }
 
-/// Teams of the terms of most scenes with reduced quadrature: whole warps, and residuals have 512 points on a multiprocessor of
-/// 228 kB. Kokkos counts the scratch, two numbers and one for each thread.
+/// Teams of the terms of most scenes with reduced quadrature: whole warps, and residuals have 512 points on a
+/// multiprocessor of 228 kB. Kokkos counts the scratch, two numbers and one for each thread.
 template <int D, bool Tangent, class Real, class List>
 void check_reduced() {
   using Shape = SlopeTileShape<D, 2, 2>;

@@ -1,4 +1,4 @@
-// The matrices of a device, made by teams, against those of the host.
+// The matrices of a device, made by teams, compared with the matrices of the host.
 #include "unit/operator/compiled.hpp"
 #include "unit/operator/patch.hpp"
 #include "unit/operator/thread_team.hpp"
@@ -42,8 +42,8 @@ struct MatrixCases {
     const Colouring<D> others(task.region, P + 1, 0, FirstAxis::in_rows);
     check_threads(TeamJacobian<D, P, Q, Term, Motion>{task, stencil, teams, others, {others.first_axis.run[0], 0}});
   }
-  /// The rows of one colour by teams of three threads, twice, and by one thread. Teams of different sizes are compiled apart,
-  /// and a compiler may contract their sums in different ways.
+  /// The rows of one colour by teams of three threads, twice, and by one thread. Teams of different sizes are compiled
+  /// apart, and a compiler may contract their sums in different ways.
   template <class Kernel>
   void check_threads(Kernel kernel) const {
     const auto values_of = [&](const auto& run_all) {

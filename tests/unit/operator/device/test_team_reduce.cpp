@@ -1,4 +1,4 @@
-// Integrals by teams of a device against those of the host, strip by strip.
+// Integrals by teams of a device compared with integrals of the host, strip by strip.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,7 +91,7 @@ struct IntegralCases {
   }
 };
 
-/// Strips have 4 elements and the last one what is left over: one or more, of which the last is longer or not.
+/// Strips have 4 elements and the last one has the rest: one or more, of which the last is longer or not.
 TEST(TeamReduce, PlaneByThreadsOfATeam) {
   for (int elements : {7, 8, 9, 12, 14, 18}) IntegralCases<2, 2>({elements, 5}).check_all();
 }

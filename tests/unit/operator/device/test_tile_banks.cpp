@@ -1,5 +1,5 @@
-// Which threads of a team have a point, and in which banks of the memory that the team shares their numbers lie: a device reads 16
-// numbers in double precision at once where they lie in different banks.
+// Which threads of a team have a point, and in which banks of the memory that the team shares their numbers lie: a
+// device reads 16 numbers in double precision at once where they lie in different banks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct OneOf {
   int rank() const { return rank_; }
 };
 
-/// The points of all threads one after the other; the number before each is that of its thread.
+/// The points of all threads one after the other; each is preceded by the number of its thread.
 template <int threads>
 std::vector<std::vector<int>> points_of_threads() {
   std::vector<std::vector<int>> points(threads);

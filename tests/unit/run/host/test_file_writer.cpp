@@ -105,7 +105,7 @@ TEST(FileWriter, EntersEachThread) {
   for (const std::thread::id& thread : entered) EXPECT_NE(thread, std::this_thread::get_id());
 }
 
-/// What is written lives until its task has ended, and no longer than until somebody has waited for it.
+/// Written data live until their task has ended, and no longer than until somebody has waited for it.
 TEST(FileWriter, ATaskOwnsWhatItWrites) {
   const auto values = std::make_shared<std::vector<double>>(3, 1.0);
   FileWriter writer(Writes::beside_steps);

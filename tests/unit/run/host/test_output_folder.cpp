@@ -137,7 +137,7 @@ TEST(OutputFolder, KnowsWhereItIsWhenItIsMoved) {
   EXPECT_EQ(output.place(), folder / "a");
   fs::rename(folder / "a", folder / "b");
   EXPECT_EQ(output.place(), fs::canonical(folder / "b").string());
-  fs::create_directory(folder / "a");  // that of somebody else
+  fs::create_directory(folder / "a");  // a folder of somebody else
   EXPECT_EQ(output.place(), fs::canonical(folder / "b").string());
 }
 

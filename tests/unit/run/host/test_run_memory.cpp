@@ -27,7 +27,7 @@ struct Changes {
   std::map<std::string, std::vector<double>> arrays;
 };
 
-/// Writes what is visited, with changes, and keeps the names.
+/// Writes the visited entries, with changes, and keeps the names.
 class ChangedEntries final : public RunEntries {
  public:
   ChangedEntries(CheckpointWriter& file, const Changes& changes) : file_(file), changes_(changes) {}

@@ -37,8 +37,8 @@ TEST(Gmres, SinglePrecisionEndsAtItsRoundOffWithoutClaimingSuccess) {
   EXPECT_LT(r.reduction, 1e-5);
 }
 
-// Directions that are nearly parallel: the answer is a small difference of large multiples of them, and so is the residual
-// that follows from their products. It must not be believed where round-off is as large.
+// Directions that are nearly parallel: the answer is a small difference of large multiples of them, and so is the
+// residual that follows from their products. It must not be believed where round-off is as large.
 TEST(Gmres, DoesNotBelieveAResidualThatRoundOffHides) {
   const Dense m(60, 4, 0.6);
   const ArrayOf<float> b("b", 60), x("x", 60);

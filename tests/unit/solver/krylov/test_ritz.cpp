@@ -23,7 +23,7 @@ TEST(Ritz, FindsAllEigenvaluesOfACompleteSpace) {
   for (const RitzValue& r : found) EXPECT_EQ(r.error, 0.0);
 }
 
-// With one direction the value is the quotient of Rayleigh, and the error what is left of A v - value v.
+// With one direction the value is Rayleigh's quotient, and the error is the rest A v - value v.
 TEST(Ritz, EstimatesTheErrorOfAnIncompleteSpace) {
   const std::vector<RitzValue> found = ritz_values({{2.0, 0.25}});
   ASSERT_EQ(found.size(), 1u);

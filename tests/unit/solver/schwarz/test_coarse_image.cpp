@@ -9,7 +9,7 @@ namespace {
 /// Values in 16 bits leave 2^-9 of each.
 constexpr double of_rounded_values = 2e-3;
 
-/// r - A P z, in two builds. The error is that of A P z.
+/// r - A P z, in two builds. The error is the error of A P z.
 template <int D>
 void check_image(const Shape& shape) {
   RandomMatrix<D> random(shape);

@@ -1,4 +1,5 @@
-// Parts of a level of Schwarz's method, as several processes store them, have the bits of the whole in their own columns.
+// Parts of a level of Schwarz's method, as several processes store them, have the bits of the whole in their own
+// columns.
 #include "solver/schwarz/boxes.hpp"
 #include "solver/schwarz/coarse_image.hpp"
 #include "unit/solver/random_matrix.hpp"
@@ -28,7 +29,7 @@ View stored_part(const Layout<D>& part, const View& all) {
   return own;
 }
 
-/// Counts entries of own columns whose bits differ from those of the whole.
+/// Counts entries of own columns whose bits differ from the entries of the whole.
 template <int D, class View>
 int differences(const Layout<D>& part, const View& found, const View& expected, int* compared) {
   const auto a = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), found);

@@ -47,8 +47,8 @@ std::vector<HostBlocks> both_inverses(const HostBlocks& given, const std::vector
   return found;
 }
 
-/// Sizes end within a panel of the elimination, at its end and behind it. Rows differ in scale by 10^8, and diagonals are
-/// zero, so that pivots have to be found.
+/// Sizes end within a panel of the elimination, at its end and behind it. Rows differ in scale by 10^8, and diagonals
+/// are zero, so that pivots have to be found.
 TEST(DenseInverse, BothWaysAgreeWithTheProduct) {
   const int n = 3 * GaussJordan::panel + 5;
   const std::vector<int> size{n, 1, 2, GaussJordan::panel, GaussJordan::panel + 1, 0, 2 * GaussJordan::panel - 1};

@@ -86,12 +86,12 @@ TEST(SharedBoxes, LikeBoxesShareUnlikeOnesDoNot) {
   EXPECT_EQ(c.shared.waves().size(), std::size_t(rows + layers - 1));
 }
 
-/// Matrices that differ by more and more from that of the first row.
+/// Matrices that differ more and more from the matrix of the first row.
 TEST(SharedBoxes, TheLimitIsOnTheRelativeDistance) {
   const Eigen::MatrixXf first = some_matrix(), change = some_matrix() / 3;
   std::vector<Eigen::MatrixXf> matrix;
   for (int box = 0; box < all; ++box) matrix.push_back(first + (box / row == 1 ? 0.08f : 0.0f) * change);
-  // With A_b = A_c + E the distance is that of A_c^-1 E, here about 0.08 |change| / 3.
+  // With A_b = A_c + E the distance is the norm of A_c^-1 E, here about 0.08 |change| / 3.
   EXPECT_EQ(Choice(matrix, 0.15f).shared.owner(row), 0);
   EXPECT_EQ(Choice(matrix, 0.005f).shared.owner(row), row);
   EXPECT_EQ(Choice(matrix, 0).shared.owner(row), row);
@@ -135,7 +135,7 @@ double distance_by_definition(const Eigen::MatrixXf& a, const Eigen::MatrixXf& i
   return largest;
 }
 
-/// Owners by the definition. What is as good up to round-off may be chosen as well, which these matrices avoid.
+/// Owners by the definition. An owner as good up to round-off may be chosen as well, which these matrices avoid.
 TEST(SharedBoxes, TakeTheClosestInverseNearby) {
   const float limit = 0.07f;
   const Choice c(some_alike(), limit);

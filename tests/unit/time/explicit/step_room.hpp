@@ -29,7 +29,7 @@ inline bool grows(const Case& c, TimeScheme scheme, MassKind kind, double dt) {
   return !(now < 100 * small);
 }
 
-/// The measured limit over that of the bound, by bisection.
+/// The measured limit over the limit by the bound, by bisection.
 inline double room(const Case& c, TimeScheme scheme, MassKind kind = MassKind::corrected) {
   const double bound = 1 / ExplicitRun(c, scheme, kind).rates().combined;
   double low = 0.5, high = 3;

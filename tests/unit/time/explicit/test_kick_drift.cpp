@@ -36,7 +36,8 @@ TEST(KickDrift, SspRk3WithViscosityApartIsOfSecondOrderOrMore) {
   expect_second_order(moving_droplet(SceneKind::rigid), TimeScheme::rkl2, 3.2);
 }
 
-/// Differences between rkl2 and fine steps of ssp_rk3 after a while, of velocities and displacements, over the size of these.
+/// Differences between rkl2 and fine steps of ssp_rk3 after a while, of velocities and displacements, over the size of
+/// these.
 std::pair<double, double> errors_of_rkl2(const Case& c, MassKind kind, double dt, int steps) {
   ExplicitRun exact(c, TimeScheme::ssp_rk3, kind), run(c, TimeScheme::rkl2, kind);
   const int fine = 1 + static_cast<int>(dt * steps * exact.rates().combined / 0.5);
@@ -50,9 +51,9 @@ std::pair<double, double> errors_of_rkl2(const Case& c, MassKind kind, double dt
               root_of_squares(zero, exact.state.displacement, 0, nu)};
 }
 
-// The viscous rate is a hundred times 1/dt, so that the solid creeps: its speed is where viscosity balances the load. Without this balance
-// it would be fifty times as fast. What is left in sixteen steps from rest, under a load that begins to grow, falls with the square of
-// the steps.
+// The viscous rate is a hundred times 1/dt, so that the solid creeps: its speed is where viscosity balances the load.
+// Without this balance it would be fifty times as fast. The error in sixteen steps from rest, under a load that begins
+// to grow, falls with the square of the steps.
 TEST(KickDrift, ViscosityApartFindsTheSpeedOfCreep) {
   for (const MassKind kind : {MassKind::corrected, MassKind::lumped})
     for (Case c : {moving_droplet(SceneKind::solid), around_axis(moving_droplet(SceneKind::solid)),

@@ -20,8 +20,8 @@ TEST(Launches, AnExplicitStepIsFewOfThemAndOneWait) {
   EXPECT_EQ(sum(coupled.waits), 1);
 }
 
-/// Takes steps that are recorded. What they ask of a device is counted by tests/device/host_code.py: the difference between two runs
-/// with unlike numbers of steps.
+/// Takes steps that are recorded. What they ask of a device is counted by tests/device/host_code.py: the difference
+/// between two runs with unlike numbers of steps.
 void take_recorded_steps(SceneKind kind) {
   const char* steps = std::getenv("SOFTWET_TEST_STEPS");
   Case c = small_case(kind, WallLaw::energy);

@@ -1,5 +1,5 @@
-// Steps of kick_drift that are recorded. Without a device what was recorded starts its kernels one by one, with the arguments that they had
-// then: so these tests show that all that changes from step to step is read in memory.
+// Steps of kick_drift that are recorded. Without a device a recording starts its kernels one by one, with the arguments
+// at the time of recording: so these tests show that all numbers that change from step to step are read in memory.
 #include "operator/device/collect.hpp"
 #include "operator/device/stored_bytes.hpp"
 #include "unit/scene/formulas.hpp"

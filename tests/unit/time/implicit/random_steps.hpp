@@ -36,7 +36,7 @@ struct RandomState {
   }
 };
 
-/// A scene that keeps the rates of the density beside the wall.
+/// A scene that keeps the rates of the density at the wall.
 inline Case scene_with_rates(SceneKind kind, bool periodic = false) {
   Case c = small_case(kind, WallLaw::energy, periodic);
   c.fluid->line_friction = 0.3;

@@ -1,4 +1,4 @@
-// How a step ends: relations between its levels, and what is conserved.
+// How a step ends: relations between its levels, and conserved quantities.
 #include "unit/time/implicit/random_steps.hpp"
 
 namespace softwet::testing_tools {

@@ -41,14 +41,14 @@ void drive(RandomState& s, int steps, double end, const Velocity& velocity, cons
     const Array middle = to_device<Array>(x);
     check(middle);
     s.integrator.finish(middle, s.state);
-    std::vector<double> after = to_host(s.state.unknown);  // uniform again: only the moments show what was lost
+    std::vector<double> after = to_host(s.state.unknown);  // uniform again: only the moments show a loss
     std::copy(y.begin() + l.density_offset(), y.end(), after.begin() + l.density_offset());
     Kokkos::deep_copy(s.state.unknown, to_device<Array>(after));
   }
 }
 
-/// Largest relative deviation of the moments from those of the uniform state on the mesh of the end, away from the
-/// wall's layer, where the prescribed velocity compresses the fluid.
+/// Largest relative deviation of the moments from the moments of the uniform state on the mesh of the end, away from
+/// the wall's layer, where the prescribed velocity compresses the fluid.
 double deviation(int steps) {
   RandomState s(small_case(SceneKind::coupled));
   const Layout<2>& l = s.random.layout();

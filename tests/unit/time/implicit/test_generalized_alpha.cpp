@@ -17,8 +17,9 @@ TEST(AlphaParameters, FormulasAndOrder) {
   EXPECT_NEAR(AlphaParameters(0.5).ga, 2.0 / 3, 1e-15);
 }
 
-/// The product of a step is that of the Jacobian, but where contact lines have friction: there the rows of the potential at the wall are
-/// stiffer, the more the larger their residual is. @param exact  the product of the Jacobian with z at x
+/// The product of a step equals the product of the Jacobian, except where contact lines have friction: there the rows
+/// of the potential at the wall are stiffer, the more the larger their residual is.
+/// @param exact  the product of the Jacobian with z at x
 void check_product(RandomState& s, const Array& x, const Array& z, const std::vector<double>& exact) {
   const Layout<2>& l = s.random.layout();
   const Array r("r", l.size()), out("out", l.size());

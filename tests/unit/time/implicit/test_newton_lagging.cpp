@@ -72,8 +72,8 @@ class DiagonalInverse final : public Preconditioner {
   Array diagonal_, built_;
 };
 
-/// Newton's method on diag(d) (x - 1) = 0, twice: with d = 1 + i everywhere, then with five times that on the second and the
-/// third quarter. Returns the number of iterations of GMRES of the second solve.
+/// Newton's method on diag(d) (x - 1) = 0, twice: with d = 1 + i everywhere, then with five times that on the second
+/// and the third quarter. Returns the number of iterations of GMRES of the second solve.
 int iterations_of_second_solve(LinearSolves precision, const SolidPart& first, const SolidPart& second) {
   const Array diagonal("diagonal", unknowns), x("x", unknowns);
   Newton newton(alone, unknowns, unknowns, std::make_unique<DiagonalInverse>(diagonal), precision);

@@ -1,4 +1,4 @@
-// What is known of the solid's part of a Jacobian: where it is, and how it changes with the time step.
+// The solid's part of a Jacobian: where it is, and how it changes with the time step.
 #include "time/implicit/implicit_scheme.hpp"
 #include "unit/scene/scenes.hpp"
 

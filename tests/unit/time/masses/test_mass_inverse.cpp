@@ -182,7 +182,7 @@ TEST(MassInverse, StaysPositiveBesideMuchHeavierNeighbours) {
   }
 }
 
-/// Error of S M c - c for a wave along x on a periodic mesh, over that of the lumped masses.
+/// Error of S M c - c for a wave along x on a periodic mesh, over the error of the lumped masses.
 double error_of_wave(int elements, MassKind kind) {
   Case c = small_case(SceneKind::rigid, WallLaw::gradient, true);
   c.domain.size = {1, 1};
@@ -216,8 +216,8 @@ TEST(MassInverse, IsOfSecondOrderLumpedAndOfSixthCorrected) {
   EXPECT_LT(error_of_wave(16, MassKind::corrected), 2e-4);
 }
 
-// A smooth radial field, from its moments and back: the largest error between a quarter and three quarters of the radius, for ends
-// have ties.
+// A smooth radial field, from its moments and back: the largest error between a quarter and three quarters of the
+// radius, for ends have ties.
 double error_of_radial_wave(int elements, MassKind kind) {
   Case c = axisymmetric(small_case(SceneKind::rigid));
   c.domain.size = {1, 1};

@@ -1,4 +1,5 @@
-// The extremes of the symbols of masses against formulas of quadratic splines, and how much stiffer ends, an axis and a joint are.
+// The extremes of the symbols of masses against formulas of quadratic splines, and how much stiffer ends, an axis and a
+// joint are.
 #include "time/masses/mass_symbols.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,8 @@
 namespace softwet {
 namespace {
 
-// With the symbols m = (33 + 26 cos x + cos 2x) / 60, k = 1 - (2 cos x + cos 2x) / 3 and b = (10 sin x + sin 2x) / 12 of quadratic
-// splines.
+// With the symbols m = (33 + 26 cos x + cos 2x) / 60, k = 1 - (2 cos x + cos 2x) / 3 and b = (10 sin x + sin 2x) / 12
+// of quadratic splines.
 TEST(MassSymbols, AreTheExtremesOfTheSymbolsOfQuadraticSplines) {
   MassSymbols lumped, corrected;
   for (int n = 1; n <= 10000; ++n) {

@@ -64,7 +64,7 @@ struct Resting {
   }
 };
 
-/// What is left of the density's disturbance after `steps` steps of dt and after twice as many, as a rate.
+/// The rate from the density's disturbance after `steps` steps of dt and after twice as many.
 double rate_of_run(const Resting& rest, double dt, int steps) {
   Case c = rest.c;
   c.time.dt_initial = c.time.dt_min = c.time.dt_max = dt;
@@ -96,8 +96,8 @@ double rate_of_run(const Resting& rest, double dt, int steps) {
   return std::log(distance_after() / first) / (steps * dt);
 }
 
-// A droplet that is the image of itself in a mirror lies on a coarse mesh where it should not: it rests, but a disturbance
-// grows as its mode says.
+// A droplet that is the image of itself in a mirror lies on a coarse mesh where it should not: it rests, but a
+// disturbance grows as its mode says.
 TEST(Growth, DisturbancesGrowInARunAsTheirModeDoes) {
   for (const SceneKind kind : {SceneKind::rigid, SceneKind::coupled}) {
     const Resting rest(kind);

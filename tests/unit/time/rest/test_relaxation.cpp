@@ -1,4 +1,4 @@
-// Scenes that are brought to rest: what is kept, what the end is, and what is refused.
+// Scenes that are brought to rest: conserved quantities, the end, and refused scenes.
 #include "time/rest/relaxation.hpp"
 
 #include <algorithm>
@@ -46,8 +46,8 @@ TEST(Relaxation, KeepsTheMassAndFindsItsOwnEndAtRest) {
   for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(again[i], at_rest[i], 1e-3);
 }
 
-// Slowly, through a thin interface, the vapour fills until its chemical potential is that of the droplet. It may stop no
-// sooner: what is missing is seen against the small density of the vapour.
+// Slowly, through a thin interface, the vapour fills until it has the chemical potential of the droplet. It may stop no
+// sooner: the missing mass is compared with the small density of the vapour.
 TEST(Relaxation, EndsWhenTheVapourHasFilled) {
   Case c = small_case(SceneKind::rigid, WallLaw::energy);
   c.domain = {.size = {1.0, 0.5}, .elements = {24, 12}, .degree = 2};
@@ -69,7 +69,7 @@ TEST(Relaxation, EndsWhenTheVapourHasFilled) {
   EXPECT_LT(vapour, 1e-3);
 }
 
-// What is found is a state of rest to the last digits, whatever was left of a tolerance, and the mass is kept.
+// The result is a state of rest to the last digits, whatever the tolerance, and the mass is kept.
 TEST(Relaxation, LeavesNothingButRoundOff) {
   for (const SceneKind kind : {SceneKind::coupled, SceneKind::rigid}) {
     Case c = small_case(kind, WallLaw::energy);
@@ -101,11 +101,11 @@ TEST(Relaxation, RestsUnderTheLoadsOfItsTime) {
   EXPECT_LT(rest_at(load.start), 1e-14);
   const double whole = rest_at(load.start + load.ramp), half = rest_at(load.start + 0.5 * load.ramp);
   EXPECT_GT(half, 0);
-  EXPECT_NEAR(half / whole, 0.5, 0.1);  // but for what is not linear
+  EXPECT_NEAR(half / whole, 0.5, 0.1);  // up to nonlinear terms
 }
 
-// On a coarse mesh a droplet that was put beside the middle creeps there in 1e5 units of time, by a part of an element in a
-// step. It is followed to the end: small rates of change alone are not rest.
+// On a coarse mesh a droplet that was put off the middle creeps there in 1e5 units of time, by a part of an element in
+// a step. It is followed to the end: small rates of change alone are not rest.
 TEST(Relaxation, FollowsADropletThatCreeps) {
   Case c = small_case(SceneKind::coupled);
   c.domain = {.size = {1.0, 0.5}, .elements = {32, 16}, .degree = 2};

@@ -1,4 +1,5 @@
-// The displacements of branches in steps of generalized-alpha: exact where the solution is known, of second order, at rest.
+// The displacements of branches in steps of generalized-alpha: exact where the solution is known, of second order, at
+// rest.
 #include "time/step/branch_memory.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ struct Errors {
   double memory[2], rate[2];
 };
 
-/// Of one displacement that swings, at t = 2.
+/// Errors for one displacement that swings, at t = 2.
 Errors errors(double rho_inf, int steps) {
   const double dt = 2.0 / steps;
   BranchMemory memory(two_branches(), 1);
@@ -59,8 +60,8 @@ Errors errors(double rho_inf, int steps) {
   return e;
 }
 
-// The second branch is 100 times faster than a step and more: it follows the displacement. With rho_inf = 1 the error of its first step
-// swings on undamped, as with any trapezoidal rule, and stays small.
+// The second branch is 100 times faster than a step and more: it follows the displacement. With rho_inf = 1 the error
+// of its first step swings on undamped, as with any trapezoidal rule, and stays small.
 TEST(BranchMemory, IsOfSecondOrderForAnyStep) {
   for (const double rho_inf : {0.0, 0.5, 1.0}) {
     const Errors a = errors(rho_inf, 80), b = errors(rho_inf, 160);
@@ -135,7 +136,8 @@ TEST(BranchMemory, FollowsASteadyMotionExactly) {
   EXPECT_NEAR(to_host(lag)[0], expected_lag, 1e-14);
 }
 
-// Under finite strains branches follow a function of the displacement, here its square, at other places than control values.
+// Under finite strains branches follow a function of the displacement, here its square, at other places than control
+// values.
 TEST(BranchMemory, FollowsAStrain) {
   const StrainFollowed square = [](const ConstArray& u, const Array& out) {
     std::vector<double> x = to_host(u);
@@ -154,7 +156,7 @@ TEST(BranchMemory, FollowsAStrain) {
   const std::vector<double> a0 = to_host(state.memory), x{0.49, 0.04, 0.25};
   const Array u = to_device<Array>(std::vector<double>{0.7, -0.2}), lag("lag", 3), later("lag", 3);
   memory.begin(state, step, lag);
-  memory.set_lag(u, lag);  // does nothing: h is that of the step
+  memory.set_lag(u, lag);  // does nothing: h belongs to the step
   memory.finish(state, u, end);
   const std::vector<double> a1 = to_host(end.memory), h = to_host(lag);
   const double weight = memory.weight(step.af * step.taken);

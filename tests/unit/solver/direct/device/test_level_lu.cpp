@@ -1,4 +1,5 @@
-// LU that lives on the device: its solutions against the matrix and against the LU of the host, and what it asks of the device.
+// LU that lives on the device: its solutions against the matrix and against the LU of the host, and what it asks of the
+// device.
 #include "solver/direct/device/level_lu.hpp"
 
 #include <cmath>

@@ -100,8 +100,8 @@ using Numbers = ::testing::Types<float>;
 #endif
 TYPED_TEST_SUITE(Stored, Numbers);
 
-/// Rows and columns spread over many magnitudes; entries of one row and column over the 2^14 for which half precision has all
-/// its digits.
+/// Rows and columns spread over many magnitudes; entries of one row and column over the 2^14 for which half precision
+/// has all its digits.
 TYPED_TEST(Stored, ProductsAreWithinTheRoundingOfTheEntries) {
   std::mt19937 draw(11);
   std::uniform_real_distribution<double> power(-12, 12), part(-14, 0), sign(-1, 1);
