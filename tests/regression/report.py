@@ -6,6 +6,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import types
 
 import numpy
 from _scene import PULL, RIGID, cases, check, check_true, environment, record, run, run_file, tools, write_box
@@ -19,7 +20,7 @@ except ImportError:
 import softwet  # noqa: E402
 from softwet._drawing import history_curves  # noqa: E402
 from softwet._drawing.fields import Scene  # noqa: E402
-from softwet._drawing.look import fraction_of, markers, unit_of  # noqa: E402
+from softwet._drawing.look import axis_names, fraction_of, letter, lift, markers, unit_of  # noqa: E402
 from softwet._report import tables  # noqa: E402
 
 
@@ -139,7 +140,40 @@ check_true("units of labels", [unit_of("t"), unit_of("velocity"), unit_of("angle
                                unit_of("power_load", 3)] ==
            [r"$L_0\,(ab)^{-1/2}$", "$(ab)^{1/2}$", "degrees", "", r"$a b^2 (ab)^{1/2} L_0^2$"])
 letters = [axes.get_title(loc="left")[:3] for axes in history_curves.draw_curves(pull).axes if axes.get_visible()]
-check_true("letters on the panels", letters == [f"({c})" for c in "abcdef"[:len(letters)]] and len(letters) > 3, str(letters))
+check_true("letters on the panels", letters == [f"({c})" for c in "abcdefgh"[:len(letters)]] and len(letters) == 6, str(letters))
+figure, axes = plt.subplots()
+axes.set_title("t = 1", loc="left")
+axes.set_title("a long title", loc="right")
+letter(axes, 5)
+check_true("a letter stands before the titles, in one line", axes.get_title(loc="left") == "(f)  t = 1  a long title" and
+           not axes.get_title(loc="right"))
+pdf = pathlib.Path("pull/report.pdf").read_bytes()
+check_true("letters of a PDF are letters", b"/CIDFontType2" in pdf and b"/Type3" not in pdf)
+about_axis = {"domain": {"coordinates": "axisymmetric", "size": [1.0, 0.5]}}
+check_true("names of axes", [axis_names(case) for case in (about_axis, pull.case)] == ["rz", "xy"] and "u_z" in lift(about_axis))
+
+# An axis of symmetry: a droplet has one end, no midpoint and no velocity.
+blank, some = numpy.full(5, numpy.nan), numpy.linspace(0.1, 0.2, 5)
+table = {"step": numpy.arange(5.0), "t": numpy.arange(5.0), "dt": numpy.ones(5), **{name: blank for name in (
+    "x_left", "x_centre", "velocity", "angle_left", "ridge_left", "mass_drift")}, "x_right": some, "angle_right": 100 * some,
+    "ridge_right": some, "dimple": -some, **{name: some for name in ("energy_total", "power_load", "wall_stretch", "dissipation")}}
+half = history_curves.Curves(types.SimpleNamespace(history=table, dimension=2, case=about_axis))
+check_true("curves about an axis", [panel.__name__ for panel in half.panels()] == ["position", "angles", "ridges", "energies", "step"])
+found = dict(tables.result(half, tables.Budget(half), {}))
+check_true("and the results", found["droplet: ridges"] == "0.2" and found["droplet: angles"] == "20.00 degrees" and
+           "droplet: place" not in found, str(found))
+history_curves.ridges(axes, half)
+check_true("ridge and dimple have a curve", [line.get_label() for line in axes.lines] == ["right", "dimple"])
+
+# The close-up lies around the contact line at the right, where it is worth it.
+scene = Scene(pull, 10)
+figure, axes = plt.subplots()
+axes.set(xlim=(0, 1), ylim=(0, 0.5))
+check_true("no close-up of an interface that is wide", scene.close_up(axes) is None)
+scene.case["fluid"]["capillarity"] = 1 / 64
+inset = scene.close_up(axes)
+check("a close-up around the contact line", abs(numpy.mean(inset.get_xlim()) - pull.history["x_right"][-1]), 0.01)
+check("of eight capillarities", abs(numpy.ptp(inset.get_xlim()) - 1 / 8), 1e-12)
 
 # --- states of rest: of one command, and of a branch -------------------------------------------------------------------
 REST = ["domain.elements=[32,16]", "fluid.capillarity=1/16"]

@@ -38,8 +38,8 @@ last = {name: values[-1] for name, values in history("done").items()}
 tells("status of a run that is done", tell("status", "done"), "done: done", "t = 2 of 2", f"step {last['step']:.0f}",
       f"contact line {last['x_left']:.4f} to {last['x_right']:.4f}", "s a step")
 text = tell("watch", "done", "--once", COLUMNS="100", LINES="30")
-check_true("watch: the line of status and four panels", text.startswith("done: done") and all(
-    title in text for title in ("contact lines", "velocity", "time step")), text)
+check_true("watch: the line of status and five panels", text.startswith("done: done") and all(
+    title in text for title in ("contact lines", "velocity", "total energy", "ridges", "time step")), text)
 check_true("watch: curves", sum(0x2800 < ord(c) < 0x2900 for c in text) > 100)
 check_true("watch: as wide and high as the terminal", max(map(len, text.splitlines())) <= 100 and text.count("\n") <= 30)
 check_true("watch ends with the run", tell("watch", "done", "--every", "0.1", COLUMNS="100", LINES="30") == text)

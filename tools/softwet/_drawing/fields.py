@@ -1,12 +1,9 @@
 """Fluid and solid of one time of an output folder on axes: density, displacement, streamlines, outline, loads."""
 
-from .look import RED, Problem, fraction_of, np
+from .look import RED, Problem, fraction_of, is_axisymmetric, np
 from matplotlib.tri import LinearTriInterpolator, Triangulation
 
-
-def is_axisymmetric(case):
-    """Whether the left side is an axis of symmetry; pictures then show the half on its other side too."""
-    return case["domain"].get("coordinates") == "axisymmetric"
+NEAR = 4  # capillarities from a contact line to the edge of its close-up
 
 
 class Block:
@@ -45,12 +42,50 @@ class Scene:
         """Where the picture ends below: at 0, or where the solid or the fluid hangs lower."""
         return min([0.0, *(block.y.min() for block in (self.solid, self.fluid) if block)])
 
-    def outline(self, axes, **style):
-        """The droplet: density halfway between its extremes."""
+    def middle(self):
+        """(density at the points, halfway between its extremes); nan where there is no droplet."""
         density = self.fluid.both(self.fluid.field["density"])
         low, high = density.min(), density.max()
-        if high > 2 * low:
-            axes.contour(self.fluid.x, self.fluid.y, density, levels=[0.5 * (low + high)], **style)
+        return density, 0.5 * (low + high) if high > 2 * low else np.nan
+
+    def outline(self, axes, **style):
+        """The droplet: density halfway between its extremes."""
+        density, middle = self.middle()
+        if middle > 0:
+            axes.contour(self.fluid.x, self.fluid.y, density, levels=[middle], **style)
+
+    def contact(self):
+        """Where the outline meets the soft wall at the right, as a place in the picture; None where it does not."""
+        if not self.solid or not self.has_density:
+            return None
+        density, middle = self.middle()
+        row = density[0] - middle
+        ends = np.flatnonzero(row[1:] * row[:-1] < 0)
+        if not len(ends):
+            return None
+        i = ends[-1]
+        share = row[i] / (row[i] - row[i + 1])
+        return np.array([(1 - share) * line[0, i] + share * line[0, i + 1] for line in (self.fluid.x, self.fluid.y)])
+
+    def close_up(self, axes):
+        """Axes in an upper corner for what lies around the contact line, with its frame in the picture; None where there is none, where
+        it would be enlarged less than twice, or where a droplet is in both corners."""
+        place, (left, right), (low, high) = self.contact(), axes.get_xlim(), axes.get_ylim()
+        side = min(0.5 * (high - low), 0.4 * (right - left))
+        reach = NEAR * self.case["fluid"]["capillarity"] if place is not None else np.inf
+        if side < 4 * reach:
+            return None
+        density, middle = self.middle()
+        for corner in (right - 1.02 * side, left + 0.02 * side):
+            inside = (abs(self.fluid.x - corner - 0.5 * side) < 0.6 * side) & (self.fluid.y > high - 1.1 * side)
+            above = place[1] + reach < high - 1.02 * side or not -reach < place[0] - corner < side + reach
+            if above and not (density[inside] > middle).any():
+                box = [corner, high - 1.02 * side, side, side]
+                inset = axes.inset_axes(box, transform=axes.transData, xlim=place[0] + [-reach, reach], ylim=place[1] + [-reach, reach],
+                                        xticks=[], yticks=[])
+                axes.indicate_inset_zoom(inset, edgecolor="0.2", linewidth=0.6)
+                return inset
+        return None
 
     def draw_fluid(self, axes, darkest=1.0):
         """The density, from white to the blue of the density `darkest`."""

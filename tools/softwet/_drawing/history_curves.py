@@ -6,8 +6,7 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 
-from .fields import is_axisymmetric
-from .look import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, UNIT, Problem, letter, markers, with_unit
+from .look import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, TIME, Problem, is_axisymmetric, letter, markers, with_unit
 
 SPIKE = 0.02  # the part of the time shown that counts as its start
 COLOURS = {"kinetic": GREY, "free": BLUE, "wall": GREEN, "elastic": RED, "surface": ORANGE, "gravity": PURPLE, "total": "black"}
@@ -48,12 +47,20 @@ class Curves:
         return self.t > self.t[0] + SPIKE * (self.t[-1] - self.t[0])
 
     def any_number(self, name):
-        """Whether the column, or that of a further droplet, has a value in the rows shown."""
-        return any(np.isfinite(values).any() for column, values in self.table.items() if column.startswith(name))
+        """Whether the column, or that of a further droplet, has a value in the rows shown; a ridge on a rigid wall is none."""
+        found = [values for column, values in self.table.items() if column.startswith(name)]
+        return any((np.nan_to_num(values) != 0 if name == "ridge_" else np.isfinite(values)).any() for values in found)
 
     def line(self, ax, name, **style):
-        values = self.table[name]
-        ax.plot(self.t, values, **(markers(np.isfinite(values).sum()) | style))
+        """The curve of a column; none where it has no values, as those of a droplet on an axis of symmetry."""
+        values = self.table.get(name, np.array([np.nan]))
+        if np.isfinite(values).any():
+            ax.plot(self.t, values, **(markers(np.isfinite(values).sum()) | style))
+
+    @property
+    def ends(self):
+        """Names of the ends of a droplet, with their colours."""
+        return zip(("left", "right") if self.flat else ("rear", "front"), (BLUE, RED))
 
     def compare(self, ax, name):
         if name in self.reference:
@@ -62,10 +69,9 @@ class Curves:
 
     def panels(self):
         """The panels that the run has numbers for, in their order."""
-        chosen = [position, velocity] if self.any_number("x_centre") else []
-        chosen += [angles] if self.any_number("angle_") else []
-        chosen += [mass] if self.any_number("mass_drift") else []
-        return [*chosen, energies, step]
+        known = {position: ("x_left", "x_right", "x_centre"), velocity: ("velocity",), angles: ("angle_",), ridges: ("ridge_",),
+                 mass: ("mass_drift",)}
+        return [*(panel for panel, names in known.items() if any(map(self.any_number, names))), energies, step]
 
 
 def position(ax, curves):
@@ -113,9 +119,18 @@ def cut_spike(ax, curves):
 
 def angles(ax, curves):
     for suffix in curves.droplets:
-        for side, colour in zip(("left", "right") if curves.flat else ("rear", "front"), (BLUE, RED)):
+        for side, colour in curves.ends:
             curves.line(ax, f"angle_{side}{suffix}", color=colour, label=side)
     ax.set(ylabel=with_unit("angle", "angle_left" if curves.flat else "angle_rear"), title="apparent contact angles")
+
+
+def ridges(ax, curves):
+    for suffix in curves.droplets:
+        for side, colour in curves.ends:
+            curves.line(ax, f"ridge_{side}{suffix}", color=colour, label=side)
+        curves.line(ax, f"dimple{suffix}", color=GREY, label="dimple")
+    ax.set(ylabel=with_unit("height", "ridge_left" if curves.flat else "ridge_rear"), title="ridges of the wall")
+    make_room(ax)
 
 
 def energy_label(curves):
@@ -147,7 +162,7 @@ def step(ax, curves):
 
 def finish(ax, number):
     """Label of the time, legend, letter."""
-    ax.set_xlabel(UNIT["t"])
+    ax.set_xlabel(TIME)
     ax.margins(x=0.02)
     handles, labels = ax.get_legend_handles_labels()
     unique = dict(zip(labels, handles))  # several droplets share their labels

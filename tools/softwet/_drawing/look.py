@@ -14,9 +14,10 @@ STYLE = {
     "font.size": 9, "axes.titlesize": 9, "axes.labelsize": 9, "legend.fontsize": 8, "mathtext.fontset": "dejavusans",
     "axes.linewidth": 0.7, "lines.linewidth": 1.3, "savefig.dpi": 140, "axes.formatter.limits": (-3, 4),
     "axes.formatter.use_mathtext": True, "axes.titlelocation": "right",
+    "pdf.fonttype": 42, "ps.fonttype": 42, "svg.fonttype": "none",  # letters stay letters, as journals ask
 }
 BLUE, RED, GREEN, GREY, ORANGE, PURPLE = "#1f5fa8", "#c0392b", "#2e8b57", "0.55", "#d98200", "#7d4ea8"
-UNIT = {"t": r"$t \;/\; L_0\,(ab)^{-1/2}$", "x": r"$x \;/\; L_0$", "y": r"$y \;/\; L_0$"}
+TIME = r"$t \;/\; L_0\,(ab)^{-1/2}$"
 FEW = 25  # with fewer points a curve shows them
 
 
@@ -24,6 +25,26 @@ def check_number(name, value, low, high):
     """Refuses a number outside of [low, high], and NaN."""
     if not low <= value <= high:
         raise Problem(f"{name} {value:g}: must be a number in [{low:g}, {high:g}]")
+
+
+def is_axisymmetric(case):
+    """Whether the left side is an axis of symmetry; pictures then show the half on its other side too."""
+    return case["domain"].get("coordinates") == "axisymmetric"
+
+
+def axis_names(case):
+    """What the axes of a scene in 2D are called: r and z about an axis of symmetry."""
+    return "rz" if is_axisymmetric(case) else "xy"
+
+
+def length(name):
+    """The label of a length."""
+    return rf"${name} \;/\; L_0$"
+
+
+def lift(case):
+    """The label of the upright displacement."""
+    return rf"$u_{axis_names(case)[1]} \;/\; 10^{{-3}} L_0$"
 
 
 def unit_of(column, dimension=2):
@@ -51,9 +72,10 @@ def markers(count):
 
 
 def letter(axes, number):
-    """(a), (b), ... above the upper left corner of a panel, before its title on the left if it has one."""
-    name, title = f"({chr(ord('a') + number)})", axes.get_title(loc="left")
-    axes.set_title(f"{name}  {title}" if title else name, loc="left")
+    """(a), (b), ... above the upper left corner of a panel, before its titles, which follow it so that they cannot meet it."""
+    titles = [axes.get_title(loc=place) for place in ("left", "right")]
+    axes.set_title("  ".join([f"({chr(ord('a') + number)})", *filter(None, titles)]), loc="left")
+    axes.set_title("", loc="right")
 
 
 def fraction_of(load, case, time):

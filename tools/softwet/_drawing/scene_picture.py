@@ -17,6 +17,7 @@ from softwet import program
 
 SHADES = {"fluid.contact_angle": "RdYlBu", "substrate.young": "YlOrBr"}
 SYMBOLS = {"fluid.contact_angle": r"contact angle / degrees", "substrate.young": r"$E \;/\; (\rho_0^s\, a b)$"}
+FLAT = 0.25  # height over width of a scene whose scales of colours lie below it
 LINES = 64  # most lines of a mesh along an axis; of a finer one some are left out
 
 
@@ -257,9 +258,11 @@ def draw(figure, state, size=7):
 
 
 def add_scales(figure, panel, images, size):
-    """A scale of colours for each image {label: image} of a panel."""
+    """A scale of colours for each image {label: image} of a panel: below a flat one, at whose side the label would be taller."""
+    (left, right), (low, high) = panel.get_xlim(), panel.get_ylim()
+    place = {"location": "bottom", "shrink": 0.5, "aspect": 30, "pad": 0.1} if high - low < FLAT * (right - left) else {"shrink": 0.8, "pad": 0.01}
     for label, image in images.items():
-        bar = figure.colorbar(image, ax=panel, shrink=0.8, aspect=20, pad=0.01)
+        bar = figure.colorbar(image, ax=panel, **{"aspect": 20, **place})
         bar.set_label(label, fontsize=size)
         bar.ax.tick_params(labelsize=size)
 
@@ -267,4 +270,5 @@ def add_scales(figure, panel, images, size):
 def size_of_page(state):
     """Inches of a page of its own."""
     tall = state.size[-1] if len(state.size) == 2 else state.size[1] + state.size[-1]
-    return 8.0, float(np.clip(6.2 * tall / state.size[0], 2.2, 11.0)) + 0.4
+    scales = 1.4 if state.size[-1] < FLAT * state.size[0] else 0
+    return 8.0, float(np.clip(6.2 * tall / state.size[0], 1.2, 11.0)) + 0.8 + scales

@@ -1,17 +1,15 @@
 """How the figures of the paper look: page width, colours that the colour-blind tell apart, panel letters, trends."""
 
+from .._drawing import look
 from .._drawing.look import np
 
 WIDTH = 7.09  # two columns of the journal, inches
 BLUE, VERMILION, GREEN, ORANGE = "#0072B2", "#D55E00", "#009E73", "#E69F00"  # after Okabe and Ito
 SERIES = (BLUE, GREEN, ORANGE, VERMILION)
-STYLE = {
-    "font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "legend.fontsize": 7, "xtick.labelsize": 7,
-    "ytick.labelsize": 7, "mathtext.fontset": "dejavusans", "axes.linewidth": 0.6, "lines.linewidth": 1.2,
-    "xtick.major.width": 0.6, "ytick.major.width": 0.6, "axes.titlelocation": "right",
-    "legend.frameon": False, "legend.handlelength": 1.8,
-}
-TIME, X, Y = r"time $t \;/\; L_0\,(ab)^{-1/2}$", r"$x \;/\; L_0$", r"$y \;/\; L_0$"
+STYLE = {**look.STYLE, "font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "legend.fontsize": 7, "xtick.labelsize": 7,
+         "ytick.labelsize": 7, "axes.linewidth": 0.6, "lines.linewidth": 1.2, "xtick.major.width": 0.6, "ytick.major.width": 0.6,
+         "legend.frameon": False, "legend.handlelength": 1.8}
+TIME, X, Y = f"time {look.TIME}", look.length("x"), look.length("y")
 
 
 def letter(axes, name):

@@ -4,8 +4,8 @@ import textwrap
 
 import numpy as np
 
-from .._drawing.fields import Scene, is_axisymmetric
-from .._drawing.look import GREY, UNIT, Problem, matplotlib, refine
+from .._drawing.fields import Scene
+from .._drawing.look import GREY, Problem, axis_names, is_axisymmetric, length, lift, matplotlib, refine
 from .._drawing.scene_picture import draw, with_first_state
 
 
@@ -42,7 +42,7 @@ def flat(figure, run, times):
         elif scene.fluid:
             axes.text(0.5, 0.95, NO_DENSITY, transform=axes.transAxes, ha="center", va="top", color=GREY, fontsize=6)
         if scene.solid:
-            images[r"$u_y / 10^{-3} L_0$"] = scene.draw_solid(axes, limit)
+            images[lift(run.case)] = scene.draw_solid(axes, limit)
             scene.draw_loads(axes)
         width, height = run.case["domain"]["size"]
         axes.set(aspect="equal", xlim=(-width if is_axisymmetric(run.case) else 0, width), ylim=(scene.lowest, height))
@@ -92,7 +92,7 @@ def wall(axes, run):
         x = refine(points["x_reference"] + points["displacement_x"])
         axes.plot(x, 1e3 * refine(points["displacement_y"]), color=colour, label=f"$t = {time:g}$")
     axes.axhline(0, color=GREY, linewidth=0.6, zorder=0)
-    axes.set(xlabel=UNIT["x"], ylabel=r"$u_y \;/\; 10^{-3} L_0$", title="vertical displacement of the interface",
+    axes.set(xlabel=length(axis_names(run.case)[0]), ylabel=lift(run.case), title="vertical displacement of the interface",
              xlim=(0, run.case["domain"]["size"][0]))
 
 

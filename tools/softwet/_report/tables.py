@@ -95,16 +95,15 @@ def result(curves, budget, record):
     for suffix in curves.droplets:
         centre = table[("x_centre" if curves.flat else "track_centre") + suffix][-1]
         speeds = table["velocity" + suffix]
-        if not np.isfinite(speeds[curves.settled()]).any():
-            continue
-        where = np.nanargmax(np.abs(np.where(curves.settled(), speeds, np.nan)))
         name = f"droplet {suffix[1:]}" if suffix else "droplet"
-        rows += [(f"{name}: place", number(float(centre)) if np.isfinite(centre) else "gone"),
-                 (f"{name}: peak velocity", f"{speeds[where]:.3e} at t = {curves.t[where]:.4g}")]
+        if np.isfinite(speeds[curves.settled()]).any():  # not on an axis of symmetry
+            where = np.nanargmax(np.abs(np.where(curves.settled(), speeds, np.nan)))
+            rows += [(f"{name}: place", number(float(centre)) if np.isfinite(centre) else "gone"),
+                     (f"{name}: peak velocity", f"{speeds[where]:.3e} at t = {curves.t[where]:.4g}")]
         ripple = (record.get("groups") or {}).get("speed_ripple")
         if ripple:
             rows.append((f"{name}: ripple of V by the mesh", f"about {100 * ripple:.1f} %; 1.2 times the elements halve it"))
-        rows += [(f"{name}: {text}", value) for text, value in at_the_line(curves, suffix, ("angle",))]
+        rows += [(f"{name}: {text}", value) for text, value in at_the_line(curves, suffix, ("angle", "ridge"))]
     if np.isfinite(table["mass_drift"]).any():
         rows.append(("largest drift of the mass", f"{np.nanmax(np.abs(table['mass_drift'])):.1e}"))
     rows += [(name, f"{values[-1]:.4e}") for name, values in (
@@ -117,15 +116,15 @@ LINE = {"angle": ("angles", "{:.2f}", " degrees"), "ridge": ("ridges", "{:.4g}",
 
 
 def at_the_line(curves, suffix, kinds):
-    """Numbers at both ends of a droplet, in the last row. @param kinds  of LINE; those that are not known are left out"""
+    """Numbers at the ends of a droplet, in the last row: both, or the one that is not an axis of symmetry. @param kinds  of LINE"""
     rows = []
     for kind in kinds:
         ends = ("left", "right") if curves.flat else ("rear", "front")
         start = kind if kind != "contact" else "x" if curves.flat else "track"
         values = [curves.table.get(f"{start}_{end}{suffix}", [np.nan])[-1] for end in ends]
         name, form, unit = LINE[kind]
-        if np.isfinite(values).all():
-            rows.append((name, " and ".join(map(form.format, values)) + unit))
+        known = [form.format(value) for value in values if np.isfinite(value)]
+        rows += [(name, " and ".join(known) + unit)] if known else []
     return rows
 
 

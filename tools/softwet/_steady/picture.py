@@ -5,7 +5,7 @@ import math
 import matplotlib
 import softwet
 from .._store.values import number
-from .._drawing.look import BLUE, GREEN, RED, STYLE, UNIT, letter, with_unit
+from .._drawing.look import BLUE, GREEN, RED, STYLE, axis_names, length, letter, with_unit
 from .table import FOUND, HISTORY
 from matplotlib import pyplot as plt
 
@@ -37,7 +37,8 @@ def draw_walls(axes, folder, rows, key):
         axes.plot(wall["x_reference"] + wall["displacement_x"], wall["displacement_y"], lw=0.9,
                   color=colours(order / max(1, len(rows) - 1)),
                   label=row["value"] if order in (0, len(rows) - 1) else None)
-    axes.set(xlabel=UNIT["x"], ylabel=r"$u_y \;/\; L_0$", title=f"wall, {key}")
+    across, upright = axis_names(run.case)
+    axes.set(xlabel=length(across), ylabel=rf"$u_{upright} \;/\; L_0$", title=f"wall, {key}")
     axes.legend(frameon=False)
 
 
