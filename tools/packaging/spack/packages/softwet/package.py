@@ -33,7 +33,7 @@ class Softwet(CMakePackage, CudaPackage, ROCmPackage):
     conflicts("+cuda", when="cuda_arch=none", msg="softwet: name one device, as in cuda_arch=90")
     conflicts("+rocm", when="amdgpu_target=none", msg="softwet: name one device, as in amdgpu_target=gfx90a")
     conflicts("+cuda", when="+rocm", msg="softwet computes on devices of one kind")
-    conflicts("%gcc@:11", msg="softwet is tested from g++ 12 on")
+    conflicts("%gcc@:10", msg="softwet needs g++ 11 or newer")
 
     generator("ninja")
     depends_on("c", type="build")
