@@ -19,6 +19,7 @@ WORK = pathlib.Path.cwd() / "work"
 # Stands for the real one, which takes long to configure.
 KOKKOS = """if(NOT TARGET Kokkos::kokkos)
   add_library(Kokkos::kokkos INTERFACE IMPORTED)
+  add_custom_target(kokkoscore)
 endif()
 set(Kokkos_DEVICES SERIAL)
 set(Kokkos_ARCH AVX2)
@@ -43,8 +44,14 @@ check("and has an HDF5 of its own", wheel["SOFTWET_OWN_HDF5"] == "ON", wheel)
 
 options = {**wheel, "SOFTWET_UNITY": "1", "SOFTWET_SYSTEM_KOKKOS": "ON", "Kokkos_DIR": WORK, "FETCHCONTENT_SOURCE_DIR_HDF5": WORK / "hdf5",
            "CMAKE_EXPORT_COMPILE_COMMANDS": "ON", "CMAKE_BUILD_TYPE": "Release", "SKBUILD": "ON", "SKBUILD_DATA_DIR": WORK / "data"}
-done = subprocess.run(["cmake", "-S", ROOT, "-B", WORK / "build", "-G", "Ninja", "-Wno-dev", *(f"-D{key}={value}" for key, value in options.items())],
-                      capture_output=True, text=True, timeout=900)
+
+
+def configure(**more):
+    words = [f"-D{key}={value}" for key, value in {**options, **more}.items()]
+    return subprocess.run(["cmake", "-S", ROOT, "-B", WORK / "build", "-G", "Ninja", "-Wno-dev", *words], capture_output=True, text=True, timeout=900)
+
+
+done = configure()
 check("the options of a wheel configure", done.returncode == 0, done)
 
 # A source of a configuration, such as 3x2, is compiled for each of them.
@@ -80,3 +87,10 @@ crypto = subprocess.run(["c++", "-x", "c++", "-", "-o", WORK / "crypto", "-l:lib
 if crypto.returncode == 0:
     done = install("int main() { return 0; }\n", "-Wl,--no-as-needed", "-l:libcrypto.so.3")
     check("a library that softwet does not call is refused", done.returncode != 0 and "libcrypto.so.3" in done.stderr, done)
+
+# --- a second program, where it is asked for -------------------------------------------------------------------------
+done = configure(SOFTWET_AVX512_BESIDE="ON")
+second = "\n".join(path.read_text() for path in (WORK / "build/avx512").rglob("*-cfgcmd.txt"))
+check("a program for AVX-512 beside it", done.returncode == 0 and "-DSOFTWET_ARCH=x86-64-v4" in second, done)
+check("with the same HDF5", {"-DSOFTWET_OWN_HDF5=ON", f"-DFETCHCONTENT_SOURCE_DIR_HDF5={WORK / 'hdf5'}"} <= set(re.split(r"[;']", second)), second)
+check("and the same configurations", "-DSOFTWET_CONFIGURATIONS=2x2|rz2|2x3|rz3|3x2;" in second, second)  # | stands for ; until it is called
