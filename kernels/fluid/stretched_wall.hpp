@@ -19,7 +19,7 @@ struct StretchedTrial {
     return {Inner::read(at), at.area_ratio()};
   }
 
-  /// With the cosine s c a^(-beta) in the place of c, the given field.
+  /// This law with the given field s c a^(-beta) in the place of c.
   KOKKOS_FORCEINLINE_FUNCTION Inner with(double beta, double share = 1) const {
     Inner inner = wall;
     inner.given = share * real_power(area_ratio, -beta) * inner.given;

@@ -109,7 +109,7 @@ struct Copy {
   ConstArray from;
   KOKKOS_FUNCTION void operator()(int i) const { to(i) = from(i); }
 };
-/// As an operation of `run_fused`.
+/// A copy as an operation of `run_fused`.
 inline ForEach<Copy> copied(const Array& to, const ConstArray& from) {
   return {static_cast<int>(to.extent(0)), {to, from}};
 }

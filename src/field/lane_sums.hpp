@@ -16,7 +16,7 @@ KOKKOS_FORCEINLINE_FUNCTION double sum_of_lanes(const double* sum) {
   return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-/// One of these sums, which a thread of a device adds up.
+/// One of the sums of an item, which a thread of a device adds up.
 struct OneLane {
   int lane;
   double sum = 0;

@@ -34,7 +34,7 @@ const Traffic& traffic();
 void add(double* numbers, int count);
 double largest(double);
 double least(double);
-/// Each number becomes the largest that any process has in its place.
+/// Replaces each number by the largest number that any process has in its place.
 void largest(double* numbers, int count);
 /// The number that the first process has.
 double of_root(double);

@@ -7,7 +7,7 @@
 
 namespace softwet {
 
-/// In single precision: such a matrix only serves preconditioners.
+/// Entries of a matrix, in single precision: such a matrix only serves preconditioners.
 using StencilValues = Kokkos::View<float*, Exec>;
 
 /// Control points along an axis of the boxes of `schwarz` (solver/schwarz/schwarz.hpp). On each side a process stores

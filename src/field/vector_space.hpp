@@ -1,4 +1,4 @@
-// How vectors lie in lines of columns: what sums over them have to know.
+// How vectors lie in lines of columns, as sums over them need it.
 #pragma once
 
 #include <stdexcept>

@@ -14,7 +14,7 @@ struct Gap {
   double width;            ///< scale L0; 0 or less: they overlap
 };
 
-/// So many gaps are looked for at most.
+/// The largest number of gaps that is looked for.
 inline constexpr std::size_t most_gaps = 1000;
 
 /// All gaps below a width, or `most_gaps` of them: between droplets, between a droplet and a film, and between these

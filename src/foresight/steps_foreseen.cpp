@@ -75,7 +75,7 @@ double rate_of_material(const Case& c, const MassSymbols& symbols, double shorte
   return std::max(rate(step_points::SolidPlace::face), rate(step_points::SolidPlace::bottom));
 }
 
-/// All materials are alike where nothing is stretched.
+/// Rate of any material: all materials are alike where nothing is stretched.
 template <int D, bool Axial>
 double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest) {
   if (c.substrate->prestretch.empty() || c.substrate->material != MaterialModel::neo_hookean)
@@ -89,7 +89,7 @@ double rate_of_solid(const Case& c, const MassSymbols& symbols, double shortest)
                             : rate_of_solid<3, false>(c, symbols, shortest);
 }
 
-/// As for the bound: see fewest_elements in step_bound.cpp.
+/// The fewest elements along an axis, as for the bound: see fewest_elements in step_bound.cpp.
 int fewest_elements(const Case& c) {
   const int up = c.dimension() - 1, of_solid = c.substrate ? static_cast<int>(std::lround(c.rows_of_solid())) : 0;
   std::vector<int> all{of_solid, c.domain.elements[up] - of_solid};

@@ -28,7 +28,7 @@ struct PointField {
   std::string unit = "1";      ///< scale of the values
 };
 
-/// Whose fields these are: attributes of the file.
+/// Origin of the fields: attributes of the file.
 struct FieldOrigin {
   std::string case_name, version, commit;
 };

@@ -18,7 +18,7 @@ class TableRow {
   TableRow(std::initializer_list<std::pair<std::string, Cell>> cells) : cells_(cells) {}
 
   void set(const std::string& column, const Cell& value) { cells_.emplace_back(column, value); }
-  /// All cells of another row, with an ending behind the names.
+  /// Adds all cells of another row, with an ending behind the names.
   void add(const TableRow& other, const std::string& ending);
 
   /// Empty also where the row has no such cell.

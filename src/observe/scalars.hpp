@@ -55,7 +55,7 @@ class Scalars {
   const HistoryMemory& memory() const { return memory_; }
   /// Goes on behind a row of an earlier process.
   void restore(const HistoryMemory& memory);
-  /// All that happened to the droplets up to the row last evaluated.
+  /// Events of the droplets up to the row evaluated last.
   const std::vector<Event>& events() const { return latest_.events; }
 
  private:

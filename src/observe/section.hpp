@@ -57,7 +57,7 @@ Section<3> side_view(const Snapshot<3>&, const Place& point, const Place& direct
 /// s of a point of the wall in a section along `direction`.
 double along_track(const Layout<3>&, const Place& point, const Place& direction);
 
-/// From `low` to `high` in `count` equal steps, ends included.
+/// Places from `low` to `high` in `count` equal steps, ends included.
 std::vector<double> equidistant(double low, double high, int count);
 
 }  // namespace softwet

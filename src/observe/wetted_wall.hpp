@@ -36,7 +36,7 @@ class WettedWall {
  public:
   explicit WettedWall(const WallSamples& samples);
 
-  /// In the order of their first points.
+  /// Regions in the order of their first points.
   const std::vector<WettedRegion>& regions() const { return regions_; }
   /// The region of the sample nearest to a place of the deformed wall; -1: dry.
   int region_at(const Place& now) const;

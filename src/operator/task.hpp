@@ -200,7 +200,7 @@ struct Writer {
     add(channel, value);
     add_flux(channel, flux);
   }
-  /// In the coordinates (r, z) with a hoop entry.
+  /// Adds the values and fluxes of a point in the coordinates (r, z), which have a hoop entry.
   KOKKOS_FORCEINLINE_FUNCTION void add(int channel, const N& value, const Vector<N, D>& flux, const N& hoop) const {
     out[channel][0][q] = weight * outcome(point.measured(value, hoop));
     add_flux(channel, flux);

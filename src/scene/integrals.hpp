@@ -16,7 +16,7 @@ namespace softwet {
 /// Tested: tests/unit/scene/test_integrals.cpp
 class Integrals {
  public:
-  /// In the order in which parts are added up.
+  /// Names of the parts, in the order in which they are added up.
   static constexpr std::array<std::string_view, 20> parts{"mass",
                                                           "energy_kinetic",
                                                           "energy_free_bulk",

@@ -22,7 +22,7 @@ struct ElementColumns {
   int first_strip = 0, last_strip = 0, strips = 0;
 };
 
-/// All of so many elements.
+/// All elements of an axis, in one run.
 ElementColumns whole_elements(int elements);
 
 /// The columns of an axis that a process stores: its own ones, [begin, end) in storage, and copies of `beside`

@@ -83,7 +83,7 @@ bool LoadTimes::Expression::follows_line(double t, double dt) const {
   return true;
 }
 
-/// From t, or from the start of the load where that is later.
+/// Reach from t, or from the start of the load where that is later.
 LoadTimes::Reach LoadTimes::Expression::reach(double t, double wish) const {
   const double begin = std::max(t, start), no_time = no_time_at(t);
   if (t + wish <= start || follows_line(begin, t + wish - begin)) return {wish, false};

@@ -36,7 +36,7 @@ class StepControl {
   /// Makes the next step as after a first state.
   void begin_anew() { proposed_ = std::min(proposed_, limits_.initial); }
 
-  /// After an accepted step of size dt with its indicator.
+  /// Takes an accepted step of size dt with its indicator.
   void accept(double dt, double indicator, Effort effort = Effort::usual);
 
   /// After a step that failed: halves. Returns false when the step has become smaller than allowed.

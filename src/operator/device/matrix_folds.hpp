@@ -43,7 +43,7 @@ struct MatrixFolds {
       return high < end ? high : end - 1;
     }
   };
-  /// How far the entries of the next functions of the last axis are apart.
+  /// Distances between the entries of the next functions of the last axis.
   struct Steps {
     std::int64_t test, trial;
   };

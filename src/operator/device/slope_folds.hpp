@@ -18,7 +18,7 @@ struct SlopeFolds {
   static constexpr int channels = Plan::channels, lines = Shape::lines;
   using Basis = PointBasis<n, Real>;
 
-  /// In 3D: the lines of points along x.
+  /// Folds the lines of points along x, in 3D.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void along_x(const Team& team, Real* t) {
     constexpr bool by_number = Room::by_number && (Channels::with_both == 0 || lines * Channels::folded <= Team::size);
@@ -44,7 +44,7 @@ struct SlopeFolds {
     }
   }
 
-  /// In 2D. An item: control x of one channel.
+  /// Folds along x in 2D. An item is control x of one channel.
   template <class Team>
   static KOKKOS_FORCEINLINE_FUNCTION void along_x_and_z(const Team& team, int pass, bool last, Real* t, Real* out) {
     share_known<cx * channels>(team, [&](int i) {
@@ -98,7 +98,7 @@ struct SlopeFolds {
     }
   }
 
-  /// All numbers of a channel.
+  /// Folds all numbers of a channel along x.
   static KOKKOS_FORCEINLINE_FUNCTION void channel_along_x(Real* t, int c, int line) {
     const Real* const from = t + Room::integrands + Room::integrand(c) + line;
     Real* const to = t + Room::folded + Channels::folded_before(c) * Room::folded_apart + line * cx;

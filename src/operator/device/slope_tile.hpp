@@ -161,7 +161,7 @@ struct SlopeTile : TilePoints<Plan, SlopeScratch<Plan>> {
     });
   }
 
-  /// One pass: a layer of elements, added to the sums of the tile.
+  /// Runs one pass: a layer of elements, added to the sums of the tile.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void run_pass(const Team& team, int pass, bool last, int (&corner)[D],
                                             const Real* direction, Real* t) const {

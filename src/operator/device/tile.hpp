@@ -42,7 +42,7 @@ struct TileFields {
   const int (&step)[D][Q];
   const Real* scale;
 
-  /// In 3D what a point keeps stands behind its values.
+  /// Number i that a point keeps, behind its values in 3D.
   KOKKOS_FORCEINLINE_FUNCTION Real kept(int i) const { return values[Room::kept + i * Room::point_field]; }
   KOKKOS_FORCEINLINE_FUNCTION S part(int field, int c) const {
     if (!Plan::has_gradient(field)) return S(D == 3 ? kept(field - Plan::stored_before(field)) : own.value[field]);
@@ -179,7 +179,7 @@ struct Tile : TilePoints<Plan, TileScratch<Plan>> {
   static constexpr int own_points = (slots_of(Shape::points, Shape::lanes) + Team::size - 1) / Team::size;
   static constexpr int fluxes = D == 3 ? Room::flux_x : Room::second;  ///< along the first axes
 
-  /// One pass in 2D: L layers of elements, added to the sums of the tile.
+  /// Runs one pass in 2D: L layers of elements, added to the sums of the tile.
   template <class Team>
   KOKKOS_FORCEINLINE_FUNCTION void run_pass(const Team& team, int pass, const Real* direction, Real* t) const {
     PointState<Plan> own[own_points<Team>];

@@ -50,7 +50,7 @@ template <bool Tangent, class Real>
 struct ChosenTile<2, 3, Tangent, Real> : TileShape<2, 3, 4, 1, 4, 2> {
   static constexpr int teams = 2;
 };
-/// All numbers of a product in double precision.
+/// Whether all numbers of a product are in double precision.
 template <bool Tangent, class Real>
 inline constexpr bool double_product = Tangent ? std::is_same_v<Real, double> : false;
 template <bool Tangent, class Real>

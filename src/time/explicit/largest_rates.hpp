@@ -29,7 +29,7 @@ struct ValuePoint {
   }
 };
 
-/// Nothing to look at.
+/// The point of a region that does not exist: no rates.
 struct NoPoint {
   KOKKOS_FUNCTION void operator()(int, double*) const {}
 };

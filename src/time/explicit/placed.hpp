@@ -18,7 +18,7 @@ constexpr bool include(unsigned parts, unsigned wanted) { return (parts & wanted
 
 template <unsigned parts, unsigned wanted>
 concept Holding = placed::include(parts, wanted);
-/// Nothing is left to take.
+/// The stage has the parts, and no force is left to take.
 template <unsigned parts, unsigned wanted>
 concept Ready = Holding<parts, wanted> &&(parts&(placed::flux | placed::rates)) == 0;
 

@@ -121,7 +121,7 @@ class SemiDiscrete final : public Evolution {
   auto take_rates(Placed<has>&& at, const Array& moment_rates) {
     return std::move(at).template after<has & ~placed::rates>([&] { return take(moment_rates); });
   }
-  /// Both, then velocities that are a sum with this acceleration; and a copy of the density.
+  /// `pressure` and `take_rates`, then velocities that are a sum with this acceleration; and a copy of the density.
   template <unsigned has>
     requires Ready<has, placed::all>
   auto pressure(Placed<has>&& at, const Array& acceleration, const Array& moment_rates, const SumOf& velocity,
@@ -134,7 +134,7 @@ class SemiDiscrete final : public Evolution {
   auto convection(Placed<has>&& at, Viscosity how, const Array& acceleration) {
     return std::move(at).template after<has>([&] { return convection(how, acceleration, {}); });
   }
-  /// By both, then velocities that are a sum with this acceleration.
+  /// Acceleration by convection and viscosity, then velocities that are a sum with it.
   template <unsigned has>
     requires Ready<has, placed::fields | placed::weights>
   auto convection(Placed<has>&& at, const Array& acceleration, const SumOf& velocity) {

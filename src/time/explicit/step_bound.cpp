@@ -22,7 +22,7 @@ Worst worst_of(const Point& point, int items) {
   return worst;
 }
 
-/// As few as end_symbols takes.
+/// The fewest elements along an axis with ends, as end_symbols takes them.
 template <int D>
 int fewest_elements(const Layout<D>& l) {
   std::vector<int> all{l.solid_elements, l.axis[D - 1].elements() - l.solid_elements};

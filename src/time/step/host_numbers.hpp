@@ -12,17 +12,17 @@ struct HostNumbers {
 
   HostNumbers(const char* name, int size) : device(name, size), host(mirror_of(device)) {}
   int size() const { return static_cast<int>(device.extent(0)); }
-  /// Numbers [first, last) of them.
+  /// Part [first, last) of the numbers.
   HostNumbers part(int first, int last) const {
     const auto range = Kokkos::make_pair(first, last);
     return {Kokkos::subview(device, range), Kokkos::subview(host, range)};
   }
 
-  /// After the kernels that write them were started.
+  /// Copies the numbers to the host, after the kernels that write them were started.
   void ask() const {
     if constexpr (!on_host) Kokkos::deep_copy(Exec(), host, device);
   }
-  /// What has been asked for is there.
+  /// Waits for the numbers that were asked for.
   static void wait() { Exec().fence("softwet: numbers for the host"); }
 
  private:
