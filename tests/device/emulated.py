@@ -35,10 +35,14 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 CASES = HERE.parents[1] / "cases"
 
-# A device takes sums in another order. Columns are compared relative to their largest number, but for those whose numbers are small
-# differences of larger ones, or vanish by symmetry.
-EXPLICIT = 1e-12
+# Columns are compared relative to their largest number, but for those whose numbers are small differences of larger ones, or vanish by
+# symmetry. A device takes sums in another order: rounding. On a processor a change of the capillarity by 1e-15 of itself changes
+# columns by up to 2e-12, and those whose places are searched for by up to 2e-11.
+EXPLICIT, SEARCHED = 1e-12, 1e-10
+SEARCHED_FOR = ("x_", "velocity", "angle_", "wall_angle_", "liquid_angle_", "dimple")
 ABSOLUTE = ("mass_drift", "momentum_x", "momentum_y", "momentum_z", "laplace", "velocity")
+# The number of samples along the wall for a ridge jumps where the width of its window is rounded.
+RIDGE = 1e-3
 # With these tolerances of Newton's method another preconditioner or another precision of the linear solves changes results of a processor
 # by up to 1.4e-7 (tensotaxis_pull_2d, lu and schwarz).
 NEWTON, IMPLICIT = ["solver.newton.rtol=1e-8", "solver.newton.atol=1e-14"], 1e-6
@@ -141,8 +145,8 @@ def make_scenes():
         scenes[case] = Scene(case, own, steps, allowed, False)
         for settings, other, fast in VARIANTS.get(case, ()):
             name = ", ".join([case] + [setting.split("=")[1] for setting in settings])
-            bound = IMPLICIT if CONSISTENT in settings else allowed
-            scenes[name] = Scene(case, own + settings, other or steps, bound, fast)
+            solved = IMPLICIT if CONSISTENT in settings else allowed
+            scenes[name] = Scene(case, own + settings, other or steps, solved, fast)
     return scenes
 
 
@@ -164,8 +168,12 @@ def rows(folder):
         return list(csv.DictReader(file))
 
 
-def difference(expected, found):
-    """(largest difference, its column and row): of each column in parts of its largest magnitude."""
+def bound(column, allowed):
+    return max(allowed, RIDGE if column.startswith("ridge") else SEARCHED if column.startswith(SEARCHED_FOR) else 0)
+
+
+def difference(expected, found, allowed):
+    """(largest difference in parts of what is allowed, its column and row)"""
     if len(expected) != len(found) or not expected:
         return float("inf"), f"{len(found)} rows, not {len(expected)}"
     worst, place = 0.0, "all columns are equal"
@@ -179,8 +187,8 @@ def difference(expected, found):
         scale = 1 if column in ABSOLUTE else max([abs(x) for x, _ in numbers] + [1e-12])
         for n, (x, y) in enumerate(numbers):
             off = abs(x - y) / scale if x == x and y == y else 0 if x != x and y != y else float("inf")
-            if off > worst:
-                worst, place = off, f"{column}, row {n}: {y!r}, not {x!r}"
+            if off / bound(column, allowed) > worst:
+                worst, place = off / bound(column, allowed), f"{off:.2g} in {column}, row {n}: {y!r}, not {x!r}"
     return worst, place
 
 
@@ -222,11 +230,11 @@ class Comparison:
         (self.out / (folder.name + ".log")).write_text(text)
         found = re.findall(r"FAULT.*|cannot go on.*", text)
         written = rows(folder) if (folder / "history.csv").is_file() else []
-        off, place = difference(expected, written)
+        off, place = difference(expected, written, scene.allowed)
         wrong = [f"exit code {code}"] if code != 0 else []
         wrong += [f"{len(found)} faults, the first: {found[0]}"] if found else []
-        wrong += [f"differs by {off:.2g} of {scene.allowed:g}: {place}"] if not off <= scene.allowed else []
-        return "; ".join(wrong), f"{off:.2g} of {scene.allowed:g} ({place}); {first:.1f} s, {seconds:.1f} s"
+        wrong += [f"differs by {off:.2g} times what is allowed: {place}"] if not off <= 1 else []
+        return "; ".join(wrong), f"{place} ({off:.2g} of what is allowed); {first:.1f} s, {seconds:.1f} s"
 
 
 def compare_all(comparison, scenes, seeds, variables):
