@@ -76,7 +76,6 @@ TEST(NeedleCase, RefusesWhatIsNone) {
   tells(needle(), {"needle.path=[\"x\",0]"}, {"needle[0].path", "'x' is not known", "known are t"});
   tells(needle(), {"needle.path=[\"ln(5 - t)\",0]"}, {"needle[0].path", "at t = "});
   EXPECT_EQ(message_of(needle(), {"needle.path=[\"ln(t + 1e-9)\",0]"}), "(accepted)") << "before t = 0 it stands still";
-  tells(needle(), {"solver.precision=single"}, {"solver.precision", "[[needle]]", "write \"automatic\""});
 }
 
 TEST(NeedleCase, NeedsASolid) {
