@@ -101,12 +101,13 @@ class Computation:
     @param case  path of the case;  @param changed  called after starts and ends of members
     @param limit  seconds after which a run is asked to end; it then counts as failed. None: no limit
     @param threads  of each run; None: OMP_NUM_THREADS, or else its share of the cores
-    @param devices  for members; None: those that the program sees, one member on each"""
+    @param devices  for members; None: those that the program sees, one member on each
+    @param command  of the program: run, or steady, which begins anew where it was stopped"""
 
-    def __init__(self, program, case, jobs, retry, changed, limit=None, threads=None, devices=None):
+    def __init__(self, program, case, jobs, retry, changed, limit=None, threads=None, devices=None, command="run"):
         self.devices = devices or Devices(program)
         check_room(self.devices, jobs, option=devices is not None)
-        self.limit, self.threads = limit, threads_option(threads)
+        self.limit, self.threads, self.command = limit, threads_option(threads), command
         self.program, self.case, self.jobs, self.changed = str(program), str(case), jobs, changed
         self.wanted = ("waiting", "interrupted", "failed") if retry else ("waiting", "interrupted")
         self.running, self.signals = [], 0
@@ -170,12 +171,12 @@ class Computation:
         return True
 
     def launch(self, member, log, note):
-        saved = (member.folder / "checkpoint.h5").exists()
+        saved = self.command == "run" and (member.folder / "checkpoint.h5").exists()
         options = [] if not note else ["--resume"] if saved else ["--overwrite"]
         seconds = note.get("seconds", 0) + (member.lost_seconds() if note and "reason" not in note else 0)
         begun = {"exit": None, "seconds": seconds, "processor": note.get("processor", 0)}
         write_atomic(member.note_path, json.dumps(begun) + "\n")
-        words = [self.program, "run", self.case, *member.words(), "--out", str(member.folder), *options, *self.threads]
+        words = [self.program, self.command, self.case, *member.words(), "--out", str(member.folder), *options, *self.threads]
         device = self.devices.take()
         environment = {**self.environment, **self.devices.environment(device)}
         self.running.append(Job(member, log, process.start(words, log, env=environment), begun, device))
