@@ -67,8 +67,10 @@ report.write_text("""kernel a<Tile>
   launches 1
   barrier 0 at line 7 of the PTX: tile.hpp:9: passed 4
   barrier 1 at line 8 of the PTX: : passed 0
+  barrier 2 at line 9 of the PTX: : passed 1
 kernel other
   barrier 0 at line 7 of the PTX: : passed 4
 """)
 found = emulated.barriers_of(report, "Tile")
-check_true("barriers that were passed", found == {("a<Tile>", 0): "line 7 of the PTX: tile.hpp:9"}, found)
+expected = {("a<Tile>", 0): "tile.hpp:9", ("a<Tile>", 2): "number 2 of a<Tile>"}
+check_true("barriers that were passed", found == expected, found)
