@@ -13,9 +13,10 @@ import tomllib
 
 import numpy as np
 
-from _scene import cases, check, check_true, environment, record, softwet
+from _scene import cases, check, check_true, environment, open_output, record, softwet
 from softwet._converge.fits import limit
 from softwet._converge.keys import Rescaling, power_of_a, units_of_keys
+from softwet._converge.measures import Column
 
 TOOL = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tools" / "converge"
 RIGID = """name = "cap"
@@ -127,6 +128,23 @@ ends = [record(pathlib.Path("moves", name))["stop"]["t"] for name in names]
 check("the run ends at the same time in seconds", max(abs(end / (0.2 * 2 ** (k / 2)) - 1) for k, end in enumerate(ends)), 1e-9)
 rows = table("moves")
 check("the start is the cap of its radius", abs(float(rows["x_right@0"]["zero"]) - 0.25 * np.sin(np.radians(70))), 0.004)
+
+# --- a layer: the pressure of the vapour, that of a flat interface and what the curved one adds, is taken off
+sets = ["--set", "fluid.contact_angle=90", "--set", "substrate.surface_tension=0.02", "--set", "domain.elements=[40,32]"]
+subprocess.run([softwet, "steady", "gel.toml", "--out", "gel", "--overwrite", "--quiet", "--threads", "1", *sets], check=True,
+               capture_output=True, env=environment)
+gel = open_output("gel")
+stiffness = 0.6 * (1 - 0.49) / ((1 + 0.49) * (1 - 2 * 0.49))  # lambda + 2 G
+pressure = 1.5465e-4 + 0.00135229 * gel.history["laplace"][-1]  # the equation of state at temperature 0.39, by hand
+squeeze = 0.1 * pressure / stiffness
+ridge, centre = (Column(name, True).value(gel, 1.0) for name in ("ridge", "centre"))
+check("the ridge without the squeeze", abs(ridge - gel.history["ridge_right"][-1] - squeeze), 0.01 * squeeze)
+wall = gel.interface[gel.times[-1]]
+check("the centre of the half droplet", abs(centre - squeeze - wall["displacement_y"][0]), 0.01 * abs(centre))
+half = Column("ridge", True).value(gel, 0.5)
+check("a length has no scale a", abs(half - ridge), 1e-15)
+speed = Column("speed_max_fluid", True)
+check("a speed has its root", abs(speed.value(gel, 0.25) - 2 * speed.value(gel, 1.0)), 1e-12 * speed.value(gel, 1.0))
 
 # --- refusals
 said = converge("gel.toml", "refused", "--set", "substrate.surface_tension=0", code=1)[1]

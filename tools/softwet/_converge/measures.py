@@ -103,15 +103,26 @@ def centre(run, _):
     for time in run.times:
         wall = run.interface[time]
         row = int(np.abs(run.history["t"] - time).argmin())
-        middle, edge = run.history["x_centre"][row], run.history["x_right"][row]
+        middle, half = middle_of(run, row)
         spacing = run.case["domain"]["size"][0] / run.case["domain"]["elements"][0]
         away = np.abs(wall["x_reference"] + wall["displacement_x"] - middle)
-        reach = max(0.2 * (edge - middle), 6 * spacing)
+        reach = max(0.2 * half, 6 * spacing)
         chosen = (away >= 2 * spacing * (1 - 1e-6)) & (away <= reach)
         fit = np.polyfit(away[chosen] ** 2, wall["displacement_y"][chosen], 2)
         times.append(time)
         heights.append(fit[-1] - squeeze(run))
     return np.array(times), np.array(heights)
+
+
+def middle_of(run, row):
+    """The middle of the first droplet and half its contact width: a droplet that a side of the domain cuts has its middle there."""
+    left, right = run.history["x_left"][row], run.history["x_right"][row]
+    length, edge = run.case["domain"]["size"][0], 1e-9 * run.case["domain"]["size"][0]
+    if abs(left) < edge:
+        return 0.0, right
+    if abs(right - length) < edge:
+        return length, length - left
+    return (left + right) / 2, (right - left) / 2
 
 
 def squeeze(run):
