@@ -10,8 +10,8 @@
 namespace softwet {
 
 /// Cosine of the angle inside a cap: alpha in a droplet, 180 degrees - alpha in a bubble, for alpha is measured in the
-/// liquid. The circle's centre lies -R cos above the wall, its top R (1 - cos). Where the angle varies, that of the wall at the
-/// droplet's centre counts; where the wall is stretched before, the effective one.
+/// liquid. The circle's centre lies -R cos above the wall, its top R (1 - cos). Where the angle varies, the angle of
+/// the wall at the droplet's centre counts; where the wall is stretched before, the effective angle.
 inline double cap_cosine(const Case& c, const Droplet& droplet) {
   const Fluid& fluid = *c.fluid;
   std::array<double, 3> x{};

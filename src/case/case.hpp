@@ -117,18 +117,18 @@ struct Case {
   bool has_wet_tension_by_hand() const {
     return fluid && substrate && substrate->surface_tension_wet != substrate->surface_tension;
   }
-  /// Whether the energy of the tables is the one that steps keep. Of an elastic solid alone with lumped or corrected
-  /// masses it is not: it has consistent masses, and swings by the difference where a wave trades kinetic for elastic
-  /// energy.
+  /// Whether steps keep the energy of the tables. For an elastic solid alone with lumped or corrected masses they do
+  /// not: the energy of the tables has consistent masses, and swings by the difference where a wave trades kinetic for
+  /// elastic energy.
   bool keeps_shown_energy() const { return fluid || time.implicit() || time.mass == MassKind::consistent; }
-  /// Area of the wall where nothing is displaced over that of the material before its prestretch, a_0.
+  /// Area of the wall where nothing is displaced over its area before the material was stretched, a_0.
   double area_of_prestretch() const {
     double ratio = 1;
     if (substrate)
       for (const double stretch : substrate->prestretch) ratio *= axisymmetric() ? stretch * stretch : stretch;
     return ratio;
   }
-  /// The cosine of the effective contact angle where nothing is displaced over that of fluid.contact_angle.
+  /// The cosine of the effective contact angle where nothing is displaced over the cosine of fluid.contact_angle.
   double cosine_factor() const {
     return fluid->wall_stretch_exponent == 0 ? 1 : std::pow(area_of_prestretch(), -fluid->wall_stretch_exponent);
   }
@@ -155,7 +155,7 @@ struct Case {
     for (const Load& load : loads) zero = load.start < zero ? load.start : zero;
     return zero;
   }
-  /// Run time of the first state: that of the first load where the scene starts from its equilibrium.
+  /// Run time of the first state: the time of the first load where the scene starts from its equilibrium.
   double run_start() const { return time.start == StartState::equilibrium ? clock_zero() : 0; }
 };
 

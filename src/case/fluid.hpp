@@ -23,7 +23,7 @@ struct Fluid {
   double stabilisation = 0.002;   ///< C of eps = C h^2 rho^2 / mu_hat; 0 switches the checkerboard control off
   double smoothing = 1e-4;        ///< d of sqrt(|grad rho|^2 + d^2) in the wall law "gradient"
   Phase ambient = Phase::vapour;  ///< what is around the droplets; liquid makes them bubbles
-  std::vector<double> initial;    ///< densities of vapour and liquid at the start; empty: those of the equilibrium
+  std::vector<double> initial;    ///< densities of vapour and liquid at the start; empty: equilibrium densities
 
   std::vector<double> contact_angle_range = {};  ///< receding and advancing angle, degrees; empty: no hysteresis
   double line_friction = 0;                      ///< mu_f, scale L0 b sqrt(ab)
@@ -34,7 +34,7 @@ struct Fluid {
     if (contact_angle_range.size() != 2) return 0;
     return 0.5 * (std::cos(contact_angle_range[0] * M_PI / 180) - std::cos(contact_angle_range[1] * M_PI / 180));
   }
-  /// The angle whose cosine is the mean of those of the range, degrees.
+  /// The angle whose cosine is the mean of the cosines of the range, degrees.
   double middle_of_range() const {
     return std::acos(std::cos(contact_angle_range[0] * M_PI / 180) - hysteresis()) * 180 / M_PI;
   }

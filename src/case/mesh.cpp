@@ -10,8 +10,8 @@ namespace {
 constexpr double worth_grading = 0.95;  ///< share of the elements of an axis above which they stay equal
 constexpr double rounding = 1e-9;       ///< of a fine length
 
-/// Lengths between two elements of the lengths `from` and `to`: from both ends they grow by `ratio` to at most `most`, the shorter
-/// end first.
+/// Lengths between two elements of the lengths `from` and `to`: from both ends they grow by `ratio` to at most `most`,
+/// the shorter end first.
 std::vector<double> growing(double from, double to, double most, double ratio, int count) {
   std::vector<double> lengths, behind;
   double next = std::min(from * ratio, most), next_behind = std::min(to * ratio, most);
@@ -44,7 +44,8 @@ struct Line {
   double end(int element) const { return length * element / all; }
 };
 
-/// The fewest lengths that fill `room`, by the smallest ratio that does, between a fine element and one of the length `to`.
+/// The fewest lengths that fill `room`, by the smallest ratio that does, between a fine element and one of the length
+/// `to`.
 std::vector<double> fill(const Line& line, double room, double to) {
   const double fine = line.fine, most = line.longest();
   if (room < rounding * fine) return {};
@@ -74,8 +75,9 @@ bool holds_across_seam(const Line& line, const Beside& beside) {
   return std::max(a, b) <= (1 + rounding) * line.grading.ratio * std::min(a, b);
 }
 
-/// Elements that grow around a periodic end: from the nearer end of the fine ones up to the seam, and from there and from the other
-/// end towards each other. Where this does not keep the ratio, fine elements reach nearer to the seam, in the end up to it.
+/// Elements that grow around a periodic end: from the nearer end of the fine ones up to the seam, and from there and
+/// from the other end towards each other. Where this does not keep the ratio, fine elements reach nearer to the seam,
+/// in the end up to it.
 Beside around_seam(const Line& line, int first, int last) {
   const bool below_is_shorter = first < line.all - last;
   for (;; below_is_shorter ? --first : ++last) {

@@ -8,9 +8,9 @@
 
 namespace softwet {
 
-/// A function of the position in the undeformed state (x, y, z; the last axis of a scene is vertical) and of the time t of all
-/// results. The host evaluates it at control points and at points of the output. Several threads may: they take turns where a formula has
-/// variables of its own.
+/// A function of the position in the undeformed state (x, y, z; the last axis of a scene is vertical) and of the time t
+/// of all results. The host evaluates it at control points and at points of the output. Several threads may: they take
+/// turns where a formula has variables of its own.
 class Formula {
  public:
   virtual ~Formula() = default;

@@ -21,7 +21,7 @@ struct Branch {
   double time = 0;     ///< tau_i in which its stress fades, scale L0/sqrt(ab)
 };
 
-/// A shear modulus G (1 + (i w time)^exponent) at the angular frequency w, with that of the solid at rest, G.
+/// A shear modulus G (1 + (i w time)^exponent) at the angular frequency w, where G is the modulus of the solid at rest.
 struct PowerLaw {
   double exponent = 0;                    ///< 0: none
   double time = 0;                        ///< scale L0/sqrt(ab)
@@ -50,7 +50,7 @@ struct Substrate {
   std::vector<double> gravity = {};          ///< force per unit mass on all of the solid, a b/L0; empty: none
   Fibre fibre = {};
   std::vector<Branch> branches =
-      {};  ///< those that the case lists; all_branches (case/gel.hpp) has those of the power law too
+      {};  ///< branches that the case lists; all_branches (case/gel.hpp) also has the branches of the power law
   PowerLaw gel = {};
 
   bool has_branches() const { return !branches.empty() || gel.acts(); }
