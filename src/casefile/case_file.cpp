@@ -49,7 +49,7 @@ Numbers line_of_loads(const Case& c) {
   return sum[0] == 0 && sum[1] == 0 ? Numbers{1, 0} : sum;
 }
 
-/// The values that the case's quality sets; those of the file come after them.
+/// Sets the values of the case's quality; the values of the file come after them.
 void apply_quality(const Document& document, Case& c) {
   const auto chosen = document.entries.find("quality");
   if (chosen != document.entries.end()) find_key("quality")->bind.set(c, 0, chosen->second.value);

@@ -12,7 +12,7 @@ namespace softwet {
 /// Reads and checks a case file, with "key=value" overrides of the command line. Throws Error invalid_input.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// The same for text; `place` names it in messages.
+/// Reads a case from text; `place` names it in messages.
 Case parse_case(std::string_view text, const std::string& place, const std::vector<std::string>& overrides = {});
 
 /// Reads a case file of which the mesh and the materials are all that is asked for: its tables, which may be gone, stay
@@ -22,8 +22,8 @@ Case read_scene(const std::string& path);
 /// The complete resolved case as TOML, every key with its value: parse_case(write_case(c)) equals c.
 std::string write_case(const Case& c);
 
-/// What `softwet explain` prints: one key, all keys of a table, or all keys when `name` is empty; a column of history.csv
-/// or interface.csv, or all of them ("history", "interface").
+/// What `softwet explain` prints: one key, all keys of a table, or all keys when `name` is empty; a column of
+/// history.csv or interface.csv, or all of them ("history", "interface").
 std::string explain(const std::string& name);
 
 /// A commented case to start from: the paper's pull under this name. Throws Error when no case can have the name.

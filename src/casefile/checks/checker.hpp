@@ -71,7 +71,7 @@ void check_output(const Checker& check);
 void check_probes(const Checker& check);
 /// A solid that is stretched before the scene begins.
 void check_prestretch(const Checker& check);
-/// Of the wall that a fluid wets: its tension, its angles, friction of contact lines.
+/// Checks the wall that a fluid wets: its tension, its angles, friction of contact lines.
 void check_wall(const Checker& check);
 /// Loads and needles.
 void check_forces(const Checker& check);

@@ -18,7 +18,7 @@ inline bool same_time(double a, double b) { return std::abs(a - b) <= 1e-9 * std
 /// How many multiples of output.fields.every lie in [0, time.end]; 0 where the case has no interval.
 double count_of_multiples(const Case&);
 
-/// Times in t, increasing: those of output.fields.times, and 0, every, 2 every, ... up to time.end. Multiples of a short
+/// Times in t, increasing: output.fields.times, and 0, every, 2 every, ... up to time.end. Multiples of a short
 /// decimal are the numbers next to the decimals: 0.3, not 3 * 0.1 = 0.30000000000000004.
 std::vector<double> field_times(const Case&);
 

@@ -16,8 +16,8 @@ struct SampledRange {
   bool holds(double x) const { return low <= x && x <= high; }
 };
 
-// From which the study sampled_graded takes its scenes, and what it asks and finds kept: the difference of paths after the start of the
-// load, over the distance that the droplet travels, in per cent. docs/verification/sampled_graded.md
+// From which the study sampled_graded takes its scenes, and what it asks and finds kept: the difference of paths after
+// the start of the load, over the distance that the droplet travels, in per cent. docs/verification/sampled_graded.md
 constexpr SampledRange sampled_angle{60, 110}, sampled_young{0.6, 1.5}, sampled_poisson{0.25, 0.45},
     sampled_temperature{0.385, 0.395};
 constexpr int sampled_scenes = 8;

@@ -9,10 +9,10 @@
 namespace softwet {
 namespace {
 
-/// Of the force that a deformed solid has, what may be lost in the reading of a needle.
+/// Part of the force of a deformed solid that may be lost in the reading of a needle.
 constexpr double lost_of_reading = 1e-3;
-/// A part that is stiffer by this factor than the Young modulus takes the digits of single precision, in which linear solves have their
-/// matrices, from what is softer. docs/limits.md has what was measured.
+/// A part that is stiffer by this factor than the Young modulus takes the digits of single precision, in which linear
+/// solves have their matrices, from what is softer. docs/limits.md has what was measured.
 constexpr double stiffest_part = 1e7;
 
 double size_of_solid(const Case& c) {

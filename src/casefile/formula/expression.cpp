@@ -40,7 +40,8 @@ void refuse_assignments(const std::string& text) {
   }
 }
 
-/// What the library found, in words. Its positions count from 0; those of some mistakes are behind the mistake, or missing.
+/// Reports what the library found, in words. Its positions count from 0; some mistakes have a position behind the
+/// mistake, or none.
 [[noreturn]] void reject_syntax(const mu::ParserError& error, const std::string& text, const Vocabulary& known) {
   std::string token = error.GetToken();
   while (!token.empty() && token.back() == ' ') token.pop_back();

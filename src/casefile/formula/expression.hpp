@@ -1,4 +1,5 @@
-// A formula in a case file, "0.5 + 0.1*tanh((x - 0.5)/g)". The only file that sees the library muParser is expression.cpp.
+// A formula in a case file, "0.5 + 0.1*tanh((x - 0.5)/g)". The only file that sees the library muParser is
+// expression.cpp.
 #pragma once
 
 #include <memory>

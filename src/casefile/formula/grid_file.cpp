@@ -33,8 +33,8 @@ char separator_of(const std::string& line) {
   return ',';
 }
 
-/// Lines of a CSV file as rows of cells, with their numbers. The first line shows what stands between two columns: a comma,
-/// else a semicolon, else a tabulator.
+/// Lines of a CSV file as rows of cells, with their numbers. The first line shows what stands between two columns: a
+/// comma, else a semicolon, else a tabulator.
 class CsvLines {
  public:
   explicit CsvLines(const std::string& path) : path_(path), file_(path, std::ios::binary) {

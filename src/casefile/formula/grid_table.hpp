@@ -9,18 +9,18 @@
 
 namespace softwet {
 
-/// Values on the product of some of the axes x, y, z and t. Between the points of the grid they are interpolated linearly along
-/// each axis; outside of the grid the value is that of the nearest point of its border. Of axes that it does not have the function is
-/// independent. Its kinks are the points of the axis t.
+/// Values on the product of some of the axes x, y, z and t. Between the points of the grid they are interpolated
+/// linearly along each axis; outside of the grid the value at the nearest point of its border counts. The function does
+/// not depend on axes that the grid lacks. Its kinks are the points of the axis t.
 class GridTable final : public Formula {
  public:
   /// @param path  ends with .csv or .h5  @param variables  that the axes may be, out of x, y, z, t
-  /// CSV: a line with the names, "x,y,value", then a line for each point of the grid, in any order; empty lines and lines that begin
-  /// with # do not count. Semicolons or tabulators may replace the commas. HDF5: a dataset for each axis, of one
-  /// dimension and increasing, and the dataset "value", whose dimensions are the axes in the order x, y, z, t. Throws
-  /// FormulaError that names the file, and the line and column of a CSV file.
+  /// CSV: a line with the names, "x,y,value", then a line for each point of the grid, in any order; empty lines and
+  /// lines that begin with # do not count. Semicolons or tabulators may replace the commas. HDF5: a dataset for each
+  /// axis, of one dimension and increasing, and the dataset "value", whose dimensions are the axes in the order x, y,
+  /// z, t. Throws FormulaError that names the file, and the line and column of a CSV file.
   GridTable(const std::string& path, const std::vector<std::string>& variables);
-  /// Of times, which increase, and values.
+  /// A table of values over increasing times.
   GridTable(std::vector<double> times, std::vector<double> values);
 
   /// The table over time that a text in a case file holds: "[[0, 0], [5, 0.1]]".

@@ -10,7 +10,8 @@ constexpr double least_height = 1;  ///< of a jump that is reported
 constexpr double width = 1e-3;      ///< of an element: what changes within it jumps
 constexpr int most_lines = 64;      ///< of a wall in 3D, along each axis
 
-/// The change of a profile between two positions on an axis that is left when the half of it that changes more is halved again.
+/// The change of a profile between two positions on an axis that is left when the half of it that changes more is
+/// halved again.
 Jump steepest(const Profile& profile, std::array<double, 3> place, int axis, double low, double high) {
   const auto at = [&](double x) {
     place[axis] = x;

@@ -1,4 +1,4 @@
-// Schema, first part: what is simulated. Equation numbers are those of Bueno et al. 2017.
+// Schema, first part: the scene. Equation numbers refer to Bueno et al. 2017.
 #include "casefile/schema/binding.hpp"
 #include "casefile/schema/quality.hpp"
 #include "casefile/schema/schema.hpp"

@@ -16,8 +16,8 @@ using Words = std::vector<std::string>;
 /// Number or integer | text or choice | list of numbers | box (two corners) | list of names.
 using Value = std::variant<double, std::string, Numbers, std::vector<Numbers>, Words>;
 
-/// A number as papers write it, "0.39", "-2e-3" or a ratio "1/256", or as TOML does, "1_000". Nothing when the text is anything else. Zero has no
-/// sign: -0.0 is 0, as for all values of a case.
+/// A number as papers write it, "0.39", "-2e-3" or a ratio "1/256", or as TOML does, "1_000". Nothing when the text is
+/// anything else. Zero has no sign: -0.0 is 0, as for all values of a case.
 std::optional<double> number_from_text(std::string_view text);
 
 /// "first:last:count", numbers at equal distances with both ends: "0:5:11" is 0, 0.5, ..., 5. Count is 2 to 10000.

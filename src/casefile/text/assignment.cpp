@@ -102,8 +102,8 @@ void require_entry(const Document& document, const std::string& place, const std
       fmt::format("add the table to the case file, or here as a whole: --set '{}={}'", next, example_of_table(table)));
 }
 
-/// Replaces a table as a whole, as if the file had it so: "substrate.gel={...}", "load[1]={...}", "load=[{...}, {...}]".
-/// A table without a number in place of a list is the first of them.
+/// Replaces a table as a whole, as if the file had it so: "substrate.gel={...}", "load[1]={...}", "load=[{...},
+/// {...}]". A table without a number in place of a list is the first of them.
 void assign_table(Document& document, const std::string& place, const std::string& shown, std::string name,
                   std::size_t index, const std::string& text, Problems& problems) {
   if (find_table(name + "[]")) name += "[]";

@@ -29,9 +29,9 @@ struct Document {
 /// Reads TOML text. Broken lines, unknown keys and values of the wrong type or out of range go to `problems`.
 Document read_document(std::string_view text, const std::string& place, Problems& problems);
 
-/// Applies one "key=value" of the command line, as if the file had said so; entries of lists as "load[0].ramp=2". A table
-/// is replaced as a whole, "substrate.gel={ exponent = 0.5, time = 1 }"; what is wrong in it goes to `problems`, all else
-/// is thrown as CaseError.
+/// Applies one "key=value" of the command line, as if the file had said so; entries of lists as "load[0].ramp=2". A
+/// table is replaced as a whole, "substrate.gel={ exponent = 0.5, time = 1 }"; what is wrong in it goes to `problems`,
+/// all else is thrown as CaseError.
 void apply_override(Document& document, const std::string& assignment, Problems& problems);
 
 /// The value in the text of one TOML value, checked against its key. Throws CaseError.

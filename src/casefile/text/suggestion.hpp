@@ -12,7 +12,7 @@ struct Suggestion {
 };
 
 /// @param name   dotted, "fluid.viscosty", "load[].forc", "fluids"
-/// @param others  names beside those of keys and tables, which may be meant too
+/// @param others  other names than keys and tables, which may be meant too
 Suggestion suggest(const std::string& name, const std::vector<std::string>& others = {});
 
 }  // namespace softwet

@@ -17,8 +17,8 @@ struct SyntaxHint {
 /// @return      nothing where the line is none of the mistakes known here
 std::optional<SyntaxHint> syntax_hint(std::string_view text, long line);
 
-/// A list as TOML takes it from one whose expressions have no quotes: [0.05*t, 0] -> ["0.05*t", 0]. None where the text is
-/// no list, holds quotes or lists, or has no expression.
+/// A list as TOML takes it from one whose expressions have no quotes: [0.05*t, 0] -> ["0.05*t", 0]. None where the text
+/// is no list, holds quotes or lists, or has no expression.
 std::optional<std::string> with_quoted_expressions(std::string_view list);
 
 }  // namespace softwet

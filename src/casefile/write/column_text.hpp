@@ -14,8 +14,8 @@ std::string explain_columns(const std::string& name);
 /// Tables and columns as explain_columns knows them, for "did you mean".
 std::vector<std::string> column_names();
 
-/// All columns of all tables as JSON, for programs: {table: {file, meaning, columns: [{name, unit, meaning}]}}, where a column may
-/// have `dimension`, the only one that it exists in, and `needs`, "fluid" or "solid".
+/// All columns of all tables as JSON, for programs: {table: {file, meaning, columns: [{name, unit, meaning}]}}, where a
+/// column may have `dimension`, the only one that it exists in, and `needs`, "fluid" or "solid".
 std::string columns_json();
 
 /// All keys and all columns as a page of Markdown: docs/reference.md.
