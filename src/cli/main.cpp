@@ -12,8 +12,8 @@
 
 namespace {
 
-/// Where somebody has closed standard input, output or error, the next file that is opened would take its place, and get
-/// what the user reads.
+/// Where somebody has closed standard input, output or error, the next file that is opened would take its place, and
+/// get what the user reads.
 void fill_standard_streams() {
   for (int descriptor : {0, 1, 2})
     if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != descriptor) return;

@@ -1,4 +1,5 @@
-// What the compiler was allowed to use in the computation, for cli/processor.c: data alone, which any processor can read.
+// What the compiler was allowed to use in the computation, for cli/processor.c: data alone, which any processor can
+// read.
 #if defined(__x86_64__)
 extern "C" const char* const softwet_processor_needs[];
 extern "C" const char* const softwet_processor_needs[] = {

@@ -19,7 +19,8 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// The folder tools: the chosen one, else the one of the installation this program is part of, else the one of its sources.
+/// The folder tools: the chosen one, else the one of the installation this program is part of, else the one of its
+/// sources.
 std::filesystem::path tools_folder(const std::filesystem::path& program) {
   if (const std::string chosen = environment("SOFTWET_TOOLS"); !chosen.empty()) return chosen;
   const auto installed = program.parent_path().parent_path() / "share/softwet/tools";

@@ -108,7 +108,7 @@ void print_memory(const Case& c, const Scene<D, P>& scene, double times, std::os
            "machine.\n";
 }
 
-/// Largest stable step of each explicit scheme from the first state, and what limits that of kick_drift.
+/// Largest stable step of each explicit scheme from the first state, and the limit of kick_drift.
 template <int D, int P>
 std::vector<Line> step_limits(const Case& c, const Scene<D, P>& scene) {
   std::vector<Line> lines;

@@ -46,7 +46,7 @@ std::vector<Line> branches(const Substrate& s) {
   return lines;
 }
 
-/// Of the layer where its displacement is 0.
+/// Lines about the prestretch of the layer where its displacement is 0.
 std::vector<Line> prestretch(const Case& c) {
   const Substrate& s = *c.substrate;
   const LameParameters solid = stiffest_of(s);
@@ -91,7 +91,7 @@ std::vector<Line> contact_lines(const Fluid& fluid) {
   return lines;
 }
 
-/// Of a wall whose stretch changes its contact angle.
+/// Lines about a wall whose stretch changes its contact angle.
 std::vector<Line> stretched_wall(const Case& c) {
   const Fluid& fluid = *c.fluid;
   std::vector<Line> lines{{"area over that before", formatted(c.area_of_prestretch(), "%.5g")}};
