@@ -105,7 +105,7 @@ class FieldsOfPart {
   int low_, high_;
 };
 
-/// The state at the time of a field file. Of the velocity at the wall both materials have the same.
+/// The state at the time of a field file. At the wall both materials have one velocity.
 EarlierState read_fields(const std::string& folder, const Case& c, double time) {
   EarlierState state;
   state.has_fluid = c.fluid.has_value();

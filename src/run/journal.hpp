@@ -28,8 +28,9 @@ enum class RowIs { regular, last };
 /// What all processes are asked to do.
 enum class Wish { go_on, end_in_time, stop };
 
-/// The folder of a run that exists, and its voice. Of several processes the first one alone evaluates the observers, writes and speaks;
-/// where it fails, all fail (field/together.hpp). The output clock is the computation clock minus case.clock_zero().
+/// The folder of a run that exists, and its voice. Of several processes the first one alone evaluates the observers,
+/// writes and speaks; where it fails, all fail (field/together.hpp). The output clock is the computation clock minus
+/// case.clock_zero().
 template <int D, int P>
 class Journal {
  public:
@@ -96,8 +97,8 @@ class Journal {
   void require_tables();
   /// Tries to save after a failure. @return what became of the last good state: "is in out/checkpoint.h5"
   std::string keep_after(const std::string& failure);
-  /// Tries to write the fields of the state at which a computation has stopped, for those who look for the place. @return
-  /// what the user reads of it
+  /// Tries to write the fields of the state at which a computation has stopped, for those who look for the place.
+  /// @return what the user reads of it
   std::string show_last_state();
   /// @param memory  peak of each process, MiB
   void write_record(const std::string& reason, const std::vector<double>& memory);

@@ -21,7 +21,8 @@ class ParallelRuntime {
 std::string backend_name();  ///< "OpenMP", "Cuda"
 int core_count();            ///< that this process may use; a control group may grant less of their time
 int thread_count();          ///< of this process, on the processor
-/// Lets the calling thread run on all cores of this process. OpenMP may hold the main thread on one, which those that it starts share.
+/// Lets the calling thread run on all cores of this process. OpenMP may hold the main thread on one, which those that
+/// it starts share.
 void run_on_all_cores();
 int worker_count();         ///< that rates are given for: threads on a processor, one for a device
 const char* worker_name();  ///< "core", "device"

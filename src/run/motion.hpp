@@ -6,13 +6,14 @@
 
 namespace softwet {
 
-/// Computes the motion of a case in a folder that exists. Of several processes each computes its columns of the scene.
+/// Computes the motion of a case in a folder that exists. Each of several processes computes its columns of the scene.
 template <int D, int P>
 class Motion {
  public:
   Motion(const Case&, const RunOptions&);
 
-  /// To time.end, time.max_steps, time.wall_clock, Ctrl-C. Throws Error (computation_failed) after a checkpoint of the last good state.
+  /// To time.end, time.max_steps, time.wall_clock, Ctrl-C. Throws Error (computation_failed) after a checkpoint of the
+  /// last good state.
   void run();
 
  private:

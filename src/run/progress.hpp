@@ -23,7 +23,7 @@ class Progress {
 
   /// @param row  the last one of history.csv, of which the line shows some cells
   void step(double t, long step, double dt, const TableRow& row, const std::optional<double>& seconds_left);
-  /// The same of a scene on its way to rest. @param change  of its fields, of their range in a unit of time
+  /// Reports a step of a scene on its way to rest. @param change  of its fields, of their range in a unit of time
   void settle(long step, double change);
   /// A message on a line of its own, also before and after the run.
   void tell(const std::string& message);

@@ -72,7 +72,8 @@ std::string for_the_density(const Case& c) {
   return ramp_of_loads(c) + "a larger fluid.viscosity or a tighter time.tolerance may help";
 }
 
-/// Between the angles of a range the force on a line changes within the speed of its creep, the faster the harder for Newton's method.
+/// Between the angles of a range the force on a line changes within the speed of its creep, the faster the harder for
+/// Newton's method.
 std::string of_lines_that_stick(const Case& c) {
   const Fluid& fluid = *c.fluid;
   return "contact lines stick (fluid.contact_angle_range), and Newton's method may not find where: write a larger "

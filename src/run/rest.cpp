@@ -85,7 +85,8 @@ template <int D, int P>
 bool Rest<D, P>::begin() {
   State state = initial_state<D, P>(case_, scene_);
   const double time = state.time = full_load_time(case_);
-  // A load without a ramp acts after its start, not at it: on a state of rest that is asked for, not on one that a run starts from.
+  // A load without a ramp acts after its start, not at it: on a state of rest that is asked for, not on one that a run
+  // starts from.
   const double time_of_loads = std::nextafter(time, std::numeric_limits<double>::infinity());
   if (!way_.go(state, time_of_loads, "")) return false;
   if (way_.why_not().empty()) {

@@ -7,7 +7,8 @@
 
 namespace softwet {
 
-/// Finds the state of rest under the full loads, in a folder that exists. Of several processes each computes its columns of the scene.
+/// Finds the state of rest under the full loads, in a folder that exists. Each of several processes computes its
+/// columns of the scene.
 template <int D, int P>
 class Rest {
  public:

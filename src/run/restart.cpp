@@ -17,8 +17,8 @@ namespace {
 
 const std::string of_scheme = "memory/", settings_entry = "memory/settings";
 
-/// What the memory of a scheme fits to: the settings of the solver, and how this program computes. The number at the beginning is raised
-/// when the schemes visit something else.
+/// What the memory of a scheme fits to: the settings of the solver, and how this program computes. The number at the
+/// beginning is raised when the schemes visit something else.
 template <int D, int P>
 std::string memory_settings(const Case& c, Stepper<D, P>& stepper) {
   return "memory 3, " + stepper.scheme().memory_format() + "\n" + solver_settings(c);

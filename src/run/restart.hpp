@@ -19,19 +19,21 @@ struct RunSeconds {
 /// the history, what was written beside it, and what the run has cost. All processes of the run collect the arrays, and
 /// the first one writes; it alone needs `files`.
 ///
-/// Nothing of the run changes by it, and a run that is resumed from it continues with the bits of one that never stopped:
-/// on any number of threads and processes, whenever and how often it was stopped. An explicit scheme keeps what bounded its last steps.
-/// An implicit one keeps the stage from which its preconditioner was built; to
+/// Nothing of the run changes by it, and a run that is resumed from it continues with the bits of one that never
+/// stopped: on any number of threads and processes, whenever and how often it was stopped. An explicit scheme keeps
+/// what bounded its last steps. An implicit one keeps the stage from which its preconditioner was built; to
 /// build it from there is deterministic.
 template <int D, int P>
 void write_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, const HistoryMemory&,
                       const WrittenFiles& files, RunSeconds);
 
 /// Puts a stepper, the seconds and the list of files where the checkpoint was written. What the scheme remembered is
-/// left out where a key of the solver has changed since, and where this program computes the preconditioner in another way: a new
-/// preconditioner is built then, and the run agrees with an undisturbed one up to the tolerance of the solver.
+/// left out where a key of the solver has changed since, and where this program computes the preconditioner in another
+/// way: a new preconditioner is built then, and the run agrees with an undisturbed one up to the tolerance of the
+/// solver.
 /// @param at_start  what a row of history.csv knows at the start of this case
-/// Throws Error (invalid_input), and leaves the stepper as it was, where the checkpoint is damaged, of another case or of another format.
+/// Throws Error (invalid_input), and leaves the stepper as it was, where the checkpoint is damaged, of another case or
+/// of another format.
 template <int D, int P>
 HistoryMemory read_checkpoint(const std::string& path, const Case&, Stepper<D, P>&, const HistoryMemory& at_start,
                               WrittenFiles& files, RunSeconds&);

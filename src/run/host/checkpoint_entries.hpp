@@ -28,8 +28,8 @@ class EntriesToFile final : public RunEntries {
   CheckpointWriter& file_;
 };
 
-/// Puts back what was written. All methods throw Error (invalid_input) naming the file and the entry where something is missing, or is
-/// nothing that a run writes: not finite, a negative time, step or count.
+/// Puts back what was written. All methods throw Error (invalid_input) naming the file and the entry where something is
+/// missing, or is nothing that a run writes: not finite, a negative time, step or count.
 class EntriesFromFile final : public RunEntries {
  public:
   explicit EntriesFromFile(const std::string& path) : path_(path), file_(path) {}
@@ -46,7 +46,7 @@ class EntriesFromFile final : public RunEntries {
   void list(const std::string& name, std::vector<double>& values) override;
   [[noreturn]] void refuse(const std::string& name, const std::string& found, const std::string& needed) const override;
 
-  /// Of that many finite numbers.
+  /// An array of that many finite numbers.
   std::vector<double> array(const std::string& name, std::size_t size) const;
   /// Whether there is a text of this name that says the same.
   bool says(const std::string& name, const std::string& text) const;

@@ -12,8 +12,9 @@ namespace softwet {
 /// When files are written: while the computation waits for them, or by a thread beside the next steps.
 enum class Writes { in_turn, beside_steps };
 
-/// Writes files, one task after the other. A task owns what it writes. HDF5 is not made for several threads, so that whoever opens a file
-/// of it waits before; so does whoever needs the files. Tested: tests/unit/run/host/test_file_writer.cpp
+/// Writes files, one task after the other. A task owns what it writes. HDF5 is not made for several threads, so that
+/// whoever opens a file of it waits before; so does whoever needs the files.
+/// Tested: tests/unit/run/host/test_file_writer.cpp
 class FileWriter {
  public:
   /// @param enter  called first in each thread

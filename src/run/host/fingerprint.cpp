@@ -67,15 +67,15 @@ std::string schema_name(const std::string& key) {
   return open == std::string::npos ? key : key.substr(0, open + 1) + key.substr(close);
 }
 
-/// Whether a line may be missing in the fingerprint of an older program, which did not know the key: it says what that program
-/// did. Of the first three keys an older program had another default, or none.
+/// Whether a line may be missing in the fingerprint of an older program, which did not know the key: the line says what
+/// that program did. For the first three keys an older program had another default, or none.
 bool may_be_missing(const std::string& line) {
   static const std::vector<std::string> of_any_value{"time.mass", "time.safety", "time.start"};
   const Key* key = find_key(schema_name(key_of(line)));
   return is_one_of(key_of(line), of_any_value) || (key && !key->required && value_of(line) == default_text(*key));
 }
 
-/// The lines of a case that a stored fingerprint can have: those of older programs lack some keys.
+/// The lines of a case that a stored fingerprint can have: fingerprints of older programs lack some keys.
 std::vector<std::string> lines_to_compare(const Case& c, const std::vector<std::string>& stored) {
   std::vector<std::string> lines, known;
   for (const std::string& line : stored) known.push_back(key_of(line));

@@ -14,7 +14,7 @@ std::string fingerprint(const Case&);
 /// The lines of the solver. A run continues with the bits of an undisturbed one where they are as they were.
 std::string solver_settings(const Case&);
 
-/// Throws Error (invalid_input) that names the first difference; `path` is that of the checkpoint.
+/// Throws Error (invalid_input) that names the first difference; `path` is the path of the checkpoint.
 void check_fingerprint(const std::string& path, const std::string& stored, const Case&);
 
 }  // namespace softwet

@@ -12,7 +12,7 @@ class Line {
  public:
   Line(const TableRow& row, int dimension) : row_(row), power_(std::to_string(dimension)) {}
 
-  /// "LABEL NUMBER", and with `unit` that of the column.
+  /// Adds "LABEL NUMBER", and with `unit` the unit of the column.
   Line& add(const std::string& label, const std::string& column, bool unit = false, int digits = 5) {
     const TableRow::Cell cell = row_.cell(column);
     if (!cell) return *this;

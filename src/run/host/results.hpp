@@ -9,8 +9,9 @@
 
 namespace softwet {
 
-/// Lines of at most 80 characters: where the first droplet is and how fast, its contact line, its angles, ridge and dimple, volume and mass, the
-/// energy and the largest speeds, with their units, and how many more droplets there are. What does not exist is left out.
+/// Lines of at most 80 characters: where the first droplet is and how fast, its contact line, its angles, ridge and
+/// dimple, volume and mass, the energy and the largest speeds, with their units, and how many more droplets there are.
+/// What does not exist is left out.
 /// @param row  the last one of history.csv
 std::vector<std::string> result_lines(const Case&, const TableRow& row);
 

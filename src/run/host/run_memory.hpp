@@ -1,4 +1,5 @@
-// What a checkpoint holds beside the arrays of the state, visited by name. No Kokkos, so it can be tested and fuzzed alone.
+// What a checkpoint holds beside the arrays of the state, visited by name. No Kokkos, so it can be tested and fuzzed
+// alone.
 #pragma once
 
 #include <concepts>
@@ -11,8 +12,8 @@
 
 namespace softwet {
 
-/// Visits the numbers, texts and lists of a checkpoint under their names. The same visit writes them and reads them, so that neither can
-/// forget what the other has.
+/// Visits the numbers, texts and lists of a checkpoint under their names. The same visit writes them and reads them, so
+/// that neither can forget what the other has.
 class RunEntries {
  public:
   virtual ~RunEntries() = default;

@@ -18,8 +18,8 @@ class WallClock {
   /// A file that was written beside the steps has taken so long. The last checkpoint waits for such a file.
   void file(double seconds) { longest_file_ = std::max(longest_file_, seconds); }
 
-  /// Whether another step, a file and the last checkpoint may no longer fit: each is given twice its longest time so far, and
-  /// a hundredth of the whole time is left for what a launcher does before and after.
+  /// Whether another step, a file and the last checkpoint may no longer fit: each is given twice its longest time so
+  /// far, and a hundredth of the whole time is left for what a launcher does before and after.
   bool over(double now) const {
     return limit_ > 0 && now + 2 * (longest_step_ + longest_file_ + longest_save_) >= 0.99 * limit_;
   }
