@@ -8,7 +8,7 @@
 
 namespace softwet {
 
-/// How this program computes a preconditioner: that of another one has other bits.
+/// How this program computes a preconditioner: another program computes other bits.
 inline std::string preconditioner_format() {
   return "algorithms of a " + std::string(host_algorithms ? "processor" : "device") + ", factors of " +
          std::to_string(sizeof(FactorNumber)) + " bytes";

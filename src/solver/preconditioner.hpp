@@ -18,8 +18,8 @@ class RoughInverse {
   virtual ~RoughInverse() = default;
   /// z = approximately A^-1 r.
   virtual void apply(const ConstArray& r, const Array& z) = 0;
-  /// Factors times that, for vectors of either precision. Where nothing better is known, what is beside `apply` takes kernels
-  /// and vectors of its own.
+  /// Factors times that, for vectors of either precision. Where nothing better is known, what is beside `apply` takes
+  /// kernels and vectors of its own.
   virtual void answer(const ConstArray& r, const Array& z, const RangeFactors& factors) {
     apply(r, z);
     if (factors.count > 0) ScaleFields<double, double>{z, z, factors}.run();
@@ -36,11 +36,11 @@ class RoughInverse {
   virtual std::string name() const = 0;
   /// Without the matrix that a solver is given.
   virtual double bytes() const = 0;
-  /// The measured cost of a build, in Krylov iterations (a product and an application each). It decides how long Newton keeps
-  /// a lagged preconditioner (Wear).
+  /// The measured cost of a build, in Krylov iterations (a product and an application each). It decides how long Newton
+  /// keeps a lagged preconditioner (Wear).
   virtual double build_cost() const = 0;
-  /// Whether between two builds `answer` starts the same kernels each time, does nothing on the host, and waits for nothing
-  /// (solver/recording.hpp). Its first call may allocate vectors.
+  /// Whether between two builds `answer` starts the same kernels each time, does nothing on the host, and waits for
+  /// nothing (solver/recording.hpp). Its first call may allocate vectors.
   virtual bool recordable() const { return false; }
   /// What the next builds need of the last ones. Where nothing is visited a build follows from its matrix alone.
   virtual void visit_memory(StepMemory&) {}

@@ -8,10 +8,10 @@
 
 namespace softwet {
 
-/// Answers are those of another preconditioner. For each pair of vectors its kernels start one by one the first time, and are
-/// recorded the second time. From then on they start as one (solver/recording.hpp), until the next build. GMRES comes back to the
-/// same pairs of vectors in each solve. Factors of an answer change with the time step, so that they are not recorded: they
-/// take a kernel of their own.   Tested: tests/unit/solver/test_recorded_answers.cpp
+/// Gives the answers of another preconditioner. For each pair of vectors its kernels start one by one the first time,
+/// and are recorded the second time. From then on they start as one (solver/recording.hpp), until the next build. GMRES
+/// comes back to the same pairs of vectors in each solve. Factors of an answer change with the time step, so that they
+/// are not recorded: they take a kernel of their own.   Tested: tests/unit/solver/test_recorded_answers.cpp
 class RecordedAnswers final : public Preconditioner {
  public:
   /// @param of  one that can be recorded

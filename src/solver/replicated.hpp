@@ -15,8 +15,8 @@ Array mask_of_patch(const Layout<D>& layout, const ConstArray& own) {
   return to_device<Array>(all, "mask");
 }
 
-/// All processes collect the matrix and the vector, and each does with the same numbers what a single process does. So the
-/// number of processes does not change a bit of the result.
+/// All processes collect the matrix and the vector, and each does with the same numbers what a single process does. So
+/// the number of processes does not change a bit of the result.
 template <int D>
 class Replicated final : public StencilSolver<D> {
  public:

@@ -8,8 +8,8 @@
 
 namespace softwet {
 
-/// A separator (or a leaf box): its own unknowns are eliminated after those of its children; `border` are unknowns of
-/// ancestors that the elimination touches. Local numbering: own first, then border.
+/// A separator (or a leaf box): its own unknowns are eliminated after the unknowns of its children; `border` are
+/// unknowns of ancestors that the elimination touches. Local numbering: own first, then border.
 struct DissectionNode {
   int depth = 0;
   int first = 0;                 ///< nodes first .. this one are its subtree
@@ -17,7 +17,7 @@ struct DissectionNode {
   std::vector<int> children;
   std::vector<int> border_in_parent;  ///< local number of each border unknown in the parent
 
-  /// number[unknown] is its local number, for those of the node.
+  /// number[unknown] is its local number, for the unknowns of the node.
   void number_locally(std::vector<int>& number) const {
     int next = 0;
     for (int unknown : own) number[unknown] = next++;

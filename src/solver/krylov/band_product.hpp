@@ -8,9 +8,9 @@
 
 namespace softwet {
 
-/// The product M in of components behind each other, axis by axis: first the sums along the first axis, of these those along
-/// the next one. A periodic axis is closed: sums at its ghosts count for what the ghosts are copies of. Reads ghosts, which
-/// have to be filled; the results there mean nothing.
+/// The product M in of components behind each other, axis by axis: first the sums along the first axis, of these those
+/// along the next one. A periodic axis is closed: sums at its ghosts count for what the ghosts are copies of. Reads
+/// ghosts, which have to be filled; the results there mean nothing.
 template <int D, int P>
 struct BandProduct {
   using Band = Kokkos::View<const double**, Kokkos::LayoutRight, Exec>;
@@ -76,7 +76,8 @@ struct BandProduct {
 
   /// to = the sums along the first axis, of a line.
   void first_line(const double* from, double* to) const;
-  /// to = the sums along axis d at a place, where line(p) are the sums of the axes before at place p. With room for a line.
+  /// to = the sums along axis d at a place, where line(p) are the sums of the axes before at place p. With room for a
+  /// line.
   template <class LineAt>
   void next_line(int d, int place, const LineAt& line, double* to, double* beyond) const;
   template <class LineAt>

@@ -7,8 +7,8 @@
 
 namespace softwet {
 
-/// Hestenes and Stiefel 1952. Works on the entries [first, last) of vectors of unknowns; operators get whole vectors whose
-/// other entries are zero. Workspace is allocated once.
+/// Hestenes and Stiefel 1952. Works on the entries [first, last) of vectors of unknowns; operators get whole vectors
+/// whose other entries are zero. Workspace is allocated once.
 class ConjugateGradient {
  public:
   ConjugateGradient(const VectorSpace& space, int size)

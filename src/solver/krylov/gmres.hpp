@@ -12,14 +12,15 @@ struct KrylovResult {
 };
 
 /// Saad 1993. Workspace is allocated once. `apply(z, out)` is the operator, `precondition(r, z)` its rough inverse.
-/// Vectors are of the precision Real; their dot products are summed, and the small system is solved, in double precision.
+/// Vectors are of the precision Real; their dot products are summed, and the small system is solved, in double
+/// precision.
 ///
-/// Norms may be weighted, ||x||^2 = sum_i w_i x_i^2: as if each row of the system was multiplied by the root of its weight
-/// (Essai 1998).
+/// Norms may be weighted, ||x||^2 = sum_i w_i x_i^2: as if each row of the system was multiplied by the root of its
+/// weight (Essai 1998).
 ///
-/// The basis is orthonormal up to a thousandth (solver/krylov/gram_schmidt.hpp). The residual at the end of a cycle follows from
-/// A z_j = sum_i h_ij v_i, whatever angles the v_i have. It is the true one up to the round-off of the A z_j. Where these
-/// cancel so much that their round-off counts, it is computed from x.
+/// The basis is orthonormal up to a thousandth (solver/krylov/gram_schmidt.hpp). The residual at the end of a cycle
+/// follows from A z_j = sum_i h_ij v_i, whatever angles the v_i have. It is the true one up to the round-off of the A
+/// z_j. Where these cancel so much that their round-off counts, it is computed from x.
 template <class Real>
 class GmresOf {
  public:
@@ -60,7 +61,8 @@ class GmresOf {
   }
 
  private:
-  /// One cycle of Arnoldi from a residual of the norm beta: fills direction_ and the coefficients y_; returns their number.
+  /// One cycle of Arnoldi from a residual of the norm beta: fills direction_ and the coefficients y_; returns their
+  /// number.
   template <class Apply, class Precondition>
   int cycle(const Apply& apply, const Precondition& precondition, const Vector& from, double beta, double target,
             int steps) {
@@ -82,7 +84,8 @@ class GmresOf {
         basis_.finish();
         rotate(j);
       }
-      // The operator maps this direction into the space that is there already, up to round-off. It would only add noise.
+      // The operator maps this direction into the space that is there already, up to round-off. It would only add
+      // noise.
       if (!(rotated_[j][j] > round_off * basis_.length(j)) || !std::isfinite(rotated_[j][j])) break;
       used = j + 1;
       if (last()) break;

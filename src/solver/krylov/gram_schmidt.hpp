@@ -10,10 +10,10 @@ namespace softwet {
 
 /// Vectors v_0, v_1, ... of length 1, and columns h_j of A z_j = sum_i h_ij v_i for the directions z_j of the method.
 ///
-/// One pass over the basis takes all products of a new vector, and a second one follows where the angles would be off by a
-/// thousandth (Daniel, Gragg, Kaufman and Stewart 1976). The second pass waits for the first one of the next vector, so
-/// that both read the basis once and share one reduction (Bielich et al. 2022). Meanwhile the vector is good enough for a
-/// preconditioner. It comes at once only where a vector is far off, or where the method asks for it.
+/// One pass over the basis takes all products of a new vector, and a second one follows where the angles would be off
+/// by a thousandth (Daniel, Gragg, Kaufman and Stewart 1976). The second pass waits for the first one of the next
+/// vector, so that both read the basis once and share one reduction (Bielich et al. 2022). Meanwhile the vector is good
+/// enough for a preconditioner. It comes at once only where a vector is far off, or where the method asks for it.
 template <class Real>
 class GramSchmidt {
  public:
@@ -38,11 +38,11 @@ class GramSchmidt {
     skew_ = 0;
     waits_ = false;
   }
-  /// Of the squares in norms; for the next begin.
+  /// Sets the weights of the squares in norms, for the next begin.
   void set_weights(const RangeFactors& weights) { weights_ = weights; }
 
-  /// Takes the next vector, which holds A z_j, as v_{j+1}; it is zero where nothing is left of A z_j. Its second pass may
-  /// wait; that of v_j is done. Returns whether column j - 1 has changed by it.
+  /// Takes the next vector, which holds A z_j, as v_{j+1}; it is zero where nothing is left of A z_j. Its second pass
+  /// may wait; the second pass of v_j is done. Returns whether column j - 1 has changed by it.
   bool add() {
     constexpr double most_blur = 0.02, may_wait = 0.1;
     const int j = static_cast<int>(column_.size());
@@ -86,8 +86,8 @@ class GramSchmidt {
     double blur = 0;  ///< bound of the error of rest^2, relative
   };
 
-  /// A pass leaves as much along the vectors before as their angles are off, and the square of what is left, a difference,
-  /// is off as much.
+  /// A pass leaves as much along the vectors before as their angles are off, and the square of what is left, a
+  /// difference, is off as much.
   Pass pass_of(Dots dots) const {
     Pass p{std::move(dots)};
     double taken = 0;
@@ -99,8 +99,8 @@ class GramSchmidt {
     return p;
   }
 
-  /// The second pass of u = basis_[j], whose outcome v_j = (u - sum_i s_i v_i) / |.| is not there yet, and the products of
-  /// w = basis_[j + 1]: that with v_j follows from those of u.
+  /// The second pass of u = basis_[j], whose outcome v_j = (u - sum_i s_i v_i) / |.| is not there yet, and the products
+  /// of w = basis_[j + 1]: the product with v_j follows from the products of u.
   Dots first_after_second(int j, Combination& of_last) {
     auto [of_w, of_u] = basis_.dots_with_last(j + 1, basis_[j + 1], weights_);
     const double length = second_pass(j - 1, of_u);

@@ -9,7 +9,8 @@ namespace softwet {
 /// L(i, i - k). Functions that are held or ghosts are left out (identity). A periodic axis is treated as if it ended.
 using BandedFactors = Kokkos::View<const double**, Kokkos::LayoutRight, Exec>;
 
-/// For each component of a vector of unknowns the mass matrix M_x (x) M_y (x) M_z of the fixed mesh with weight 1, or r in (r, z).
+/// For each component of a vector of unknowns the mass matrix M_x (x) M_y (x) M_z of the fixed mesh with weight 1, or r
+/// in (r, z).
 template <int D>
 class KroneckerMass {
  public:

@@ -10,8 +10,8 @@
 
 namespace softwet {
 
-/// For some entries of one result, or of two: out_m = b_m out_m + sum_j a_mj v_j, and then out_1 += link out_0. With b_m = 0
-/// the old values are not read.
+/// For some entries of one result, or of two: out_m = b_m out_m + sum_j a_mj v_j, and then out_1 += link out_0. With
+/// b_m = 0 the old values are not read.
 template <class Real>
 struct BasisSum {
   static constexpr int most = 32;              ///< vectors at once
@@ -73,7 +73,7 @@ class KrylovBasis {
     sums.pop_back();
     return {std::move(sums), square};
   }
-  /// Those of w, and those of v_{count - 1} with the vectors before it, in one pass over the vectors.
+  /// Products of w, and products of v_{count - 1}, with the vectors before it, in one pass over the vectors.
   std::pair<Dots, Dots> dots_with_last(int count, const ConstArrayOf<Real>& w, const RangeFactors& weights = {}) const {
     const std::vector<double> sums = strip_sums<Real>({{space_,
                                                         all_.data(),

@@ -12,7 +12,8 @@
 
 namespace softwet {
 
-/// The two kinds of components: velocities have control points in the solid and in the fluid, scalars in the fluid alone.
+/// The two kinds of components: velocities have control points in the solid and in the fluid, scalars in the fluid
+/// alone.
 enum class Unknowns { velocities, scalars };
 
 /// What an item of a kernel has: a block of lines on a processor, a value on a device.
@@ -24,9 +25,9 @@ struct OneValue {
 };
 using ValuesOfItem = std::conditional_t<host_algorithms, BlockOfLines, OneValue>;
 
-/// Components behind each other, cut into blocks of lines along the first axis. A block has a range of places along each
-/// of the other axes. Ends of blocks never part the values that end ties connect (time/masses/end_ties.hpp): the first two and the
-/// last two of an axis, and those below and on the wall or the joint of the solid.
+/// Components behind each other, cut into blocks of lines along the first axis. A block has a range of places along
+/// each of the other axes. Ends of blocks never part the values that end ties connect (time/masses/end_ties.hpp): the
+/// first two and the last two of an axis, and those below and on the wall or the joint of the solid.
 template <int D>
 struct LineBlocks {
   static constexpr int width = 16;  ///< about

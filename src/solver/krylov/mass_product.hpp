@@ -6,8 +6,8 @@
 
 namespace softwet {
 
-/// M = M_x (x) M_y (x) M_z for components of a vector of unknowns: entries (N_i, N_j) of the reference domain, in (r, z) with the
-/// weight r.
+/// M = M_x (x) M_y (x) M_z for components of a vector of unknowns: entries (N_i, N_j) of the reference domain, in (r,
+/// z) with the weight r.
 /// An axis costs 2 degree + 1 products for each value, and no element is visited.
 /// Source: tensor products of one-dimensional mass matrices.   Tested: tests/unit/solver/krylov/test_mass_product.cpp
 template <int D, int P>
@@ -16,11 +16,11 @@ class MassProduct {
   /// @param points  of the quadrature, for an element and an axis; degree + 1 are exact
   MassProduct(const Layout<D>&, int points);
 
-  /// out = M in for the components [first, last), which are either velocities or scalars; both are arrays of these alone.
-  /// Reads ghosts, which have to be filled, and leaves those of the result open.
+  /// out = M in for the components [first, last), which are either velocities or scalars; both are arrays of these
+  /// alone. Reads ghosts, which have to be filled, and leaves the ghosts of the result open.
   void apply(const ConstArray& in, const Array& out, int first, int last) const;
 
-  /// The same as a part of a kernel of the caller.
+  /// This product as a part of a kernel of the caller.
   BandProduct<D, P> of(const ConstArray& in, Unknowns) const;
 
   /// Ghosts of the components [first, last) take the values that they are copies of; the array is of these alone.

@@ -5,8 +5,8 @@
 
 namespace softwet {
 
-/// With these factors the largest entry of each row is one, and then that of each column. Prescribed values have the
-/// factor one, and so have rows and columns of zeros.
+/// With these factors the largest entry of each row is one, and then the largest entry of each column. Prescribed
+/// values have the factor one, and so have rows and columns of zeros.
 struct Equilibration {
   std::vector<float> row, column;
 };

@@ -8,8 +8,8 @@
 
 namespace softwet {
 
-/// || b - A M^-1 b || / || b || in rows of size one, for the factors M of a matrix A and a random vector b, the same one each
-/// time. Memory is allocated once.
+/// || b - A M^-1 b || / || b || in rows of size one, for the factors M of a matrix A and a random vector b, the same
+/// one each time. Memory is allocated once.
 template <int D>
 class FactorDefect {
  public:

@@ -36,7 +36,7 @@ class StencilMatrix {
   void fill(const Jacobian& jacobian);
   /// Rows of the copies of other processes' columns: fill makes only a process's own rows.
   void update_copies() const;
-  /// y = A x; prescribed values and ghosts of x count as zero, those of y are zero.
+  /// y = A x; prescribed values and ghosts of x count as zero, and are zero in y.
   void multiply(const ConstArray& x, const Array& y) const;
 
   const Layout<D>& layout() const { return layout_; }
@@ -54,9 +54,9 @@ class StencilMatrix {
   int stored_;            ///< of a line
 };
 
-/// Calls visit(row point, place) for every control point whose rows have entries in the columns of another. The entry of the
-/// components a and u is the value place + pair(a, u) offsets points. Around a short periodic axis a row may come
-/// more than once; its entry is the sum.
+/// Calls visit(row point, place) for every control point whose rows have entries in the columns of another. The entry
+/// of the components a and u is the value place + pair(a, u) offsets points. Around a short periodic axis a row may
+/// come more than once; its entry is the sum.
 template <int D, class Visit>
 void for_column_point(const Stencil<D>& stencil, int column, const Visit& visit) {
   for (int offset = 0; offset < stencil.offsets; ++offset) {

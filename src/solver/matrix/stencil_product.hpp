@@ -7,7 +7,8 @@
 namespace softwet {
 
 /// Free values of a vector, in single precision, by component and line. Lines carry `degree` values in front and more
-/// behind, so that a product reads whole packs: zeros, or what a periodic axis repeats. Values that do not exist are zero.
+/// behind, so that a product reads whole packs: zeros, or what a periodic axis repeats. Values that do not exist are
+/// zero.
 template <int D>
 struct SpreadValues {
   Stencil<D> stencil;

@@ -1,4 +1,4 @@
-// One axis of the step between a spline space and that of half as many elements, as tables for kernels.
+// One axis of the step between a spline space and the space with half as many elements, as tables for kernels.
 #pragma once
 
 #include "memory/array.hpp"
@@ -7,14 +7,14 @@
 
 namespace softwet {
 
-/// Sums along an axis: result(i) = sum over k of weight(i, k) from(source(i, k)). All sums have the same number of terms;
-/// those that are not needed have the weight zero.
+/// Sums along an axis: result(i) = sum over k of weight(i, k) from(source(i, k)). All sums have the same number of
+/// terms; those that are not needed have the weight zero.
 struct AxisSums {
   Kokkos::View<int**, Kokkos::LayoutRight, Exec> source;
   Kokkos::View<double**, Kokkos::LayoutRight, Exec> weight;
 };
 
-/// Which functions of an axis are stored where: all, or those of a process's columns.
+/// Which functions of an axis are stored where: all functions, or the functions of a process's columns.
 struct AxisPlaces {
   std::vector<int> place;     ///< [function] -1: nowhere
   std::vector<int> function;  ///< [place] -1: a ghost of the whole axis

@@ -27,8 +27,8 @@ struct BoxInverses {
     return entry.data() + begin(box) + place(n, row, column);
   }
 
-  /// sum[k] = rows first, first + 1, ... of the inverse of a box of n unknowns, times x[k]. Each row that is read serves
-  /// all vectors.
+  /// sum[k] = rows first, first + 1, ... of the inverse of a box of n unknowns, times x[k]. Each row that is read
+  /// serves all vectors.
   template <int vectors>
   KOKKOS_FORCEINLINE_FUNCTION void multiply(int box, int n, int first, const float* const (&x)[vectors],
                                             float (&sum)[vectors][rows_at_once]) const {

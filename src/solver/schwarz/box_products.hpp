@@ -9,8 +9,9 @@
 
 namespace softwet {
 
-/// Boxes that are multiplied together by the inverse that they share. On a device two: each entry that is read serves both,
-/// and there are still enough teams. What the next pair reads of the same inverse is in the cache, for it is at work then.
+/// Boxes that are multiplied together by the inverse that they share. On a device two: each entry that is read serves
+/// both, and there are still enough teams. What the next pair reads of the same inverse is in the cache, for it is at
+/// work then.
 inline constexpr int most_together = chunk(8, 2);
 
 /// Lanes of a thread on a device, and threads of a team: as many lanes as there are rows to take.
@@ -25,8 +26,9 @@ struct NothingBeside {
   KOKKOS_FUNCTION void operator()(int) const {}
 };
 
-/// out = W_b A_b^-1 W_b r on every box. A team takes some boxes with one inverse; its lanes (host) or threads (device) take
-/// neighbouring rows and walk along the columns together. Further teams do what does not depend on that, item by item.
+/// out = W_b A_b^-1 W_b r on every box. A team takes some boxes with one inverse; its lanes (host) or threads (device)
+/// take neighbouring rows and walk along the columns together. Further teams do what does not depend on that, item by
+/// item.
 template <class Real, class Beside>
 struct ApplyBoxes {
   using Indices = Kokkos::View<const int*, Exec>;

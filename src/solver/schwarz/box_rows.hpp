@@ -7,8 +7,8 @@
 
 namespace softwet {
 
-/// Rows of the boxes' matrices are those of one component on one line of control points of a box. A box that goes all around a
-/// periodic axis closes on itself: two values may add up to one entry.
+/// Rows of the boxes' matrices belong to one component on one line of control points of a box. A box that goes all
+/// around a periodic axis closes on itself: two values may add up to one entry.
 template <int D>
 struct BoxRows {
   Stencil<D> stencil;
@@ -37,8 +37,8 @@ struct BoxRows {
   }
 };
 
-/// An item fills the rows of all boxes that follow each other along the first axis, for their values lie side by side: the way of a
-/// processor.
+/// An item fills the rows of all boxes that follow each other along the first axis, for their values lie side by side:
+/// the way of a processor.
 template <int D>
 struct FillRows : BoxRows<D> {
   using Base = BoxRows<D>;
@@ -94,8 +94,8 @@ struct FillRows : BoxRows<D> {
   }
 };
 
-/// A team fills the rows of one box: the way of a device. A thread finds one entry after another in the memory of the team.
-/// Neighbouring threads read values that lie side by side, and afterwards write entries of a row.
+/// A team fills the rows of one box: the way of a device. A thread finds one entry after another in the memory of the
+/// team. Neighbouring threads read values that lie side by side, and afterwards write entries of a row.
 template <int D>
 struct FillRowsByTeams : BoxRows<D> {
   using Base = BoxRows<D>;
@@ -151,8 +151,8 @@ struct FillRowsByTeams : BoxRows<D> {
       if (shift >= -stencil.degree && shift <= stencil.degree) visit(shift + stencil.degree);
     }
   }
-  /// The values of a row at a point that belong to a column, added up: `from` is the place of the row in the box, `there` and `to` that
-  /// of the column on its line and its line.
+  /// The values of a row at a point that belong to a column, added up: `from` is the place of the row in the box;
+  /// `there` and `to` are the place of the column on its line, and its line.
   KOKKOS_FUNCTION float entry(int a, int u, const int (&from)[D], int there, int to, int point) const {
     const int shifts = 2 * stencil.degree + 1;
     float sum = 0;

@@ -7,8 +7,8 @@
 
 namespace softwet {
 
-/// For each box the closest inverse of its candidates, see SharedInverses. A team takes a box and its candidates one after
-/// another; a row of its matrix is the work of one thread's lanes, which are as many for any number of threads.
+/// For each box the closest inverse of its candidates, see SharedInverses. A team takes a box and its candidates one
+/// after another; a row of its matrix is the work of one thread's lanes, which are as many for any number of threads.
 struct ChooseInverse {
   static constexpr int most_candidates = 8, probes = 2;
   template <class Number>
@@ -28,7 +28,7 @@ struct ChooseInverse {
   using Team = Policy::member_type;
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 
-  /// Of each probe a vector.
+  /// One vector for each probe.
   struct Vectors {
     Scratch all;
     int rows;
@@ -82,8 +82,8 @@ struct ChooseInverse {
     }
     Kokkos::single(Kokkos::PerTeam(team), [&] { answer(block) = found; });
   }
-  /// Largest |A_c^-1 A_b x - x|_f / |x|_f of the probes; not a number where the inverse has entries that are none. Each entry of a
-  /// matrix that is read serves all probes.
+  /// Largest |A_c^-1 A_b x - x|_f / |x|_f of the probes; not a number where the inverse has entries that are none. Each
+  /// entry of a matrix that is read serves all probes.
   KOKKOS_FUNCTION float distance(const Team& team, const Room& room, int n, int candidate) const {
     const int block = team.league_rank();
     Kokkos::parallel_for(Kokkos::TeamVectorRange(team, n), [&](int i) {

@@ -11,8 +11,8 @@ namespace softwet {
 
 namespace {
 
-/// Neighbouring control points at once: of a line where the values are made, of a row where they are used, and those that
-/// the registers of a processor hold.
+/// Neighbouring control points at once: of a line where the values are made, of a row where they are used, and those
+/// that the registers of a processor hold.
 constexpr int line_piece = chunk(64), row_piece = chunk(512), pack = chunk(16);
 constexpr int most_shifts = 2 * 3 + 1;  ///< of degree 3
 
@@ -53,8 +53,8 @@ AxisColumns make_columns(const Layout<D>& layout, int d, const AxisSums& to_fine
   return result;
 }
 
-/// The values of A P. An item is a piece of a line of control points, for a pair of components and the columns that differ
-/// along the first axis alone: what they are along the other axes is summed first.
+/// The values of A P. An item is a piece of a line of control points, for a pair of components and the columns that
+/// differ along the first axis alone: what they are along the other axes is summed first.
 template <int D>
 struct FillImage {
   CoarseImageValues<D> out;
@@ -119,7 +119,8 @@ struct CoarseValues {
   }
 };
 
-/// The values of a coarse row that the points of a fine one need, side by side. An item is one column of all these points.
+/// The values of a coarse row that the points of a fine one need, side by side. An item is one column of all these
+/// points.
 template <int D>
 struct SpreadCoarse {
   CoarseValues<D> from;

@@ -5,8 +5,8 @@
 
 namespace softwet {
 
-/// Along one axis: the coarse places whose functions reach the neighbours of a fine one, and how much of each they have.
-/// All fine places have room for as many; those that are not needed come last and have the weight zero.
+/// Along one axis: the coarse places whose functions reach the neighbours of a fine one, and how much of each they
+/// have. All fine places have room for as many; those that are not needed come last and have the weight zero.
 struct AxisColumns {
   Kokkos::View<int*, Exec> count;                            ///< [fine place]
   Kokkos::View<int**, Kokkos::LayoutRight, Exec> place;      ///< [fine place][column]
@@ -16,8 +16,8 @@ struct AxisColumns {
 };
 
 /// The values of A P: component a of a fine control point, component u of one of its coarse columns. They are the upper
-/// halves of single precision. On a device neighbouring threads read neighbouring points; on the host a thread reads all
-/// values of a row (all axes but the last) one after another.
+/// halves of single precision. On a device neighbouring threads read neighbouring points; on the host a thread reads
+/// all values of a row (all axes but the last) one after another.
 template <int D>
 struct CoarseImageValues {
   Stencil<D> stencil;  ///< of the matrix
@@ -37,10 +37,10 @@ struct CoarseImageValues {
   }
 };
 
-/// y = r - A P z for a vector z of a coarse space. The values of A P are kept, so that P z need not be computed before, and
-/// in two and three dimensions 16 and 64 of them are read in the place of 25 and 125 of A (degree 2). Prescribed values lie
-/// on whole sides, where free coarse functions are zero.
-/// Of several processes each makes the rows of its own columns.
+/// y = r - A P z for a vector z of a coarse space. The values of A P are kept, so that P z need not be computed before,
+/// and in two and three dimensions 16 and 64 of them are read in the place of 25 and 125 of A (degree 2). Prescribed
+/// values lie on whole sides, where free coarse functions are zero.
+/// Each of several processes makes the rows of its own columns.
 template <int D>
 class CoarseImage {
  public:

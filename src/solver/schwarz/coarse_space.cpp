@@ -84,7 +84,7 @@ std::vector<double> coarse_mask(const Layout<D>& fine, const Layout<D>& coarse, 
   return result;
 }
 
-/// Cuts the columns of a coarse layout where those of the fine one are cut.
+/// Cuts the columns of a coarse layout where the columns of the fine one are cut.
 template <int D>
 void cut_like(const Layout<D>& fine, Layout<D>& coarse) {
   const bool joined = coarse.axis[0].elements() < fine.axis[0].elements();

@@ -13,9 +13,9 @@ namespace softwet {
 enum class TransferKernels { one, one_for_each_axis };
 
 /// Nested B-spline spaces: z = P z_c with P the refinement of every axis that can be halved, A_c = P^T A P, which is
-/// again a matrix of the same stencil. Where a process stores a part of the fine columns, it stores the part of the coarse
-/// ones below it. It restricts to its own columns, from those that it stores; copies are left at zero, as in the product.
-/// It prolongs to all columns for which it stores the coarse ones.
+/// again a matrix of the same stencil. Where a process stores a part of the fine columns, it stores the part of the
+/// coarse ones below it. It restricts to its own columns, from those that it stores; copies are left at zero, as in the
+/// product. It prolongs to all columns for which it stores the coarse ones.
 template <int D>
 class CoarseSpace {
  public:

@@ -7,8 +7,8 @@
 
 namespace softwet {
 
-/// Replaces the leading size(b) x size(b) part of each block by its inverse, transposed: block(b, column, row). For the host.
-/// A singular block gives non-finite values; the solver then sees a non-finite residual and rejects the step.
+/// Replaces the leading size(b) x size(b) part of each block by its inverse, transposed: block(b, column, row). For the
+/// host. A singular block gives non-finite values; the solver then sees a non-finite residual and rejects the step.
 void invert_by_factors(const DenseBlocks& blocks, const BlockSizes& size);
 
 /// The inverses of batches of blocks, which stay in their place.

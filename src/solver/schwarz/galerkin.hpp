@@ -16,8 +16,8 @@ struct AxisProduct {
   Kokkos::View<float**, Kokkos::LayoutRight, Exec> weight;
 };
 
-/// A_c = P^T A P, axis by axis, for one pair of components after another, so that what lies between two axes is small. Of
-/// several processes each makes the rows of its own columns.
+/// A_c = P^T A P, axis by axis, for one pair of components after another, so that the product between two axes is
+/// small. Each of several processes makes the rows of its own columns.
 template <int D>
 class GalerkinProduct {
  public:

@@ -39,7 +39,7 @@ std::vector<int> columns_of(const Layout<D>& layout, int width) {
   return column;
 }
 
-/// Those of the boxes of the first axis that touch a process's own columns.
+/// The boxes of the first axis that touch a process's own columns.
 template <int D>
 std::vector<int> touching(const Layout<D>& layout, const std::vector<int>& start, const std::vector<int>& column,
                           int width) {
@@ -54,8 +54,8 @@ std::vector<int> touching(const Layout<D>& layout, const std::vector<int>& start
   return found;
 }
 
-/// Whether a box has no place `along` it, at function i of axis d: it goes once around a periodic axis at most, and leaves
-/// out the row that solid and fluid share where that is its first or last one.
+/// Whether a box has no place `along` it, at function i of axis d: it goes once around a periodic axis at most, and
+/// leaves out the row that solid and fluid share where that is its first or last one.
 template <int D>
 bool left_out(const Layout<D>& layout, int d, int i, int along, int width) {
   const bool shared = d == D - 1 && layout.has_solid && layout.has_fluid && i == layout.wall_row;

@@ -26,7 +26,8 @@ struct PatchTables {
 
 /// Boxes `width` >= 3 control points wide, at most `stride` apart (evenly spread) along every axis. A box that has the
 /// row shared by solid and fluid as its first or last one leaves it out: fluid on the wall without the fluid above it
-/// makes a matrix close to singular. The tables have the boxes that touch a process's own columns; it stores all columns of these.
+/// makes a matrix close to singular. The tables have the boxes that touch a process's own columns; it stores all
+/// columns of these.
 template <int D>
 PatchTables make_patches(const Layout<D>&, const UnknownTable<D>&, int width, int stride);
 

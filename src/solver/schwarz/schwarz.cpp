@@ -21,8 +21,8 @@ bool can_be_cut(const Columns& c) {
   return true;
 }
 
-/// Part of the boxes' answer that is added when the residual has been computed anew after the coarse correction. All of it
-/// would be too much: where several boxes hold an unknown, their sum overshoots.
+/// Part of the boxes' answer that is added when the residual has been computed anew after the coarse correction. All of
+/// it would be too much: where several boxes hold an unknown, their sum overshoots.
 constexpr float damping = 0.5f;
 
 template <int D>
@@ -101,8 +101,8 @@ class Schwarz final : public StencilSolver<D> {
     return rest_;
   }
 
-  /// On a device a kernel computes the entries of the coarse correction that it needs, so that no other one writes them. On
-  /// the host transfers along one axis after another are faster.
+  /// On a device a kernel computes the entries of the coarse correction that it needs, so that no other one writes
+  /// them. On the host transfers along one axis after another are faster.
   bool in_few_kernels() const { return !host_algorithms && space_; }
   template <class Real>
   void add_up([[maybe_unused]] const ConstArrayOf<Real>& r, [[maybe_unused]] const ArrayOf<Real>& z,

@@ -10,9 +10,9 @@ namespace softwet {
 
 /// A box b may use the inverse of a box c whose unknowns lie as its own do, if for x = A_c^-1 r and every field f
 ///   |A_c^-1 A_b x - x|_f < limit |x|_f.
-/// The vectors r are random, as large in each row as the largest entry of A_b there. A box is compared with the inverses
-/// that boxes nearby use, and takes the closest one. These lie before it along the second and the third axis alone, so
-/// that the choice is the same on any number of processes, which cut the first one.
+/// The vectors r are random, as large in each row as the largest entry of A_b there. A box is compared with the
+/// inverses that boxes nearby use, and takes the closest one. These lie before it along the second and the third axis
+/// alone, so that the choice is the same on any number of processes, which cut the first one.
 /// Tested: tests/unit/solver/schwarz/test_shared_inverses.cpp
 class SharedInverses {
  public:
@@ -20,12 +20,12 @@ class SharedInverses {
   SharedInverses(const PatchTables&, int components, float limit);
 
   bool any() const { return limit_ > 0; }
-  /// Boxes in the order in which they are built: those of one wave are compared with those of earlier ones, never with each
-  /// other. A wave consists of whole rows of boxes along the first axis.
+  /// Boxes in the order in which they are built: boxes of one wave are compared with boxes of earlier waves, never with
+  /// each other. A wave consists of whole rows of boxes along the first axis.
   const std::vector<std::vector<int>>& waves() const { return waves_; }
   int largest_wave() const;
-  /// Finds the owners of boxes of a wave, given their matrices and the inverses of earlier waves: one kernel, and a copy of
-  /// the answers for which the host waits.
+  /// Finds the owners of boxes of a wave, given their matrices and the inverses of earlier waves: one kernel, and a
+  /// copy of the answers for which the host waits.
   /// @param threads  that compare a box; 0: as many as suit the machine
   void choose(const int* boxes, int count, const DenseBlocks& matrices, const BoxInverses&, int threads = 0);
   /// The box whose inverse a box uses.

@@ -28,8 +28,8 @@ Places<D> places_of(const Layout<D>& layout) {
   return p;
 }
 
-/// What a vector is on the other level. An entry is computed where a kernel asks for it, so that one that needs the result
-/// or makes its source takes no kernel beside it. The source is of the precision Real.
+/// What a vector is on the other level. An entry is computed where a kernel asks for it, so that one that needs the
+/// result or makes its source takes no kernel beside it. The source is of the precision Real.
 template <int D, class Real>
 struct SumAllAxes {
   AxisSums sums[D];

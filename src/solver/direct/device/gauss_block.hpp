@@ -1,4 +1,5 @@
-// What Gauss-Jordan elimination does with one block, piece by piece. A piece is the work of a kernel, or of a team among others.
+// What Gauss-Jordan elimination does with one block, piece by piece. A piece is the work of a kernel, or of a team
+// among others.
 #pragma once
 
 #include "solver/direct/device/gauss_jordan.hpp"
@@ -36,8 +37,9 @@ struct GaussBlock {
     Kokkos::single(Kokkos::PerThread(team), [&] { scale[i] = factor; });
   }
 
-  /// The elimination of a panel's columns, in the panel alone. What is left there: the inverse of the pivot block in the pivot
-  /// rows, and in each other row what its pivot rows are multiplied with. For a team, all threads of which may read it then.
+  /// The elimination of a panel's columns, in the panel alone. What is left there: the inverse of the pivot block in
+  /// the pivot rows, and in each other row what its pivot rows are multiplied with. For a team, all threads of which
+  /// may read it then.
   KOKKOS_FUNCTION void eliminate_panel(const GaussTeam& team, int first) const {
     const int count = columns(first);
     Kokkos::parallel_for(Kokkos::TeamVectorRange(team, size), [&](int i) {
@@ -67,8 +69,8 @@ struct GaussBlock {
     }
   }
 
-  /// a += panel x pivot rows, in some rows of the columns j, j + apart, ..., as many as `together` or as there are; the panel
-  /// itself takes the place of its columns.
+  /// a += panel x pivot rows, in some rows of the columns j, j + apart, ..., as many as `together` or as there are; the
+  /// panel itself takes the place of its columns.
   template <int together, int apart>
   KOKKOS_FUNCTION void add_panel(int first, int begin, int j) const {
     const int count = columns(first), end = begin + rows_together < size ? begin + rows_together : size;

@@ -1,4 +1,5 @@
-// Dense inverses and eliminations on a device: Gauss-Jordan elimination of many matrices at once, some columns at a time.
+// Dense inverses and eliminations on a device: Gauss-Jordan elimination of many matrices at once, some columns at a
+// time.
 #pragma once
 
 #include <cstdint>
@@ -30,11 +31,11 @@ enum class BlockTeams {
   many_each  ///< many teams share a block, in three kernels a panel and three more
 };
 
-/// Inverts the leading size(b) x size(b) part of each block in place. Rows are scaled to a largest entry of 1 and exchanged
-/// so that pivots are largest in their column. `panel` columns are eliminated by one team; all others then change by one
-/// product of that depth, so that a matrix is read n / panel times. A singular block gets values that are not finite; what
-/// lies outside of the leading parts is not defined. Every number is the result of the same operations in the same order,
-/// whichever threads there are.
+/// Inverts the leading size(b) x size(b) part of each block in place. Rows are scaled to a largest entry of 1 and
+/// exchanged so that pivots are largest in their column. `panel` columns are eliminated by one team; all others then
+/// change by one product of that depth, so that a matrix is read n / panel times. A singular block gets values that are
+/// not finite; what lies outside of the leading parts is not defined. Every number is the result of the same operations
+/// in the same order, whichever threads there are.
 /// Source: Higham, Accuracy and Stability of Numerical Algorithms, SIAM 2002, section 14.4.
 class GaussJordan {
  public:
@@ -45,8 +46,8 @@ class GaussJordan {
 
   /// @param threads  of the team that eliminates a panel; 0: as many as suit the machine
   void invert(const DenseBlocks& blocks, const BlockSizes& size, int threads = 0) const;
-  /// Eliminates the first pivots(b) unknowns of each block ((A, B), (C, S)) alone, with pivots in the rows of A. Its leading
-  /// size(b) x size(b) part becomes ((A^-1, A^-1 B), (-C A^-1, S - C A^-1 B)).
+  /// Eliminates the first pivots(b) unknowns of each block ((A, B), (C, S)) alone, with pivots in the rows of A. Its
+  /// leading size(b) x size(b) part becomes ((A^-1, A^-1 B), (-C A^-1, S - C A^-1 B)).
   /// @param rows, most  no block has more rows, and more pivots
   void eliminate(const ScatteredBlocks& blocks, const BlockSizes& pivots, const BlockSizes& size, int rows, int most,
                  int threads = 0) const;

@@ -1,4 +1,5 @@
-// The kernels of Gauss-Jordan elimination: one for each piece of the work, shared by many teams, or all of it in one team a block.
+// The kernels of Gauss-Jordan elimination: one for each piece of the work, shared by many teams, or all of it in one
+// team a block.
 #pragma once
 
 #include "solver/direct/device/gauss_block.hpp"
@@ -127,7 +128,8 @@ template <class Blocks>
 struct EliminateBlock {
   using Block = GaussBlock<Blocks>;
   static constexpr int most_threads = Block::depth;  ///< for each of them the panel has a row
-  /// Columns that a lane adds to at once: on a device so many that reading the panel does not take longer than the products.
+  /// Columns that a lane adds to at once: on a device so many that reading the panel does not take longer than the
+  /// products.
   static constexpr int together = chunk(16, 4), apart = team_size(32), columns_of_lanes = together * apart;
   GaussBlocks<Blocks> all;
 

@@ -6,8 +6,8 @@
 
 namespace softwet {
 
-/// The product of a strip of rows with a vector, in a team. Its columns are dealt out to `parts` sums of each row, which are
-/// added in their order. So results do not depend on the threads of a team.
+/// The product of a strip of rows with a vector, in a team. Its columns are dealt out to `parts` sums of each row,
+/// which are added in their order. So results do not depend on the threads of a team.
 struct StripProduct {
   using Scratch = Kokkos::View<float*, Exec::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
   static constexpr int columns_at_once = 1024;
@@ -85,8 +85,8 @@ struct LevelVectors {
   }
 };
 
-/// Towards the root: the right side of a front is that of its own unknowns and what its children leave. Fronts without a
-/// border are solved by that. A team is a strip of rows.
+/// Towards the root: the right side of a front has its own unknowns and the remainders of its children. Fronts without
+/// a border are solved in this pass. A team is a strip of rows.
 template <class Real>
 struct ForwardStrips {
   LevelVectors<Real> v;
@@ -119,8 +119,8 @@ struct ForwardStrips {
   }
 };
 
-/// Towards the leaves: own unknowns from those of the border. A team is a strip of own rows. The teams behind those of the
-/// strips copy prescribed values and ghosts, one for each piece of their list.
+/// Towards the leaves: own unknowns from the unknowns of the border. A team is a strip of own rows. The teams behind
+/// the strips copy prescribed values and ghosts, one for each piece of their list.
 template <class Real>
 struct BackwardStrips {
   static constexpr int piece = 256;

@@ -54,8 +54,8 @@ struct ScaledEntries {
   }
 };
 
-/// Fills the fronts of a level: entries of the matrix that no front below has taken, and the complements of the children.
-/// A team is a column of a front; each entry is summed by one thread.
+/// Fills the fronts of a level: entries of the matrix that no front below has taken, and the complements of the
+/// children. A team is a column of a front; each entry is summed by one thread.
 template <int D>
 struct AssembleFronts {
   ScaledEntries<D> entries;

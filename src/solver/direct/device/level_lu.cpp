@@ -137,7 +137,8 @@ class LevelLu final : public StencilSolver<D> {
     return Kokkos::subview(strips, Kokkos::make_pair(first, last));
   }
 
-  /// One team for each strip or piece. Columns are dealt out to so many sums as keep the memory busy and leave each one some.
+  /// One team for each strip or piece. Columns are dealt out to so many sums as keep the memory busy and leave each one
+  /// some.
   template <class Kernel>
   void run(const char* label, int columns, int teams, const Kernel& kernel) const {
     if (teams == 0) return;

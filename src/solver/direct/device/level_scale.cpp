@@ -4,8 +4,8 @@ namespace softwet {
 
 namespace {
 
-/// One over the largest entry of each row (or column); an entry of a column counts with the factor of its row. An item is an
-/// unknown, which looks at its entries in the order of the offsets.
+/// One over the largest entry of each row (or column); an entry of a column counts with the factor of its row. An item
+/// is an unknown, which looks at its entries in the order of the offsets.
 template <int D, bool Columns>
 struct InvertLargest {
   using Factors = typename LevelScale<D>::Factors;

@@ -8,8 +8,8 @@
 
 namespace softwet {
 
-/// A front ((A, B), (C, S)) of `size` unknowns, of which the first `own` ones are eliminated in it. What lists and vectors
-/// have for its unknowns begins at the place `first`.
+/// A front ((A, B), (C, S)) of `size` unknowns, of which the first `own` ones are eliminated in it. What lists and
+/// vectors have for its unknowns begins at the place `first`.
 struct LevelFront {
   int own, size, first;
   int child[2];         ///< numbers of fronts; -1: none

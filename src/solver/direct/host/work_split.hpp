@@ -11,8 +11,8 @@ struct WorkSplit {
   std::vector<std::vector<int>> top;  ///< by depth, the root of the tree first
 };
 
-/// Cuts the tree at the depth where the longest of `threads` equal workers is done first. The work of a node is the number
-/// of its factors' entries; the nodes above the cut are walked by one worker.
+/// Cuts the tree at the depth where the longest of `threads` equal workers is done first. The work of a node is the
+/// number of its factors' entries; the nodes above the cut are walked by one worker.
 WorkSplit split_work(const Dissection&, int threads);
 
 }  // namespace softwet
