@@ -1,4 +1,5 @@
-// Whether the residual of Newton's method is small enough, field by field and as a whole, and how accurate the next linear solve is.
+// Whether the residual of Newton's method is small enough, field by field and as a whole, and how accurate the next
+// linear solve is.
 #pragma once
 
 #include <limits>
@@ -19,8 +20,9 @@ struct NewtonControl {
   bool bends = false;  ///< contact lines have friction, whose bend lets residuals rise on the way
 };
 
-/// Fields are weighted so that each starts the step with the same share of the norm of the residual, or is at its floor.
-/// A field whose residual is not much more than round-off has a smaller share, because no solve makes it smaller.
+/// Fields are weighted so that each starts the step with the same share of the norm of the residual, or is at its
+/// floor. A field whose residual is not much more than round-off has a smaller share, because no solve makes it
+/// smaller.
 struct FieldRange {
   int first, last;
   double floor;
@@ -34,24 +36,28 @@ class Convergence {
   Convergence(const std::vector<FieldRange>& fields, const NewtonControl& control, double smallest)
       : fields_(fields), control_(control), smallest_(smallest) {}
 
-  /// @param sizes  the norm of each field of the next residual; those of the first one set the weights
+  /// @param sizes  the norm of each field of the next residual; the norms of the first residual set the weights
   void add(const std::vector<double>& sizes);
 
   bool finite() const;
   /// Whether the last residual is small enough.
   bool reached() const;
   bool vanishes() const { return size_ == 0; }
-  /// Whether a state whose residual is small enough is accepted. Where stiff parts stand beside soft ones a residual that is small
-  /// for the stiff ones may move the soft ones far. Where one more solve has not halved what remains, this is round-off.
-  /// @param remaining  how far a linear solve would still move fields, over what is accepted; infinite before the first solve
+  /// Whether a state whose residual is small enough is accepted. Where stiff parts stand beside soft ones a residual
+  /// that is small for the stiff ones may move the soft ones far. Where one more solve has not halved what remains,
+  /// this is round-off.
+  /// @param remaining  how far a linear solve would still move fields, over what is accepted; infinite before the first
+  ///   solve
   bool accepts(double remaining);
-  /// Whether steps are given up, from the third iteration on: the residual has risen twice, or stays above that of the start. One rise
-  /// may be a long step along a soft direction, as the translation of a droplet; Newton's method converges from there.
+  /// Whether steps are given up, from the third iteration on: the residual has risen twice, or stays above its value at
+  /// the start. One rise may be a long step along a soft direction, as the translation of a droplet; Newton's method
+  /// converges from there.
   bool diverges();
-  /// Of the next linear solve: Eisenstat and Walker 1996, choice 2, without solving beyond what the step needs.
+  /// Tolerance of the next linear solve: Eisenstat and Walker 1996, choice 2, without solving beyond what the step
+  /// needs.
   double forcing() const;
   double reduction() const { return size_ / start_; }
-  /// Of the squares in norms of vectors.
+  /// Weights of the squares in norms of vectors.
   RangeFactors weights() const;
 
  private:

@@ -37,8 +37,9 @@ LinearSolves linear_solves(const Case& c, Precision precision) {
                                                                                      : LinearSolves::single;
 }
 
-/// Of the solid without its needles in its part of the Jacobian, 1 without needles. Residuals begin as large as stiff springs make them:
-/// a residual that is smaller by a factor is not enough for what is not held.
+/// Share of the solid without its needles in its part of the Jacobian, 1 without needles. Residuals begin as large as
+/// stiff springs make them: a residual that is smaller by a factor is not small enough for unknowns that no spring
+/// holds.
 template <int D, int P>
 double share_of_solid(const Scene<D, P>& scene, const Stage& stage) {
   if (scene.forces().needles().empty()) return 1;
@@ -58,7 +59,7 @@ SolidPart solid_part(const Scene<D, P>& scene, const Stage& stage) {
   const double h = l.shortest();
   const SolidCoefficients& material = scene.coefficients().solid();
   const LameParameters& stiffness = material.stiffness;
-  // Of branches 4/3 of a shear modulus resists such waves.
+  // 4/3 of the shear modulus of branches resists such waves.
   const double of_branches = 2.0 / 3 * (stage.branch_weight * stage.displacement_scale);
   solid.size =
       material.density() * stage.rate_scale +

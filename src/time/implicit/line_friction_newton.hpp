@@ -17,9 +17,9 @@ struct SpreadOverRows {
   KOKKOS_FUNCTION void operator()(int i) const { to(i) = weight(i / row_size) * from(i % row_size); }
 };
 
-/// The residual of the potential at the wall for each area, f = M^{-1} R with the mass M of the functions on the undeformed wall: what
-/// LineFrictionBend reads. The inverse of the mass of the fluid is at hand. It makes f on the wall, and 0 above, of R times the masses
-/// of the wall's function along the vertical.
+/// The residual of the potential at the wall for each area, f = M^{-1} R with the mass M of the functions on the
+/// undeformed wall: what LineFrictionBend reads. The inverse of the mass of the fluid is at hand. It makes f on the
+/// wall, and 0 above, of R times the masses of the wall's function along the vertical.
 template <int D>
 class LineFrictionNewton {
  public:

@@ -7,7 +7,8 @@
 namespace softwet {
 namespace {
 
-/// Ratio of the solid's part of the Jacobian to that at the build from which on a preconditioner does not measure what remains.
+/// Ratio of the solid's part of the Jacobian to that at the build from which on a preconditioner does not measure what
+/// remains.
 constexpr double other_step = 6;
 
 std::variant<LinearSpace<double>, LinearSpace<float>> linear_space(const VectorSpace& space, int size, int restart,

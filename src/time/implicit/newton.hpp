@@ -44,7 +44,8 @@ struct NonlinearSystem {
   /// The product in single precision, for a Newton that solves its linear systems in single precision.
   std::function<void(const ArrayOf<float>& z, const ArrayOf<float>& out)> single_product = {};
   SolidPart solid = {};  ///< at this step
-  /// How far a correction would move the solid from x, over what is accepted. Where there is none the residual alone decides.
+  /// How far a correction would move the solid from x, over what is accepted. Where there is none the residual alone
+  /// decides.
   std::function<double(const Array& x, const Array& correction)> remaining = {};
 };
 
@@ -74,7 +75,7 @@ class Newton {
   void visit_memory(StepMemory&);
   /// Whether the next solve begins with the preconditioner that is there.
   bool keeps_preconditioner() const { return !rebuild_; }
-  /// Makes the preconditioner that the memory describes. @param jacobian  that of its build
+  /// Makes the preconditioner that the memory describes. @param jacobian  the Jacobian of its build
   void build_again(const Jacobian& jacobian) { preconditioner_->build(jacobian); }
 
  private:
@@ -95,7 +96,8 @@ class Newton {
   Refusal update(const NonlinearSystem&, const Array& x);
   /// What the preconditioner makes of the residual: about the correction that is still missing, in step_.
   void rough_correction(const NonlinearSystem&);
-  /// Whether x is the solution: its residual is small, and a linear solve has been made and would not move the solid much more.
+  /// Whether x is the solution: its residual is small, and a linear solve has been made and would not move the solid
+  /// much more.
   /// @param moved  a linear solve has been made
   bool settled(const NonlinearSystem&, Convergence&, bool moved, const Array& x);
 

@@ -7,7 +7,8 @@
 namespace softwet {
 namespace {
 
-/// Iterations of a lagged preconditioner, above those at its best, that do not count as waste: they vary from step to step.
+/// Iterations of a lagged preconditioner, above those at its best, that do not count as waste: they vary from step to
+/// step.
 constexpr double worn = 1.3;
 
 }  // namespace

@@ -82,8 +82,8 @@ class Disturbances {
   int flow() const { return layout_.potential_offset(); }  ///< values of velocities and density
   int size() const { return flow() + layout_.solid_size(); }
 
-  /// Of the squares in norms: a change by the range of a field counts the same in each, and a velocity as much as the
-  /// displacement after a unit of time.
+  /// Weights of the squares in norms: a change by the range of a field counts the same in each field, and a velocity as
+  /// much as the displacement after a unit of time.
   RangeFactors weights() const {
     RangeFactors w;
     const double height = layout_.axis[D - 1].length();
@@ -160,8 +160,8 @@ class Disturbances {
   double volume_;  ///< of the fluid
 };
 
-/// The rates from steps of one length; none where a linear solve fails, or where all modes oscillate or decay so fast that none
-/// stands out.
+/// The rates from steps of one length; none where a linear solve fails, or where all modes oscillate or decay so fast
+/// that none stands out.
 template <int D, int P>
 std::optional<Growth> growth_by(double step, const Scene<D, P>& scene, const Case& control, const State& rest,
                                 const std::function<bool()>& interrupted) {

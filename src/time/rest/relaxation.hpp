@@ -23,8 +23,8 @@ struct Relaxation {
 /// times as long as the one before where that has changed the state little, without a longest one, so that the way
 /// there is not accurate, but the end is: mass is conserved and the equations of the state at rest are those of the
 /// scene. At rest means that what is left of them without rates of change is less than `digits_of_rest` times what the
-/// last digit of the fields makes of them, that a long step does not move the solid, and that nothing flows. Where Newton's method does not get so far, a rate of
-/// change
+/// last digit of the fields makes of them, that a long step does not move the solid, and that nothing flows. Where
+/// Newton's method does not get so far, a rate of change
 ///   r = max( rms(rho') / (rho_l - rho_v),  rms(rho'/rho in the vapour),  rms(u') / Hs )
 /// below 1e-6 counts as rest too, at last after 200 steps. The second one sees a thin vapour that fills slowly.
 /// The state keeps its time, and is as one that `Scheme::initialise` has not seen. Ends earlier when interrupted, or

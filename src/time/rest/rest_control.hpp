@@ -7,10 +7,12 @@
 
 namespace softwet {
 
-/// A scene is at rest where its residual is less than this many times the change that the last digit of the fields causes in it.
+/// A scene is at rest where its residual is less than this many times the change that the last digit of the fields
+/// causes in it.
 inline constexpr double digits_of_rest = 8;
 
-/// Steps that are longer are stretched ones of this length, see StillSteps::settle. A thin vapour fills in about this time.
+/// Steps that are longer are stretched ones of this length, see StillSteps::settle. A thin vapour fills in about this
+/// time.
 inline constexpr double moderate_step = 2e3;
 
 /// Newton's method need not be accurate on the way, but its products and linear solves must be: the steps are long, and

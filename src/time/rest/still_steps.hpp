@@ -9,7 +9,7 @@ namespace softwet {
 /// A step towards rest, and how far its beginning was from it.
 struct Settling {
   StepAttempt step;
-  /// Of the residual at the start over what the last digit of the fields makes of it, the largest of all fields.
+  /// Ratio of the residual at the start to the residual from the last digit of the fields, the largest of all fields.
   double excess = 0;
   bool still = true;  ///< the step has not moved the solid but by round-off
 };
@@ -22,15 +22,15 @@ class StillSteps {
 
   void initialise(State& state) { solver_.integrator.initialise(state); }
   /// A step towards rest. Without a solid it takes no iteration where nothing is left to solve: where `excess` is below
-  /// `digits_of_rest`. The last digit of a stiff part of a solid may hide the load of a soft one, which a solve finds. The indicator is not
-  /// set.
+  /// `digits_of_rest`. The last digit of a stiff part of a solid may hide the load of a soft one, which a solve finds.
+  /// The indicator is not set.
   /// The equations of an endless step are singular: the total mass is left open. Those of a long step nearly are, and
   /// the velocities of the solid have the size of its displacement over the step. So Newton's method sees them as a
   /// step of moderate length, T, stretched s = dt / T times: its unknown is s v in the solid, the sum of the rows of
   /// the mass counts s times, which the solution does not notice, and the preconditioner is that of the step T.
   Settling settle(const State&, double dt);
-  /// The answer of a state at rest to a small disturbance: x with A x = -r, to seven digits. A is the Jacobian of a step dt of
-  /// backward Euler from there, in which loads stand still.
+  /// The answer of a state at rest to a small disturbance: x with A x = -r, to seven digits. A is the Jacobian of a
+  /// step dt of backward Euler from there, in which loads stand still.
   NewtonResult respond(const State& rest, double dt, const Array& r, const Array& x);
   /// Writes the result of the last `settle` to the state that it started from.
   void accept(State& state) { solver_.integrator.finish(solver_.x, state); }
