@@ -93,10 +93,8 @@ inline std::vector<std::string> words_of(StartState) { return {"initial", "equil
 enum class JacobianKind { exact, difference };
 inline std::vector<std::string> words_of(JacobianKind) { return {"exact", "difference"}; }
 
-enum class PreconditionerKind { automatic, lu, umfpack, schwarz, none };
-inline std::vector<std::string> words_of(PreconditionerKind) {
-  return {"automatic", "lu", "umfpack", "schwarz", "none"};
-}
+enum class PreconditionerKind { automatic, lu, schwarz, none };
+inline std::vector<std::string> words_of(PreconditionerKind) { return {"automatic", "lu", "schwarz", "none"}; }
 
 /// How a device starts the preconditioner.
 enum class Launch { kernels, graph };

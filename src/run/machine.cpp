@@ -20,8 +20,6 @@
 #include "memory/array.hpp"
 #include "memory/team_scratch.hpp"
 
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
-
 namespace softwet {
 namespace {
 
@@ -60,7 +58,6 @@ ParallelRuntime::ParallelRuntime(int threads) {
                                           "; 'softwet info' prints what this build needs");
   }
   reserve_team_scratch();
-  if (openblas_set_num_threads) openblas_set_num_threads(1);
 }
 
 ParallelRuntime::~ParallelRuntime() { Kokkos::finalize(); }

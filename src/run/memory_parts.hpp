@@ -23,8 +23,8 @@ double sums_of_tiles(int degree, int points) {
   return degree == 2 ? of(ChosenTile<D, 2, false, double>()) : of(ChosenTile<D, 3, false, double>());
 }
 
-/// Name and bytes of each part. The preconditioner counts what it will hold once it is built; the factors of "umfpack"
-/// are then an estimate, mostly too low. Explicit schemes have none.
+/// Name and bytes of each part. The preconditioner counts what it will hold once it is built. Explicit schemes
+/// have none.
 template <int D>
 std::vector<std::pair<std::string, double>> memory_parts(const Case& c, const Layout<D>& l,
                                                          const Preconditioner* preconditioner) {

@@ -5,20 +5,10 @@
 #include "case/error.hpp"
 #include "solver/direct/device/level_lu.hpp"
 #include "solver/direct/host/block_lu.hpp"
-#include "solver/direct/host/sparse_lu.hpp"
 #include "solver/replicated.hpp"
 #include "solver/schwarz/schwarz.hpp"
 
 namespace softwet {
-
-/// Those that this build has.
-inline std::vector<PreconditionerKind> preconditioners() {
-#ifdef SOFTWET_HAVE_UMFPACK
-  return {PreconditionerKind::lu, PreconditionerKind::umfpack, PreconditionerKind::schwarz};
-#else
-  return {PreconditionerKind::lu, PreconditionerKind::schwarz};
-#endif
-}
 
 /// Number of unknowns up to which `automatic` takes LU in 3D (docs/development/solver_choices.md).
 constexpr int small_in_3d = 3000;
@@ -30,7 +20,7 @@ std::unique_ptr<StencilSolver<D>> make_lu(const Layout<D>& layout, const ConstAr
 }
 
 /// automatic: lu in 2D and for the smallest scenes in 3D, otherwise multilevel Schwarz, as whole runs were measured to be
-/// fastest on a processor. umfpack: the matrix is factorised by that library, on the host and in double precision.
+/// fastest on a processor.
 template <int D>
 std::unique_ptr<Preconditioner> choose_preconditioner(
     PreconditionerKind kind, const Layout<D>& layout, const ConstArray& mask,
@@ -39,19 +29,16 @@ std::unique_ptr<Preconditioner> choose_preconditioner(
   const Layout<D> all = layout.whole_patch();
   const bool schwarz = kind == PreconditionerKind::schwarz ||
                        (kind == PreconditionerKind::automatic && D == 3 && all.size() > small_in_3d);
-  const auto factors = [&](const ConstArray& free) {
-    return kind == PreconditionerKind::umfpack ? make_sparse_lu<D>(all, free) : make_lu<D>(all, free);
-  };
   const auto assembled = [&](const ConstArray& free, auto solver) {
     return std::make_unique<Assembled<D>>(layout, free, std::move(solver));
   };
-  if (layout.whole()) return assembled(mask, schwarz ? make_schwarz<D>(layout, mask, control) : factors(mask));
+  if (layout.whole()) return assembled(mask, schwarz ? make_schwarz<D>(layout, mask, control) : make_lu<D>(all, mask));
   const Array free("mask", mask.extent(0));  // a model's mask is zero in the columns of other processes
   Kokkos::deep_copy(free, mask);
   update_columns<double>(layout.columns, *layout.exchange, free);
   if (schwarz) return assembled(free, make_schwarz<D>(layout, free, control));
   const Array of_all = mask_of_patch(layout, mask);
-  return assembled(free, std::make_unique<Replicated<D>>(layout, of_all, factors(of_all)));
+  return assembled(free, std::make_unique<Replicated<D>>(layout, of_all, make_lu<D>(all, of_all)));
 }
 
 }  // namespace softwet

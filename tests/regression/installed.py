@@ -43,7 +43,7 @@ check("nothing that needs the sources", not files & {f"share/softwet/tools/{name
 softwet = prefix / "bin/softwet"
 # The licence of every library that the program calls is in what is passed on.
 LIBRARIES = {"hdf5": "HDF5", "fmt": "fmt", "muparser": "muParser", "gomp": "libgomp", "omp": "libgomp", "stdc++": "libstdc++", "gcc_s": "libgcc",
-             "c": "glibc", "m": "glibc", "mvec": "glibc", "pthread": "glibc", "dl": "glibc", "umfpack": "UMFPACK", "openblas": "OpenBLAS",
+             "c": "glibc", "m": "glibc", "mvec": "glibc", "pthread": "glibc", "dl": "glibc",
              "mpi": "MPI", "cuda": "CUDA", "cudart": "CUDA"}
 if shutil.which("readelf"):
     listed = subprocess.run(["readelf", "-d", softwet], capture_output=True, text=True, check=True).stdout

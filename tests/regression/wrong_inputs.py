@@ -51,6 +51,9 @@ LINES = [
     ('box = [[0.7, 0.0], [0.8, 0.125]]', 'box = [0.7, 0.8]', ["load[0].box", "[[lower corner], [upper corner]]"]),
     ('top = "no_slip"', 'top = "noslip"', ["boundary.top", '"no_slip"']),
     ('top = "no_slip"', 'top = "wall"', ["boundary.top", "one of"]),
+    ('preconditioner = "automatic"', 'preconditioner = "umfpack"', ["solver.krylov.preconditioner", '"umfpack"',
+     'write krylov.preconditioner = "lu", which computes in double precision']),
+    ('preconditioner = "automatic"', 'preconditioner = "lux"', ["solver.krylov.preconditioner", 'did you mean "lu"?']),
     ('name = "first"', 'name = 7', ["name = 7", "text"]),
     # ranges
     ('velocity = []', 'velocity = [0.0, inf]', ["droplet[0].velocity", "inf"]),

@@ -56,15 +56,21 @@ struct Binding {
   std::function<std::vector<Profile*>(Case&, std::size_t index)> profiles{};
 };
 
+/// A choice that earlier versions had.
+struct FormerChoice {
+  std::string word, now, reason;  ///< what to write instead of it, and why that does as well: "lu computes ..."
+};
+
 struct Key {
   std::string name{};  ///< dotted, "solver.newton.rtol", "droplet[].radius"
   Kind kind = Kind::number;
   std::string unit{};  ///< scale of the number; empty: none
   Range range{};
   std::vector<std::string> choices{};  ///< of a choice, or of each of the names
-  std::string letters{};               ///< of a text: all that it may have beside letters and digits; empty: anything
-  std::string first{};                 ///< of a text: what it may begin with, as "A-Za-z"; empty: with any of them
-  std::size_t longest = 0;             ///< of a text: most letters; 0: any number
+  std::vector<FormerChoice> former{};
+  std::string letters{};    ///< of a text: all that it may have beside letters and digits; empty: anything
+  std::string first{};      ///< of a text: what it may begin with, as "A-Za-z"; empty: with any of them
+  std::size_t longest = 0;  ///< of a text: most letters; 0: any number
   std::vector<std::size_t>
       lengths{};  ///< of a list, or of each corner of a box: how many entries it may have; empty: any
   bool required = false;

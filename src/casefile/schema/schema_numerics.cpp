@@ -218,8 +218,10 @@ std::vector<Key> solver_keys() {
       {.name = "solver.krylov.preconditioner",
        .kind = Kind::choice,
        .choices = words_of(PreconditionerKind{}),
-       .help = "Lagged LU by nested dissection (lu), the library UMFPACK in double precision, "
-               "multilevel Schwarz, none, or automatic: lu in 2D and to 3000 unknowns in 3D, else schwarz.",
+       .former = {{"umfpack", "lu", "computes in double precision where a matrix needs it"}},
+       .help =
+           "Lagged LU by nested dissection (lu), multilevel Schwarz (schwarz), none, or automatic: lu in 2D and up to "
+           "3000 unknowns in 3D, schwarz above.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.preconditioner; })},
       {.name = "solver.krylov.launch",
        .kind = Kind::choice,

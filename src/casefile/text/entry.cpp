@@ -28,6 +28,16 @@ Words words_of(const Key& key, const Value& value) {
   return key.kind == Kind::names ? std::get<Words>(value) : Words{};
 }
 
+/// What to write instead of a word that is not among the choices.
+std::string remedy_for(const Key& key, const std::string& word) {
+  for (const FormerChoice& former : key.former)
+    if (word == former.word)
+      return fmt::format("write {} = {}, which {}", key.leaf(), in_quotes(former.now), former.reason);
+  const std::string nearest = nearest_name(word, key.choices);
+  return nearest.empty() ? fmt::format("write for example {} = {}", key.leaf(), example_text(key))
+                         : fmt::format("did you mean {}?", in_quotes(nearest));
+}
+
 void check_range(const Key& key, const Value& value, const std::string& name, const std::string& text,
                  const std::string& place) {
   for (double number : numbers_of(value)) {
@@ -42,10 +52,8 @@ void check_range(const Key& key, const Value& value, const std::string& name, co
   }
   for (const std::string& word : words_of(key, value)) {
     if (std::find(key.choices.begin(), key.choices.end(), word) != key.choices.end()) continue;
-    const std::string nearest = nearest_name(word, key.choices);
     reject(place, name, text, (key.kind == Kind::choice ? "must be " : "must be a ") + allowed_text(key),
-           nearest.empty() ? fmt::format("write for example {} = {}", key.leaf(), example_text(key))
-                           : fmt::format("did you mean {}?", in_quotes(nearest)));
+           remedy_for(key, word));
   }
 }
 

@@ -21,7 +21,7 @@ struct Variant {
   SchwarzControl control;
 };
 
-/// All forms worth a comparison. Factors in 3D are left to small scenes; `umfpack` takes as many iterations as `lu`.
+/// All forms worth a comparison. Factors in 3D are left to small scenes.
 template <int D>
 std::vector<Variant> variants(int unknowns) {
   constexpr int largest_factorised = 30000;

@@ -23,7 +23,6 @@
 #include "run/machine.hpp"
 #include "run/motion.hpp"
 #include "run/rest.hpp"
-#include "solver/choose.hpp"
 
 namespace softwet {
 namespace {
@@ -135,9 +134,6 @@ void describe_build(std::ostream& out) {
   if (const int devices = Kokkos::num_devices(); devices > 0) out << "devices         " << devices << "\n";
   out << "MPI             " << (ranks::has_mpi() ? "yes" : "no") << "\n"
       << "instructions    " << instruction_set() << ", " << lanes() << " elements per pack\n"
-      << "preconditioners ";
-  for (const PreconditionerKind kind : preconditioners()) out << word_of(kind) << ", ";
-  out << "none\n"
       << "Kokkos          " << KOKKOS_VERSION / 10000 << "." << KOKKOS_VERSION / 100 % 100 << "."
       << KOKKOS_VERSION % 100 << "\n";
 }

@@ -25,7 +25,7 @@ const char* const usage =
     "  dt=0.1 end=0.2         step and end\n"
     "  rho_inf=0.5            of generalized-alpha, 0 .. 1\n"
     "  stabilisation=0.002    C of eps = C h^2 rho^2 / m\n"
-    "  preconditioner=automatic   none, lu, umfpack or schwarz\n"
+    "  preconditioner=automatic   none, lu or schwarz\n"
     "  scheme=generalized_alpha   or kick_drift, rkl2, ssp_rk3\n"
     "  mass=corrected         or lumped, consistent, of the explicit schemes\n"
     "  against=0              a step: errors are differences from a computation with it, else from the exact fields\n"

@@ -30,7 +30,7 @@ PARAMETERS = [
     {"name": "newton", "key": "solver.newton.rtol", "values": ["1e-2", "1e-3", "1e-4", "1e-8"]},
     {"name": "krylov", "key": "solver.krylov.rtol", "values": ["0.1", "1e-3"]},
     {"name": "jacobian", "key": "solver.krylov.jacobian", "choices": True},
-    {"name": "preconditioner", "key": "solver.krylov.preconditioner", "values": ["lu", "umfpack", "schwarz"]},
+    {"name": "preconditioner", "key": "solver.krylov.preconditioner", "values": ["lu", "schwarz"]},
     {"name": "stabilisation", "key": "fluid.stabilisation", "values": ["0", "0.002", "0.02"]},
     {"name": "traction", "key": "fluid.traction", "choices": True},
     {"name": "precision", "key": "solver.precision", "choices": True},

@@ -1,21 +1,14 @@
 #include "solver/direct/host/block_lu.hpp"
 
 #include "solver/direct/host/multifrontal_lu.hpp"
-#include "solver/direct/host/sparse_lu.hpp"
 #include "solver/matrix/factor_defect.hpp"
 
 namespace softwet {
 
 namespace {
 
-#ifdef SOFTWET_HAVE_UMFPACK
-constexpr bool has_double = true;
-#else
-constexpr bool has_double = false;
-#endif
-
-/// Factors in half precision as long as they are good enough, in single precision from then on, and in double precision, by
-/// UMFPACK, of those matrices for which single precision is not good enough.
+/// Factors in half precision as long as they are good enough, in single precision from then on, and in double precision of
+/// each matrix for which single precision is not good enough.
 template <int D>
 class SufficientLu final : public StencilSolver<D> {
  public:
@@ -28,8 +21,8 @@ class SufficientLu final : public StencilSolver<D> {
 
   void build(const StencilMatrix<D>& matrix) override {
     if (half_ && !is_good(*half_, matrix)) go_on_in_single();
-    if (single_ && !is_good(*single_, matrix) && has_double) {
-      if (!double_) double_ = make_sparse_lu<D>(layout_, mask_);
+    if (single_ && !is_good(*single_, matrix)) {
+      if (!double_) double_ = std::make_unique<BlockLu<D, double>>(layout_, mask_);
       double_->build(matrix);
     } else {
       double_.reset();
@@ -67,8 +60,8 @@ class SufficientLu final : public StencilSolver<D> {
   ConstArray mask_;
   FactorDefect<D> defect_;
   std::unique_ptr<BlockLu<D, FactorNumber>> half_;
-  std::unique_ptr<BlockLu<D, float>> single_;  ///< where half precision was not enough
-  std::unique_ptr<StencilSolver<D>> double_;   ///< where single precision is not, of the last matrix
+  std::unique_ptr<BlockLu<D, float>> single_;   ///< where half precision was not enough
+  std::unique_ptr<BlockLu<D, double>> double_;  ///< of the last matrix, where single precision was not enough for it
 };
 
 }  // namespace
@@ -86,6 +79,7 @@ template <int D>
 std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask,
                                                 FactorPrecision precision) {
   if (precision == FactorPrecision::sufficient) return std::make_unique<SufficientLu<D>>(layout, mask);
+  if (precision == FactorPrecision::full) return std::make_unique<BlockLu<D, double>>(layout, mask);
   if constexpr (std::is_same_v<FactorNumber, Half>)
     if (precision == FactorPrecision::half) return std::make_unique<BlockLu<D, Half>>(layout, mask);
   return std::make_unique<BlockLu<D, float>>(layout, mask);

@@ -1,4 +1,5 @@
-// Lagged LU factors of the Jacobian with frozen geometry by nested dissection, in half or single precision, on the host.
+// Lagged LU factors of the Jacobian with frozen geometry by nested dissection, in half, single or double precision, on the
+// host.
 #pragma once
 
 #include "solver/direct/dissection.hpp"
@@ -6,13 +7,14 @@
 
 namespace softwet {
 
-/// half: where the processor converts it, otherwise single. sufficient: half, until a build shows that it is not enough,
-/// single from then on, and double precision (sparse_lu.hpp) where a build shows that single is not enough either.
-enum class FactorPrecision { half, single, sufficient };
+/// half: where the processor converts it, otherwise single. full: double. sufficient: half, until a build shows that it is
+/// not enough, single from then on, and double for each matrix for which a build shows that single is not enough either.
+enum class FactorPrecision { half, single, full, sufficient };
 
 /// A multifrontal factorisation (Duff and Reid 1983) that knows the tensor structure: dense fronts from a geometric
-/// dissection, rows and columns scaled to one, pivoting inside each front, subtrees in parallel. It computes in single
-/// precision and stores the factors in `precision`, because applying them takes as long as reading them. The arithmetic
+/// dissection, rows and columns scaled to one, pivoting inside each front, subtrees in parallel. It stores the
+/// factors in `precision`, because applying them takes as long as reading them. It computes in single precision, and in
+/// double precision where it stores double. The arithmetic
 /// does not depend on the number of threads. A preconditioner, not a solver: GMRES mends what rounding leaves.
 template <int D>
 std::unique_ptr<StencilSolver<D>> make_block_lu(const Layout<D>& layout, const ConstArray& mask,

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 namespace softwet {
 
-/// A matrix in single precision, column by column, `stride` numbers from one column to the next.
+/// A matrix in single or double precision, column by column, `stride` numbers from one column to the next.
 template <class Number>
 struct DenseMatrix {
   Number* data;
@@ -16,22 +17,27 @@ struct DenseMatrix {
   }
   operator DenseMatrix<const Number>() const { return {data, rows, columns, stride}; }
 };
-using FloatMatrix = DenseMatrix<float>;
-using ConstFloatMatrix = DenseMatrix<const float>;
+/// Arguments that may be matrices of numbers that change, of the precision that the scratch memory has.
+template <class Number>
+using DenseInput = DenseMatrix<const std::type_identity_t<Number>>;
+template <class Number>
+using DenseOutput = DenseMatrix<std::type_identity_t<Number>>;
 
 /// Numbers of scratch memory that a product needs.
 std::size_t product_scratch();
 
 /// c += sign a b. The blocking is that of Goto and van de Geijn 2008: parts of a and b are copied in the order in which
 /// the innermost loop reads them.
-void add_product(float sign, const ConstFloatMatrix& a, const ConstFloatMatrix& b, const FloatMatrix& c,
-                 float* scratch);
+template <class Number>
+void add_product(std::type_identity_t<Number> sign, const DenseInput<Number>& a, const DenseInput<Number>& b,
+                 const DenseOutput<Number>& c, Number* scratch);
 
 /// Numbers of scratch memory that an inversion needs.
 std::size_t inversion_scratch(int size);
 
 /// inverse = a^-1 by Gauss-Jordan elimination with partial pivoting; a is overwritten. Panels of columns are eliminated one
 /// by one, the other columns by products. The inverse of a singular matrix has entries that are not finite.
-void invert(const FloatMatrix& a, const FloatMatrix& inverse, float* scratch);
+template <class Number>
+void invert(const DenseOutput<Number>& a, const DenseOutput<Number>& inverse, Number* scratch);
 
 }  // namespace softwet

@@ -30,7 +30,7 @@ std::size_t Front<Number>::vector_size() const {
 }
 
 template <class Number>
-void Front<Number>::place(float*& vectors, std::byte*& factors) {
+void Front<Number>::place(Work*& vectors, std::byte*& factors) {
   part_ = vectors;
   tail_ = vectors + PackedBlock<Number>::padded(own_);
   vectors += vector_size();
@@ -41,37 +41,37 @@ void Front<Number>::place(float*& vectors, std::byte*& factors) {
 }
 
 template <class Number>
-void Front<Number>::place_complement(float*& memory) {
+void Front<Number>::place_complement(Work*& memory) {
   complement_ = memory;
   memory += complement_size();
 }
 
 template <class Number>
-void Front<Number>::keep_complement(float* memory) {
-  const FloatMatrix from = complement_in(memory), to = kept_complement();
+void Front<Number>::keep_complement(Work* memory) {
+  const Matrix from = complement_in(memory), to = kept_complement();
   for (int j = 0; j < border_; ++j) std::copy(from.column(j), from.column(j) + border_, to.column(j));
 }
 
 template <class Number>
-void Front<Number>::add_complement(const ConstFloatMatrix& complement, const FloatMatrix& parent) const {
+void Front<Number>::add_complement(const DenseMatrix<const Work>& complement, const Matrix& parent) const {
   for (const Run& columns : runs)
     for (int j = 0; j < columns.count; ++j) {
-      const float* from = complement.column(columns.from + j);
-      float* column = parent.column(columns.to + j);
+      const Work* from = complement.column(columns.from + j);
+      Work* column = parent.column(columns.to + j);
       for (const Run& rows : runs)
         for (int i = 0; i < rows.count; ++i) column[rows.to + i] += from[rows.from + i];
     }
 }
 
 template <class Number>
-void Front<Number>::eliminate(const FloatMatrix& front, float* beside, float* scratch) {
+void Front<Number>::eliminate(const Matrix& front, Work* beside, Work* scratch) {
   if (own_ == 0) return;
-  const FloatMatrix b = front.part(0, own_, own_, border_), c = front.part(own_, 0, border_, own_);
-  const FloatMatrix inverse{beside, own_, own_, own_}, upper{beside + std::ptrdiff_t(own_) * own_, own_, border_, own_};
+  const Matrix b = front.part(0, own_, own_, border_), c = front.part(own_, 0, border_, own_);
+  const Matrix inverse{beside, own_, own_, own_}, upper{beside + std::ptrdiff_t(own_) * own_, own_, border_, own_};
   invert(front.part(0, 0, own_, own_), inverse, scratch);
   inverse_.store(inverse);
   if (border_ == 0) return;
-  std::fill(upper.data, upper.data + std::ptrdiff_t(own_) * border_, 0.0f);
+  std::fill(upper.data, upper.data + std::ptrdiff_t(own_) * border_, Work(0));
   add_product(1, inverse, b, upper, scratch);
   upper_.store(upper);
   lower_.store(c);
@@ -79,11 +79,11 @@ void Front<Number>::eliminate(const FloatMatrix& front, float* beside, float* sc
 }
 
 template <class Number>
-void Front<Number>::forward(float* head, const std::vector<const Front*>& below, float* scratch) {
-  std::fill(tail_, tail_ + PackedBlock<Number>::padded(border_), 0.0f);
+void Front<Number>::forward(Work* head, const std::vector<const Front*>& below, Work* scratch) {
+  std::fill(tail_, tail_ + PackedBlock<Number>::padded(border_), Work(0));
   for (const Front* child : below)
     for (const Run& run : child->runs) {
-      float* to = run.to < own_ ? head + run.to : tail_ + (run.to - own_);
+      Work* to = run.to < own_ ? head + run.to : tail_ + (run.to - own_);
       for (int i = 0; i < run.count; ++i) to[i] += child->tail_[run.from + i];
     }
   inverse_.multiply(head, part_, scratch);
@@ -91,11 +91,12 @@ void Front<Number>::forward(float* head, const std::vector<const Front*>& below,
 }
 
 template <class Number>
-void Front<Number>::backward(const float* border, float* scratch) {
+void Front<Number>::backward(const Work* border, Work* scratch) {
   upper_.subtract(border, part_, scratch);
 }
 
 template class Front<float>;
+template class Front<double>;
 #ifdef SOFTWET_HALF
 template class Front<Half>;
 #endif

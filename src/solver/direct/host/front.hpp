@@ -19,6 +19,9 @@ std::vector<Run> find_runs(const std::vector<int>& border_in_parent, int own_of_
 template <class Number>
 class Front {
  public:
+  using Work = typename PackedBlock<Number>::Work;
+  using Matrix = DenseMatrix<Work>;
+
   void set_size(int own, int border);
   int own() const { return own_; }
   int border() const { return border_; }
@@ -32,30 +35,30 @@ class Front {
   std::size_t factor_bytes() const { return inverse_.bytes() + lower_.bytes() + upper_.bytes(); }
 
   /// Takes memory for the vectors and factors and moves the pointers past it.
-  void place(float*& vectors, std::byte*& factors);
-  void place_complement(float*& memory);
+  void place(Work*& vectors, std::byte*& factors);
+  void place_complement(Work*& memory);
 
-  FloatMatrix view(float* memory) const { return {memory, size(), size(), size()}; }
+  Matrix view(Work* memory) const { return {memory, size(), size(), size()}; }
   /// S, which is the complement S - C A^-1 B after the elimination.
-  FloatMatrix complement_in(float* memory) const { return view(memory).part(own_, own_, border_, border_); }
-  FloatMatrix kept_complement() const { return {complement_, border_, border_, border_}; }
+  Matrix complement_in(Work* memory) const { return view(memory).part(own_, own_, border_, border_); }
+  Matrix kept_complement() const { return {complement_, border_, border_, border_}; }
   /// Copies the complement out of the front, for a parent that is eliminated when the front is gone.
-  void keep_complement(float* memory);
-  void add_complement(const ConstFloatMatrix& complement, const FloatMatrix& parent) const;
-  void eliminate(const FloatMatrix& front, float* beside, float* scratch);
+  void keep_complement(Work* memory);
+  void add_complement(const DenseMatrix<const Work>& complement, const Matrix& parent) const;
+  void eliminate(const Matrix& front, Work* beside, Work* scratch);
 
   /// Solves with L: `head` has the right-hand side of the own unknowns; `below` are the children.
-  void forward(float* head, const std::vector<const Front*>& below, float* scratch);
+  void forward(Work* head, const std::vector<const Front*>& below, Work* scratch);
   /// Solves with U: `border` has the solution on the border. Then solution() has that of the own unknowns.
-  void backward(const float* border, float* scratch);
-  const float* solution() const { return part_; }
+  void backward(const Work* border, Work* scratch);
+  const Work* solution() const { return part_; }
 
   std::vector<Run> runs;  ///< the border in the parent
 
  private:
   int own_ = 0, border_ = 0;
   PackedBlock<Number> inverse_, lower_, upper_;  ///< A^-1, C, A^-1 B
-  float *part_ = nullptr, *tail_ = nullptr, *complement_ = nullptr;
+  Work *part_ = nullptr, *tail_ = nullptr, *complement_ = nullptr;
 };
 
 }  // namespace softwet

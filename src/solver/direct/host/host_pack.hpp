@@ -1,4 +1,4 @@
-// SIMD packs of single precision on the host, in every build: on one with a device the default packs are scalars.
+// SIMD packs of single and double precision on the host, in every build: on one with a device the default packs are scalars.
 #pragma once
 
 #include <Kokkos_SIMD.hpp>
@@ -6,18 +6,29 @@
 namespace softwet {
 
 #if defined(KOKKOS_ARCH_AVX512XEON)
-using HostPack = Kokkos::Experimental::basic_simd<float, Kokkos::Experimental::simd_abi::avx512_fixed_size<16>>;
+template <class Number>
+using HostPack =
+    Kokkos::Experimental::basic_simd<Number, Kokkos::Experimental::simd_abi::avx512_fixed_size<64 / sizeof(Number)>>;
+inline constexpr int host_registers = 32;
 #elif defined(KOKKOS_ARCH_AVX2)
-using HostPack = Kokkos::Experimental::basic_simd<float, Kokkos::Experimental::simd_abi::avx2_fixed_size<8>>;
+template <class Number>
+using HostPack =
+    Kokkos::Experimental::basic_simd<Number, Kokkos::Experimental::simd_abi::avx2_fixed_size<32 / sizeof(Number)>>;
+inline constexpr int host_registers = 16;
 #else
-using HostPack = Kokkos::Experimental::simd<float>;
+template <class Number>
+using HostPack = Kokkos::Experimental::simd<Number>;
+inline constexpr int host_registers = 16;
 #endif
-inline constexpr int host_lanes = static_cast<int>(HostPack::size());
+template <class Number>
+inline constexpr int host_lanes = static_cast<int>(HostPack<Number>::size());
 
-inline HostPack load(const float* from) {
-  return Kokkos::Experimental::simd_unchecked_load<HostPack>(from, Kokkos::Experimental::simd_flag_default);
+template <class Number>
+HostPack<Number> load(const Number* from) {
+  return Kokkos::Experimental::simd_unchecked_load<HostPack<Number>>(from, Kokkos::Experimental::simd_flag_default);
 }
-inline void store(const HostPack& x, float* to) {
+template <class Number>
+void store(const HostPack<Number>& x, Number* to) {
   Kokkos::Experimental::simd_unchecked_store(x, to, Kokkos::Experimental::simd_flag_default);
 }
 

@@ -71,7 +71,7 @@ class BlockLu final : public StencilSolver<D> {
     });
     for (auto level = split_.top.rbegin(); level != split_.top.rend(); ++level)
       for_items(slots_, level->size(), [&](int slot, int item) {
-        float* memory = fronts_memory_.data();
+        Work* memory = fronts_memory_.data();
         for (int i = 0; i < item; ++i) memory += top_size(fronts_[(*level)[i]]);
         eliminate_top((*level)[item], memory, scratch(slot));
       });
@@ -103,10 +103,13 @@ class BlockLu final : public StencilSolver<D> {
     double total = 0;
     for (const auto& of_node : pairs_) total += sizeof(PointPair) * of_node.size();
     const Sizes sizes = count();
-    return total + sizes.factors + 4.0 * (sizes.vectors + sizes.complements + sizes.fronts + slots_ * scratch_size());
+    return total + sizes.factors +
+           double(sizeof(Work)) * (sizes.vectors + sizes.complements + sizes.fronts + slots_ * scratch_size());
   }
 
  private:
+  using Work = typename Front<Number>::Work;
+  using Matrix = typename Front<Number>::Matrix;
   using Host = Kokkos::DefaultHostExecutionSpace;
   template <class T>
   using Buffer = Kokkos::View<T*, Kokkos::HostSpace>;
@@ -156,28 +159,28 @@ class BlockLu final : public StencilSolver<D> {
   void allocate() {
     const Sizes sizes = count();
     subtree_size_ = sizes.subtree;
-    fronts_memory_ = buffer<float>("lu.fronts", sizes.fronts);
-    scratch_ = buffer<float>("lu.scratch", slots_ * scratch_size());
-    complements_ = buffer<float>("lu.complements", sizes.complements);
-    vectors_ = buffer<float>("lu.vectors", sizes.vectors);
+    fronts_memory_ = buffer<Work>("lu.fronts", sizes.fronts);
+    scratch_ = buffer<Work>("lu.scratch", slots_ * scratch_size());
+    complements_ = buffer<Work>("lu.complements", sizes.complements);
+    vectors_ = buffer<Work>("lu.vectors", sizes.vectors);
     right_ = buffer<double>("lu.right", scale_.row.size());
     solution_ = buffer<double>("lu.solution", scale_.row.size());
     scaled_.resize(scale_.row.size());
     factors_ = buffer<std::byte>("lu.factors", sizes.factors);
     std::byte* factors = factors_.data();
-    float *vectors = vectors_.data(), *complements = complements_.data();
+    Work *vectors = vectors_.data(), *complements = complements_.data();
     for (Front<Number>& front : fronts_) front.place(vectors, factors);
     for (int n : split_.subtrees) fronts_[n].place_complement(complements);
     for (const std::vector<int>& level : split_.top)
       for (int n : level) fronts_[n].place_complement(complements);
   }
 
-  float* scratch(int slot) const { return scratch_.data() + slot * scratch_size(); }
+  Work* scratch(int slot) const { return scratch_.data() + slot * scratch_size(); }
 
   /// Leaves the complement in the front at the begin of the memory.
-  void eliminate_subtree(int n, float* memory, float* scratch) {
-    const FloatMatrix front = fronts_[n].view(memory);
-    float* below = memory + fronts_[n].front_size();
+  void eliminate_subtree(int n, Work* memory, Work* scratch) {
+    const Matrix front = fronts_[n].view(memory);
+    Work* below = memory + fronts_[n].front_size();
     assemble(n, front);
     for (int child : tree_.nodes[n].children) {
       eliminate_subtree(child, below, scratch);
@@ -185,8 +188,8 @@ class BlockLu final : public StencilSolver<D> {
     }
     fronts_[n].eliminate(front, below, scratch);
   }
-  void eliminate_top(int n, float* memory, float* scratch) {
-    const FloatMatrix front = fronts_[n].view(memory);
+  void eliminate_top(int n, Work* memory, Work* scratch) {
+    const Matrix front = fronts_[n].view(memory);
     assemble(n, front);
     for (const Front<Number>* child : below_[n]) child->add_complement(child->kept_complement(), front);
     fronts_[n].eliminate(front, memory + fronts_[n].front_size(), scratch);
@@ -194,9 +197,9 @@ class BlockLu final : public StencilSolver<D> {
   }
 
   /// The matrix entries of a node, scaled.
-  void assemble(int n, const FloatMatrix& front) const {
+  void assemble(int n, const Matrix& front) const {
     const DissectionNode& node = tree_.nodes[n];
-    std::fill(front.data, front.data + std::ptrdiff_t(front.stride) * front.columns, 0.0f);
+    std::fill(front.data, front.data + std::ptrdiff_t(front.stride) * front.columns, Work(0));
     const auto unknown = [&](int local) {
       const int own = static_cast<int>(node.own.size());
       return local < own ? node.own[local] : node.border[local - own];
@@ -214,7 +217,8 @@ class BlockLu final : public StencilSolver<D> {
           if (!(pair.row_fields >> a & 1)) continue;
           // += : around a short periodic axis offsets coincide
           if (stencil_.couples(a, u))
-            front.column(column)[row] += entries[stencil_.pair(a, u) * block] * scale_.row[unknown(row)] * column_scale;
+            front.column(column)[row] +=
+                Work(entries[stencil_.pair(a, u) * block]) * scale_.row[unknown(row)] * column_scale;
           ++row;
         }
         ++column;
@@ -222,17 +226,17 @@ class BlockLu final : public StencilSolver<D> {
     }
   }
 
-  void forward(int n, float* scratch) {
+  void forward(int n, Work* scratch) {
     const std::vector<int>& own = tree_.nodes[n].own;
-    for (std::size_t i = 0; i < own.size(); ++i) scratch[i] = static_cast<float>(right_[own[i]] * scale_.row[own[i]]);
+    for (std::size_t i = 0; i < own.size(); ++i) scratch[i] = static_cast<Work>(right_[own[i]] * scale_.row[own[i]]);
     fronts_[n].forward(scratch, below_[n], scratch + padded(largest_));
   }
 
-  void backward(int n, float* scratch) {
+  void backward(int n, Work* scratch) {
     const std::vector<int>&own = tree_.nodes[n].own, &border = tree_.nodes[n].border;
     for (std::size_t i = 0; i < border.size(); ++i) scratch[i] = scaled_[border[i]];
     fronts_[n].backward(scratch, scratch + padded(largest_));
-    const float* solution = fronts_[n].solution();
+    const Work* solution = fronts_[n].solution();
     for (std::size_t i = 0; i < own.size(); ++i) {
       scaled_[own[i]] = solution[i];
       solution_[own[i]] = double(solution[i]) * scale_.column[own[i]];
@@ -253,10 +257,10 @@ class BlockLu final : public StencilSolver<D> {
   std::size_t subtree_size_ = 0;
   Buffer<const float> entries_;  ///< of the matrix, during a build
   Buffer<float> copy_;           ///< of them, where they are in other memory
-  Buffer<float> fronts_memory_, scratch_, complements_, vectors_;
+  Buffer<Work> fronts_memory_, scratch_, complements_, vectors_;
   Buffer<std::byte> factors_;
   Buffer<double> right_, solution_;
-  std::vector<float> scaled_;  ///< the solution of the scaled matrix
+  std::vector<Work> scaled_;  ///< the solution of the scaled matrix
 };
 
 }  // namespace softwet

@@ -16,17 +16,17 @@ namespace softwet {
 #ifdef SOFTWET_HALF
 constexpr int to_nearest = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
 #ifdef KOKKOS_ARCH_AVX512XEON
-static HostPack load(const Half* from) {
-  return HostPack(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))));
+static HostPack<float> load(const Half* from) {
+  return HostPack<float>(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))));
 }
-static void store(const HostPack& x, Half* to) {
+static void store(const HostPack<float>& x, Half* to) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvtps_ph(static_cast<__m512>(x), to_nearest));
 }
 #else
-static HostPack load(const Half* from) {
-  return HostPack(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))));
+static HostPack<float> load(const Half* from) {
+  return HostPack<float>(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))));
 }
-static void store(const HostPack& x, Half* to) {
+static void store(const HostPack<float>& x, Half* to) {
   _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvtps_ph(static_cast<__m256>(x), to_nearest));
 }
 #endif
@@ -38,9 +38,10 @@ constexpr int packs_in_strip = 4;  ///< the last strip of a block may have fewer
 constexpr float top = 32768;       ///< scaled entries lie below; the largest number of half precision is 65504
 
 /// The pack at the end of a column, of which `left` numbers exist; the others are zero.
-HostPack load_some(const float* from, int left) {
-  if (left >= host_lanes) return load(from);
-  float part[host_lanes] = {};
+template <class Work>
+HostPack<Work> load_some(const Work* from, int left) {
+  if (left >= host_lanes<Work>) return load(from);
+  Work part[host_lanes<Work>] = {};
   for (int l = 0; l < left; ++l) part[l] = from[l];
   return load(part);
 }
@@ -54,21 +55,22 @@ float to_unit(float size) {
 
 /// Adds the products of a strip, `Packs` packs high, with x to `sum`. Several columns are summed side by side, so that one
 /// sum need not wait for the other.
-template <int Packs, class Number>
-void add_strip(const Number* a, int columns, const float* x, HostPack* sum) {
-  constexpr int side = Packs == 1 ? 8 : Packs == 2 ? 4 : 2, step = Packs * host_lanes;
-  HostPack part[side][Packs];
+template <int Packs, class Number, class Work>
+void add_strip(const Number* a, int columns, const Work* x, HostPack<Work>* sum) {
+  using Pack = HostPack<Work>;
+  constexpr int side = Packs == 1 ? 8 : Packs == 2 ? 4 : 2, lanes = host_lanes<Work>, step = Packs * lanes;
+  Pack part[side][Packs];
   for (int s = 0; s < side; ++s)
-    for (int p = 0; p < Packs; ++p) part[s][p] = HostPack(0.0f);
+    for (int p = 0; p < Packs; ++p) part[s][p] = Pack(Work(0));
   int j = 0;
   for (; j + side <= columns; j += side, a += side * step)
     for (int s = 0; s < side; ++s) {
-      const HostPack factor(x[j + s]);
-      for (int p = 0; p < Packs; ++p) part[s][p] = part[s][p] + load(a + s * step + p * host_lanes) * factor;
+      const Pack factor(x[j + s]);
+      for (int p = 0; p < Packs; ++p) part[s][p] = part[s][p] + load(a + s * step + p * lanes) * factor;
     }
   for (; j < columns; ++j, a += step) {
-    const HostPack factor(x[j]);
-    for (int p = 0; p < Packs; ++p) part[0][p] = part[0][p] + load(a + p * host_lanes) * factor;
+    const Pack factor(x[j]);
+    for (int p = 0; p < Packs; ++p) part[0][p] = part[0][p] + load(a + p * lanes) * factor;
   }
   for (int width = side / 2; width > 0; width /= 2)
     for (int s = 0; s < width; ++s)
@@ -76,8 +78,8 @@ void add_strip(const Number* a, int columns, const float* x, HostPack* sum) {
   for (int p = 0; p < Packs; ++p) sum[p] = part[0][p];
 }
 
-template <class Number>
-void add_strip(int packs, const Number* a, int columns, const float* x, HostPack* sum) {
+template <class Number, class Work>
+void add_strip(int packs, const Number* a, int columns, const Work* x, HostPack<Work>* sum) {
   switch (packs) {
     case 1:
       return add_strip<1>(a, columns, x, sum);
@@ -96,13 +98,14 @@ constexpr std::size_t aligned(std::size_t bytes) { return (bytes + 63) / 64 * 64
 
 template <class Number>
 int PackedBlock<Number>::padded(int rows) {
-  return (rows + host_lanes - 1) / host_lanes * host_lanes;
+  constexpr int lanes = host_lanes<Work>;
+  return (rows + lanes - 1) / lanes * lanes;
 }
 
 template <class Number>
 std::size_t PackedBlock<Number>::bytes() const {
   const std::size_t scales = aligned(sizeof(float) * padded(rows_)) + aligned(sizeof(float) * columns_);
-  return aligned(sizeof(Number) * padded(rows_) * columns_) + (std::is_same_v<Number, float> ? 0 : scales);
+  return aligned(sizeof(Number) * padded(rows_) * columns_) + (scaled ? scales : 0);
 }
 
 template <class Number>
@@ -114,27 +117,29 @@ void PackedBlock<Number>::place(std::byte* memory) {
 }
 
 template <class Number>
-void PackedBlock<Number>::store(const ConstFloatMatrix& a) {
+void PackedBlock<Number>::store(const DenseMatrix<const Work>& a) {
+  using Pack = HostPack<Work>;
+  constexpr int lanes = host_lanes<Work>;
   const int height = padded(rows_);
   if constexpr (scaled) scale_rows(a);
   for (int j = 0; j < columns_; ++j) {
-    const float* from = a.column(j);
-    HostPack factor(1.0f);
+    const Work* from = a.column(j);
+    Pack factor(Work(1));
     if constexpr (scaled) {
-      HostPack largest(0.0f);
-      for (int i = 0; i < rows_; i += host_lanes)
+      Pack largest(0.0f);
+      for (int i = 0; i < rows_; i += lanes)
         largest = Kokkos::max(largest, Kokkos::abs(load_some(from + i, rows_ - i)) * load(row_scale_ + i));
-      float each[host_lanes];
+      float each[lanes];
       softwet::store(largest, each);
-      const float unit = to_unit(*std::max_element(each, each + host_lanes) / top);
+      const float unit = to_unit(*std::max_element(each, each + lanes) / top);
       column_scale_[j] = 1 / unit;
-      factor = HostPack(unit);
+      factor = Pack(unit);
     }
-    for (int first = 0; first < height; first += packs_in_strip * host_lanes) {
-      const int strip = std::min(packs_in_strip * host_lanes, height - first);
+    for (int first = 0; first < height; first += packs_in_strip * lanes) {
+      const int strip = std::min(packs_in_strip * lanes, height - first);
       Number* to = numbers_ + std::size_t(first) * columns_ + std::size_t(j) * strip;
-      for (int i = first; i < first + strip; i += host_lanes, to += host_lanes) {
-        HostPack x = load_some(from + i, rows_ - i);
+      for (int i = first; i < first + strip; i += lanes, to += lanes) {
+        Pack x = load_some(from + i, rows_ - i);
         if constexpr (scaled) x = x * load(row_scale_ + i) * factor;
         softwet::store(x, to);
       }
@@ -146,21 +151,23 @@ void PackedBlock<Number>::store(const ConstFloatMatrix& a) {
 
 /// Factors that bring the largest entry of each row below the top.
 template <class Number>
-void PackedBlock<Number>::scale_rows(const ConstFloatMatrix& a) {
+void PackedBlock<Number>::scale_rows(const DenseMatrix<const Work>& a) requires scaled {
   std::fill(row_scale_, row_scale_ + padded(rows_), 0.0f);
   for (int j = 0; j < columns_; ++j) {
     const float* from = a.column(j);
-    for (int i = 0; i < rows_; i += host_lanes)
-      softwet::store(Kokkos::max(load(row_scale_ + i), Kokkos::abs(load_some(from + i, rows_ - i))), row_scale_ + i);
+    for (int i = 0; i < rows_; i += host_lanes<float>)
+      softwet::store<float>(Kokkos::max(load(row_scale_ + i), Kokkos::abs(load_some(from + i, rows_ - i))),
+                            row_scale_ + i);
   }
   for (int i = 0; i < padded(rows_); ++i) row_scale_[i] = top * to_unit(row_scale_[i]);
 }
 
 template <class Number>
 template <int Sign>
-void PackedBlock<Number>::product(const float* x, float* y, float* scratch) const {
+void PackedBlock<Number>::product(const Work* x, Work* y, Work* scratch) const {
+  constexpr int lanes = host_lanes<Work>;
   if (columns_ == 0) {  // nothing was stored, not even the scales of the rows
-    if (Sign > 0) std::fill(y, y + padded(rows_), 0.0f);
+    if (Sign > 0) std::fill(y, y + padded(rows_), Work(0));
     return;
   }
   if constexpr (scaled) {
@@ -168,28 +175,29 @@ void PackedBlock<Number>::product(const float* x, float* y, float* scratch) cons
     x = scratch;
   }
   const int height = padded(rows_);
-  for (int first = 0; first < height; first += packs_in_strip * host_lanes) {
-    const int packs = std::min(packs_in_strip, (height - first) / host_lanes);
-    HostPack sum[packs_in_strip];
+  for (int first = 0; first < height; first += packs_in_strip * lanes) {
+    const int packs = std::min(packs_in_strip, (height - first) / lanes);
+    HostPack<Work> sum[packs_in_strip];
     add_strip(packs, numbers_ + std::size_t(first) * columns_, columns_, x, sum);
     for (int p = 0; p < packs; ++p) {
-      float* to = y + first + p * host_lanes;
-      if constexpr (scaled) sum[p] = sum[p] * load(row_scale_ + first + p * host_lanes);
-      softwet::store(Sign > 0 ? sum[p] : load(to) - sum[p], to);
+      Work* to = y + first + p * lanes;
+      if constexpr (scaled) sum[p] = sum[p] * load(row_scale_ + first + p * lanes);
+      softwet::store<Work>(Sign > 0 ? sum[p] : load(to) - sum[p], to);
     }
   }
 }
 
 template <class Number>
-void PackedBlock<Number>::multiply(const float* x, float* y, float* scratch) const {
+void PackedBlock<Number>::multiply(const Work* x, Work* y, Work* scratch) const {
   product<1>(x, y, scratch);
 }
 template <class Number>
-void PackedBlock<Number>::subtract(const float* x, float* y, float* scratch) const {
+void PackedBlock<Number>::subtract(const Work* x, Work* y, Work* scratch) const {
   product<-1>(x, y, scratch);
 }
 
 template class PackedBlock<float>;
+template class PackedBlock<double>;
 #ifdef SOFTWET_HALF
 template class PackedBlock<Half>;
 #endif

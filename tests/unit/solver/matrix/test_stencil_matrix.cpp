@@ -1,12 +1,8 @@
-// The assembled Jacobian against products, and its sparse factors.
+// The assembled Jacobian against products.
 #include "solver/matrix/stencil_matrix.hpp"
 
 #include "field/vector.hpp"
-#include "solver/direct/host/sparse_lu.hpp"
 #include "unit/scene/scenes.hpp"
-
-#include <cmath>
-#include <limits>
 
 namespace softwet::testing_tools {
 namespace {
@@ -44,62 +40,6 @@ TEST(StencilMatrix, ShortPeriodicAxes) {
     check_matrix(c);
   }
 }
-
-#ifdef SOFTWET_HAVE_UMFPACK
-void check_factors(const Case& c) {
-  RandomScene s(c);
-  auto lu = make_sparse_lu<2>(s.layout(), s.scene.mask());
-  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
-  const Array found("found", s.layout().size()), back("back", s.layout().size());
-  for (int build = 0; build < 2; ++build) {  // the second one reuses the analysis
-    matrix.fill(s.jacobian());
-    lu->build(matrix);
-    const Array b = to_device<Array>(s.product(s.direction(), Geometry::frozen));
-    lu->apply(b, found);
-    matrix.multiply(found, back);  // in single precision
-    EXPECT_LT(distance(to_host(back), to_host(b)), 1e-4);
-    s.stage().rate_scale *= 3;
-  }
-}
-TEST(SparseLu, EstimateOfTheFactorsIsNearWhatTheyTake) {
-  Case c = small_case(SceneKind::coupled);
-  c.domain.elements = {48, 32};
-  RandomScene s(c);
-  auto lu = make_sparse_lu<2>(s.layout(), s.scene.mask());
-  const double estimate = lu->bytes();
-  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
-  matrix.fill(s.jacobian());
-  lu->build(matrix);
-  EXPECT_GT(estimate, 0.6 * lu->bytes());
-  EXPECT_LT(estimate, 1.3 * lu->bytes());
-}
-
-TEST(SparseLu, SolvesCoupled) { check_factors(small_case(SceneKind::coupled)); }
-TEST(SparseLu, SolvesPeriodic) { check_factors(small_case(SceneKind::rigid, WallLaw::energy, true)); }
-TEST(SparseLu, SolvesSolidAlone) { check_factors(small_case(SceneKind::solid)); }
-
-/// As block LU and Schwarz do: the linear solver then stalls, the step is rejected, and the next build may do better.
-TEST(SparseLu, SingularJacobianGivesNoNumbers) {
-  RandomScene s(small_case(SceneKind::rigid));
-  auto lu = make_sparse_lu<2>(s.layout(), s.scene.mask());
-  StencilMatrix<2> matrix(s.layout(), s.scene.mask());
-  const Array b("b", s.layout().size()), found("found", s.layout().size());
-  for (const float entry : {0.0f, std::numeric_limits<float>::quiet_NaN()}) {
-    matrix.fill([&](const StencilValues& values) { Kokkos::deep_copy(values, entry); });
-    lu->build(matrix);
-    Kokkos::deep_copy(b, 1.0);
-    lu->apply(b, found);
-    EXPECT_FALSE(std::isfinite(norm(alone, found)));
-  }
-  matrix.fill(s.jacobian());
-  lu->build(matrix);
-  Kokkos::deep_copy(b, to_device<Array>(s.product(s.direction(), Geometry::frozen)));
-  lu->apply(b, found);
-  const Array back("back", s.layout().size());
-  matrix.multiply(found, back);
-  EXPECT_LT(distance(to_host(back), to_host(b)), 1e-4);
-}
-#endif
 
 }  // namespace
 }  // namespace softwet::testing_tools
