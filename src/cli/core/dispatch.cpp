@@ -16,6 +16,7 @@
 #include "field/ranks.hpp"
 #include "foresight/forecast.hpp"
 #include "foresight/steps_foreseen.hpp"
+#include "foresight/width.hpp"
 #include "machine/backend_error.hpp"
 #include "machine/terminal.hpp"
 #include "machine/threads.hpp"
@@ -103,6 +104,8 @@ void write_first_state(const Case& given, const std::string& folder) {
 StepsForeseen foresee_steps(const Case& c) { return {explicit_steps_foreseen(c), most_explicit_steps(c.dimension())}; }
 
 std::vector<std::string> forecast_case(const Case& c) { return forecast(c); }
+
+std::string judge_width(const Case& c) { return warning_about_width(c); }
 
 void convert_units(const PhysicalScene& scene, std::ostream& out) { describe_units(scene, out); }
 

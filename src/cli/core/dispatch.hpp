@@ -31,6 +31,9 @@ StepsForeseen foresee_steps(const Case&);
 /// What is likely to go wrong with a case, a sentence each.
 std::vector<std::string> forecast_case(const Case&);
 
+/// A sentence where the interface is too wide for the numbers at its contact line; empty where it is not.
+std::string judge_width(const Case&);
+
 /// Prints what physical numbers are in a case, and the other way round. Throws Error.
 void convert_units(const PhysicalScene&, std::ostream&);
 
