@@ -1,6 +1,7 @@
 #include "fatbinary.hpp"
 
 #include <cxxabi.h>
+#include <dlfcn.h>
 #include <elf.h>
 
 #include <chrono>
@@ -21,6 +22,16 @@ T read(const char* at) {
   return value;
 }
 
+/// What nvcc has compressed with Zstandard, with the library of that name where there is one; empty: there is none.
+std::string decompressed(std::string_view content, std::size_t bytes) {
+  using Decompress = std::size_t(void*, std::size_t, const void*, std::size_t);
+  static void* const library = dlopen("libzstd.so.1", RTLD_NOW);
+  static auto* const decompress = library ? reinterpret_cast<Decompress*>(dlsym(library, "ZSTD_decompress")) : nullptr;
+  std::string text(bytes, '\0');
+  if (!decompress || decompress(text.data(), bytes, content.data(), content.size()) != bytes) return {};
+  return text;
+}
+
 }  // namespace
 
 std::string demangled(const std::string& name) {
@@ -31,8 +42,8 @@ std::string demangled(const std::string& name) {
   return text;
 }
 
-// A wrapper points to a header (magic number, version, bytes of header, bytes of all), behind which entries lie one after another:
-// kind (1: PTX, 2: machine code), bytes of header, bytes of content, ...
+// A wrapper points to a header (magic number, version, bytes of header, bytes of all). Entries follow it one after another: kind (1: PTX, 2:
+// machine code), bytes of header, bytes of content, bytes of compressed content ... bytes when it is decompressed.
 Fatbinary::Fatbinary(const void* wrapper) {
   const char* at = read<const char*>(static_cast<const char*>(wrapper) + 8);
   if (read<std::uint32_t>(at) != 0xBA55ED50u) throw Problem("no fat binary");
@@ -43,14 +54,19 @@ Fatbinary::Fatbinary(const void* wrapper) {
     const auto own = read<std::uint32_t>(at + 4);
     const auto bytes = read<std::uint64_t>(at + 8);
     const char* content = at + own;
+    std::string_view all(content, bytes);
+    std::string own_copy;
+    if (bytes > 4 && read<std::uint32_t>(content) == 0xFD2FB528u && own >= 64) {
+      own_copy = decompressed(all.substr(0, read<std::uint32_t>(at + 16)), read<std::uint64_t>(at + 56));
+      all = own_copy;
+    }
     if (kind == 1) {
-      const std::string_view all(content, bytes);
       if (all.substr(0, 4096).find(".version") == std::string_view::npos)
         compressed_ = true;
       else
         text_ = std::string(all.substr(0, all.find('\0')));
-    } else if (kind == 2 && std::memcmp(content, ELFMAG, SELFMAG) == 0) {
-      read_machine_code(content);
+    } else if (kind == 2 && all.starts_with(ELFMAG)) {
+      read_machine_code(all.data());
     }
     at = content + bytes;
   }
@@ -99,7 +115,8 @@ Needs Fatbinary::needs(const std::string& name) const {
 void Fatbinary::load() {
   if (module_) return;
   if (text_.empty())
-    throw Problem(compressed_ ? "the PTX in the program is compressed: build it with NVCC_APPEND_FLAGS=--no-compress"
+    throw Problem(compressed_ ? "the PTX in the program is compressed, and there is no libzstd.so.1: install it, or "
+                                "build with NVCC_APPEND_FLAGS=--no-compress"
                               : "the program has no PTX");
   module_ = std::make_unique<Module>(text_);
   for (const Variable& v : module_->variables()) {
