@@ -38,9 +38,9 @@ CASES = HERE.parents[1] / "cases"
 
 # Columns are compared relative to their largest number, but for those whose numbers are small differences of larger ones, or vanish by
 # symmetry. A device takes sums in another order: rounding. On a processor a change of the capillarity by 1e-15 of itself changes
-# columns by up to 2e-12, and those whose places are searched for by up to 2e-11.
+# most columns by up to 5e-13, steps and dissipated powers, which follow from rates, by 2e-12, and places that are searched for by 2e-11.
 EXPLICIT, SEARCHED = 1e-12, 1e-10
-SEARCHED_FOR = ("x_", "velocity", "angle_", "wall_angle_", "liquid_angle_", "dimple")
+SEARCHED_FOR = ("dt", "dissipation", "x_", "velocity", "angle_", "wall_angle_", "liquid_angle_", "dimple")
 ABSOLUTE = ("mass_drift", "momentum_x", "momentum_y", "momentum_z", "laplace", "velocity")
 # The number of samples along the wall for a ridge jumps where the width of its window is rounded.
 RIDGE = 1e-3
