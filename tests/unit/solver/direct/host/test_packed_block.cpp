@@ -31,8 +31,8 @@ constexpr double half_unit = std::is_same_v<Number, double> ? 0x1p-53 : 0x1p-24;
 
 template <class Number>
 class DenseKernels : public ::testing::Test {};
-using Precisions = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(DenseKernels, Precisions);
+using KernelPrecisions = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(DenseKernels, KernelPrecisions);
 
 TYPED_TEST(DenseKernels, ProductsAgreeWithSums) {
   std::mt19937 draw(3);
