@@ -146,11 +146,11 @@ void check_command(const CaseRequest& request) {
   const Case c = read_case_of(request);  // larger than this machine, too
   if (!request.scene.empty()) return write_scene(c, request.scene);
   warn(c);
-  if (const std::string width = judge_width(c); !width.empty())
-    std::cerr << for_stderr("softwet: warning: " + width) << "\n";
   std::cout << write_case(c) << "\n" << std::flush;
   if (request.resolved) return;
   describe_case(c, std::cout);
+  if (const std::string width = judge_width(c); !width.empty())
+    std::cerr << for_stderr("softwet: warning: " + width) << "\n";
   if (request.picture.empty()) return;
   std::vector<std::string> words{request.case_path, "--out", request.picture};
   for (const std::string& assignment : request.overrides) words.push_back("--set=" + assignment);
