@@ -35,7 +35,7 @@ refused("a mistake in the case", "static_droplet_rigid_2d", ["time.end=-1"], 1)
 refused("no case", "none", [], 1)
 refused("memory before the mesh", "static_droplet_rigid_2d", ["domain.elements=[20000,20000]"], 3)
 # A mesh that fits and factors that do not: refused by the count of memory, or by the system, once the scene is set up.
-refused("memory before the factors", "tensotaxis_pull_2d", ["domain.elements=[256,128]", "domain.grading.fine=everywhere"], 3, 600 << 20)
+refused("memory before the factors", "tensotaxis_pull_2d", ["domain.elements=[256,128]", "domain.grading.fine=everywhere"], 3, 200 << 20)
 
 fields = set(pathlib.Path("run/fields").iterdir())
 run("static_droplet_rigid_2d", "run", SHORT + ["time.max_steps=1", "output.fields.times=[20]"], OVERWRITE)

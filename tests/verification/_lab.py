@@ -30,6 +30,10 @@ class StudyError(Exception):
     """A study cannot go on: a run ended with another exit code than expected, or took too long."""
 
 
+class MissingConfiguration(StudyError):
+    """The program was built without the dimension, the degree or the coordinates of a run."""
+
+
 class Known(NamedTuple):
     """A miss whose cause is known: its cause, how large it is at most, and whether it is no larger."""
     cause: str
@@ -69,7 +73,8 @@ class Lab:
         run = self.store.get(path, shown, settings, options, limit)
         self.commands[label], self.seconds[label] = run.commandline, run.processor_seconds
         if expect is not None and run.code != expect:
-            raise StudyError(f"{label}: exit code {run.code}, not {expect}: {run.commandline}\n{run.message.strip()}")
+            kind = MissingConfiguration if run.code == 1 and "not in this build" in run.message else StudyError
+            raise kind(f"{label}: exit code {run.code}, not {expect}: {run.commandline}\n{run.message.strip()}")
         print(f"verify: {self.name}: {label} ({run.seconds:.0f} s)", flush=True)
         return run
 
