@@ -50,7 +50,7 @@ std::string warning_about_width(const Case& c) {
            "give the solid what it has as substrate.surface_tension, then 'softwet converge CASE' gives the numbers at "
            "zero width";
   return told +
-         "its ridge is 25 to 50 % lower than that of a real interface; 'softwet converge CASE' gives it at zero width, "
+         "its ridge is 20 to 50 % lower than that of a real interface; 'softwet converge CASE' gives it at zero width, "
          "with an error bar";
 }
 

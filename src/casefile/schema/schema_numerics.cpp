@@ -237,12 +237,10 @@ std::vector<Key> solver_keys() {
        .choices = words_of(PrecisionChoice{}),
        .help =
            "Precision of the linear solves of Newton's method with generalized_alpha: their products of the Jacobian "
-           "and "
-           "their vectors. mixed: single precision. The results have the accuracy of double. automatic: mixed, except "
-           "for "
-           "explicit schemes, for solver.krylov.jacobian = \"difference\" and for solver.krylov.rtol below 1e-5, which "
-           "need double precision. States, residuals and integrals are always in double precision, and preconditioners "
-           "in single.",
+           "and their vectors. mixed: single precision. The results have the accuracy of double. automatic: mixed, "
+           "except for explicit schemes, for solver.krylov.jacobian = \"difference\" and for solver.krylov.rtol below "
+           "1e-5, which need double precision. States, residuals and integrals are always in double precision, and "
+           "preconditioners in single.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.precision; })},
   };
 }
