@@ -9,6 +9,7 @@ sys.path.insert(0, str(pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tests" 
 from _same import arrays, check_same  # noqa: E402, F401
 from _scene import cases, check_true, command_of_file, environment, record, softwet  # noqa: E402, F401
 
+SCHWARZ = "solver.krylov.preconditioner=schwarz"
 launcher = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"]) / "tools" / "_ranks"
 
 
@@ -21,8 +22,9 @@ def has_configuration(name):
 
 
 def start(count, case, folder, settings, options=("--overwrite", "--quiet"), threads=1):
-    """A run of a case with some processes; 1: without a launcher."""
-    command = command_of_file(cases / f"{case}.toml", folder, settings, [*options, "--threads", str(threads)])
+    """A run of a case with some processes, which have Schwarz's method alone; 1: without a launcher."""
+    command = command_of_file(cases / f"{case}.toml", folder, [SCHWARZ, *settings],
+                              [*options, "--threads", str(threads)])
     if count > 1:
         command = [str(launcher), str(count), *command]
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,

@@ -79,6 +79,9 @@ errors = run(3, "tensotaxis_pull_2d", "wrong", ["fluid.viscosity=-1"], code=1)
 check_true("wrong case: one message", errors.count("softwet: error:") == 1, errors)
 errors = run(4, "tensotaxis_pull_2d", "narrow", [*SCENE, "domain.elements=[12,16]"], code=1)
 check_true("too many processes: one message", errors.count("softwet: error:") == 1, errors)
+errors = run(2, "tensotaxis_pull_2d", "whole", [*SCENE, "solver.krylov.preconditioner=lu"], code=1)
+check_true("a factorisation on each process: one message with two remedies", errors.count("softwet: error:") == 1 and
+           'write "schwarz"' in errors and "softwet sweep --jobs" in errors, errors)
 result = subprocess.run([str(launcher), "2", softwet, "info"], capture_output=True, text=True, env=environment)
 check_true("another command: one message, code 1", result.returncode == 1 and result.stderr.count("error:") == 1,
            f"{result.returncode} {result.stderr}")

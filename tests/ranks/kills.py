@@ -30,6 +30,6 @@ def disturbed(name, settings, kills):
 
 
 disturbed("pull", PULL, 8)
-disturbed("schwarz", [*PULL, *AROUND, "solver.krylov.preconditioner=schwarz"], 4)
+disturbed("pull_around", [*PULL, *AROUND], 4)
 disturbed("kick_drift", [*FAST, "time.scheme=kick_drift"], 4)
 disturbed("around", [*FAST, *AROUND, "time.scheme=rkl2", "time.mass=lumped", "time.end=0.01"], 4)

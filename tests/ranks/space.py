@@ -8,8 +8,7 @@ from _ranks import check_same, has_configuration, run
 
 if not has_configuration("3D degree 2"):
     sys.exit(0)
-SCENE = ["domain.elements=[24,12,10]", "fluid.capillarity=0.1", "solver.krylov.preconditioner=schwarz",
-         "output.fields.times=[]", "time.max_steps=3"]
+SCENE = ["domain.elements=[24,12,10]", "fluid.capillarity=0.1", "output.fields.times=[]", "time.max_steps=3"]
 PERIODIC = [f"boundary.{side}=periodic" for side in ("left", "right", "front", "back")]
 FIG4 = ["output.fields.times=[]", "time.max_steps=1"]  # a coarse level of 26 000 unknowns, in parts of 6, 6 and 8 elements
 AROUND = [*FIG4, *PERIODIC, "domain.elements=[32,24,20]"]

@@ -8,10 +8,10 @@ import pathlib
 import shutil
 import subprocess
 
-from _ranks import cases, check_true, command_of_file, environment, launcher, start
+from _ranks import SCHWARZ, cases, check_true, command_of_file, environment, launcher, start
 
 PULL = cases / "tensotaxis_pull_2d.toml"
-SCENE = ["domain.elements=[16,8]", "fluid.capillarity=1/8", "load[0].start=0.1", "load[0].ramp=1"]
+SCENE = [SCHWARZ, "domain.elements=[16,8]", "fluid.capillarity=1/8", "load[0].start=0.1", "load[0].ramp=1"]
 
 
 def start_pair(first, second):

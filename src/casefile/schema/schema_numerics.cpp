@@ -221,7 +221,7 @@ std::vector<Key> solver_keys() {
        .former = {{"umfpack", "lu", "computes in double precision where a matrix needs it"}},
        .help =
            "Lagged LU by nested dissection (lu), multilevel Schwarz (schwarz), none, or automatic: lu in 2D and up to "
-           "3000 unknowns in 3D, schwarz above.",
+           "3000 unknowns in 3D, schwarz above. Several processes refuse lu.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.solver.preconditioner; })},
       {.name = "solver.krylov.launch",
        .kind = Kind::choice,

@@ -165,10 +165,10 @@ void bench_preconditioners(const Sheet& sheet, const Case& c, const Scene<D, P>&
       sheet.out << "preconditioner " << name << ": left out, too large; name it in solver.krylov.preconditioner\n";
       continue;
     }
-    if (kind == PreconditionerKind::schwarz && !scene.layout().whole() &&
-        scene.layout().columns.beside < box_width(D) - 1) {
-      sheet.out << "preconditioner " << name
-                << ": left out on several processes; name it in solver.krylov.preconditioner\n";
+    const bool divided = !scene.layout().whole();
+    if (divided && (kind == PreconditionerKind::lu || scene.layout().columns.beside < box_width(D) - 1)) {
+      sheet.out << "preconditioner " << name << ": left out on several processes"
+                << (kind == PreconditionerKind::lu ? "" : "; name it in solver.krylov.preconditioner") << "\n";
       continue;
     }
     auto preconditioner = choose_preconditioner<D>(kind, scene.layout(), scene.mask());

@@ -21,13 +21,13 @@ struct Variant {
   SchwarzControl control;
 };
 
-/// All forms worth a comparison. Factors in 3D are left to small scenes.
+/// All forms worth a comparison. Factors in 3D are left to small scenes, and none are on several processes.
 template <int D>
-std::vector<Variant> variants(int unknowns) {
+std::vector<Variant> variants(int unknowns, bool whole) {
   constexpr int largest_factorised = 30000;
   const SchwarzControl usual = SchwarzControl::for_dimension(D);
   std::vector<Variant> all;
-  if (D == 2 || unknowns < largest_factorised) all.push_back({"lu", PreconditionerKind::lu, usual});
+  if (whole && (D == 2 || unknowns < largest_factorised)) all.push_back({"lu", PreconditionerKind::lu, usual});
   const auto form = [&](const char* name, auto&& change) {
     SchwarzControl control = usual;
     change(control);
@@ -161,7 +161,7 @@ void compare_preconditioners(const Case& asked, std::ostream& out) {
       << "                                     build     MiB   iteration          dt = 0.1           dt = 1            "
          "dt = 10\n";
   StartOfStep<D, P> system(scene, c);
-  for (const Variant& variant : variants<D>(unknowns)) {
+  for (const Variant& variant : variants<D>(unknowns, scene.layout().whole())) {
     const auto preconditioner = choose_preconditioner<D>(variant.kind, scene.layout(), scene.mask(), variant.control);
     out << table_row(variant.name, *preconditioner, system, stepper.state()) << std::endl;
   }
