@@ -6,7 +6,11 @@ const std::vector<QualityValues>& qualities() {
   static const std::vector<QualityValues> all{
       {Quality::draft,
        "for a first look at a scene",
-       {{"time.tolerance", "5e-3"}, {"domain.grading.fine", "\"automatic\""}}},
+       {{"time.tolerance", "7e-3"},
+        {"solver.newton.rtol", "3e-3"},
+        {"domain.grading.fine", "\"automatic\""},
+        {"domain.grading.coarsest", "16"},
+        {"domain.grading.ratio", "1.5"}}},
       {Quality::standard, "the defaults", {}},
       {Quality::reference,
        "to judge the others by",
