@@ -37,8 +37,8 @@ for name, scene in chosen.items():
     problem = refused(scene)
     check_true(f"{name} is accepted", not problem, problem)
 
-rows = [{"t": "0", "energy": "2", "mass_drift": "0", "x_left": "0.5", "newton": "1"},
-        {"t": "1", "energy": "4", "mass_drift": "1e-16", "x_left": "0.5", "newton": "2"}]
+rows = [{"t": "0", "energy": "2", "mass_drift": "0", "x_left": "0.5", "ridge_left": "0.5", "newton": "1"},
+        {"t": "1", "energy": "4", "mass_drift": "1e-16", "x_left": "0.5", "ridge_left": "0.5", "newton": "2"}]
 
 
 def changed(**values):
@@ -50,6 +50,7 @@ compared = {  # found rows, and how often the difference is what is allowed: 1e-
     "equal rows": (rows, 0),
     "a number": (changed(energy="4.004"), 0.004 / 4 / 1e-12),
     "a place that is searched for": (changed(x_left="0.5000005"), 1e-6 / 1e-10),
+    "a ridge": (changed(ridge_left="0.5000005"), 1e-6 / 1e-10),
     "rounding of a drift": (changed(mass_drift="3e-16"), 2e-4),
     "a number of iterations": (changed(newton="3"), 0),
     "a number that is none": (changed(energy="nan"), inf),
