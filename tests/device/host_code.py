@@ -1,25 +1,22 @@
 #!/usr/bin/env python3
-"""usage: tests/device/host_code.py [FOLDER] [LOG]      Runs the code of the host of a CUDA build, on a machine without a device.
+"""usage: tests/device/host_code.py [FOLDER]      Runs the code of the host of a CUDA build, on a machine without a device.
 
-FOLDER is the build, by default build/cuda, and LOG what nvcc printed, which has the registers of kernels; a kernel that it lacks
-counts with 32. `softwet bench` of several scenes runs with a CUDA runtime whose kernels do nothing (the folder cuda). It fails where
-the program crashes, where a kernel asks for more than the chip has, and where a call is made that is forbidden while launches are
-recorded. Numbers of results are not looked at. What each scene asked of the device is printed. Where there are unit tests beside the
-program, those of the launches of explicit steps and of rows of history.csv run too: as many kernels and copies as listed, and one wait; and with
-solver.krylov.launch = "graph" one graph, one launch and one wait. Exit code 1: something failed; 77: the program is not made for CUDA."""
+FOLDER is the build, by default build/cuda. `softwet bench` of several scenes runs with the CUDA runtime of tests/device/emulate, whose
+launches are checked and counted here and kernels are not executed. It fails where the program crashes, where a kernel asks for more than
+the chip has, and where a call is made that is forbidden while launches are recorded. Numbers of results are not looked at. What each
+scene asked of the device is printed. Where there are unit tests beside the program, those of the launches of explicit steps and of rows
+of history.csv run too: as many kernels and copies as listed, and one wait; and with solver.krylov.launch = "graph" one graph, one launch
+and one wait. Exit code 1: something failed; 77: the program is not made for CUDA."""
 
-import os
 import pathlib
 import re
-import shutil
 import signal
-import subprocess
 import sys
-import time
 
 sys.dont_write_bytecode = True
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
+from scenes import Build, Runtime, run  # noqa: E402
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIMIT = 300  # seconds for a scene
 
 FLAT, FILM = ["domain.elements=[16,12]"], ["domain.elements=[8,8,6]"]
@@ -33,69 +30,33 @@ SCENES = {
 }
 
 
-class Runtime:
-    """The runtime in the place of libcudart, and what it has counted."""
+class Bench:
+    """Runs the programs of a build without executing kernels, and reads what the runtime has counted."""
 
-    def __init__(self, build, log):
-        self.program, self.folder = build / "softwet", build / "host_code"
+    def __init__(self, build):
+        self.build, self.runtime = build, Runtime(build)
+        self.folder = build.folder / "host_code"
         self.folder.mkdir(exist_ok=True)
-        linked = re.search(r"libcudart\.so\.\d+", output(["ldd", self.program]))
-        if not linked:
-            print(f"host_code: {self.program} does not use the CUDA runtime as a library")
-            sys.exit(77)
-        self.make(linked.group())
-        self.kernels = self.folder / "kernels.txt"
-        self.kernels.write_text("".join(f"{name} {registers} {shared}\n" for name, registers, shared in needs(log)))
-
-    def make(self, name):
-        nvcc = shutil.which("nvcc")
-        include = pathlib.Path(os.path.realpath(nvcc)).parents[1] / "include" if nvcc else "/usr/local/cuda/include"
-        versions = self.folder / "versions"
-        versions.write_text(f"{name} {{ global: *; }};\n")
-        subprocess.run(["c++", "-O1", "-shared", "-fPIC", "-std=c++17", f"-I{include}", f"-Wl,-soname,{name}",
-                        f"-Wl,--version-script={versions}", "-o", self.folder / name, *sorted((HERE / "cuda").glob("*.cpp"))], check=True)
-        shutil.copy(self.folder / name, self.folder / "libcuda.so.1")
 
     def bench(self, case, settings, **environment):
-        words = [self.program, "bench", ROOT / "cases" / f"{case}.toml"]
+        words = [self.build.program, "bench", ROOT / "cases" / f"{case}.toml"]
         for setting in settings:
             words += ["--set", setting]
         return self.run(words, environment)
 
     def test(self, name, **environment):
         """Runs the unit tests of a name."""
-        return self.run([self.program.parent / "softwet_unit", f"--gtest_filter={name}"], environment)
+        return self.run([self.build.folder / "softwet_unit", f"--gtest_filter={name}"], environment)
 
     def run(self, words, environment):
         """(exit code or None: stopped, what it printed, {what was counted: how often}, seconds)"""
-        report, start = self.folder / "report.txt", time.monotonic()
+        report = self.folder / "report.txt"
         report.unlink(missing_ok=True)
-        variables = {**os.environ, "LD_LIBRARY_PATH": str(self.folder), "SOFTWET_STUB_REPORT": str(report),
-                     "SOFTWET_STUB_KERNELS": str(self.kernels), "OMP_NUM_THREADS": "1", **environment}
-        try:
-            done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=variables,
-                                  timeout=LIMIT, cwd=self.folder)
-        except subprocess.TimeoutExpired as stopped:
-            return None, (stopped.stdout or b"").decode(), {}, LIMIT
-        counts = dict(line.split() for line in report.read_text().splitlines()) if report.exists() else {}
-        return (done.returncode, done.stdout, {name: int(count) for name, count in counts.items()},
-                time.monotonic() - start)
-
-
-def output(words):
-    return subprocess.run(words, capture_output=True, text=True, check=True).stdout
-
-
-def needs(log):
-    """(mangled name, registers, bytes of static shared memory) of each kernel that nvcc printed."""
-    name = None
-    for line in log.read_text(errors="replace").splitlines() if log else ():
-        if found := re.search(r"Compiling entry function '(\w+)'", line):
-            name = found.group(1)
-        elif (found := re.search(r"Used (\d+) registers", line)) and name:
-            shared = re.search(r"(\d+) bytes smem", line)
-            yield name, found.group(1), shared.group(1) if shared else 0
-            name = None
+        variables = self.runtime.environment(EMU_EXECUTE="0", EMU_FILL="0", EMU_EXIT="0", EMU_REPORT="1", EMU_REPORT_FILE=str(report),
+                                             **environment)
+        code, text, seconds = run(words, variables, LIMIT, self.folder)
+        counts = re.findall(r"^calls: (.*) (\d+)$", report.read_text(), re.MULTILINE) if report.exists() else []
+        return code, text, {name: int(count) for name, count in counts}, seconds
 
 
 def problems(scene, code, text, counts):
@@ -106,7 +67,7 @@ def problems(scene, code, text, counts):
     if code < 0:
         return [f"crashed ({signal.Signals(-code).name}): {tail}"]
     wrong = [f"exit code {code}: {tail}"] if code else []
-    wrong += [f"{counts[name]} launches or calls were {name}" for name in ("forbidden", "impossible") if counts.get(name)]
+    wrong += [f"{name}: {number}" for name, number in counts.items() if name.startswith(("forbidden", "impossible", "faults"))]
     if not counts.get("launches"):
         wrong.append("nothing was launched")
     if "implicit" in scene and not counts.get("graphs"):
@@ -117,8 +78,8 @@ def problems(scene, code, text, counts):
 def names_the_kernel(runtime):
     """A chip with too little memory for the teams that were compiled: the error names the kernel, and no setting of the case."""
     case, settings = SCENES["2D rigid, explicit"]
-    code, text, _, _ = runtime.bench(case, settings, SOFTWET_STUB_SHARED="16384")
-    last = text.splitlines()[-1] if text else ""
+    code, text, _, _ = runtime.bench(case, settings, EMU_SHARED="16384")
+    last = next((line for line in reversed(text.splitlines()) if line.startswith("softwet: ")), "")
     good = code == 3 and "softwet::" in last and "threads" in last and "softwet check" not in last
     return [] if good else [f"a kernel that does not start: exit code {code}: {last}"]
 
@@ -157,9 +118,8 @@ def main():
     if len(sys.argv) > 1 and sys.argv[1] in ("-h", "--help"):
         print(__doc__)
         return 0
-    build = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/cuda").resolve()
-    log = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    runtime, failed = Runtime(build, log), 0
+    build = Build(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/cuda")
+    runtime, failed = Bench(build), 0
     for scene, (case, settings) in SCENES.items():
         code, text, counts, seconds = runtime.bench(case, settings)
         wrong = problems(scene, code, text, counts)
@@ -171,7 +131,7 @@ def main():
         failed += 1
         print(f"host_code: FAILED: {problem}")
     of_steps = {"launches of explicit steps and of rows": launches_of_steps, "explicit steps that are recorded": calls_of_recorded_steps}
-    if not (build / "softwet_unit").exists():
+    if not (build.folder / "softwet_unit").exists():
         print("host_code: explicit steps: there are no unit tests beside the program")
         of_steps = {}
     for name, check in of_steps.items():

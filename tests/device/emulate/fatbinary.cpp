@@ -150,6 +150,7 @@ const Kernel& Fatbinary::kernel(const std::string& name) {
   if (!kernel) {
     auto made = std::make_unique<Kernel>();
     made->shown = demangled(name);
+    made->needs = needs(name);
     const auto start = std::chrono::steady_clock::now();
     translate(*module_, symbols_, name, *made);
     if (options().trace)

@@ -13,12 +13,6 @@
 
 namespace emulate {
 
-/// Registers and memory of a kernel, from its machine code.
-struct Needs {
-  int registers = 32;
-  std::int64_t shared = 0, stack = 0;
-};
-
 class Fatbinary {
  public:
   explicit Fatbinary(const void* wrapper);

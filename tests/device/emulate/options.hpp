@@ -29,6 +29,10 @@ struct Options {
   // Whether each launch is printed.
   bool trace = number("EMU_TRACE", 0) != 0;
   std::size_t memory = std::size_t(number("EMU_MEMORY_MIB", 16384)) << 20;
+  // Whether kernels are executed. If not, launches are checked and counted alone.
+  bool execute = number("EMU_EXECUTE", 1) != 0;
+  // Bytes of shared memory of a multiprocessor.
+  int shared = number("EMU_SHARED", 228 << 10);
   // The number of a barrier that is left out, in kernels whose name has a text.
   int drop = number("EMU_DROP", -1);
   std::string drop_in = text("EMU_DROP_IN");

@@ -95,6 +95,12 @@ struct BasicBlock {
   std::uint32_t classes[int(Class::count)] = {};
 };
 
+/// Registers and memory of a kernel, from its machine code.
+struct Needs {
+  int registers = 32;
+  std::int64_t shared = 0, stack = 0;
+};
+
 struct Kernel {
   std::string name, shown;  // as in PTX, and readable
   std::vector<Instruction> code;
@@ -105,6 +111,7 @@ struct Kernel {
   std::int64_t local_bytes = 0, static_shared = 0, param_bytes = 0;
   std::vector<std::pair<std::int64_t, std::int64_t>> params;  // offset, bytes
   int max_threads = 0;
+  Needs needs;
   const Module* module = nullptr;
   int values = 0, colours64 = 0, colours32 = 0;  // number of registers in PTX, and of places of 8 and of 4 bytes a lane
 };

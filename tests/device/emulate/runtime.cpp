@@ -55,13 +55,28 @@ void run(const Launch& launch) {
                  static_cast<unsigned long long>(launch.number), launch.grid[0], launch.grid[1], launch.grid[2],
                  launch.team[0], launch.team[1], launch.team[2], static_cast<long long>(launch.kernel->static_shared),
                  static_cast<long long>(launch.dynamic_shared), launch.kernel->shown.c_str());
+  // Kokkos asks the device which processor its code was made for.
+  const bool asked = launch.kernel->name.find("query_cuda_kernel_arch") != std::string::npos;
   try {
-    execute(launch, total ? &total->counts : nullptr);
+    if (options().execute || asked) execute(launch, total ? &total->counts : nullptr);
   } catch (const std::exception& problem) {
     stop(problem);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (total) total->add(launch, seconds);
+}
+
+/// Needs of all kernels of the program, whether they were launched or not.
+void print_needs() {
+  const std::string file = Options::text("EMU_NEEDS_FILE");
+  std::FILE* out = file.empty() ? nullptr : std::fopen(file.c_str(), "w");
+  if (!out) return;
+  for (const auto& [function, known] : functions()) {
+    const Needs needs = known.binary->needs(known.name);
+    std::fprintf(out, "%d %lld %s\n", needs.registers, static_cast<long long>(needs.stack),
+                 demangled(known.name).c_str());
+  }
+  std::fclose(out);
 }
 
 }  // namespace
@@ -81,7 +96,12 @@ void** __cudaRegisterFatBinary(void* wrapper) {
   }
 }
 void __cudaRegisterFatBinaryEnd(void**) {}
-void __cudaUnregisterFatBinary(void**) { print_report(); }
+void __cudaUnregisterFatBinary(void**) {
+  static bool done = false;
+  if (!done) print_needs();
+  done = true;
+  print_report();
+}
 void __cudaRegisterFunction(void** binary, const char* host, char*, const char* device, int, void*, void*, void*, void*,
                             int*) {
   functions()[host] = {reinterpret_cast<Fatbinary*>(binary), device};
@@ -112,7 +132,7 @@ cudaError_t cudaLaunchKernel(const void* function, dim3 grid, dim3 team, void** 
   const Known& known = found->second;
   try {
     const Kernel& kernel = known.binary->kernel(known.name);
-    const Needs needs = known.binary->needs(known.name);
+    const Needs& needs = kernel.needs;
     const std::size_t threads = std::size_t(team.x) * team.y * team.z, warps = (threads + 31) / 32;
     const std::size_t static_shared = static_cast<std::size_t>(std::max(needs.shared, kernel.static_shared));
     const bool fits = threads > 0 && threads <= threads_of_team && grid.x > 0 && grid.y > 0 && grid.z > 0 &&
@@ -158,7 +178,7 @@ cudaError_t cudaFuncGetAttributes(cudaFuncAttributes* found, const void* functio
   if (known == functions().end()) return failed(cudaErrorInvalidDeviceFunction);
   try {
     const Kernel& kernel = known->second.binary->kernel(known->second.name);
-    const Needs needs = known->second.binary->needs(known->second.name);
+    const Needs& needs = kernel.needs;
     const int by_registers = registers_of_multiprocessor / ((needs.registers + 7) / 8 * 8) / 32 * 32;
     found->maxThreadsPerBlock =
         std::min({threads_of_team, by_registers, kernel.max_threads ? kernel.max_threads : threads_of_team});
@@ -241,8 +261,8 @@ cudaError_t cudaGetDeviceProperties(cudaDeviceProp* chip, int) {
   chip->totalGlobalMem = options().memory;
   chip->totalConstMem = 65536;
   chip->sharedMemPerBlock = 48 << 10;
-  chip->sharedMemPerMultiprocessor = 228 << 10;
-  chip->sharedMemPerBlockOptin = 227 << 10;
+  chip->sharedMemPerMultiprocessor = static_cast<std::size_t>(options().shared);
+  chip->sharedMemPerBlockOptin = chip->sharedMemPerMultiprocessor - 1024;
   chip->reservedSharedMemPerBlock = 1024;
   chip->regsPerBlock = chip->regsPerMultiprocessor = registers_of_multiprocessor;
   chip->maxThreadsPerBlock = threads_of_team;
