@@ -1,8 +1,7 @@
 """Which Young's modulus does a layer have that yields so much? A fit by least squares, for docs/python.md.
 
-A soft layer is pushed to the right at its bottom, in the box of a load, by two forces. Measured was by how much its top is
-higher at the right end than at the left one. Start it in the folder that holds cases/. It needs scipy.
-"""
+A soft layer is pushed to the right at its bottom, in the box of a load, by two forces. Measured was by how much its top
+is higher at the right end than at the left one. Start it in the folder that holds cases/. It needs scipy. """
 
 import numpy
 from scipy.optimize import least_squares

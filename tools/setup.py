@@ -1,4 +1,5 @@
-"""What pyproject.toml cannot say of the Python package: its version, and that a build leaves nothing beside the sources."""
+"""What pyproject.toml cannot say of the Python package: its version, and that a build leaves nothing beside the
+sources."""
 
 import pathlib
 import re

@@ -1,7 +1,8 @@
 """What mkdocs.yml does to the pages of docs/, so that their links work on the forge and in the site.
 
-The front page of the site is README.md of the repository, in place of docs/README.md, whose table is the navigation. A link that leaves
-docs/ leads to the file at the address `repository-code` of CITATION.cff; where there is no address, its text stays and the link goes."""
+The front page of the site is README.md of the repository, in place of docs/README.md, whose table is the navigation. A
+link that leaves docs/ leads to the file at the address `repository-code` of CITATION.cff; where there is no address,
+its text stays and the link goes."""
 
 import pathlib
 import posixpath
@@ -20,7 +21,8 @@ def address():
 
 
 def leads_to(folder, target, repository):
-    """What a link of a page in `folder` becomes in the site: a path from that folder, or an address; None where it leads nowhere."""
+    """What a link of a page in `folder` becomes in the site: a path from that folder, or an address; None where it
+    leads nowhere."""
     if re.match(r"[a-z]+:|#", target):
         return target
     path, _, anchor = target.partition("#")

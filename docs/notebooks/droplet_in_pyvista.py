@@ -12,9 +12,10 @@
 # %% [markdown]
 # # A droplet in PyVista
 #
-# softwet writes its fields as VTKHDF, the format of VTK and ParaView. This notebook computes a droplet on a soft layer in 3D, on a mesh
-# so coarse that it takes seconds, and reads the files in two ways: with VTK's own reader, as ParaView does, and with the package
-# `softwet`. It needs PyVista (`pip install pyvista`). ParaView opens `fields/fluid.hdf.series` and shows the same.
+# softwet writes its fields as VTKHDF, the format of VTK and ParaView. This notebook computes a droplet on a soft layer
+# in 3D, on a mesh so coarse that it takes seconds, and reads the files in two ways: with VTK's own reader, as ParaView
+# does, and with the package `softwet`. It needs PyVista (`pip install pyvista`). ParaView opens
+# `fields/fluid.hdf.series` and shows the same.
 
 # %%
 import pyvista
@@ -65,7 +66,8 @@ plotter.screenshot("out/droplet_3d/droplet.png")
 # %% [markdown]
 # ## The same from the package
 #
-# `to_pyvista` gives the grid of a part of the scene, with the fields that are named. Here the wall is cut along the middle.
+# `to_pyvista` gives the grid of a part of the scene, with the fields that are named. Here the wall is cut along the
+# middle.
 
 # %%
 grid = run.fields(0.1, "solid").to_pyvista("displacement")

@@ -12,11 +12,13 @@
 # %% [markdown]
 # # A sweep over stiffness
 #
-# A droplet pulls a ridge out of a soft layer. This notebook computes the ridge for four values of Young's modulus, makes a table of
-# the results, and compares it with the scaling of linear elasticity, in which the ridge is inversely proportional to the modulus.
+# A droplet pulls a ridge out of a soft layer. This notebook computes the ridge for four values of Young's modulus,
+# makes a table of the results, and compares it with the scaling of linear elasticity, in which the ridge is inversely
+# proportional to the modulus.
 #
-# It needs the package `softwet` with its program ([python.md](../python.md)), pandas and matplotlib. `jupytext --to notebook` makes an
-# `.ipynb` of this file, and Jupyter with jupytext opens it as it is. The mesh is coarse, so that each run takes a second.
+# It needs the package `softwet` with its program ([python.md](../python.md)), pandas and matplotlib.
+# `jupytext --to notebook` makes an `.ipynb` of this file, and Jupyter with jupytext opens it as it is. The mesh is
+# coarse, so that each run takes a second.
 
 # %%
 import matplotlib.pyplot as plt
@@ -55,8 +57,8 @@ print(table)
 # %% [markdown]
 # ## The results
 #
-# The product of ridge and modulus is nearly the same for stiff layers. On the softest layer the slopes of the wall are large, and the law is less
-# exact.
+# The product of ridge and modulus is nearly the same for stiff layers. On the softest layer the slopes of the wall are
+# large, and the law is less exact.
 
 # %%
 table["ridge times young"] = table["ridge_right"] * table["substrate.young"]

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 """Wall under a sessile droplet with an axis of symmetry, in linear elasticity: the case style_2013_axisymmetric.
 
-A layer of height H on a clamped bottom fills a cylinder of radius L with a side on which it slips. Its top has the surface
-tension Y(r): wet below the droplet, dry outside. The contact line at r_c pulls upwards with sigma sin(alpha) K(r), where the
-plane interface has K = 2 D(rho) sin(alpha)/sigma at the distance (r - r_c) sin(alpha) from its middle density; the pressure
-2 sigma/R pushes down inside. The wall energy acts on the wall as a tension, so that the pull along the wall is zero. With the
-functions J_0(k_n r), J_1(k_n L) = 0, and the compliance C(k) of the layer,
+A layer of height H on a clamped bottom fills a cylinder of radius L with a side on which it slips. Its top has the
+surface tension Y(r): wet below the droplet, dry outside. The contact line at r_c pulls upwards with sigma sin(alpha)
+K(r), where the plane interface has K = 2 D(rho) sin(alpha)/sigma at the distance (r - r_c) sin(alpha) from its middle
+density; the pressure 2 sigma/R pushes down inside. The wall energy acts on the wall as a tension, so that the pull
+along the wall is zero. With the functions J_0(k_n r), J_1(k_n L) = 0, and the compliance C(k) of the layer,
     sum_m [ delta_nm |J_0|^2 / C(k_n) + int Y k_n k_m J_1 J_1 r dr ] u_m = int t J_0(k_n r) r dr.
 A surface modulus M = lambda_s + 2 G_s adds M k^2 to the stiffness of the layer along the wall, where nothing pulls:
-    C = C_zz - C_rz^2 M k^2 / (1 + M k^2 C_rr).
-Prints heights in micrometres for the widths g (in micrometres) and the Poisson ratios that are given. No code of softwet."""
+    C = C_zz - C_rz^2 M k^2 / (1 + M k^2 C_rr). Prints heights in micrometres for the widths g (in micrometres) and the
+    Poisson ratios that are given. No code of softwet."""
 
 import argparse
 
@@ -22,7 +22,8 @@ LIQUID, WET, DRY = 46.0, 36.0, 31.0                    # mN/m
 
 
 def compliance(k, poisson, modulus=0.0, height=HEIGHT, young=YOUNG):
-    """Displacement upwards over a normal load in one wave: a layer that is clamped at its bottom, with a surface modulus."""
+    """Displacement upwards over a normal load in one wave: a layer that is clamped at its bottom, with a surface
+    modulus."""
     z, q = k * height, 3 - 4 * poisson
     small = numpy.exp(-2 * z)  # all is divided by exp(2 z)/2
     below = q * (1 + small**2) + 2 * (2 * z**2 + 5 - 12 * poisson + 8 * poisson**2) * small
@@ -33,8 +34,8 @@ def compliance(k, poisson, modulus=0.0, height=HEIGHT, young=YOUNG):
 
 
 def wall(g, poisson, stiffer=1.0, radius=RADIUS, modulus=0.0):
-    """r, r_c, height and slope of the wall, times stiffer: the factor of the modulus and of the dry tension. The liquid stays
-    as it is, so that the wet tension differs from the dry one by as much as without the factor."""
+    """r, r_c, height and slope of the wall, times stiffer: the factor of the modulus and of the dry tension. The liquid
+    stays as it is, so that the wet tension differs from the dry one by as much as without the factor."""
     angle = numpy.arccos((DRY - WET) / LIQUID)
     foot, cut = radius * numpy.sin(angle), numpy.sin(angle) / g
     count = int(12 * SIDE / g)

@@ -1,14 +1,19 @@
 #!/usr/bin/env python3
-"""What drives a droplet along a layer whose stiffness grows along it, or that has oblique fibres: two formulas of linear elasticity.
+"""What drives a droplet along a layer whose stiffness grows along it, or that has oblique fibres: two formulas of
+linear elasticity.
 
-A layer [0, L] x [0, H], clamped below and with rollers at its sides, in plane strain. Its Young modulus is E exp(s (x - L/2)), and fibres
-in the direction a have the energy 2 k (a.e.a)^2, which is k/2 (I_4 - 1)^2 of small strains e. A droplet at rest loads its top as in
-ridge_locking.py, whose splines it is solved with. The force on the droplet along the wall is
-  slopes   sigma sin(alpha) (phi_left - phi_right), phi = alpha + the slope of the wall towards the liquid at the contact line,
-  work     int t_y du_y/dx dx: what the load upwards does to the wall as the droplet moves. The pull along the wall does the work
-           int t_x du_x/dx dx, which the stretch of the wet wall takes: where the wall energy acts on the wall, the pull is gone.
-On a layer that is the same everywhere both works add up to zero. Prints the forces over sigma sin(alpha) in degrees: differences of
-contact angles that drive a droplet on a rigid wall as much. No code of softwet."""
+A layer [0, L] x [0, H], clamped below and with rollers at its sides, in plane strain. Its Young modulus is E exp(s (x -
+L/2)), and fibres in the direction a have the energy 2 k (a.e.a)^2, which is k/2 (I_4 - 1)^2 of small strains e. A
+droplet at rest loads its top as in ridge_locking.py, whose splines it is solved with. The force on the droplet along
+the wall is
+  slopes   sigma sin(alpha) (phi_left - phi_right), phi = alpha + the slope of the wall towards the liquid at the
+  contact line,
+  work     int t_y du_y/dx dx: what the load upwards does to the wall as the droplet moves. The pull along the wall does
+  the work
+           int t_x du_x/dx dx, which the stretch of the wet wall takes: where the wall energy acts on the wall, the pull
+           is gone. On a layer that is the same everywhere both works add up to zero. Prints the forces over sigma
+           sin(alpha) in degrees: differences of contact angles that drive a droplet on a rigid wall as much. No code of
+           softwet."""
 
 import argparse
 

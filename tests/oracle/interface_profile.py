@@ -3,8 +3,9 @@
 
 Prints the rows of tests/unit/fluid/test_interface_profile.cpp. With the part f = (rho - rho_v)/(rho_l - rho_v) and the
 distance s from its middle towards the vapour, the first integral g rho' = -sqrt(2 D(rho)) gives
-    s/g = int_f^{1/2} (rho_l - rho_v) df / sqrt(2 D),    df = f (1 - f) dz,  f = 1/(1 + exp(-z)),
-by tanh-sinh quadrature in z. The moments, for tests/unit/scene/test_initial.cpp, are those of f and of f^2 less a sharp step at s = 0,
+    s/g = int_f^{1/2} (rho_l - rho_v) df / sqrt(2 D),    df = f (1 - f) dz,  f = 1/(1 + exp(-z)), by tanh-sinh
+    quadrature in z. The moments, for tests/unit/scene/test_initial.cpp, are moments of f and of f^2 less a sharp step
+    at s = 0,
     int (f^n - step) ds / g  and  int (f^n - step) s ds / g^2.                        No code of softwet."""
 from decimal import Decimal as N
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Linear theory of a contact line, and of a droplet, that moves with constant speed over a viscous elastic layer.
 
-The layer [0, H] stands on rollers; its length is a period. Its shear modulus at the frequency w is G (1 + i w tau) (Kelvin-Voigt), or
-G (1 + (i w tau)^n) (a power-law gel), and its bulk modulus is elastic. Its face has the surface tension Y. In the frame of a load that
-moves with V the wave exp(i k x) has the frequency w = -k V. The load is that of tests/oracle/ridge_locking.py: each line pulls with
-sigma t K(x), and the pressure sigma/R of a droplet pushes. The drag is the power that the solid takes over V: minus the integral of the
-traction times the slope of the displacement. No code of softwet."""
+The layer [0, H] stands on rollers; its length is a period. Its shear modulus at the frequency w is G (1 + i w tau)
+(Kelvin-Voigt), or G (1 + (i w tau)^n) (a power-law gel), and its bulk modulus is elastic. Its face has the surface
+tension Y. In the frame of a load that moves with V the wave exp(i k x) has the frequency w = -k V. The load is the one
+of tests/oracle/ridge_locking.py: each line pulls with sigma t K(x), and the pressure sigma/R of a droplet pushes. The
+drag is the power that the solid takes over V: minus the integral of the traction times the slope of the displacement.
+No code of softwet."""
 
 import numpy
 from ridge_locking import tractions
@@ -43,7 +44,7 @@ def wall(x, traction, delay, tension, exponent=1.0):
 
 
 def droplet(delay, capillarity, length, radius=0.155, tension=1.0, exponent=1.0, points=4096):
-    """A droplet that moves to +x. @param tension  of the surface over that of the liquid
+    """A droplet that moves to +x. @param tension  of the surface over the tension of the liquid
     @return x from its middle, u_y, drag"""
     x = (numpy.arange(points) - points // 2) * length / points
     traction = tractions(x, capillarity, radius, ANGLE, 0.0)
@@ -52,8 +53,8 @@ def droplet(delay, capillarity, length, radius=0.155, tension=1.0, exponent=1.0,
 
 
 def line(delay, capillarity=1 / 64, exponent=1.0, length=4.0, points=8192):
-    """One line that pulls upwards, with the liquid to its right and without the pressure of a droplet, on a surface with the tension of
-    the liquid. @return its ridge, the place of it, the drag"""
+    """One line that pulls upwards, with the liquid to its right and without the pressure of a droplet, on a surface
+    with the tension of the liquid. @return its ridge, the place of it, the drag"""
     x = (numpy.arange(points) - points // 2) * length / points
     far = 1e6
     up = tractions(x, capillarity, far / numpy.sin(ANGLE), ANGLE, far)[1]  # the left line of a droplet so large that it has no pressure

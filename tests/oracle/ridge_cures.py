@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Ways to keep a nearly incompressible layer from locking under a contact line, on the scene of ridge_locking.py.
 
-full: the first Lame parameter at all points. means CAP: CAP shear moduli of it at all points, the rest for the means over elements.
-points CAP N: the rest at N points along each axis of an element. pressure: a further field of splines of degree 2, with 0.001 h^2/(2 G) (Grad q, Grad p). Prints errors of the ridge
-in per cent, and the rows of docs/limits.md. No code of softwet."""
+full: the first Lame parameter at all points. means CAP: CAP shear moduli of it at all points, the rest for the means
+over elements. points CAP N: the rest at N points along each axis of an element. pressure: a further field of splines of
+degree 2, with 0.001 h^2/(2 G) (Grad q, Grad p). Prints errors of the ridge in per cent, and the rows of docs/limits.md.
+No code of softwet."""
 
 import numpy
 import scipy.sparse as sparse

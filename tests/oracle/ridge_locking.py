@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """How much too low a coarse mesh of splines makes the ridge under a contact line, for nearly incompressible layers.
 
-A droplet at rest on the layer [0, L] x [0, H] (rollers below and at the sides, linear elasticity, plane strain) loads its
-top. A contact line at x_0 under the angle alpha pulls with sigma t K(x), t along the interface, where the planar
+A droplet at rest on the layer [0, L] x [0, H] (rollers below and at the sides, linear elasticity, plane strain) loads
+its top. A contact line at x_0 under the angle alpha pulls with sigma t K(x), t along the interface, where the planar
 interface has K = 2 D(rho) sin(alpha)/sigma at the distance (x - x_0) sin(alpha) from its middle density; inside, the
-pressure sigma/R pushes down. The same layer in splines of degree 5 on a mesh twice as fine is the reference: its ridge is
-5.8136e-3, 5.5552e-3, 5.4943e-3 and 5.4881e-3 for nu = 0.45, 0.49, 0.499, 0.4999 at a capillarity of 1/64, as that of a
-series in cosines with the exact compliance of a layer. Prints the rows of tests/unit/scene/test_forecast.cpp. No code of
-softwet."""
+pressure sigma/R pushes down. The same layer in splines of degree 5 on a mesh twice as fine is the reference: its ridge
+is 5.8136e-3, 5.5552e-3, 5.4943e-3 and 5.4881e-3 for nu = 0.45, 0.49, 0.499, 0.4999 at a capillarity of 1/64, as the
+ridge of a series in cosines with the exact compliance of a layer. Prints the rows of
+tests/unit/scene/test_forecast.cpp. No code of softwet."""
 
 import sys
 
@@ -46,7 +46,8 @@ class Splines:
 
 
 def interface(theta=0.39, panels=4000):
-    """Distance from the middle density over g, density and 2 D of the planar interface; liquid at positive distances."""
+    """Distance from the middle density over g, density and 2 D of the planar interface; liquid at positive
+    distances."""
     plane = PlaneInterface(theta)
     z = numpy.linspace(-16, 16, panels + 1)  # rho = rho_v + (rho_l - rho_v) / (1 + exp(-z))
     part = 1 / (1 + numpy.exp(-z))

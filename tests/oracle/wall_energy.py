@@ -2,8 +2,8 @@
 """Excess of the free energy, its slope, and the integral of the smoothed root, in 40-digit decimals.
 
 Prints the rows of tests/unit/fluid/test_wall_energy.cpp: densities between and beyond the phases, and below the density
-where W is continued by a parabola. No code or method shared with softwet: D is the plain difference W - mu rho + p, and the
-integral of sqrt(2 D + d^2) - d is tanh-sinh quadrature between all densities where the root bends."""
+where W is continued by a parabola. No code or method shared with softwet: D is the plain difference W - mu rho + p, and
+the integral of sqrt(2 D + d^2) - d is tanh-sinh quadrature between all densities where the root bends."""
 from decimal import Decimal as N
 
 from equilibrium import A, SCENES, coexistence, potential, pressure

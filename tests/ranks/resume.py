@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A checkpoint of four processes is one of any number: runs that go on from it agree in every bit. And the other way round.
+"""A checkpoint of four processes is one of any number: runs that go on from it agree in every bit. And the other way
+round.
 usage: resume.py SOFTWET"""
 
 import shutil

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Solids with a tense and elastic surface, viscosity, weight, fibres, a foundation, a stiffness and a wetting that vary, also with stretch,
-under a load or a needle that moves: the same bits on any number of processes; and of solids that are stretched before or viscoelastic.
+"""Solids with a tense and elastic surface, viscosity, weight, fibres, a foundation, a stiffness and a wetting that
+vary, also with stretch, under a load or a needle that moves: the same bits on any number of processes; and of solids
+that are stretched before or viscoelastic.
 usage: solids.py SOFTWET"""
 
 from _ranks import check_same, run

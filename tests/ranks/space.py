@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Three dimensions with Schwarz's method: the same bits on any number of processes, with parts of different widths, with
-coarse levels that are cut and others that are not, and around periodic sides. usage: space.py SOFTWET"""
+"""Three dimensions with Schwarz's method: the same bits on any number of processes, with parts of different widths,
+with coarse levels that are cut and others that are not, and around periodic sides. usage: space.py SOFTWET"""
 
 import sys
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What one process alone meets ends all alike, at once and with one sentence: a solid that is turned inside out, a field
-file that cannot be written. Processes that read different cases or checkpoints refuse to compute, and
-the files of the first one show what there is.
+"""What one process alone meets ends all alike, at once and with one sentence: a solid that is turned inside out, a
+field file that cannot be written. Processes that read different cases or checkpoints refuse to compute, and the files
+of the first one show what there is.
 usage: together.py SOFTWET"""
 
 import pathlib

@@ -16,7 +16,8 @@ def arrays(path):
 
 
 def results(folder):
-    """{name: content} of all that the clock has no part in: tables, fields, the checkpoint, and what the solvers did."""
+    """{name: content} of all that the clock has no part in: tables, fields, the checkpoint, and what the solvers
+    did."""
     folder = pathlib.Path(folder)
     found = {name: (folder / name).read_bytes() for name in ("history.csv", "interface.csv")}
     for path in sorted(folder.glob("fields/*.hdf")) + [folder / "checkpoint.h5"]:

@@ -25,9 +25,9 @@ def steps_of(folder):
 
 
 def with_kills(begin, folder, steps, interruptions, victim=None):
-    """Computes a run with interruptions: at moments that differ each time its process is killed (SIGKILL), and another one
-    resumes it. A process that was not met ends by itself when it has done its share of the steps, so that there are as many
-    interruptions on a fast machine as on a slow one.
+    """Computes a run with interruptions: at moments that differ each time its process is killed (SIGKILL), and another
+    one resumes it. A process that was not met ends by itself when it has done its share of the steps, so that there are
+    as many interruptions on a fast machine as on a slow one.
     @param begin   begin(number, settings, options) starts process `number` of the run
     @param steps   of the whole run
     @param victim  victim() is the number of the process to kill, where it is not that which was started
@@ -73,7 +73,7 @@ def end(process):
 
 
 def first_process(folder):
-    """The number of the first of several processes, whose end is that of all; None before it has said so itself."""
+    """The number of the first of several processes, whose end ends all; None before it has said so itself."""
     number = told(folder).get("process")
     try:
         words = pathlib.Path(f"/proc/{number}/cmdline").read_bytes()

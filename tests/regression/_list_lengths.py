@@ -75,7 +75,8 @@ def case(dimension):
 
 
 def lists_of(schema, prefix=""):
-    """(name, schema) of all keys that are lists of one number or text each, or boxes of two corners; a table of a list is its first."""
+    """(name, schema) of all keys that are lists of one number or text each, or boxes of two corners; a table of a list
+    is its first."""
     for name, one in schema.get("properties", {}).items():
         items = one.get("items", {})
         if "properties" in one:

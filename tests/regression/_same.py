@@ -5,7 +5,8 @@ from _scene import check_true
 
 
 def check_same(name, folder, other):
-    """Ends the test where two runs differ in a bit of a table, a field or the checkpoint, or in what their solvers did."""
+    """Ends the test where two runs differ in a bit of a table, a field or the checkpoint, or in what their solvers
+    did."""
     here, there = results(folder), results(other)
     check_true(f"{name}: the same files", here.keys() == there.keys(), str(sorted(here.keys() ^ there.keys())))
     for part in there:

@@ -1,7 +1,8 @@
 """A layer of solid alone, half a wave wide and at rest under a force in a strip below its top, against linear theory.
 
-By Betti's theorem the wave of the displacement of the top is that of the force times the mean, over the height of the strip, of the
-displacement that a traction on the top makes there (tests/verification/_layer.py): exact for small displacements."""
+By Betti's theorem the wave of the displacement of the top is the wave of the force times the mean, over the height of
+the strip, of the displacement that a traction on the top makes there (tests/verification/_layer.py): exact for small
+displacements."""
 
 import os
 import pathlib
@@ -18,10 +19,10 @@ import _layer  # noqa: E402
 YOUNG, POISSON, HEIGHT, LENGTH = 0.7554, 0.45, 0.125, 0.25
 SIGMA = 3.956293e-3  # surface tension of the liquid of the paper at a capillarity of 1/64
 STRIP = HEIGHT / 8
-# Splines of degree 2 on elements twice as long are within 2e-5 of linear theory under smooth loads (an independent code). The sides of
-# the loaded boxes come on top here, and the errors fall with the fourth power of the elements: by 16 or more from 16 x 8 to 32 x 16. The
-# error of a response in one direction to a force in the other is a product of those of both: it counts over the geometric mean of the
-# responses along the forces.
+# Splines of degree 2 on elements twice as long are within 2e-5 of linear theory under smooth loads (an independent
+# code). The sides of the loaded boxes come on top here, and the errors fall with the fourth power of the elements: by
+# 16 or more from 16 x 8 to 32 x 16. The error of a response in one direction to a force in the other is a product of
+# the errors of both: it counts over the geometric mean of the responses along the forces.
 CLOSE = 2e-5
 FORCE = 1e-4  # strains of about 1e-6: what is nonlinear in them is as small
 GAUSS = numpy.polynomial.legendre.leggauss(8)
@@ -60,8 +61,8 @@ def rest(case):
 
 
 def projected(run, axis, wave, weight=lambda x: 1.0):
-    """Integral of a displacement of the top times wave(x) weight(x): exact for splines of degree 2, whose ends and middles of elements are
-    the rows of interface.csv."""
+    """Integral of a displacement of the top times wave(x) weight(x): exact for splines of degree 2, whose ends and
+    middles of elements are the rows of interface.csv."""
     walls = run.interface
     wall = walls[max(walls)]
     x, u = wall["x_reference"], wall[f"displacement_{axis}"]
@@ -75,7 +76,8 @@ def projected(run, axis, wave, weight=lambda x: 1.0):
 
 
 def of_strip(k, **layer):
-    """Displacement of the top, 2 x 2 as a compliance, for the force of a wave in the strip; the force on its height is 1."""
+    """Displacement of the top, 2 x 2 as a compliance, for the force of a wave in the strip; the force on its height is
+    1."""
     s, w = GAUSS
     heights = HEIGHT - STRIP * 0.5 * (1 + s)
     return numpy.tensordot(0.5 * w, _layer.displacement(heights, k, HEIGHT, YOUNG, POISSON, **layer), 1).T

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A wall that folds: the first hints of the message let the scene go on, and its last good state has field files.
-Hints about lines that stick, about Poisson's ratio, and those of `softwet units`. usage: advice.py SOFTWET"""
+Hints about lines that stick, about Poisson's ratio, and hints of `softwet units`. usage: advice.py SOFTWET"""
 
 import pathlib
 import re

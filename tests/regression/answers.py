@@ -102,7 +102,8 @@ def touch(folder, names):
 
 
 def at_a_prompt(folder, typed):
-    """The words that a command gets that is typed at the prompt of bash, then a tab, then return; over a pseudo-terminal."""
+    """The words that a command gets that is typed at the prompt of bash, then a tab, then return; over a
+    pseudo-terminal."""
     process, terminal = pty.fork()
     if process == 0:
         os.chdir(folder)
@@ -159,7 +160,7 @@ def test_cut_output():
 
 
 def test_help_of_tools():
-    """The options of the commands that are programs of tools/ are those of the programs, which say the same of them."""
+    """Commands that are programs of tools/ have the options of the programs, with the same words."""
     for name in ("verify", "sweep", "tradeoff", "status", "watch"):
         told = subprocess.run([softwet, name, "--help"], capture_output=True, text=True, env=environment).stdout
         tool = subprocess.run([str(ROOT / "tools" / name), "--help"], capture_output=True, text=True,

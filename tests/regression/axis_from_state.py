@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""About an axis, states that start from another state have both contact lines: `steady --along`, `initial.from`, and a run that is
-resumed after it. usage: axis_from_state.py SOFTWET"""
+"""About an axis, states that start from another state have both contact lines: `steady --along`, `initial.from`, and a
+run that is resumed after it. usage: axis_from_state.py SOFTWET"""
 
 import pathlib
 import shutil

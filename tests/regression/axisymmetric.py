@@ -93,7 +93,8 @@ fields = {{ times = [2.0] }}
 
 
 def against_space():
-    """A droplet on a soft layer, and a quarter of it in a box whose base has a quarter of the area; on coarse meshes."""
+    """A droplet on a soft layer, and a quarter of it in a box whose base has a quarter of the area; on coarse
+    meshes."""
     side = 0.4
     radius = 2 * side / numpy.sqrt(numpy.pi)
     for name, domain, centre in (("axial", f'coordinates = "axisymmetric"\nsize = [{float(radius)!r}, 0.4]\nelements = [9, 8]', [0, 0.1]),

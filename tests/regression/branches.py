@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Viscoelastic solids: standing waves and the creep of a column against closed forms, the order of the steps, the balance of the energy,
-the same bits after a resume, states of rest, and what is reported and refused. usage: branches.py SOFTWET"""
+"""Viscoelastic solids: standing waves and the creep of a column against closed forms, the order of the steps, the
+balance of the energy, the same bits after a resume, states of rest, and what is reported and refused.
+usage: branches.py SOFTWET"""
 
 import itertools
 import math
@@ -102,7 +103,8 @@ check_true("a branch takes energy, and its dashpot loses it", rows["energy_branc
            and rows["dissipation_solid"].max() > 0, str(rows["energy_branches"]))
 check("it begins with nothing", rows["energy_branches"][0], 0)
 
-# Explicit steps: of second order, with the error in space of the masses; a branch that is much faster than a step does not shorten them.
+# Explicit steps: of second order, with the error in space of the masses; a branch that is much faster than a step does
+# not shorten them.
 for mass, most in (("lumped", 1e-2), ("corrected", 2e-3), ("consistent", 2e-3)):
     runs = []
     for dt in (0.002, 0.001, 0.0005):
@@ -117,8 +119,8 @@ rows = history("wave_fast")
 check_true("steps are longer than the time of a branch", rows["dt"].max() > 1e-3, str(rows["dt"]))
 check("it hardly feels it", abs(rows["u"] / rows["u"][0] - numpy.cos(wave * math.sqrt(SHEAR) * rows["t"])).max(), 1e-2)
 
-# Finite strains, where points remember the strain: the same wave while it is small. A high wave loses what its dashpots say, and explicit
-# steps find the same.
+# Finite strains, where points remember the strain: the same wave while it is small. A high wave loses what its dashpots
+# say, and explicit steps find the same.
 run_file("wave.toml", "wave_finite", ["substrate.strain=finite", *steps(0.01)])
 check("finite strains: the wave", error_of_wave(history("wave_finite")), 5e-3)
 high = ["substrate.strain=finite", "wave[0].amplitude=0.05", "time.end=1", "output.history.every=1"]
@@ -138,7 +140,8 @@ check("a high wave: explicit steps as implicit ones", abs(numpy.interp(one["t"],
 linear = error_of_wave(other)
 check_true("a high wave is no small one", linear > 0.02, f"{linear}")
 
-# The rates themselves, from three values of the wave at equal distances: the wave obeys a difference equation whose roots are exp(s d).
+# The rates themselves, from three values of the wave at equal distances: the wave obeys a difference equation whose
+# roots are exp(s d).
 run_file("wave.toml", "wave_fine", [*steps(0.0025), "time.end=3"])
 values = history("wave_fine")["u"][::80]
 rows_of = numpy.array([values[i:i + 3] for i in range(len(values) - 3)])
@@ -177,7 +180,7 @@ for exponent, percent in ((0.4, 3.1), (0.55, 0.8), (0.7, 0.6)):
 run_file("wave.toml", "gel", ["substrate.gel.exponent=0.5", "substrate.gel.time=0.05", "substrate.gel.decades=[-2,1]", *steps(0.02)])
 check("a gel: the balance of the energy", balance(history("gel")), 5e-3)
 
-# The same bits after a resume.
+# A resumed run has the same bits.
 for scheme, strain in itertools.product(("generalized_alpha", "kick_drift"), ("small", "finite")):
     words = [f"time.scheme={scheme}", f"substrate.strain={strain}", *steps(0.002), "time.end=0.2", "substrate.gel.exponent=0.5", "substrate.gel.time=0.001", "output.history.every=1"]
     whole, resumed = f"whole_{scheme}_{strain}", f"parts_{scheme}_{strain}"

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Bubbles and films have contact lines as droplets have: columns of history.csv, angles in the liquid, velocities, events.
+"""Bubbles and films have contact lines as droplets have: columns of history.csv, angles in the liquid, velocities,
+events.
 usage: bubbles_films.py SOFTWET"""
 
 import pathlib
@@ -45,7 +46,8 @@ check_true("film: velocity", abs(rows["velocity"][-1]) < 1e-4)
 check_true("film: how far it moved", "; on the way the film moved by" in message, message)
 check_true("film: no droplet, no column of its pressure", "laplace" not in rows)
 
-# Droplets first, then films: one from side to side, which a droplet above it is so near that they merge, and one on the top.
+# Droplets first, then films: one from side to side, which a droplet above it is so near that they merge, and one on the
+# top.
 write("both", "contact_angle = 90", """time = { end = 1 }
 droplet = [{ centre = [0.2, 0.21], radius = 0.08 }]
 film = [{ box = [[-1, -1], [2, 0.08]] }, { box = [[0.35, 0.42], [2, 2]] }]""", viscosity="1/20")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Jumps, ramps, field times and the end of a run that come at one time: the run ends at time.end, all field files are there, and what
-comes at a time that a step ends at anyhow takes no step more. usage: coinciding_events.py SOFTWET"""
+"""Jumps, ramps, field times and the end of a run that come at one time: the run ends at time.end, all field files are
+there, and what comes at a time that a step ends at anyhow takes no step more. usage: coinciding_events.py SOFTWET"""
 
 import itertools
 import pathlib
@@ -20,7 +20,8 @@ def load(rest, force="1e-9"):
     return "load", f"{{ {BOX}, force = [{force}, 0.0], {rest} }}"
 
 
-# By name: what an event at t = T, on a clock that is 0 at the run time ZERO, adds to the case. None moves the body much.
+# By name: what an event at t = T, on a clock that is 0 at the run time ZERO, adds to the case. None moves the body
+# much.
 KINDS = {
     "field time": lambda T, zero: ("field", T),
     "time.end": lambda T, zero: ("end", T),

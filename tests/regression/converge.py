@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""`softwet converge`: the keys that follow a width, both fits, numbers whose limit is known, the store of the widths, refusals.
+"""`softwet converge`: the keys that follow a width, both fits, numbers whose limit is known, the store of the widths,
+refusals.
 usage: converge.py SOFTWET"""
 
 import csv
@@ -129,7 +130,7 @@ check("the run ends at the same time in seconds", max(abs(end / (0.2 * 2 ** (k /
 rows = table("moves")
 check("the start is the cap of its radius", abs(float(rows["x_right@0"]["zero"]) - 0.25 * np.sin(np.radians(70))), 0.004)
 
-# --- a layer: the pressure of the vapour, that of a flat interface and what the curved one adds, is taken off
+# --- a layer: the pressure of the vapour, beside a flat interface and what the curved one adds, is taken off
 sets = ["--set", "fluid.contact_angle=90", "--set", "substrate.surface_tension=0.02", "--set", "domain.elements=[40,32]"]
 subprocess.run([softwet, "steady", "gel.toml", "--out", "gel", "--overwrite", "--quiet", "--threads", "1", *sets], check=True,
                capture_output=True, env=environment)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""tools/device: a report of this machine in Markdown, compared with a table of results, which it also writes. usage: device.py SOFTWET"""
+"""tools/device: a report of this machine in Markdown, compared with a table of results, which it also writes.
+usage: device.py SOFTWET"""
 
 import csv
 import os

@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""The pages of the documentation are true: their commands work, their links lead somewhere, the reference is up to date.
+"""The pages of the documentation are true: their commands work, their links lead somewhere, the reference is up to
+date.
 usage: docs.py SOFTWET [PAGE...]   with the names of pages, the commands of these alone
 
-A block of commands in README.md, docs/*.md and docs/development/*.md starts with ```console. A comment before it says how it is run here:
-  <!-- run: KEY=VALUE ... -->        as it stands, with these settings (--set) for softwet run, steady, check, sweep and tradeoff
+A block of commands in README.md, docs/*.md and docs/development/*.md starts with ```console. A comment before it says
+how it is run here:
+  <!-- run: KEY=VALUE ... -->        as it stands, with these settings (--set) for softwet run, steady, check, sweep and
+  tradeoff
   <!-- run: check KEY=VALUE ... -->  only checked: softwet check instead of run, --dry-run for the last two, no tools
   <!-- run: no, REASON -->           not at all
 The comment <!-- file: NAME --> before a block makes a file of it. The blocks of a page run one after the other in a

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""`initial.from`: another prestretch and the stress of branches, which no state holds, are reported with both values; what loses nothing is
-silent. usage: earlier_losses.py SOFTWET"""
+"""`initial.from`: another prestretch and the stress of branches, which no state holds, are reported with both values;
+what loses nothing is silent. usage: earlier_losses.py SOFTWET"""
 
 import pathlib
 import shutil

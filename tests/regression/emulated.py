@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""tests/device/emulated.py, which executes kernels of a CUDA build on a processor: this program accepts its small scenes, and its
-comparison finds what differs. usage: emulated.py SOFTWET"""
+"""tests/device/emulated.py, which executes kernels of a CUDA build on a processor: this program accepts its small
+scenes, and its comparison finds what differs. usage: emulated.py SOFTWET"""
 
 import os
 import pathlib

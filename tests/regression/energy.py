@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""With the wall-energy law on a rigid wall the energy falls at every accepted step, and nothing is reported about it. Where steps that
-are too long let it rise, that is reported once. usage: energy.py SOFTWET"""
+"""With the wall-energy law on a rigid wall the energy falls at every accepted step, and nothing is reported about it.
+Where steps that are too long let it rise, that is reported once. usage: energy.py SOFTWET"""
 
 import pathlib
 
@@ -41,8 +41,8 @@ run("impact_rigid_2d", "parts", [*WILD, "time.max_steps=3"])
 run("impact_rigid_2d", "parts", WILD, ["--resume", "--quiet", "--threads", "1"])
 check_true("a resumed run says the same", told("parts") == events, str(told("parts")))
 
-# A wave in a solid alone trades kinetic for elastic energy. With lumped masses the energy of the table swings by what it differs
-# from that which steps keep: nothing is reported for that, and no step is refused.
+# A wave in a solid alone trades kinetic for elastic energy. With lumped masses the energy of the table swings by what
+# it differs from that which steps keep: nothing is reported for that, and no step is refused.
 pathlib.Path("wave.toml").write_text("""
 name = "wave"
 domain = { size = [1.1, 0.7], elements = [11, 7] }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A scene that starts from its equilibrium: it begins with the load, at rest, and then moves as one that has relaxed by
-itself; a scene that cannot come to rest is refused with a sentence; how far droplets moved on the way is reported, and what merged there is
-not called one from the start; models that leave something out agree with the full
-one where they should.
+itself; a scene that cannot come to rest is refused with a sentence; how far droplets moved on the way is reported, and
+what merged there is not called one from the start; models that leave something out agree with the full one where they
+should.
 usage: equilibrium_start.py SOFTWET"""
 
 import pathlib
@@ -26,7 +26,7 @@ path, _ = moved("relaxed", "load[0].start=30")
 quick, rows = moved("at_rest", "load[0].start=30", AT_REST)
 check_true("the computation begins with the load", rows["t"][0] == 0)
 check("fastest liquid at the start", rows["speed_max_liquid"][0], 1e-5)
-check("path against that of a scene that has relaxed", abs(quick / path - 1), 0.02)
+check("path against a scene that has relaxed", abs(quick / path - 1), 0.02)
 check("drift of the mass", abs(rows["mass_drift"]).max(), 1e-12)
 start = record("at_rest")["start"]
 check_true("run.json says how it came to rest", start["steps"] > 3 and 0 <= start["rate_of_change"] < 1e-6, str(start))

@@ -31,7 +31,7 @@ message = run("static_droplet_rigid_2d", "tiny", TINY, ALOUD)
 told("tiny", message, "tiny", GONE)
 stop = record("tiny")["stop"]
 check_true("tiny: the end is reached all the same", stop["reason"] == "end reached" and stop["t"] == 20, str(stop))
-check_true("tiny: the time is that of the event", 0 < record("tiny")["events"][0]["t"] < 20)
+check_true("tiny: the time of the event", 0 < record("tiny")["events"][0]["t"] < 20)
 
 # What happened before a checkpoint is known after it, and not reported again.
 run("static_droplet_rigid_2d", "resumed", TINY + [f"time.max_steps={record('tiny')['counts']['steps'] - 3}"])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Explicit schemes: a droplet on a soft substrate that is pulled moves as with generalized-alpha, keeps its mass exactly
-on the moving mesh, and goes on after a stop.
+"""Explicit schemes: a droplet on a soft substrate that is pulled moves as with generalized-alpha, keeps its mass
+exactly on the moving mesh, and goes on after a stop.
 usage: explicit.py SOFTWET"""
 
 from _same import check_same
@@ -23,9 +23,9 @@ def largest_mass_drift(rows):
 
 
 reference = compute("implicit", *FINE)
-# Consistent masses differ from the reference by the errors of the time steps alone, the others by errors in space too: lumped ones by up
-# to 2.4 % on this coarse mesh, corrected ones by up to 0.28 % of the kinetic and, through their ties at the sides of the thin
-# layer, 0.8 % of the elastic energy. The bounds of corrected masses are twice these.
+# Consistent masses differ from the reference by the errors of the time steps alone, the others by errors in space too:
+# lumped ones by up to 2.4 % on this coarse mesh, corrected ones by up to 0.28 % of the kinetic and, through their ties
+# at the sides of the thin layer, 0.8 % of the elastic energy. The bounds of corrected masses are twice these.
 ALLOWED = {"consistent": {"energy_elastic": 3e-4, "energy_kinetic": 3e-4}, "corrected": {"energy_elastic": 1.6e-2, "energy_kinetic": 6e-3},
            "lumped": {"energy_elastic": 3e-2, "energy_kinetic": 3e-2}}
 for scheme in ("kick_drift", "rkl2", "ssp_rk3"):

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Fast scenes near the critical temperature, small: explicit schemes come to the end that generalized_alpha with fine steps
-comes to, keep the mass to rounding, and let the total energy fall at every row once the start has settled. Sound has the
-speed of the equation of state. time.scheme = "automatic" takes the scheme for the number of steps. usage: fast_scenes.py SOFTWET"""
+"""Fast scenes near the critical temperature, small: explicit schemes come to the end that generalized_alpha with fine
+steps comes to, keep the mass to rounding, and let the total energy fall at every row once the start has settled. Sound
+has the speed of the equation of state. time.scheme = "automatic" takes the scheme for the number of steps.
+usage: fast_scenes.py SOFTWET"""
 
 import math
 import pathlib
@@ -13,9 +14,9 @@ from _scene import PULL, cases, check, check_true, history, open_output, record,
 BOTH = ["domain.quadrature=full", "output.history.every=1"]
 IMPACT = [*BOTH, "domain.elements=[40,25]", "fluid.capillarity=1/24", "time.end=2", "output.fields.times=[2]"]
 SWING = [*BOTH, "domain.elements=[32,32]", "fluid.capillarity=1/28", "time.end=3", "output.fields.times=[3]"]
-# name: settings, size of the fine steps, and what the errors in space of the masses may change at the end: parts of the energy that
-# was dissipated, of the kinetic energy, and of the density step (rms). Those of corrected masses are two to three times what was
-# measured.
+# name: settings, size of the fine steps, and what the errors in space of the masses may change at the end: parts of the
+# energy that was dissipated, of the kinetic energy, and of the density step (rms). Those of corrected masses are two to
+# three times what was measured.
 SCENES = {
     "impact_rigid_2d": (IMPACT, 0.01, {"lumped": (0.05, 0.15, 0.03), "corrected": (0.006, 0.008, 0.0012)}),
     "oscillating_droplet_2d": (SWING, 0.02, {"lumped": (0.015, 0.05, 0.002), "corrected": (0.003, 0.003, 0.0002)}),
@@ -67,9 +68,9 @@ def pulse(x, t, c, rho, height, capillarity=1 / 32, viscosity=4e-4):
 
 
 def check_sound():
-    """The pulse of the case, a twentieth as high, at t = 1.5, less the same run without pulse, above the droplet and left
-    of what it sends back. The speed of sound with which small waves come closest is that of the equation of state but for
-    the squares of the height (0.3 %) and of the mesh size."""
+    """The pulse of the case, a twentieth as high, at t = 1.5, less the same run without pulse, above the droplet and
+    left of what it sends back. The speed of sound with which small waves come closest is the one of the equation of
+    state but for the squares of the height (0.3 %) and of the mesh size."""
     t, share = 1.5, 0.05
     settings = [*BOTH, "domain.elements=[96,24]", "fluid.capillarity=1/32", f"time.end={t}", f"output.fields.times=[{t}]"]
     waves = tomllib.loads((cases / "sound_pulse_2d.toml").read_text())["wave"]

@@ -52,7 +52,7 @@ run("fig1b_soft_droplet_2d", "half", REST + ["domain.size=[0.5,0.5]", "domain.el
 
 rows = drawn(["fig2", "--pull", here["pull"], "--push", here["push"]], "fig2")
 last = next(row for row in rows if row["run"] == "pull" and row["t"] == "1884")
-check("fig2: |X_c - that of history.csv|", abs(float(last["x_centre"]) - history(here["pull"])["x_centre"][-1]), 5e-5)
+check("fig2: |X_c - x_centre of history.csv|", abs(float(last["x_centre"]) - history(here["pull"])["x_centre"][-1]), 5e-5)
 check("fig2: far sides against the linear estimate",
       max(abs(float(row["ratio"]) - 1) for row in rows if row["ratio"]), 0.1)
 
@@ -66,7 +66,7 @@ check("fig3: velocity at 0.495 against the step that passes there", abs(value / 
 
 for name in ("fig1b", "half"):
     row = drawn(["fig1b", pathlib.Path(name).resolve()], f"{name}_figure")[0]
-    check(f"{name}: |apparent angle - that of history.csv|",
+    check(f"{name}: |apparent angle - the one of history.csv|",
           abs(float(row["apparent_angle"]) - history(name)["angle_right"][-1]), 0.006)
     if name == "fig1b":  # at rest; the angle is read from the level line close to the wall
         check("fig1b: |angle at the wall - static angle|, degrees", abs(float(row["angle_at_wall"]) - 75), 5)

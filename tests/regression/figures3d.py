@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pictures of a run in three dimensions: surfaces and profiles are those of the run. usage: figures3d.py SOFTWET"""
+"""Pictures of a run in three dimensions: surfaces and profiles belong to the run. usage: figures3d.py SOFTWET"""
 
 import importlib.util
 import itertools
@@ -63,7 +63,8 @@ def compute(name, elements, tables):
     known = wall["displacement_z"][on]
     check(f"{name}: profile and interface.csv agree", abs(numpy.interp(place, s, lift) - known).max(), 1e-3 * abs(lift).max())
 
-    # The contact line of the picture against the contact points of history.csv, and a box against points of the surface.
+    # The contact line of the picture against the contact points of history.csv, and a box against points of the
+    # surface.
     line = numpy.concatenate(output.contact_lines(0.1)) - 0.4
     along, across = (line[:, 0] + line[:, 1]) / 2 ** 0.5, (line[:, 0] - line[:, 1]) / 2 ** 0.5
     order = numpy.argsort(across[along > 0])
@@ -91,7 +92,8 @@ def figures3d(*options):
 result = figures3d("--out", "small.png")
 check_true("the picture is there", result.returncode == 0 and pathlib.Path("small.png").stat().st_size > 10000,
            result.stderr)
-# A surface lies where the lines of matplotlib have it: the flat top of the substrate at rest fills the polygon of its corners.
+# A surface lies where the lines of matplotlib have it: the flat top of the substrate at rest fills the polygon of its
+# corners.
 view = scene3d.View(output.track)
 axes = matplotlib.pyplot.figure().subplots()
 view.render(axes, scene3d.Scene(output, 0.0, 1.0, view).mesh("solid", "displacement"), 1, color="white")

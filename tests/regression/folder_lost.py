@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The output folder, or a table, is moved, removed or replaced while a run writes to it: the run says so, ends with exit
-code 3, loses nothing that is still there, and writes nothing into the folder of another run.
+"""The output folder, or a table, is moved, removed or replaced while a run writes to it: the run says so, ends with
+exit code 3, loses nothing that is still there, and writes nothing into the folder of another run.
 usage: folder_lost.py SOFTWET"""
 
 import os

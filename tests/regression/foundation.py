@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""boundary.foundation: layers on springs at rest against linear theory, in 2D and around an axis; a uniform load; nothing feeds the energy
-of an explicit run; what is refused. usage: foundation.py SOFTWET"""
+"""boundary.foundation: layers on springs at rest against linear theory, in 2D and around an axis; a uniform load;
+nothing feeds the energy of an explicit run; what is refused. usage: foundation.py SOFTWET"""
 
 import subprocess
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""boundary.foundation_damping: layers that swing on springs and dashpots, with implicit and explicit steps, and their energy; layers without
-inertia that creep on them; a state of rest; a run that was stopped goes on to the bit; what is refused.
+"""boundary.foundation_damping: layers that swing on springs and dashpots, with implicit and explicit steps, and their
+energy; layers without inertia that creep on them; a state of rest; a run that was stopped goes on to the bit; what is
+refused.
 usage: foundation_damping.py SOFTWET"""
 
 import pathlib
@@ -33,8 +34,8 @@ probe = [{{ name = "down", quantity = "displacement_y", point = [0.1, 0.0] }},
 
 
 def slowest_rate(modulus, spring, dashpot):
-    """s of the slowest wave cosh(q (H - y)) exp(s t) of a column of the modulus on a spring and a dashpot, rho s^2 = M q^2:
-    M q sinh(q H) + (kap + c s) cosh(q H) = 0; from that of a rigid column on."""
+    """s of the slowest wave cosh(q (H - y)) exp(s t) of a column of the modulus on a spring and a dashpot, rho s^2 = M
+    q^2: M q sinh(q H) + (kap + c s) cosh(q H) = 0; from the frequency of a rigid column on."""
     def rest(parts):
         s = complex(*parts)
         q = s / numpy.sqrt(modulus)
@@ -55,7 +56,8 @@ def lost(rows, start=0):
     return (0.5 * (rate[1:] + rate[:-1]) * dt)[start:].sum()
 
 
-# --- layers that are let go, through a free bottom and along a roller. They begin in the shape in which they would swing without dashpots,
+# --- layers that are let go, through a free bottom and along a roller. They begin in the shape in which they would
+# swing without dashpots,
 # cos(q (H - y)) with M q tan(q H) = kap, so that nothing jumps.
 def beginning(axis, modulus):
     q = scipy.optimize.brentq(lambda q: modulus * q * numpy.tan(q * HEIGHT) - SPRING, 1e-6, 1.5 / HEIGHT)
@@ -86,11 +88,12 @@ for name, (axis, modulus, boundary) in LET_GO.items():
               abs(rows["energy_foundation"][0] / (0.5 * SPRING * AWAY**2 * 0.25) - 1), 1e-12)
         balance[scheme] = abs(first - last - lost(rows)) / (first - last)
         check_true(f"{name}, {scheme}: most of the energy is lost", last < 0.05 * first, f"{last / first:.3g}")
-        if scheme != "implicit":  # whose error is four times that of "halved", see below
+        if scheme != "implicit":  # whose error is four times as large as with "halved", see below
             check(f"{name}, {scheme}: what is lost and dissipated differ by the part", balance[scheme], 2e-3)
     check(f"{name}: the same with half the step, over that: second order", balance["halved"] / balance["implicit"], 0.275)
 
-# --- without inertia: the bottom follows u' c + kap u = p under a uniform load p for each area, and creeps without springs
+# --- without inertia: the bottom follows u' c + kap u = p under a uniform load p for each area, and creeps without
+# springs
 FORCE = 0.08
 LOAD = f"load = [{{ box = [[0.0, 0.0], [0.25, {HEIGHT}]], force = [0.0, {FORCE}], start = 0.0, ramp = 0.0 }}]"
 pressure = FORCE * HEIGHT

@@ -37,7 +37,8 @@ for sentence in ("cases/stripe_2d.toml has no section", "a section strip_2d, and
                  "docs/gallery/durotaxis_2d.png has 50000 bytes"):
     check_true(f"reported: {sentence}", sentence in told, told)
 
-# Two shades on white paper: in each block of 20 x 10 pixels the mean of the reduced picture is that of the shade, as it is not in bands.
+# Two shades on white paper: in each block of 20 x 10 pixels the mean of the reduced picture is the shade's, as it is
+# not in bands.
 if importlib.util.find_spec("PIL") is None or importlib.util.find_spec("numpy") is None:
     sys.exit(print("no PIL or no numpy: no picture is reduced") or 0)
 import numpy  # noqa: E402

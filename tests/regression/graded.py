@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Graded elements: a scene on them is the scene on equal ones with fewer unknowns, its mass does not depend on the mesh, its files
-and its case describe the mesh, runs go on from their checkpoints, and softwet says when a droplet comes near the end of the fine
-elements. usage: graded.py SOFTWET"""
+"""Graded elements: a scene on them is the scene on equal ones with fewer unknowns, its mass does not depend on the
+mesh, its files and its case describe the mesh, runs go on from their checkpoints, and softwet says when a droplet comes
+near the end of the fine elements. usage: graded.py SOFTWET"""
 
 import re
 import subprocess
@@ -18,7 +18,7 @@ run("tensotaxis_pull_2d", "equal", SCENE + EQUAL)
 run("tensotaxis_pull_2d", "graded", SCENE + GRADED)
 equal, graded = history("equal"), history("graded")
 fields = {name: open_output(name).fields(6) for name in ("equal", "graded")}
-check("elements of the graded mesh over those of the equal one", fields["graded"]["density"].size / fields["equal"]["density"].size, 0.7)
+check("elements of the graded mesh over elements of the equal one", fields["graded"]["density"].size / fields["equal"]["density"].size, 0.7)
 check("mass at the start, relative", abs(graded["mass"][0] / equal["mass"][0] - 1), 1e-6)
 check("mass at the end over that at the start", abs(graded["mass"][-1] / graded["mass"][0] - 1), 1e-13)
 moved = equal["x_centre"][-1] - 0.5
@@ -26,11 +26,11 @@ check_true("the droplet moves", moved > 1e-4, f"{moved:.2e}")
 check("x_centre, difference over the way", abs(graded["x_centre"][-1] - equal["x_centre"][-1]) / moved, 0.002)
 check("elastic energy, relative", abs(graded["energy_elastic"][-1] / equal["energy_elastic"][-1] - 1), 0.01)
 
-# Positions of the file are those of the elements: where nothing moves, on the top, they are the reference.
+# Positions of the file are positions of elements: where nothing moves, on the top, they are the reference.
 lengths = numpy.diff(fields["graded"].lines[1][::2])
 check("shortest element", abs(lengths.min() - 1 / 64), 1e-12)
 check_true("elements grow to more than twice that", lengths.max() > 2 / 64)
-check("reference positions against those of the file, on the top",
+check("reference positions against positions of the file, on the top",
       numpy.abs(fields["graded"].reference[-1] - fields["graded"].positions[-1]).max(), 1e-12)
 places = numpy.stack(numpy.meshgrid(numpy.linspace(0.3, 0.7, 41), numpy.linspace(0.14, 0.29, 31)), axis=-1)
 found = {name: fields[name].at(places)["density"] for name in fields}
@@ -83,7 +83,8 @@ for scheme in ("generalized_alpha", "kick_drift"):
                    check=True)
     check(f"{scheme}: resumed after the event to its end", abs(history(scheme)["t"][-1] - 0.52), 1e-12)
 
-# A droplet on the seam of a periodic axis is the one in the middle: it stays where it is, on a box that reaches around the seam.
+# A droplet on the seam of a periodic axis is the one in the middle: it stays where it is, on a box that reaches around
+# the seam.
 SEAM = ["boundary.left=periodic", "boundary.right=periodic", "domain.elements=[64,32]", "fluid.capillarity=1/32", "output.fields.times=[0]",
         "time.end=20"]
 rows = {}
@@ -96,9 +97,10 @@ for name, centre, box in (("middle", 0.5, "[[0.2,0],[0.8,0.3]]"), ("seam", 0, "[
     check_true(f"{name}: no event", not open_output(name).record.get("events"), open_output(name).record.get("events"))
 check("the droplet on the seam stays", abs(numpy.remainder(rows["seam"]["x_centre"] + 0.5, 1) - 0.5).max(), 1e-5)
 check("the same box by another name", abs(rows["seam"]["x_centre"] - rows["beyond"]["x_centre"]).max(), 1e-15)
-check("its energy is that of the droplet in the middle", abs(rows["seam"]["energy_total"][-1] / rows["middle"]["energy_total"][-1] - 1), 1e-4)
+check("its energy is as with the droplet in the middle", abs(rows["seam"]["energy_total"][-1] / rows["middle"]["energy_total"][-1] - 1), 1e-4)
 
-# On a box that ends in the droplet the mesh drives it, by nearly one short element here. The warning names a box on which it stays.
+# On a box that ends in the droplet the mesh drives it, by nearly one short element here. The warning names a box on
+# which it stays.
 CUT = [*SEAM, "droplet[0].centre=[0,0]"]
 warning = run("static_droplet_rigid_2d", "cut", [*CUT, "domain.grading.box=[[0,0],[0.3,0.3]]"])
 named = re.search(r"write a larger box, \[(\S+), (\S+)\] along this axis, which may reach around the ends", warning)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Explicit schemes beside a solid that is many times heavier than the fluid: a droplet at rest stays at rest, for each kind of mass.
-Masses of neighbours that differ much must not turn the damping of the shortest waves into growth. usage: heavy_solid.py SOFTWET"""
+"""Explicit schemes beside a solid that is many times heavier than the fluid: a droplet at rest stays at rest, for each
+kind of mass. Masses of neighbours that differ much must not turn the damping of the shortest waves into growth.
+usage: heavy_solid.py SOFTWET"""
 
 from _scene import check, history, record, run
 

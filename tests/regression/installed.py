@@ -74,7 +74,8 @@ source {module}
     check("the module", paths == {"PATH": f"{prefix}/bin", "PYTHONPATH": f"{prefix}/lib/python3/dist-packages"}, done)
     check("names paths that exist", all(pathlib.Path(path).is_dir() for path in paths.values()), paths)
 
-# A package holds these libraries and no other: nothing that HDF5 brings along for files on servers (curl, OpenSSL, Kerberos, LDAP).
+# A package holds these libraries and no other: nothing that HDF5 brings along for files on servers (curl, OpenSSL,
+# Kerberos, LDAP).
 ALLOWED = {f"lib{name}" for name in ("c", "m", "mvec", "pthread", "dl", "rt", "resolv", "fmt", "muparser", "gomp", "omp", "stdc++", "gcc_s")}
 if shutil.which("ldd") and shutil.which("objdump"):
     own = "SOFTWET_OWN_HDF5:BOOL=ON" in (BUILD / "CMakeCache.txt").read_text()
@@ -91,7 +92,7 @@ done = start(softwet, "run", prefix / "share/softwet/cases/solid_layer_2d.toml",
 check("run", done.returncode == 0 and pathlib.Path("out/history.csv").exists(), done)
 (prefix / "share/softwet/tests/verification/studies/laplace.py").unlink()
 done = start(softwet, "verify", "--list")
-check("the studies are those of the installation",
+check("the studies are the installation's",
       done.returncode == 0 and "tensotaxis" in done.stdout and "laplace" not in done.stdout, done)
 done = start(softwet, "sweep", prefix / "share/softwet/cases/solid_layer_2d.toml", "--vary", "substrate.poisson=0,0.3", "--dry-run")
 check("sweep", done.returncode == 0 and "2" in done.stdout, done)

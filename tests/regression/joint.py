@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""A column of two materials under its weight, in which the stress goes on across the joint and the strain jumps: probes, field files,
-their readers, and a run that begins from such a file. The heights are some whose division by the elements rounds up and some that rounds
-down. usage: joint.py SOFTWET"""
+"""A column of two materials under its weight, in which the stress goes on across the joint and the strain jumps:
+probes, field files, their readers, and a run that begins from such a file. The heights are some whose division by the
+elements rounds up and some that rounds down. usage: joint.py SOFTWET"""
 
 import pathlib
 import shutil

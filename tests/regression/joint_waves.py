@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A standing wave in a column of two materials, held below and free above, with explicit steps: its period is that of the wave equation,
-and its energy is kept. usage: joint_waves.py SOFTWET"""
+"""A standing wave in a column of two materials, held below and free above, with explicit steps: its period is the one
+of the wave equation, and its energy is kept. usage: joint_waves.py SOFTWET"""
 
 import pathlib
 
@@ -12,8 +12,9 @@ MODULUS = (1 - POISSON) / ((1 + POISSON) * (1 - 2 * POISSON))  # of a confined c
 
 
 def frequency(below, above):
-    """The lowest one: with the wave numbers k = w / c, u is sin(k y) below the joint and a multiple of cos(k (H - y)) above, and
-    tan(k_1 h_1) tan(k_2 h_2) = c_1 / c_2, as displacement and stress go on across the joint; the density is 1."""
+    """The lowest one: with the wave numbers k = w / c, u is sin(k y) below the joint and a multiple of cos(k (H - y))
+    above, and tan(k_1 h_1) tan(k_2 h_2) = c_1 / c_2, as displacement and stress go on across the joint; the density is
+    1."""
     low, high = 1e-6, min(below / JOINT, above / (HEIGHT - JOINT)) * numpy.pi / 2
     for _ in range(200):
         middle = 0.5 * (low + high)

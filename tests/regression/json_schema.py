@@ -84,7 +84,7 @@ class Judges:
             check_true(f"{judge} refuses {name}", complaints(file))
 
 
-# --- init names the schema and writes it ---------------------------------------------------------------------------------
+# --- init names the schema and writes it ---------------------------------------------------------------------------
 shutil.rmtree("work", ignore_errors=True)
 folder = pathlib.Path("work")
 folder.mkdir()
@@ -104,7 +104,7 @@ if judges.taplo:
         done = subprocess.run([judges.taplo, "lint", "--no-auto-config", "third.toml"], cwd=folder, capture_output=True)
         check_true(f"taplo finds the schema of {name} by its first line", (done.returncode != 0) == broken, str(done))
 
-# --- every case, and every case with all that it leaves out ----------------------------------------------------------------
+# --- every case, and every case with all that it leaves out ---------------------------------------------------------
 judges.take("the case of init", first)
 for file in sorted(cases.glob("*.toml")):
     judges.take(file.name, file)
@@ -112,7 +112,7 @@ for file in sorted(cases.glob("*.toml")):
     resolved.write_text(shown("check", "--resolved", str(file)).stdout)
     judges.take(f"{file.name} with its defaults", resolved)
 
-# --- right and wrong inputs: the schema and the program agree ----------------------------------------------------------------
+# --- right and wrong inputs: the schema and the program agree -------------------------------------------------------
 plain_case = shown("check", "--resolved", str(first)).stdout
 for old, new in RIGHT:
     file = folder / "first.toml"
@@ -128,7 +128,8 @@ for old, new in WRONG:
     answer = shown("check", str(file))
     check_true(f"softwet refuses {old} -> {new}", answer.returncode == 1, answer.stderr)
 
-# --- lists of numbers: the schema takes those numbers of entries that the program takes in two or in three dimensions ----------
+# --- lists of numbers: the schema takes those numbers of entries that the program takes in two or in three dimensions
+# ----------
 def complaints(text, name, value):
     """What the program says about a key when it has this value."""
     file = folder / "lists.toml"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Loads that jump or vary fast: the impulse that a body takes up is that of the load, and steps of any length follow a load that is an
-expression. usage: jumps.py SOFTWET"""
+"""Loads that jump or vary fast: the impulse that a body takes up is the impulse of the load, and steps of any length
+follow a load that is an expression. usage: jumps.py SOFTWET"""
 
 import pathlib
 
@@ -8,7 +8,8 @@ import numpy
 from _scene import check, check_true, history, open_output, run_file
 from _same import check_same
 
-# A body that nothing holds, under the same force everywhere: its momentum is the impulse of the load, whatever its stiffness.
+# A body that nothing holds, under the same force everywhere: its momentum is the impulse of the load, whatever its
+# stiffness.
 pathlib.Path("body.toml").write_text("""
 name = "body"
 domain = { size = [1.0, 0.5], elements = [4, 2] }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""CMake names all missing libraries in one message, takes fetched ones where that is asked for, and builds HDF5 for packages without what
-softwet does not call. usage: libraries.py SOFTWET"""
+"""CMake names all missing libraries in one message, takes fetched ones where that is asked for, and builds HDF5 for
+packages without what softwet does not call. usage: libraries.py SOFTWET"""
 
 import json
 import os

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Contact lines that stick. A droplet that a force pulls along a rigid wall creeps as foreseen below the force that its hysteresis
-holds, and slides above it; line friction takes mu_f U^2 for each line; the energy falls at every step, by what is dissipated; a resumed
-run has the same bits, also on a soft wall; a state of rest is that of the static angle; what cannot be computed is refused.
+"""Contact lines that stick. A droplet that a force pulls along a rigid wall creeps as foreseen below the force that its
+hysteresis holds, and slides above it; line friction takes mu_f U^2 for each line; the energy falls at every step, by
+what is dissipated; a resumed run has the same bits, also on a soft wall; a state of rest has the static angle; what
+cannot be computed is refused.
 usage: line_friction.py SOFTWET"""
 
 import pathlib
@@ -63,7 +64,7 @@ def falls(name, rows):
     check_true(f"{name}: most of it at the end", part[-1] > 0.8 * lost[-1], f"{part[-1] / lost[-1]:.2f}")
 
 
-# The force that a droplet holds, from its mass above that of the vapour.
+# The force that a droplet holds, from its mass above the vapour's.
 mass = tilted("first", 0, *STICKY, "time.max_steps=1")["mass"][0] - VAPOUR * SIZE[0] * SIZE[1]
 critical = HELD / mass
 print(f"a droplet of the mass {mass:.4f} holds a force of {critical:.4f} per unit mass")
@@ -81,7 +82,8 @@ for share in shares:
 loose = numpy.polyfit(speeds, shares, 1)[1]
 check(f"it comes loose at {loose:.4f} of that force, by speeds of {speeds[0]:.2e} and {speeds[1]:.2e}", abs(loose - 1), 0.03)
 
-# The force on a droplet that slides is what the viscosity takes, in proportion to the speed, and mu_f U for each of its two lines.
+# The force on a droplet that slides is what the viscosity takes, in proportion to the speed, and mu_f U for each of its
+# two lines.
 needs, ANGLE = [], "fluid.contact_angle=75.23311039"
 for friction in (0, 0.1):
     rows = tilted(f"friction_{friction}", 0.01, ANGLE, f"fluid.line_friction={friction}", "time.end=10")
@@ -100,7 +102,7 @@ for name, case, settings in (("rigid", "tilted.toml", [*STICKY, "fluid.gravity=[
     run_file(case, f"{name}_parts", [*settings, "time.max_steps=16"], RESUME)
     check_same(f"{name}, resumed", f"{name}_parts", f"{name}_whole")
 
-# A state of rest has no rates: it is that of the static angle.
+# A state of rest has no rates: its angle is the static one.
 for name, settings in (("sticky", STICKY), ("plain", [ANGLE])):
     result = subprocess.run([softwet, "steady", "tilted.toml", "--out", f"rest_{name}", "--overwrite", "--quiet", "--threads", "1",
                              *(word for setting in settings for word in ("--set", setting))],

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Names of 300 letters, of a case, of folders and of files: refused before anything is computed or changed, with place, value,
-range and remedy; names that are just short enough work. usage: long_names.py SOFTWET"""
+"""Names of 300 letters, of a case, of folders and of files: refused before anything is computed or changed, with place,
+value, range and remedy; names that are just short enough work. usage: long_names.py SOFTWET"""
 
 import pathlib
 import shutil

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A tolerance of Newton's method that lets nearly any prediction pass: each step is solved for once all the same, and `check`
-warns. At rest, where nothing is left to solve, steps cost nothing.
+"""A tolerance of Newton's method that lets nearly any prediction pass: each step is solved for once all the same, and
+`check` warns. At rest, where nothing is left to solve, steps cost nothing.
 usage: loose_tolerance.py SOFTWET"""
 
 import pathlib

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Needles: what they read against closed forms, the balance of the energy, steps at the points of their paths, the same bits after
-a resume, and what is refused. usage: needle.py SOFTWET"""
+"""Needles: what they read against closed forms, the balance of the energy, steps at the points of their paths, the same
+bits after a resume, and what is refused. usage: needle.py SOFTWET"""
 
 import math
 import pathlib
@@ -62,7 +62,8 @@ def steady(path, folder, code=0):
     return done.stderr if code else {name: column[-1] for name, column in history(folder).items()}
 
 
-# A layer that slips over its bottom swings as a whole after a jump of its needle: force k V U cos(w t), w = sqrt(k / rho_0).
+# A layer that slips over its bottom swings as a whole after a jump of its needle: force k V U cos(w t), w = sqrt(k /
+# rho_0).
 jump, stiffness = 0.01, 40.0
 volume, frequency = 0.5 * HEIGHT, math.sqrt(stiffness / 2)
 layer("swing", bottom="slip", path=(jump, 0))
@@ -83,8 +84,8 @@ for scheme, mass in (("generalized_alpha", "corrected"), ("kick_drift", "correct
     check_true(f"{scheme}, {mass}: a needle that stands still has no power", not rows["power_needle"].any())
 
 # A clamped layer under springs of the stiffness k in all of it: G u'' = -k (U - u), so that it is sheared by the force
-# U L sqrt(k G) tanh(H sqrt(k/G)); about an axis of symmetry and upwards with lambda + 2 mu in place of G. Springs at control values
-# are those of another place by parts of an element: an error that falls with h^2.
+# U L sqrt(k G) tanh(H sqrt(k/G)); about an axis of symmetry and upwards with lambda + 2 mu in place of G. Springs at
+# control values are the forces of another place by parts of an element: an error that falls with h^2.
 for name, path, modulus, area, settings in (("shear", (jump, 0), SHEAR, 0.5, {}), ("lift", (0, jump), ALONG, 0.5, {}),
                                             ("lift_round", (0, jump), ALONG, math.pi * 0.25,
                                              {"coordinates": "axisymmetric", "sides": "slip"})):
@@ -98,8 +99,8 @@ for name, path, modulus, area, settings in (("shear", (jump, 0), SHEAR, 0.5, {})
     check(f"{name}: the reading at rest", errors[1], 2e-3)
     check(f"{name}: its error falls with the square of the rows", errors[1] / errors[0], 0.28)
 
-# A rigid needle in the upper half of a clamped layer: what is below is sheared by U over its height, less the part of an element at its
-# end that the needle holds too.
+# A rigid needle in the upper half of a clamped layer: what is below is sheared by U over its height, less the part of
+# an element at its end that the needle holds too.
 for rows_up in (8, 32):
     h = HEIGHT / rows_up
     found = steady(layer(f"rigid_{rows_up}", elements=(8, rows_up), path=(jump, 0), stiffness=1e3 * YOUNG / h**2,
@@ -136,7 +137,7 @@ for scheme in ("generalized_alpha", "kick_drift"):
     text = pathlib.Path(f"table_{scheme}", "run.json").read_text()
     check_true(f"{scheme}: no event reports that energy rose", "the energy rose" not in text)
 
-# The same bits after a resume.
+# A resumed run has the same bits.
 for scheme in ("generalized_alpha", "kick_drift"):
     words = [f"time.scheme={scheme}", "time.dt_max=0.03"]
     run_file("moved.toml", f"whole_{scheme}", words)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The notebooks of docs/notebooks run from their first to their last cell, as plain Python, and their results are right; a page links to
-each. usage: notebooks.py SOFTWET"""
+"""The notebooks of docs/notebooks run from their first to their last cell, as plain Python, and their results are
+right; a page links to each. usage: notebooks.py SOFTWET"""
 
 import importlib.util
 import os

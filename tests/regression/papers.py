@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""tools/papers computes every paper in its quick form, draws it and judges it, and keeps what was computed. Every paper has its section,
-picture, numbers and table of agreement in docs/validation.md. usage: papers.py SOFTWET"""
+"""tools/papers computes every paper in its quick form, draws it and judges it, and keeps what was computed. Every paper
+has its section, picture, numbers and table of agreement in docs/validation.md. usage: papers.py SOFTWET"""
 
 import csv
 import os

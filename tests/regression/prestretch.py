@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Layers that are stretched before the scene begins, against small-on-large theory: how their tops give way to a small load in 2D, around an
-axis and in 3D; u = 0 is at rest, energy is balanced, explicit steps feed nothing, a run that was stopped goes on to the bit;
-what `check` says and refuses.
+"""Layers that are stretched before the scene begins, against small-on-large theory: how their tops give way to a small
+load in 2D, around an axis and in 3D; u = 0 is at rest, energy is balanced, explicit steps feed nothing, a run that was
+stopped goes on to the bit; what `check` says and refuses.
 usage: prestretch.py SOFTWET"""
 
 import pathlib
@@ -43,8 +43,8 @@ def moduli(law, along, across=1.0):
 
 
 def answer(k, a, n=30):
-    """Displacement of the top (u_x sin kx, u_y cos kx) on a slip base for a force per volume of 1 in the top row of elements, one column
-    for each component: polynomials in the height."""
+    """Displacement of the top (u_x sin kx, u_y cos kx) on a slip base for a force per volume of 1 in the top row of
+    elements, one column for each component: polynomials in the height."""
     def basis(low, high):
         s, w = legendre.leggauss(n + 4)
         y = 0.5 * (low + high + (high - low) * s)
@@ -147,7 +147,7 @@ def rest_and_motion():
         run_file(still, name, ["substrate.prestretch=[1.3]", *words])
         rows = history(name)
         check(f"{name}: kinetic energy of the layer that is stretched by 1.3", rows["energy_kinetic"].max(), 1e-28)
-        check(f"{name}: its elastic energy over that of the stretched state", abs(rows["energy_elastic"]).max(), 1e-15)
+        check(f"{name}: its elastic energy over the energy of the stretched state", abs(rows["energy_elastic"]).max(), 1e-15)
 
     # The work of a strong load is in the energy; what is missing falls with the square of the step.
     push = write("push", [1.0, HEIGHT], [32, ROWS], [0.8, -1.0], time="end = 1, rho_inf = 1.0, tolerance = 1e30")

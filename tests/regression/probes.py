@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Probes are columns of history.csv: points, lines and boxes, against the other columns, the wall's table and the fields.
+"""Probes are columns of history.csv: points, lines and boxes, against the other columns, the wall's table and the
+fields.
 usage: probes.py SOFTWET"""
 
 import pathlib
@@ -75,7 +76,7 @@ check_true("momentum along both axes", {"momentum_x", "momentum_y"} <= set(rows)
 check_true("probes come last", pathlib.Path("probes/history.csv").read_text().split("\n")[0].endswith(
     "laplace,all_mass,rise,highest,bottom_pressure,fastest"))
 
-# The volume of the liquid is that of the density in the field file.
+# The volume of the liquid follows from the density in the field file.
 phases = open_output("probes").record["equilibrium"]
 fluid = open_output("probes").fields(5)
 low, high = fluid.positions.min(axis=(0, 1)), fluid.positions.max(axis=(0, 1))

@@ -2,8 +2,8 @@
 """A processor that lacks what the program was built for is named before anything else runs. usage: processor.py SOFTWET
 
 A program with the check of softwet is made to need "fma4", which few processors have; where qemu-x86_64 is installed,
-softwet itself is started on an old processor. Where the processor of this machine knows AVX-512, a program with the check starts
-the one of its name for AVX-512 in its place."""
+softwet itself is started on an old processor. Where the processor of this machine knows AVX-512, a program with the
+check starts the one of its name for AVX-512 in its place."""
 
 import os
 import pathlib

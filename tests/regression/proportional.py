@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The displacement of a linear solid is proportional to its load, over ten decades of the load, however stiff other parts are: in `run`, in
-`steady`, and from `start = "equilibrium"`. usage: proportional.py SOFTWET"""
+"""The displacement of a linear solid is proportional to its load, over ten decades of the load, however stiff other
+parts are: in `run`, in `steady`, and from `start = "equilibrium"`. usage: proportional.py SOFTWET"""
 
 import pathlib
 import subprocess

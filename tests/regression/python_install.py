@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""`pip install ./tools` installs the Python package alone, leaves nothing beside the sources, and computes a case with the program
-that SOFTWET_PROGRAM or PATH names. usage: python_install.py SOFTWET"""
+"""`pip install ./tools` installs the Python package alone, leaves nothing beside the sources, and computes a case with
+the program that SOFTWET_PROGRAM or PATH names. usage: python_install.py SOFTWET"""
 
 import importlib.util
 import os

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The Python package softwet on a small pull, a solid alone and a sweep, and its messages; the choice of the interpreter.
+"""The Python package softwet on a small pull, a solid alone and a sweep, and its messages; the choice of the
+interpreter.
 usage: python_package.py SOFTWET"""
 
 import importlib.util
@@ -27,7 +28,7 @@ def refused(name, action, *parts):
     check_true(f"refused: {name}", False)
 
 
-# --- interpolation: a bent lattice of quadratic elements, whose fields are polynomials of degree 2 ---------------------
+# --- interpolation: a bent lattice of quadratic elements, whose fields are polynomials of degree 2 -----------------
 y, x = numpy.meshgrid(numpy.linspace(0, 1, 9), numpy.linspace(0, 2, 17), indexing="ij")
 index = numpy.random.default_rng(1).uniform(0, [16, 8], (200, 2))
 at = index / 8
@@ -43,7 +44,7 @@ check_true("outside of it", numpy.isnan(outside).all(), str(outside))
 check_true("values of a sweep", list(map(value_of, ("0.3", "1/64", "[0.1,0]", "exact", '"schwarz"'))) ==
            [0.3, 1 / 64, [0.1, 0], "exact", "schwarz"])
 
-# --- a pull ------------------------------------------------------------------------------------------------------------
+# --- a pull ---------------------------------------------------------------------------------------------------------
 run("tensotaxis_pull_2d", "pull", PULL)
 pull = softwet.open("pull")
 check_true("case, record, state", pull.case["substrate"]["young"] == 0.7554 and pull.record["dimension"] == 2 and
@@ -101,7 +102,7 @@ refused("a cut table", lambda: softwet.open("cut").history, "cut/history.csv is 
 shutil.rmtree("cut/fields")
 refused("no fields", lambda: softwet.open("cut").fields(0), "cut/fields holds no field files", "output.fields")
 
-# --- three dimensions, a rigid wall ------------------------------------------------------------------------------------
+# --- three dimensions, a rigid wall ---------------------------------------------------------------------------------
 write_box("box", height=0.4, elements=[4, 5, 3], capillarity=0.2, angle=90.0, tables="""
 [[droplet]]
 centre = [0.4, 0.4, 0.0]
@@ -119,7 +120,7 @@ check("3D: at the points of the file", abs(box.at(box.positions)["density"] - bo
 check("3D: a grid", abs(box.on_grid(9, 11, 7)["density"] - box["density"]).max(), 1e-12)
 refused("a part that is not there", lambda: softwet.open("box").fields(0, "solid"), "no part 'solid', only fluid")
 
-# --- a sweep -----------------------------------------------------------------------------------------------------------
+# --- a sweep --------------------------------------------------------------------------------------------------------
 shutil.rmtree("swept", ignore_errors=True)
 subprocess.run([program, "sweep", str(cases / "solid_layer_2d.toml"), "--vary", "substrate.poisson=0.1,0.3", "--vary",
                 "load.force=[0.1,0],[-0.1,0]", "--set", "domain.elements=[8,2]", "--set", "time.max_steps=2", "--out",
@@ -134,7 +135,7 @@ told = subprocess.run([program, "status", "swept"], capture_output=True, text=Tr
 check_true("status of a sweep", told.returncode == 0 and told.stdout.count(": stopped") == 4, told.stdout + told.stderr)
 refused("no sweep", lambda: softwet.open_sweep("pull"), "pull holds no output folder")
 
-# --- the examples of the documentation, in their order -----------------------------------------------------------------
+# --- the examples of the documentation, in their order --------------------------------------------------------------
 shutil.rmtree("out", ignore_errors=True)
 pathlib.Path("out").mkdir()
 for name, target in (("example", "pull"), ("example_sweep", "swept")):
@@ -148,7 +149,7 @@ check_true("docs/reading_results.md", result.returncode == 0 and "no fields at t
 pathlib.Path("swept/sweep.json").write_text(json.dumps({"vary": ["a=1"]}))
 refused("a cut sweep", lambda: softwet.open_sweep("swept"), "cannot read the sweep swept", "--table")
 
-# --- the choice of the interpreter -------------------------------------------------------------------------------------
+# --- the choice of the interpreter ----------------------------------------------------------------------------------
 shutil.rmtree("bare", ignore_errors=True)
 pathlib.Path("bare").mkdir()
 bare = pathlib.Path("bare/python3")  # a python3 that finds no packages

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The Python package computes cases with the program: what comes out, what is refused, how Ctrl-C ends a run, and the examples
-of docs/python.md. usage: python_run.py SOFTWET"""
+"""The Python package computes cases with the program: what comes out, what is refused, how Ctrl-C ends a run, and the
+examples of docs/python.md. usage: python_run.py SOFTWET"""
 
 import os
 import pathlib
@@ -37,7 +37,7 @@ def refused(name, action, code, *parts):
     check_true(f"refused: {name}", False)
 
 
-# --- from Python to TOML -------------------------------------------------------------------------------------------------
+# --- from Python to TOML -------------------------------------------------------------------------------------------
 check_true("values", [toml_text(value) for value in (3, numpy.int64(3), 0.1, numpy.float32(0.5), "a\"b\\\n", [1, (2.5,)],
                                                      True, pathlib.Path("x"), {"a b": 1})] ==
            ["3", "3", "0.1", "0.5", '"a\\"b\\\\\\n"', "[1, [2.5]]", "true", '"x"', '{ "a b" = 1 }'])
@@ -46,7 +46,7 @@ check_true("tables", toml_file({"load": [{"a": 1}, {"a": 2}], "name": "n", "time
            'name = "n"\nempty = []\n[[load]]\na = 1\n[[load]]\na = 2\n[time]\nend = 1\n')
 refused("a value that is none", lambda: softwet.Case({"name": object()}), 0, "numbers, texts, lists")
 
-# --- cases -------------------------------------------------------------------------------------------------------------
+# --- cases ----------------------------------------------------------------------------------------------------------
 pull = softwet.Case(PULL_CASE, SETS)
 check_true("a case as a dict", dict(pull)["time"] == pull["time"] and len(dict(pull)) == len(pull) == len(list(pull)))
 check_true("a case has its defaults", pull["domain"]["degree"] == 2 and pull["fluid"]["capillarity"] == 1 / 16 and "load" in pull)
@@ -62,7 +62,7 @@ refused("no file", lambda: softwet.Case("nowhere.toml"), 1, "nowhere.toml")
 refused("no case", lambda: softwet.Case(3), 0, "3 is not a case")
 refused("no key", lambda: layer["fluid"], 0, "has no 'fluid'")
 
-# --- runs --------------------------------------------------------------------------------------------------------------
+# --- runs -----------------------------------------------------------------------------------------------------------
 for folder in ("here", "there", "stopped", "failed"):
     shutil.rmtree(folder, ignore_errors=True)
 run = softwet.run(PULL_CASE, "here", SETS, threads=1, progress=False)
@@ -80,7 +80,7 @@ refused("a computation that fails", lambda: softwet.run(pull, "failed", hopeless
 by_hand = softwet.run(LAYER, "failed", threads=1, progress=False, overwrite=True)
 check_true("a dict is computed", by_hand.case["substrate"]["young"] == "0.7 + 0.1*x" and by_hand.state == "done")
 
-# --- what was checked is what runs: sources that change later, and another working folder ----------------------------------
+# --- what was checked is what runs: sources that change later, and another working folder ---------------------------
 for folder in ("changed", "elsewhere"):
     shutil.rmtree(folder, ignore_errors=True)
 source = {**LAYER, "substrate": {**LAYER["substrate"], "young": 1.0}, "time": {"end": 0.1}}
@@ -106,7 +106,7 @@ check_true("another working folder", moved.history["t"][-1] == 0.1 and second.hi
 check_true("the resolved case holds from any folder", pathlib.Path(second.case["initial"]["from"]) == pathlib.Path("changed").resolve())
 check_true("no file is left by them", not list(pathlib.Path().glob("**/.case*")))
 
-# --- a sweep -----------------------------------------------------------------------------------------------------------
+# --- a sweep --------------------------------------------------------------------------------------------------------
 for folder in ("swept", "broken"):
     shutil.rmtree(folder, ignore_errors=True)
 check_true("values", values_of({"a": [1, numpy.float64(0.5), "1/3", [1, 2.5]], "b": "0:1:3"}) ==
@@ -139,7 +139,7 @@ else:
     check_true("pandas: a sweep and a history", len(frame) == 6 and frame[frame["substrate.poisson"] < 0.2]["status"].eq("done").all() and
                len(history) == len(swept[0].run.history["t"]) and history["t"].iloc[-1] == 0.1)
 
-# --- Ctrl-C, of Python alone, as the stop button of a notebook sends it ----------------------------------------------------
+# --- Ctrl-C, of Python alone, as the stop button of a notebook sends it ---------------------------------------------
 code = f"""
 import softwet
 case = softwet.Case({str(PULL_CASE)!r}, {{"domain.elements": [64, 32], "fluid.capillarity": "1/32"}})
@@ -159,7 +159,7 @@ check_true("Ctrl-C stops the run with a checkpoint", process.returncode == 0 and
            pathlib.Path("stopped/checkpoint.h5").exists(), f"{process.returncode} {out} {told}")
 check_true("and what the program says is passed on", "stopped by user" in told and "--resume" in told, told)
 
-# --- pyvista, played by a class: its StructuredGrid takes points with x fastest ----------------------------------------------
+# --- pyvista, played by a class: its StructuredGrid takes points with x fastest -------------------------------------
 pathlib.Path("pyvista.py").write_text("class StructuredGrid:\n    def __init__(self):\n        self.point_data = {}\n")
 sys.path.insert(0, str(pathlib.Path().resolve()))
 solid = softwet.open("there").fields(4, "solid")
@@ -171,7 +171,7 @@ check("pyvista: points and values in one order", abs((grid.points - grid.point_d
 check_true("pyvista: x goes fastest", grid.points[1, 0] > grid.points[0, 0])
 check_true("pyvista: all fields, tensors in rows of nine", solid.to_pyvista().point_data["cauchy_stress"].shape == (585, 9))
 
-# --- the documentation --------------------------------------------------------------------------------------------------
+# --- the documentation ----------------------------------------------------------------------------------------------
 if not pathlib.Path("cases").exists():
     pathlib.Path("cases").symlink_to(cases)
 shutil.rmtree("out", ignore_errors=True)

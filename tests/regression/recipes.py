@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The recipes of tools/packaging and CITATION.cff can be read, name what exists, and agree with the sources. usage: recipes.py SOFTWET
+"""The recipes of tools/packaging and CITATION.cff can be read, name what exists, and agree with the sources.
+usage: recipes.py SOFTWET
 
 Spack's recipe runs with stand-ins for the classes of Spack. The CMake line of the conda recipe configures."""
 

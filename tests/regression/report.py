@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""tools/report writes its page for the kinds of scenes, and its energy budget is that of history.csv; the ripple of V; how the pictures
-of tools/plot show few points, the start's spike and loads. usage: report.py SOFTWET"""
+"""tools/report writes its page for the kinds of scenes, and its energy budget is the one of history.csv; the ripple of
+V; how the pictures of tools/plot show few points, the start's spike and loads. usage: report.py SOFTWET"""
 
 import json
 import pathlib
@@ -175,7 +175,7 @@ inset = scene.close_up(axes)
 check("a close-up around the contact line", abs(numpy.mean(inset.get_xlim()) - pull.history["x_right"][-1]), 0.01)
 check("of eight capillarities", abs(numpy.ptp(inset.get_xlim()) - 1 / 8), 1e-12)
 
-# --- states of rest: of one command, and of a branch -------------------------------------------------------------------
+# --- states of rest: of one command, and of a branch ----------------------------------------------------------------
 REST = ["domain.elements=[32,16]", "fluid.capillarity=1/16"]
 
 

@@ -18,7 +18,7 @@ before = record("parts")["seconds"]["total"]
 run("tensotaxis_pull_2d", "parts", PULL, RESUME)
 check_same("a resumed run", "parts", "whole")
 seconds = record("parts")["seconds"]
-check_true("seconds are those of the whole run", seconds["total"] > before and seconds["product"] <= seconds["total"], f"{before}, {seconds}")
+check_true("seconds count the whole run", seconds["total"] > before and seconds["product"] <= seconds["total"], f"{before}, {seconds}")
 
 # Without what the scheme remembered, the preconditioner is built anew.
 with h5py.File("other/checkpoint.h5", "r+") as file:

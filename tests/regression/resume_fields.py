@@ -9,7 +9,7 @@ from _scene import RIGID, check_true, run
 
 
 def times(folder):
-    """Times of the series of the fluid; each must be that of its file."""
+    """Times of the series of the fluid; each must be the time of its file."""
     listed = []
     for number, entry in enumerate(json.load(open(f"{folder}/fields/fluid.hdf.series"))["files"]):
         with h5py.File(f"{folder}/fields/{entry['name']}") as file:
@@ -37,7 +37,7 @@ check_true("times that are over are left alone", resumed(8, "[1,2,8]") == [0, 2,
 check_true("interface.csv has them all", rows("out") == [0, 2, 4, 6, 8], str(rows("out")))
 check_true("times of an interval that are over are left alone", resumed(9, "[]", "output.fields.every=3") == [0, 2, 4, 6, 8, 9],
            str(times("out")))
-check_true("case.toml is that of the last run", "end = 9" in open("out/case.toml").read())
+check_true("case.toml is the one of the last run", "end = 9" in open("out/case.toml").read())
 
 # Files that a user has removed are neither written again, nor does their number go to another one.
 removed = pathlib.Path("out/fields/fluid_0001.hdf")

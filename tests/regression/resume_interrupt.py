@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Ctrl-C ends a run cleanly and resumably; a failed computation leaves its last good state; a run that was killed is reported
-from one that is under way. usage: resume_interrupt.py SOFTWET"""
+"""Ctrl-C ends a run cleanly and resumably; a failed computation leaves its last good state; a run that was killed is
+reported from one that is under way. usage: resume_interrupt.py SOFTWET"""
 
 import datetime
 import os

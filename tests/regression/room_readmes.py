@@ -2,9 +2,9 @@
 """Every room of src/, and the Python package of tools/, has a README that names each of its files, and a file that is
 missing there is reported. usage: room_readmes.py SOFTWET
 
-A room is a folder of src/ with all that lies below it. A file is named by its path in the room without the ending, as code in the
-first column of a table of the README: `newton`, `host/options`. Header and source of one name are one file. A README may name files
-that are still to come."""
+A room is a folder of src/ with all that lies below it. A file is named by its path in the room without the ending, as
+code in the first column of a table of the README: `newton`, `host/options`. Header and source of one name are one file.
+A README may name files that are still to come."""
 
 import os
 import pathlib

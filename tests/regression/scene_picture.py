@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The picture of a scene before it is computed: `softwet check --picture`, tools/plot CASE.toml, and what they draw, which is
-the first state that `softwet check --scene` writes. usage: scene_picture.py SOFTWET"""
+"""The picture of a scene before it is computed: `softwet check --picture`, tools/plot CASE.toml, and what they draw,
+which is the first state that `softwet check --scene` writes. usage: scene_picture.py SOFTWET"""
 
 import pathlib
 import shutil
@@ -73,7 +73,7 @@ check("the contact angle along the wall", abs(angle[0, 0] - 60 - 30 * numpy.sin(
 told = texts(state)
 check_true("scales of colours", set(scene_picture.SYMBOLS.values()) <= told, str(told))
 
-# --- a mesh that is graded: the same state with its points moved -------------------------------------------------------
+# --- a mesh that is graded: the same state with its points moved ----------------------------------------------------
 class Graded(scene_picture.FirstState):
     def mesh_lines(self):
         return [lines**2 for lines in super().mesh_lines()]
@@ -85,7 +85,7 @@ axes = scene_picture.draw(figure, state)[0]
 drawn = sorted(line.get_xdata()[0] for line in axes.lines if len(set(line.get_xdata())) == 1)
 check_true("lines of a graded mesh", state.is_graded and len(drawn) == 33 and abs(drawn[1] - (1 / 32)**2) < 1e-12, str(drawn))
 
-# --- pictures ----------------------------------------------------------------------------------------------------------
+# --- pictures -------------------------------------------------------------------------------------------------------
 done = picture("check.png", softwet, "check", PULL_CASE, *varying, "--picture", "check.png")
 check_true("check prints the case too", "young = " in done.stdout and "unknowns" in done.stdout and "check.png" in done.stdout)
 picture("tensotaxis_pull_2d_scene.png", sys.executable, tools / "plot", PULL_CASE, *SETS)

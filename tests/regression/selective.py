@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""substrate.volume_quadrature = "selective": the ridge below a droplet at nu = 0.4999 against that at nu = 0.45, as linear theory has it;
-an explicit run keeps its energy; what check says. usage: selective.py SOFTWET"""
+"""substrate.volume_quadrature = "selective": the ridge below a droplet at nu = 0.4999 against that at nu = 0.45, as
+linear theory has it; an explicit run keeps its energy; what check says. usage: selective.py SOFTWET"""
 
 import csv
 import subprocess

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""--set with a whole table, as TOML writes it on one line: the case is the one that a file with this table gives; and what is
-wrong in it is reported with its remedy. usage: set_tables.py SOFTWET"""
+"""--set with a whole table, as TOML writes it on one line: the case is the one that a file with this table gives; and
+what is wrong in it is reported with its remedy. usage: set_tables.py SOFTWET"""
 
 import pathlib
 import subprocess

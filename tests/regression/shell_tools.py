@@ -175,7 +175,8 @@ def source_of_hdf5(root, folder):
 
 
 def what_a_case_needs(folder):
-    """tools/run builds what a case needs: the first time by its file, then as the program says; and says what and how long."""
+    """tools/run builds what a case needs: the first time by its file, then as the program says; and says what and how
+    long."""
     program = folder / "build/release/softwet"
     script(program, "")
     answer = program.read_text()

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""The site of the documentation builds without a warning, holds every page, can be searched, and all its links lead somewhere.
+"""The site of the documentation builds without a warning, holds every page, can be searched, and all its links lead
+somewhere.
 usage: site.py SOFTWET
 
-mkdocs.yml and tools/site.py make it from docs/ and README.md. Checked are the pages as a browser gets them: files and anchors that links
-and pictures name. Without MkDocs or its theme Material nothing is tested, and the output names what is missing."""
+mkdocs.yml and tools/site.py make it from docs/ and README.md. Checked are the pages as a browser gets them: files and
+anchors that links and pictures name. Without MkDocs or its theme Material nothing is tested, and the output names what
+is missing."""
 
 import html.parser
 import importlib.util

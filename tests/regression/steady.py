@@ -48,7 +48,7 @@ for kind in ("rigid", "soft"):
     width = [row["x_right"] - row["x_left"] for row in (found, long)]
     check(f"{kind}: width of the droplet", abs(width[0] / width[1] - 1), 1e-6)
     check(f"{kind}: energy", abs(found["energy_total"] / long["energy_total"] - 1), 1e-8)
-    check(f"{kind}: iterations over those of the long run", rest["newton"] / long_counts["newton"], 0.5)
+    check(f"{kind}: iterations over iterations of the long run", rest["newton"] / long_counts["newton"], 0.5)
     check_true(f"{kind}: says that it is at rest, and how far the droplet moved",
                told["state"] == "done" and told["stop"]["reason"] == "at rest" and "at rest after" in said
                and "moved by" in said, said)
@@ -64,7 +64,7 @@ run_file(disturbed, "disturbed", [*SMALL, "initial.from=stable", "time.end=4000"
 rows = history("disturbed")
 away = [abs(x - last("stable")["x_centre"]) for t, x in zip(rows["t"], rows["x_centre"]) if t > 2000]
 times = [t for t in rows["t"] if t > 2000]
-check("rate of a run over that of the mode", abs(math.log(away[-1] / away[0]) / (times[-1] - times[0]) / rate - 1), 0.03)
+check("rate of a run over the rate of the mode", abs(math.log(away[-1] / away[0]) / (times[-1] - times[0]) / rate - 1), 0.03)
 
 # --- what reads it, and goes on from it
 status = subprocess.run([softwet, "status", "soft"], capture_output=True, text=True, env=environment).stdout
@@ -86,7 +86,8 @@ check("without a ramp: place of the droplet", abs(sudden["x_centre"] - slow["x_c
 check("without a ramp: elastic energy, relative", abs(sudden["energy_elastic"] / slow["energy_elastic"] - 1), 1e-6)
 check_true("the load moves the droplet", sudden["x_centre"] > 0.6, str(sudden["x_centre"]))
 
-# --- a body that nothing holds: after a push it drifts, and no disturbance grows by itself; one that a load pushes has no state of rest
+# --- a body that nothing holds: after a push it drifts, and no disturbance grows by itself; one that a load pushes has
+# no state of rest
 pathlib.Path("body.toml").write_text("""
 name = "body"
 domain = { size = [1.0, 0.5], elements = [8, 4] }

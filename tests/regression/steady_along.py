@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""`softwet steady --along`: keys of the start, values whose folders would have one name, a branch that comes back, a folder
-that holds something else, and commands that are stopped and go on. usage: steady_along.py SOFTWET"""
+"""`softwet steady --along`: keys of the start, values whose folders would have one name, a branch that comes back, a
+folder that holds something else, and commands that are stopped and go on. usage: steady_along.py SOFTWET"""
 
 import csv
 import hashlib
@@ -42,7 +42,7 @@ def contents(folder):
 for folder in ("radius", "alone", "collide", "back", "sweep", "single", "whole", "parts", "comma", "field", "refused"):
     shutil.rmtree(folder, ignore_errors=True)
 
-# --- a key of the start: each state is that of the command by itself
+# --- a key of the start: each state is the one of the command by itself
 steady("static_droplet_rigid_2d", "radius", DROPLET, "--along", "droplet[0].radius=0.14,0.2")
 rows = states("radius")
 for row in rows:
@@ -128,7 +128,7 @@ for number in (signal.SIGTERM, signal.SIGINT):
 process = start(stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 process.stdout.close()  # nobody reads
 check_true("a command that nobody reads goes on to its end", process.wait(timeout=900) == 0)
-check_true("its states are those of a command that was not stopped", [record(f"parts/{row['folder']}")["rest"]["steps"] for row in states("parts")] ==
+check_true("its states are the ones of a command that was not stopped", [record(f"parts/{row['folder']}")["rest"]["steps"] for row in states("parts")] ==
            [record(f"whole/{row['folder']}")["rest"]["steps"] for row in states("whole")])
 check_true("to the last bit", all(pathlib.Path("parts", row["folder"], "history.csv").read_bytes() ==
                                   pathlib.Path("whole", row["folder"], "history.csv").read_bytes() for row in states("whole")))

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Stiff parts of a solid: the reading of a needle keeps its digits up to the stiffness that is refused, and the remedy that is named reads the
-load; fibres and faces beyond what linear solves hold get a warning, springs of a foundation need none. usage: stiff_parts.py SOFTWET"""
+"""Stiff parts of a solid: the reading of a needle keeps its digits up to the stiffness that is refused, and the remedy
+that is named reads the load; fibres and faces beyond what linear solves hold get a warning, springs of a foundation
+need none. usage: stiff_parts.py SOFTWET"""
 
 import pathlib
 import re
@@ -42,8 +43,9 @@ def held(stiffness, place):
     block("held", FREE, needle + PULL)
 
 
-# A needle that stands holds the block against a load of 0.001, wherever it stands. Half of the last digit of a displacement is at most
-# 1.11e-16 of it; k times that in the volume of the box may be lost, beside 1e-6 by the search for rest.
+# A needle that stands holds the block against a load of 0.001, wherever it stands. Half of the last digit of a
+# displacement is at most 1.11e-16 of it; k times that in the volume of the box may be lost, beside 1e-6 by the search
+# for rest.
 LOAD, VOLUME = 0.001, 0.05 * 0.25
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Explicit steps of solids alone: nothing feeds the energy of stiff ones, a bound that falls without end stops a run, a viscous solid
-creeps with its speed, and the number of steps is foreseen. usage: stiff_solids.py SOFTWET"""
+"""Explicit steps of solids alone: nothing feeds the energy of stiff ones, a bound that falls without end stops a run, a
+viscous solid creeps with its speed, and the number of steps is foreseen. usage: stiff_solids.py SOFTWET"""
 
 import pathlib
 
@@ -27,7 +27,8 @@ def told(folder):
     return [event for event in record(folder)["events"] if "energy" in event["what"]]
 
 
-# The bound of these steps swings by a percent, and steps that follow it feed the shortest waves: to 342 times the first energy.
+# The bound of these steps swings by a percent, and steps that follow it feed the shortest waves: to 342 times the first
+# energy.
 FIBRES = write("fibres", "poisson = 0.3, fibre = { stiffness = 300.0, angle = 80.0 }",
                'end = 4.0, scheme = "kick_drift", max_steps = 3000', 0.001)
 TENSION = write("tension", 'poisson = 0.49, material = "neo_hookean", surface_tension = 1.0',

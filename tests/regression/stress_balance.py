@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""The stress that is written is the one that acts: it carries the load above it, whatever the law, the rate, the quadrature and the branches
-of the solid, in 2D, (r, z) and 3D; and a stretched layer on which nothing acts is at rest. usage: stress_balance.py SOFTWET"""
+"""The stress that is written is the one that acts: it carries the load above it, whatever the law, the rate, the
+quadrature and the branches of the solid, in 2D, (r, z) and 3D; and a stretched layer on which nothing acts is at rest.
+usage: stress_balance.py SOFTWET"""
 
 import itertools
 import pathlib
@@ -46,8 +47,9 @@ probe = [ {{ name = "stress", quantity = "first_piola_stress_{upright}", point =
 """
 
 
-# The work of the stress in the displacement w = height is that of the load: exact for every law, rate and quadrature, at each time. With full
-# quadrature the stress below the load is that of the load at each point; means over elements leave some of what varies above.
+# The work of the stress in the displacement w = height is the work of the load: exact for every law, rate and
+# quadrature, at each time. With full quadrature the stress below the load is the load at each point; means over
+# elements leave some of what varies above.
 MEAN = -FORCE * (HEIGHT**2 - LOADED**2) / 2 / HEIGHT
 LAWS = {"small": 'strain = "small"', "svk": 'material = "saint_venant_kirchhoff"', "neo": 'material = "neo_hookean"'}
 RATES = {"viscous": "viscosity = 0.3, bulk_viscosity = 0.2", "branches": "viscosity = 0.1, branch = [ { modulus = 0.5, time = 0.1 }, { modulus = 0.3, time = 1.0 } ]"}
@@ -57,7 +59,8 @@ for box, (law, words), (rate, more), (quadrature, which) in itertools.product(BO
         continue
     name = f"{box}_{law}_{rate}_{quadrature}"
     rows = compute(name, column(box, f"{words}, {more}, {which}", 0.45))
-    # The equations hold within a step, and rows are written at its end: under finite strains that differs by the error of a step.
+    # The equations hold within a step, and rows are written at its end: under finite strains that differs by the error
+    # of a step.
     exact = 1e-6 if law == "small" else 1e-4
     right, allowed = -FORCE * (HEIGHT - LOADED), exact if quadrature == "full" else 5e-3
     check(f"{name}: mean stress, off", numpy.abs(rows["mean"][1:] / MEAN - 1).max(), exact)
@@ -70,7 +73,8 @@ for box, (law, words), (rate, more), (quadrature, which) in itertools.product(BO
         low = low[:, low.shape[1] // 3 : -low.shape[1] // 3]
     check(f"{name}: stress of the field file below the load", abs(low / right - 1).max(), allowed)
 
-# Where strains vary, the stress that selective integration has is that of a fine mesh, up to what the mesh leaves out.
+# Where strains vary, the stress that selective integration has is the one of a fine mesh, up to what the mesh leaves
+# out.
 COMPRESSED = f"""
 name = "compressed"
 domain = {{ size = [1.0, 0.25], elements = [16, 8] }}
@@ -91,8 +95,8 @@ for elements in ("[16, 8]", "[64, 32]"):
 check("selective: stress on 16 x 8 elements, off", errors[0], 0.1)
 check("selective: and on 64 x 32", errors[1], 0.025)
 
-# A stretched layer on which nothing acts is at rest with either quadrature: uniform and graded elements, a stiffness that varies upright,
-# a joint, springs below.
+# A stretched layer on which nothing acts is at rest with either quadrature: uniform and graded elements, a stiffness
+# that varies upright, a joint, springs below.
 REST = f"""
 name = "rest"
 domain = {{ DOMAIN }}

@@ -35,7 +35,7 @@ a = 0.16
 check("area of the first row, a disc, relative", abs(whole["contact_area"][0] / (numpy.pi * a * a) - 1), 0.05)
 check("each droplet is symmetric about the track", numpy.abs(whole["x_centre"] - whole["y_centre"]).max(), 1e-9)
 check("the pair is symmetric about the middle", numpy.abs(whole["track_front"] + whole["track_rear_2"]).max(), 1e-9)
-check("velocity is that of the centroid along the track",
+check("velocity is the centroid's along the track",
       numpy.abs(numpy.diff(whole["x_centre"]) * 2 ** 0.5 / numpy.diff(whole["t"]) - whole["velocity"][1:]).max(), 1e-9)
 
 run_file("pair.toml", "across", TIGHT + ["time.max_steps=1", "output.history.track=[1, -1]"])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""substrate.surface_modulus: layers at rest against linear theory, in 2D, around an axis and below a droplet; nothing feeds the energy
-of an explicit run, which goes on from a checkpoint. usage: surface_modulus.py SOFTWET"""
+"""substrate.surface_modulus: layers at rest against linear theory, in 2D, around an axis and below a droplet; nothing
+feeds the energy of an explicit run, which goes on from a checkpoint. usage: surface_modulus.py SOFTWET"""
 
 import pathlib
 
@@ -22,7 +22,7 @@ def moduli(modulus, tension=0.0):
 
 # --- linear theory itself: numbers of an independent program, splines of degree 2 on 64 x 8 elements
 compliance = _layer.compliance(K, HEIGHT, YOUNG, POISSON, tension=5 * SIGMA, modulus=20 * SIGMA)
-check("linear theory: u_x for t_x, off that of splines", abs(compliance[0, 0] / 0.051320 - 1), 3e-5)
+check("linear theory: u_x for t_x, off u_x of splines", abs(compliance[0, 0] / 0.051320 - 1), 3e-5)
 
 # --- 2D, a tangential force of all odd waves and a vertical one of all: the first wave of each displacement
 for modulus, tension, strain in ((0, 0, "finite"), (20, 5, "finite"), (200, 0, "small")):
@@ -41,7 +41,8 @@ for modulus, tension, strain in ((0, 0, "finite"), (20, 5, "finite"), (200, 0, "
     energies = along.history
     check_true(f"M = {modulus} sigma: its energy", (energies["energy_surface"][-1] > 0) == (modulus > 0))
 
-# --- around an axis: a vertical force on a disc, and the first waves, J_0 of the vertical displacement and J_1 of the radial one
+# --- around an axis: a vertical force on a disc, and the first waves, J_0 of the vertical displacement and J_1 of the
+# radial one
 zero = scipy.special.jn_zeros(1, 1)[0]
 k, disc = zero / LENGTH, LENGTH / 2
 for modulus in (0, 200):
@@ -53,7 +54,8 @@ for modulus in (0, 200):
         check(f"around an axis, M = {modulus} sigma: {name} for t_z is {found:.6f}, theory {exact[row, 1]:.6f}, off",
               abs(found - exact[row, 1]) / (exact[row, row] * exact[1, 1])**0.5, CLOSE)
 
-# --- below a droplet: numbers of an independent program, and a layer and a face so stiff that slopes are small, as in the study; its
+# --- below a droplet: numbers of an independent program, and a layer and a face so stiff that slopes are small, as in
+# the study; its
 # tolerance is 3 %
 line, fine = study.FIG2.radius * numpy.sin(numpy.radians(study.FIG2.angle)), numpy.linspace(0, study.FIG2.length, 1001)
 for modulus, ridge, at_line in ((0, 4.3085e-3, 1.947e-3), (1, 4.2973e-3, 1.531e-3), (3, 4.2851e-3, 1.167e-3), (10, 4.2622e-3, 0.717e-3)):

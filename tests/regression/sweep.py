@@ -260,7 +260,7 @@ for name, row in table("droplet").items():
     speeds = [abs(v) for v, t in zip(found["velocity"], found["t"]) if t >= 0 and v == v]
     check_true(f"{name}: velocity_peak", float(row["velocity_peak"]) == max(speeds), row["velocity_peak"])
 
-# --threads: of each member, whatever OMP_NUM_THREADS says; its range is that of softwet run.
+# --threads: of each member, whatever OMP_NUM_THREADS says; its range is as for softwet run.
 COUNTED = ["substrate.poisson=0.3,0.4"]
 done = sweep(COUNTED, SOLID, ["--out", "counted", "--jobs", "2", "--threads", "3"], threads=1)
 check_true("--threads reaches the members", [record(f"counted/poisson={n}")["threads"] for n in (0.3, 0.4)] == [3, 3])
@@ -276,4 +276,4 @@ check_true("the script asks for as many processors", "--cpus-per-task=3\n" in te
 for number in ("0", "513", "two"):
     refused(f"--threads {number}", ["--threads", number], COUNTED, SOLID, ["--out", "other/dry", "--threads", number])
 bounds = subprocess.run([softwet, "run", CASE, "--threads", "0"], capture_output=True, text=True).stderr
-check_true("the bounds are those of softwet run", "512" in bounds and "--threads" in bounds, bounds)
+check_true("the bounds are as for softwet run", "512" in bounds and "--threads" in bounds, bounds)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Members of a sweep on several GPUs. A stub stands for the program: it says that it sees two devices, and its runs note which of them
-they were given, how many ran at once on each, and whether they share it. usage: sweep_devices.py SOFTWET"""
+"""Members of a sweep on several GPUs. A stub stands for the program: it says that it sees two devices, and its runs
+note which of them they were given, how many ran at once on each, and whether they share it.
+usage: sweep_devices.py SOFTWET"""
 
 import os
 import pathlib

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The command `softwet tradeoff` on a small pull: errors fall with the tolerance, what is refused or fails is a result, a
-repeated command computes nothing, other definitions are refused. usage: tradeoff.py SOFTWET"""
+"""The command `softwet tradeoff` on a small pull: errors fall with the tolerance, what is refused or fails is a result,
+a repeated command computes nothing, other definitions are refused. usage: tradeoff.py SOFTWET"""
 
 import csv
 import json
@@ -70,8 +70,8 @@ for name, part in (("fluid.contact_angle=200", "(0, 180)"), ("solver.newton.max=
     check_true(f"the program's reason of {name}", part in rows[name]["reason"], rows[name]["reason"])
 check_true("both are reported", "does not apply: " in done.stdout and "failed: " in done.stdout, done.stdout)
 
-# The reference differs from these members in its steps alone: the error is that of the steps. Steps as long as
-# those of 0.1 are beyond the range in which errors fall with them: its energy is nearer than that of 0.02.
+# The reference differs from these members in its steps alone: the error is the error of the steps. Steps as long as
+# the steps of 0.1 are beyond the range in which errors fall with them: their energy is nearer than with 0.02.
 by_tolerance = ["time.tolerance=0.02", "time.tolerance=0.005", "base"]
 for name in ("path", "energy"):
     errors = [float(rows[member][name]) for member in by_tolerance]
@@ -84,7 +84,7 @@ differing, exact = (float(rows[name]["path"]) for name in ("solver.krylov.jacobi
 # its tolerance of 1e-3.
 check_true("how the Jacobian is multiplied changes no result", abs(differing - exact) < 1e-2 * exact, f"{differing} {exact}")
 check_true("no fields, no density", rows["base"]["density"] == "" and rows["base"]["wall"] == "")
-check_true("costs are those of run.json", all(
+check_true("costs are the ones of run.json", all(
     int(row["krylov"]) == json.loads(pathlib.Path("pull", name, "run.json").read_text())["counts"]["krylov"]
     for name, row in rows.items() if row["status"] == "done"))
 check_true("ratios", rows["base"]["ratio"] == "1" and float(rows["reference"]["ratio"]) > 1)

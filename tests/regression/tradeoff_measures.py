@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What `softwet tradeoff` measures, on series and fields whose errors are known: each is written down by hand as a
-known change of the reference. Also the Pareto front, and which settings are combined. usage: tradeoff_measures.py SOFTWET"""
+known change of the reference. Also the Pareto front, and which settings are combined.
+usage: tradeoff_measures.py SOFTWET"""
 
 import types
 
@@ -55,7 +56,7 @@ def close(name, value, wanted, bound):
     check(f"{name}: {value:.6g}, wanted {wanted:.6g}", abs(value - wanted), bound)
 
 
-# --- series: the reference has other times; what is interpolated is smooth ----------------------------------------------
+# --- series: the reference has other times; what is interpolated is smooth -----------------------------------------
 fine, coarse = np.linspace(-2, 10, 474), np.array([-2, -1, 0, 0.3, 1, 2.5, 3.1, 5, 7.8, 9, 10.0])
 parabola = measures.interpolate(coarse, fine[::43], fine[::43] ** 2)  # 473 intervals are 11 times 43
 check("interpolation meets parabolas", abs(parabola - coarse**2).max(), 1e-12)
@@ -79,10 +80,11 @@ later.history["x_centre"] = np.where(coarse > 6, later.history["x_centre"] + 0.1
 close("a jump of 0.1", measures.path(later, reference), 100 * 0.1 / np.ptp(reference.history["x_centre"][fine >= 0]), 1e-3)
 close("drift", measures.drift(other, reference), 1.1e-12 * abs(np.sin(coarse)).max(), 1e-18)
 
-# --- shapes --------------------------------------------------------------------------------------------------------------
+# --- shapes ---------------------------------------------------------------------------------------------------------
 close("wall, a tenth higher, other elements", measures.wall(other, reference), 10, 1e-9)
 close("interface, 0.003 further out", measures.interface(other, reference), 0.003, 3e-5)
-# For a thin interface: rho - rho_ref = drho/dR dR, and the integral of (drho/dr)^2 across it is (rho_l - rho_v)^2 / (3 w).
+# For a thin interface: rho - rho_ref = drho/dR dR, and the integral of (drho/dr)^2 across it is (rho_l - rho_v)^2 / (3
+# w).
 half = np.pi * RADIUS * (LIQUID - VAPOUR) ** 2 / (3 * WIDTH) * 0.003**2
 close("density", measures.density(other, reference), 100 * np.sqrt(half / (np.pi * RADIUS**2 / 2 * LIQUID**2)), 0.5)
 grid = reference.on_grid(97, 49)
@@ -91,7 +93,7 @@ check("places on the circle", abs(np.hypot(places[:, 0] - 0.5, places[:, 1]) - R
 outward = (places - [0.5, 0]) / RADIUS
 check("normals across it", abs(abs((normals * outward).sum(axis=-1)) - 1).max(), 1e-2)
 
-# --- what a scene lacks --------------------------------------------------------------------------------------------------
+# --- what a scene lacks ---------------------------------------------------------------------------------------------
 still = Scene(fine, [64, 32], scale=0.0)
 check_true("a droplet at rest has no path", np.isnan([measures.path(still, still), measures.peak(still, still)]).all())
 solid = Scene(fine, [64, 32])
@@ -100,7 +102,7 @@ solid.history = {"t": fine, "energy_total": fine}
 blank = [name for name in measures.MEASURES if name not in measures.measure(solid, solid)]
 check_true("a solid alone", blank == ["path", "peak", "advancing", "receding", "density", "interface", "drift"], str(blank))
 
-# --- parameters, the front, combinations ---------------------------------------------------------------------------------------
+# --- parameters, the front, combinations ----------------------------------------------------------------------------
 case = {"domain": {"size": [1, 0.5], "elements": [32, 16]}, "substrate": {"thickness": 0.125}, "fluid": {}}
 tried = [elements_times(case, factor) for factor in ("1/2", "3/4", "3/2", "1/3")]
 check_true("elements", tried[:3] == [("[16,8]", ""), ("[24,12]", ""), ("[48,24]", "")], str(tried))
@@ -133,7 +135,7 @@ entries = [base, entry("a", 5, 4.01), entry("b", 20, 2), entry("c", 30, 5), entr
            entry("reference", 1, 0, "reference")]
 points = table.mark_front(entries, "path", {"path": 0.5}, "seconds")
 check_true("front", [e.setting.name for e in entries if e.front] == ["base", "a=1", "b=1", "e=1"])
-check_true("an error below that of the reference counts as that", points[-1][2] == 0.5)
+check_true("an error below the reference's counts as the reference's", points[-1][2] == 0.5)
 check_true("and is shown so", table.error_cell("parameter", 0.1, "path", {"path": 0.5}) == "<= 0.5")
 again = entry("f", 9, 4)  # what the base computed, in less time
 table.mark_front([*entries, again], "path", {"path": 0.5}, "seconds")

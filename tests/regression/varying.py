@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Numbers that vary in space or time: loads with a factor, the work of loads, steps that end at the kinks of tables, fields at
-the start, and what the command line says of them. usage: varying.py SOFTWET"""
+"""Numbers that vary in space or time: loads with a factor, the work of loads, steps that end at the kinks of tables,
+fields at the start, and what the command line says of them. usage: varying.py SOFTWET"""
 
 import pathlib
 import shutil
@@ -44,7 +44,8 @@ for scheme in ("generalized_alpha", "kick_drift"):
     check(f"{scheme}: work of the load against the energy", abs(work - gained) / swing, 5e-3)
     check_true(f"{scheme}: the load also takes work back", rows["power_load"].min() < 0 < rows["power_load"].max())
 
-# Steps end at the points of a table, at the start of the load and at the end of its ramp. The table lies beside the case.
+# Steps end at the points of a table, at the start of the load and at the end of its ramp. The table lies beside the
+# case.
 text = (cases / "solid_layer_2d.toml").read_text()
 pathlib.Path("pulsed.toml").write_text(text.replace("[boundary]", 'factor = "pulses.csv"\n[boundary]', 1).replace("start = 0.0", "start = 0.125"))
 for scheme in ("generalized_alpha", "kick_drift", "rkl2"):
@@ -67,8 +68,9 @@ table.write_text("t,value\n0,1\n1,3\n")
 refused = ask("run", "pulsed.toml", "--out", "pulsed_rkl2", "--resume", *(w for s in [*LAYER, "time.scheme=rkl2"] for w in ("--set", s)))
 check_true("with other values in the table it is refused", refused.returncode == 1 and "load[0].factor" in refused.stderr, refused.stderr)
 
-# Three droplets from an expression are those of the entries [[droplet]] with the same densities, up to what a tanh differs from the
-# interface, which is steeper in the liquid: 1 % of the mass at this capillarity. The energy falls, and the mass stays.
+# Three droplets from an expression are the droplets of entries [[droplet]] with the same densities, up to what a tanh
+# differs from the interface, which is steeper in the liquid: 1 % of the mass at this capillarity. The energy falls, and
+# the mass stays.
 THREE = ["domain.elements=[48,48]", "fluid.capillarity=1/48", "time.end=0.2", "output.fields.times=[0]", "time.tolerance=1e-4",
          "solver.newton.rtol=1e-8", "solver.newton.atol=1e-13"]
 run("three_droplets_2d", "expression", THREE)
@@ -78,8 +80,8 @@ drops = "".join(f"[[droplet]]\ncentre = [{x}, {y}]\nradius = {r}\n" for x, y, r 
 pathlib.Path("drops.toml").write_text(text[:begin] + drops + text[end:])
 run_file("drops.toml", "drops", [*THREE, "fluid.initial=[0.10658,0.60238]"])
 given, drop = history("expression"), history("drops")
-check("energy against that of [[droplet]]", abs(given["energy_total"][0] / drop["energy_total"][0] - 1), 0.02)
-check("mass against that of [[droplet]]", abs(given["mass"][0] / drop["mass"][0] - 1), 0.02)
+check("energy against [[droplet]]", abs(given["energy_total"][0] / drop["energy_total"][0] - 1), 0.02)
+check("mass against [[droplet]]", abs(given["mass"][0] / drop["mass"][0] - 1), 0.02)
 check("largest rise of the energy", numpy.diff(given["energy_total"]).max(), 1e-12)
 check("drift of the mass", numpy.abs(given["mass_drift"]).max(), 1e-12)
 check_true("a scene without entries has no columns of droplets", "x_left" not in given)
@@ -97,7 +99,8 @@ answer = ask("check", str(cases / "solid_layer_2d.toml"), "--picture", "pictures
 check_true("a picture that is a folder is refused", answer.returncode == 1 and "pictures/scene.png" in answer.stderr and
            not answer.stdout, answer.stderr)
 
-# From the result of another run: on the same mesh and on one of half the elements' size the fields are the same functions.
+# From the result of another run: on the same mesh and on one of half the elements' size the fields are the same
+# functions.
 SOFT = ["fluid.capillarity=1/16", "output.fields.times=[0]"]
 run("static_droplet_soft_2d", "rest", [*SOFT, "domain.elements=[32,16]", "time.end=2"])
 last = {name: column[-1] for name, column in history("rest").items()}
@@ -110,7 +113,7 @@ for elements, near in (([32, 16], 1e-9), ([64, 32], 1e-6)):
         bound = near * (scale if key.startswith("energy") else last["mass"])
         check(f"{elements}: {key} of the earlier run", abs(first[key] - last[key]), bound)
     check(f"{elements}: contact point of the earlier run", abs(first["x_left"] - last["x_left"]), 1e-3)
-# From the field files of that run at a time: those of its end are its last state, those of its start its first one.
+# From the field files of that run at a time: at its end they are its last state, at its start its first one.
 run("static_droplet_soft_2d", "timed", ["fluid.capillarity=1/16", "domain.elements=[32,16]", "time.end=2", "output.fields.times=[0,2]"])
 for time, row in ((0, 0), (2, -1)):
     sets = [*SOFT, "domain.elements=[64,32]", "time.end=0.01", "initial.from=timed", f"initial.time={time}"]
@@ -136,7 +139,7 @@ answer = ask("run", str(cases / "static_droplet_soft_2d.toml"), *(word for key i
              "initial.from=rest", "solver.newton.undershoot=0.005"] for word in ("--set", key)), "--out", "from_too_low", "--quiet")
 check_true("but not below its own bound", answer.returncode == 1 and "initial.from" in answer.stderr and
            "[-0.005, 0.999)" in answer.stderr and "initial.time" in answer.stderr, answer.stderr)
-# Of a run whose table is gone.
+# A run whose table is gone.
 gone = pathlib.Path("gone.csv")
 gone.write_text("x,value\n0,1\n1,2\n")
 run("solid_layer_2d", "gone", [*LAYER, "time.end=0.5", f"substrate.young={gone.resolve()}"])

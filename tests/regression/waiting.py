@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""How the threads of a run wait: they look a limited number of times before they sleep, and what the user has set wins. The
-OpenMP runtime says so when it is loaded; other runtimes than that of GCC do not know the variable.
+"""How the threads of a run wait: they look a limited number of times before they sleep, and what the user has set wins.
+The OpenMP runtime says so when it is loaded; other runtimes than GCC's do not know the variable.
 usage: waiting.py SOFTWET"""
 
 import os

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A run with time.wall_clock stops by itself with a checkpoint, says so, and goes on to the bits of a run without a limit.
-How often it stops depends on the machine; what it ends with does not. usage: wall_clock.py SOFTWET"""
+"""A run with time.wall_clock stops by itself with a checkpoint, says so, and goes on to the bits of a run without a
+limit. How often it stops depends on the machine; what it ends with does not. usage: wall_clock.py SOFTWET"""
 
 import os
 import shutil
@@ -40,7 +40,7 @@ for session in range(6):
     check_true("stopped by the clock", "time.wall_clock reached" in told, told)
 compute("parts", 0, "--resume")
 print(f"steps after each session: {steps}")
-check_true("the end is that of the run without a limit", record("parts")["state"] == "done")
+check_true("the end is the same as without a limit", record("parts")["state"] == "done")
 check_same("a run that the clock stopped", "parts", "whole")
 
 told = compute("rest", 1e-9, "--overwrite", "--set", 'time.start="equilibrium"')

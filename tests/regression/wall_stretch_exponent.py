@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""fluid.wall_stretch_exponent: droplets on walls that are stretched, before the scene or by loads, have the effective contact angle
-cos = a^-beta cos(alpha); the energy of a droplet that is pulled is balanced; explicit steps agree with implicit ones; a run that was
-stopped goes on to the bit; what check says and refuses. usage: wall_stretch_exponent.py SOFTWET"""
+"""fluid.wall_stretch_exponent: droplets on walls that are stretched, before the scene or by loads, have the effective
+contact angle cos = a^-beta cos(alpha); the energy of a droplet that is pulled is balanced; explicit steps agree with
+implicit ones; a run that was stopped goes on to the bit; what check says and refuses.
+usage: wall_stretch_exponent.py SOFTWET"""
 
 import os
 import pathlib
@@ -54,7 +55,7 @@ def effective(ratio, beta=BETA):
     return numpy.degrees(numpy.arccos(ratio**-beta * numpy.cos(numpy.radians(ALPHA))))
 
 
-# --- stretched before: the layer hardly gives way, and the droplet is that of the effective angle
+# --- stretched before: the layer hardly gives way, and the droplet has the effective angle
 stiff = write("stiff", 50.0)
 for name, ratio, stretched in (("flat", 1.2, ["substrate.prestretch=[1.2]"]), ("shortened", 0.8, ["substrate.prestretch=[0.8]"]),
                                ("round", 1.1**2, ["domain.coordinates=axisymmetric", "substrate.prestretch=[1.1]"])):

@@ -47,7 +47,7 @@ check_true("watch: without UTF-8", "?" in tell("watch", "done", "--once", PYTHON
 check_true("two folders, one of them none", "nowhere is not an output folder" in tell("status", "done", "nowhere", code=1))
 check_true("watch: a wrong pause", "--every 0: must be" in tell("watch", "done", "--every", "0", code=1))
 
-# Records: those of older versions, a run that will take a while, a failed one, one of another machine.
+# Records of older versions, of a run that will take a while, a failed one, one of another machine.
 shutil.rmtree("written", ignore_errors=True)
 shutil.copytree("done", "written")
 rewrite("written", state=None, updated=None, started=None, events=None, seconds_left=None)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A wheel holds one program, for AVX2, and its libraries: the options of pyproject.toml compile each source once, and what is installed has
-the libraries of the program and no others. usage: wheel.py SOFTWET
+"""A wheel holds one program, for AVX2, and its libraries: the options of pyproject.toml compile each source once, and
+what is installed has the libraries of the program and no others. usage: wheel.py SOFTWET
 
 The program that is installed here is a small one in place of softwet, which takes long to compile."""
 

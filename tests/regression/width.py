@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""`softwet check` warns of an interface that is wider than the lengths over which a solid bends at a contact line. usage: width.py SOFTWET"""
+"""`softwet check` warns of an interface that is wider than the lengths over which a solid bends at a contact line.
+usage: width.py SOFTWET"""
 
 import pathlib
 import subprocess

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What would have no effect is reported: keys whose owner is missing, a film outside of the fluid, keys that no state of rest depends on.
+"""What would have no effect is reported: keys whose owner is missing, a film outside of the fluid, keys that no state
+of rest depends on.
 usage: without_effect.py SOFTWET"""
 
 import pathlib

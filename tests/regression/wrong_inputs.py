@@ -152,7 +152,7 @@ COMMANDS = [
     (["simulate", "case.toml"], ["unknown command 'simulate'"]),
 ]
 
-MANY = ["size = [1.0, 1.0, 0.5]"]  # the one mistake that is several: all other keys are those of a 2D case
+MANY = ["size = [1.0, 1.0, 0.5]"]  # the one mistake that is several: all other keys are as in a 2D case
 ERROR = "softwet: error: "
 
 

@@ -42,7 +42,8 @@ class Known(NamedTuple):
 
 
 class Lab:
-    """@param name  of the study;  @param store  of the runs, softwet._store.kept.KeptRuns;  @param folder  what the study writes
+    """@param name  of the study;  @param store  of the runs, softwet._store.kept.KeptRuns;  @param folder  what the
+    study writes
     @param jobs  runs at once"""
 
     prefix = ""  # of the files of cases
@@ -155,7 +156,8 @@ class Lab:
         print(f"{'ok' if holds else 'MISS' if cause else 'FAIL':4}  {what}: {measured} (asked: {asked})", flush=True)
 
     def plot(self, name, draw, shown=True):
-        """draw(axes) with matplotlib into <study>_<name>.png; left out where matplotlib is missing. @param shown  on the page
+        """draw(axes) with matplotlib into <study>_<name>.png; left out where matplotlib is missing. @param shown  on
+        the page
         @return its name, or None"""
         try:
             import matplotlib

@@ -1,20 +1,23 @@
 """Linear theory of an elastic layer of height H on a base, plane strain, wave by wave. No code of softwet.
 
-**At rest.** With u_x = a(y) sin kx, u_y = b(y) cos kx the solutions of (lambda + G) grad div u + G Lap u = 0 are, with e = 3 - 4 nu,
+**At rest.** With u_x = a(y) sin kx, u_y = b(y) cos kx the solutions of (lambda + G) grad div u + G Lap u = 0 are, with
+e = 3 - 4 nu,
 
     a = A cosh ky + B ky sinh ky + A' sinh ky + B' ky cosh ky
     b = -A sinh ky + B (e sinh ky - ky cosh ky) - A' cosh ky + B' (e cosh ky - ky sinh ky);
 
-at y = 0 the base gives two conditions: b = sigma_xy = 0 on rollers, a = b = 0 where it is clamped, sigma_xy = kap_t a and
-sigma_yy = kap_n b on a foundation of springs [kap_n, kap_t]. sigma_xy = G (a' - k b) and sigma_yy = lambda (k a + b') + 2 G b' at y = H are the tractions
-t_x sin kx, t_y cos kx. On rollers and without t_x this is the textbook u_y/t_y = 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH);
-k = 0 is uniaxial strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)), and 1/kap_n more on springs.
-Slip sides make these series exact: cosines for t_y, sines for t_x. The surface tension U of the top pulls with U u_y'' there: it adds U k^2
-to the inverse of u_y/t_y. The modulus M of the top pulls with M u_x'': it adds M k^2 to the inverse of u_x/t_x.
+at y = 0 the base gives two conditions: b = sigma_xy = 0 on rollers, a = b = 0 where it is clamped, sigma_xy = kap_t a
+and sigma_yy = kap_n b on a foundation of springs [kap_n, kap_t]. sigma_xy = G (a' - k b) and sigma_yy = lambda (k a +
+b') + 2 G b' at y = H are the tractions t_x sin kx, t_y cos kx. On rollers and without t_x this is the textbook u_y/t_y
+= 2 (1 - nu^2)/(E k) (cosh 2kH - 1)/(sinh 2kH + 2kH); k = 0 is uniaxial strain, H (1 + nu)(1 - 2 nu)/(E (1 - nu)), and
+1/kap_n more on springs. Slip sides make these series exact: cosines for t_y, sines for t_x. The surface tension U of
+the top pulls with U u_y'' there: it adds U k^2 to the inverse of u_y/t_y. The modulus M of the top pulls with M u_x'':
+it adds M k^2 to the inverse of u_x/t_x.
 
-**Swinging** on rollers with e^(i w t), from the potentials of Helmholtz: u = grad phi + (psi_y, -psi_x) with phi = A cosh(py) cos kx,
-psi = (B/q) sinh(qy) sin kx, p^2 = k^2 - rho w^2/(lambda + 2 G), q^2 = k^2 - rho w^2/G. The base is held already. The top asks for sigma_xy
-= 0 and sigma_yy = -U k^2 u_y: a determinant of 2 x 2 whose first root is the lowest frequency (Rayleigh, Lamb; U = 0)."""
+**Swinging** on rollers with e^(i w t), from the potentials of Helmholtz: u = grad phi + (psi_y, -psi_x) with phi = A
+cosh(py) cos kx, psi = (B/q) sinh(qy) sin kx, p^2 = k^2 - rho w^2/(lambda + 2 G), q^2 = k^2 - rho w^2/G. The base is
+held already. The top asks for sigma_xy = 0 and sigma_yy = -U k^2 u_y: a determinant of 2 x 2 whose first root is the
+lowest frequency (Rayleigh, Lamb; U = 0)."""
 
 import numpy
 import scipy.optimize
@@ -66,13 +69,14 @@ def displacement(heights, k, height, young, poisson, tension=0.0, clamped=False,
 
 
 def compliance(k, height, young, poisson, tension=0.0, clamped=False, modulus=0.0, foundation=None):
-    """2 x 2: (u_x, u_y) of the surface for tractions (t_x sin kx, t_y cos kx); clamped: the base; foundation: [kap_n, kap_t] below it;
-    else on rollers."""
+    """2 x 2: (u_x, u_y) of the surface for tractions (t_x sin kx, t_y cos kx); clamped: the base; foundation: [kap_n,
+    kap_t] below it; else on rollers."""
     return displacement([height], k, height, young, poisson, tension, clamped, modulus, foundation)[0]
 
 
 class SlowestWave:
-    """.omega: its angular frequency. Surface waves are slower than shear waves, or a little faster where the top is under tension."""
+    """.omega: its angular frequency. Surface waves are slower than shear waves, or a little faster where the top is
+    under tension."""
 
     def __init__(self, k, height, young, poisson, tension=0.0, density=1.0):
         self.k, self.height, self.tension, self.density = k, height, tension, density

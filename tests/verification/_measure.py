@@ -50,8 +50,8 @@ def solid_field(folder, number):
 
 
 def crossing(row, values, i):
-    """Where values cross 0 between nodes i and i + 1. Three nodes have the quadratic that the spline is in an element; linear
-    interpolation between nodes two to the capillarity would see a droplet 0.1 % too large."""
+    """Where values cross 0 between nodes i and i + 1. Three nodes have the quadratic that the spline is in an element;
+    linear interpolation between nodes two to the capillarity would see a droplet 0.1 % too large."""
     first = 2 * (i // 2)
 
     def at(nodes, s):
@@ -124,8 +124,8 @@ def balance_error(folder, start, end):
 
 
 def falls(parts):
-    """Errors with steps that are halved from one to the next, the last three looked at: what falls with the step is separated
-    from a rest that no step removes. @return (order of what falls, the rest at dt = 0 if that order is 2)"""
+    """Errors with steps that are halved from one to the next, the last three looked at: what falls with the step is
+    separated from a rest that no step removes. @return (order of what falls, the rest at dt = 0 if that order is 2)"""
     first, second, third = parts[-3:]
     return numpy.log2((first - second) / (second - third)), third - (second - third) / 3
 

@@ -1,5 +1,5 @@
-"""How the page of a study shows its tables: whole where they are short, and else a part, with all rows in a CSV file that the command of the
-study writes."""
+"""How the page of a study shows its tables: whole where they are short, and else a part, with all rows in a CSV file
+that the command of the study writes."""
 
 import re
 
@@ -28,8 +28,8 @@ def named_table(columns, rows, file):
 
 
 def asked_rows(rows):
-    """Of rows (what, asked, measured, holds) those that a page shows: all where they are few, else those that do not hold and one of
-    each kind of question that holds."""
+    """Of rows (what, asked, measured, holds) those that a page shows: all where they are few, else those that do not
+    hold and one of each kind of question that holds."""
     if len(rows) <= MOST:
         return rows
     kinds, shown = set(), []
@@ -42,7 +42,8 @@ def asked_rows(rows):
 
 
 def asked_table(rows, shown):
-    """Lines of a table of rows (what, asked, measured, holds). Where all rows hold, as the verdict above says, the last column is left out."""
+    """Lines of a table of rows (what, asked, measured, holds). Where all rows hold, as the verdict above says, the last
+    column is left out."""
     columns = ("what", "asked", "measured", "holds")
     width = 3 if all(row[3] == "yes" for row in rows) else 4
     return markdown(columns[:width], [row[:width] for row in shown])

@@ -1,4 +1,5 @@
-"""Pulled droplets of scenes sampled at random: the scenes, their errors against fine steps, and the tables of a study."""
+"""Pulled droplets of scenes sampled at random: the scenes, their errors against fine steps, and the tables of a
+study."""
 
 import itertools
 import math
@@ -76,13 +77,15 @@ def at_rest(lab, seed, elements):
 
 
 def work(run):
-    """Iterations of GMRES, those of the start among them, times unknowns."""
+    """Iterations of GMRES, with the iterations of the start, times unknowns."""
     return (run.record["counts"]["krylov"] + run.record["start"]["krylov"]) * run.record["unknowns"]["solved"]
 
 
 def compare(lab, elements, count, share, known=None):
-    """@param count  scenes; 0: the known one, for a short time.   @param share  of the work of the default that a draft may have
-    @param known  what the default is known to miss: (cause, path and peak within which %, way of a step within which)"""
+    """@param count  scenes; 0: the known one, for a short time.   @param share  of the work of the default that a draft
+    may have
+    @param known  what the default is known to miss: (cause, path and peak within which %, way of a step within
+    which)"""
     seeds = itertools.islice((seed for seed in itertools.count(FIRST) if at_rest(lab, seed, elements)), count)
     scenes, end = {seed: sampled(seed) for seed in seeds} or {"known": KNOWN}, 800 if count else 250
     least = len(scenes) - len(scenes) // 12

@@ -4,8 +4,8 @@ from _lab import Lab
 
 
 class SchemeLab(Lab):
-    """Adds the scheme, corrected masses, full quadrature and a row for every step to the settings of every run that do not say
-    otherwise. What is asked stays here; runs, commands and files of cases are those of the whole."""
+    """Adds the scheme, corrected masses, full quadrature and a row for every step to the settings of every run that do
+    not say otherwise. What is asked stays here; runs, commands and files of cases belong to the whole."""
 
     prefix = "schemes_"
     MOMENTS = {"kick_drift": 0.02, "rkl2": 0.5, "ssp_rk3": 0.02}
@@ -25,7 +25,7 @@ class SchemeLab(Lab):
         return super().get(f"{self.name}, {self.scheme}: {label}", case, words, *others, **keywords)
 
     def table(self, columns, rows, name=None):
-        """Tables are those of the study itself; here only what is asked counts."""
+        """Tables belong to the study itself; here only what is asked counts."""
 
     def plot(self, name, draw, shown=True):
-        """Pictures are those of the study itself."""
+        """Pictures belong to the study itself."""

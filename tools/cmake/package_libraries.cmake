@@ -1,5 +1,5 @@
 # What a package may hold or ask for: softwet_package_libraries(RESULT PROGRAM) gives the libraries that PROGRAM calls, directly and through
-# others, less those of the C library, and ends where one is not in the list. As a script: cmake -DPROGRAM=... -P package_libraries.cmake
+# others, less the C library's, and ends where one is not in the list. As a script: cmake -DPROGRAM=... -P package_libraries.cmake
 set(softwet_c_library "^lib(c|m|mvec|pthread|dl|rt|resolv|util)[.]so" "^ld-linux")
 set(softwet_allowed "^lib(fmt|muparser|gomp|omp|stdc[+][+]|gcc_s)[-.]")
 

@@ -1,4 +1,4 @@
-# What a Python wheel holds (pyproject.toml, scikit-build-core): the program with all libraries that are not those of the C
+# What a Python wheel holds (pyproject.toml, scikit-build-core): the program with all libraries other than the C
 # library, its tools and cases below softwet/program, and manual page and completion for the environment.
 set_target_properties(softwet PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
 target_link_options(softwet PRIVATE -Wl,--disable-new-dtags)  # the path holds for the libraries of the libraries too

@@ -20,10 +20,9 @@
         print(member.values, member.run.history["x_centre"][-1])
 
 Everything is in the units of the paper: lengths in L0, times in L0/sqrt(ab), velocities in sqrt(ab), densities in b,
-stresses in a b^2. Time 0 is the start of the first load. Arrays need numpy, fields need h5py too; what needs neither
-is read without them. What is wrong with a file or a question raises softwet.Problem, whose text says what to do. What the
-program refuses or fails to compute raises softwet.Failure, a Problem with its sentence and its exit code.
-"""
+stresses in a b^2. Time 0 is the start of the first load. Arrays need numpy, fields need h5py too; what needs neither is
+read without them. What is wrong with a file or a question raises softwet.Problem, whose text says what to do. What the
+program refuses or fails to compute raises softwet.Failure, a Problem with its sentence and its exit code. """
 
 from .case import read_case
 from .columns import Column, columns

@@ -1,4 +1,5 @@
-"""What the columns of history.csv and interface.csv, and the fields of fields/*.hdf, are: as `softwet explain` has them."""
+"""What the columns of history.csv and interface.csv, and the fields of fields/*.hdf, are: as `softwet explain` has
+them."""
 
 from __future__ import annotations  # an older Python goes on as far as the choice of another one
 
@@ -32,7 +33,7 @@ def all_columns():
 
 
 def columns(table="history"):
-    """The columns that a table can have: {name: Column}, those of further droplets under the name of the first one's.
+    """The columns that a table can have: {name: Column}, columns of further droplets under the name of the first one's.
     Raises Problem where there is no program to ask. @param table  history, interface or fields"""
     tables = all_columns()
     if table not in tables:

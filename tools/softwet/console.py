@@ -1,4 +1,5 @@
-"""The command `softwet` of an installation by pip: the program, with this Python for the commands that are Python programs."""
+"""The command `softwet` of an installation by pip: the program, with this Python for the commands that are Python
+programs."""
 
 import os
 import sys

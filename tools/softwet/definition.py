@@ -80,9 +80,9 @@ class Case:
     case.run(...)                computes it, see softwet.run
     case.sweep(vary, ...)        computes it for several values, see softwet.sweep
 
-    What is computed is what was checked: a dict or a file that changes later, and another working folder, change nothing.
-    Paths of tables are relative to the folder of the file, and for a dict to the working folder. What is wrong with a case
-    raises softwet.Failure."""
+    What is computed is what was checked: a dict or a file that changes later, and another working folder, change
+    nothing. Paths of tables are relative to the folder of the file, and for a dict to the working folder. What is wrong
+    with a case raises softwet.Failure."""
 
     def __init__(self, source, sets=None):
         if isinstance(source, Case):
@@ -147,7 +147,8 @@ class Case:
         return Sweep(folder.absolute())
 
     def _with_words(self, action):
-        """Does something with the words of a command line that name the case. A failure names the source as the user did."""
+        """Does something with the words of a command line that name the case. A failure names the source as the user
+        did."""
         with self._source.file() as path:
             try:
                 return action([path, *assignments(self.sets)])
@@ -202,14 +203,15 @@ def run(case, out=None, sets=None, threads=None, progress=True, overwrite=False,
     threads    number of threads; default: as for the program
     progress   prints what the program says to stderr as it comes
     overwrite  replaces a result in the folder;  resume  goes on from its checkpoint
-    @return    Run. Where the case is wrong or the run fails, softwet.Failure has the sentence of the program and its exit
+    @return    Run. Where the case is wrong or the run fails, softwet.Failure has the sentence of the program and its
+    exit
                code. Ctrl-C stops the run after its step; its checkpoint is there when KeyboardInterrupt comes out."""
     return Case(case, sets).run(out, threads, progress, overwrite, resume)
 
 
 def sweep(case, vary=None, out=None, sets=None, jobs=1, threads=None, columns=None, progress=True, retry=False):
-    """Computes a case for all combinations of values with the program, as `softwet sweep`, and returns the folder. The same
-    call again goes on: it computes what is missing, and values may be added.
+    """Computes a case for all combinations of values with the program, as `softwet sweep`, and returns the folder. The
+    same call again goes on: it computes what is missing, and values may be added.
 
     case, sets  as of softwet.run
     vary      {key: values}: a list, or a text as on the command line, {"substrate.poisson": "0:0.45:4"}
@@ -217,6 +219,7 @@ def sweep(case, vary=None, out=None, sets=None, jobs=1, threads=None, columns=No
     jobs      number of runs at once;  threads  of each run
     columns   columns of history.csv whose last values the table gets
     progress  prints how the members stand;  retry  computes failed members again
-    @return   Sweep; pandas.DataFrame(sweep.table) has a row for each member. A member that fails is there with this status.
+    @return   Sweep; pandas.DataFrame(sweep.table) has a row for each member. A member that fails is there with this
+    status.
               What is wrong with the case or the values raises softwet.Failure."""
     return Case(case, sets).sweep(vary, out, jobs, threads, columns, progress, retry)

@@ -18,9 +18,10 @@ class Field:
 
     time, part, path  which it is and where it comes from
     shape             points of the lattice: (ny, nx) or (nz, ny, nx)
-    lines             reference coordinates of the points along each axis: [y, x] or [z, y, x]
-    field[name]       array of shape (*shape) for a scalar, (*shape, dimension) for a vector, (*shape, 3, 3) for a tensor
-    sides             [field]; where the solid has a joint two such fields, of the points below and above it. Strains and
+    lines             reference coordinates of the points along each axis: [y, x] or [z, y, x] field[name]       array
+    of shape (*shape) for a scalar, (*shape, dimension) for a vector, (*shape, 3, 3) for a tensor
+    sides             [field]; where the solid has a joint two such fields, of the points below and above it. Strains
+    and
                       stresses may jump there, and field[name] has the values from above
     list(field)       names of the fields in the file
     positions         (*shape, dimension): where the points are now
@@ -28,15 +29,16 @@ class Field:
     rest, moved       the same, and positions - reference, of some rows of the vertical axis"""
 
     def __init__(self, path, time, part, elements, low, high):
-        """@param elements, low, high  equal elements along each axis, x first, and where they begin and end; the file gives
-        the ends of graded ones"""
+        """@param elements, low, high  equal elements along each axis, x first, and where they begin and end; the file
+        gives the ends of graded ones"""
         self.path, self.time, self.part = path, time, part
         self.dimension = len(elements)
         self.lines = [self._line(axis, *equal) for axis, equal in enumerate(zip(elements, low, high))][::-1]
         self._divide()
 
     def _divide(self):
-        """Which rows of points of the file are those of the lattice: the file has those of a joint twice, from below and above."""
+        """Which rows of points of the file belong to the lattice: the file has the rows of a joint twice, from below
+        and above."""
         with self._open() as file:
             joint = 2 * int(file.attrs.get("rows_below_joint", [0])[0])
         upwards, *across = self.lines
@@ -131,8 +133,8 @@ class Field:
         return self.read("Points", rows) - self.rest(rows)
 
     def to_pyvista(self, *names):
-        """A pyvista.StructuredGrid of the points where they are now, with the fields (all, or those named). Those of a joint are
-        there twice, with the values of both sides. Needs pyvista."""
+        """A pyvista.StructuredGrid of the points where they are now, with the fields (all, or those named). Those of a
+        joint are there twice, with the values of both sides. Needs pyvista."""
         try:
             import pyvista
         except ImportError as missing:
@@ -156,7 +158,8 @@ class Field:
         return np.concatenate([side[name] for side in self.sides])
 
     def at(self, points):
-        """The fields at places of the deformed body, at a joint those from above. @param points  (..., dimension);  @return Sample"""
+        """The fields at places of the deformed body, at a joint those from above. @param points  (..., dimension);
+        @return Sample"""
         points = np.asarray(points, dtype=float)
         if points.ndim == 0 or points.shape[-1] != self.dimension:
             raise Problem(f"points of shape {points.shape}: the last axis must have the {self.dimension} coordinates")

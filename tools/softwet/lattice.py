@@ -43,7 +43,8 @@ def solve(matrices, right):
 
 
 def newton(positions, points, index):
-    """Indices (n, D) where the lattice of positions has the points (n, D); nan where the iteration finds none inside."""
+    """Indices (n, D) where the lattice of positions has the points (n, D); nan where the iteration finds none
+    inside."""
     top = np.array(positions.shape[-2::-1]) - 1.0
     index, done = index.copy(), np.zeros(len(index), dtype=bool)
     for _ in range(40):

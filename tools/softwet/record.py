@@ -21,8 +21,8 @@ def read_record(folder):
 
 
 def is_locked(folder):
-    """Whether a run writes to the folder: it holds a lock as long as it lives. None where locks give no answer, which is
-    where the file system has none."""
+    """Whether a run writes to the folder: it holds a lock as long as it lives. None where locks give no answer, which
+    is where the file system has none."""
     descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
     try:
         fcntl.flock(descriptor, fcntl.LOCK_SH | fcntl.LOCK_NB)
@@ -43,8 +43,9 @@ def told_state(record):
 
 
 def state(folder, record):
-    """The state of a run: running, done, stopped, failed, or `died` where run.json does not record the end and no process of
-    this machine holds the folder. A run of another machine is believed, since locks may not reach from there to here."""
+    """The state of a run: running, done, stopped, failed, or `died` where run.json does not record the end and no
+    process of this machine holds the folder. A run of another machine is believed, since locks may not reach from there
+    to here."""
     told = told_state(record)
     if told != "running" or is_locked(folder) is not False:
         return told

@@ -26,7 +26,7 @@ class Run:
             raise Problem(f"{folder} is not an output folder of softwet run: {error.strerror}") from error
         if not there:
             inside = min((path.parent for path in self.folder.glob("*/case.toml")), default=None)
-            told = f"; those of a sweep or of states of rest lie in it: give one of them, for example {inside}" if inside else ""
+            told = f"; folders of a sweep or of states of rest lie in it: give one of them, for example {inside}" if inside else ""
             raise Problem(f"{folder} is not an output folder of softwet run: it has no case.toml{told}")
 
     def __repr__(self):

@@ -111,8 +111,8 @@ def steps(lab):
 
 
 def of_scheme(lab, s, dt):
-    """What the scheme makes of the exact root s with steps of dt: kick_drift damps no waves, three stages of third order do. rkl2
-    has its damping before and after these, with the acceleration of the start, and that less between."""
+    """What the scheme makes of the exact root s with steps of dt: kick_drift damps no waves, three stages of third
+    order do. rkl2 has its damping before and after these, with the acceleration of the start, and that less between."""
     if lab.scheme == "kick_drift":
         return s
     z = s * dt
@@ -129,8 +129,8 @@ def of_scheme(lab, s, dt):
 
 
 def explicit(lab):
-    """The third mode at the temperature 0.85, on 64 elements, and with lumped masses, which err by a part of (k h)^2, on 32 too.
-    Damping is compared with the damping of the scheme: the three stages of ssp_rk3 add 0.5 to 0.8 % here."""
+    """The third mode at the temperature 0.85, on 64 elements, and with lumped masses, which err by a part of (k h)^2,
+    on 32 too. Damping is compared with the damping of the scheme: the three stages of ssp_rk3 add 0.5 to 0.8 % here."""
     plane, errors = PlaneInterface(0.85), {}
     for phase, viscosity in (("liquid", 1e-4), ("vapour", 2e-4 * PlaneInterface(0.85).vapour)):
         s = exact(plane, phase, 3 * numpy.pi, 1 / 64, viscosity)

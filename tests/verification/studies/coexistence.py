@@ -85,8 +85,8 @@ def convergence(lab, planes):
 
 
 def explicit(lab):
-    """Temperatures 0.7 and 0.85 on 128 x 4 elements, brought to rest by `time.start`; then explicit steps to t = 0.2, after
-    which the same is asked."""
+    """Temperatures 0.7 and 0.85 on 128 x 4 elements, brought to rest by `time.start`; then explicit steps to t = 0.2,
+    after which the same is asked."""
     for theta in (0.7, 0.85):
         plane = PlaneInterface(theta)
         run = lab.run(f"theta = {theta}", CASE, [f"fluid.temperature={theta}", "time.start=equilibrium", "time.end=0.2",

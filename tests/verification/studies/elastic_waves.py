@@ -181,8 +181,9 @@ def explicit(lab):
         dt = 2 * PI / omega / n
         found[n] = damped(lab.run(f"{n} steps a period", text, [
             "domain.elements=[6,4]", "time.mass=lumped", *steps(dt, 4 * n), f"output.fields.times={times}"]), omega, dt)
-    # Against the finest steps: what other waves, which lumped masses set off, do to the fit is in both. But the longest steps
-    # damp these waves, and a part of that stays. Kick, drift, kick does not damp them, and turns them by other angles.
+    # Against the finest steps: what other waves, which lumped masses set off, do to the fit is in both. But the longest
+    # steps damp these waves, and a part of that stays. Kick, drift, kick does not damp them, and turns them by other
+    # angles.
     for n, bound in ((32, 4e-5 if lab.scheme == "kick_drift" else 1e-5), (64, 1e-5)):
         theory = [by_scheme(found[96].imag, 2 * PI / omega / m, lab.scheme) for m in (n, 96)]
         error, lost = abs(found[n] - found[96] - (theory[0] - theory[1])) / omega, 1 - numpy.exp(2 * PI / omega * found[n].real)
@@ -191,8 +192,8 @@ def explicit(lab):
 
 
 def by_scheme(omega, dt, scheme):
-    """-b + i w of a wave of the frequency omega under steps of a scheme. ssp_rk3 and rkl2 multiply it by the sum of z^k / k! to k = 3,
-    z = i omega dt. Kick, drift, kick keeps its amplitude and turns it by 2 asin(omega dt / 2)."""
+    """-b + i w of a wave of the frequency omega under steps of a scheme. ssp_rk3 and rkl2 multiply it by the sum of z^k
+    / k! to k = 3, z = i omega dt. Kick, drift, kick keeps its amplitude and turns it by 2 asin(omega dt / 2)."""
     if scheme == "kick_drift":
         return 2j / dt * numpy.arcsin(omega * dt / 2)
     return numpy.log(sum((1j * omega * dt)**k / factorial(k) for k in range(4))) / dt

@@ -47,8 +47,8 @@ def study(lab):
 
 
 def explicit(lab):
-    """32 x 16 elements at the temperature 0.85, consistent masses, t = 0 to 0.4 of a ramp of 1, three sizes of steps. With
-    lumped masses the energy that is measured is not the one that the equations keep, so they are left out."""
+    """32 x 16 elements at the temperature 0.85, consistent masses, t = 0 to 0.4 of a ramp of 1, three sizes of steps.
+    With lumped masses the energy that is measured is not the one that the equations keep, so they are left out."""
     steps = (0.0008, 0.0004, 0.0002)
     words = ["domain.elements=[32,16]", "fluid.traction=blended", "fluid.temperature=0.85", "time.mass=consistent"]
     words += [word for word in SETTINGS if not word.startswith(("load[0].start", "load[0].ramp", "time.end", "output"))]

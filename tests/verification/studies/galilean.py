@@ -35,8 +35,8 @@ def position(rho):
 
 
 def carried(lab, n, g, end, dt, *more):
-    """The droplet carried and at rest on n x n elements, steps dt. @return error of the position, largest difference of the density
-    over the step, changes of momentum and mass"""
+    """The droplet carried and at rest on n x n elements, steps dt. @return error of the position, largest difference of
+    the density over the step, changes of momentum and mass"""
     base = [f"domain.elements=[{n},{n}]", f"time.end={end}", f"output.fields.times=[{end}]", f"fluid.capillarity=1/{g}",
             f"time.dt_initial={dt}", f"time.dt_max={dt}", *more]
     name = ", ".join((f"{n} x {n}", *more))
@@ -70,7 +70,8 @@ def study(lab):
 
 
 def explicit(lab):
-    """16 x 16 and 32 x 32 elements at the temperature 0.85, to t = 1: what the study asks on 32 x 32, and an order of 3, less 0.2."""
+    """16 x 16 and 32 x 32 elements at the temperature 0.85, to t = 1: what the study asks on 32 x 32, and an order of
+    3, less 0.2."""
     found = {n: carried(lab, n, 16, 1.0, 1.25 / n) for n in (16, 32)}
     mass, momentum = max(row[3] for row in found.values()), found[32][2]
     lab.expect("drift of the mass", "<= 1e-10", f"{mass:.1g}", mass <= 1e-10)

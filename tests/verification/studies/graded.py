@@ -16,7 +16,8 @@ STEPS = ["time.tolerance=5e-4"]
 COARSE = "the mass of the start depends on a mesh with so few elements to the capillarity, equal or graded: it changes as much when they are halved"
 DEAR = "linear solves on graded elements take a few iterations more, and the machine was shared; {} was asked"
 EQUAL, AUTOMATIC = "domain.grading.fine=everywhere", "domain.grading.fine=automatic"
-# name: case, settings, least ratio of the cost, greatest difference of the middle of the contact line, of its extent (relative)
+# name: case, settings, least ratio of the cost, greatest difference of the middle of the contact line, of its extent
+# (relative)
 QUICK = {"small pull": ("tensotaxis_pull_2d", [*SMALL, *STEPS], None, 2e-4, 0.01)}
 FULL = {
     "pull": ("tensotaxis_pull_2d", [*STEPS, "output.fields.times=[]"], 2.2, 2e-4, 0.01),

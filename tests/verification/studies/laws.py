@@ -119,8 +119,8 @@ def study(lab):
 
 
 def explicit(lab):
-    """Mass, momentum of a droplet at rest, and uniform flow at the temperature 0.85 (uniform flow: 0.39, without vapour); the
-    energy of the droplet on a rigid wall falls in every step."""
+    """Mass, momentum of a droplet at rest, and uniform flow at the temperature 0.85 (uniform flow: 0.39, without
+    vapour); the energy of the droplet on a rigid wall falls in every step."""
     mass(lab, "fluid.temperature=0.85")
     rows = lab.run("at rest", free(), ["domain.elements=[32,32]", "fluid.temperature=0.85"]).history
     drift = numpy.abs(rows["momentum_x"]).max() / (rows["mass"][0] * rows["speed_max_fluid"].max())

@@ -91,8 +91,9 @@ def summary(title, columns, observed, file, picture):
     return (title.removesuffix(f", {LENGTHS}"), f"{first} to {last}", *(observed.get(field, "") for field in NAMES), links)
 
 
-# Graded axes have a whole number of elements beside the box, so that their lengths grow faster on one mesh than on another. On these
-# meshes they are the same function of the place within 3 %; on 48 and 64 elements with 1 to 3 they differ by a third.
+# Graded axes have a whole number of elements beside the box, so that their lengths grow faster on one mesh than on
+# another. On these meshes they are the same function of the place within 3 %; on 48 and 64 elements with 1 to 3 they
+# differ by a third.
 GRADED, SIMILAR = {"coarsest": 2.4}, (56, 96, 136)
 LENGTHS = f"graded elements, 1 to {GRADED['coarsest']} in length"
 
@@ -148,7 +149,8 @@ def space(lab, measurement):
 
 
 def judge_space(lab, title, settled, degree, sizes, found):
-    """@param settled  the meshes are fine enough for the order itself. Where elements are graded, and in 3D, some orders are still above"""
+    """@param settled  the meshes are fine enough for the order itself. Where elements are graded, and in 3D, some
+    orders are still above"""
     for field, errors in found.items():
         observed = orders(sizes, errors)
         lowest = degree - 1 if field == "potential" else degree + 1
@@ -212,8 +214,8 @@ def course(lab, measurement):
 
 
 # scheme, mass, order, elements per axis, steps, step of the computation that takes the place of the exact solution
-# Consistent masses have shorter stable steps, so that their elements are longer. Below dt = 0.0005 their mass solves, to 1e-12,
-# show in the potential of ssp_rk3 (about 1e-10).
+# Consistent masses have shorter stable steps, so that their elements are longer. Below dt = 0.0005 their mass solves,
+# to 1e-12, show in the potential of ssp_rk3 (about 1e-10).
 EXPLICIT_COURSES = [
     ("kick_drift", "corrected", 2, 8, (0.004, 0.002, 0.001), 0.000125),
     ("ssp_rk3", "corrected", 3, 8, (0.002, 0.001, 0.0005), 0.000125),
@@ -230,7 +232,7 @@ LAGGED = ("the source of the mass balance counts with the stabilisation, which k
 
 
 def explicit_course(lab, measurement):
-    """Orders in time of the explicit schemes; their error in space would hide that of their small steps."""
+    """Orders in time of the explicit schemes; their error in space would hide the error of their small steps."""
     rows = []
     for scheme, mass, order, elements, steps, fine in EXPLICIT_COURSES[:2] if lab.quick else EXPLICIT_COURSES:
         found = measurement.series("dt", steps, scene="coupled", course="harmonic", dimension=2, degree=2,
@@ -251,8 +253,8 @@ EXPLICIT_SPACE = [("ssp_rk3", "corrected", 3), ("ssp_rk3", "lumped", 2)]
 
 
 def explicit_space(lab, measurement):
-    """Orders in space of the masses of explicit schemes. Steps are stable, 0.004 on 8 elements and a quarter for twice as many, so
-    that the error of time falls by the fourth order of h."""
+    """Orders in space of the masses of explicit schemes. Steps are stable, 0.004 on 8 elements and a quarter for twice
+    as many, so that the error of time falls by the fourth order of h."""
     rows = []
     for scheme, mass, order in EXPLICIT_SPACE[:1] if lab.quick else EXPLICIT_SPACE:
         # With lumped masses the density on 8 elements is still above its order: 1.74 between 8 and 16.

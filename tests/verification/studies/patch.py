@@ -72,7 +72,7 @@ def stress(scene, g, s):
 
 
 def strain(name, y, start):
-    """(u_x', u_y') at the height y, found from those of a place nearby."""
+    """(u_x', u_y') at the height y, found from the slopes of a place nearby."""
     scene = SCENES[name]
     force = numpy.array(scene[1]) * (1 - y)
     if "boundary.left=periodic" not in scene[0]:
@@ -108,8 +108,8 @@ def exact(name, heights):
 
 
 def errors(run, name):
-    """Root mean square error of u over the column as a part of the largest |u|, relative error of the elastic energy, how far u
-    differs along x, relative error of the energy of the weight."""
+    """Root mean square error of u over the column as a part of the largest |u|, relative error of the elastic energy,
+    how far u differs along x, relative error of the energy of the weight."""
     place, u = _measure.solid_field(run.folder, 0)
     across = numpy.isclose(place[:, 1], 0).sum()
     grid, heights = u.reshape(-1, across, 2), place[::across, 1]

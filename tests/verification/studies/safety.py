@@ -86,7 +86,8 @@ def compute(lab, name, scene, part):
 
 
 def measure(lab, name, scene):
-    """@return {part of the bound: (steps, rows in which the energy rises, largest rise, all rises, error of the density)}"""
+    """@return {part of the bound: (steps, rows in which the energy rises, largest rise, all rises, error of the
+    density)}"""
     exact = end_density(compute(lab, name, scene, FINE))
     found = {}
     for part in PARTS:

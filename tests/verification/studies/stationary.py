@@ -44,7 +44,8 @@ def scene(dimension, material):
 
 
 class Axis:
-    """C1 quadratic splines on n elements of a length, and their values at the three Gauss points of each element that softwet takes."""
+    """C1 quadratic splines on n elements of a length, and their values at the three Gauss points of each element that
+    softwet takes."""
 
     def __init__(self, length, n):
         self.breaks, self.n = numpy.linspace(0, length, n + 1), n

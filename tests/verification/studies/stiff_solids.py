@@ -73,7 +73,8 @@ def sampled(number):
 
 
 def judged(lab, label, run):
-    """@return largest energy over the first, the shortest and the longest step behind the second and before the last one"""
+    """@return largest energy over the first, the shortest and the longest step behind the second and before the last
+    one"""
     rows = run.history
     most, steps = float(rows["energy_total"].max() / rows["energy_total"][0]), rows["dt"][2:-1]
     lab.expect(f"{label}: largest energy over the first", f"<= {ALLOWED}", f"{most:.4f}", most <= ALLOWED)

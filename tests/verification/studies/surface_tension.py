@@ -54,7 +54,7 @@ SPEED = 1e-5  # at the top
 
 
 def swinging(k, tension, dimension=2):
-    """A layer half a wave long, in 3D along both axes of the wall, with velocities near those of its slowest wave.
+    """A layer half a wave long, in 3D along both axes of the wall, with velocities near its slowest wave's.
     @return the frequency of this wave and the case"""
     wave = _layer.SlowestWave(k, HEIGHT, YOUNG, POISSON, tension)
     y, numbers = (numpy.arange(400) + 0.5) / 400 * HEIGHT, numpy.arange(8)  # of half waves over the height
@@ -112,7 +112,8 @@ def waves(lab):
 # --- a droplet at rest
 
 def half(drop, elements, height, young, surface, end, **wall):
-    """@param height  of the domain;  @param surface  further keys of the substrate;  @param wall  further keys of the fluid"""
+    """@param height  of the domain;  @param surface  further keys of the substrate;  @param wall  further keys of the
+    fluid"""
     return case("Half a droplet at rest; the left side is its plane of symmetry.", "gel",
                 domain=dict(size=[drop.length, height], elements=elements),
                 fluid=dict(viscosity="1/256", capillarity=drop.capillarity, temperature=0.39, contact_angle=drop.angle,
@@ -131,7 +132,8 @@ def stiff(ratio, wall_tension, **surface):
 
 
 def linear_theory(x, drop, young, surface_tension, acts, modulus=0.0):
-    """Displacement (u_x, u_y) of the wall at the points x; acts: f_w is part of the tension; modulus: lambda_s + 2 G_s of the wall."""
+    """Displacement (u_x, u_y) of the wall at the points x; acts: f_w is part of the tension; modulus: lambda_s + 2 G_s
+    of the wall."""
     count, modes = 4000, 400
     s = (numpy.arange(count) + 0.5) * drop.length / count
     across, down = ridge_locking.tractions(s, drop.capillarity, drop.radius, numpy.radians(drop.angle), 0.0)
@@ -202,7 +204,8 @@ def droplet(lab):
 
 
 def tangential(lab, names, pictures, by_hand):
-    """What f_w that acts does: no force along the wall at the line, as if the tension below the liquid had been given."""
+    """What f_w that acts does: no force along the wall at the line, as if the tension below the liquid had been
+    given."""
     x, u, _ = pictures[names[0, 1]]
     acting = pictures[names[1, 1]][1]
     moved, held = at_line(x, u), at_line(x, acting)
@@ -245,14 +248,15 @@ def balance(lab):
     last = runs[f"acts, dt = {sizes[-1]}"].history
     stretch, surface = numpy.abs(last["wall_stretch"]).max(), numpy.ptp(last["energy_surface"]) / numpy.ptp(last["energy_elastic"])
     lab.expect("acts: wall_stretch", "0", f"{stretch:g}", stretch == 0)
-    lab.expect("the energy of the surface takes part: its change, as a part of that of the elastic energy", ">= 0.01", f"{surface:.2g}",
+    lab.expect("the energy of the surface takes part: its change, as a part of the change of the elastic energy", ">= 0.01", f"{surface:.2g}",
                surface >= 0.01)
 
 
 # --- soft
 
 def soft(lab):
-    """The droplet of Style et al., with interfaces of two widths whose surface tension over Young's modulus is the same."""
+    """The droplet of Style et al., with interfaces of two widths whose surface tension over Young's modulus is the
+    same."""
     rows, results = [], {}
     for inverse, elements in ((64, [80, 75]), (128, [160, 150])):
         drop = Drop(0.3568, 96.24, 1 / inverse, 0.64, 0.104 if inverse == 64 else 0.1, 0.49, clamped=True)
@@ -330,8 +334,8 @@ def kink(x, y):
 
 
 def softer(lab):
-    """A third of that modulus. The layer is neo-Hookean, for a Saint Venant-Kirchhoff layer gives way under the pressure of the droplet,
-    and viscous, so that the pull of the start does not shake it."""
+    """A third of that modulus. The layer is neo-Hookean, for a Saint Venant-Kirchhoff layer gives way under the
+    pressure of the droplet, and viscous, so that the pull of the start does not shake it."""
     drop = Drop(0.3568, 96.24, 1 / 64, 0.64, 0.104, 0.49, clamped=True)
     layer = dict(material="neo_hookean", viscosity=0.05)
     held = half(drop, [80, 75], 0.6, 0.043, dict(surface_tension=2.666e-3, **layer), 100.0, wall_tension="acts")

@@ -140,8 +140,9 @@ def angles(lab, run):
 
 
 def explicit(lab):
-    """The mirrored load at the temperature 0.7 on 32 x 16 elements, to t = 1.5 of a load that is twelve times larger. The whole
-    pull takes hundreds of thousands of steps of rkl2 on 64 x 32 elements, and many times more of the others."""
+    """The mirrored load at the temperature 0.7 on 32 x 16 elements, to t = 1.5 of a load that is twelve times larger.
+    The whole pull takes hundreds of thousands of steps of rkl2 on 64 x 32 elements, and many times more of the
+    others."""
     words = [word for word in SMALL if not word.startswith(("time.end", "load[0].start", "output"))]
     words += ["fluid.temperature=0.7", "droplet[0].radius=0.22", "load[0].start=0.3", "time.end=1.5", "output.fields.times=[]",
               "time.dt_initial=0.001", "time.dt_max=0.001"]  # the same steps for both, shorter than the bound

@@ -83,7 +83,8 @@ def motion(run):
 
 
 def measured(run, exact):
-    """The roots of a run that is near the exact ones, without its beginning, when other waves that the start sets off on the mesh decay."""
+    """The roots of a run that is near the exact ones, without its beginning, when other waves that the start sets off
+    on the mesh decay."""
     t, u = motion(run)
     if exact[0].imag:
         s = _shape.damped_wave(t[len(t) // 3:], u[len(t) // 3:], max(exact, key=lambda s: s.imag), drift=False)[0]
@@ -217,15 +218,15 @@ def study(lab):
 
 
 def explicit(lab):
-    """The decaying waves with short steps, against the exact roots; with rkl2 an overdamped one with steps that viscosity alone would
-    not allow."""
+    """The decaying waves with short steps, against the exact roots; with rkl2 an overdamped one with steps that
+    viscosity alone would not allow."""
     for name in ("shear, k = 2 pi, eta = 0.01", "pressure, k = 2 pi, eta = 0.01"):
         text, viscous, elastic, k = WAVES[name]
         exact = ordered(roots(viscous, elastic, k))
         run = lab.run(name, text, steps(2 * numpy.pi / abs(exact[0]) / 400, 1200, 20))
         error = numpy.abs(ordered(measured(run, exact)) - exact).max() / abs(exact[0])
         lab.expect(f"{name}: error of s", "<= 0.01 %", f"{100 * error:.2g} %", error <= 1e-4)
-    if lab.scheme == "rkl2":  # which takes the viscosity of the solid apart, like that of the fluid
+    if lab.scheme == "rkl2":  # which takes the viscosities of the solid and of the fluid apart
         text, end = box("displacement_x", [0, 1], 0.5, viscosity=1.0), 4.0
         runs = [lab.run(f"overdamped shear, eta = 1, safety {safety}", text, [
             f"time.end={end}", f"output.fields.times=[1,{end}]", f"time.safety={safety}"]) for safety in (0.9, 0.45)]

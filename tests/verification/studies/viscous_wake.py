@@ -26,9 +26,10 @@ SPEED, FORCE, SIDE, DEPTH = 0.2, -0.01, 0.1, 0.125  # of the box; its width and 
 
 
 def under_box(x, viscosity):
-    """u_y of the top of a periodic layer on rollers at the distances x from the middle of a box that moves for ever: a sum over
-    waves e^(i k x). A force that is uniform over the height moves a wave by f/(G k^2 - rho w^2) as a whole; waves from the base
-    and from the top make up for what the two ask for: u_y = 0 and no shear stress below, no stress above."""
+    """u_y of the top of a periodic layer on rollers at the distances x from the middle of a box that moves for ever: a
+    sum over waves e^(i k x). A force that is uniform over the height moves a wave by f/(G k^2 - rho w^2) as a whole;
+    waves from the base and from the top make up for what the two ask for: u_y = 0 and no shear stress below, no stress
+    above."""
     u = FORCE * SIDE * DEPTH**2 / 2 / STIFF * numpy.ones(len(x), complex)
     for m in range(1, 120):
         k = 2 * numpy.pi * m
@@ -95,7 +96,8 @@ def sliding(force):
 
 
 def drag(speed):
-    """Power over speed that linear theory loses in the layer under the traction of a droplet that moves with the speed; a period of 4."""
+    """Power over speed that linear theory loses in the layer under the traction of a droplet that moves with the speed;
+    a period of 4."""
     count, period = 8192, 4.0
     x = (numpy.arange(count) - count // 2) * period / count
     down = ridge_locking.tractions(x, WIDTH, middle=0.0)[1]

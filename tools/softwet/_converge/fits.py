@@ -1,11 +1,11 @@
 """The value at zero width of a number that is known at widths each half of the one before.
 
-Near the contact line the solid has a corner that the interface rounds off. Elasticity makes the number a + b g + c g^2 there, and the
-corner itself a + b g + c g log g. A number at a finite width lies between what both say of zero width: the value is their mean, and
-the error bar half of what they differ by.
+Near the contact line the solid has a corner that the interface rounds off. Elasticity makes the number a + b g + c g^2
+there, and the corner itself a + b g + c g log g. A number at a finite width lies between what both say of zero width:
+the value is their mean, and the error bar half of what they differ by.
 
-A number that hardly depends on the width changes by what meshes leave open, and a fit would multiply that: where the last change is
-small and no smaller than the one before, the finest value counts."""
+A number that hardly depends on the width changes by what meshes leave open, and a fit would multiply that: where the
+last change is small and no smaller than the one before, the finest value counts."""
 
 import math
 
@@ -16,7 +16,8 @@ import numpy as np
 NEEDED = 3  # widths
 # What meshes of two elements to g leave open: degrees of an angle, and the share of any other number.
 LEAST_DEGREES, LEAST_SHARE = 0.15, 2e-3
-# The change of a number that hardly depends on the width, over the number, and what stays open of it. docs/converge.md, Measured
+# The change of a number that hardly depends on the width, over the number, and what stays open of it. docs/converge.md,
+# Measured
 HARDLY, OPEN = 1e-2, 1e-2
 
 
@@ -38,7 +39,8 @@ def bases(x):
 
 
 def limit(widths, values, unit=""):
-    """The limit by the three finest widths. @param unit  of the values; @return Limit; None where there are fewer, or a value is missing"""
+    """The limit by the three finest widths. @param unit  of the values; @return Limit; None where there are fewer, or a
+    value is missing"""
     order = np.argsort(widths)[:NEEDED]
     x, y = np.asarray(widths, dtype=float)[order], np.asarray(values, dtype=float)[order]
     if len(x) < NEEDED or not np.isfinite(y).all():

@@ -1,8 +1,9 @@
 """The keys of a case that follow the width of the interface.
 
-With half the width the same liquid has twice the scale a of its equation of state, since its surface tension in units of a case is
-proportional to fluid.capillarity; the length L0 and the density b stay. So a number whose unit has a to the power p is multiplied by
-the ratio of the widths to that power: moduli and tensions by the ratio, times by its inverse root."""
+With half the width the same liquid has twice the scale a of its equation of state, since its surface tension in units
+of a case is proportional to fluid.capillarity; the length L0 and the density b stay. So a number whose unit has a to
+the power p is multiplied by the ratio of the widths to that power: moduli and tensions by the ratio, times by its
+inverse root."""
 
 import re
 import subprocess
@@ -26,8 +27,8 @@ def power_in(factors):
 
 
 def units_of_keys(program):
-    """{key: unit} of all keys that have one, those of repeated tables without their brackets: from the page of the reference, which
-    has a table of keys below the name of each table of a case."""
+    """{key: unit} of all keys that have one, keys of repeated tables without their brackets: from the page of the
+    reference, which has a table of keys below the name of each table of a case."""
     told = subprocess.run([str(program), "explain", "--markdown"], capture_output=True, text=True)
     if told.returncode:
         fail(told.stderr.strip(), told.returncode)

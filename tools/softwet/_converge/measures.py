@@ -1,8 +1,8 @@
 """The numbers of a run or a state of rest that are followed to zero width.
 
-A column is `ridge`, `centre` or `angle`, or a column of history.csv. Behind @ stands where it is read: a time in the units of the
-case, `max` or `min` over t >= 0; without it the last row counts. Values come in the units of the case that was given, whatever the
-units of the narrower interface are."""
+A column is `ridge`, `centre` or `angle`, or a column of history.csv. Behind @ stands where it is read: a time in the
+units of the case, `max` or `min` over t >= 0; without it the last row counts. Values come in the units of the case that
+was given, whatever the units of the narrower interface are."""
 
 import difflib
 import math
@@ -37,9 +37,9 @@ class Column:
         return OWN.get(self.name) or columns()[self.name].unit
 
     def value(self, run, ratio):
-        """@param ratio  the width of the run over that of the case
-        @return  the number in units of the case; nan where the run has none, as a droplet that is lower than its interface is wide has
-        no angle"""
+        """@param ratio  the width of the run over the width of the case
+        @return  the number in units of the case; nan where the run has none, as a droplet that is lower than its
+        interface is wide has no angle"""
         series = SERIES.get(self.name, history_column)(run, self.name)
         if series is None or not np.isfinite(series[1]).any():
             return math.nan
@@ -95,8 +95,9 @@ def angle(run, _):
 
 
 def centre(run, _):
-    """The rise of the wall below the middle of the droplet, without the squeeze. An even polynomial through points from two elements
-    to a fifth of the droplet gives the value there: on the axis of symmetry itself selective integration leaves a spike."""
+    """The rise of the wall below the middle of the droplet, without the squeeze. An even polynomial through points from
+    two elements to a fifth of the droplet gives the value there: on the axis of symmetry itself selective integration
+    leaves a spike."""
     if run.dimension != 2 or "substrate" not in run.case:
         return None
     times, heights = [], []
@@ -115,7 +116,8 @@ def centre(run, _):
 
 
 def middle_of(run, row):
-    """The middle of the first droplet and half its contact width: a droplet that a side of the domain cuts has its middle there."""
+    """The middle of the first droplet and half its contact width: a droplet that a side of the domain cuts has its
+    middle there."""
     left, right = run.history["x_left"][row], run.history["x_right"][row]
     length, edge = run.case["domain"]["size"][0], 1e-9 * run.case["domain"]["size"][0]
     if abs(left) < edge:
@@ -126,8 +128,9 @@ def middle_of(run, row):
 
 
 def squeeze(run):
-    """By how much the pressure of the vapour lowers the whole layer; below 0. It grows as the width falls, since the layer keeps its
-    modulus while that pressure is a number of the equation of state. 0 where the stiffness varies, and without field files."""
+    """By how much the pressure of the vapour lowers the whole layer; below 0. It grows as the width falls, since the
+    layer keeps its modulus while that pressure is a number of the equation of state. 0 where the stiffness varies, and
+    without field files."""
     case = run.case
     if not {"fluid", "substrate"} <= set(case) or isinstance(case["substrate"]["young"], str) or not run.times:
         return 0.0

@@ -22,7 +22,8 @@ OF_ONE_WIDTH = ("from", "density", "velocity", "displacement")
 
 
 class Plan:
-    """case      the resolved case;  members  one of each width, the widest first;  widths  theirs, in units of the case"""
+    """case      the resolved case;  members  one of each width, the widest first;  widths  theirs, in units of the
+    case"""
 
     def __init__(self, arguments):
         self.program, self.path, self.settings = arguments.softwet, arguments.case, arguments.set
@@ -78,8 +79,9 @@ class Plan:
         return min((droplet["radius"] for droplet in self.case.get("droplet", [])), default=0.0)
 
     def doublings(self):
-        """How often the width of the case is doubled for the first one: as long as a droplet has eight of them, the layer two, and the
-        mesh still has an end of elements on the wall; at most so often that the third is the one of the case."""
+        """How often the width of the case is doubled for the first one: as long as a droplet has eight of them, the
+        layer two, and the mesh still has an end of elements on the wall; at most so often that the third is the one of
+        the case."""
         solid, counts = self.case.get("substrate", {"thickness": math.inf}), self.refined(1)
         often = 0
         while often < NEEDED - 1:
@@ -118,7 +120,8 @@ class Plan:
 
 
 def too_coarse(record, widths):
-    """What the finest width leaves open, in words; empty where it is fine enough. @param record  run.json of the finest width"""
+    """What the finest width leaves open, in words; empty where it is fine enough. @param record  run.json of the finest
+    width"""
     over = record.get("groups", {}).get("solid_tension_over_interface")
     needed = 1.25  # g = 0.4 Upsilon/E: below it the fits were measured to hold
     if over is None or over >= needed * (1 - 1e-6):

@@ -68,8 +68,8 @@ class Scene:
         return np.array([(1 - share) * line[0, i] + share * line[0, i + 1] for line in (self.fluid.x, self.fluid.y)])
 
     def close_up(self, axes):
-        """Axes in an upper corner for what lies around the contact line, with its frame in the picture; None where there is none, where
-        it would be enlarged less than twice, or where a droplet is in both corners."""
+        """Axes in an upper corner for what lies around the contact line, with its frame in the picture; None where
+        there is none, where it would be enlarged less than twice, or where a droplet is in both corners."""
         place, (left, right), (low, high) = self.contact(), axes.get_xlim(), axes.get_ylim()
         side = min(0.5 * (high - low), 0.4 * (right - left))
         reach = NEAR * self.case["fluid"]["capillarity"] if place is not None else np.inf

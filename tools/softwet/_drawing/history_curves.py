@@ -1,4 +1,5 @@
-"""Curves of history.csv: contact lines, velocity, angles, mass, energies, time step; used by tools/plot and tools/report."""
+"""Curves of history.csv: contact lines, velocity, angles, mass, energies, time step; used by tools/plot and
+tools/report."""
 
 import itertools
 import math
@@ -24,7 +25,7 @@ class Curves:
         shown = table["t"] >= start - 1e-9
         if shown.sum() < least:
             if len(shown) < least:
-                raise Problem("history.csv has one row, that of a state of rest or of a start, and a curve needs two")
+                raise Problem("history.csv has one row, as a state of rest or a start has, and a curve needs two")
             raise Problem(f"history.csv has fewer than two rows from t = {start:g} on; its last is t = "
                           f"{table['t'][-1]:g}")
         self.table = {name: values[shown] for name, values in table.items()}
@@ -47,12 +48,13 @@ class Curves:
         return self.t > self.t[0] + SPIKE * (self.t[-1] - self.t[0])
 
     def any_number(self, name):
-        """Whether the column, or that of a further droplet, has a value in the rows shown; a ridge on a rigid wall is none."""
+        """Whether the column, or the one of a further droplet, has a value in the rows shown; a ridge on a rigid wall
+        is none."""
         found = [values for column, values in self.table.items() if column.startswith(name)]
         return any((np.nan_to_num(values) != 0 if name == "ridge_" else np.isfinite(values)).any() for values in found)
 
     def line(self, ax, name, **style):
-        """The curve of a column; none where it has no values, as those of a droplet on an axis of symmetry."""
+        """The curve of a column; none where it has no values, as for a droplet on an axis of symmetry."""
         values = self.table.get(name, np.array([np.nan]))
         if np.isfinite(values).any():
             ax.plot(self.t, values, **(markers(np.isfinite(values).sum()) | style))

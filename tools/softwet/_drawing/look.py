@@ -67,20 +67,23 @@ def with_unit(text, column, dimension=2):
 
 
 def markers(count):
-    """Style of a curve through so many points: few are shown, so that nobody takes the line between them as computed."""
+    """Style of a curve through so many points: few are shown, so that nobody takes the line between them as
+    computed."""
     return {"marker": "o", "markersize": 3} if count < FEW else {}
 
 
 def letter(axes, number):
-    """(a), (b), ... above the upper left corner of a panel, before its titles, which follow it so that they cannot meet it."""
+    """(a), (b), ... above the upper left corner of a panel, before its titles, which follow it so that they cannot meet
+    it."""
     titles = [axes.get_title(loc=place) for place in ("left", "right")]
     axes.set_title("  ".join([f"({chr(ord('a') + number)})", *filter(None, titles)]), loc="left")
     axes.set_title("", loc="right")
 
 
 def fraction_of(load, case, time):
-    """The part of a load that acts at a time of the results: 0 before its start, then rising over its ramp to its factor,
-    which counts as 1 where it is an expression or a table. Loads start on the clock of the computation; time 0 of the results is the start of the first one."""
+    """The part of a load that acts at a time of the results: 0 before its start, then rising over its ramp to its
+    factor, which counts as 1 where it is an expression or a table. Loads start on the clock of the computation; time 0
+    of the results is the start of the first one."""
     since = time - (load["start"] - min(other["start"] for other in case["load"]))
     if since < 0 or (since == 0 and load["ramp"] > 0):
         return 0.0

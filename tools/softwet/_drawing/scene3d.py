@@ -1,6 +1,6 @@
 """Pictures of runs in three dimensions: droplets on the deformed substrate, and the profile of its surface.
 
-PyVista renders the surfaces, without a display too. Lines and labels are those of matplotlib: they stay sharp in a PDF."""
+PyVista renders the surfaces, without a display too. matplotlib draws lines and labels, which stay sharp in a PDF."""
 
 import itertools
 

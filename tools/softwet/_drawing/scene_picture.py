@@ -1,8 +1,10 @@
-"""The scene of a case before it is computed: materials, droplets, loads, probes, sides, given fields, and the mesh where it is graded.
+"""The scene of a case before it is computed: materials, droplets, loads, probes, sides, given fields, and the mesh
+where it is graded.
 
-What is plotted is the state that the program writes with `softwet check CASE --scene DIR`: the case with its defaults, the fields
-of the first state, and the values of expressions and tables. In two dimensions it is one picture. In three dimensions it is
-the vertical section through the largest droplet, seen from the front, and the wall, seen from above."""
+What is plotted is the state that the program writes with `softwet check CASE --scene DIR`: the case with its defaults,
+the fields of the first state, and the values of expressions and tables. In two dimensions it is one picture. In three
+dimensions it is the vertical section through the largest droplet, seen from the front, and the wall, seen from
+above."""
 
 import json
 import tempfile
@@ -67,13 +69,14 @@ class FirstState:
 
 def with_first_state(case, sets, draw):
     """Lets the program write the first state of a case, and gives it to `draw` while it is there.
-    @param case  path of a case file;  @param sets  words --set KEY=VALUE;  @return what draw returns; raises softwet.Failure"""
+    @param case  path of a case file;  @param sets  words --set KEY=VALUE;  @return what draw returns; raises
+    softwet.Failure"""
     with tempfile.TemporaryDirectory(prefix="softwet_scene_") as folder:
         program.ask("check", str(case), *sets, "--scene", folder)
         return draw(FirstState(folder))
 
 
-# --- a plane: the section, or all of a scene in two dimensions -----------------------------------------------------------
+# --- a plane: the section, or all of a scene in two dimensions -----------------------------------------------------
 class Plane:
     """A plane of a scene: the axes that lie in it, and the index of the layer of each part across."""
 
@@ -214,7 +217,7 @@ def frame(axes, width, height, kinds, names):
     axes.set_axis_off()
 
 
-# --- the wall from above ---------------------------------------------------------------------------------------------------
+# --- the wall from above -------------------------------------------------------------------------------------------
 def draw_above(axes, state):
     """The wall of a scene in three dimensions from above: where it is wet, its pattern, and the loads below it."""
     width, depth = state.size[:2]
@@ -242,7 +245,7 @@ def draw_above(axes, state):
     return images
 
 
-# --- pages ---------------------------------------------------------------------------------------------------------------
+# --- pages ---------------------------------------------------------------------------------------------------------
 def draw(figure, state, size=7):
     """The picture of a scene. @param size  of the titles and labels in points;  @return its panels"""
     if len(state.size) == 2:
@@ -258,7 +261,8 @@ def draw(figure, state, size=7):
 
 
 def add_scales(figure, panel, images, size):
-    """A scale of colours for each image {label: image} of a panel: below a flat one, at whose side the label would be taller."""
+    """A scale of colours for each image {label: image} of a panel: below a flat one, at whose side the label would be
+    taller."""
     (left, right), (low, high) = panel.get_xlim(), panel.get_ylim()
     place = {"location": "bottom", "shrink": 0.5, "aspect": 30, "pad": 0.1} if high - low < FLAT * (right - left) else {"shrink": 0.8, "pad": 0.01}
     for label, image in images.items():

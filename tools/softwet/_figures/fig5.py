@@ -1,5 +1,5 @@
 """Fig. 5: two droplets pushed together by two loads in three dimensions. A, B: start and end; C: the surface along the
-diagonal. The table is that of Fig. 4 for both droplets; a droplet that has merged into the other has no entry."""
+diagonal. The table is the one of Fig. 4, for both droplets; a droplet that has merged into the other has no entry."""
 
 from pathlib import Path
 

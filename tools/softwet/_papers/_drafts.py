@@ -21,7 +21,7 @@ PULL = 0.2                            # growth of cos(contact angle) along the w
 HEADER = ("speed_coarse", "speed_fine", "error", "drive", "drive_error", "drive_work", "drive_slopes")
 
 
-# --- runs ------------------------------------------------------------------------------------------------------------------------
+# --- runs ----------------------------------------------------------------------------------------------------------
 def tables(name, elements, fluid, substrate, **sides):
     """The case of a droplet on a layer, a draft. @param elements  along the box"""
     end = 3.0 if elements == QUICK else 30.0
@@ -46,7 +46,7 @@ def sweep(runs, name, make, vary, more=()):
 
 
 def pulled(angle):
-    """A contact angle whose cosine grows along the wall from that of this angle in the middle."""
+    """A contact angle whose cosine grows along the wall. @param angle  in the middle"""
     return f"acos(cos({angle}*pi/180) + {PULL}*sin(2*pi*(x - 0.5))/(2*pi))*180/pi"
 
 
@@ -54,7 +54,7 @@ def pulled_at(angle, x):
     return np.degrees(np.arccos(math.cos(math.radians(angle)) + PULL * np.sin(2 * math.pi * (x - 0.5)) / (2 * math.pi)))
 
 
-# --- what they show --------------------------------------------------------------------------------------------------------------
+# --- what they show ------------------------------------------------------------------------------------------------
 class Droplet:
     """A droplet on one mesh or two, from a third of the time to the end.
 
@@ -76,7 +76,7 @@ class Droplet:
         self.drive, self.drive_error = drives[-1], abs(drives[-1] - drives[0])
 
     def foretold(self, layer, angle):
-        """@param layer  that of tests/oracle/driven_droplet.py"""
+        """@param layer  as in tests/oracle/driven_droplet.py"""
         ends = [mean(self.runs[-1].history, self.runs[-1].history[name]) for name in ("x_left", "x_right")]
         capillarity = self.runs[-1].case["fluid"]["capillarity"]
         self.formulas = dict(zip(("slopes", "work"), layer.drive(angle, capillarity, *ends)))
@@ -104,7 +104,8 @@ def mean(history, values):
 
 
 def droplets(folder, name):
-    """{values of --vary: Droplet} of a sweep on its meshes, {} without one; a tuple, or the value itself where one key is varied."""
+    """{values of --vary: Droplet} of a sweep on its meshes, {} without one; a tuple, or the value itself where one key
+    is varied."""
     sweeps = [softwet.open_sweep(folder / f"{name}_{mesh}") for mesh in MESHES if (folder / f"{name}_{mesh}").is_dir()]
     runs = {}
     for member in (member for members in sweeps for member in members):
@@ -114,7 +115,8 @@ def droplets(folder, name):
 
 
 def mobilities(folder, name, angle_of):
-    """{value of --vary: speed over drive on each mesh} of droplets that are pulled. @param angle_of  the contact angle of a value"""
+    """{value of --vary: speed over drive on each mesh} of droplets that are pulled. @param angle_of  the contact angle
+    of a value"""
     found = {}
     for value, droplet in droplets(folder, name).items():
         histories, angle = [run.history for run in droplet.runs], angle_of(value)
@@ -127,7 +129,7 @@ def layer(*of):
     return oracle("driven_droplet").Layer(*of)
 
 
-# --- agreement and picture -------------------------------------------------------------------------------------------------------
+# --- agreement and picture -----------------------------------------------------------------------------------------
 STRAINS = "strains are not small"
 POINTS = "it has neither the width of the interface nor the pressure"
 

@@ -42,8 +42,8 @@ class Runs:
         return path
 
     def softwet(self, command, case, *words, out):
-        """Starts `softwet COMMAND CASE WORDS --out FOLDER/OUT`, unless that is there and done. Where words or case have changed since,
-        it is computed anew. @return the folder; raises Problem where it fails"""
+        """Starts `softwet COMMAND CASE WORDS --out FOLDER/OUT`, unless that is there and done. Where words or case have
+        changed since, it is computed anew. @return the folder; raises Problem where it fails"""
         words, target = [str(word) for word in words], self.folder / out
         text, kept = self._text(command, case, words), self.folder / f"{out}.command"
         same = kept.is_file() and kept.read_text() == text
@@ -73,7 +73,7 @@ class Runs:
 
 
 def done(folder, command):
-    """Whether an output folder, or that of a sweep, has all its results."""
+    """Whether an output folder, or the folder of a sweep, has all its results."""
     try:
         if command == "sweep":
             return all(member.status == "done" for member in open_sweep(folder))

@@ -43,8 +43,8 @@ def compute(runs):
 
 
 def read(folder):
-    """Three dicts: {(k, angle of the fibres): Droplet}, {(contact angle, angle of the fibres): Droplet}, and the first for the stiff
-    layer."""
+    """Three dicts: {(k, angle of the fibres): Droplet}, {(contact angle, angle of the fibres): Droplet}, and the first
+    for the stiff layer."""
     stiffness, stiff = (read_stiffness(folder, *which) for which in (("stiffness", 1), ("stiff", STIFFER)))
     wetting, angle_of = _drafts.droplets(folder, "wetting"), {_drafts.pulled(angle): angle for angle in ANGLES}
     mobility = {angle_of[text]: value for text, value in _drafts.mobilities(folder, "pulled", angle_of.get).items()}
@@ -63,7 +63,7 @@ def read_stiffness(folder, name, stiffer):
     return found
 
 
-# --- agreement -------------------------------------------------------------------------------------------------------------------
+# --- agreement -----------------------------------------------------------------------------------------------------
 def agreement(stiffness, wetting, stiff):
     fastest = max(abs(droplet.speed) for droplet in stiffness.values())
     apart = max(abs(stiffness[k, fibres].speed + stiffness[k, 180 - fibres].speed) for k, fibres in stiffness if fibres < 90) / fastest
@@ -92,7 +92,7 @@ def fastest_fibres(angle, speeds):
             f"{best} degrees", judged(any(abs(best - side) < 10 for side in wanted), "so at any contact angle"))
 
 
-# --- picture ---------------------------------------------------------------------------------------------------------------------
+# --- picture -------------------------------------------------------------------------------------------------------
 def draw_speeds(axes, found, name, unit):
     for value, colour in zip(dict.fromkeys(first for first, _ in found), SERIES):
         chosen = {fibres: droplet for (first, fibres), droplet in found.items() if first == value}

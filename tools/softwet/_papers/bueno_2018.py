@@ -57,7 +57,7 @@ def read_sweep(folder, name, stiffer):
     return found
 
 
-# --- agreement -------------------------------------------------------------------------------------------------------------------
+# --- agreement -----------------------------------------------------------------------------------------------------
 def agreement(found, stiff, neo):
     angles = [angle for angle in ANGLES if (2, angle) in found]
     fastest = max(abs(found[2, angle].speed) for angle in angles)
@@ -93,7 +93,7 @@ def side(droplet):
     return "open" if abs(droplet.speed) < droplet.error else "stiffer" if droplet.speed > 0 else "softer"
 
 
-# --- picture ---------------------------------------------------------------------------------------------------------------------
+# --- picture -------------------------------------------------------------------------------------------------------
 def draw_speeds(axes, found):
     for angle, colour in zip(ANGLES, SERIES):
         chosen = {growth: droplet for (growth, other), droplet in found.items() if other == angle}

@@ -77,8 +77,8 @@ def sine(angles):
 
 
 def creep(angles):
-    """Speeds of a droplet that sticks, and the parts of the force it holds that give them: the law h of docs/theory.md, integrated over
-    the profile of the interface at rest."""
+    """Speeds of a droplet that sticks, and the parts of the force it holds that give them: the law h of docs/theory.md,
+    integrated over the profile of the interface at rest."""
     plane = oracle("plane_interface").PlaneInterface(0.39)
 
     def slope(rho):
@@ -109,7 +109,7 @@ def sliding(steps, sign, rising):
     return [step for step in chosen if step.share * sign > 1.05]
 
 
-# --- agreement -------------------------------------------------------------------------------------------------------------------
+# --- agreement -----------------------------------------------------------------------------------------------------
 def within(found, asked, part):
     return "agrees" if abs(found - asked) <= part * abs(asked) else f"does not: off by {100 * (found / asked - 1):+.1f} %"
 
@@ -144,7 +144,7 @@ def agreement(chains):
            "agrees" if rise < 1e-6 else "does not: see the text")
 
 
-# --- picture ---------------------------------------------------------------------------------------------------------------------
+# --- picture -------------------------------------------------------------------------------------------------------
 def draw_displacement(axes, steps):
     shares, places = [step.share for step in steps], np.array([step.place for step in steps]) - steps[0].place
     axes.step(shares, places, where="post", color=BLUE, linewidth=0.8)

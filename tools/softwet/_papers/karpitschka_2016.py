@@ -22,15 +22,15 @@ from softwet._papers._oracle import oracle
 
 SIDE, ABOVE, PER_LENGTH, CAPILLARITY = 0.75, 0.25, 128, 1 / 64  # of the box, the fluid above the layer, elements
 YOUNG, POISSON = 0.4, 0.49
-TENSION = 0.2532 * CAPILLARITY  # of the solid: that of the liquid
+TENSION = 0.2532 * CAPILLARITY  # of the solid, as large as the liquid's
 FOOT, TRAP = 0.11, 20.0         # half of the wet width where the angle is 90 degrees; k
 HEIGHTS, COLOURS, NAMES = (0.375, 0.125, 0.0625), (BLUE, GREEN, VERMILION), ("thick", "between", "thin")
 PLACES = (0.1875, 0.203125, 0.21875, 0.25, 0.3125)  # a whole number of elements, so that the mesh has no force on the droplet
-MIDDLE = 0.5 * SIDE + 0.25 / PER_LENGTH  # where no force acts but that of the mesh: a quarter of an element beside the middle
+MIDDLE = 0.5 * SIDE + 0.25 / PER_LENGTH  # where the mesh alone exerts a force: a quarter of an element beside the middle
 
 
 def case_of(height, place):
-    start = math.acos(TRAP / 2 * FOOT**2)  # angle of the cap with which a run begins; its area is that of half a disc on the foot
+    start = math.acos(TRAP / 2 * FOOT**2)  # angle of the cap with which a run begins; its area is half a disc on the foot
     radius = FOOT * math.sqrt(0.5 * math.pi / (start - math.sin(start) * math.cos(start)))
     cosine = f"max(-0.5, {TRAP / 2} * ({FOOT}^2 - (x - {place})^2))"
     return {
@@ -86,10 +86,10 @@ class State:
 HEADER = ("thickness", "distance", "force_over_tension", "force_linear", "half_of_foot", "contact_angle", "shift_in_trap", "ridge")
 
 
-# --- agreement -------------------------------------------------------------------------------------------------------------------
+# --- agreement -----------------------------------------------------------------------------------------------------
 class Mesh:
-    """The force of the mesh on a droplet that lies a part of an element beside a node: a wave, zero at nodes. One run shows how strong it
-    is: a quarter of an element beside the middle of the box, where no other force acts."""
+    """The force of the mesh on a droplet that lies a part of an element beside a node: a wave, zero at nodes. One run
+    shows how strong it is: a quarter of an element beside the middle of the box, where no other force acts."""
 
     def __init__(self, strongest):
         self.strongest = strongest
@@ -114,7 +114,7 @@ def agreement(states, mesh):
                    "agrees" if off < 0.05 * abs(state.linear) + mesh.error(state) else f"does not: {off / abs(state.linear):.0%} away")
 
 
-# --- picture ---------------------------------------------------------------------------------------------------------------------
+# --- picture -------------------------------------------------------------------------------------------------------
 def draw_walls(axes, states):
     for height, colour, name in zip(HEIGHTS, COLOURS, NAMES):
         for state in states.get(height, [])[:1]:

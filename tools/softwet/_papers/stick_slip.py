@@ -95,7 +95,7 @@ class Slide:
         self.speed = np.polyfit(self.history["t"][late], self.history["x_centre"][late], 1)[0]
         self.rear, self.front, solid = mean["ridge_left"], mean["ridge_right"], mean["dissipation_solid"]
         self.drag, self.liquid = solid / self.speed, (mean["dissipation"] - solid) / self.speed**2
-        self.fed = mean["wall_stretch"] / (self.speed * self.pull)  # power of a wall whose tension does not know f_w, over that of the force
+        self.fed = mean["wall_stretch"] / (self.speed * self.pull)  # power of a wall whose tension does not know f_w, over the power of the force
         self.ahead = self.place_of_ridge()
 
     def place_of_ridge(self):
@@ -126,7 +126,8 @@ HEADER = ("chain", "tau", "force", "speed", "speed_tau", "ridge_rear", "ridge_re
 
 
 def theory_at(capillarity):
-    """Function of V tau and the exponent: ridges at the rear and at the front, drag, and place of the front ridge, in linear theory."""
+    """Function of V tau and the exponent: ridges at the rear and at the front, drag, and place of the front ridge, in
+    linear theory."""
     moving = oracle("moving_ridge")
 
     def theory(delay, exponent=1):
@@ -160,13 +161,14 @@ class Result:
         return [slide for delay in FORCES for slide in self.of(delay) if delay != FREE or not slide.loose(self)]
 
     def foreseen(self, delay):
-        """Force per unit mass against speed: the drag of linear theory, and the friction of the liquid as it was found with BRAKED."""
+        """Force per unit mass against speed: the drag of linear theory, and the friction of the liquid as it was found
+        with BRAKED."""
         speeds = self.delays / delay
         mass = self.slides[-1].pull / self.slides[-1].force
         return (self.curves[2] + self.liquid * speeds) / mass, speeds
 
 
-# --- agreement -------------------------------------------------------------------------------------------------------------------
+# --- agreement -----------------------------------------------------------------------------------------------------
 LINES = ((0, 5.621e-3, -.0010, 0), (.003, 5.601e-3, -.0024, 4.98e-5), (.01, 5.412e-3, -.0059, 1.404e-4), (.03, 4.551e-3, -.0117, 2.105e-4),
          (.1, 2.708e-3, -.0176, 1.523e-4))  # V tau, ridge, its place, drag of one line: an independent computation
 PARTS = {"rear ridge": 0.1, "front ridge": 0.1, "drag": 0.2}  # what may differ: slopes of the wall are finite
@@ -234,7 +236,7 @@ def loose(result):
                f"does not: {100 * (both / asked - 1)[0]:+.0f} % when stuck; the stretch of the wall feeds {100 * stuck.fed:.0f} % more power")
 
 
-# --- picture ---------------------------------------------------------------------------------------------------------------------
+# --- picture -------------------------------------------------------------------------------------------------------
 def draw_speed(axes, result):
     for delay, colour in COLOURS.items():
         axes.semilogy([slide.force for slide in result.of(delay)], [slide.speed for slide in result.of(delay)], "o", color=colour,

@@ -2,7 +2,7 @@
 
 R. W. Style, R. Boltyanskiy, Y. Che, J. S. Wettlaufer, L. A. Wilen, E. R. Dufresne, "Universal deformation of soft substrates near a
 contact line and the direct measurement of solid surface stresses". Glycerol on a silicone gel of 3 kPa, in the numbers of van
-Brummelen's group, which are those of cases/style_2013_axisymmetric.toml.
+Brummelen's group, as in cases/style_2013_axisymmetric.toml.
 
 Computed are the states of rest of droplets of five radii, on a surface with a tension alone and on one with the surface moduli of
 silicone too, and of the droplet of the case with interfaces twice and half as wide. They are compared with linear elasticity at the same
@@ -33,7 +33,7 @@ NEUMANN = math.degrees(math.acos((LIQUID**2 - WET**2 - DRY**2) / (2 * WET * DRY)
 def scene(radius, width, moduli):
     """Settings of the case for a radius and a half width of the interface in micrometres."""
     g = width / LENGTH
-    scale = g * 100  # stresses and tensions are in units of those of the liquid
+    scale = g * 100  # stresses and tensions are in units of the liquid's
     cosine = (DRY - WET) / LIQUID
     margin = 0.04 * scale
     values = {"domain.elements": [round(2 / g)] * 2, "fluid.capillarity": g, "substrate.young": GEL * scale,
@@ -100,7 +100,7 @@ def limit(values):
     return values[2] + second**2 / (first - second)
 
 
-# --- agreement -------------------------------------------------------------------------------------------------------------------
+# --- agreement -----------------------------------------------------------------------------------------------------
 def judged(good, why):
     return "agrees" if good else f"does not: {why}"
 
@@ -150,8 +150,8 @@ def listed(values):
 
 
 def sharp_opening(walls):
-    """Neumann's law is that of a sharp interface. Openings at three widths are extrapolated to it; what the same extrapolation makes of
-    linear theory, whose limit is known, shows its error."""
+    """Neumann's law holds for a sharp interface. Openings at three widths are extrapolated to it; what the same
+    extrapolation makes of linear theory, whose limit is known, shows its error."""
     exact = 2 * math.degrees(math.atan((WET + DRY) / LIQUID / math.sin(math.radians(YOUNG))))
     for wall in walls:
         why = f"the width of the interface; linear theory has {wall.linear['opening']:.1f} degrees with it and {exact:.1f} without"
@@ -164,7 +164,7 @@ def sharp_opening(walls):
                       f"extrapolated from too wide interfaces; linear theory has {linear:.1f} degrees in this way"))
 
 
-# --- picture ---------------------------------------------------------------------------------------------------------------------
+# --- picture -------------------------------------------------------------------------------------------------------
 def draw_walls(whole, near, walls):
     for wall in walls:
         colour, dashes = COLOURS[RADII.index(wall.radius)], (0, (2, 1)) if wall.moduli else "-"

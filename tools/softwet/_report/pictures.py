@@ -13,7 +13,8 @@ NO_DENSITY = "the field files hold no density\n(output.fields.select)"
 
 
 def scene(figure, run):
-    """The scene as it was before the run, or a sentence where the program cannot make its first state. @return its panels"""
+    """The scene as it was before the run, or a sentence where the program cannot make its first state. @return its
+    panels"""
     try:
         return with_first_state(run.folder / "case.toml", [], lambda state: draw(figure, state, size=6))
     except Problem as problem:

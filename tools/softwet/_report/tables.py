@@ -60,7 +60,8 @@ def scene(case):
 
 
 def groups(record):
-    """Dimensionless groups as run.json lists them; none of older records. Those of a speed are given for the speed 1."""
+    """Dimensionless groups as run.json lists them; none of older records. Those of a speed are given for the speed
+    1."""
     of_speed = ("capillary_number", "reynolds")
     return [(name.replace("_", " ") + (" at speed 1" if name in of_speed else ""), number(value))
             for name, value in (record.get("groups") or {}).items()]
@@ -69,8 +70,9 @@ def groups(record):
 class Budget:
     """Energy since the first row shown: {name: array over the rows}.
 
-    change of the energy = work of the loads and needles + work of the wall's stretch - what is dissipated + rest; the rest is the
-    error of the discretisation, and with the paper's wall law what that law takes or gives at the contact line."""
+    change of the energy = work of the loads and needles + work of the wall's stretch - what is dissipated + rest; the
+    rest is the error of the discretisation, and with the paper's wall law what that law takes or gives at the contact
+    line."""
 
     def __init__(self, curves):
         table, steps = curves.table, np.diff(curves.t)
@@ -116,7 +118,8 @@ LINE = {"angle": ("angles", "{:.2f}", " degrees"), "ridge": ("ridges", "{:.4g}",
 
 
 def at_the_line(curves, suffix, kinds):
-    """Numbers at the ends of a droplet, in the last row: both, or the one that is not an axis of symmetry. @param kinds  of LINE"""
+    """Numbers at the ends of a droplet, in the last row: both, or the one that is not an axis of symmetry. @param kinds
+    of LINE"""
     rows = []
     for kind in kinds:
         ends = ("left", "right") if curves.flat else ("rear", "front")

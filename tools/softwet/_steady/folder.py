@@ -76,8 +76,8 @@ class StatesFolder:
         return self.path / name
 
     def next_kept(self, value, folder):
-        """The row of the next state, where an earlier command has computed it; else None, and what came after it counts no
-        more, for it began from another state."""
+        """The row of the next state, where an earlier command has computed it; else None, and what came after it counts
+        no more, for it began from another state."""
         row = self.kept.pop(0) if self.kept else {}
         if (row.get("value"), row.get("folder")) == (value, folder.name) and all(
                 (folder / name).is_file() for name in (LOG, "run.json")):

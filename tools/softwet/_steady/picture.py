@@ -9,7 +9,7 @@ from .._drawing.look import BLUE, GREEN, RED, STYLE, axis_names, length, letter,
 from .table import FOUND, HISTORY
 from matplotlib import pyplot as plt
 
-PANELS = [  # columns, their names, what the axis shows; that of a column of history.csv gets its unit
+PANELS = [  # columns, their names, label of the axis; a column of history.csv as label gets its unit
     (("ridge", "dimple"), ("highest", "lowest"), r"rise of the wall / $L_0$"),
     (("x_left", "x_right", "x_centre"), ("left", "right", "middle"), "contact lines"),
     (("track_rear", "track_front"), ("rear", "front"), "contact lines"),

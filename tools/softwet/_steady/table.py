@@ -27,8 +27,8 @@ def stability_of(rest):
 
 
 def row_of(folder, value, state):
-    """One row: what was asked for, whether it was found, and its numbers. Where it was not found, only how the search went:
-    the fields that it left are no state of rest."""
+    """One row: what was asked for, whether it was found, and its numbers. Where it was not found, only how the search
+    went: the fields that it left are no state of rest."""
     run = softwet.open(folder)
     rest = run.record["rest"]
     search = {"value": value, "state": state, "folder": folder.name, **{name: rest[name] for name in SHOWN}}

@@ -63,8 +63,8 @@ class Job:
                                            f"{counts.get('steps', 0)} steps, {note['seconds']:.1f} s"))
 
     def reason(self, code):
-        """Why the run ended: run.json says it without the remedies that the log has, but that of an earlier run may be
-        there where this one was stopped before its first row."""
+        """Why the run ended: run.json says it without the remedies that the log has, but run.json of an earlier run may
+        be there where this one was stopped before its first row."""
         told = self.member.record().get("stop", {}).get("reason", "")
         if code == 0:
             return told if told and told != "running" and not told.startswith("failed: ") else STOPPED

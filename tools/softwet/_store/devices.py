@@ -22,7 +22,8 @@ def backend_of(program):
 
 
 class Devices:
-    """Gives each running member the device with the fewest members. A program for processors has none, and nothing is limited.
+    """Gives each running member the device with the fewest members. A program for processors has none, and nothing is
+    limited.
     @param per_device  members that share a device at most"""
 
     def __init__(self, program, per_device=1):
@@ -67,8 +68,8 @@ def check_room(devices, jobs, option=True):
 
 @contextlib.contextmanager
 def sharing(devices):
-    """Runs NVIDIA's Multi-Process Service where members share devices, so that their kernels run side by side. One that runs already
-    serves them too."""
+    """Runs NVIDIA's Multi-Process Service where members share devices, so that their kernels run side by side. One that
+    runs already serves them too."""
     wanted = devices.variable == VISIBLE["Cuda"] and devices.per_device > 1
     if not wanted or "CUDA_MPS_PIPE_DIRECTORY" in os.environ:
         yield {}

@@ -1,4 +1,5 @@
-"""Runs that are kept by what they are made of: the same program, case and words are one run. Used by `softwet verify`."""
+"""Runs that are kept by what they are made of: the same program, case and words are one run. Used by
+`softwet verify`."""
 
 import hashlib
 import json

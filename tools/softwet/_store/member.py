@@ -34,9 +34,9 @@ class Member:
             return False
 
     def status(self):
-        """@return the state, and the note on how it ended: exit, reason, seconds, and `again` where the machine ended it
-        (a full disk) and it can go on. A note without exit is that of a run that did not come to its end; there is none
-        before the first start."""
+        """@return the state, and the note on how it ended: exit, reason, seconds, and `again` where the machine ended
+        it (a full disk) and it can go on. A note without exit belongs to a run that did not come to its end; there is
+        none before the first start."""
         running = self.is_locked()  # before the note, which is final once the lock is gone
         note = read_json(self.note_path)
         return "running" if running else self.outcome(note), note

@@ -9,7 +9,8 @@ from .._tools.python import end_unread
 
 
 def start(words, log, **options):
-    """Starts a program that says all to a file, in a session of its own: Ctrl-C reaches the tool alone, which passes it on.
+    """Starts a program that says all to a file, in a session of its own: Ctrl-C reaches the tool alone, which passes it
+    on.
     @param options  of subprocess.Popen, in place of these"""
     usual = {"stdin": subprocess.DEVNULL, "stdout": log, "stderr": log, "start_new_session": True}
     return subprocess.Popen(words, **{**usual, **options})
@@ -23,8 +24,8 @@ def when_asked_to_stop(action):
 
 
 def carry_out(main, interrupted):
-    """Runs a tool to its end, with a sentence for what ends it early. Until runs are under way, a wish to stop ends it as
-    Ctrl-C does. @param main  gives the exit code;  @param interrupted  called where it was asked to stop"""
+    """Runs a tool to its end, with a sentence for what ends it early. Until runs are under way, a wish to stop ends it
+    as Ctrl-C does. @param main  gives the exit code;  @param interrupted  called where it was asked to stop"""
     def stop(*_):
         raise KeyboardInterrupt
 

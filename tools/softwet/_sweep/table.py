@@ -7,7 +7,7 @@ import sys
 from .._store.files import write_csv
 from ..program import WARNING
 
-# The columns of history.csv without --columns: those of a droplet.
+# The columns of history.csv without --columns: what a droplet does.
 COLUMNS = ["x_centre", "velocity", "angle_left", "angle_right", "ridge_left", "ridge_right", "dimple", "mass_drift"]
 
 
@@ -37,8 +37,8 @@ class Table:
         return row
 
     def from_history(self, member, begun, complete):
-        """Last values of the columns, and the largest |velocity| at t >= 0, the start of the load. Empty for a member that is
-        not done: what it had come to is no result beside those of the others."""
+        """Last values of the columns, and the largest |velocity| at t >= 0, the start of the load. Empty for a member
+        that is not done: what it had come to is no result beside the results of the others."""
         rows = []
         if begun:
             try:

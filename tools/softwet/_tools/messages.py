@@ -48,7 +48,8 @@ def last_line(text, start):
 
 
 def need_program(path):
-    """The path of softwet, resolved: the given one, else the one that the Python package starts. Refuses what is no program."""
+    """The path of softwet, resolved: the given one, else the one that the Python package starts. Refuses what is no
+    program."""
     try:
         path = path or pathlib.Path(find_program())
     except Problem as problem:

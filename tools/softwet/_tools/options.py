@@ -11,7 +11,8 @@ KINDS = {"path": pathlib.Path, "integer": int, "number": float, "list": lambda t
 
 
 def parse(command, about):
-    """What the command line says. @param about  the docstring of the program: a line or two of usage, a blank line, what it does
+    """What the command line says. @param about  the docstring of the program: a line or two of usage, a blank line,
+    what it does
     @return  an attribute for each option; `softwet` is the path of the program"""
     declared = tomllib.loads((PACKAGE / "commands.toml").read_text())["command"]
     options = next(entry["option"] for entry in declared if entry["name"] == command)

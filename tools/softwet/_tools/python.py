@@ -1,8 +1,8 @@
 """Which python3 a tool runs in: the same choice for all of them.
 
 A tool begins with `need(modules)`. Where this interpreter lacks one, or where SOFTWET_PYTHON names another, the tool
-starts again in SOFTWET_PYTHON, or else in python3, or else in /usr/bin/python3. `softwet verify` and its like start it in
-the first of these that starts at all."""
+starts again in SOFTWET_PYTHON, or else in python3, or else in /usr/bin/python3. `softwet verify` and its like start it
+in the first of these that starts at all."""
 
 import atexit
 import importlib.util
@@ -20,7 +20,8 @@ STARTED = "SOFTWET_PYTHON_STARTED"  # in the environment of a tool that was star
 
 
 def need(*modules):
-    """Goes on in a python3 of 3.11 or newer that has the modules; ends with exit code 1 or 3 and a sentence where there is none."""
+    """Goes on in a python3 of 3.11 or newer that has the modules; ends with exit code 1 or 3 and a sentence where there
+    is none."""
     atexit.register(flush)
     sys.excepthook = tell
     chosen = os.environ.get("SOFTWET_PYTHON", "")
@@ -63,8 +64,8 @@ def lacks(python, modules):
 
 
 def give_folder_to_matplotlib():
-    """Where matplotlib has no folder to write to, as without a home, it says so at every start, in several lines: it gets
-    one that lasts as long as the tool."""
+    """Where matplotlib has no folder to write to, as without a home, it says so at every start, in several lines: it
+    gets one that lasts as long as the tool."""
     logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # it says that its new folder has no fonts yet
     config = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
     cache = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
@@ -110,7 +111,7 @@ def tell(kind, error, trace):
 
 
 def end(message, code):
-    """Ends the tool with a sentence, which begins as those of softwet where that has started it."""
+    """Ends the tool with a sentence, which begins as softwet's sentences do where softwet has started it."""
     name, by_softwet = os.path.basename(sys.argv[0]), "--softwet" in sys.argv[1:2]
     print(f"softwet: error: {name}: {message}" if by_softwet else f"{name}: error: {message}", file=sys.stderr)
     raise SystemExit(code)

@@ -19,7 +19,7 @@ def candidates(points, base):
 
 def expected(parts, base, floor):
     """(seconds, error) that a combination may have: the ratios of the costs are multiplied, and the changes of the
-    error are added; the error stays above that of the reference. It is a guess that chooses what to compute."""
+    error are added; the error stays above the error of the reference. It is a guess that chooses what to compute."""
     _, seconds, error = base
     cost = seconds
     for _, s, _ in parts:
@@ -28,8 +28,8 @@ def expected(parts, base, floor):
 
 
 def combinations(points, base, floor, most):
-    """At most `most` settings that combine settings of different parameters: those whose expected cost and error no member and
-    no other combination is expected to beat, spread evenly along the cost.
+    """At most `most` settings that combine settings of different parameters: those whose expected cost and error no
+    member and no other combination is expected to beat, spread evenly along the cost.
     @param floor  estimated error of the reference"""
     tried = []
     for count in range(2, MOST_PARTS + 1):

@@ -27,8 +27,8 @@ def interpolate(at, x, y):
 
 
 def series(run, name):
-    """(t, values) of a column of history.csv for t >= 0, with a value at 0 where the run begins before; None where there
-    are fewer than four values."""
+    """(t, values) of a column of history.csv for t >= 0, with a value at 0 where the run begins before; None where
+    there are fewer than four values."""
     if name not in run.history:
         return None
     t, values = run.history["t"], run.history[name]
@@ -125,8 +125,8 @@ def drift(run, reference):
 
 
 def wall(run, reference):
-    """Wall profile: L2 norm of u - u_ref along the undeformed wall, divided by the largest L2 norm of u_ref; in %, worst
-    field time."""
+    """Wall profile: L2 norm of u - u_ref along the undeformed wall, divided by the largest L2 norm of u_ref; in %,
+    worst field time."""
     try:
         times = [t for t in run.interface if any(abs(t - s) < 1e-6 * max(1, abs(s)) for s in reference.interface)]
     except Problem:
@@ -146,7 +146,7 @@ def common_times(run, reference):
 
 
 def density(run, reference):
-    """Density: L2 norm of rho - rho_ref over the fluid, divided by that of rho_ref; in %, worst field time."""
+    """Density: L2 norm of rho - rho_ref over the fluid, divided by the norm of rho_ref; in %, worst field time."""
     errors = []
     for t in common_times(run, reference):
         _, mine, theirs = densities(run, reference, t)
@@ -184,7 +184,8 @@ def about(name):
 
 
 def measure(run, reference):
-    """{measure: number} of the measures that the two runs have; one whose files are missing or cannot be read is left out."""
+    """{measure: number} of the measures that the two runs have; one whose files are missing or cannot be read is left
+    out."""
     values = {}
     for name, function in MEASURES.items():
         try:

@@ -29,7 +29,7 @@ def draw(path, entries, name, floor, cost, title):
         axes.annotate(str(number), (x, y), fontsize=8, xytext=(3, 4), textcoords="offset points")
     if floor.get(name):
         axes.axhspan(0, floor[name], color="0.9", label="error of the reference, estimated")
-    axes.set(xscale="log", xlabel=f"{COST_NAMES[cost]}, over that of the base", title=title,
+    axes.set(xscale="log", xlabel=f"{COST_NAMES[cost]}, over the base's", title=title,
              ylabel=f"error: {name} [{UNITS[name] or '-'}]", **({"yscale": "log"} if shown else {}))
     lines = [f"{number}  {entry.setting.label}" for number, (_, _, entry) in enumerate(front, 1)]
     if shown:

@@ -58,7 +58,7 @@ def reference_values(case, words):
 def companion_values(program, path, settings, reference):
     """({key: value}, order) of the companion: the reference with elements of twice the size and steps of twice the
     length. The local error that time.tolerance bounds grows with the square of the step, so the tolerance is four times
-    that of the reference. The order is None where the reference refines what is neither."""
+    the one of the reference. The order is None where the reference refines what is neither."""
     words = [f"{key}={value}" for key, value in reference.items()]
     fine = resolved_case(program, path, [*settings, *words])
     base = resolved_case(program, path, settings)

@@ -1,5 +1,5 @@
-"""Results of `softwet tradeoff`: a data frame with a row for each member, the Pareto front, and the table as text, CSV, JSON and
-Markdown."""
+"""Results of `softwet tradeoff`: a data frame with a row for each member, the Pareto front, and the table as text, CSV,
+JSON and Markdown."""
 
 import functools
 import json
@@ -75,8 +75,9 @@ def compare(entries):
 
 
 def rated(entries, name, floor, cost):
-    """[(entry, cost, error)] of the members that a reader may choose from: all but the reference and its companion. An error is not
-    less than what the reference itself is off. Members that computed the same have the smallest cost of any of them."""
+    """[(entry, cost, error)] of the members that a reader may choose from: all but the reference and its companion. An
+    error is not less than what the reference itself is off. Members that computed the same have the smallest cost of
+    any of them."""
     frame = frame_of(entries)
     frame["error"] = frame[name].clip(lower=floor.get(name, 0))
     chosen = frame[~frame.kind.isin(["reference", "companion"]) & frame.status.eq("done") & frame[cost].gt(0) & frame.error.notna()]
@@ -99,7 +100,8 @@ def beaten(seconds, error, others, factor=1.0):
 
 
 def mark_front(entries, name, floor, cost):
-    """Marks the Pareto front: no other member is both cheaper and nearer to the reference. @return that of rated"""
+    """Marks the Pareto front: no other member is both cheaper and nearer to the reference. @return the table of
+    rated"""
     points = rated(entries, name, floor, cost)
     for entry, spent, error in points:
         entry.front = not beaten(spent, error, points)
@@ -125,7 +127,8 @@ def error_cell(kind, value, name, floor):
 
 
 def table_rows(entries, floor, cost):
-    """The table of the members that are done as texts, with its heads. @return its rows, and the measures that it has"""
+    """The table of the members that are done as texts, with its heads. @return its rows, and the measures that it
+    has"""
     frame = frame_of(entries, cost)
     names = [name for name in MEASURES if frame[name].notna().any()]
     frame["label"] = [entry.label for entry in entries]

@@ -55,7 +55,7 @@ class Softwet(CMakePackage, CudaPackage, ROCmPackage):
     depends_on("py-h5py", type="run")
     depends_on("py-matplotlib", type="run")
 
-    # Its version and checksum are those of tools/cmake/kokkos.cmake.
+    # Version and checksum are the ones in tools/cmake/kokkos.cmake.
     resource(name="kokkos", url="https://github.com/kokkos/kokkos/releases/download/5.0.2/kokkos-5.0.2.tar.gz",
              sha256="188817bb452ca805ee8701f1c5adbbb4fb83dc8d1c50624566a18a719ba0fa5e", placement="kokkos")
 
