@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Wall under a sessile droplet with an axis of symmetry, in linear elasticity: the case style_2013_axisymmetric.
+"""Wall under a sessile droplet with an axis of symmetry, in linear elasticity: the case style_2013_axisymmetric. With
+--sharp the wall below a half ball of liquid with an interface of zero width, at the wall's one tension.
 
 A layer of height H on a clamped bottom fills a cylinder of radius L with a side on which it slips. Its top has the
 surface tension Y(r): wet below the droplet, dry outside. The contact line at r_c pulls upwards with sigma sin(alpha)
@@ -56,14 +57,31 @@ def wall(g, poisson, stiffer=1.0, radius=RADIUS, modulus=0.0):
     return r, foot, amplitude @ waves, -amplitude @ slopes
 
 
+def sharp(foot, height, young, tension, side, liquid, poisson, count=100000):
+    """Heights of the wall at the line and in the middle for an interface of zero width, the angle of 90 degrees and a
+    wall of one tension: the load is a line and an even pressure, and each wave is by itself."""
+    k = jn_zeros(1, count) / side
+    load = liquid * foot * j0(k * foot) - 2 * liquid / foot * foot * j1(k * foot) / k
+    stiffness = 0.5 * side**2 * j0(k * side)**2 * (1 / compliance(k, poisson, 0.0, height, young) + tension * k**2)
+    return (load / stiffness) @ j0(k * foot), (load / stiffness).sum()
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--poisson", type=float, nargs="+", default=[0.49])
     parser.add_argument("--stiffer", type=float, default=1, help="factor of modulus and dry tension; heights are times that")
     parser.add_argument("--radius", type=float, default=RADIUS, help="of the droplet, micrometres")
     parser.add_argument("--modulus", type=float, default=0, help="of the surface, mN/m")
+    parser.add_argument("--sharp", type=float, nargs=6, metavar=("R", "H", "E", "Y", "L", "SIGMA"),
+                        help="zero width, 90 degrees: radius, thickness, modulus, tensions of the wall, side, and liquid")
     parser.add_argument("widths", type=float, nargs="*", default=[10, 5, 2.5])
     arguments = parser.parse_args()
+    if arguments.sharp:
+        radius, thickness, young, tension, side, liquid = arguments.sharp
+        for poisson in arguments.poisson:
+            print("nu %g, zero width: ridge %.4f um, middle %.5f um" %
+                  (poisson, *sharp(radius, thickness, young, tension, side, liquid, poisson)))
+        raise SystemExit
     for poisson in arguments.poisson:
         for g in arguments.widths:
             r, foot, height, slope = wall(g, poisson, arguments.stiffer, arguments.radius, arguments.modulus)
