@@ -81,12 +81,15 @@ def plot(*words):
                           timeout=900)
 
 
-run("tensotaxis_pull_2d", "still", SMALL + ["load.force=[0,0]", "time.end=0.01", "output.fields.times=[0]"])
+run("tensotaxis_pull_2d", "still", SMALL + ["load.force=[0,0]", "time.end=0.01", "output.fields.times=[0,0.01]"])
 result = plot("still", "--field", "--out", "still.png")
 check_true("plot: a load of force 0", result.returncode == 0 and "Warning" not in result.stderr, result.stderr)
 for words in (["--show", "pressure"], ["--show", "velocity_x", "--columns", "2"]):
     result = plot("still", "--field", *words, "--out", "shown.png")
     check_true(f"plot {' '.join(words)}", result.returncode == 0, result.stderr)
+for words in (["--last"], ["--field", "0.01"]):
+    check_true(f"plot {words[0]}", plot("still", *words, "--out", f"still{words[0]}.png").returncode == 0)
+check_true("the last state alone", pathlib.Path("still--last.png").read_bytes() == pathlib.Path("still--field.png").read_bytes())
 write_box("space", 0.4, [8, 8, 4], 0.1, 75, "[[droplet]]\ncentre = [0.4, 0.4, 0.0]\nradius = 0.3\n[time]\nend = 0.01\n"
           "[output]\nfields = { times = [0.0] }")
 run_file("space.toml", "space")

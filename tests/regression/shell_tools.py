@@ -7,9 +7,11 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(os.environ["SOFTWET_SOURCE_DIR"])
 # Programs that the tools may use while nothing is installed; cmake, ninja and c++ are not among them.
@@ -111,6 +113,44 @@ def places(folder):
     if shutil.which("unshare") and subprocess.run([*hide, "true"], capture_output=True).returncode == 0:
         done = subprocess.run([*hide, *line], cwd=folder, capture_output=True, text=True, env=environment)
         check("OMP_PLACES without /sys", done.stdout.strip() == "places= words=run case.toml --quiet", done)
+
+
+def picture(folder):
+    """After a run its last state is plotted, where that works, and named; else nothing is said. The exit code is the
+    run's, and a wish to stop reaches it."""
+    script(folder / "tools/setup", "")
+    script(folder / "build/release/softwet", """case "$*" in *--needs*) exit 0 ;; esac
+mkdir -p "$FOLDER"
+echo "{ \\"process\\": ${WRITER:-$$} }" >"$FOLDER/run.json"
+[ -z "${WAITS:-}" ] || { trap 'exit 0' TERM; touch waits; while :; do sleep 0.1; done; }
+exit "${CODE:-0}"
+""")
+    (folder / "case.toml").write_text('name = "a case"\n')
+    script(folder / "tools/plot", 'echo "$@" >plot.txt\nexit "${PLOT:-0}"\n')
+    line = [folder / "tools/run", "case.toml"]
+
+    def plotted(name, words=(), code=0, **variables):
+        (folder / "plot.txt").unlink(missing_ok=True)
+        done = start(folder, *line, *words, **variables)
+        check(f"picture, {name}: exit code", done.returncode == code, done)
+        return (folder / "plot.txt").exists(), done.stderr
+
+    check("picture", plotted("by its name", FOLDER="out/a case") == (True, "  picture:      out/a case/last.png\n"), "not named")
+    check("its options", (folder / "plot.txt").read_text().strip() == "out/a case --last --out out/a case/last.png",
+          (folder / "plot.txt").read_text())
+    for words in (["--out", "here"], ["--out=here"]):
+        check("picture in a folder", plotted("a folder", words, FOLDER="here") == (True, "  picture:      here/last.png\n"), words)
+    check("no matplotlib", plotted("plot fails", FOLDER="out/a case", PLOT="1") == (True, ""), "something is said")
+    check("a run that failed", plotted("it failed", code=2, FOLDER="out/a case", CODE="2") == (False, ""), "plotted")
+    check("another run's folder", plotted("another folder", FOLDER="out/a case", WRITER="1") == (False, ""), "plotted")
+    check("quiet", plotted("quiet", ["--quiet"], FOLDER="out/a case") == (False, ""), "plotted")
+    for number in (signal.SIGTERM, signal.SIGINT):
+        (folder / "waits").unlink(missing_ok=True)
+        job = subprocess.Popen(line, cwd=folder, env={**os.environ, "FOLDER": "out/a case", "WAITS": "1"}, stderr=subprocess.PIPE)
+        while not (folder / "waits").exists():
+            time.sleep(0.02)
+        job.send_signal(number)
+        check(f"stopped by {number.name}", b"last.png" in job.communicate(timeout=60)[1] and job.returncode == 0, job.returncode)
 
 
 def on_a_gpu(root, folder):
@@ -216,6 +256,7 @@ with tempfile.TemporaryDirectory() as name:
     missing_packages(root, tree(root / "missing"))
     failed_configure(root, tree(root / "configure"))
     places(tree(root / "places"))
+    picture(tree(root / "picture"))
 for failure in failures:
     print(f"shell_tools: {failure}", file=sys.stderr)
 sys.exit(1 if failures else 0)
