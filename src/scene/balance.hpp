@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "scene/coefficients.hpp"
@@ -27,6 +28,16 @@ struct Measured {
   Integrals integrals;
   double load_power = 0;               ///< of the loads on the velocity of the state
   std::vector<NeedleReading> needles;  ///< of the whole scene
+
+  /// From each radian about an axis to the whole turn. What points away from the axis cancels.
+  void turn(double angle) {
+    integrals.turn(angle);
+    load_power *= angle;
+    for (NeedleReading& one : needles) {
+      for (double* number : {&one.energy, &one.power, &one.power_on_solid, &one.force[1]}) *number *= angle;
+      one.force[0] = 0;
+    }
+  }
 };
 
 /// All processes have to call what takes a stage. What it takes has to outlive it.
@@ -34,29 +45,29 @@ template <int D, int P>
 class Balance {
  public:
   Balance(const Regions<D>&, const Coefficients<D>&, const Forces<D>&, const Terms<D, P>&);
+  Balance(const Balance&) = delete;
 
   /// Starts all that a row takes from a state. It is there when `pending` is finished, and `found` has to stay where it
   /// is until then.
   void start_row(const Stage&, PendingIntegrals& pending, Measured& found) const;
-  Integrals integrals(const Stage&) const;
+  /// What a row takes from a state, finished.
+  Measured measure(const Stage&) const;
   Filling filling(const Stage&) const;
   MeshFaults faults(const Stage&) const;
-  /// Power of the loads on a velocity field at a time.
-  double load_power(double time, const ConstArray& unknown) const;
-  /// What each needle measures of a state, of the whole scene.
-  std::vector<NeedleReading> needle_readings(const Stage&) const;
 
  private:
-  // These start kernels, whose numbers are there when the list is finished.
-  void start_integrals(const Stage&, PendingIntegrals&, Integrals&, const std::vector<NeedleReading>&) const;
-  void start_load_power(double time, const ConstArray& unknown, PendingIntegrals&, double& power) const;
-  void start_readings(const Stage&, PendingIntegrals&, std::vector<NeedleReading>&) const;
+  /// Starts kernels, whose numbers are there when the list is finished.
+  using Part = std::function<void(const Evaluation<D>&, PendingIntegrals&, Measured&)>;
+
+  /// Adds a functional, with the parts that it names, or with Rate the rate at which the motion of the wall changes it.
+  template <class Motion, bool Rate = false, class Functional>
+  void add(const Region<D>&, const Functional&, const double* given = nullptr);
   template <class Motion>
-  void fluid_integrals(const Evaluation<D>&, PendingIntegrals&, Integrals&) const;
+  void add_fluid();
   template <class Motion, class Functional>
-  void wall_integrals(const Functional&, Evaluation<D>, PendingIntegrals&, Integrals&) const;
-  void solid_integrals(const Evaluation<D>&, PendingIntegrals&, Integrals&) const;
-  void branch_integrals(const Stage&, PendingIntegrals&, Integrals&) const;
+  void add_wall(const Functional&);
+  void start_forces(const Stage&, PendingIntegrals&, Measured&) const;
+  void start_branches(const Stage&, PendingIntegrals&, Integrals&) const;
   /// What branches follow, and its rate: the displacement and the velocity, or strains at points.
   void followed_by_branches(const Stage&, const Array& followed, const Array& rate) const;
   /// Integrals of a functional over the moved fluid domain.
@@ -67,7 +78,7 @@ class Balance {
   const Regions<D>& regions_;
   const Coefficients<D>& coefficients_;
   const Forces<D>& forces_;
-  const Terms<D, P>& terms_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace softwet

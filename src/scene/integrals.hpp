@@ -1,54 +1,29 @@
 // Integrals of the state by the columns of history.csv.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
-#include <string_view>
+
+#include "kernels/functional/columns.hpp"
 
 namespace softwet {
 
 /// Scales: energies a b^2 L0^D, mass b L0^D, volume L0^D; in the coordinates (r, z) L0^3 replaces L0^D.
-/// A name that continues the name of a column, after "_", is a part of this column: energy_free_bulk of energy_free,
-/// and each energy of "energy", their total. The columns dissipation_solid and dissipation_wall are parts of
-/// dissipation.
+/// The columns and their parts are in kernels/functional/columns.hpp.
 /// Tested: tests/unit/scene/test_integrals.cpp
 class Integrals {
  public:
-  /// Names of the parts, in the order in which they are added up.
-  static constexpr std::array<std::string_view, 20> parts{"mass",
-                                                          "energy_kinetic",
-                                                          "energy_free_bulk",
-                                                          "energy_free_gradient",
-                                                          "energy_wall",
-                                                          "energy_elastic",
-                                                          "energy_surface",
-                                                          "energy_foundation",
-                                                          "energy_branches",
-                                                          "energy_gravity",
-                                                          "energy_needle",
-                                                          "momentum_x",
-                                                          "momentum_y",
-                                                          "momentum_z",
-                                                          "dissipation_viscous",
-                                                          "dissipation_stabilisation",
-                                                          "dissipation_solid",
-                                                          "dissipation_wall",
-                                                          "wall_stretch",
-                                                          "liquid_volume"};
-
-  static constexpr bool belongs(std::string_view part, std::string_view column) {
-    return part.starts_with(column) && (part.size() == column.size() || part[column.size()] == '_');
-  }
   /// Whether a column is one of these integrals, or a sum of some.
   static constexpr bool has(std::string_view column) {
-    for (const std::string_view part : parts)
-      if (belongs(part, column)) return true;
-    return false;
+    return std::any_of(std::begin(integral_columns), std::end(integral_columns),
+                       [&](const IntegralColumn& one) { return belongs(one.name, column); });
   }
 
-  /// One of `parts`. Throws std::logic_error where it is none.
+  /// A column that is no sum, or a part of one. Throws std::logic_error where there is none.
   double& part(std::string_view name) { return values_[place(name)]; }
   /// Sum of the parts of a column. Throws std::logic_error where there are none.
   double operator[](std::string_view column) const {
@@ -77,8 +52,8 @@ class Integrals {
 
  private:
   static constexpr std::size_t place(std::string_view part) {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      if (parts[i] == part) return i;
+    for (std::size_t i = 0; i < std::size(integral_columns); ++i)
+      if (integral_columns[i].name == part && !is_sum(part)) return i;
     throw std::logic_error("there is no integral '" + std::string(part) + "'");
   }
   template <class Functional>
@@ -90,12 +65,12 @@ class Integrals {
   template <class Map>
   double sum(std::string_view column, const Map& map) const {
     double sum = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      if (belongs(parts[i], column)) sum += map(values_[i]);
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      if (belongs(integral_columns[i].name, column)) sum += map(values_[i]);
     return sum;
   }
 
-  std::array<double, parts.size()> values_{};
+  std::array<double, std::size(integral_columns)> values_{};  ///< 0 of sums
 };
 
 }  // namespace softwet

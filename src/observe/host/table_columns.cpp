@@ -10,43 +10,35 @@ namespace {
 
 const char* const time_unit = "L0/sqrt(ab)";
 const char* const speed_unit = "sqrt(ab)";
-const char* const energy_unit = "a b^2 L0^d";
-const char* const power_unit = "a b^2 sqrt(ab) L0^(d-1)";
-const char* const laplace = "laplace";  // exists only with droplets
+
+/// The integrals of the state from one to another.
+std::vector<Column> integrals(std::string_view first, std::string_view last) {
+  std::vector<Column> all;
+  const IntegralColumn* one = integral_columns;
+  while (one->name != first) ++one;
+  do {
+    if (*one->unit) all.push_back({one->name, one->unit, one->meaning, one->dimension, one->needs});
+  } while ((one++)->name != last);
+  return all;
+}
+std::vector<Column> joined(std::initializer_list<std::vector<Column>> lists) {
+  std::vector<Column> all;
+  for (const std::vector<Column>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
 
 /// The first columns of history.csv, which every run has.
-const std::vector<Column> of_step{
+const std::vector<Column> before_integrals{
     {"step", "", "Number of the time step. Step 0 is the initial state."},
     {"t", time_unit,
      "Time at the end of the step. It is 0 at the start of the first load and negative during the relaxation before."},
     {"dt", time_unit, "Length of the step that ends at t."},
     {"newton", "", "Newton iterations of the step, without those of attempts that were rejected."},
     {"krylov", "", "GMRES iterations of the step, without those of attempts that were rejected."},
-    {"mass", "b L0^d", "Mass of the fluid, liquid and vapour: the integral of the density rho.", any_dimension,
-     Needs::fluid},
-    {"momentum_x", "b sqrt(ab) L0^d",
-     "Momentum along x: the integral of rho v_x over the fluid and of rho_0^s v_x over the solid."},
-    {"momentum_y", "b sqrt(ab) L0^d", "The same along y; in 2D this is the vertical one."},
-    {"momentum_z", "b sqrt(ab) L0^d", "The same along z, the vertical.", 3},
-    {"energy_kinetic", energy_unit,
-     "Kinetic energy: the integral of rho |v|^2/2 over the fluid and of rho_0^s |v|^2/2 over the solid."},
-    {"energy_free", energy_unit, "Free energy of the fluid: the integral of W(rho) + g^2 |grad rho|^2/2.",
-     any_dimension, Needs::fluid},
-    {"energy_wall", energy_unit,
-     "Wall energy: the integral of f_w(rho) over the wall, where f_w(rho) = -cos(alpha) g times the integral of sqrt(2 "
-     "D) from rho_v to rho. It is the same formula under both wall laws; with fluid.wall_stretch_exponent the "
-     "integrand "
-     "has the factor a^(-beta).",
-     any_dimension, Needs::fluid},
-    {"energy_elastic", energy_unit,
-     "Elastic energy of the solid and its fibres. With saint_venant_kirchhoff the part of the solid is the integral of "
-     "lambda "
-     "tr(E)^2/2 + G E:E. With substrate.prestretch it is what the stretched layer has more than where its displacement "
-     "is 0, and may be negative."},
-    {"power_load", power_unit, "Power of the loads: the integral of rho_0^s f.v over their boxes, at time t."},
-    {"dissipation", power_unit,
-     "Energy dissipated per time: the integral of tau : grad v + eps |grad mu|^2. The first part is viscous, the "
-     "second belongs to fluid.stabilisation. dissipation_solid and dissipation_wall are further parts."},
+};
+const Column power_load{"power_load", power_unit,
+                        "Power of the loads: the integral of rho_0^s f.v over their boxes, at time t."};
+const std::vector<Column> of_extremes{
     {"rho_min", "b", "Smallest control value of the density. The density itself is nowhere smaller.", any_dimension,
      Needs::fluid},
     {"rho_max", "b", "Largest control value of the density. The density itself is nowhere larger.", any_dimension,
@@ -56,6 +48,12 @@ const std::vector<Column> of_step{
     {"speed_max_solid", speed_unit, "Largest |v| of a control point of the solid, the wall included.", any_dimension,
      Needs::solid},
 };
+
+const std::vector<Column> of_step = joined({before_integrals,
+                                            integrals("mass", "energy_elastic"),
+                                            {power_load},
+                                            integrals("dissipation", "dissipation"),
+                                            of_extremes});
 
 /// The columns of a droplet, bubble or film.
 const std::vector<Column> of_droplet{
@@ -124,66 +122,25 @@ const std::vector<Column> of_droplet{
      "wall is pressed down. In 3D in the section along output.history.track."},
 };
 
-/// The columns of history.csv that follow the columns of the droplets; laplace exists only with droplets.
-const std::vector<Column> of_balance{
+const std::vector<Column> of_whole{
     {"energy_total", energy_unit, "Sum of all energies: the other columns that begin with energy_."},
     {"mass_drift", "", "mass divided by the mass of step 0, minus 1.", any_dimension, Needs::fluid},
     {"speed_max_liquid", speed_unit, "Largest |v| of a control point whose density is above (rho_l + rho_v)/2.",
      any_dimension, Needs::fluid},
-    {"wall_stretch", power_unit,
-     "Power that the wall energy gains because the wall stretches: the integral of f_w div_Gamma v over the wall, with "
-     "fluid.wall_stretch_exponent of (1 - beta) a^(-beta) f_w div_Gamma v. It is "
-     "0 with fluid.wall_tension = \"acts\", where the solid pays for it. With fluid.wall_law = \"energy\" energy_total "
-     "changes at the rate power_load + wall_stretch - dissipation, up to the error of the discretisation.",
-     any_dimension, Needs::fluid},
-    {"energy_gravity", energy_unit,
-     "Potential energy in fluid.gravity and substrate.gravity: minus the integral of rho gravity . x over the fluid, "
-     "and of "
-     "rho_0^s gravity . u over the solid, u its displacement. 0 without gravity."},
-    {"energy_surface", energy_unit,
-     "Energy of the solid's top face: substrate.surface_tension times the growth of its area by the "
-     "deformation, and the elastic energy of substrate.surface_modulus.",
-     any_dimension, Needs::solid},
-    {"energy_foundation", energy_unit,
-     "Energy of the springs of boundary.foundation: the integral of (kap_n u_n^2 + kap_t u_t^2)/2 over the undeformed "
-     "bottom of the solid.",
-     any_dimension, Needs::solid},
-    {"energy_branches", energy_unit,
-     "Energy in the springs of [[substrate.branch]] and substrate.gel: the sum of the integrals of G_i dev e : dev e "
-     "over the solid, e the strain of u - a_i, with the displacement a_i of the dashpot of a branch; under finite "
-     "strains e = E - A_i, the Green-Lagrange strain minus what the branch remembers of it.",
-     any_dimension, Needs::solid},
-    {"dissipation_solid", power_unit,
-     "Part of dissipation that belongs to the solid: to substrate.viscosity and substrate.bulk_viscosity, the integral "
-     "of S_v : E' over the undeformed solid, E' the rate of the Green-Lagrange strain; to the dashpots of branches, "
-     "the sum of the integrals of 2 G_i tau_i dev e' : dev e' with the strain rate e' of a_i', or A_i'; and to "
-     "boundary.foundation_damping, the integral of c_n v_n^2 + c_t v_t^2 over its undeformed bottom.",
-     any_dimension, Needs::solid},
-    {"dissipation_wall", power_unit,
-     "Part of dissipation that belongs to fluid.line_friction and fluid.contact_angle_range: the integral of r' (B r' "
-     "+ k "
-     "g sqrt(2 D) h(r'/r0)) over the wall, r' the rate of the density at a point of the wall.",
-     any_dimension, Needs::fluid},
-    {"liquid_volume", "L0^d",
-     "Volume of the liquid: the integral of s^2 (3 - 2 s) over the fluid, where s = (rho - rho_v)/(rho_l - rho_v), not "
-     "below 0 and not above 1. It counts liquid as 1, vapour as 0, and an interface up to its middle. Empty without a "
-     "fluid.",
-     any_dimension, Needs::fluid},
-    {laplace, "ab",
-     "Excess of the chemical potential inside the first droplet, mu - mu_sat. At rest it is sigma/(R (rho_l - rho_v)) "
-     "in 2D and twice that in 3D and in axisymmetric scenes."},
 };
+const Column laplace{
+    "laplace", "ab",
+    "Excess of the chemical potential inside the first droplet, mu - mu_sat. At rest it is sigma/(R (rho_l - rho_v)) "
+    "in 2D and twice that in 3D and in axisymmetric scenes."};
+/// The columns of history.csv that follow the columns of the droplets; laplace exists only with droplets.
+const std::vector<Column> of_balance = joined({of_whole, integrals("wall_stretch", "liquid_volume"), {laplace}});
 
+const Column power_needle{
+    "power_needle", power_unit,
+    "Power of the needles that move: their force times the velocity of their paths. energy_total changes by it as by "
+    "power_load; where a path jumps it jumps too."};
 /// Columns of a scene with needles: the sum over all needles, and the force of each.
-const std::vector<Column> of_needles{
-    {"energy_needle", energy_unit,
-     "Energy in the springs of the needles: the sum of k w_i |U - u_i|^2/2 over the control values u_i of the "
-     "displacement, w_i the "
-     "integral of their functions over the box of a needle. Exists with a [[needle]], and is a part of energy_total."},
-    {"power_needle", power_unit,
-     "Power of the needles that move: their force times the velocity of their paths. energy_total changes by it as by "
-     "power_load; where a path jumps it jumps too."},
-};
+const std::vector<Column> of_needles = joined({integrals("energy_needle", "energy_needle"), {power_needle}});
 const std::vector<Column> of_needle{
     {"needle_force_x", "a b^2 L0^(d-1)",
      "Force of the needle on the solid along x: its reading. For the second needle it is needle_force_x_2. In "
@@ -208,12 +165,7 @@ const std::vector<Column> of_interface{
     {"traction_z", "a b^2", "The same along z, the vertical.", 3},
 };
 
-std::vector<Column> all_of_history() {
-  std::vector<Column> all;
-  for (const std::vector<Column>* columns : {&of_step, &of_droplet, &of_balance, &of_needles, &of_needle})
-    all.insert(all.end(), columns->begin(), columns->end());
-  return all;
-}
+const std::vector<Column> of_history = joined({of_step, of_droplet, of_balance, of_needles, of_needle});
 
 /// The fields as columns of a table.
 std::vector<Column> of_fields() {
@@ -244,7 +196,7 @@ std::vector<std::string> history_names(int dimension, std::size_t droplets, std:
   for (std::size_t k = 0; k < droplets + films; ++k)
     for (const std::string& name : contact_names(dimension)) names.push_back(name + ending_of_body(k));
   for (const std::string& name : names_of(of_balance, dimension))
-    if (name != laplace || droplets > 0) names.push_back(name);
+    if (name != laplace.name || droplets > 0) names.push_back(name);
   if (needles > 0)
     for (const std::string& name : names_of(of_needles, dimension)) names.push_back(name);
   for (std::size_t k = 0; k < needles; ++k)
@@ -255,9 +207,8 @@ std::vector<std::string> history_names(int dimension, std::size_t droplets, std:
 std::string ending_of_body(std::size_t body) { return body == 0 ? "" : "_" + std::to_string(body + 1); }
 
 const Column& history_column(const std::string& name) {
-  for (const std::vector<Column>* columns : {&of_step, &of_droplet, &of_balance, &of_needles, &of_needle})
-    for (const Column& column : *columns)
-      if (column.name == name) return column;
+  for (const Column& column : of_history)
+    if (column.name == name) return column;
   throw std::logic_error("history.csv has no column '" + name + "'");
 }
 
@@ -273,7 +224,7 @@ const std::vector<ColumnTable>& column_tables() {
        "follow those of droplets (around bubbles they have none). When droplets merge, the first one continues "
        "and "
        "the others stay empty. The columns of probes ([[probe]]) come last.",
-       all_of_history()},
+       of_history},
       {"interface", "interface.csv",
        "The wall at the field times: two points for each element along each axis, and the ends. Without a fluid it is "
        "the top of the solid.",

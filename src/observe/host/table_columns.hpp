@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "io/table_row.hpp"
+#include "kernels/functional/columns.hpp"
 
 namespace softwet {
-
-constexpr int any_dimension = 0;
-/// What a scene has to have, or the cells of a column stay empty.
-enum class Needs { nothing, fluid, solid };
 
 struct Column {
   std::string name;

@@ -33,8 +33,8 @@ void check_scene(Case c) {
   for (int i = 0; i < l.potential_offset(); ++i) ASSERT_EQ(before[i], after[i]) << "of the other equations";
   for (int i = 0; i < l.row_size; ++i)
     power += (after[l.potential_offset() + i] - before[l.potential_offset() + i]) * rate[l.density_offset() + i];
-  const Integrals now = with.scene.balance().integrals(with.stage()),
-                  then = without.scene.balance().integrals(without.stage());
+  const Integrals now = with.scene.balance().measure(with.stage()).integrals,
+                  then = without.scene.balance().measure(without.stage()).integrals;
   EXPECT_GT(now["dissipation_wall"], 1e-4);
   EXPECT_EQ(then["dissipation_wall"], 0);
   EXPECT_NEAR(with.scene.regions().turn() * power, -now["dissipation_wall"], 1e-12);

@@ -4,9 +4,9 @@
 
 #include "kernels/fluid/line_friction.hpp"
 #include "kernels/fluid/stretched_wall.hpp"
+#include "kernels/solid/foundation.hpp"
 #include "kernels/solid/branches.hpp"
 #include "kernels/solid/fibres.hpp"
-#include "kernels/solid/foundation.hpp"
 #include "kernels/solid/graded.hpp"
 #include "kernels/solid/kelvin_voigt.hpp"
 #include "kernels/solid/surface_elasticity.hpp"

@@ -53,19 +53,18 @@ void expect_energy_law_of_branches(Case c, Strain strain) {
   std::vector<double> memory, rate;
   fill_branches(s, memory, rate);
   Stage& stage = s.stage();
-  const Integrals now = s.scene.balance().integrals(stage);
+  const Integrals now = s.scene.balance().measure(stage).integrals;
   const double dissipation = now["dissipation_solid"];
   EXPECT_GT(dissipation, 1e-4);
   EXPECT_GT(now["energy_branches"], 1e-6);
-  const double power = s.scene.balance().load_power(stage.time, stage.unknown),
-               expected = s.rate_of_energy(1e-3) - power;
+  const double power = s.scene.balance().measure(stage).load_power, expected = s.rate_of_energy(1e-3) - power;
   const std::vector<double> r = s.residual(stage), x = to_host(stage.unknown);
   EXPECT_NEAR(s.scene.regions().turn() * contract(r, x, 0, s.layout().size()), expected, 1e-9 * std::abs(expected));
   const auto energy = [&](double time) {
     Stage moved = stage;
     const Array later = plus(to_device<Array>(memory), time, rate);
     moved.memory = later;
-    return s.scene.balance().integrals(moved)["energy_branches"];
+    return s.scene.balance().measure(moved).integrals["energy_branches"];
   };
   EXPECT_NEAR(slope(energy, 1e-3), -dissipation, 1e-9 * dissipation);
 }
@@ -92,10 +91,10 @@ void expect_energy_of_branches_to_feel_no_rotation(Case c) {
   RandomSceneIn<D> s(c);
   std::vector<double> memory, rate;
   fill_branches(s, memory, rate);
-  const double before = s.scene.balance().integrals(s.stage())["energy_branches"];
+  const double before = s.scene.balance().measure(s.stage()).integrals["energy_branches"];
   Stage moved = s.stage();
   moved.displacement = turned(s.layout(), moved.displacement, 2.1);
-  const double after = s.scene.balance().integrals(moved)["energy_branches"];
+  const double after = s.scene.balance().measure(moved).integrals["energy_branches"];
   std::printf("  energy of branches %.6e, changed by %.1e in a rotation\n", before, after / before - 1);
   EXPECT_NEAR(after, before, 1e-12 * before);
   EXPECT_GT(before, 1e-6);

@@ -65,9 +65,9 @@ void check_needles(const Case& plain) {
     Stage moved = s.stage();
     moved.displacement = plus(moved.displacement, of_solid, solid_part_of(l, x));
     moved.time += of_time;
-    return s.scene.balance().integrals(moved)["energy_needle"] / s.scene.regions().turn();
+    return s.scene.balance().measure(moved).integrals["energy_needle"] / s.scene.regions().turn();
   };
-  const std::vector<NeedleReading> readings = s.scene.balance().needle_readings(s.stage());
+  const std::vector<NeedleReading> readings = s.scene.balance().measure(s.stage()).needles;
   double power = 0, on_solid = 0;
   for (const NeedleReading& reading : readings) {
     power += reading.power / s.scene.regions().turn();
@@ -92,7 +92,7 @@ void check_reading(const Case& plain) {
   const Scene<D, 2> scene(c);
   State state = empty_state(scene.layout());
   state.time = c.clock_zero() + 2;
-  const NeedleReading reading = scene.balance().needle_readings(stage_at(scene.layout(), state))[0];
+  const NeedleReading reading = scene.balance().measure(stage_at(scene.layout(), state)).needles[0];
   double square = 0;
   for (int d = 0; d < D; ++d) {
     const double place = c.needles[0].place(d, 2);

@@ -129,7 +129,7 @@ struct RandomSceneIn {
       Stage moved = stage();
       moved.unknown = plus(moved.unknown, time, acceleration);
       moved.displacement = plus(moved.displacement, time, velocity);
-      return scene.balance().integrals(moved).energy();
+      return scene.balance().measure(moved).integrals.energy();
     };
     return slope(energy, e);
   }

@@ -38,16 +38,16 @@ void check_stretched_wall(const Case& c) {
   const Layout<D>& l = none.layout();
   const std::vector<double> x = to_host(none.stage().unknown), before = none.residual(none.stage()),
                             after = acts.residual(acts.stage());
-  const double stretch = none.scene.balance().integrals(none.stage())["wall_stretch"],
+  const double stretch = none.scene.balance().measure(none.stage()).integrals["wall_stretch"],
                turn = none.scene.regions().turn();
-  EXPECT_EQ(acts.scene.balance().integrals(acts.stage())["wall_stretch"], 0);
+  EXPECT_EQ(acts.scene.balance().measure(acts.stage()).integrals["wall_stretch"], 0);
   std::vector<double> motion(l.solid_size());
   for (int d = 0; d < D; ++d)
     std::copy_n(&x[l.velocity_offset(d)], l.solid_rows() * l.row_size, &motion[l.displacement_offset(d)]);
   const auto energy_where_moved = [&](double time) {
     Stage moved = none.stage();
     moved.displacement = plus(moved.displacement, time, motion);
-    return none.scene.balance().integrals(moved)["energy_wall"];
+    return none.scene.balance().measure(moved).integrals["energy_wall"];
   };
   EXPECT_GT(std::abs(stretch), 1e-5);
   EXPECT_NEAR(slope(energy_where_moved, 2e-4), stretch, 1e-9 * std::abs(stretch));
@@ -67,7 +67,7 @@ void check_stretched_wall(const Case& c) {
   const auto energy_where_denser = [&](double time) {
     Stage moved = none.stage();
     moved.unknown = plus(moved.unknown, time, of_density);
-    return none.scene.balance().integrals(moved)["energy_wall"];
+    return none.scene.balance().measure(moved).integrals["energy_wall"];
   };
   EXPECT_GT(std::abs(power), 1e-5);
   EXPECT_NEAR(slope(energy_where_denser, 1e-4), turn * power, 1e-8 * std::abs(turn * power));

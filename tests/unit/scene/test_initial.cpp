@@ -117,7 +117,7 @@ TEST(InitialState, DropletCarriesItsVelocityAsMomentum) {
   const double inside = values[l.density_offset() + middle], outside = values[l.density_offset()];
   const double mass =
       outside * integral_of_part(1, 0.15, 0.012) + (inside - outside) * integral_of_part(2, 0.15, 0.012);
-  const Integrals i = scene.balance().integrals(stage_at(l, s));
+  const Integrals i = scene.balance().measure(stage_at(l, s)).integrals;
   EXPECT_NEAR(i["momentum_x"], 0.3 * mass, 0.001 * 0.3 * mass);
   EXPECT_NEAR(i["momentum_y"], -0.2 * mass, 0.001 * 0.2 * mass);
   EXPECT_NEAR(values[middle], 0.3, 1e-3);
@@ -153,7 +153,7 @@ TEST(InitialState, DropletHasTheMassOfTheOneAtRest) {
   const State s = initial_state(c, scene);
   const std::vector<double> values = to_host(s.unknown);
   const double outside = values[scene.layout().potential_offset() - 1];
-  const double mass = scene.balance().integrals(stage_at(scene.layout(), s))["mass"] - 0.25 * outside;
+  const double mass = scene.balance().measure(stage_at(scene.layout(), s)).integrals["mass"] - 0.25 * outside;
   EXPECT_NEAR(mass, 0.5 * at_rest, 5e-4 * at_rest);
 }
 

@@ -29,7 +29,7 @@ TEST(Needles, StandStillBeforeTheClockOfResults) {
   State state = empty_state(scene.layout());
   for (const double before : {0.0, 0.7}) {
     state.time = c.clock_zero() - before;
-    const NeedleReading reading = scene.balance().needle_readings(stage_at(scene.layout(), state))[0];
+    const NeedleReading reading = scene.balance().measure(stage_at(scene.layout(), state)).needles[0];
     EXPECT_EQ(reading.force[0], 0);
     EXPECT_EQ(reading.power, 0);
   }

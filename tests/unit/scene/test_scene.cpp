@@ -138,7 +138,7 @@ TEST(Scene, TwoAtOnceHaveTheirOwnSums) {
   const auto sums = [&s] {
     const VectorSpace space = s.layout().space();
     return std::vector<double>{norm(space, s.stage().unknown), total(space, s.stage().density_end),
-                               s.scene.balance().load_power(3.0, s.stage().unknown)};
+                               s.scene.balance().measure(s.stage()).load_power};
   };
   const std::vector<double> before = sums();
   const Scene<2, 2> other(second);

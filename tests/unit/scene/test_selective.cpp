@@ -91,7 +91,7 @@ void expect_energy_and_product(const Case& c) {
   for (double& x : u) x *= 0.2;  // no element is turned inside out, which a logarithm does not bear
   s.stage().displacement = to_device<Array>(u);
   const std::vector<double> r = s.residual(s.stage()), x = to_host(s.stage().unknown);
-  const double expected = s.rate_of_energy(2e-4) - s.scene.balance().load_power(s.stage().time, s.stage().unknown);
+  const double expected = s.rate_of_energy(2e-4) - s.scene.balance().measure(s.stage()).load_power;
   EXPECT_NEAR(s.scene.regions().turn() * contract(r, x, 0, s.layout().size()), expected, 1e-8 * std::abs(expected));
   const Array z = s.direction();
   const std::vector<double> exact = s.product(z, Geometry::exact), difference = s.difference(z, 1e-3);

@@ -35,7 +35,7 @@ TEST(StretchedWallScene, HasNoTensionWithTheExponentOne) {
   c.fluid->wall_tension = WallTensionModel::acts;
   RandomScene acts(c);
   EXPECT_LT(distance(acts.residual(acts.stage()), none.residual(none.stage())), 1e-15);
-  EXPECT_NEAR(none.scene.balance().integrals(none.stage())["wall_stretch"], 0, 1e-14);
+  EXPECT_NEAR(none.scene.balance().measure(none.stage()).integrals["wall_stretch"], 0, 1e-14);
 }
 
 // Where nothing is displaced a wall that was stretched before has the effective angle.
@@ -54,8 +54,8 @@ TEST(StretchedWallScene, CountsFromBeforeAPrestretch) {
     Stage still = stretched.stage();
     still.displacement = still.displacement_end = Array("still", still.displacement.extent(0));
     EXPECT_LT(distance(stretched.residual(still), effective.residual(still)), 1e-13);
-    EXPECT_NEAR(stretched.scene.balance().integrals(still)["energy_wall"],
-                effective.scene.balance().integrals(still)["energy_wall"], 1e-14);
+    EXPECT_NEAR(stretched.scene.balance().measure(still).integrals["energy_wall"],
+                effective.scene.balance().measure(still).integrals["energy_wall"], 1e-14);
     EXPECT_GT(distance(stretched.residual(stretched.stage()), effective.residual(stretched.stage())), 1e-6);
   }
 }

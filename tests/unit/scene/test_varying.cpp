@@ -26,9 +26,9 @@ TEST(Varying, FactorOfALoadMultipliesItsRampInForceAndPower) {
     const double fraction = std::clamp((time - 1) / 4, 0.0, 1.0);
     EXPECT_DOUBLE_EQ(with.scene.forces().loads()[0].force(time)[0],
                      fraction == 0 ? 0 : 0.7 * (fraction * (1 - 2 * (time - 1))));
-    const double power = without.scene.balance().load_power(time, stage.unknown);
-    EXPECT_NEAR(with.scene.balance().load_power(time, stage.unknown), (1 - 2 * (time - 1)) * power, 1e-14);
     stage.time = time;
+    const double power = without.scene.balance().measure(stage).load_power;
+    EXPECT_NEAR(with.scene.balance().measure(stage).load_power, (1 - 2 * (time - 1)) * power, 1e-14);
     const std::vector<double> full = without.residual(stage), varied = with.residual(stage),
                               bare = none.residual(stage);
     for (std::size_t i = 0; i < full.size(); ++i)
@@ -49,11 +49,10 @@ TEST(Varying, BoxOfALoadMovesAlongItsPath) {
   Stage stage = RandomScene(small_case(SceneKind::coupled, WallLaw::gradient, true)).stage();
   stage.time = 5;  // t = 4
   EXPECT_LT(distance(moving.residual(stage), two.residual(stage)), 1e-13);
-  EXPECT_NEAR(moving.scene.balance().load_power(5, stage.unknown), two.scene.balance().load_power(5, stage.unknown),
-              1e-13);
-  EXPECT_GT(std::abs(moving.scene.balance().load_power(5, stage.unknown) -
-                     moving.scene.balance().load_power(6, stage.unknown)),
-            1e-4);
+  const double power = moving.scene.balance().measure(stage).load_power;
+  EXPECT_NEAR(power, two.scene.balance().measure(stage).load_power, 1e-13);
+  stage.time = 6;
+  EXPECT_GT(std::abs(power - moving.scene.balance().measure(stage).load_power), 1e-4);
 }
 
 /// Greville points of the control values of a component in 2D, round a periodic axis inside of the domain.
@@ -148,7 +147,8 @@ TEST(Varying, ConstantFormulasAreNumbers) {
     const RandomScene formula(c);
     const Stage& stage = number.terms.patch.stage;
     EXPECT_LT(distance(formula.residual(stage), number.residual(stage)), 1e-13);
-    const Integrals a = formula.scene.balance().integrals(stage), b = number.scene.balance().integrals(stage);
+    const Integrals a = formula.scene.balance().measure(stage).integrals,
+                    b = number.scene.balance().measure(stage).integrals;
     EXPECT_NEAR(a["energy_wall"], b["energy_wall"], 1e-14);
     EXPECT_NEAR(a["energy_elastic"], b["energy_elastic"], 1e-14);
   }
@@ -234,10 +234,10 @@ TEST(Varying, EnergyOfJoinedMaterialsIsThatOfTheirParts) {
   const auto energy = [&](double below, double above) {
     Case c = joined;
     c.substrate->young = varying([=](const std::array<double, 3>& x, double) { return x[1] < 0.4 ? below : above; });
-    return RandomScene(c).scene.balance().integrals(all.stage())["energy_elastic"];
+    return RandomScene(c).scene.balance().measure(all.stage()).integrals["energy_elastic"];
   };
   EXPECT_NEAR(energy(2, 6), energy(2, 1e-9) + energy(1e-9, 6), 1e-7 * energy(2, 6));
-  EXPECT_NEAR(energy(2, 2), all.scene.balance().integrals(all.stage())["energy_elastic"], 1e-12 * energy(2, 2));
+  EXPECT_NEAR(energy(2, 2), all.scene.balance().measure(all.stage()).integrals["energy_elastic"], 1e-12 * energy(2, 2));
 }
 
 }  // namespace

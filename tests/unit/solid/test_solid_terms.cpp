@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "kernels/solid/fibres.hpp"
 #include "kernels/solid/foundation.hpp"
+#include "kernels/solid/fibres.hpp"
 #include "kernels/solid/graded.hpp"
 #include "kernels/solid/kelvin_voigt.hpp"
 #include "kernels/solid/surface_elasticity.hpp"

@@ -49,7 +49,7 @@ double explicit_error(TimeScheme scheme, MassKind kind, int steps) {
   const Case c = held_layer();
   ExplicitRun run(c, scheme, kind);
   run.run(end_of_swing / steps, steps);
-  const double energy = run.scene.balance().integrals(stage_at(run.scene.layout(), run.state)).energy();
+  const double energy = run.scene.balance().measure(stage_at(run.scene.layout(), run.state)).integrals.energy();
   const double first = 0.5 * stiffness * jump * jump * c.domain.size[0] * c.domain.size[1];
   EXPECT_NEAR(energy, first, 0.02 * first) << word_of(scheme);
   return error_of(c, run.scene.layout(), run.state);

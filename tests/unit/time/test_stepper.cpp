@@ -82,7 +82,9 @@ void check_mass(SceneKind kind, double drift) {
   State state = initial_state(c, scene);
   stepper.scheme().initialise(state);
   stepper.start(state);
-  const auto mass = [&] { return scene.balance().integrals(stage_at(scene.layout(), stepper.state()))["mass"]; };
+  const auto mass = [&] {
+    return scene.balance().measure(stage_at(scene.layout(), stepper.state())).integrals["mass"];
+  };
   const auto moments = [&] {
     double sum = 0;
     for (double p : to_host(stepper.state().moment)) sum += p;

@@ -35,10 +35,10 @@ State advance(const Case& c, const Scene<D, 2>& scene) {
   Stepper<D, 2> stepper(scene, c, {});
   State state = initial_state<D, 2>(c, scene);
   stepper.scheme().initialise(state);
-  const double mass = scene.balance().integrals(stage_at(scene.layout(), state))["mass"];
+  const double mass = scene.balance().measure(stage_at(scene.layout(), state)).integrals["mass"];
   stepper.start(state);
   for (int n = 0; n < 3; ++n) stepper.step();
-  EXPECT_NEAR(scene.balance().integrals(stage_at(scene.layout(), stepper.state()))["mass"] / mass, 1, 1e-12);
+  EXPECT_NEAR(scene.balance().measure(stage_at(scene.layout(), stepper.state())).integrals["mass"] / mass, 1, 1e-12);
   return stepper.state();
 }
 

@@ -64,7 +64,7 @@ TEST(Probes, DensityOverAllOfTheFluidIsItsMass) {
       c.domain.coordinates = coordinates;
       Homogeneous s(c, {{{0.2, 0}, {0.1, -0.1}}});
       const double bottom = kind == SceneKind::rigid ? 0 : top_of_solid,
-                   mass = s.scene.balance().integrals(s.stage())["mass"];
+                   mass = s.scene.balance().measure(s.stage()).integrals["mass"];
       EXPECT_NEAR(read(s, box("density", integral, {0, bottom}, {0.9, 0.8})), mass, 1e-12 * mass);
       EXPECT_NEAR(read(s, box("density", mean, {0, bottom}, {0.9, 0.8})), Homogeneous::density, 1e-13);
     }

@@ -120,7 +120,7 @@ TEST(SemiDiscrete, TheSumOfTheMomentsIsTheMassWithAllMasses) {
     for (const bool periodic : {false, true}) {
       RandomRates s(small_case(SceneKind::coupled, WallLaw::gradient, periodic), kind);
       const Array p = s.system.moments_of(s.y);
-      EXPECT_NEAR(s.random.scene.balance().integrals(s.system.stage())["mass"], total(alone, p), 1e-12);
+      EXPECT_NEAR(s.random.scene.balance().measure(s.system.stage()).integrals["mass"], total(alone, p), 1e-12);
       EXPECT_NEAR(total(alone, s.system.moments_of(s.rates)), 0, 1e-13) << "fluxes sum to zero";
     }
 }
@@ -149,7 +149,7 @@ TEST(SemiDiscrete, TheMomentsOfADropletGiveItsDensityBackWithCorrectedMasses) {
     const std::vector<double> before = to_host(state.unknown), after = to_host(system.stage().unknown);
     const Layout<2>& l = scene.layout();
     for (int i = l.density_offset(); i < l.potential_offset(); ++i) ASSERT_NEAR(after[i], before[i], 2e-6);
-    EXPECT_NEAR(scene.balance().integrals(stage_at(l, state))["mass"], total(alone, state.moment), 1e-13);
+    EXPECT_NEAR(scene.balance().measure(stage_at(l, state)).integrals["mass"], total(alone, state.moment), 1e-13);
   }
 }
 

@@ -49,7 +49,7 @@ void check_finish(const Case& c) {
   for (int i = first; i < l.rate_size(); ++i)
     ASSERT_NEAR(y1[i] - shift, y0[i] + dt * ((1 - ga) * rate0[i] + ga * rate1[i]), 1e-14) << "of the density";
   for (int i = l.potential_offset(); i < l.size(); ++i) ASSERT_NEAR((1 - af) * y0[i] + af * y1[i], v[i], 1e-14) << "mu";
-  const double found = s.random.scene.balance().integrals(stage_at(s.random.layout(), end))["mass"];
+  const double found = s.random.scene.balance().measure(stage_at(s.random.layout(), end)).integrals["mass"];
   EXPECT_NEAR(found, after, l.has_solid ? 0.2 * std::abs(shift) : 1e-15) << "the volume is that of the fixed mesh";
   // p1 = M rho1 less the final residual, rho1 before the shift; M rho1 is what a fresh start from these fields takes.
   State fresh = end;

@@ -13,7 +13,7 @@ TEST(GeneralizedAlpha, InitialMomentsAreTheMass) {
     rate += p;
     size += std::abs(p);
   }
-  EXPECT_NEAR(mass, s.random.scene.balance().integrals(stage_at(s.random.layout(), s.state))["mass"], 1e-15);
+  EXPECT_NEAR(mass, s.random.scene.balance().measure(stage_at(s.random.layout(), s.state)).integrals["mass"], 1e-15);
   EXPECT_GT(size, 1e-4);
   EXPECT_NEAR(rate, 0, 1e-14 * size);
 }

@@ -12,7 +12,7 @@ namespace softwet::testing_tools {
 namespace {
 
 double mass_of(const Scene<2, 2>& scene, const State& s) {
-  return scene.balance().integrals(stage_at(scene.layout(), s))["mass"];
+  return scene.balance().measure(stage_at(scene.layout(), s)).integrals["mass"];
 }
 
 TEST(Relaxation, ASolidLayerUnderNoLoadReturnsToItsReference) {
