@@ -17,6 +17,9 @@ struct KelvinVoigt {
   double bulk = 0;    ///< zeta
   double finite = 1;  ///< 0 where strains are small: F = I
 
+  /// What bounds explicit steps.
+  double rate() const { return 4.0 / 3 * shear + bulk; }
+
   template <class N, int D, class M = Matrix<N, D>>
   using Trial = SolidStrainRate<N, D, M>;
   template <class N, int D, class M = Matrix<N, D>>

@@ -17,6 +17,7 @@
 #include "case/profile.hpp"
 #include "case/start.hpp"
 #include "case/substrate.hpp"
+#include "parts/list.hpp"
 
 namespace softwet {
 
@@ -65,8 +66,6 @@ struct Needle {
 struct Boundary {
   std::array<std::array<Side, 2>, 3> side{
       {{Side::slip, Side::slip}, {Side::slip, Side::slip}, {Side::slip, Side::slip}}};
-  std::vector<double> foundation = {};  ///< springs kap_n and kap_t below the solid, scale a b^2/L0; empty: none
-  std::vector<double> foundation_damping = {};  ///< dashpots c_n and c_t beside them, scale b sqrt(ab); empty: none
 };
 
 struct Case {
@@ -83,6 +82,7 @@ struct Case {
   std::vector<Needle> needles;
   std::vector<Probe> probes;
   Boundary boundary;
+  Parts parts;
   TimeControl time;
   SolverControl solver;
   OutputControl output;

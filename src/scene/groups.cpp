@@ -84,11 +84,8 @@ std::vector<Group> groups(const Case& c) {
     all.push_back({"surface_modulus_over_thickness",
                    c.substrate->modulus_of_surface() / (c.substrate->young_modulus() * c.substrate->thickness),
                    "(lambda_s + 2 G_s) / (E Hs): modulus of the solid's surface over the layer's"});
-  if (c.substrate && !c.boundary.foundation.empty())
-    all.push_back({"foundation_over_layer",
-                   c.boundary.foundation[0] * c.substrate->thickness * (1 - 2 * c.substrate->poisson) /
-                       (2 * c.substrate->shear_modulus() * (1 - c.substrate->poisson)),
-                   "kap_n Hs / (lambda + 2 G): springs below the layer over its own stiffness"});
+  const auto add = [&](const char* name, double value, const char* meaning) { all.push_back({name, value, meaning}); };
+  if (c.substrate) c.parts.each([&](const auto& part) { part.add_groups(*c.substrate, add); });
   if (c.fluid && radius > 0) {
     const Liquid liquid = liquid_of(c);
     all.push_back({"radius_over_capillarity", radius / c.fluid->capillarity, "R / gamma"});
@@ -101,10 +98,9 @@ std::vector<Group> groups(const Case& c) {
     all.push_back({"time_viscosity", liquid.time_viscosity(), "rho_l R^2 / mu: viscosity against inertia"});
   }
   if (const double ripple = speed_ripple(c); ripple >= ripple_to_tell)
-    all.push_back(
-        {"speed_ripple", ripple,
-         "what the mesh adds to the speed of a droplet, rms over it, with the period of an element; 1.2 times as "
-         "many elements along each axis halve it"});
+    all.push_back({"speed_ripple", ripple,
+                   "what the mesh adds to the speed of a droplet, rms over it, with the period of an element; 1.2 "
+                   "times as many elements along each axis halve it"});
   if (c.substrate)
     all.push_back(
         {"time_elasticity", time_elasticity(*c.substrate), "Hs / sqrt(G / rho_0^s): a shear wave in the layer"});

@@ -1,12 +1,9 @@
 // How the list of terms of a scene is made, for the sources that compile it in one precision each.
 #pragma once
 
-#include "case/gel.hpp"
 #include "kernels/fluid/stretched_wall.hpp"
 #include "kernels/solid/branches.hpp"
-#include "kernels/solid/foundation.hpp"
 #include "kernels/solid/graded.hpp"
-#include "kernels/solid/kelvin_voigt.hpp"
 #include "kernels/solid/surface_elasticity.hpp"
 #include "kernels/solid/surface_tension.hpp"
 #include "scene/coefficients.hpp"
@@ -76,19 +73,24 @@ class PieceMaker {
       if (parts.has_means()) add_graded("solid, means of elements", SolidOfMeans{{{parts.of_means}}});
     };
     std::visit(elastic, solid_.law);
-    const double finite = s.strain == Strain::small ? 0 : 1;
     if (s.fibre.stiffness > 0) add<NoMotion>("fibres", solid_.fibres);
     if (s.surface_tension > 0) add<NoMotion>("surface tension of the solid", SurfaceTension{s.surface_tension});
     if (s.modulus_of_surface() > 0)
       add<NoMotion>("elasticity of the surface", SurfaceElasticity{s.surface_modulus[0], s.surface_modulus[1]});
-    if (const std::vector<double>& springs = case_.boundary.foundation; !springs.empty())
-      add<NoMotion>("foundation", Foundation{springs[0], springs[1]});
+    add_parts<Loses::nothing>();
     if (s.has_branches()) add_branches(s.strain);
     pieces_.first_viscous = pieces_.list.size();
-    if (const double viscosity = shear_viscosity(s); viscosity > 0 || s.bulk_viscosity > 0)
-      add<NoMotion>("viscosity of the solid", KelvinVoigt{viscosity, s.bulk_viscosity, finite});
-    if (const std::vector<double>& dashpots = case_.boundary.foundation_damping; !dashpots.empty())
-      add<NoMotion>("dashpots of the foundation", Dashpots{dashpots[0], dashpots[1]});
+    if (const KelvinVoigt term = viscosity_of(s); term.rate() > 0) add<NoMotion>("viscosity of the solid", term);
+    add_parts<Loses::energy>();
+  }
+
+  enum class Loses { nothing, energy };
+  template <Loses loses>
+  void add_parts() {
+    visit_terms_of_parts(case_, [&](const auto& term) {
+      if constexpr (HasDissipation<std::decay_t<decltype(term)>> == (loses == Loses::energy))
+        add<NoMotion>(term.name, term);
+    });
   }
 
   /// Points that remember are those of the whole solid, whether it has a joint or not.

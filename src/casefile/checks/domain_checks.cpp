@@ -106,27 +106,6 @@ void check_periodic(const Checker& check, std::size_t axis) {
   }
 }
 
-/// Springs and dashpots below the solid act where nothing holds its bottom.
-/// @param name     of the key in [boundary]
-/// @param numbers  as they are called;  @param what  they are
-void check_foundation(const Checker& check, const std::string& name, const Numbers& values, const char* numbers,
-                      const char* what) {
-  const std::string key = "boundary." + name;
-  if (values.empty()) return;
-  if (values.size() != 2)
-    check.refuse(key, fmt::format("must be 2 numbers, {}", numbers),
-                 fmt::format("write for example {} = [10.0, 0.0]", name));
-  if (!check.c.substrate) check.refuse(key, "needs a solid, which rests on it", "add a [substrate] or remove it");
-  const Side bottom = check.c.boundary.side[check.vertical()][0];
-  if (bottom == Side::free || (bottom == Side::slip && values[0] == 0)) return;
-  if (bottom == Side::slip)
-    check.refuse(key,
-                 fmt::format("has {} against motion through a bottom that is held: boundary.bottom is \"slip\"", what),
-                 fmt::format("write bottom = \"free\", or {} = [0, {}] for {} along a roller", name, values[1], what));
-  check.refuse(key, fmt::format("has {} below a bottom that is held: boundary.bottom is \"{}\"", what, word_of(bottom)),
-               "write bottom = \"free\", or remove them");
-}
-
 void check_boundary(const Checker& check) {
   if (check.c.dimension() == 2) {
     for (const char* key : {"boundary.front", "boundary.back"})
@@ -189,11 +168,7 @@ bool check_domain(const Checker& check) {
               "domain.elements", "domain.degree", "substrate", "substrate.thickness", "boundary"},
              [&] { check_grading(check); });
   check_boundary(check);
-  check.with({"boundary.foundation", "boundary.bottom", "substrate"},
-             [&] { check_foundation(check, "foundation", c.boundary.foundation, "kap_n and kap_t", "springs"); });
-  check.with({"boundary.foundation_damping", "boundary.bottom", "substrate"}, [&] {
-    check_foundation(check, "foundation_damping", c.boundary.foundation_damping, "c_n and c_t", "dashpots");
-  });
+  c.parts.each([&](const auto& part) { part.check(check); });
   check.with({"domain.coordinates"}, [&] {
     if (c.dimension() == 3 && check.document.entries.count("domain.coordinates"))
       check.refuse("domain.coordinates", "exists in 2D only, where it says what the two axes are", "remove it");

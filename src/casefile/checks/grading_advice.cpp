@@ -41,8 +41,9 @@ bool is_sampled_solid(const Substrate& solid) {
 /// Whether nothing but the loads acts on the droplet and the layer between sides on which both slide.
 bool is_otherwise_plain(const Case& c) {
   const auto slides = [](const std::array<Side, 2>& sides) { return sides[0] == Side::slip && sides[1] == Side::slip; };
-  return c.films.empty() && c.waves.empty() && c.needles.empty() && !c.initial && c.boundary.foundation.empty() &&
-         c.boundary.foundation_damping.empty() && slides(c.boundary.side[0]);
+  bool plain = c.films.empty() && c.waves.empty() && c.needles.empty() && !c.initial && slides(c.boundary.side[0]);
+  c.parts.each([&](const auto& part) { plain = plain && !part.acts(); });
+  return plain;
 }
 
 }  // namespace

@@ -32,7 +32,6 @@ periodic  goes on at the opposite side, which must   the same; not from bottom t
 
 On every side of the fluid no mass passes and the density has no normal derivative, which is a contact angle of 90
 degrees. fluid.contact_angle holds on the wall alone: on top of the solid, or at boundary.bottom where there is none.
-A solid whose bottom is free may rest on springs, boundary.foundation, and dashpots, boundary.foundation_damping.
 )";
 
 std::string bound_text(double number) { return fmt::format("{}", number); }
@@ -114,6 +113,12 @@ const std::vector<Key>& schema() {
     std::vector<Key> keys = scene_keys();
     for (Key& key : numerics_keys()) keys.push_back(std::move(key));
     for (Key& key : output_keys()) keys.push_back(std::move(key));
+    Parts{}.each([&](const auto& part) {
+      for (Key& key : part.keys()) {
+        const auto of_table = [&](const Key& other) { return other.table() == key.table(); };
+        keys.insert(std::find_if(keys.rbegin(), keys.rend(), of_table).base(), std::move(key));
+      }
+    });
     return keys;
   }();
   return all;

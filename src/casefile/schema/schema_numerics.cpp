@@ -43,29 +43,6 @@ std::vector<Key> boundary_keys() {
                "\"no_slip\""),
   };
   keys.back().default_note = "\"no_slip\" with a fluid, \"free\" for a solid alone";
-  keys.push_back(
-      {.name = "boundary.foundation",
-       .kind = Kind::numbers,
-       .unit = "a b^2/L0",
-       .range = {0, infinity, false, true},
-       .lengths = {0, 2},
-       .help = "Springs [kap_n, kap_t] below the solid, on each undeformed area of its bottom: the stress kap_n u_n "
-               "against motion through it and kap_t u_t against motion along it. Needs bottom = \"free\"; with bottom "
-               "= \"slip\" springs along a roller, [0, kap_t].",
-       .bind = at([](Case & c, std::size_t) -> auto& { return c.boundary.foundation; }),
-       .default_note = "[], none"});
-  keys.push_back(
-      {.name = "boundary.foundation_damping",
-       .kind = Kind::numbers,
-       .unit = "b sqrt(ab)",
-       .range = {0, infinity, false, true},
-       .lengths = {0, 2},
-       .help = "Dashpots [c_n, c_t] below the solid, beside the springs of boundary.foundation or alone: the stress "
-               "c_n v_n against velocities through its bottom and c_t v_t against those along it. What they dissipate "
-               "is a part of the column dissipation_solid. Needs bottom = \"free\"; with bottom = \"slip\" dashpots "
-               "along a roller, [0, c_t].",
-       .bind = at([](Case & c, std::size_t) -> auto& { return c.boundary.foundation_damping; }),
-       .default_note = "[], none"});
   return keys;
 }
 

@@ -48,7 +48,7 @@ struct SolidBound {
     surface = of_face(more.tension);
     along_face = of_face(more.modulus);
     const double of_bottom = margin * symbols.springs * symbols.springs / (solid.density * length);
-    springs = of_bottom * more.foundation;
+    springs = of_bottom * more.springs;
     dashpots = of_bottom * more.dashpots;
     held = std::pow(symbols.held, many) * more.held / solid.density;
     viscous = modulus * more.viscosity;

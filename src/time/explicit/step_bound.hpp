@@ -61,7 +61,7 @@ enum class StepFormula { kick_drift, without_viscosity, runge_kutta };
 /// what blocks and beams have, at Poisson ratios up to 0.49. Viscosity of the solid: s = E^2 (4/3 eta + zeta) / rho_0 /
 /// h^2; on its top face w^2 has B^2 (D - 1) Ups / rho_0 / h^3 more, where the modulus lambda_s + 2 G_s counts like a
 /// tension Ups, times the factor by which the stretch of the face stiffens it; on its bottom w^2 has T^2 kap / rho_0 /
-/// h more by the springs of a foundation, and s has T^2 c / rho_0 / h more by its dashpots; K has 2 sum G_i more by
+/// h more by the springs of the bottom, and s has T^2 c / rho_0 / h more by its dashpots; K has 2 sum G_i more by
 /// branches, times |F|^4 under finite strains; with needles of the stiffness k it has X k / rho_0 more, X = 1 with
 /// lumped masses (`held` of the symbols). Control values bound the fields, which are their means, and all of these
 /// rates are largest at an end of a range.

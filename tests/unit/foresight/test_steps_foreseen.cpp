@@ -52,9 +52,9 @@ TEST(StepsForeseen, KnowAllThatLimitsASolid) {
     all[5].domain.elements.back() = 2;
     all[6].substrate->surface_modulus = {10, 5};
     all[7].boundary.side[plain.dimension() - 1][0] = Side::free;
-    all[7].boundary.foundation = {10, 500};
+    all[7].parts.foundation.springs = {10, 500};
     all[8].boundary.side[plain.dimension() - 1][0] = Side::free;
-    all[8].boundary.foundation_damping = {1, 20};
+    all[8].parts.foundation.dashpots = {1, 20};
     return all;
   };
   for (const Case& c : solids(small_case(SceneKind::solid))) {

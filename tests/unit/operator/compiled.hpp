@@ -4,7 +4,7 @@
 
 #include "kernels/fluid/line_friction.hpp"
 #include "kernels/fluid/stretched_wall.hpp"
-#include "kernels/solid/foundation.hpp"
+#include "kernels/foundation/terms.hpp"
 #include "kernels/solid/branches.hpp"
 #include "kernels/solid/fibres.hpp"
 #include "kernels/solid/graded.hpp"

@@ -16,8 +16,8 @@ Case rich(SceneKind kind) {
     c.substrate->surface_tension = c.substrate->surface_tension_wet = 0.4;
     c.substrate->surface_modulus = {0.3, 0.2};
     c.boundary.side[1][0] = Side::free;
-    c.boundary.foundation = {0.6, 0.3};
-    c.boundary.foundation_damping = {0.4, 0.7};
+    c.parts.foundation.springs = {0.6, 0.3};
+    c.parts.foundation.dashpots = {0.4, 0.7};
     c.substrate->gravity = {0, -0.8};
     c.substrate->fibre = {0.5, 30, 0};
   }
@@ -40,9 +40,9 @@ std::vector<double> naive_solid(RandomScene& s) {
   if (solid.surface_tension > 0) add(sum, naive(s, SurfaceTension{solid.surface_tension}, wall - 1, wall, false));
   if (!solid.surface_modulus.empty())
     add(sum, naive(s, SurfaceElasticity{solid.surface_modulus[0], solid.surface_modulus[1]}, wall - 1, wall, false));
-  if (const std::vector<double>& springs = s.data.boundary.foundation; !springs.empty())
+  if (const std::vector<double>& springs = s.data.parts.foundation.springs; !springs.empty())
     add(sum, naive(s, Foundation{springs[0], springs[1]}, 0, 1, false));
-  if (const std::vector<double>& dashpots = s.data.boundary.foundation_damping; !dashpots.empty())
+  if (const std::vector<double>& dashpots = s.data.parts.foundation.dashpots; !dashpots.empty())
     add(sum, naive(s, Dashpots{dashpots[0], dashpots[1]}, 0, 1, false));
   if (solid.viscosity > 0) add(sum, naive(s, KelvinVoigt{solid.viscosity, solid.bulk_viscosity}, 0, wall, false));
   if (solid.fibre.stiffness > 0) {

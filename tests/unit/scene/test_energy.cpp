@@ -88,8 +88,8 @@ Case rich_solid(SceneKind kind) {
   c.substrate->surface_tension = c.substrate->surface_tension_wet = 0.4;
   c.substrate->surface_modulus = {0.3, 0.2};
   c.boundary.side[1][0] = Side::free;
-  c.boundary.foundation = {0.6, 0.3};
-  c.boundary.foundation_damping = {0.4, 0.7};
+  c.parts.foundation.springs = {0.6, 0.3};
+  c.parts.foundation.dashpots = {0.4, 0.7};
   c.substrate->gravity = {0.3, -0.8};
   c.substrate->fibre = {0.5, 30, 0};
   return c;

@@ -43,8 +43,8 @@ TEST(ExplicitTerms, AddUpInASolid) { expect_parts_of_residual<2>(small_case(Scen
 TEST(ExplicitTerms, AddUpOnAFoundation) {
   Case c = small_case(SceneKind::coupled);
   c.boundary.side[1][0] = Side::free;
-  c.boundary.foundation = {0.6, 0.3};
-  c.boundary.foundation_damping = {0.4, 0.7};
+  c.parts.foundation.springs = {0.6, 0.3};
+  c.parts.foundation.dashpots = {0.4, 0.7};
   expect_parts_of_residual<2>(c);
   c.substrate->viscosity = 0.2;
   expect_parts_of_residual<2>(c);

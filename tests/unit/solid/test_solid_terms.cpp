@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "kernels/solid/foundation.hpp"
+#include "kernels/foundation/terms.hpp"
 #include "kernels/solid/fibres.hpp"
 #include "kernels/solid/graded.hpp"
 #include "kernels/solid/kelvin_voigt.hpp"

@@ -75,7 +75,7 @@ TEST(StepBoundOfSolids, HoldsForFacesAroundAnAxis) {
 
 Case on_springs(Case c, double across, double along) {
   c.boundary.side[1][0] = Side::free;
-  c.boundary.foundation = {across, along};
+  c.parts.foundation.springs = {across, along};
   return c;
 }
 TEST(StepBoundOfSolids, HoldsForASolidOnAFoundation) {
@@ -94,7 +94,7 @@ TEST(StepBoundOfSolids, HoldsForASolidOnDashpots) {
     for (const auto& [across, along] : {std::pair{0.5, 0.1}, {20.0, 0.0}, {0.0, 20.0}})
       for (const Case& plain : {moving_droplet(SceneKind::solid), around_axis(moving_droplet(SceneKind::solid))}) {
         Case c = on_springs(plain, 5, 1);
-        c.boundary.foundation_damping = {across, along};
+        c.parts.foundation.dashpots = {across, along};
         const double found = room(c, TimeScheme::kick_drift, kind);
         EXPECT_GE(found, 1) << across << ", " << along;
         EXPECT_LE(found, 2) << across << ", " << along;
