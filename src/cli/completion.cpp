@@ -1,5 +1,5 @@
 // The completion script from the definition of the command line and from the schema.
-#include "cli/completion.hpp"
+#include "cli/app_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
 // The manual page from the definition of the command line and from the schema.
-#include "cli/manual.hpp"
+#include "cli/app_parts.hpp"
 
 #include <fmt/core.h>
 

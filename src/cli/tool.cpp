@@ -31,15 +31,16 @@ std::string find_file(const std::string& name, const std::filesystem::path& prog
   const std::string folder = tools_folder(program).string(), file = folder + "/" + name;
   if (std::filesystem::exists(file)) return file;
   if (!environment("SOFTWET_TOOLS").empty()) {
-    throw Error(Exit::invalid_input,
-                fmt::format("{0}: SOFTWET_TOOLS = '{1}' holds no file '{0}'; give the folder tools "
-                            "of softwet's sources",
-                            name, folder));
+    throw Error(
+        Exit::invalid_input,
+        fmt::format("{0}: SOFTWET_TOOLS = '{1}' holds no file '{0}'; give the folder tools of softwet's sources", name,
+                    folder));
   }
-  throw Error(Exit::machine_failed,
-              fmt::format("{}: '{}' is not there; install softwet again, or set SOFTWET_TOOLS to the folder tools of "
-                          "its sources",
-                          name, file));
+  throw Error(
+      Exit::machine_failed,
+      fmt::format(
+          "{}: '{}' is not there; install softwet again, or set SOFTWET_TOOLS to the folder tools of its sources", name,
+          file));
 }
 
 /// True where the interpreter starts.

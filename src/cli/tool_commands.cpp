@@ -1,5 +1,5 @@
 // Commands that programs of the folder tools carry out, with the options that tools/softwet/commands.toml declares.
-#include "cli/tool_commands.hpp"
+#include "cli/app_parts.hpp"
 
 #include <CLI/CLI.hpp>
 #include <softwet_commands.hpp>

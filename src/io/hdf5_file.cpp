@@ -124,10 +124,10 @@ void Hdf5File::fail(const std::string& what) const {
   const std::string told = path_ + ": " + what + (reason.empty() ? "" : " (HDF5: " + reason + ")") + "; ";
   if (!remedy_.empty()) throw Error(Exit::invalid_input, told + remedy_);
   library().write_failed = true;
-  throw Error(Exit::machine_failed, told +
-                                        "check free space, the limit of the size of a file (ulimit -f) and write "
-                                        "permission, or give a folder on another disk with --out (to resume: a copy "
-                                        "of this one)");
+  throw Error(Exit::machine_failed,
+              told +
+                  "check free space, the limit of the size of a file (ulimit -f) and write permission, or give a "
+                  "folder on another disk with --out (to resume: a copy of this one)");
 }
 
 void Hdf5File::require(bool succeeded, const std::string& what) const {

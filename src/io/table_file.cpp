@@ -21,9 +21,10 @@ namespace {
 /// The whole file, if there is one.
 std::optional<std::string> existing_text(const std::string& path) {
   if (const std::string kind = no_regular_file(path); !kind.empty())
-    throw Error(Exit::invalid_input, path + ": is " + kind +
-                                         " and no table; put back the file that the run wrote, or "
-                                         "start anew with --overwrite in place of --resume");
+    throw Error(
+        Exit::invalid_input,
+        path + ": is " + kind +
+            " and no table; put back the file that the run wrote, or start anew with --overwrite in place of --resume");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) {

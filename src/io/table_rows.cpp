@@ -68,10 +68,9 @@ class Rows {
 }  // namespace
 
 void refuse_table(const std::string& place, const std::string& problem) {
-  throw Error(Exit::invalid_input,
-              place + ": " + problem +
-                  "; put back the file as the run wrote it, put an empty file in its place to go on "
-                  "with a table that begins here, or start anew without --resume");
+  throw Error(Exit::invalid_input, place + ": " + problem +
+                                       "; put back the file as the run wrote it, put an empty file in its place to go "
+                                       "on with a table that begins here, or start anew without --resume");
 }
 
 std::string header_line(const std::vector<std::string>& columns) {

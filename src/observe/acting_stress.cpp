@@ -1,11 +1,7 @@
 #include "observe/acting_stress.hpp"
 
-#include "case/gel.hpp"
 #include "kernels/algebra/symmetric.hpp"
 #include "kernels/solid/branches.hpp"
-#include "kernels/solid/kelvin_voigt.hpp"
-#include "observe/remembered_strain.hpp"
-#include "observe/stress_of_means.hpp"
 
 namespace softwet {
 namespace {
@@ -16,8 +12,8 @@ using Tensor = Matrix<double, 3>;
 template <int D>
 void add_viscosity(const SolidPoints<D>& at, const std::vector<Tensor>& gradients, const Substrate& s,
                    std::vector<Tensor>& stress) {
-  const KelvinVoigt term{shear_viscosity(s), s.bulk_viscosity, s.strain == Strain::small ? 0.0 : 1.0};
-  if (term.shear == 0 && term.bulk == 0) return;
+  const KelvinVoigt term = viscosity_of(s);
+  if (term.rate() == 0) return;
   const std::vector<Tensor> rates = velocity_gradients(at);
   for (std::size_t i = 0; i < stress.size(); ++i)
     stress[i] = stress[i] + term.residual(SolidStrainRate<double, 3>{gradients[i], rates[i]}).momentum_flux;

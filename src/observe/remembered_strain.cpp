@@ -1,6 +1,6 @@
-#include "observe/remembered_strain.hpp"
-
 #include <algorithm>
+
+#include "observe/acting_stress.hpp"
 
 namespace softwet {
 namespace {

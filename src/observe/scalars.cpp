@@ -9,7 +9,6 @@
 #include "case/text.hpp"
 #include "field/ranks.hpp"
 #include "io/output_time.hpp"
-#include "observe/energy_of.hpp"
 #include "observe/host/probe_quantity.hpp"
 #include "observe/host/table_columns.hpp"
 #include "observe/probes.hpp"
@@ -21,6 +20,18 @@ std::string energy_sentence(double rise, bool law, bool implicit) {
   return "the energy rose by " + short_text(rise, 2) + " though nothing fed it" +
          (law ? "" : ", by more than the wall law \"gradient\" does") + ": the steps may be too long; a smaller " +
          (implicit ? "time.tolerance" : "time.safety") + " makes them shorter";
+}
+
+/// The energy of a state of a scene, and its powers. Springs of needles count as forces from outside, without their
+/// energy: a needle that jumps does no work on the solid in no time.
+/// @param load_power  of the loads, and of such springs, on the state's velocities
+EnergyState energy_of(double time, double load_power, const Integrals& sum) {
+  return {.time = time,
+          .energy = sum.energy() - sum["energy_needle"],
+          .size = sum.size(),
+          .kinetic = sum["energy_kinetic"],
+          .fed = load_power + sum["wall_stretch"],
+          .lost = sum.dissipation()};
 }
 
 /// Whether a body, a droplet or one of the films behind the droplets, begins on the wall.

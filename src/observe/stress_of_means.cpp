@@ -1,7 +1,6 @@
-#include "observe/stress_of_means.hpp"
-
 #include <algorithm>
 
+#include "observe/acting_stress.hpp"
 #include "scene/beside_joint.hpp"
 #include "scene/selective.hpp"
 

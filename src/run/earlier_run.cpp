@@ -91,9 +91,9 @@ class FieldsOfPart {
     if (const int joint = axes_.back().joint() - low_; joint > 0 && all.size() == points * components + row)
       all.erase(all.begin() + 2 * joint * row, all.begin() + (2 * joint + 1) * row);  // its points are there twice
     if (all.size() != points * components)
-      throw Error(Exit::invalid_input, path_ +
-                                           ": does not have the mesh of case.toml; leave out initial.time to begin "
-                                           "from the last checkpoint");
+      throw Error(
+          Exit::invalid_input,
+          path_ + ": does not have the mesh of case.toml; leave out initial.time to begin from the last checkpoint");
     std::vector<double> one;
     for (std::size_t i = which; i < all.size(); i += components) one.push_back(all[i]);
     return control_values_of_samples(axes_, low_, high_, one);

@@ -46,12 +46,11 @@ void Journal<D, P>::require_tables() {
   if (ranks::of_root(lost.empty() ? 0 : 1) == 0) return;
   write_state();
   record("stopped: a table was removed");
-  throw Error(Exit::machine_failed,
-              lost +
-                  " was removed or replaced during the run, which has stopped at t = " + short_text(output_time(), 6) +
-                  "; its rows have been written again (what stood in their place has the ending .replaced), and the "
-                  "last state is in " +
-                  path("checkpoint.h5") + "; to go on, give the same command with --resume");
+  throw Error(Exit::machine_failed, lost + " was removed or replaced during the run, which has stopped at t = " +
+                                        short_text(output_time(), 6) +
+                                        "; its rows have been written again (what stood in their place has the ending "
+                                        ".replaced), and the last state is in " +
+                                        path("checkpoint.h5") + "; to go on, give the same command with --resume");
 }
 
 template void Journal<SOFTWET_DIMENSION, SOFTWET_DEGREE>::require_folder();

@@ -40,9 +40,9 @@ bool has_device() {
 ParallelRuntime::ParallelRuntime(int threads) {
   check_environment_of_kokkos();
   if (!has_device())
-    throw Error(Exit::machine_failed, std::string("the backend ") + Exec::name() +
-                                          " finds no device; run softwet where there is one, or build it for the "
-                                          "processor (preset release)");
+    throw Error(Exit::machine_failed,
+                std::string("the backend ") + Exec::name() +
+                    " finds no device; run softwet where there is one, or build it for the processor (preset release)");
   const int count = number_of_threads(threads, core_count());
   Kokkos::InitializationSettings settings;
   settings.set_disable_warnings(true);

@@ -120,8 +120,8 @@ std::string remedy(const Case& c, const Refusal& refusal, double time) {
   if (too_soft(c)) return softer_than_its_loads(c);
   if (cause == Refusal::beyond_bound)
     return "where the limit of explicit steps falls without end, the density, the mesh or the solid leaves its range: "
-           "try "
-           "time.scheme = \"generalized_alpha\", or a finer mesh; where it is only short, write a smaller time.dt_min";
+           "try time.scheme = \"generalized_alpha\", or a finer mesh; where it is only short, write a smaller "
+           "time.dt_min";
   if (cause == Refusal::linear_solver)
     return "solver.krylov.preconditioner = \"automatic\", or more iterations with solver.krylov.max";
   return "a finer mesh, " + std::string(c.fluid ? "a larger fluid.capillarity, " : "") + ramp_of_loads(c) +

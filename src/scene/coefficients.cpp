@@ -23,12 +23,11 @@ namespace {
 void require_tension(const Fluid& fluid, double dry, double largest_cosine) {
   const double gain = (1 - fluid.wall_stretch_exponent) * surface_tension(fluid) * largest_cosine;
   if (dry > gain) return;
-  throw Error(Exit::invalid_input,
-              "fluid.wall_tension = \"acts\": below liquid the wall would have the tension " + short_text(dry - gain) +
-                  ", substrate.surface_tension = " + short_text(dry) +
-                  " less what it gains by being wetted; a tension that is not positive folds the wall: write a "
-                  "surface_tension above " +
-                  short_text(gain));
+  throw Error(Exit::invalid_input, "fluid.wall_tension = \"acts\": below liquid the wall would have the tension " +
+                                       short_text(dry - gain) + ", substrate.surface_tension = " + short_text(dry) +
+                                       " less what it gains by being wetted; a tension that is not positive folds the "
+                                       "wall: write a surface_tension above " +
+                                       short_text(gain));
 }
 
 /// A wall whose energy below liquid grows less than its area has a negative modulus, and short waves along it grow.

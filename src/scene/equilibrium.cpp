@@ -71,8 +71,8 @@ Coexistence coexistence(double theta) {
   const PhaseDensities r = densities_at(theta, mu);
   if (!(r.liquid - r.vapour > 1e-4))  // closer to 1 the pressures, alike to the cube of this, cannot be told apart
     throw Error(Exit::invalid_input,
-                "fluid.temperature is so close to the critical temperature, 1, that liquid and "
-                "vapour differ by less than 1e-4 in density; choose 0.99999 or less");
+                "fluid.temperature is so close to the critical temperature, 1, that liquid and vapour differ by less "
+                "than 1e-4 in density; choose 0.99999 or less");
   return {r.vapour, r.liquid, gas.pressure(r.vapour), mu};
 }
 

@@ -122,11 +122,11 @@ std::vector<std::string> forecast_of_prestretch(const Case& c) {
   }
   const double compression = compression_of_face(c, here);
   if (compression < least_without_creases)
-    found.push_back(key + ": along the wall the layer is stretched " + short_text(compression) +
-                    " times as much as upright; below " + short_text(least_without_creases) +
-                    " its face folds into creases, and below " + short_text(least_of_biot) +
-                    " waves of every length grow on it, so that the result depends on the mesh; write a prestretch "
-                    "closer to 1");
+    found.push_back(
+        key + ": along the wall the layer is stretched " + short_text(compression) +
+        " times as much as upright; below " + short_text(least_without_creases) +
+        " its face folds into creases, and below " + short_text(least_of_biot) +
+        " waves of every length grow on it, so that the result depends on the mesh; write a prestretch closer to 1");
   if (varies_along_wall(c, s.young))
     found.push_back(key +
                     ": where substrate.young varies along the wall the stretched layer is not at rest where its "

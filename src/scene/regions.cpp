@@ -51,10 +51,9 @@ void set_branches(Layout<D>& l, const Substrate& s, int points) {
 template <int D>
 Regions<D>::Regions(const Case& c) : points_(c.domain.points()) {
   if (!has_reduced_quadrature && points_ <= c.domain.degree)
-    throw Error(
-        Exit::invalid_input,
-        "domain.quadrature = \"reduced\": this program was built without it; write domain.quadrature = \"full\", or "
-        "build it with -DSOFTWET_REDUCED_QUADRATURE=ON");
+    throw Error(Exit::invalid_input,
+                "domain.quadrature = \"reduced\": this program was built without it; write domain.quadrature = "
+                "\"full\", or build it with -DSOFTWET_REDUCED_QUADRATURE=ON");
   build_axes(c);
   build_mask(c);
 }

@@ -15,13 +15,12 @@ bool multiple_of(double angle, double right) { return std::abs(std::remainder(an
 void check_stretches(const Checker& check) {
   const std::size_t count = check.c.substrate->prestretch.size(), wanted = check.c.dimension() == 3 ? 2 : 1;
   if (count == wanted) return;
-  check.refuse(prestretch_key,
-               fmt::format("must be {}, not {}", wanted == 2 ? "2 numbers, along x and y" : "1 number", count),
-               wanted == 2 ? "write [l_1, l_2]; the stretch upright follows"
-                           : fmt::format("write [l_1]{}", check.c.axisymmetric()
-                                                              ? ": along r and around the axis the stretch is the same"
-                                                              : "; the strain stays plane, and the stretch upright "
-                                                                "follows"));
+  check.refuse(
+      prestretch_key, fmt::format("must be {}, not {}", wanted == 2 ? "2 numbers, along x and y" : "1 number", count),
+      wanted == 2 ? "write [l_1, l_2]; the stretch upright follows"
+                  : fmt::format("write [l_1]{}", check.c.axisymmetric()
+                                                     ? ": along r and around the axis the stretch is the same"
+                                                     : "; the strain stays plane, and the stretch upright follows"));
 }
 
 /// In a Saint Venant-Kirchhoff solid a stretch acts on the next one far more or less than in a gel.
@@ -29,8 +28,8 @@ void check_prestretched_law(const Checker& check) {
   const Substrate& s = *check.c.substrate;
   if (s.strain == Strain::small)
     check.refuse(prestretch_key,
-                 "needs strain = \"finite\": in small strains a stretch changes neither the stiffness nor the "
-                 "stress that a rotation carries along, so the layer would not feel it",
+                 "needs strain = \"finite\": in small strains a stretch changes neither the stiffness nor the stress "
+                 "that a rotation carries along, so the layer would not feel it",
                  "write strain = \"finite\" and material = \"neo_hookean\", or remove the prestretch");
   constexpr double most = 0.15;
   if (s.material != MaterialModel::saint_venant_kirchhoff) return;
@@ -38,8 +37,8 @@ void check_prestretched_law(const Checker& check) {
     if (std::abs(stretch - 1) > most + slack)
       check.refuse(prestretch_key,
                    fmt::format("has {:.4g}: a Saint Venant-Kirchhoff solid is no model of a gel beyond 0.85 and 1.15. "
-                               "Stretched by 1.3 at poisson = 0.45 it thins to 0.66 where a neo-Hookean solid thins "
-                               "to 0.80, and the ridge of a droplet on it is 18 % higher",
+                               "Stretched by 1.3 at poisson = 0.45 it thins to 0.66 where a neo-Hookean solid thins to "
+                               "0.80, and the ridge of a droplet on it is 18 % higher",
                                stretch),
                    "write material = \"neo_hookean\"");
 }

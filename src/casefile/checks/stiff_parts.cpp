@@ -49,12 +49,11 @@ void warn_of_stiff_parts(const Case& c, std::vector<std::string>& found) {
   const auto tell = [&](const std::string& key, const std::string& what, double stiffness, double scale,
                         const std::string& most) {
     if (stiffness <= stiffest_part * scale) return;
-    found.push_back(
-        fmt::format("{} makes {} {:.2g} times as stiff as the solid, which has the Young modulus {:.3g}: beyond {:g} "
-                    "times the digits "
-                    "of linear solves do not hold both, and displacements and energies may be wrong in states that "
-                    "count as converged (docs/limits.md); write at most {}, where that part hardly stretches any more",
-                    key, what, stiffness / scale, young, stiffest_part, most));
+    found.push_back(fmt::format(
+        "{} makes {} {:.2g} times as stiff as the solid, which has the Young modulus {:.3g}: beyond {:g} times the "
+        "digits of linear solves do not hold both, and displacements and energies may be wrong in states that count as "
+        "converged (docs/limits.md); write at most {}, where that part hardly stretches any more",
+        key, what, stiffness / scale, young, stiffest_part, most));
   };
   const double fibre = 4 * solid.fibre.stiffness, face = solid.modulus_of_surface(), h = c.shortest();
   tell(fmt::format("substrate.fibre.stiffness = {:g}", solid.fibre.stiffness), "fibres", fibre, young,

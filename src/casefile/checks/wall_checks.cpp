@@ -75,13 +75,11 @@ void check_line_friction(const Checker& check) {
     check.refuse(key, "needs the wall energy: the law \"gradient\" has no energy that a moving line could lose",
                  "write wall_law = \"energy\"");
   if (!check.c.time.implicit())
-    check.refuse(
-        key,
-        fmt::format(
-            "needs time.scheme = \"generalized_alpha\", not \"{}\": explicit steps compute the potential before they "
-            "know the rate of the density at the wall, on which it then depends",
-            word_of(check.c.time.scheme)),
-        "write scheme = \"generalized_alpha\"");
+    check.refuse(key,
+                 fmt::format("needs time.scheme = \"generalized_alpha\", not \"{}\": explicit steps compute the "
+                             "potential before they know the rate of the density at the wall, on which it then depends",
+                             word_of(check.c.time.scheme)),
+                 "write scheme = \"generalized_alpha\"");
   if (check.periodic(check.vertical()))
     check.refuse(key, "needs a wall, and the bottom is periodic", "remove it, or write another boundary.bottom");
   if (fluid.contact_angle.varies())

@@ -44,9 +44,8 @@ std::vector<Key> initial_keys() {
        .lengths = of_axes(),
        .required = true,
        .example = "[[0.0, 0.125], [1.0, 0.2]]",
-       .help =
-           "Lower and upper corner of the box of liquid. Where a face of the box lies on a side of the fluid or beyond "
-           "it, the liquid touches that side.",
+       .help = "Lower and upper corner of the box of liquid. Where a face of the box lies on a side of the fluid or "
+               "beyond it, the liquid touches that side.",
        .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.films[i]; })},
       {.name = "wave[].field",
        .kind = Kind::choice,
@@ -58,9 +57,8 @@ std::vector<Key> initial_keys() {
       {.name = "wave[].amplitude",
        .required = true,
        .example = "1e-3",
-       .help =
-           "Amplitude of the wave, in the unit of the field. The wave is the product of cos(mode pi x / L) over the "
-           "axes; along its own direction a velocity or displacement has sin where mode is not 0.",
+       .help = "Amplitude of the wave, in the unit of the field. The wave is the product of cos(mode pi x / L) over "
+               "the axes; along its own direction a velocity or displacement has sin where mode is not 0.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.waves[i].amplitude; })},
       {.name = "wave[].mode",
        .kind = Kind::numbers,
@@ -73,10 +71,9 @@ std::vector<Key> initial_keys() {
       {.name = "initial.from",
        .kind = Kind::text,
        .help = "Output folder of an earlier run, relative to the folder in which softwet is started: its last "
-               "checkpoint, or its field files of initial.time, give density, "
-               "velocity and displacement at the start. Its mesh, its materials, loads and sides may differ; its "
-               "box and the thickness of "
-               "its solid must be the same. The other keys of [initial] take precedence.",
+               "checkpoint, or its field files of initial.time, give density, velocity and displacement at the start. "
+               "Its mesh, its materials, loads and sides may differ; its box and the thickness of its solid must be "
+               "the same. The other keys of [initial] take precedence.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.initial->from; }),
        .default_note = "\"\", none"},
       {.name = "initial.time",
@@ -101,8 +98,7 @@ std::vector<Key> initial_keys() {
        .unit = "sqrt(ab)",
        .lengths = of_axes_or_none(),
        .help = "Velocity of the fluid at the start, one number for each axis. A side that holds the fluid sets its "
-               "part to 0, and "
-               "a solid and its wall begin at rest.",
+               "part to 0, and a solid and its wall begin at rest.",
        .bind = profile_at([](Case & c, std::size_t) -> auto& { return c.initial->velocity; }),
        .default_note = "[], from droplets",
        .support = Support::fluid},

@@ -37,8 +37,8 @@ std::vector<Key> probe_keys() {
        .kind = Kind::box,
        .unit = "L0",
        .lengths = of_axes_or_none(),
-       .help = "Lower and upper corner of a box in the undeformed domain. Where both are equal along an axis, it "
-               "is a face, a line or a point.",
+       .help = "Lower and upper corner of a box in the undeformed domain. Where both are equal along an axis, it is a "
+               "face, a line or a point.",
        .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.probes[i]; }),
        .default_note = "[[], []], none"},
       {.name = "probe[].operation",
@@ -46,11 +46,11 @@ std::vector<Key> probe_keys() {
        .choices = words_of(ProbeOperation{}),
        .help =
            "How the quantity is reduced: its value at a point, or its mean, its integral, its largest or smallest "
-           "value over a box. Integrals and means are over the undeformed box in the solid and over the deformed "
-           "one in the fluid; in axisymmetric scenes over the whole turn, which makes a face of a line and a circle "
-           "of a point, but on the axis itself a line stays a line and a point a point. Largest and smallest values "
-           "are taken over five points of each element along each axis. At substrate.joint strains and stresses may "
-           "jump: a box has the values of its own side, and what lies on the joint has the values from above.",
+           "value over a box. Integrals and means are over the undeformed box in the solid and over the deformed one "
+           "in the fluid; in axisymmetric scenes over the whole turn, which makes a face of a line and a circle of a "
+           "point, but on the axis itself a line stays a line and a point a point. Largest and smallest values are "
+           "taken over five points of each element along each axis. At substrate.joint strains and stresses may jump: "
+           "a box has the values of its own side, and what lies on the joint has the values from above.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.probes[i].operation; })},
   };
 }
@@ -67,21 +67,19 @@ std::vector<Key> files_keys() {
        .kind = Kind::numbers,
        .range = {-1e30, 1e30, false, false},
        .lengths = {2},
-       .help =
-           "Horizontal direction [x, y] along which droplets are followed in 3D: their velocity, contact points and "
-           "angles. Only the direction counts, not the length.",
+       .help = "Horizontal direction [x, y] along which droplets are followed in 3D: their velocity, contact points "
+               "and angles. Only the direction counts, not the length.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.track; }),
        .only_in = 3,
        .default_note =
-           "the horizontal line along which the loads act: the sum of their forces, where a force that "
-           "points against the sum of those before it counts with the opposite sign; [1, 0] without a load"},
+           "the horizontal line along which the loads act: the sum of their forces, where a force that points against "
+           "the sum of those before it counts with the opposite sign; [1, 0] without a load"},
       {.name = "output.fields.times",
        .kind = Kind::times,
        .unit = "L0/sqrt(ab)",
        .example = "[0.0, 235.0, 471.0, 1884.0]",
        .help = "Times t, in increasing order, at which the fields and the rows of interface.csv are written. Negative "
-               "times lie "
-               "before the first load. An entry may be a range: \"0:5:11\" means 11 times from 0 to 5.",
+               "times lie before the first load. An entry may be a range: \"0:5:11\" means 11 times from 0 to 5.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.output.field_times; })},
       {.name = "output.fields.every",
        .unit = "L0/sqrt(ab)",

@@ -12,9 +12,8 @@ std::vector<Key> substrate_keys() {
        .required = true,
        .example = "0.125",
        .source = "[?]",
-       .help =
-           "Height of the solid layer. It is a whole number of rows of elements: less than the height of the domain "
-           "with a fluid, equal to it without.",
+       .help = "Height of the solid layer. It is a whole number of rows of elements: less than the height of the "
+               "domain with a fluid, equal to it without.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->thickness; })},
       {.name = "substrate.density",
        .unit = "b",
@@ -38,9 +37,9 @@ std::vector<Key> substrate_keys() {
       {.name = "substrate.joint",
        .unit = "L0",
        .range = {0, infinity, false, true},
-       .help = "Height in the solid at which two materials are joined: substrate.young may jump there, and the slope "
-               "of the "
-               "displacement with it. It is the end of a row of elements. Without it, 0, a jump is smeared over a row.",
+       .help =
+           "Height in the solid at which two materials are joined: substrate.young may jump there, and the slope of "
+           "the displacement with it. It is the end of a row of elements. Without it, 0, a jump is smeared over a row.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->joint; })},
       {.name = "substrate.poisson",
        .range = {-1, 0.5, true, true},
@@ -53,10 +52,9 @@ std::vector<Key> substrate_keys() {
       {.name = "substrate.volume_quadrature",
        .kind = Kind::choice,
        .choices = words_of(VolumeQuadrature{}),
-       .help =
-           "How the stiffness against changes of volume is integrated. full: at all points. selective: what a solid "
-           "with nu = 0.4 has at all points, and the rest for the means over elements, so that a nearly incompressible "
-           "solid does not lock. Up to nu = 0.4 both are the same.",
+       .help = "How the stiffness against changes of volume is integrated. full: at all points. selective: what a "
+               "solid with nu = 0.4 has at all points, and the rest for the means over elements, so that a nearly "
+               "incompressible solid does not lock. Up to nu = 0.4 both are the same.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->volume_quadrature; })},
       {.name = "substrate.material",
        .kind = Kind::choice,
@@ -74,29 +72,26 @@ std::vector<Key> substrate_keys() {
       {.name = "substrate.inertia",
        .kind = Kind::choice,
        .choices = words_of(Inertia{}),
-       .help =
-           "Inertia of the solid. none leaves the solid in equilibrium with the fluid and the loads at every time: for "
-           "motion that is slow against elastic waves. Explicit schemes need full.",
+       .help = "Inertia of the solid. none leaves the solid in equilibrium with the fluid and the loads at every time: "
+               "for motion that is slow against elastic waves. Explicit schemes need full.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->inertia; })},
       {.name = "substrate.prestretch",
        .kind = Kind::numbers,
        .range = {0.4, 3, false, false},
        .lengths = {0, 1, 2},
-       .help =
-           "Stretch along the wall before the scene begins: [l_1] in 2D, where the strain stays plane, [l_1, l_2] "
-           "along x and y in 3D, [l] along r and around the axis in (r, z). The height of the layer adapts so that its "
-           "top is free of stress. All lengths, the density and the viscosity refer to the stretched layer, "
-           "young to the material before, and the displacement counts from the stretched state. The sides "
-           "have to hold the stretch. With it choose material = \"neo_hookean\".",
+       .help = "Stretch along the wall before the scene begins: [l_1] in 2D, where the strain stays plane, [l_1, l_2] "
+               "along x and y in 3D, [l] along r and around the axis in (r, z). The height of the layer adapts so that "
+               "its top is free of stress. All lengths, the density and the viscosity refer to the stretched layer, "
+               "young to the material before, and the displacement counts from the stretched state. The sides have to "
+               "hold the stretch. With it choose material = \"neo_hookean\".",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->prestretch; }),
        .default_note = "[], none"},
       {.name = "substrate.viscosity",
        .unit = "L0 b sqrt(ab)",
        .range = {0, infinity, false, true},
-       .help =
-           "Shear viscosity eta of the solid, beside its elasticity (Kelvin-Voigt): stress 2 eta dev(E') for the rate "
-           "E' "
-           "of the Green-Lagrange strain. A shear wave of wave number k is damped at the rate eta k^2 / (2 rho_0^s).",
+       .help = "Shear viscosity eta of the solid, beside its elasticity (Kelvin-Voigt): stress 2 eta dev(E') for the "
+               "rate E' of the Green-Lagrange strain. A shear wave of wave number k is damped at the rate eta k^2 / (2 "
+               "rho_0^s).",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->viscosity; })},
       {.name = "substrate.bulk_viscosity",
        .unit = "L0 b sqrt(ab)",
@@ -108,8 +103,7 @@ std::vector<Key> substrate_keys() {
        .range = {0, infinity, false, true},
        .help = "Surface tension of the solid's dry top face, the same at any stretch. Soft gels need it: where the "
                "elastocapillary length sigma/E is as long as the interface is wide, it holds the ridge at the contact "
-               "line. "
-               "docs/your_droplet.md gets it from mN/m.",
+               "line. docs/your_droplet.md gets it from mN/m.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->surface_tension; })},
       {.name = "substrate.surface_tension_wet",
        .unit = "a b^2 L0",
@@ -124,11 +118,10 @@ std::vector<Key> substrate_keys() {
        .unit = "a b^2 L0",
        .range = {0, infinity, false, true},
        .lengths = {0, 2},
-       .help =
-           "Moduli [lambda_s, G_s] of the solid's top face, which then resists stretch along itself: energy "
-           "lambda_s/2 (tr E_s)^2 + G_s E_s : E_s of each undeformed area, with the Green strain E_s of the face, "
-           "whose stress is the "
-           "second Piola-Kirchhoff stress. In 2D only lambda_s + 2 G_s counts. Its energy is part of energy_surface.",
+       .help = "Moduli [lambda_s, G_s] of the solid's top face, which then resists stretch along itself: energy "
+               "lambda_s/2 (tr E_s)^2 + G_s E_s : E_s of each undeformed area, with the Green strain E_s of the face, "
+               "whose stress is the second Piola-Kirchhoff stress. In 2D only lambda_s + 2 G_s counts. Its energy is "
+               "part of energy_surface.",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->surface_modulus; }),
        .default_note = "[], none"},
       {.name = "substrate.gravity",
@@ -157,10 +150,9 @@ std::vector<Key> substrate_keys() {
        .only_in = 3},
       {.name = "substrate.gel.exponent",
        .range = {0, 1, false, true},
-       .help =
-           "Exponent n of a gel whose shear modulus grows with the angular frequency w, G (1 + (i w time)^n), G from "
-           "young and poisson; 0: none. It stands for the branches and the viscosity that come closest to it in "
-           "gel.decades, beside those that are given. 'softwet check' prints them and how close they come.",
+       .help = "Exponent n of a gel whose shear modulus grows with the angular frequency w, G (1 + (i w time)^n), G "
+               "from young and poisson; 0: none. It stands for the branches and the viscosity that come closest to it "
+               "in gel.decades, beside those that are given. 'softwet check' prints them and how close they come.",
        .reason = "1 would be substrate.viscosity = G time",
        .bind = at([](Case & c, std::size_t) -> auto& { return c.substrate->gel.exponent; })},
       {.name = "substrate.gel.time",
@@ -226,9 +218,8 @@ std::vector<Key> load_keys() {
        .range = not_negative,
        .example = "30.0",
        .source = "[?] after relaxation; time zero of the output is the start of the load",
-       .help =
-           "Run time at which the load begins. Run time is 0 at the beginning of the computation; the time t of all "
-           "results is 0 when the first load begins. 'softwet check' prints both.",
+       .help = "Run time at which the load begins. Run time is 0 at the beginning of the computation; the time t of "
+               "all results is 0 when the first load begins. 'softwet check' prints both.",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.loads[i].start; })},
       {.name = "load[].ramp",
        .unit = "L0/sqrt(ab)",
@@ -240,8 +231,7 @@ std::vector<Key> load_keys() {
       {.name = "load[].factor",
        .kind = Kind::profile,
        .help = "Factor of the force over time, beside the ramp: the force is load[].force times the ramp times this. A "
-               "factor "
-               "of \"sin(2*pi*t/5)\" shakes the box with the period 5.",
+               "factor of \"sin(2*pi*t/5)\" shakes the box with the period 5.",
        .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.loads[i].factor; }),
        .support = Support::time},
       {.name = "load[].path",
@@ -249,8 +239,8 @@ std::vector<Key> load_keys() {
        .unit = "L0",
        .lengths = of_axes_or_none(),
        .help = "Displacement of the box over time, one entry for each axis: [\"0.1*t\", 0.0] moves it along x, and so "
-               "does the table [[0, 0, 0], [10, 1, 0]], linear between its times. Round a periodic "
-               "axis it comes in on the other side; what leaves the solid elsewhere does not act.",
+               "does the table [[0, 0, 0], [10, 1, 0]], linear between its times. Round a periodic axis it comes in on "
+               "the other side; what leaves the solid elsewhere does not act.",
        .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.loads[i].path; }),
        .default_note = "[], the box rests",
        .support = Support::time},
@@ -265,30 +255,26 @@ std::vector<Key> needle_keys() {
        .lengths = of_axes(),
        .required = true,
        .example = "[[0.7, 0.0], [0.8, 0.125]]",
-       .help =
-           "Lower and upper corner of the part of the solid that the needle holds, in the undeformed state. It moves "
-           "with the needle.",
+       .help = "Lower and upper corner of the part of the solid that the needle holds, in the undeformed state. It "
+               "moves with the needle.",
        .bind = box_of([](Case & c, std::size_t i) -> auto& { return c.needles[i]; })},
       {.name = "needle[].stiffness",
        .unit = "a b^2/L0^2",
        .range = positive,
        .required = true,
        .example = "1e5",
-       .help =
-           "Stiffness k of the springs between the needle and its box: force k (U - u) for each volume, U the position "
-           "of the needle and u the displacement. With the Young modulus E, elements of h and a box of the width w, "
-           "100 E/h^2 holds rigidly, and E/w^2 yields as much as the solid. An explicit step is at most about "
-           "1.8 sqrt(rho_0^s/k).",
+       .help = "Stiffness k of the springs between the needle and its box: force k (U - u) for each volume, U the "
+               "position of the needle and u the displacement. With the Young modulus E, elements of h and a box of "
+               "the width w, 100 E/h^2 holds rigidly, and E/w^2 yields as much as the solid. An explicit step is at "
+               "most about 1.8 sqrt(rho_0^s/k).",
        .bind = at([](Case & c, std::size_t i) -> auto& { return c.needles[i].stiffness; })},
       {.name = "needle[].path",
        .kind = Kind::profiles,
        .unit = "L0",
        .lengths = of_axes_or_none(),
        .help = "Displacement U of the needle over time, one entry for each axis: [\"0.1*t\", 0.0] moves the box along "
-               "x, and "
-               "so does the table [[0, 0, 0], [10, 1, 0]], linear between its times. "
-               "Before t = 0 the needle stands where it is then. In axisymmetric scenes it moves along the second axis "
-               "alone.",
+               "x, and so does the table [[0, 0, 0], [10, 1, 0]], linear between its times. Before t = 0 the needle "
+               "stands where it is then. In axisymmetric scenes it moves along the second axis alone.",
        .bind = profile_at([](Case & c, std::size_t i) -> auto& { return c.needles[i].path; }),
        .default_note = "[], the needle holds the box where it is",
        .support = Support::time},

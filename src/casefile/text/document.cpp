@@ -68,15 +68,15 @@ void refuse_other_encodings(std::string_view text, const std::string& place) {
   const std::string_view mark = text.substr(0, 2), zeros = text.substr(0, 200);
   const bool marked = mark == "\xff\xfe" || mark == "\xfe\xff";
   if (marked || (zeros.find('\0') < 2 && zeros.size() > 3 && zeros[0] != zeros[1]))
-    throw Error(Exit::invalid_input,
-                fmt::format("{}: the file is in UTF-16; save it in UTF-8, for example with 'iconv -f "
-                            "UTF-16 -t UTF-8 {} > new.toml'",
-                            place, place));
+    throw Error(
+        Exit::invalid_input,
+        fmt::format(
+            "{}: the file is in UTF-16; save it in UTF-8, for example with 'iconv -f UTF-16 -t UTF-8 {} > new.toml'",
+            place, place));
   if (text.find('\0') != std::string_view::npos)
-    throw Error(Exit::invalid_input,
-                fmt::format("{}: the file is not text, it holds bytes that are zero; give the path of "
-                            "a case, for example cases/tensotaxis_pull_2d.toml",
-                            place));
+    throw Error(Exit::invalid_input, fmt::format("{}: the file is not text, it holds bytes that are zero; give the "
+                                                 "path of a case, for example cases/tensotaxis_pull_2d.toml",
+                                                 place));
 }
 
 }  // namespace

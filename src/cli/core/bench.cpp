@@ -1,4 +1,4 @@
-#include "cli/core/bench.hpp"
+#include "cli/core/dispatched.hpp"
 
 #include <chrono>
 #include <cstdio>

@@ -6,12 +6,10 @@
 #include <new>
 
 #include <softwet_version.hpp>
-#include "cli/core/bench.hpp"
 #include "cli/core/bench_stop.hpp"
-#include "cli/core/bench_variants.hpp"
 #include "cli/core/configurations.hpp"
 #include "cli/core/describe.hpp"
-#include "cli/core/first_fields.hpp"
+#include "cli/core/dispatched.hpp"
 #include "cli/core/units.hpp"
 #include "field/ranks.hpp"
 #include "foresight/forecast.hpp"

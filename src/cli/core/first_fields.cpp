@@ -1,4 +1,4 @@
-#include "cli/core/first_fields.hpp"
+#include "cli/core/dispatched.hpp"
 
 #include "observe/output_fields.hpp"
 #include "run/host/run_status.hpp"

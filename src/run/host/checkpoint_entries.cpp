@@ -43,10 +43,9 @@ void EntriesFromFile::list(const std::string& name, std::vector<double>& values)
 }
 
 void EntriesFromFile::refuse(const std::string& name, const std::string& found, const std::string& needed) const {
-  throw Error(Exit::invalid_input,
-              fmt::format("{}: '{}' {} where a checkpoint holds {}; put back the checkpoint.h5 that this case wrote, "
-                          "or start anew without --resume",
-                          path_, name, found, needed));
+  throw Error(Exit::invalid_input, fmt::format("{}: '{}' {} where a checkpoint holds {}; put back the checkpoint.h5 "
+                                               "that this case wrote, or start anew without --resume",
+                                               path_, name, found, needed));
 }
 
 std::vector<double> EntriesFromFile::array(const std::string& name, std::size_t size) const {

@@ -77,12 +77,12 @@ std::vector<std::string> losses_of_earlier(const Case& now, const Case& then, co
   if (!then.substrate->has_branches() || now.time.start == StartState::equilibrium) return found;
   const std::optional<double> energy = value_in_history(folder, "energy_branches", now.initial->time);
   if (energy == 0.0) return found;
-  found.push_back(
-      of_run + fmt::format("the stress in the branches of its solid is not taken over: that run has {} with "
-                           "energy_branches = {}, this case has {}, which begin{} with 0; go on with --resume in the "
-                           "folder of that run to keep the stress, or begin where it has relaxed",
-                           branches_text(then), energy ? fmt::format("{:.4g}", *energy) : "an unknown value",
-                           branches_text(now), branches_text(now) == "1 branch" ? "s" : ""));
+  found.push_back(of_run +
+                  fmt::format("the stress in the branches of its solid is not taken over: that run has {} with "
+                              "energy_branches = {}, this case has {}, which begin{} with 0; go on with --resume in "
+                              "the folder of that run to keep the stress, or begin where it has relaxed",
+                              branches_text(then), energy ? fmt::format("{:.4g}", *energy) : "an unknown value",
+                              branches_text(now), branches_text(now) == "1 branch" ? "s" : ""));
   return found;
 }
 

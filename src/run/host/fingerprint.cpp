@@ -95,10 +95,9 @@ std::string solver_settings(const Case& c) { return lines_of_case(c, of_solver);
 void check_fingerprint(const std::string& path, const std::string& stored, const Case& c) {
   const std::vector<std::string> then = lines_of(stored), now = lines_to_compare(c, then);
   const auto refuse = [&](const std::string& difference) {
-    throw Error(Exit::invalid_input, path + ": the checkpoint belongs to another case: " + difference + " (" +
-                                         may_change_text +
-                                         "); resume with the case of the checkpoint, or start anew in another folder "
-                                         "with --out");
+    throw Error(Exit::invalid_input,
+                path + ": the checkpoint belongs to another case: " + difference + " (" + may_change_text +
+                    "); resume with the case of the checkpoint, or start anew in another folder with --out");
   };
   for (std::size_t i = 0; i < std::max(then.size(), now.size()); ++i) {
     if (i >= now.size()) refuse(key_of(then[i]) + " was " + value_of(then[i]) + " and is missing now");
