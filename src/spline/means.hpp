@@ -15,9 +15,10 @@ struct Living {
 /// What the means along an axis are weighted by. In (r, z) integrals have the weight r.
 enum class MeanWeight { uniform, radius };
 
-/// With the weight r slopes have means with it, and values plain ones: over the radius of the middle these are the
-/// means of v_r / r with the weight r. A uniform stress that is the same along r and around the axis then has no
-/// resultant within a layer.
+/// With the weight r the means of v and of dv_r/dr + v_r/r have that weight, where v_r/r is the mean of v_r over the
+/// radius of the middle. So a stress that is the same along r and around the axis has no resultant along r within a
+/// layer, and an upright one pulls at the functions of a wall as a pressure on the wall does. The means of dv_r/dr and
+/// v_r/r alone are off near the axis, by h^2/(12 r^2) of themselves.
 Living means_of(const Axis&, int element, MeanWeight weight);
 
 }  // namespace softwet

@@ -104,23 +104,26 @@ TEST(AxisRule, RestrictionKeepsOneFunction) {
 }
 
 // The force of a uniform stress on a function, along r and around the axis, is what leaves or enters at the ends of the
-// axis: nothing inside.
-TEST(AxisRule, MeansAroundAnAxisHaveNoResultantOfAUniformStress) {
+// axis: nothing inside. An upright stress pulls as a pressure on the wall does: by the integral of the function times r.
+TEST(AxisRule, MeansAroundAnAxisHaveTheResultantsOfAUniformStress) {
   const Axis axis(0.9, 7, 2, AxisKind::bounded);
-  const AxisRule rule = mean_rule(axis, 0, 7, 3, MeanWeight::radius);
-  const auto v = host(rule.value), s = host(rule.slope);
-  const auto w = host(rule.weight), x = host(rule.position);
-  std::vector<double> force(9);
+  const AxisRule rule = mean_rule(axis, 0, 7, 3, MeanWeight::radius), gauss = gauss_rule(axis, 0, 7, 3);
+  const auto v = host(rule.value), s = host(rule.slope), n = host(gauss.value);
+  const auto w = host(rule.weight), x = host(rule.position), length = host(gauss.weight), r = host(gauss.position);
+  std::vector<double> force(9), upright(9), pressure(9);
   for (int e = 0; e < 7; ++e) {
-    double radius = 0, stretch = 0;
+    double divergence = 0;  // of v_r = r
     for (int a = 0; a < 3; ++a) {
-      radius += v(0, a, e) * axis.greville(e + a);
-      stretch += s(0, a, e) * axis.greville(e + a);
-      for (int q = 0; q < 3; ++q) force[e + a] += w(q, e) * (x(q, e) * s(q, a, e) + v(q, a, e));
+      divergence += (s(0, a, e) + v(0, a, e) / x(0, e)) * axis.greville(e + a);
+      for (int q = 0; q < 3; ++q) {
+        force[e + a] += w(q, e) * (x(q, e) * s(q, a, e) + v(q, a, e));
+        upright[e + a] += w(q, e) * x(q, e) * v(q, a, e);
+        pressure[e + a] += length(q, e) * r(q, e) * n(q, a, e);
+      }
     }
-    EXPECT_NEAR(radius / x(0, e), 1, 1e-14);
-    EXPECT_NEAR(stretch, 1, 1e-13);
+    EXPECT_NEAR(divergence, 2, 1e-13);
   }
+  for (int i = 0; i < 9; ++i) EXPECT_NEAR(upright[i], pressure[i], 1e-15) << i;
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(force[i], 0, 1e-15) << i;
   EXPECT_NEAR(force[8], 0.9, 1e-14);
 }
