@@ -15,6 +15,7 @@ from softwet import columns
 from .keys import power_of_a
 
 OWN = {"ridge": "L0", "centre": "L0", "angle": "degrees"}  # and their units
+MOTION = ("velocity", "x_centre", "x_left", "x_right", "y_centre")
 AT_REST, IN_MOTION = ["ridge", "centre", "angle"], ["ridge", "angle", "x_centre", "velocity@max"]
 
 
@@ -22,7 +23,7 @@ class Column:
     """One column of --columns. name, place  what stands before and behind the @"""
 
     def __init__(self, text, at_rest):
-        self.text = text
+        self.text, self.at_rest = text, at_rest
         self.name, at, self.place = text.partition("@")
         if at and self.place not in ("max", "min"):
             self.place = time_of(text, self.place)
@@ -35,6 +36,11 @@ class Column:
     @property
     def unit(self):
         return OWN.get(self.name) or columns()[self.name].unit
+
+    @property
+    def moves(self):
+        """Whether it follows the motion of a contact line."""
+        return not self.at_rest and self.name in MOTION and self.place != 0
 
     def value(self, run, ratio):
         """@param ratio  the width of the run over the width of the case
