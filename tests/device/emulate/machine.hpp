@@ -22,14 +22,14 @@ struct Counts {
   void add(const Counts& other);
 };
 
-/// Of 4 bytes of shared memory: which warp wrote them and which warps read them last, and at which epoch. Barriers begin epochs.
+/// Which warp wrote 4 bytes of shared memory and which warps read them last, and at which epoch. Barriers begin epochs.
 struct Shadow {
   std::uint32_t written = 0, read = 0;
   std::uint32_t readers = 0;  // warps
   std::uint8_t writer = 0, writer_lane = 0;
   std::uint16_t atomic = 0;
 };
-/// Of 4 bytes of shared memory: which lanes of a warp read them last.
+/// Which lanes of a warp read 4 bytes of shared memory last.
 struct LaneShadow {
   std::uint32_t readers = 0;                      // lanes of the warp that read last
   std::uint32_t written_sync = 0, read_sync = 0;  // how often the lanes of the warp had met

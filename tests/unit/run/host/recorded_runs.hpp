@@ -1,5 +1,5 @@
 // Steps of ten small cases as they were computed: the number of a step, its time, and the seconds of one core until then.
-// Of 22 recorded cases these are the ones in which the estimate is within a factor of 1.5; in the others it is off by 1.5 to 5.4.
+// In these ten of 22 recorded cases the estimate is within a factor of 1.5; in the others it is off by 1.5 to 5.4.
 #pragma once
 
 #include "run/host/time_left.hpp"

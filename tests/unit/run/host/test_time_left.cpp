@@ -75,7 +75,7 @@ TEST(TimeLeft, StepsBoundByStability) {
   EXPECT_NEAR(left.seconds().value(), 3 * 980, 1e-6);
 }
 
-/// Of a long run 128 steps and more are kept, so that half of the steps is known to 1 in 128.
+/// 128 steps and more of a long run are kept, so that half of the steps is known to 1 in 128.
 TEST(TimeLeft, AHundredThousandSteps) {
   TimeLeft left(20000, 50, 100000000, StepsFollow::stability);
   for (long step = 1; step <= 100000; ++step)  // the first half of the steps took twice as long
