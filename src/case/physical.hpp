@@ -1,5 +1,9 @@
-// A droplet on a soft layer in SI units: what `softwet units` turns into the numbers of a case. No physics, no Kokkos.
+// A droplet on a soft layer in SI units: what `softwet units` and the table [laboratory] of a case turn into numbers of a
+// case. No Kokkos.
 #pragma once
+
+#include <cmath>
+#include <string>
 
 namespace softwet {
 
@@ -17,7 +21,34 @@ struct PhysicalScene {
   double wet_tension = -1;     ///< of the solid below liquid, N/m; negative: that of the dry one
   double solid_viscosity = 0;  ///< of the solid, Pa s
   double temperature = 0.39;   ///< of the model fluid, over its critical temperature
-  double capillarity = 0;      ///< fluid.capillarity; 0: a tenth of the droplet's radius
+  double capillarity = 0;      ///< fluid.capillarity; 0: by the half width
+  double half_width = 0;       ///< of the interface, m; 0: a tenth of the droplet's radius
+  double contact_angle = 0;    ///< degrees; 0: by Young's law from the tensions of the solid
+};
+
+/// What 1 means in a case, in SI units.
+struct Scales {
+  double length;   ///< L0, m
+  double density;  ///< b, kg/m^3:            rho_l = rho_hat_l(theta) b
+  double a;        ///< Pa (m^3/kg)^2:        sigma = sigma_hat(theta, gamma) a b^2 L0
+
+  double velocity() const { return std::sqrt(a * density); }          ///< sqrt(a b), m/s
+  double time() const { return length / velocity(); }                 ///< s
+  double stress() const { return a * density * density; }             ///< a b^2, Pa
+  double viscosity() const { return length * density * velocity(); }  ///< L0 b sqrt(a b), Pa s
+};
+
+/// What the table [laboratory] of a case comes to.
+struct Laboratory {
+  Scales scales;
+  std::string table;  ///< its lines that set the scales; the resolved case has the other keys as numbers
+};
+
+/// A case file that `softwet units` writes.
+struct WrittenCase {
+  std::string path;       ///< empty: none
+  bool plane = false;     ///< in 2D; else with an axis of symmetry
+  bool of_paper = false;  ///< the model of the paper: its wall law, a Saint Venant-Kirchhoff solid
 };
 
 }  // namespace softwet

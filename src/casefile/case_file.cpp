@@ -17,6 +17,7 @@
 #include "casefile/checks/stiff_parts.hpp"
 #include "casefile/formula/jumps.hpp"
 #include "casefile/formula/profiles.hpp"
+#include "casefile/laboratory.hpp"
 #include "casefile/schema/quality.hpp"
 #include "casefile/text/document.hpp"
 
@@ -179,11 +180,16 @@ constexpr std::size_t largest_file = 16 << 20;  ///< bytes; of a case with a hun
                           path, reason));
 }
 
-Case parse(std::string_view text, const std::string& place, const std::vector<std::string>& overrides, Tables tables) {
-  Problems problems;
+/// A case file as it is read: its text with the assignments of the command line.
+Document document_of(std::string_view text, const std::string& place, const std::vector<std::string>& overrides,
+                     Problems& problems) {
   Document document = read_document(text, place, problems);
   for (const std::string& assignment : overrides)
     problems.keep([&] { apply_override(document, assignment, problems); });
+  return document;
+}
+
+Case case_of_document(const Document& document, Problems& problems, Tables tables) {
   Case c = resolve(document, problems);
   if (c.initial && !c.initial->from.empty())  // the resolved case holds from any folder
     c.initial->from = std::filesystem::absolute(c.initial->from).lexically_normal().string();
@@ -192,6 +198,12 @@ Case parse(std::string_view text, const std::string& place, const std::vector<st
   problems.throw_if_any();
   choose_fine_box(c);
   return c;
+}
+
+Case parse(std::string_view text, const std::string& place, const std::vector<std::string>& overrides, Tables tables) {
+  Problems problems;
+  const Document document = document_of(text, place, overrides, problems);
+  return case_of_document(document, problems, tables);
 }
 
 std::string text_of_file(const std::string& path) {
@@ -215,6 +227,14 @@ Case parse_case(std::string_view text, const std::string& place, const std::vect
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
   return parse(text_of_file(path), path, overrides, Tables::read);
+}
+
+LaboratoryCase read_laboratory_case(const std::string& path, const std::vector<std::string>& overrides,
+                                    const Conversion& conversion) {
+  Problems problems;
+  Document document = document_of(text_of_file(path), path, overrides, problems);
+  const std::optional<Laboratory> laboratory = follow_laboratory(document, conversion, problems);
+  return {case_of_document(document, problems, Tables::read), laboratory};
 }
 
 Case read_scene(const std::string& path) { return parse(text_of_file(path), path, {}, Tables::leave); }

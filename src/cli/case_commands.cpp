@@ -1,12 +1,13 @@
 #include "cli/case_commands.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <optional>
 
 #include "case/case.hpp"
@@ -14,6 +15,7 @@
 #include "casefile/case_file.hpp"
 #include "casefile/formula/profiles.hpp"
 #include "casefile/schema/json_schema.hpp"
+#include "casefile/write/start_cases.hpp"
 #include "cli/case_of_request.hpp"
 #include "cli/core/dispatch.hpp"
 #include "cli/tool.hpp"
@@ -44,9 +46,13 @@ Case examined(const Case& c) {
 }
 
 /// All processes read the case, and have to find the same one.
-Case load_case(const CaseRequest& request) {
-  Case c;
-  together([&] { c = examined(read_case_of(request)); });
+LaboratoryCase load_case(const CaseRequest& request) {
+  LaboratoryCase read;
+  const Case& c = read.c;
+  together([&] {
+    read = read_case_of(request);
+    examined(c);
+  });
   const std::string of_first = ranks::shared(write_case(c));
   together([&] {
     if (write_case(c) != of_first)
@@ -54,7 +60,7 @@ Case load_case(const CaseRequest& request) {
                                                    "file where all machines see the same one",
                                                    request.case_path));
   });
-  return c;
+  return read;
 }
 
 /// Refuses what has no state of rest, or none that is found. A scene does not rest under loads that change for ever.
@@ -90,14 +96,17 @@ void run_command(CaseRequest& request) {
   if (request.options.resume && request.overwrite) {
     throw Error(Exit::invalid_input, "--resume continues a result, --overwrite removes it; give one of them");
   }
-  const Case c = load_case(request);
+  const LaboratoryCase read = load_case(request);
+  const Case& c = read.c;
   if (request.options.steady) require_rest(c);
+  if (read.laboratory && request.units == Units::of_the_case) request.options.laboratory = read.laboratory->scales;
   request.options.out = folder_of(request, c);
   const OldResult old = request.options.resume ? OldResult::resume
                         : request.overwrite    ? OldResult::overwrite
                                                : OldResult::refuse;
   std::optional<OutputFolder> folder;
-  on_root([&] { folder.emplace(request.options.out, c, old); });  // of several processes the first one has it
+  // Of several processes the first one has it.
+  on_root([&] { folder.emplace(request.options.out, c, old, read.laboratory); });
   request.options.begin = [&folder] {
     if (folder) folder->begin();
   };
@@ -143,11 +152,12 @@ void check_command(const CaseRequest& request) {
     throw Error(Exit::invalid_input,
                 fmt::format("check: --picture '{0}' is a folder; give the name of a file, for example {0}/scene.png",
                             request.picture));
-  const Case c = read_case_of(request);  // larger than this machine, too
+  const auto [c, laboratory] = read_case_of(request);  // larger than this machine, too
   if (!request.scene.empty()) return write_scene(c, request.scene);
   warn(c);
-  std::cout << write_case(c) << "\n" << std::flush;
+  std::cout << write_case(c) << (laboratory ? laboratory->table : "") << "\n" << std::flush;
   if (request.resolved) return;
+  if (laboratory) print_laboratory(laboratory->scales, c, std::cout);
   describe_case(c, std::cout);
   if (const std::string width = judge_width(c); !width.empty())
     std::cerr << for_stderr("softwet: warning: " + width) << "\n";
@@ -167,6 +177,21 @@ void write_text(const std::string& path, const std::string& text) {
               fmt::format("init: cannot write '{}'; give a file in a folder that exists and is yours", path));
 }
 
+/// Behind them comes a case.
+std::string first_lines() {
+  return fmt::format(
+      "#:schema {}\n# softwet check FILE shows what will be computed, softwet run FILE computes it, softwet explain "
+      "KEY "
+      "shows what\n# a key means; tables and keys with defaults may be removed.\n",
+      schema_file);
+}
+
+/// @param like  the scene: gel, one of the short cases, or pull, which has every key
+std::string case_to_start_from(const std::string& like, const std::string& name) {
+  if (like == "pull") return initial_case(name);
+  return like == "gel" ? gel_case(name) : start_case(like, name);
+}
+
 void init_command(const CaseRequest& request) {
   if (std::filesystem::exists(request.file)) {
     throw Error(Exit::invalid_input, fmt::format("init: '{}' exists and stays as it is; give another name, for example "
@@ -174,7 +199,7 @@ void init_command(const CaseRequest& request) {
                                                  request.file));
   }
   const std::filesystem::path path = request.file, rules = path.parent_path() / schema_file;
-  write_text(request.file, initial_case(path.stem().string()));
+  write_text(request.file, first_lines() + case_to_start_from(request.like, path.stem().string()));
   write_text(rules.string(), json_schema());
   fmt::print("wrote {}, and {} for editors; next: softwet check {}\n", request.file, rules.string(), request.file);
 }
@@ -200,6 +225,18 @@ void add_threads(CLI::App& command, CaseRequest& request) {
       ->check(CLI::Range(1, most_threads));
 }
 
+/// Units of the numbers that are printed at the end.
+void add_units(CLI::App& command, CaseRequest& request) {
+  const std::map<std::string, Units> words{{"laboratory", Units::of_the_case}, {"dimensionless", Units::dimensionless}};
+  command
+      .add_option(
+          "--units", request.units,
+          "units of the result on the terminal: laboratory (default), where the case has a table [laboratory], or "
+          "dimensionless")
+      ->transform(CLI::CheckedTransformer(words).description(""))
+      ->type_name("UNITS");
+}
+
 void add_run(CLI::App& app, CaseRequest& request) {
   CLI::App& command = *app.add_subcommand("run", "compute a case and write its output folder");
   add_case(command, request);
@@ -208,12 +245,13 @@ void add_run(CLI::App& app, CaseRequest& request) {
   command.add_flag("--overwrite", request.overwrite, "replace the result in the output folder");
   add_threads(command, request);
   command.add_flag("--quiet", request.options.quiet, "no progress line");
+  add_units(command, request);
   command.add_flag("--needs", request.needs,
                    "print which configuration of the program the case needs and whether this "
                    "build has it, and compute nothing");
   command.callback([&request] {
     if (request.needs)
-      fmt::print("{}\n", configuration_line(read_case_of(request)));
+      fmt::print("{}\n", configuration_line(read_case_of(request).c));
     else
       run_command(request);
   });
@@ -235,6 +273,7 @@ void add_steady(CLI::App& app, CaseRequest& request, std::vector<std::string>& w
   command.add_flag("--overwrite", request.overwrite, "replace the result in the output folder");
   add_threads(command, request);
   command.add_flag("--quiet", request.options.quiet, "no progress");
+  add_units(command, request);
   command.callback([&request, &words] { steady_command(request, words); });
 }
 
@@ -247,7 +286,7 @@ void add_bench(CLI::App& app, CaseRequest& request) {
                    "compare forms of the preconditioner instead: times, and iterations for several time steps");
   command.callback([&request, given] {
     const Case c = given->count() > 0
-                       ? load_case(request)
+                       ? load_case(request).c
                        : examined(parse_case(initial_case("bench"), "the case of init", request.overrides));
     std::ostream nowhere(nullptr);
     bench_case(c, request.options, ranks::root() ? std::cout : nowhere);
@@ -274,6 +313,17 @@ void add_check(CLI::App& app, CaseRequest& request) {
 void add_init(CLI::App& app, CaseRequest& request) {
   CLI::App& command = *app.add_subcommand("init", "write a commented case to start from");
   command.add_option("FILE", request.file, "file to write; default: softwet.toml")->type_name("");
+  std::vector<std::string> scenes = start_cases();
+  scenes.insert(scenes.begin(), "gel");
+  scenes.emplace_back("pull");
+  command
+      .add_option(
+          "--like", request.like,
+          fmt::format("scene: {}; default: gel, a droplet of water on a gel, in micrometres; pull is the paper's, "
+                      "with every key",
+                      fmt::join(scenes, ", ")))
+      ->check(CLI::IsMember(scenes))
+      ->type_name("SCENE");
   command.callback([&request] { init_command(request); });
 }
 

@@ -20,13 +20,15 @@ std::string folder_of(const CaseRequest& request, const Case& c) {
   return "out/" + c.name + (request.options.steady ? "_steady" : "");
 }
 
-Case read_case_of(const CaseRequest& request) {
-  const Case c = read_case(request.case_path, request.overrides);
-  if (!c.time.automatic || request.options.steady) return c;
+LaboratoryCase read_case_of(const CaseRequest& request) {
+  const Conversion conversion = conversion_of_quantities();
+  const LaboratoryCase read = read_laboratory_case(request.case_path, request.overrides, conversion);
+  const Case& c = read.c;
+  if (!c.time.automatic || request.options.steady) return read;
   const auto with_scheme = [&](TimeScheme scheme) {
     std::vector<std::string> overrides = request.overrides;
     overrides.push_back("time.scheme=" + word_of(scheme));
-    return read_case(request.case_path, overrides);
+    return read_laboratory_case(request.case_path, overrides, conversion);
   };
   const std::string before = folder_of(request, c) + "/case.toml";  // a run goes on with the scheme that it began with
   if (request.options.resume && std::filesystem::exists(before)) return with_scheme(read_case(before).time.scheme);
@@ -41,15 +43,15 @@ Case read_case_of(const CaseRequest& request) {
                   std::round(foreseen.steps / unit) * unit, foreseen.most);
   if (foreseen.steps > foreseen.most) {
     tell(TimeScheme::generalized_alpha, steps);
-    return c;
+    return read;
   }
   try {
-    const Case chosen = with_scheme(TimeScheme::kick_drift);
+    const LaboratoryCase chosen = with_scheme(TimeScheme::kick_drift);
     tell(TimeScheme::kick_drift, steps);
     return chosen;
   } catch (const Error&) {
     tell(TimeScheme::generalized_alpha, "explicit steps do not support what this case asks for");
-    return c;
+    return read;
   }
 }
 

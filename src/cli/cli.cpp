@@ -39,6 +39,7 @@ struct Request {
   std::string command;  ///< of which help is wanted
   std::string shell;    ///< whose completion is wanted
   PhysicalScene physical;
+  WrittenCase written;
   std::vector<std::string> words;  ///< what a program of the folder tools gets as it is
 };
 
@@ -215,7 +216,7 @@ int run_command_line(int argc, const char* const* argv) {
   Request request;
   add_case_commands(app, request.of_case, request.words);
   add_explain(app, request);
-  add_units_command(app, request.physical);
+  add_units_command(app, request.physical, request.written);
   add_tool_commands(app, request.words);
   add_answers(app, request);
   try {

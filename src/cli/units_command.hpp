@@ -9,7 +9,7 @@ class App;
 
 namespace softwet {
 
-/// Adds the command; `scene` outlives `app`.
-void add_units_command(CLI::App& app, PhysicalScene& scene);
+/// Adds the command; `scene` and `written` outlive `app`.
+void add_units_command(CLI::App& app, PhysicalScene& scene, WrittenCase& written);
 
 }  // namespace softwet

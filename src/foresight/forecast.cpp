@@ -121,8 +121,27 @@ std::string tension_that_holds(const Case& c) {
          short_text(surface_tension(*c.fluid)) + " as the liquid, with " + acts;
 }
 
+/// Below liquid: by hand, or as Young's law gives it.
+double wet_tension(const Case& c) {
+  if (c.fluid->wall_tension == WallTensionModel::none) return c.substrate->surface_tension_wet;
+  return c.substrate->surface_tension - (1 - c.fluid->wall_stretch_exponent) * c.cosine_factor() *
+                                            surface_tension(*c.fluid) *
+                                            std::cos(c.fluid->contact_angle.least() * M_PI / 180);
+}
+
+bool has_neumann_triangle(const Case& c) {
+  return c.substrate->surface_tension + wet_tension(c) > surface_tension(*c.fluid);
+}
+
+/// Whether the solid is of the kind whose sampled scenes bore more than others: its tension holds the ridge.
+bool is_held_by_tension(const Case& c) {
+  return c.substrate->material == MaterialModel::neo_hookean && c.substrate->surface_tension > 0 &&
+         c.fluid->wall_tension == WallTensionModel::acts && has_neumann_triangle(c);
+}
+
 void add_softness(const Case& c, std::vector<std::string>& found) {
   const double length = elastocapillary_length(c), bound = longest_elastocapillary_length(c);
+  if (is_held_by_tension(c) && length <= measured::held_by_neo_hookean * bound) return;
   if (length > measured::surely_held * bound && length <= bound)
     found.push_back(
         "substrate.young = " + short_text(c.substrate->young.least()) + ": the elastocapillary length sigma/E is " +
@@ -140,17 +159,9 @@ void add_softness(const Case& c, std::vector<std::string>& found) {
                   "; or write young = " + short_text(1.05 * c.substrate->young.least() * length / bound) + " or more");
 }
 
-/// Below liquid: by hand, or as Young's law gives it.
-double wet_tension(const Case& c) {
-  if (c.fluid->wall_tension == WallTensionModel::none) return c.substrate->surface_tension_wet;
-  return c.substrate->surface_tension - (1 - c.fluid->wall_stretch_exponent) * c.cosine_factor() *
-                                            surface_tension(*c.fluid) *
-                                            std::cos(c.fluid->contact_angle.least() * M_PI / 180);
-}
-
 void add_neumann(const Case& c, std::vector<std::string>& found) {
   const double dry = c.substrate->surface_tension, sigma = surface_tension(*c.fluid);
-  if (dry == 0 || dry + wet_tension(c) > sigma) return;
+  if (dry == 0 || has_neumann_triangle(c)) return;
   found.push_back("substrate.surface_tension = " + short_text(dry) + ": with " + short_text(wet_tension(c)) +
                   " below liquid the two are less than the surface tension " + short_text(sigma) +
                   " of the liquid, so that Neumann's triangle does not exist: the ridge is as sharp as the interface "

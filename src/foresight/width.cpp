@@ -36,6 +36,8 @@ bool wets_solid(const Case& c) {
 
 }  // namespace
 
+double widest_interface(const Case& c) { return shortest_bend(c).length; }
+
 std::string warning_about_width(const Case& c) {
   if (!wets_solid(c)) return {};
   const Bend bend = shortest_bend(c);

@@ -7,6 +7,10 @@
 
 namespace softwet {
 
+/// The largest width 2 g of the interface with which the numbers at a contact line are near those of a narrow one: Upsilon/E,
+/// sigma/E or a quarter of the layer; scale L0. Only with a fluid and a solid.
+double widest_interface(const Case&);
+
 /// A sentence where the width 2 g of the interface is more than Upsilon/E, sigma/E or a quarter of the layer: the ridge at the contact
 /// line is then lower than that of a narrow interface, by how much and what gives it. Empty where it is not, and without a droplet on a
 /// solid. Measured against sharp interfaces: docs/converge.md.

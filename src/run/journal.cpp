@@ -128,7 +128,7 @@ void Journal<D, P>::write_state() {
 template <int D, int P>
 void Journal<D, P>::tell_of_result(const std::string& before) {
   tell(before + "the result is in " + options_.out + summary(scalars_.events()));
-  for (const std::string& line : result_lines(case_, last_row_)) progress_.add(line);
+  for (const std::string& line : result_lines(case_, last_row_, options_.laboratory)) progress_.add(line);
   for (const std::string& line : next_lines(case_, options_.out, !written_.empty())) progress_.add(line);
 }
 

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-# What is replaced in the case of `softwet init`, and what the message must contain.
+# What is replaced in the case of `softwet init --like pull`, and what the message must contain.
 BAD_CASES = {
     "unknown key": ("viscosity =", "viscosty =", ["fluid.viscosty", "fluid.viscosity"]),
     "unknown table": ("[fluid]", "[fluids]", ["fluids", "did you mean"]),
@@ -141,7 +141,7 @@ def main():
     softwet = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as root:
         first = pathlib.Path(root) / "first.toml"
-        subprocess.run([softwet, "init", str(first)], check=True, capture_output=True)
+        subprocess.run([softwet, "init", str(first), "--like", "pull"], check=True, capture_output=True)
         good = first.read_text()
         bad_cases(softwet, root, good)
         bad_files(softwet, root, good)

@@ -81,8 +81,9 @@ def with_settings(words, settings, checked_only):
             del case[case.index("--out"):case.index("--out") + 2]
         return ["softwet", "check", *case, *sets]
     computed = ["--threads", "1", "--quiet", *sets]
-    extra = {"run": computed, "steady": computed, "check": sets, "sweep": sets, "tradeoff": sets}.get(command, [])
-    dry = ["--dry-run"] if command in ("sweep", "tradeoff") and checked_only and "--table" not in words else []
+    extra = {"run": computed, "steady": computed, "check": sets, "sweep": sets, "tradeoff": sets,
+             "converge": ["--threads", "1", *sets]}.get(command, [])
+    dry = ["--dry-run"] if command in ("sweep", "tradeoff", "converge") and checked_only and "--table" not in words else []
     return [*words, *extra, *dry]
 
 

@@ -14,7 +14,7 @@ from _list_lengths import case as case_of_lists
 from _list_lengths import lists_of, resized, value_of
 from _scene import cases, check_true, softwet
 
-# A line of the case of `softwet init`, and what stands in its place.
+# A line of the case of `softwet init --like pull`, and what stands in its place.
 RIGHT = [("elements = [128, 64]", "elements = [128.0, 6_4]"), ("elements = [128, 64]", 'elements = ["128.0", "6_4"]'),
          ("elements = [128, 64]", 'elements = [0x80, "128/2"]'), ("degree = 2 ", "degree = 2.0 "),
          ("degree = 2 ", 'degree = "2" '), ("end = 1884.0", "end = 1_884"), ("end = 1884.0", 'end = "1_884.0"'),
@@ -89,7 +89,7 @@ shutil.rmtree("work", ignore_errors=True)
 folder = pathlib.Path("work")
 folder.mkdir()
 first = folder / "first.toml"
-check_true("init", shown("init", str(first)).returncode == 0)
+check_true("init", shown("init", str(first), "--like", "pull").returncode == 0)
 text = first.read_text()
 path = folder / "softwet.schema.json"
 check_true("its first line names the schema", text.splitlines()[0] == f"#:schema {path.name}", text[:80])
@@ -106,6 +106,14 @@ if judges.taplo:
 
 # --- every case, and every case with all that it leaves out ---------------------------------------------------------
 judges.take("the case of init", first)
+quantities = folder / "second.toml"  # its keys follow from a table [laboratory]
+judges.take("a case of quantities", quantities)
+file = folder / "third.toml"
+file.write_text(changed(quantities.read_text(), "length = ", "# "))
+judges.refuse("quantities without a scale", file)
+whole = quantities.read_text()
+file.write_text(whole[:whole.index("[laboratory]")] + whole[whole.index("[domain]"):])
+judges.refuse("the same case without its quantities", file)
 for file in sorted(cases.glob("*.toml")):
     judges.take(file.name, file)
     resolved = folder / file.name

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-# One line of the case of `softwet init` is replaced by another; the answer contains the parts.
+# One line of the case of `softwet init --like pull` is replaced by another; the answer contains the parts.
 LINES = [
     # syntax
     ('viscosity = "1/256"', 'viscosity = 1/256', ["fluid.viscosity = 1/256", 'viscosity = "1/256"']),
@@ -157,11 +157,11 @@ ERROR = "softwet: error: "
 
 
 class Inputs:
-    """A folder with the case of `softwet init`, and the answers to what is wrong."""
+    """A folder with the case of `softwet init --like pull`, and the answers to what is wrong."""
 
     def __init__(self, softwet, folder):
         self.softwet, self.folder = softwet, pathlib.Path(folder)
-        self.answer(["init", "first.toml"])
+        self.answer(["init", "first.toml", "--like", "pull"])
         self.case = (self.folder / "first.toml").read_text()
 
     def answer(self, words):

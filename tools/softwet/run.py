@@ -8,6 +8,7 @@ from . import record as records
 from .case import read_case
 from .problem import Problem
 from .table import ByTime, read_table
+from .units import Table, read_units
 
 PARTS = {"fluid": "fluid", "solid": "substrate"}  # part of the scene, and its table in the case
 
@@ -51,6 +52,21 @@ class Run:
     def history(self):
         """history.csv: {column: array of one number per row}; an empty cell is nan."""
         return read_table(self.folder / "history.csv", "t", growing=True)
+
+    @cached_property
+    def units(self):
+        """The units in which the run is shown: of the laboratory where its case has a table [laboratory], else of the case."""
+        return read_units(self.folder)
+
+    def in_units(self, columns=None, table="history"):
+        """Columns in um, ms, mm/s, kPa, mN/m and the like: {name: array}, and their units as .unit[name].
+        @param columns  {name: array}, for example run.interface[t]; None: the history
+        @param table  which table they are of: history, interface or fields
+        Raises Problem where the case has no table [laboratory]."""
+        if not self.units.named:
+            raise Problem(f"{self.folder} has the units of the case alone, for its case has no table [laboratory]; "
+                          "'softwet units ... --case FILE' writes such a case")
+        return Table(self.history if columns is None else columns, self.units, table)
 
     @cached_property
     def interface(self):

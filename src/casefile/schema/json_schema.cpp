@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "casefile/schema/laboratory_quantities.hpp"
 #include "casefile/schema/schema.hpp"
 #include "io/run_record.hpp"
 
@@ -168,7 +169,7 @@ void add_key(Json& table, const Key& key) {
   Json json = type_of(key);
   json["description"] = key.help + " " + facts_text(key) + ".";
   (*place)["properties"][word] = json;
-  if (key.required) (*place)["required"].append(word);
+  if (key.required && !may_follow(key.name)) (*place)["required"].append(word);
 }
 
 /// Whether every case has the table, and has to give some of its keys.
@@ -184,6 +185,18 @@ Json with_keys(const Table& table, const std::string& help) {
   for (const Key& key : schema())
     if (key.table() == table.name) add_key(json, key);
   return json;
+}
+
+/// The keys that a case has to give where it has no table [laboratory] from whose quantities they might follow.
+Json keys_without_quantities() {
+  Json root;
+  for (const Key& key : schema()) {
+    if (!key.required || !may_follow(key.name)) continue;
+    const Table& table = *find_table(key.table());
+    Json& one = root["properties"][table.name.substr(0, table.name.find('['))];
+    (table.repeated ? one["items"] : one)["required"].append(key.leaf());
+  }
+  return root;
 }
 
 }  // namespace
@@ -204,8 +217,11 @@ std::string json_schema() {
     (*parent)["properties"][name] = table.repeated ? list_of(one) : one;
     if (is_required(table)) root["required"].append(name);
   }
+  Json with_quantities;
+  with_quantities["required"].append("laboratory");
+  root["anyOf"].append(with_quantities);
   for (const char* material : {"fluid", "substrate"}) {
-    Json needs;
+    Json needs = keys_without_quantities();
     needs["required"].append(material);
     root["anyOf"].append(needs);
   }

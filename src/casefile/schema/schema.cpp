@@ -104,6 +104,8 @@ const std::vector<Table>& tables() {
       {"time", "Time steps", false, true, always, nothing},
       {"solver", "Newton, Krylov", false, true, always, nothing},
       {"output", "What is written, and when", false, true, always, nothing},
+      {"laboratory", "Quantities with units: keys of the case follow from them, and results are shown in such units",
+       false, false, [](const Case&) -> std::size_t { return 0; }, nothing},
   };
   return all;
 }
@@ -119,6 +121,7 @@ const std::vector<Key>& schema() {
         keys.insert(std::find_if(keys.rbegin(), keys.rend(), of_table).base(), std::move(key));
       }
     });
+    for (Key& key : laboratory_keys()) keys.push_back(std::move(key));
     return keys;
   }();
   return all;

@@ -122,5 +122,6 @@ std::vector<Key> load_keys();
 std::vector<Key> needle_keys();
 std::vector<Key> numerics_keys();
 std::vector<Key> output_keys();
+std::vector<Key> laboratory_keys();
 
 }  // namespace softwet

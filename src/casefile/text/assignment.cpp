@@ -151,6 +151,10 @@ void apply_override(Document& document, const std::string& assignment, Problems&
   document.entries[indexed_name(key->name, index)] = make_entry(*key, index, *parse_value(text).get("value"), place);
 }
 
+Entry entry_of_number(const Key& key, std::size_t index, double number, const std::string& place) {
+  return make_entry(key, index, toml::value<double>(number), place);
+}
+
 Value value_from_text(const Key& key, const std::string& text) {
   return make_entry(key, 0, *parse_value(text).get("value"), "schema").value;
 }

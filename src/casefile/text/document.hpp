@@ -34,6 +34,9 @@ Document read_document(std::string_view text, const std::string& place, Problems
 /// all else is thrown as CaseError.
 void apply_override(Document& document, const std::string& assignment, Problems& problems);
 
+/// An entry for a number that no text has, checked against its key. Throws CaseError.
+Entry entry_of_number(const Key& key, std::size_t index, double number, const std::string& place);
+
 /// The value in the text of one TOML value, checked against its key. Throws CaseError.
 Value value_from_text(const Key& key, const std::string& text);
 

@@ -11,7 +11,6 @@
 #include "case/error.hpp"
 #include "casefile/case_file.hpp"
 #include "casefile/formula/profiles.hpp"
-#include "casefile/schema/json_schema.hpp"
 #include "casefile/schema/quality.hpp"
 #include "casefile/text/document.hpp"
 #include "casefile/text/suggestion.hpp"
@@ -128,11 +127,7 @@ std::string initial_case(const std::string& name) {
     return fmt::format("{:<42} # {}", value, comment);
   };
   const std::string text =
-      fmt::format("#:schema {}\n", schema_file) +
-      "# A droplet on a soft substrate, pulled by a load on the solid. Change what you need, then\n"
-      "#   softwet check FILE     shows what will be computed\n"
-      "#   softwet run FILE       computes it\n"
-      "#   softwet explain KEY    shows the meaning, range and default of a key\n"
+      "# A droplet on a soft substrate, pulled by a load on the solid.\n"
       "# Numbers may be written as ratios in quotes. Keys with defaults may be removed; tables select the "
       "physics.\n" +
       write_tables(example_scene(), line, [](const Table& table) { return "  # " + table.help; });

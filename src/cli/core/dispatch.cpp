@@ -10,7 +10,9 @@
 #include "cli/core/configurations.hpp"
 #include "cli/core/describe.hpp"
 #include "cli/core/dispatched.hpp"
+#include "cli/core/scales.hpp"
 #include "cli/core/units.hpp"
+#include "cli/core/units_case.hpp"
 #include "field/ranks.hpp"
 #include "foresight/forecast.hpp"
 #include "foresight/steps_foreseen.hpp"
@@ -105,7 +107,15 @@ std::vector<std::string> forecast_case(const Case& c) { return forecast(c); }
 
 std::string judge_width(const Case& c) { return warning_about_width(c); }
 
-void convert_units(const PhysicalScene& scene, std::ostream& out) { describe_units(scene, out); }
+void convert_units(const PhysicalScene& scene, const WrittenCase& written, std::ostream& out) {
+  written.path.empty() ? describe_units(scene, out) : write_units_case(scene, written, out);
+}
+
+std::string gel_case(const std::string& name) { return units_case(water_on_gel(), {}, name); }
+
+Conversion conversion_of_quantities() { return {scales_of, case_of_laboratory}; }
+
+void print_laboratory(const Scales& scales, const Case& c, std::ostream& out) { describe_laboratory(scales, c, out); }
 
 void bench_case(const Case& given, const RunOptions& options, std::ostream& out) {
   on_machine(options.threads, [&] {

@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "case/physical.hpp"
+#include "casefile/case_file.hpp"
 #include "run/host/options.hpp"
 
 namespace softwet {
@@ -34,8 +35,17 @@ std::vector<std::string> forecast_case(const Case&);
 /// A sentence where the interface is too wide for the numbers at its contact line; empty where it is not.
 std::string judge_width(const Case&);
 
-/// Prints what physical numbers are in a case, and the other way round. Throws Error.
-void convert_units(const PhysicalScene&, std::ostream&);
+/// Prints what physical numbers are in a case, and the other way round, or writes a case of them. Throws Error.
+void convert_units(const PhysicalScene&, const WrittenCase&, std::ostream&);
+
+/// The case of a droplet of water on a soft gel, with a table [laboratory]. Throws Error when no case can have the name.
+std::string gel_case(const std::string& name);
+
+/// How the quantities of a table [laboratory] become numbers of a case.
+Conversion conversion_of_quantities();
+
+/// Prints what the numbers of a case are in the laboratory.
+void print_laboratory(const Scales&, const Case&, std::ostream&);
 
 /// Measures residuals, products and preconditioner of a case and prints throughput, or compares preconditioners. Throws
 /// Error.

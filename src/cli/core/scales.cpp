@@ -1,5 +1,6 @@
 #include "cli/core/scales.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/equilibrium.hpp"
@@ -13,10 +14,15 @@ double length_of(const PhysicalScene& p) { return p.length > 0 ? p.length : p.ra
 
 }  // namespace
 
-double Scales::velocity() const { return std::sqrt(a * density); }
-
 double capillarity_of(const PhysicalScene& p) {
-  return p.capillarity > 0 ? p.capillarity : 0.1 * p.radius / length_of(p);
+  if (p.capillarity > 0) return p.capillarity;
+  return (p.half_width > 0 ? p.half_width : 0.1 * p.radius) / length_of(p);
+}
+
+double contact_angle_of(const PhysicalScene& p) {
+  if (p.contact_angle > 0) return p.contact_angle;
+  if (p.wet_tension < 0) return 90;
+  return std::acos(std::clamp((p.solid_tension - p.wet_tension) / p.surface_tension, -1.0, 1.0)) * 180 / M_PI;
 }
 
 Scales scales_of(const PhysicalScene& p) {
@@ -45,6 +51,12 @@ Case case_of(const PhysicalScene& p, const Scales& scales) {
   c.substrate->surface_tension_wet = (p.wet_tension >= 0 ? p.wet_tension : p.solid_tension) / tension;
   c.substrate->viscosity = p.solid_viscosity / scales.viscosity();
   return c;
+}
+
+Case case_of_laboratory(const PhysicalScene& p) {
+  PhysicalScene whole = p;
+  if (whole.young <= 0) whole.young = 1;  // a solid without a modulus of its own
+  return case_of(whole, scales_of(whole));
 }
 
 }  // namespace softwet

@@ -6,24 +6,19 @@
 
 namespace softwet {
 
-/// What 1 means in a case, in SI units.
-struct Scales {
-  double length;   ///< L0, m
-  double density;  ///< b, kg/m^3:            rho_l = rho_hat_l(theta) b
-  double a;        ///< Pa (m^3/kg)^2:        sigma = sigma_hat(theta, gamma) a b^2 L0
-
-  double velocity() const;                                            ///< sqrt(a b), m/s
-  double time() const { return length / velocity(); }                 ///< s
-  double stress() const { return a * density * density; }             ///< a b^2, Pa
-  double viscosity() const { return length * density * velocity(); }  ///< L0 b sqrt(a b), Pa s
-};
-
-/// fluid.capillarity of the scene: as asked for, else a tenth of the radius over L0.
+/// fluid.capillarity of the scene: as asked for, as a number or as a length, else a tenth of the radius over L0.
 double capillarity_of(const PhysicalScene&);
+
+/// The contact angle in degrees: as asked for, else by Young's law from the tensions of the solid, else 90.
+double contact_angle_of(const PhysicalScene&);
 
 Scales scales_of(const PhysicalScene&);
 
 /// Fluid, solid and droplet of a case with these numbers; its domain is left empty.
 Case case_of(const PhysicalScene&, const Scales&);
+
+/// Fluid, solid and droplet of a table [laboratory], which may lack quantities: numbers that follow from them are
+/// without meaning.
+Case case_of_laboratory(const PhysicalScene&);
 
 }  // namespace softwet

@@ -3,9 +3,10 @@
 #include <cmath>
 
 #include "case/text.hpp"
-#include "casefile/schema/value.hpp"
+#include "casefile/schema/schema.hpp"
 #include "cli/core/describe.hpp"
 #include "cli/core/scales.hpp"
+#include "observe/host/laboratory_units.hpp"
 #include "scene/equilibrium.hpp"
 #include "scene/groups.hpp"
 
@@ -89,7 +90,37 @@ void print_keys(const Case& c, std::ostream& out) {
   out << "\n[[droplet]]\n" << key("radius", c.droplets.front().radius);
 }
 
+/// "100 um" and "[1150, 1150] um"; empty for what is no number.
+std::string in_unit(const Value& value, const ShownUnit& unit) {
+  if (const auto* number = std::get_if<double>(&value)) return with_unit(*number * unit.factor, unit.name.c_str());
+  const auto* numbers = std::get_if<Numbers>(&value);
+  if (!numbers || numbers->empty()) return {};
+  std::string text;
+  for (const double number : *numbers) text += (text.empty() ? "[" : ", ") + short_text(number * unit.factor, 4);
+  return text + "] " + unit.name;
+}
+
 }  // namespace
+
+void describe_laboratory(const Scales& scales, const Case& c, std::ostream& out) {
+  print_scales(scales, out);
+  std::vector<Line> lines;
+  for (const Key& key : schema()) {
+    const Table* table = find_table(key.table());
+    const auto unit = shown_unit(key.unit, dimension_of_units(c), scales);
+    for (std::size_t i = 0; unit && table && i < table->count(c); ++i) {
+      const Value value = key.bind.get(c, i);
+      const std::string text = text_of_value(value), shown = in_unit(value, *unit);
+      if (!shown.empty() && text != default_text(key))
+        lines.push_back({indexed_name(key.name, i), text + " is " + shown});
+    }
+  }
+  if (c.substrate)
+    lines.push_back({"substrate.density x young",
+                     with_unit(c.substrate->young_modulus()) + " is " +
+                         in_unit(c.substrate->young_modulus(), *shown_unit("a b^2", dimension_of_units(c), scales))});
+  print_section(out, "in the laboratory", lines);
+}
 
 void describe_units(const PhysicalScene& p, std::ostream& out) {
   const Scales scales = scales_of(p);

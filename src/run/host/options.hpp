@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "case/physical.hpp"
 #include "run/host/file_writer.hpp"
 
 namespace softwet {
@@ -22,7 +23,8 @@ struct RunOptions {
   /// of the first process.
   std::function<std::string()> place;
   std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();  ///< seconds of a run count from here
-  std::optional<Writes> writes;  ///< when field files are written; none: as it suits the machine
+  std::optional<Scales> laboratory;  ///< in whose units the result is printed; none: in those of the case
+  std::optional<Writes> writes;      ///< when field files are written; none: as it suits the machine
 };
 
 }  // namespace softwet

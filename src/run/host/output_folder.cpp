@@ -15,11 +15,13 @@
 #include <fstream>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "case/error.hpp"
 #include "casefile/case_file.hpp"
 #include "io/atomic_file.hpp"
 #include "io/path_state.hpp"
+#include "observe/host/laboratory_units.hpp"
 
 namespace softwet {
 namespace {
@@ -36,15 +38,17 @@ namespace fs = std::filesystem;
 /// The files softwet writes, and nothing else a user may keep there.
 void remove_old_result(const fs::path& folder) {
   std::error_code error;
-  for (const char* name : {"case.toml", "run.json", "history.csv", "interface.csv", "checkpoint.h5", "fields"}) {
+  for (const char* name :
+       {"case.toml", "run.json", "history.csv", "interface.csv", "checkpoint.h5", "fields", "units.json"}) {
     fs::remove_all(folder / name, error);
     if (error) fail_to_write((folder / name).string(), error.message());
   }
 }
 
-void write_resolved(const fs::path& folder, const Case& c) {
-  write_text_atomically((folder / "case.toml").string(),
-                        "# Resolved case: every key with the value of this run.\n" + write_case(c));
+void write_resolved(const fs::path& folder, const Case& c, const std::optional<Laboratory>& laboratory) {
+  write_text_atomically((folder / "case.toml").string(), "# Resolved case: every key with the value of this run.\n" +
+                                                             write_case(c) + (laboratory ? laboratory->table : ""));
+  if (laboratory) write_text_atomically((folder / "units.json").string(), units_record(c, laboratory->scales));
 }
 
 constexpr std::size_t longest_file = 64;  ///< bytes of names in the folder, "fields/solid_000123.h5.partial"
@@ -111,7 +115,8 @@ fs::path first_missing(const fs::path& folder) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old) : path_(path), case_(c), old_(old) {
+OutputFolder::OutputFolder(const std::string& path, const Case& c, OldResult old, std::optional<Laboratory> laboratory)
+    : path_(path), case_(c), old_(old), laboratory_(std::move(laboratory)) {
   const fs::path folder(path);
   std::error_code error;
   if (const std::string problem = too_long(path, longest_file); !problem.empty())
@@ -150,7 +155,7 @@ void OutputFolder::lock() {
 void OutputFolder::begin() {
   begun_ = true;
   if (old_ == OldResult::overwrite) remove_old_result(path_);
-  write_resolved(path_, case_);
+  write_resolved(path_, case_, laboratory_);
 }
 
 std::string OutputFolder::place() const {
@@ -164,7 +169,8 @@ void OutputFolder::discard() {
   if (place() != path_) return;  // what is there now belongs to somebody else
   std::error_code error;
   if (begun_ && fs::exists(fs::path(path_) / "history.csv", error)) return;
-  if (begun_) fs::remove(fs::path(path_) / "case.toml", error);
+  for (const char* name : {"case.toml", "units.json"})
+    if (begun_) fs::remove(fs::path(path_) / name, error);
   if (made_.empty()) return;
   // Only empty folders go, from the deepest one up to the topmost one made here.
   for (fs::path part = fs::absolute(path_).lexically_normal(); fs::remove(part, error); part = part.parent_path()) {

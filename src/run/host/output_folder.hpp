@@ -1,9 +1,11 @@
 // The output folder of a run: made only for a valid case, never mixed with older results, removed when nothing came.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "case/case.hpp"
+#include "case/physical.hpp"
 
 namespace softwet {
 
@@ -13,7 +15,8 @@ class OutputFolder {
  public:
   /// Makes the folder where it is missing; a result in it stays. Throws Error: invalid_input when an old result is in
   /// the way, there is nothing to resume or another run has the folder, machine_failed when it cannot be written.
-  OutputFolder(const std::string& path, const Case& c, OldResult old);
+  /// @param laboratory  with its units the folder gets units.json, and case.toml the table [laboratory]
+  OutputFolder(const std::string& path, const Case& c, OldResult old, std::optional<Laboratory> laboratory = {});
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
@@ -40,6 +43,7 @@ class OutputFolder {
   std::string made_;  ///< the topmost folder this object made; empty: the folder was there
   const Case& case_;
   OldResult old_;
+  std::optional<Laboratory> laboratory_;
   bool begun_ = false;
   Lock lock_;
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "observe/host/laboratory_units.hpp"
 #include "observe/host/table_columns.hpp"
 
 namespace softwet {
@@ -10,23 +11,25 @@ namespace {
 /// Words about some columns of a row, which name those that exist.
 class Line {
  public:
-  Line(const TableRow& row, int dimension) : row_(row), power_(std::to_string(dimension)) {}
+  Line(const TableRow& row, int dimension, const std::optional<Scales>& laboratory)
+      : row_(row), dimension_(dimension), laboratory_(laboratory) {}
 
   /// Adds "LABEL NUMBER", and with `unit` the unit of the column.
   Line& add(const std::string& label, const std::string& column, bool unit = false, int digits = 5) {
-    const TableRow::Cell cell = row_.cell(column);
-    if (!cell) return *this;
-    text_ += fmt::format("{}{} {:.{}g}", text_.empty() ? "" : ", ", label, *cell, digits);
-    if (unit) text_ += unit_of(column);
+    const auto shown = number_of(column);
+    if (!shown) return *this;
+    text_ += fmt::format("{}{} {:.{}g}", text_.empty() ? "" : ", ", label, shown->factor, digits);
+    if (unit) text_ += behind(*shown);
     return *this;
   }
   /// Both sides of something where both exist, or the one that does.
   Line& add_pair(const std::string& first, const std::string& second, const char* between) {
-    const TableRow::Cell a = row_.cell(first), b = row_.cell(second);
+    const auto a = number_of(first), b = number_of(second);
     if (!a && !b) return *this;
     text_ += text_.empty() ? "" : ", ";
-    text_ += a && b ? fmt::format("{:.5g} {} {:.5g}", *a, between, *b) : fmt::format("{:.5g}", a ? *a : *b);
-    text_ += unit_of(first);
+    text_ += a && b ? fmt::format("{:.5g} {} {:.5g}", a->factor, between, b->factor)
+                    : fmt::format("{:.5g}", (a ? a : b)->factor);
+    text_ += behind(a ? *a : *b);
     return *this;
   }
   void put(const char* title, std::vector<std::string>& lines) const {
@@ -34,23 +37,30 @@ class Line {
   }
 
  private:
-  /// " L0^2" of a column in L0^d.
-  std::string unit_of(const std::string& column) const {
+  /// The number of a cell, as so much of the unit in which it is shown.
+  std::optional<ShownUnit> number_of(const std::string& column) const {
+    const TableRow::Cell cell = row_.cell(column);
+    if (!cell) return {};
     std::string unit = history_column(column).unit;
-    if (const auto d = unit.find("^d"); d != std::string::npos) unit.replace(d, 2, "^" + power_);
-    return unit.empty() ? "" : " " + unit;
+    const auto shown = laboratory_ ? shown_unit(unit, dimension_, *laboratory_) : std::nullopt;
+    if (shown) return ShownUnit{shown->name, *cell * shown->factor};
+    if (const auto d = unit.find("^d"); d != std::string::npos) unit.replace(d, 2, "^" + std::to_string(dimension_));
+    return ShownUnit{unit, *cell};
   }
+  static std::string behind(const ShownUnit& shown) { return shown.name.empty() ? "" : " " + shown.name; }
 
   const TableRow& row_;
-  std::string power_, text_;
+  int dimension_;
+  const std::optional<Scales>& laboratory_;
+  std::string text_;
 };
 
 }  // namespace
 
-std::vector<std::string> result_lines(const Case& c, const TableRow& row) {
+std::vector<std::string> result_lines(const Case& c, const TableRow& row, const std::optional<Scales>& laboratory) {
   const bool plane = c.dimension() == 2;
   const std::string left = plane ? "left" : "rear", right = plane ? "right" : "front";
-  const auto line = [&] { return Line(row, c.axisymmetric() ? 3 : c.dimension()); };
+  const auto line = [&] { return Line(row, dimension_of_units(c), laboratory); };
   std::vector<std::string> lines;
   Line place = line();
   place.add("x =", "x_centre", plane);

@@ -1,10 +1,12 @@
 // What a run or a state of rest came to, for the terminal.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "case/case.hpp"
+#include "case/physical.hpp"
 #include "io/table_row.hpp"
 
 namespace softwet {
@@ -13,7 +15,8 @@ namespace softwet {
 /// dimple, volume and mass, the energy and the largest speeds, with their units, and how many more droplets there are.
 /// What does not exist is left out.
 /// @param row  the last one of history.csv
-std::vector<std::string> result_lines(const Case&, const TableRow& row);
+/// @param laboratory  in whose units the numbers are; none: in those of the case
+std::vector<std::string> result_lines(const Case&, const TableRow& row, const std::optional<Scales>& laboratory = {});
 
 /// What to do next with the folder of a result: "tools/report DIR", and what ParaView opens.
 /// @param fields  whether there are field files

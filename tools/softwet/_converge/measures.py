@@ -12,18 +12,21 @@ import numpy as np
 from .._tools.messages import fail
 from .._tradeoff.measures import interpolate
 from softwet import columns
+from softwet.units import OF_THE_CASE, chosen_units
 from .keys import power_of_a
 
 OWN = {"ridge": "L0", "centre": "L0", "angle": "degrees"}  # and their units
 MOTION = ("velocity", "x_centre", "x_left", "x_right", "y_centre")
+LIKE = {"ridge": "dimple", "centre": "dimple", "angle": "angle_right"}  # columns of history.csv with the same units
 AT_REST, IN_MOTION = ["ridge", "centre", "angle"], ["ridge", "angle", "x_centre", "velocity@max"]
 
 
 class Column:
-    """One column of --columns. name, place  what stands before and behind the @"""
+    """One column of --columns. name, place  what stands before and behind the @;  asked  of --units
+    units  of its values, which are known with the first run"""
 
-    def __init__(self, text, at_rest):
-        self.text, self.at_rest = text, at_rest
+    def __init__(self, text, at_rest, asked=None):
+        self.text, self.at_rest, self.asked, self.units = text, at_rest, asked, OF_THE_CASE
         self.name, at, self.place = text.partition("@")
         if at and self.place not in ("max", "min"):
             self.place = time_of(text, self.place)
@@ -32,6 +35,11 @@ class Column:
         if self.name not in OWN and self.name not in columns() and self.name not in probe_like(self.name):
             near = difflib.get_close_matches(self.name, [*OWN, *columns()], 1, 0)[0]
             fail(f"--columns {text}: there is no column '{self.name}'; did you mean '{near}'?")
+
+    @property
+    def shown(self):
+        """The unit of its values."""
+        return self.units.of(LIKE.get(self.name, self.name))[0] or self.unit
 
     @property
     def unit(self):
@@ -44,11 +52,14 @@ class Column:
 
     def value(self, run, ratio):
         """@param ratio  the width of the run over the width of the case
-        @return  the number in units of the case; nan where the run has none, as a droplet that is lower than its
-        interface is wide has no angle"""
+        @return  the number in units of the laboratory, or else of the case at the width that it gives; nan where the
+        run has none, as a droplet that is lower than its interface is wide has no angle"""
         series = SERIES.get(self.name, history_column)(run, self.name)
         if series is None or not np.isfinite(series[1]).any():
             return math.nan
+        self.units = chosen_units(run.folder, self.asked)
+        if self.units.named:  # each width has its own scales
+            return self.read(*series, ratio) * self.units.of(LIKE.get(self.name, self.name))[1]
         return self.read(*series, ratio) * ratio ** -power_of_a(self.unit)
 
     def read(self, times, values, ratio):

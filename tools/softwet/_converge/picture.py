@@ -27,6 +27,6 @@ def draw_row(axes, widths, row):
         axes.plot(fitted, line, color=colour, lw=1, label=name)
     axes.plot(widths, row.values, "o", color=GREY, ms=4)
     axes.errorbar([0], [row.limit.value], [row.limit.bar], fmt="ks", ms=4, capsize=3)
-    unit = row.column.unit.replace("L0", "$L_0$")
+    unit = row.column.shown.replace("L0", "$L_0$").replace("um", "µm")
     axes.set(xlabel="fluid.capillarity / $L_0$", ylabel=f"{row.column.text}{' / ' + unit if unit else ''}")
     axes.legend(frameon=False)

@@ -30,17 +30,19 @@ class Row:
 
 def write_table(path, widths, rows):
     names = ["column", "unit", "zero", "bar", *(f"g={width:.6g}" for width in widths)]
-    lines = [[row.column.text, row.column.unit, *((row.limit.value, row.limit.bar) if row.limit else ("", "")),
+    lines = [[row.column.text, row.column.shown, *((row.limit.value, row.limit.bar) if row.limit else ("", "")),
               *("" if math.isnan(value) else value for value in row.values)] for row in rows]
     write_csv(path, [names, *lines])
 
 
 def terminal(widths, rows):
     """The same for the eye."""
-    lines = [["fluid.capillarity", "unit", *(f"{width:.4g}" for width in widths), "zero width"]]
+    unit, factor = rows[0].column.units.of("dimple") if rows else ("", 1.0)  # of a length
+    width_name = f"half width, {unit}" if unit else "fluid.capillarity"
+    lines = [[width_name, "unit", *(f"{width * factor:.4g}" for width in widths), "zero width"]]
     for row in rows:
         places = digits_of(row.limit.bar) + 1 if row.limit else 6
         shown = ["" if math.isnan(value) else f"{value:.{places}f}" for value in row.values]
-        lines.append([row.column.text, row.column.unit, *shown, row.zero()])
+        lines.append([row.column.text, row.column.shown, *shown, row.zero()])
     wide = [max(len(line[k]) for line in lines) for k in range(len(lines[0]))]
     return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(line, wide)).rstrip() for line in lines)

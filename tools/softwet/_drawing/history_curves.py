@@ -7,6 +7,8 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 
+from softwet.units import OF_THE_CASE
+
 from .look import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, TIME, Problem, is_axisymmetric, letter, markers, with_unit
 
 SPIKE = 0.02  # the part of the time shown that counts as its start
@@ -16,10 +18,11 @@ FURTHER = ("tab:cyan", "tab:pink", "tab:olive", "tab:brown")  # energies without
 
 class Curves:
     """The rows of a run that are shown. @param start  first time; None: 0, the start of the load, if two rows follow it
-    @param least  rows that are needed: two make a curve, and a state of rest has one"""
+    @param least  rows that are needed: two make a curve, and a state of rest has one
+    @param units  in which they are shown; start is in them, and reference in those of the case"""
 
-    def __init__(self, run, start=None, reference=None, least=2):
-        table = run.history
+    def __init__(self, run, start=None, reference=None, least=2, units=OF_THE_CASE):
+        table, self.units = units.shown(run.history), units
         if start is None:
             start = 0.0 if (table["t"] >= -1e-9).sum() > 1 else -math.inf
         shown = table["t"] >= start - 1e-9
@@ -29,7 +32,7 @@ class Curves:
             raise Problem(f"history.csv has fewer than two rows from t = {start:g} on; its last is t = "
                           f"{table['t'][-1]:g}")
         self.table = {name: values[shown] for name, values in table.items()}
-        self.t, self.flat, self.reference = self.table["t"], run.dimension == 2, reference or {}
+        self.t, self.flat, self.reference = self.table["t"], run.dimension == 2, units.shown(reference or {})
         self.of_integrals = 2 if self.flat and not is_axisymmetric(run.case) else 3  # d in the unit of an integral
         self.droplets = [name.removeprefix("x_centre") for name in table if name.startswith("x_centre")]
         if not self.flat:
@@ -37,11 +40,20 @@ class Curves:
 
     def add_track(self, case):
         """3D: the place of each droplet along the track, which counts from the middle of the domain."""
-        size, track = case["domain"]["size"], np.array(case["output"]["history"]["track"])
+        size, track = np.array(case["domain"]["size"]) * self.units.of("x_centre")[1], np.array(case["output"]["history"]["track"])
         track = track / np.hypot(*track)
         for suffix in self.droplets:
             self.table["track_centre" + suffix] = sum(
                 (self.table[f"{name}_centre{suffix}"] - 0.5 * size[d]) * track[d] for d, name in enumerate("xy"))
+
+    def label(self, text, column, dimension=2):
+        """What is shown, and the unit of its column. @param dimension  d of the unit"""
+        return with_unit(text, column, dimension, self.units)
+
+    @property
+    def time(self):
+        """The label of the time."""
+        return self.label("$t$", "t") if self.units.named else TIME
 
     def settled(self):
         """Which rows are behind the first instants, in which the start rings off."""
@@ -84,7 +96,7 @@ def position(ax, curves):
         curves.line(ax, rear + suffix, color=GREY, linewidth=0.9)
         curves.line(ax, centre + suffix, color=BLUE, label="midpoint $X_c$" if curves.flat else "centroid $X_c$")
     curves.compare(ax, "x_centre")
-    ax.set(ylabel=with_unit("position" if curves.flat else "place on the track", centre if curves.flat else rear),
+    ax.set(ylabel=curves.label("position" if curves.flat else "place on the track", centre if curves.flat else rear),
            title="contact lines and their midpoint" if curves.flat else "contact points and centroid")
     make_room(ax)
 
@@ -99,7 +111,7 @@ def velocity(ax, curves):
     for suffix in curves.droplets:
         curves.line(ax, "velocity" + suffix, color=BLUE, label="$V = dX_c/dt$")
     curves.compare(ax, "velocity")
-    ax.set(ylabel=with_unit("$V$", "velocity"), title="droplet velocity")
+    ax.set(ylabel=curves.label("$V$", "velocity"), title="droplet velocity")
     cut_spike(ax, curves)
 
 
@@ -123,7 +135,7 @@ def angles(ax, curves):
     for suffix in curves.droplets:
         for side, colour in curves.ends:
             curves.line(ax, f"angle_{side}{suffix}", color=colour, label=side)
-    ax.set(ylabel=with_unit("angle", "angle_left" if curves.flat else "angle_rear"), title="apparent contact angles")
+    ax.set(ylabel=curves.label("angle", "angle_left" if curves.flat else "angle_rear"), title="apparent contact angles")
 
 
 def ridges(ax, curves):
@@ -131,12 +143,12 @@ def ridges(ax, curves):
         for side, colour in curves.ends:
             curves.line(ax, f"ridge_{side}{suffix}", color=colour, label=side)
         curves.line(ax, f"dimple{suffix}", color=GREY, label="dimple")
-    ax.set(ylabel=with_unit("height", "ridge_left" if curves.flat else "ridge_rear"), title="ridges of the wall")
+    ax.set(ylabel=curves.label("height", "ridge_left" if curves.flat else "ridge_rear"), title="ridges of the wall")
     make_room(ax)
 
 
 def energy_label(curves):
-    return with_unit("energy", "energy_total", curves.of_integrals)
+    return curves.label("energy", "energy_total", curves.of_integrals)
 
 
 def energies(ax, curves):
@@ -159,12 +171,12 @@ def mass(ax, curves):
 def step(ax, curves):
     positive = curves.table["dt"] > 0
     ax.semilogy(curves.t[positive], curves.table["dt"][positive], color=BLUE, **markers(positive.sum()))
-    ax.set(ylabel=with_unit(r"$\Delta t$", "dt"), title="time step")
+    ax.set(ylabel=curves.label(r"$\Delta t$", "dt"), title="time step")
 
 
-def finish(ax, number):
+def finish(ax, curves, number):
     """Label of the time, legend, letter."""
-    ax.set_xlabel(TIME)
+    ax.set_xlabel(curves.time)
     ax.margins(x=0.02)
     handles, labels = ax.get_legend_handles_labels()
     unique = dict(zip(labels, handles))  # several droplets share their labels
@@ -173,15 +185,15 @@ def finish(ax, number):
     letter(ax, number)
 
 
-def draw_curves(run, start=None, reference=None):
+def draw_curves(run, start=None, reference=None, units=OF_THE_CASE):
     """A figure of all panels. @param reference  columns to compare with, by name"""
-    curves = Curves(run, start, reference)
+    curves = Curves(run, start, reference, units=units)
     panels = curves.panels()
     rows = math.ceil(len(panels) / 2)
     figure, axes = plt.subplots(rows, 2, squeeze=False, layout="constrained", figsize=(8.2, 2.35 * rows))
     for number, (ax, panel) in enumerate(zip(axes.flat, panels)):
         panel(ax, curves)
-        finish(ax, number)
+        finish(ax, curves, number)
     for ax in axes.flat[len(panels):]:
         ax.set_visible(False)
     return figure

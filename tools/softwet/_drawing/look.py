@@ -7,6 +7,7 @@ import numpy as np
 
 import softwet
 from softwet import Problem
+from softwet.units import OF_THE_CASE
 
 matplotlib.use("Agg")
 
@@ -60,9 +61,9 @@ def unit_of(column, dimension=2):
     return "$" + re.sub(r"/sqrt\((\w+)\)", r"\\,(\1)^{-1/2}", unit).replace("sqrt(ab)", "(ab)^{1/2}") + "$"
 
 
-def with_unit(text, column, dimension=2):
+def with_unit(text, column, dimension=2, units=OF_THE_CASE):
     """A label: what is shown, and the unit of its column."""
-    unit = unit_of(column, dimension)
+    unit = units.of(column)[0].replace("um", "µm") or unit_of(column, dimension)
     return f"{text} / {unit}" if unit else text
 
 

@@ -86,15 +86,19 @@ def has_moved(walls):
     return any(np.ptp(wall["displacement_y"]) > 0 for wall in walls.values())
 
 
-def wall(axes, run):
-    """The upright displacement of the wall at all field times, in two dimensions."""
-    walls = run.interface
+def wall(axes, run, units):
+    """The upright displacement of the wall at all field times, in two dimensions. @param units  in which it is shown"""
+    walls, across = run.interface, units.of("x_reference", "interface")[1]
+    upright = across if units.named else 1e3  # rises are shown in thousandths of L0
     for (time, points), colour in zip(walls.items(), matplotlib.colormaps["viridis"](np.linspace(0, 0.88, len(walls)))):
         x = refine(points["x_reference"] + points["displacement_x"])
-        axes.plot(x, 1e3 * refine(points["displacement_y"]), color=colour, label=f"$t = {time:g}$")
+        shown = f"$t = {time * units.of('t')[1]:.4g}$ {units.of('t')[0]}".rstrip()
+        axes.plot(across * x, upright * refine(points["displacement_y"]), color=colour, label=shown)
     axes.axhline(0, color=GREY, linewidth=0.6, zorder=0)
-    axes.set(xlabel=length(axis_names(run.case)[0]), ylabel=lift(run.case), title="vertical displacement of the interface",
-             xlim=(0, run.case["domain"]["size"][0]))
+    names = axis_names(run.case)
+    axes.set(xlabel=f"${names[0]}$ / µm" if units.named else length(names[0]),
+             ylabel=f"$u_{names[1]}$ / µm" if units.named else lift(run.case), title="vertical displacement of the interface",
+             xlim=(0, across * run.case["domain"]["size"][0]))
 
 
 def fields(figure, run):

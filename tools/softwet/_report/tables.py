@@ -28,7 +28,8 @@ def listed_texts(values):
 def scene(case):
     """What was computed, from case.toml."""
     domain = case["domain"]
-    rows = [("domain / $L_0$", listed(domain["size"])),
+    rows = [("$L_0$; liquid", f"{lab['length']}; {lab['surface_tension']}, {lab['density']}") for lab in [case.get("laboratory")] if lab]
+    rows += [("domain / $L_0$", listed(domain["size"])),
             ("elements, degree", f"{listed(domain['elements'])}, {domain['degree']}")]
     if "fluid" in case:
         fluid = case["fluid"]
@@ -90,18 +91,18 @@ class Budget:
 
 def result(curves, budget, record):
     """What came out, at the last row."""
-    table = curves.table
+    table, unit = curves.table, curves.units.name
     if len(curves.t) == 1:
         return state(curves)
-    rows = [("t, step", f"{curves.t[-1]:.6g}, {table['step'][-1]:.0f}")]
+    rows = [("t, step", f"{curves.t[-1]:.6g}{unit('t')}, {table['step'][-1]:.0f}")]
     for suffix in curves.droplets:
         centre = table[("x_centre" if curves.flat else "track_centre") + suffix][-1]
         speeds = table["velocity" + suffix]
         name = f"droplet {suffix[1:]}" if suffix else "droplet"
         if np.isfinite(speeds[curves.settled()]).any():  # not on an axis of symmetry
             where = np.nanargmax(np.abs(np.where(curves.settled(), speeds, np.nan)))
-            rows += [(f"{name}: place", number(float(centre)) if np.isfinite(centre) else "gone"),
-                     (f"{name}: peak velocity", f"{speeds[where]:.3e} at t = {curves.t[where]:.4g}")]
+            rows += [(f"{name}: place", number(float(centre)) + unit("x_centre") if np.isfinite(centre) else "gone"),
+                     (f"{name}: peak velocity", f"{speeds[where]:.3e}{unit('velocity')} at t = {curves.t[where]:.4g}{unit('t')}")]
         ripple = (record.get("groups") or {}).get("speed_ripple")
         if ripple:
             rows.append((f"{name}: ripple of V by the mesh", f"about {100 * ripple:.1f} %; 1.2 times the elements halve it"))
@@ -114,7 +115,7 @@ def result(curves, budget, record):
     return rows
 
 
-LINE = {"angle": ("angles", "{:.2f}", " degrees"), "ridge": ("ridges", "{:.4g}", ""), "contact": ("contact line", "{:.5g}", "")}
+LINE = {"angle": ("angles", "{:.2f}"), "ridge": ("ridges", "{:.4g}"), "contact": ("contact line", "{:.5g}")}
 
 
 def at_the_line(curves, suffix, kinds):
@@ -125,7 +126,8 @@ def at_the_line(curves, suffix, kinds):
         ends = ("left", "right") if curves.flat else ("rear", "front")
         start = kind if kind != "contact" else "x" if curves.flat else "track"
         values = [curves.table.get(f"{start}_{end}{suffix}", [np.nan])[-1] for end in ends]
-        name, form, unit = LINE[kind]
+        name, form = LINE[kind]
+        unit = " degrees" if kind == "angle" else curves.units.name(f"{start}_{ends[1]}")
         known = [form.format(value) for value in values if np.isfinite(value)]
         rows += [(name, " and ".join(known) + unit)] if known else []
     return rows
@@ -133,12 +135,12 @@ def at_the_line(curves, suffix, kinds):
 
 def state(curves):
     """What the one row of a state of rest holds: its droplets, and its energies."""
-    rows, table = [("t", f"{curves.t[-1]:.6g}")], curves.table
+    rows, table = [("t", f"{curves.t[-1]:.6g}{curves.units.name('t')}")], curves.table
     for suffix in curves.droplets:
         name = f"droplet {suffix[1:]}" if suffix else "droplet"
         rows += [(f"{name}: {text}", value) for text, value in at_the_line(curves, suffix, ("contact", "angle", "ridge"))]
         dimple = table.get("dimple" + suffix, [np.nan])[-1]
-        rows += [(f"{name}: dimple", f"{dimple:.4g}")] if np.isfinite(dimple) else []
+        rows += [(f"{name}: dimple", f"{dimple:.4g}{curves.units.name('dimple')}")] if np.isfinite(dimple) else []
     energies = sorted((name for name in table if name.startswith("energy_")), key="energy_total".__eq__)
     least = 1e-12 * abs(table["energy_total"][-1])
     return rows + [(f"{energy_label(curves)}: {name.removeprefix('energy_')}", f"{table[name][-1]:.4e}")

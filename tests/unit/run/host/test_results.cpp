@@ -36,6 +36,27 @@ TEST(Results, OfADropletIn2D) {
   EXPECT_EQ(result_lines(box({1, 0.5}), row), expected);
 }
 
+/// L0 = 0.5 mm, a b^2 = 1 kPa and sqrt(ab) = 1 m/s.
+TEST(Results, InUnitsOfALaboratory) {
+  const TableRow row({{"x_centre", 0.5},
+                      {"velocity", 1e-3},
+                      {"x_left", -1.0},
+                      {"x_right", 1.02},
+                      {"angle_right", 86.95},
+                      {"ridge_right", 0.03468},
+                      {"liquid_volume", 2.0},
+                      {"energy_total", 0.02}});
+  Case c = box({2, 2});
+  c.domain.coordinates = Coordinates::axisymmetric;
+  const std::vector<std::string> expected{"  droplet       x = 250 um, velocity 1 mm/s",
+                                          "  contact line  -500 to 510 um",
+                                          "  angles        86.95 degrees",
+                                          "  ridge         17.34 um",
+                                          "  liquid        volume 250 nl",
+                                          "  energy        total 2.5 nJ"};
+  EXPECT_EQ(result_lines(c, row, Scales{5e-4, 1e3, 1e-3}), expected);
+}
+
 TEST(Results, OfSeveralDropletsIn3D) {
   Case c = box({1, 1, 0.5});
   c.droplets.resize(3);
